@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cmath>
+
+namespace tdbd {
+
+/// Neumaier's compensated sum: the error does not grow with the number of terms.
+struct CompensatedSum {
+  double sum = 0.0;
+  double correction = 0.0;
+
+  void add(double x) {
+    const double t = sum + x;
+    correction += std::abs(sum) >= std::abs(x) ? (sum - t) + x : (x - t) + sum;
+    sum = t;
+  }
+  double value() const { return sum + correction; }
+};
+
+}  // namespace tdbd

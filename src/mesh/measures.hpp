@@ -1,0 +1,43 @@
+#pragma once
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace tdbd::mesh {
+
+/// Area vector of a triangle: half the cross product of two edges, along the normal. m2.
+inline Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * (b - a).cross(c - a);
+}
+
+/// Shape quality q = 4 sqrt(3) A / (a^2 + b^2 + c^2): 1 for equilateral, 0 for degenerate.
+/// Formulation 3; thesis: 4.2.4.4.
+double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Volume enclosed by a closed mesh, by signed tetrahedra about the first position
+/// (compensated sum). Positive when the normals point outwards. m3.
+double enclosed_volume(const TriangleMesh& m);
+
+/// Total area, m2.
+double area(const TriangleMesh& m);
+
+/// Axis-aligned box. Empty: lo > hi.
+struct Box {
+  Vec3 lo = Vec3::Constant(1e300);
+  Vec3 hi = Vec3::Constant(-1e300);
+
+  void add(const Vec3& x) {
+    lo = lo.cwiseMin(x);
+    hi = hi.cwiseMax(x);
+  }
+  bool contains(const Vec3& x) const {
+    return (x.array() >= lo.array()).all() && (x.array() <= hi.array()).all();
+  }
+  bool overlaps(const Box& b) const {
+    return (lo.array() <= b.hi.array()).all() && (b.lo.array() <= hi.array()).all();
+  }
+  Vec3 size() const { return hi - lo; }
+};
+
+Box bounding_box(const TriangleMesh& m);
+
+}  // namespace tdbd::mesh
