@@ -18,35 +18,35 @@ enum class Cutting { cuts, never };
 /// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P.
 /// Parts of one cutter share that cutter's frame. Thesis: 3.1.
 struct Part {
-  std::string name;            ///< "cutter-12/face", "gage-pad-3", "bit-body"
+  std::string name;  ///< "cutter-12/face", "gage-pad-3", "bit-body"
   PartKind kind = PartKind::bit_body;
   Cutting cutting = Cutting::cuts;
-  Pose X_BP;                   ///< part frame in bit frame
-  mesh::TriangleMesh mesh_P;   ///< m, part frame
+  Pose X_BP;                                ///< part frame in bit frame
+  mesh::TriangleMesh mesh_P;                ///< m, part frame
   Vec3 update_direction_B = Vec3(0, 0, 1);  ///< unit, in the bit's X-Z plane (azimuth 0); eq. 4.2
-  int group = -1;              ///< parts with the same group share X_BP and are processed together
-  int cutter = -1;             ///< index into Bit::cutters, or -1
-  double density = 0.0;        ///< kg/m3; 0: this part's volume is counted elsewhere
+  int group = -1;        ///< parts with the same group share X_BP and are processed together
+  int cutter = -1;       ///< index into Bit::cutters, or -1
+  double density = 0.0;  ///< kg/m3; 0: this part's volume is counted elsewhere
 };
 
 /// One row of the cutter table, SI. Thesis: 3.2.2, app. A; formulation 1.
 struct Cutter {
-  int id = 0;                  ///< number in the table, as in "cutter-12"
+  int id = 0;  ///< number in the table, as in "cutter-12"
   int blade = 0;
-  std::string zone;            ///< cone, nose, shoulder, gage (a label)
-  double diameter = 0.0;       ///< m
-  double tip_radius = 0.0;     ///< m, from the bit's axis
-  double azimuth = 0.0;        ///< rad, about +z
-  double tip_height = 0.0;     ///< m, above the nose tip (against +z)
-  double profile_angle = 0.0;  ///< rad; normal into the rock n = (sin, cos) in (r, z)
-  double back_rake = 0.0;      ///< rad
-  double side_rake = 0.0;      ///< rad
-  double chamfer = 0.0;        ///< m, width along the face, 0 for a sharp edge
-  double chamfer_angle = 0.0;  ///< rad, from the cutter's axis direction; 45 deg is usual
-  double length = 0.0;         ///< m, of the whole cutter
-  double table_thickness = 0.0;///< m, of the diamond table
-  int line = 0;                ///< line of the table's file, for messages
-  Pose X_BC;                   ///< cutter frame in bit frame (formulation 1)
+  std::string zone;              ///< cone, nose, shoulder, gage (a label)
+  double diameter = 0.0;         ///< m
+  double tip_radius = 0.0;       ///< m, from the bit's axis
+  double azimuth = 0.0;          ///< rad, about +z
+  double tip_height = 0.0;       ///< m, above the nose tip (against +z)
+  double profile_angle = 0.0;    ///< rad; normal into the rock n = (sin, cos) in (r, z)
+  double back_rake = 0.0;        ///< rad
+  double side_rake = 0.0;        ///< rad
+  double chamfer = 0.0;          ///< m, width along the face, 0 for a sharp edge
+  double chamfer_angle = 0.0;    ///< rad, from the cutter's axis direction; 45 deg is usual
+  double length = 0.0;           ///< m, of the whole cutter
+  double table_thickness = 0.0;  ///< m, of the diamond table
+  int line = 0;                  ///< line of the table's file, for messages
+  Pose X_BC;                     ///< cutter frame in bit frame (formulation 1)
 };
 
 /// A bit: parts in the bit frame B. B's origin is the nose tip on the axis, z down (drilling
@@ -55,7 +55,7 @@ struct Bit {
   std::string name;
   std::vector<Part> parts;
   std::vector<Cutter> cutters;
-  double gage_radius = 0.0;    ///< m, largest radius that a cutting part reaches
+  double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches
 };
 
 }  // namespace tdbd::bit

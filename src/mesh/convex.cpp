@@ -1,0 +1,75 @@
+#include "mesh/convex.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/tolerance.hpp"
+#include "mesh/measures.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+struct Plane {
+  Vec3 n;
+  double b;
+};
+
+Vec3 corner(const TriangleMesh& m, const Triangle& t, int i) {
+  return m.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])];
+}
+
+Vec3 area_vector_of(const TriangleMesh& m, const Triangle& t) {
+  return area_vector(corner(m, t, 0), corner(m, t, 1), corner(m, t, 2));
+}
+
+bool lies_on(const TriangleMesh& m, const Triangle& t, const Vec3& area, const Plane& p,
+             double slack) {
+  if (area.dot(p.n) < 0.9 * area.norm()) return false;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(p.n.dot(corner(m, t, i)) - p.b) > slack) return false;
+  return true;
+}
+
+/// Largest triangles first: their normals are the least disturbed by rounded coordinates.
+std::vector<int> by_falling_area(const TriangleMesh& m) {
+  std::vector<double> area(m.triangles.size());
+  for (std::size_t t = 0; t < area.size(); ++t) area[t] = area_vector_of(m, m.triangles[t]).norm();
+  std::vector<int> order(m.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+    return area[static_cast<std::size_t>(i)] > area[static_cast<std::size_t>(j)];
+  });
+  return order;
+}
+
+std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack) {
+  std::vector<Plane> planes;
+  for (const int k : by_falling_area(m)) {
+    const Triangle& t = m.triangles[static_cast<std::size_t>(k)];
+    const Vec3 area = area_vector_of(m, t);
+    if (area.norm() == 0.0) continue;
+    const bool known = std::any_of(planes.begin(), planes.end(),
+                                   [&](const Plane& p) { return lies_on(m, t, area, p, slack); });
+    if (!known) planes.push_back({area.normalized(), area.normalized().dot(corner(m, t, 0))});
+  }
+  return planes;
+}
+
+}  // namespace
+
+std::optional<ConvexSolid> convex_solid(const TriangleMesh& m) {
+  const double slack = tolerance::convex * bounding_box(m).size().norm();
+  ConvexSolid solid;
+  for (const Plane& p : distinct_planes(m, slack)) {
+    double support = p.b;
+    for (const Vec3& x : m.positions) support = std::max(support, p.n.dot(x));
+    if (support - p.b > slack) return std::nullopt;
+    solid.nx.push_back(p.n.x());
+    solid.ny.push_back(p.n.y());
+    solid.nz.push_back(p.n.z());
+    solid.b.push_back(support);
+  }
+  return solid;
+}
+
+}  // namespace tdbd::mesh

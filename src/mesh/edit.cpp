@@ -1,0 +1,142 @@
+#include "mesh/edit.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void link(Surface& s, int c, int d) {
+  if (c >= 0) s.opposite[at(c)] = d;
+  if (d >= 0) s.opposite[at(d)] = c;
+}
+
+void set_vertex(Surface& s, int c, int v) { s.triangles[at(c / 3)][at(c % 3)] = v; }
+
+int new_vertex(Surface& s, const Vec3& x) {
+  int v = static_cast<int>(s.positions.size());
+  if (s.free_vertices.empty()) {
+    s.positions.push_back(x);
+    s.corner_of.push_back(-1);
+    s.boundary.push_back(0);
+    return v;
+  }
+  v = s.free_vertices.back();
+  s.free_vertices.pop_back();
+  s.positions[at(v)] = x;
+  s.boundary[at(v)] = 0;
+  return v;
+}
+
+int new_triangle(Surface& s, const Triangle& t) {
+  int k = s.triangle_slots();
+  if (s.free_triangles.empty()) {
+    s.triangles.push_back(t);
+    s.opposite.insert(s.opposite.end(), 3, -1);
+    return k;
+  }
+  k = s.free_triangles.back();
+  s.free_triangles.pop_back();
+  s.triangles[at(k)] = t;
+  return k;
+}
+
+void free_triangle(Surface& s, int t) {
+  s.triangles[at(t)] = {-1, -1, -1};
+  s.free_triangles.push_back(t);
+}
+
+/// Splits one side: the triangle (p, a, b) of corner c keeps (p, a, m); the new one is (p, m, b).
+/// Returns the new triangle's corner at p.
+int split_side(Surface& s, int c, int m) {
+  const int n = next_corner(c), r = previous_corner(c);
+  const int p = s.vertex(c), b = s.vertex(r);
+  const int beyond = s.opposite_of(n);
+  const int c1 = 3 * new_triangle(s, {p, m, b});
+  set_vertex(s, r, m);
+  link(s, c1 + 1, beyond);
+  link(s, n, c1 + 2);
+  s.corner_of[at(b)] = c1 + 2;
+  return c1;
+}
+
+int valence(const Surface& s, int v) {
+  int n = 0;
+  visit_corners(s, v, [&](int) { ++n; });
+  return n;
+}
+
+bool are_neighbours(const Surface& s, int v, int w) {
+  bool found = false;
+  visit_corners(s, v, [&](int c) {
+    found = found || s.vertex(next_corner(c)) == w || s.vertex(previous_corner(c)) == w;
+  });
+  return found;
+}
+
+/// Takes the triangle of corner c out: the triangles beyond its two other edges become neighbours.
+void close_gap(Surface& s, int c, int keep) {
+  const int beyond_next = s.opposite_of(next_corner(c));
+  const int beyond_previous = s.opposite_of(previous_corner(c));
+  const int apex = s.vertex(c);
+  if (beyond_next >= 0)
+    link(s, beyond_next, beyond_previous);
+  else
+    link(s, beyond_previous, -1);
+  // A corner beyond the edge (keep, apex): its neighbours in that triangle are these two vertices.
+  const int side = beyond_previous >= 0 ? beyond_previous : beyond_next;
+  const int n = next_corner(side), r = previous_corner(side);
+  s.corner_of[at(apex)] = s.vertex(n) == apex ? n : r;
+  s.corner_of[at(keep)] = s.vertex(n) == apex ? r : n;
+  free_triangle(s, c / 3);
+}
+
+}  // namespace
+
+int split_edge(Surface& s, int c, const Vec3& x) {
+  const int o = s.opposite_of(c);
+  const int a = s.vertex(next_corner(c));
+  const int m = new_vertex(s, x);
+  const int c1 = split_side(s, c, m);
+  const int o1 = split_side(s, o, m);
+  link(s, c, o1);
+  link(s, c1, o);
+  s.corner_of[at(m)] = previous_corner(c);
+  s.corner_of[at(a)] = next_corner(c);
+  return m;
+}
+
+bool collapse_keeps_topology(const Surface& s, int c) {
+  const int o = s.opposite_of(c);
+  if (o < 0) return false;
+  const int a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
+  const int p = s.vertex(c), q = s.vertex(o);
+  if (s.is_boundary(b) || p == q) return false;
+  if ((!s.is_boundary(p) && valence(s, p) <= 3) || (!s.is_boundary(q) && valence(s, q) <= 3))
+    return false;
+  bool only_two = true;
+  visit_corners(s, b, [&](int k) {
+    const int w = s.vertex(next_corner(k));
+    if (w != a && w != p && w != q && are_neighbours(s, w, a)) only_two = false;
+  });
+  return only_two;
+}
+
+void collapse_edge(Surface& s, int c, const Vec3& x) {
+  const int o = s.opposite_of(c);
+  const int a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
+  const int first = s.corner_of[at(b)];
+  int k = first;
+  do {  // b is an interior vertex: the turn closes. The topology is still whole while it is
+        // renamed.
+    const int following = turn_left(s, k);
+    set_vertex(s, k, a);
+    k = following;
+  } while (k != first);
+  close_gap(s, c, a);
+  close_gap(s, o, a);
+  s.positions[at(a)] = x;
+  s.corner_of[at(b)] = -1;
+  s.free_vertices.push_back(b);
+}
+
+}  // namespace tdbd::mesh

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace tdbd::mesh {
+
+/// A triangulated surface that can change: positions, triangles and, for every corner c = 3 t + i,
+/// the corner on the other side of the edge that faces c (-1 on the boundary). No half-edge
+/// objects. Dead entries (triangle {-1,-1,-1}, corner_of -1) wait in free lists for reuse.
+/// Thesis: 4.2, B.6 (its surface classes).
+struct Surface {
+  std::vector<Vec3> positions;  ///< m
+  std::vector<Triangle> triangles;
+  std::vector<int> opposite;           ///< 3 per triangle
+  std::vector<int> corner_of;          ///< one corner at each vertex, -1 if the vertex is dead
+  std::vector<std::uint8_t> boundary;  ///< 1 on the boundary loop
+  std::vector<int> free_vertices;
+  std::vector<int> free_triangles;
+
+  int vertex(int c) const {
+    return triangles[static_cast<std::size_t>(c / 3)][static_cast<std::size_t>(c % 3)];
+  }
+  const Vec3& position(int v) const { return positions[static_cast<std::size_t>(v)]; }
+  bool is_boundary(int v) const { return boundary[static_cast<std::size_t>(v)] != 0; }
+  bool is_alive(int v) const { return corner_of[static_cast<std::size_t>(v)] >= 0; }
+  bool triangle_is_alive(int t) const { return triangles[static_cast<std::size_t>(t)][0] >= 0; }
+  int opposite_of(int c) const { return opposite[static_cast<std::size_t>(c)]; }
+  int triangle_slots() const { return static_cast<int>(triangles.size()); }
+  int vertex_slots() const { return static_cast<int>(positions.size()); }
+  int triangle_count() const { return triangle_slots() - static_cast<int>(free_triangles.size()); }
+  int vertex_count() const { return vertex_slots() - static_cast<int>(free_vertices.size()); }
+};
+
+inline int next_corner(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
+inline int previous_corner(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
+
+/// The next corner at the same vertex, counter-clockwise; -1 past the boundary.
+inline int turn_left(const Surface& s, int c) {
+  const int o = s.opposite_of(next_corner(c));
+  return o < 0 ? -1 : next_corner(o);
+}
+
+/// The next corner at the same vertex, clockwise; -1 past the boundary.
+inline int turn_right(const Surface& s, int c) {
+  const int o = s.opposite_of(previous_corner(c));
+  return o < 0 ? -1 : previous_corner(o);
+}
+
+/// Calls visit(corner) for every corner at vertex v, counter-clockwise from corner_of[v]; at a
+/// boundary vertex those clockwise of it follow.
+template <class Visit>
+void visit_corners(const Surface& s, int v, Visit&& visit) {
+  const int start = s.corner_of[static_cast<std::size_t>(v)];
+  int c = start;
+  do {
+    visit(c);
+    c = turn_left(s, c);
+  } while (c >= 0 && c != start);
+  if (c == start) return;
+  for (c = turn_right(s, start); c >= 0; c = turn_right(s, c)) visit(c);
+}
+
+/// The corner that faces the edge (a, b) in the triangle where b follows a; -1 if there is none.
+int corner_facing(const Surface& s, int a, int b);
+
+/// Builds the adjacency. Throws InputError if an edge has more than two triangles or two triangles
+/// disagree about its direction (vertices and their places are named).
+Surface make_surface(const TriangleMesh& m);
+
+/// The living part, vertices and triangles in slot order. If given, slot_of_vertex receives the
+/// slot in `s` of every vertex of the result.
+TriangleMesh compact(const Surface& s, std::vector<int>* slot_of_vertex = nullptr);
+
+/// Recomputes the adjacency slowly and compares: true if every opposite, corner_of and boundary
+/// entry is right. For tests and debug builds.
+bool adjacency_is_consistent(const Surface& s);
+
+/// Volume between the surface and a cap over its boundary loop, m3, up to a constant that depends
+/// on the boundary alone: -1/3 of the sum of x . A over triangles about `origin` (the rock's normal
+/// points into the hole). Differences are volumes removed (formulation 2.5).
+double hole_volume(const Surface& s, const Vec3& origin_W);
+
+}  // namespace tdbd::mesh

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "rock/cutting_bit.hpp"
+#include "rock/rock.hpp"
+#include "rock/swept_convex.hpp"
+
+namespace tdbd::rock {
+
+/// What one step took. Thesis: 4.1, fig. 4.2 (one turn of its loop without maintenance).
+struct CutReport {
+  std::vector<double> removed_by_part;  ///< m3, per part of the bit
+  double removed = 0.0;                 ///< m3
+  long candidates = 0;                  ///< vertices looked at
+  long moved = 0;                       ///< moves made
+  int passes = 0;
+};
+
+/// Room for the step, kept between steps so that none allocates once warm.
+struct CutWorkspace {
+  ConvexScratch convex;
+  std::vector<int> candidates, moved, triangles, moved_in_pass, moved_before;
+  std::vector<Vec3> old_position;
+  std::vector<int> vertex_stamp, triangle_stamp;
+  int stamp = 0;
+};
+
+/// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),
+/// move (4.1.3), measure (4.3), part after part; passes repeat until nothing moves. Afterwards no
+/// rock vertex lies inside a cutting part at pose 1 (tolerance::inside). Throws RunError with the
+/// parts' names if passes do not end or the bit sweeps the rock's boundary.
+void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
+              CutWorkspace& work, CutReport& report);
+
+}  // namespace tdbd::rock

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bit/bit.hpp"
+#include "mesh/convex.hpp"
+#include "mesh/measures.hpp"
+
+namespace tdbd::rock {
+
+/// A part prepared for swept queries.
+struct CuttingPart {
+  int part = -1;  ///< index into Bit::parts
+  std::string name;
+  mesh::ConvexSolid solid_P;
+  double depth = 0.0;  ///< m: shallower than this is not swept (tolerance::swept times part size)
+};
+
+/// Parts that share a frame and an update direction: found together, processed one after another.
+struct CuttingGroup {
+  Pose X_BP;
+  mesh::Box box_P;
+  Vec3 update_direction_B;
+  std::vector<CuttingPart> parts;
+};
+
+/// The parts that cut, in the order in which they take rock (the bit's order).
+struct CuttingBit {
+  std::vector<CuttingGroup> groups;
+  int part_count = 0;  ///< of the whole bit
+  double size = 0.0;   ///< m, diameter over the cutting parts: scale of tolerance::inside
+};
+
+/// Throws InputError naming a part that cannot be prepared.
+CuttingBit prepare_cutting_bit(const bit::Bit& bit);
+
+}  // namespace tdbd::rock

@@ -1,0 +1,33 @@
+#include "rock/rock.hpp"
+
+namespace tdbd::rock {
+
+Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
+  Rock rock;
+  mesh::Box box = reach_W;
+  for (const Vec3& x : surface.positions) box.add(x);
+  rock.grid = VertexGrid(box, cell);
+  for (int v = 0; v < surface.vertex_slots(); ++v)
+    if (surface.is_alive(v)) rock.grid.insert(v, surface.position(v));
+  rock.last_part.assign(surface.positions.size(), -1);
+  rock.touched.assign(surface.positions.size(), 0);
+  rock.surface = std::move(surface);
+  return rock;
+}
+
+void touch(Rock& rock, int v) {
+  std::uint8_t& mark = rock.touched[static_cast<std::size_t>(v)];
+  if (mark) return;
+  mark = 1;
+  rock.touched_list.push_back(v);
+}
+
+void register_vertex(Rock& rock, int v, int last_part) {
+  const auto n = static_cast<std::size_t>(rock.surface.vertex_slots());
+  rock.last_part.resize(n, -1);
+  rock.touched.resize(n, 0);
+  rock.last_part[static_cast<std::size_t>(v)] = last_part;
+  rock.grid.insert(v, rock.surface.position(v));
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/surface.hpp"
+#include "rock/vertex_grid.hpp"
+
+namespace tdbd::rock {
+
+/// The rock: a surface whose normal points out of the rock, an index over its vertices, who cut
+/// each vertex last, and which vertices changed since the last maintenance. Frame W. Thesis: 4.1.
+struct Rock {
+  mesh::Surface surface;
+  VertexGrid grid;
+  std::vector<int> last_part;         ///< per vertex: index into Bit::parts, -1 untouched
+  std::vector<std::uint8_t> touched;  ///< per vertex: 1 if listed in touched_list
+  std::vector<int> touched_list;
+};
+
+/// Puts a surface under the index. `cell` in m; about twice the edge length is quickest.
+/// `reach_W` is where the bit will go, so that the grid covers it.
+Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W);
+
+/// Notes that a vertex changed (moved, or its triangles did).
+void touch(Rock& rock, int v);
+
+/// Grows the per-vertex arrays and the index after a bisection made vertex v.
+void register_vertex(Rock& rock, int v, int last_part);
+
+}  // namespace tdbd::rock
