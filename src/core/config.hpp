@@ -1,0 +1,97 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace tdbd {
+
+/// The values that a quantity may take, in SI.
+struct Range {
+  enum class Ends { closed, open_lo };  ///< open_lo: greater than lo, not lo itself
+  double lo = -std::numeric_limits<double>::infinity();
+  double hi = std::numeric_limits<double>::infinity();
+  Ends ends = Ends::closed;
+
+  bool contains(double x) const { return (ends == Ends::closed ? x >= lo : x > lo) && x <= hi; }
+  std::string text() const;  ///< ", > 0", ", in [0, 1]"; empty when there is no limit
+
+  static Range positive() { return {.lo = 0.0, .ends = Ends::open_lo}; }
+  static Range non_negative() { return {.lo = 0.0}; }
+  static Range within(double lo, double hi) { return {.lo = lo, .hi = hi}; }
+};
+
+struct ConfigDocument;  // the file, the keys that were read, and the problems found so far
+
+/// Strict reader of a TOML file. A key is dotted ("motion.whirl.radius") and relative to the table
+/// that this Config stands for. A read without a fallback is required. A wrong or missing value
+/// never throws at once: the read notes the problem and returns the fallback or a harmless value,
+/// so that finish() can report every mistake of the file together.
+class Config {
+ public:
+  /// Parses a file, then applies overrides "key.sub=value" (a TOML value, or else a bare string).
+  /// Throws InputError when the file cannot be read or is no TOML (file:line:column).
+  static Config read_file(const std::string& path, const std::vector<std::string>& overrides);
+
+  /// Whether the key is given. Does not count as reading it.
+  bool has(std::string_view key) const;
+
+  /// A string with a unit ("8.5 in") or a number in `si_unit`; returned in `si_unit`.
+  double quantity(std::string_view key, const std::string& si_unit, std::optional<double> fallback,
+                  Range range = {});
+  /// Three quantities.
+  Vec3 vector(std::string_view key, const std::string& si_unit, std::optional<Vec3> fallback);
+  /// A whole number from lo to hi, ends included.
+  long integer(std::string_view key, std::optional<long> fallback, long lo, long hi);
+  /// true, false, "on" or "off".
+  bool flag(std::string_view key, std::optional<bool> fallback);
+  std::string text(std::string_view key, std::optional<std::string> fallback);
+  /// An existing file or folder, relative to the case file's folder; returned absolute. The empty
+  /// text stands for no file, where the fallback allows that.
+  std::string path(std::string_view key, std::optional<std::string> fallback);
+
+  /// One of the named values.
+  template <class E>
+  E choice(std::string_view key, const std::vector<std::pair<std::string, E>>& names,
+           std::optional<E> fallback) {
+    std::vector<std::string> texts;
+    std::optional<std::size_t> default_index;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      texts.push_back(names[i].first);
+      if (fallback == names[i].second && !default_index) default_index = i;
+    }
+    return names[choice_index(key, texts, default_index)].second;
+  }
+
+  /// A table, given or not, sharing this one's problems.
+  Config table(std::string_view key);
+  /// The elements of an array of tables ([[key]]); none when the key is missing.
+  std::vector<Config> tables(std::string_view key);
+
+  /// Notes a mistake that only the caller can see, at the key's line.
+  void problem(std::string_view key, const std::string& found, const std::string& expected);
+
+  /// Throws InputError when there were problems, or keys that nobody read; one line for each,
+  /// sorted by line: "FILE:LINE: KEY: found F, expected E".
+  void finish() const;
+
+  /// Every value read so far, defaults included, as a TOML file in SI that reads the same.
+  std::string resolved() const;
+
+ private:
+  Config(std::shared_ptr<ConfigDocument> document, std::string prefix);
+  std::size_t choice_index(std::string_view key, const std::vector<std::string>& names,
+                           std::optional<std::size_t> fallback);
+  std::string full(std::string_view key) const;
+
+  std::shared_ptr<ConfigDocument> document_;
+  std::string prefix_;  ///< dotted path of the table that this stands for; empty: the whole file
+};
+
+}  // namespace tdbd

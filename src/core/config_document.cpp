@@ -1,0 +1,164 @@
+#include "core/config_document.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+
+namespace tdbd {
+namespace {
+
+/// "8.5", "true" and "[1, 2]" are TOML values; anything else is a bare string.
+void insert_value(toml::table& table, const std::string& name, const std::string& text) {
+  try {
+    toml::table parsed = toml::parse("v = " + text);
+    if (parsed.size() == 1) {
+      table.insert_or_assign(name, std::move(*parsed.get("v")));
+      return;
+    }
+  } catch (const toml::parse_error&) {  // not TOML: the text itself is meant
+  }
+  table.insert_or_assign(name, text);
+}
+
+/// The table of a dotted key, made on the way down where it is missing; null where a value is.
+toml::table* table_at(toml::table& root, const std::string& key) {
+  if (key.empty()) return &root;
+  if (toml::node* node = toml::at_path(root, key).node()) return node->as_table();
+  toml::table* parent = table_at(root, parent_key(key));
+  if (parent == nullptr || key.back() == ']') return nullptr;
+  return parent->insert_or_assign(last_key(key), toml::table{}).first->second.as_table();
+}
+
+std::string suggestion(const ConfigDocument& document, const std::string& key) {
+  std::vector<std::string> siblings, all;
+  for (const auto& [known, value] : document.values) {
+    all.push_back(known);
+    if (parent_key(known) == parent_key(key)) siblings.push_back(last_key(known));
+  }
+  all.insert(all.end(), document.tables.begin(), document.tables.end());
+  if (const auto name = nearest_name(last_key(key), siblings)) return fmt::format("{}", *name);
+  return nearest_name(key, all).value_or("no such key here");
+}
+
+/// A table is known when it, or any key in it, was asked for.
+bool is_known_table(const ConfigDocument& document, const std::string& key) {
+  const auto inside = document.values.lower_bound(key + ".");
+  return document.tables.count(key) != 0 ||
+         (inside != document.values.end() && inside->first.rfind(key + ".", 0) == 0);
+}
+
+/// Depth first: a leaf that nobody read is unknown; so is an empty table that nobody asked for.
+void collect_unknown(const ConfigDocument& document, const toml::node& node, const std::string& key,
+                     std::vector<ConfigProblem>& unknown) {
+  const toml::table* table = node.as_table();
+  const toml::array* array = node.as_array();
+  const bool is_tables =
+      array != nullptr && !array->empty() && array->is_homogeneous<toml::table>();
+  if (document.values.count(key) != 0) return;
+  if (table != nullptr && !table->empty()) {
+    for (const auto& [name, child] : *table) {
+      const std::string dot = key.empty() ? "" : ".";
+      collect_unknown(document, child, fmt::format("{}{}{}", key, dot, name.str()), unknown);
+    }
+  } else if (is_tables) {
+    for (std::size_t i = 0; i < array->size(); ++i)
+      collect_unknown(document, (*array)[i], fmt::format("{}[{}]", key, i), unknown);
+  } else if (!key.empty() && !is_known_table(document, key)) {
+    unknown.push_back({document.line_of(key), key, "an unknown key", suggestion(document, key)});
+  }
+}
+
+}  // namespace
+
+std::string parent_key(const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  return dot == std::string::npos ? "" : key.substr(0, dot);
+}
+
+std::string last_key(const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  return dot == std::string::npos ? key : key.substr(dot + 1);
+}
+
+const toml::node* ConfigDocument::find(const std::string& key) const {
+  return key.empty() ? &root : toml::at_path(root, key).node();
+}
+
+long ConfigDocument::line_of(const std::string& key) const {
+  if (key.empty()) return 1;
+  if (overridden.count(key) != 0) return 0;
+  if (const toml::node* node = find(key))
+    if (node->source().begin.line != 0) return static_cast<long>(node->source().begin.line);
+  return line_of(parent_key(key));
+}
+
+void ConfigDocument::add_problem(const std::string& key, const std::string& found,
+                                 const std::string& expected) {
+  problems.push_back({line_of(key), key, found, expected});
+}
+
+ConfigDocument read_document(const std::string& path) {
+  ConfigDocument document;
+  document.file = path;
+  document.folder = std::filesystem::absolute(path).parent_path().string();
+  if (!std::filesystem::is_regular_file(path))
+    throw InputError(fmt::format("{}: found no such file, expected a TOML file", path));
+  try {
+    document.root = toml::parse_file(path);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: found a syntax error, expected TOML: {}", path, at.line,
+                                 at.column, error.description()));
+  }
+  return document;
+}
+
+void apply_override(ConfigDocument& document, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string key = assignment.substr(0, equals);
+  if (equals == std::string::npos || key.empty()) {
+    document.problems.push_back({0, assignment, "no key=value", "key=value"});
+    return;
+  }
+  document.overridden.insert(key);
+  toml::table* table = table_at(document.root, parent_key(key));
+  if (table == nullptr) {
+    document.add_problem(key, "a value where its table should be", "a key inside a table");
+    return;
+  }
+  insert_value(*table, last_key(key), assignment.substr(equals + 1));
+}
+
+std::string toml_string(std::string_view text) {
+  std::ostringstream out;
+  out << toml::toml_formatter{toml::array{text}, toml::format_flags::none};
+  const std::string array = out.str();  // [ "text" ]
+  const std::size_t first = array.find('"');
+  return array.substr(first, array.rfind('"') + 1 - first);
+}
+
+std::string describe(const toml::node* node) {
+  if (node == nullptr) return "nothing";
+  if (node->is_table()) return "a table";
+  if (const toml::array* array = node->as_array())
+    return fmt::format("an array of {}", array->size());
+  if (const auto text = node->as_string()) return toml_string(text->get());
+  std::ostringstream out;
+  node->visit([&out](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) out << value;
+  });
+  return out.str();
+}
+
+std::vector<ConfigProblem> unknown_keys(const ConfigDocument& document) {
+  std::vector<ConfigProblem> unknown;
+  collect_unknown(document, document.root, "", unknown);
+  return unknown;
+}
+
+}  // namespace tdbd

@@ -1,0 +1,37 @@
+#include "core/nearest_name.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tdbd {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);  // distances of a's first i characters to b's first j
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+std::optional<std::string> nearest_name(std::string_view name,
+                                        const std::vector<std::string>& names) {
+  std::optional<std::string> nearest;
+  std::size_t least = 0;
+  for (const std::string& candidate : names) {
+    const std::size_t d = edit_distance(name, candidate);
+    const std::size_t limit = std::max<std::size_t>(1, std::max(name.size(), candidate.size()) / 3);
+    if (d > limit || (nearest && d >= least)) continue;
+    nearest = candidate;
+    least = d;
+  }
+  return nearest;
+}
+
+}  // namespace tdbd

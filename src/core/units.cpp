@@ -1,0 +1,179 @@
+#include "core/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace tdbd {
+namespace {
+
+using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+
+/// The dimensions that the program's input uses, for messages.
+constexpr std::array<std::pair<const char*, const char*>, 16> dimension_names{{
+    {"1", "a plain number"},
+    {"m", "length"},
+    {"m2", "area"},
+    {"m3", "volume"},
+    {"rad", "angle"},
+    {"s", "time"},
+    {"1/s", "frequency"},
+    {"m/s", "speed"},
+    {"m/s2", "acceleration"},
+    {"rad/s", "angular speed"},
+    {"kg", "mass"},
+    {"kg/m3", "density"},
+    {"N", "force"},
+    {"N m", "torque"},
+    {"Pa", "pressure"},
+    {"W", "power"},
+}};
+
+Unit parse_unit(ut_system* system, const std::string& text) {
+  return {ut_parse(system, text.c_str(), UT_ASCII), &ut_free};
+}
+
+/// A name that UDUNITS-2 lacks; one that it has already keeps its meaning.
+void add_alias(ut_system* system, const char* name, const std::string& definition) {
+  if (parse_unit(system, name)) return;
+  const Unit unit = parse_unit(system, definition);
+  ut_map_name_to_unit(name, UT_ASCII, unit.get());
+}
+
+ut_system* load_units() {
+  ut_set_error_message_handler(&ut_ignore);
+  ut_system* system = ut_read_xml(nullptr);
+  if (system == nullptr) throw RunError("units: the database of UDUNITS-2 cannot be read");
+  add_alias(system, "deg", "arc_degree");
+  add_alias(system, "rpm", "revolution/minute");
+  add_alias(system, "lbf", "pound_force");
+  add_alias(system, "klbf", "1000 pound_force");
+  add_alias(system, "psi", "pound_force/inch^2");
+  add_alias(system, "ppg", "pound/(231 inch^3)");
+  return system;
+}
+
+/// Loaded once, kept until the program ends.
+ut_system* unit_system() {
+  static ut_system* const system = load_units();
+  return system;
+}
+
+/// Powers of the base units. Our own comparison, since UDUNITS-2 takes the radian for a plain
+/// number and converts seconds into 1/s by taking the reciprocal.
+using Dimension = std::map<std::string, int>;
+
+void add_power(const ut_unit* base, int power, void* dimension) {
+  const char* symbol = ut_get_symbol(base, UT_ASCII);
+  const char* name = symbol != nullptr ? symbol : ut_get_name(base, UT_ASCII);
+  (*static_cast<Dimension*>(dimension))[name != nullptr ? name : "?"] += power;
+}
+
+/// How a unit is made up: a base unit, powers of base units, or one of these scaled and shifted.
+ut_visitor dimension_visitor() {
+  ut_visitor visitor{};
+  visitor.visit_basic = [](const ut_unit* base, void* dimension) {
+    add_power(base, 1, dimension);
+    return UT_SUCCESS;
+  };
+  visitor.visit_product = [](const ut_unit*, int count, const ut_unit* const* bases,
+                             const int* powers, void* dimension) {
+    for (int i = 0; i < count; ++i) add_power(bases[i], powers[i], dimension);
+    return UT_SUCCESS;
+  };
+  visitor.visit_galilean = [](const ut_unit*, double, const ut_unit* inner, double, void* result) {
+    const ut_visitor again = dimension_visitor();
+    return ut_accept_visitor(inner, &again, result);
+  };
+  visitor.visit_timestamp = [](const ut_unit*, const ut_unit*, double, void* dimension) {
+    ++(*static_cast<Dimension*>(dimension))["date"];
+    return UT_SUCCESS;
+  };
+  visitor.visit_logarithmic = [](const ut_unit*, double, const ut_unit*, void* dimension) {
+    ++(*static_cast<Dimension*>(dimension))["logarithm"];
+    return UT_SUCCESS;
+  };
+  return visitor;
+}
+
+bool same_dimension(const Unit& a, const Unit& b) {
+  const ut_visitor visitor = dimension_visitor();
+  Dimension of_a, of_b;
+  ut_accept_visitor(a.get(), &visitor, &of_a);
+  ut_accept_visitor(b.get(), &visitor, &of_b);
+  return of_a == of_b;
+}
+
+/// "length", or the unit in SI base units when the dimension has no name here.
+std::string dimension_of(const Unit& unit) {
+  for (const auto& [symbol, name] : dimension_names)
+    if (same_dimension(unit, parse_unit(unit_system(), symbol))) return name;
+  std::array<char, 128> buffer{};
+  const int n = ut_format(unit.get(), buffer.data(), buffer.size(), UT_ASCII | UT_DEFINITION);
+  return n > 0 ? fmt::format("a unit of dimension {}", buffer.data()) : "a unit without dimension";
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// "8 1/2 in" would mean 8 times half an inch: after the number only a unit may follow.
+bool starts_like_a_number(std::string_view unit) {
+  if (unit.empty()) return false;
+  if (unit.size() > 2 && unit.substr(0, 2) == "1/")
+    return std::isalpha(static_cast<unsigned char>(unit[2])) == 0;
+  return std::string_view("0123456789.+-*/").find(unit.front()) != std::string_view::npos;
+}
+
+}  // namespace
+
+UnitError::UnitError(const std::string& found_text, const std::string& expected_text)
+    : std::runtime_error(fmt::format("found {}, expected {}", found_text, expected_text)),
+      found(found_text),
+      expected(expected_text) {}
+
+std::string describe_unit(const std::string& si_unit) {
+  if (si_unit == "1") return dimension_names.front().second;
+  return fmt::format("{} in {}", dimension_of(parse_unit(unit_system(), si_unit)), si_unit);
+}
+
+double to_si(std::string_view text, const std::string& si_unit) {
+  const auto fail = [&](const std::string& why) -> UnitError {
+    return {fmt::format("\"{}\" ({})", text, why),
+            fmt::format("{} or another unit of it", describe_unit(si_unit))};
+  };
+  const std::string_view body = trimmed(text);
+  double number = 0.0;
+  const auto [rest, error] = std::from_chars(body.data(), body.data() + body.size(), number);
+  if (error != std::errc()) throw fail("does not start with a number");
+  if (!std::isfinite(number)) throw fail("is not finite");
+  const std::string name(trimmed(body.substr(static_cast<std::size_t>(rest - body.data()))));
+  if (name.empty() && si_unit != "1") throw fail("has no unit");
+  if (starts_like_a_number(name)) throw fail("has a second number in place of a unit");
+
+  const Unit unit = parse_unit(unit_system(), name.empty() ? "1" : name);
+  if (!unit) throw fail(fmt::format("unknown unit {}", name));
+  const Unit target = parse_unit(unit_system(), si_unit);
+  if (!target) throw RunError(fmt::format("units: {} is no unit", si_unit));
+  if (!same_dimension(unit, target)) throw fail(fmt::format("{} is {}", name, dimension_of(unit)));
+
+  const std::unique_ptr<cv_converter, decltype(&cv_free)> converter{
+      ut_get_converter(unit.get(), target.get()), &cv_free};
+  const double value = cv_convert_double(converter.get(), number);
+  if (!std::isfinite(value)) throw fail("is not finite in SI");
+  return value;
+}
+
+}  // namespace tdbd

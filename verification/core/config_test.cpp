@@ -1,0 +1,159 @@
+#include "core/config.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "temporary_file.hpp"
+
+namespace tdbd {
+namespace {
+
+enum class Motion { axial, whirl };
+const std::vector<std::pair<std::string, Motion>> motions{{"axial", Motion::axial},
+                                                          {"whirl", Motion::whirl}};
+
+constexpr const char* sample = R"(name = "a \"quoted\" name"
+table = "cutters.csv"
+steps = 12
+[motion]
+kind = "whirl"
+rpm = "120 rpm"
+verbose = "on"
+offset = ["1 mm", 0.002, "3 mm"]
+[[layers]]
+depth = "1 m"
+strength = "30 MPa"
+[[layers]]
+[[layers]]
+depth = 3
+[layers.grading]
+top = 0.1
+)";
+
+struct Layer {
+  double depth, strength, top;
+  bool operator==(const Layer&) const = default;
+};
+
+struct Sample {
+  std::string name, table, log;
+  long steps = 0;
+  Motion kind = Motion::axial;
+  double rpm = 0.0, bound = 0.0;
+  bool verbose = false, fast = true;
+  Vec3 offset = Vec3::Zero();
+  std::vector<Layer> layers;
+  bool operator==(const Sample&) const = default;
+};
+
+Sample read_sample(Config& config) {
+  Sample s;
+  s.name = config.text("name", {});
+  s.table = config.path("table", {});
+  s.log = config.path("log", "");
+  s.steps = config.integer("steps", {}, 1, 100);
+  s.bound = config.quantity("bound", "m", std::numeric_limits<double>::infinity());
+  Config motion = config.table("motion");
+  s.kind = motion.choice<Motion>("kind", motions, {});
+  s.rpm = motion.quantity("rpm", "rad/s", {}, Range::positive());
+  s.verbose = motion.flag("verbose", {});
+  s.fast = config.flag("motion.fast", false);
+  s.offset = motion.vector("offset", "m", {});
+  for (Config layer : config.tables("layers"))
+    s.layers.push_back({layer.quantity("depth", "m", 2.0), layer.quantity("strength", "Pa", 0.1),
+                        layer.quantity("grading.top", "1", 0.5, Range::within(0, 1))});
+  return s;
+}
+
+TEST(config, reads_every_kind_of_value) {
+  const std::string csv = ::testing::TempDir() + "cutters.csv";
+  std::ofstream(csv) << "x\n";
+  Config config = Config::read_file(write_temporary(".toml", sample), {});
+  const Sample s = read_sample(config);
+  config.finish();
+  EXPECT_EQ(s.name, "a \"quoted\" name");
+  EXPECT_TRUE(std::filesystem::equivalent(s.table, csv));
+  EXPECT_TRUE(std::filesystem::path(s.table).is_absolute());
+  EXPECT_EQ(s.log, "");
+  EXPECT_EQ(s.steps, 12);
+  EXPECT_EQ(s.kind, Motion::whirl);
+  EXPECT_NEAR(s.rpm, 12.566370614359172, 1e-14);
+  EXPECT_TRUE(s.verbose);
+  EXPECT_FALSE(s.fast);
+  EXPECT_EQ(s.offset, Vec3(0.001, 0.002, 0.003));
+  const std::vector<Layer> layers{{1, 30e6, 0.5}, {2, 0.1, 0.5}, {3, 0.1, 0.1}};
+  EXPECT_EQ(s.layers, layers);
+}
+
+TEST(config, the_resolved_file_reads_the_same_and_resolves_to_itself) {
+  std::ofstream(::testing::TempDir() + "cutters.csv") << "x\n";
+  Config config = Config::read_file(write_temporary(".toml", sample), {"motion.rpm=7 rpm"});
+  const Sample first = read_sample(config);
+  std::filesystem::create_directories(::testing::TempDir() + "elsewhere");
+  const std::string copy = ::testing::TempDir() + "elsewhere/resolved.toml";
+  std::ofstream(copy) << config.resolved();
+  Config again = Config::read_file(copy, {});
+  EXPECT_EQ(read_sample(again), first) << config.resolved();
+  EXPECT_NO_THROW(again.finish());
+  EXPECT_EQ(again.resolved(), config.resolved());
+}
+
+TEST(config, the_resolved_file_names_units_and_defaults) {
+  Config config = Config::read_file(write_temporary(".toml", "d = \"0.1 m\"\n"), {});
+  config.quantity("d", "m", {});
+  config.quantity("hole.depth", "m", 0.5);
+  EXPECT_EQ(config.resolved(), "d = 0.10000000000000001  # m\n\n[hole]\ndepth = 0.5  # m\n");
+}
+
+TEST(config, overrides_replace_values_and_make_tables) {
+  const std::vector<std::string> overrides{"d=2 in", "new.sub.flag=true", "list[1].x=5", "s=a b",
+                                           "n=1\nm=2"};
+  const std::string toml = "d = \"1 in\"\n[[list]]\nx = 1\n[[list]]\nx = 2\n";
+  Config config = Config::read_file(write_temporary(".toml", toml), overrides);
+  EXPECT_DOUBLE_EQ(config.quantity("d", "m", {}), 0.0508);
+  EXPECT_TRUE(config.flag("new.sub.flag", {}));
+  EXPECT_EQ(config.tables("list")[1].quantity("x", "1", {}), 5.0);
+  EXPECT_EQ(config.tables("list")[0].quantity("x", "1", {}), 1.0);
+  EXPECT_EQ(config.text("s", {}), "a b");
+  EXPECT_EQ(config.text("n", {}), "1\nm=2");
+  EXPECT_FALSE(config.has("m"));
+  EXPECT_NO_THROW(config.finish());
+}
+
+TEST(config, has_looks_without_reading) {
+  Config config = Config::read_file(write_temporary(".toml", "[a]\nb = 1\n"), {});
+  EXPECT_TRUE(config.has("a"));
+  EXPECT_TRUE(config.has("a.b"));
+  EXPECT_FALSE(config.has("a.c"));
+  EXPECT_FALSE(config.has("a.b.c"));
+  EXPECT_THROW(config.finish(), InputError);
+}
+
+RC_GTEST_PROP(config, every_double_survives_the_resolved_file, (double x)) {
+  RC_PRE(std::isfinite(x));
+  const std::string path = ::testing::TempDir() + "config_double.toml";
+  std::ofstream(path) << fmt::format("x = {:.17e}\n", x);
+  Config config = Config::read_file(path, {});
+  const double read = config.quantity("x", "m", {});
+  std::ofstream(path) << config.resolved();
+  RC_ASSERT(read == x);
+  RC_ASSERT(Config::read_file(path, {}).quantity("x", "m", {}) == x);
+}
+
+RC_GTEST_PROP(config, every_text_survives_the_resolved_file, (const std::string& text)) {
+  const std::string path = ::testing::TempDir() + "config_text.toml";
+  std::ofstream(path) << "";
+  Config config = Config::read_file(path, {});
+  std::string ascii;
+  for (const char c : text) ascii += static_cast<char>(c & 0x7f);
+  config.text("t", ascii);
+  std::ofstream(path) << config.resolved();
+  RC_ASSERT(Config::read_file(path, {}).text("t", {}) == ascii);
+}
+
+}  // namespace
+}  // namespace tdbd

@@ -1,0 +1,101 @@
+#include "core/units.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <numbers>
+
+namespace tdbd {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The message of the error, or "" when the text was accepted.
+std::string refusal(const std::string& text, const std::string& si_unit) {
+  try {
+    to_si(text, si_unit);
+  } catch (const UnitError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_refusal(const std::string& text, const std::string& si_unit,
+                    const std::vector<std::string>& words) {
+  const std::string message = refusal(text, si_unit);
+  ASSERT_NE(message, "") << text << " was accepted as " << si_unit;
+  for (const std::string& word : words)
+    EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
+}
+
+// The factors are the definitions: the inch of 25.4 mm, the pound of 0.45359237 kg, standard
+// gravity of 9.80665 m/s2.
+TEST(units, converts_what_drillers_write) {
+  EXPECT_DOUBLE_EQ(to_si("8.5 in", "m"), 8.5 * 0.0254);
+  EXPECT_DOUBLE_EQ(to_si("8.5in", "m"), 8.5 * 0.0254);
+  EXPECT_DOUBLE_EQ(to_si("13 mm", "m"), 0.013);
+  EXPECT_DOUBLE_EQ(to_si("15 m/h", "m/s"), 15.0 / 3600.0);
+  EXPECT_DOUBLE_EQ(to_si("50 ft/h", "m/s"), 50 * 0.3048 / 3600.0);
+  EXPECT_DOUBLE_EQ(to_si("120 rpm", "rad/s"), 4 * pi);
+  EXPECT_DOUBLE_EQ(to_si("12 deg", "rad"), pi / 15);
+  EXPECT_DOUBLE_EQ(to_si("-12 deg", "rad"), -pi / 15);
+  EXPECT_NEAR(to_si("20 klbf", "N"), 20e3 * 0.45359237 * 9.80665, 1e-9);
+  EXPECT_NEAR(to_si("1 lbf", "N"), 0.45359237 * 9.80665, 1e-14);
+  EXPECT_NEAR(to_si("3000 psi", "Pa"), 3000 * 0.45359237 * 9.80665 / (0.0254 * 0.0254), 1e-6);
+  EXPECT_NEAR(to_si("10 ppg", "kg/m3"), 4.5359237 / (231 * 0.0254 * 0.0254 * 0.0254), 1e-9);
+  EXPECT_DOUBLE_EQ(to_si("30 MPa", "Pa"), 30e6);
+  EXPECT_DOUBLE_EQ(to_si("2.65 g/cm3", "kg/m3"), 2650);
+  EXPECT_DOUBLE_EQ(to_si("1 min", "s"), 60);
+  EXPECT_DOUBLE_EQ(to_si("50 %", "1"), 0.5);
+  EXPECT_DOUBLE_EQ(to_si("0.5", "1"), 0.5);
+  EXPECT_DOUBLE_EQ(to_si("2 1/s", "1/s"), 2);
+}
+
+TEST(units, knows_the_dimension_of_an_angle) {
+  EXPECT_DOUBLE_EQ(to_si("1 revolution/s", "rad/s"), 2 * pi);
+  EXPECT_DOUBLE_EQ(to_si("360 deg/s", "rad/s"), 2 * pi);
+  expect_refusal("2 Hz", "rad/s", {"Hz", "frequency", "angular speed"});
+  expect_refusal("2 1/s", "rad/s", {"frequency", "angular speed"});
+  expect_refusal("2 rpm", "1/s", {"angular speed", "frequency"});
+  expect_refusal("12 deg", "1", {"angle", "plain number"});
+  expect_refusal("12 percent", "rad", {"plain number", "angle"});
+}
+
+TEST(units, refuses_a_wrong_dimension_naming_both) {
+  expect_refusal("8.5 kg", "m", {"8.5 kg", "mass", "length"});
+  expect_refusal("20 klb", "N", {"mass", "force"});
+  expect_refusal("3 A", "m", {"dimension A", "length"});
+  expect_refusal("3 s", "1/s", {"s is time", "frequency"});  // UDUNITS-2 would take 1/(3 s)
+  expect_refusal("3 s/m", "m/s", {"speed"});
+  expect_refusal("3 seconds since 2000-01-01", "s", {"time"});
+  expect_refusal("3 dBZ", "m", {"length"});
+}
+
+TEST(units, refuses_what_is_no_number) {
+  expect_refusal("", "m", {"number"});
+  expect_refusal("in", "m", {"number"});
+  expect_refusal("abc", "m", {"abc", "number"});
+  expect_refusal("nan m", "m", {"finite"});
+  expect_refusal("inf m", "m", {"finite"});
+  expect_refusal("-inf m", "m", {"finite"});
+  expect_refusal("1e999 m", "m", {"number"});
+  expect_refusal("1e308 km", "m", {"finite"});
+}
+
+TEST(units, refuses_what_is_no_unit) {
+  expect_refusal("8.5", "m", {"no unit", "length"});
+  expect_refusal("8.5 inn", "m", {"unknown unit inn", "length"});
+  expect_refusal("8,5 in", "m", {"unknown unit"});
+  expect_refusal("8 1/2 in", "m", {"second number"});
+  expect_refusal("8 5 in", "m", {"second number"});
+  expect_refusal("8 - 5 in", "m", {"second number"});
+}
+
+RC_GTEST_PROP(units, conversion_is_proportional, (int thousandths)) {
+  const double x = thousandths / 1000.0;
+  RC_ASSERT(std::abs(to_si(fmt::format("{} in", x), "m") - x * 0.0254) <= 1e-15 * std::abs(x));
+}
+
+}  // namespace
+}  // namespace tdbd
