@@ -21,13 +21,17 @@ add_library(tdbd_udunits INTERFACE)
 target_include_directories(tdbd_udunits SYSTEM INTERFACE "${UDUNITS_INCLUDE_DIR}")
 target_link_libraries(tdbd_udunits INTERFACE "${UDUNITS_LIBRARY}")
 
+# Mesh files, and the exact twins of the tests. CGAL's flag -frounding-math follows this target.
+find_package(CGAL REQUIRED)
+add_library(tdbd_cgal INTERFACE)
+target_link_libraries(tdbd_cgal INTERFACE CGAL::CGAL)
+# CGAL's exact arithmetic sets rounding modes itself; keep its headers out of our warnings.
+target_include_directories(tdbd_cgal SYSTEM INTERFACE ${CGAL_INCLUDE_DIRS})
+
+find_package(nlohmann_json REQUIRED)
+
 if(NOT DEFINED TDBD_VERIFICATION OR TDBD_VERIFICATION)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)
-  find_package(CGAL REQUIRED)
   include(GoogleTest)
-  add_library(tdbd_cgal INTERFACE)
-  target_link_libraries(tdbd_cgal INTERFACE CGAL::CGAL)
-  # CGAL's exact arithmetic sets rounding modes itself; keep its headers out of our warnings.
-  target_include_directories(tdbd_cgal SYSTEM INTERFACE ${CGAL_INCLUDE_DIRS})
 endif()

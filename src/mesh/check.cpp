@@ -1,0 +1,229 @@
+#include "mesh/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh/check_edges.hpp"
+#include "mesh/measures.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+using Kind = Defect::Kind;
+using Defects = std::vector<Defect>;
+
+/// What rounding leaves of a quality of zero.
+constexpr double degenerate_quality = 1e-14;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+std::string in_mm(const Vec3& x) {
+  return fmt::format("({:.4f}, {:.4f}, {:.4f}) mm", 1e3 * x.x(), 1e3 * x.y(), 1e3 * x.z());
+}
+
+std::string at_vertex(const TriangleMesh& m, int v) {
+  return fmt::format("vertex {} at {}", v, in_mm(m.positions[index(v)]));
+}
+
+std::string at_triangle(const TriangleMesh& m, int i) {
+  const Triangle& t = m.triangles[index(i)];
+  const auto corner = [&](std::size_t k) { return m.positions[index(t[k])]; };
+  return fmt::format("triangle {} at {}", i, in_mm((corner(0) + corner(1) + corner(2)) / 3.0));
+}
+
+std::string at_edge(const TriangleMesh& m, const Side& s) {
+  return fmt::format("edge {}-{} of triangle {}, from {} to {}", s.lo, s.hi, s.triangle,
+                     in_mm(m.positions[index(s.lo)]), in_mm(m.positions[index(s.hi)]));
+}
+
+/// Corners that name no vertex. Nothing else can be asked of a mesh that has one.
+Defects indices_out_of_range(const TriangleMesh& m) {
+  Defects found;
+  const int n = static_cast<int>(m.positions.size());
+  for (std::size_t i = 0; i < m.triangles.size(); ++i)
+    for (const int v : m.triangles[i])
+      if (v < 0 || v >= n)
+        found.push_back(
+            {Kind::index_out_of_range, fmt::format("triangle {} names vertex {} of {}", i, v, n)});
+  return found;
+}
+
+void find_bad_numbers(const TriangleMesh& m, Defects& found) {
+  for (std::size_t v = 0; v < m.positions.size(); ++v)
+    if (!m.positions[v].allFinite())
+      found.push_back({Kind::not_finite, at_vertex(m, static_cast<int>(v))});
+}
+
+void find_degenerate_triangles(const TriangleMesh& m, Defects& found) {
+  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+    const Triangle& t = m.triangles[i];
+    const double q = triangle_quality(m.positions[index(t[0])], m.positions[index(t[1])],
+                                      m.positions[index(t[2])]);
+    if (q < degenerate_quality)
+      found.push_back({Kind::degenerate_triangle, at_triangle(m, static_cast<int>(i))});
+  }
+}
+
+void find_bad_edges(const TriangleMesh& m, const std::vector<Side>& sides, Defects& found) {
+  for_each_edge(sides, [&](const Side* first, const Side* last) {
+    if (last - first > 2)
+      found.push_back({Kind::non_manifold_edge, at_edge(m, *first)});
+    else if (last - first == 2 && first[0].forward == first[1].forward)
+      found.push_back({Kind::flipped_triangle, at_edge(m, first[1])});
+  });
+}
+
+void find_open_edges(const TriangleMesh& m, const std::vector<Side>& sides, Defects& found) {
+  for_each_edge(sides, [&](const Side* first, const Side* last) {
+    if (last - first == 1) found.push_back({Kind::hole, at_edge(m, *first)});
+  });
+}
+
+/// Number of the corner of triangle `t` at vertex `v`.
+int corner(const TriangleMesh& m, int t, int v) {
+  const Triangle& tri = m.triangles[index(t)];
+  return 3 * t + (tri[0] == v ? 0 : tri[1] == v ? 1 : 2);
+}
+
+/// Corners of one vertex whose triangles share an edge at it belong to one fan.
+DisjointSets fans_of_corners(const TriangleMesh& m, const std::vector<Side>& sides) {
+  DisjointSets fans(3 * m.triangles.size());
+  for_each_edge(sides, [&](const Side* first, const Side* last) {
+    for (const Side* s = first + 1; s < last; ++s)
+      for (const int v : {s->lo, s->hi})
+        fans.join(corner(m, first->triangle, v), corner(m, s->triangle, v));
+  });
+  return fans;
+}
+
+/// Number of fans of triangles around each vertex: 1 for a manifold, 0 for an isolated vertex.
+std::vector<int> fan_counts(const TriangleMesh& m, const std::vector<Side>& sides) {
+  DisjointSets fans = fans_of_corners(m, sides);
+  std::vector<int> count(m.positions.size(), 0);
+  for (int c = 0; c < static_cast<int>(3 * m.triangles.size()); ++c)
+    if (fans.find(c) == c) ++count[index(m.triangles[index(c / 3)][index(c % 3)])];
+  return count;
+}
+
+void find_bad_vertices(const TriangleMesh& m, const std::vector<int>& fans, Defects& found) {
+  for (std::size_t v = 0; v < fans.size(); ++v)
+    if (fans[v] > 1)
+      found.push_back(
+          {Kind::non_manifold_vertex,
+           fmt::format("{}, in {} fans of triangles", at_vertex(m, static_cast<int>(v)), fans[v])});
+}
+
+void find_isolated_vertices(const TriangleMesh& m, const std::vector<int>& fans, Defects& found) {
+  for (std::size_t v = 0; v < fans.size(); ++v)
+    if (fans[v] == 0) found.push_back({Kind::isolated_vertex, at_vertex(m, static_cast<int>(v))});
+}
+
+/// Sets among the vertices that `use` says take part.
+template <class Use>
+int count_sets(DisjointSets& sets, int n, Use use) {
+  int count = 0;
+  for (int i = 0; i < n; ++i) count += use(i) && sets.find(i) == i;
+  return count;
+}
+
+/// Pieces, boundary loops and V - E + F, for a mesh whose edges and vertices are manifold.
+void find_wrong_topology(const TriangleMesh& m, const std::vector<Side>& sides, Defects& found) {
+  const int n = static_cast<int>(m.positions.size());
+  DisjointSets pieces(m.positions.size()), loops(m.positions.size());
+  std::vector<char> on_boundary(m.positions.size(), 0);
+  int edges = 0;
+  for_each_edge(sides, [&](const Side* first, const Side* last) {
+    ++edges;
+    pieces.join(first->lo, first->hi);
+    if (last - first > 1) return;
+    loops.join(first->lo, first->hi);
+    on_boundary[index(first->lo)] = on_boundary[index(first->hi)] = 1;
+  });
+  const int n_pieces = count_sets(pieces, n, [](int) { return true; });
+  const int n_loops = count_sets(loops, n, [&](int v) { return on_boundary[index(v)] != 0; });
+  const int euler = n - edges + static_cast<int>(m.triangles.size());
+  if (n_pieces != 1) found.push_back({Kind::several_pieces, fmt::format("{} pieces", n_pieces)});
+  if (n_loops != 1) found.push_back({Kind::boundary_loops, fmt::format("{} loops", n_loops)});
+  if (euler != 1)
+    found.push_back({Kind::euler_characteristic, fmt::format("V - E + F = {}, not 1", euler)});
+}
+
+/// What both checks look for. Sides are filled when the indices allow it.
+Defects find_common(const TriangleMesh& m, std::vector<Side>& sides, std::vector<int>& fans) {
+  if (m.triangles.empty()) return {{Kind::empty, "no triangles"}};
+  Defects found = indices_out_of_range(m);
+  if (!found.empty()) return found;
+  find_bad_numbers(m, found);
+  find_degenerate_triangles(m, found);
+  sides = sorted_sides(m);
+  fans = fan_counts(m, sides);
+  find_bad_edges(m, sides, found);
+  find_bad_vertices(m, fans, found);
+  return found;
+}
+
+}  // namespace
+
+std::vector<Defect> check_closed(const TriangleMesh& m) {
+  std::vector<Side> sides;
+  std::vector<int> fans;
+  Defects found = find_common(m, sides, fans);
+  find_open_edges(m, sides, found);
+  if (found.empty() && enclosed_volume(m) <= 0.0)
+    found.push_back(
+        {Kind::inside_out, fmt::format("enclosed volume {} mm3", 1e9 * enclosed_volume(m))});
+  return found;
+}
+
+std::vector<Defect> check_surface(const TriangleMesh& m) {
+  std::vector<Side> sides;
+  std::vector<int> fans;
+  Defects found = find_common(m, sides, fans);
+  find_isolated_vertices(m, fans, found);
+  if (found.empty()) find_wrong_topology(m, sides, found);
+  return found;
+}
+
+std::string name(Defect::Kind kind) {
+  switch (kind) {
+    case Kind::index_out_of_range:
+      return "index out of range";
+    case Kind::not_finite:
+      return "coordinate not finite";
+    case Kind::degenerate_triangle:
+      return "degenerate triangle";
+    case Kind::hole:
+      return "hole";
+    case Kind::flipped_triangle:
+      return "flipped triangle";
+    case Kind::non_manifold_edge:
+      return "edge of more than two triangles";
+    case Kind::non_manifold_vertex:
+      return "non-manifold vertex";
+    case Kind::isolated_vertex:
+      return "vertex of no triangle";
+    case Kind::several_pieces:
+      return "not one connected surface";
+    case Kind::boundary_loops:
+      return "not one boundary loop";
+    case Kind::euler_characteristic:
+      return "not a disk";
+    case Kind::inside_out:
+      return "inside out";
+    case Kind::empty:
+      return "empty mesh";
+  }
+  return "unknown defect";
+}
+
+std::string describe(const std::vector<Defect>& defects, std::size_t max) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(max, defects.size()); ++i)
+    text += fmt::format("{}: {}\n", name(defects[i].kind), defects[i].where);
+  if (defects.size() > max) text += fmt::format("and {} more\n", defects.size() - max);
+  return text;
+}
+
+}  // namespace tdbd::mesh

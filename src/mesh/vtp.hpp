@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace tdbd::mesh {
+
+/// A number at every vertex or every triangle. The name carries the unit: "depth_m".
+struct Field {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// Writes `m` (positions in m) with its fields as VTK XML PolyData, appended raw binary: doubles
+/// to the bit, 32-bit indices, little-endian. ParaView opens it. Throws RunError when a field has
+/// the wrong length or the file cannot be written; no partial file stays.
+void write_vtp(const std::filesystem::path& path, const TriangleMesh& m,
+               const std::vector<Field>& point_data, const std::vector<Field>& cell_data);
+
+/// Writes a ParaView collection: (time in s, file relative to the collection). Throws RunError.
+void write_pvd(const std::filesystem::path& path,
+               const std::vector<std::pair<double, std::string>>& frames);
+
+}  // namespace tdbd::mesh

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace tdbd::simulation {
+
+/// What one step leaves in the history. Frames: W space (z down), B bit.
+struct HistoryRow {
+  double time = 0.0;                               ///< s, at the end of the step
+  Vec3 p_WB = Vec3::Zero();                        ///< m, origin of the bit
+  Vec3 rotation_vector = Vec3::Zero();             ///< rad, attitude B to W
+  double rotation_angle = 0.0;                     ///< rad about the bit's axis, unwrapped
+  double removed_volume_total = 0.0;               ///< m3, by all parts since the start
+  std::span<const double> removed_volume_by_part;  ///< m3, in this step
+  long swept_vertices = 0;                         ///< rock vertices moved in this step
+  long rock_triangles = 0;                         ///< triangles of the rock surface
+};
+
+/// A part as the history names it.
+struct HistoryPart {
+  std::string name;  ///< "cutter-12/face"
+  std::string kind;  ///< "face"
+};
+
+/// Records rows as NetCDF-4 (`history.nc`: dimensions time and part, every variable with units and
+/// long_name) and, without the columns by part, as `history.csv` beside it. Rows are written in
+/// blocks, so that one costs microseconds. Nothing in the files depends on when they were written.
+class History {
+ public:
+  /// Creates `path.partial`. Throws RunError when it cannot.
+  History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts);
+
+  /// Without close(), history.nc.partial stays with the blocks written so far; no csv stays.
+  ~History();
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+
+  /// Throws RunError when a block cannot be written, or `row` does not have the parts' number.
+  void append(const HistoryRow& row);
+
+  /// Writes what is buffered and gives the files their names. An interrupted run closes too.
+  /// Throws RunError.
+  void close();
+
+ private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
+
+}  // namespace tdbd::simulation
