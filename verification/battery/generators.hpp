@@ -1,0 +1,34 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "core/pose.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+/// RapidCheck generators. Every double is made from an integer, so that counterexamples shrink to
+/// few and round numbers. Lengths in m.
+namespace tdbd::battery {
+
+/// Multiples of 1/1000 in [lo, hi] (lo and hi in the same unit); shrinks towards the one nearest 0.
+rc::Gen<double> number(double lo, double hi);
+
+/// Points of the cube [-half, half]^3.
+rc::Gen<Vec3> point(double half);
+
+/// Unit vectors, all directions.
+rc::Gen<Vec3> direction();
+
+/// Rotations, from quaternions of small integers; shrinks towards the identity.
+rc::Gen<Mat3> rotation();
+
+/// Any rotation, and a translation in the cube [-half, half]^3.
+rc::Gen<Pose> pose(double half);
+
+/// Convex polyhedra: hulls of a tetrahedron about the origin and up to 12 points of the unit cube.
+rc::Gen<mesh::TriangleMesh> convex_polyhedron();
+
+/// Star-shaped about the origin, nonconvex: spheres of 80 triangles whose vertices went to radii
+/// between 0.4 and 1.
+rc::Gen<mesh::TriangleMesh> star_shape();
+
+}  // namespace tdbd::battery

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "core/pose.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+/// Shapes that tests share. All are closed and oriented outwards. Lengths in m.
+namespace tdbd::battery {
+
+/// Box between two corners.
+mesh::TriangleMesh box(const Vec3& lo, const Vec3& hi);
+
+/// Cylinder about z between -length/2 and length/2: a regular polygon's prism, corner 0 at +x.
+mesh::TriangleMesh cylinder(double radius, double length, int sides);
+
+/// Torus about z: `around` times `across` quadrilaterals, each cut in two; vertices on the torus.
+mesh::TriangleMesh torus(double major_radius, double minor_radius, int around, int across);
+
+/// Icosahedron on the unit sphere, each triangle cut in four `levels` times: 20 * 4^levels
+/// triangles, all vertices on the sphere.
+mesh::TriangleMesh sphere(double radius, int levels);
+
+/// Flat square [-half, half]^2 at z, of 2 n^2 triangles; normal along -z, as the rock's.
+mesh::TriangleMesh flat_rock(double half, double z, int n);
+
+/// The mesh with every position moved by a pose.
+mesh::TriangleMesh placed(const Pose& X, mesh::TriangleMesh m);
+
+/// Convex hull of points that are not all in one plane (CGAL, exact predicates).
+mesh::TriangleMesh convex_hull(const std::vector<Vec3>& points);
+
+}  // namespace tdbd::battery
