@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "bit/bit.hpp"
+
+namespace tdbd::bit {
+
+/// graded: fine at the rim, coarse at the centre (fig. 3.9). uniform: about equal edges everywhere,
+/// the mesh that the dissertation blames for noise (ch. 6), kept for comparison.
+enum class Grading { graded, uniform };
+
+struct CutterMeshing {
+  Grading grading = Grading::graded;
+  int rim_segments = 64;       ///< graded only
+  double uniform_edge = 2e-3;  ///< m, uniform only
+};
+
+/// Density of the polycrystalline diamond table and of the tungsten carbide body, kg/m3.
+inline constexpr double table_density = 3500.0;
+inline constexpr double carbide_density = 14500.0;
+
+/// The parts of a cutter, in this order, all in its frame and at its pose; closed, convex,
+/// inscribed meshes with rim points at the same angles, one of them the tip:
+///   cutter-N/face     cylinder, x in [-f, 0], radius D/2 - chamfer
+///   cutter-N/chamfer  frustum, radius D/2 - chamfer at x = 0 to D/2 at x = -f; absent if sharp
+///   cutter-N/body     cylinder, x in [-length, -f], radius D/2
+/// f is the chamfer's axial depth, or the table's thickness if the edge is sharp. The frustum
+/// encloses the face, whose density is then 0. `group` and `cutter` are the caller's to fill in.
+/// Thesis: 3.2.2, 3.3, figs. 3.8-3.9.
+std::vector<Part> cutter_parts(const Cutter& c, const CutterMeshing& meshing);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "bit/bit.hpp"
+
+namespace tdbd::bit {
+
+/// Mass, centre of mass and inertia tensor of a solid, in one frame; the tensor is about the centre
+/// of mass, along that frame's axes.
+struct MassProperties {
+  double mass = 0.0;            ///< kg
+  Vec3 centre = Vec3::Zero();   ///< m
+  Mat3 inertia = Mat3::Zero();  ///< kg m2
+};
+
+/// Of the solid inside a closed mesh, by exact integration over signed tetrahedra, in the mesh's
+/// frame. Needs outward normals and a non-zero volume.
+MassProperties mass_properties(const mesh::TriangleMesh& m, double density);
+
+/// The same body, seen from frame A.
+MassProperties transformed(const MassProperties& body_P, const Pose& X_AP);
+
+/// Two bodies in one frame taken together, by the parallel axis theorem. A massless one is neutral.
+MassProperties combined(const MassProperties& a, const MassProperties& b);
+
+/// Of a bit, in the bit frame: the sum over its parts with density > 0. Overlaps count twice.
+MassProperties mass_properties(const Bit& bit);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,56 @@
+#include "bit/pdc_bit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bit/bit_body.hpp"
+#include "bit/cutter_frame.hpp"
+#include "core/error.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+void append(std::vector<Part>& parts, std::vector<Part> more) {
+  for (Part& part : more) parts.push_back(std::move(part));
+}
+
+std::vector<Part> indexed_cutter_parts(const Cutter& c, int index, const PdcOptions& options) {
+  std::vector<Part> parts = cutter_parts(c, options.meshing);
+  for (Part& part : parts) {
+    part.update_direction_B = update_direction(c.X_BC, options.directions, options.inside);
+    part.group = index;
+    part.cutter = index;
+  }
+  return parts;
+}
+
+double largest_radius(const std::vector<Part>& parts) {
+  double radius = 0.0;
+  for (const Part& part : parts)
+    for (const Vec3& x_P : part.mesh_P.positions) {
+      const Vec3 x_B = part.X_BP * x_P;
+      radius = std::max(radius, std::hypot(x_B.x(), x_B.y()));
+    }
+  return radius;
+}
+
+}  // namespace
+
+Bit pdc_bit(std::string name, std::vector<Cutter> cutters, const PdcOptions& options) {
+  if (cutters.empty()) throw InputError(name + ": found no cutter, expected at least one");
+  Bit bit;
+  bit.name = std::move(name);
+  bit.cutters = std::move(cutters);
+  for (int i = 0; i < static_cast<int>(bit.cutters.size()); ++i) {
+    bit.cutters[i].X_BC = cutter_pose(bit.cutters[i]);
+    append(bit.parts, indexed_cutter_parts(bit.cutters[i], i, options));
+  }
+  bit.gage_radius = largest_radius(bit.parts);
+  append(bit.parts, gage_pads(options.pads, bit.cutters, bit.gage_radius));
+  bit.parts.push_back(
+      bit_body(bit.cutters, options.body_setback, options.body_density, bit.gage_radius));
+  return bit;
+}
+
+}  // namespace tdbd::bit

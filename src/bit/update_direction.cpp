@@ -1,0 +1,42 @@
+#include "bit/update_direction.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+/// U~ of eq. 4.1: the exposure direction, turned to azimuth 0 and projected on the X-Z plane.
+Vec3 exposure_in_xz(const Pose& X_BC) {
+  const double r = std::hypot(X_BC.p.x(), X_BC.p.y());
+  const double cos_azimuth = r > 0.0 ? X_BC.p.x() / r : 1.0;
+  const double sin_azimuth = r > 0.0 ? X_BC.p.y() / r : 0.0;
+  const Vec3 exposure_B = -X_BC.R.col(2);
+  return {cos_azimuth * exposure_B.x() + sin_azimuth * exposure_B.y(), 0.0, exposure_B.z()};
+}
+
+Vec3 inside_direction(InsideRule rule) {
+  switch (rule) {
+    case InsideRule::plus_x:
+      return Vec3::UnitX();
+    case InsideRule::minus_x:
+      return -Vec3::UnitX();
+    case InsideRule::down:
+      break;
+  }
+  return Vec3::UnitZ();
+}
+
+}  // namespace
+
+Vec3 update_direction(const Pose& X_BC, DirectionRule rule, InsideRule inside) {
+  if (rule == DirectionRule::all_down) return Vec3::UnitZ();
+  const Vec3 u = exposure_in_xz(X_BC);
+  if (rule == DirectionRule::hybrid && u.x() <= 0.0) return inside_direction(inside);
+  if (u.norm() == 0.0)
+    throw InputError("cutter: found a sideways exposure, expected one in (r, z)");
+  return u.normalized();
+}
+
+}  // namespace tdbd::bit
