@@ -96,6 +96,13 @@ double leaves_at(const ConvexScratch& w, double tau) {
 
 }  // namespace
 
+double depth_inside(const mesh::ConvexSolid& s, const Vec3& x_P) {
+  double depth = infinity;
+  for (std::size_t i = 0; i < s.b.size(); ++i)
+    depth = std::min(depth, s.b[i] - (s.nx[i] * x_P.x() + s.ny[i] * x_P.y() + s.nz[i] * x_P.z()));
+  return depth;
+}
+
 bool is_swept(const mesh::ConvexSolid& solid, const RelativePath& path, double depth,
               ConvexScratch& scratch) {
   const Interval tau = prepare(solid, path, depth, scratch);

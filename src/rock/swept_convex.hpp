@@ -21,6 +21,9 @@ struct ConvexScratch {
   std::vector<double> rest, along, up, twist;
 };
 
+/// How deep x lies inside (m, to the nearest plane); negative outside.
+double depth_inside(const mesh::ConvexSolid& solid, const Vec3& x_P);
+
 /// Whether the path of the vertex alone enters the solid by more than `depth` (m).
 bool is_swept(const mesh::ConvexSolid& solid, const RelativePath& path, double depth,
               ConvexScratch& scratch);

@@ -1,0 +1,28 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "simulation/case.hpp"
+
+namespace tdbd::app {
+
+void add_check(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("check", "Read everything, run nothing, say every mistake and where");
+  auto file = std::make_shared<std::string>();
+  auto overrides = std::make_shared<std::vector<std::string>>();
+  command->add_option("case", *file, "the case file (TOML)")->required();
+  command->add_option("--set", *overrides, "override a key")->allow_extra_args(false);
+  command->footer("Example: tdbd check cases/bit-b-steady.toml");
+  command->callback([file, overrides, &exit_code] {
+    exit_code = guarded([&] {
+      const simulation::Case c = simulation::read_case(*file, *overrides);
+      fmt::print("{}: right; {} parts, {} steps of {} s\n", *file, c.bit.parts.size(), c.time.steps,
+                 c.time.step);
+      return 0;
+    });
+  });
+}
+
+}  // namespace tdbd::app

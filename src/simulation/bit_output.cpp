@@ -1,0 +1,79 @@
+#include "simulation/bit_output.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "mesh/vtp.hpp"
+#include "simulation/summary.hpp"
+
+namespace tdbd::simulation {
+
+std::string kind_name(bit::PartKind kind) {
+  switch (kind) {
+    case bit::PartKind::face:
+      return "face";
+    case bit::PartKind::chamfer:
+      return "chamfer";
+    case bit::PartKind::cse:
+      return "cse";
+    case bit::PartKind::cutter_body:
+      return "cutter-body";
+    case bit::PartKind::gage_pad:
+      return "gage-pad";
+    case bit::PartKind::bit_body:
+      return "bit-body";
+    case bit::PartKind::cone:
+      return "cone";
+    case bit::PartKind::tooth:
+      return "tooth";
+  }
+  return "unknown";
+}
+
+void write_bit_files(const std::filesystem::path& folder, const bit::Bit& bit) {
+  nlohmann::ordered_json cutters = nlohmann::ordered_json::array();
+  for (const bit::Cutter& c : bit.cutters)
+    cutters.push_back({{"name", "cutter-" + std::to_string(c.id)},
+                       {"blade", c.blade},
+                       {"zone", c.zone},
+                       {"tip_radius_m", c.tip_radius},
+                       {"azimuth_rad", c.azimuth},
+                       {"tip_height_m", c.tip_height},
+                       {"profile_angle_rad", c.profile_angle},
+                       {"back_rake_rad", c.back_rake},
+                       {"side_rake_rad", c.side_rake},
+                       {"diameter_m", c.diameter},
+                       {"chamfer_m", c.chamfer}});
+  const nlohmann::ordered_json file{
+      {"schema", 1}, {"name", bit.name}, {"gage_radius_m", bit.gage_radius}, {"cutters", cutters}};
+  write_text(folder / "bit.json", file.dump(2) + "\n");
+}
+
+mesh::TriangleMesh merged_mesh(const bit::Bit& bit, const Pose& X_WB,
+                               std::vector<int>* part_of_triangle) {
+  mesh::TriangleMesh all;
+  for (std::size_t i = 0; i < bit.parts.size(); ++i) {
+    const bit::Part& part = bit.parts[i];
+    const int first = static_cast<int>(all.positions.size());
+    for (const Vec3& x_P : part.mesh_P.positions) all.positions.push_back(X_WB * (part.X_BP * x_P));
+    for (const mesh::Triangle& t : part.mesh_P.triangles) {
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+      if (part_of_triangle) part_of_triangle->push_back(static_cast<int>(i));
+    }
+  }
+  return all;
+}
+
+void write_bit_vtp(const std::filesystem::path& path, const bit::Bit& bit, const Pose& X_WB) {
+  std::vector<int> owner;
+  const mesh::TriangleMesh all = merged_mesh(bit, X_WB, &owner);
+  mesh::Field part{"part", {}}, kind{"kind", {}}, cutter{"cutter", {}};
+  for (const int i : owner) {
+    const bit::Part& p = bit.parts[static_cast<std::size_t>(i)];
+    part.values.push_back(i);
+    kind.values.push_back(static_cast<double>(p.kind));
+    cutter.values.push_back(p.cutter);
+  }
+  mesh::write_vtp(path, all, {}, {part, kind, cutter});
+}
+
+}  // namespace tdbd::simulation

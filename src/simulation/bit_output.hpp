@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bit/bit.hpp"
+
+namespace tdbd::simulation {
+
+/// "face", "chamfer", "cutter-body", "gage-pad", "bit-body", "cone", "tooth", "cse".
+std::string kind_name(bit::PartKind kind);
+
+/// bit.json: the cutters as placed, for figures. SI, units in the keys.
+void write_bit_files(const std::filesystem::path& folder, const bit::Bit& bit);
+
+/// All parts in space at a pose, with part number, kind and cutter as cell data.
+void write_bit_vtp(const std::filesystem::path& path, const bit::Bit& bit, const Pose& X_WB);
+
+/// All parts in the bit frame as one mesh; part_of_triangle (if given) receives part numbers.
+mesh::TriangleMesh merged_mesh(const bit::Bit& bit, const Pose& X_WB,
+                               std::vector<int>* part_of_triangle);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "core/pose.hpp"
+
+namespace tdbd::simulation {
+
+enum class MotionKind { steady, whirl, table };
+enum class WhirlSense { forward, backward };
+
+/// The bit's centre circles the hole's axis: forward turns with the bit, backward against it.
+/// The orbit grows from nothing over `ramp`, so that the bit starts in its hole. Thesis: 4.4.3.
+struct Whirl {
+  double radius = 0.0;     ///< m
+  double frequency = 0.0;  ///< rad/s, positive
+  WhirlSense sense = WhirlSense::backward;
+  double ramp = 0.0;  ///< s
+};
+
+/// One row of a path: time, place of the bit's origin and rotation vector, spatial frame.
+struct PathPoint {
+  double time = 0.0;  ///< s
+  Vec3 p_WB;          ///< m
+  Vec3 rotation_WB;   ///< rad
+};
+
+/// A prescribed motion of the bit. Its pose at t = 0 is the start.
+struct Motion {
+  MotionKind kind = MotionKind::steady;
+  double rotary_speed = 0.0;         ///< rad/s about +z
+  double rate_of_penetration = 0.0;  ///< m/s along +z
+  Whirl whirl;
+  std::vector<PathPoint> path;  ///< rising times, at least two
+};
+
+/// Pose at time t. Between rows of a path the bit moves rigidly: its origin on the chord, its
+/// rotation along the shortest turn. Before the first and after the last row it rests there.
+Pose pose_at(const Motion& motion, double t);
+
+/// Angle turned about z since the start, rad (rotary speed times t; along a path the sum of turns).
+double angle_turned(const Motion& motion, double t);
+
+}  // namespace tdbd::simulation

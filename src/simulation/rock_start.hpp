@@ -1,0 +1,12 @@
+#pragma once
+
+#include "rock/rock.hpp"
+#include "simulation/case.hpp"
+
+namespace tdbd::simulation {
+
+/// The rock of a case at t = 0, under its index: conforming to the bit's exposure profile, flat, or
+/// read from a file. Throws InputError for a file that is no single open oriented surface.
+rock::Rock start_rock(const Case& c);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,144 @@
+#include "simulation/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "bit/mass_properties.hpp"
+#include "mesh/measures.hpp"
+#include "rotation/rotation_vector.hpp"
+#include "simulation/bit_output.hpp"
+#include "simulation/frames.hpp"
+#include "simulation/history.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+std::vector<HistoryPart> history_parts(const bit::Bit& bit) {
+  std::vector<HistoryPart> parts;
+  for (const bit::Part& p : bit.parts) parts.push_back({p.name, kind_name(p.kind)});
+  return parts;
+}
+
+HistoryRow row_of(const Case& c, const Simulation& s) {
+  HistoryRow row;
+  row.time = c.time.step * static_cast<double>(s.steps_done);
+  const Pose X_WB = pose_at(c.motion, row.time);
+  row.p_WB = X_WB.p;
+  row.rotation_vector = rotation::log(X_WB.R);
+  row.rotation_angle = angle_turned(c.motion, row.time);
+  row.removed_volume_total = s.ledger.removed.value();
+  row.removed_volume_by_part = s.cut.removed_by_part;
+  row.swept_vertices = s.cut.moved;
+  row.rock_triangles = s.rock.surface.triangle_count();
+  return row;
+}
+
+/// Worst quality and the quality that 99 % of the triangles exceed.
+std::pair<double, double> quality_figures(const mesh::Surface& s) {
+  std::vector<double> q;
+  for (const mesh::Triangle& t : s.triangles)
+    if (t[0] >= 0)
+      q.push_back(mesh::triangle_quality(s.position(t[0]), s.position(t[1]), s.position(t[2])));
+  std::sort(q.begin(), q.end());
+  return q.empty() ? std::pair{0.0, 0.0} : std::pair{q.front(), q[q.size() / 100]};
+}
+
+std::vector<PartVolumes> part_volumes(const Case& c, const VolumeLedger& l) {
+  std::vector<PartVolumes> parts;
+  for (std::size_t i = 0; i < c.bit.parts.size(); ++i) {
+    PartVolumes p{c.bit.parts[i].name, l.removed_by_part[i].value(), {}};
+    for (const auto& revolution : l.removed_by_revolution) p.by_revolution.push_back(revolution[i]);
+    parts.push_back(std::move(p));
+  }
+  return parts;
+}
+
+std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r) {
+  std::map<std::string, long> counts{{"bisections", r.bisections}, {"collapses", r.collapses}};
+  for (std::size_t i = 0; i < r.refused.size(); ++i)
+    counts[std::string("refused_") + rock::refusal_names[i]] = r.refused[i];
+  return counts;
+}
+
+double median(std::vector<double> v) {
+  if (v.empty()) return 0.0;
+  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+  return v[v.size() / 2];
+}
+
+/// The loop over steps, with everything that is recorded on the way.
+RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, History& history, Frames& frames,
+               std::vector<double>& step_seconds) {
+  step_seconds.reserve(static_cast<std::size_t>(std::min(c.time.steps, 10'000'000L)));
+  while (s.steps_done < c.time.steps) {
+    const auto before = Clock::now();
+    step(c, s);
+    step_seconds.push_back(seconds(Clock::now() - before));
+    if (s.steps_done % c.output.history_every == 0) history.append(row_of(c, s));
+    if (c.output.frames_every > 0 && s.steps_done % c.output.frames_every == 0) frames.add(c, s);
+    if (o.progress) o.progress(s, c.time.steps);
+    if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
+  }
+  return RunStatus::completed;
+}
+
+}  // namespace
+
+RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
+  RunSummary r;
+  r.command = "run";
+  r.title = c.bit.name;
+  r.status = status;
+  r.case_hash = c.hash;
+  r.steps = s.steps_done;
+  r.duration = c.time.step * static_cast<double>(s.steps_done);
+  r.revolutions = angle_turned(c.motion, r.duration) / (2.0 * std::numbers::pi);
+  r.removed_volume = s.ledger.removed.value();
+  for (const auto& revolution : s.ledger.removed_by_revolution)
+    r.removed_volume_by_revolution.push_back(
+        std::accumulate(revolution.begin(), revolution.end(), 0.0));
+  r.parts = part_volumes(c, s.ledger);
+  r.volume_ledger_defect = ledger_defect(s);
+  r.maintenance_volume = s.maintenance.volume_change;
+  r.rock_triangles_start = s.start_triangles;
+  r.rock_triangles_end = s.rock.surface.triangle_count();
+  std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.rock.surface);
+  r.gage_radius = c.bit.gage_radius;
+  r.maintenance = maintenance_counts(s.maintenance);
+  return r;
+}
+
+RunSummary run(const Case& c, const RunOptions& o) {
+  const auto started = Clock::now();
+  Simulation s = start(c);
+  const OutputFolder folder = prepare(o.folder, o.overwrite);
+  write_text(folder.path / "case.toml", c.resolved);
+  write_bit_files(folder.path, c.bit);
+  History history(folder.history(), history_parts(c.bit));
+  Frames frames(folder);
+  std::vector<double> step_seconds;
+  RunStatus status;
+  try {
+    status = loop(c, s, o, history, frames, step_seconds);
+  } catch (...) {
+    history.close();
+    frames.write_final(c, s);
+    throw;
+  }
+  history.close();
+  frames.write_final(c, s);
+  const RunSummary summary = summary_of(c, s, status);
+  write_text(folder.timing(), to_json(Timing{median(step_seconds), seconds(Clock::now() - started),
+                                             peak_memory_bytes(), 1}));
+  write_text(folder.summary(), to_json(summary));
+  return summary;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+
+#include "simulation/case.hpp"
+#include "simulation/output_folder.hpp"
+#include "simulation/simulation.hpp"
+#include "simulation/summary.hpp"
+
+namespace tdbd::simulation {
+
+struct RunOptions {
+  std::filesystem::path folder;
+  Overwrite overwrite = Overwrite::no;
+  const std::atomic<bool>* interrupted = nullptr;  ///< set from outside: stop after this step
+  std::function<void(const Simulation&, long)>
+      progress;  ///< called after every step with the total
+};
+
+/// Drills a case and writes its result folder. An interruption ends the run after its step and
+/// writes everything that is recorded, with status "interrupted". If a step fails, the history and
+/// the surface so far are kept, no summary is written, and the error goes on.
+RunSummary run(const Case& c, const RunOptions& options);
+
+/// The figures of a simulation so far.
+RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "core/compensated_sum.hpp"
+#include "rock/cut_rock.hpp"
+#include "rock/maintain.hpp"
+#include "simulation/case.hpp"
+
+namespace tdbd::simulation {
+
+/// Where every cubic millimetre went (formulation 2.5). Volumes in m3.
+struct VolumeLedger {
+  double hole_start = 0.0;  ///< hole's volume under the cap of its boundary
+  CompensatedSum removed;
+  std::vector<CompensatedSum> removed_by_part;
+  std::vector<std::vector<double>> removed_by_revolution;  ///< [revolution][part]
+};
+
+/// All that a run carries from step to step.
+struct Simulation {
+  rock::CuttingBit bit;
+  rock::Rock rock;
+  rock::MaintenanceLimits limits;
+  rock::MaintenanceReport maintenance;
+  VolumeLedger ledger;
+  long steps_done = 0;
+  long start_triangles = 0;
+  rock::CutReport cut;  ///< of the last step
+  rock::CutWorkspace cut_work;
+  rock::MaintenanceWorkspace maintenance_work;
+};
+
+/// Builds rock and bit of a case at t = 0. Throws InputError if the bit starts deeper in the rock
+/// than its largest cutter's radius, or the rock cannot be built.
+Simulation start(const Case& c);
+
+/// One time step, thesis fig. 4.2: the bit moves, every part cuts, the ledger notes it, and the
+/// surface is maintained when due.
+void step(const Case& c, Simulation& s);
+
+/// |start + removed + maintenance - now| over the largest of them: tolerance::ledger bounds it.
+double ledger_defect(const Simulation& s);
+
+/// Deepest penetration of a rock vertex into a cutting part at a pose, and the part. m.
+struct Penetration {
+  double depth = 0.0;
+  std::string part;
+};
+Penetration deepest_penetration(const rock::Rock& rock, const rock::CuttingBit& bit,
+                                const Pose& X_WB);
+
+}  // namespace tdbd::simulation
