@@ -3,62 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 
 #include "core/config_document.hpp"
 #include "core/error.hpp"
-#include "core/nearest_name.hpp"
-#include "core/units.hpp"
 
 namespace tdbd {
 namespace {
-
-std::string number_text(double x) { return std::isfinite(x) ? fmt::format("{:.17g}", x) : ""; }
-
-std::string vector_text(const Vec3& v) {
-  if (!v.allFinite()) return "";
-  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
-}
-
-/// A number in SI, or a text with a unit. Throws UnitError.
-double read_quantity(const toml::node& node, const std::string& si_unit) {
-  if (const auto text = node.as_string()) return to_si(text->get(), si_unit);
-  std::optional<double> x;
-  if (const auto number = node.as_floating_point()) x = number->get();
-  if (const auto number = node.as_integer()) x = static_cast<double>(number->get());
-  const std::string expected =
-      si_unit == "1" ? describe_unit(si_unit)
-                     : fmt::format("{}, or a text with a unit", describe_unit(si_unit));
-  if (!x || !std::isfinite(*x)) throw UnitError(describe(&node), expected);
-  return *x;
-}
-
-/// What every read has in common: find the key, convert its value, note the problem if that fails
-/// (by UnitError), and keep what was read for the resolved file.
-template <class T, class Convert, class Write>
-T read_value(ConfigDocument& document, const std::string& key, const std::optional<T>& fallback,
-             const std::string& expected, const std::string& comment, Convert convert,
-             Write write) {
-  T value = fallback ? *fallback : T{};
-  if (const toml::node* node = document.find(key)) {
-    try {
-      value = convert(*node);
-    } catch (const UnitError& error) {
-      document.add_problem(key, error.found, error.expected);
-    }
-  } else if (!fallback) {
-    document.add_problem(key, "nothing", expected + " (the key is required)");
-  }
-  document.values.try_emplace(key, ResolvedValue{write(value), comment});
-  return value;
-}
-
-std::string joined(const std::vector<std::string>& texts, const std::string& separator) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : separator) + text;
-  return all;
-}
 
 std::string message(const std::string& file, const ConfigProblem& p) {
   const std::string place = p.line == 0 ? "--set" : fmt::format("{}:{}", file, p.line);
@@ -66,15 +16,6 @@ std::string message(const std::string& file, const ConfigProblem& p) {
 }
 
 }  // namespace
-
-std::string Range::text() const {
-  const bool below = std::isfinite(hi);
-  if (ends == Ends::open_lo && below) return fmt::format(", in ({}, {}]", lo, hi);
-  if (ends == Ends::open_lo) return fmt::format(", > {}", lo);
-  if (std::isfinite(lo))
-    return below ? fmt::format(", in [{}, {}]", lo, hi) : fmt::format(", >= {}", lo);
-  return below ? fmt::format(", <= {}", hi) : "";
-}
 
 Config::Config(std::shared_ptr<ConfigDocument> document, std::string prefix)
     : document_(std::move(document)), prefix_(std::move(prefix)) {}
@@ -90,99 +31,6 @@ std::string Config::full(std::string_view key) const {
 }
 
 bool Config::has(std::string_view key) const { return document_->find(full(key)) != nullptr; }
-
-double Config::quantity(std::string_view key, const std::string& si_unit,
-                        std::optional<double> fallback, Range range) {
-  const std::string expected = describe_unit(si_unit) + range.text();
-  const auto convert = [&](const toml::node& node) {
-    const double x = read_quantity(node, si_unit);
-    if (!range.contains(x)) throw UnitError(describe(&node), expected);
-    return x;
-  };
-  return read_value(*document_, full(key), fallback, expected, si_unit, convert, number_text);
-}
-
-Vec3 Config::vector(std::string_view key, const std::string& si_unit,
-                    std::optional<Vec3> fallback) {
-  const std::string expected = fmt::format("an array of three: {}", describe_unit(si_unit));
-  const auto convert = [&](const toml::node& node) {
-    const toml::array* array = node.as_array();
-    if (array == nullptr || array->size() != 3) throw UnitError(describe(&node), expected);
-    return Vec3(read_quantity((*array)[0], si_unit), read_quantity((*array)[1], si_unit),
-                read_quantity((*array)[2], si_unit));
-  };
-  return read_value(*document_, full(key), fallback, expected, si_unit, convert, vector_text);
-}
-
-long Config::integer(std::string_view key, std::optional<long> fallback, long lo, long hi) {
-  const std::string expected = fmt::format("a whole number from {} to {}", lo, hi);
-  const auto convert = [&](const toml::node& node) {
-    const auto value = node.as_integer();
-    if (value == nullptr || value->get() < lo || value->get() > hi)
-      throw UnitError(describe(&node), expected);
-    return static_cast<long>(value->get());
-  };
-  const auto write = [](long n) { return fmt::format("{}", n); };
-  return read_value(*document_, full(key), fallback, expected, "", convert, write);
-}
-
-bool Config::flag(std::string_view key, std::optional<bool> fallback) {
-  const std::string expected = "true, false, \"on\" or \"off\"";
-  const auto convert = [&](const toml::node& node) {
-    if (const auto value = node.as_boolean()) return value->get();
-    const auto text = node.as_string();
-    if (text == nullptr || (text->get() != "on" && text->get() != "off"))
-      throw UnitError(describe(&node), expected);
-    return text->get() == "on";
-  };
-  const auto write = [](bool b) { return std::string(b ? "true" : "false"); };
-  return read_value(*document_, full(key), fallback, expected, "", convert, write);
-}
-
-std::string Config::text(std::string_view key, std::optional<std::string> fallback) {
-  const std::string expected = "a text in quotes";
-  const auto convert = [&](const toml::node& node) {
-    const auto text = node.as_string();
-    if (text == nullptr) throw UnitError(describe(&node), expected);
-    return text->get();
-  };
-  return read_value(*document_, full(key), fallback, expected, "", convert, toml_string);
-}
-
-std::string Config::path(std::string_view key, std::optional<std::string> fallback) {
-  const std::string expected = "the path of an existing file, from the case file's folder";
-  const auto absolute = [&](const std::string& given) -> std::string {
-    if (given.empty()) return "";
-    return (std::filesystem::path(document_->folder) / given).lexically_normal().string();
-  };
-  if (fallback) fallback = absolute(*fallback);
-  const auto convert = [&](const toml::node& node) {
-    const auto text = node.as_string();
-    if (text == nullptr) throw UnitError(describe(&node), expected);
-    if (text->get().empty() && fallback == "") return std::string();
-    const std::string file = absolute(text->get());
-    if (!std::filesystem::exists(file))
-      throw UnitError(fmt::format("{} (there is no {})", describe(&node), file), expected);
-    return file;
-  };
-  return read_value(*document_, full(key), fallback, expected, "", convert, toml_string);
-}
-
-std::size_t Config::choice_index(std::string_view key, const std::vector<std::string>& names,
-                                 std::optional<std::size_t> fallback) {
-  const std::string expected = "one of " + joined(names, ", ");
-  const auto convert = [&](const toml::node& node) {
-    const auto text = node.as_string();
-    if (text == nullptr) throw UnitError(describe(&node), expected);
-    const auto at = std::find(names.begin(), names.end(), text->get());
-    if (at != names.end()) return static_cast<std::size_t>(at - names.begin());
-    const auto near = nearest_name(text->get(), names);
-    throw UnitError(describe(&node),
-                    near ? fmt::format("{} (did you mean {}?)", expected, *near) : expected);
-  };
-  const auto write = [&](std::size_t i) { return toml_string(names[i]); };
-  return read_value(*document_, full(key), fallback, expected, "", convert, write);
-}
 
 Config Config::table(std::string_view key) {
   const std::string name = full(key);
@@ -219,9 +67,12 @@ void Config::finish() const {
   if (problems.empty()) return;
   std::sort(problems.begin(), problems.end());
   problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
-  std::vector<std::string> lines;
-  for (const ConfigProblem& p : problems) lines.push_back(message(document_->file, p));
-  throw InputError(joined(lines, "\n"));
+  std::string lines;
+  for (const ConfigProblem& p : problems) {
+    if (!lines.empty()) lines += '\n';
+    lines += message(document_->file, p);
+  }
+  throw InputError(lines);
 }
 
 }  // namespace tdbd
