@@ -27,8 +27,8 @@ void print_table(const bit::Bit& b) {
   fmt::print(
       "mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
       "{:.5f} kg m2\n",
-      m.mass, 1e3 * m.centre_of_mass.x(), 1e3 * m.centre_of_mass.y(), 1e3 * m.centre_of_mass.z(),
-      m.inertia(0, 0), m.inertia(1, 1), m.inertia(2, 2));
+      m.mass, 1e3 * m.centre.x(), 1e3 * m.centre.y(), 1e3 * m.centre.z(), m.inertia(0, 0),
+      m.inertia(1, 1), m.inertia(2, 2));
 }
 
 int inspect(const std::string& file, const std::string& folder, bool force) {

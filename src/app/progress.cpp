@@ -11,7 +11,7 @@ Progress::Progress()
     : started_(Clock::now()), shown_(started_), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void Progress::show(const simulation::Simulation& s, long total) {
-  constexpr auto on_terminal = std::chrono::milliseconds(200), in_log = std::chrono::seconds(5);
+  constexpr std::chrono::milliseconds on_terminal(200), in_log(5000);
   const auto now = Clock::now();
   if (now - shown_ < (terminal_ ? Clock::duration(on_terminal) : Clock::duration(in_log)) &&
       s.steps_done < total)
