@@ -21,35 +21,51 @@ from matplotlib.colors import Normalize
 import result
 
 MM = 1e3
-COLOURS = plt.get_cmap("viridis_r")
+COLOURS = plt.get_cmap("Spectral")
 ZONES = {"cone": "#1b6ca8", "nose": "#2a9d5c", "shoulder": "#d98e04", "gage": "#b3382c"}
-LIGHT = np.array([-0.55, -0.55, -0.63])  # towards the light: upper left of the page, above the hole
+ABOVE = {"eye": np.array([0.0, 0.0, -1.0]), "light": np.array([-0.5, -0.5, -0.7])}
+CUT = {"eye": np.array([0.0, 1.0, 0.0]), "light": np.array([-0.4, 0.5, -0.75])}
+BOTTOM = 0.35  # a triangle belongs to the bottom, not to the wall, when |normal z| is above
 plt.rcParams.update({"font.size": 9, "axes.titlesize": 10, "savefig.dpi": 200})
 
 
-def normals(corners, exaggeration):
-    """Unit normals of triangles, turned towards the viewer above, with z stretched."""
-    c = corners * np.array([1.0, 1.0, exaggeration])
+def normals(surface, eye):
+    """Unit normals of triangles, turned towards the eye."""
+    c = surface.corners()
     n = np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0])
     n /= np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-300)
-    return np.where(n[:, 2:] > 0.0, -n, n)
+    return np.where((n @ eye)[:, None] < 0.0, -n, n)
 
 
-def shaded_colours(surface, norm, exaggeration):
-    """Depth in colour, darkened where a triangle faces away from the light."""
-    lit = np.clip(normals(surface.corners(), exaggeration) @ (LIGHT / np.linalg.norm(LIGHT)), 0, 1)
+def on_bottom(surface):
+    """Triangles of the bottom, as opposed to the wall of the hole."""
+    return normals(surface, ABOVE["eye"])[:, 2] < -BOTTOM
+
+
+def relief(surface, view):
+    """Light on each triangle, 0 to 1, stretched to the contrast that the bottom has."""
+    lit = normals(surface, view["eye"]) @ view["light"]
+    low, high = np.percentile(lit[on_bottom(surface)], [1.0, 99.0])
+    return ((lit - low) / max(high - low, 1e-12)).clip(0.0, 1.0)
+
+
+def shaded_colours(surface, norm, view):
+    """Depth in colour, darker in the shade and paler in the light."""
     colours = COLOURS(norm(MM * surface.triangle_depth()))
-    colours[:, :3] *= (0.30 + 0.75 * lit[:, None]).clip(0, 1)
+    shade = relief(surface, view)[:, None]
+    rgb = colours[:, :3]
+    dark, pale = rgb * (0.35 + 1.3 * shade), rgb + (1.0 - rgb) * (shade - 0.5)
+    colours[:, :3] = np.where(shade < 0.5, dark, pale).clip(0.0, 1.0)
     return colours
 
 
 def depth_scale(surface):
-    """Colours span the depths that the surface has."""
-    depth = MM * surface.triangle_depth()
-    return Normalize(depth.min(), depth.max())
+    """Colours span the depths of the bottom; the wall above has the end colour."""
+    depth = MM * surface.triangle_depth()[on_bottom(surface)]
+    return Normalize(*np.percentile(depth, [0.5, 100.0]))
 
 
-def draw_triangles(ax, polygons, colours, order, edge="face", width=0.1):
+def draw_triangles(ax, polygons, colours, order, edge="face", width=0.3):
     """Paints polygons back to front."""
     edges = colours[order] if isinstance(edge, str) and edge == "face" else edge
     ax.add_collection(
@@ -59,7 +75,8 @@ def draw_triangles(ax, polygons, colours, order, edge="face", width=0.1):
 
 
 def add_depth_bar(figure, ax, norm):
-    bar = figure.colorbar(ScalarMappable(norm, COLOURS), ax=ax, shrink=0.8, pad=0.03)
+    """The scale of depth, deeper downwards; the arrow stands for the wall above."""
+    bar = figure.colorbar(ScalarMappable(norm, COLOURS), ax=ax, shrink=0.8, pad=0.03, extend="min")
     bar.set_label("depth z (mm), down")
     bar.ax.invert_yaxis()
 
@@ -82,7 +99,7 @@ def bottom_hole(surface, summary, path):
     figure, ax = plt.subplots(figsize=(8.0, 6.8), constrained_layout=True)
     norm = depth_scale(surface)
     polygons = MM * surface.corners()[:, :, :2]
-    colours = shaded_colours(surface, norm, exaggeration=3.0)
+    colours = shaded_colours(surface, norm, ABOVE)
     draw_triangles(ax, polygons, colours, order=np.argsort(-surface.triangle_depth()))
     radius = 1.03 * MM * np.abs(surface.points[:, :2]).max()
     ax.set(xlim=(-radius, radius), ylim=(radius, -radius), aspect="equal",
@@ -92,37 +109,35 @@ def bottom_hole(surface, summary, path):
     finish(figure, summary, path)
 
 
-def detail_window(half):
-    """A square of about 30 triangles' width on the cut, half way out: (x, z, half width), mm."""
-    corners = MM * half.corners()
-    edge = np.median(np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1))
-    near = np.abs(corners[:, :, 1]).min(axis=1) < 2.0 * edge
-    centres = corners[near].mean(axis=1)
-    target = 0.5 * centres[:, 0].max()
-    middle = centres[np.argmin(np.abs(centres[:, 0] - target))]
-    return middle[0], middle[2], 10.0 * edge
+def mesh_detail(ax, surface, norm):
+    """Some 20 triangles' width of the mesh from above, half way out along -y."""
+    corners = MM * surface.corners()
+    bottom = on_bottom(surface)
+    edge = np.median(np.linalg.norm(corners[bottom, 1] - corners[bottom, 0], axis=1))
+    y = -0.5 * np.abs(corners[:, :, 1]).max()
+    draw_triangles(ax, corners[:, :, :2], shaded_colours(surface, norm, ABOVE),
+                   np.argsort(-surface.triangle_depth()), edge=(0, 0, 0, 0.8), width=0.4)
+    half = 10.0 * edge
+    ax.set(xlim=(-half, half), ylim=(y + half, y - half), aspect="equal", xlabel="x (mm)",
+           ylabel="y (mm)", title="Mesh from above")
 
 
 def side_view(surface, summary, path):
-    """The half y < 0, seen along -y from the cut: x to the right, z down."""
-    keep = surface.corners()[:, :, 1].max(axis=1) <= 0.0
+    """The half y < 0, seen along -y from the cut: x to the right, z down; and the mesh of a detail."""
+    keep = surface.corners()[:, :, 1].max(axis=1) <= 1e-9
     half = result.Surface(surface.points, surface.triangles[keep], surface.depth)
-    figure, (ax, zoom) = plt.subplots(1, 2, figsize=(11.0, 4.8), constrained_layout=True,
-                                      gridspec_kw={"width_ratios": [2.2, 1.0]})
+    figure, (ax, detail) = plt.subplots(1, 2, figsize=(11.0, 4.6), constrained_layout=True,
+                                        gridspec_kw={"width_ratios": [2.0, 1.0]})
     norm = depth_scale(surface)
-    polygons = MM * half.corners()[:, :, [0, 2]]
-    colours = shaded_colours(half, norm, exaggeration=1.0)
     order = np.argsort(half.corners()[:, :, 1].mean(axis=1))
-    for axes, edge, width in ((ax, (0, 0, 0, 0.25), 0.08), (zoom, (0, 0, 0, 0.8), 0.35)):
-        draw_triangles(axes, polygons, colours, order, edge, width)
-        axes.set(aspect="equal", xlabel="x (mm)", ylabel="z (mm)")
+    draw_triangles(ax, MM * half.corners()[:, :, [0, 2]], shaded_colours(half, norm, CUT), order,
+                   edge=(0, 0, 0, 0.35), width=0.12)
+    ax.set(aspect="equal", xlabel="x (mm)", ylabel="z (mm)",
+           title=f"Half of the hole, cut at y = 0\n{caption(summary)}")
     ax.autoscale_view()
     ax.invert_yaxis()
-    x, z, width = detail_window(half)
-    zoom.set(xlim=(x - width, x + width), ylim=(z + width, z - width), title="Mesh at the cut")
-    ax.indicate_inset_zoom(zoom, edgecolor="black")
-    ax.set_title(f"Half of the hole, cut at y = 0\n{caption(summary)}")
-    add_depth_bar(figure, zoom, norm)
+    mesh_detail(detail, surface, norm)
+    add_depth_bar(figure, detail, norm)
     finish(figure, summary, path)
 
 
@@ -135,6 +150,7 @@ def side_by_side(radii, width):
 
 
 def draw_bars(ax, cutters, values, label):
+    """A bar for each cutter at its tip radius, coloured by zone, with its number."""
     radii = np.array([MM * c.tip_radius for c in cutters])
     width = 0.6 * max(np.ptp(radii), 1.0) / max(len(radii), 10)
     places = side_by_side(radii, 1.05 * width)
@@ -148,7 +164,7 @@ def draw_bars(ax, cutters, values, label):
     ax.spines[["top", "right"]].set_visible(False)
 
 
-def cutters(cutters, summary, path):
+def cutter_bars(cutters, summary, path):
     """What each cutter removed in the last full revolution, and its mean cut area V / (2 pi r)."""
     last = max(result.full_revolutions(summary), 1)
     volumes = np.array([c.volumes[last - 1] if len(c.volumes) >= last else 0.0 for c in cutters])
@@ -167,6 +183,7 @@ def cutters(cutters, summary, path):
 
 
 def finish(figure, summary, path):
+    """Signs and saves a figure, with nothing in the file that depends on the date."""
     sign(figure, summary)
     figure.savefig(path, metadata={"Software": None})
     plt.close(figure)
@@ -185,7 +202,7 @@ def main():
     bottom_hole(surface, summary, output / "bottom_hole.png")
     side_view(surface, summary, output / "side_view.png")
     if (arguments.folder / "bit.json").is_file():
-        cutters(result.read_cutters(arguments.folder, summary), summary, output / "cutters.png")
+        cutter_bars(result.read_cutters(arguments.folder, summary), summary, output / "cutters.png")
 
 
 if __name__ == "__main__":
