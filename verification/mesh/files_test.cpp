@@ -17,7 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path temporary(const std::string& name) { return ::testing::TempDir() + "tdbd_files_" + name; }
+/// A path of the running test alone: tests may run at the same time.
+fs::path temporary(const std::string& name) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  return ::testing::TempDir() + "tdbd_files_" + test->name() + "_" + name;
+}
 
 fs::path write_text_file(const std::string& name, const std::string& text) {
   std::ofstream(temporary(name)) << text;
