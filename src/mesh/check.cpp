@@ -81,32 +81,6 @@ void find_open_edges(const TriangleMesh& m, const std::vector<Side>& sides, Defe
   });
 }
 
-/// Number of the corner of triangle `t` at vertex `v`.
-int corner(const TriangleMesh& m, int t, int v) {
-  const Triangle& tri = m.triangles[index(t)];
-  return 3 * t + (tri[0] == v ? 0 : tri[1] == v ? 1 : 2);
-}
-
-/// Corners of one vertex whose triangles share an edge at it belong to one fan.
-DisjointSets fans_of_corners(const TriangleMesh& m, const std::vector<Side>& sides) {
-  DisjointSets fans(3 * m.triangles.size());
-  for_each_edge(sides, [&](const Side* first, const Side* last) {
-    for (const Side* s = first + 1; s < last; ++s)
-      for (const int v : {s->lo, s->hi})
-        fans.join(corner(m, first->triangle, v), corner(m, s->triangle, v));
-  });
-  return fans;
-}
-
-/// Number of fans of triangles around each vertex: 1 for a manifold, 0 for an isolated vertex.
-std::vector<int> fan_counts(const TriangleMesh& m, const std::vector<Side>& sides) {
-  DisjointSets fans = fans_of_corners(m, sides);
-  std::vector<int> count(m.positions.size(), 0);
-  for (int c = 0; c < static_cast<int>(3 * m.triangles.size()); ++c)
-    if (fans.find(c) == c) ++count[index(m.triangles[index(c / 3)][index(c % 3)])];
-  return count;
-}
-
 void find_bad_vertices(const TriangleMesh& m, const std::vector<int>& fans, Defects& found) {
   for (std::size_t v = 0; v < fans.size(); ++v)
     if (fans[v] > 1)
@@ -120,34 +94,13 @@ void find_isolated_vertices(const TriangleMesh& m, const std::vector<int>& fans,
     if (fans[v] == 0) found.push_back({Kind::isolated_vertex, at_vertex(m, static_cast<int>(v))});
 }
 
-/// Sets among the vertices that `use` says take part.
-template <class Use>
-int count_sets(DisjointSets& sets, int n, Use use) {
-  int count = 0;
-  for (int i = 0; i < n; ++i) count += use(i) && sets.find(i) == i;
-  return count;
-}
-
-/// Pieces, boundary loops and V - E + F, for a mesh whose edges and vertices are manifold.
+/// For a mesh whose edges and vertices are manifold.
 void find_wrong_topology(const TriangleMesh& m, const std::vector<Side>& sides, Defects& found) {
-  const int n = static_cast<int>(m.positions.size());
-  DisjointSets pieces(m.positions.size()), loops(m.positions.size());
-  std::vector<char> on_boundary(m.positions.size(), 0);
-  int edges = 0;
-  for_each_edge(sides, [&](const Side* first, const Side* last) {
-    ++edges;
-    pieces.join(first->lo, first->hi);
-    if (last - first > 1) return;
-    loops.join(first->lo, first->hi);
-    on_boundary[index(first->lo)] = on_boundary[index(first->hi)] = 1;
-  });
-  const int n_pieces = count_sets(pieces, n, [](int) { return true; });
-  const int n_loops = count_sets(loops, n, [&](int v) { return on_boundary[index(v)] != 0; });
-  const int euler = n - edges + static_cast<int>(m.triangles.size());
-  if (n_pieces != 1) found.push_back({Kind::several_pieces, fmt::format("{} pieces", n_pieces)});
-  if (n_loops != 1) found.push_back({Kind::boundary_loops, fmt::format("{} loops", n_loops)});
-  if (euler != 1)
-    found.push_back({Kind::euler_characteristic, fmt::format("V - E + F = {}, not 1", euler)});
+  const Topology t = topology(m, sides);
+  if (t.pieces != 1) found.push_back({Kind::several_pieces, fmt::format("{} pieces", t.pieces)});
+  if (t.loops != 1) found.push_back({Kind::boundary_loops, fmt::format("{} loops", t.loops)});
+  if (t.euler != 1)
+    found.push_back({Kind::euler_characteristic, fmt::format("V - E + F = {}, not 1", t.euler)});
 }
 
 /// What both checks look for. Sides are filled when the indices allow it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -36,5 +37,16 @@ class DisjointSets {
  private:
   std::vector<int> parent_;
 };
+
+/// Number of fans of triangles around each vertex: 1 for a manifold, 0 for an isolated vertex.
+std::vector<int> fan_counts(const TriangleMesh& m, const std::vector<Side>& sides);
+
+/// Numbers that tell surfaces apart. The loops are those of a mesh with manifold vertices.
+struct Topology {
+  int pieces = 0;  ///< connected parts; an isolated vertex is one
+  int loops = 0;   ///< closed chains of open edges
+  int euler = 0;   ///< V - E + F
+};
+Topology topology(const TriangleMesh& m, const std::vector<Side>& sides);
 
 }  // namespace tdbd::mesh
