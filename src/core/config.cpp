@@ -27,6 +27,7 @@ Config Config::read_file(const std::string& path, const std::vector<std::string>
 }
 
 std::string Config::full(std::string_view key) const {
+  if (key.empty()) return prefix_;
   return prefix_.empty() ? std::string(key) : fmt::format("{}.{}", prefix_, key);
 }
 

@@ -74,7 +74,8 @@ class Config {
   /// The elements of an array of tables ([[key]]); none when the key is missing.
   std::vector<Config> tables(std::string_view key);
 
-  /// Notes a mistake that only the caller can see, at the key's line.
+  /// Notes a mistake that only the caller can see, at the key's line (at this table's line when the
+  /// key is empty).
   void problem(std::string_view key, const std::string& found, const std::string& expected);
 
   /// Throws InputError when there were problems, or keys that nobody read; one line for each,

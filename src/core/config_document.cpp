@@ -25,6 +25,11 @@ void insert_value(toml::table& table, const std::string& name, const std::string
   table.insert_or_assign(name, text);
 }
 
+/// What a key stands in: "a.b[2]" in "a.b", that in "a", that in the file ("").
+std::string enclosing_key(const std::string& key) {
+  return key.back() == ']' ? key.substr(0, key.rfind('[')) : parent_key(key);
+}
+
 /// The table of a dotted key, made on the way down where it is missing; null where a value is.
 toml::table* table_at(toml::table& root, const std::string& key) {
   if (key.empty()) return &root;
@@ -34,15 +39,28 @@ toml::table* table_at(toml::table& root, const std::string& key) {
   return parent->insert_or_assign(last_key(key), toml::table{}).first->second.as_table();
 }
 
+/// What the program knows right under a table: names of values and of tables.
+std::vector<std::string> known_names(const ConfigDocument& document, const std::string& table) {
+  const std::string start = table.empty() ? "" : table + ".";
+  std::set<std::string> names;
+  const auto add = [&](const std::string& key) {
+    if (key.size() > start.size() && key.compare(0, start.size(), start) == 0)
+      names.insert(key.substr(start.size(), key.find_first_of(".[", start.size()) - start.size()));
+  };
+  for (const auto& [key, value] : document.values) add(key);
+  for (const std::string& key : document.tables) add(key);
+  return {names.begin(), names.end()};
+}
+
+/// What an unknown key may have meant: a like name in its table, a like key elsewhere, or any of
+/// its table's names.
 std::string suggestion(const ConfigDocument& document, const std::string& key) {
-  std::vector<std::string> siblings, all;
-  for (const auto& [known, value] : document.values) {
-    all.push_back(known);
-    if (parent_key(known) == parent_key(key)) siblings.push_back(last_key(known));
-  }
-  all.insert(all.end(), document.tables.begin(), document.tables.end());
-  if (const auto name = nearest_name(last_key(key), siblings)) return fmt::format("{}", *name);
-  return nearest_name(key, all).value_or("no such key here");
+  const std::vector<std::string> siblings = known_names(document, parent_key(key));
+  if (const auto name = nearest_name(last_key(key), siblings)) return *name;
+  std::vector<std::string> everywhere;
+  for (const auto& [known, value] : document.values) everywhere.push_back(known);
+  if (const auto other = nearest_name(key, everywhere)) return *other;
+  return siblings.empty() ? "no key here" : "one of " + joined(siblings);
 }
 
 /// A table is known when it, or any key in it, was asked for.
@@ -59,7 +77,8 @@ void collect_unknown(const ConfigDocument& document, const toml::node& node, con
   const toml::array* array = node.as_array();
   const bool is_tables =
       array != nullptr && !array->empty() && array->is_homogeneous<toml::table>();
-  if (document.values.count(key) != 0) return;
+  const bool is_reachable = document.find(key) == &node;  // not so when a name has a dot in it
+  if (is_reachable && document.values.count(key) != 0) return;
   if (table != nullptr && !table->empty()) {
     for (const auto& [name, child] : *table) {
       const std::string dot = key.empty() ? "" : ".";
@@ -68,7 +87,7 @@ void collect_unknown(const ConfigDocument& document, const toml::node& node, con
   } else if (is_tables) {
     for (std::size_t i = 0; i < array->size(); ++i)
       collect_unknown(document, (*array)[i], fmt::format("{}[{}]", key, i), unknown);
-  } else if (!key.empty() && !is_known_table(document, key)) {
+  } else if (!key.empty() && !(is_reachable && is_known_table(document, key))) {
     unknown.push_back({document.line_of(key), key, "an unknown key", suggestion(document, key)});
   }
 }
@@ -90,11 +109,12 @@ const toml::node* ConfigDocument::find(const std::string& key) const {
 }
 
 long ConfigDocument::line_of(const std::string& key) const {
-  if (key.empty()) return 1;
-  if (overridden.count(key) != 0) return 0;
-  if (const toml::node* node = find(key))
-    if (node->source().begin.line != 0) return static_cast<long>(node->source().begin.line);
-  return line_of(parent_key(key));
+  for (std::string k = key; !k.empty(); k = enclosing_key(k))
+    if (overridden.count(k) != 0) return 0;
+  for (std::string k = key; !k.empty(); k = enclosing_key(k))
+    if (const toml::node* node = find(k); node != nullptr && node->source().begin.line != 0)
+      return static_cast<long>(node->source().begin.line);
+  return 1;
 }
 
 void ConfigDocument::add_problem(const std::string& key, const std::string& found,
@@ -104,10 +124,10 @@ void ConfigDocument::add_problem(const std::string& key, const std::string& foun
 
 ConfigDocument read_document(const std::string& path) {
   ConfigDocument document;
-  document.file = path;
-  document.folder = std::filesystem::absolute(path).parent_path().string();
   if (!std::filesystem::is_regular_file(path))
     throw InputError(fmt::format("{}: found no such file, expected a TOML file", path));
+  document.file = path;
+  document.folder = std::filesystem::absolute(path).parent_path().string();
   try {
     document.root = toml::parse_file(path);
   } catch (const toml::parse_error& error) {
@@ -132,6 +152,12 @@ void apply_override(ConfigDocument& document, const std::string& assignment) {
     return;
   }
   insert_value(*table, last_key(key), assignment.substr(equals + 1));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
 }
 
 std::string toml_string(std::string_view text) {

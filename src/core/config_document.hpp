@@ -60,6 +60,9 @@ std::vector<ConfigProblem> unknown_keys(const ConfigDocument& document);
 std::string parent_key(const std::string& key);
 std::string last_key(const std::string& key);
 
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& names);
+
 /// Text as a TOML string.
 std::string toml_string(std::string_view text);
 

@@ -12,7 +12,7 @@ namespace {
 using Step = std::pair<std::string, long>;
 
 /// "layers[2].grading" is {layers, 2}, {grading, -1}.
-std::vector<Step> steps(std::string key) {
+std::vector<Step> steps(const std::string& key) {
   if (key.empty()) return {};
   std::vector<Step> path = steps(parent_key(key));
   const std::string last = last_key(key);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <system_error>
 
 #include "core/config.hpp"
 #include "core/config_document.hpp"
@@ -32,30 +34,40 @@ double read_quantity(const toml::node& node, const std::string& si_unit) {
   return *x;
 }
 
-/// What every read has in common: find the key, convert its value, note the problem if that fails
-/// (by UnitError), and keep what was read for the resolved file.
-template <class T, class Convert, class Write>
+/// How one kind of value is read.
+template <class T>
+struct Kind {
+  std::string expected;                          ///< in words
+  std::string unit;                              ///< for the resolved file; may be empty
+  T harmless;                                    ///< returned when there is nothing better
+  std::function<T(const toml::node&)> convert;   ///< throws UnitError
+  std::function<std::string(const T&)> to_toml;  ///< empty: TOML cannot say it
+};
+
+/// What every read has in common: find the key, convert its value, note the problem if that fails,
+/// and keep what was read for the resolved file.
+template <class T>
 T read_value(ConfigDocument& document, const std::string& key, const std::optional<T>& fallback,
-             const std::string& expected, const std::string& comment, Convert convert,
-             Write write) {
-  T value = fallback ? *fallback : T{};
+             const Kind<T>& kind) {
+  T value = fallback.value_or(kind.harmless);
   if (const toml::node* node = document.find(key)) {
     try {
-      value = convert(*node);
+      value = kind.convert(*node);
     } catch (const UnitError& error) {
       document.add_problem(key, error.found, error.expected);
     }
   } else if (!fallback) {
-    document.add_problem(key, "nothing", expected + " (the key is required)");
+    document.add_problem(key, "nothing", kind.expected + " (the key is required)");
   }
-  document.values.try_emplace(key, ResolvedValue{write(value), comment});
+  document.values.try_emplace(key, ResolvedValue{kind.to_toml(value), kind.unit});
   return value;
 }
 
-std::string joined_names(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
+/// A number of the range, so that a caller may go on until finish() reports the problem.
+double harmless_number(const Range& range) {
+  for (const double x : {1.0, range.lo, range.hi})
+    if (std::isfinite(x) && range.contains(x)) return x;
+  return 1.0;
 }
 
 }  // namespace
@@ -77,7 +89,8 @@ double Config::quantity(std::string_view key, const std::string& si_unit,
     if (!range.contains(x)) throw UnitError(describe(&node), expected);
     return x;
   };
-  return read_value(*document_, full(key), fallback, expected, si_unit, convert, number_text);
+  return read_value<double>(*document_, full(key), fallback,
+                            {expected, si_unit, harmless_number(range), convert, number_text});
 }
 
 Vec3 Config::vector(std::string_view key, const std::string& si_unit,
@@ -89,7 +102,8 @@ Vec3 Config::vector(std::string_view key, const std::string& si_unit,
     return Vec3(read_quantity((*array)[0], si_unit), read_quantity((*array)[1], si_unit),
                 read_quantity((*array)[2], si_unit));
   };
-  return read_value(*document_, full(key), fallback, expected, si_unit, convert, vector_text);
+  return read_value<Vec3>(*document_, full(key), fallback,
+                          {expected, si_unit, Vec3::UnitZ(), convert, vector_text});
 }
 
 long Config::integer(std::string_view key, std::optional<long> fallback, long lo, long hi) {
@@ -101,7 +115,7 @@ long Config::integer(std::string_view key, std::optional<long> fallback, long lo
     return static_cast<long>(value->get());
   };
   const auto write = [](long n) { return fmt::format("{}", n); };
-  return read_value(*document_, full(key), fallback, expected, "", convert, write);
+  return read_value<long>(*document_, full(key), fallback, {expected, "", lo, convert, write});
 }
 
 bool Config::flag(std::string_view key, std::optional<bool> fallback) {
@@ -114,7 +128,7 @@ bool Config::flag(std::string_view key, std::optional<bool> fallback) {
     return text->get() == "on";
   };
   const auto write = [](bool b) { return std::string(b ? "true" : "false"); };
-  return read_value(*document_, full(key), fallback, expected, "", convert, write);
+  return read_value<bool>(*document_, full(key), fallback, {expected, "", false, convert, write});
 }
 
 std::string Config::text(std::string_view key, std::optional<std::string> fallback) {
@@ -124,7 +138,8 @@ std::string Config::text(std::string_view key, std::optional<std::string> fallba
     if (text == nullptr) throw UnitError(describe(&node), expected);
     return text->get();
   };
-  return read_value(*document_, full(key), fallback, expected, "", convert, toml_string);
+  return read_value<std::string>(*document_, full(key), fallback,
+                                 {expected, "", "", convert, toml_string});
 }
 
 std::string Config::path(std::string_view key, std::optional<std::string> fallback) {
@@ -139,16 +154,18 @@ std::string Config::path(std::string_view key, std::optional<std::string> fallba
     if (text == nullptr) throw UnitError(describe(&node), expected);
     if (text->get().empty() && fallback == "") return std::string();
     const std::string file = absolute(text->get());
-    if (!std::filesystem::exists(file))
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
       throw UnitError(fmt::format("{} (there is no {})", describe(&node), file), expected);
     return file;
   };
-  return read_value(*document_, full(key), fallback, expected, "", convert, toml_string);
+  return read_value<std::string>(*document_, full(key), fallback,
+                                 {expected, "", "", convert, toml_string});
 }
 
 std::size_t Config::choice_index(std::string_view key, const std::vector<std::string>& names,
                                  std::optional<std::size_t> fallback) {
-  const std::string expected = "one of " + joined_names(names);
+  const std::string expected = "one of " + joined(names);
   const auto convert = [&](const toml::node& node) {
     const auto text = node.as_string();
     if (text == nullptr) throw UnitError(describe(&node), expected);
@@ -159,7 +176,8 @@ std::size_t Config::choice_index(std::string_view key, const std::vector<std::st
                     near ? fmt::format("{} (did you mean {}?)", expected, *near) : expected);
   };
   const auto write = [&](std::size_t i) { return toml_string(names[i]); };
-  return read_value(*document_, full(key), fallback, expected, "", convert, write);
+  return read_value<std::size_t>(*document_, full(key), fallback,
+                                 {expected, "", 0, convert, write});
 }
 
 }  // namespace tdbd

@@ -19,7 +19,7 @@ namespace {
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 
 /// The dimensions that the program's input uses, for messages.
-constexpr std::array<std::pair<const char*, const char*>, 16> dimension_names{{
+constexpr std::array<std::pair<const char*, const char*>, 17> dimension_names{{
     {"1", "a plain number"},
     {"m", "length"},
     {"m2", "area"},
@@ -36,6 +36,7 @@ constexpr std::array<std::pair<const char*, const char*>, 16> dimension_names{{
     {"N m", "torque"},
     {"Pa", "pressure"},
     {"W", "power"},
+    {"K", "temperature"},
 }};
 
 Unit parse_unit(ut_system* system, const std::string& text) {
@@ -54,6 +55,7 @@ ut_system* load_units() {
   ut_system* system = ut_read_xml(nullptr);
   if (system == nullptr) throw RunError("units: the database of UDUNITS-2 cannot be read");
   add_alias(system, "deg", "arc_degree");
+  add_alias(system, "rev", "revolution");
   add_alias(system, "rpm", "revolution/minute");
   add_alias(system, "lbf", "pound_force");
   add_alias(system, "klbf", "1000 pound_force");
@@ -129,12 +131,53 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// "8 1/2 in" would mean 8 times half an inch: after the number only a unit may follow.
-bool starts_like_a_number(std::string_view unit) {
-  if (unit.empty()) return false;
-  if (unit.size() > 2 && unit.substr(0, 2) == "1/")
-    return std::isalpha(static_cast<unsigned char>(unit[2])) == 0;
-  return std::string_view("0123456789.+-*/").find(unit.front()) != std::string_view::npos;
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Whether a number stands in the unit other than as an exponent ("m2", "s-1", "m^3") or as the 1
+/// of "1/s". UDUNITS-2 would multiply by it: "8 1/2 in" would be 8 times half an inch.
+bool has_second_number(std::string_view unit) {
+  if (unit.size() > 2 && unit.substr(0, 2) == "1/" && is_letter(unit[2])) unit.remove_prefix(1);
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1]))) continue;
+    const bool is_signed = i > 0 && (unit[i - 1] == '-' || unit[i - 1] == '+');
+    const std::size_t before = i - (is_signed ? 1 : 0);  // one past what the number hangs on
+    if (before == 0 || !(is_letter(unit[before - 1]) || unit[before - 1] == '^')) return true;
+  }
+  return false;
+}
+
+/// The unit that the program itself asks for.
+Unit wanted_unit(const std::string& si_unit) {
+  Unit unit = parse_unit(unit_system(), si_unit);
+  if (!unit) throw RunError(fmt::format("units: {} is no unit", si_unit));
+  return unit;
+}
+
+UnitError refused(std::string_view text, const std::string& why, const std::string& si_unit) {
+  return {fmt::format("\"{}\" ({})", text, why),
+          fmt::format("{} or another unit of it", describe_unit(si_unit))};
+}
+
+/// The number at the start of the text, and the unit's name after it.
+std::pair<double, std::string> split(std::string_view text, const std::string& si_unit) {
+  const std::string_view body = trimmed(text);
+  double number = 0.0;
+  const auto [rest, error] = std::from_chars(body.data(), body.data() + body.size(), number);
+  if (error == std::errc::result_out_of_range) throw refused(text, "is out of range", si_unit);
+  if (error != std::errc()) throw refused(text, "does not start with a number", si_unit);
+  if (!std::isfinite(number)) throw refused(text, "is not finite", si_unit);
+  const std::string name(trimmed(body.substr(static_cast<std::size_t>(rest - body.data()))));
+  if (name.empty() && si_unit != "1") throw refused(text, "has no unit", si_unit);
+  if (has_second_number(name))
+    throw refused(text, "has a second number in place of a unit", si_unit);
+  return {number, name.empty() ? "1" : name};
+}
+
+double convert(double x, const Unit& from, const Unit& to) {
+  const std::unique_ptr<cv_converter, decltype(&cv_free)> converter{
+      ut_get_converter(from.get(), to.get()), &cv_free};
+  return cv_convert_double(converter.get(), x);
 }
 
 }  // namespace
@@ -146,33 +189,18 @@ UnitError::UnitError(const std::string& found_text, const std::string& expected_
 
 std::string describe_unit(const std::string& si_unit) {
   if (si_unit == "1") return dimension_names.front().second;
-  return fmt::format("{} in {}", dimension_of(parse_unit(unit_system(), si_unit)), si_unit);
+  return fmt::format("{} in {}", dimension_of(wanted_unit(si_unit)), si_unit);
 }
 
 double to_si(std::string_view text, const std::string& si_unit) {
-  const auto fail = [&](const std::string& why) -> UnitError {
-    return {fmt::format("\"{}\" ({})", text, why),
-            fmt::format("{} or another unit of it", describe_unit(si_unit))};
-  };
-  const std::string_view body = trimmed(text);
-  double number = 0.0;
-  const auto [rest, error] = std::from_chars(body.data(), body.data() + body.size(), number);
-  if (error != std::errc()) throw fail("does not start with a number");
-  if (!std::isfinite(number)) throw fail("is not finite");
-  const std::string name(trimmed(body.substr(static_cast<std::size_t>(rest - body.data()))));
-  if (name.empty() && si_unit != "1") throw fail("has no unit");
-  if (starts_like_a_number(name)) throw fail("has a second number in place of a unit");
-
-  const Unit unit = parse_unit(unit_system(), name.empty() ? "1" : name);
-  if (!unit) throw fail(fmt::format("unknown unit {}", name));
-  const Unit target = parse_unit(unit_system(), si_unit);
-  if (!target) throw RunError(fmt::format("units: {} is no unit", si_unit));
-  if (!same_dimension(unit, target)) throw fail(fmt::format("{} is {}", name, dimension_of(unit)));
-
-  const std::unique_ptr<cv_converter, decltype(&cv_free)> converter{
-      ut_get_converter(unit.get(), target.get()), &cv_free};
-  const double value = cv_convert_double(converter.get(), number);
-  if (!std::isfinite(value)) throw fail("is not finite in SI");
+  const Unit target = wanted_unit(si_unit);
+  const auto [number, name] = split(text, si_unit);
+  const Unit unit = parse_unit(unit_system(), name);
+  if (!unit) throw refused(text, fmt::format("unknown unit {}", name), si_unit);
+  if (!same_dimension(unit, target))
+    throw refused(text, fmt::format("{} is {}", name, dimension_of(unit)), si_unit);
+  const double value = convert(number, unit, target);
+  if (!std::isfinite(value)) throw refused(text, "is out of range in SI", si_unit);
   return value;
 }
 

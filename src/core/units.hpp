@@ -16,7 +16,8 @@ struct UnitError : std::runtime_error {
 /// Reads a number and its unit ("8.5 in", "120 rpm", "20 klbf") and returns the value in `si_unit`
 /// ("m", "m/s", "rad/s", "N", "Pa", "rad", "s", "kg/m3", "1"). The names of units are UDUNITS-2's,
 /// and the drilling industry's klbf and ppg. A plane angle counts as a dimension: Hz is no rad/s.
-/// Throws UnitError: not a finite number, no unit, an unknown unit, a unit of another dimension.
+/// Throws UnitError: not a finite number, no unit, an unknown unit, a unit of another dimension;
+/// RunError when `si_unit` is itself no unit.
 /// Not to be called from two threads at once (UDUNITS-2 is not thread-safe).
 double to_si(std::string_view text, const std::string& si_unit);
 

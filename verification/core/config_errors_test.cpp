@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <sstream>
 
@@ -118,12 +119,37 @@ TEST(config_errors, unknown_keys_name_the_nearest) {
                   [](Config& c) { c.quantity("a.radius", "m", {}); },
                   "FILE:3: a.raduis: found an unknown key, expected radius"});
   expect_message({"radius = 1\n[a]\n", [](Config& c) { c.quantity("radius", "m", {}); },
-                  "FILE:2: a: found an unknown key, expected no such key here"});
+                  "FILE:2: a: found an unknown key, expected one of radius"});
   expect_message({"[[l]]\nx = 1\n[[l]]\ny = 1\n",
                   [](Config& c) {
                     for (Config l : c.tables("l")) l.quantity("x", "m", 0.0);
                   },
                   "FILE:4: l[1].y: found an unknown key, expected x"});
+}
+
+TEST(config_errors, a_name_with_a_dot_is_no_path) {
+  expect_message({"\"a.b\" = 1\n", [](Config& c) { c.quantity("a.b", "m", 0.0); },
+                  "FILE:1: a.b: found an unknown key, expected b"});
+}
+
+TEST(config_errors, what_an_override_brings_along_is_named_as_such) {
+  const auto read = [](Config& c) {
+    for (Config l : c.tables("l")) l.quantity("x", "m", {});
+  };
+  expect_message({"[[l]]\nx = 1\n",
+                  read,
+                  "--set: l[1].x: found \"s\" (does not start with a "
+                  "number), expected length in m or another unit of it",
+                  {"l=[{x=1}, {x='s'}]"}});
+}
+
+TEST(config_errors, a_wrong_value_leaves_the_caller_a_harmless_one) {
+  Config config = Config::read_file(write_temporary(".toml", "a = 'x'\n"), {});
+  EXPECT_GT(config.quantity("a", "m", {}, Range::positive()), 0.0);
+  EXPECT_EQ(config.quantity("b", "m", {}, Range::within(2, 3)), 2.0);
+  EXPECT_EQ(config.vector("c", "m", {}).norm(), 1.0);
+  EXPECT_EQ(config.integer("d", {}, 5, 9), 5);
+  EXPECT_THROW(config.finish(), InputError);
 }
 
 TEST(config_errors, overrides_are_named_as_such) {
@@ -176,6 +202,18 @@ TEST(config_errors, files_that_are_missing_or_no_toml) {
       << read_failure(path);
   const std::string twice = write_temporary(".toml", "a = 1\na = 2\n");
   EXPECT_EQ(read_failure(twice).rfind(twice + ":2:", 0), 0u) << read_failure(twice);
+}
+
+RC_GTEST_PROP(config_errors, any_bytes_are_a_file_or_an_input_error, (const std::string& bytes)) {
+  const std::string path = ::testing::TempDir() + "config_errors_bytes.toml";
+  std::ofstream(path) << "a = 1\n" << bytes;
+  try {
+    Config config = Config::read_file(path, {bytes, "b=" + bytes, bytes + "=1"});
+    config.quantity("a", "m", {});
+    config.finish();
+  } catch (const InputError& error) {
+    RC_ASSERT(std::string(error.what()).find("found") != std::string::npos);
+  }
 }
 
 }  // namespace

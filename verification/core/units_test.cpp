@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <numbers>
+
+#include "core/error.hpp"
 
 namespace tdbd {
 namespace {
@@ -47,6 +50,8 @@ TEST(units, converts_what_drillers_write) {
   EXPECT_DOUBLE_EQ(to_si("30 MPa", "Pa"), 30e6);
   EXPECT_DOUBLE_EQ(to_si("2.65 g/cm3", "kg/m3"), 2650);
   EXPECT_DOUBLE_EQ(to_si("1 min", "s"), 60);
+  EXPECT_DOUBLE_EQ(to_si("60 rev/min", "rad/s"), 2 * pi);
+  EXPECT_DOUBLE_EQ(to_si("25 degC", "K"), 298.15);
   EXPECT_DOUBLE_EQ(to_si("50 %", "1"), 0.5);
   EXPECT_DOUBLE_EQ(to_si("0.5", "1"), 0.5);
   EXPECT_DOUBLE_EQ(to_si("2 1/s", "1/s"), 2);
@@ -79,17 +84,34 @@ TEST(units, refuses_what_is_no_number) {
   expect_refusal("nan m", "m", {"finite"});
   expect_refusal("inf m", "m", {"finite"});
   expect_refusal("-inf m", "m", {"finite"});
-  expect_refusal("1e999 m", "m", {"number"});
-  expect_refusal("1e308 km", "m", {"finite"});
+  expect_refusal("1e999 m", "m", {"range"});
+  expect_refusal("1e308 km", "m", {"range"});
 }
 
 TEST(units, refuses_what_is_no_unit) {
   expect_refusal("8.5", "m", {"no unit", "length"});
   expect_refusal("8.5 inn", "m", {"unknown unit inn", "length"});
-  expect_refusal("8,5 in", "m", {"unknown unit"});
+  expect_refusal("8,5 in", "m", {"second number"});
   expect_refusal("8 1/2 in", "m", {"second number"});
   expect_refusal("8 5 in", "m", {"second number"});
-  expect_refusal("8 - 5 in", "m", {"second number"});
+  for (const char* text : {"8 - 5 in", "8 in 3", "8 in*3", "8 in @ 3", "8 in.3", "8 1/2in", "8 -5"})
+    expect_refusal(text, "m", {"second number"});
+  EXPECT_DOUBLE_EQ(to_si("2 m s-1", "m/s"), to_si("2 m.s^-1", "m/s"));
+}
+
+TEST(units, the_program_itself_must_ask_for_a_unit) {
+  EXPECT_THROW(to_si("1 m", "metres per fortnigth"), RunError);
+  EXPECT_THROW(describe_unit("inn"), RunError);
+}
+
+RC_GTEST_PROP(units, any_text_is_a_finite_value_or_an_error, (const std::string& tail)) {
+  for (const std::string& text : {tail, "1 " + tail, "1 m" + tail}) {
+    try {
+      RC_ASSERT(std::isfinite(to_si(text, "m")));
+    } catch (const UnitError& error) {
+      RC_ASSERT(!error.found.empty() && !error.expected.empty());
+    }
+  }
 }
 
 RC_GTEST_PROP(units, conversion_is_proportional, (int thousandths)) {

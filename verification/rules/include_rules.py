@@ -1,0 +1,78 @@
+"""Includes point one way: every folder of src may include only the folders below it."""
+
+import re
+
+import sources
+
+CORE, MESH = {"core"}, {"core", "mesh"}
+BIT, FORCES = MESH | {"bit"}, MESH | {"bit", "forces"}
+ROCK, DYNAMICS = BIT | {"rock"}, {"core", "rotation", "dynamics"}
+SIMULATION = ROCK | FORCES | DYNAMICS | {"simulation"}
+CALIBRATION = SIMULATION | {"calibration"}
+ALLOWED = {
+    "core": CORE, "rotation": {"core", "rotation"}, "mesh": MESH, "bit": BIT, "rock": ROCK,
+    "forces": FORCES, "dynamics": DYNAMICS, "simulation": SIMULATION, "calibration": CALIBRATION,
+    "app": CALIBRATION | {"app"},
+}
+# A slow twin may use plain data of src, never the function it is the twin of.
+PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|reference/.+")
+CGAL_ALLOWED = re.compile(r"src/mesh/files\.cpp|reference/.+|verification/.+")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def check_include(path, bracket, target):
+    """Why this file may not include that one, or None."""
+    parts = path.split("/")
+    if target.startswith("CGAL/") and not CGAL_ALLOWED.fullmatch(path):
+        return "CGAL belongs in src/mesh/files.cpp, reference/ and verification/"
+    if bracket == "<":
+        return None
+    if parts[0] == "reference" and not PLAIN_DATA.fullmatch(target):
+        return f'a slow twin may not use "{target}"'
+    if parts[0] == "src":
+        if len(parts) < 3 or parts[1] not in ALLOWED:
+            return f"the folder of {path} has no line in include_rules.py"
+        if target.split("/")[0] not in ALLOWED[parts[1]]:
+            return f'src/{parts[1]} may not include "{target}"'
+    return None
+
+
+def check_text(path, text):
+    problems = []
+    code = sources.without_comments(text, keep_strings=True)
+    for number, line in enumerate(code.split("\n"), 1):
+        if found := INCLUDE.match(line):
+            if why := check_include(path, *found.groups()):
+                problems.append(f"{path}:{number}: {why}")
+    return problems
+
+
+def check_all():
+    files = sources.tracked("src", "reference", "verification")
+    return [p for f in files for p in check_text(f, sources.read(f))]
+
+
+def self_test():
+    good = [("src/rock/cut.cpp", '#include "bit/bit.hpp"'),
+            ("src/core/csv.cpp", "#include <vector>"),
+            ("src/mesh/files.cpp", "#include <CGAL/Surface_mesh.h>"),
+            ("src/core/csv.cpp", '// #include "mesh/measures.hpp"'),
+            ("reference/rock/cut.cpp", '#include "mesh/triangle_mesh.hpp"')]
+    bad = [("src/core/csv.cpp", '#include "mesh/measures.hpp"'),
+           ("src/mesh/files.cpp", '#include "bit/bit.hpp"'),
+           ("src/rotation/so3.cpp", '#include "mesh/measures.hpp"'),
+           ("src/rock/cut.cpp", '#  include "reference/rock/cut.hpp"'),
+           ("src/rock/cut.cpp", '#include "verification/rock/scene.hpp"'),
+           ("src/forces/law.cpp", '#include "rock/cut.hpp"'),
+           ("src/rock/cut.cpp", "#include <CGAL/Surface_mesh.h>"),
+           ("src/new_folder/a.cpp", '#include "core/types.hpp"'),
+           ("reference/rock/cut.cpp", '#include "rock/cut.hpp"'),
+           ("reference/mesh/measures.cpp", '#include "mesh/measures.hpp"')]
+    for path, text in good:
+        assert not check_text(path, text), (path, text)
+    for path, text in bad:
+        assert check_text(path, "\n" + text) and ":2:" in check_text(path, "\n" + text)[0], text
+
+
+if __name__ == "__main__":
+    sources.main(check_all, self_test)

@@ -1,0 +1,93 @@
+"""clang-tidy, as .clang-tidy says, over every source of src; what passed unchanged is not rerun."""
+
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import sources
+
+JOBS = 2
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+
+
+def tool():
+    found = shutil.which("clang-tidy")
+    if found is None:
+        sys.exit("clang-tidy is missing (scripts/setup installs it)")
+    return found
+
+
+def run_tidy(path, extra):
+    """The complaints about one file, as one text. Compiler warnings are the build's business: -w."""
+    run = subprocess.run([tool(), "--quiet", "--extra-arg=-w", f"--config-file={sources.ROOT / '.clang-tidy'}",
+                          str(path), *extra], cwd=sources.ROOT, capture_output=True, text=True)
+    return "" if run.returncode == 0 else run.stdout + run.stderr
+
+
+def project_files(path, seen):
+    """The file and all headers of ours that it includes, directly or through others."""
+    if path not in seen and path.is_file():
+        seen.add(path)
+        for header in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            project_files(sources.ROOT / "src" / header, seen)
+    return seen
+
+
+def verdict_key(path, command):
+    """Hash of all that can change clang-tidy's verdict on the file, system headers apart."""
+    digest = hashlib.sha256(command.encode() + (sources.ROOT / ".clang-tidy").read_bytes())
+    for file in sorted(project_files(pathlib.Path(path), set())):
+        digest.update(f"\0{file}\0".encode() + file.read_bytes())
+    return digest.hexdigest()
+
+
+def check_file(path, command, build):
+    passed = build / "tidy-passed" / verdict_key(path, command)
+    if passed.exists():
+        return ""
+    complaints = run_tidy(path, ["-p", str(build), f"--header-filter={sources.ROOT}/src/.*"])
+    if not complaints:
+        passed.parent.mkdir(exist_ok=True)
+        passed.touch()
+    return complaints
+
+
+def check_all(build):
+    entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    ours = {e["file"]: e["command"] for e in entries
+            if e["file"].startswith(f"{sources.ROOT}/src/")}
+    if not ours:
+        sys.exit("compile_commands.json lists no file of src")
+    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
+        found = pool.map(lambda item: check_file(*item, build), sorted(ours.items()))
+    return [complaints for complaints in found if complaints]
+
+
+def self_test():
+    with tempfile.TemporaryDirectory() as folder:
+        source = pathlib.Path(folder) / "a.cpp"
+        source.write_text("int twice(int value_in) { return 2 * value_in; }\n")
+        assert not run_tidy(source, ["--", "-std=c++20"])
+        for text in ("int TwiceIt(int v) { return 2 * v; }\n", "struct lower_case {};\n",
+                     "#include <utility>\n#include <string>\nstd::size_t f(std::string s) {\n"
+                     "  std::string t = std::move(s);\n  return s.size() + t.size();\n}\n"):
+            source.write_text(text)
+            assert run_tidy(source, ["--", "-std=c++20"]), text
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", type=pathlib.Path, default=sources.ROOT / "build/release")
+    parser.add_argument("--self-test", action="store_true")
+    chosen = parser.parse_args()
+    if chosen.self_test:
+        sources.prove(self_test)
+    else:
+        sources.finish(check_all(chosen.build))
