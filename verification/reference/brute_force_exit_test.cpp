@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
@@ -100,11 +101,33 @@ TEST(brute_force_exit, of_a_moving_box_is_its_last_face_position) {
   EXPECT_NEAR(e.t, 0.6 * std::sqrt(2.0), 1e-14);
 }
 
+/// The way passes above the edge of a cube that stands on it: the exact exit, sqrt(2), lies between
+/// sub-poses, and at slope 1 the error is at most half the way between two of them.
+TEST(brute_force_exit, converges_to_an_edge_from_below) {
+  const Mat3 R = Eigen::AngleAxisd(std::numbers::pi / 4.0, Vec3::UnitY()).toRotationMatrix();
+  const TriangleMesh diamond = battery::placed({R, Vec3::Zero()}, unit_box);
+  const Vec3 q0(-0.5, 0, 0), q1(0.6, 0, 0);
+  for (const int substeps : {1, 10, 100, 1000}) {
+    const double error = std::sqrt(2.0) - brute_force_exit(diamond, q0, q1, down, down, substeps).t;
+    EXPECT_GE(error, -1e-12);
+    EXPECT_LE(error, 0.55 / substeps + 1e-12);
+  }
+}
+
+/// The direction turns from +z to +x while the vertex rests at the centre: the rays fan out, and
+/// the one nearest to the box's edge goes farthest.
+TEST(brute_force_exit, follows_a_direction_that_turns) {
+  const Vec3 q(0, 0, 0), x(1, 0, 0);
+  const SweptExit e = brute_force_exit(unit_box, q, q, down, x, 2);
+  EXPECT_DOUBLE_EQ(e.t, 2.0);  // u(1/2) = (1/2, 0, 1/2) reaches the edge at t = 2
+}
+
 RC_GTEST_PROP(brute_force_exit, of_a_convex_part_grows_with_nested_sub_poses, ()) {
   const TriangleMesh part = *battery::convex_polyhedron();
-  const Vec3 q0 = *battery::point(1.0), q1 = q0 + *battery::point(0.5), u = *battery::direction();
+  const Vec3 q0 = *battery::point(0.6), q1 = q0 + *battery::point(0.5), u = *battery::direction();
   const SweptExit coarse = brute_force_exit(part, q0, q1, u, u, 4);
   const SweptExit fine = brute_force_exit(part, q0, q1, u, u, 16);
+  RC_TAG(fine.swept ? "swept" : "missed");
   RC_ASSERT(!coarse.swept || fine.swept);
   RC_ASSERT(coarse.t <= fine.t + 1e-12);
 }
@@ -112,10 +135,11 @@ RC_GTEST_PROP(brute_force_exit, of_a_convex_part_grows_with_nested_sub_poses, ()
 RC_GTEST_PROP(brute_force_exit, does_not_depend_on_the_frame, ()) {
   const TriangleMesh part = *battery::star_shape();
   const Pose X = *battery::pose(3.0);
-  const Vec3 q0 = *battery::point(1.0), q1 = q0 + *battery::point(0.3), u = *battery::direction();
+  const Vec3 q0 = *battery::point(0.6), q1 = q0 + *battery::point(0.3), u = *battery::direction();
   const SweptExit here = brute_force_exit(part, q0, q1, u, u, 3);
   const SweptExit there =
       brute_force_exit(battery::placed(X, part), X * q0, X * q1, X.rotate(u), X.rotate(u), 3);
+  RC_TAG(here.swept ? "swept" : "missed");
   RC_ASSERT(here.swept == there.swept);
   RC_ASSERT(std::abs(here.t - there.t) < 1e-9);
 }

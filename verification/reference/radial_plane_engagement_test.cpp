@@ -64,6 +64,26 @@ TEST(radial_plane_engagement, gives_the_follower_the_part_of_the_turn_since_its_
   EXPECT_NEAR(e.volume_per_revolution[1], 0.25 * e.total, 1e-9 * e.total);
 }
 
+/// Every point passes at its own azimuth; the table's azimuth only counts its turns.
+TEST(radial_plane_engagement, takes_azimuths_from_the_points_and_not_from_the_table) {
+  bit::Bit bit;
+  add_disc(bit, 0.05, pi / 2, 0.0);
+  add_disc(bit, 0.05, 0.0, 0.0);
+  bit.cutters[1].azimuth = 0.5;
+  const Engagement e = radial_plane_engagement(bit, advance, spacing);
+  EXPECT_NEAR(e.volume_per_revolution[1], 0.25 * e.total, 1e-9 * e.total);
+}
+
+/// Of opposite twins, the one that stands proud by h takes advance / 2 + h, the other the rest.
+TEST(radial_plane_engagement, gives_a_proud_cutter_more) {
+  bit::Bit bit;
+  const double h = 0.1 * advance;
+  add_disc(bit, 0.05, 0.0, h);
+  add_disc(bit, 0.05, pi, 0.0);
+  const Engagement e = radial_plane_engagement(bit, advance, spacing);
+  EXPECT_NEAR(e.mean_area[0] / (e.mean_area[0] + e.mean_area[1]), 0.6, 1e-3);
+}
+
 TEST(radial_plane_engagement, gives_nothing_to_a_cutter_that_is_too_high) {
   bit::Bit bit;
   add_disc(bit, 0.05, 0.0, 0.0);
