@@ -1,6 +1,7 @@
 #include "bit/exposure_profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -72,13 +73,29 @@ void add_edge(const Vec3& a_B, const Vec3& b_B, Fan& fan) {
   }
 }
 
+/// A flat triangle folds in (r, z) where it passes the axis: at each height the point nearest to
+/// the axis lies in the vertical plane through the axis and the triangle's normal. There the border
+/// of its image is no edge's image.
+void add_fold(const std::array<Vec3, 3>& x_B, Fan& fan) {
+  const Vec3 across = Vec3::UnitZ().cross(mesh::area_vector(x_B[0], x_B[1], x_B[2]));
+  std::vector<Vec3> ends;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = x_B[k], &b = x_B[(k + 1) % 3];
+    const double from = across.dot(a), to = across.dot(b);
+    if ((from < 0.0) != (to < 0.0)) ends.push_back(a + from / (from - to) * (b - a));
+  }
+  if (ends.size() == 2) add_edge(ends[0], ends[1], fan);
+}
+
 /// Every edge once: of a closed mesh, the direction in which its first index is the smaller.
 void add_part(const Part& part, Fan& fan) {
   std::vector<Vec3> x_B;
   for (const Vec3& x_P : part.mesh_P.positions) x_B.push_back(part.X_BP * x_P);
-  for (const mesh::Triangle& t : part.mesh_P.triangles)
+  for (const mesh::Triangle& t : part.mesh_P.triangles) {
     for (int k = 0; k < 3; ++k)
       if (t[k] < t[(k + 1) % 3]) add_edge(x_B[t[k]], x_B[t[(k + 1) % 3]], fan);
+    add_fold({x_B[t[0]], x_B[t[1]], x_B[t[2]]}, fan);
+  }
 }
 
 /// From the axis to the gage, without the empty rays, r monotone.

@@ -49,22 +49,41 @@ TEST(exposure_profile, has_points_about_the_spacing_apart) {
   }
 }
 
-/// No vertex of a cutting part lies outside the profile by more than its resolution. Outside: the
-/// profile at the vertex's radius is higher than the vertex.
+/// Is p below the profile, by more than its resolution?
+bool is_outside(const ProfilePoint& p, const std::vector<ProfilePoint>& profile) {
+  if (p.z < profile.back().z) return p.r > profile.back().r + 5e-5;
+  const auto next = std::ranges::upper_bound(profile, p.r, {}, &ProfilePoint::r);
+  if (next != profile.end() && p.z <= std::max(next->z, (next - 1)->z)) return false;
+  return distance_to_line(p, profile) > 5e-5;
+}
+
+/// No point of a cutting part, on its vertices or inside its triangles, lies outside the profile.
 TEST(exposure_profile, encloses_every_cutting_part) {
-  const Bit bit = example_bit('b');
-  const auto profile = exposure_profile(bit.parts, 2e-4);
-  for (const Part& part : bit.parts) {
-    if (part.cutting == Cutting::never) continue;
-    for (const Vec3& x_P : part.mesh_P.positions) {
-      const Vec3 x = part.X_BP * x_P;
-      const ProfilePoint p{std::hypot(x.x(), x.y()), x.z()};
-      if (p.z < profile.back().z || p.r < profile[1].r) continue;
-      const auto next = std::ranges::upper_bound(profile, p.r, {}, &ProfilePoint::r);
-      const bool outside = next == profile.end() || p.z > std::max(next->z, (next - 1)->z);
-      EXPECT_TRUE(!outside || distance_to_line(p, profile) < 5e-5) << part.name;
+  for (const char letter : {'a', 'b'}) {
+    const Bit bit = example_bit(letter);
+    const auto profile = exposure_profile(bit.parts, 2e-4);
+    for (const Part& part : bit.parts) {
+      if (part.cutting == Cutting::never) continue;
+      for (const mesh::Triangle& t : part.mesh_P.triangles)
+        for (const Vec3& w : {Vec3(1, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.2, 0.3, 0.5)}) {
+          const auto& x_P = part.mesh_P.positions;
+          const Vec3 x = part.X_BP * (w.x() * x_P[t[0]] + w.y() * x_P[t[1]] + w.z() * x_P[t[2]]);
+          const ProfilePoint p{std::hypot(x.x(), x.y()), x.z()};
+          ASSERT_FALSE(is_outside(p, profile)) << part.name << ' ' << p.r << ' ' << p.z;
+        }
     }
   }
+}
+
+/// The first cutter of bit B reaches over the axis; its rim crosses it where the circle does, to
+/// within what rake and chamfer change.
+TEST(exposure_profile, has_no_slit_at_the_axis) {
+  const Bit bit = example_bit('b');
+  const Cutter& c = bit.cutters.front();
+  const double radius = 0.5 * c.diameter;
+  const double circle =
+      -c.tip_height - radius + std::sqrt(radius * radius - c.tip_radius * c.tip_radius);
+  EXPECT_NEAR(exposure_profile(bit.parts, 1e-3).front().z, circle, 2.5e-3);
 }
 
 /// A thin disc in the half-plane: its meridian is its own rim, from where the rays first touch it.
