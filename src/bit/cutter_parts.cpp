@@ -63,7 +63,7 @@ mesh::TriangleMesh frustum(const Ring& front, const Ring& back, const CutterMesh
   for (int k = 1; k < steps; ++k) {
     const double w = static_cast<double>(k) / steps;
     rings.push_back(
-        {(1 - w) * front.radius + w * back.radius, (1 - w) * front.x + w * back.x, front.count});
+        {std::lerp(front.radius, back.radius, w), std::lerp(front.x, back.x, w), front.count});
   }
   const std::vector<Ring> back_disc = disc(back, m);
   rings.insert(rings.end(), back_disc.begin(), back_disc.end());

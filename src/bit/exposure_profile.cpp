@@ -1,9 +1,9 @@
 #include "bit/exposure_profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
@@ -11,28 +11,38 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr double sample_spacing = 5e-5;  ///< m, along the parts' edges
+constexpr double chord = 2e-4;  ///< m; the curve of an edge in (r, z) is followed by chords
 constexpr int ray_count = 2048;
 
-/// The farthest sample near one ray; distance 0: none yet.
+/// The farthest point on one ray; distance 0: none yet.
 struct Ray {
   double distance2 = 0.0;
   ProfilePoint farthest;
 };
 
 /// Rays in a quarter circle about the axis point at height z0, first straight down, last
-/// horizontal.
+/// horizontal; equally spaced in r / (r + depth), which grows with the angle and costs less.
 struct Fan {
   double z0;
   std::vector<Ray> rays = std::vector<Ray>(ray_count);
 
-  void add(const Vec3& x_B) {
-    const double r = std::hypot(x_B.x(), x_B.y()), down = x_B.z() - z0;
-    if (down < 0.0) return;
-    const double fraction = std::atan2(r, down) / (0.5 * std::numbers::pi);
-    Ray& ray = rays[std::min(ray_count - 1, static_cast<int>(fraction * ray_count))];
-    const double distance2 = r * r + down * down;
-    if (distance2 > ray.distance2) ray = {distance2, {r, x_B.z()}};
+  /// Number of the ray through a point, with its fraction; beyond the last one above the
+  /// horizontal.
+  double at(const ProfilePoint& p) const {
+    const double sum = p.r + p.z - z0;
+    return sum > 0.0 ? p.r / sum * (ray_count - 1) : 2.0 * ray_count;
+  }
+  void add(const ProfilePoint& p, Ray& ray) const {
+    const double distance2 = p.r * p.r + (p.z - z0) * (p.z - z0);
+    if (distance2 > ray.distance2) ray = {distance2, p};
+  }
+  /// Adds the crossings of the chord ab, whose ends stand at the numbers at_a and at_b.
+  void add(const ProfilePoint& a, double at_a, const ProfilePoint& b, double at_b) {
+    const double last = std::min(std::max(at_a, at_b), ray_count - 1.0);
+    for (int k = static_cast<int>(std::ceil(std::min(at_a, at_b))); k <= last; ++k) {
+      const double w = at_a == at_b ? 0.0 : (k - at_a) / (at_b - at_a);
+      add({a.r + w * (b.r - a.r), a.z + w * (b.z - a.z)}, rays[k]);
+    }
   }
 };
 
@@ -46,18 +56,46 @@ double topmost_centre(const std::vector<Part>& parts) {
   return z0;
 }
 
+ProfilePoint in_half_plane(const Vec3& x_B) {
+  return {std::sqrt(x_B.x() * x_B.x() + x_B.y() * x_B.y()), x_B.z()};
+}
+
 void add_edge(const Vec3& a_B, const Vec3& b_B, Fan& fan) {
-  const int steps = 1 + static_cast<int>((b_B - a_B).norm() / sample_spacing);
-  for (int k = 0; k < steps; ++k) fan.add(a_B + (b_B - a_B) * (static_cast<double>(k) / steps));
+  const int steps = 1 + static_cast<int>((b_B - a_B).norm() / chord);
+  ProfilePoint previous = in_half_plane(a_B);
+  double at_previous = fan.at(previous);
+  for (int k = 1; k <= steps; ++k) {
+    const ProfilePoint next = in_half_plane(a_B + (b_B - a_B) * (static_cast<double>(k) / steps));
+    const double at_next = fan.at(next);
+    fan.add(previous, at_previous, next, at_next);
+    previous = next;
+    at_previous = at_next;
+  }
+}
+
+/// A flat triangle folds in (r, z) where it passes the axis: at each height the point nearest to
+/// the axis lies in the vertical plane through the axis and the triangle's normal. There the border
+/// of its image is no edge's image.
+void add_fold(const std::array<Vec3, 3>& x_B, Fan& fan) {
+  const Vec3 across = Vec3::UnitZ().cross(mesh::area_vector(x_B[0], x_B[1], x_B[2]));
+  std::vector<Vec3> ends;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = x_B[k], &b = x_B[(k + 1) % 3];
+    const double from = across.dot(a), to = across.dot(b);
+    if ((from < 0.0) != (to < 0.0)) ends.push_back(a + from / (from - to) * (b - a));
+  }
+  if (ends.size() == 2) add_edge(ends[0], ends[1], fan);
 }
 
 /// Every edge once: of a closed mesh, the direction in which its first index is the smaller.
 void add_part(const Part& part, Fan& fan) {
   std::vector<Vec3> x_B;
   for (const Vec3& x_P : part.mesh_P.positions) x_B.push_back(part.X_BP * x_P);
-  for (const mesh::Triangle& t : part.mesh_P.triangles)
+  for (const mesh::Triangle& t : part.mesh_P.triangles) {
     for (int k = 0; k < 3; ++k)
       if (t[k] < t[(k + 1) % 3]) add_edge(x_B[t[k]], x_B[t[(k + 1) % 3]], fan);
+    add_fold({x_B[t[0]], x_B[t[1]], x_B[t[2]]}, fan);
+  }
 }
 
 /// From the axis to the gage, without the empty rays, r monotone.
@@ -88,7 +126,7 @@ std::vector<ProfilePoint> resampled(const std::vector<ProfilePoint>& line, doubl
     while (arc[segment] <= s) ++segment;
     const ProfilePoint &a = line[segment - 1], &b = line[segment];
     const double w = (s - arc[segment - 1]) / (arc[segment] - arc[segment - 1]);
-    points.push_back({(1 - w) * a.r + w * b.r, (1 - w) * a.z + w * b.z});
+    points.push_back({std::lerp(a.r, b.r, w), std::lerp(a.z, b.z, w)});
   }
   points.push_back(line.back());
   return points;

@@ -38,10 +38,13 @@ double rim_angle(int k) {
   return std::numbers::pi * (static_cast<double>(k) / steps_of_edge - 0.5);
 }
 
-/// The exposed half of the cutting edge, by increasing u.
-std::vector<ProfilePlace> cutting_edge(const Cutter& c) {
+/// The cutting edge down to `depth` behind the tip along the normal, by increasing u.
+std::vector<ProfilePlace> cutting_edge(const Cutter& c, double depth) {
   std::vector<ProfilePlace> edge;
-  for (int k = 0; k <= steps_of_edge; ++k) edge.push_back(place(c, rim_C(c, rim_angle(k), 0.0)));
+  for (int k = 0; k <= steps_of_edge; ++k) {
+    const ProfilePlace p = place(c, rim_C(c, rim_angle(k), 0.0));
+    if (p.v >= -depth) edge.push_back(p);
+  }
   std::ranges::sort(edge, {}, &ProfilePlace::u);
   return edge;
 }
@@ -53,13 +56,13 @@ double height_over_groove(const std::vector<ProfilePlace>& edge, const ProfilePl
   if (after == edge.begin() || after == edge.end()) return -std::numeric_limits<double>::infinity();
   const auto before = after - 1;
   const double w = (p.u - before->u) / (after->u - before->u);
-  const double v = (1 - w) * before->v + w * after->v;
-  const double trail = p.trail - ((1 - w) * before->trail + w * after->trail);
+  const double v = std::lerp(before->v, after->v, w);
+  const double trail = p.trail - std::lerp(before->trail, after->trail, w);
   return p.v - v + advance_along_n * trail / (2.0 * std::numbers::pi);
 }
 
 double drag_of(const Cutter& c, double advance_per_rev) {
-  const std::vector<ProfilePlace> edge = cutting_edge(c);
+  const std::vector<ProfilePlace> edge = cutting_edge(c, advance_per_rev);
   const double back = c.length + tip_C(c).x();
   const double advance_along_n = advance_per_rev * std::cos(c.profile_angle);
   double drag = -std::numeric_limits<double>::infinity();

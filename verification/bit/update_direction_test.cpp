@@ -1,0 +1,77 @@
+#include "bit/update_direction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bit/generate.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+const std::vector<InsideRule> inside_rules{InsideRule::down, InsideRule::plus_x,
+                                           InsideRule::minus_x};
+const std::vector<DirectionRule> rules{DirectionRule::hybrid, DirectionRule::all_down,
+                                       DirectionRule::along_profile};
+
+/// A cutter whose centre lies on the tip's side of the axis, as on every bit.
+Cutter any_cutter_off_the_axis() {
+  Cutter c = any_cutter();
+  c.tip_radius = number(0.03, 0.2);
+  c.side_rake = 0.0;
+  c.X_BC = cutter_pose(c);
+  return c;
+}
+
+RC_GTEST_PROP(update_direction, is_a_unit_vector_in_the_xz_plane, ()) {
+  const Vec3 u = update_direction(any_cutter_off_the_axis().X_BC, *rc::gen::elementOf(rules),
+                                  *rc::gen::elementOf(inside_rules));
+  RC_ASSERT(u.y() == 0.0);
+  RC_ASSERT(std::abs(u.norm() - 1.0) < 1e-15);
+}
+
+RC_GTEST_PROP(update_direction, does_not_depend_on_the_azimuth, ()) {
+  Cutter c = any_cutter_off_the_axis();
+  const DirectionRule rule = *rc::gen::elementOf(rules);
+  const Vec3 before = update_direction(c.X_BC, rule, InsideRule::down);
+  c.azimuth += number(0, 2 * pi);
+  const Vec3 after = update_direction(cutter_pose(c), rule, InsideRule::down);
+  RC_ASSERT((before - after).norm() < 1e-13 || std::abs(std::sin(c.profile_angle)) < 1e-12);
+}
+
+/// Without back rake -Z is the profile's normal, and a sharp face's centre is at its tip's azimuth.
+RC_GTEST_PROP(update_direction, without_back_rake_is_the_profile_normal, ()) {
+  Cutter c = any_cutter_off_the_axis();
+  c.back_rake = c.chamfer = 0.0;
+  const Vec3 u = update_direction(cutter_pose(c), DirectionRule::along_profile, InsideRule::down);
+  const Vec3 n(std::sin(c.profile_angle), 0.0, std::cos(c.profile_angle));
+  RC_ASSERT((u - n).norm() < 1e-13);
+}
+
+TEST(update_direction, of_inside_cutters_follows_the_reading) {
+  const Pose X_BC = table('b').at(2).X_BC;  // profile angle -15 deg
+  const auto inside = [&](InsideRule rule) {
+    return update_direction(X_BC, DirectionRule::hybrid, rule);
+  };
+  EXPECT_EQ(inside(InsideRule::down), Vec3(0, 0, 1));
+  EXPECT_EQ(inside(InsideRule::plus_x), Vec3(1, 0, 0));
+  EXPECT_EQ(inside(InsideRule::minus_x), Vec3(-1, 0, 0));
+  EXPECT_LT(update_direction(X_BC, DirectionRule::along_profile, InsideRule::down).x(), 0.0);
+}
+
+TEST(update_direction, of_outside_cutters_is_along_the_profile_unless_all_go_down) {
+  const Pose X_BC = table('b').at(20).X_BC;  // profile angle 76 deg
+  const Vec3 along = update_direction(X_BC, DirectionRule::along_profile, InsideRule::down);
+  for (const InsideRule rule : inside_rules) {
+    EXPECT_EQ(update_direction(X_BC, DirectionRule::hybrid, rule), along);
+    EXPECT_EQ(update_direction(X_BC, DirectionRule::all_down, rule), Vec3(0, 0, 1));
+  }
+  EXPECT_GT(along.x(), 0.9);
+}
+
+TEST(update_direction, on_the_axis_counts_as_azimuth_zero) {
+  Pose X_BC;
+  X_BC.R = Eigen::AngleAxisd(pi, Vec3::UnitX()).toRotationMatrix();
+  EXPECT_EQ(update_direction(X_BC, DirectionRule::along_profile, InsideRule::down), Vec3(0, 0, 1));
+}
+
+}  // namespace
+}  // namespace tdbd::bit
