@@ -17,9 +17,8 @@ constexpr double closest = 1e-3;      ///< m, between two points of the meridian
 
 /// Cutters in the order in which the profile meets them, from the axis to the gage.
 std::vector<Cutter> along_profile(std::vector<Cutter> cutters) {
-  std::ranges::sort(cutters, {}, [](const Cutter& c) {
-    return std::tuple(c.profile_angle, c.tip_radius, c.tip_height);
-  });
+  std::ranges::sort(cutters, {},
+                    [](const Cutter& c) { return std::tuple(c.tip_radius, c.tip_height); });
   return cutters;
 }
 

@@ -27,7 +27,7 @@ class VertexGrid {
     const Cell lo = cell_at(box_W.lo), hi = cell_at(box_W.hi);
     for (int k = lo.k; k <= hi.k; ++k)
       for (int j = lo.j; j <= hi.j; ++j) {
-        const std::size_t row = static_cast<std::size_t>((k * ny_ + j) * nx_);
+        const auto row = static_cast<std::size_t>(index({0, j, k}));
         for (int i = lo.i; i <= hi.i; ++i)
           for (int v = head_[row + static_cast<std::size_t>(i)]; v >= 0;
                v = links_[static_cast<std::size_t>(v)].next)

@@ -25,6 +25,14 @@ RC_GTEST_PROP(cutter_frame, puts_the_tip_where_the_table_says, ()) {
   RC_ASSERT((c.X_BC * tip_C(c) - expected).norm() < 1e-15);
 }
 
+/// A steep chamfer (a small angle from the axis) is deep, a flat one shallow.
+TEST(cutter_frame, measures_the_chamfer_from_the_axis) {
+  Cutter c;
+  c.chamfer = 1e-3;
+  c.chamfer_angle = 60 * degree;
+  EXPECT_NEAR(chamfer_depth(c), 1e-3 / std::sqrt(3.0), 1e-18);
+}
+
 /// -Z is tilted from n by the back rake, backwards, whatever the side rake.
 RC_GTEST_PROP(cutter_frame, leans_over_the_rock_by_the_back_rake, ()) {
   const Cutter c = any_cutter();

@@ -34,7 +34,7 @@ inline Cutter any_cutter() {
   c.back_rake = number(-5 * degree, 44 * degree);
   c.side_rake = number(-10 * degree, 10 * degree);
   c.chamfer = *rc::gen::inRange(0, 4) == 0 ? 0.0 : number(1e-4, 6e-4);
-  c.chamfer_angle = 45 * degree;
+  c.chamfer_angle = number(45 * degree, 80 * degree);
   c.length = number(8e-3, 16e-3);
   c.table_thickness = number(1.5e-3, 3e-3);
   c.X_BC = cutter_pose(c);
