@@ -103,11 +103,11 @@ void process_part(Rock& rock, const CuttingGroup& g, const CuttingPart& part, co
   for (const int v : w.candidates) {
     const Vec3& x_W = rock.surface.position(v);
     RelativePath path{m.X_PW0 * x_W, m.X_PW1 * x_W, {}, {}};
-    if (misses_box(g.box_P, path) || !is_swept(part.solid_P, path, part.depth, w.convex)) continue;
+    if (misses_box(g.box_P, path) || !is_swept(part, path, w.swept)) continue;
     const Vec3 u_W = mapped_direction_W(g, m, x_W);
     path.u0_P = m.X_PW0.R * u_W;
     path.u1_P = m.X_PW1.R * u_W;
-    const auto t = exit_distance(part.solid_P, path, part.depth, w.convex);
+    const auto t = exit_distance(part, path, w.swept);
     if (t && *t > 0.0) move_vertex(rock, w, v, x_W + *t * u_W, part);
   }
   if (w.moved.empty()) return;

@@ -4,7 +4,7 @@
 
 #include "rock/cutting_bit.hpp"
 #include "rock/rock.hpp"
-#include "rock/swept_convex.hpp"
+#include "rock/swept_part.hpp"
 
 namespace tdbd::rock {
 
@@ -19,7 +19,7 @@ struct CutReport {
 
 /// Room for the step, kept between steps so that none allocates once warm.
 struct CutWorkspace {
-  ConvexScratch convex;
+  SweptScratch swept;
   std::vector<int> candidates, moved, triangles, moved_in_pass, moved_before;
   std::vector<Vec3> old_position;
   std::vector<int> vertex_stamp, triangle_stamp;
