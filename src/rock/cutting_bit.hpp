@@ -11,13 +11,13 @@
 
 namespace tdbd::rock {
 
-/// A part prepared for swept queries: by its planes if it is convex, by a tree over its facets if
-/// not.
+/// A part prepared for swept queries: by its planes if it is convex and has few, by a tree over
+/// its facets if not.
 struct CuttingPart {
   int part = -1;  ///< index into Bit::parts
   std::string name;
-  mesh::ConvexSolid solid_P;                 ///< no planes if the part is not convex
-  std::optional<mesh::TriangleTree> tree_P;  ///< only if the part is not convex
+  mesh::ConvexSolid solid_P;                 ///< no planes if there is a tree
+  std::optional<mesh::TriangleTree> tree_P;  ///< only without planes
   double depth = 0.0;  ///< m: shallower than this is not swept (tolerance::swept times part size)
 };
 

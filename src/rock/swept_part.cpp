@@ -17,8 +17,7 @@ std::optional<double> exit_distance(const CuttingPart& part, const RelativePath&
 
 double depth_inside(const CuttingPart& part, const Vec3& x_P) {
   if (!part.tree_P) return depth_inside(part.solid_P, x_P);
-  const double distance = mesh::distance(*part.tree_P, x_P);
-  return mesh::inside(*part.tree_P, x_P) ? distance : -distance;
+  return mesh::inside(*part.tree_P, x_P) ? mesh::distance(*part.tree_P, x_P) : 0.0;
 }
 
 }  // namespace tdbd::rock

@@ -19,7 +19,7 @@ bool is_swept(const CuttingPart& part, const RelativePath& path, SweptScratch& s
 std::optional<double> exit_distance(const CuttingPart& part, const RelativePath& path,
                                     SweptScratch& scratch);
 
-/// How deep x lies inside (m, to the nearest face); negative outside.
+/// How deep x lies inside (m, to the nearest face); 0 or less outside.
 double depth_inside(const CuttingPart& part, const Vec3& x_P);
 
 }  // namespace tdbd::rock
