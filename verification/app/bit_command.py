@@ -24,7 +24,7 @@ def check_round_trip(folder, form):
                  f"parts/cutter-1/face.{form}", f"parts/bit-body.{form}"):
         assert (folder / form / name).stat().st_size > 0, name
     again = tdbd(folder / form / "bit.toml")
-    assert mass_line(first) == mass_line(again) != [], (first.stdout, again.stdout)
+    assert mass_line(first) == mass_line(again) != [], (mass_line(first), mass_line(again))
 
 
 def check_refusals(folder):
