@@ -1,5 +1,7 @@
 #include "simulation/bit_file.hpp"
 
+#include <utility>
+
 #include "bit/cutter_table.hpp"
 #include "bit/largest_radius.hpp"
 #include "bit/pdc_bit.hpp"
@@ -54,8 +56,10 @@ bit::Bit read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule di
                        bit::InsideRule inside) {
   bit::Bit bit;
   bit.name = name;
-  bit.parts = read_parts(c, directions, inside);
+  PartsFromFiles read = read_parts(c, directions, inside);
   c.finish();
+  direct_by_profile(read, directions, inside);
+  bit.parts = std::move(read.parts);
   bit.gage_radius = bit::largest_radius(bit.parts);
   return bit;
 }

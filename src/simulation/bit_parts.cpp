@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
+#include "bit/exposure_profile.hpp"
+#include "bit/profile_direction.hpp"
 #include "core/error.hpp"
 #include "mesh/check.hpp"
 #include "mesh/files.hpp"
@@ -64,16 +67,17 @@ bool belongs_to_a_cutter(PartKind kind) {
          kind == PartKind::cutter_body;
 }
 
-/// The direction that follows from kind and frame; none for a cutter whose frame is not known.
-std::optional<Vec3> derived_direction(const bit::Part& part, bool has_frame,
-                                      bit::DirectionRule directions, bit::InsideRule inside) {
+bool has_frame(const Config& c) { return c.has("position") && c.has("rotation_vector"); }
+
+/// The direction that follows from kind and frame.
+Vec3 derived_direction(const Config& c, const bit::Part& part, bit::DirectionRule directions,
+                       bit::InsideRule inside) {
   if (part.kind == PartKind::gage_pad) return Vec3::UnitX();
-  if (!belongs_to_a_cutter(part.kind) || part.cutting == bit::Cutting::never) return Vec3::UnitZ();
-  if (!has_frame) return std::nullopt;
+  if (!belongs_to_a_cutter(part.kind) || !has_frame(c)) return Vec3::UnitZ();
   return bit::update_direction(part.X_BP, directions, inside);
 }
 
-Vec3 read_direction(Config& c, std::optional<Vec3> fallback) {
+Vec3 read_direction(Config& c, const Vec3& fallback) {
   const Vec3 u = c.vector("update_direction", "1", fallback);
   if (u.y() == 0.0 && u.norm() > 0.0) return u.normalized();
   c.problem("update_direction", fmt::format("({}, {}, {})", u.x(), u.y(), u.z()),
@@ -92,44 +96,66 @@ bit::Part read_part(Config& c, bit::DirectionRule directions, bit::InsideRule in
       c.flag("cutting", part.kind != PartKind::bit_body) ? bit::Cutting::cuts : bit::Cutting::never;
   part.density = c.quantity("density", "kg/m3", 0.0, Range::non_negative());
   part.group = static_cast<int>(c.integer("group", -1, -1, std::numeric_limits<int>::max()));
-  const bool has_frame = c.has("position") && c.has("rotation_vector");
   part.X_BP.p = c.vector("position", "m", Vec3(Vec3::Zero()));
   part.X_BP.R = rotation::exp(c.vector("rotation_vector", "rad", Vec3(Vec3::Zero())));
-  part.update_direction_B =
-      read_direction(c, derived_direction(part, has_frame, directions, inside));
+  part.update_direction_B = read_direction(c, derived_direction(c, part, directions, inside));
   return part;
 }
 
-bool agree(const bit::Part& a, const bit::Part& b) {
+bool agree(const PartsFromFiles& read, std::size_t i, std::size_t j) {
+  const bit::Part &a = read.parts[i], &b = read.parts[j];
   return a.X_BP.R == b.X_BP.R && a.X_BP.p == b.X_BP.p &&
-         a.update_direction_B == b.update_direction_B;
+         a.update_direction_B == b.update_direction_B &&
+         read.has_direction[i] == read.has_direction[j];
 }
 
-void compare_with_earlier(Config& c, const std::vector<bit::Part>& earlier, const bit::Part& part) {
-  for (const bit::Part& other : earlier) {
+void compare_last_with_earlier(Config& c, const PartsFromFiles& read) {
+  const std::size_t last = read.parts.size() - 1;
+  const bit::Part& part = read.parts[last];
+  for (std::size_t i = 0; i < last; ++i) {
+    const bit::Part& other = read.parts[i];
     if (other.name == part.name)
       c.problem("name", '"' + part.name + "\" a second time", "a name of its own");
-    if (part.group >= 0 && other.group == part.group && !agree(other, part))
+    if (part.group >= 0 && other.group == part.group && !agree(read, i, last))
       c.problem("group", "another frame or update direction than of " + other.name,
                 "the same in one group");
   }
 }
 
+/// The part itself, and those of its group.
+std::vector<bit::Part> group_of(const std::vector<bit::Part>& parts, const bit::Part& part) {
+  if (part.group < 0) return {part};
+  std::vector<bit::Part> group;
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(group),
+               [&](const bit::Part& p) { return p.group == part.group; });
+  return group;
+}
+
 }  // namespace
 
-std::vector<bit::Part> read_parts(Config& file, bit::DirectionRule directions,
-                                  bit::InsideRule inside) {
-  std::vector<bit::Part> parts;
+PartsFromFiles read_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside) {
+  PartsFromFiles read;
+  bool any_cuts = false;
   for (Config& c : file.tables("parts")) {
-    bit::Part part = read_part(c, directions, inside);
-    compare_with_earlier(c, parts, part);
-    parts.push_back(std::move(part));
+    const bit::Part& part = read.parts.emplace_back(read_part(c, directions, inside));
+    read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
+                                 !belongs_to_a_cutter(part.kind));
+    any_cuts = any_cuts || part.cutting == bit::Cutting::cuts;
+    compare_last_with_earlier(c, read);
   }
-  const bool any_cuts = std::any_of(parts.begin(), parts.end(), [](const bit::Part& part) {
-    return part.cutting == bit::Cutting::cuts;
-  });
   if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
-  return parts;
+  return read;
+}
+
+void direct_by_profile(PartsFromFiles& read, bit::DirectionRule directions,
+                       bit::InsideRule inside) {
+  if (std::count(read.has_direction.begin(), read.has_direction.end(), 0) == 0) return;
+  constexpr double spacing = 0.5e-3;
+  const auto profile = bit::exposure_profile(read.parts, spacing);
+  for (std::size_t i = 0; i < read.parts.size(); ++i)
+    if (read.has_direction[i] == 0)
+      read.parts[i].update_direction_B =
+          bit::profile_direction(profile, group_of(read.parts, read.parts[i]), directions, inside);
 }
 
 }  // namespace tdbd::simulation

@@ -73,9 +73,28 @@ TEST(bit_parts, derives_a_cutters_direction_from_its_frame) {
   EXPECT_EQ(read(file, bit::DirectionRule::all_down).parts[0].update_direction_B, Vec3(0, 0, 1));
 }
 
-TEST(bit_parts, asks_for_the_direction_of_a_cutter_without_a_frame) {
-  expect_words(complaint(write_one_part_bit(test_folder(), box, "kind = \"face\"\n")),
-               {"bit.toml:2: parts[0].update_direction: found nothing"});
+/// A cylinder has a flat profile below and a wall beside it.
+TEST(bit_parts, takes_a_cutters_direction_from_the_profile_without_a_frame) {
+  const fs::path folder = test_folder();
+  mesh::write_mesh(folder / "cylinder.off", battery::cylinder(50, 40, 64));
+  mesh::write_mesh(folder / "side.off", battery::box({49, -1, 8}, {51, 1, 12}));
+  const auto direction = [&](const std::string& rule) {
+    return read(write_file(folder / "bit.toml", R"(name = "walled"
+[[parts]]
+name = "cylinder"
+kind = "bit-body"
+file = "cylinder.off"
+cutting = true
+[[parts]]
+name = "side"
+kind = "cutter-body"
+file = "side.off"
+)" + rule))
+        .parts[1]
+        .update_direction_B;
+  };
+  EXPECT_GT(direction("").x(), 0.9);
+  EXPECT_EQ(direction("update_direction = [0, 0, 2]\n"), Vec3(0, 0, 1));
 }
 
 TEST(bit_parts, lets_a_bit_body_cut_only_when_told) {
