@@ -6,6 +6,8 @@
 #include "app/commands.hpp"
 #include "bit/mass_properties.hpp"
 #include "mesh/files.hpp"
+#include "mesh/measures.hpp"
+#include "simulation/bit_export.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/bit_output.hpp"
 #include "simulation/output_folder.hpp"
@@ -23,6 +25,20 @@ void print_table(const bit::Bit& b) {
     fmt::print("{:>7} {:>5} {:>9} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.2f} {:>6.1f} {:>6.1f} {:>8.2f}\n",
                c.id, c.blade, c.zone, 1e3 * c.tip_radius, deg * c.azimuth, 1e3 * c.tip_height,
                deg * c.profile_angle, deg * c.back_rake, deg * c.side_rake, 1e3 * c.diameter);
+}
+
+void print_parts(const bit::Bit& b) {
+  fmt::print("{:<24} {:>12} {:>6} {:>9} {:>12} {:>10}\n", "part", "kind", "cuts", "triangles",
+             "volume mm3", "mass g");
+  for (const bit::Part& p : b.parts) {
+    const double volume = mesh::enclosed_volume(p.mesh_P);
+    fmt::print("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name,
+               simulation::kind_name(p.kind), p.cutting == bit::Cutting::cuts ? "yes" : "no",
+               p.mesh_P.triangles.size(), 1e9 * volume, 1e3 * p.density * volume);
+  }
+}
+
+void print_mass(const bit::Bit& b) {
   const bit::MassProperties m = bit::mass_properties(b);
   fmt::print(
       "mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
@@ -31,13 +47,23 @@ void print_table(const bit::Bit& b) {
       m.inertia(1, 1), m.inertia(2, 2));
 }
 
-int inspect(const std::string& file, const std::string& folder, bool force) {
+struct Choices {
+  std::string file, folder, format = "ply";
+  bool force = false;
+};
+
+int inspect(const Choices& choices) {
   using namespace simulation;
-  const bit::Bit b = read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down);
+  const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down);
   print_table(b);
-  if (folder.empty()) return 0;
-  const OutputFolder out = prepare(folder, force ? Overwrite::force : Overwrite::no);
+  print_parts(b);
+  print_mass(b);
+  if (choices.folder.empty()) return 0;
+  const OutputFolder out =
+      prepare(choices.folder, choices.force ? Overwrite::force : Overwrite::no);
   write_bit_files(out.path, b);
+  write_profile(out.path, b);
+  export_bit(out.path, b, choices.format);
   mesh::write_mesh(out.path / "bit.stl", merged_mesh(b, Pose{}, nullptr));
   write_bit_vtp(out.path / "bit.vtp", b, Pose{});
   return 0;
@@ -48,16 +74,18 @@ int inspect(const std::string& file, const std::string& folder, bool force) {
 void add_bit(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("bit", "Build and inspect a bit: table, mass properties, meshes");
-  auto file = std::make_shared<std::string>();
-  auto folder = std::make_shared<std::string>();
-  auto force = std::make_shared<bool>(false);
-  command->add_option("bit", *file, "the bit file (TOML)")->required();
-  command->add_option("-o,--output", *folder, "write bit.json, bit.stl and bit.vtp here");
-  command->add_flag("--force", *force, "replace the results in the folder");
+  auto choices = std::make_shared<Choices>();
+  command->add_option("bit", choices->file, "the bit file (TOML)")->required();
+  command->add_option(
+      "-o,--output", choices->folder,
+      "write bit.toml with parts/, bit.json, profile.csv, bit.stl and bit.vtp here");
+  command->add_option("--format", choices->format, "of the parts' meshes: ply, off, obj or stl")
+      ->check(CLI::IsMember({"ply", "off", "obj", "stl"}))
+      ->capture_default_str();
+  command->add_flag("--force", choices->force, "replace the results in the folder");
   command->footer("Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");
-  command->callback([file, folder, force, &exit_code] {
-    exit_code = guarded([&] { return inspect(*file, *folder, *force); });
-  });
+  command->callback(
+      [choices, &exit_code] { exit_code = guarded([&] { return inspect(*choices); }); });
 }
 
 }  // namespace tdbd::app

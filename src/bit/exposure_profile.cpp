@@ -11,7 +11,9 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr double chord = 2e-4;  ///< m; the curve of an edge in (r, z) is followed by chords
+/// m; the curve of an edge in (r, z) is followed by chords. No length of a drawing is a multiple of
+/// it, so that rounding a coordinate to single precision does not change the number of chords.
+constexpr double chord = 1.93e-4;
 constexpr int ray_count = 2048;
 
 /// The farthest point on one ray; distance 0: none yet.

@@ -1,11 +1,10 @@
 #include "bit/pdc_bit.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "bit/bit_body.hpp"
 #include "bit/cutter_frame.hpp"
+#include "bit/largest_radius.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::bit {
@@ -23,16 +22,6 @@ std::vector<Part> indexed_cutter_parts(const Cutter& c, int index, const PdcOpti
     part.cutter = index;
   }
   return parts;
-}
-
-double largest_radius(const std::vector<Part>& parts) {
-  double radius = 0.0;
-  for (const Part& part : parts)
-    for (const Vec3& x_P : part.mesh_P.positions) {
-      const Vec3 x_B = part.X_BP * x_P;
-      radius = std::max(radius, std::hypot(x_B.x(), x_B.y()));
-    }
-  return radius;
 }
 
 }  // namespace

@@ -31,8 +31,11 @@ Vec3 inside_direction(InsideRule rule) {
 }  // namespace
 
 Vec3 update_direction(const Pose& X_BC, DirectionRule rule, InsideRule inside) {
+  return update_direction(exposure_in_xz(X_BC), rule, inside);
+}
+
+Vec3 update_direction(const Vec3& u, DirectionRule rule, InsideRule inside) {
   if (rule == DirectionRule::all_down) return Vec3::UnitZ();
-  const Vec3 u = exposure_in_xz(X_BC);
   if (rule == DirectionRule::hybrid && u.x() <= 0.0) return inside_direction(inside);
   if (u.norm() == 0.0)
     throw InputError("cutter: found a sideways exposure, expected one in (r, z)");

@@ -20,4 +20,7 @@ enum class DirectionRule { hybrid, all_down, along_profile };
 /// that is exposed sideways (U~ = 0). Thesis: 4.1.2.1.
 Vec3 update_direction(const Pose& X_BC, DirectionRule rule, InsideRule inside);
 
+/// Eq. 4.2 for a known U~, in the X-Z plane and of any length.
+Vec3 update_direction(const Vec3& u, DirectionRule rule, InsideRule inside);
+
 }  // namespace tdbd::bit

@@ -44,6 +44,7 @@ std::vector<int> by_falling_area(const TriangleMesh& m) {
   return order;
 }
 
+/// One more than `most_planes` at most.
 std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack) {
   std::vector<Plane> planes;
   for (const int k : by_falling_area(m)) {
@@ -53,6 +54,7 @@ std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack) {
     const bool known = std::any_of(planes.begin(), planes.end(),
                                    [&](const Plane& p) { return lies_on(m, t, area, p, slack); });
     if (!known) planes.push_back({area.normalized(), area.normalized().dot(corner(m, t, 0))});
+    if (planes.size() > most_planes) break;
   }
   return planes;
 }
@@ -76,7 +78,9 @@ void pad(ConvexSolid& s) {
 std::optional<ConvexSolid> convex_solid(const TriangleMesh& m) {
   const double slack = tolerance::convex * bounding_box(m).size().norm();
   ConvexSolid solid;
-  for (const Plane& p : distinct_planes(m, slack)) {
+  const std::vector<Plane> planes = distinct_planes(m, slack);
+  if (planes.size() > most_planes) return std::nullopt;
+  for (const Plane& p : planes) {
     double support = p.b;
     for (const Vec3& x : m.positions) support = std::max(support, p.n.dot(x));
     if (support - p.b > slack) return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -22,7 +23,11 @@ void add_plane(ConvexSolid& solid, const Vec3& n, double b);
 
 void pad(ConvexSolid& solid);
 
-/// The planes of a closed mesh if it is convex to tolerance::convex times its size, else nothing.
+/// With more planes than this a tree over the facets answers sooner.
+inline constexpr std::size_t most_planes = 512;
+
+/// The planes of a closed mesh if it is convex to tolerance::convex times its size and has at most
+/// `most_planes`, else nothing.
 /// Coplanar triangles give one plane; each plane touches the vertex farthest out, so the solid
 /// contains the mesh.
 std::optional<ConvexSolid> convex_solid(const TriangleMesh& m);

@@ -11,7 +11,9 @@
 namespace tdbd::rock {
 namespace {
 
-constexpr int max_passes = 32;
+/// A vertex between overlapping parts zigzags into their corner, each pass shorter than the last by
+/// a factor; the worst of 120 000 random scenes took 71 passes.
+constexpr int max_passes = 1000;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -68,7 +70,7 @@ void process_part(Rock& rock, const CuttingGroup& g, const CuttingPart& part, co
   for (const int v : candidates) {
     const Vec3& x_W = rock.surface.position(v);
     const RelativePath path = relative_path(g, m, x_W);
-    const auto t = exit_distance(part.solid_P, path, part.depth, w.strip);
+    const auto t = exit_distance(part, path, w.swept);
     if (t && *t > 0.0) move_vertex(rock, w, v, x_W + *t * mapped_direction_W(g, m, x_W), part);
   }
   if (w.moved.empty()) return;

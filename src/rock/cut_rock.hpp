@@ -4,6 +4,7 @@
 
 #include "rock/group_motion.hpp"
 #include "rock/rock.hpp"
+#include "rock/swept_part.hpp"
 
 namespace tdbd::rock {
 
@@ -18,7 +19,7 @@ struct CutReport {
 
 /// Room for the step, kept between steps so that none allocates once warm.
 struct CutWorkspace {
-  Strip strip;
+  SweptScratch swept;
   std::vector<GroupMotion> motions;          ///< per group
   std::vector<std::vector<int>> candidates;  ///< per group
   std::vector<std::vector<int>> chains, moved_by_group;

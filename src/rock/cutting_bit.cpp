@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "core/tolerance.hpp"
 
 namespace tdbd::rock {
@@ -27,11 +26,13 @@ mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t mos
 }
 
 CuttingPart prepare_part(const bit::Part& part, int index) {
-  auto solid = mesh::convex_solid(part.mesh_P);
-  if (!solid)
-    throw InputError(part.name + ": found a mesh that is not convex, expected a convex part");
-  const double size = mesh::bounding_box(part.mesh_P).size().norm();
-  return {index, part.name, spread_planes(*solid, solid->planes), tolerance::swept * size};
+  CuttingPart prepared{index, part.name, {}, {}, 0.0};
+  prepared.depth = tolerance::swept * mesh::bounding_box(part.mesh_P).size().norm();
+  if (auto solid = mesh::convex_solid(part.mesh_P))
+    prepared.solid_P = spread_planes(*solid, solid->planes);
+  else
+    prepared.tree_P.emplace(part.mesh_P);
+  return prepared;
 }
 
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {

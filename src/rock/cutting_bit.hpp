@@ -1,19 +1,23 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bit/bit.hpp"
 #include "mesh/convex.hpp"
 #include "mesh/measures.hpp"
+#include "mesh/triangle_tree.hpp"
 
 namespace tdbd::rock {
 
-/// A part prepared for swept queries.
+/// A part prepared for swept queries: by its planes if it is convex and has few, by a tree over
+/// its facets if not.
 struct CuttingPart {
   int part = -1;  ///< index into Bit::parts
   std::string name;
-  mesh::ConvexSolid solid_P;
+  mesh::ConvexSolid solid_P;                 ///< no planes if there is a tree
+  std::optional<mesh::TriangleTree> tree_P;  ///< only without planes
   double depth = 0.0;  ///< m: shallower than this is not swept (tolerance::swept times part size)
 };
 
@@ -33,7 +37,7 @@ struct CuttingBit {
   double size = 0.0;   ///< m, diameter over the cutting parts: scale of tolerance::inside
 };
 
-/// Throws InputError naming a part that cannot be prepared.
+/// Every part that cuts, from its closed mesh (bit::Part).
 CuttingBit prepare_cutting_bit(const bit::Bit& bit);
 
 }  // namespace tdbd::rock

@@ -2,133 +2,111 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-
-#include "core/wide.hpp"
+#include <cmath>
 
 namespace tdbd::rock {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-using Lanes = std::array<double, lanes>;
+/// Room for rounding at a facet's rim and at the strip's sides: a crossing found twice does no
+/// harm, one lost between two facets would.
+constexpr double rim = 1e-11;
 
-/// Bounds of tau, lane by lane, until none is left. A plane that q runs along excludes all or
-/// nothing.
-TDBD_WIDE void bound_tau(const mesh::ConvexSolid& s, const RelativePath& p, double depth, Lanes& lo,
-                         Lanes& hi) {
-  const Vec3 q = p.q0_P, d = p.q1_P - p.q0_P;
-  Wide first{}, last = first + 1.0;
-  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
-    Wide x, y, z, b;
-    TDBD_LOAD(x, &s.nx[i]);
-    TDBD_LOAD(y, &s.ny[i]);
-    TDBD_LOAD(z, &s.nz[i]);
-    TDBD_LOAD(b, &s.b[i]);
-    const Wide room = b - depth - (x * q.x() + y * q.y() + z * q.z());
-    const Wide speed = x * d.x() + y * d.y() + z * d.z();
-    const Wide when = room / (speed == 0.0 ? Wide{} + 1.0 : speed);
-    const Wide at_rest = room <= 0.0 ? Wide{} - 1.0 : Wide{} + infinity;
-    const Wide until = speed > 0.0 ? when : (speed < 0.0 ? Wide{} + infinity : at_rest);
-    const Wide from = speed < 0.0 ? when : Wide{};
-    last = until < last ? until : last;
-    first = from > first ? from : first;
-    const auto none = first >= last;
-    if ((none[0] | none[1] | none[2] | none[3]) != 0) break;
-  }
-  TDBD_STORE(first, lo.data());
-  TDBD_STORE(last, hi.data());
+struct Roots {
+  std::array<double, 2> x{};
+  int count = 0;
+};
+
+/// Of a x^2 + b x + c, without cancellation.
+Roots quadratic_roots(double a, double b, double c) {
+  const double discriminant = b * b - 4.0 * a * c;
+  if (discriminant < 0.0) return {};
+  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  Roots roots;
+  if (a != 0.0) roots.x[0] = q / a, roots.count = 1;
+  if (q != 0.0) roots.x[static_cast<std::size_t>(roots.count++)] = c / q;
+  return roots;
 }
 
-TDBD_WIDE void fill(const mesh::ConvexSolid& s, const RelativePath& p, Strip& w) {
-  const Vec3 &q = p.q0_P, &u = p.u0_P, d = p.q1_P - p.q0_P, e = p.u1_P - p.u0_P;
-  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
-    Wide x, y, z, b;
-    TDBD_LOAD(x, &s.nx[i]);
-    TDBD_LOAD(y, &s.ny[i]);
-    TDBD_LOAD(z, &s.nz[i]);
-    TDBD_LOAD(b, &s.b[i]);
-    const Wide rest = b - (x * q.x() + y * q.y() + z * q.z());
-    const Wide along = x * d.x() + y * d.y() + z * d.z();
-    const Wide up = x * u.x() + y * u.y() + z * u.z();
-    const Wide twist = x * e.x() + y * e.y() + z * e.z();
-    TDBD_STORE(rest, &w.rest[i]);
-    TDBD_STORE(along, &w.along[i]);
-    TDBD_STORE(up, &w.up[i]);
-    TDBD_STORE(twist, &w.twist[i]);
-  }
-}
-
-/// ratio[i] = where plane i bounds t at this tau, infinite if it does not; `least` the smallest by
-/// lanes.
-TDBD_WIDE void leaving_ratios(Strip& w, double tau, Lanes& least) {
-  Wide smallest = Wide{} + infinity;
-  for (std::size_t i = 0; i < w.rest.size(); i += lanes) {
-    Wide rest, along, up, twist;
-    TDBD_LOAD(rest, &w.rest[i]);
-    TDBD_LOAD(along, &w.along[i]);
-    TDBD_LOAD(up, &w.up[i]);
-    TDBD_LOAD(twist, &w.twist[i]);
-    const Wide c = up + tau * twist;
-    const Wide t = (rest - tau * along) / (c > 0.0 ? c : Wide{} + 1.0);
-    const Wide bounded = c > 0.0 ? t : Wide{} + infinity;
-    smallest = bounded < smallest ? bounded : smallest;
-    TDBD_STORE(bounded, &w.ratio[i]);
-  }
-  TDBD_STORE(smallest, least.data());
-}
-
-/// ratio[i] = how far along the way plane i is met, infinite if it is not; `least` by lanes.
-TDBD_WIDE void blocking_ratios(Strip& w, const Way& way, Lanes& least) {
-  Wide smallest = Wide{} + infinity;
-  for (std::size_t i = 0; i < w.rest.size(); i += lanes) {
-    Wide rest, along, up, twist;
-    TDBD_LOAD(rest, &w.rest[i]);
-    TDBD_LOAD(along, &w.along[i]);
-    TDBD_LOAD(up, &w.up[i]);
-    TDBD_LOAD(twist, &w.twist[i]);
-    const Wide a = along + way.t0 * twist, c = up + way.tau0 * twist;
-    const Wide speed = a * way.side + c * way.climb;
-    const Wide left = rest + (way.tau0 * way.t0) * twist - a * way.tau - c * way.t;
-    const Wide room = left > 0.0 ? left : Wide{};
-    const Wide reach = room / (speed > 1e-14 ? speed : Wide{} + 1.0);
-    const Wide bounded = speed > 1e-14 ? reach : Wide{} + infinity;
-    smallest = bounded < smallest ? bounded : smallest;
-    TDBD_STORE(bounded, &w.ratio[i]);
-  }
-  TDBD_STORE(smallest, least.data());
+/// Shortest vector on the way from u to u + du.
+double shortest(const Vec3& u, const Vec3& du) {
+  const double length2 = du.squaredNorm();
+  const double tau = length2 > 0.0 ? std::clamp(-u.dot(du) / length2, 0.0, 1.0) : 0.0;
+  return (u + tau * du).norm();
 }
 
 }  // namespace
 
-Interval when_inside(const mesh::ConvexSolid& s, const RelativePath& p, double depth) {
-  Lanes lo, hi;
-  bound_tau(s, p, depth, lo, hi);
-  return {*std::ranges::max_element(lo), *std::ranges::min_element(hi)};
+Strip::Strip(const RelativePath& p, const mesh::Box& box)
+    : q_(p.q0_P), dq_(p.q1_P - p.q0_P), u_(p.u0_P), du_(p.u1_P - p.u0_P) {
+  const Vec3 centre = 0.5 * (box.lo + box.hi);
+  const double reach =
+      0.5 * box.size().norm() + std::max((p.q0_P - centre).norm(), (p.q1_P - centre).norm());
+  t_max_ = 1.001 * reach / shortest(u_, du_);
+  middle_ = at(0.5, 0.0);
+  inverse_ = (u_ + 0.5 * du_).cwiseInverse();
+  half_width_ = 0.5 * (dq_.cwiseAbs() + t_max_ * du_.cwiseAbs());
 }
 
-void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, Strip& w) {
-  for (auto* column : {&w.rest, &w.along, &w.up, &w.twist, &w.ratio}) column->resize(s.b.size());
-  fill(s, p, w);
-}
-
-Exit leave_at(Strip& w, double tau) {
-  Lanes least;
-  leaving_ratios(w, tau, least);
-  const double t = *std::ranges::min_element(least);
-  return {tau, t, static_cast<std::size_t>(std::ranges::find(w.ratio, t) - w.ratio.begin())};
-}
-
-std::size_t first_plane_on_way(Strip& w, const Way& way, std::size_t on, double& reach) {
-  Lanes lane_least;
-  blocking_ratios(w, way, lane_least);
-  double least = *std::ranges::min_element(lane_least);
-  if (w.ratio[on] == least) {  // the plane underfoot does not block, whatever rounding says
-    w.ratio[on] = infinity;
-    least = *std::ranges::min_element(w.ratio);
+bool Strip::meets(const mesh::Box& box) const {
+  double enter = 0.0, leave = t_max_;
+  for (int i = 0; i < 3; ++i) {
+    const double slack = half_width_[i] + 1e-12 * (std::abs(box.lo[i]) + std::abs(box.hi[i]));
+    const double lo = box.lo[i] - slack - middle_[i], hi = box.hi[i] + slack - middle_[i];
+    if (std::isinf(inverse_[i])) {
+      if (lo > 0.0 || hi < 0.0) return false;
+      continue;
+    }
+    enter = std::max(enter, std::min(lo * inverse_[i], hi * inverse_[i]));
+    leave = std::min(leave, std::max(lo * inverse_[i], hi * inverse_[i]));
   }
-  if (least >= reach) return w.rest.size();
-  reach = least;
-  return static_cast<std::size_t>(std::ranges::find(w.ratio, least) - w.ratio.begin());
+  return enter <= leave;
+}
+
+void Strip::add_side(const mesh::Facet& f, double tau, std::vector<double>& ends) const {
+  const auto hit = mesh::meet(f, q_ + tau * dq_, u_ + tau * du_);
+  if (hit && hit->margin >= -rim) ends.push_back(hit->s);
+}
+
+/// a + s e = q(tau) + t u(tau): without s and t, (u(tau) x e) . (a - q(tau)) = 0.
+void Strip::add_edge(const Vec3& a, const Vec3& b, std::vector<double>& ends) const {
+  const Vec3 e = b - a, r = a - q_, u_x_e = u_.cross(e), du_x_e = du_.cross(e);
+  const Roots roots =
+      quadratic_roots(-du_x_e.dot(dq_), du_x_e.dot(r) - u_x_e.dot(dq_), u_x_e.dot(r));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
+    if (!(roots.x[k] >= -rim && roots.x[k] <= 1.0 + rim)) continue;
+    const double tau = std::clamp(roots.x[k], 0.0, 1.0);
+    const Vec3 u = u_ + tau * du_, n = u_x_e + tau * du_x_e, to_a = r - tau * dq_;
+    const double n2 = n.squaredNorm();
+    if (n2 == 0.0) continue;
+    const double s = to_a.cross(u).dot(n) / n2;
+    if (s >= -rim && s <= 1.0 + rim) ends.push_back(to_a.cross(e).dot(n) / n2);
+  }
+}
+
+bool Strip::level_meets(const mesh::Facet& f, double t) const {
+  const auto hit = mesh::meet(f, at(0.0, t), dq_ + t * du_);
+  return hit && hit->margin >= -rim && hit->s >= -rim && hit->s <= 1.0 + rim;
+}
+
+void Strip::levels_that_meet(const mesh::Facet& f, double same, std::vector<double>& ends,
+                             std::vector<Levels>& intervals) const {
+  ends.clear();
+  add_side(f, 0.0, ends);
+  add_side(f, 1.0, ends);
+  add_edge(f.a, f.b, ends);
+  add_edge(f.b, f.c, ends);
+  add_edge(f.c, f.a, ends);
+  if (ends.empty()) return;
+  std::sort(ends.begin(), ends.end());
+  ends.erase(
+      std::unique(ends.begin(), ends.end(), [same](double s, double t) { return t - s <= same; }),
+      ends.end());
+  if (ends.size() <= 2) {
+    intervals.push_back({ends.front(), ends.back()});
+    return;
+  }
+  for (std::size_t k = 1; k < ends.size(); ++k)
+    if (level_meets(f, 0.5 * (ends[k - 1] + ends[k]))) intervals.push_back({ends[k - 1], ends[k]});
 }
 
 }  // namespace tdbd::rock

@@ -2,42 +2,46 @@
 
 #include <vector>
 
-#include "mesh/convex.hpp"
+#include "mesh/facet.hpp"
+#include "mesh/measures.hpp"
 #include "rock/relative_path.hpp"
 
 namespace tdbd::rock {
 
-/// The strip q(tau) + t u(tau) seen by the planes of a convex solid: a point (tau, t) is inside
-/// plane i while along tau + (up + twist tau) t <= rest. Columns over planes; `ratio` is room for
-/// the queries below. Kept between queries, so that none allocates.
-struct Strip {
-  std::vector<double> rest, along, up, twist, ratio;
-};
-
-/// When q(tau) is deeper than `depth` inside every plane; empty (lo >= hi) if never.
-struct Interval {
+/// An interval of t, of the levels of a strip.
+struct Levels {
   double lo, hi;
 };
-Interval when_inside(const mesh::ConvexSolid& s, const RelativePath& p, double depth);
 
-void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, Strip& w);
+/// The surface x(tau, t) = q(tau) + t u(tau), tau in [0, 1], 0 <= t <= t_max, that a vertex and its
+/// update direction sweep in a part's frame. At a fixed t it is a straight segment (a "level").
+/// Formulation 2.1.
+class Strip {
+ public:
+  /// Reaches beyond `box`, the part's. u must not vanish on the way from u0 to u1.
+  Strip(const RelativePath& path, const mesh::Box& box);
 
-/// Where the ray at tau leaves the solid, and the plane there. t is infinite if it never does.
-struct Exit {
-  double tau, t;
-  std::size_t plane;
+  Vec3 at(double tau, double t) const { return q_ + tau * dq_ + t * (u_ + tau * du_); }
+
+  /// May the strip meet the box? Never a wrong no.
+  bool meets(const mesh::Box& box) const;
+
+  /// Adds the intervals of t whose levels meet the facet. Their ends are where the strip's sides
+  /// tau = 0 and tau = 1 meet the facet and where its edges meet the strip; in between t is a
+  /// monotonic function of tau on the facet (a Moebius map). Ends nearer than `same` (m) are one;
+  /// `ends` is room for them.
+  void levels_that_meet(const mesh::Facet& f, double same, std::vector<double>& ends,
+                        std::vector<Levels>& intervals) const;
+
+ private:
+  void add_side(const mesh::Facet& f, double tau, std::vector<double>& ends) const;
+  void add_edge(const Vec3& a, const Vec3& b, std::vector<double>& ends) const;
+  bool level_meets(const mesh::Facet& f, double t) const;
+
+  Vec3 q_, dq_, u_, du_;
+  double t_max_;
+  Vec3 middle_, inverse_;  ///< the ray tau = 1/2: origin, 1 / direction
+  Vec3 half_width_;        ///< of the strip about that ray, along the axes
 };
-Exit leave_at(Strip& w, double tau);
-
-/// A straight way on the strip, and the point at which the planes are linearised for it.
-struct Way {
-  double tau0, t0;     ///< linearised here
-  double tau, t;       ///< start
-  double side, climb;  ///< direction
-};
-
-/// The first plane met on the way within `reach`, other than `on`; shortens `reach` to it. Returns
-/// w.rest.size() if none.
-std::size_t first_plane_on_way(Strip& w, const Way& way, std::size_t on, double& reach);
 
 }  // namespace tdbd::rock

@@ -8,7 +8,7 @@ namespace {
 
 /// Follows the surface from x the way t grows, with the planes linearised at x (the product tau t
 /// of the turning direction), over as many planes as it takes. Returns where t is largest.
-double highest_from(Strip& w, const Exit& x) {
+double highest_from(PlaneStrip& w, const Exit& x) {
   const auto a = [&](std::size_t i) { return w.along[i] + x.t * w.twist[i]; };
   const auto c = [&](std::size_t i) { return w.up[i] + x.tau * w.twist[i]; };
   const double side = a(x.plane) > 0.0 ? -1.0 : 1.0;
@@ -41,7 +41,7 @@ bool is_swept(const mesh::ConvexSolid& solid, const RelativePath& path, double d
 }
 
 std::optional<double> exit_distance(const mesh::ConvexSolid& solid, const RelativePath& path,
-                                    double depth, Strip& strip) {
+                                    double depth, PlaneStrip& strip) {
   const Interval inside = when_inside(solid, path, depth);
   if (inside.lo >= inside.hi) return std::nullopt;
   put_on_strip(solid, path, strip);

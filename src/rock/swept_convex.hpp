@@ -5,7 +5,7 @@
 
 #include "core/types.hpp"
 #include "mesh/convex.hpp"
-#include "rock/strip.hpp"
+#include "rock/plane_strip.hpp"
 
 namespace tdbd::rock {
 
@@ -20,6 +20,6 @@ bool is_swept(const mesh::ConvexSolid& solid, const RelativePath& path, double d
 /// (tau, t), up to the turn of u, which is iterated away. Exact twin for any mesh:
 /// reference/rock/brute_force_exit. Thesis: 4.1.3.3 (reconstructed). Nothing if not swept.
 std::optional<double> exit_distance(const mesh::ConvexSolid& solid, const RelativePath& path,
-                                    double depth, Strip& strip);
+                                    double depth, PlaneStrip& strip);
 
 }  // namespace tdbd::rock

@@ -1,8 +1,12 @@
 #include "simulation/bit_file.hpp"
 
+#include <utility>
+
 #include "bit/cutter_table.hpp"
+#include "bit/largest_radius.hpp"
 #include "bit/pdc_bit.hpp"
 #include "core/config.hpp"
+#include "simulation/bit_parts.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -35,11 +39,8 @@ bit::GagePads read_pads(Config c) {
   return p;
 }
 
-}  // namespace
-
-bit::Bit read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside) {
-  Config c = Config::read_file(path, {});
-  const std::string name = c.text("name", std::nullopt);
+bit::Bit read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule directions,
+                      bit::InsideRule inside) {
   const std::string table = c.path("table", std::nullopt);
   const bit::CutterDefaults defaults = read_defaults(c.table("cutters"));
   bit::PdcOptions options;
@@ -49,6 +50,28 @@ bit::Bit read_bit(const std::string& path, bit::DirectionRule directions, bit::I
   options.inside = inside;
   c.finish();
   return bit::pdc_bit(name, bit::read_cutter_table(table, defaults), options);
+}
+
+bit::Bit read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule directions,
+                       bit::InsideRule inside) {
+  bit::Bit bit;
+  bit.name = name;
+  PartsFromFiles read = read_parts(c, directions, inside);
+  c.finish();
+  direct_by_profile(read, directions, inside);
+  bit.parts = std::move(read.parts);
+  bit.gage_radius = bit::largest_radius(bit.parts);
+  return bit;
+}
+
+}  // namespace
+
+bit::Bit read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside) {
+  Config c = Config::read_file(path, {});
+  const std::string name = c.text("name", std::nullopt);
+  if (c.has("parts") && c.has("table")) c.problem("table", "parts as well", "one of the two");
+  return c.has("parts") ? read_mesh_bit(c, name, directions, inside)
+                        : read_pdc_bit(c, name, directions, inside);
 }
 
 }  // namespace tdbd::simulation

@@ -64,7 +64,7 @@ Penetration deepest_penetration(const rock::Rock& rock, const rock::CuttingBit& 
       const Vec3 x_P = X_PW * rock.surface.position(v);
       if (!g.box_P.contains(x_P)) continue;
       for (const rock::CuttingPart& part : g.parts) {
-        const double depth = rock::depth_inside(part.solid_P, x_P);
+        const double depth = rock::depth_inside(part, x_P);
         if (depth > deepest.depth) deepest = {depth, part.name};
       }
     }

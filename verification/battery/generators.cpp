@@ -52,6 +52,19 @@ rc::Gen<mesh::TriangleMesh> convex_polyhedron() {
   return rc::gen::map(points, with_tetrahedron);
 }
 
+rc::Gen<mesh::TriangleMesh> nonconvex_prism() {
+  const auto outline =
+      rc::gen::oneOf(rc::gen::map(number(0.2, 0.9), [](double arm) { return l_outline(1.6, arm); }),
+                     rc::gen::map(number(0.1, 0.7), [](double arm) { return u_outline(1.6, arm); }),
+                     rc::gen::apply([](double inner, int n) { return star_outline(1.0, inner, n); },
+                                    number(0.2, 0.7), rc::gen::inRange(3, 8)));
+  return rc::gen::apply(
+      [](const std::vector<Eigen::Vector2d>& points, double half, const Mat3& R) {
+        return placed({R, Vec3::Zero()}, prism(points, -half, half));
+      },
+      outline, number(0.1, 0.7), rotation());
+}
+
 rc::Gen<mesh::TriangleMesh> star_shape() {
   mesh::TriangleMesh unit = sphere(1.0, 1);
   const auto radii =

@@ -31,4 +31,8 @@ rc::Gen<mesh::TriangleMesh> convex_polyhedron();
 /// between 0.4 and 1.
 rc::Gen<mesh::TriangleMesh> star_shape();
 
+/// Prisms over an L, a U or a star of random proportions, turned anyhow about the origin; within a
+/// ball of radius 1.5.
+rc::Gen<mesh::TriangleMesh> nonconvex_prism();
+
 }  // namespace tdbd::battery

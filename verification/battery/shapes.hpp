@@ -14,6 +14,15 @@ mesh::TriangleMesh box(const Vec3& lo, const Vec3& hi);
 /// Cylinder about z between -length/2 and length/2: a regular polygon's prism, corner 0 at +x.
 mesh::TriangleMesh cylinder(double radius, double length, int sides);
 
+/// Prism over a simple counter-clockwise outline, from z = lo to z = hi.
+mesh::TriangleMesh prism(const std::vector<Eigen::Vector2d>& outline, double lo, double hi);
+
+/// Outlines for it: an L, a U (open towards +y) in a square about the origin with arms `arm` wide,
+/// and a star.
+std::vector<Eigen::Vector2d> l_outline(double size, double arm);
+std::vector<Eigen::Vector2d> u_outline(double size, double arm);
+std::vector<Eigen::Vector2d> star_outline(double outer, double inner, int points);
+
 /// Torus about z: `around` times `across` quadrilaterals, each cut in two; vertices on the torus.
 mesh::TriangleMesh torus(double major_radius, double minor_radius, int around, int across);
 

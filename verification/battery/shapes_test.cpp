@@ -39,10 +39,15 @@ TEST(shapes, are_closed_oriented_and_do_not_intersect_themselves) {
   expect_sound(cylinder(2.0, 3.0, 7));
   expect_sound(torus(3.0, 1.0, 12, 8));
   expect_sound(sphere(2.0, 2));
+  expect_sound(prism(l_outline(2.0, 0.5), 0.0, 1.0));
+  expect_sound(prism(u_outline(2.0, 0.5), 0.0, 1.0));
+  expect_sound(prism(star_outline(2.0, 0.5, 5), 0.0, 1.0));
 }
 
 TEST(shapes, have_the_volumes_of_their_closed_forms) {
   EXPECT_EQ(enclosed_volume_exact(box({-1, -2, -3}, {1, 2, 3})), 48.0);
+  EXPECT_DOUBLE_EQ(enclosed_volume_exact(prism(l_outline(2.0, 0.5), 0.0, 1.0)), 1.75);
+  EXPECT_DOUBLE_EQ(enclosed_volume_exact(prism(u_outline(2.0, 0.5), 0.0, 1.0)), 2.5);
   const double hexagon = 1.5 * std::sqrt(3.0);
   EXPECT_NEAR(enclosed_volume_exact(cylinder(1.0, 2.0, 6)), 2.0 * hexagon, 1e-14);
   EXPECT_NEAR(enclosed_volume_exact(sphere(1.0, 4)), 4.0 / 3.0 * std::numbers::pi, 0.01);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "bit/generate.hpp"
 
@@ -99,23 +98,6 @@ TEST(exposure_profile, of_a_sharp_cutter_without_rake_is_its_rim) {
     const double to_centre = std::hypot(p.r - c.tip_radius, p.z + c.tip_height + 0.5 * c.diameter);
     EXPECT_NEAR(to_centre, 0.5 * c.diameter, 5e-5);
   }
-}
-
-/// The shortest of a few runs: what the machine does besides is not ours to measure.
-TEST(exposure_profile, takes_less_than_a_twentieth_of_a_second) {
-#ifdef TDBD_CHECK_EVERY_OPERATION
-  GTEST_SKIP() << "a promise of release builds only";
-#endif
-  const Bit bit = example_bit('b');
-  double shortest = 1e300;
-  for (int run = 0; run < 10; ++run) {
-    const auto start = std::chrono::steady_clock::now();
-    exposure_profile(bit.parts, 1e-3);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    shortest = std::min(shortest, seconds.count());
-  }
-  RecordProperty("seconds", std::to_string(shortest));
-  EXPECT_LT(shortest, 0.05) << shortest;
 }
 
 }  // namespace

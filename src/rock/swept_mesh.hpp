@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesh/triangle_tree.hpp"
+#include "rock/relative_path.hpp"
+#include "rock/strip.hpp"
+
+namespace tdbd::rock {
+
+/// Room for one query, kept between queries so that none allocates once warm.
+struct MeshScratch {
+  std::vector<double> ends;
+  std::vector<Levels> intervals;
+};
+
+/// Whether the path of the vertex alone enters the solid inside a closed mesh by more than `depth`
+/// (m). Between two crossings of the surface the path is inside or outside as a whole: ask there.
+bool is_swept(const mesh::TriangleTree& solid, const RelativePath& path, double depth,
+              MeshScratch& scratch);
+
+/// Exit distance of a swept vertex from the solid inside any closed mesh: the end of the connected
+/// set of t, from t = 0 on, for which some tau puts q(tau) + t u(tau) inside. Exact for straight q
+/// and u: that set is bounded by where the levels of the strip begin and cease to meet facets
+/// (Strip), and what lies between two such intervals is inside or outside as a whole. Gaps up to
+/// `depth` (m) do not separate. Same meaning as for a convex solid (swept_convex.hpp); twin:
+/// reference/rock/brute_force_exit. Formulation 2.1-2.3; thesis: 4.1.3.3 (reconstructed). Nothing
+/// if not swept.
+std::optional<double> exit_distance(const mesh::TriangleTree& solid, const RelativePath& path,
+                                    double depth, MeshScratch& scratch);
+
+}  // namespace tdbd::rock

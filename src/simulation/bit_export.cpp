@@ -1,0 +1,66 @@
+#include "simulation/bit_export.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bit/exposure_profile.hpp"
+#include "core/error.hpp"
+#include "mesh/files.hpp"
+#include "rotation/rotation_vector.hpp"
+#include "simulation/bit_output.hpp"
+#include "simulation/summary.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+/// A JSON string is a TOML string.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+std::string vector_text(const Vec3& v) {
+  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
+}
+
+std::string part_text(const bit::Part& part, const std::string& file) {
+  std::string text = fmt::format(
+      "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n"
+      "density = {:.17g}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
+      quoted(part.name), quoted(kind_name(part.kind)), quoted(file),
+      part.cutting == bit::Cutting::cuts, part.density, part.group, vector_text(part.X_BP.p),
+      vector_text(rotation::log(part.X_BP.R)));
+  if (part.cutter < 0)
+    text += fmt::format("update_direction = {}\n", vector_text(part.update_direction_B));
+  return text;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw RunError(fmt::format("{}: {}", folder.string(), error.message()));
+}
+
+}  // namespace
+
+void export_bit(const std::filesystem::path& folder, const bit::Bit& bit,
+                const std::string& format) {
+  std::string toml =
+      fmt::format("# A bit as the meshes of its parts.\nname = {}\n", quoted(bit.name));
+  for (const bit::Part& part : bit.parts) {
+    const std::string file = fmt::format("parts/{}.{}", part.name, format);
+    make_folder((folder / file).parent_path());
+    mesh::write_mesh(folder / file, part.mesh_P);
+    toml += part_text(part, file);
+  }
+  write_text(folder / "bit.toml", toml);
+}
+
+void write_profile(const std::filesystem::path& folder, const bit::Bit& bit) {
+  constexpr double spacing = 0.25e-3;
+  std::string csv = "r_m,z_m\n";
+  for (const bit::ProfilePoint& p : bit::exposure_profile(bit.parts, spacing))
+    csv += fmt::format("{:.9g},{:.9g}\n", p.r, p.z);
+  write_text(folder / "profile.csv", csv);
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bit/bit.hpp"
+
+namespace tdbd::simulation {
+
+/// Writes every part's mesh in its own frame, in m, to parts/NAME.FORMAT, and bit.toml, which
+/// read_bit reads back. `format` as of mesh::write_mesh: ply, off and obj keep every bit of the
+/// coordinates, stl rounds them to single precision. Parts of a cutter take their update direction
+/// from its frame again, so that its rule stays open; the others keep theirs.
+/// Throws RunError when a file cannot be written, InputError for an unknown format.
+void export_bit(const std::filesystem::path& folder, const bit::Bit& bit,
+                const std::string& format);
+
+/// profile.csv: the exposure profile (r_m, z_m) from the axis to the gage. Thesis: fig. 3.8.
+void write_profile(const std::filesystem::path& folder, const bit::Bit& bit);
+
+}  // namespace tdbd::simulation

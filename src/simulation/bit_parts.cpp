@@ -1,0 +1,161 @@
+#include "simulation/bit_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "bit/exposure_profile.hpp"
+#include "bit/profile_direction.hpp"
+#include "core/error.hpp"
+#include "mesh/check.hpp"
+#include "mesh/files.hpp"
+#include "rotation/rotation_vector.hpp"
+#include "simulation/bit_output.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using bit::PartKind;
+
+std::vector<std::pair<std::string, PartKind>> kinds() {
+  std::vector<std::pair<std::string, PartKind>> names;
+  for (const PartKind kind :
+       {PartKind::face, PartKind::chamfer, PartKind::cse, PartKind::cutter_body, PartKind::gage_pad,
+        PartKind::bit_body, PartKind::cone, PartKind::tooth})
+    names.emplace_back(kind_name(kind), kind);
+  return names;
+}
+
+/// Names become paths of files and keys of results.
+bool is_part_name(const std::string& name) {
+  const auto is_word = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '/';
+  };
+  return !name.empty() && name.front() != '/' && name.back() != '/' &&
+         name.find("//") == std::string::npos && std::all_of(name.begin(), name.end(), is_word);
+}
+
+std::string without_line_breaks(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ';');
+  return text;
+}
+
+mesh::TriangleMesh read_part_mesh(Config& c) {
+  const std::string file = c.path("file", std::nullopt);
+  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  if (file.empty()) return {};
+  const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
+  try {
+    mesh::TriangleMesh m = mesh::read_mesh(file, unit);
+    const auto defects = mesh::check_closed(m);
+    if (!defects.empty())
+      c.problem("file", file + ": " + without_line_breaks(mesh::describe(defects, 3)), expected);
+    return m;
+  } catch (const InputError& e) {
+    c.problem("file", e.what(), expected);
+    return {};
+  }
+}
+
+bool belongs_to_a_cutter(PartKind kind) {
+  return kind == PartKind::face || kind == PartKind::chamfer || kind == PartKind::cse ||
+         kind == PartKind::cutter_body;
+}
+
+bool has_frame(const Config& c) { return c.has("position") && c.has("rotation_vector"); }
+
+/// The direction that follows from kind and frame.
+Vec3 derived_direction(const Config& c, const bit::Part& part, bit::DirectionRule directions,
+                       bit::InsideRule inside) {
+  if (part.kind == PartKind::gage_pad) return Vec3::UnitX();
+  if (!belongs_to_a_cutter(part.kind) || !has_frame(c)) return Vec3::UnitZ();
+  return bit::update_direction(part.X_BP, directions, inside);
+}
+
+Vec3 read_direction(Config& c, const Vec3& fallback) {
+  const Vec3 u = c.vector("update_direction", "1", fallback);
+  if (u.y() == 0.0 && u.norm() > 0.0) return u.normalized();
+  c.problem("update_direction", fmt::format("({}, {}, {})", u.x(), u.y(), u.z()),
+            "a direction at azimuth 0, (x, 0, z)");
+  return Vec3::UnitZ();
+}
+
+bit::Part read_part(Config& c, bit::DirectionRule directions, bit::InsideRule inside) {
+  bit::Part part;
+  part.name = c.text("name", std::nullopt);
+  if (c.has("name") && !is_part_name(part.name))
+    c.problem("name", '"' + part.name + '"', "letters, digits, - and _, with / between");
+  part.kind = c.choice<PartKind>("kind", kinds(), std::nullopt);
+  part.mesh_P = read_part_mesh(c);
+  part.cutting =
+      c.flag("cutting", part.kind != PartKind::bit_body) ? bit::Cutting::cuts : bit::Cutting::never;
+  part.density = c.quantity("density", "kg/m3", 0.0, Range::non_negative());
+  part.group = static_cast<int>(c.integer("group", -1, -1, std::numeric_limits<int>::max()));
+  part.X_BP.p = c.vector("position", "m", Vec3(Vec3::Zero()));
+  part.X_BP.R = rotation::exp(c.vector("rotation_vector", "rad", Vec3(Vec3::Zero())));
+  part.update_direction_B = read_direction(c, derived_direction(c, part, directions, inside));
+  return part;
+}
+
+bool agree(const PartsFromFiles& read, std::size_t i, std::size_t j) {
+  const bit::Part &a = read.parts[i], &b = read.parts[j];
+  return a.X_BP.R == b.X_BP.R && a.X_BP.p == b.X_BP.p &&
+         a.update_direction_B == b.update_direction_B &&
+         read.has_direction[i] == read.has_direction[j];
+}
+
+void compare_last_with_earlier(Config& c, const PartsFromFiles& read) {
+  const std::size_t last = read.parts.size() - 1;
+  const bit::Part& part = read.parts[last];
+  for (std::size_t i = 0; i < last; ++i) {
+    const bit::Part& other = read.parts[i];
+    if (other.name == part.name)
+      c.problem("name", '"' + part.name + "\" a second time", "a name of its own");
+    if (part.group >= 0 && other.group == part.group && !agree(read, i, last))
+      c.problem("group", "another frame or update direction than of " + other.name,
+                "the same in one group");
+  }
+}
+
+/// The part itself, and those of its group.
+std::vector<bit::Part> group_of(const std::vector<bit::Part>& parts, const bit::Part& part) {
+  if (part.group < 0) return {part};
+  std::vector<bit::Part> group;
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(group),
+               [&](const bit::Part& p) { return p.group == part.group; });
+  return group;
+}
+
+}  // namespace
+
+PartsFromFiles read_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside) {
+  PartsFromFiles read;
+  bool any_cuts = false;
+  for (Config& c : file.tables("parts")) {
+    const bit::Part& part = read.parts.emplace_back(read_part(c, directions, inside));
+    read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
+                                 !belongs_to_a_cutter(part.kind));
+    any_cuts = any_cuts || part.cutting == bit::Cutting::cuts;
+    compare_last_with_earlier(c, read);
+  }
+  if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
+  return read;
+}
+
+void direct_by_profile(PartsFromFiles& read, bit::DirectionRule directions,
+                       bit::InsideRule inside) {
+  if (std::count(read.has_direction.begin(), read.has_direction.end(), 0) == 0) return;
+  constexpr double spacing = 0.5e-3;
+  const auto profile = bit::exposure_profile(read.parts, spacing);
+  for (std::size_t i = 0; i < read.parts.size(); ++i)
+    if (read.has_direction[i] == 0)
+      read.parts[i].update_direction_B =
+          bit::profile_direction(profile, group_of(read.parts, read.parts[i]), directions, inside);
+}
+
+}  // namespace tdbd::simulation

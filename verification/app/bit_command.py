@@ -1,0 +1,45 @@
+"""tdbd bit: writes a bit that reads back, in every format, and refuses a part that is no solid."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PROGRAM, BIT = sys.argv[1:3]
+
+
+def tdbd(*arguments):
+    return subprocess.run([PROGRAM, "bit", *map(str, arguments)], capture_output=True, text=True)
+
+
+def mass_line(result):
+    assert result.returncode == 0, result.stderr
+    return [line for line in result.stdout.splitlines() if line.startswith("mass ")]
+
+
+def check_round_trip(folder, form):
+    first = tdbd(BIT, "-o", folder / form, "--format", form)
+    assert "cutter-28/chamfer" in first.stdout and "gage radius 107.950 mm" in first.stdout
+    for name in ("bit.toml", "bit.json", "bit.stl", "bit.vtp", "profile.csv",
+                 f"parts/cutter-1/face.{form}", f"parts/bit-body.{form}"):
+        assert (folder / form / name).stat().st_size > 0, name
+    again = tdbd(folder / form / "bit.toml")
+    assert mass_line(first) == mass_line(again) != [], (mass_line(first), mass_line(again))
+
+
+def check_refusals(folder):
+    old = tdbd(BIT, "-o", folder / "ply")
+    assert old.returncode == 2 and "exists" in old.stderr, old
+    (folder / "ply/parts/cutter-3/body.ply").unlink()
+    missing = tdbd(folder / "ply/bit.toml")
+    assert missing.returncode == 2 and "cutter-3/body.ply" in missing.stderr, missing
+    assert "bit.toml:" in missing.stderr, missing
+    assert tdbd(BIT, "-o", folder / "new", "--format", "step").returncode != 0
+    assert not (folder / "new").exists()
+
+
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    for form in ("ply", "off", "obj", "stl"):
+        check_round_trip(folder, form)
+    check_refusals(folder)

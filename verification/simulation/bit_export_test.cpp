@@ -1,0 +1,113 @@
+#include "simulation/bit_export.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh_bit.hpp"
+#include "simulation/bit_file.hpp"
+#include "simulation/case.hpp"
+#include "simulation/simulation.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string bit_b = TDBD_SOURCE_DIR "/cases/bits/bit-b.toml";
+
+bit::Bit read(const std::string& file) {
+  return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down);
+}
+
+/// Bit B, written to a folder in a format and read back.
+std::string exported(const fs::path& folder, const std::string& format) {
+  export_bit(folder, read(bit_b), format);
+  return (folder / "bit.toml").string();
+}
+
+void expect_same_but_for_rounding(const bit::Bit& a, const bit::Bit& b, double rounding) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_NEAR(a.gage_radius, b.gage_radius, rounding);
+  ASSERT_EQ(a.parts.size(), b.parts.size());
+  for (std::size_t i = 0; i < a.parts.size(); ++i) {
+    const bit::Part &p = a.parts[i], &q = b.parts[i];
+    EXPECT_EQ(p.name, q.name);
+    EXPECT_EQ(p.kind, q.kind);
+    EXPECT_EQ(p.cutting, q.cutting);
+    EXPECT_EQ(p.group, q.group);
+    EXPECT_EQ(p.density, q.density);
+    EXPECT_LE((p.update_direction_B - q.update_direction_B).norm(), 1e-14) << p.name;
+    EXPECT_LE((p.X_BP.R - q.X_BP.R).norm(), 1e-14) << p.name;
+    EXPECT_LE((p.X_BP.p - q.X_BP.p).norm(), 1e-16) << p.name;
+    EXPECT_EQ(p.mesh_P.triangles.size(), q.mesh_P.triangles.size()) << p.name;
+  }
+}
+
+TEST(bit_export, reads_back_with_every_bit_of_the_coordinates) {
+  const bit::Bit original = read(bit_b);
+  for (const char* format : {"ply", "off", "obj"}) {
+    const bit::Bit again = read(exported(test_folder(), format));
+    expect_same_but_for_rounding(original, again, 1e-16);
+    for (std::size_t i = 0; i < original.parts.size(); ++i)
+      EXPECT_EQ(original.parts[i].mesh_P.positions, again.parts[i].mesh_P.positions) << format;
+  }
+}
+
+TEST(bit_export, reads_back_from_single_precision) {
+  expect_same_but_for_rounding(read(bit_b), read(exported(test_folder(), "stl")), 1e-8);
+}
+
+struct Drilled {
+  std::vector<double> by_part;
+  double all = 0.0;
+};
+
+/// 3 mm edges, 150 steps.
+Drilled drill(const fs::path& folder, const std::string& bit_file) {
+  const Case c =
+      read_case(write_case(folder, bit_file,
+                           "shape = \"conforming\"\nedge_length = \"3 mm\"\nwall = \"15 mm\"",
+                           "step = \"1 ms\"\nduration = \"150 ms\""),
+                {});
+  Simulation s = start(c);
+  while (s.steps_done < c.time.steps) step(c, s);
+  Drilled d;
+  d.all = s.ledger.removed.value();
+  for (const auto& sum : s.ledger.removed_by_part) d.by_part.push_back(sum.value());
+  return d;
+}
+
+/// Largest difference of a part's volume, over the largest part's volume.
+double worst_part(const Drilled& a, const Drilled& b) {
+  const double scale = *std::max_element(a.by_part.begin(), a.by_part.end());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.by_part.size(); ++i)
+    worst = std::max(worst, std::abs(a.by_part[i] - b.by_part.at(i)) / scale);
+  return worst;
+}
+
+TEST(bit_export, drills_the_same_hole) {
+  const fs::path folder = test_folder();
+  const Drilled original = drill(folder, bit_b);
+  for (const char* format : {"ply", "off", "stl"}) {
+    const Drilled again = drill(folder, exported(folder / format, format));
+    EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
+    EXPECT_LE(worst_part(original, again), 1e-6) << format;
+  }
+}
+
+TEST(bit_export, writes_the_exposure_profile) {
+  const fs::path folder = test_folder();
+  write_profile(folder, read(bit_b));
+  std::ifstream in(folder / "profile.csv");
+  std::string line, last;
+  std::getline(in, line);
+  EXPECT_EQ(line, "r_m,z_m");
+  while (std::getline(in, line)) last = line;
+  EXPECT_NEAR(std::stod(last), read(bit_b).gage_radius, 1e-5);
+}
+
+}  // namespace
+}  // namespace tdbd::simulation
