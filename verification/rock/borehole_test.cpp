@@ -16,7 +16,7 @@ namespace {
 
 using mesh::TriangleMesh;
 constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.1, wall = 0.03;  // m
+constexpr double radius = 0.1, wall = 0.03, cone_depth = 0.025;  // m
 
 /// A bit-like bottom: cone, nose and shoulder, z = a (cos(1.5 pi r / R) - 1), finely sampled.
 std::vector<MeridianPoint> cone_and_nose(double depth) {
@@ -38,7 +38,7 @@ double exact_volume(double depth) {
 }
 
 TriangleMesh bit_like(double edge_length) {
-  return borehole(with_wall(cone_and_nose(0.03), wall), edge_length);
+  return borehole(with_wall(cone_and_nose(cone_depth), wall), edge_length);
 }
 
 RC_GTEST_PROP(borehole, is_a_disc_whatever_its_curve, ()) {
@@ -92,7 +92,7 @@ TEST(borehole, encloses_the_volume_of_revolution_to_second_order) {
     const double h = 0.012 * std::pow(0.5, k);
     const mesh::Surface s = mesh::make_surface(bit_like(h));
     const double volume = mesh::hole_volume(s, Vec3(0, 0, -wall));
-    const double error = std::abs(volume / exact_volume(0.03) - 1.0);
+    const double error = std::abs(volume / exact_volume(cone_depth) - 1.0);
     std::printf("  edge length %6.3f mm: relative error of the volume %.2e\n", 1e3 * h, error);
     const double x = std::log(h), y = std::log(error);
     sx += x, sy += y, sxx += x * x, sxy += x * y;
