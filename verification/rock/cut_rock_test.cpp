@@ -245,6 +245,32 @@ TEST(cut_rock, that_sweeps_the_boundary_is_an_error_with_the_parts_name) {
   }
 }
 
+/// A block of which one face has the given normal (in the bit's X-Z plane) and goes through x.
+bit::Part block_behind(const Vec3& normal, const Vec3& x, const Vec3& direction) {
+  bit::Part p;
+  p.mesh_P = battery::box({-0.3, -0.3, -0.6}, {0.3, 0.3, 0.0});
+  p.X_BP = {Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), normal).toRotationMatrix(), x};
+  p.update_direction_B = direction;
+  return p;
+}
+
+/// Two blocks overlap; each pushes rock vertices back into the other, by 0.77 times the way of the
+/// push before: a zigzag into the corner between them, about 100 moves to the tolerance.
+TEST(cut_rock, follows_a_zigzag_between_two_parts_to_its_end) {
+  Scene s;
+  const Vec3 corner(0.5, 0, 0.1);
+  const Vec3 outwards = Vec3(std::sin(1.4), 0, std::cos(1.4));
+  s.bit.parts = {block_behind(Vec3(-1, 0, 1).normalized(), corner, Vec3::UnitZ()),
+                 block_behind(Vec3(1, 0, -0.8).normalized(), corner, outwards)};
+  s.rock_W = battery::flat_rock(2.0, 0.0, 80);
+  const Cut c = cut(s);
+  EXPECT_GT(c.report.passes, 32);
+  for (const bit::Part& p : s.bit.parts)
+    for (const Vec3& x_W : c.after.surface.positions)
+      EXPECT_LT(depth_behind_triangles(p.mesh_P, inverse(p.X_BP) * x_W),
+                tolerance::inside * c.bit.size);
+}
+
 TEST(cut_rock, skips_parts_that_never_cut) {
   Scene s = plate_over(0.0);
   s.bit.parts.front().cutting = bit::Cutting::never;

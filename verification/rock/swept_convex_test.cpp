@@ -217,6 +217,16 @@ TEST(is_swept, finds_a_thin_part_between_two_far_poses) {
   EXPECT_NEAR(*a.exit, 1.0 - (0.2 - 0.5 * (3.0 + 5e-4) / 7.0), 1e-12);
 }
 
+/// The direction lies in the plane of the box's upper face but for rounding, and the last ray to
+/// leave the solid is the one that grazes that face: it must not count as the end of the ray.
+TEST(exit_distance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
+  for (const double rounding : {-1e-16, 0.0, 1e-16, 1e-15}) {
+    const Vec3 u(0, 1, rounding);
+    const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}), {Vec3(0, 0, 1.5), Vec3(0, 0.5, 0.5), u, u}};
+    EXPECT_NEAR(*answer(p).exit, 0.75, 1e-9) << rounding;
+  }
+}
+
 TEST(is_swept, leaves_alone_what_slides_along_a_face) {
   const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}),
                {Vec3(-0.5, 0, 1), Vec3(0.5, 0, 1), Vec3::UnitZ(), Vec3::UnitZ()}};
