@@ -11,6 +11,7 @@
 #include "core/tolerance.hpp"
 #include "reference/rock/brute_force_exit.hpp"
 #include "rock/cutting_scene.hpp"
+#include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::rock {
@@ -209,6 +210,18 @@ RC_GTEST_PROP(cut_rock, does_not_hang_on_the_numbering_of_the_rock, ()) {
   }
   for (std::size_t i = 0; i < c.report.removed_by_part.size(); ++i)
     RC_ASSERT(std::abs(r.report.removed_by_part[i] - c.report.removed_by_part[i]) < 1e-15 * scale);
+}
+
+/// The size of the index's cells decides in which order vertices are found, and nothing else.
+RC_GTEST_PROP(cut_rock, does_not_hang_on_the_index, ()) {
+  const Scene s = *scene();
+  const Cut c = cut(s);
+  Rock rock = make_rock(mesh::make_surface(s.rock_W), *battery::number(0.05, 3.0), {});
+  CutWorkspace work;
+  CutReport report;
+  cut_rock(rock, c.bit, s.X_WB0, s.X_WB1, work, report);
+  RC_ASSERT(same_bits(rock, c.after));
+  RC_ASSERT(report.removed_by_part == c.report.removed_by_part);
 }
 
 /// A second look at the same step: everything is out already.

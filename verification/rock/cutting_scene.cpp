@@ -67,7 +67,7 @@ rc::Gen<Scene> scene(const Wildness& w) {
     const Vec3 tilt(*number(-w.tilt, w.tilt), *number(-w.tilt, w.tilt), 0.0);
     const double spin = *number(-3.0, 3.0), turn = *number(-w.turn, w.turn);
     s.X_WB0 = {rotation::exp(tilt) * rotation::exp(Vec3(0, 0, spin)), *battery::point(0.1)};
-    s.X_WB1 = {s.X_WB0.R * rotation::exp(Vec3(0, 0, turn)), s.X_WB0.p + *battery::point(0.05)};
+    s.X_WB1 = {s.X_WB0.R * rotation::exp(Vec3(0, 0, turn)), s.X_WB0.p + *battery::point(0.15)};
     s.rock_W =
         battery::bumpy_rock(1.0, *integer(6, 20), w.bump, *rc::gen::arbitrary<std::uint64_t>());
     for (Vec3& x : s.rock_W.positions) x.head<2>() *= 1.5;  // the parts' reach, and a margin
