@@ -60,10 +60,10 @@ TDBD_WIDE void fill(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStri
   }
 }
 
-/// ratio[i] = where plane i bounds t at this tau, infinite if it does not; `least` the smallest by
-/// lanes.
-TDBD_WIDE void leaving_ratios(PlaneStrip& w, double tau, Lanes& least) {
-  Wide smallest = Wide{} + infinity;
+/// ratio[i] = where the ray at tau leaves plane i, infinite if it does not; `exit` the first of
+/// them and `entry` the last plane that it enters, by lanes.
+TDBD_WIDE void cross_planes(PlaneStrip& w, double tau, Lanes& exit, Lanes& entry) {
+  Wide first_exit = Wide{} + infinity, last_entry = Wide{} - infinity;
   for (std::size_t i = 0; i < w.rest.size(); i += lanes) {
     Wide rest, along, up, twist;
     TDBD_LOAD(rest, &w.rest[i]);
@@ -71,12 +71,15 @@ TDBD_WIDE void leaving_ratios(PlaneStrip& w, double tau, Lanes& least) {
     TDBD_LOAD(up, &w.up[i]);
     TDBD_LOAD(twist, &w.twist[i]);
     const Wide c = up + tau * twist;
-    const Wide t = (rest - tau * along) / (c > grazing ? c : Wide{} + 1.0);
-    const Wide bounded = c > grazing ? t : Wide{} + infinity;
-    smallest = bounded < smallest ? bounded : smallest;
-    TDBD_STORE(bounded, &w.ratio[i]);
+    const Wide t = (rest - tau * along) / ((c > grazing) | (c < -grazing) ? c : Wide{} + 1.0);
+    const Wide leaves = c > grazing ? t : Wide{} + infinity;
+    const Wide enters = c < -grazing ? t : Wide{} - infinity;
+    first_exit = leaves < first_exit ? leaves : first_exit;
+    last_entry = enters > last_entry ? enters : last_entry;
+    TDBD_STORE(leaves, &w.ratio[i]);
   }
-  TDBD_STORE(smallest, least.data());
+  TDBD_STORE(first_exit, exit.data());
+  TDBD_STORE(last_entry, entry.data());
 }
 
 /// ratio[i] = how far along the way plane i is met, infinite if it is not; `least` by lanes.
@@ -114,10 +117,23 @@ void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip&
 }
 
 Exit leave_at(PlaneStrip& w, double tau) {
-  Lanes least;
-  leaving_ratios(w, tau, least);
-  const double t = *std::ranges::min_element(least);
-  return {tau, t, static_cast<std::size_t>(std::ranges::find(w.ratio, t) - w.ratio.begin())};
+  Lanes exit, entry;
+  cross_planes(w, tau, exit, entry);
+  const double t = *std::ranges::min_element(exit);
+  return {tau, t, static_cast<std::size_t>(std::ranges::find(w.ratio, t) - w.ratio.begin()),
+          *std::ranges::max_element(entry)};
+}
+
+std::size_t last_entered(const PlaneStrip& w, double tau) {
+  std::size_t plane = 0;
+  double last = -infinity;
+  for (std::size_t i = 0; i < w.rest.size(); ++i) {
+    const double c = w.up[i] + tau * w.twist[i];
+    if (c >= -grazing || w.rest[i] - tau * w.along[i] >= last * c) continue;
+    last = (w.rest[i] - tau * w.along[i]) / c;
+    plane = i;
+  }
+  return plane;
 }
 
 std::size_t first_plane_on_way(PlaneStrip& w, const Way& way, std::size_t on, double& reach) {

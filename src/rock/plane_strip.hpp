@@ -22,12 +22,17 @@ Interval when_inside(const mesh::ConvexSolid& s, const RelativePath& p, double d
 
 void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w);
 
-/// Where the ray at tau leaves the solid, and the plane there. t is infinite if it never does.
+/// Where the ray at tau leaves the solid, and the plane there; t is infinite if it never does. The
+/// ray misses the solid if it leaves it before `entry`.
 struct Exit {
   double tau, t;
   std::size_t plane;
+  double entry;
 };
 Exit leave_at(PlaneStrip& w, double tau);
+
+/// The plane that the ray at tau enters last.
+std::size_t last_entered(const PlaneStrip& w, double tau);
 
 /// A straight way on the strip, and the point at which the planes are linearised for it.
 struct Way {

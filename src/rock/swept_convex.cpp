@@ -26,6 +26,35 @@ double highest_from(PlaneStrip& w, const Exit& x) {
   return std::clamp(tau, 0.0, 1.0);
 }
 
+/// Near `tau`, where the planes k and l meet on the strip: both give the same t. One step of
+/// Newton's method on a quadratic.
+double towards_meeting(const PlaneStrip& w, std::size_t k, std::size_t l, double tau) {
+  const double room_k = w.rest[k] - w.along[k] * tau, c_k = w.up[k] + w.twist[k] * tau;
+  const double room_l = w.rest[l] - w.along[l] * tau, c_l = w.up[l] + w.twist[l] * tau;
+  const double slope =
+      w.along[l] * c_k - w.along[k] * c_l + room_k * w.twist[l] - room_l * w.twist[k];
+  return slope == 0.0 ? tau : tau - (room_k * c_l - room_l * c_k) / slope;
+}
+
+bool meets_solid(const Exit& x) {
+  constexpr double touching = 1e-12;  // m
+  return x.entry <= x.t + touching;
+}
+
+/// The exit at tau, or, where the ray at tau misses the solid (the linearised way overshoots the
+/// solid's end), at that end: where the planes meet that the ray leaves too soon and enters too
+/// late.
+Exit leave_towards(PlaneStrip& w, const Exit& in, double tau) {
+  Exit x = leave_at(w, tau);
+  constexpr int newton_steps = 8;
+  for (int k = 0; k < newton_steps && !meets_solid(x); ++k) {
+    tau = towards_meeting(w, x.plane, last_entered(w, tau), tau);
+    tau = std::clamp(tau, std::min(in.tau, x.tau), std::max(in.tau, x.tau));
+    x = leave_at(w, tau);
+  }
+  return meets_solid(x) ? x : in;
+}
+
 }  // namespace
 
 double depth_inside(const mesh::ConvexSolid& s, const Vec3& x_P) {
@@ -48,7 +77,7 @@ std::optional<double> exit_distance(const mesh::ConvexSolid& solid, const Relati
   Exit best = leave_at(strip, 0.5 * (inside.lo + inside.hi));
   constexpr int linearisations = 8;  // quadratic convergence: the turn of u in a step is small
   for (int k = 0; k < linearisations; ++k) {
-    const Exit next = leave_at(strip, highest_from(strip, best));
+    const Exit next = leave_towards(strip, best, highest_from(strip, best));
     if (next.t <= best.t) break;
     best = next;
   }

@@ -11,16 +11,16 @@
 
 namespace tdbd::rock {
 
-/// lo <= n . x <= hi.
+/// lo <= n . x <= hi; all of space by default.
 struct Slab {
-  Vec3 n;
-  double lo, hi;
+  Vec3 n = Vec3::Zero();
+  double lo = -INFINITY, hi = INFINITY;
 };
 
 /// A box, cut further by slabs in other directions.
 struct Region {
   mesh::Box box;
-  std::array<Slab, 3> slabs;
+  std::array<Slab, 3> slabs{};
 };
 
 /// Uniform grid over the rock's vertices: the spatial index of section 4.1.1. A cell is a chain of

@@ -1,5 +1,6 @@
 #include "verification/battery/generators.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -7,10 +8,21 @@
 
 namespace tdbd::battery {
 
+rc::Gen<int> integer(int first, int last) {
+  const int nearest = std::clamp(0, first, last);
+  const int both = 2 * std::min(nearest - first, last - nearest);  // these alternate: 1, -1, 2, ...
+  const int side = nearest - first < last - nearest ? 1 : -1;      // then one side goes on
+  const auto rank = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, last - first + 1));
+  return rc::gen::map(rank, [=](int k) {
+    if (k > both) return nearest + side * (k - both / 2);
+    return nearest + (k % 2 == 1 ? (k + 1) / 2 : -k / 2);
+  });
+}
+
 rc::Gen<double> number(double lo, double hi) {
   const int first = static_cast<int>(std::ceil(1000.0 * lo));
   const int last = static_cast<int>(std::floor(1000.0 * hi));
-  return rc::gen::map(rc::gen::inRange(first, last + 1), [](int i) { return i / 1000.0; });
+  return rc::gen::map(integer(first, last), [](int i) { return i / 1000.0; });
 }
 
 rc::Gen<Vec3> point(double half) {
@@ -23,7 +35,7 @@ rc::Gen<Vec3> direction() {
 }
 
 rc::Gen<Mat3> rotation() {
-  const auto component = rc::gen::inRange(-20, 21);
+  const auto component = integer(-20, 20);
   return rc::gen::apply(
       [](int w, int x, int y, int z) {
         if (w == 0 && x == 0 && y == 0 && z == 0) return Mat3(Mat3::Identity());

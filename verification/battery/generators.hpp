@@ -9,6 +9,10 @@
 /// few and round numbers. Lengths in m.
 namespace tdbd::battery {
 
+/// Integers in [first, last], each as likely; shrinks towards the one nearest 0. (RapidCheck's own
+/// ranges start small at their lower end: points would crowd into one corner of their cube.)
+rc::Gen<int> integer(int first, int last);
+
 /// Multiples of 1/1000 in [lo, hi] (lo and hi in the same unit); shrinks towards the one nearest 0.
 rc::Gen<double> number(double lo, double hi);
 

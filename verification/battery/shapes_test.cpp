@@ -70,6 +70,21 @@ TEST(shapes, flat_rock_faces_up) {
   }
 }
 
+/// Every integer of a range turns up, none far oftener than the others, whatever the test's size.
+TEST(generators, integers_fill_their_range_evenly) {
+  for (const auto& [first, last] : {std::pair(-3, 5), std::pair(-5, 2), std::pair(2, 9),
+                                    std::pair(-9, -4), std::pair(-4, 4), std::pair(7, 7)}) {
+    std::map<int, int> count;
+    constexpr int draws = 2000;
+    for (int k = 0; k < draws; ++k)
+      ++count[integer(first, last)(rc::Random(static_cast<std::uint64_t>(k)), 0).value()];
+    ASSERT_EQ(count.size(), static_cast<std::size_t>(last - first + 1));
+    EXPECT_EQ(count.begin()->first, first);
+    EXPECT_EQ(count.rbegin()->first, last);
+    for (const auto& [value, n] : count) EXPECT_GT(n, draws / (2 * (last - first + 1))) << value;
+  }
+}
+
 RC_GTEST_PROP(generators, rotations_are_rotations, ()) {
   const Mat3 R = *rotation();
   RC_ASSERT((R.transpose() * R - Mat3::Identity()).norm() < 1e-14);

@@ -1,0 +1,166 @@
+#include "mesh/edit.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "mesh/check.hpp"
+#include "reference/mesh/exact_rational.hpp"
+#include "verification/battery/rock_surfaces.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+Surface random_sheet() {
+  const int n = *rc::gen::inRange(2, 6);
+  return make_surface(battery::bumpy_rock(1.0, n, 0.3, *rc::gen::arbitrary<std::uint64_t>()));
+}
+
+/// Corners of living triangles that face an interior edge.
+std::vector<int> interior_corners(const Surface& s) {
+  std::vector<int> corners;
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c)
+    if (s.triangle_is_alive(c / 3) && s.opposite_of(c) >= 0) corners.push_back(c);
+  return corners;
+}
+
+/// What is wrong with the sheet as a topological disc. Shape is not an edit's business.
+std::string topological_defects(const TriangleMesh& m) {
+  std::vector<Defect> defects = check_surface(m);
+  std::erase_if(defects,
+                [](const Defect& d) { return d.kind == Defect::Kind::degenerate_triangle; });
+  return describe(defects);
+}
+
+/// The boundary as it runs: from each vertex to the next, with positions.
+std::map<int, std::pair<int, std::vector<double>>> boundary_loop(const Surface& s) {
+  std::map<int, std::pair<int, std::vector<double>>> loop;
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
+    if (!s.triangle_is_alive(c / 3) || s.opposite_of(c) >= 0) continue;
+    const int v = s.vertex(next_corner(c));
+    const Vec3& x = s.position(v);
+    loop[v] = {s.vertex(previous_corner(c)), {x.x(), x.y(), x.z()}};
+  }
+  return loop;
+}
+
+/// One random edit; returns the number of vertices that it added. Collapses that would break the
+/// topology or take a boundary vertex are not made.
+int random_edit(Surface& s, int choice) {
+  const std::vector<int> corners = interior_corners(s);
+  const int c = corners[(choice / 6) % corners.size()];
+  const Vec3 &a = s.position(s.vertex(next_corner(c))),
+             &b = s.position(s.vertex(previous_corner(c)));
+  const double fraction = 0.25 * (1 + choice % 3);
+  if (choice % 2 == 0) {
+    split_edge(s, c, (1.0 - fraction) * a + fraction * b);
+    return 1;
+  }
+  if (!collapse_keeps_topology(s, c)) return 0;
+  const bool stays = s.is_boundary(s.vertex(next_corner(c)));
+  collapse_edge(s, c, stays ? a : Vec3((1.0 - fraction) * a + fraction * b));
+  return -1;
+}
+
+RC_GTEST_PROP(edit, any_sequence_leaves_a_disc_with_the_same_boundary, ()) {
+  Surface s = random_sheet();
+  const auto loop = boundary_loop(s);
+  const auto choices = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20));
+  for (const int choice : choices) {
+    const int vertices = s.vertex_count(), triangles = s.triangle_count();
+    const int added = random_edit(s, choice);
+    RC_ASSERT(s.vertex_count() == vertices + added);
+    RC_ASSERT(s.triangle_count() == triangles + 2 * added);  // so the Euler characteristic stays
+    RC_ASSERT(adjacency_is_consistent(s));
+    RC_ASSERT(topological_defects(compact(s)) == "");
+  }
+  RC_ASSERT(boundary_loop(s) == loop);
+}
+
+RC_GTEST_PROP(edit, dead_slots_are_used_again, ()) {
+  Surface s = random_sheet();
+  for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20))) {
+    const int dead_vertices = static_cast<int>(s.free_vertices.size());
+    const int slots = s.vertex_slots();
+    const int added = random_edit(s, choice);
+    RC_ASSERT(s.vertex_slots() == slots + (added == 1 && dead_vertices == 0 ? 1 : 0));
+  }
+  for (const int v : s.free_vertices) RC_ASSERT(!s.is_alive(v));
+  for (const int t : s.free_triangles) RC_ASSERT(!s.triangle_is_alive(t));
+}
+
+RC_GTEST_PROP(edit, a_surface_survives_compaction_after_edits, ()) {
+  Surface s = random_sheet();
+  for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20)))
+    random_edit(s, choice);
+  std::vector<int> slot_of_vertex;
+  const TriangleMesh m = compact(s, &slot_of_vertex);
+  RC_ASSERT(static_cast<int>(m.positions.size()) == s.vertex_count());
+  RC_ASSERT(static_cast<int>(m.triangles.size()) == s.triangle_count());
+  RC_ASSERT(compact(make_surface(m)).triangles == m.triangles);
+  for (std::size_t i = 0; i < slot_of_vertex.size(); ++i)
+    RC_ASSERT(m.positions[i] == s.position(slot_of_vertex[i]));
+}
+
+/// Coordinates that are multiples of 2^-20: their middles are exact, and so is the comparison.
+RC_GTEST_PROP(split_edge, at_a_point_of_the_edge_changes_no_volume_at_all, ()) {
+  Surface s = random_sheet();
+  for (Vec3& x : s.positions) x = (x * 0x1p20).array().round().matrix() * 0x1p-20;
+  const reference::Rational before = reference::signed_volume_rational(compact(s));
+  for (const int choice : *rc::gen::container<std::vector<int>>(8, rc::gen::inRange(0, 1 << 20))) {
+    const std::vector<int> corners = interior_corners(s);
+    const int c = corners[choice % corners.size()];
+    const Vec3 a = s.position(s.vertex(next_corner(c))),
+               b = s.position(s.vertex(previous_corner(c)));
+    const int m = split_edge(s, c, 0.5 * (a + b));
+    RC_ASSERT(s.position(m) == Vec3(0.5 * (a + b)));
+  }
+  RC_ASSERT(reference::signed_volume_rational(compact(s)) == before);
+}
+
+/// The collapse on plain triangles: b becomes a, triangles that lost a corner go.
+TriangleMesh collapsed_by_renaming(const TriangleMesh& m, int a, int b) {
+  TriangleMesh result;
+  std::vector<int> renumbered;
+  for (int v = 0; v < static_cast<int>(m.positions.size()); ++v) {
+    renumbered.push_back(static_cast<int>(result.positions.size()));
+    if (v != b) result.positions.push_back(m.positions[v]);
+  }
+  for (Triangle t : m.triangles) {
+    for (int& v : t) v = renumbered[v == b ? a : v];
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) result.triangles.push_back(t);
+  }
+  return result;
+}
+
+RC_GTEST_PROP(collapse_keeps_topology, is_right_about_every_edge, ()) {
+  Surface s = random_sheet();
+  for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20)))
+    random_edit(s, choice);
+  const TriangleMesh m = compact(s);
+  s = make_surface(m);
+  int allowed = 0;
+  for (const int c : interior_corners(s)) {
+    const int a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
+    const bool a_disc =
+        !s.is_boundary(b) && topological_defects(collapsed_by_renaming(m, a, b)).empty();
+    RC_ASSERT(collapse_keeps_topology(s, c) == a_disc);
+    allowed += a_disc;
+  }
+  RC_TAG(allowed > 0 ? "some allowed" : "none allowed");
+}
+
+TEST(collapse_keeps_topology, refuses_a_boundary_edge_and_a_boundary_vertex_that_would_go) {
+  const Surface s = make_surface(battery::bumpy_rock(1.0, 2, 0.0, 3));
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c)
+    if (s.opposite_of(c) < 0 || s.is_boundary(s.vertex(previous_corner(c)))) {
+      EXPECT_FALSE(collapse_keeps_topology(s, c));
+    }
+}
+
+}  // namespace
+}  // namespace tdbd::mesh
