@@ -33,7 +33,7 @@ void print_table(const bit::Bit& b) {
 
 int inspect(const std::string& file, const std::string& folder, bool force) {
   using namespace simulation;
-  const bit::Bit b = read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down);
+  const bit::Bit b = read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
   print_table(b);
   if (folder.empty()) return 0;
   const OutputFolder out = prepare(folder, force ? Overwrite::force : Overwrite::no);
