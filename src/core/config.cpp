@@ -58,7 +58,10 @@ std::vector<Config> Config::tables(std::string_view key) {
 }
 
 void Config::problem(std::string_view key, const std::string& found, const std::string& expected) {
-  document_->add_problem(full(key), found, expected);
+  const std::string name = full(key);
+  const auto same = [&](const ConfigProblem& p) { return p.key == name; };
+  if (std::none_of(document_->problems.begin(), document_->problems.end(), same))
+    document_->add_problem(name, found, expected);
 }
 
 void Config::other_file(const std::string& message) {

@@ -75,7 +75,7 @@ class Config {
   std::vector<Config> tables(std::string_view key);
 
   /// Notes a mistake that only the caller can see, at the key's line (at this table's line when the
-  /// key is empty).
+  /// key is empty). A key whose read failed already keeps its first problem alone.
   void problem(std::string_view key, const std::string& found, const std::string& expected);
 
   /// Notes the mistakes of a file that this one names, whose message tells file and line itself.
