@@ -67,6 +67,15 @@ TEST(progress, is_a_line_where_there_is_no_terminal) {
   EXPECT_EQ(o.out.rfind("done: 20 steps, 0.080 revolutions, ", 0), 0u) << o.out;
 }
 
+TEST(progress, comes_every_few_seconds) {
+  const SmallCase c;
+  const auto o = c.run({"--set", "time.duration=1e5", "--set", "motion.rate_of_penetration=1e-9"},
+                       "out", {.signal_after_seconds = 5.0});
+  EXPECT_EQ(o.exit_code, 130);
+  EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 2) << o.err;
+  EXPECT_NE(o.err.find(" of 50000000  "), std::string::npos) << o.err;
+}
+
 TEST(progress, quiet_says_nothing) {
   const SmallCase c;
   const auto o = c.run({"--quiet"});

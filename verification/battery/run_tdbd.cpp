@@ -47,9 +47,15 @@ void redirect(int descriptor, const fs::path& file) {
 /// Waits for the end, and on the way for the file after which the signal goes out.
 int wait_for(pid_t child, const Surroundings& around) {
   int status = 0;
-  bool sent = around.signal_after.empty();
+  const auto started = std::chrono::steady_clock::now();
+  const auto is_due = [&] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - started;
+    return around.signal_after_seconds > 0.0 ? passed.count() > around.signal_after_seconds
+                                             : fs::exists(around.signal_after);
+  };
+  bool sent = around.signal_after.empty() && around.signal_after_seconds <= 0.0;
   while (waitpid(child, &status, sent ? 0 : WNOHANG) == 0) {
-    if (fs::exists(around.signal_after)) {
+    if (is_due()) {
       kill(child, around.signal);
       sent = true;
     }

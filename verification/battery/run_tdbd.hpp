@@ -17,7 +17,9 @@ struct Outcome {
 struct Surroundings {
   std::filesystem::path standard_output = {};  ///< empty: captured
   long largest_file = -1;                      ///< bytes that a file may have; -1: no limit
-  std::filesystem::path signal_after = {};     ///< once this file exists, `signal` is sent
+  std::filesystem::path signal_after =
+      {};  ///< once this file exists, or so many seconds passed, `signal` is sent
+  double signal_after_seconds = -1.0;
   int signal = SIGINT;
 };
 
