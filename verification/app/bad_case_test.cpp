@@ -134,15 +134,16 @@ TEST(bad_case, all_mistakes_at_once) {
 }
 
 TEST(bad_case, a_wrong_command_line) {
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
-                                                    {"drill"},
-                                                    {"run"},
-                                                    {"run", "a.toml", "--colour"},
-                                                    {"run", "a.toml", "--threads", "0"}}) {
+  using Arguments = std::vector<std::string>;
+  for (const Arguments& arguments :
+       {Arguments{}, {"drill"}, {"run"}, {"run", "a.toml", "--colour"}}) {
     const auto o = battery::run_tdbd(arguments);
     EXPECT_EQ(o.exit_code, 2);
     EXPECT_NE(o.err, "");
   }
+  const auto o = SmallCase{}.run({"--threads", "0"});
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_NE(o.err.find("--threads"), std::string::npos) << o.err;
 }
 
 }  // namespace

@@ -84,7 +84,14 @@ TEST(read_case, knows_all_files_that_it_read) {
 }
 
 TEST(read_case, revolutions_need_a_turning_bit) {
-  EXPECT_THROW(case_with({"motion.rotary_speed=0"}), InputError);
+  try {
+    case_with({"motion.rotary_speed=0"});
+    FAIL() << "not refused";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("time.revolutions: found a motion without rotary speed"),
+              std::string::npos)
+        << e.what();
+  }
 }
 
 }  // namespace
