@@ -1,9 +1,11 @@
 #include "mesh/convex.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "core/tolerance.hpp"
+#include "core/wide.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::mesh {
@@ -57,6 +59,20 @@ std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack) {
 
 }  // namespace
 
+void add_plane(ConvexSolid& s, const Vec3& n, double b) {
+  s.nx.push_back(n.x());
+  s.ny.push_back(n.y());
+  s.nz.push_back(n.z());
+  s.b.push_back(b);
+  s.planes = s.b.size();
+}
+
+void pad(ConvexSolid& s) {
+  const std::size_t n = (s.planes + lanes - 1) / lanes * lanes;
+  for (auto* column : {&s.nx, &s.ny, &s.nz}) column->resize(n, 0.0);
+  s.b.resize(n, std::numeric_limits<double>::infinity());
+}
+
 std::optional<ConvexSolid> convex_solid(const TriangleMesh& m) {
   const double slack = tolerance::convex * bounding_box(m).size().norm();
   ConvexSolid solid;
@@ -64,11 +80,9 @@ std::optional<ConvexSolid> convex_solid(const TriangleMesh& m) {
     double support = p.b;
     for (const Vec3& x : m.positions) support = std::max(support, p.n.dot(x));
     if (support - p.b > slack) return std::nullopt;
-    solid.nx.push_back(p.n.x());
-    solid.ny.push_back(p.n.y());
-    solid.nz.push_back(p.n.z());
-    solid.b.push_back(support);
+    add_plane(solid, p.n, support);
   }
+  pad(solid);
   return solid;
 }
 

@@ -8,12 +8,19 @@
 namespace tdbd::mesh {
 
 /// A convex solid as the intersection of half-spaces n . x <= b, normals unit and outward. Stored
-/// as columns, because loops run over planes.
+/// as columns, because loops run over planes, and padded to a multiple of `lanes` with planes that
+/// are nowhere (n = 0, b infinite).
 struct ConvexSolid {
   std::vector<double> nx, ny, nz, b;
-
-  int planes() const { return static_cast<int>(b.size()); }
+  std::size_t planes = 0;  ///< without the padding
 };
+
+inline Vec3 normal(const ConvexSolid& s, std::size_t i) { return {s.nx[i], s.ny[i], s.nz[i]}; }
+
+/// Appends a plane, before any padding.
+void add_plane(ConvexSolid& solid, const Vec3& n, double b);
+
+void pad(ConvexSolid& solid);
 
 /// The planes of a closed mesh if it is convex to tolerance::convex times its size, else nothing.
 /// Coplanar triangles give one plane; each plane touches the vertex farthest out, so the solid

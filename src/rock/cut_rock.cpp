@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "rock/prism.hpp"
 
 namespace tdbd::rock {
@@ -14,42 +14,6 @@ namespace {
 constexpr int max_passes = 32;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// Poses of one group during the step, and what follows from them.
-struct Motion {
-  Pose X_PW0, X_PW1;
-  Pose X_BW1;
-  Mat3 R_WB1;
-  mesh::Box box_W;  ///< motion box: the group at pose 0 and pose 1 (4.1.1)
-};
-
-mesh::Box box_of_corners(const Pose& X, const mesh::Box& box, mesh::Box sum) {
-  for (int k = 0; k < 8; ++k)
-    sum.add(X * Vec3(k & 1 ? box.hi.x() : box.lo.x(), k & 2 ? box.hi.y() : box.lo.y(),
-                     k & 4 ? box.hi.z() : box.lo.z()));
-  return sum;
-}
-
-Motion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
-  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP;
-  return {inverse(X_WP0), inverse(X_WP1), inverse(X_WB1), X_WB1.R,
-          box_of_corners(X_WP1, g.box_P, box_of_corners(X_WP0, g.box_P, {}))};
-}
-
-/// Ur = Rz(azimuth of the vertex in the bit frame) U, in space (4.1.2.3, 4.1.3.2).
-Vec3 mapped_direction_W(const CuttingGroup& g, const Motion& m, const Vec3& x_W) {
-  const Vec3 x_B = m.X_BW1 * x_W;
-  const double rho = std::hypot(x_B.x(), x_B.y());
-  const double c = rho > 0.0 ? x_B.x() / rho : 1.0, s = rho > 0.0 ? x_B.y() / rho : 0.0;
-  const Vec3& U = g.update_direction_B;
-  return m.R_WB1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
-}
-
-/// The straight path of a vertex in the group's frame misses its box.
-bool misses_box(const mesh::Box& box, const RelativePath& p) {
-  return (p.q0_P.cwiseMax(p.q1_P).array() < box.lo.array()).any() ||
-         (p.q0_P.cwiseMin(p.q1_P).array() > box.hi.array()).any();
-}
 
 void begin_part(CutWorkspace& w, const Rock& rock) {
   ++w.stamp;
@@ -97,48 +61,92 @@ double removed_by_moves(const Rock& rock, CutWorkspace& w) {
   return sum;
 }
 
-void process_part(Rock& rock, const CuttingGroup& g, const CuttingPart& part, const Motion& m,
-                  CutWorkspace& w, CutReport& report) {
+void process_part(Rock& rock, const CuttingGroup& g, const CuttingPart& part, const GroupMotion& m,
+                  const std::vector<int>& candidates, CutWorkspace& w, CutReport& report,
+                  std::vector<int>& moved_by_group) {
   begin_part(w, rock);
-  for (const int v : w.candidates) {
+  for (const int v : candidates) {
     const Vec3& x_W = rock.surface.position(v);
-    RelativePath path{m.X_PW0 * x_W, m.X_PW1 * x_W, {}, {}};
-    if (misses_box(g.box_P, path) || !is_swept(part.solid_P, path, part.depth, w.convex)) continue;
-    const Vec3 u_W = mapped_direction_W(g, m, x_W);
-    path.u0_P = m.X_PW0.R * u_W;
-    path.u1_P = m.X_PW1.R * u_W;
-    const auto t = exit_distance(part.solid_P, path, part.depth, w.convex);
-    if (t && *t > 0.0) move_vertex(rock, w, v, x_W + *t * u_W, part);
+    const RelativePath path = relative_path(g, m, x_W);
+    const auto t = exit_distance(part.solid_P, path, part.depth, w.strip);
+    if (t && *t > 0.0) move_vertex(rock, w, v, x_W + *t * mapped_direction_W(g, m, x_W), part);
   }
   if (w.moved.empty()) return;
   const double removed = removed_by_moves(rock, w);
   report.removed_by_part[at(part.part)] += removed;
   report.removed += removed;
   report.moved += static_cast<long>(w.moved.size());
-  w.moved_in_pass.insert(w.moved_in_pass.end(), w.moved.begin(), w.moved.end());
+  moved_by_group.insert(moved_by_group.end(), w.moved.begin(), w.moved.end());
 }
 
-void find_candidates(const Rock& rock, const CuttingGroup& g, const Motion& m, CutWorkspace& w) {
-  w.candidates.clear();
-  rock.grid.visit(m.box_W, [&](int v) {
-    const Vec3& x_W = rock.surface.position(v);
-    if (!m.box_W.contains(x_W)) return;
-    if (!misses_box(g.box_P, {m.X_PW0 * x_W, m.X_PW1 * x_W, {}, {}})) w.candidates.push_back(v);
+/// First pass: every group looks at the rock as the step found it, so groups look at once.
+void find_in_rock(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
+  parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
+    w.candidates[at(i)].clear();
+    find_candidates(rock.grid, bit.groups[at(i)], w.motions[at(i)], w.chains[at(i)],
+                    w.candidates[at(i)]);
   });
 }
 
-void find_among_moved(const Rock& rock, const Motion& m, CutWorkspace& w) {
-  w.candidates.clear();
-  for (const int v : w.moved_before)
-    if (m.box_W.contains(rock.surface.position(v))) w.candidates.push_back(v);
+bool meet(const mesh::Box& a, const mesh::Box& b) {
+  return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
 }
 
-std::string still_moving(const CuttingBit& bit, const Rock& rock, const std::vector<int>& moved) {
+void sort_unique(std::vector<int>& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+/// Later passes: only what moved can have come into a part, and it stands on the group that moved
+/// it, so that only groups near that one can sweep it.
+void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
+  for (std::size_t i = 0; i < bit.groups.size(); ++i) {
+    w.candidates[i].clear();
+    HullFilter filter(bit.groups[i], w.motions[i]);
+    const mesh::Box& box_W = w.motions[i].region_W.box;
+    for (std::size_t k = 0; k < bit.groups.size(); ++k) {
+      if (w.moved_by_group[k].empty() || !meet(box_W, w.motions[k].region_W.box)) continue;
+      for (const int v : w.moved_by_group[k])
+        if (!filter.keeps_outside(rock.surface.position(v))) w.candidates[i].push_back(v);
+    }
+    sort_unique(w.candidates[i]);
+  }
+}
+
+void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, CutWorkspace& w,
+                CutReport& report) {
+  report.removed_by_part.assign(at(bit.part_count), 0.0);
+  report.removed = 0.0;
+  report.candidates = report.moved = 0;
+  w.moved_by_group.resize(bit.groups.size());
+  w.candidates.resize(bit.groups.size());
+  w.chains.resize(bit.groups.size());
+  w.motions.clear();
+  for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
+}
+
+/// Every part in turn. Returns whether anything moved.
+bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& report) {
+  bool any = false;
+  for (std::size_t i = 0; i < bit.groups.size(); ++i) {
+    w.moved_by_group[i].clear();
+    if (w.candidates[i].empty()) continue;
+    report.candidates += static_cast<long>(w.candidates[i].size());
+    for (const CuttingPart& part : bit.groups[i].parts)
+      process_part(rock, bit.groups[i], part, w.motions[i], w.candidates[i], w, report,
+                   w.moved_by_group[i]);
+    sort_unique(w.moved_by_group[i]);
+    any = any || !w.moved_by_group[i].empty();
+  }
+  return any;
+}
+
+std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Rock& rock) {
   std::string names;
-  for (const CuttingGroup& g : bit.groups)
-    for (const CuttingPart& p : g.parts)
-      if (std::any_of(moved.begin(), moved.end(),
-                      [&](int v) { return rock.last_part[at(v)] == p.part; }))
+  for (std::size_t i = 0; i < bit.groups.size(); ++i)
+    for (const CuttingPart& p : bit.groups[i].parts)
+      if (std::ranges::any_of(w.moved_by_group[i],
+                              [&](int v) { return rock.last_part[at(v)] == p.part; }))
         names += (names.empty() ? "" : ", ") + p.name;
   return names;
 }
@@ -147,30 +155,15 @@ std::string still_moving(const CuttingBit& bit, const Rock& rock, const std::vec
 
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {
-  report.removed_by_part.assign(at(bit.part_count), 0.0);
-  report.removed = 0.0;
-  report.candidates = report.moved = 0;
-  work.moved_before.clear();
+  begin_step(bit, X_WB0, X_WB1, work, report);
+  find_in_rock(rock, bit, work);
   for (report.passes = 1; report.passes <= max_passes; ++report.passes) {
-    work.moved_in_pass.clear();
-    for (const CuttingGroup& g : bit.groups) {
-      const Motion m = group_motion(g, X_WB0, X_WB1);
-      if (report.passes == 1)
-        find_candidates(rock, g, m, work);
-      else
-        find_among_moved(rock, m, work);
-      report.candidates += static_cast<long>(work.candidates.size());
-      for (const CuttingPart& part : g.parts) process_part(rock, g, part, m, work, report);
-    }
-    if (work.moved_in_pass.empty()) return;
-    std::sort(work.moved_in_pass.begin(), work.moved_in_pass.end());
-    work.moved_in_pass.erase(std::unique(work.moved_in_pass.begin(), work.moved_in_pass.end()),
-                             work.moved_in_pass.end());
-    work.moved_before = work.moved_in_pass;
+    if (!process_all(rock, bit, work, report)) return;
+    find_among_moved(rock, bit, work);
   }
   throw RunError(
       fmt::format("rock vertices still move after {} passes of one step; the parts are: {}",
-                  max_passes, still_moving(bit, rock, work.moved_in_pass)));
+                  max_passes, still_moving(bit, work, rock)));
 }
 
 }  // namespace tdbd::rock

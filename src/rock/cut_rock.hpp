@@ -2,9 +2,8 @@
 
 #include <vector>
 
-#include "rock/cutting_bit.hpp"
+#include "rock/group_motion.hpp"
 #include "rock/rock.hpp"
-#include "rock/swept_convex.hpp"
 
 namespace tdbd::rock {
 
@@ -19,8 +18,11 @@ struct CutReport {
 
 /// Room for the step, kept between steps so that none allocates once warm.
 struct CutWorkspace {
-  ConvexScratch convex;
-  std::vector<int> candidates, moved, triangles, moved_in_pass, moved_before;
+  Strip strip;
+  std::vector<GroupMotion> motions;          ///< per group
+  std::vector<std::vector<int>> candidates;  ///< per group
+  std::vector<std::vector<int>> chains, moved_by_group;
+  std::vector<int> moved, triangles;
   std::vector<Vec3> old_position;
   std::vector<int> vertex_stamp, triangle_stamp;
   int stamp = 0;

@@ -8,17 +8,55 @@
 namespace tdbd::rock {
 namespace {
 
+/// At most `most` of the planes: the first six, then always the one whose normal is farthest from
+/// those chosen. Few planes then bound the solid as tightly as so few can, and what is outside of
+/// the solid is outside of one of the first.
+mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t most) {
+  mesh::ConvexSolid chosen;
+  std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest chosen
+  for (std::size_t k = 0; k < std::min(most, planes.planes); ++k) {
+    const std::size_t next =
+        k < 6 ? k : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
+    const Vec3 n = mesh::normal(planes, next);
+    mesh::add_plane(chosen, n, planes.b[next]);
+    for (std::size_t i = 0; i < planes.planes; ++i)
+      nearest[i] = std::max(nearest[i], n.dot(mesh::normal(planes, i)));
+  }
+  mesh::pad(chosen);
+  return chosen;
+}
+
 CuttingPart prepare_part(const bit::Part& part, int index) {
   auto solid = mesh::convex_solid(part.mesh_P);
   if (!solid)
     throw InputError(part.name + ": found a mesh that is not convex, expected a convex part");
   const double size = mesh::bounding_box(part.mesh_P).size().norm();
-  return {index, part.name, std::move(*solid), tolerance::swept * size};
+  return {index, part.name, spread_planes(*solid, solid->planes), tolerance::swept * size};
 }
 
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
   return part.group >= 0 &&
          bit.parts[static_cast<std::size_t>(group.parts.front().part)].group == part.group;
+}
+
+/// The sides of the box, and those planes of the parts that bound the other parts too.
+mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
+  mesh::ConvexSolid planes;
+  for (int i = 0; i < 3; ++i) {
+    mesh::add_plane(planes, Vec3::Unit(i), g.box_P.hi[i]);
+    mesh::add_plane(planes, -Vec3::Unit(i), -g.box_P.lo[i]);
+  }
+  const double slack = tolerance::convex * g.box_P.size().norm();
+  for (const CuttingPart& part : g.parts)
+    for (std::size_t i = 0; i < part.solid_P.planes; ++i) {
+      const Vec3 n = mesh::normal(part.solid_P, i);
+      double support = part.solid_P.b[i];
+      for (const CuttingPart& other : g.parts)
+        for (const Vec3& x_P : bit.parts[static_cast<std::size_t>(other.part)].mesh_P.positions)
+          support = std::max(support, n.dot(x_P));
+      if (support <= part.solid_P.b[i] + slack) mesh::add_plane(planes, n, support);
+    }
+  return planes;
 }
 
 }  // namespace
@@ -31,13 +69,17 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
     const bit::Part& part = bit.parts[static_cast<std::size_t>(i)];
     if (part.cutting == bit::Cutting::never) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
-      cutting.groups.push_back({part.X_BP, {}, part.update_direction_B, {}});
+      cutting.groups.push_back({part.X_BP, {}, {}, part.update_direction_B, {}});
     CuttingGroup& group = cutting.groups.back();
     group.parts.push_back(prepare_part(part, i));
     for (const Vec3& x_P : part.mesh_P.positions) {
       group.box_P.add(x_P);
       box_B.add(part.X_BP * x_P);
     }
+  }
+  for (CuttingGroup& group : cutting.groups) {
+    constexpr std::size_t most = 40;
+    group.hull_P = spread_planes(bounding_planes(group, bit), most);
   }
   cutting.size = std::max(box_B.size().x(), box_B.size().y());
   return cutting;

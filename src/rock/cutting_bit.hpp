@@ -21,6 +21,7 @@ struct CuttingPart {
 struct CuttingGroup {
   Pose X_BP;
   mesh::Box box_P;
+  mesh::ConvexSolid hull_P;  ///< a few planes around all parts, box_P's included
   Vec3 update_direction_B;
   std::vector<CuttingPart> parts;
 };

@@ -7,8 +7,10 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
   mesh::Box box = reach_W;
   for (const Vec3& x : surface.positions) box.add(x);
   rock.grid = VertexGrid(box, cell);
+  std::vector<int> alive;
   for (int v = 0; v < surface.vertex_slots(); ++v)
-    if (surface.is_alive(v)) rock.grid.insert(v, surface.position(v));
+    if (surface.is_alive(v)) alive.push_back(v);
+  rock.grid.insert_all(surface.positions, std::move(alive));
   rock.last_part.assign(surface.positions.size(), -1);
   rock.touched.assign(surface.positions.size(), 0);
   rock.surface = std::move(surface);

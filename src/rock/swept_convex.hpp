@@ -5,34 +5,21 @@
 
 #include "core/types.hpp"
 #include "mesh/convex.hpp"
+#include "rock/strip.hpp"
 
 namespace tdbd::rock {
-
-/// A rock vertex as a moving part sees it during one step, in the part's frame P: at tau in [0, 1]
-/// it is at (1-tau) q0 + tau q1, and its update direction is (1-tau) u0 + tau u1 (formulation 2.1:
-/// both are straight to second order in the step).
-struct RelativePath {
-  Vec3 q0_P, q1_P;  ///< m
-  Vec3 u0_P, u1_P;  ///< unit at the ends
-};
-
-/// Room for one query, kept between queries so that none allocates.
-struct ConvexScratch {
-  std::vector<double> rest, along, up, twist;
-};
 
 /// How deep x lies inside (m, to the nearest plane); negative outside.
 double depth_inside(const mesh::ConvexSolid& solid, const Vec3& x_P);
 
 /// Whether the path of the vertex alone enters the solid by more than `depth` (m).
-bool is_swept(const mesh::ConvexSolid& solid, const RelativePath& path, double depth,
-              ConvexScratch& scratch);
+bool is_swept(const mesh::ConvexSolid& solid, const RelativePath& path, double depth);
 
 /// Exit distance of a swept vertex: the largest t >= 0 for which some tau puts
 /// q(tau) + t u(tau) inside the solid. The strip meets a convex solid in a convex region of
 /// (tau, t), up to the turn of u, which is iterated away. Exact twin for any mesh:
 /// reference/rock/brute_force_exit. Thesis: 4.1.3.3 (reconstructed). Nothing if not swept.
 std::optional<double> exit_distance(const mesh::ConvexSolid& solid, const RelativePath& path,
-                                    double depth, ConvexScratch& scratch);
+                                    double depth, Strip& strip);
 
 }  // namespace tdbd::rock

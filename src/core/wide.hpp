@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+/// Marks a function over columns to be compiled for wider vector registers too; the program picks
+/// when it starts. No operation is contracted or reordered, so either choice gives the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && defined(__OPTIMIZE__)
+#define TDBD_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define TDBD_WIDE
+#endif
+
+namespace tdbd {
+
+/// Columns that wide loops read are padded to a multiple of this.
+inline constexpr std::size_t lanes = 4;
+
+/// `lanes` numbers that are computed with as one: arithmetic, comparison and ?: work on each.
+using Wide = double __attribute__((vector_size(lanes * sizeof(double))));
+
+/// No function takes or returns a Wide: how one is passed differs between instruction sets.
+#define TDBD_LOAD(wide, address) std::memcpy(&(wide), (address), sizeof(wide))
+#define TDBD_STORE(wide, address) std::memcpy((address), &(wide), sizeof(wide))
+
+}  // namespace tdbd

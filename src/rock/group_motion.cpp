@@ -1,0 +1,104 @@
+#include "rock/group_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/wide.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+template <class Visit>
+void visit_box_corners(const mesh::Box& box, Visit&& visit) {
+  for (int k = 0; k < 8; ++k)
+    visit(Vec3(k & 1 ? box.hi.x() : box.lo.x(), k & 2 ? box.hi.y() : box.lo.y(),
+               k & 4 ? box.hi.z() : box.lo.z()));
+}
+
+/// The box at both poses between axis-aligned planes and between planes normal to its own axes at
+/// pose 1.
+Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) {
+  Region r;
+  for (std::size_t i = 0; i < 3; ++i)
+    r.slabs[i] = {X_WP1.R.col(static_cast<int>(i)), INFINITY, -INFINITY};
+  for (const Pose* X_WP : {&X_WP0, &X_WP1})
+    visit_box_corners(box_P, [&](const Vec3& x_P) {
+      const Vec3 x_W = *X_WP * x_P;
+      r.box.add(x_W);
+      for (Slab& s : r.slabs) {
+        s.lo = std::min(s.lo, s.n.dot(x_W));
+        s.hi = std::max(s.hi, s.n.dot(x_W));
+      }
+    });
+  return r;
+}
+
+/// A plane of the hull with both points outside; the number of columns if there is none.
+TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q0, const Vec3& q1) {
+  for (std::size_t i = 0; i < h.b.size(); i += lanes) {
+    Wide x, y, z, b;
+    TDBD_LOAD(x, &h.nx[i]);
+    TDBD_LOAD(y, &h.ny[i]);
+    TDBD_LOAD(z, &h.nz[i]);
+    TDBD_LOAD(b, &h.b[i]);
+    const Wide out0 = x * q0.x() + y * q0.y() + z * q0.z() - b;
+    const Wide out1 = x * q1.x() + y * q1.y() + z * q1.z() - b;
+    const Wide out = out0 < out1 ? out0 : out1;
+    for (std::size_t l = 0; l < lanes; ++l)
+      if (out[l] >= 0.0) return i + l;
+  }
+  return h.b.size();
+}
+
+}  // namespace
+
+GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
+  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP;
+  return {inverse(X_WP0), inverse(X_WP1), inverse(X_WB1), X_WB1.R,
+          moving_box(g.box_P, X_WP0, X_WP1)};
+}
+
+Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
+  const Vec3 x_B = m.X_BW1 * x_W;
+  const double rho = std::sqrt(x_B.x() * x_B.x() + x_B.y() * x_B.y());
+  const double c = rho > 0.0 ? x_B.x() / rho : 1.0, s = rho > 0.0 ? x_B.y() / rho : 0.0;
+  const Vec3& U = g.update_direction_B;
+  return m.R_WB1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
+}
+
+RelativePath relative_path(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
+  const Vec3 u_W = mapped_direction_W(g, m, x_W);
+  return {m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W};
+}
+
+void HullFilter::choose(std::size_t i) {
+  const Vec3 n_P = mesh::normal(hull_P_, i);
+  n0_W_ = motion_.X_PW0.R.transpose() * n_P;
+  n1_W_ = motion_.X_PW1.R.transpose() * n_P;
+  b0_ = hull_P_.b[i] - n_P.dot(motion_.X_PW0.p);
+  b1_ = hull_P_.b[i] - n_P.dot(motion_.X_PW1.p);
+}
+
+bool HullFilter::find_plane(const Vec3& x_W) {
+  const std::size_t i = separating_plane(hull_P_, motion_.X_PW0 * x_W, motion_.X_PW1 * x_W);
+  if (i == hull_P_.b.size()) return false;
+  choose(i);
+  return true;
+}
+
+void find_candidates(const VertexGrid& grid, const CuttingGroup& g, const GroupMotion& m,
+                     std::vector<int>& chains, std::vector<int>& candidates) {
+  HullFilter filter(g, m);
+  grid.visit(m.region_W, chains, [&](const VertexGrid::Block& block) {
+    int outside = 0;
+    for (int s = 0; s < block.count; ++s)
+      outside += filter.last_plane_keeps_outside(block.entries[static_cast<std::size_t>(s)].x_W);
+    if (outside == block.count) return;
+    for (int s = 0; s < block.count; ++s) {
+      const VertexGrid::Entry& e = block.entries[static_cast<std::size_t>(s)];
+      if (!filter.keeps_outside(e.x_W)) candidates.push_back(e.v);
+    }
+  });
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,134 @@
+#include "rock/strip.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/wide.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Lanes = std::array<double, lanes>;
+
+/// Bounds of tau, lane by lane, until none is left. A plane that q runs along excludes all or
+/// nothing.
+TDBD_WIDE void bound_tau(const mesh::ConvexSolid& s, const RelativePath& p, double depth, Lanes& lo,
+                         Lanes& hi) {
+  const Vec3 q = p.q0_P, d = p.q1_P - p.q0_P;
+  Wide first{}, last = first + 1.0;
+  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
+    Wide x, y, z, b;
+    TDBD_LOAD(x, &s.nx[i]);
+    TDBD_LOAD(y, &s.ny[i]);
+    TDBD_LOAD(z, &s.nz[i]);
+    TDBD_LOAD(b, &s.b[i]);
+    const Wide room = b - depth - (x * q.x() + y * q.y() + z * q.z());
+    const Wide speed = x * d.x() + y * d.y() + z * d.z();
+    const Wide when = room / (speed == 0.0 ? Wide{} + 1.0 : speed);
+    const Wide at_rest = room <= 0.0 ? Wide{} - 1.0 : Wide{} + infinity;
+    const Wide until = speed > 0.0 ? when : (speed < 0.0 ? Wide{} + infinity : at_rest);
+    const Wide from = speed < 0.0 ? when : Wide{};
+    last = until < last ? until : last;
+    first = from > first ? from : first;
+    const auto none = first >= last;
+    if ((none[0] | none[1] | none[2] | none[3]) != 0) break;
+  }
+  TDBD_STORE(first, lo.data());
+  TDBD_STORE(last, hi.data());
+}
+
+TDBD_WIDE void fill(const mesh::ConvexSolid& s, const RelativePath& p, Strip& w) {
+  const Vec3 &q = p.q0_P, &u = p.u0_P, d = p.q1_P - p.q0_P, e = p.u1_P - p.u0_P;
+  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
+    Wide x, y, z, b;
+    TDBD_LOAD(x, &s.nx[i]);
+    TDBD_LOAD(y, &s.ny[i]);
+    TDBD_LOAD(z, &s.nz[i]);
+    TDBD_LOAD(b, &s.b[i]);
+    const Wide rest = b - (x * q.x() + y * q.y() + z * q.z());
+    const Wide along = x * d.x() + y * d.y() + z * d.z();
+    const Wide up = x * u.x() + y * u.y() + z * u.z();
+    const Wide twist = x * e.x() + y * e.y() + z * e.z();
+    TDBD_STORE(rest, &w.rest[i]);
+    TDBD_STORE(along, &w.along[i]);
+    TDBD_STORE(up, &w.up[i]);
+    TDBD_STORE(twist, &w.twist[i]);
+  }
+}
+
+/// ratio[i] = where plane i bounds t at this tau, infinite if it does not; `least` the smallest by
+/// lanes.
+TDBD_WIDE void leaving_ratios(Strip& w, double tau, Lanes& least) {
+  Wide smallest = Wide{} + infinity;
+  for (std::size_t i = 0; i < w.rest.size(); i += lanes) {
+    Wide rest, along, up, twist;
+    TDBD_LOAD(rest, &w.rest[i]);
+    TDBD_LOAD(along, &w.along[i]);
+    TDBD_LOAD(up, &w.up[i]);
+    TDBD_LOAD(twist, &w.twist[i]);
+    const Wide c = up + tau * twist;
+    const Wide t = (rest - tau * along) / (c > 0.0 ? c : Wide{} + 1.0);
+    const Wide bounded = c > 0.0 ? t : Wide{} + infinity;
+    smallest = bounded < smallest ? bounded : smallest;
+    TDBD_STORE(bounded, &w.ratio[i]);
+  }
+  TDBD_STORE(smallest, least.data());
+}
+
+/// ratio[i] = how far along the way plane i is met, infinite if it is not; `least` by lanes.
+TDBD_WIDE void blocking_ratios(Strip& w, const Way& way, Lanes& least) {
+  Wide smallest = Wide{} + infinity;
+  for (std::size_t i = 0; i < w.rest.size(); i += lanes) {
+    Wide rest, along, up, twist;
+    TDBD_LOAD(rest, &w.rest[i]);
+    TDBD_LOAD(along, &w.along[i]);
+    TDBD_LOAD(up, &w.up[i]);
+    TDBD_LOAD(twist, &w.twist[i]);
+    const Wide a = along + way.t0 * twist, c = up + way.tau0 * twist;
+    const Wide speed = a * way.side + c * way.climb;
+    const Wide left = rest + (way.tau0 * way.t0) * twist - a * way.tau - c * way.t;
+    const Wide room = left > 0.0 ? left : Wide{};
+    const Wide reach = room / (speed > 1e-14 ? speed : Wide{} + 1.0);
+    const Wide bounded = speed > 1e-14 ? reach : Wide{} + infinity;
+    smallest = bounded < smallest ? bounded : smallest;
+    TDBD_STORE(bounded, &w.ratio[i]);
+  }
+  TDBD_STORE(smallest, least.data());
+}
+
+}  // namespace
+
+Interval when_inside(const mesh::ConvexSolid& s, const RelativePath& p, double depth) {
+  Lanes lo, hi;
+  bound_tau(s, p, depth, lo, hi);
+  return {*std::ranges::max_element(lo), *std::ranges::min_element(hi)};
+}
+
+void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, Strip& w) {
+  for (auto* column : {&w.rest, &w.along, &w.up, &w.twist, &w.ratio}) column->resize(s.b.size());
+  fill(s, p, w);
+}
+
+Exit leave_at(Strip& w, double tau) {
+  Lanes least;
+  leaving_ratios(w, tau, least);
+  const double t = *std::ranges::min_element(least);
+  return {tau, t, static_cast<std::size_t>(std::ranges::find(w.ratio, t) - w.ratio.begin())};
+}
+
+std::size_t first_plane_on_way(Strip& w, const Way& way, std::size_t on, double& reach) {
+  Lanes lane_least;
+  blocking_ratios(w, way, lane_least);
+  double least = *std::ranges::min_element(lane_least);
+  if (w.ratio[on] == least) {  // the plane underfoot does not block, whatever rounding says
+    w.ratio[on] = infinity;
+    least = *std::ranges::min_element(w.ratio);
+  }
+  if (least >= reach) return w.rest.size();
+  reach = least;
+  return static_cast<std::size_t>(std::ranges::find(w.ratio, least) - w.ratio.begin());
+}
+
+}  // namespace tdbd::rock

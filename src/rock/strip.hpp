@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/convex.hpp"
+#include "rock/relative_path.hpp"
+
+namespace tdbd::rock {
+
+/// The strip q(tau) + t u(tau) seen by the planes of a convex solid: a point (tau, t) is inside
+/// plane i while along tau + (up + twist tau) t <= rest. Columns over planes; `ratio` is room for
+/// the queries below. Kept between queries, so that none allocates.
+struct Strip {
+  std::vector<double> rest, along, up, twist, ratio;
+};
+
+/// When q(tau) is deeper than `depth` inside every plane; empty (lo >= hi) if never.
+struct Interval {
+  double lo, hi;
+};
+Interval when_inside(const mesh::ConvexSolid& s, const RelativePath& p, double depth);
+
+void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, Strip& w);
+
+/// Where the ray at tau leaves the solid, and the plane there. t is infinite if it never does.
+struct Exit {
+  double tau, t;
+  std::size_t plane;
+};
+Exit leave_at(Strip& w, double tau);
+
+/// A straight way on the strip, and the point at which the planes are linearised for it.
+struct Way {
+  double tau0, t0;     ///< linearised here
+  double tau, t;       ///< start
+  double side, climb;  ///< direction
+};
+
+/// The first plane met on the way within `reach`, other than `on`; shortens `reach` to it. Returns
+/// w.rest.size() if none.
+std::size_t first_plane_on_way(Strip& w, const Way& way, std::size_t on, double& reach);
+
+}  // namespace tdbd::rock
