@@ -54,7 +54,7 @@ struct Choices {
 
 int inspect(const Choices& choices) {
   using namespace simulation;
-  const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down);
+  const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
   print_table(b);
   print_parts(b);
   print_mass(b);

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "simulation/case.hpp"
+#include "simulation/simulation.hpp"
 
 namespace tdbd::app {
 
@@ -18,8 +18,9 @@ void add_check(CLI::App& app, int& exit_code) {
   command->callback([file, overrides, &exit_code] {
     exit_code = guarded([&] {
       const simulation::Case c = simulation::read_case(*file, *overrides);
-      fmt::print("{}: right; {} parts, {} steps of {} s\n", *file, c.bit.parts.size(), c.time.steps,
-                 c.time.step);
+      const simulation::Simulation s = simulation::start(c);
+      fmt::print("{}: right; {} parts, {} triangles of rock, {} steps of {} s\n", *file,
+                 c.bit.parts.size(), s.start_triangles, c.time.steps, c.time.step);
       return 0;
     });
   });

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "app/commands.hpp"
 #include "core/error.hpp"
@@ -12,6 +13,9 @@ int guarded(const std::function<int()>& body) {
   } catch (const InputError& e) {
     std::fprintf(stderr, "tdbd: %s\n", e.what());
     return 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("tdbd: out of memory\n", stderr);
+    return 1;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "tdbd: %s\n", e.what());
     return 1;

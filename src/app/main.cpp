@@ -1,11 +1,38 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <string>
 
 #include "app/commands.hpp"
+#include "core/provenance.hpp"
 
-/// The command line. Exit codes: 0 done, 1 the computation failed, 2 the input is wrong.
+namespace {
+
+/// A reader that goes away and a limit on file sizes are failed writes, told like any other.
+void let_writes_fail() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+/// What was printed has arrived; otherwise a command that was fine has failed.
+int after_output(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  std::fputs("tdbd: cannot write to standard output\n", stderr);
+  return exit_code == 0 ? 1 : exit_code;
+}
+
+}  // namespace
+
+/// The command line. Exit codes: 0 done, 1 the computation failed, 2 the input is wrong, 130
+/// interrupted.
 int main(int argc, char** argv) {
+  let_writes_fail();
   CLI::App app{"TDBD: drill bits cutting rock, verification first", "tdbd"};
   app.require_subcommand(1);
+  app.set_version_flag("--version",
+                       std::string(tdbd::provenance().version) + " " + tdbd::provenance().commit);
+  app.footer(
+      "Exit codes: 0 done, 1 the computation failed, 2 the input is wrong, 130 interrupted.");
   int exit_code = 0;
   tdbd::app::add_run(app, exit_code);
   tdbd::app::add_check(app, exit_code);
@@ -15,5 +42,5 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
-  return exit_code;
+  return after_output(exit_code);
 }

@@ -11,11 +11,9 @@ Progress::Progress()
     : started_(Clock::now()), shown_(started_), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void Progress::show(const simulation::Simulation& s, long total) {
-  constexpr std::chrono::milliseconds on_terminal(200), in_log(5000);
+  constexpr std::chrono::milliseconds on_terminal(200), in_log(2000);
   const auto now = Clock::now();
-  if (now - shown_ < (terminal_ ? Clock::duration(on_terminal) : Clock::duration(in_log)) &&
-      s.steps_done < total)
-    return;
+  if (now - shown_ < (terminal_ ? on_terminal : in_log) && s.steps_done < total) return;
   shown_ = now;
   const double part = static_cast<double>(s.steps_done) / static_cast<double>(total);
   const double passed = std::chrono::duration<double>(now - started_).count();

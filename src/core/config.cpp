@@ -58,21 +58,37 @@ std::vector<Config> Config::tables(std::string_view key) {
 }
 
 void Config::problem(std::string_view key, const std::string& found, const std::string& expected) {
-  document_->add_problem(full(key), found, expected);
+  const std::string name = full(key);
+  const auto same = [&](const ConfigProblem& p) { return p.key == name; };
+  if (std::none_of(document_->problems.begin(), document_->problems.end(), same))
+    document_->add_problem(name, found, expected);
+}
+
+void Config::other_file(const std::string& message) {
+  document_->other_mistakes.push_back(message);
+}
+
+std::vector<std::string> Config::files() const {
+  std::vector<std::string> files{document_->file};
+  for (const auto& [key, value] : document_->values)
+    if (!value.file.empty()) files.push_back(value.file);
+  return files;
 }
 
 void Config::finish() const {
   std::vector<ConfigProblem> problems = document_->problems;
   const std::vector<ConfigProblem> unknown = unknown_keys(*document_);
   problems.insert(problems.end(), unknown.begin(), unknown.end());
-  if (problems.empty()) return;
+  if (problems.empty() && document_->other_mistakes.empty()) return;
   std::sort(problems.begin(), problems.end());
   problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
   std::string lines;
-  for (const ConfigProblem& p : problems) {
+  const auto add = [&lines](const std::string& text) {
     if (!lines.empty()) lines += '\n';
-    lines += message(document_->file, p);
-  }
+    lines += text;
+  };
+  for (const ConfigProblem& p : problems) add(message(document_->file, p));
+  for (const std::string& mistake : document_->other_mistakes) add(mistake);
   throw InputError(lines);
 }
 

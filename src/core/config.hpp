@@ -75,15 +75,25 @@ class Config {
   std::vector<Config> tables(std::string_view key);
 
   /// Notes a mistake that only the caller can see, at the key's line (at this table's line when the
-  /// key is empty).
+  /// key is empty). A key whose read failed already keeps its first problem alone.
   void problem(std::string_view key, const std::string& found, const std::string& expected);
 
+  /// Notes the mistakes of a file that this one names, whose message tells file and line itself.
+  void other_file(const std::string& message);
+
   /// Throws InputError when there were problems, or keys that nobody read; one line for each,
-  /// sorted by line: "FILE:LINE: KEY: found F, expected E".
+  /// sorted by line: "FILE:LINE: KEY: found F, expected E". Mistakes of other files follow.
   void finish() const;
 
   /// Every value read so far, defaults included, as a TOML file in SI that reads the same.
   std::string resolved() const;
+
+  /// The resolved text with every path replaced by a hash of the file's bytes: equal for equal
+  /// content, wherever the files lie.
+  std::string fingerprint() const;
+
+  /// The file itself and those that paths read so far name.
+  std::vector<std::string> files() const;
 
  private:
   Config(std::shared_ptr<ConfigDocument> document, std::string prefix);

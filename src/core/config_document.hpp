@@ -24,6 +24,7 @@ struct ConfigProblem {
 struct ResolvedValue {
   std::string toml;     ///< empty: TOML cannot say it (a default without limit)
   std::string comment;  ///< the unit
+  std::string file;     ///< of a path: the file that it names; empty otherwise
 };
 
 /// What all Configs of one file share: the tree, what was read of it, what was wrong with it.
@@ -36,6 +37,7 @@ struct ConfigDocument {
   std::map<std::string, ResolvedValue> values;  ///< every key that was read
   std::set<std::string> tables;                 ///< every table that was asked for
   std::vector<ConfigProblem> problems;
+  std::vector<std::string> other_mistakes;  ///< messages about files that this one names
 
   /// The value at a dotted key ("layers[1].depth"), or null.
   const toml::node* find(const std::string& key) const;

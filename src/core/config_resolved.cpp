@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "core/config.hpp"
 #include "core/config_document.hpp"
+#include "core/hash.hpp"
 
 namespace tdbd {
 namespace {
@@ -37,18 +40,33 @@ std::string line(const std::string& name, const ResolvedValue& value) {
   return fmt::format("{} = {}  # {}\n", name, value.toml, value.comment);
 }
 
-}  // namespace
-
-std::string Config::resolved() const {
+std::string text_of(const ConfigDocument& document,
+                    const std::map<std::string, ResolvedValue>& values) {
   // Ordered by path: an element's tables follow it before the next element starts.
   std::map<std::vector<Step>, std::string> groups;
-  for (const std::string& key : document_->tables)
-    if (document_->find(key) != nullptr && document_->find(key)->is_table()) groups[steps(key)];
-  for (const auto& [key, value] : document_->values)
+  for (const std::string& key : document.tables)
+    if (document.find(key) != nullptr && document.find(key)->is_table()) groups[steps(key)];
+  for (const auto& [key, value] : values)
     groups[steps(parent_key(key))] += line(last_key(key), value);
   std::string out;
   for (const auto& [path, lines] : groups) out += header(path) + lines;
   return out;
+}
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+std::string Config::resolved() const { return text_of(*document_, document_->values); }
+
+std::string Config::fingerprint() const {
+  std::map<std::string, ResolvedValue> values = document_->values;
+  for (auto& [key, value] : values)
+    if (!value.file.empty()) value.toml = toml_string(fnv1a_hex(bytes_of(value.file)));
+  return text_of(*document_, values);
 }
 
 }  // namespace tdbd

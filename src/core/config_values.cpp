@@ -14,11 +14,12 @@
 namespace tdbd {
 namespace {
 
-std::string number_text(double x) { return std::isfinite(x) ? fmt::format("{:.17g}", x) : ""; }
+/// The shortest digits that read back to the bit.
+std::string number_text(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
 
 std::string vector_text(const Vec3& v) {
   if (!v.allFinite()) return "";
-  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
+  return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
 }
 
 /// A number in SI, or a text with a unit. Throws UnitError.
@@ -59,7 +60,7 @@ T read_value(ConfigDocument& document, const std::string& key, const std::option
   } else if (!fallback) {
     document.add_problem(key, "nothing", kind.expected + " (the key is required)");
   }
-  document.values.try_emplace(key, ResolvedValue{kind.to_toml(value), kind.unit});
+  document.values.try_emplace(key, ResolvedValue{kind.to_toml(value), kind.unit, ""});
   return value;
 }
 
@@ -159,8 +160,10 @@ std::string Config::path(std::string_view key, std::optional<std::string> fallba
       throw UnitError(fmt::format("{} (there is no {})", describe(&node), file), expected);
     return file;
   };
-  return read_value<std::string>(*document_, full(key), fallback,
-                                 {expected, "", "", convert, toml_string});
+  const std::string file = read_value<std::string>(*document_, full(key), fallback,
+                                                   {expected, "", "", convert, toml_string});
+  document_->values[full(key)].file = file;
+  return file;
 }
 
 std::size_t Config::choice_index(std::string_view key, const std::vector<std::string>& names,

@@ -6,26 +6,6 @@
 namespace tdbd::rock {
 namespace {
 
-/// Follows the surface from x the way t grows, with the planes linearised at x (the product tau t
-/// of the turning direction), over as many planes as it takes. Returns where t is largest.
-double highest_from(PlaneStrip& w, const Exit& x) {
-  const auto a = [&](std::size_t i) { return w.along[i] + x.t * w.twist[i]; };
-  const auto c = [&](std::size_t i) { return w.up[i] + x.tau * w.twist[i]; };
-  const double side = a(x.plane) > 0.0 ? -1.0 : 1.0;
-  double tau = x.tau, t = x.t;
-  std::size_t on = x.plane;
-  for (std::size_t steps = 0; steps <= w.rest.size(); ++steps) {
-    if (c(on) <= 0.0 || side * a(on) >= 0.0) break;  // t cannot grow any more
-    const double climb = -side * a(on) / c(on);
-    double reach = side > 0.0 ? 1.0 - tau : tau;
-    on = first_plane_on_way(w, {x.tau, x.t, tau, t, side, climb}, on, reach);
-    tau += reach * side;
-    t += reach * climb;
-    if (on == w.rest.size()) break;
-  }
-  return std::clamp(tau, 0.0, 1.0);
-}
-
 /// Near `tau`, where the planes k and l meet on the strip: both give the same t. One step of
 /// Newton's method on a quadratic.
 double towards_meeting(const PlaneStrip& w, std::size_t k, std::size_t l, double tau) {
@@ -34,6 +14,31 @@ double towards_meeting(const PlaneStrip& w, std::size_t k, std::size_t l, double
   const double slope =
       w.along[l] * c_k - w.along[k] * c_l + room_k * w.twist[l] - room_l * w.twist[k];
   return slope == 0.0 ? tau : tau - (room_k * c_l - room_l * c_k) / slope;
+}
+
+/// Follows the surface from x the way t grows, with the planes linearised at x (the product tau t
+/// of the turning direction), over as many planes as it takes. Returns where t is largest: where
+/// the last two planes meet, not linearised.
+double highest_from(PlaneStrip& w, const Exit& x) {
+  const auto a = [&](std::size_t i) { return w.along[i] + x.t * w.twist[i]; };
+  const auto c = [&](std::size_t i) { return w.up[i] + x.tau * w.twist[i]; };
+  const double side = a(x.plane) > 0.0 ? -1.0 : 1.0;
+  double tau = x.tau, t = x.t;
+  std::size_t on = x.plane, before = x.plane;
+  for (std::size_t steps = 0; steps <= w.rest.size(); ++steps) {
+    if (c(on) <= 0.0 || side * a(on) >= 0.0) {  // t cannot grow any more
+      for (int k = 0; k < 2 && before != on; ++k) tau = towards_meeting(w, before, on, tau);
+      break;
+    }
+    const double climb = -side * a(on) / c(on);
+    double reach = side > 0.0 ? 1.0 - tau : tau;
+    before = on;
+    on = first_plane_on_way(w, {x.tau, x.t, tau, t, side, climb}, on, reach);
+    tau += reach * side;
+    t += reach * climb;
+    if (on == w.rest.size()) break;
+  }
+  return std::clamp(tau, 0.0, 1.0);
 }
 
 bool meets_solid(const Exit& x) {

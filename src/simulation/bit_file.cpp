@@ -1,11 +1,16 @@
 #include "simulation/bit_file.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bit/cutter_table.hpp"
 #include "bit/largest_radius.hpp"
 #include "bit/pdc_bit.hpp"
 #include "core/config.hpp"
+#include "core/error.hpp"
 #include "simulation/bit_parts.hpp"
 
 namespace tdbd::simulation {
@@ -39,8 +44,42 @@ bit::GagePads read_pads(Config c) {
   return p;
 }
 
-bit::Bit read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule directions,
-                      bit::InsideRule inside) {
+/// The table's mistakes join those of the bit file.
+std::vector<bit::Cutter> read_table(Config& c, const std::string& table,
+                                    const bit::CutterDefaults& defaults) {
+  if (table.empty()) return {};
+  try {
+    return bit::read_cutter_table(table, defaults);
+  } catch (const InputError& e) {
+    c.other_file(e.what());
+    return {};
+  }
+}
+
+double reach(const bit::Bit& bit, int cutter) {
+  double radius = 0.0;
+  for (const bit::Part& part : bit.parts)
+    for (const Vec3& x_P : part.mesh_P.positions)
+      if (part.cutter == cutter) radius = std::max(radius, (part.X_BP * x_P).head<2>().norm());
+  return radius;
+}
+
+/// No cutter reaches past the gage that the bit file names.
+void demand_inside(const bit::Bit& bit, double gage_radius, const std::string& table) {
+  constexpr double slack = 5e-5;  // m: what tables round and bits are made to
+  std::string lines;
+  for (std::size_t i = 0; i < bit.cutters.size(); ++i)
+    if (const double r = reach(bit, static_cast<int>(i)); r > gage_radius + slack)
+      lines += fmt::format(
+          "{}{}:{}: r_tip_mm: found cutter {} reaching {:.3f} mm from the axis, outside the bit, "
+          "expected at most half of gage_diameter, {:.3f} mm",
+          lines.empty() ? "" : "\n", table, bit.cutters[i].line, bit.cutters[i].id, 1e3 * r,
+          1e3 * gage_radius);
+  if (!lines.empty()) throw InputError(lines);
+}
+
+BitFile read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule directions,
+                     bit::InsideRule inside) {
   const std::string table = c.path("table", std::nullopt);
   const bit::CutterDefaults defaults = read_defaults(c.table("cutters"));
   bit::PdcOptions options;
@@ -48,12 +87,17 @@ bit::Bit read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule dir
   options.pads = read_pads(c.table("gage_pads"));
   options.directions = directions;
   options.inside = inside;
+  const double gage_diameter =
+      c.quantity("gage_diameter", "m", std::numeric_limits<double>::infinity(), Range::positive());
+  const std::vector<bit::Cutter> cutters = read_table(c, table, defaults);
   c.finish();
-  return bit::pdc_bit(name, bit::read_cutter_table(table, defaults), options);
+  BitFile file{bit::pdc_bit(name, cutters, options), c.files(), c.fingerprint()};
+  demand_inside(file.bit, 0.5 * gage_diameter, table);
+  return file;
 }
 
-bit::Bit read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule directions,
-                       bit::InsideRule inside) {
+BitFile read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule directions,
+                      bit::InsideRule inside) {
   bit::Bit bit;
   bit.name = name;
   PartsFromFiles read = read_parts(c, directions, inside);
@@ -61,12 +105,12 @@ bit::Bit read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule di
   direct_by_profile(read, directions, inside);
   bit.parts = std::move(read.parts);
   bit.gage_radius = bit::largest_radius(bit.parts);
-  return bit;
+  return {std::move(bit), c.files(), c.fingerprint()};
 }
 
 }  // namespace
 
-bit::Bit read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside) {
+BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside) {
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
   if (c.has("parts") && c.has("table")) c.problem("table", "parts as well", "one of the two");

@@ -1,15 +1,24 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bit/bit.hpp"
 #include "bit/update_direction.hpp"
 
 namespace tdbd::simulation {
 
+/// A bit, and what it was read from.
+struct BitFile {
+  bit::Bit bit;
+  std::vector<std::string> files;  ///< the bit file and those that it names
+  std::string fingerprint;         ///< of their content
+};
+
 /// Builds a bit from its file: a cutter table with defaults, meshing and gage pads (3.1, app. A),
 /// or the meshes of its parts (bit_parts.hpp).
-/// Throws InputError that lists every mistake of the file or of its table.
-bit::Bit read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside);
+/// Throws InputError that lists every mistake of the file and of its table, or the cutters that
+/// reach past the gage_diameter of the file.
+BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside);
 
 }  // namespace tdbd::simulation

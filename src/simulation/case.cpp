@@ -1,8 +1,12 @@
 #include "simulation/case.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "core/hash.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/path_table.hpp"
@@ -11,6 +15,16 @@ namespace tdbd::simulation {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
+
+/// Reads another file; its mistakes join those of the case.
+template <class Read>
+void collect(Config& c, Read read) {
+  try {
+    read();
+  } catch (const InputError& e) {
+    c.other_file(e.what());
+  }
+}
 
 RockStart read_rock(Config c) {
   RockStart r;
@@ -49,7 +63,7 @@ Motion read_motion(Config c) {
       MotionKind::steady);
   if (m.kind == MotionKind::table) {
     const std::string file = c.path("file", std::nullopt);
-    if (!file.empty()) m.path = read_path_table(file);
+    if (!file.empty()) collect(c, [&] { m.path = read_path_table(file); });
     return m;
   }
   m.rotary_speed = c.quantity("rotary_speed", "rad/s", std::nullopt, Range::non_negative());
@@ -58,24 +72,39 @@ Motion read_motion(Config c) {
   return m;
 }
 
-/// How long: a duration, or a number of revolutions where the rotary speed is given.
+/// How long: a duration, or a number of revolutions where the rotary speed is given; along a path
+/// as long as the path.
+double read_duration(Config& c, const Motion& m) {
+  if (!c.has("revolutions")) {
+    std::optional<double> fallback;
+    if (m.kind == MotionKind::table) fallback = m.path.empty() ? 1.0 : m.path.back().time;
+    return c.quantity("duration", "s", fallback, Range::positive());
+  }
+  const double turns = c.quantity("revolutions", "1", std::nullopt, Range::positive());
+  if (c.has("duration")) {
+    c.quantity("duration", "s", std::nullopt, Range::positive());
+    c.problem("revolutions", "duration as well", "one of the two");
+  }
+  if (m.rotary_speed > 0.0) return turns * two_pi / m.rotary_speed;
+  c.problem("revolutions", "a motion without rotary speed", "time.duration instead");
+  return std::numeric_limits<double>::infinity();
+}
+
+/// A step is a small part of the motion: the rock is swept along straight lines in the bit's frame.
 TimeGrid read_time(Config c, const Motion& m) {
+  constexpr double largest_turn = 0.5;  // rad
+  constexpr double most_steps = 1e15;
   TimeGrid t;
   t.step = c.quantity("step", "s", std::nullopt, Range::positive());
-  double duration = m.path.empty() ? 0.0 : m.path.back().time;
-  if (c.has("revolutions") && c.has("duration"))
-    c.problem("revolutions", "duration as well", "one of the two");
-  if (c.has("revolutions")) {
-    const double turns = c.quantity("revolutions", "1", std::nullopt, Range::positive());
-    if (m.rotary_speed > 0.0)
-      duration = turns * two_pi / m.rotary_speed;
-    else
-      c.problem("revolutions", "a motion without rotary speed", "time.duration instead");
-  } else {
-    const std::optional<double> fallback = m.path.empty() ? std::nullopt : std::optional(duration);
-    duration = c.quantity("duration", "s", fallback, Range::positive());
-  }
-  if (t.step > 0.0) t.steps = std::lround(std::min(duration / t.step, 1e15));
+  const double duration = read_duration(c, m);
+  t.steps = std::lround(std::min(duration / t.step, most_steps));
+  if (!c.has("step")) return t;
+  if (t.steps < 1)
+    c.problem("step", fmt::format("{} s for a run of {} s", t.step, duration),
+              "at most the duration");
+  else if (m.rotary_speed * t.step > largest_turn)
+    c.problem("step", fmt::format("a turn of {:.3g} rad in one step", m.rotary_speed * t.step),
+              fmt::format("at most {} rad", largest_turn));
   return t;
 }
 
@@ -116,23 +145,33 @@ Directions read_directions(Config c) {
                                InsideRule::down)};
 }
 
+/// The case's bit, once all else is read, so that the mistakes of both come together.
+BitFile read_bit_of(Config& c) {
+  const std::string file = c.path("bit.file", std::nullopt);
+  const Directions directions = read_directions(c.table("update"));
+  BitFile bit;
+  if (!file.empty()) collect(c, [&] { bit = read_bit(file, directions.rule, directions.inside); });
+  return bit;
+}
+
 }  // namespace
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
   Config c = Config::read_file(path, overrides);
   Case result;
   result.path = path;
-  const std::string bit_file = c.path("bit.file", std::nullopt);
-  const Directions directions = read_directions(c.table("update"));
   result.rock = read_rock(c.table("rock"));
   result.motion = read_motion(c.table("motion"));
   result.time = read_time(c.table("time"), result.motion);
   result.maintenance = read_maintenance(c.table("maintenance"));
   result.output = read_output(c.table("output"));
+  const BitFile bit = read_bit_of(c);
   c.finish();
-  result.bit = read_bit(bit_file, directions.rule, directions.inside);
+  result.bit = bit.bit;
+  result.files = c.files();
+  result.files.insert(result.files.end(), bit.files.begin(), bit.files.end());
   result.resolved = c.resolved();
-  result.hash = fnv1a_hex(result.resolved);
+  result.hash = fnv1a_hex(c.fingerprint() + bit.fingerprint);
   return result;
 }
 

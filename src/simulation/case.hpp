@@ -41,6 +41,7 @@ struct OutputPlan {
 /// A checked case in SI: everything that a run needs, and its resolved text.
 struct Case {
   std::string path;
+  std::vector<std::string> files;  ///< all that were read: case, bit, tables, meshes
   bit::Bit bit;
   RockStart rock;
   Motion motion;
@@ -48,7 +49,7 @@ struct Case {
   MaintenancePlan maintenance;
   OutputPlan output;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
-  std::string hash;      ///< of the resolved text
+  std::string hash;      ///< of the resolved values and the content of all files
 };
 
 /// Reads and checks everything, runs nothing. Throws InputError that lists every mistake.

@@ -42,10 +42,14 @@ void Frames::write_final(const Case& c, const Simulation& s) {
   write_rock(folder_.frames() / "rock_final.vtp", s.rock);
   mesh::write_mesh(folder_.path / "rock_final.ply", mesh::compact(s.rock.surface));
   write_bit_vtp(folder_.frames() / "bit_final.vtp", c.bit, pose_at(c.motion, time_of(c, s)));
-  rock_.emplace_back(time_of(c, s), "frames/rock_final.vtp");
-  bit_.emplace_back(time_of(c, s), "frames/bit_final.vtp");
-  mesh::write_pvd(folder_.path / "rock.pvd", rock_);
-  mesh::write_pvd(folder_.path / "bit.pvd", bit_);
+  write_collection("rock", rock_, time_of(c, s));
+  write_collection("bit", bit_, time_of(c, s));
+}
+
+void Frames::write_collection(const std::string& name, Collection frames, double end) const {
+  if (!frames.empty() && frames.back().first == end) frames.pop_back();  // one frame for one time
+  frames.emplace_back(end, "frames/" + name + "_final.vtp");
+  mesh::write_pvd(folder_.path / (name + ".pvd"), frames);
 }
 
 }  // namespace tdbd::simulation

@@ -21,8 +21,11 @@ class Frames {
   void write_final(const Case& c, const Simulation& s);
 
  private:
+  using Collection = std::vector<std::pair<double, std::string>>;  ///< time, file
+  void write_collection(const std::string& name, Collection frames, double end) const;
+
   OutputFolder folder_;
-  std::vector<std::pair<double, std::string>> rock_, bit_;
+  Collection rock_, bit_;
 };
 
 }  // namespace tdbd::simulation

@@ -53,9 +53,9 @@ void History::append(const HistoryRow& row) {
 }
 
 void History::close() {
+  files_->csv.commit();  // first: the smaller one still fits where the other fills the disk
   files_->netcdf.close();
   mesh::rename_partial(files_->path);
-  files_->csv.commit();
 }
 
 }  // namespace tdbd::simulation

@@ -1,9 +1,11 @@
 #include "simulation/history_netcdf.hpp"
 
+#include <H5public.h>
 #include <fmt/format.h>
 #include <netcdf.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 
 #include "core/error.hpp"
@@ -19,6 +21,7 @@ constexpr HistoryColumn by_part_about{"removed_volume_by_part", "m3",
 HistoryNetcdf::HistoryNetcdf(const std::filesystem::path& file,
                              const std::vector<HistoryPart>& parts)
     : file_(file), part_count_(parts.size()) {
+  H5dont_atexit();  // at exit HDF5 would touch files again that it could not close on a full disk
   require(nc_create(file.c_str(), NC_NETCDF4 | NC_CLOBBER, &nc_));
   define(parts);
 }
@@ -28,8 +31,10 @@ HistoryNetcdf::~HistoryNetcdf() {
 }
 
 void HistoryNetcdf::require(int status) const {
-  if (status != NC_NOERR)
-    throw RunError(fmt::format("cannot write {}: {}", file_.string(), nc_strerror(status)));
+  if (status == NC_NOERR) return;
+  std::string reason = nc_strerror(status);
+  if (status == NC_EHDFERR && errno != 0) reason += fmt::format(" ({})", std::strerror(errno));
+  throw RunError(fmt::format("cannot write {}: {}", file_.string(), reason));
 }
 
 void HistoryNetcdf::define(const std::vector<HistoryPart>& parts) {
@@ -87,6 +92,7 @@ void HistoryNetcdf::append(const HistoryRow& row) {
 
 void HistoryNetcdf::write_block() {
   if (waiting_ == 0) return;
+  errno = 0;
   const std::size_t start[2] = {written_, 0}, count[2] = {waiting_, part_count_};
   for (std::size_t c = 0; c < history_columns.size(); ++c) {
     require(nc_put_vara_double(nc_, variables_[c], start, count, columns_[c].data()));
@@ -102,6 +108,7 @@ void HistoryNetcdf::close() {
   write_block();
   const int nc = nc_;
   nc_ = -1;
+  errno = 0;
   require(nc_close(nc));
 }
 

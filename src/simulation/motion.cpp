@@ -50,14 +50,15 @@ Pose pose_at(const Motion& m, double t) {
   return X_WB;
 }
 
+void sum_turns(std::vector<PathPoint>& path) {
+  for (std::size_t i = 1; i < path.size(); ++i)
+    path[i].turned = path[i - 1].turned + turn_between(path[i - 1], path[i]).z();
+}
+
 double angle_turned(const Motion& m, double t) {
   if (m.kind != MotionKind::table) return m.rotary_speed * t;
-  double angle = 0.0;
-  for (std::size_t i = 1; i < m.path.size() && m.path[i - 1].time < t; ++i) {
-    const PathPoint &a = m.path[i - 1], &b = m.path[i];
-    angle += turn_between(a, b).z() * std::min(1.0, (t - a.time) / (b.time - a.time));
-  }
-  return angle;
+  const Place at = place_on(m.path, t);
+  return (1.0 - at.fraction) * at.before->turned + at.fraction * at.after->turned;
 }
 
 }  // namespace tdbd::simulation

@@ -20,10 +20,14 @@ struct Whirl {
 
 /// One row of a path: time, place of the bit's origin and rotation vector, spatial frame.
 struct PathPoint {
-  double time = 0.0;  ///< s
-  Vec3 p_WB;          ///< m
-  Vec3 rotation_WB;   ///< rad
+  double time = 0.0;    ///< s
+  Vec3 p_WB;            ///< m
+  Vec3 rotation_WB;     ///< rad
+  double turned = 0.0;  ///< rad about the bit's axis since the first row; sum_turns fills it
 };
+
+/// Fills `turned`: between two rows the bit's-axis component of the shortest turn.
+void sum_turns(std::vector<PathPoint>& path);
 
 /// A prescribed motion of the bit. Its pose at t = 0 is the start.
 struct Motion {
@@ -31,14 +35,15 @@ struct Motion {
   double rotary_speed = 0.0;         ///< rad/s about +z
   double rate_of_penetration = 0.0;  ///< m/s along +z
   Whirl whirl;
-  std::vector<PathPoint> path;  ///< rising times, at least two
+  std::vector<PathPoint> path;  ///< rising times, at least two, turns summed
 };
 
 /// Pose at time t. Between rows of a path the bit moves rigidly: its origin on the chord, its
 /// rotation along the shortest turn. Before the first and after the last row it rests there.
 Pose pose_at(const Motion& motion, double t);
 
-/// Angle turned about z since the start, rad (rotary speed times t; along a path the sum of turns).
+/// Angle turned about the bit's axis since the start, rad: rotary speed times t, or along a path
+/// the sum of its turns.
 double angle_turned(const Motion& motion, double t);
 
 }  // namespace tdbd::simulation

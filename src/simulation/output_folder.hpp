@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tdbd::simulation {
 
@@ -16,15 +17,24 @@ struct OutputFolder {
   std::filesystem::path timing() const { return path / "timing.json"; }
   std::filesystem::path history() const { return path / "history.nc"; }
   std::filesystem::path checkpoint() const { return path / "checkpoint.nc"; }
+  std::filesystem::path failure() const { return path / "failure.txt"; }
   std::filesystem::path frames() const { return path / "frames"; }
 
   /// frames/NAME-000123.vtp
   std::filesystem::path frame(const std::string& name, long number) const;
 };
 
-/// Makes `path` and its `frames` with all parents. With `force`, results of an older run go (other
-/// files stay), so that no frame of it is taken for one of this run. Throws InputError when the
-/// folder is not empty and `overwrite` is no, when it is a file, or when it cannot be written to.
-OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite);
+/// First line of the resolved case in a result folder: it tells that folder's case.toml from one
+/// that a user wrote.
+inline constexpr const char* resolved_head =
+    "# Resolved by tdbd: every default written out, in SI.";
+
+/// Makes `path` and its `frames` with all parents. With `force`, results of an older run go (files
+/// of other names stay), so that no frame of it is taken for one of this run. Throws InputError,
+/// and changes nothing, when the folder is not empty and `overwrite` is no, when it or its `frames`
+/// is a file, when it cannot be written to, or when a file to be replaced is one of `inputs` or a
+/// case.toml that a user wrote.
+OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite,
+                     const std::vector<std::string>& inputs = {});
 
 }  // namespace tdbd::simulation

@@ -1,5 +1,7 @@
 #include "simulation/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <numeric>
 
 #include "bit/mass_properties.hpp"
+#include "core/error.hpp"
 #include "mesh/measures.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/bit_output.hpp"
@@ -73,20 +76,64 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
+/// What a run writes on its way.
+struct Recorder {
+  OutputFolder folder;
+  History history;
+  Frames frames;
+  std::vector<double> step_seconds;
+
+  Recorder(const Case& c, const OutputFolder& f)
+      : folder(f), history(f.history(), history_parts(c.bit)), frames(f) {}
+};
+
 /// The loop over steps, with everything that is recorded on the way.
-RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, History& history, Frames& frames,
-               std::vector<double>& step_seconds) {
-  step_seconds.reserve(static_cast<std::size_t>(std::min(c.time.steps, 10'000'000L)));
+RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
+  r.step_seconds.reserve(static_cast<std::size_t>(std::min(c.time.steps, 10'000'000L)));
   while (s.steps_done < c.time.steps) {
+    if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
     const auto before = Clock::now();
     step(c, s);
-    step_seconds.push_back(seconds(Clock::now() - before));
-    if (s.steps_done % c.output.history_every == 0) history.append(row_of(c, s));
-    if (c.output.frames_every > 0 && s.steps_done % c.output.frames_every == 0) frames.add(c, s);
+    r.step_seconds.push_back(seconds(Clock::now() - before));
+    if (s.steps_done % c.output.history_every == 0) r.history.append(row_of(c, s));
+    if (c.output.frames_every > 0 && s.steps_done % c.output.frames_every == 0) r.frames.add(c, s);
     if (o.progress) o.progress(s, c.time.steps);
-    if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
   }
   return RunStatus::completed;
+}
+
+/// Writes what can still be written after a failure; a second failure (the disk is full) leaves the
+/// rest unwritten.
+template <class Write>
+void try_to(Write write) {
+  try {
+    write();
+  } catch (const std::exception&) {  // the first error is the one that is told
+  }
+}
+
+std::string failure_of(const Case& c, const Simulation& s, const std::string& what) {
+  return fmt::format("failed after {} of {} steps, at t = {} s: {}", s.steps_done, c.time.steps,
+                     c.time.step * static_cast<double>(s.steps_done), what);
+}
+
+void keep(const Case& c, const Simulation& s, const std::string& failure, Recorder& r) {
+  try_to([&] { r.history.close(); });
+  try_to([&] { r.frames.write_final(c, s); });
+  try_to([&] { write_text(r.folder.failure(), failure + "\n"); });
+}
+
+RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
+  try {
+    const RunStatus status = loop(c, s, o, r);
+    r.history.close();
+    r.frames.write_final(c, s);
+    return status;
+  } catch (const std::exception& e) {
+    const std::string failure = failure_of(c, s, e.what());
+    keep(c, s, failure, r);
+    throw RunError(failure);
+  }
 }
 
 }  // namespace
@@ -118,25 +165,14 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
 RunSummary run(const Case& c, const RunOptions& o) {
   const auto started = Clock::now();
   Simulation s = start(c);
-  const OutputFolder folder = prepare(o.folder, o.overwrite);
-  write_text(folder.path / "case.toml", c.resolved);
+  const OutputFolder folder = prepare(o.folder, o.overwrite, c.files);
+  write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   write_bit_files(folder.path, c.bit);
-  History history(folder.history(), history_parts(c.bit));
-  Frames frames(folder);
-  std::vector<double> step_seconds;
-  RunStatus status;
-  try {
-    status = loop(c, s, o, history, frames, step_seconds);
-  } catch (...) {
-    history.close();
-    frames.write_final(c, s);
-    throw;
-  }
-  history.close();
-  frames.write_final(c, s);
-  const RunSummary summary = summary_of(c, s, status);
-  write_text(folder.timing(), to_json(Timing{median(step_seconds), seconds(Clock::now() - started),
-                                             peak_memory_bytes(), 1}));
+  Recorder recorder(c, folder);
+  const RunSummary summary = summary_of(c, s, run_steps(c, s, o, recorder));
+  const double wall = seconds(Clock::now() - started);
+  write_text(folder.timing(),
+             to_json(Timing{median(recorder.step_seconds), wall, peak_memory_bytes(), o.threads}));
   write_text(folder.summary(), to_json(summary));
   return summary;
 }

@@ -1,13 +1,11 @@
 #include "simulation/simulation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "simulation/rock_start.hpp"
+#include "simulation/start_check.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -37,40 +35,7 @@ void note(const Case& c, Simulation& s) {
   }
 }
 
-double largest_cutter_radius(const bit::Bit& bit) {
-  double diameter = 0.0;
-  for (const bit::Cutter& c : bit.cutters) diameter = std::max(diameter, c.diameter);
-  return diameter > 0.0 ? 0.5 * diameter : bit.gage_radius;
-}
-
-void demand_not_embedded(const Case& c, const Simulation& s) {
-  const Penetration p = deepest_penetration(s.rock, s.bit, pose_at(c.motion, 0.0));
-  const double limit = largest_cutter_radius(c.bit);
-  if (p.depth > limit)
-    throw InputError(fmt::format(
-        "{}: {} starts {:.3f} mm inside the rock, expected at most a cutter's radius, {:.3f} mm",
-        c.path, p.part, 1e3 * p.depth, 1e3 * limit));
-}
-
 }  // namespace
-
-Penetration deepest_penetration(const rock::Rock& rock, const rock::CuttingBit& bit,
-                                const Pose& X_WB) {
-  Penetration deepest;
-  for (const rock::CuttingGroup& g : bit.groups) {
-    const Pose X_PW = inverse(X_WB * g.X_BP);
-    for (int v = 0; v < rock.surface.vertex_slots(); ++v) {
-      if (!rock.surface.is_alive(v)) continue;
-      const Vec3 x_P = X_PW * rock.surface.position(v);
-      if (!g.box_P.contains(x_P)) continue;
-      for (const rock::CuttingPart& part : g.parts) {
-        const double depth = rock::depth_inside(part, x_P);
-        if (depth > deepest.depth) deepest = {depth, part.name};
-      }
-    }
-  }
-  return deepest;
-}
 
 Simulation start(const Case& c) {
   Simulation s;
@@ -80,7 +45,7 @@ Simulation start(const Case& c) {
   s.limits.shortest_edge = c.maintenance.shortest_edge * c.rock.edge_length;
   s.limits.longest_edge = c.maintenance.longest_edge * c.rock.edge_length;
   s.limits.worst_quality = c.maintenance.worst_quality;
-  demand_not_embedded(c, s);
+  demand_free_start(c, s.rock.surface);
   s.start_triangles = s.rock.surface.triangle_count();
   s.ledger.hole_start = mesh::hole_volume(s.rock.surface, Vec3::Zero());
   s.ledger.removed_by_part.resize(at(s.bit.part_count));

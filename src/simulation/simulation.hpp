@@ -42,12 +42,4 @@ void step(const Case& c, Simulation& s);
 /// |start + removed + maintenance - now| over the largest of them: tolerance::ledger bounds it.
 double ledger_defect(const Simulation& s);
 
-/// Deepest penetration of a rock vertex into a cutting part at a pose, and the part. m.
-struct Penetration {
-  double depth = 0.0;
-  std::string part;
-};
-Penetration deepest_penetration(const rock::Rock& rock, const rock::CuttingBit& bit,
-                                const Pose& X_WB);
-
 }  // namespace tdbd::simulation

@@ -106,7 +106,7 @@ TEST(config, the_resolved_file_names_units_and_defaults) {
   Config config = Config::read_file(write_temporary(".toml", "d = \"0.1 m\"\n"), {});
   config.quantity("d", "m", {});
   config.quantity("hole.depth", "m", 0.5);
-  EXPECT_EQ(config.resolved(), "d = 0.10000000000000001  # m\n\n[hole]\ndepth = 0.5  # m\n");
+  EXPECT_EQ(config.resolved(), "d = 0.1  # m\n\n[hole]\ndepth = 0.5  # m\n");
 }
 
 TEST(config, overrides_replace_values_and_make_tables) {

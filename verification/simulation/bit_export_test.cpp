@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 const std::string bit_b = TDBD_SOURCE_DIR "/cases/bits/bit-b.toml";
 
 bit::Bit read(const std::string& file) {
-  return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down);
+  return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
 }
 
 /// Bit B, written to a folder in a format and read back.

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 const mesh::TriangleMesh box = battery::box({-1, -2, -3}, {1, 2, 3});
 
 bit::Bit read(const std::string& file, bit::DirectionRule rule = bit::DirectionRule::hybrid) {
-  return read_bit(file, rule, bit::InsideRule::down);
+  return read_bit(file, rule, bit::InsideRule::down).bit;
 }
 
 /// The message that reading the bit gives; empty if it is read.

@@ -8,6 +8,7 @@
 #include "simulation/case.hpp"
 #include "simulation/simulation.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/simulation/penetration.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -28,7 +29,7 @@ double drill(const mesh::TriangleMesh& tool_mm) {
     step(c, s);
     if (s.steps_done % c.maintenance.every == 0) continue;  // new vertices wait for the next cut
     const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(s.steps_done));
-    EXPECT_LE(deepest_penetration(s.rock, s.bit, X_WB).depth, tolerance::inside * s.bit.size);
+    EXPECT_LE(deepest_penetration(s.rock, s.bit, X_WB), tolerance::inside * s.bit.size);
   }
   EXPECT_LE(ledger_defect(s), tolerance::ledger);
   return s.ledger.removed.value();

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include "app/small_case.hpp"
+
+namespace tdbd::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void expect_output_refused(const battery::Outcome& o, const fs::path& folder,
+                           const std::string& reason) {
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_EQ(o.err, "tdbd: output folder " + folder.string() + ": " + reason + "\n");
+}
+
+TEST(bad_output, an_existing_result_is_kept_without_force) {
+  const SmallCase c;
+  ASSERT_EQ(c.run().exit_code, 0);
+  const std::string before = read(c.path("out/summary.json"));
+  expect_output_refused(c.run({"--set", "time.duration=0.02"}), c.path("out"),
+                        "exists; --force overwrites");
+  EXPECT_EQ(read(c.path("out/summary.json")), before);
+  ASSERT_EQ(c.run({"--set", "time.duration=0.02", "--force"}).exit_code, 0);
+  EXPECT_NE(read(c.path("out/summary.json")), before);
+}
+
+TEST(bad_output, a_wrong_case_keeps_the_old_result_even_with_force) {
+  const SmallCase c;
+  ASSERT_EQ(c.run().exit_code, 0);
+  const std::string before = read(c.path("out/summary.json"));
+  EXPECT_EQ(c.run({"--force", "--set", "rock.wall=1e9"}).exit_code, 2);
+  EXPECT_EQ(read(c.path("out/summary.json")), before);
+}
+
+TEST(bad_output, force_leaves_no_old_frame_and_deletes_nothing_foreign) {
+  const SmallCase c;
+  ASSERT_EQ(c.run({"--set", "output.frames_every=1"}).exit_code, 0);
+  for (const char* foreign : {"out/notes.txt", "out/frames/mine.vtp", "out/frames/rock.vtp"})
+    c.write(foreign, "mine");
+  ASSERT_EQ(c.run({"--force", "--set", "output.frames_every=0"}).exit_code, 0);
+  for (const char* foreign : {"out/notes.txt", "out/frames/mine.vtp", "out/frames/rock.vtp"})
+    EXPECT_EQ(read(c.path(foreign)), "mine") << foreign;
+  EXPECT_FALSE(fs::exists(c.path("out/frames/rock-000001.vtp")));
+}
+
+TEST(bad_output, a_case_that_a_user_wrote_is_not_replaced) {
+  const SmallCase c;
+  const std::string own = read(c.path("case.toml"));
+  expect_output_refused(c.run({"--force"}, "."), c.path("."),
+                        "its case.toml is not one that TDBD wrote; take another folder");
+  EXPECT_EQ(read(c.path("case.toml")), own);
+  EXPECT_EQ(files_below(c.path(".")),
+            (std::vector<std::string>{"bit.csv", "bit.toml", "case.toml"}));
+}
+
+TEST(bad_output, an_input_is_not_replaced) {
+  const SmallCase c;
+  ASSERT_EQ(c.run().exit_code, 0);
+  const fs::path resolved = c.path("out/case.toml");
+  const std::string before = read(resolved);
+  const auto o = battery::run_tdbd({"run", resolved, "-o", c.path("out"), "--force"});
+  expect_output_refused(o, c.path("out"),
+                        "holds the input " + resolved.string() + "; take another folder");
+  EXPECT_EQ(read(resolved), before);
+}
+
+TEST(bad_output, a_file_in_place_of_a_folder) {
+  const SmallCase c;
+  c.write("out", "mine");
+  expect_output_refused(c.run({"--force"}), c.path("out"), "is a file");
+  expect_output_refused(c.run({}, "out/below"), c.path("out/below"), "Not a directory");
+  EXPECT_EQ(read(c.path("out")), "mine");
+  fs::create_directory(c.path("taken"));
+  c.write("taken/frames", "mine");
+  expect_output_refused(c.run({"--force"}, "taken"), c.path("taken"), "its frames is a file");
+}
+
+/// Permissions do not bind a superuser; nobody makes a folder in /proc.
+TEST(bad_output, a_read_only_folder) {
+  const SmallCase c;
+  const auto o = battery::run_tdbd({"run", c.path("case.toml"), "-o", "/proc/tdbd"});
+  expect_output_refused(o, "/proc/tdbd", "No such file or directory");
+}
+
+TEST(bad_output, a_full_disk_leaves_no_summary) {
+  for (const long bytes : {300L, 3000L, 20000L, 60000L}) {
+    const SmallCase c;
+    const auto o = c.run({}, "out", {.largest_file = bytes});
+    EXPECT_EQ(o.exit_code, 1) << bytes;
+    EXPECT_NE(o.err.find("cannot write " + c.path("out").string()), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("File too large"), std::string::npos) << o.err;
+    EXPECT_EQ(o.out, "");
+    EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
+    EXPECT_FALSE(fs::exists(c.path("out/timing.json")));
+  }
+}
+
+TEST(bad_output, a_full_standard_output) {
+  const SmallCase c;
+  const auto o = c.run({}, "out", {.standard_output = "/dev/full"});
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_NE(o.err.find("tdbd: cannot write to standard output\n"), std::string::npos) << o.err;
+}
+
+}  // namespace
+}  // namespace tdbd::app

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "app/small_case.hpp"
+
+namespace tdbd::app {
+namespace {
+
+/// A square net over a plane at a depth, facets up, as text (OFF, mm). A facet is left out (a hole)
+/// or turned over.
+struct Net {
+  int cells = 30;
+  double edge = 4.0, depth = 1.0;
+  int left_out = -1, flipped = -1;
+  bool all_flipped = false;
+  bool degenerate = false;
+};
+
+std::string facet(const Net& n, int number, int a, int b, int c) {
+  if (number == n.left_out) return "";
+  const bool down = (number == n.flipped) != n.all_flipped;
+  return down ? fmt::format("3 {} {} {}\n", a, b, c) : fmt::format("3 {} {} {}\n", a, c, b);
+}
+
+std::string off(const Net& n) {
+  const int side = n.cells + 1, facets = 2 * n.cells * n.cells - (n.left_out >= 0 ? 1 : 0);
+  std::string text = fmt::format("OFF\n{} {} 0\n", side * side, facets);
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      // A point on its neighbour makes two facets without area.
+      const int x = n.degenerate && i == 7 && j == 7 ? 6 : i;
+      text += fmt::format("{} {} {}\n", n.edge * (x - 0.5 * n.cells), n.edge * (j - 0.5 * n.cells),
+                          n.depth);
+    }
+  for (int j = 0; j < n.cells; ++j)
+    for (int i = 0; i < n.cells; ++i) {
+      const int a = j * side + i, number = 2 * (j * n.cells + i);
+      text += facet(n, number, a, a + 1, a + side + 1);
+      text += facet(n, number + 1, a, a + side + 1, a + side);
+    }
+  return text;
+}
+
+SmallCase case_on(const Net& net) {
+  SmallCase c;
+  c.write("rock.off", off(net));
+  c.edit("case.toml", "wall = \"20 mm\"", "shape = \"file\"\nfile = \"rock.off\"");
+  return c;
+}
+
+/// One mistake, told of the rock's file: these words stand in the message.
+void expect_wrong(const SmallCase& c, const std::string& file, const std::string& words) {
+  for (const battery::Outcome& o : {c.check(), c.run()}) {
+    EXPECT_EQ(o.exit_code, 2);
+    EXPECT_EQ(o.err.rfind("tdbd: " + c.path(file).string() + ": ", 0), 0u) << o.err;
+    EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(c.path("out")));
+}
+
+TEST(bad_rock, that_the_net_is_right) {
+  const auto o = case_on({}).run();
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+}
+
+TEST(bad_rock, holes) { expect_wrong(case_on({.left_out = 500}), "rock.off", "boundary"); }
+
+TEST(bad_rock, a_flipped_facet) { expect_wrong(case_on({.flipped = 500}), "rock.off", "flipped"); }
+
+TEST(bad_rock, all_facets_flipped) {
+  expect_wrong(case_on({.all_flipped = true}), "rock.off", "found all facets flipped");
+}
+
+TEST(bad_rock, degenerate_facets) {
+  expect_wrong(case_on({.degenerate = true}), "rock.off", "degenerate");
+}
+
+TEST(bad_rock, a_wrong_unit) {
+  const SmallCase c = case_on({});
+  c.edit("case.toml", "shape =", "unit = 1\nshape =");
+  expect_wrong(c, "rock.off", "found edges of about 4.3e+03 mm with rock.unit = 1 m");
+}
+
+TEST(bad_rock, no_mesh_at_all) {
+  const SmallCase c = case_on({});
+  c.write("rock.off", "a poem\n");
+  expect_wrong(c, "rock.off", "not a valid .off file");
+}
+
+TEST(bad_rock, a_bit_that_starts_inside_it) {
+  expect_wrong(case_on({.depth = -12.0}), "case.toml", "found the middle of cutter-2/face ");
+  EXPECT_EQ(case_on({.depth = -3.0}).check().exit_code, 0);
+}
+
+TEST(bad_rock, a_bit_that_starts_wholly_below_its_surface) {
+  expect_wrong(case_on({.depth = -200.0}), "case.toml", "below the rock's surface at the start");
+}
+
+}  // namespace
+}  // namespace tdbd::app

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/small_case.hpp"
+
+namespace tdbd::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+long lines_of(const fs::path& file) {
+  const std::string text = read(file);
+  return static_cast<long>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// xarray opens the history and finds so many steps.
+bool history_opens(const fs::path& file, long rows) {
+  const std::string command =
+      "/usr/bin/python3 -c 'import sys, xarray; h = xarray.open_dataset(sys.argv[1], "
+      "decode_times=False); assert h.sizes[\"time\"] == int(sys.argv[2])' " +
+      file.string() + " " + std::to_string(rows);
+  return std::system(command.c_str()) == 0;
+}
+
+/// The bit walks sideways out of its hole until it meets the rim of the rock.
+SmallCase sideways() {
+  SmallCase c;
+  c.write("path.csv", "time_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad\n0,0,0,0,0,0,0\n1,0.1,0,0,0,0,3\n");
+  c.edit("case.toml", "rotary_speed = \"120 rpm\"\nrate_of_penetration = \"30 m/h\"",
+         "kind = \"table\"\nfile = \"path.csv\"");
+  c.edit("case.toml", "20 mm", "0 mm");
+  c.edit("case.toml", "40 ms", "1 s");
+  return c;
+}
+
+TEST(failing_run, keeps_what_is_recorded_and_is_no_result) {
+  const SmallCase c = sideways();
+  const auto o = c.run({"--set", "output.frames_every=1"});
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_NE(o.err.find(" swept the rock's boundary at ("), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("tdbd: failed after "), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
+  EXPECT_FALSE(fs::exists(c.path("out/timing.json")));
+  const std::string failure = read(c.path("out/failure.txt"));
+  EXPECT_NE(o.err.find(failure), std::string::npos) << failure;
+  long steps = -1;
+  ASSERT_EQ(std::sscanf(failure.c_str(), "failed after %ld of 500 steps", &steps), 1) << failure;
+  ASSERT_GT(steps, 0);
+  EXPECT_EQ(lines_of(c.path("out/history.csv")), 1 + steps);
+  EXPECT_TRUE(history_opens(c.path("out/history.nc"), steps));
+  EXPECT_EQ(lines_of(c.path("out/rock.pvd")), 5 + steps);
+  EXPECT_TRUE(fs::exists(c.path("out/rock_final.ply")));
+}
+
+TEST(failing_run, forced_again_and_well_leaves_no_trace_of_the_failure) {
+  const SmallCase c = sideways();
+  ASSERT_EQ(c.run().exit_code, 1);
+  ASSERT_EQ(c.run({"--force", "--set", "time.duration=0.002"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(c.path("out/failure.txt")));
+}
+
+TEST(interrupted_run, keeps_everything_and_says_so) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const SmallCase c;
+    const auto o = c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10"}, "out",
+                         {.signal_after = c.path("out/frames/rock-000010.vtp"), .signal = signal});
+    EXPECT_EQ(o.exit_code, 130);
+    EXPECT_EQ(o.out.rfind("interrupted: ", 0), 0u) << o.out;
+    const auto summary = nlohmann::json::parse(read(c.path("out/summary.json")));
+    EXPECT_EQ(summary["status"], "interrupted");
+    const long steps = summary["steps"];
+    EXPECT_GE(steps, 10);
+    EXPECT_LT(steps, 500000);
+    EXPECT_EQ(lines_of(c.path("out/history.csv")), 1 + steps);
+    EXPECT_TRUE(history_opens(c.path("out/history.nc"), steps));
+    EXPECT_TRUE(fs::exists(c.path("out/frames/rock_final.vtp")));
+    EXPECT_TRUE(fs::exists(c.path("out/timing.json")));
+  }
+}
+
+/// Stopping early changes nothing of what was done.
+TEST(interrupted_run, is_the_first_part_of_the_whole_one) {
+  const SmallCase c;
+  ASSERT_EQ(c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10", "--quiet"},
+                  "stopped", {.signal_after = c.path("stopped/frames/rock-000010.vtp")})
+                .exit_code,
+            130);
+  const auto summary = nlohmann::json::parse(read(c.path("stopped/summary.json")));
+  const long steps = summary["steps"];
+  ASSERT_EQ(c.run({"--set", "time.duration=" + std::to_string(0.002 * static_cast<double>(steps))},
+                  "whole")
+                .exit_code,
+            0);
+  for (const char* file : {"history.csv", "rock_final.ply"})
+    EXPECT_EQ(read(c.path("stopped") / file), read(c.path("whole") / file)) << file;
+}
+
+}  // namespace
+}  // namespace tdbd::app

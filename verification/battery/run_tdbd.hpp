@@ -1,0 +1,29 @@
+#pragma once
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tdbd::battery {
+
+/// What a command left behind.
+struct Outcome {
+  int exit_code = -1;  ///< 128 + signal when a signal ended it
+  std::string out, err;
+};
+
+/// How a command is run.
+struct Surroundings {
+  std::filesystem::path standard_output = {};  ///< empty: captured
+  long largest_file = -1;                      ///< bytes that a file may have; -1: no limit
+  std::filesystem::path signal_after =
+      {};  ///< once this file exists, or so many seconds passed, `signal` is sent
+  double signal_after_seconds = -1.0;
+  int signal = SIGINT;
+};
+
+/// Runs the built program with these arguments and waits for it.
+Outcome run_tdbd(const std::vector<std::string>& arguments, const Surroundings& around = {});
+
+}  // namespace tdbd::battery
