@@ -35,8 +35,11 @@ CuttingPart prepare_part(const bit::Part& part, int index) {
   return prepared;
 }
 
+/// A group's parts are numbered by the bits of one word (Clear).
+constexpr std::size_t most_parts = 63;
+
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
-  return part.group >= 0 &&
+  return part.group >= 0 && group.parts.size() < most_parts &&
          bit.parts[static_cast<std::size_t>(group.parts.front().part)].group == part.group;
 }
 

@@ -66,11 +66,6 @@ Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3&
   return m.R_WB1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
 }
 
-RelativePath relative_path(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
-  const Vec3 u_W = mapped_direction_W(g, m, x_W);
-  return {m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W};
-}
-
 void HullFilter::choose(std::size_t i) {
   const Vec3 n_P = mesh::normal(hull_P_, i);
   n0_W_ = motion_.X_PW0.R.transpose() * n_P;
