@@ -11,6 +11,7 @@ struct GroupMotion {
   Pose X_PW0, X_PW1;
   Pose X_BW1;
   Mat3 R_WB1;
+  double reach_W;   ///< m, farthest from the z axis of space that the group can sweep
   Region region_W;  ///< motion box: the group's box at pose 0 and pose 1, axis-aligned and oriented
 };
 
