@@ -61,8 +61,10 @@ int VertexGrid::next_occupied(int i, int j, int k) const {
 }
 
 void VertexGrid::mark(int cell, bool occupied) {
-  const auto word = static_cast<std::size_t>((cell / nx_) * words_ + (cell % nx_) / 64);
-  const std::uint64_t bit = std::uint64_t{1} << (cell % nx_ % 64);
+  const int in_row = cell % nx_;
+  const int number = (cell / nx_) * words_ + in_row / 64;
+  const auto word = static_cast<std::size_t>(number);
+  const std::uint64_t bit = std::uint64_t{1} << (in_row % 64);
   if (occupied)
     occupied_[word] |= bit;
   else
