@@ -141,23 +141,36 @@ def side_view(surface, summary, path):
     finish(figure, summary, path)
 
 
-def side_by_side(radii, width):
-    """Radii of bars, moved outwards where they would cover each other."""
-    places = []
-    for r in radii:
-        places.append(max(r, places[-1] + width) if places else r)
-    return np.array(places)
+BAR = 0.6  # mm: narrower than the cutters' spacing on the shoulder
+
+
+def same_radius(cutters):
+    """Runs of cutters (they are sorted) at the same tip radius, as those at the gage are."""
+    runs = []
+    for i, cutter in enumerate(cutters):
+        if runs and MM * (cutter.tip_radius - cutters[runs[-1][0]].tip_radius) < 0.01:
+            runs[-1].append(i)
+        else:
+            runs.append([i])
+    return runs
+
+
+def number(cutter):
+    return cutter.name.rsplit("-", 1)[-1]
 
 
 def draw_bars(ax, cutters, values, label):
-    """A bar for each cutter at its tip radius, coloured by zone, with its number."""
-    radii = np.array([MM * c.tip_radius for c in cutters])
-    width = 0.6 * max(np.ptp(radii), 1.0) / max(len(radii), 10)
-    places = side_by_side(radii, 1.05 * width)
-    ax.bar(places, values, width, color=[ZONES.get(c.zone, "0.5") for c in cutters])
-    for place, value, cutter in zip(places, values, cutters):
-        ax.annotate(cutter.name.rsplit("-", 1)[-1], (place, value), xytext=(0, 1.5),
-                    textcoords="offset points", ha="center", fontsize=6, color="0.3")
+    """A bar for each cutter at its tip radius, coloured by zone, with its number; cutters at one
+    radius stand on each other."""
+    for run in same_radius(cutters):
+        place, top = MM * cutters[run[0]].tip_radius, 0.0
+        for i in run:
+            ax.bar(place, values[i], BAR, bottom=top, color=ZONES.get(cutters[i].zone, "0.5"),
+                   edgecolor="white", linewidth=0.2)
+            top += values[i]
+        text = number(cutters[run[0]]) + (f"-{number(cutters[run[-1]])}" if run[1:] else "")
+        ax.annotate(text, (place, top), xytext=(2.0, 0.0), textcoords="offset points", ha="left",
+                    va="bottom" if top > 0.1 * max(values) else "center", fontsize=6, color="0.3")
     ax.set_ylabel(label)
     ax.grid(axis="y", color="0.9")
     ax.set_axisbelow(True)
@@ -178,7 +191,7 @@ def cutter_bars(cutters, summary, path):
     zones = [z for z in ZONES if any(c.zone == z for c in cutters)]
     top.legend([plt.Rectangle((0, 0), 1, 1, color=ZONES[z]) for z in zones], zones,
                frameon=False, ncol=4, loc="upper left")
-    top.margins(y=0.18)
+    top.margins(y=0.22)
     finish(figure, summary, path)
 
 

@@ -68,7 +68,7 @@ def read_cutters(folder, summary):
     """The cutters of bit.json, by tip radius, each with the volumes of all its parts added."""
     volumes = summary["removed_volume_by_part_by_revolution_m3"]
     cutters = []
-    for row in read_json(Path(folder) / "bit.json"):
+    for row in read_json(Path(folder) / "bit.json")["cutters"]:
         own = [v for part, v in volumes.items() if part.split("/")[0] == row["name"]]
         total = np.sum(own, axis=0) if own else np.zeros(0)
         cutters.append(

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+
+#include <cstddef>
 
 namespace tdbd {
 
-/// Calls body(i) for 0 <= i < n, in any order and on as many threads as the process allows
-/// (tbb::global_control). Deterministic when each call writes only what belongs to its own i.
+/// While it lives, parallel loops use at most so many threads.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads)
+      : limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)) {}
+
+ private:
+  tbb::global_control limit_;
+};
+
+/// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit allows.
+/// Deterministic when each call writes only what belongs to its own i.
 template <class Body>
 void parallel_for(int n, Body&& body) {
   tbb::parallel_for(tbb::blocked_range<int>(0, n), [&](const tbb::blocked_range<int>& range) {

@@ -63,15 +63,37 @@ double removed_by_moves(const Rock& rock, CutWorkspace& w) {
   return sum;
 }
 
-void process_part(Rock& rock, const CuttingGroup& g, const CuttingPart& part, const GroupMotion& m,
+/// Ur of every candidate of a group. Moving along it keeps the azimuth, so it holds for all parts.
+void map_directions(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
+                    const std::vector<int>& candidates, std::vector<Vec3>& directions_W) {
+  directions_W.clear();
+  for (const int v : candidates)
+    directions_W.push_back(mapped_direction_W(g, m, rock.surface.position(v)));
+}
+
+void note_outside(Clear& clear, std::size_t part) { clear.now |= std::uint64_t{1} << part; }
+
+void note_exit(Clear& clear, std::size_t part, bool convex) {
+  const std::uint64_t bit = std::uint64_t{1} << part;
+  if (convex) clear.for_good |= bit;
+  clear.now = clear.for_good | bit;
+}
+
+void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const GroupMotion& m,
                   const std::vector<int>& candidates, CutWorkspace& w, CutReport& report,
                   std::vector<int>& moved_by_group) {
+  const CuttingPart& part = g.parts[which];
   begin_part(w, rock);
-  for (const int v : candidates) {
-    const Vec3& x_W = rock.surface.position(v);
-    const RelativePath path = relative_path(g, m, x_W);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Vec3 &x_W = rock.surface.position(candidates[i]), &u_W = w.directions_W[i];
+    const RelativePath path{m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W};
     const auto t = exit_distance(part, path, w.swept);
-    if (t && *t > 0.0) move_vertex(rock, w, v, x_W + *t * mapped_direction_W(g, m, x_W), part);
+    if (!t || *t <= 0.0) {
+      note_outside(w.clear[i], which);
+      continue;
+    }
+    move_vertex(rock, w, candidates[i], x_W + *t * u_W, part);
+    note_exit(w.clear[i], which, !part.tree_P);
   }
   if (w.moved.empty()) return;
   const double removed = removed_by_moves(rock, w);
@@ -99,6 +121,14 @@ void sort_unique(std::vector<int>& v) {
   v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
+/// The candidates that a part of their own group may still sweep.
+void keep_unclear(const CuttingGroup& g, const std::vector<int>& candidates,
+                  const std::vector<Clear>& clear, std::vector<int>& unclear) {
+  const std::uint64_t all = (std::uint64_t{2} << (g.parts.size() - 1)) - 1;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (clear[i].now != all) unclear.push_back(candidates[i]);
+}
+
 /// Later passes: only what moved can have come into a part, and it stands on the group that moved
 /// it, so that only groups near that one can sweep it.
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
@@ -107,8 +137,9 @@ void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) 
     HullFilter filter(bit.groups[i], w.motions[i]);
     const mesh::Box& box_W = w.motions[i].region_W.box;
     for (std::size_t k = 0; k < bit.groups.size(); ++k) {
-      if (w.moved_by_group[k].empty() || !meet(box_W, w.motions[k].region_W.box)) continue;
-      for (const int v : w.moved_by_group[k])
+      const std::vector<int>& among = k == i ? w.unclear_by_group[k] : w.moved_by_group[k];
+      if (among.empty() || !meet(box_W, w.motions[k].region_W.box)) continue;
+      for (const int v : among)
         if (!filter.keeps_outside(rock.surface.position(v))) w.candidates[i].push_back(v);
     }
     sort_unique(w.candidates[i]);
@@ -121,6 +152,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   report.removed = 0.0;
   report.candidates = report.moved = 0;
   w.moved_by_group.resize(bit.groups.size());
+  w.unclear_by_group.resize(bit.groups.size());
   w.candidates.resize(bit.groups.size());
   w.chains.resize(bit.groups.size());
   w.motions.clear();
@@ -132,11 +164,15 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
   bool any = false;
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     w.moved_by_group[i].clear();
+    w.unclear_by_group[i].clear();
     if (w.candidates[i].empty()) continue;
     report.candidates += static_cast<long>(w.candidates[i].size());
-    for (const CuttingPart& part : bit.groups[i].parts)
+    map_directions(rock, bit.groups[i], w.motions[i], w.candidates[i], w.directions_W);
+    w.clear.assign(w.candidates[i].size(), {});
+    for (std::size_t part = 0; part < bit.groups[i].parts.size(); ++part)
       process_part(rock, bit.groups[i], part, w.motions[i], w.candidates[i], w, report,
                    w.moved_by_group[i]);
+    keep_unclear(bit.groups[i], w.candidates[i], w.clear, w.unclear_by_group[i]);
     sort_unique(w.moved_by_group[i]);
     any = any || !w.moved_by_group[i].empty();
   }

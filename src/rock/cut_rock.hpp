@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "rock/group_motion.hpp"
@@ -17,14 +18,22 @@ struct CutReport {
   int passes = 0;
 };
 
+/// Which parts of a group a candidate is clear of, as bits. A convex part that let go of a vertex
+/// does so for good: beyond its exit no level of the strip meets it again. What was merely found
+/// outside of a part may be moved into it by the group's next part.
+struct Clear {
+  std::uint64_t now = 0, for_good = 0;
+};
+
 /// Room for the step, kept between steps so that none allocates once warm.
 struct CutWorkspace {
   SweptScratch swept;
   std::vector<GroupMotion> motions;          ///< per group
   std::vector<std::vector<int>> candidates;  ///< per group
-  std::vector<std::vector<int>> chains, moved_by_group;
+  std::vector<std::vector<int>> chains, moved_by_group, unclear_by_group;
   std::vector<int> moved, triangles;
-  std::vector<Vec3> old_position;
+  std::vector<Vec3> old_position, directions_W;
+  std::vector<Clear> clear;  ///< per candidate of the group at work
   std::vector<int> vertex_stamp, triangle_stamp;
   int stamp = 0;
 };

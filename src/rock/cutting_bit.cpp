@@ -35,8 +35,11 @@ CuttingPart prepare_part(const bit::Part& part, int index) {
   return prepared;
 }
 
+/// A group's parts are numbered by the bits of one word (Clear).
+constexpr std::size_t most_parts = 63;
+
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
-  return part.group >= 0 &&
+  return part.group >= 0 && group.parts.size() < most_parts &&
          bit.parts[static_cast<std::size_t>(group.parts.front().part)].group == part.group;
 }
 
@@ -70,12 +73,15 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
     const bit::Part& part = bit.parts[static_cast<std::size_t>(i)];
     if (part.cutting == bit::Cutting::never) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
-      cutting.groups.push_back({part.X_BP, {}, {}, part.update_direction_B, {}});
+      cutting.groups.push_back({part.X_BP, {}, {}, 0.0, 0.0, part.update_direction_B, {}});
     CuttingGroup& group = cutting.groups.back();
     group.parts.push_back(prepare_part(part, i));
     for (const Vec3& x_P : part.mesh_P.positions) {
       group.box_P.add(x_P);
-      box_B.add(part.X_BP * x_P);
+      const Vec3 x_B = part.X_BP * x_P;
+      box_B.add(x_B);
+      group.reach = std::max(group.reach, x_B.head<2>().norm());
+      group.distance = std::max(group.distance, x_B.norm());
     }
   }
   for (CuttingGroup& group : cutting.groups) {

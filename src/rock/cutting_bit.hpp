@@ -26,6 +26,8 @@ struct CuttingGroup {
   Pose X_BP;
   mesh::Box box_P;
   mesh::ConvexSolid hull_P;  ///< a few planes around all parts, box_P's included
+  double reach = 0.0;        ///< m, farthest from the bit's axis
+  double distance = 0.0;     ///< m, farthest from the bit's origin
   Vec3 update_direction_B;
   std::vector<CuttingPart> parts;
 };

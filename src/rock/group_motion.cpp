@@ -50,12 +50,26 @@ TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q
   return h.b.size();
 }
 
+/// The chord of a turn comes nearer to the axis than its ends, by the cosine of half the turn; a
+/// tilted axis leans at most by the tilt times the distance, counted for the part and for the rock
+/// beside it.
+double reach(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
+  const double cosine = 0.5 * ((X_WB0.R.transpose() * X_WB1.R).trace() - 1.0);
+  const double half_turn = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));
+  double off_axis = 0.0;
+  for (const Pose* X_WB : {&X_WB0, &X_WB1}) {
+    const double tilt = (X_WB->R.col(2) - Vec3::UnitZ()).norm();
+    off_axis = std::max(off_axis, X_WB->p.head<2>().norm() + 4.0 * tilt * g.distance);
+  }
+  return half_turn > 0.5 ? g.reach / half_turn + off_axis : INFINITY;
+}
+
 }  // namespace
 
 GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
   const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP;
-  return {inverse(X_WP0), inverse(X_WP1), inverse(X_WB1), X_WB1.R,
-          moving_box(g.box_P, X_WP0, X_WP1)};
+  return {inverse(X_WP0), inverse(X_WP1),         inverse(X_WB1),
+          X_WB1.R,        reach(g, X_WB0, X_WB1), moving_box(g.box_P, X_WP0, X_WP1)};
 }
 
 Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
@@ -64,11 +78,6 @@ Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3&
   const double c = rho > 0.0 ? x_B.x() / rho : 1.0, s = rho > 0.0 ? x_B.y() / rho : 0.0;
   const Vec3& U = g.update_direction_B;
   return m.R_WB1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
-}
-
-RelativePath relative_path(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
-  const Vec3 u_W = mapped_direction_W(g, m, x_W);
-  return {m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W};
 }
 
 void HullFilter::choose(std::size_t i) {
@@ -88,6 +97,8 @@ bool HullFilter::find_plane(const Vec3& x_W) {
 
 void find_candidates(const VertexGrid& grid, const CuttingGroup& g, const GroupMotion& m,
                      std::vector<int>& chains, std::vector<int>& candidates) {
+  const mesh::Box& box_W = m.region_W.box;
+  if (grid.nearest_to_axis(box_W.lo.z(), box_W.hi.z()) > m.reach_W) return;
   HullFilter filter(g, m);
   grid.visit(m.region_W, chains, [&](const VertexGrid::Block& block) {
     int outside = 0;

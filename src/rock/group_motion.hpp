@@ -11,6 +11,7 @@ struct GroupMotion {
   Pose X_PW0, X_PW1;
   Pose X_BW1;
   Mat3 R_WB1;
+  double reach_W;   ///< m, farthest from the z axis of space that the group can sweep
   Region region_W;  ///< motion box: the group's box at pose 0 and pose 1, axis-aligned and oriented
 };
 
@@ -19,9 +20,6 @@ GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X
 
 /// Ur = Rz(azimuth of x in the bit frame at pose 1) U, in space. Thesis: 4.1.2.3, 4.1.3.2.
 Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W);
-
-/// The whole relative path of a rock vertex at x_W and its update direction there.
-RelativePath relative_path(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W);
 
 /// Appends the rock vertices that the group may sweep: all that it does sweep, and those few that
 /// no single plane of its hull tells apart. `chains` is room for the grid's query.

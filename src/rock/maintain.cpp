@@ -102,6 +102,7 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
     if (rock.surface.is_alive(e.a) && rock.surface.is_alive(e.b))
       try_collapse(rock, e.a, e.b, limits, work.ring, report);
   }
+  rock.grid.refresh_one_layer();
   for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
   rock.touched_list.clear();
 }

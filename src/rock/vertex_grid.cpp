@@ -25,6 +25,7 @@ VertexGrid::VertexGrid(const mesh::Box& box_W, double cell)
   occupied_.assign(static_cast<std::size_t>(words_) * static_cast<std::size_t>(ny_) *
                        static_cast<std::size_t>(nz_),
                    0);
+  nearest_radius2_.assign(static_cast<std::size_t>(nz_), INFINITY);
   head_.assign(
       static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) * static_cast<std::size_t>(nz_),
       -1);
@@ -60,8 +61,10 @@ int VertexGrid::next_occupied(int i, int j, int k) const {
 }
 
 void VertexGrid::mark(int cell, bool occupied) {
-  const auto word = static_cast<std::size_t>((cell / nx_) * words_ + (cell % nx_) / 64);
-  const std::uint64_t bit = std::uint64_t{1} << (cell % nx_ % 64);
+  const int in_row = cell % nx_;
+  const int number = (cell / nx_) * words_ + in_row / 64;
+  const auto word = static_cast<std::size_t>(number);
+  const std::uint64_t bit = std::uint64_t{1} << (in_row % 64);
   if (occupied)
     occupied_[word] |= bit;
   else
@@ -86,6 +89,31 @@ void VertexGrid::gather(const Region& region_W, std::vector<int>& chains) const 
     }
 }
 
+void VertexGrid::note_radius(int cell, const Vec3& x_W) {
+  double& nearest = nearest_radius2_[static_cast<std::size_t>(cell / (nx_ * ny_))];
+  nearest = std::min(nearest, x_W.head<2>().squaredNorm());
+}
+
+double VertexGrid::nearest_to_axis(double z_lo, double z_hi) const {
+  const auto layer = [&](double z) { return nearest_radius2_.begin() + along(z, lo_.z(), nz_); };
+  return std::sqrt(*std::min_element(layer(z_lo), layer(z_hi) + 1));
+}
+
+void VertexGrid::refresh_one_layer() {
+  const int k = next_layer_;
+  next_layer_ = (next_layer_ + 1) % nz_;
+  nearest_radius2_[static_cast<std::size_t>(k)] = INFINITY;
+  for (int j = 0; j < ny_; ++j)
+    for (int i = next_occupied(0, j, k); i < nx_;
+         i = i + 1 < nx_ ? next_occupied(i + 1, j, k) : nx_)
+      for (int b = head_[static_cast<std::size_t>(index({i, j, k}))]; b >= 0;
+           b = blocks_[static_cast<std::size_t>(b)].next) {
+        const Block& block = blocks_[static_cast<std::size_t>(b)];
+        for (int s = 0; s < block.count; ++s)
+          note_radius(index({i, j, k}), block.entries[static_cast<std::size_t>(s)].x_W);
+      }
+}
+
 int VertexGrid::new_block(int next) {
   int b = static_cast<int>(blocks_.size());
   if (free_blocks_.empty()) {
@@ -107,6 +135,7 @@ void VertexGrid::put(int v, const Vec3& x_W, int cell) {
   Block& b = blocks_[static_cast<std::size_t>(head)];
   b.entries[static_cast<std::size_t>(b.count)] = {x_W, v};
   places_[static_cast<std::size_t>(v)] = {cell, head, b.count++};
+  note_radius(cell, x_W);
 }
 
 void VertexGrid::insert(int v, const Vec3& x_W) {
@@ -146,6 +175,7 @@ void VertexGrid::move(int v, const Vec3& x_W) {
     blocks_[static_cast<std::size_t>(place.block)]
         .entries[static_cast<std::size_t>(place.slot)]
         .x_W = x_W;
+    note_radius(cell, x_W);
     return;
   }
   remove(v);

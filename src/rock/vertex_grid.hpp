@@ -38,6 +38,14 @@ class VertexGrid {
   void remove(int v);
   void move(int v, const Vec3& x_W);
 
+  /// No vertex between the heights z_lo and z_hi (m) is nearer to the z axis of space than this, m:
+  /// what turns inside a borehole without reaching its wall need not look at the wall. A bound: a
+  /// layer of cells remembers its nearest vertex after that has left.
+  double nearest_to_axis(double z_lo, double z_hi) const;
+
+  /// Looks one layer of cells through for its nearest vertex, the next at the next call.
+  void refresh_one_layer();
+
   /// A run of a cell's vertices.
   static constexpr int block_size = 5;  // three cache lines
   struct Entry {
@@ -89,6 +97,7 @@ class VertexGrid {
   /// The first cell from `i` on in row (j, k) that has vertices; nx_ or more if there is none.
   int next_occupied(int i, int j, int k) const;
   void mark(int cell, bool occupied);
+  void note_radius(int cell, const Vec3& x_W);
 
   Vec3 lo_ = Vec3::Zero();
   double cell_ = 1.0, inverse_cell_ = 1.0;
@@ -97,7 +106,9 @@ class VertexGrid {
   std::vector<int> head_;  ///< per cell: first block of its chain, the only one that is not full
   std::vector<Block> blocks_;
   std::vector<int> free_blocks_;
-  std::vector<Place> places_;  ///< per vertex
+  std::vector<Place> places_;            ///< per vertex
+  std::vector<double> nearest_radius2_;  ///< per layer, m2
+  int next_layer_ = 0;
 };
 
 }  // namespace tdbd::rock

@@ -10,6 +10,7 @@
 
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "mesh/measures.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/bit_output.hpp"
@@ -164,6 +165,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
 
 RunSummary run(const Case& c, const RunOptions& o) {
   const auto started = Clock::now();
+  const ThreadLimit limit(o.threads);
   Simulation s = start(c);
   const OutputFolder folder = prepare(o.folder, o.overwrite, c.files);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);

@@ -1,9 +1,10 @@
-"""run_case.py TDBD CASE.toml FOLDER: the first moments of a case, all defaults of its own.
+"""run_case.py TDBD CASE.toml FOLDER: the first moments of a case, all defaults of its own, drawn.
 
 The command line is `tdbd run CASE`, cut short to ten steps; the run has to end well.
 """
 
 import json
+import pathlib
 import subprocess
 import sys
 import tomllib
@@ -20,3 +21,8 @@ with open(folder + "/summary.json", encoding="utf-8") as file:
 assert summary["status"] == "completed", summary["status"]
 assert summary["steps"] > 0
 assert summary["volume_ledger_defect"] <= 1e-12, summary["volume_ledger_defect"]
+
+draw = pathlib.Path(__file__).resolve().parents[2] / "reports" / "draw.py"
+subprocess.run([sys.executable, "-B", draw, folder], check=True, stdout=subprocess.DEVNULL)
+for figure in ("bottom_hole.png", "side_view.png", "cutters.png"):
+    assert (pathlib.Path(folder) / figure).stat().st_size > 10_000, figure

@@ -110,6 +110,31 @@ RC_GTEST_PROP(vertex_grid, offers_all_vertices_between_slabs, ()) {
     if (contains(r, positions[static_cast<std::size_t>(v)])) RC_ASSERT(found.contains(v));
 }
 
+double radius(const Vec3& x) { return x.head<2>().norm(); }
+
+double true_nearest(const Indexed& x, double z_lo, double z_hi) {
+  double nearest = INFINITY;
+  for (const auto& [v, p] : x.points)
+    if (z_lo <= p.z() && p.z() <= z_hi) nearest = std::min(nearest, radius(p));
+  return nearest;
+}
+
+/// Whatever moved, left or came: never farther than the truth, and not nearer than any vertex of
+/// the grid once every layer was looked through.
+RC_GTEST_PROP(vertex_grid, bounds_the_distance_to_the_axis, ()) {
+  Indexed x{VertexGrid(unit_box, *battery::number(0.05, 3.0)), {}};
+  const auto changes = *rc::gen::container<std::vector<std::tuple<int, Vec3, bool>>>(
+      rc::gen::tuple(rc::gen::inRange(0, 30), battery::point(2.0), rc::gen::arbitrary<bool>()));
+  for (const auto& [v, p, remove] : changes) change(x, v, p, remove);
+  const double a = *battery::number(-2.0, 2.0), b = *battery::number(-2.0, 2.0);
+  const double lo = std::min(a, b), hi = std::max(a, b);
+  RC_ASSERT(x.grid.nearest_to_axis(lo, hi) <= true_nearest(x, lo, hi));
+  for (int k = 0; k < 50; ++k) x.grid.refresh_one_layer();
+  RC_ASSERT(x.grid.nearest_to_axis(lo, hi) <= true_nearest(x, lo, hi));
+  const double all = true_nearest(x, -9, 9);
+  RC_ASSERT(x.grid.nearest_to_axis(-9, 9) == all);
+}
+
 /// Cells are looked at, not the whole grid: a small box far from all vertices offers none.
 TEST(vertex_grid, offers_nothing_from_far_cells) {
   VertexGrid grid(unit_box, 0.1);

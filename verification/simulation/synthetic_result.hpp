@@ -56,12 +56,12 @@ inline RunSummary made_up_summary() {
 inline void write_bit_json(const std::filesystem::path& path) {
   const char* zones[] = {"cone", "nose", "shoulder", "gage"};
   std::ofstream out(path);
-  out << "[";
+  out << "{\"cutters\":[";
   for (int k = 1; k <= 24; ++k)
     out << (k > 1 ? "," : "") << "{\"name\":\"cutter-" << k
         << "\",\"tip_radius_m\":" << 0.108 * std::min(1.0, k / 22.0) << ",\"blade\":" << 1 + k % 5
         << ",\"zone\":\"" << zones[std::min(3, (k - 1) / 6)] << "\"}";
-  out << "]\n";
+  out << "]}\n";
 }
 
 /// A small result folder as a run would leave it.

@@ -1,0 +1,92 @@
+#include "rock/group_motion.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "rock/swept_part.hpp"
+#include "rotation/rotation_vector.hpp"
+#include "verification/battery/generators.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+bit::Bit bit_of(const mesh::TriangleMesh& m, const Pose& X_BP) {
+  bit::Bit bit;
+  bit.parts.push_back({});
+  bit.parts.back().mesh_P = m;
+  bit.parts.back().X_BP = X_BP;
+  return bit;
+}
+
+/// A bit near the axis of space, turned and tilted a little, that turns on in the step.
+struct Move {
+  Pose X_WB0, X_WB1;
+};
+
+Move any_move() {
+  Move m;
+  m.X_WB0 = {rotation::exp(*battery::number(-3.0, 3.0) * Vec3::UnitZ() +
+                           *battery::number(0.0, 0.05) * *battery::direction()),
+             *battery::number(0.0, 0.3) * *battery::direction()};
+  m.X_WB1 = {m.X_WB0.R * rotation::exp(*battery::number(-0.3, 0.3) * *battery::direction()),
+             m.X_WB0.p + *battery::number(0.0, 0.1) * *battery::direction()};
+  return m;
+}
+
+bool is_swept_by(const CuttingBit& bit, const GroupMotion& m, const Vec3& x_W) {
+  SweptScratch scratch;
+  const RelativePath path{m.X_PW0 * x_W, m.X_PW1 * x_W, Vec3::UnitZ(), Vec3::UnitZ()};
+  return is_swept(bit.groups[0].parts[0], path, scratch);
+}
+
+/// Around the part, so that about half are swept.
+std::vector<Vec3> points_near(const GroupMotion& m) {
+  std::vector<Vec3> points;
+  const mesh::Box& box = m.region_W.box;
+  for (int k = 0; k < 50; ++k)
+    points.push_back(box.lo + 0.5 * (*battery::point(1.2) + Vec3::Ones()).cwiseProduct(box.size()));
+  return points;
+}
+
+/// Neither region, nor hull, nor reach drops a vertex that is swept.
+RC_GTEST_PROP(find_candidates, finds_all_that_is_swept, ()) {
+  const CuttingBit bit = prepare_cutting_bit(bit_of(
+      *rc::gen::oneOf(battery::convex_polyhedron(), battery::star_shape()), *battery::pose(2.0)));
+  const Move move = *rc::gen::exec(any_move);
+  const GroupMotion m = group_motion(bit.groups[0], move.X_WB0, move.X_WB1);
+  const std::vector<Vec3> points = points_near(m);
+  VertexGrid grid(m.region_W.box, 0.3);
+  for (std::size_t v = 0; v < points.size(); ++v) grid.insert(static_cast<int>(v), points[v]);
+  std::vector<int> chains, candidates;
+  find_candidates(grid, bit.groups[0], m, chains, candidates);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_swept_by(bit, m, points[v]))
+      RC_ASSERT(std::ranges::count(candidates, static_cast<int>(v)) == 1);
+}
+
+/// What reaches less far from the axis than the rock of its heights looks at none of it.
+TEST(find_candidates, leaves_a_wall_alone_that_is_out_of_reach) {
+  const CuttingBit bit =
+      prepare_cutting_bit(bit_of(battery::box({0.9, -0.1, -0.1}, {1.0, 0.1, 0.1}), Pose{}));
+  const double reach = std::hypot(1.0, 0.1);
+  const Pose still, turned{rotation::exp(Vec3(0, 0, 0.01)), Vec3::Zero()};
+  const GroupMotion m = group_motion(bit.groups[0], still, turned);
+  EXPECT_NEAR(m.reach_W, reach, 2e-5);
+  const auto candidates_at = [&](double r) {
+    VertexGrid grid({Vec3(-2, -2, -1), Vec3(2, 2, 1)}, 0.1);
+    for (int k = 0; k < 100; ++k)
+      grid.insert(k, {r * std::cos(0.001 * k), r * std::sin(0.001 * k), 0.0});
+    std::vector<int> chains, candidates;
+    find_candidates(grid, bit.groups[0], m, chains, candidates);
+    EXPECT_EQ(chains.empty(), r > m.reach_W);
+    return candidates.size();
+  };
+  EXPECT_EQ(candidates_at(reach + 1e-3), 0U);
+  EXPECT_GT(candidates_at(reach - 0.02), 0U);
+}
+
+}  // namespace
+}  // namespace tdbd::rock
