@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "simulation/simulation.hpp"
+
+namespace tdbd::bench {
+
+/// A case and how far it is drilled.
+struct Drilling {
+  simulation::Case plan;
+  simulation::Simulation state;
+};
+
+/// The case `cases/NAME.toml` at this edge length (m) after its first revolution: a conforming
+/// start has no steps in front of the cutters yet, one turn of the bit makes them all.
+Drilling after_one_revolution(const std::string& name, double edge_length);
+
+/// The pose of the bit `steps` (or a part of one) after what is drilled.
+Pose pose_after(const Drilling& d, double steps);
+
+/// Drills so many steps, with ledger and maintenance.
+void drill(Drilling& d, long steps);
+
+/// CPU time of this process, s: does not count what other programs take.
+double cpu_seconds();
+
+}  // namespace tdbd::bench

@@ -1,0 +1,130 @@
+// The kernels inside a step, each on what it meets while bit B drills.
+
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "benchmarks/drilling.hpp"
+#include "rock/group_motion.hpp"
+#include "rock/maintain.hpp"
+#include "rock/swept_part.hpp"
+
+namespace tdbd::bench {
+namespace {
+
+constexpr double edge_length = 1e-3;  // m
+
+Drilling bit_b() { return after_one_revolution("bit-b-steady", edge_length); }
+
+std::vector<rock::GroupMotion> next_motions(const Drilling& d) {
+  std::vector<rock::GroupMotion> motions;
+  for (const rock::CuttingGroup& g : d.state.bit.groups)
+    motions.push_back(rock::group_motion(g, pose_after(d, 0.0), pose_after(d, 1.0)));
+  return motions;
+}
+
+/// A vertex that the next step sweeps, as the part that sweeps it sees it.
+struct Query {
+  const rock::CuttingPart* part;
+  rock::RelativePath path;
+};
+
+std::vector<Query> queries_of_next_step(const Drilling& d) {
+  std::vector<Query> queries;
+  std::vector<int> chains, candidates;
+  rock::SweptScratch scratch;
+  for (const rock::CuttingGroup& g : d.state.bit.groups) {
+    const auto motion = rock::group_motion(g, pose_after(d, 0.0), pose_after(d, 1.0));
+    candidates.clear();
+    rock::find_candidates(d.state.rock.grid, g, motion, chains, candidates);
+    for (const int v : candidates)
+      for (const rock::CuttingPart& part : g.parts) {
+        const auto path = rock::relative_path(g, motion, d.state.rock.surface.position(v));
+        if (rock::is_swept(part, path, scratch)) queries.push_back({&part, path});
+      }
+  }
+  return queries;
+}
+
+/// One item is one swept vertex's way out of a part given by its planes.
+void exit_convex(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<Query> queries = queries_of_next_step(d);
+  rock::SweptScratch scratch;
+  for (auto _ : state)
+    for (const Query& q : queries)
+      benchmark::DoNotOptimize(rock::exit_distance(*q.part, q.path, scratch));
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
+}
+
+/// The same parts and paths, every part by the tree over its facets, as if it were not convex.
+void exit_mesh(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<Query> queries = queries_of_next_step(d);
+  std::vector<mesh::TriangleTree> trees;
+  for (const bit::Part& p : d.plan.bit.parts) trees.emplace_back(p.mesh_P);
+  rock::MeshScratch scratch;
+  for (auto _ : state)
+    for (const Query& q : queries)
+      benchmark::DoNotOptimize(rock::exit_distance(trees[static_cast<std::size_t>(q.part->part)],
+                                                   q.path, q.part->depth, scratch));
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
+}
+
+/// One iteration visits the vertices near every group of parts; one item is a vertex.
+void grid_query(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<rock::GroupMotion> motions = next_motions(d);
+  std::vector<int> chains;
+  long vertices = 0;
+  for (auto _ : state)
+    for (const rock::GroupMotion& m : motions)
+      d.state.rock.grid.visit(m.region_W, chains,
+                              [&](const rock::VertexGrid::Block& b) { vertices += b.count; });
+  benchmark::DoNotOptimize(vertices);
+  state.SetItemsProcessed(vertices);
+}
+
+/// The same, and the test of every vertex against the hull of its group.
+void find_candidates(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<rock::GroupMotion> motions = next_motions(d);
+  std::vector<int> chains, candidates;
+  for (auto _ : state)
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      candidates.clear();
+      rock::find_candidates(d.state.rock.grid, d.state.bit.groups[i], motions[i], chains,
+                            candidates);
+      benchmark::DoNotOptimize(candidates.data());
+    }
+}
+
+/// One maintenance of what five steps have touched. The steps between are not counted.
+void maintain(benchmark::State& state) {
+  Drilling d = bit_b();
+  const long period = d.plan.maintenance.every;
+  d.plan.maintenance.every = 0;
+  long touched = 0;
+  for (auto _ : state) {
+    drill(d, period);
+    touched += static_cast<long>(d.state.rock.touched_list.size());
+    const double start = cpu_seconds();
+    rock::maintain(d.state.rock, d.state.limits, d.state.maintenance_work, d.state.maintenance);
+    state.SetIterationTime(cpu_seconds() - start);
+  }
+  state.SetItemsProcessed(touched);
+}
+
+/// Median of five repetitions.
+void repeat(benchmark::internal::Benchmark* b) {
+  b->Unit(benchmark::kMicrosecond)->Repetitions(5)->ReportAggregatesOnly();
+}
+
+BENCHMARK(exit_convex)->Apply(repeat);
+BENCHMARK(exit_mesh)->Apply(repeat);
+BENCHMARK(grid_query)->Apply(repeat);
+BENCHMARK(find_candidates)->Apply(repeat);
+BENCHMARK(maintain)->Apply(repeat)->UseManualTime()->Iterations(100);
+
+}  // namespace
+}  // namespace tdbd::bench
