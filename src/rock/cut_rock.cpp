@@ -79,20 +79,30 @@ void note_exit(Clear& clear, std::size_t part, bool convex) {
   clear.now = clear.for_good | bit;
 }
 
+void find_paths(const Rock& rock, const GroupMotion& m, const std::vector<int>& candidates,
+                CutWorkspace& w) {
+  w.paths.clear();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Vec3 &x_W = rock.surface.position(candidates[i]), &u_W = w.directions_W[i];
+    w.paths.push_back({m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W});
+  }
+}
+
 void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const GroupMotion& m,
                   const std::vector<int>& candidates, CutWorkspace& w, CutReport& report,
                   std::vector<int>& moved_by_group) {
   const CuttingPart& part = g.parts[which];
   begin_part(w, rock);
+  find_paths(rock, m, candidates, w);
+  prepare_exits(part, w.paths, w.swept);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Vec3 &x_W = rock.surface.position(candidates[i]), &u_W = w.directions_W[i];
-    const RelativePath path{m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W};
-    const auto t = exit_distance(part, path, w.swept);
+    const auto t = prepared_exit_distance(part, w.paths[i], w.swept);
     if (!t || *t <= 0.0) {
       note_outside(w.clear[i], which);
       continue;
     }
-    move_vertex(rock, w, candidates[i], x_W + *t * u_W, part);
+    const Vec3& x_W = rock.surface.position(candidates[i]);
+    move_vertex(rock, w, candidates[i], x_W + *t * w.directions_W[i], part);
     note_exit(w.clear[i], which, !part.tree_P);
   }
   if (w.moved.empty()) return;

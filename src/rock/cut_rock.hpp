@@ -33,7 +33,8 @@ struct CutWorkspace {
   std::vector<std::vector<int>> chains, moved_by_group, unclear_by_group;
   std::vector<int> moved, triangles;
   std::vector<Vec3> old_position, directions_W;
-  std::vector<Clear> clear;  ///< per candidate of the group at work
+  std::vector<RelativePath> paths;  ///< of the candidates, for the part at work
+  std::vector<Clear> clear;         ///< per candidate of the group at work
   std::vector<int> vertex_stamp, triangle_stamp;
   int stamp = 0;
 };

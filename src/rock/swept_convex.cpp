@@ -80,6 +80,7 @@ std::optional<double> exit_distance(const mesh::ConvexSolid& solid, const Relati
   if (inside.lo >= inside.hi) return std::nullopt;
   put_on_strip(solid, path, strip);
   Exit best = leave_at(strip, 0.5 * (inside.lo + inside.hi));
+  if (best.t == std::numeric_limits<double>::infinity()) return best.t;  // open that way
   constexpr int linearisations = 8;  // quadratic convergence: the turn of u in a step is small
   for (int k = 0; k < linearisations; ++k) {
     const Exit next = leave_towards(strip, best, highest_from(strip, best));

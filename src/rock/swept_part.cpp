@@ -1,5 +1,6 @@
 #include "rock/swept_part.hpp"
 
+#include "core/tolerance.hpp"
 #include "mesh/inside.hpp"
 
 namespace tdbd::rock {
@@ -13,6 +14,22 @@ std::optional<double> exit_distance(const CuttingPart& part, const RelativePath&
                                     SweptScratch& scratch) {
   return part.tree_P ? exit_distance(*part.tree_P, path, part.depth, scratch.mesh)
                      : exit_distance(part.solid_P, path, part.depth, scratch.convex);
+}
+
+void prepare_exits(const CuttingPart& part, const std::vector<RelativePath>& paths,
+                   SweptScratch& scratch) {
+  if (part.tree_P) return;
+  constexpr double usual_exit = 0.1;  // of the part's size; farther exits ask the whole part
+  find_near_planes(part.solid_P, paths, part.depth, usual_exit * part.depth / tolerance::swept,
+                   scratch.near);
+}
+
+std::optional<double> prepared_exit_distance(const CuttingPart& part, const RelativePath& path,
+                                             SweptScratch& scratch) {
+  if (part.tree_P || scratch.near.solid_P.planes == 0) return exit_distance(part, path, scratch);
+  const auto t = exit_distance(scratch.near.solid_P, path, part.depth, scratch.convex);
+  if (t && *t > scratch.near.t_max) return exit_distance(part, path, scratch);
+  return t;
 }
 
 double depth_inside(const CuttingPart& part, const Vec3& x_P) {

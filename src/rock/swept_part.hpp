@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "rock/cutting_bit.hpp"
+#include "rock/near_planes.hpp"
 #include "rock/swept_convex.hpp"
 #include "rock/swept_mesh.hpp"
 
@@ -12,12 +13,20 @@ namespace tdbd::rock {
 struct SweptScratch {
   PlaneStrip convex;
   MeshScratch mesh;
+  NearPlanes near;
 };
 
 /// The queries of swept_convex.hpp and swept_mesh.hpp, by what the part is; at the part's depth.
 bool is_swept(const CuttingPart& part, const RelativePath& path, SweptScratch& scratch);
 std::optional<double> exit_distance(const CuttingPart& part, const RelativePath& path,
                                     SweptScratch& scratch);
+
+/// Prepares for the exits of all these paths from one part; then each exit, the same as
+/// exit_distance gives.
+void prepare_exits(const CuttingPart& part, const std::vector<RelativePath>& paths,
+                   SweptScratch& scratch);
+std::optional<double> prepared_exit_distance(const CuttingPart& part, const RelativePath& path,
+                                             SweptScratch& scratch);
 
 /// How deep x lies inside (m, to the nearest face); 0 or less outside.
 double depth_inside(const CuttingPart& part, const Vec3& x_P);
