@@ -23,6 +23,12 @@ std::vector<rock::GroupMotion> next_motions(const Drilling& d) {
   return motions;
 }
 
+rock::RelativePath path_of(const rock::CuttingGroup& g, const rock::GroupMotion& m,
+                           const Vec3& x_W) {
+  const Vec3 u_W = rock::mapped_direction_W(g, m, x_W);
+  return {m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W};
+}
+
 /// A vertex that the next step sweeps, as the part that sweeps it sees it.
 struct Query {
   const rock::CuttingPart* part;
@@ -39,7 +45,7 @@ std::vector<Query> queries_of_next_step(const Drilling& d) {
     rock::find_candidates(d.state.rock.grid, g, motion, chains, candidates);
     for (const int v : candidates)
       for (const rock::CuttingPart& part : g.parts) {
-        const auto path = rock::relative_path(g, motion, d.state.rock.surface.position(v));
+        const auto path = path_of(g, motion, d.state.rock.surface.position(v));
         if (rock::is_swept(part, path, scratch)) queries.push_back({&part, path});
       }
   }

@@ -21,7 +21,7 @@ constexpr const char* usage =
     "Usage: self-intersections SURFACE\n"
     "Counts the pairs of triangles of a surface (.ply, .stl, .obj, .off; open or closed) that\n"
     "intersect, by CGAL's exact predicates, and measures the triangles' shape.\n"
-    "Example: self-intersections results/bit-b/frames/rock_final.ply\n"
+    "Example: self-intersections results/bit-b/rock_final.ply\n"
     "Exit codes: 0 no such pair, 1 some, 2 the file cannot be judged.\n";
 
 constexpr std::size_t most_pairs_listed = 10;
