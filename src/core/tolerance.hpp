@@ -19,4 +19,8 @@ inline constexpr double convex = 5e-7;
 /// The volume ledger closes to this; scale: the largest volume in it (formulation 2.5).
 inline constexpr double ledger = 1e-12;
 
+/// Symmetry of an inertia, and the triangle inequality of its principal values (equality is a flat
+/// body); scale: the largest of them.
+inline constexpr double inertia = 1e-9;
+
 }  // namespace tdbd::tolerance

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace tdbd::dynamics {
+
+/// A cone of a bit: it turns about an axis fixed in the bit and is dynamically symmetric about it.
+/// Frame B: the bit.
+struct Cone {
+  Vec3 axis_B = Vec3::UnitZ();  ///< s_k, unit
+  double axial_inertia = 0.0;   ///< Ic_k, kg m2, about the axis
+};
+
+/// A rigid body that carries any number of spinning cones, zero included (thesis: 5.1-5.3;
+/// formulation 4). The assumptions: every cone is symmetric about its axis and has its centre of
+/// mass on it, so that I does not depend on the cones' angles.
+struct Gyrostat {
+  Mat3 inertia_B = Mat3::Identity();  ///< I, kg m2, body and cones locked, about the centre of mass
+  std::vector<Cone> cones;
+
+  // Derived by make_gyrostat.
+  Mat3 carrier_B = Mat3::Identity();          ///< It = I - sum_k Ic_k s_k s_k^T
+  Mat3 carrier_inverse_B = Mat3::Identity();  ///< It^-1
+  Vec3 principal = Vec3::Ones();              ///< principal values of It, ascending, kg m2
+  Mat3 principal_axes_B = Mat3::Identity();   ///< their axes as columns, right-handed
+};
+
+/// Whether an inertia that no body can have is accepted: published benchmarks use such.
+enum class InertiaCheck { on, off };
+
+/// Why these cannot be the inertias of a body with cones, with the offending value; empty when they
+/// can. `off` asks only for what the equations need: symmetric, finite, It positive definite.
+std::string inertia_problem(const Mat3& inertia_B, const std::vector<Cone>& cones,
+                            InertiaCheck check);
+
+/// Makes the axes unit and derives the rest. Throws InputError with inertia_problem's reason.
+Gyrostat make_gyrostat(const Mat3& inertia_B, std::vector<Cone> cones,
+                       InertiaCheck check = InertiaCheck::on);
+
+}  // namespace tdbd::dynamics
