@@ -23,4 +23,7 @@ inline constexpr double ledger = 1e-12;
 /// body); scale: the largest of them.
 inline constexpr double inertia = 1e-9;
 
+/// An attitude given as a matrix is a rotation when no entry of R^T R - 1 is larger; scale: 1.
+inline constexpr double rotation = 1e-9;
+
 }  // namespace tdbd::tolerance
