@@ -23,4 +23,8 @@ inline constexpr double ledger = 1e-12;
 /// body); scale: the largest of them.
 inline constexpr double inertia = 1e-9;
 
+/// Principal inertias closer than this are equal: what taking the cones out of a symmetric bit
+/// leaves by rounding; scale: the largest of them.
+inline constexpr double equal_inertia = 1e-14;
+
 }  // namespace tdbd::tolerance
