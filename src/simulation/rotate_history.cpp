@@ -57,7 +57,7 @@ void row_of(const RotateCase& c, const dynamics::RotationState& s, std::vector<d
   row.insert(row.end(), s.cone_momenta.begin(), s.cone_momenta.end());
   for (std::size_t k = 0; k < c.body.cones.size(); ++k)
     row.push_back(dynamics::cone_rate(c.body.cones[k], s.cone_momenta[k], w_B));
-  row.insert(row.end(), {kinetic, potential, kinetic + potential, s.twist});
+  row.insert(row.end(), {kinetic, potential, kinetic + potential, twist(s)});
   add(row, R_WB.col(2));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "rotation/swing_twist.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -23,7 +24,7 @@ void watch(const RotateCase& c, const RotationState& s, Invariants& v) {
 }
 
 bool is_finite(const RotationState& s) {
-  double sum = s.momentum_W.sum() + s.q_WB.coeffs().sum() + s.twist;
+  double sum = s.momentum_W.sum() + s.q_WB.coeffs().sum();
   for (std::size_t k = 0; k < s.cone_angles.size(); ++k)
     sum += s.cone_angles[k] + s.cone_momenta[k];
   return std::isfinite(sum);
@@ -34,6 +35,8 @@ bool is_finite(const RotationState& s) {
 double total_energy(const RotateCase& c, const RotationState& s) {
   return dynamics::kinetic_energy(c.body, s) + dynamics::potential_energy(c.loads, s);
 }
+
+double twist(const RotationState& s) { return rotation::twist_angle(s.q_WB, s.turns); }
 
 RotateSimulation start(const RotateCase& c) {
   RotateSimulation s;

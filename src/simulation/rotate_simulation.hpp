@@ -31,6 +31,9 @@ struct RotateSimulation {
 /// Kinetic and potential energy, J.
 double total_energy(const RotateCase& c, const dynamics::RotationState& s);
 
+/// Turn about the space's z axis, swing-twist, unwrapped, rad.
+double twist(const dynamics::RotationState& s);
+
 /// The case at t = 0.
 RotateSimulation start(const RotateCase& c);
 

@@ -37,7 +37,7 @@ Json state_json(const RotateCase& c, const RotateSimulation& s) {
           {"cone_angles", state.cone_angles},
           {"cone_momenta", state.cone_momenta},
           {"cone_spins", cone_spins(c, state)},
-          {"twist_rad", state.twist}};
+          {"twist_rad", twist(state)}};
 }
 
 Json invariants_json(const Invariants& v, double energy_end) {
