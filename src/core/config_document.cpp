@@ -174,6 +174,7 @@ std::string describe(const toml::node* node) {
   if (const toml::array* array = node->as_array())
     return fmt::format("an array of {}", array->size());
   if (const auto text = node->as_string()) return toml_string(text->get());
+  if (const auto number = node->as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node->visit([&out](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>) out << value;
