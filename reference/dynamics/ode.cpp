@@ -5,12 +5,13 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "core/error.hpp"
+#include "reference/dynamics/quiet_gsl.hpp"
 
 namespace tdbd::reference {
 namespace {
 
-/// Of the whole time.
-constexpr double first_step = 1e-3, smallest_step = 1e-14;
+constexpr double first_step = 1e-3, smallest_step = 1e-14;  // of the whole time
+constexpr int most_steps = 200'000;
 
 const gsl_odeiv2_step_type* step_type(OdeMethod method) {
   return method == OdeMethod::rk8pd ? gsl_odeiv2_step_rk8pd : gsl_odeiv2_step_rkf45;
@@ -49,20 +50,11 @@ struct Stepper {
   gsl_odeiv2_evolve* evolve;
 };
 
-/// GSL reports by return value while this lives, instead of ending the program.
-struct QuietErrors {
-  gsl_error_handler_t* before = gsl_set_error_handler_off();
-  QuietErrors() = default;
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
-  ~QuietErrors() { gsl_set_error_handler(before); }
-};
-
 }  // namespace
 
 long integrate(const RightHandSide& f, OdeMethod method, const OdeTolerance& tolerance, double t0,
                double t1, std::vector<double>& y) {
-  const QuietErrors quiet;
+  const QuietGsl quiet;
   const Stepper s(method, tolerance, y.size());
   Context context{f, y.size()};
   const gsl_odeiv2_system system{evaluate, nullptr, y.size(), &context};
@@ -70,14 +62,16 @@ long integrate(const RightHandSide& f, OdeMethod method, const OdeTolerance& tol
   double elapsed = 0.0, lost = 0.0;
   // Each step counts its time from 0 and the steps are summed with their rounding (Kahan). GSL's
   // own sum loses the same bits at every equal step: a clock wrong by 1e-12 s after 5000.
+  int steps = 0;
   for (double left = t1 - t0; left > 0.0; left = (t1 - t0 - elapsed) + lost) {
     context.step_start = t0 + elapsed;
     double taken = 0.0;
     const int status =
         gsl_odeiv2_evolve_apply(s.evolve, s.control, s.step, &system, &taken, left, &h, y.data());
-    if (status != GSL_SUCCESS || !(taken > smallest_step * (t1 - t0) || taken == left))
-      throw RunError(fmt::format("GSL's step at t = {} s fell to {} s: {}", context.step_start, h,
-                                 gsl_strerror(status)));
+    const bool moved = taken > smallest_step * (t1 - t0) || taken == left;
+    if (status != GSL_SUCCESS || !moved || ++steps > most_steps)
+      throw RunError(fmt::format("GSL stopped at t = {} s, step {}, with h = {} s: {}",
+                                 context.step_start, steps, h, gsl_strerror(status)));
     const double corrected = taken - lost, sum = elapsed + corrected;
     lost = (sum - elapsed) - corrected;
     elapsed = sum;

@@ -20,7 +20,7 @@ struct OdeTolerance {
 };
 
 /// Integrates y from t0 to t1 > t0 and returns how often f was evaluated. Throws RunError when the
-/// step becomes too small for the tolerance.
+/// step becomes too small for the tolerance, and after 200 000 steps.
 long integrate(const RightHandSide& f, OdeMethod method, const OdeTolerance& tolerance, double t0,
                double t1, std::vector<double>& y);
 

@@ -14,7 +14,7 @@ using dynamics::Loads;
 
 /// What rounding leaves after 10 s and up to 500 rad; scale: 1 + momentum, angles in rad.
 constexpr double rounding = 1e-12;
-/// free_asym_unstable passes the saddle and multiplies the rounding of its written start by 1e5.
+/// free_asym_unstable passes the saddle again and again, which multiplies every rounding by 1e4.
 constexpr double rounding_past_the_saddle = 2e-10;
 
 double largest_difference(const GyrostatState& a, const battery::GoldenState& b) {
