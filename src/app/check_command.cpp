@@ -3,9 +3,27 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "simulation/rotate_simulation.hpp"
 #include "simulation/simulation.hpp"
 
 namespace tdbd::app {
+namespace {
+
+void check_run(const std::string& file, const std::vector<std::string>& overrides) {
+  const simulation::Case c = simulation::read_case(file, overrides);
+  const simulation::Simulation s = simulation::start(c);
+  fmt::print("{}: right; {} parts, {} triangles of rock, {} steps of {} s\n", file,
+             c.bit.parts.size(), s.start_triangles, c.time.steps, c.time.step);
+}
+
+void check_rotate(const std::string& file, const std::vector<std::string>& overrides) {
+  const simulation::RotateCase c = simulation::read_rotate_case(file, overrides);
+  const simulation::RotateSimulation s = simulation::start(c);
+  fmt::print("{}: right; {} cones, {} steps of {} s, energy {:.6g} J\n", file, c.body.cones.size(),
+             c.time.steps, c.time.step, s.invariants.energy);
+}
+
+}  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
   auto* command =
@@ -17,10 +35,8 @@ void add_check(CLI::App& app, int& exit_code) {
   command->footer("Example: tdbd check cases/bit-b-steady.toml");
   command->callback([file, overrides, &exit_code] {
     exit_code = guarded([&] {
-      const simulation::Case c = simulation::read_case(*file, *overrides);
-      const simulation::Simulation s = simulation::start(c);
-      fmt::print("{}: right; {} parts, {} triangles of rock, {} steps of {} s\n", *file,
-                 c.bit.parts.size(), s.start_triangles, c.time.steps, c.time.step);
+      simulation::is_rotate_case(*file) ? check_rotate(*file, *overrides)
+                                        : check_run(*file, *overrides);
       return 0;
     });
   });

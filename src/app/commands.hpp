@@ -10,6 +10,8 @@ namespace tdbd::app {
 
 /// Each adds one subcommand; when it runs, its exit code goes to `exit_code`.
 void add_run(CLI::App& app, int& exit_code);
+void add_rotate(CLI::App& app, int& exit_code);
+void add_converge(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_bit(CLI::App& app, int& exit_code);
 

@@ -35,6 +35,8 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 1 the computation failed, 2 the input is wrong, 130 interrupted.");
   int exit_code = 0;
   tdbd::app::add_run(app, exit_code);
+  tdbd::app::add_rotate(app, exit_code);
+  tdbd::app::add_converge(app, exit_code);
   tdbd::app::add_check(app, exit_code);
   tdbd::app::add_bit(app, exit_code);
   try {

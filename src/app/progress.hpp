@@ -1,8 +1,7 @@
 #pragma once
 
 #include <chrono>
-
-#include "simulation/simulation.hpp"
+#include <string>
 
 namespace tdbd::app {
 
@@ -10,7 +9,10 @@ namespace tdbd::app {
 class Progress {
  public:
   Progress();
-  void show(const simulation::Simulation& s, long total);
+  /// Whether it is time to show something: after a while, and at the end.
+  bool is_due(long done, long total) const;
+  /// Shows how much is done, the time left, and `detail` behind them.
+  void show(long done, long total, const std::string& detail);
   void finish();
 
  private:

@@ -1,27 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/interrupts.hpp"
 #include "app/progress.hpp"
 #include "simulation/run.hpp"
 
 namespace tdbd::app {
 namespace {
-
-constexpr int interrupted_code = 130;  ///< 128 + SIGINT, as a shell would say it
-
-std::atomic<bool> interrupted{false};
-
-void on_interrupt(int) { interrupted = true; }
-
-/// Ctrl-C, a polite kill and a closed terminal end the run after its step.
-void catch_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_interrupt);
-}
 
 struct Arguments {
   std::string case_file, folder;
@@ -37,6 +25,11 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder) {
   fmt::print("results in {}\n", folder);
 }
 
+std::string detail_of(const simulation::Simulation& s) {
+  return fmt::format("  {} triangles  {:.3f} cm3", s.rock.surface.triangle_count(),
+                     1e6 * s.ledger.removed.value());
+}
+
 simulation::RunOptions options_of(const Arguments& a) {
   simulation::RunOptions options;
   options.folder = a.folder.empty() ? std::filesystem::path("results") /
@@ -44,18 +37,17 @@ simulation::RunOptions options_of(const Arguments& a) {
                                     : std::filesystem::path(a.folder);
   options.overwrite = a.force ? simulation::Overwrite::force : simulation::Overwrite::no;
   options.threads = a.threads;
-  options.interrupted = &interrupted;
+  options.interrupted = &catch_interrupts();
   return options;
 }
 
 int run(const Arguments& a) {
-  catch_interrupts();
-  const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
   simulation::RunOptions options = options_of(a);
+  const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
   Progress progress;
   if (!a.quiet)
     options.progress = [&](const simulation::Simulation& s, long total) {
-      progress.show(s, total);
+      if (progress.is_due(s.steps_done, total)) progress.show(s.steps_done, total, detail_of(s));
     };
   const simulation::RunSummary summary = simulation::run(c, options);
   if (!a.quiet) {

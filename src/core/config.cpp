@@ -68,6 +68,17 @@ void Config::other_file(const std::string& message) {
   document_->other_mistakes.push_back(message);
 }
 
+std::size_t Config::problem_count() const {
+  return document_->problems.size() + document_->other_mistakes.size();
+}
+
+std::map<std::string, double> Config::quantities() const {
+  std::map<std::string, double> quantities;
+  for (const auto& [key, value] : document_->values)
+    if (value.quantity) quantities[key] = *value.quantity;
+  return quantities;
+}
+
 std::vector<std::string> Config::files() const {
   std::vector<std::string> files{document_->file};
   for (const auto& [key, value] : document_->values)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,8 @@ class Config {
                   Range range = {});
   /// Three quantities.
   Vec3 vector(std::string_view key, const std::string& si_unit, std::optional<Vec3> fallback);
+  /// 3 x 3 quantities, row by row: [[a, b, c], [d, e, f], [g, h, i]].
+  Mat3 matrix(std::string_view key, const std::string& si_unit, std::optional<Mat3> fallback);
   /// A whole number from lo to hi, ends included.
   long integer(std::string_view key, std::optional<long> fallback, long lo, long hi);
   /// true, false, "on" or "off".
@@ -81,6 +84,10 @@ class Config {
   /// Notes the mistakes of a file that this one names, whose message tells file and line itself.
   void other_file(const std::string& message);
 
+  /// How many mistakes were noted so far: a caller's check across keys makes no sense when one of
+  /// the keys was wrong.
+  std::size_t problem_count() const;
+
   /// Throws InputError when there were problems, or keys that nobody read; one line for each,
   /// sorted by line: "FILE:LINE: KEY: found F, expected E". Mistakes of other files follow.
   void finish() const;
@@ -91,6 +98,9 @@ class Config {
   /// The resolved text with every path replaced by a hash of the file's bytes: equal for equal
   /// content, wherever the files lie.
   std::string fingerprint() const;
+
+  /// Every single quantity read so far, by its dotted key, in SI.
+  std::map<std::string, double> quantities() const;
 
   /// The file itself and those that paths read so far name.
   std::vector<std::string> files() const;

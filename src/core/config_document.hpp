@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ struct ResolvedValue {
   std::string toml;     ///< empty: TOML cannot say it (a default without limit)
   std::string comment;  ///< the unit
   std::string file;     ///< of a path: the file that it names; empty otherwise
+  std::optional<double> quantity = std::nullopt;  ///< of a single quantity: its value in SI
 };
 
 /// What all Configs of one file share: the tree, what was read of it, what was wrong with it.

@@ -22,6 +22,12 @@ std::string vector_text(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
 }
 
+std::string matrix_text(const Mat3& m) {
+  if (!m.allFinite()) return "";
+  return fmt::format("[{}, {}, {}]", vector_text(m.row(0)), vector_text(m.row(1)),
+                     vector_text(m.row(2)));
+}
+
 /// A number in SI, or a text with a unit. Throws UnitError.
 double read_quantity(const toml::node& node, const std::string& si_unit) {
   if (const auto text = node.as_string()) return to_si(text->get(), si_unit);
@@ -33,6 +39,14 @@ double read_quantity(const toml::node& node, const std::string& si_unit) {
                      : fmt::format("{}, or a text with a unit", describe_unit(si_unit));
   if (!x || !std::isfinite(*x)) throw UnitError(describe(&node), expected);
   return *x;
+}
+
+/// An array of three quantities. Throws UnitError.
+Vec3 read_three(const toml::node& node, const std::string& si_unit, const std::string& expected) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->size() != 3) throw UnitError(describe(&node), expected);
+  return {read_quantity((*array)[0], si_unit), read_quantity((*array)[1], si_unit),
+          read_quantity((*array)[2], si_unit)};
 }
 
 /// How one kind of value is read.
@@ -90,21 +104,34 @@ double Config::quantity(std::string_view key, const std::string& si_unit,
     if (!range.contains(x)) throw UnitError(describe(&node), expected);
     return x;
   };
-  return read_value<double>(*document_, full(key), fallback,
-                            {expected, si_unit, harmless_number(range), convert, number_text});
+  const double value =
+      read_value<double>(*document_, full(key), fallback,
+                         {expected, si_unit, harmless_number(range), convert, number_text});
+  if (std::isfinite(value)) document_->values[full(key)].quantity = value;
+  return value;
 }
 
 Vec3 Config::vector(std::string_view key, const std::string& si_unit,
                     std::optional<Vec3> fallback) {
   const std::string expected = fmt::format("an array of three: {}", describe_unit(si_unit));
-  const auto convert = [&](const toml::node& node) {
-    const toml::array* array = node.as_array();
-    if (array == nullptr || array->size() != 3) throw UnitError(describe(&node), expected);
-    return Vec3(read_quantity((*array)[0], si_unit), read_quantity((*array)[1], si_unit),
-                read_quantity((*array)[2], si_unit));
-  };
+  const auto convert = [&](const toml::node& node) { return read_three(node, si_unit, expected); };
   return read_value<Vec3>(*document_, full(key), fallback,
                           {expected, si_unit, Vec3::UnitZ(), convert, vector_text});
+}
+
+Mat3 Config::matrix(std::string_view key, const std::string& si_unit,
+                    std::optional<Mat3> fallback) {
+  const std::string expected = fmt::format("three rows of three: {}", describe_unit(si_unit));
+  const auto convert = [&](const toml::node& node) {
+    const toml::array* rows = node.as_array();
+    if (rows == nullptr || rows->size() != 3) throw UnitError(describe(&node), expected);
+    Mat3 m;
+    for (int i = 0; i < 3; ++i)
+      m.row(i) = read_three((*rows)[static_cast<std::size_t>(i)], si_unit, expected);
+    return m;
+  };
+  return read_value<Mat3>(*document_, full(key), fallback,
+                          {expected, si_unit, Mat3::Identity(), convert, matrix_text});
 }
 
 long Config::integer(std::string_view key, std::optional<long> fallback, long lo, long hi) {

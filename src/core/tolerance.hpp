@@ -23,4 +23,11 @@ inline constexpr double ledger = 1e-12;
 /// body); scale: the largest of them.
 inline constexpr double inertia = 1e-9;
 
+/// An attitude given as a matrix is a rotation when no entry of R^T R - 1 is larger; scale: 1.
+inline constexpr double rotation = 1e-9;
+
+/// Principal inertias closer than this are equal: what taking the cones out of a symmetric bit
+/// leaves by rounding; scale: the largest of them.
+inline constexpr double equal_inertia = 1e-14;
+
 }  // namespace tdbd::tolerance

@@ -19,7 +19,7 @@ namespace {
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 
 /// The dimensions that the program's input uses, for messages.
-constexpr std::array<std::pair<const char*, const char*>, 17> dimension_names{{
+constexpr std::array<std::pair<const char*, const char*>, 20> dimension_names{{
     {"1", "a plain number"},
     {"m", "length"},
     {"m2", "area"},
@@ -34,6 +34,9 @@ constexpr std::array<std::pair<const char*, const char*>, 17> dimension_names{{
     {"kg/m3", "density"},
     {"N", "force"},
     {"N m", "torque"},
+    {"N m/rad", "rotational stiffness"},
+    {"N m s/rad", "rotational damping"},
+    {"kg m2", "moment of inertia"},
     {"Pa", "pressure"},
     {"W", "power"},
     {"K", "temperature"},

@@ -19,6 +19,14 @@ void principal_frame(const Mat3& A, Vec3& values, Mat3& axes) {
   if (axes.determinant() < 0.0) axes.col(0) = -axes.col(0);
 }
 
+/// Principal values that differ by rounding alone are those of a symmetric body: its drifts are
+/// shorter, and exact where those of a nearly symmetric one are not.
+void join_equal(Vec3& ascending) {
+  const double rounding = tolerance::equal_inertia * ascending[2];
+  if (ascending[1] - ascending[0] <= rounding) ascending[0] = ascending[1];
+  if (ascending[2] - ascending[1] <= rounding) ascending[2] = ascending[1];
+}
+
 Vec3 principal_values(const Mat3& A) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(A, Eigen::EigenvaluesOnly).eigenvalues();
 }
@@ -108,6 +116,7 @@ Gyrostat make_gyrostat(const Mat3& inertia_B, std::vector<Cone> cones, InertiaCh
   for (Cone& c : g.cones) c.axis_B.normalize();
   g.carrier_inverse_B = g.carrier_B.inverse();
   principal_frame(g.carrier_B, g.principal, g.principal_axes_B);
+  join_equal(g.principal);
   return g;
 }
 

@@ -17,8 +17,8 @@ struct RotationStateOf {
   Vec3Of<S> momentum_W = Vec3Of<S>::Zero();  ///< N m s, body and cones, about the centre of mass
   std::vector<S> cone_angles;                ///< phi_k, rad, unwrapped
   std::vector<S> cone_momenta;               ///< pi_k, N m s, about the cone's axis
-  S twist = S(0);                            ///< rad about space z, unwrapped (swing-twist)
-  double time = 0.0;                         ///< s
+  long turns = 0;     ///< double turns that the twist about space z has passed
+  double time = 0.0;  ///< s
 };
 
 using RotationState = RotationStateOf<double>;

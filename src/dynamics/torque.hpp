@@ -1,25 +1,79 @@
 #pragma once
 
+#include <cmath>
+
 #include "dynamics/loads.hpp"
 #include "dynamics/momenta.hpp"
+#include "dynamics/spring.hpp"
 
 namespace tdbd::dynamics {
 
-/// What acts on a gyrostat at one instant.
+/// What acts on a gyrostat at one instant (formulation 4; thesis: 5.2.2).
 template <class S>
 struct TorqueOf {
   Vec3Of<S> total_W = Vec3Of<S>::Zero();  ///< N m, from outside, on body and cones
-  std::vector<S> cones;                   ///< N m, T_k . s_k: changes of the cones' momenta
+  std::vector<S> cones;                   ///< N m, T_k . s_k: what changes the cones' momenta
 };
 using Torque = TorqueOf<double>;
 
 /// Whether a load depends on velocity (dampers do).
-bool depends_on_velocity(const Loads& loads);
+inline bool depends_on_velocity(const Loads& loads) {
+  if (!loads.damping_W.isZero(0.0)) return true;
+  for (const ConeLoad& cone : loads.cones)
+    if (cone.damping != 0.0) return true;
+  return false;
+}
 
-/// Torque of the loads at the state's time, attitude and momenta, into `out` (no allocation once it
-/// has the cones' number). Formulation 4; thesis: 5.2.2.
+/// Torque of the samples at this time, N m, in their frame.
+Vec3 sampled_torque(const SampledTorque& samples, double time);
+
+/// The loads that depend on nothing but time, N m, in the frames they are given in.
+struct TimedTorque {
+  Vec3 body_B, space_W;
+};
+void add_timed_torque(const Loads& loads, double time, TimedTorque& sum);
+
+/// Torque of gravity about the fixed point: -V's gradient. Its vertical component is zero, exactly.
 template <class S>
-void evaluate(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s, TorqueOf<S>& out);
+Vec3Of<S> gravity_torque_W(const Loads& loads, const RotationStateOf<S>& s) {
+  const Vec3Of<S> e = s.q_WB * Vec3Of<S>(loads.gravity_arm_B.cast<S>());
+  return {-loads.gravity_moment * e[1], loads.gravity_moment * e[0], S(0)};
+}
+
+/// Torques on the cones; the part from outside joins the total.
+template <class S>
+void add_cone_torques(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
+                      const Vec3Of<S>& w_B, TorqueOf<S>& out) {
+  Vec3Of<S> external_B = Vec3Of<S>::Zero();
+  for (std::size_t k = 0; k < loads.cones.size(); ++k) {
+    const ConeLoad& load = loads.cones[k];
+    out.cones[k] = S(load.internal + load.external);
+    if (load.damping != 0.0)
+      out.cones[k] -= load.damping * cone_rate<S>(g.cones[k], s.cone_momenta[k], w_B);
+    external_B += (load.external * g.cones[k].axis_B).cast<S>();
+  }
+  out.total_W += s.q_WB * external_B;
+}
+
+/// Torque of the loads at the state's time, attitude and momenta. No allocation once `out` has the
+/// cones' number.
+template <class S>
+void evaluate(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
+              TorqueOf<S>& out) {
+  TimedTorque timed{loads.body_torque_B, loads.space_torque_W};
+  if (!loads.harmonics.empty() || !loads.samples.empty()) add_timed_torque(loads, s.time, timed);
+  out.cones.assign(g.cones.size(), S(0));
+  out.total_W = timed.space_W.cast<S>();
+  if (!timed.body_B.isZero(0.0)) out.total_W += s.q_WB * Vec3Of<S>(timed.body_B.cast<S>());
+  if (loads.gravity_moment != 0.0) out.total_W += gravity_torque_W(loads, s);
+  if (!loads.stiffness_W.isZero(0.0)) out.total_W += spring_torque_W(loads.stiffness_W, s);
+  Vec3Of<S> w_B = Vec3Of<S>::Zero();
+  if (depends_on_velocity(loads)) {
+    w_B = angular_velocity(g, s);
+    out.total_W -= loads.damping_W.cast<S>().cwiseProduct(s.q_WB * w_B);
+  }
+  if (!loads.cones.empty()) add_cone_torques(g, loads, s, w_B, out);
+}
 
 /// Potential energy of gravity and springs, J.
 double potential_energy(const Loads& loads, const RotationState& s);

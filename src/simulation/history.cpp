@@ -1,61 +1,40 @@
 #include "simulation/history.hpp"
 
-#include <fmt/format.h>
-
-#include <iterator>
-
-#include "mesh/files_whole.hpp"
 #include "simulation/history_columns.hpp"
-#include "simulation/history_netcdf.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
-std::filesystem::path csv_beside(std::filesystem::path path) {
-  return path.replace_extension(".csv");
-}
-
-/// Column names with units, as a spreadsheet's first row: "position_x [m]".
-std::string csv_head() {
-  std::string line;
+/// The columns of a row, then what every part removed, which the csv leaves out.
+RecordLayout layout_for(const std::vector<HistoryPart>& parts) {
+  RecordLayout layout;
+  RecordLabels names{"part_name", "name of the part", 0, {}};
+  RecordLabels kinds{"part_kind", "kind of the part", 0, {}};
+  for (const HistoryPart& p : parts) {
+    names.texts.push_back(p.name);
+    kinds.texts.push_back(p.kind);
+  }
+  layout.axes = {{"part", names.texts}};
   for (const HistoryColumn& c : history_columns)
-    line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", c.name, c.units);
-  return line + "\n";
-}
-
-/// The shortest digits that read back to the bit.
-std::string csv_line(const HistoryRow& row) {
-  std::string line;
-  for (const HistoryColumn& c : history_columns)
-    fmt::format_to(std::back_inserter(line), "{}{}", line.empty() ? "" : ",", c.value(row));
-  return line + "\n";
+    layout.columns.push_back({c.name, c.units, c.long_name});
+  layout.columns.push_back(
+      {"removed_volume_by_part", "m3", "rock removed by the part in the step", 0, InCsv::no});
+  layout.labels = {names, kinds};
+  return layout;
 }
 
 }  // namespace
 
-struct History::Files {
-  std::filesystem::path path;
-  HistoryNetcdf netcdf;
-  mesh::WholeFile csv;
-};
-
 History::History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts)
-    : files_(
-          new Files{path, {mesh::partial_path(path), parts}, mesh::WholeFile(csv_beside(path))}) {
-  files_->csv.stream() << csv_head();
-}
-
-History::~History() = default;
+    : record_(path, layout_for(parts)) {}
 
 void History::append(const HistoryRow& row) {
-  files_->netcdf.append(row);
-  files_->csv.stream() << csv_line(row);
+  row_.clear();
+  for (const HistoryColumn& c : history_columns) row_.push_back(c.value(row));
+  row_.insert(row_.end(), row.removed_volume_by_part.begin(), row.removed_volume_by_part.end());
+  record_.append(row_);
 }
 
-void History::close() {
-  files_->csv.commit();  // first: the smaller one still fits where the other fills the disk
-  files_->netcdf.close();
-  mesh::rename_partial(files_->path);
-}
+void History::close() { record_.close(); }
 
 }  // namespace tdbd::simulation

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/types.hpp"
+#include "simulation/record.hpp"
 
 namespace tdbd::simulation {
 
@@ -28,18 +28,12 @@ struct HistoryPart {
   std::string kind;  ///< "face"
 };
 
-/// Records rows as NetCDF-4 (`history.nc`: dimensions time and part, every variable with units and
-/// long_name) and, without the columns by part, as `history.csv` beside it. Rows are written in
-/// blocks, so that one costs microseconds. Nothing in the files depends on when they were written.
+/// Records rows as `history.nc` (dimensions time and part) and, without the columns by part, as
+/// `history.csv` beside it: a Record with the columns of a run.
 class History {
  public:
   /// Creates `path.partial`. Throws RunError when it cannot.
   History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts);
-
-  /// Without close(), history.nc.partial stays with the blocks written so far; no csv stays.
-  ~History();
-  History(const History&) = delete;
-  History& operator=(const History&) = delete;
 
   /// Throws RunError when a block cannot be written, or `row` does not have the parts' number.
   void append(const HistoryRow& row);
@@ -49,8 +43,8 @@ class History {
   void close();
 
  private:
-  struct Files;
-  std::unique_ptr<Files> files_;
+  Record record_;
+  std::vector<double> row_;  ///< kept from row to row: no allocation
 };
 
 }  // namespace tdbd::simulation

@@ -21,9 +21,10 @@ namespace fs = std::filesystem;
 
 /// Names that a run leaves in its folder, besides the frames.
 constexpr std::string_view result_names[] = {
-    "summary.json",  "timing.json", "history.nc", "history.csv",    "case.toml",
-    "checkpoint.nc", "rock.pvd",    "bit.pvd",    "rock_final.ply", "bit.json",
-    "bit.stl",       "bit.vtp",     "failure.txt"};
+    "summary.json",   "timing.json",      "history.nc",      "history.csv",
+    "case.toml",      "checkpoint.nc",    "rock.pvd",        "bit.pvd",
+    "rock_final.ply", "bit.json",         "bit.stl",         "bit.vtp",
+    "failure.txt",    "convergence.json", "convergence.csv", "convergence.svg"};
 
 /// "rock-000123.vtp", "bit_final.vtp": what a run writes into frames.
 bool is_frame(const fs::path& file) {
@@ -72,7 +73,7 @@ fs::path OutputFolder::frame(const std::string& name, long number) const {
 }
 
 OutputFolder prepare(const fs::path& path, Overwrite overwrite,
-                     const std::vector<std::string>& inputs) {
+                     const std::vector<std::string>& inputs, HasFrames frames) {
   const OutputFolder folder{path};
   try {
     if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "is a file");
@@ -82,12 +83,12 @@ OutputFolder prepare(const fs::path& path, Overwrite overwrite,
     }
     if (fs::exists(folder.frames()) && !fs::is_directory(folder.frames()))
       refuse(path, "its frames is a file");
-    fs::create_directories(folder.frames());
+    fs::create_directories(frames == HasFrames::yes ? folder.frames() : path);
   } catch (const fs::filesystem_error& e) {
     refuse(path, e.code().message());
   }
-  if (access(folder.frames().c_str(), W_OK) != 0 || access(path.c_str(), W_OK) != 0)
-    refuse(path, "not writable");
+  const bool frames_closed = frames == HasFrames::yes && access(folder.frames().c_str(), W_OK) != 0;
+  if (frames_closed || access(path.c_str(), W_OK) != 0) refuse(path, "not writable");
   return folder;
 }
 

@@ -9,6 +9,9 @@ namespace tdbd::simulation {
 /// Whether results may take the place of older ones.
 enum class Overwrite { no, force };
 
+/// Whether a result has pictures of its steps in a folder `frames`.
+enum class HasFrames { yes, no };
+
 /// A result folder, ready to be written to. Names of results are those of the design.
 struct OutputFolder {
   std::filesystem::path path;
@@ -29,12 +32,13 @@ struct OutputFolder {
 inline constexpr const char* resolved_head =
     "# Resolved by tdbd: every default written out, in SI.";
 
-/// Makes `path` and its `frames` with all parents. With `force`, results of an older run go (files
-/// of other names stay), so that no frame of it is taken for one of this run. Throws InputError,
-/// and changes nothing, when the folder is not empty and `overwrite` is no, when it or its `frames`
-/// is a file, when it cannot be written to, or when a file to be replaced is one of `inputs` or a
-/// case.toml that a user wrote.
+/// Makes `path`, and its `frames` when it has some, with all parents. With `force`, results of an
+/// older run go (files of other names stay), so that no frame of it is taken for one of this run.
+/// Throws InputError, and changes nothing, when the folder is not empty and `overwrite` is no, when
+/// it or its `frames` is a file, when it cannot be written to, or when a file to be replaced is one
+/// of `inputs` or a case.toml that a user wrote.
 OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite,
-                     const std::vector<std::string>& inputs = {});
+                     const std::vector<std::string>& inputs = {},
+                     HasFrames frames = HasFrames::yes);
 
 }  // namespace tdbd::simulation

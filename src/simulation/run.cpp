@@ -16,6 +16,7 @@
 #include "simulation/bit_output.hpp"
 #include "simulation/frames.hpp"
 #include "simulation/history.hpp"
+#include "simulation/try_to.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -71,12 +72,6 @@ std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r)
   return counts;
 }
 
-double median(std::vector<double> v) {
-  if (v.empty()) return 0.0;
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
-
 /// What a run writes on its way.
 struct Recorder {
   OutputFolder folder;
@@ -101,16 +96,6 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     if (o.progress) o.progress(s, c.time.steps);
   }
   return RunStatus::completed;
-}
-
-/// Writes what can still be written after a failure; a second failure (the disk is full) leaves the
-/// rest unwritten.
-template <class Write>
-void try_to(Write write) {
-  try {
-    write();
-  } catch (const std::exception&) {  // the first error is the one that is told
-  }
 }
 
 std::string failure_of(const Case& c, const Simulation& s, const std::string& what) {
@@ -173,8 +158,7 @@ RunSummary run(const Case& c, const RunOptions& o) {
   Recorder recorder(c, folder);
   const RunSummary summary = summary_of(c, s, run_steps(c, s, o, recorder));
   const double wall = seconds(Clock::now() - started);
-  write_text(folder.timing(),
-             to_json(Timing{median(recorder.step_seconds), wall, peak_memory_bytes(), o.threads}));
+  write_text(folder.timing(), to_json(timing_of(recorder.step_seconds, wall, o.threads)));
   write_text(folder.summary(), to_json(summary));
   return summary;
 }

@@ -2,24 +2,17 @@
 
 #include <sys/resource.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <numeric>
 
 #include "core/provenance.hpp"
 #include "mesh/files_whole.hpp"
+#include "simulation/summary_head.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Grows when a key changes its meaning or goes away.
-constexpr int schema = 1;
-
-Json provenance_json(const RunSummary& s) {
-  const Provenance& p = provenance();
-  return {{"version", p.version}, {"commit", p.commit},       {"compiler", p.compiler},
-          {"flags", p.flags},     {"case_hash", s.case_hash}, {"seed", s.seed}};
-}
 
 Json removed_json(const RunSummary& s) {
   Json by_part = Json::object(), by_part_by_revolution = Json::object();
@@ -45,12 +38,23 @@ Json rock_json(const RunSummary& s) {
 
 }  // namespace
 
+Json summary_head(const std::string& command, const std::string& title, RunStatus status,
+                  const std::string& case_hash, std::uint64_t seed) {
+  const Provenance& p = provenance();
+  return {{"schema", summary_schema},
+          {"command", command},
+          {"title", title},
+          {"status", status == RunStatus::completed ? "completed" : "interrupted"},
+          {"version", p.version},
+          {"commit", p.commit},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"case_hash", case_hash},
+          {"seed", seed}};
+}
+
 std::string to_json(const RunSummary& s) {
-  Json json = {{"schema", schema},
-               {"command", s.command},
-               {"title", s.title},
-               {"status", s.status == RunStatus::completed ? "completed" : "interrupted"}};
-  json.update(provenance_json(s));
+  Json json = summary_head(s.command, s.title, s.status, s.case_hash, s.seed);
   json.update(Json{{"steps", s.steps},
                    {"revolutions", s.revolutions},
                    {"duration_s", s.duration},
@@ -62,6 +66,7 @@ std::string to_json(const RunSummary& s) {
 
 std::string to_json(const Timing& t) {
   const Json json = {{"seconds_per_step_median", t.seconds_per_step_median},
+                     {"seconds_per_step_mean", t.seconds_per_step_mean},
                      {"wall_seconds", t.wall_seconds},
                      {"peak_memory_bytes", t.peak_memory_bytes},
                      {"threads", t.threads}};
@@ -72,6 +77,20 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   mesh::WholeFile file(path);
   file.stream() << text;
   file.commit();
+}
+
+Timing timing_of(std::vector<double> step_seconds, double wall_seconds, int threads) {
+  Timing t;
+  t.wall_seconds = wall_seconds;
+  t.peak_memory_bytes = peak_memory_bytes();
+  t.threads = threads;
+  if (step_seconds.empty()) return t;
+  const double sum = std::accumulate(step_seconds.begin(), step_seconds.end(), 0.0);
+  t.seconds_per_step_mean = sum / static_cast<double>(step_seconds.size());
+  const auto middle = step_seconds.begin() + static_cast<std::ptrdiff_t>(step_seconds.size() / 2);
+  std::nth_element(step_seconds.begin(), middle, step_seconds.end());
+  t.seconds_per_step_median = *middle;
+  return t;
 }
 
 long peak_memory_bytes() {

@@ -49,6 +49,7 @@ struct Timing {
   double wall_seconds = 0.0;
   long peak_memory_bytes = 0;
   int threads = 1;
+  double seconds_per_step_mean = 0.0;
 };
 
 /// As JSON with units in the key names, every number in digits that read back to the bit.
@@ -57,6 +58,9 @@ std::string to_json(const Timing& timing);
 
 /// Writes a text file, whole or not at all. Throws RunError.
 void write_text(const std::filesystem::path& path, const std::string& text);
+
+/// Timing from the seconds of single steps, in any order, and of the whole.
+Timing timing_of(std::vector<double> step_seconds, double wall_seconds, int threads);
 
 /// Largest memory that this process has held so far, bytes.
 long peak_memory_bytes();

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "dynamics/momenta.hpp"
+#include "rotation/quaternion.hpp"
+
+namespace tdbd::dynamics {
+
+/// A drift seen from the body. Frame P: the principal axes of It at the drift's start, fixed in
+/// the body. A rotation of the body about an axis of its own leaves the spatial momentum alone, so
+/// the body's momentum turns back.
+template <class S>
+struct BodyFlow {
+  Vec3Of<S> momentum_P;                                          ///< Pi, N m s
+  Vec3Of<S> sigma_P;                                             ///< what the cones carry, N m s
+  Eigen::Quaternion<S> turn = Eigen::Quaternion<S>::Identity();  ///< R <- R turn
+  Vec3Of<S> turned_P = Vec3Of<S>::Zero();                        ///< rad, what the cones undergo
+};
+
+template <class S>
+BodyFlow<S> begin_flow(const Gyrostat& g, const RotationStateOf<S>& s) {
+  BodyFlow<S> f;
+  const Eigen::Matrix<S, 3, 3> to_P = g.principal_axes_B.transpose().cast<S>();
+  f.momentum_P = to_P * body_momentum(s);
+  f.sigma_P.setZero();
+  if (!g.cones.empty()) f.sigma_P = to_P * cone_momentum_sum(g, s);
+  return f;
+}
+
+/// Flow of rate (Pi_i - sigma_i)^2 / 2 over h, `h_rate` = h rate: a rotation about axis i.
+template <int i, class S>
+void flow_about_axis(double h_rate, BodyFlow<S>& f) {
+  constexpr int j = (i + 1) % 3, k = (i + 2) % 3;
+  const S angle = h_rate * (f.momentum_P[i] - f.sigma_P[i]);
+  const rotation::CosSinc<S> half = rotation::cos_sinc<S>(0.25 * angle * angle);
+  const S c = half.cos, s = 0.5 * half.sinc * angle;
+  const S cosine = 1.0 - 2.0 * s * s, sine = 2.0 * s * c;
+  const S Pj = f.momentum_P[j], Pk = f.momentum_P[k];
+  f.momentum_P[j] = cosine * Pj + sine * Pk;
+  f.momentum_P[k] = cosine * Pk - sine * Pj;
+  Vec3Of<S> v = f.turn.vec();
+  const S w = f.turn.w();
+  f.turn.w() = w * c - v[i] * s;
+  f.turn.vec()[i] = v[i] * c + w * s;
+  f.turn.vec()[j] = v[j] * c + v[k] * s;
+  f.turn.vec()[k] = v[k] * c - v[j] * s;
+  f.turned_P[i] += angle;
+}
+
+/// The body's half of the flow of |Pi - sigma|^2 / 2 times `h_rate`: exp(-h_rate sigma), while the
+/// cones follow the mean of the body's momentum on the way. The other half, exp(h_rate pi) in
+/// space, leaves Pi alone.
+template <class S>
+void flow_spherical(double h_rate, BodyFlow<S>& f) {
+  const Vec3Of<S> v = h_rate * f.sigma_P;
+  const rotation::Stumpff<S> c = rotation::stumpff<S>(v.squaredNorm());
+  const Vec3Of<S> vP = v.cross(f.momentum_P), vvP = v.cross(vP);
+  f.turned_P += h_rate * (f.momentum_P + c.c2 * vP + c.c3 * vvP - f.sigma_P);
+  f.momentum_P += c.c1 * vP + c.c2 * vvP;
+  f.turn = f.turn * rotation::quaternion_exp<S>(-v);
+}
+
+/// The cones over h: their own spin, less what the body turned below them.
+template <class S>
+void turn_cones(const Gyrostat& g, double h, const Vec3Of<S>& turned_B, RotationStateOf<S>& s) {
+  for (std::size_t k = 0; k < g.cones.size(); ++k)
+    s.cone_angles[k] += h / g.cones[k].axial_inertia * s.cone_momenta[k] -
+                        g.cones[k].axis_B.cast<S>().dot(turned_B);
+}
+
+/// R <- R turn, unit again, and the cones with it.
+template <class S>
+void end_flow(const Gyrostat& g, double h, const BodyFlow<S>& f, RotationStateOf<S>& s) {
+  const Eigen::Matrix<S, 3, 3> axes = g.principal_axes_B.cast<S>();
+  const Vec3Of<S> v = axes * f.turn.vec();
+  s.q_WB = s.q_WB * Eigen::Quaternion<S>(f.turn.w(), v[0], v[1], v[2]);
+  rotation::renormalise(s.q_WB);
+  if (!g.cones.empty()) turn_cones<S>(g, h, axes * f.turned_P, s);
+}
+
+}  // namespace tdbd::dynamics

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "dynamics/rotation_state.hpp"
+#include "rotation/swing_twist.hpp"
+
+namespace tdbd::dynamics {
+
+/// Springs to space on the swing-twist angles: V = (kx b_x^2 + ky b_y^2 + kz twist^2) / 2, N m/rad.
+/// The torque is -dV by rotations in space, so that it conserves energy (formulation 6, eq. 2.3).
+template <class S>
+Vec3Of<S> spring_torque_W(const Vec3Of<double>& stiffness, const RotationStateOf<S>& s) {
+  Vec3Of<S> torque = Vec3Of<S>::Zero();
+  if (stiffness.z() != 0.0)
+    torque -=
+        (stiffness.z() * rotation::twist_angle(s.q_WB, s.turns)) * rotation::twist_gradient(s.q_WB);
+  if (stiffness.x() == 0.0 && stiffness.y() == 0.0) return torque;
+  const rotation::Swing<S> w = rotation::swing(s.q_WB);
+  const S kx = stiffness.x() * w.b[0], ky = stiffness.y() * w.b[1];
+  const S along = w.slope * (ky * w.d[0] - kx * w.d[1]);
+  const Vec3Of<S> gradient_d(w.f * ky, -w.f * kx, along);  // dV/dd
+  return torque + gradient_d.cross(w.d);
+}
+
+/// Energy stored in the springs, J.
+template <class S>
+S spring_energy(const Vec3Of<double>& stiffness, const RotationStateOf<S>& s) {
+  const Vec3Of<S> b = rotation::swing(s.q_WB).b;
+  const S twist = rotation::twist_angle(s.q_WB, s.turns);
+  return 0.5 * (stiffness.x() * b[0] * b[0] + stiffness.y() * b[1] * b[1] +
+                stiffness.z() * twist * twist);
+}
+
+}  // namespace tdbd::dynamics

@@ -1,0 +1,124 @@
+#include "simulation/rotate_body.hpp"
+
+#include <fmt/format.h>
+
+#include "bit/mass_properties.hpp"
+#include "core/error.hpp"
+#include "core/tolerance.hpp"
+#include "dynamics/momenta.hpp"
+#include "mesh/check.hpp"
+#include "mesh/files.hpp"
+#include "rotation/rotation_vector.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using dynamics::InertiaCheck;
+
+/// Inertia of a solid of one density about its centre of mass, along the axes of its file.
+Mat3 read_mesh_inertia(Config& c) {
+  const std::string file = c.path("mesh", std::nullopt);
+  const double density = c.quantity("density", "kg/m3", std::nullopt, Range::positive());
+  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  if (file.empty()) return Mat3::Identity();
+  try {
+    const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
+    if (const auto defects = mesh::check_closed(m); !defects.empty())
+      throw InputError(
+          fmt::format("{}: found a mesh that bounds no solid, expected a closed one\n{}", file,
+                      mesh::describe(defects)));
+    return bit::mass_properties(m, density).inertia;
+  } catch (const InputError& e) {
+    c.other_file(e.what());
+    return Mat3::Identity();
+  }
+}
+
+/// An inertia tensor, or a mesh with a density.
+Mat3 read_inertia(Config& c) {
+  if (!c.has("mesh")) return c.matrix("inertia", "kg m2", std::nullopt);
+  if (c.has("inertia")) {
+    c.matrix("inertia", "kg m2", std::nullopt);
+    c.problem("inertia", "mesh as well", "one of the two");
+  }
+  return read_mesh_inertia(c);
+}
+
+/// How far a matrix is from a rotation.
+double rotation_defect(const Mat3& R) {
+  const double defect = (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff();
+  return R.determinant() > 0.0 ? defect : std::max(defect, 2.0);
+}
+
+/// Attitude, bit to space: a rotation vector or a matrix.
+Mat3 read_attitude(Config& c) {
+  if (!c.has("attitude"))
+    return rotation::exp(c.vector("rotation_vector", "rad", Vec3(Vec3::Zero())));
+  const Mat3 R = c.matrix("attitude", "1", std::nullopt);
+  if (c.has("rotation_vector")) {
+    c.vector("rotation_vector", "rad", std::nullopt);
+    c.problem("attitude", "rotation_vector as well", "one of the two");
+  } else if (const double defect = rotation_defect(R); defect > tolerance::rotation) {
+    c.problem("attitude", fmt::format("a matrix that misses a rotation by {:.3g}", defect),
+              fmt::format("a rotation to {}", tolerance::rotation));
+    return Mat3::Identity();
+  }
+  return R;
+}
+
+/// Cones with how they start.
+struct Cones {
+  std::vector<dynamics::Cone> cones;
+  std::vector<double> spins, angles;
+};
+
+Cones read_cones(Config& c) {
+  Cones all;
+  for (Config cone : c.tables("cones")) {
+    const Vec3 axis = cone.vector("axis", "1", std::nullopt);
+    if (!(axis.norm() > 0.0))
+      cone.problem("axis", fmt::format("an axis of length {}", axis.norm()), "a direction");
+    const double inertia = cone.quantity("axial_inertia", "kg m2", std::nullopt, Range::positive());
+    all.cones.push_back({axis, inertia});
+    all.spins.push_back(cone.quantity("spin", "rad/s", 0.0));
+    all.angles.push_back(cone.quantity("angle", "rad", 0.0));
+  }
+  return all;
+}
+
+/// The reason of inertia_problem at the key that it speaks of: the body's alone, or the cones'.
+void note_inertia_problem(Config& c, const std::string& why, const Mat3& inertia,
+                          const std::vector<dynamics::Cone>& cones, InertiaCheck check) {
+  const char* body_key = c.has("body.mesh") ? "body.mesh" : "body.inertia";
+  const std::string expected =
+      check == InertiaCheck::on
+          ? "what a body can have (body.check = \"off\" admits the inertias of published "
+            "benchmarks that no body has)"
+          : "a positive definite inertia, also without the cones' axial inertias";
+  const bool body_alone = cones.empty() || !dynamics::inertia_problem(inertia, {}, check).empty();
+  c.problem(body_alone ? body_key : "cones", why, expected);
+}
+
+}  // namespace
+
+BodyStart read_body_start(Config& c) {
+  const std::size_t mistakes = c.problem_count();
+  Config body = c.table("body");
+  const Mat3 inertia = read_inertia(body);
+  const auto check = body.choice<InertiaCheck>(
+      "check", {{"on", InertiaCheck::on}, {"off", InertiaCheck::off}}, InertiaCheck::on);
+  const Mat3 R_WB = read_attitude(body);
+  const Vec3 w_B = body.vector("angular_velocity", "rad/s", Vec3(Vec3::Zero()));
+  const Cones cones = read_cones(c);
+  if (c.problem_count() != mistakes) return {};
+  if (const std::string why = dynamics::inertia_problem(inertia, cones.cones, check);
+      !why.empty()) {
+    note_inertia_problem(c, why, inertia, cones.cones, check);
+    return {};
+  }
+  BodyStart start{dynamics::make_gyrostat(inertia, cones.cones, check), {}};
+  start.state = dynamics::make_state(start.body, R_WB, w_B, cones.spins, cones.angles);
+  return start;
+}
+
+}  // namespace tdbd::simulation
