@@ -19,12 +19,21 @@ struct Run {
   std::size_t size() const { return last - first; }
 };
 
-Run run_above(std::span<const double> errors, double floor) {
+Run run_above(std::span<const double> errors, const std::vector<double>& floors) {
   Run r{errors.size(), errors.size()};
-  while (r.last > 0 && errors[r.last - 1] <= floor) --r.last;
+  while (r.last > 0 && errors[r.last - 1] <= floors[r.last - 1]) --r.last;
   r.first = r.last;
-  while (r.first > 0 && errors[r.first - 1] > floor) --r.first;
+  while (r.first > 0 && errors[r.first - 1] > floors[r.first - 1]) --r.first;
   return r;
+}
+
+/// Where rounding may begin to matter, for every error.
+std::vector<double> floors_of(std::size_t size, double scale, std::span<const long> counts) {
+  std::vector<double> floors(size, scale * order_floor);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    floors[i] =
+        std::max(floors[i], scale * order_rounding_per_step * static_cast<double>(counts[i]));
+  return floors;
 }
 
 /// The part of a run where the local orders stay close to the finest one.
@@ -39,10 +48,10 @@ Run settled_part(std::span<const double> steps, std::span<const double> errors, 
 }
 
 std::vector<double> local_orders(std::span<const double> steps, std::span<const double> errors,
-                                 double floor) {
+                                 const std::vector<double>& floors) {
   std::vector<double> orders;
   for (std::size_t i = 0; i + 1 < errors.size(); ++i)
-    orders.push_back(errors[i] > floor && errors[i + 1] > floor
+    orders.push_back(errors[i] > floors[i] && errors[i + 1] > floors[i + 1]
                          ? local_order(steps, errors, i)
                          : std::numeric_limits<double>::quiet_NaN());
   return orders;
@@ -66,16 +75,16 @@ double least_squares_order(std::span<const double> steps, std::span<const double
 }
 
 ObservedOrder observed_order(std::span<const double> steps, std::span<const double> errors,
-                             double scale) {
-  const double floor = order_floor * scale;
+                             double scale, std::span<const long> counts) {
+  const std::vector<double> floors = floors_of(errors.size(), scale, counts);
   ObservedOrder o;
-  o.local_orders = local_orders(steps, errors, floor);
-  const auto is_rounding = [&](double e) { return e <= order_exact * scale; };
-  if (!errors.empty() && std::all_of(errors.begin(), errors.end(), is_rounding)) {
+  o.local_orders = local_orders(steps, errors, floors);
+  const auto is_rounding = [](double e, double floor) { return e <= order_exact * floor; };
+  if (!errors.empty() && std::equal(errors.begin(), errors.end(), floors.begin(), is_rounding)) {
     o.verdict = OrderVerdict::exact;
     return o;
   }
-  const Run above = run_above(errors, floor);
+  const Run above = run_above(errors, floors);
   o.above_floor = static_cast<int>(above.size());
   if (above.size() >= 2)
     o.order_of_all = least_squares_order(steps.subspan(above.first, above.size()),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,12 +26,16 @@ struct ObservedOrder {
   int above_floor = 0;               ///< how many errors lie above the floor
 };
 
-/// Errors at or below this are rounding; scale: the variable's.
-inline constexpr double order_exact = 1e-12;
+/// Errors at or below this are left out; scale: the variable's. The rounding of some hundred steps
+/// (1e-13) is a hundredth of it, which turns a slope by less than 0.01.
+inline constexpr double order_floor = 1e-11;
 
-/// Errors at or below this are left out, since rounding of up to order_exact would turn the slope
-/// by more than a hundredth; scale: the variable's.
-inline constexpr double order_floor = 1e-10;
+/// In long runs the floor rises: so many units of rounding a time step (the slow top's attitude
+/// loses a quarter of one); scale: the variable's.
+inline constexpr double order_rounding_per_step = 8.0 * std::numeric_limits<double>::epsilon();
+
+/// Errors at or below this part of the floor are rounding, of a variable that is exact.
+inline constexpr double order_exact = 0.1;
 
 /// The asymptotic range is the longest run of errors that ends at the finest one above the floor
 /// and whose local orders differ from the finest one's by at most this; scale: that order.
@@ -40,9 +45,9 @@ inline constexpr double order_settled = 0.05;
 inline constexpr int order_least_errors = 3;
 
 /// `steps` falling and positive, as many as `errors`, which are not negative; `scale` is the size
-/// of the variable.
+/// of the variable. `counts`: how many time steps each error comes of; empty: few.
 ObservedOrder observed_order(std::span<const double> steps, std::span<const double> errors,
-                             double scale);
+                             double scale, std::span<const long> counts = {});
 
 /// Slope of the least-squares line through log error over log step: the order. Needs two or more
 /// errors, all positive.

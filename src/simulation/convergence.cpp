@@ -73,12 +73,15 @@ VariableConvergence observe(const Convergence& c, std::size_t v) {
   const StateVariable& first = c.levels.front().end.variables[v];
   VariableConvergence r{first.name, first.units, 0.0, errors_of(c, v), {}};
   std::vector<double> sizes;
+  std::vector<long> counts;  // of a difference: of the longer of its two runs
   for (const ConvergenceLevel& level : c.levels) {
     sizes.push_back(level.size);
+    counts.push_back(level.steps);
     r.scale = std::max(r.scale, level.end.variables[v].scale);
   }
+  if (!c.plan.reference) counts.erase(counts.begin());
   sizes.resize(r.differences.size());
-  r.order = observed_order(sizes, r.differences, r.scale);
+  r.order = observed_order(sizes, r.differences, r.scale, counts);
   return r;
 }
 

@@ -67,7 +67,7 @@ PlotLine nominal_line(const Convergence& c, const std::vector<PlotLine>& lines) 
   double least = 0.0, x = 0.0;
   for (const PlotLine& line : lines)
     for (std::size_t i = 0; i < line.y.size(); ++i)
-      if (line.y[i] > order_exact && (least == 0.0 || line.y[i] < least)) {
+      if (line.y[i] > order_floor && (least == 0.0 || line.y[i] < least)) {
         least = line.y[i];
         x = line.x[i];
       }
@@ -95,10 +95,11 @@ std::string table_text(const Convergence& c) {
   const auto add = [&out]<class... T>(fmt::format_string<T...> text, T&&... values) {
     fmt::format_to(std::back_inserter(out), text, std::forward<T>(values)...);
   };
-  add("{:>12} {:>10}", c.plan.key, "steps");
+  const std::size_t first = std::max<std::size_t>(12, c.plan.key.size());
+  add("{:>{}} {:>10}", c.plan.key, first, "steps");
   for (const VariableConvergence& v : c.variables) add(" {:>18}", v.name);
   for (std::size_t i = 0; i < c.levels.size(); ++i) {
-    add("\n{:>12.6g} {:>10}", c.levels[i].size, c.levels[i].steps);
+    add("\n{:>{}.6g} {:>10}", c.levels[i].size, first, c.levels[i].steps);
     for (const VariableConvergence& v : c.variables)
       if (i < v.differences.size()) add(" {:>18.4e}", v.differences[i]);
   }
@@ -117,8 +118,9 @@ std::string to_json(const Convergence& c) {
                    {"factor", c.plan.factor},
                    {"against", c.plan.reference ? "reference" : "next level"},
                    {"nominal_order", c.nominal_order > 0.0 ? Json(c.nominal_order) : Json(nullptr)},
-                   {"exact_below", order_exact},
                    {"floor", order_floor},
+                   {"floor_per_step", order_rounding_per_step},
+                   {"exact_below_floor_times", order_exact},
                    {"settled_within", order_settled},
                    {"levels", levels_json(c)},
                    {"variables", variables}});

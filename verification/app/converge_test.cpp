@@ -137,6 +137,19 @@ TEST(converge, drills_a_run_case_over_its_step) {
   EXPECT_EQ(study["title"], "small");
 }
 
+TEST(converge, an_interrupted_study_keeps_the_levels_that_were_done) {
+  const RotateFolder c;
+  const auto o = battery::run_tdbd({"converge", c.path("case.toml"), "--over", "time.step",
+                                    "--levels", "40", "-o", c.path("orders"), "--quiet"},
+                                   {.signal_after_seconds = 1.5});
+  EXPECT_EQ(o.exit_code, 130) << o.err;
+  const Json study = Json::parse(read(c.path("orders/convergence.json")));
+  EXPECT_EQ(study["status"], "interrupted");
+  EXPECT_GE(study["levels"].size(), 4u);
+  EXPECT_LT(study["levels"].size(), 40u);
+  expect_order(study, "attitude", 2.0, of_order_2);
+}
+
 void expect_study_refused(const RotateFolder& c, std::vector<std::string> more,
                           const std::string& message) {
   expect_refusal(c.converge(more), message);

@@ -47,6 +47,27 @@ TEST(failing_rotate, a_drift_that_does_not_converge_names_the_step_that_would) {
   }
 }
 
+/// A torque spins the body up until a step turns it too far.
+TEST(failing_rotate, the_history_ends_with_the_last_good_state) {
+  RotateFolder c;
+  c.write("case.toml", free_body_text);
+  c.edit("case.toml", "[time]",
+         "[load]\nspace_torque = [0, 0, 90]\n[integrator]\n"
+         "drift = \"lie-mean\"\n[output]\nhistory_every = 1000\n[time]");
+  c.edit("case.toml", "duration = 2", "duration = 200");
+  EXPECT_EQ(c.rotate({"--quiet"}).exit_code, 1);
+  const std::string failure = read(c.path("out/failure.txt"));
+  long steps = 0;
+  ASSERT_EQ(std::sscanf(failure.c_str(), "failed after %ld of 10000 steps", &steps), 1) << failure;
+  ASSERT_GT(steps, 0);
+  ASSERT_NE(steps % 1000, 0);
+  const std::string csv = read(c.path("out/history.csv"));
+  const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
+  EXPECT_NEAR(std::stod(last), 0.02 * static_cast<double>(steps), 1e-9);
+  EXPECT_TRUE(history_opens(c.path("out/history.nc"), lines_of(c.path("out/history.csv")) - 1));
+  EXPECT_GT(step_that_would(failure), 0.0) << failure;
+}
+
 TEST(failing_rotate, a_study_names_the_level) {
   const RotateFolder c = fast_body("lie-mean");
   const auto o = c.converge({"--over", "time.step", "--levels", "4", "--quiet"});

@@ -121,6 +121,15 @@ TEST(rotate_result, a_long_history_has_about_ten_thousand_rows) {
   EXPECT_TRUE(history_opens(c.path("out/history.nc"), rows));
 }
 
+TEST(rotate_result, a_history_ends_with_the_end) {
+  const RotateFolder c = free_body();
+  summary_of(c, {"--set", "output.history_every=30"});
+  const std::string csv = read(c.path("out/history.csv"));
+  EXPECT_EQ(lines_of(c.path("out/history.csv")), 1 + 1 + 3 + 1);  // head, t = 0, rows, end
+  EXPECT_NE(csv.find("\n1.8,"), std::string::npos);
+  EXPECT_NE(csv.find("\n2,"), std::string::npos);
+}
+
 /// The case, the case again, and the resolved case from its new place.
 TEST(rotate_result, the_same_case_gives_the_same_bytes) {
   const RotateFolder c;

@@ -49,7 +49,7 @@ TEST(observed_order, coarse_steps_before_the_asymptotic_range_are_left_out) {
 }
 
 TEST(observed_order, rounding_at_fine_steps_is_left_out) {
-  const ObservedOrder o = observe(study(12, [](double h) { return std::pow(h, 4) + 1e-12; }));
+  const ObservedOrder o = observe(study(12, [](double h) { return std::pow(h, 4) + 1e-13; }));
   EXPECT_EQ(o.verdict, OrderVerdict::order);
   EXPECT_NEAR(o.order, 4.0, 0.02);
   EXPECT_EQ(o.first + o.used, o.above_floor);
@@ -69,7 +69,19 @@ TEST(observed_order, the_scale_tells_what_rounding_is) {
   const Study s = study(5, [](double h) { return h * h; });
   EXPECT_EQ(observe(s, 1.0).verdict, OrderVerdict::order);
   EXPECT_EQ(observe(s, 1e12).verdict, OrderVerdict::exact);
-  EXPECT_EQ(observe(s, 1e7).above_floor, 2);
+  EXPECT_EQ(observe(s, 1e8).above_floor, 2);
+}
+
+/// A long run rounds more: its small errors are no longer taken for convergence.
+TEST(observed_order, the_floor_rises_with_the_number_of_time_steps) {
+  Study s = study(8, [](double h) { return 1e-6 * h * h; });
+  for (std::size_t i = 3; i < 8; ++i) s.errors[i] = (i % 2 == 0 ? 2e-10 : 3e-10);
+  const std::vector<long> counts(8, 1'000'000);
+  EXPECT_EQ(observe(s).verdict, OrderVerdict::not_settled);
+  const ObservedOrder o = observed_order(s.steps, s.errors, 1.0, counts);
+  EXPECT_EQ(o.above_floor, 2);
+  EXPECT_EQ(observed_order(s.steps, std::vector<double>(8, 1e-10), 1.0, counts).verdict,
+            OrderVerdict::exact);
 }
 
 TEST(observed_order, two_errors_give_none) {
