@@ -25,8 +25,9 @@ void add_timed_torque(const Loads& loads, double time, TimedTorque& sum) {
 }
 
 double potential_energy(const Loads& loads, const RotationState& s) {
-  return loads.gravity_moment * (s.q_WB * loads.gravity_arm_B).z() +
-         spring_energy(loads.stiffness_W, s);
+  double energy = loads.gravity_moment * (s.q_WB * loads.gravity_arm_B).z();
+  if (!loads.stiffness_W.isZero(0.0)) energy += spring_energy(loads.stiffness_W, s);
+  return energy;
 }
 
 }  // namespace tdbd::dynamics
