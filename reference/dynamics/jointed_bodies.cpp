@@ -1,6 +1,5 @@
 #include "reference/dynamics/jointed_bodies.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

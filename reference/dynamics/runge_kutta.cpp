@@ -67,9 +67,8 @@ std::vector<double> stops(const dynamics::Loads& loads, double t0, double t1) {
 
 GyrostatState matrix_state(const dynamics::RotationState& s) {
   const Mat3 R_WB = s.q_WB.toRotationMatrix();
-  const double double_turn = 4.0 * std::numbers::pi;
-  const double twist =
-      2.0 * std::atan2(s.q_WB.z(), s.q_WB.w()) + double_turn * static_cast<double>(s.turns);
+  const double twist = 2.0 * std::atan2(s.q_WB.z(), s.q_WB.w()) +
+                       4.0 * std::numbers::pi * static_cast<double>(s.turns);
   return {s.time, R_WB, R_WB.transpose() * s.momentum_W, s.cone_angles, s.cone_momenta, twist};
 }
 
