@@ -1,0 +1,86 @@
+"""What the tests measured: EVIDENCE/CLAIM/WHAT.json and EVIDENCE/tables/NAME.json
+(verification/battery/evidence.hpp)."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from fingerprint import Stale
+
+# From the best to the worst.
+VERDICTS = ["holds", "holds with limits", "refuted"]
+NOT_MEASURED = "not measured in this run"
+
+
+@dataclass(frozen=True)
+class Evidence:
+    claim: str
+    what: str
+    measured: float
+    unit: str
+    limit: str
+    verdict: str
+    test: str
+    program: str
+
+
+def demand_fresh(file, program):
+    """Raises Stale when the test program is newer than what it wrote."""
+    if not program.is_file():
+        raise Stale(f"evidence {file}: its test program {program} does not exist; remove the file, or build")
+    if file.stat().st_mtime_ns < program.stat().st_mtime_ns:
+        raise Stale(f"evidence {file}: older than the test program {program}; run ctest -L evidence (when "
+                    "no test writes it any more, remove it)")
+
+
+def read_file(file, build):
+    try:
+        document = json.loads(file.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise Stale(f"evidence {file}: {error}") from error
+    demand_fresh(file, Path(build) / document["program"])
+    return document
+
+
+def read_evidence(file, folder, build):
+    evidence = Evidence(**read_file(file, build))
+    if evidence.verdict not in VERDICTS or evidence.claim != str(file.parent.relative_to(folder)):
+        raise Stale(f"evidence {file}: verdict {evidence.verdict!r}, claim {evidence.claim!r}")
+    return evidence
+
+
+def collect(folder, build, claims):
+    """(evidence by claim, problems): every claim has a list; stale files are left out of it."""
+    found, problems = {c.slug: [] for c in claims}, []
+    for file in sorted(Path(folder).rglob("*.json")):
+        if file.relative_to(folder).parts[0] == "tables":
+            continue
+        try:
+            evidence = read_evidence(file, folder, build)
+            if evidence.claim not in found:
+                raise Stale(f"evidence {file}: claims.toml has no {evidence.claim}")
+            found[evidence.claim].append(evidence)
+        except Stale as stale:
+            problems.append(str(stale))
+    problems += [f"evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
+                 for slug, written in found.items() if not written]
+    return found, problems
+
+
+def table_file(folder, name):
+    return Path(folder) / "tables" / f"{name}.json"
+
+
+def table(folder, build, name):
+    """The rows of a table that a test wrote. Raises Stale."""
+    file = table_file(folder, name)
+    if not file.is_file():
+        raise Stale(f"evidence {file}: no test wrote it; run ctest -L evidence")
+    return read_file(file, build)["rows"]
+
+
+def verdict(evidence):
+    """A claim is as good as the worst that was measured of it."""
+    if not evidence:
+        return NOT_MEASURED
+    return max((e.verdict for e in evidence), key=VERDICTS.index)
