@@ -20,7 +20,7 @@ matplotlib.rcParams.update({
     "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9, "legend.fontsize": 8,
     "legend.frameon": False, "lines.linewidth": 1.3, "lines.markersize": 4, "axes.grid": True,
     "grid.color": "0.9", "axes.axisbelow": True, "axes.spines.top": False, "axes.spines.right": False,
-    "axes.formatter.useoffset": False, "axes.formatter.limits": (-3, 4)})
+    "axes.formatter.useoffset": False, "axes.formatter.limits": (-3, 5)})
 
 
 def panels(rows, columns, size, **options):
