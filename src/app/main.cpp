@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   tdbd::app::add_run(app, exit_code);
   tdbd::app::add_rotate(app, exit_code);
+  tdbd::app::add_converge(app, exit_code);
   tdbd::app::add_check(app, exit_code);
   tdbd::app::add_bit(app, exit_code);
   try {

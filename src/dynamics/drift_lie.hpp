@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "dynamics/principal_flows.hpp"
 
 namespace tdbd::dynamics {
@@ -68,6 +70,10 @@ LieTerm<S> lie_momentum(LieMomentum which, const Vec3Of<S>& T, const Vec3Of<S>& 
   return which == LieMomentum::middle ? middle_momentum<S>(T, P) : mean_momentum<S>(T, P);
 }
 
+/// Newton's updates bring derivatives along one step behind the values.
+template <class S>
+inline constexpr int derivative_lag = std::is_floating_point_v<S> ? 0 : 1;
+
 /// Whether Newton's iteration reached the rotation of the drift.
 enum class LieOutcome { solved, too_long };
 
@@ -81,14 +87,16 @@ LieOutcome solve_lie(const Gyrostat& g, LieMomentum which, double h, const Vec3O
   const Eigen::Matrix<S, 3, 3> It = g.carrier_B.cast<S>(), inverse = g.carrier_inverse_B.cast<S>();
   const Vec3Of<S> w = inverse * (P - sigma);
   T = h * w + (0.5 * h * h) * (inverse * P.cross(w));
-  for (int i = 0; i < options.iterations; ++i) {
+  int updates_left = options.iterations, last = derivative_lag<S>;
+  while (updates_left-- > 0) {
     const LieTerm<S> term = lie_momentum<S>(which, T, P);
     const Eigen::Matrix<S, 3, 3> slope = It - h * term.by_T;
     const Vec3Of<S> update = slope.inverse() * (h * (term.m - sigma) - It * T);
     T += update;
     if (!(T.squaredNorm() < half_turn_squared)) return LieOutcome::too_long;
-    if (update.squaredNorm() <= options.small_update * options.small_update * T.squaredNorm())
-      return LieOutcome::solved;
+    const bool small =
+        update.squaredNorm() <= options.small_update * options.small_update * T.squaredNorm();
+    if (small && last-- == 0) return LieOutcome::solved;
   }
   return LieOutcome::too_long;
 }

@@ -171,6 +171,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.files = c.files();
   result.files.insert(result.files.end(), bit.files.begin(), bit.files.end());
   result.resolved = c.resolved();
+  result.quantities = c.quantities();
   result.hash = fnv1a_hex(c.fingerprint() + bit.fingerprint);
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct Case {
   OutputPlan output;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
   std::string hash;      ///< of the resolved values and the content of all files
+  std::map<std::string, double> quantities;  ///< of the case file, by dotted key, in SI
 };
 
 /// Reads and checks everything, runs nothing. Throws InputError that lists every mistake.

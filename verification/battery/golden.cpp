@@ -75,7 +75,6 @@ dynamics::RotationState initial(const GoldenState& s) {
   r.momentum_W = s.momentum_W;
   r.cone_angles = s.cone_angles;
   r.cone_momenta = s.cone_momenta;
-  r.twist = 2.0 * std::atan(r.q_WB.z() / r.q_WB.w());
   return r;
 }
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dynamics/step.hpp"
+#include "verification/battery/dual.hpp"
+
+namespace tdbd::battery {
+
+/// A rule that carries a gyrostat over one step, in plain numbers and with derivatives. The battery
+/// asks the same of every scheme: the program's, and those that are broken on purpose.
+struct RotationScheme {
+  template <class S>
+  using Step = std::function<void(const dynamics::Gyrostat&, const dynamics::Loads&, double,
+                                  dynamics::RotatingOf<S>&)>;
+  std::string name;
+  int order = 2;
+  Step<double> step;
+  Step<Jet> step_jet;
+};
+
+/// The program's step with these options.
+RotationScheme production(const std::string& name, const dynamics::Integrator& integrator);
+
+/// A step whose drift is replaced: kick(h/2), drift(h), kick(h/2). `drift` takes any scalar.
+template <class DriftRule>
+RotationScheme with_drift(const std::string& name, DriftRule drift) {
+  const auto step = [drift](const dynamics::Gyrostat& g, const dynamics::Loads& loads, double h,
+                            auto& r) {
+    dynamics::kick(0.5 * h, r.torque, r.state);
+    drift(g, h, r.state);
+    r.state.time += h;
+    dynamics::closing_kick(g, loads, dynamics::VelocityTorque::predicted, 0.5 * h, r);
+  };
+  return {name, 2, step, step};
+}
+
+/// Every drift at order 2, the thesis's form (two drifts a step) included.
+std::vector<RotationScheme> second_order_schemes();
+
+/// Every drift at this order, one drift a stage.
+std::vector<RotationScheme> composed_schemes(int order);
+
+}  // namespace tdbd::battery
