@@ -77,7 +77,6 @@ class Drawing:
         drawn = script.draw(Inputs(groups, {t: self.rows(t) for t in figure.tables}))
         self.folder.mkdir(parents=True, exist_ok=True)
         drawn.savefig(self.picture(figure), dpi=DPI, metadata={"Software": None})
-        drawn.clear()
 
     def problem(self, figure):
         """Why the picture is stale: missing, of other inputs, or older than its data. Or None."""

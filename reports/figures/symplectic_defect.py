@@ -36,5 +36,6 @@ def draw(inputs):
         axes.set_ylabel(r"$\|J^T\Omega J-\Omega\|_F$ of one step")
     for axes in grid[-1]:
         axes.set_xlabel("step (s)")
-    grid[0, 0].legend(fontsize=7)
+    if rows:
+        grid[0, 0].legend(fontsize=7)
     return figure
