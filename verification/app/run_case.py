@@ -1,9 +1,11 @@
-"""run_case.py TDBD CASE.toml FOLDER: the first moments of a case, all defaults of its own, drawn.
+"""run_case.py TDBD CASE.toml FOLDER: the first moments of a case, all defaults of its own.
 
-The command line is `tdbd run CASE`, cut short to ten steps; the run has to end well.
+The command line is `tdbd run CASE` or, when it has a table [body], `tdbd rotate CASE`, cut short; it
+has to end well. What was drilled is drawn.
 """
 
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -11,18 +13,44 @@ import tomllib
 
 tdbd, case, folder = sys.argv[1:]
 with open(case, "rb") as file:
-    time = tomllib.load(file).get("time", {})
-key = "revolutions" if "revolutions" in time else "duration"
-short = "0.02" if key == "revolutions" else "10 ms"
-subprocess.run([tdbd, "run", case, "-o", folder, "--force", "--quiet", "--set", f"time.{key}={short}"],
-               check=True)
-with open(folder + "/summary.json", encoding="utf-8") as file:
-    summary = json.load(file)
-assert summary["status"] == "completed", summary["status"]
-assert summary["steps"] > 0
-assert summary["volume_ledger_defect"] <= 1e-12, summary["volume_ledger_defect"]
+    content = tomllib.load(file)
 
-draw = pathlib.Path(__file__).resolve().parents[2] / "reports" / "draw.py"
-subprocess.run([sys.executable, "-B", draw, folder], check=True, stdout=subprocess.DEVNULL)
-for figure in ("bottom_hole.png", "side_view.png", "cutters.png"):
-    assert (pathlib.Path(folder) / figure).stat().st_size > 10_000, figure
+
+def summary_of(command, key, value):
+    subprocess.run([tdbd, command, case, "-o", folder, "--force", "--quiet",
+                    "--set", f"time.{key}={value}"], check=True)
+    with open(folder + "/summary.json", encoding="utf-8") as summary_file:
+        summary = json.load(summary_file)
+    assert summary["status"] == "completed", summary["status"]
+    assert summary["steps"] > 0
+    return summary
+
+
+def rotate():
+    """Ten steps: what is conserved is conserved."""
+    step = content["time"]["step"]
+    summary = summary_of("rotate", "duration", "0.1 s" if isinstance(step, str) else 10 * step)
+    assert summary["unit_quaternion_defect_max"] <= 1e-15, summary
+    load = content.get("load", {})
+    if not load:
+        assert summary["momentum_drift_max"] == 0.0, summary
+    if set(load) <= {"gravity_moment", "gravity_arm"}:
+        assert summary["vertical_momentum_drift_max"] == 0.0, summary
+        assert summary["energy_drift_max"] < 1e-3, summary
+    assert all(math.isfinite(x) for row in summary["attitude"] for x in row)
+
+
+def drill():
+    key = "revolutions" if "revolutions" in content.get("time", {}) else "duration"
+    summary = summary_of("run", key, "0.02" if key == "revolutions" else "10 ms")
+    assert summary["volume_ledger_defect"] <= 1e-12, summary["volume_ledger_defect"]
+    draw = pathlib.Path(__file__).resolve().parents[2] / "reports" / "draw.py"
+    subprocess.run([sys.executable, "-B", draw, folder], check=True, stdout=subprocess.DEVNULL)
+    for figure in ("bottom_hole.png", "side_view.png", "cutters.png"):
+        assert (pathlib.Path(folder) / figure).stat().st_size > 10_000, figure
+
+
+if "body" in content:
+    rotate()
+else:
+    drill()
