@@ -12,6 +12,10 @@ VERDICTS = ["holds", "holds with limits", "refuted"]
 NOT_MEASURED = "not measured in this run"
 
 
+class Wrong(Stale):
+    """Evidence that cannot be shown: of no claim, of no verdict, not readable."""
+
+
 @dataclass(frozen=True)
 class Evidence:
     claim: str
@@ -37,34 +41,48 @@ def read_file(file, build):
     try:
         document = json.loads(file.read_text(encoding="utf-8"))
     except ValueError as error:
-        raise Stale(f"evidence {file}: {error}") from error
+        raise Wrong(f"evidence {file}: {error}") from error
     demand_fresh(file, Path(build) / document["program"])
     return document
 
 
-def read_evidence(file, folder, build):
-    evidence = Evidence(**read_file(file, build))
+def read_evidence(file, folder, build, slugs):
+    """One measurement. Raises Stale, or Wrong when no page can show it."""
+    document = read_file(file, build)
+    try:
+        evidence = Evidence(**document)
+    except TypeError as error:
+        raise Wrong(f"evidence {file}: {error}") from error
     if evidence.verdict not in VERDICTS or evidence.claim != str(file.parent.relative_to(folder)):
-        raise Stale(f"evidence {file}: verdict {evidence.verdict!r}, claim {evidence.claim!r}")
+        raise Wrong(f"evidence {file}: verdict {evidence.verdict!r}, claim {evidence.claim!r}")
+    if evidence.claim not in slugs:
+        raise Wrong(f"evidence {file}: claims.toml has no {evidence.claim}")
     return evidence
 
 
+@dataclass(frozen=True)
+class Collection:
+    by_claim: dict  # a list for every claim, of fresh evidence
+    stale: list  # what is missing, or older than its test program
+    wrong: list  # what no run excuses
+
+
 def collect(folder, build, claims):
-    """(evidence by claim, problems): every claim has a list; stale files are left out of it."""
-    found, problems = {c.slug: [] for c in claims}, []
+    """All evidence in a folder."""
+    found = Collection({c.slug: [] for c in claims}, [], [])
     for file in sorted(Path(folder).rglob("*.json")):
         if file.relative_to(folder).parts[0] == "tables":
             continue
         try:
-            evidence = read_evidence(file, folder, build)
-            if evidence.claim not in found:
-                raise Stale(f"evidence {file}: claims.toml has no {evidence.claim}")
-            found[evidence.claim].append(evidence)
+            evidence = read_evidence(file, folder, build, found.by_claim)
+            found.by_claim[evidence.claim].append(evidence)
+        except Wrong as wrong:
+            found.wrong.append(str(wrong))
         except Stale as stale:
-            problems.append(str(stale))
-    problems += [f"evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
-                 for slug, written in found.items() if not written]
-    return found, problems
+            found.stale.append(str(stale))
+    found.stale.extend(f"evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
+                       for slug, written in found.by_claim.items() if not written)
+    return found
 
 
 def table_file(folder, name):

@@ -80,7 +80,8 @@ def report(chosen):
     """Does what the arguments say; returns problems."""
     manifest = manifests.read(chosen.root / "reports", chosen.quick)
     folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
-    found, unproved = evidence.collect(folder, chosen.build, manifest.claims)
+    found = evidence.collect(folder, chosen.build, manifest.claims)
+    unproved = found.wrong + ([] if chosen.quick else found.stale)
     if chosen.evidence_only:
         tables = {t for f in manifest.figures for t in f.tables}
         return unproved + gather([(lambda t: evidence.table(folder, chosen.build, t), t)
@@ -93,9 +94,9 @@ def report(chosen):
         return problems + unproved
     html.unlink(missing_ok=True)
     problems = update(manifest, data, drawing) or stale(manifest, data, drawing)
-    problems += [] if chosen.quick else unproved
+    problems += unproved
     if not problems:
-        page.write(html, manifest, data, drawing, found, chosen.quick)
+        page.write(html, manifest, data, drawing, found.by_claim, chosen.quick)
         print(f"report: look at {html}")
     return problems
 

@@ -153,8 +153,11 @@ class Report(unittest.TestCase):
     def test_evidence_of_no_claim_or_verdict(self):
         self.project.measure(EVIDENCE | {"claim": "chapter5/other"})
         self.assert_stale("claims.toml has no chapter5/other")
+        self.assert_stale("claims.toml has no chapter5/other", arguments=("--quick",))
         self.project.measure(EVIDENCE | {"verdict": "true"}, "second")
         self.assert_stale("verdict 'true'")
+        self.project.measure({"claim": "chapter5/order", "program": "verify"}, "third")
+        self.assert_stale("third.json", "missing")
 
     def test_the_page_says_what_the_files_say(self):
         page = (self.project.out / "index.html").read_text()
