@@ -74,7 +74,10 @@ class Drawing:
         groups = {g: [(r.settings, self.data.result(r)) for r in self.manifest.group(g) if self.is_made(r)]
                   for g in figure.runs}
         script = importlib.import_module(f"figures.{figure.script}")
-        drawn = script.draw(Inputs(groups, {t: self.rows(t) for t in figure.tables}))
+        try:
+            drawn = script.draw(Inputs(groups, {t: self.rows(t) for t in figure.tables}))
+        except (ArithmeticError, LookupError, OSError, ValueError) as error:
+            raise Stale(f"figure {figure.name}: cannot be drawn of its data: {error!r}") from error
         self.folder.mkdir(parents=True, exist_ok=True)
         drawn.savefig(self.picture(figure), dpi=DPI, metadata={"Software": None})
 

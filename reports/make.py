@@ -52,12 +52,13 @@ def stale(manifest, data, drawing):
             or gather([(drawing.demand_current, f) for f in manifest.figures]))
 
 
-def stale_page(html, manifest, drawing):
-    """Whether the page is older than a picture on it, as a list of problems."""
+def stale_page(html, manifest, drawing, evidence_folder):
+    """Whether the page is older than a picture or a measurement on it, as a list of problems."""
     if not html.is_file():
         return [f"{html}: has not been made"]
-    newest = max(drawing.picture(f).stat().st_mtime_ns for f in manifest.figures)
-    return [f"{html}: older than its figures"] if html.stat().st_mtime_ns < newest else []
+    sources = [drawing.picture(f) for f in manifest.figures] + list(evidence_folder.rglob("*.json"))
+    newer = [s for s in sources if s.stat().st_mtime_ns > html.stat().st_mtime_ns]
+    return [f"{html}: older than {newer[0]}"] if newer else []
 
 
 def parse(arguments):
@@ -90,7 +91,7 @@ def report(chosen):
     drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
     html = chosen.output / "index.html"
     if chosen.check:
-        problems = stale(manifest, data, drawing) or stale_page(html, manifest, drawing)
+        problems = stale(manifest, data, drawing) or stale_page(html, manifest, drawing, folder)
         return problems + unproved
     html.unlink(missing_ok=True)
     problems = update(manifest, data, drawing) or stale(manifest, data, drawing)

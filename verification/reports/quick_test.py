@@ -4,6 +4,7 @@ Every claim has a row with a verdict, every figure is embedded and points to wha
 call makes nothing.
 """
 
+import html.parser
 import pathlib
 import re
 import subprocess
@@ -22,6 +23,19 @@ def make():
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
+class Balance(html.parser.HTMLParser):
+    """Every tag that opens closes, in order."""
+
+    open_tags = []
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in ("meta", "img", "br"):
+            self.open_tags.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open_tags.pop() == tag, f"{tag} at {self.getpos()}"
+
+
 make()
 assert "made" not in make(), "an unchanged report was made again"
 page = (build / "report-quick/index.html").read_text(encoding="utf-8")
@@ -36,4 +50,7 @@ for figure in wanted.figures:
     assert ("Reconstructed:" in block[0]) == bool(figure.reconstructed), figure.name
 assert len(re.findall(PICTURE, page)) == len(wanted.figures)
 assert not re.search(r"(src|href)=.https?:", page), "the page fetches something"
+balance = Balance()
+balance.feed(page)
+assert not balance.open_tags, balance.open_tags
 print(f"{len(wanted.claims)} claims, {len(wanted.figures)} figures")

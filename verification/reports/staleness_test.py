@@ -112,10 +112,19 @@ class Report(unittest.TestCase):
         table.write_text(table.read_text().replace("2.0", "3.0"))
         self.assert_remade(runs=0, drawn=True)
 
+    def test_a_figure_whose_data_lack_something(self):
+        self.project.write("reports/figures/first.py", FIGURE.replace('table("numbers")', 'table("other")'))
+        self.assert_stale("figure first: cannot be drawn of its data", "other", arguments=())
+
     def test_a_missing_figure(self):
         (self.project.out / "figures/first.png").unlink()
         self.assert_stale("figure first: has not been drawn")
         self.assert_made()
+
+    def test_a_page_older_than_a_measurement(self):
+        self.project.measure(EVIDENCE | {"measured": 1.9})
+        self.assert_stale("index.html: older than", "what.json")
+        self.assert_remade(runs=0, drawn=False)
 
     def test_a_run_that_fails_leaves_no_page(self):
         self.project.write("cases/bad.toml", "")
