@@ -44,15 +44,16 @@ std::string too_long_message(const Gyrostat& g, const Loads& loads, const Integr
                              double h, const Rotating& r);
 
 /// One step of size h (s): as many stages as the order asks for, one torque evaluation each.
-/// Throws RunError when a drift that solves is too long; the state is then that before the step,
-/// and the message names the step that would do.
+/// Throws RunError when a drift that solves is too long.
 template <class S>
 void step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
           RotatingOf<S>& r) {
-  try_step(g, loads, integrator, h, r);
+  if (try_step(g, loads, integrator, h, r) == LieOutcome::too_long)
+    throw RunError("the drift does not converge: too large a step");
 }
 
-/// Of plain numbers: compiled once, and with the check.
+/// Of plain numbers: the state is then that before the step, and the message names the step that
+/// would do.
 template <>
 void step<double>(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
                   Rotating& r);

@@ -19,7 +19,7 @@ constexpr Named drifts[] = {{Drift::split, "split"},
 RotationScheme production(const std::string& name, const dynamics::Integrator& integrator) {
   const auto step = [integrator](const dynamics::Gyrostat& g, const dynamics::Loads& loads,
                                  double h, auto& r) { dynamics::step(g, loads, integrator, h, r); };
-  return {name, integrator.order, step, step};
+  return {name, integrator.order, step, step, step};
 }
 
 std::vector<RotationScheme> second_order_schemes() {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "dynamics/step.hpp"
@@ -9,7 +10,8 @@
 
 namespace tdbd::battery {
 
-/// A rule that carries a gyrostat over one step, in plain numbers and with derivatives. The battery
+/// A rule that carries a gyrostat over one step, in plain numbers, in extended precision and
+/// with derivatives. The battery
 /// asks the same of every scheme: the program's, and those that are broken on purpose.
 struct RotationScheme {
   template <class S>
@@ -18,7 +20,18 @@ struct RotationScheme {
   std::string name;
   int order = 2;
   Step<double> step;
+  Step<long double> step_extended;
   Step<Jet> step_jet;
+
+  template <class S>
+  const Step<S>& step_of() const {
+    if constexpr (std::is_same_v<S, double>)
+      return step;
+    else if constexpr (std::is_same_v<S, long double>)
+      return step_extended;
+    else
+      return step_jet;
+  }
 };
 
 /// The program's step with these options.
@@ -34,7 +47,7 @@ RotationScheme with_drift(const std::string& name, DriftRule drift) {
     r.state.time += h;
     dynamics::closing_kick(g, loads, dynamics::VelocityTorque::predicted, 0.5 * h, r);
   };
-  return {name, 2, step, step};
+  return {name, 2, step, step, step};
 }
 
 /// Every drift at order 2, the thesis's form (two drifts a step) included.

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verification/battery/evidence.hpp"
+#include "verification/battery/rotation_orders.hpp"
+
+namespace tdbd::battery {
+namespace {
+
+/// How far a slope may be from the order; the asymptotic range is that of observed_orders.
+double tolerance_of(int order) { return order == 2 ? 0.05 : order == 4 ? 0.1 : 0.2; }
+
+constexpr int least_levels = 5;
+
+/// Checks every variable of every golden case; returns the largest deviation.
+double check_orders(const RotationScheme& scheme) {
+  double worst = 0.0;
+  for (const std::string& name : golden_names()) {
+    for (const VariableOrder& o : observed_orders(scheme, read_golden_case(name))) {
+      const std::string where = fmt::format("{}, {}, {}: order {:.3f} from {} levels", scheme.name,
+                                            name, o.variable, o.order, o.levels);
+      if (o.exact) continue;
+      EXPECT_GE(o.levels, least_levels) << where;
+      EXPECT_NEAR(o.order, scheme.order, tolerance_of(scheme.order)) << where;
+      worst = std::max(worst, std::abs(o.order - scheme.order));
+    }
+  }
+  return worst;
+}
+
+void check_and_record(const RotationScheme& scheme, const std::string& claim) {
+  const double worst = check_orders(scheme);
+  const double limit = tolerance_of(scheme.order);
+  record({claim,
+          fmt::format("{}: largest deviation of an observed order from {}, nine golden cases, all "
+                      "state variables",
+                      scheme.name, scheme.order),
+          worst, "1", fmt::format("<= {}", limit),
+          worst <= limit ? Verdict::holds : Verdict::refuted});
+}
+
+TEST(ObservedOrders, second_order_schemes_are_of_order_2_in_every_variable) {
+  for (const RotationScheme& scheme : second_order_schemes())
+    check_and_record(scheme, "chapter5/second-order");
+}
+
+TEST(ObservedOrders, suzuki_compositions_are_of_order_4_in_every_variable) {
+  for (const RotationScheme& scheme : composed_schemes(4))
+    check_and_record(scheme, "ours/compositions");
+}
+
+TEST(ObservedOrders, kahan_li_compositions_are_of_order_6_in_every_variable) {
+  for (const RotationScheme& scheme : composed_schemes(6))
+    check_and_record(scheme, "ours/compositions");
+}
+
+}  // namespace
+}  // namespace tdbd::battery
