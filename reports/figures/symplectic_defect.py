@@ -9,33 +9,32 @@ ROUNDING = np.finfo(float).eps
 FAR_ABOVE = 1e-9  # a defect larger than this is the method's, not rounding's
 
 
-def order_in_words(own):
-    seen = [(r["h"], r["defect"]) for r in own if r["defect"] > FAR_ABOVE]
+def order_in_words(rows):
+    """Slope of the defects that stand above rounding, over the steps that are short enough."""
+    seen = sorted((r["h"], r["defect"]) for r in rows if r["defect"] > FAR_ABOVE)[:4]
     if len(seen) < 2:
         return ""
-    return f", order {np.polyfit(*np.log(np.array(seen).T), 1)[0]:.2f}"
+    return f": order {np.polyfit(*np.log(np.array(seen).T), 1)[0]:.2f}"
 
 
 def draw_drift(axes, own, drift):
     label, colour, marker = style.DRIFTS[drift]
     steps = [r["h"] for r in own]
-    axes.loglog(steps, [max(r["defect"], ROUNDING / 10) for r in own], marker, color=colour,
-                label=label + order_in_words(own))
+    axes.loglog(steps, [max(r["defect"], ROUNDING / 10) for r in own], marker, color=colour, label=label)
     closed = [(r["h"], r["closed_form"]) for r in own if r.get("closed_form")]
     if closed:
         axes.loglog(*zip(*closed), color=colour, linewidth=0.9, label="its closed form")
 
 
 def draw_case(axes, rows, case):
+    own = sorted((r for r in rows if r["case"] == case), key=lambda r: r["h"])
     for drift in style.DRIFTS:
-        draw_drift(axes, sorted((r for r in rows if (r["case"], r["drift"]) == (case, drift)),
-                                key=lambda r: r["h"]), drift)
+        draw_drift(axes, [r for r in own if r["drift"] == drift], drift)
     axes.axhline(ROUNDING, color=style.GREY, linewidth=0.8, linestyle=":", label="machine epsilon")
-    steps = sorted({r["h"] for r in rows})
-    axes.set_xticks(steps, [f"{h:g}" for h in steps], rotation=45 if len(steps) > 5 else 0)
+    steps = sorted({r["h"] for r in own})
+    axes.set_xticks(steps, [f"{h:.2g}" for h in steps], rotation=45 if len(steps) > 5 else 0)
     axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.set_title(case.replace("_", " ").replace("-", " "))
-    axes.legend(fontsize=7, loc="center right")
+    axes.set_title(case.replace("_", " ") + order_in_words(own))
 
 
 def draw(inputs):
@@ -45,7 +44,7 @@ def draw(inputs):
     cases = list(dict.fromkeys(r["case"] for r in rows or [])) or [None]
     columns = min(3, len(cases))
     lines = -(-len(cases) // columns)
-    figure, grid = style.panels(lines, columns, (3.4 * columns + 0.6, 3.1 * lines + 0.4), squeeze=False,
+    figure, grid = style.panels(lines, columns, (3.4 * columns + 0.6, 2.9 * lines + 0.4), squeeze=False,
                                 sharex=True, sharey=True)
     for axes, case in zip(grid.flat, cases):
         draw_case(axes, rows, case) if case else style.say_missing(axes, "the symplectic defect")
@@ -55,4 +54,6 @@ def draw(inputs):
         axes.set_ylabel(r"$\|J^T\Omega J-\Omega\|_F$ of one step")
     for axes in grid[-1]:
         axes.set_xlabel("step (s)")
+    if rows:
+        grid[0, 0].legend(fontsize=7, loc="center right")
     return figure
