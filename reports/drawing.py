@@ -53,13 +53,18 @@ class Drawing:
         """In a quick run a twin that is not built leaves its part of a figure empty."""
         return not self.is_quick or (self.data.build / run.program).is_file()
 
-    def rows(self, name):
+    def table(self, name):
+        """An evidence table; None when a quick run has none."""
         try:
             return evidence.table(self.evidence_folder, self.data.build, name)
         except Stale:
             if self.is_quick:
                 return None
             raise
+
+    def rows(self, name):
+        table = self.table(name)
+        return table and table["rows"]
 
     def inputs(self, figure):
         """Fingerprint of all that decides the picture: script, style, results, tables, versions."""

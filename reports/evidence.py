@@ -90,15 +90,17 @@ def table_file(folder, name):
 
 
 def table(folder, build, name):
-    """The rows of a table that a test wrote. Raises Stale."""
+    """The table that a test wrote: test, program, rows. Raises Stale."""
     file = table_file(folder, name)
     if not file.is_file():
         raise Stale(f"evidence {file}: no test wrote it; run ctest -L evidence")
-    return read_file(file, build)["rows"]
+    return read_file(file, build)
+
+
+def deciding(evidence):
+    """The first of the worst measurements of a claim: the claim is as good as that. None: none."""
+    return max(evidence, key=lambda e: VERDICTS.index(e.verdict), default=None)
 
 
 def verdict(evidence):
-    """A claim is as good as the worst that was measured of it."""
-    if not evidence:
-        return NOT_MEASURED
-    return max((e.verdict for e in evidence), key=VERDICTS.index)
+    return deciding(evidence).verdict if evidence else NOT_MEASURED

@@ -20,28 +20,35 @@ def embedded(picture):
 
 def rows(manifest, found):
     """One row for each claim, in the order of claims.toml."""
-    return [{"claim": c, "evidence": found[c.slug], "verdict": evidence.verdict(found[c.slug]),
-             "figures": manifest.figures_of(c.slug)} for c in manifest.claims]
+    return [{"claim": c, "evidence": found[c.slug], "decides": evidence.deciding(found[c.slug]),
+             "verdict": evidence.verdict(found[c.slug]), "figures": manifest.figures_of(c.slug)}
+            for c in manifest.claims]
 
 
 def pictures(manifest, data, drawing):
     return [{"figure": f, "picture": embedded(drawing.picture(f)),
-             "commands": [shlex.join([r.program, *data.command(r)])
-                          for r in drawing.runs(f)]} for f in manifest.figures]
+             "tables": [(t, drawing.table(t)["test"]) for t in f.tables if drawing.table(t)],
+             "commands": [shlex.join([r.program, *data.command(r)]) for r in drawing.runs(f)]}
+            for f in manifest.figures]
+
+
+def program(manifest, data):
+    """(what, which) of the programs that made the results, as these say themselves: results that did
+    not change may be of an earlier commit."""
+    made = {}
+    for run in manifest.runs:
+        for name in ("summary.json", "convergence.json"):
+            if (file := data.result(run) / name).is_file():
+                summary = json.loads(file.read_text(encoding="utf-8"))
+                for key in ("version", "commit", "compiler", "flags"):
+                    made.setdefault(key, {}).setdefault(str(summary.get(key, "?")))
+    return [(key, ", ".join(values)) for key, values in made.items()]
 
 
 def provenance(manifest, data):
-    """(what, which): the program as its own results describe it, and what drew them."""
-    for run in manifest.runs:
-        summary = data.result(run) / "summary.json"
-        if run.program == "tdbd" and summary.is_file():
-            made = json.loads(summary.read_text(encoding="utf-8"))
-            break
-    else:
-        made = {}
-    program = [(k, made[k]) for k in ("version", "commit", "compiler", "flags") if k in made]
+    """(what, which): what made the results, and what drew them."""
     drawn = [(name, version(name)) for name in ("numpy", "matplotlib", "netCDF4", "Jinja2")]
-    return program + [("python", platform.python_version())] + drawn
+    return program(manifest, data) + [("python", platform.python_version())] + drawn
 
 
 def write(path, manifest, data, drawing, found, is_quick):

@@ -10,8 +10,8 @@ FAR_ABOVE = 1e-9  # a defect larger than this is the method's, not rounding's
 
 
 def order_in_words(rows):
-    """Slope of the defects that stand above rounding, over the steps that are short enough."""
-    seen = sorted((r["h"], r["defect"]) for r in rows if r["defect"] > FAR_ABOVE)[:4]
+    """Slope of the thesis drift's defects over the shortest steps at which they stand above rounding."""
+    seen = [(r["h"], r["defect"]) for r in rows if r["drift"] == "lie-midpoint" and r["defect"] > FAR_ABOVE][:4]
     if len(seen) < 2:
         return ""
     return f": order {np.polyfit(*np.log(np.array(seen).T), 1)[0]:.2f}"
@@ -55,5 +55,5 @@ def draw(inputs):
     for axes in grid[-1]:
         axes.set_xlabel("step (s)")
     if rows:
-        grid[0, 0].legend(fontsize=7, loc="center right")
+        grid[0, 0].legend(fontsize=7, loc="center right", bbox_to_anchor=(1.0, 0.4))
     return figure

@@ -179,8 +179,9 @@ class Report(unittest.TestCase):
         self.project.measure(EVIDENCE | {"verdict": "refuted"}, "second")
         self.assert_made()
         page = (self.project.out / "index.html").read_text()
-        row = page[page.index('id="claim-chapter5/order"'):page.index("order of the attitude")]
+        row = page[page.index('id="claim-chapter5/order"'):].split("</tr>")[0]
         self.assertIn("refuted", row)  # the worst verdict is the claim's
+        self.assertIn("all 2 measurements", row)
 
     def test_a_quick_run_is_shorter_and_elsewhere(self):
         self.assertEqual(self.project.make("--quick")[0], 0)
