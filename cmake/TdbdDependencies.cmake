@@ -31,6 +31,13 @@ target_include_directories(tdbd_cgal SYSTEM INTERFACE ${CGAL_INCLUDE_DIRS})
 
 find_package(nlohmann_json REQUIRED)
 
+# Runge-Kutta and elliptic functions of the twins.
+pkg_check_modules(GSL REQUIRED gsl)
+add_library(tdbd_gsl INTERFACE)
+target_include_directories(tdbd_gsl SYSTEM INTERFACE ${GSL_INCLUDE_DIRS})
+target_link_directories(tdbd_gsl INTERFACE ${GSL_LIBRARY_DIRS})
+target_link_libraries(tdbd_gsl INTERFACE ${GSL_LIBRARIES})
+
 if(NOT DEFINED TDBD_VERIFICATION OR TDBD_VERIFICATION)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)

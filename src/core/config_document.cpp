@@ -92,6 +92,12 @@ void collect_unknown(const ConfigDocument& document, const toml::node& node, con
   }
 }
 
+/// The shortest digits that read back to the bit, told from a whole number.
+std::string decimal(double x) {
+  const std::string text = fmt::format("{}", x);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
 }  // namespace
 
 std::string parent_key(const std::string& key) {
@@ -174,6 +180,7 @@ std::string describe(const toml::node* node) {
   if (const toml::array* array = node->as_array())
     return fmt::format("an array of {}", array->size());
   if (const auto text = node->as_string()) return toml_string(text->get());
+  if (const auto number = node->as_floating_point()) return decimal(number->get());
   std::ostringstream out;
   node->visit([&out](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>) out << value;

@@ -86,17 +86,22 @@ Cones read_cones(Config& c) {
   return all;
 }
 
-/// The reason of inertia_problem at the key that it speaks of: the body's alone, or the cones'.
+/// Notes inertia_problem's reason at the key that it speaks of: the body's alone, one cone's alone,
+/// or that of all cones together.
 void note_inertia_problem(Config& c, const std::string& why, const Mat3& inertia,
                           const std::vector<dynamics::Cone>& cones, InertiaCheck check) {
-  const char* body_key = c.has("body.mesh") ? "body.mesh" : "body.inertia";
   const std::string expected =
       check == InertiaCheck::on
           ? "what a body can have (body.check = \"off\" admits the inertias of published "
             "benchmarks that no body has)"
           : "a positive definite inertia, also without the cones' axial inertias";
-  const bool body_alone = cones.empty() || !dynamics::inertia_problem(inertia, {}, check).empty();
-  c.problem(body_alone ? body_key : "cones", why, expected);
+  if (const std::string alone = dynamics::inertia_problem(inertia, {}, check); !alone.empty())
+    return c.problem(c.has("body.mesh") ? "body.mesh" : "body.inertia", alone, expected);
+  for (std::size_t k = 0; k < cones.size(); ++k)
+    if (const std::string one = dynamics::inertia_problem(inertia, {cones[k]}, check); !one.empty())
+      return c.problem(fmt::format("cones[{}].axial_inertia", k),
+                       fmt::format("{} kg m2: {}", cones[k].axial_inertia, one), expected);
+  c.problem("cones", why, expected);
 }
 
 }  // namespace

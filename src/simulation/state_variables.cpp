@@ -65,7 +65,7 @@ StateVariable read_variable(const Json& summary, const Entry& e) {
 std::span<const Entry> entries_of(const std::string& command) {
   if (command == "rotate") return rotate_entries;
   if (command == "run") return run_entries;
-  throw InputError(fmt::format("found the command \"{}\"", command));
+  throw InputError(fmt::format("the command \"{}\"", command));
 }
 
 }  // namespace

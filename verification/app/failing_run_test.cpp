@@ -10,20 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-long lines_of(const fs::path& file) {
-  const std::string text = read(file);
-  return static_cast<long>(std::count(text.begin(), text.end(), '\n'));
-}
-
-/// xarray opens the history and finds so many steps.
-bool history_opens(const fs::path& file, long rows) {
-  const std::string command =
-      "/usr/bin/python3 -c 'import sys, xarray; h = xarray.open_dataset(sys.argv[1], "
-      "decode_times=False); assert h.sizes[\"time\"] == int(sys.argv[2])' " +
-      file.string() + " " + std::to_string(rows);
-  return std::system(command.c_str()) == 0;
-}
-
 /// The bit walks sideways out of its hole until it meets the rim of the rock.
 SmallCase sideways() {
   SmallCase c;

@@ -84,7 +84,7 @@ TEST(progress, quiet_says_nothing) {
 }
 
 TEST(help, every_command_has_one_with_an_example) {
-  for (const std::string command : {"run", "check", "bit"}) {
+  for (const std::string command : {"run", "rotate", "converge", "check", "bit"}) {
     const auto o = battery::run_tdbd({command, "--help"});
     EXPECT_EQ(o.exit_code, 0);
     EXPECT_NE(o.out.find("Example: tdbd " + command + " "), std::string::npos) << o.out;

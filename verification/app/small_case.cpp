@@ -2,14 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
-
 namespace tdbd::app {
-
-namespace fs = std::filesystem;
-
 namespace {
 
 constexpr const char* case_text = R"([bit]
@@ -45,26 +38,9 @@ S,6,2,shoulder,16,47,200,11,70,15,0
 }  // namespace
 
 SmallCase::SmallCase() {
-  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fs::path(::testing::TempDir()) /
-            (std::string("tdbd_") + info->test_suite_name() + "_" + info->name());
-  fs::remove_all(folder_);
-  fs::create_directories(folder_);
   write("case.toml", case_text);
   write("bit.toml", bit_text);
   write("bit.csv", table_text);
-}
-
-void SmallCase::write(const std::string& name, const std::string& text) const {
-  std::ofstream(path(name), std::ios::binary) << text;
-}
-
-void SmallCase::edit(const std::string& name, const std::string& from,
-                     const std::string& to) const {
-  std::string text = read(path(name));
-  const std::size_t place = text.find(from);
-  ASSERT_NE(place, std::string::npos) << from << " is not in " << name;
-  write(name, text.replace(place, from.size(), to));
 }
 
 battery::Outcome SmallCase::run(std::vector<std::string> more, const std::string& out,
@@ -73,34 +49,10 @@ battery::Outcome SmallCase::run(std::vector<std::string> more, const std::string
   return battery::run_tdbd(more, around);
 }
 
-battery::Outcome SmallCase::check(const std::vector<std::string>& more) const {
-  std::vector<std::string> arguments{"check", path("case.toml")};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return battery::run_tdbd(arguments);
-}
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<std::string> files_below(const fs::path& folder) {
-  std::vector<std::string> names;
-  if (!fs::exists(folder)) return names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (!entry.is_directory()) names.push_back(fs::relative(entry.path(), folder).string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 void expect_refused(const SmallCase& c, const std::string& message) {
-  const std::string expected = "tdbd: " + c.path(message).string() + "\n";
-  for (const battery::Outcome& o : {c.check(), c.run()}) {
-    EXPECT_EQ(o.exit_code, 2);
-    EXPECT_EQ(o.err, expected);
-    EXPECT_EQ(o.out, "");
-  }
-  EXPECT_FALSE(fs::exists(c.path("out")));
+  expect_refusal(c.check(), c.path(message).string());
+  expect_refusal(c.run(), c.path(message).string());
+  EXPECT_FALSE(std::filesystem::exists(c.path("out")));
 }
 
 }  // namespace tdbd::app

@@ -124,6 +124,38 @@ TEST(config, overrides_replace_values_and_make_tables) {
   EXPECT_NO_THROW(config.finish());
 }
 
+TEST(config, reads_a_matrix_row_by_row) {
+  const std::string toml = "I = [[1, 2, \"30 kg cm2\"], [4, 5, 6], [7, 8, 9]]\n";
+  Config config = Config::read_file(write_temporary(".toml", toml), {});
+  const Mat3 m = config.matrix("I", "kg m2", {});
+  EXPECT_EQ(m.row(0), Eigen::RowVector3d(1, 2, 0.003));
+  EXPECT_EQ(m.row(2), Eigen::RowVector3d(7, 8, 9));
+  EXPECT_EQ(config.matrix("J", "1", Mat3(Mat3::Identity())), Mat3(Mat3::Identity()));
+  EXPECT_EQ(config.resolved(),
+            "I = [[1, 2, 0.003], [4, 5, 6], [7, 8, 9]]  # kg m2\n"
+            "J = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]  # 1\n");
+}
+
+TEST(config, tells_the_quantities_that_were_read) {
+  const std::string toml = "a = \"2 mm\"\nn = 3\n[[t]]\nb = 4\n";
+  Config config = Config::read_file(write_temporary(".toml", toml), {});
+  config.quantity("a", "m", {});
+  config.quantity("bound", "m", std::numeric_limits<double>::infinity());
+  config.integer("n", {}, 0, 9);
+  config.tables("t")[0].quantity("b", "1", {});
+  config.vector("v", "m", Vec3(Vec3::Zero()));
+  EXPECT_EQ(config.quantities(), (std::map<std::string, double>{{"a", 0.002}, {"t[0].b", 4.0}}));
+}
+
+TEST(config, counts_the_mistakes_so_far) {
+  Config config = Config::read_file(write_temporary(".toml", "a = 1\n"), {});
+  EXPECT_EQ(config.problem_count(), 0u);
+  config.matrix("a", "m", {});
+  EXPECT_EQ(config.problem_count(), 1u);
+  config.other_file("x.csv: wrong");
+  EXPECT_EQ(config.problem_count(), 2u);
+}
+
 TEST(config, has_looks_without_reading) {
   Config config = Config::read_file(write_temporary(".toml", "[a]\nb = 1\n"), {});
   EXPECT_TRUE(config.has("a"));

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <vector>
+
+#include "dynamics/gyrostat.hpp"
+#include "dynamics/loads.hpp"
+#include "reference/dynamics/ode.hpp"
+
+namespace tdbd::reference {
+
+/// The bit with its cones as what they are: separate rigid bodies, held together by bearings. Frame
+/// B: the bit, whose origin is the fixed point when it is pinned.
+struct RigidBody {
+  double mass = 1.0;                  ///< kg
+  Vec3 centre_B = Vec3::Zero();       ///< m
+  Mat3 inertia_B = Mat3::Identity();  ///< kg m2, about its own centre
+};
+
+struct JointedCone {
+  double mass = 1.0;                ///< kg
+  Vec3 bearing_B = Vec3::Zero();    ///< m, a point of the axis where the bearing is
+  Vec3 axis_B = Vec3::UnitZ();      ///< unit
+  double offset = 0.0;              ///< m, from the bearing to the cone's centre along the axis
+  double axial_inertia = 0.0;       ///< kg m2
+  double transverse_inertia = 0.0;  ///< kg m2, about the centre, at least half the axial
+};
+
+enum class Mount { free, pinned };
+
+struct JointedBit {
+  RigidBody body;  ///< without the cones
+  std::vector<JointedCone> cones;
+  Mount mount = Mount::free;
+  double gravity = 0.0;                   ///< m/s2, along +ez, on every body
+  Vec3 torque_B = Vec3::Zero();           ///< N m, on the body, fixed in it
+  std::vector<dynamics::ConeLoad> loads;  ///< one for each cone
+};
+
+/// The gyrostat that moves like the jointed bit: inertia of all bodies, locked, about the common
+/// centre of mass or the fixed point, and gravity as a moment about the fixed point (none when
+/// free). The transverse inertias, masses and offsets go into the locked inertia and nowhere else:
+/// that is what the twin puts to the test.
+struct EquivalentGyrostat {
+  dynamics::Gyrostat gyrostat;
+  dynamics::Loads loads;
+};
+EquivalentGyrostat equivalent(const JointedBit& bit);
+
+/// Position and motion of the jointed bit. Frames: W space, B bit.
+struct JointedState {
+  Mat3 R_WB = Mat3::Identity();      ///< of the body
+  Vec3 w_B = Vec3::Zero();           ///< rad/s, of the body
+  std::vector<double> cone_angles;   ///< rad, of the cones against the body, unwrapped
+  std::vector<double> spins;         ///< rad/s, of the cones against the body
+  Vec3 momentum_W = Vec3::Zero();    ///< N m s, about the common centre of mass or the pin
+  std::vector<double> cone_momenta;  ///< N m s, of each cone about its axis
+  double energy = 0.0;               ///< J, kinetic and gravity's, 0 at the height of the origin
+};
+
+struct JointedRun {
+  JointedState state;
+  double largest_gap = 0.0;   ///< m, by which bearings and pin have come apart
+  double largest_tilt = 0.0;  ///< rad, between a cone's axis in the body and in the cone
+  long evaluations = 0;       ///< of the right-hand side
+};
+
+/// A different formulation than the gyrostat's (formulation 4, last line): every body has position,
+/// quaternion, velocity and angular velocity; each bearing gives five equations for accelerations,
+/// a pin three; the constraint forces are Lagrange multipliers of one dense linear system, solved
+/// at every evaluation and integrated by GSL's rk8pd. Nothing pulls back to the constraints: their
+/// drift is measured instead. Starts at t = 0 with cone angles 0 and the centre of mass at rest.
+/// Only R_WB, w_B and spins of `start` are read. Throws RunError as integrate() does.
+JointedRun jointed_run(const JointedBit& bit, const JointedState& start, double t_end,
+                       const OdeTolerance& tolerance = {});
+
+}  // namespace tdbd::reference

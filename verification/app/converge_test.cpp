@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/rotate_folder.hpp"
+#include "app/small_case.hpp"
+
+namespace tdbd::app {
+namespace {
+
+using Json = nlohmann::json;
+
+/// How far an observed order may lie from the method's (the numbers).
+constexpr double of_order_2 = 0.05, of_order_4 = 0.1;
+
+Json orders_of(const RotateFolder& c, std::vector<std::string> more) {
+  more.insert(more.begin(), {"--over", "time.step", "--quiet", "--force"});
+  const auto o = c.converge(more);
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_EQ(o.out + o.err, "");
+  return Json::parse(read(c.path("orders/convergence.json")));
+}
+
+void expect_order(const Json& study, const std::string& variable, double order, double tolerance) {
+  const Json& v = study["variables"][variable];
+  ASSERT_EQ(v["verdict"], "order") << variable << ": " << v["in_words"];
+  EXPECT_NEAR(v["order"].get<double>(), order, tolerance) << variable;
+  EXPECT_GE(v["used"], 3) << variable;
+}
+
+TEST(converge, the_case_with_all_loads_has_order_2_in_every_variable) {
+  const RotateFolder c;
+  for (const char* drift : {"split", "three-axis", "lie-midpoint", "lie-mean"}) {
+    const Json study =
+        orders_of(c, {"--levels", "6", "--set", std::string("integrator.drift=") + drift});
+    EXPECT_EQ(study["variables"].size(), 7u);
+    EXPECT_EQ(study["levels"].size(), 6u);
+    for (const char* v : {"attitude", "body_momentum", "space_momentum", "angular_velocity",
+                          "cone_angles", "cone_momenta", "energy"})
+      expect_order(study, v, 2.0, of_order_2);
+  }
+}
+
+TEST(converge, the_composition_has_order_4) {
+  RotateFolder c;
+  c.write("case.toml", free_body_text);
+  const Json study =
+      orders_of(c, {"--levels", "6", "--set", "integrator.order=4", "--set", "time.step=0.4"});
+  for (const char* v : {"attitude", "body_momentum", "angular_velocity", "cone_angles"})
+    expect_order(study, v, 4.0, of_order_4);
+  EXPECT_EQ(study["nominal_order"], 4.0);
+}
+
+TEST(converge, what_is_conserved_is_exact_and_has_no_order) {
+  RotateFolder c;
+  c.write("case.toml", free_body_text);
+  const Json study = orders_of(c, {"--levels", "5"});
+  for (const char* v : {"space_momentum", "cone_momenta"}) {
+    EXPECT_EQ(study["variables"][v]["verdict"], "exact");
+    EXPECT_TRUE(study["variables"][v]["order"].is_null());
+    EXPECT_EQ(study["variables"][v]["differences"], Json::array({0.0, 0.0, 0.0, 0.0}));
+  }
+}
+
+TEST(converge, fewer_than_three_differences_give_no_order_but_words) {
+  const RotateFolder c;
+  const Json v = orders_of(c, {"--levels", "3"})["variables"]["attitude"];
+  EXPECT_EQ(v["verdict"], "too few");
+  EXPECT_TRUE(v["order"].is_null());
+  EXPECT_EQ(v["in_words"],
+            "no order: 2 differences above the floor of rounding, at least 3 are needed");
+}
+
+TEST(converge, against_a_reference_every_level_has_an_error) {
+  const RotateFolder c;
+  ASSERT_EQ(c.rotate({"--set", "integrator.order=6", "--quiet"}, "fine").exit_code, 0);
+  for (const char* reference : {"fine", "fine/summary.json"}) {
+    const Json study = orders_of(c, {"--levels", "4", "--reference", c.path(reference)});
+    EXPECT_EQ(study["against"], "reference");
+    EXPECT_EQ(study["variables"]["attitude"]["errors"].size(), 4u);
+    expect_order(study, "attitude", 2.0, of_order_2);
+    expect_order(study, "cone_momenta", 2.0, of_order_2);
+  }
+}
+
+TEST(converge, prints_a_table_and_writes_three_files) {
+  const RotateFolder c;
+  const auto o = c.converge({"--over", "time.step", "--levels", "4"});
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_NE(o.out.find("\n  space_momentum                 2.000 (3 of 3 differences)\n"),
+            std::string::npos)
+      << o.out;
+  EXPECT_EQ(files_below(c.path("orders")),
+            (std::vector<std::string>{"convergence.csv", "convergence.json", "convergence.svg"}));
+  EXPECT_EQ(lines_of(c.path("orders/convergence.csv")), 4);
+  EXPECT_EQ(read(c.path("orders/convergence.csv")).rfind("time.step,steps,attitude [rad],", 0), 0u);
+}
+
+TEST(converge, the_same_study_gives_the_same_bytes) {
+  const RotateFolder c;
+  const std::vector<std::string> study{"--over", "time.step", "--levels", "4", "--quiet"};
+  ASSERT_EQ(c.converge(study, "first").exit_code, 0);
+  ASSERT_EQ(c.converge(study, "second").exit_code, 0);
+  expect_same_results(c.path("first"), c.path("second"), 3);
+}
+
+TEST(converge, steps_that_do_not_divide_the_duration_count_as_they_are) {
+  RotateFolder c;
+  c.write("case.toml", free_body_text);
+  const Json study = orders_of(c, {"--levels", "5", "--factor", "1.7"});
+  EXPECT_EQ(study["levels"][1]["steps"], 170);
+  EXPECT_EQ(study["levels"][1]["size"], 2.0 / 170.0);
+  EXPECT_EQ(study["levels"][2]["steps"], 289);
+  expect_order(study, "attitude", 2.0, of_order_2);
+}
+
+TEST(converge, any_quantity_of_the_case_can_be_divided) {
+  RotateFolder c;
+  c.write("case.toml", free_body_text);
+  const auto o = c.converge({"--over", "cones[1].axial_inertia", "--levels", "4"});
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  const Json study = Json::parse(read(c.path("orders/convergence.json")));
+  EXPECT_EQ(study["levels"][3]["size"], 0.2 / 8.0);
+  EXPECT_TRUE(study["nominal_order"].is_null());
+}
+
+TEST(converge, drills_a_run_case_over_its_step) {
+  const SmallCase c;
+  const auto o = battery::run_tdbd({"converge", c.path("case.toml"), "--over", "time.step",
+                                    "--levels", "3", "-o", c.path("orders"), "--quiet"});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const Json study = Json::parse(read(c.path("orders/convergence.json")));
+  for (const char* v : {"removed_volume", "removed_volume_by_part", "removed_volume_by_revolution"})
+    EXPECT_EQ(study["variables"][v]["differences"].size(), 2u) << v;
+  EXPECT_EQ(study["levels"][2]["steps"], 80);
+  EXPECT_EQ(study["levels"][0]["state"]["removed_volume_by_part"].size(), 13u);
+  EXPECT_EQ(study["title"], "small");
+}
+
+void expect_study_refused(const RotateFolder& c, std::vector<std::string> more,
+                          const std::string& message) {
+  expect_refusal(c.converge(more), message);
+  EXPECT_FALSE(std::filesystem::exists(c.path("orders")));
+}
+
+TEST(converge, a_wrong_study_is_refused) {
+  const RotateFolder c;
+  const std::vector<std::string> levels{"--levels", "4"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), levels.begin(), levels.end());
+    return more;
+  };
+  expect_study_refused(c, with({"--over", "time.stp"}),
+                       "--over: found time.stp, expected a quantity of the case: time.step");
+  expect_study_refused(c, with({"--over", "body.angular_velocity"}),
+                       "--over: found body.angular_velocity, expected a quantity of the case: "
+                       "time.step, for one");
+  expect_study_refused(c, with({"--over", "cones[1].angle"}),
+                       "--over: cones[1].angle: found 0, expected a quantity > 0");
+  expect_study_refused(c, with({"--over", "time.step", "--factor", "1"}),
+                       "--factor: found 1, expected a number > 1");
+  expect_study_refused(c, with({"--over", "time.step", "--reference", "/absent"}),
+                       "/absent: found no such file, expected a summary.json or the folder of a "
+                       "result");
+}
+
+TEST(converge, levels_that_end_at_different_times_are_refused) {
+  const RotateFolder c;
+  const auto o = c.converge({"--over", "time.duration", "--levels", "4"});
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_NE(o.err.find("level 2: found an end at t = 1 s, expected 2 s, as of the first level"),
+            std::string::npos)
+      << o.err;
+}
+
+TEST(converge, a_reference_of_another_kind_is_refused) {
+  const RotateFolder c;
+  c.write("summary.json", "{\"command\": \"bit\", \"duration_s\": 1}");
+  const auto other =
+      c.converge({"--over", "time.step", "--levels", "4", "--reference", c.path("summary.json")});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("summary.json: found the command \"bit\""), std::string::npos)
+      << other.err;
+  ASSERT_EQ(c.rotate({"--set", "time.duration=1"}).exit_code, 0);
+  const auto shorter =
+      c.converge({"--over", "time.step", "--levels", "4", "--reference", c.path("out")});
+  EXPECT_EQ(shorter.exit_code, 2);
+  EXPECT_NE(shorter.err.find("--reference: found an end at t = 1 s, expected 2 s"),
+            std::string::npos)
+      << shorter.err;
+}
+
+TEST(converge, wrong_numbers_of_levels_are_refused_by_the_command_line) {
+  const RotateFolder c;
+  for (const char* levels : {"1", "0", "-3", "1000", "many"})
+    EXPECT_EQ(c.converge({"--over", "time.step", "--levels", levels}).exit_code, 2) << levels;
+}
+
+}  // namespace
+}  // namespace tdbd::app

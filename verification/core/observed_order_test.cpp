@@ -1,0 +1,132 @@
+#include "core/observed_order.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace tdbd {
+namespace {
+
+/// Steps 0.1, 0.05, ... and an error for each.
+struct Study {
+  std::vector<double> steps, errors;
+};
+
+Study study(int levels, const std::function<double(double)>& error) {
+  Study s;
+  for (int i = 0; i < levels; ++i) {
+    s.steps.push_back(0.1 / std::pow(2.0, i));
+    s.errors.push_back(error(s.steps.back()));
+  }
+  return s;
+}
+
+ObservedOrder observe(const Study& s, double scale = 1.0) {
+  return observed_order(s.steps, s.errors, scale);
+}
+
+TEST(observed_order, a_power_has_its_own_order) {
+  for (const double p : {1.0, 2.0, 4.0}) {
+    const ObservedOrder o = observe(study(5, [&](double h) { return 3.0 * std::pow(h, p); }));
+    EXPECT_EQ(o.verdict, OrderVerdict::order);
+    EXPECT_NEAR(o.order, p, 1e-12);
+    EXPECT_NEAR(o.order_of_all, p, 1e-12);
+    EXPECT_EQ(o.used, 5);
+    EXPECT_EQ(o.first, 0);
+    for (const double local : o.local_orders) EXPECT_NEAR(local, p, 1e-12);
+  }
+}
+
+TEST(observed_order, coarse_steps_before_the_asymptotic_range_are_left_out) {
+  const ObservedOrder o =
+      observe(study(8, [](double h) { return h * h / (1.0 + 2000.0 * h * h); }));
+  EXPECT_EQ(o.verdict, OrderVerdict::order);
+  EXPECT_GT(o.first, 1);
+  EXPECT_NEAR(o.order, 2.0, 0.05);
+  EXPECT_LT(o.order_of_all, 1.8);
+}
+
+TEST(observed_order, rounding_at_fine_steps_is_left_out) {
+  const ObservedOrder o = observe(study(12, [](double h) { return std::pow(h, 4) + 1e-12; }));
+  EXPECT_EQ(o.verdict, OrderVerdict::order);
+  EXPECT_NEAR(o.order, 4.0, 0.02);
+  EXPECT_EQ(o.first + o.used, o.above_floor);
+  EXPECT_LT(o.above_floor, 12);
+  EXPECT_TRUE(std::isnan(o.local_orders.back()));
+}
+
+TEST(observed_order, rounding_alone_is_exact_and_no_order) {
+  EXPECT_EQ(observe(study(6, [](double) { return 0.0; })).verdict, OrderVerdict::exact);
+  const ObservedOrder o = observe(study(6, [](double h) { return 1e-13 * h; }));
+  EXPECT_EQ(o.verdict, OrderVerdict::exact);
+  EXPECT_EQ(o.order, 0.0);
+  EXPECT_EQ(in_words(o, "errors"), "exact: all errors are rounding");
+}
+
+TEST(observed_order, the_scale_tells_what_rounding_is) {
+  const Study s = study(5, [](double h) { return h * h; });
+  EXPECT_EQ(observe(s, 1.0).verdict, OrderVerdict::order);
+  EXPECT_EQ(observe(s, 1e12).verdict, OrderVerdict::exact);
+  EXPECT_EQ(observe(s, 1e7).above_floor, 2);
+}
+
+TEST(observed_order, two_errors_give_none) {
+  const ObservedOrder o = observe(study(2, [](double h) { return h * h; }));
+  EXPECT_EQ(o.verdict, OrderVerdict::too_few);
+  EXPECT_EQ(o.order, 0.0);
+  EXPECT_NEAR(o.order_of_all, 2.0, 1e-12);
+  EXPECT_EQ(in_words(o, "differences"),
+            "no order: 2 differences above the floor of rounding, at least 3 are needed");
+  EXPECT_EQ(observe(study(0, [](double) { return 1.0; })).verdict, OrderVerdict::too_few);
+}
+
+/// An error below the floor in between (a change of sign) breaks the range.
+TEST(observed_order, a_gap_ends_the_range) {
+  Study s = study(7, [](double h) { return h * h; });
+  s.errors[2] = 0.0;
+  const ObservedOrder o = observe(s);
+  EXPECT_EQ(o.verdict, OrderVerdict::order);
+  EXPECT_EQ(o.first, 3);
+  EXPECT_EQ(o.used, 4);
+}
+
+TEST(observed_order, errors_that_wander_have_not_settled) {
+  Study s = study(6, [](double h) { return h * h; });
+  for (std::size_t i = 0; i < s.errors.size(); i += 2) s.errors[i] *= 1.5;
+  const ObservedOrder o = observe(s);
+  EXPECT_EQ(o.verdict, OrderVerdict::not_settled);
+  EXPECT_EQ(o.order, 0.0);
+  EXPECT_EQ(in_words(o, "errors").rfind("no order: not settled", 0), 0u) << in_words(o, "errors");
+}
+
+TEST(observed_order, words_say_how_many_were_used) {
+  const ObservedOrder o = observe(study(4, [](double h) { return h * h; }));
+  EXPECT_EQ(in_words(o, "errors"), "2.000 (4 of 4 errors)");
+}
+
+/// Any power, factor and size, with an error of the next order.
+RC_GTEST_PROP(observed_order, is_found_in_the_asymptotic_range, ()) {
+  const double p = static_cast<double>(*rc::gen::inRange(1, 5));
+  const double c = std::pow(10.0, *rc::gen::inRange(-3, 4));
+  const double next = 0.01 * *rc::gen::inRange(-100, 101);
+  Study s = study(6, [&](double h) { return c * std::pow(h, p) * (1.0 + next * h); });
+  const ObservedOrder o = observed_order(s.steps, s.errors, c);
+  RC_ASSERT(o.verdict == OrderVerdict::order);
+  RC_ASSERT(std::abs(o.order - p) < 0.1);
+}
+
+/// The slope does not depend on the units of step and error.
+RC_GTEST_PROP(least_squares_order, does_not_depend_on_units, ()) {
+  const auto errors = *rc::gen::container<std::vector<int>>(6, rc::gen::inRange(1, 1000));
+  Study s = study(6, [](double) { return 1.0; });
+  for (std::size_t i = 0; i < 6; ++i) s.errors[i] = static_cast<double>(errors[i]);
+  const double order = least_squares_order(s.steps, s.errors);
+  for (double& h : s.steps) h *= 1000.0;
+  for (double& e : s.errors) e *= 1e-6;
+  RC_ASSERT(std::abs(least_squares_order(s.steps, s.errors) - order) < 1e-10);
+}
+
+}  // namespace
+}  // namespace tdbd

@@ -1,0 +1,83 @@
+#include "dynamics/gyrostat.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace tdbd::dynamics {
+namespace {
+
+constexpr double rounding = 1e-14;  // inertias of order one
+
+Mat3 diagonal(double a, double b, double c) { return Vec3(a, b, c).asDiagonal(); }
+
+std::string problem(const Mat3& I, const std::vector<Cone>& cones = {},
+                    InertiaCheck check = InertiaCheck::on) {
+  return inertia_problem(I, cones, check);
+}
+
+TEST(InertiaProblem, accepts_what_a_body_can_have_a_flat_one_included) {
+  EXPECT_EQ(problem(diagonal(2, 2.6, 3)), "");
+  EXPECT_EQ(problem(diagonal(1, 2, 3)), "");
+  EXPECT_EQ(problem(diagonal(2, 2.6, 3), {{Vec3(0.8, 0, 0.6), 0.1}}), "");
+}
+
+TEST(InertiaProblem, names_a_broken_triangle_inequality_unless_the_check_is_off) {
+  EXPECT_NE(problem(diagonal(1, 2, 3.1)).find("triangle inequality"), std::string::npos);
+  EXPECT_NE(problem(diagonal(1, 2, 3.1)).find("3.1"), std::string::npos);
+  EXPECT_EQ(problem(diagonal(1, 2, 3.1), {}, InertiaCheck::off), "");
+}
+
+TEST(InertiaProblem, names_what_the_equations_cannot_use_even_when_the_check_is_off) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Mat3 skewed = diagonal(2, 2, 2);
+  skewed(0, 1) = 0.1;
+  for (const InertiaCheck check : {InertiaCheck::on, InertiaCheck::off}) {
+    EXPECT_NE(problem(diagonal(1, 2, nan), {}, check).find("not finite"), std::string::npos);
+    EXPECT_NE(problem(skewed, {}, check).find("not symmetric"), std::string::npos);
+    EXPECT_NE(problem(diagonal(-1, 2, 2), {}, check).find("not positive"), std::string::npos);
+    EXPECT_NE(problem(diagonal(1, 1, 1), {{Vec3::Zero(), 0.1}}, check).find("axis of length 0"),
+              std::string::npos);
+    EXPECT_NE(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), -0.1}}, check).find("-0.1"),
+              std::string::npos);
+    EXPECT_NE(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), 1.0}}, check).find("heavier"),
+              std::string::npos);
+  }
+}
+
+TEST(InertiaProblem, counts_the_transverse_inertia_that_every_cone_has) {
+  // A disc of axial inertia 0.9 has at least 0.45 about its diameters: nothing is left for the
+  // body.
+  const std::vector<Cone> disc = {{Vec3::UnitZ(), 0.9}};
+  EXPECT_NE(problem(diagonal(0.4, 0.9, 1.0), disc).find("heavier"), std::string::npos);
+  EXPECT_EQ(problem(diagonal(0.4, 0.9, 1.0), disc, InertiaCheck::off), "");
+}
+
+TEST(MakeGyrostat, takes_the_cones_out_of_the_locked_inertia_and_finds_its_principal_axes) {
+  const Gyrostat g = make_gyrostat(diagonal(2, 2.6, 3), {{Vec3(3, 0, 4), 0.1}});
+  EXPECT_NEAR(g.cones[0].axis_B.norm(), 1.0, rounding);
+  const Vec3 s(0.6, 0, 0.8);
+  EXPECT_LE((g.carrier_B - (diagonal(2, 2.6, 3) - 0.1 * s * s.transpose())).norm(), rounding);
+  EXPECT_LE((g.carrier_inverse_B * g.carrier_B - Mat3::Identity()).norm(), rounding);
+  const Mat3& Q = g.principal_axes_B;
+  EXPECT_LE((Q * g.principal.asDiagonal() * Q.transpose() - g.carrier_B).norm(), rounding);
+  EXPECT_NEAR(Q.determinant(), 1.0, rounding);
+}
+
+TEST(MakeGyrostat, sees_through_rounding_that_a_body_is_symmetric) {
+  std::vector<Cone> cones;
+  for (const double angle : {0.0, 2.0943951023931953, 4.1887902047863905})
+    cones.push_back({Vec3(std::cos(angle), std::sin(angle), 0.7), 0.1});
+  const Gyrostat g = make_gyrostat(diagonal(2, 2, 3), cones);
+  EXPECT_EQ(g.principal[0], g.principal[1]);
+  EXPECT_NE(g.principal[1], g.principal[2]);
+}
+
+TEST(MakeGyrostat, throws_with_the_reason) {
+  EXPECT_THROW(make_gyrostat(diagonal(1, 2, 4), {}), InputError);
+}
+
+}  // namespace
+}  // namespace tdbd::dynamics
