@@ -27,7 +27,8 @@ class Data:
     def command(self, run):
         """The command line as a user would type it after the program's name."""
         settings = [f"{key}={text(value)}" for key, value in run.settings.items()]
-        return [run.command, run.case, *run.arguments, *(w for s in settings for w in ("--set", s))]
+        first = [run.command] if run.command else []
+        return [*first, run.case, *run.arguments, *(w for s in settings for w in ("--set", s))]
 
     def inputs(self, run):
         """Fingerprint of all that decides the result: command line, case, program."""
@@ -65,15 +66,21 @@ class Data:
             return False
         self.stamp(run).unlink(missing_ok=True)
         self.result(run).mkdir(parents=True, exist_ok=True)
-        words = [self.build / run.program, *self.command(run), "-o", self.result(run), "--force",
-                 "--quiet"]
-        done = subprocess.run(list(map(str, words)), cwd=self.root, capture_output=True, text=True)
-        if done.returncode != 0:
-            raise Stale(f"{run.name}: exit code {done.returncode}: {' '.join(map(str, words))}\n"
-                        f"{done.stderr.strip()}")
+        self.call(run)
         fingerprint.write(self.stamp(run), {"inputs": inputs, "command": self.command(run),
                                             "files": self.contents(run)})
         return True
+
+    def call(self, run):
+        """Runs the program; its results are then in the run's folder. Raises Stale when it fails."""
+        words = [str(self.build / run.program), *self.command(run)]
+        if run.output == "folder":
+            words += ["-o", str(self.result(run)), "--force", "--quiet"]
+        done = subprocess.run(words, cwd=self.root, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise Stale(f"{run.name}: exit code {done.returncode}: {' '.join(words)}\n{done.stderr.strip()}")
+        if run.output == "stdout":
+            (self.result(run) / "stdout.txt").write_text(done.stdout, encoding="utf-8")
 
     def newest(self, run):
         """When the result last changed, ns."""

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 # Keys that each table may have, and the ones that it must have.
-RUN_KEYS = {"command": str, "case": str, "program": str, "arguments": list, "set": dict,
-            "variants": list, "sweep": dict, "quick": dict}
+RUN_KEYS = {"command": str, "case": str, "program": str, "output": str, "arguments": list,
+            "set": dict, "variants": list, "sweep": dict, "quick": dict}
 QUICK_KEYS = {"arguments": list, "set": dict, "sweep": dict}
 FIGURE_KEYS = {"name": str, "script": str, "thesis": str, "title": str, "shows": str,
                "reconstructed": str, "runs": list, "tables": list, "claims": list}
 CLAIM_KEYS = {"slug": str, "claim": str, "where": str}
-OPTIONAL = {"program", "arguments", "set", "variants", "sweep", "quick", "runs", "tables"}
+OPTIONAL = {"program", "output", "arguments", "set", "variants", "sweep", "quick", "runs", "tables"}
 
 
 class ManifestError(Exception):
@@ -28,6 +28,7 @@ class Run:
     command: str
     case: str  # relative to the root
     program: str  # relative to the build folder
+    output: str  # "folder": takes -o; "stdout": prints, kept as stdout.txt
     arguments: tuple = ()
     settings: dict = field(default_factory=dict, hash=False)
 
@@ -98,7 +99,8 @@ def runs_of(group, table, is_quick):
         for values in itertools.product(*sweep.values()):
             own = variant | dict(zip(sweep, values))
             yield Run(group, name_of(group, own), table["command"], table["case"],
-                      table.get("program", "tdbd"), tuple(map(text, arguments)), common | own)
+                      table.get("program", "tdbd"), table.get("output", "folder"),
+                      tuple(map(text, arguments)), common | own)
 
 
 def figure_of(table):

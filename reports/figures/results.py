@@ -22,6 +22,11 @@ def summary(folder):
     return read_json(folder, "summary.json")
 
 
+def printed_lines(folder):
+    """What a twin printed: one JSON object a line."""
+    return [json.loads(line) for line in (Path(folder) / "stdout.txt").read_text(encoding="utf-8").splitlines()]
+
+
 def attitude_error(folder, reference):
     """||R - R_reference||_F / sqrt 2 at the end: the angle between them, rad, while it is small."""
     found, exact = (np.array(summary(f)["attitude"]) for f in (folder, reference))

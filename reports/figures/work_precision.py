@@ -5,7 +5,8 @@ from figures import results, style
 ORDERS = (2, 4, 6, 8)
 NAMES = {2: "order 2", 4: "order 4, Suzuki", 6: "order 6, Kahan-Li", 8: "order 8, Kahan-Li"}
 GROUPS = ("work-precision", "work-precision-coarse")
-RIVALS = "work-precision-rivals"
+RIVALS = {"rk8pd": ("Runge-Kutta 8(9), GSL", "solid"), "rkf45": ("Runge-Kutta 4(5), GSL", (0, (4, 2))),
+          "rk4": ("classical Runge-Kutta", ":")}
 
 
 def points(runs, reference):
@@ -21,16 +22,25 @@ def draw_drift(axes, inputs, reference, order, drift):
     axes.loglog(*points(runs, reference), color=colour, marker=marker, markersize=3, label=label)
 
 
+def draw_rivals(axes, inputs):
+    for method, (label, dash) in RIVALS.items():
+        for _, run in inputs.sweep(f"rival-{method}"):
+            found = [(line["torque_evaluations"], line["attitude_error_rad"]) for line in results.printed_lines(run)]
+            axes.loglog(*zip(*sorted(found)), color=style.GREY, linestyle=dash, linewidth=1.0, label=label)
+
+
 def draw(inputs):
     figure, grid = style.panels(2, 2, (9.0, 7.4), sharex=True, sharey=True)
     reference = inputs.folder("slow-top-reference")
     for axes, order in zip(grid.flat, ORDERS):
         for drift in style.DRIFTS:
             draw_drift(axes, inputs, reference, order, drift)
+        draw_rivals(axes, inputs)
         axes.set_title(NAMES[order])
     for axes in grid[:, 0]:
         axes.set_ylabel("attitude error at the end (rad)")
     for axes in grid[-1]:
         axes.set_xlabel("torque evaluations")
+    grid[0, 0].set_ylim(1e-13, 10.0)
     grid[0, 0].legend(loc="lower left", fontsize=7)
     return figure
