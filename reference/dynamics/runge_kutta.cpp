@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "reference/dynamics/applied_torque.hpp"
 
@@ -66,7 +67,9 @@ std::vector<double> stops(const dynamics::Loads& loads, double t0, double t1) {
 
 GyrostatState matrix_state(const dynamics::RotationState& s) {
   const Mat3 R_WB = s.q_WB.toRotationMatrix();
-  return {s.time, R_WB, R_WB.transpose() * s.momentum_W, s.cone_angles, s.cone_momenta, s.twist};
+  const double twist = 2.0 * std::atan2(s.q_WB.z(), s.q_WB.w()) +
+                       4.0 * std::numbers::pi * static_cast<double>(s.turns);
+  return {s.time, R_WB, R_WB.transpose() * s.momentum_W, s.cone_angles, s.cone_momenta, twist};
 }
 
 Vec3 bit_angular_velocity(const dynamics::Gyrostat& g, const GyrostatState& s) {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "verification/battery/generators.hpp"
+#include "battery/generators.hpp"
 
 namespace tdbd::reference {
 namespace {

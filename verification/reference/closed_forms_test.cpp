@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "battery/generators.hpp"
+#include "battery/golden.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
-#include "verification/battery/generators.hpp"
-#include "verification/battery/golden.hpp"
 
 namespace tdbd::reference {
 namespace {
