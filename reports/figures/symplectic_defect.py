@@ -21,7 +21,7 @@ def draw_drift(axes, own, drift):
     label, colour, marker = style.DRIFTS[drift]
     steps = [r["h"] for r in own]
     axes.loglog(steps, [max(r["defect"], ROUNDING / 10) for r in own], marker, color=colour, label=label)
-    closed = [(r["h"], r["closed_form"]) for r in own if r.get("closed_form")]
+    closed = [(r["h"], r["closed_form"]) for r in own if (r.get("closed_form") or 0.0) > ROUNDING]
     if closed:
         axes.loglog(*zip(*closed), color=colour, linewidth=0.9, label="its closed form")
 
@@ -54,6 +54,7 @@ def draw(inputs):
         axes.set_ylabel(r"$\|J^T\Omega J-\Omega\|_F$ of one step")
     for axes in grid[-1]:
         axes.set_xlabel("step (s)")
+    grid[0, 0].set_ylim(bottom=ROUNDING / 20)
     if rows:
-        grid[0, 0].legend(fontsize=7, loc="center right", bbox_to_anchor=(1.0, 0.4))
+        grid[0, 0].legend(fontsize=6.5, loc="center right", bbox_to_anchor=(1.0, 0.38), labelspacing=0.3)
     return figure
