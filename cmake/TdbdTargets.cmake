@@ -27,12 +27,21 @@ function(tdbd_library name)
   endif()
 endfunction()
 
+# All programs that scripts/report needs.
+add_custom_target(report_programs)
+
 # tdbd_tests(NAME SOURCES a_test.cpp ... LINKS dep ...): one GoogleTest program, one ctest entry per test.
+# Tests that link tdbd_evidence have the label evidence: scripts/report builds and runs them.
 function(tdbd_tests name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/verification" "${PROJECT_SOURCE_DIR}")
   target_compile_definitions(${name} PRIVATE TDBD_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gtest_main rapidcheck rapidcheck_gtest)
-  gtest_discover_tests(${name} PROPERTIES TIMEOUT 600 DISCOVERY_TIMEOUT 60)
+  set(labels "")
+  if("tdbd_evidence" IN_LIST ARG_LINKS)
+    set(labels LABELS evidence)
+    add_dependencies(report_programs ${name})
+  endif()
+  gtest_discover_tests(${name} PROPERTIES TIMEOUT 600 ${labels} DISCOVERY_TIMEOUT 60)
 endfunction()

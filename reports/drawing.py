@@ -1,0 +1,112 @@
+"""Draws the figures of the manifest whose inputs changed."""
+
+import importlib
+from importlib.metadata import version
+from pathlib import Path
+
+import evidence
+import fingerprint
+from fingerprint import Stale
+
+DPI = 200
+SCRIPTS = Path(__file__).parent / "figures"
+COMMON = ("results", "style")  # what every figure's script may use
+
+
+class Inputs:
+    """What a figure's script sees: result folders of its runs and rows of its tables."""
+
+    def __init__(self, groups, tables):
+        self.groups, self.tables = groups, tables
+
+    def folder(self, group):
+        """The result folder of a run that is no sweep."""
+        [(_, folder)] = self.groups[group]
+        return folder
+
+    def sweep(self, group):
+        """[(settings, result folder)] of all runs of a group; empty when they were not made."""
+        return self.groups[group]
+
+    def table(self, name):
+        """Rows of an evidence table; None when there is none in this run (--quick)."""
+        return self.tables[name]
+
+
+class Drawing:
+    """Figures NAME.png and their stamps NAME.made.json in a folder."""
+
+    def __init__(self, manifest, data, evidence_folder, folder, is_quick):
+        self.manifest, self.data, self.is_quick = manifest, data, is_quick
+        self.evidence_folder, self.folder = Path(evidence_folder), Path(folder)
+
+    def picture(self, figure):
+        return self.folder / f"{figure.name}.png"
+
+    def stamp(self, figure):
+        return self.folder / f"{figure.name}.made.json"
+
+    def runs(self, figure):
+        return [r for group in figure.runs for r in self.manifest.group(group)]
+
+    def is_made(self, run):
+        """In a quick run a twin that is not built leaves its part of a figure empty."""
+        return not self.is_quick or (self.data.build / run.program).is_file()
+
+    def table(self, name):
+        """An evidence table; None when a quick run has none."""
+        try:
+            return evidence.table(self.evidence_folder, self.data.build, name)
+        except Stale:
+            if self.is_quick:
+                return None
+            raise
+
+    def rows(self, name):
+        table = self.table(name)
+        return table and table["rows"]
+
+    def inputs(self, figure):
+        """Fingerprint of all that decides the picture: script, style, results, tables, versions."""
+        scripts = [fingerprint.of_file(SCRIPTS / f"{n}.py") for n in (figure.script, *COMMON)]
+        results = [fingerprint.read(self.data.stamp(r)).get("files") for r in self.runs(figure)]
+        return fingerprint.of_value([scripts, results, [self.rows(t) for t in figure.tables],
+                                     version("matplotlib"), version("numpy")])
+
+    def draw(self, figure):
+        import matplotlib  # slow to load, and most calls draw nothing
+        matplotlib.use("Agg")
+        groups = {g: [(r.settings, self.data.result(r)) for r in self.manifest.group(g) if self.is_made(r)]
+                  for g in figure.runs}
+        script = importlib.import_module(f"figures.{figure.script}")
+        try:
+            drawn = script.draw(Inputs(groups, {t: self.rows(t) for t in figure.tables}))
+        except (ArithmeticError, LookupError, OSError, ValueError) as error:
+            raise Stale(f"figure {figure.name}: cannot be drawn of its data: {error!r}") from error
+        self.folder.mkdir(parents=True, exist_ok=True)
+        drawn.savefig(self.picture(figure), dpi=DPI, metadata={"Software": None})
+
+    def problem(self, figure):
+        """Why the picture is stale: missing, of other inputs, or older than its data. Or None."""
+        picture, stamp = self.picture(figure), fingerprint.read(self.stamp(figure))
+        if not picture.is_file() or not stamp:
+            return "has not been drawn"
+        if stamp["inputs"] != self.inputs(figure):
+            return "its data, its script or its style changed after it was drawn"
+        for run in filter(self.is_made, self.runs(figure)):
+            if self.data.newest(run) > picture.stat().st_mtime_ns:
+                return f"older than its data {self.data.result(run)}"
+        return None
+
+    def update(self, figure):
+        """Draws a stale figure; returns whether it did."""
+        if self.problem(figure) is None:
+            return False
+        self.stamp(figure).unlink(missing_ok=True)
+        self.draw(figure)
+        fingerprint.write(self.stamp(figure), {"inputs": self.inputs(figure)})
+        return True
+
+    def demand_current(self, figure):
+        if problem := self.problem(figure):
+            raise Stale(f"figure {figure.name}: {problem}")

@@ -1,0 +1,106 @@
+"""What the tests measured: EVIDENCE/CLAIM/WHAT.json and EVIDENCE/tables/NAME.json
+(verification/battery/evidence.hpp)."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from fingerprint import Stale
+
+# From the best to the worst.
+VERDICTS = ["holds", "holds with limits", "refuted"]
+NOT_MEASURED = "not measured in this run"
+
+
+class Wrong(Stale):
+    """Evidence that cannot be shown: of no claim, of no verdict, not readable."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    claim: str
+    what: str
+    measured: float
+    unit: str
+    limit: str
+    verdict: str
+    test: str
+    program: str
+
+
+def demand_fresh(file, program):
+    """Raises Stale when the test program is newer than what it wrote."""
+    if not program.is_file():
+        raise Stale(f"evidence {file}: its test program {program} does not exist; remove the file, or build")
+    if file.stat().st_mtime_ns < program.stat().st_mtime_ns:
+        raise Stale(f"evidence {file}: older than the test program {program}; run ctest -L evidence (when "
+                    "no test writes it any more, remove it)")
+
+
+def read_file(file, build):
+    try:
+        document = json.loads(file.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise Wrong(f"evidence {file}: {error}") from error
+    demand_fresh(file, Path(build) / document["program"])
+    return document
+
+
+def read_evidence(file, folder, build, slugs):
+    """One measurement. Raises Stale, or Wrong when no page can show it."""
+    document = read_file(file, build)
+    try:
+        evidence = Evidence(**document)
+    except TypeError as error:
+        raise Wrong(f"evidence {file}: {error}") from error
+    if evidence.verdict not in VERDICTS or evidence.claim != str(file.parent.relative_to(folder)):
+        raise Wrong(f"evidence {file}: verdict {evidence.verdict!r}, claim {evidence.claim!r}")
+    if evidence.claim not in slugs:
+        raise Wrong(f"evidence {file}: claims.toml has no {evidence.claim}")
+    return evidence
+
+
+@dataclass(frozen=True)
+class Collection:
+    by_claim: dict  # a list for every claim, of fresh evidence
+    stale: list  # what is missing, or older than its test program
+    wrong: list  # what no run excuses
+
+
+def collect(folder, build, claims):
+    """All evidence in a folder."""
+    found = Collection({c.slug: [] for c in claims}, [], [])
+    for file in sorted(Path(folder).rglob("*.json")):
+        if file.relative_to(folder).parts[0] == "tables":
+            continue
+        try:
+            evidence = read_evidence(file, folder, build, found.by_claim)
+            found.by_claim[evidence.claim].append(evidence)
+        except Wrong as wrong:
+            found.wrong.append(str(wrong))
+        except Stale as stale:
+            found.stale.append(str(stale))
+    found.stale.extend(f"evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
+                       for slug, written in found.by_claim.items() if not written)
+    return found
+
+
+def table_file(folder, name):
+    return Path(folder) / "tables" / f"{name}.json"
+
+
+def table(folder, build, name):
+    """The table that a test wrote: test, program, rows. Raises Stale."""
+    file = table_file(folder, name)
+    if not file.is_file():
+        raise Stale(f"evidence {file}: no test wrote it; run ctest -L evidence")
+    return read_file(file, build)
+
+
+def deciding(evidence):
+    """The first of the worst measurements of a claim: the claim is as good as that. None: none."""
+    return max(evidence, key=lambda e: VERDICTS.index(e.verdict), default=None)
+
+
+def verdict(evidence):
+    return deciding(evidence).verdict if evidence else NOT_MEASURED

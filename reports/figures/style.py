@@ -1,0 +1,35 @@
+"""How the figures look: colours that survive colour blindness, one for each drift."""
+
+import matplotlib
+from matplotlib.figure import Figure
+
+BLUE, RED, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#B3569B"
+GOLD, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#1d2733", "#8593a3"
+XYZ = {"x": BLUE, "y": RED, "z": GREEN}
+CONES = (PURPLE, GOLD, SKY)
+
+# name in a case: (label, colour, marker)
+DRIFTS = {
+    "lie-midpoint": ("Lie midpoint (thesis, reconstructed)", RED, "^"),
+    "lie-mean": ("Lie mean", PURPLE, "D"),
+    "three-axis": ("three-axis", GREEN, "s"),
+    "split": ("split (default)", BLUE, "o"),
+}
+
+matplotlib.rcParams.update({
+    "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9, "legend.fontsize": 8,
+    "legend.frameon": False, "lines.linewidth": 1.3, "lines.markersize": 4, "axes.grid": True,
+    "grid.color": "0.9", "axes.axisbelow": True, "axes.spines.top": False, "axes.spines.right": False,
+    "axes.formatter.useoffset": False, "axes.formatter.limits": (-3, 5)})
+
+
+def panels(rows, columns, size, **options):
+    """A figure of this size (inches) and its axes."""
+    figure = Figure(figsize=size, layout="constrained")
+    return figure, figure.subplots(rows, columns, **options)
+
+
+def say_missing(axes, what):
+    """In a quick run a part may not be measured; the figure says so."""
+    axes.text(0.5, 0.5, f"{what}:\nnot measured in this run", transform=axes.transAxes, ha="center",
+              va="center", color=GREY)

@@ -1,0 +1,77 @@
+"""Fingerprints of inputs, and the stamps that say what an output was made from."""
+
+import hashlib
+import json
+import tomllib
+from pathlib import Path
+
+
+class Stale(Exception):
+    """Something is missing or was made from other inputs; the message says what and what to do."""
+
+
+def of_bytes(*parts):
+    digest = hashlib.sha256()
+    for part in parts:
+        digest.update(len(part).to_bytes(8, "big") + part)
+    return digest.hexdigest()
+
+
+def of_value(value):
+    return of_bytes(json.dumps(value, sort_keys=True).encode())
+
+
+def of_file(path):
+    return of_bytes(Path(path).read_bytes())
+
+
+def strings(value):
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, (dict, list)):
+        for inner in value.values() if isinstance(value, dict) else value:
+            yield from strings(inner)
+
+
+def of_case(case):
+    """The case and every file that it names, relative to its folder."""
+    case = Path(case)
+    document = tomllib.loads(case.read_text(encoding="utf-8"))
+    named = sorted({s for s in strings(document) if s and "\n" not in s and (case.parent / s).is_file()})
+    return of_value([of_file(case)] + [[s, of_file(case.parent / s)] for s in named])
+
+
+def objects(build, program):
+    """The compiled sources behind a program of a build folder: src, and for a twin also reference."""
+    folders = ["src"] if "/" not in program else ["src", program.split("/")[0]]
+    return sorted(o for f in folders for o in (build / f).rglob("*.o") if "provenance" not in o.name)
+
+
+def of_program(build, program):
+    """What decides a program's numbers, and not the commit that it was built from.
+
+    The executable holds the commit's name, so that its bytes change with every commit. The objects
+    that it is linked from do not, but for the one with the provenance: a change in them may change a
+    number, and a commit that changes no machine code reruns nothing. A program without objects (a
+    script) is its own bytes.
+    """
+    found = objects(Path(build), program)
+    if not found:
+        return of_file(Path(build) / program)
+    return of_value([[str(o.relative_to(build)), of_file(o)] for o in found])
+
+
+def write(path, value):
+    """Whole or not at all."""
+    partial = Path(f"{path}.partial")
+    partial.parent.mkdir(parents=True, exist_ok=True)
+    partial.write_text(json.dumps(value, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    partial.rename(path)
+
+
+def read(path):
+    """The stamp in a file, or an empty one."""
+    try:
+        return json.loads(Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}

@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+"""Brings the report up to date: runs, figures, page. Exit code 1 when something is stale.
+
+    reports/make.py [--quick | --check | --evidence-only] [--build DIR] [--output DIR]
+
+It runs what changed and nothing else, through the program in the build folder, draws what changed,
+and writes OUTPUT/index.html. With --check it makes nothing and says all that is stale.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+import evidence
+import manifest as manifests
+import page
+from data import Data
+from drawing import Drawing
+from fingerprint import Stale
+
+HERE = Path(__file__).resolve().parent
+
+
+def gather(actions):
+    """Calls each action; returns what they complain about."""
+    problems = []
+    for action, subject in actions:
+        try:
+            action(subject)
+        except Stale as stale:
+            problems.append(str(stale))
+    return problems
+
+
+def told(update, subject):
+    if update(subject):
+        print(f"made {subject.name}", flush=True)
+
+
+def update(manifest, data, drawing):
+    """Runs and draws what changed; returns problems. No figure is drawn of failed runs."""
+    runs = [r for r in manifest.runs if drawing.is_made(r)]
+    problems = gather([(lambda r: told(data.update, r), r) for r in runs])
+    return problems or gather([(lambda f: told(drawing.update, f), f) for f in manifest.figures])
+
+
+def stale(manifest, data, drawing):
+    """All that is missing, or does not match what it was made from."""
+    runs = [r for r in manifest.runs if drawing.is_made(r)]
+    return (gather([(data.demand_current, r) for r in runs])
+            or gather([(drawing.demand_current, f) for f in manifest.figures]))
+
+
+def stale_page(html, manifest, drawing, evidence_folder):
+    """Whether the page is older than a picture or a measurement on it, as a list of problems."""
+    if not html.is_file():
+        return [f"{html}: has not been made"]
+    sources = [drawing.picture(f) for f in manifest.figures] + list(evidence_folder.rglob("*.json"))
+    newer = [s for s in sources if s.stat().st_mtime_ns > html.stat().st_mtime_ns]
+    return [f"{html}: older than {newer[0]}"] if newer else []
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    mode = parser.add_mutually_exclusive_group()
+    mode.add_argument("--quick", action="store_true", help="shorter cases; missing evidence is no error")
+    mode.add_argument("--check", action="store_true", help="make nothing, say what is stale")
+    mode.add_argument("--evidence-only", action="store_true", help="only ask whether the evidence is fresh")
+    parser.add_argument("--root", type=Path, default=HERE.parent, help="where cases/ and reports/ are")
+    parser.add_argument("--build", type=Path, help="build folder (build/release)")
+    parser.add_argument("--output", type=Path, help="where the report goes (results/report)")
+    chosen = parser.parse_args(arguments)
+    chosen.build = (chosen.build or chosen.root / "build/release").resolve()
+    default = chosen.build / "report-quick" if chosen.quick else chosen.root / "results/report"
+    chosen.output = (chosen.output or default).resolve()
+    return chosen
+
+
+def report(chosen):
+    """Does what the arguments say; returns problems."""
+    manifest = manifests.read(chosen.root / "reports", chosen.quick)
+    folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
+    found = evidence.collect(folder, chosen.build, manifest.claims)
+    unproved = found.wrong + ([] if chosen.quick else found.stale)
+    if chosen.evidence_only:
+        tables = {t for f in manifest.figures for t in f.tables}
+        return unproved + gather([(lambda t: evidence.table(folder, chosen.build, t), t)
+                                  for t in sorted(tables)])
+    data = Data(chosen.root, chosen.build, chosen.output / "data")
+    drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
+    html = chosen.output / "index.html"
+    if chosen.check:
+        problems = stale(manifest, data, drawing) or stale_page(html, manifest, drawing, folder)
+        return problems + unproved
+    html.unlink(missing_ok=True)
+    problems = update(manifest, data, drawing) or stale(manifest, data, drawing)
+    problems += unproved
+    if not problems:
+        page.write(html, manifest, data, drawing, found.by_claim, chosen.quick)
+        print(f"report: look at {html}")
+    return problems
+
+
+def main(arguments):
+    try:
+        problems = report(parse(arguments))
+    except manifests.ManifestError as error:
+        problems = [str(error)]
+    for problem in problems:
+        print(f"report: {problem}", file=sys.stderr)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

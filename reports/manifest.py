@@ -1,0 +1,141 @@
+"""What the report is made of, read from manifest.toml and claims.toml: runs, figures, claims."""
+
+import itertools
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+# Keys that each table may have, and the ones that it must have.
+RUN_KEYS = {"command": str, "case": str, "program": str, "output": str, "arguments": list,
+            "set": dict, "variants": list, "sweep": dict, "quick": dict}
+QUICK_KEYS = {"arguments": list, "set": dict, "sweep": dict}
+FIGURE_KEYS = {"name": str, "script": str, "thesis": str, "title": str, "shows": str,
+               "reconstructed": str, "runs": list, "tables": list, "claims": list}
+CLAIM_KEYS = {"slug": str, "claim": str, "where": str}
+OPTIONAL = {"program", "output", "arguments", "set", "variants", "sweep", "quick", "runs", "tables"}
+
+
+class ManifestError(Exception):
+    """The manifest is wrong; the message names the table and the key."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """One call of a program. `settings` go to it as --set KEY=VALUE."""
+
+    group: str  # the manifest's name; a sweep makes several runs of one group
+    name: str
+    command: str
+    case: str  # relative to the root
+    program: str  # relative to the build folder
+    output: str  # "folder": takes -o; "stdout": prints, kept as stdout.txt
+    arguments: tuple = ()
+    settings: dict = field(default_factory=dict, hash=False)
+
+
+@dataclass(frozen=True)
+class Figure:
+    name: str
+    script: str
+    thesis: str  # number of the figure in the thesis; empty: ours
+    title: str
+    shows: str
+    reconstructed: str  # what of it is; empty: nothing
+    runs: tuple  # groups
+    tables: tuple  # evidence tables
+    claims: tuple
+
+
+@dataclass(frozen=True)
+class Claim:
+    slug: str
+    claim: str
+    where: str  # where it is made
+
+
+@dataclass(frozen=True)
+class Manifest:
+    runs: tuple
+    figures: tuple
+    claims: tuple
+
+    def group(self, name):
+        return [r for r in self.runs if r.group == name]
+
+    def figures_of(self, slug):
+        return [f for f in self.figures if slug in f.claims]
+
+
+def checked(where, table, keys):
+    """The table, when its keys are known, complete and of the right type."""
+    for key, value in table.items():
+        if key not in keys:
+            raise ManifestError(f"{where}: unknown key {key}; known are {', '.join(keys)}")
+        if not isinstance(value, keys[key]):
+            raise ManifestError(f"{where}: {key} is {value!r}, expected a {keys[key].__name__}")
+    for key in keys:
+        if key not in table and key not in OPTIONAL:
+            raise ManifestError(f"{where}: {key} is missing")
+    return table
+
+
+def text(value):
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def name_of(group, settings):
+    return "/".join([group, *(text(v).replace(" ", "") for v in settings.values())])
+
+
+def runs_of(group, table, is_quick):
+    """A run, or one for every variant and every combination of the values to sweep."""
+    where = f"run {group}"
+    checked(where, table, RUN_KEYS)
+    quick = checked(f"{where}, quick", table.get("quick", {}), QUICK_KEYS) if is_quick else {}
+    common = table.get("set", {}) | quick.get("set", {})
+    sweep = table.get("sweep", {}) | quick.get("sweep", {})
+    arguments = quick.get("arguments", table.get("arguments", []))
+    for variant in table.get("variants", [{}]):
+        for values in itertools.product(*sweep.values()):
+            own = variant | dict(zip(sweep, values))
+            yield Run(group, name_of(group, own), table["command"], table["case"],
+                      table.get("program", "tdbd"), table.get("output", "folder"),
+                      tuple(map(text, arguments)), common | own)
+
+
+def figure_of(table):
+    checked(f"figure {table.get('name', '?')}", table, FIGURE_KEYS)
+    values = {"runs": [], "tables": []} | table
+    return Figure(**{k: tuple(v) if isinstance(v, list) else v for k, v in values.items()})
+
+
+def demand_links(manifest):
+    """What a figure names exists; nothing is there that nobody shows; no name comes twice."""
+    groups = {r.group for r in manifest.runs}
+    slugs = [c.slug for c in manifest.claims]
+    for names in ([f.name for f in manifest.figures], slugs):
+        if doubled := {n for n in names if names.count(n) > 1}:
+            raise ManifestError(f"twice: {', '.join(sorted(doubled))}")
+    for f in manifest.figures:
+        for missing in [r for r in f.runs if r not in groups] + [c for c in f.claims if c not in slugs]:
+            raise ManifestError(f"figure {f.name}: no run or claim {missing}")
+    if unused := groups - {r for f in manifest.figures for r in f.runs}:
+        raise ManifestError(f"no figure shows the runs {', '.join(sorted(unused))}")
+
+
+def load(path):
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise ManifestError(f"{path}: {error}") from error
+
+
+def read(folder, is_quick=False):
+    """Reads manifest.toml and claims.toml of a folder. Raises ManifestError."""
+    document = load(Path(folder) / "manifest.toml")
+    runs = [r for group, table in document["runs"].items() for r in runs_of(group, table, is_quick)]
+    claims = [Claim(**checked(f"claim {t.get('slug', '?')}", t, CLAIM_KEYS))
+              for t in load(Path(folder) / "claims.toml")["claims"]]
+    manifest = Manifest(tuple(runs), tuple(map(figure_of, document["figures"])), tuple(claims))
+    demand_links(manifest)
+    return manifest

@@ -1,0 +1,64 @@
+"""The evidence page: one HTML file with everything in it."""
+
+import base64
+import json
+import platform
+import shlex
+from importlib.metadata import version
+from pathlib import Path
+
+import jinja2
+
+import evidence
+
+HERE = Path(__file__).parent
+
+
+def embedded(picture):
+    return "data:image/png;base64," + base64.b64encode(Path(picture).read_bytes()).decode()
+
+
+def rows(manifest, found):
+    """One row for each claim, in the order of claims.toml."""
+    return [{"claim": c, "evidence": found[c.slug], "decides": evidence.deciding(found[c.slug]),
+             "verdict": evidence.verdict(found[c.slug]), "figures": manifest.figures_of(c.slug)}
+            for c in manifest.claims]
+
+
+def pictures(manifest, data, drawing):
+    return [{"figure": f, "picture": embedded(drawing.picture(f)),
+             "tables": [(t, drawing.table(t)["test"]) for t in f.tables if drawing.table(t)],
+             "commands": [shlex.join([r.program, *data.command(r)]) for r in drawing.runs(f)]}
+            for f in manifest.figures]
+
+
+def program(manifest, data):
+    """(what, which) of the programs that made the results, as these say themselves: results that did
+    not change may be of an earlier commit."""
+    made = {}
+    for run in manifest.runs:
+        for name in ("summary.json", "convergence.json"):
+            if (file := data.result(run) / name).is_file():
+                summary = json.loads(file.read_text(encoding="utf-8"))
+                for key in ("version", "commit", "compiler", "flags"):
+                    made.setdefault(key, {}).setdefault(str(summary.get(key, "?")))
+    return [(key, ", ".join(values)) for key, values in made.items()]
+
+
+def provenance(manifest, data):
+    """(what, which): what made the results, and what drew them."""
+    drawn = [(name, version(name)) for name in ("numpy", "matplotlib", "netCDF4", "Jinja2")]
+    return program(manifest, data) + [("python", platform.python_version())] + drawn
+
+
+def write(path, manifest, data, drawing, found, is_quick):
+    """Writes the page, whole or not at all."""
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
+                                     undefined=jinja2.StrictUndefined, trim_blocks=True,
+                                     lstrip_blocks=True)
+    html = environment.get_template("page.html.j2").render(
+        rows=rows(manifest, found), pictures=pictures(manifest, data, drawing),
+        provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
+    partial = Path(f"{path}.partial")
+    partial.write_text(html, encoding="utf-8")
+    partial.rename(path)

@@ -1,0 +1,56 @@
+"""quick_test.py ROOT BUILD: makes the quick report and looks at the page.
+
+Every claim has a row with a verdict, every figure is embedded and points to what it shows; a second
+call makes nothing.
+"""
+
+import html.parser
+import pathlib
+import re
+import subprocess
+import sys
+
+root, build = map(pathlib.Path, sys.argv[1:])
+sys.path.insert(0, str(root / "reports"))
+import manifest  # noqa: E402
+from evidence import NOT_MEASURED, VERDICTS  # noqa: E402
+
+PICTURE = r'<img alt="[^"]+" src="data:image/png;base64,[A-Za-z0-9+/]{10000,}=*">'
+
+
+def make():
+    command = [sys.executable, "-B", root / "reports/make.py", "--quick", "--build", build]
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+class Balance(html.parser.HTMLParser):
+    """Every tag that opens closes, in order."""
+
+    open_tags = []
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in ("meta", "img", "br"):
+            self.open_tags.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open_tags.pop() == tag, f"{tag} at {self.getpos()}"
+
+
+make()
+assert "made" not in make(), "an unchanged report was made again"
+page = (build / "report-quick/index.html").read_text(encoding="utf-8")
+wanted = manifest.read(root / "reports", is_quick=True)
+for claim in wanted.claims:
+    row = re.search(rf'<tr class="claim" id="claim-{claim.slug}">.*?</tr>', page, re.DOTALL)
+    assert row, claim.slug
+    assert any(f">{v}</span>" in row[0] for v in [*VERDICTS, NOT_MEASURED]), claim.slug
+for figure in wanted.figures:
+    block = re.search(rf'<figure id="figure-{figure.name}">.*?</figure>', page, re.DOTALL)
+    assert block and re.search(PICTURE, block[0]), figure.name
+    assert ("Reconstructed:" in block[0]) == bool(figure.reconstructed), figure.name
+assert len(re.findall(PICTURE, page)) == len(wanted.figures)
+assert not re.search(r"(src|href)=.https?:", page), "the page fetches something"
+balance = Balance()
+balance.feed(page)
+assert not balance.open_tags, balance.open_tags
+print(f"{len(wanted.claims)} claims, {len(wanted.figures)} figures")

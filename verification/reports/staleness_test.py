@@ -1,0 +1,226 @@
+"""What changed is made again, what did not is left alone, what is stale is an error."""
+
+import tempfile
+import unittest
+
+from small_project import CLAIMS, EVIDENCE, FIGURE, MANIFEST, PROGRAM, Project
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        code, _, complaints = Project(cls.made.name).make()
+        assert (code, complaints) == (0, ""), complaints
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.project = Project(self.folder.name, copy_of=self.made.name)
+
+    def assert_made(self):
+        code, _, complaints = self.project.make()
+        self.assertEqual((code, complaints), (0, ""))
+
+    def assert_stale(self, *words, arguments=("--check",)):
+        code, _, complaints = self.project.make(*arguments)
+        self.assertEqual(code, 1, complaints)
+        for word in words:
+            self.assertIn(word, complaints)
+
+    def picture_time(self):
+        return (self.project.out / "figures/first.png").stat().st_mtime_ns
+
+    def assert_remade(self, runs, drawn):
+        """So many further runs, and whether the figure was drawn again."""
+        calls, picture = len(self.project.calls()), self.picture_time()
+        self.assert_made()
+        self.assertEqual(len(self.project.calls()) - calls, runs)
+        self.assertEqual(self.picture_time() != picture, drawn)
+        self.assertEqual(self.project.make("--check"), (0, "", ""))
+
+    def test_nothing_changed_nothing_is_made(self):
+        self.assertEqual(len(self.project.calls()), 1)
+        self.assertIn("rotate cases/one.toml --set time.step=0.1 s -o", self.project.calls()[0])
+        self.assert_remade(runs=0, drawn=False)
+
+    def test_a_changed_case(self):
+        self.project.write("cases/one.toml", "[time]\nstep = 2.0\n")
+        self.assert_stale("one: the result does not match the manifest")
+        self.assert_remade(runs=1, drawn=True)
+
+    def test_a_file_that_the_case_names(self):
+        self.project.write("cases/one.toml", 'mesh = "body.stl"\n')
+        self.project.write("cases/body.stl", "one")
+        self.assert_remade(runs=1, drawn=True)
+        self.project.write("cases/body.stl", "two")
+        self.assert_stale("one: the result does not match")
+        self.assert_remade(runs=1, drawn=True)
+
+    def test_a_changed_command(self):
+        self.project.write("reports/manifest.toml", MANIFEST.replace("0.1 s", "0.2 s"))
+        self.assert_stale("one: the result does not match")
+        self.assert_remade(runs=1, drawn=True)
+
+    def test_a_changed_program(self):
+        self.project.write("build/release/tdbd", PROGRAM + "# another\n")
+        self.assert_stale("one: the result does not match")
+        self.assert_remade(runs=1, drawn=True)
+
+    def test_objects_stand_for_the_program_and_the_commit_does_not(self):
+        self.project.write("build/release/src/a.cpp.o", "machine code")
+        self.assert_remade(runs=1, drawn=True)
+        self.project.write("build/release/tdbd", PROGRAM + "# linked again\n")
+        self.project.write("build/release/src/provenance.cpp.o", "commit 1")
+        self.assert_remade(runs=0, drawn=False)
+        self.project.write("build/release/src/a.cpp.o", "other machine code")
+        self.assert_stale("one: the result does not match")
+        self.assert_remade(runs=1, drawn=True)
+
+    def test_a_result_changed_by_hand(self):
+        (self.project.out / "data/one/summary.json").write_text("{}")
+        self.assert_stale("one: the result was changed after the run")
+        self.assert_stale("one: the result was changed after the run", arguments=())
+
+    def test_a_result_folder_that_went(self):
+        for file in (self.project.out / "data/one").iterdir():
+            file.unlink()
+        (self.project.out / "data/one").rmdir()
+        self.assert_stale("one: the result was changed")
+        self.assert_remade(runs=1, drawn=True)
+
+    def test_the_time_that_a_run_took_is_no_result(self):
+        (self.project.out / "data/one/timing.json").write_text("{}")
+        self.assert_remade(runs=0, drawn=False)
+
+    def test_a_figure_older_than_its_data(self):
+        self.project.age("results/report/figures/first.png", 60)
+        self.assert_stale("figure first: older than its data")
+        self.assert_remade(runs=0, drawn=True)
+
+    def test_a_changed_script_style_or_table(self):
+        self.project.write("reports/figures/first.py", FIGURE + "# another\n")
+        self.assert_stale("figure first: its data, its script or its style changed")
+        self.assert_remade(runs=0, drawn=True)
+        self.project.write("reports/figures/style.py", "LINE = 2\n")
+        self.assert_remade(runs=0, drawn=True)
+        table = self.project.build / "evidence/tables/numbers.json"
+        table.write_text(table.read_text().replace("2.0", "3.0"))
+        self.assert_remade(runs=0, drawn=True)
+
+    def test_a_figure_whose_data_lack_something(self):
+        self.project.write("reports/figures/first.py", FIGURE.replace('table("numbers")', 'table("other")'))
+        self.assert_stale("figure first: cannot be drawn of its data", "other", arguments=())
+
+    def test_a_missing_figure(self):
+        (self.project.out / "figures/first.png").unlink()
+        self.assert_stale("figure first: has not been drawn")
+        self.assert_made()
+
+    def test_a_page_older_than_a_measurement(self):
+        self.project.measure(EVIDENCE | {"measured": 1.9})
+        self.assert_stale("index.html: older than", "what.json")
+        self.assert_remade(runs=0, drawn=False)
+
+    def test_a_run_that_fails_leaves_no_page(self):
+        self.project.write("cases/bad.toml", "")
+        self.project.write("reports/manifest.toml", MANIFEST.replace("one.toml", "bad.toml"))
+        self.assert_stale("one: exit code 2", "tdbd: bad case", arguments=())
+        self.assertFalse((self.project.out / "index.html").exists())
+        self.assert_stale("one: has not been run")
+
+    def test_a_program_that_is_not_built(self):
+        (self.project.build / "tdbd").unlink()
+        self.assert_stale("is not built")
+
+    def test_evidence_older_than_its_program(self):
+        self.project.age("build/release/verify", -60)
+        self.assert_stale("older than the test program", "evidence for chapter5/order: no test wrote any")
+        self.assert_stale("older than the test program", arguments=())
+        self.assert_stale("numbers.json", "older than the test program", arguments=("--evidence-only",))
+
+    def test_evidence_that_is_missing(self):
+        (self.project.build / "evidence/chapter5/order/what.json").unlink()
+        self.assert_stale("evidence for chapter5/order: no test wrote any")
+        self.assert_stale("evidence for chapter5/order: no test wrote any", arguments=())
+        self.assertFalse((self.project.out / "index.html").exists())
+        code, _, complaints = self.project.make("--quick")
+        self.assertEqual((code, complaints), (0, ""))
+        page = (self.project.build / "report-quick/index.html").read_text()
+        self.assertTrue("not measured in this run" in page)
+
+    def test_a_table_that_is_missing(self):
+        (self.project.build / "evidence/tables/numbers.json").unlink()
+        self.assert_stale("numbers.json: no test wrote it")
+        self.assert_stale("numbers.json: no test wrote it", arguments=())
+        self.assertEqual(self.project.make("--quick")[0], 0)
+
+    def test_evidence_of_no_claim_or_verdict(self):
+        self.project.measure(EVIDENCE | {"claim": "chapter5/other"})
+        self.assert_stale("claims.toml has no chapter5/other")
+        self.assert_stale("claims.toml has no chapter5/other", arguments=("--quick",))
+        self.project.measure(EVIDENCE | {"verdict": "true"}, "second")
+        self.assert_stale("verdict 'true'")
+        self.project.measure({"claim": "chapter5/order", "program": "verify"}, "third")
+        self.assert_stale("third.json", "missing")
+
+    def test_the_page_says_what_the_files_say(self):
+        page = (self.project.out / "index.html").read_text()
+        self.assertRegex(page, 'title="2.001234567890123[0-9]"')  # every digit, on hover
+        for words in ("Second &lt;order&gt;", "order of the attitude", "2.001", "2 +- 0.05", "Order.is_two",
+                      "<b>Reconstructed:</b> all of it",
+                      "tdbd rotate cases/one.toml --set &#39;time.step=0.1 s&#39;", "data:image/png;base64,"):
+            self.assertTrue(words in page, words)
+        self.assertFalse("http" in page)  # one file, nothing fetched
+        self.project.measure(EVIDENCE | {"verdict": "refuted"}, "second")
+        self.assert_made()
+        page = (self.project.out / "index.html").read_text()
+        row = page[page.index('id="claim-chapter5/order"'):].split("</tr>")[0]
+        self.assertIn("refuted", row)  # the worst verdict is the claim's
+        self.assertIn("all 2 measurements", row)
+
+    def test_a_quick_run_is_shorter_and_elsewhere(self):
+        self.assertEqual(self.project.make("--quick")[0], 0)
+        self.assertIn("--set time.duration=1 s", self.project.calls()[-1])
+        self.assertEqual(self.project.make("--check"), (0, "", ""))
+
+
+class Manifest(unittest.TestCase):
+    def test_mistakes_are_named(self):
+        for wrong, words in {
+                MANIFEST.replace("case =", "cas ="): "run one: unknown key cas",
+                MANIFEST.replace('title = "First"', ""): "figure first: title is missing",
+                MANIFEST.replace('runs = ["one"]', 'runs = "one"'): "expected a list",
+                MANIFEST.replace('["one"]', '["two"]'): "figure first: no run or claim two",
+                MANIFEST.replace('"chapter5/order"', '"order"'): "no run or claim order",
+                MANIFEST + MANIFEST[MANIFEST.index("[[figures]]"):]: "twice: first",
+                MANIFEST.replace('["one"]', "[]"): "no figure shows the runs one",
+                MANIFEST + "[": "manifest.toml"}.items():
+            with tempfile.TemporaryDirectory() as folder:
+                project = Project(folder)
+                project.write("reports/manifest.toml", wrong)
+                code, _, complaints = project.make()
+                self.assertEqual(code, 1)
+                self.assertIn(words, complaints)
+                self.assertEqual(project.calls(), [])
+
+    def test_a_sweep_is_a_run_for_every_combination(self):
+        with tempfile.TemporaryDirectory() as folder:
+            project = Project(folder)
+            project.write("reports/manifest.toml", MANIFEST.replace(
+                "quick =", 'sweep = {"integrator.order" = [2, 4], "time.step" = ["1 s", "2 s"]}\nquick ='))
+            project.write("reports/figures/first.py", FIGURE.replace(
+                "inputs.folder('one').name", "len(inputs.sweep('one'))"))
+            self.assertEqual(project.make()[2], "")
+            self.assertEqual(len(project.calls()), 4)
+            self.assertIn("--set time.step=2 s --set integrator.order=4 -o", project.calls()[-1])
+            self.assertTrue((project.out / "data/one/2/1s/summary.json").is_file())
+            self.assertEqual(project.make("--check"), (0, "", ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
