@@ -7,13 +7,15 @@
 #include <fstream>
 #include <iterator>
 
+#include "verification/core/temporary_folder.hpp"
+
 namespace tdbd::app {
 
 namespace fs = std::filesystem;
 
 CaseFolder::CaseFolder() {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fs::path(::testing::TempDir()) /
+  folder_ = fs::path(tdbd::temporary_folder()) /
             (std::string("tdbd_") + info->test_suite_name() + "_" + info->name());
   fs::remove_all(folder_);
   fs::create_directories(folder_);

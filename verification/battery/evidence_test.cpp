@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "verification/core/temporary_folder.hpp"
+
 namespace tdbd::battery {
 namespace {
 
@@ -33,7 +35,7 @@ class EvidenceFile : public ::testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  const fs::path folder = ::testing::TempDir() + "tdbd_evidence_" +
+  const fs::path folder = tdbd::temporary_folder() + "tdbd_evidence_" +
                           ::testing::UnitTest::GetInstance()->current_test_info()->name();
   Evidence example{"chapter5/second-order",
                    "Order of the attitude, slow top (h = 0.01 s)",

@@ -6,12 +6,13 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::bit {
 namespace {
 
 std::vector<CsvRow> rows_of(const std::string& text) {
-  const std::string path = testing::TempDir() + "tdbd-" +
+  const std::string path = tdbd::temporary_folder() + "tdbd-" +
                            testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
   std::ofstream(path) << text;
   const std::vector<CsvRow> rows = read_csv(path);
@@ -35,7 +36,7 @@ TEST(csv, counts_the_lines_that_it_skips) {
 TEST(csv, reads_a_last_line_without_its_end) { EXPECT_EQ(rows_of("a\nb").size(), 2u); }
 
 TEST(csv, of_a_missing_file_is_an_error) {
-  EXPECT_THROW(read_csv(testing::TempDir() + "tdbd-no-such-file.csv"), InputError);
+  EXPECT_THROW(read_csv(tdbd::temporary_folder() + "tdbd-no-such-file.csv"), InputError);
 }
 
 }  // namespace

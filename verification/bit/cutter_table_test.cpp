@@ -7,6 +7,7 @@
 
 #include "bit/generate.hpp"
 #include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -41,7 +42,7 @@ class CutterTable : public testing::Test {
     return mistakes(std::string(header) + "\n" + row + "\n");
   }
 
-  const std::string path = testing::TempDir() + "tdbd-" +
+  const std::string path = tdbd::temporary_folder() + "tdbd-" +
                            testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
 };
 

@@ -6,6 +6,7 @@
 #include "core/config.hpp"
 #include "core/error.hpp"
 #include "temporary_file.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd {
 namespace {
@@ -196,7 +197,7 @@ TEST(config_errors, all_mistakes_of_a_file_come_together_sorted_by_line) {
 TEST(config_errors, files_that_are_missing_or_no_toml) {
   EXPECT_EQ(read_failure("/no/such.toml"),
             "/no/such.toml: found no such file, expected a TOML file");
-  EXPECT_NE(read_failure(::testing::TempDir()).find("expected a TOML file"), std::string::npos);
+  EXPECT_NE(read_failure(tdbd::temporary_folder()).find("expected a TOML file"), std::string::npos);
   const std::string path = write_temporary(".toml", "a = 1\nb = = 2\n");
   EXPECT_EQ(read_failure(path).rfind(path + ":2:5: found a syntax error, expected TOML: ", 0), 0u)
       << read_failure(path);
@@ -205,7 +206,7 @@ TEST(config_errors, files_that_are_missing_or_no_toml) {
 }
 
 RC_GTEST_PROP(config_errors, any_bytes_are_a_file_or_an_input_error, (const std::string& bytes)) {
-  const std::string path = ::testing::TempDir() + "config_errors_bytes.toml";
+  const std::string path = tdbd::temporary_folder() + "config_errors_bytes.toml";
   std::ofstream(path) << "a = 1\n" << bytes;
   try {
     Config config = Config::read_file(path, {bytes, "b=" + bytes, bytes + "=1"});

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "temporary_file.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd {
 namespace {
@@ -70,7 +71,7 @@ Sample read_sample(Config& config) {
 }
 
 TEST(config, reads_every_kind_of_value) {
-  const std::string csv = ::testing::TempDir() + "cutters.csv";
+  const std::string csv = tdbd::temporary_folder() + "cutters.csv";
   std::ofstream(csv) << "x\n";
   Config config = Config::read_file(write_temporary(".toml", sample), {});
   const Sample s = read_sample(config);
@@ -90,11 +91,11 @@ TEST(config, reads_every_kind_of_value) {
 }
 
 TEST(config, the_resolved_file_reads_the_same_and_resolves_to_itself) {
-  std::ofstream(::testing::TempDir() + "cutters.csv") << "x\n";
+  std::ofstream(tdbd::temporary_folder() + "cutters.csv") << "x\n";
   Config config = Config::read_file(write_temporary(".toml", sample), {"motion.rpm=7 rpm"});
   const Sample first = read_sample(config);
-  std::filesystem::create_directories(::testing::TempDir() + "elsewhere");
-  const std::string copy = ::testing::TempDir() + "elsewhere/resolved.toml";
+  std::filesystem::create_directories(tdbd::temporary_folder() + "elsewhere");
+  const std::string copy = tdbd::temporary_folder() + "elsewhere/resolved.toml";
   std::ofstream(copy) << config.resolved();
   Config again = Config::read_file(copy, {});
   EXPECT_EQ(read_sample(again), first) << config.resolved();
@@ -167,7 +168,7 @@ TEST(config, has_looks_without_reading) {
 
 RC_GTEST_PROP(config, every_double_survives_the_resolved_file, (double x)) {
   RC_PRE(std::isfinite(x));
-  const std::string path = ::testing::TempDir() + "config_double.toml";
+  const std::string path = tdbd::temporary_folder() + "config_double.toml";
   std::ofstream(path) << fmt::format("x = {:.17e}\n", x);
   Config config = Config::read_file(path, {});
   const double read = config.quantity("x", "m", {});
@@ -177,7 +178,7 @@ RC_GTEST_PROP(config, every_double_survives_the_resolved_file, (double x)) {
 }
 
 RC_GTEST_PROP(config, every_text_survives_the_resolved_file, (const std::string& text)) {
-  const std::string path = ::testing::TempDir() + "config_text.toml";
+  const std::string path = tdbd::temporary_folder() + "config_text.toml";
   std::ofstream(path) << "";
   Config config = Config::read_file(path, {});
   std::string ascii;

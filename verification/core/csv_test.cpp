@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "temporary_file.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd {
 namespace {
@@ -55,7 +56,7 @@ TEST(csv, refuses_a_bad_header) {
 
 TEST(csv, refuses_a_missing_file_and_a_missing_column) {
   EXPECT_EQ(failure("/no/such.csv"), "/no/such.csv: found no such file, expected a CSV table");
-  EXPECT_NE(failure(::testing::TempDir()).find("expected a CSV table"), std::string::npos);
+  EXPECT_NE(failure(tdbd::temporary_folder()).find("expected a CSV table"), std::string::npos);
   const CsvTable table{"f.csv", {"time", "depth"}, {}, {}};
   try {
     csv_column(table, "dept");
@@ -72,7 +73,7 @@ RC_GTEST_PROP(csv, numbers_with_17_digits_come_back, (const std::vector<double>&
     RC_PRE(std::isfinite(v));
     text += fmt::format("{:.17g}\n", v);
   }
-  const std::string path = ::testing::TempDir() + "csv_numbers.csv";
+  const std::string path = tdbd::temporary_folder() + "csv_numbers.csv";
   std::ofstream(path) << text;
   const CsvTable table = read_csv(path);
   RC_ASSERT(table.rows.size() == values.size());

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "mesh/check.hpp"
 #include "mesh/example_meshes.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 /// A path of the running test alone: tests may run at the same time.
 fs::path temporary(const std::string& name) {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  return ::testing::TempDir() + "tdbd_files_" + test->name() + "_" + name;
+  return tdbd::temporary_folder() + "tdbd_files_" + test->name() + "_" + name;
 }
 
 fs::path write_text_file(const std::string& name, const std::string& text) {
@@ -127,7 +128,7 @@ TEST(files, polygons_become_fans) {
 TEST(files, bad_input_is_refused_with_path_and_reason) {
   EXPECT_TRUE(contains(refusal("nowhere/part.stl"), "nowhere/part.stl: no such file"));
   EXPECT_TRUE(contains(refusal("part.step"), "unknown mesh format '.step'"));
-  EXPECT_TRUE(contains(refusal(::testing::TempDir()), "unknown mesh format"));
+  EXPECT_TRUE(contains(refusal(tdbd::temporary_folder()), "unknown mesh format"));
   EXPECT_TRUE(contains(refusal(write_text_file("empty.stl", "")), "no triangles"));
   EXPECT_TRUE(
       contains(refusal(write_text_file("none.off", "OFF\n1 0 0\n0 0 0\n")), "no triangles"));

@@ -10,13 +10,16 @@
 
 #include "core/error.hpp"
 #include "mesh/example_meshes.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::mesh {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path temporary(const std::string& name) { return ::testing::TempDir() + "tdbd_vtp_" + name; }
+fs::path temporary(const std::string& name) {
+  return tdbd::temporary_folder() + "tdbd_vtp_" + name;
+}
 
 std::string text_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "simulation/synthetic_result.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -14,7 +15,7 @@ const std::string source = TDBD_SOURCE_DIR;
 
 TEST(draw, figures_of_a_result_are_pictures_and_not_blank) {
   const OutputFolder folder =
-      write_synthetic_result(::testing::TempDir() + "tdbd_draw_result", 60, 180);
+      write_synthetic_result(tdbd::temporary_folder() + "tdbd_draw_result", 60, 180);
   const std::string path = folder.path.string();
   ASSERT_EQ(run(python + source + "/reports/draw.py " + path), 0);
   const std::string check = python + source + "/verification/simulation/check_picture.py " + path;
@@ -25,7 +26,7 @@ TEST(draw, figures_of_a_result_are_pictures_and_not_blank) {
 
 TEST(draw, a_folder_without_a_surface_is_an_error) {
   const OutputFolder folder =
-      write_synthetic_result(::testing::TempDir() + "tdbd_draw_no_surface", 4, 8);
+      write_synthetic_result(tdbd::temporary_folder() + "tdbd_draw_no_surface", 4, 8);
   std::filesystem::remove(folder.frames() / "rock_final.vtp");
   EXPECT_NE(run(python + source + "/reports/draw.py " + folder.path.string() + " 2>/dev/null"), 0);
 }

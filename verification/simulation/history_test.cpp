@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -20,7 +21,7 @@ const std::vector<HistoryPart> parts = {{"cutter-1/face", "face"}, {"gage-pad-1"
 
 /// An empty folder of one test.
 fs::path folder(const std::string& name) {
-  const fs::path path = ::testing::TempDir() + "tdbd_history_" + name;
+  const fs::path path = tdbd::temporary_folder() + "tdbd_history_" + name;
   fs::remove_all(path);
   fs::create_directories(path);
   return path;

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "verification/core/temporary_folder.hpp"
+
 namespace tdbd::simulation {
 namespace {
 
@@ -17,7 +19,7 @@ LogLogPlot two_decades() {
 
 /// check_plot.py reads it as XML and finds the points on a straight line of the slope of the axes.
 int check(const LogLogPlot& plot, const std::string& points) {
-  const std::string file = ::testing::TempDir() + "tdbd_plot.svg";
+  const std::string file = tdbd::temporary_folder() + "tdbd_plot.svg";
   std::ofstream(file) << to_svg(plot);
   const std::string command = std::string("/usr/bin/python3 -B ") + TDBD_SOURCE_DIR +
                               "/verification/simulation/check_plot.py " + file + " " + points;

@@ -7,13 +7,14 @@
 #include <string>
 
 #include "mesh/files.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 
 /// An empty folder of this test's own.
 inline std::filesystem::path test_folder() {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(::testing::TempDir()) /
+  const auto folder = std::filesystem::path(tdbd::temporary_folder()) /
                       (std::string(info->test_suite_name()) + "_" + info->name());
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 /// A path of one test, at which there is nothing.
 fs::path nothing_at(const std::string& name) {
-  const fs::path path = ::testing::TempDir() + "tdbd_output_" + name;
+  const fs::path path = tdbd::temporary_folder() + "tdbd_output_" + name;
   fs::remove_all(path);
   return path;
 }

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "dynamics/momenta.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -55,8 +56,8 @@ history_every = 3
 )";
 
 RotateCase read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const std::string path = ::testing::TempDir() + "rotate_case.toml";
-  std::ofstream(::testing::TempDir() + "rotate_case_torque.csv")
+  const std::string path = tdbd::temporary_folder() + "rotate_case.toml";
+  std::ofstream(tdbd::temporary_folder() + "rotate_case_torque.csv")
       << "time_s,x,y,z\n0.5,1,2,3\n1.5,4,5,6\n";
   std::ofstream(path) << text;
   return read_rotate_case(path, overrides);
@@ -160,7 +161,7 @@ TEST(rotate_case, steps_fit_the_duration) {
 }
 
 TEST(rotate_case, is_told_from_a_run) {
-  const std::string path = ::testing::TempDir() + "rotate_or_run.toml";
+  const std::string path = tdbd::temporary_folder() + "rotate_or_run.toml";
   std::ofstream(path) << "[bit]\nfile = \"x\"\n";
   EXPECT_FALSE(is_rotate_case(path));
   std::ofstream(path) << "[body]\n";

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "simulation/rotate_case.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -37,7 +38,7 @@ std::string cones_text(int count) {
 /// check_rotate_history.py opens the record of a case with so many cones, and finds in every row
 /// what the variables have to do with each other.
 void check_with_cones(int cones) {
-  const fs::path where = ::testing::TempDir() + "tdbd_rotate_history_" + std::to_string(cones);
+  const fs::path where = tdbd::temporary_folder() + "tdbd_rotate_history_" + std::to_string(cones);
   fs::remove_all(where);
   fs::create_directories(where);
   std::ofstream(where / "case.toml") << body_text << cones_text(cones) << rest_text;

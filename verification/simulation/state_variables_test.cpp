@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -79,7 +80,7 @@ TEST(state_variables, other_texts_are_refused_by_name) {
 }
 
 TEST(state_variables, are_found_in_a_folder_or_a_file) {
-  const std::filesystem::path folder = ::testing::TempDir() + "tdbd_state_variables";
+  const std::filesystem::path folder = tdbd::temporary_folder() + "tdbd_state_variables";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "summary.json") << rotate_summary(0.1);
   EXPECT_EQ(read_end_state_file(folder).duration, 2.5);

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/provenance.hpp"
+#include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -89,7 +90,7 @@ TEST(summary, timing_holds_what_depends_on_the_machine) {
 }
 
 TEST(summary, is_written_whole) {
-  const std::filesystem::path path = ::testing::TempDir() + "tdbd_summary.json";
+  const std::filesystem::path path = tdbd::temporary_folder() + "tdbd_summary.json";
   write_text(path, to_json(third()));
   std::ifstream in(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), to_json(third()));
