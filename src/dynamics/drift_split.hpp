@@ -18,16 +18,20 @@ void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
   const double low = 1.0 / g.principal[0] - rate, high = 1.0 / g.principal[2] - rate;
   const Eigen::Quaternion<S> in_space = rotation::quaternion_exp<S>(h * rate * s.momentum_W);
   BodyFlow<S> f = begin_flow(g, s);
-  if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
-  if (g.cones.empty()) {
-    if (high != 0.0) flow_about_axis<2>(h * high, f);
-  } else {
-    if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
-    flow_spherical(h * rate, f);
-    if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
-  }
-  if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
   s.q_WB = in_space * s.q_WB;
+  if (g.cones.empty() && high == 0.0) {
+    flow_about_axis<0>(h * low, f);
+  } else {
+    if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
+    if (g.cones.empty()) {
+      if (high != 0.0) flow_about_axis<2>(h * high, f);
+    } else {
+      if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
+      flow_spherical(h * rate, f);
+      if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
+    }
+    if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
+  }
   end_flow(g, h, f, s);
 }
 
