@@ -13,7 +13,7 @@ namespace tdbd::dynamics {
 /// free body's attitude is exact when its cones' momentum lies along the axis. Without cones S acts
 /// in space alone and commutes with the rest.
 template <class S>
-void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
+[[gnu::flatten]] void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
   const double rate = 1.0 / g.principal[1];
   const double low = 1.0 / g.principal[0] - rate, high = 1.0 / g.principal[2] - rate;
   const Eigen::Quaternion<S> in_space = rotation::quaternion_exp<S>(h * rate * s.momentum_W);
@@ -37,7 +37,7 @@ void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
 
 /// One rotation about each principal axis of It, in the order 1 2 3 2 1.
 template <class S>
-void drift_three_axis(const Gyrostat& g, double h, RotationStateOf<S>& s) {
+[[gnu::flatten]] void drift_three_axis(const Gyrostat& g, double h, RotationStateOf<S>& s) {
   const Vec3 h_rate = h * g.principal.cwiseInverse();
   BodyFlow<S> f = begin_flow(g, s);
   flow_about_axis<0>(0.5 * h_rate[0], f);
