@@ -20,7 +20,7 @@ template <class S>
 BodyFlow<S> begin_flow(const Gyrostat& g, const RotationStateOf<S>& s) {
   BodyFlow<S> f;
   const auto to_P = g.principal_axes_B.transpose().cast<S>();
-  f.momentum_P = to_P * body_momentum(s);
+  f.momentum_P = to_P * (s.q_WB.toRotationMatrix().transpose() * s.momentum_W);
   f.sigma_P.setZero();
   if (!g.cones.empty()) f.sigma_P = to_P * cone_momentum_sum(g, s);
   return f;
