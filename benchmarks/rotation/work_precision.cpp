@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-
-#include "core/error.hpp"
+#include <exception>
 
 namespace tdbd::bench {
 namespace {
@@ -45,11 +44,12 @@ WorkPoint run(const RotationCase& c, const Method& method, double setting, int r
   return point;
 }
 
-/// A step that is too long for a drift that solves: as bad as can be, and no reason to stop.
+/// A step too long for a drift that solves, or at which a rival breaks down: as bad as can be, and
+/// no reason to stop.
 WorkPoint try_run(const RotationCase& c, const Method& method, double setting) {
   try {
     return run(c, method, setting, 1);
-  } catch (const RunError&) {
+  } catch (const std::exception&) {
     WorkPoint failed;
     failed.setting = setting;
     failed.errors.attitude = failed.errors.momentum = failed.errors.energy = INFINITY;

@@ -103,8 +103,8 @@ LieOutcome solve_lie(const Gyrostat& g, LieMomentum which, double h, const Vec3O
 
 /// One drift over h; leaves the state alone when it is too long.
 template <class S>
-LieOutcome drift_lie(const Gyrostat& g, LieMomentum which, double h, const LieSolve& options,
-                     RotationStateOf<S>& s) {
+[[gnu::flatten]] LieOutcome drift_lie(const Gyrostat& g, LieMomentum which, double h,
+                                      const LieSolve& options, RotationStateOf<S>& s) {
   Vec3Of<S> T;
   const Vec3Of<S> P = body_momentum(s), sigma = cone_momentum_sum(g, s);
   if (solve_lie<S>(g, which, h, P, sigma, options, T) == LieOutcome::too_long)

@@ -13,27 +13,31 @@ namespace tdbd::dynamics {
 /// free body's attitude is exact when its cones' momentum lies along the axis. Without cones S acts
 /// in space alone and commutes with the rest.
 template <class S>
-void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
+[[gnu::flatten]] void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
   const double rate = 1.0 / g.principal[1];
   const double low = 1.0 / g.principal[0] - rate, high = 1.0 / g.principal[2] - rate;
   const Eigen::Quaternion<S> in_space = rotation::quaternion_exp<S>(h * rate * s.momentum_W);
   BodyFlow<S> f = begin_flow(g, s);
-  if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
-  if (g.cones.empty()) {
-    if (high != 0.0) flow_about_axis<2>(h * high, f);
-  } else {
-    if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
-    flow_spherical(h * rate, f);
-    if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
-  }
-  if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
   s.q_WB = in_space * s.q_WB;
+  if (g.cones.empty() && high == 0.0) {
+    flow_about_axis<0>(h * low, f);
+  } else {
+    if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
+    if (g.cones.empty()) {
+      if (high != 0.0) flow_about_axis<2>(h * high, f);
+    } else {
+      if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
+      flow_spherical(h * rate, f);
+      if (high != 0.0) flow_about_axis<2>(0.5 * h * high, f);
+    }
+    if (low != 0.0) flow_about_axis<0>(0.5 * h * low, f);
+  }
   end_flow(g, h, f, s);
 }
 
 /// One rotation about each principal axis of It, in the order 1 2 3 2 1.
 template <class S>
-void drift_three_axis(const Gyrostat& g, double h, RotationStateOf<S>& s) {
+[[gnu::flatten]] void drift_three_axis(const Gyrostat& g, double h, RotationStateOf<S>& s) {
   const Vec3 h_rate = h * g.principal.cwiseInverse();
   BodyFlow<S> f = begin_flow(g, s);
   flow_about_axis<0>(0.5 * h_rate[0], f);

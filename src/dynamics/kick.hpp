@@ -67,7 +67,7 @@ template <class S>
 void closing_kick(const Gyrostat& g, const Loads& loads, VelocityTorque rule, double h,
                   RotatingOf<S>& r) {
   if (!depends_on_velocity(loads)) {
-    evaluate(g, loads, r.state, r.torque);
+    evaluate_at_rest(g, loads, r.state, r.torque);
   } else if (rule == VelocityTorque::symmetric) {
     return implicit_kick(g, loads, h, r);
   } else {

@@ -19,8 +19,8 @@ struct BodyFlow {
 template <class S>
 BodyFlow<S> begin_flow(const Gyrostat& g, const RotationStateOf<S>& s) {
   BodyFlow<S> f;
-  const Eigen::Matrix<S, 3, 3> to_P = g.principal_axes_B.transpose().cast<S>();
-  f.momentum_P = to_P * body_momentum(s);
+  const auto to_P = g.principal_axes_B.transpose().cast<S>();
+  f.momentum_P = to_P * (s.q_WB.toRotationMatrix().transpose() * s.momentum_W);
   f.sigma_P.setZero();
   if (!g.cones.empty()) f.sigma_P = to_P * cone_momentum_sum(g, s);
   return f;
@@ -30,20 +30,19 @@ BodyFlow<S> begin_flow(const Gyrostat& g, const RotationStateOf<S>& s) {
 template <int i, class S>
 void flow_about_axis(double h_rate, BodyFlow<S>& f) {
   constexpr int j = (i + 1) % 3, k = (i + 2) % 3;
-  const S angle = h_rate * (f.momentum_P[i] - f.sigma_P[i]);
-  const rotation::CosSinc<S> half = rotation::cos_sinc<S>(0.25 * angle * angle);
-  const S c = half.cos, s = 0.5 * half.sinc * angle;
-  const S cosine = 1.0 - 2.0 * s * s, sine = 2.0 * s * c;
+  const S half = 0.5 * h_rate * (f.momentum_P[i] - f.sigma_P[i]);
+  const rotation::CosSinc<S> t = rotation::cos_sinc<S>(half * half);
+  const S c = t.cos, s = t.sinc * half;
   const S Pj = f.momentum_P[j], Pk = f.momentum_P[k];
-  f.momentum_P[j] = cosine * Pj + sine * Pk;
-  f.momentum_P[k] = cosine * Pk - sine * Pj;
-  Vec3Of<S> v = f.turn.vec();
+  f.momentum_P[j] += 2.0 * s * (c * Pk - s * Pj);
+  f.momentum_P[k] -= 2.0 * s * (c * Pj + s * Pk);
+  const Vec3Of<S> v = f.turn.vec();
   const S w = f.turn.w();
   f.turn.w() = w * c - v[i] * s;
   f.turn.vec()[i] = v[i] * c + w * s;
   f.turn.vec()[j] = v[j] * c + v[k] * s;
   f.turn.vec()[k] = v[k] * c - v[j] * s;
-  f.turned_P[i] += angle;
+  f.turned_P[i] += 2.0 * half;
 }
 
 /// The body's half of the flow of |Pi - sigma|^2 / 2 times `h_rate`: exp(-h_rate sigma), while the
@@ -70,7 +69,7 @@ void turn_cones(const Gyrostat& g, double h, const Vec3Of<S>& turned_B, Rotation
 /// R <- R turn, unit again, and the cones with it.
 template <class S>
 void end_flow(const Gyrostat& g, double h, const BodyFlow<S>& f, RotationStateOf<S>& s) {
-  const Eigen::Matrix<S, 3, 3> axes = g.principal_axes_B.cast<S>();
+  const auto axes = g.principal_axes_B.cast<S>();
   const Vec3Of<S> v = axes * f.turn.vec();
   s.q_WB = s.q_WB * Eigen::Quaternion<S>(f.turn.w(), v[0], v[1], v[2]);
   rotation::renormalise(s.q_WB);

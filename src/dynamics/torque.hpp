@@ -43,36 +43,47 @@ Vec3Of<S> gravity_torque_W(const Loads& loads, const RotationStateOf<S>& s) {
 /// Torques on the cones; the part from outside joins the total.
 template <class S>
 void add_cone_torques(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
-                      const Vec3Of<S>& w_B, TorqueOf<S>& out) {
-  Vec3Of<S> external_B = Vec3Of<S>::Zero();
+                      TorqueOf<S>& out) {
   for (std::size_t k = 0; k < loads.cones.size(); ++k) {
     const ConeLoad& load = loads.cones[k];
-    out.cones[k] = S(load.internal + load.external);
-    if (load.damping != 0.0)
-      out.cones[k] -= load.damping * cone_rate<S>(g.cones[k], s.cone_momenta[k], w_B);
-    external_B += (load.external * g.cones[k].axis_B).cast<S>();
+    out.cones[k] += load.internal + load.external;
+    if (load.external != 0.0)
+      out.total_W += s.q_WB * Vec3Of<S>((load.external * g.cones[k].axis_B).cast<S>());
   }
-  out.total_W += s.q_WB * external_B;
 }
 
-/// Torque of the loads at the state's time, attitude and momenta. No allocation once `out` has the
-/// cones' number.
+/// Torque of the loads that do not depend on velocity. No allocation once `out` has the cones'
+/// number.
 template <class S>
-void evaluate(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
-              TorqueOf<S>& out) {
+void evaluate_at_rest(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
+                      TorqueOf<S>& out) {
   TimedTorque timed{loads.body_torque_B, loads.space_torque_W};
   if (!loads.harmonics.empty() || !loads.samples.empty()) add_timed_torque(loads, s.time, timed);
-  out.cones.assign(g.cones.size(), S(0));
+  out.cones.resize(g.cones.size());
+  for (S& torque : out.cones) torque = S(0);
   out.total_W = timed.space_W.cast<S>();
   if (!timed.body_B.isZero(0.0)) out.total_W += s.q_WB * Vec3Of<S>(timed.body_B.cast<S>());
   if (loads.gravity_moment != 0.0) out.total_W += gravity_torque_W(loads, s);
   if (!loads.stiffness_W.isZero(0.0)) out.total_W += spring_torque_W(loads.stiffness_W, s);
-  Vec3Of<S> w_B = Vec3Of<S>::Zero();
-  if (depends_on_velocity(loads)) {
-    w_B = angular_velocity(g, s);
-    out.total_W -= loads.damping_W.cast<S>().cwiseProduct(s.q_WB * w_B);
-  }
-  if (!loads.cones.empty()) add_cone_torques(g, loads, s, w_B, out);
+  add_cone_torques(g, loads, s, out);
+}
+
+/// Torque of the dampers at the state's velocity.
+template <class S>
+void add_damping(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
+                 TorqueOf<S>& out) {
+  const Vec3Of<S> w_B = angular_velocity(g, s);
+  out.total_W -= loads.damping_W.cast<S>().cwiseProduct(s.q_WB * w_B);
+  for (std::size_t k = 0; k < loads.cones.size(); ++k)
+    out.cones[k] -= loads.cones[k].damping * cone_rate<S>(g.cones[k], s.cone_momenta[k], w_B);
+}
+
+/// Torque of the loads at the state's time, attitude and momenta.
+template <class S>
+void evaluate(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
+              TorqueOf<S>& out) {
+  evaluate_at_rest(g, loads, s, out);
+  if (depends_on_velocity(loads)) add_damping(g, loads, s, out);
 }
 
 /// Potential energy of gravity and springs, J.

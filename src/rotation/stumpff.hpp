@@ -12,6 +12,9 @@ namespace tdbd::rotation {
 
 inline constexpr double stumpff_series_end = 0.25;  ///< x; 8 terms are exact to rounding below
 
+/// x; 5 terms are exact to rounding below, and so is their derivative.
+inline constexpr double stumpff_short_series_end = 1.0 / 1024.0;
+
 /// 1 / n! for c_k's terms j = 0..7 with their signs.
 template <int k>
 constexpr std::array<double, 8> stumpff_coefficients() {
@@ -31,6 +34,7 @@ S stumpff_series(const S& x) {
   constexpr std::array<double, 8> a = stumpff_coefficients<k>();
   const S x2 = x * x;
   const S low = (a[0] + a[1] * x) + (a[2] + a[3] * x) * x2;
+  if (x <= stumpff_short_series_end) return low + a[4] * (x2 * x2);
   const S high = (a[4] + a[5] * x) + (a[6] + a[7] * x) * x2;
   return low + high * (x2 * x2);
 }
