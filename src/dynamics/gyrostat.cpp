@@ -117,6 +117,7 @@ Gyrostat make_gyrostat(const Mat3& inertia_B, std::vector<Cone> cones, InertiaCh
   g.carrier_inverse_B = g.carrier_B.inverse();
   principal_frame(g.carrier_B, g.principal, g.principal_axes_B);
   join_equal(g.principal);
+  g.principal_rates = g.principal.cwiseInverse();
   return g;
 }
 

@@ -25,6 +25,7 @@ struct Gyrostat {
   Mat3 carrier_B = Mat3::Identity();          ///< It = I - sum_k Ic_k s_k s_k^T
   Mat3 carrier_inverse_B = Mat3::Identity();  ///< It^-1
   Vec3 principal = Vec3::Ones();              ///< principal values of It, ascending, kg m2
+  Vec3 principal_rates = Vec3::Ones();        ///< their inverses, 1/(kg m2)
   Mat3 principal_axes_B = Mat3::Identity();   ///< their axes as columns, right-handed
 };
 

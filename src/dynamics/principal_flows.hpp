@@ -66,14 +66,29 @@ void turn_cones(const Gyrostat& g, double h, const Vec3Of<S>& turned_B, Rotation
                         g.cones[k].axis_B.cast<S>().dot(turned_B);
 }
 
-/// R <- R turn, unit again, and the cones with it.
+/// R <- R turn, unit again.
 template <class S>
-void end_flow(const Gyrostat& g, double h, const BodyFlow<S>& f, RotationStateOf<S>& s) {
-  const auto axes = g.principal_axes_B.cast<S>();
-  const Vec3Of<S> v = axes * f.turn.vec();
+void apply_turn(const Gyrostat& g, const BodyFlow<S>& f, RotationStateOf<S>& s) {
+  const Vec3Of<S> v = g.principal_axes_B.cast<S>() * f.turn.vec();
   s.q_WB = s.q_WB * Eigen::Quaternion<S>(f.turn.w(), v[0], v[1], v[2]);
   rotation::renormalise(s.q_WB);
-  if (!g.cones.empty()) turn_cones<S>(g, h, axes * f.turned_P, s);
+}
+
+/// The last flow of a drift, after apply_turn: a rotation about axis i straight into the attitude,
+/// which leaves it unit to rounding. What came before is applied while its angle is being computed.
+template <int i, class S>
+void last_flow_about_axis(const Gyrostat& g, double h_rate, BodyFlow<S>& f, RotationStateOf<S>& s) {
+  const S half = 0.5 * h_rate * (f.momentum_P[i] - f.sigma_P[i]);
+  const rotation::CosSinc<S> t = rotation::cos_sinc<S>(half * half);
+  const Vec3Of<S> v = (t.sinc * half) * g.principal_axes_B.col(i).cast<S>();
+  s.q_WB = s.q_WB * Eigen::Quaternion<S>(t.cos, v[0], v[1], v[2]);
+  f.turned_P[i] += 2.0 * half;
+}
+
+/// The cones over h, after the last flow.
+template <class S>
+void end_flow(const Gyrostat& g, double h, const BodyFlow<S>& f, RotationStateOf<S>& s) {
+  if (!g.cones.empty()) turn_cones<S>(g, h, g.principal_axes_B.cast<S>() * f.turned_P, s);
 }
 
 }  // namespace tdbd::dynamics

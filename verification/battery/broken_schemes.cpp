@@ -30,6 +30,7 @@ RotationScheme no_way_back() {
     dynamics::flow_about_axis<0>(h / g.principal[0], f);
     dynamics::flow_about_axis<1>(h / g.principal[1], f);
     dynamics::flow_about_axis<2>(h / g.principal[2], f);
+    dynamics::apply_turn(g, f, s);
     dynamics::end_flow(g, h, f, s);
   });
 }
