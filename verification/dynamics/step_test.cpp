@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <regex>
 
@@ -113,6 +114,22 @@ TEST(Step, the_message_names_the_drift_and_the_angle_of_the_step) {
     EXPECT_EQ(message, std::string("the ") + name +
                            " drift does not converge at t = 0 s with a step of 4 s (|W| h = 4 "
                            "rad); a step of 2 s would");
+  }
+}
+
+/// Halving the step divides the error at 1 s by 2^order; rounding is far below.
+TEST(Step, composes_to_the_order_it_says) {
+  const auto end = [](int order, int steps) {
+    Rotating r = begin();
+    for (int i = 0; i < steps; ++i) advance({Drift::split, 1, order}, 1.0 / steps, r);
+    return r.state.momentum_W;
+  };
+  const Vec3 exact = end(8, 200);
+  for (const int order : {4, 6, 8}) {
+    const int steps = order == 8 ? 5 : 20;
+    const double coarse = (end(order, steps) - exact).norm();
+    const double fine = (end(order, 2 * steps) - exact).norm();
+    EXPECT_NEAR(std::log2(coarse / fine), order, 0.5) << order;
   }
 }
 
