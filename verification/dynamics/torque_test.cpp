@@ -94,6 +94,37 @@ TEST(Evaluate, turns_body_torques_into_space_and_adds_space_torques) {
   EXPECT_LE((torque_of(g, loads, s).total_W - expected).norm(), rounding);
 }
 
+TEST(Evaluate, samples_count_without_harmonics) {
+  const Gyrostat g = make_gyrostat(Vec3(2.0, 2.6, 3.0).asDiagonal(), {});
+  Loads loads;
+  loads.samples.push_back({TorqueFrame::space, {1.0}, {Vec3(1.0, 2.0, 3.0)}});
+  EXPECT_EQ(torque_of(g, loads, tilted(0.5)).total_W, Vec3(1.0, 2.0, 3.0));
+}
+
+TEST(Evaluate, one_damper_or_one_spring_alone_counts) {
+  const Gyrostat g = make_gyrostat(Vec3(2.0, 2.6, 3.0).asDiagonal(), {{Vec3(0.6, 0.0, 0.8), 0.1}});
+  RotationState s = tilted(0.5);
+  s.cone_angles = s.cone_momenta = {0.3};
+  Loads bearing, space, spring;
+  bearing.cones.push_back({.internal = 0.0, .external = 0.0, .damping = 0.2});
+  space.damping_W = Vec3(0.0, 0.4, 0.0);
+  spring.stiffness_W = Vec3(0.0, 5.0, 0.0);
+  EXPECT_NE(torque_of(g, bearing, s).cones[0], 0.0);
+  EXPECT_NE(torque_of(g, space, s).total_W.y(), 0.0);
+  EXPECT_NE(torque_of(g, spring, s).total_W.y(), 0.0);
+}
+
+TEST(PotentialEnergy, is_that_of_gravity_and_springs) {
+  Loads loads;
+  loads.gravity_moment = 20.0;
+  loads.gravity_arm_B = Vec3(0.6, 0.0, 0.8);
+  loads.stiffness_W = Vec3(7.0, 11.0, 3.0);
+  const RotationState s = tilted(0.5);
+  const double height = (s.q_WB * loads.gravity_arm_B).z();
+  EXPECT_NEAR(potential_energy(loads, s), 20.0 * height + spring_energy(loads.stiffness_W, s),
+              rounding);
+}
+
 TEST(Evaluate, an_internal_cone_torque_leaves_the_total_alone_and_an_external_one_does_not) {
   const Gyrostat g = make_gyrostat(Vec3(2.0, 2.6, 3.0).asDiagonal(), {{Vec3(0.6, 0.0, 0.8), 0.1}});
   Loads loads;
@@ -121,10 +152,11 @@ TEST(Evaluate, dampers_take_power) {
 }
 
 TEST(SampledTorque, is_linear_between_samples_and_held_outside) {
-  const SampledTorque samples{
-      TorqueFrame::body, {0.0, 1.0, 3.0}, {Vec3::Zero(), Vec3(2.0, 0.0, 0.0), Vec3(4.0, 2.0, 0.0)}};
-  EXPECT_EQ(sampled_torque(samples, -1.0), Vec3::Zero());
-  EXPECT_EQ(sampled_torque(samples, 0.5), Vec3(1.0, 0.0, 0.0));
+  const SampledTorque samples{TorqueFrame::body,
+                              {0.0, 1.0, 3.0},
+                              {Vec3(0.0, 0.0, 6.0), Vec3(2.0, 0.0, 0.0), Vec3(4.0, 2.0, 0.0)}};
+  EXPECT_EQ(sampled_torque(samples, -1.0), Vec3(0.0, 0.0, 6.0));
+  EXPECT_EQ(sampled_torque(samples, 0.5), Vec3(1.0, 0.0, 3.0));
   EXPECT_EQ(sampled_torque(samples, 2.0), Vec3(3.0, 1.0, 0.0));
   EXPECT_EQ(sampled_torque(samples, 9.0), Vec3(4.0, 2.0, 0.0));
 }

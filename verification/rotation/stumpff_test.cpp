@@ -43,6 +43,19 @@ TEST(Stumpff, c_2_and_c_3_keep_their_digits_up_to_the_series_end) {
   }
 }
 
+TEST(Stumpff, keep_value_and_derivative_where_a_series_is_shortest) {
+  constexpr double last_digits = 2.3e-16;
+  using Dual = battery::Dual<1>;
+  for (const double x :
+       {stumpff_short_series_end, 2.0 * stumpff_short_series_end, 1.0 / 32.0, stumpff_series_end}) {
+    Dual seeded(x);
+    seeded.by[0] = 1.0;
+    EXPECT_NEAR(cos_sinc(x).cos, by_definition(0, x), last_digits) << x;
+    EXPECT_NEAR(cos_sinc(x).sinc, by_definition(1, x), last_digits) << x;
+    EXPECT_NEAR(cos_sinc(seeded).cos.by[0], -0.5 * by_definition(1, x), derivative) << x;
+  }
+}
+
 TEST(Stumpff, carry_derivatives_on_both_sides_of_the_series_end) {
   using Dual = battery::Dual<1>;
   for (const double x : {0.0, 0.1, 0.2499, 0.26, 1.0, 4.0}) {

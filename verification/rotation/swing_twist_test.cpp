@@ -54,6 +54,29 @@ RC_GTEST_PROP(SwingTwist, gradient_is_the_derivative_of_the_twist, ()) {
   RC_ASSERT((angle.by.matrix() - gradient).norm() <= rounding * (1.0 + gradient.squaredNorm()));
 }
 
+TEST(SwingTwist, swings_until_shortly_before_upside_down) {
+  for (const double short_of : {1e-2, 1e-4, 1e-6}) {
+    const double angle = std::numbers::pi - short_of;
+    const auto q = quaternion_exp<double>(Eigen::Vector3d(0.6 * angle, 0.8 * angle, 0.0));
+    EXPECT_NEAR(swing(q).b.norm(), angle, 1e3 * rounding) << short_of;  // sin(angle) is 1 / f
+  }
+}
+
+TEST(SwingTwist, the_series_of_f_keeps_its_digits_to_its_end) {
+  for (const double angle : {1e-4, 0.9999e-3}) {
+    const auto q = quaternion_exp<double>(Eigen::Vector3d(angle, 0.0, 0.0));
+    EXPECT_NEAR(swing(q).f, angle / std::sin(angle), 4e-16) << angle;
+  }
+}
+
+/// What counts is where the path of q passes z = 0, not where it ends: here at w < 0.
+TEST(SwingTwist, counts_a_winding_that_ends_at_w_above_zero) {
+  const Eigen::Quaterniond from = Eigen::Quaterniond(-0.3, 0.95, 0.0, 0.05).normalized();
+  const Eigen::Quaterniond to = Eigen::Quaterniond(0.1, 0.95, 0.0, -0.2).normalized();
+  EXPECT_EQ(turns_passed(from, to), 1);
+  EXPECT_EQ(turns_passed(to, from), -1);
+}
+
 TEST(SwingTwist, slope_of_f_is_continuous_where_its_series_ends) {
   const auto slope_at = [](double swing_angle) {
     return swing(quaternion_exp<double>(Eigen::Vector3d(swing_angle, 0.0, 0.0))).slope;
