@@ -2,6 +2,7 @@
 (verification/battery/evidence.hpp)."""
 
 import json
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -97,9 +98,24 @@ def table(folder, build, name):
     return read_file(file, build)
 
 
+NUMBER = r"([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\d.e]| times)"
+
+
+def share_of_limit(e):
+    """How much of its limit a measurement takes: 1 is all of it, as is a limit without room that is met
+    ("0, to the bit"). 0 where the limit is told in other words."""
+    if bound := re.search(rf"<= {NUMBER}", e.limit):
+        return abs(e.measured) / float(bound[1]) if float(bound[1]) else 1.0
+    if band := re.fullmatch(rf"{NUMBER} \+- {NUMBER}", e.limit):
+        return abs(e.measured - float(band[1])) / float(band[2])
+    exact = re.match(NUMBER, e.limit)
+    return float(exact is not None and float(exact[1]) == e.measured)
+
+
 def deciding(evidence):
-    """The first of the worst measurements of a claim: the claim is as good as that. None: none."""
-    return max(evidence, key=lambda e: VERDICTS.index(e.verdict), default=None)
+    """The worst measurement of a claim, which is as good as that: of the worst verdict, the one that takes
+    most of its limit or goes farthest beyond it. None: none."""
+    return max(evidence, key=lambda e: (VERDICTS.index(e.verdict), share_of_limit(e)), default=None)
 
 
 def verdict(evidence):

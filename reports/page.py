@@ -3,15 +3,33 @@
 import base64
 import json
 import platform
+import re
 import shlex
 from importlib.metadata import version
 from pathlib import Path
 
 import jinja2
+from markupsafe import Markup, escape
 
 import evidence
+from drawing import DPI
 
 HERE = Path(__file__).parent
+
+
+# Letters of a picture are then as large as those around it: they have 9 points, CSS has 96 pixels an inch.
+PIXELS_PER_INCH = 128
+
+
+def shown_width(picture):
+    """Width on the page, CSS pixels: of the picture's own inches."""
+    header = Path(picture).read_bytes()[:24]
+    return round(int.from_bytes(header[16:20], "big") / DPI * PIXELS_PER_INCH)
+
+
+def breakable(name):
+    """A test's name that may break after its words, not within them."""
+    return Markup(re.sub(r"([._])", r"\1<wbr>", str(escape(name))))
 
 
 def embedded(picture):
@@ -27,6 +45,7 @@ def rows(manifest, found):
 
 def pictures(manifest, data, drawing):
     return [{"figure": f, "picture": embedded(drawing.picture(f)),
+             "width": shown_width(drawing.picture(f)),
              "tables": [(t, drawing.table(t)["test"]) for t in f.tables if drawing.table(t)],
              "commands": [shlex.join([r.program, *data.command(r)]) for r in drawing.runs(f)]}
             for f in manifest.figures]
@@ -56,6 +75,7 @@ def write(path, manifest, data, drawing, found, is_quick):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)
+    environment.filters["breakable"] = breakable
     html = environment.get_template("page.html.j2").render(
         rows=rows(manifest, found), pictures=pictures(manifest, data, drawing),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <system_error>
 
 #include "app/commands.hpp"
 #include "app/interrupts.hpp"
@@ -64,6 +65,10 @@ int converge(ConvergeArguments a) {
       fmt::print("{}results in {}\n", table_text(c), folder.path.string());
     }
     return c.status == RunStatus::completed ? 0 : interrupted_code;
+  } catch (const InputError&) {
+    std::error_code ignored;
+    fs::remove(folder.path, ignored);  // nothing is in it
+    throw;
   } catch (const RunError& e) {
     write_text(folder.failure(), fmt::format("{}\n", e.what()));
     throw;

@@ -22,9 +22,10 @@ void print_outcome(const simulation::RotateOutcome& o, const std::string& folder
   fmt::print("{}: {} steps to t = {:.6g} s, {} torque evaluations\n",
              o.status == simulation::RunStatus::completed ? "done" : "interrupted",
              o.end.steps_done, o.end.rotating.state.time, o.end.rotating.evaluations);
-  fmt::print("largest drifts: energy {:.2e} of its scale, momentum {:.2e} N m s, vertical {:.2e}\n",
-             v.energy_drift / v.energy_scale, std::sqrt(v.momentum_drift_squared),
-             v.vertical_drift);
+  fmt::print(
+      "largest changes: energy {:.2e} of its scale, momentum in space {:.2e} N m s, of it vertical "
+      "{:.2e}\n",
+      v.energy_drift / v.energy_scale, std::sqrt(v.momentum_drift_squared), v.vertical_drift);
   fmt::print("results in {}\n", folder);
 }
 

@@ -49,7 +49,7 @@ std::vector<Config> Config::tables(std::string_view key) {
   if (node == nullptr) return elements;
   const toml::array* array = node->as_array();
   if (array == nullptr || (!array->empty() && !array->is_homogeneous<toml::table>())) {
-    document_->add_problem(name, describe(node), "an array of tables");
+    document_->add_problem(name, describe(node), fmt::format("an array of tables, [[{}]]", name));
     return elements;
   }
   for (std::size_t i = 0; i < array->size(); ++i)

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -52,6 +54,19 @@ std::vector<std::string> known_names(const ConfigDocument& document, const std::
   return {names.begin(), names.end()};
 }
 
+/// "one of a, b" of the innermost known table around a key; where that is not the key's own, with
+/// what it stands in place of.
+std::string known_around(const ConfigDocument& document, const std::string& key) {
+  std::string place = key;
+  while (place.find_first_of(".[") != std::string::npos &&
+         known_names(document, enclosing_key(place)).empty())
+    place = enclosing_key(place);
+  const std::vector<std::string> names = known_names(document, parent_key(place));
+  if (names.empty()) return "no key here";
+  return place == key ? "one of " + joined(names)
+                      : fmt::format("one of {} in place of {}", joined(names), last_key(place));
+}
+
 /// What an unknown key may have meant: a like name in its table, a like key elsewhere, or any of
 /// its table's names.
 std::string suggestion(const ConfigDocument& document, const std::string& key) {
@@ -60,7 +75,7 @@ std::string suggestion(const ConfigDocument& document, const std::string& key) {
   std::vector<std::string> everywhere;
   for (const auto& [known, value] : document.values) everywhere.push_back(known);
   if (const auto other = nearest_name(key, everywhere)) return *other;
-  return siblings.empty() ? "no key here" : "one of " + joined(siblings);
+  return known_around(document, key);
 }
 
 /// A table is known when it, or any key in it, was asked for.
@@ -68,6 +83,12 @@ bool is_known_table(const ConfigDocument& document, const std::string& key) {
   const auto inside = document.values.lower_bound(key + ".");
   return document.tables.count(key) != 0 ||
          (inside != document.values.end() && inside->first.rfind(key + ".", 0) == 0);
+}
+
+/// A value of a wrong kind was told already: what stands in it needs no words of its own.
+bool has_problem(const ConfigDocument& document, const std::string& key) {
+  return std::any_of(document.problems.begin(), document.problems.end(),
+                     [&key](const ConfigProblem& p) { return p.key == key; });
 }
 
 /// Depth first: a leaf that nobody read is unknown; so is an empty table that nobody asked for.
@@ -78,7 +99,7 @@ void collect_unknown(const ConfigDocument& document, const toml::node& node, con
   const bool is_tables =
       array != nullptr && !array->empty() && array->is_homogeneous<toml::table>();
   const bool is_reachable = document.find(key) == &node;  // not so when a name has a dot in it
-  if (is_reachable && document.values.count(key) != 0) return;
+  if (is_reachable && (document.values.count(key) != 0 || has_problem(document, key))) return;
   if (table != nullptr && !table->empty()) {
     for (const auto& [name, child] : *table) {
       const std::string dot = key.empty() ? "" : ".";
@@ -128,10 +149,26 @@ void ConfigDocument::add_problem(const std::string& key, const std::string& foun
   problems.push_back({line_of(key), key, found, expected});
 }
 
+namespace {
+
+/// Throws InputError where there is nothing to parse.
+void demand_readable(const std::string& path) {
+  std::error_code ignored;
+  const auto refuse = [&path](const char* found) {
+    throw InputError(fmt::format("{}: found {}, expected a TOML file", path, found));
+  };
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) refuse("no such file");
+  if (std::filesystem::is_directory(status)) refuse("a folder");
+  if (!std::filesystem::is_regular_file(status)) refuse("no regular file");
+  if (!std::ifstream(path)) refuse("a file that cannot be opened");
+}
+
+}  // namespace
+
 ConfigDocument read_document(const std::string& path) {
   ConfigDocument document;
-  if (!std::filesystem::is_regular_file(path))
-    throw InputError(fmt::format("{}: found no such file, expected a TOML file", path));
+  demand_readable(path);
   document.file = path;
   document.folder = std::filesystem::absolute(path).parent_path().string();
   try {

@@ -159,7 +159,8 @@ Unit wanted_unit(const std::string& si_unit) {
 
 UnitError refused(std::string_view text, const std::string& why, const std::string& si_unit) {
   return {fmt::format("\"{}\" ({})", text, why),
-          fmt::format("{} or another unit of it", describe_unit(si_unit))};
+          si_unit == "1" ? describe_unit(si_unit)
+                         : fmt::format("{} or another unit of it", describe_unit(si_unit))};
 }
 
 /// The number at the start of the text, and the unit's name after it.

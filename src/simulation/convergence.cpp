@@ -85,36 +85,85 @@ VariableConvergence observe(const Convergence& c, std::size_t v) {
   return r;
 }
 
+/// Of the quantity at level `i`, from 0.
+double size_at(const ConvergencePlan& plan, double first_size, int i) {
+  return first_size / std::pow(plan.factor, i);
+}
+
+std::vector<std::string> overrides_at(const ConvergencePlan& plan, double size) {
+  std::vector<std::string> overrides = plan.overrides;
+  overrides.push_back(override_of(plan, size));
+  return overrides;
+}
+
+std::string level_text(const ConvergencePlan& plan, int i, double size) {
+  return fmt::format("level {}, {} = {}", i + 1, plan.key, size);
+}
+
 /// Runs level `i`; whether it came to its end.
 bool add_level(Convergence& c, double first_size, int i, const ConvergenceOptions& options) {
-  const double size = first_size / std::pow(c.plan.factor, i);
-  std::vector<std::string> overrides = c.plan.overrides;
-  overrides.push_back(override_of(c.plan, size));
+  const double size = size_at(c.plan, first_size, i);
+  const std::vector<std::string> overrides = overrides_at(c.plan, size);
   try {
     const LevelOutcome o = run_level(c.plan.case_file, overrides, i + 1, options);
     if (o.status == RunStatus::interrupted) return false;
     c.levels.push_back({c.plan.key == step_key ? o.step : size, o.steps,
                         read_end_state(o.summary, "the level's summary")});
   } catch (const RunError& e) {
-    throw RunError(fmt::format("level {}, {} = {}: {}", i + 1, c.plan.key, size, e.what()));
+    throw RunError(fmt::format("{}: {}", level_text(c.plan, i, size), e.what()));
   }
   if (i == 0 && c.plan.reference)
     demand_like(c.levels.front().end, *c.plan.reference, "--reference");
   demand_like(c.levels.front().end, c.levels.back().end, fmt::format("level {}", i + 1));
+  if (i > 0 && c.plan.key == step_key && c.levels[i].steps == c.levels[i - 1].steps)
+    throw InputError(
+        fmt::format("--factor: level {}: found {} steps, as at level {}, expected more: "
+                    "take a larger factor",
+                    i + 1, c.levels[i].steps, i));
   return true;
 }
 
 ConvergenceStart check_rotate(const ConvergencePlan& plan) {
   const RotateCase c = read_rotate_case(plan.case_file, plan.overrides);
   const double nominal = plan.key == step_key ? c.integrator.order : 0;
-  return {quantity_of(plan, c.quantities), c.title, c.hash, c.files, nominal};
+  return {quantity_of(plan, c.quantities),
+          c.title,
+          c.hash,
+          c.files,
+          nominal,
+          c.time.step * static_cast<double>(c.time.steps)};
 }
 
 /// Rock vertices move along paths that are straight to second order in the step (formulation 2.1).
 ConvergenceStart check_run(const ConvergencePlan& plan) {
   const Case c = read_case(plan.case_file, plan.overrides);
   const double nominal = plan.key == step_key ? 2.0 : 0.0;
-  return {quantity_of(plan, c.quantities), c.bit.name, c.hash, c.files, nominal};
+  return {quantity_of(plan, c.quantities),
+          c.bit.name,
+          c.hash,
+          c.files,
+          nominal,
+          c.time.step * static_cast<double>(c.time.steps)};
+}
+
+ConvergenceStart check_first(const ConvergencePlan& plan) {
+  return is_rotate_case(plan.case_file) ? check_rotate(plan) : check_run(plan);
+}
+
+/// Reads the case as level `i` will: a wrong level is told before the first one runs.
+void check_level(const ConvergencePlan& plan, const ConvergenceStart& first, int i) {
+  const double size = size_at(plan, first.size, i);
+  const std::string level = level_text(plan, i, size);
+  ConvergencePlan one = plan;
+  one.overrides = overrides_at(plan, size);
+  try {
+    const ConvergenceStart start = check_first(one);
+    if (std::abs(start.duration - first.duration) > same_duration * first.duration)
+      throw InputError(fmt::format("found an end at t = {} s, expected {} s, as of the first level",
+                                   start.duration, first.duration));
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("--over: {}: {}", level, e.what()));
+  }
 }
 
 }  // namespace
@@ -126,7 +175,9 @@ std::string error_name(const ConvergencePlan& plan) {
 ConvergenceStart check(const ConvergencePlan& plan) {
   if (!(plan.factor > 1.0) || !std::isfinite(plan.factor))
     throw InputError(fmt::format("--factor: found {}, expected a number > 1", plan.factor));
-  return is_rotate_case(plan.case_file) ? check_rotate(plan) : check_run(plan);
+  const ConvergenceStart first = check_first(plan);
+  for (const int i : {1, plan.levels - 1}) check_level(plan, first, i);
+  return first;
 }
 
 Convergence converge(const ConvergencePlan& plan, const ConvergenceOptions& options) {

@@ -55,18 +55,21 @@ struct ConvergenceOptions {
 };
 
 /// The case with its own value of the quantity, checked. Throws InputError: a wrong case, a key
-/// that is no positive quantity of it, a factor of 1 or less, a reference of another kind.
+/// that is no positive quantity of it, a factor of 1 or less, a second or last level that is no
+/// right case or ends at another time.
 struct ConvergenceStart {
   double size = 0.0;
   std::string title, case_hash;
   std::vector<std::string> files;
   double nominal_order = 0.0;
+  double duration = 0.0;  ///< s
 };
 ConvergenceStart check(const ConvergencePlan& plan);
 
 /// Runs the levels in memory, one after another, with the duration of the case, and observes the
-/// orders. Throws InputError when the levels end at different times, RunError that names the level
-/// when one fails. An interruption ends the study after the levels that are done.
+/// orders. Throws InputError when the levels end at different times or two take as many steps,
+/// RunError that names the level when one fails. An interruption ends the study after the levels
+/// that are done.
 Convergence converge(const ConvergencePlan& plan, const ConvergenceOptions& options);
 
 /// "difference" to the next level, or "error" against the reference; plural.

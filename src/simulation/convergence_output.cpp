@@ -85,6 +85,11 @@ std::string label_of(const VariableConvergence& v) {
                      v.order.verdict == OrderVerdict::exact ? "exact" : "no order");
 }
 
+/// Of the quantity that is divided, in brackets. Only the step's is known here: SI is what is left.
+std::string unit_text(const ConvergencePlan& plan) {
+  return plan.key == "time.step" ? "[s]" : "[SI]";
+}
+
 }  // namespace
 
 std::string table_text(const Convergence& c) {
@@ -98,6 +103,8 @@ std::string table_text(const Convergence& c) {
   const std::size_t first = std::max<std::size_t>(12, c.plan.key.size());
   add("{:>{}} {:>10}", c.plan.key, first, "steps");
   for (const VariableConvergence& v : c.variables) add(" {:>18}", v.name);
+  add("\n{:>{}} {:>10}", unit_text(c.plan), first, "");
+  for (const VariableConvergence& v : c.variables) add(" {:>18}", fmt::format("[{}]", v.units));
   for (std::size_t i = 0; i < c.levels.size(); ++i) {
     add("\n{:>{}.6g} {:>10}", c.levels[i].size, first, c.levels[i].steps);
     for (const VariableConvergence& v : c.variables)
@@ -141,8 +148,10 @@ std::string to_svg(const Convergence& c) {
   LogLogPlot plot;
   plot.title = fmt::format("{}: {} over {}", c.title.empty() ? "convergence" : c.title,
                            error_name(c.plan), c.plan.key);
-  plot.x_label = c.plan.key + " (SI)";
-  plot.y_label = error_name(c.plan) + " over the variable's scale";
+  plot.x_label = fmt::format("{} {}", c.plan.key, unit_text(c.plan));
+  plot.y_label = fmt::format("{} {}, over the variable's size", error_name(c.plan),
+                             c.plan.reference ? "to the reference" : "to the next level");
+  plot.legend_title = "variable: observed order";
   for (const VariableConvergence& v : c.variables) {
     PlotLine line{label_of(v), {}, {}};
     for (std::size_t i = 0; i < v.differences.size(); ++i) {

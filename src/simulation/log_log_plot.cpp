@@ -141,11 +141,13 @@ std::string to_svg(const LogLogPlot& plot) {
       "fill=\"#ffffff\"/>\n",
       width, height);
   out += frame(plot, x, y);
+  if (!plot.legend_title.empty())
+    out += text_at(right + 16, top + 6, "start", plot.legend_title, " font-weight=\"bold\"");
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {
     const bool dashed = plot.lines[i].style == LineStyle::dashed;
     const char* colour = dashed ? "#555555" : colours[i % colours.size()];
     out += line_svg(plot.lines[i], x, y, colour);
-    out += legend_entry(plot.lines[i], colour, top + 14 + 22 * static_cast<double>(i));
+    out += legend_entry(plot.lines[i], colour, top + 32 + 22 * static_cast<double>(i));
   }
   return out + "</svg>\n";
 }

@@ -16,7 +16,7 @@ struct PlotLine {
 
 /// A picture of lines over two logarithmic axes.
 struct LogLogPlot {
-  std::string title, x_label, y_label;
+  std::string title, x_label, y_label, legend_title;
   std::vector<PlotLine> lines;
 };
 

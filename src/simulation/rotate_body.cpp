@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
@@ -15,6 +17,14 @@ namespace {
 
 using dynamics::InertiaCheck;
 
+/// An angle in rad whose spacing of double numbers is still a thousandth of a turn or so.
+constexpr double most_turned = 1e13;
+
+std::string trimmed_end(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
 /// Inertia of a solid of one density about its centre of mass, along the axes of its file.
 Mat3 read_mesh_inertia(Config& c) {
   const std::string file = c.path("mesh", std::nullopt);
@@ -23,15 +33,15 @@ Mat3 read_mesh_inertia(Config& c) {
   if (file.empty()) return Mat3::Identity();
   try {
     const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
-    if (const auto defects = mesh::check_closed(m); !defects.empty())
-      throw InputError(
-          fmt::format("{}: found a mesh that bounds no solid, expected a closed one\n{}", file,
-                      mesh::describe(defects)));
-    return bit::mass_properties(m, density).inertia;
+    const auto defects = mesh::check_closed(m);
+    if (defects.empty()) return bit::mass_properties(m, density).inertia;
+    c.problem("mesh", file + ", which bounds no solid",
+              "a closed mesh whose triangles face outward");
+    c.other_file(trimmed_end(mesh::describe(defects)));
   } catch (const InputError& e) {
-    c.other_file(e.what());
-    return Mat3::Identity();
+    c.problem("mesh", e.what(), "a mesh that can be read");
   }
+  return Mat3::Identity();
 }
 
 /// An inertia tensor, or a mesh with a density.
@@ -52,8 +62,14 @@ double rotation_defect(const Mat3& R) {
 
 /// Attitude, bit to space: a rotation vector or a matrix.
 Mat3 read_attitude(Config& c) {
-  if (!c.has("attitude"))
-    return rotation::exp(c.vector("rotation_vector", "rad", Vec3(Vec3::Zero())));
+  if (!c.has("attitude")) {
+    const Vec3 r = c.vector("rotation_vector", "rad", Vec3(Vec3::Zero()));
+    if (r.stableNorm() <= most_turned) return rotation::exp(r);
+    c.problem("rotation_vector", fmt::format("an angle of {:.3g} rad", r.stableNorm()),
+              fmt::format("at most {:.0e} rad, beyond which no digit of an attitude is left",
+                          most_turned));
+    return Mat3::Identity();
+  }
   const Mat3 R = c.matrix("attitude", "1", std::nullopt);
   if (c.has("rotation_vector")) {
     c.vector("rotation_vector", "rad", std::nullopt);
@@ -104,6 +120,21 @@ void note_inertia_problem(Config& c, const std::string& why, const Mat3& inertia
   c.problem("cones", why, expected);
 }
 
+/// Notes a start without a finite energy at the key that is to blame for it.
+void note_endless_energy(Config& c, const dynamics::Gyrostat& body, const Vec3& w_B,
+                         const std::vector<double>& spins) {
+  constexpr const char* found = "a kinetic energy that is not finite";
+  constexpr const char* expected = "numbers whose squares and inverses are numbers";
+  if (!std::isfinite(w_B.squaredNorm())) return c.problem("body.angular_velocity", found, expected);
+  for (std::size_t k = 0; k < spins.size(); ++k) {
+    if (!std::isfinite(spins[k] * spins[k]))
+      return c.problem(fmt::format("cones[{}].spin", k), found, expected);
+    if (!std::isfinite(1.0 / body.cones[k].axial_inertia))
+      return c.problem(fmt::format("cones[{}].axial_inertia", k), found, expected);
+  }
+  c.problem(c.has("body.mesh") ? "body.mesh" : "body.inertia", found, expected);
+}
+
 }  // namespace
 
 BodyStart read_body_start(Config& c) {
@@ -123,6 +154,8 @@ BodyStart read_body_start(Config& c) {
   }
   BodyStart start{dynamics::make_gyrostat(inertia, cones.cones, check), {}};
   start.state = dynamics::make_state(start.body, R_WB, w_B, cones.spins, cones.angles);
+  if (!std::isfinite(dynamics::kinetic_energy(start.body, start.state)))
+    note_endless_energy(c, start.body, w_B, cones.spins);
   return start;
 }
 

@@ -33,6 +33,10 @@ TEST_P(BadRotate, is_refused_with_its_place_and_reason) {
   "expected what a body can have (body.check = \"off\" admits the inertias of published " \
   "benchmarks that no body has)"
 
+#define TDBD_ENDLESS                            \
+  "found a kinetic energy that is not finite, " \
+  "expected numbers whose squares and inverses are numbers"
+
 const Mistake mistakes[] = {
     {"inertia_that_breaks_the_triangle_inequality", "[0, 0, 3]]", "[0, 0, 5]]",
      "3: body.inertia: found an inertia that breaks the triangle inequality: principal values 2, "
@@ -117,12 +121,57 @@ const Mistake mistakes[] = {
     {"two_attitudes",
      "rotation_vector =", "attitude = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nrotation_vector =",
      "4: body.attitude: found rotation_vector as well, expected one of the two"},
+    {"rotation_of_no_digits", "[\"20 deg\", 0.1, 0]", "[1e200, 0.1, 0]",
+     "4: body.rotation_vector: found an angle of 1e+200 rad, expected at most 1e+13 rad, beyond "
+     "which no digit of an attitude is left"},
+    {"angular_velocity_of_endless_energy", "[0.5, -0.4, \"20 rpm\"]", "[0.5, 1e200, 0]",
+     "5: body.angular_velocity: " TDBD_ENDLESS},
+    {"spin_of_endless_energy", "spin = 4", "spin = 1e200", "15: cones[1].spin: " TDBD_ENDLESS},
+    {"inertia_without_an_inverse", "axial_inertia = 0.2", "axial_inertia = 1e-320",
+     "14: cones[1].axial_inertia: " TDBD_ENDLESS},
+    {"inertia_of_endless_energy", "[[2, 0, 0], [0, \"2.6 kg m2\", 0], [0, 0, 3]]",
+     "[[1e308, 0, 0], [0, 1e308, 0], [0, 0, 1e308]]", "3: body.inertia: " TDBD_ENDLESS},
+    {"mesh_without_density", "inertia = [[2, 0, 0], [0, \"2.6 kg m2\", 0], [0, 0, 3]]",
+     "mesh = \"box.off\"",
+     "2: body.density: found nothing, expected density in kg/m3, > 0 (the key is required)"},
     {"wrong_check", "[load]", "[load]\ncheck = \"off\"",
      "18: load.check: found an unknown key, expected body.check"},
 };
 
 INSTANTIATE_TEST_SUITE_P(One, BadRotate, ::testing::ValuesIn(mistakes),
                          [](const auto& one) { return std::string(one.param.name); });
+
+/// A case whose body is this mesh; line 2 names it.
+std::string mesh_case(const std::string& file) {
+  return "[body]\nmesh = \"" + file + "\"\ndensity = 2\nunit = 1\n[time]\nstep = 1\nduration = 1\n";
+}
+
+TEST(bad_rotate, a_mesh_that_bounds_no_solid_is_refused_at_its_key) {
+  const RotateFolder c;
+  const std::string box = read(c.path("box.off"));
+  c.write("open.off", "OFF\n8 11 0" + box.substr(10, box.rfind("3 3 4 7") - 10));
+  c.write("case.toml", mesh_case("open.off"));
+  const auto o = c.rotate();
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_EQ(o.err.rfind("tdbd: " + c.path("case.toml").string() + ":2: body.mesh: found " +
+                            c.path("open.off").string() +
+                            ", which bounds no solid, expected a closed mesh whose triangles face "
+                            "outward\nhole: edge ",
+                        0),
+            0u)
+      << o.err;
+  EXPECT_EQ(o.err.find("\n\n"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(c.path("out")));
+}
+
+TEST(bad_rotate, a_file_that_is_no_mesh_is_refused_at_its_key) {
+  const RotateFolder c;
+  c.write("case.toml", mesh_case("torque.csv"));
+  expect_refusal(c.rotate(), c.path("case.toml").string() + ":2: body.mesh: found " +
+                                 c.path("torque.csv").string() +
+                                 ": unknown mesh format '.csv', expected .stl, .obj, .ply or .off, "
+                                 "expected a mesh that can be read");
+}
 
 TEST(bad_rotate, that_the_case_with_all_keys_is_right) {
   const RotateFolder c;
@@ -185,18 +234,6 @@ TEST(bad_rotate, two_inertias) {
                                  ":5: body.inertia: found mesh as well, expected one of the two");
 }
 
-TEST(bad_rotate, a_mesh_that_bounds_no_solid) {
-  const RotateFolder c;
-  c.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  c.edit("case.toml", "inertia = [[2, 0, 0], [0, \"2.6 kg m2\", 0], [0, 0, 3]]",
-         "density = 1000\nmesh = \"open.off\"");
-  const auto o = c.rotate();
-  EXPECT_EQ(o.exit_code, 2);
-  EXPECT_NE(o.err.find("open.off: found a mesh that bounds no solid, expected a closed one\n"),
-            std::string::npos)
-      << o.err;
-}
-
 TEST(bad_rotate, all_mistakes_at_once) {
   const RotateFolder c;
   c.edit("case.toml", "[0, 0, 3]]", "[0, 0, nan]]");
@@ -219,7 +256,9 @@ TEST(bad_rotate, numbers_whose_energy_is_beyond_all_numbers) {
   c.edit("case.toml", "angular_velocity = [0.5,", "angular_velocity = [1e200,");
   const auto o = c.rotate();
   EXPECT_EQ(o.exit_code, 2);
-  EXPECT_NE(o.err.find("case.toml: found a start whose energy is not finite"), std::string::npos)
+  EXPECT_NE(
+      o.err.find("case.toml:5: body.angular_velocity: found a kinetic energy that is not finite"),
+      std::string::npos)
       << o.err;
 }
 

@@ -87,6 +87,13 @@ TEST(converge, prints_a_table_and_writes_three_files) {
   const RotateFolder c;
   const auto o = c.converge({"--over", "time.step", "--levels", "4"});
   EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_NE(o.out.find("\n         [s]                         [rad]            [N m s] "),
+            std::string::npos)
+      << o.out;
+  const std::string picture = read(c.path("orders/convergence.svg"));
+  for (const char* words : {">time.step [s]<", ">variable: observed order<",
+                            ">differences to the next level, over the variable's size<"})
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
   EXPECT_NE(o.out.find("\n  space_momentum                 2.000 (3 of 3 differences)\n"),
             std::string::npos)
       << o.out;
@@ -181,9 +188,27 @@ TEST(converge, levels_that_end_at_different_times_are_refused) {
   const RotateFolder c;
   const auto o = c.converge({"--over", "time.duration", "--levels", "4"});
   EXPECT_EQ(o.exit_code, 2);
-  EXPECT_NE(o.err.find("level 2: found an end at t = 1 s, expected 2 s, as of the first level"),
+  EXPECT_NE(o.err.find("--over: level 2, time.duration = 1: found an end at t = 1 s, expected 2 s, "
+                       "as of the first level"),
             std::string::npos)
       << o.err;
+  EXPECT_FALSE(std::filesystem::exists(c.path("orders")));
+}
+
+TEST(converge, a_last_level_that_is_no_right_case_is_refused_before_the_first_runs) {
+  const RotateFolder c;
+  expect_study_refused(
+      c, {"--over", "time.step", "--levels", "60"},
+      "--over: level 60, time.step = 1.734723475976807e-20: --set: time.step: "
+      "found 1.734723475976807e-20 s, which makes 1.15e+20 steps, expected at most "
+      "1000000000000000 steps");
+}
+
+TEST(converge, neighbours_with_the_same_steps_are_refused) {
+  const RotateFolder c;
+  expect_study_refused(c, {"--over", "time.step", "--levels", "3", "--factor", "1.0001", "--quiet"},
+                       "--factor: level 3: found 201 steps, as at level 2, expected more: take a "
+                       "larger factor");
 }
 
 TEST(converge, a_reference_of_another_kind_is_refused) {

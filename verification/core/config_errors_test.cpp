@@ -110,9 +110,20 @@ TEST(config_errors, tables) {
   expect_message(
       {"a = 1\n", [](Config& c) { c.table("a"); }, "FILE:1: a: found 1, expected a table"});
   expect_message({"a = [1, {}]\n", [](Config& c) { c.tables("a"); },
-                  "FILE:1: a: found an array of 2, expected an array of tables"});
+                  "FILE:1: a: found an array of 2, expected an array of tables, [[a]]"});
   expect_message({"[a]\n", [](Config& c) { c.tables("a"); },
-                  "FILE:1: a: found a table, expected an array of tables"});
+                  "FILE:1: a: found a table, expected an array of tables, [[a]]"});
+  expect_message({"[a]\nx = 1\n", [](Config& c) { c.tables("a"); },
+                  "FILE:1: a: found a table, expected an array of tables, [[a]]"});
+}
+
+TEST(config_errors, a_table_that_nobody_knows_names_those_that_are_known) {
+  const auto read = [](Config& c) { c.quantity("bit.mass", "kg", 1.0); };
+  expect_message({"[rock]\nedge = 1\n", read,
+                  "FILE:2: rock.edge: found an unknown key, expected one of bit in place of rock"});
+  expect_message({"[bit.cones.one]\nq = 1\n", read,
+                  "FILE:2: bit.cones.one.q: found an unknown key, expected one of mass in place of "
+                  "cones"});
 }
 
 TEST(config_errors, unknown_keys_name_the_nearest) {
@@ -197,7 +208,9 @@ TEST(config_errors, all_mistakes_of_a_file_come_together_sorted_by_line) {
 TEST(config_errors, files_that_are_missing_or_no_toml) {
   EXPECT_EQ(read_failure("/no/such.toml"),
             "/no/such.toml: found no such file, expected a TOML file");
-  EXPECT_NE(read_failure(tdbd::temporary_folder()).find("expected a TOML file"), std::string::npos);
+  EXPECT_EQ(read_failure(tdbd::temporary_folder()),
+            tdbd::temporary_folder() + ": found a folder, expected a TOML file");
+  EXPECT_EQ(read_failure("/dev/null"), "/dev/null: found no regular file, expected a TOML file");
   const std::string path = write_temporary(".toml", "a = 1\nb = = 2\n");
   EXPECT_EQ(read_failure(path).rfind(path + ":2:5: found a syntax error, expected TOML: ", 0), 0u)
       << read_failure(path);

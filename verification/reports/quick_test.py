@@ -15,7 +15,7 @@ sys.path.insert(0, str(root / "reports"))
 import manifest  # noqa: E402
 from evidence import NOT_MEASURED, VERDICTS  # noqa: E402
 
-PICTURE = r'<img alt="[^"]+" src="data:image/png;base64,[A-Za-z0-9+/]{10000,}=*">'
+PICTURE = r'<img alt="[^"]+" width="[0-9]+" src="data:image/png;base64,[A-Za-z0-9+/]{10000,}=*">'
 
 
 def make():

@@ -189,6 +189,37 @@ class Report(unittest.TestCase):
         self.assertEqual(self.project.make("--check"), (0, "", ""))
 
 
+class Worst(unittest.TestCase):
+    """A claim shows the worst of its measurements, wherever it stands among them."""
+
+    def shown(self, *measurements):
+        with tempfile.TemporaryDirectory() as folder:
+            project = Project(folder)
+            for i, (measured, limit, verdict) in enumerate(measurements):
+                project.measure({**EVIDENCE, "what": f"number {i}", "measured": measured, "limit": limit,
+                                 "verdict": verdict}, "what" if i == 0 else f"what-{i}")
+            self.assertEqual(project.make()[2], "")
+            page = (project.out / "index.html").read_text(encoding="utf-8")
+            row = page[page.index('id="claim-'):]
+            return row[row.index("number "):][:len("number 0")]
+
+    def test_the_one_that_takes_most_of_its_limit(self):
+        self.assertEqual(self.shown((1e-15, "<= 1e-11", "holds"), (3e-12, "<= 1e-11", "holds"),
+                                    (5e-12, "<= 1e-10", "holds")), "number 1")
+        self.assertEqual(self.shown((2.01, "2 +- 0.05", "holds"), (1.96, "2 +- 0.05", "holds")), "number 1")
+
+    def test_a_limit_without_room_is_taken_whole(self):
+        self.assertEqual(self.shown((6e-16, "<= 1e-15", "holds"), (0.0, "0, to the bit", "holds")), "number 1")
+
+    def test_the_one_of_the_worst_verdict_that_goes_farthest_beyond(self):
+        self.assertEqual(self.shown((0.9, "<= 1", "holds"), (0.02, "<= 0.05", "refuted"),
+                                    (4e-4, "a symplectic drift has <= 1e-13", "refuted")), "number 2")
+
+    def test_words_that_tell_no_limit_come_last(self):
+        self.assertEqual(self.shown((4.5, "none", "holds"), (1.05, "<= 1.05 times that of the first", "holds"),
+                                    (0.1, "<= 1", "holds")), "number 2")
+
+
 class Manifest(unittest.TestCase):
     def test_mistakes_are_named(self):
         for wrong, words in {
