@@ -12,6 +12,11 @@ constexpr long many = 100'000, most = 10'000'000;
 constexpr double unit_quaternion = 1e-15;  ///< | |q|^2 - 1 |: four ulps
 constexpr double reversed = 1e-12;         ///< after 100 steps and back, order one to ten
 
+/// Claims of the thesis are measured on its drift; ours on the others.
+std::string momentum_claim(const RotationScheme& scheme) {
+  return scheme.name == "lie-midpoint" ? "chapter5/momentum" : "ours/momentum";
+}
+
 bool is_free(const GoldenCase& c) {
   return c.loads.gravity_moment == 0.0 && c.loads.body_torque_B.isZero(0.0);
 }
@@ -54,11 +59,11 @@ TEST(Conservation, momentum_of_a_free_gyrostat_stays_to_the_bit_over_1e7_steps) 
     EXPECT_EQ(d.space_momentum, 0.0) << scheme.name;
     EXPECT_EQ(d.cone_momenta, 0.0) << scheme.name;
     EXPECT_LE(d.unit_quaternion, unit_quaternion) << scheme.name;
-    record({"chapter5/momentum",
+    record({momentum_claim(scheme),
             scheme.name + ": change of the spatial momentum over 1e7 steps, gyro_free_sym",
             d.space_momentum, "N m s", "0, to the bit",
             d.space_momentum == 0.0 ? Verdict::holds : Verdict::refuted});
-    record({"chapter5/momentum",
+    record({momentum_claim(scheme),
             scheme.name + ": largest | |q|^2 - 1 | over 1e7 steps, gyro_free_sym",
             d.unit_quaternion, "1", fmt::format("<= {}", unit_quaternion),
             d.unit_quaternion <= unit_quaternion ? Verdict::holds : Verdict::refuted});
@@ -70,7 +75,7 @@ TEST(Conservation, vertical_momentum_of_the_top_stays_to_the_bit) {
     const double change =
         conservation_defects(scheme, read_golden_case("slow_top"), step, many).vertical_momentum;
     EXPECT_EQ(change, 0.0) << scheme.name;
-    record({"chapter5/momentum",
+    record({momentum_claim(scheme),
             scheme.name + ": change of the vertical momentum over 1e5 steps, slow_top", change,
             "N m s", "0, to the bit", change == 0.0 ? Verdict::holds : Verdict::refuted});
   }

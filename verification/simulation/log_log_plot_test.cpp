@@ -11,7 +11,7 @@ namespace tdbd::simulation {
 namespace {
 
 LogLogPlot two_decades() {
-  LogLogPlot plot{"a < b & c", "step", "error", {}};
+  LogLogPlot plot{"a < b & c", "step", "error", "lines", {}};
   plot.lines.push_back({"first", {0.01, 0.1, 1.0}, {1e-6, 1e-4, 1e-2}, LineStyle::markers});
   plot.lines.push_back({"nominal", {0.01, 1.0}, {1e-6, 1e-2}, LineStyle::dashed});
   return plot;
@@ -42,7 +42,7 @@ TEST(log_log_plot, leaves_out_what_has_no_logarithm) {
 }
 
 TEST(log_log_plot, one_point_alone_is_drawn) {
-  LogLogPlot plot{"", "", "", {{"one", {1.0}, {1.0}, LineStyle::markers}}};
+  LogLogPlot plot{"", "", "", "", {{"one", {1.0}, {1.0}, LineStyle::markers}}};
   EXPECT_EQ(check(plot, "1"), 0);
 }
 
