@@ -169,7 +169,7 @@ class Report(unittest.TestCase):
         self.assert_stale("third.json", "missing")
 
     def test_the_page_says_what_the_files_say(self):
-        page = (self.project.out / "index.html").read_text()
+        page = (self.project.out / "index.html").read_text().replace("<wbr>", "")  # where a line may break
         self.assertRegex(page, 'title="2.001234567890123[0-9]"')  # every digit, on hover
         for words in ("Second &lt;order&gt;", "order of the attitude", "2.001", "2 +- 0.05", "Order.is_two",
                       "<b>Reconstructed:</b> all of it",
