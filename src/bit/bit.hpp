@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bit/cone.hpp"
 #include "core/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -26,6 +27,7 @@ struct Part {
   Vec3 update_direction_B = Vec3(0, 0, 1);  ///< unit, in the bit's X-Z plane (azimuth 0); eq. 4.2
   int group = -1;        ///< parts with the same group share X_BP and are processed together
   int cutter = -1;       ///< index into Bit::cutters, or -1
+  int cone = -1;         ///< index into Bit::cones, or -1: then X_BP holds at the cone's angle 0
   double density = 0.0;  ///< kg/m3; 0: this part's volume is counted elsewhere
 };
 
@@ -55,7 +57,8 @@ struct Bit {
   std::string name;
   std::vector<Part> parts;
   std::vector<Cutter> cutters;
-  double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches
+  std::vector<Cone> cones;
+  double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches as its cone turns
 };
 
 }  // namespace tdbd::bit
