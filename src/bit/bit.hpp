@@ -27,8 +27,8 @@ struct Part {
   Vec3 update_direction_B = Vec3(0, 0, 1);  ///< unit, in the bit's X-Z plane (azimuth 0); eq. 4.2
   int group = -1;        ///< parts with the same group share X_BP and are processed together
   int cutter = -1;       ///< index into Bit::cutters, or -1
-  int cone = -1;         ///< index into Bit::cones, or -1: then X_BP holds at the cone's angle 0
   double density = 0.0;  ///< kg/m3; 0: this part's volume is counted elsewhere
+  int cone = -1;         ///< index into Bit::cones, or -1: then X_BP holds at the cone's angle 0
 };
 
 /// One row of the cutter table, SI. Thesis: 3.2.2, app. A; formulation 1.
@@ -57,8 +57,8 @@ struct Bit {
   std::string name;
   std::vector<Part> parts;
   std::vector<Cutter> cutters;
-  std::vector<Cone> cones;
   double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches as its cone turns
+  std::vector<Cone> cones;
 };
 
 }  // namespace tdbd::bit

@@ -23,6 +23,7 @@ ConeMass cone_mass(const Bit& bit, int cone) {
 }
 
 RowMeasures row_measures(const Cone& cone, const ToothRow& row) {
+  constexpr double on_axis = 1e-9;  // m
   const Vec3 tip_K = tooth_pose(cone.layout, row, 0.0) * Vec3(0.0, 0.0, row.shape.protrusion);
   const Vec3 z_B = cone.X_BK.R.col(2);
   const double radius = tip_K.x();
@@ -31,7 +32,7 @@ RowMeasures row_measures(const Cone& cone, const ToothRow& row) {
   const double bit_radius = deepest_B.head<2>().norm();
   return {radius, bit_radius, -deepest_B.z(),
           reach_of(cone.X_BK, row_meridian(cone.layout, row)).radius,
-          radius > 0.0 ? bit_radius / radius : INFINITY};
+          radius > on_axis ? bit_radius / radius : 0.0};
 }
 
 }  // namespace tdbd::bit

@@ -22,7 +22,7 @@ struct RowMeasures {
   double bit_radius = 0.0;     ///< m, of the tip from the bit's axis where it is deepest
   double height = 0.0;         ///< m, of the tip above the bit's origin there
   double reach = 0.0;          ///< m, largest radius of the teeth from the bit's axis
-  double rolling_ratio = 0.0;  ///< bit_radius / radius: cone's speed over the bit's, pure rolling
+  double rolling_ratio = 0.0;  ///< bit_radius / radius: cone's speed over the bit's; 0 on the axis
 };
 
 RowMeasures row_measures(const Cone& cone, const ToothRow& row);
