@@ -126,6 +126,23 @@ TEST(cone_bit, measures_the_asymmetry_of_unequal_spacing) {
   EXPECT_GT(unequal.asymmetry, 1e-5);
 }
 
+/// Two opposite teeth: the difference of the transverse principal inertias, whatever their azimuth.
+TEST(cone_bit, measures_the_difference_of_the_transverse_inertias) {
+  ConeLayout c = toothed_symmetric();
+  c.rows.resize(1);
+  const auto measured = [&](double first) {
+    c.rows[0].angles = {first, first + pi};
+    return cone_mass(cone_bit("a", {c}, std::nullopt, {}), 0);
+  };
+  const ConeMass m = measured(0.4);
+  const Eigen::Matrix2d across = m.body_K.inertia.topLeftCorner<2, 2>();
+  const Eigen::Vector2d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(across).eigenvalues();
+  EXPECT_NEAR(m.asymmetry, (principal[1] - principal[0]) / m.axial_inertia, 1e-12);
+  EXPECT_NEAR(m.asymmetry, measured(0.0).asymmetry, 1e-12);
+  EXPECT_GT(m.asymmetry, 0.01);
+}
+
 std::string complaint(const std::vector<ConeLayout>& cones, double gage) {
   try {
     cone_bit("any", cones, gage, {});
