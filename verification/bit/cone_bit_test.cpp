@@ -129,7 +129,7 @@ TEST(cone_bit, measures_the_asymmetry_of_unequal_spacing) {
 /// Two opposite teeth: the difference of the transverse principal inertias, whatever their azimuth.
 TEST(cone_bit, measures_the_difference_of_the_transverse_inertias) {
   ConeLayout c = toothed_symmetric();
-  c.rows.resize(1);
+  c.rows.erase(c.rows.begin());
   const auto measured = [&](double first) {
     c.rows[0].angles = {first, first + pi};
     return cone_mass(cone_bit("a", {c}, std::nullopt, {}), 0);
