@@ -10,6 +10,7 @@
 #include "simulation/bit_export.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/bit_output.hpp"
+#include "simulation/cone_report.hpp"
 #include "simulation/output_folder.hpp"
 
 namespace tdbd::app {
@@ -58,6 +59,7 @@ int inspect(const Choices& choices) {
   print_table(b);
   print_parts(b);
   print_mass(b);
+  fmt::print("{}", cones_text(b));
   if (choices.folder.empty()) return 0;
   const OutputFolder out =
       prepare(choices.folder, choices.force ? Overwrite::force : Overwrite::no);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bit/cone.hpp"
 #include "core/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -27,6 +28,7 @@ struct Part {
   int group = -1;        ///< parts with the same group share X_BP and are processed together
   int cutter = -1;       ///< index into Bit::cutters, or -1
   double density = 0.0;  ///< kg/m3; 0: this part's volume is counted elsewhere
+  int cone = -1;         ///< index into Bit::cones, or -1: then X_BP holds at the cone's angle 0
 };
 
 /// One row of the cutter table, SI. Thesis: 3.2.2, app. A; formulation 1.
@@ -55,7 +57,8 @@ struct Bit {
   std::string name;
   std::vector<Part> parts;
   std::vector<Cutter> cutters;
-  double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches
+  double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches as its cone turns
+  std::vector<Cone> cones;
 };
 
 }  // namespace tdbd::bit

@@ -48,6 +48,13 @@ class Config {
                   Range range = {});
   /// Three quantities.
   Vec3 vector(std::string_view key, const std::string& si_unit, std::optional<Vec3> fallback);
+  /// Any number of quantities.
+  std::vector<double> list(std::string_view key, const std::string& si_unit,
+                           std::optional<std::vector<double>> fallback);
+  /// Any number of pairs of quantities: [[a, b], [c, d], ...].
+  std::vector<std::pair<double, double>> pairs(
+      std::string_view key, const std::string& si_unit,
+      std::optional<std::vector<std::pair<double, double>>> fallback);
   /// 3 x 3 quantities, row by row: [[a, b, c], [d, e, f], [g, h, i]].
   Mat3 matrix(std::string_view key, const std::string& si_unit, std::optional<Mat3> fallback);
   /// A whole number from lo to hi, ends included.

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "core/config.hpp"
 #include "core/config_document.hpp"
@@ -20,6 +22,28 @@ std::string number_text(double x) { return std::isfinite(x) ? fmt::format("{}", 
 std::string vector_text(const Vec3& v) {
   if (!v.allFinite()) return "";
   return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+}
+
+/// "[a, b, c]" of texts; empty if one of them is.
+std::string bracketed(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) {
+    if (text.empty()) return "";
+    all += (all.empty() ? "" : ", ") + text;
+  }
+  return "[" + all + "]";
+}
+
+std::string list_text(const std::vector<double>& list) {
+  std::vector<std::string> texts;
+  for (const double x : list) texts.push_back(number_text(x));
+  return bracketed(texts);
+}
+
+std::string pairs_text(const std::vector<std::pair<double, double>>& pairs) {
+  std::vector<std::string> texts;
+  for (const auto& [a, b] : pairs) texts.push_back(list_text({a, b}));
+  return bracketed(texts);
 }
 
 std::string matrix_text(const Mat3& m) {
@@ -117,6 +141,40 @@ Vec3 Config::vector(std::string_view key, const std::string& si_unit,
   const auto convert = [&](const toml::node& node) { return read_three(node, si_unit, expected); };
   return read_value<Vec3>(*document_, full(key), fallback,
                           {expected, si_unit, Vec3::UnitZ(), convert, vector_text});
+}
+
+std::vector<double> Config::list(std::string_view key, const std::string& si_unit,
+                                 std::optional<std::vector<double>> fallback) {
+  const std::string expected = fmt::format("an array: {}", describe_unit(si_unit));
+  const auto convert = [&](const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr) throw UnitError(describe(&node), expected);
+    std::vector<double> list;
+    for (const toml::node& element : *array) list.push_back(read_quantity(element, si_unit));
+    return list;
+  };
+  return read_value<std::vector<double>>(*document_, full(key), fallback,
+                                         {expected, si_unit, {}, convert, list_text});
+}
+
+std::vector<std::pair<double, double>> Config::pairs(
+    std::string_view key, const std::string& si_unit,
+    std::optional<std::vector<std::pair<double, double>>> fallback) {
+  using Pairs = std::vector<std::pair<double, double>>;
+  const std::string expected = fmt::format("an array of pairs: {}", describe_unit(si_unit));
+  const auto convert = [&](const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr) throw UnitError(describe(&node), expected);
+    Pairs pairs;
+    for (const toml::node& element : *array) {
+      const toml::array* pair = element.as_array();
+      if (pair == nullptr || pair->size() != 2) throw UnitError(describe(&element), expected);
+      pairs.emplace_back(read_quantity((*pair)[0], si_unit), read_quantity((*pair)[1], si_unit));
+    }
+    return pairs;
+  };
+  return read_value<Pairs>(*document_, full(key), fallback,
+                           {expected, si_unit, {}, convert, pairs_text});
 }
 
 Mat3 Config::matrix(std::string_view key, const std::string& si_unit,

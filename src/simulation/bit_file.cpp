@@ -12,6 +12,7 @@
 #include "core/config.hpp"
 #include "core/error.hpp"
 #include "simulation/bit_parts.hpp"
+#include "simulation/cone_file.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -114,6 +115,12 @@ BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::In
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
   if (c.has("parts") && c.has("table")) c.problem("table", "parts as well", "one of the two");
+  if (c.has("cones") && (c.has("parts") || c.has("table")))
+    c.problem("cones", "parts or a table as well", "one of the three");
+  if (c.has("cones")) {
+    bit::Bit bit = read_cone_bit(c, name);
+    return {std::move(bit), c.files(), c.fingerprint()};
+  }
   return c.has("parts") ? read_mesh_bit(c, name, directions, inside)
                         : read_pdc_bit(c, name, directions, inside);
 }

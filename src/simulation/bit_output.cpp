@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mesh/vtp.hpp"
+#include "simulation/cone_report.hpp"
 #include "simulation/summary.hpp"
 
 namespace tdbd::simulation {
@@ -43,8 +44,9 @@ void write_bit_files(const std::filesystem::path& folder, const bit::Bit& bit) {
                        {"side_rake_rad", c.side_rake},
                        {"diameter_m", c.diameter},
                        {"chamfer_m", c.chamfer}});
-  const nlohmann::ordered_json file{
+  nlohmann::ordered_json file{
       {"schema", 1}, {"name", bit.name}, {"gage_radius_m", bit.gage_radius}, {"cutters", cutters}};
+  if (!bit.cones.empty()) file["cones"] = cones_json(bit);
   write_text(folder / "bit.json", file.dump(2) + "\n");
 }
 
@@ -66,14 +68,17 @@ mesh::TriangleMesh merged_mesh(const bit::Bit& bit, const Pose& X_WB,
 void write_bit_vtp(const std::filesystem::path& path, const bit::Bit& bit, const Pose& X_WB) {
   std::vector<int> owner;
   const mesh::TriangleMesh all = merged_mesh(bit, X_WB, &owner);
-  mesh::Field part{"part", {}}, kind{"kind", {}}, cutter{"cutter", {}};
+  mesh::Field part{"part", {}}, kind{"kind", {}}, cutter{"cutter", {}}, cone{"cone", {}};
   for (const int i : owner) {
     const bit::Part& p = bit.parts[static_cast<std::size_t>(i)];
     part.values.push_back(i);
     kind.values.push_back(static_cast<double>(p.kind));
     cutter.values.push_back(p.cutter);
+    cone.values.push_back(p.cone);
   }
-  mesh::write_vtp(path, all, {}, {part, kind, cutter});
+  std::vector<mesh::Field> cells{part, kind, cutter};
+  if (!bit.cones.empty()) cells.push_back(cone);
+  mesh::write_vtp(path, all, {}, cells);
 }
 
 }  // namespace tdbd::simulation

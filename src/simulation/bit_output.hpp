@@ -10,10 +10,11 @@ namespace tdbd::simulation {
 /// "face", "chamfer", "cutter-body", "gage-pad", "bit-body", "cone", "tooth", "cse".
 std::string kind_name(bit::PartKind kind);
 
-/// bit.json: the cutters as placed, for figures. SI, units in the keys.
+/// bit.json: the cutters and cones as placed, for figures. SI, units in the keys.
 void write_bit_files(const std::filesystem::path& folder, const bit::Bit& bit);
 
-/// All parts in space at a pose, with part number, kind and cutter as cell data.
+/// All parts in space at a pose, with part number, kind and cutter as cell data, and the cone if
+/// the bit has any.
 void write_bit_vtp(const std::filesystem::path& path, const bit::Bit& bit, const Pose& X_WB);
 
 /// All parts in the bit frame as one mesh; part_of_triangle (if given) receives part numbers.

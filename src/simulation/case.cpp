@@ -151,6 +151,9 @@ BitFile read_bit_of(Config& c) {
   const Directions directions = read_directions(c.table("update"));
   BitFile bit;
   if (!file.empty()) collect(c, [&] { bit = read_bit(file, directions.rule, directions.inside); });
+  if (!bit.bit.cones.empty())
+    c.problem("bit.file", fmt::format("a bit of {} cones", bit.bit.cones.size()),
+              "a bit without cones: no motion turns them, so that they would be dragged");
   return bit;
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bit/bit.hpp"
+#include "bit/mass_properties.hpp"
+
+namespace tdbd::bit {
+
+/// The assumptions of formulation 5 (thesis: 5.1) made into numbers: a cone's mass and how far it
+/// is from dynamically symmetric about its axis.
+struct ConeMass {
+  MassProperties body_K;         ///< of shell and teeth, in K at angle 0
+  double axial_inertia = 0.0;    ///< kg m2, Ic, about the journal's axis
+  double asymmetry = 0.0;        ///< (It1 - It2) / Ic, the transverse inertias of the centre
+  double centre_off_axis = 0.0;  ///< m
+};
+
+ConeMass cone_mass(const Bit& bit, int cone);
+
+/// Where a row works.
+struct RowMeasures {
+  double radius = 0.0;         ///< m, of the tip from the journal's axis
+  double bit_radius = 0.0;     ///< m, of the tip from the bit's axis where it is deepest
+  double height = 0.0;         ///< m, of the tip above the bit's origin there
+  double reach = 0.0;          ///< m, largest radius of the teeth from the bit's axis
+  double rolling_ratio = 0.0;  ///< bit_radius / radius: cone's speed over the bit's; 0 on the axis
+};
+
+RowMeasures row_measures(const Cone& cone, const ToothRow& row);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bit/cone.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace tdbd::bit {
+
+/// A place on the meridian and the shell's outward normal there, as (s, r) components; at a corner
+/// of the profile the normal halves the angle, and at a nose on the axis it is the axis.
+struct ShellPlace {
+  ShellPoint point;
+  ShellPoint normal;
+};
+
+/// The shell at s, which lies between its ends.
+ShellPlace shell_place(const std::vector<ShellPoint>& shell, double s);
+
+/// Closed mesh of the cone's body in K: the shell turned about the journal, inscribed, with flat
+/// ends. Thesis: 3.1.
+mesh::TriangleMesh shell_mesh(const ConeLayout& cone);
+
+}  // namespace tdbd::bit

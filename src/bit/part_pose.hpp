@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "bit/bit.hpp"
+
+namespace tdbd::bit {
+
+/// A part's frame in the bit's frame when the bit's cones stand at these angles (rad about their Z,
+/// one for each cone): X_BK(phi) X_KP for the parts of a cone, X_BP for all others. With a pose of
+/// the bit, X_WP = X_WB part_pose: formulation 4. Parts of one cone move as one rigid body.
+Pose part_pose(const Bit& bit, const Part& part, const std::vector<double>& cone_angles);
+
+}  // namespace tdbd::bit
