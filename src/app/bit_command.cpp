@@ -63,6 +63,7 @@ int inspect(const Choices& choices) {
       prepare(choices.folder, choices.force ? Overwrite::force : Overwrite::no);
   write_bit_files(out.path, b);
   write_profile(out.path, b);
+  write_cutter_table(out.path, b);
   export_bit(out.path, b, choices.format);
   mesh::write_mesh(out.path / "bit.stl", merged_mesh(b, Pose{}, nullptr));
   write_bit_vtp(out.path / "bit.vtp", b, Pose{});
@@ -78,7 +79,7 @@ void add_bit(CLI::App& app, int& exit_code) {
   command->add_option("bit", choices->file, "the bit file (TOML)")->required();
   command->add_option(
       "-o,--output", choices->folder,
-      "write bit.toml with parts/, bit.json, profile.csv, bit.stl and bit.vtp here");
+      "write bit.toml with parts/, bit.json, cutters.csv, profile.csv, bit.stl and bit.vtp here");
   command->add_option("--format", choices->format, "of the parts' meshes: ply, off, obj or stl")
       ->check(CLI::IsMember({"ply", "off", "obj", "stl"}))
       ->capture_default_str();
