@@ -8,7 +8,8 @@ namespace tdbd::bit {
 /// the cylinder of the cutter's diameter and length behind its face. By projections onto one and
 /// the other in turn: their distance never grows, and the planes across it that touch both solids
 /// bound the gap from below. Cutters that are neither clear nor closer after many turns count as
-/// closer. Reads sizes and poses.
+/// closer: that happens when the gap is within a micrometre of the clearance. Reads sizes and
+/// poses.
 bool closer_than(const Cutter& a, const Cutter& b, double clearance);
 
 }  // namespace tdbd::bit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct CutterDefaults {
   double length = 13e-3;                       ///< m
   double table_thickness = 2e-3;               ///< m
   double land = 0.0;                           ///< m, width of a second chamfer inside the first
-  double land_angle = 1.2217304763960306;      ///< rad, from the cutter's axis; 70 deg
+  double land_angle = 70.0 * (std::numbers::pi / 180.0);  ///< rad, from the cutter's axis
 };
 
 /// Gives a cutter the defaults.

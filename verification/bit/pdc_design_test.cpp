@@ -66,10 +66,10 @@ TEST(pdc_design, tells_which_cutters_are_in_the_way) {
   EXPECT_EQ(message.rfind("overlap: no blade with room for cutter ", 0), 0u) << message;
   EXPECT_NE(message.find("on blade 3 cutter "), std::string::npos) << message;
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.gage.start = 0.2; }),
-            "gage.start: cutter 33 (gage, blade 1, radius 107.95 mm) overlapping cutter 26 "
-            "(shoulder, blade 1, radius 102.78 mm), 0.5 mm of clearance");
+            "gage.start: cutter 33 (gage, blade 1, radius 107.95 mm) overlapping cutter 32 "
+            "(gage, blade 1, radius 107.95 mm), 0.5 mm of clearance");
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.gage.cutters = 4; }),
-            "gage.cutters: gage cutter 4 reaching 65.856 mm up the gage, at most the gage's "
+            "gage.cutters: gage cutter 3 reaching 51.072 mm up the gage, at most the gage's "
             "length, 50 mm");
 }
 
