@@ -126,7 +126,10 @@ BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::In
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
   if (c.has("parts") && c.has("table")) c.problem("table", "parts as well", "one of the two");
-  if (c.has("design") && c.has("table")) c.problem("table", "design as well", "one of the two");
+  if (c.has("design") && c.has("table")) {
+    c.text("table", std::nullopt);
+    c.problem("table", "design as well", "one of the two");
+  }
   if (c.has("design") && c.has("parts")) c.problem("parts", "design as well", "one of the two");
   return c.has("parts") ? read_mesh_bit(c, name, directions, inside)
                         : read_pdc_bit(c, name, directions, inside);

@@ -11,18 +11,21 @@ namespace {
 
 /// The angle at which the shoulder's arc begins: given, or from the arc's radius.
 double read_shoulder(Config& c, const bit::ProfileDesign& p) {
-  if (!c.has("shoulder_radius"))
-    return c.quantity("shoulder_angle", "rad", std::nullopt, Range::non_negative());
+  const bool by_radius = c.has("shoulder_radius");
+  const double given =
+      c.quantity("shoulder_angle", "rad", by_radius ? std::optional(0.0) : std::nullopt,
+                 Range::non_negative());
+  if (!by_radius) return given;
   if (c.has("shoulder_angle"))
     c.problem("shoulder_angle", "shoulder_radius as well", "one of the two");
   const double radius = c.quantity("shoulder_radius", "m", std::nullopt, Range::positive());
   const double angle = bit::shoulder_angle_for(p, radius);
-  if (!(angle >= 0.0))
-    c.problem("shoulder_radius",
-              fmt::format("{:.6g} mm, no arc between nose and gage", 1e3 * radius),
-              fmt::format("a radius below {:.6g} mm, the gage less the nose_place",
-                          1e3 * (p.gage_radius - p.nose_place)));
-  return angle >= 0.0 ? angle : 0.0;
+  if (angle >= 0.0) return angle;
+  const double left = p.gage_radius - p.nose_place;
+  c.problem("shoulder_radius", fmt::format("{:.6g} mm, no arc between nose and gage", 1e3 * radius),
+            fmt::format("at {} {:.6g} mm, what nose_place leaves to the gage",
+                        p.nose_radius < left ? "least" : "most", 1e3 * left));
+  return 0.0;
 }
 
 bit::ProfileDesign read_profile(Config c, double gage_radius) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bit/generate_design.hpp"
+#include "bit/relief.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -179,6 +180,14 @@ TEST(pdc_generator, starts_and_ends_where_it_should) {
   EXPECT_NEAR(layout.cutters[31].tip_radius, 107.95e-3, 1e-16);
   EXPECT_EQ(pdc_bit("plain", layout.cutters, {}).parts.size(), 38u * 3 + 1);
   EXPECT_NEAR(pdc_bit("plain", layout.cutters, {}).gage_radius, 107.95e-3, 1e-15);
+}
+
+/// Near the axis no cutter of any bit is relieved: there the path bends too much.
+TEST(pdc_generator, relieves_every_cutter_away_from_the_axis) {
+  const Bit bit = pdc_bit("plain", lay_out(plain_design()).cutters, {});
+  const std::vector<double> drag = heel_drag(bit, 2e-3);
+  for (std::size_t k = 0; k < drag.size(); ++k)
+    EXPECT_TRUE(bit.cutters[k].tip_radius < 0.01 || drag[k] < 0.0) << k + 1 << ": " << drag[k];
 }
 
 }  // namespace

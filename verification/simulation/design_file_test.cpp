@@ -72,9 +72,9 @@ TEST(design_file, writes_a_table_that_gives_the_same_bit) {
 TEST(design_file, takes_the_shoulders_radius_instead_of_its_angle) {
   const std::string radius = "shoulder_radius = \"47.3 mm\"";
   EXPECT_EQ(message_after("shoulder_angle = \"35 deg\"", radius), "");
-  EXPECT_EQ(message_after("shoulder_angle = \"35 deg\"", "shoulder_radius = \"60 mm\""),
-            "design.profile.shoulder_radius: found 60 mm, no arc between nose and gage, expected a "
-            "radius below 41.95 mm, the gage less the nose_place");
+  EXPECT_EQ(message_after("shoulder_angle = \"35 deg\"", "shoulder_radius = \"40 mm\""),
+            "design.profile.shoulder_radius: found 40 mm, no arc between nose and gage, expected "
+            "at least 41.95 mm, what nose_place leaves to the gage");
   EXPECT_EQ(
       message_after("shoulder_angle", radius + "\nshoulder_angle"),
       "design.profile.shoulder_angle: found shoulder_radius as well, expected one of the two");
@@ -87,10 +87,10 @@ TEST(design_file, names_key_value_and_place_of_what_is_impossible) {
   EXPECT_EQ(message_after("cone = \"13.44 mm\"", "cone = \"-13.44 mm\"").substr(0, 28),
             "design.diameter.cone: found ");
   EXPECT_EQ(message_after("behind = \"22 mm\"", "behind = \"5 mm\""),
-            "design.backup.behind: found cutter 39 (cone, blade 2, radius 49.3298 mm) overlapping "
-            "cutter 10 (cone, blade 2, radius 48.8658 mm), expected 0.5 mm of clearance");
+            "design.backup.behind: found cutter 39 (cone, blade 2, radius 49.3297 mm) overlapping "
+            "cutter 10 (cone, blade 2, radius 48.8662 mm), expected 0.5 mm of clearance");
   EXPECT_EQ(message_after("gage_diameter = \"8.5 in\"\n", ""),
-            "gage_diameter: found nothing, expected length in m, > 0");
+            "gage_diameter: found nothing, expected length in m, > 0 (the key is required)");
   EXPECT_EQ(message_after("gage_diameter", "table = \"cutters.csv\"\ngage_diameter"),
             "table: found design as well, expected one of the two");
 }
