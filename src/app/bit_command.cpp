@@ -5,11 +5,14 @@
 
 #include "app/commands.hpp"
 #include "bit/mass_properties.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
 #include "mesh/files.hpp"
 #include "mesh/measures.hpp"
 #include "simulation/bit_export.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/bit_output.hpp"
+#include "simulation/bit_report.hpp"
 #include "simulation/cone_report.hpp"
 #include "simulation/output_folder.hpp"
 
@@ -51,20 +54,39 @@ void print_mass(const bit::Bit& b) {
 struct Choices {
   std::string file, folder, format = "ply";
   bool force = false;
+  bool report = false;
+  std::string penetration = "5 mm";
 };
+
+/// Of --penetration, m per revolution.
+double penetration(const Choices& choices) {
+  try {
+    const double advance = to_si(choices.penetration, "m");
+    if (advance > 0.0) return advance;
+  } catch (const UnitError&) {
+  }
+  throw InputError(fmt::format("--penetration: found '{}', expected a length > 0 with its unit",
+                               choices.penetration));
+}
 
 int inspect(const Choices& choices) {
   using namespace simulation;
+  const double advance = penetration(choices);
   const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
   print_table(b);
   print_parts(b);
   print_mass(b);
   fmt::print("{}", cones_text(b));
-  if (choices.folder.empty()) return 0;
+  if (choices.folder.empty()) {
+    if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
+    return 0;
+  }
   const OutputFolder out =
       prepare(choices.folder, choices.force ? Overwrite::force : Overwrite::no);
   write_bit_files(out.path, b);
   write_profile(out.path, b);
+  write_cutter_table(out.path, b);
+  if (choices.report) write_analysis(out.path, b, advance);
   export_bit(out.path, b, choices.format);
   mesh::write_mesh(out.path / "bit.stl", merged_mesh(b, Pose{}, nullptr));
   write_bit_vtp(out.path / "bit.vtp", b, Pose{});
@@ -80,9 +102,12 @@ void add_bit(CLI::App& app, int& exit_code) {
   command->add_option("bit", choices->file, "the bit file (TOML)")->required();
   command->add_option(
       "-o,--output", choices->folder,
-      "write bit.toml with parts/, bit.json, profile.csv, bit.stl and bit.vtp here");
+      "write bit.toml with parts/, bit.json, cutters.csv, profile.csv, bit.stl and bit.vtp here");
   command->add_option("--format", choices->format, "of the parts' meshes: ply, off, obj or stl")
       ->check(CLI::IsMember({"ply", "off", "obj", "stl"}))
+      ->capture_default_str();
+  command->add_flag("--report", choices->report, "also write analysis.json, a designer's figures");
+  command->add_option("--penetration", choices->penetration, "of the report, per revolution")
       ->capture_default_str();
   command->add_flag("--force", choices->force, "replace the results in the folder");
   command->footer("Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");

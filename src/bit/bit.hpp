@@ -35,18 +35,22 @@ struct Part {
 struct Cutter {
   int id = 0;  ///< number in the table, as in "cutter-12"
   int blade = 0;
-  std::string zone;              ///< cone, nose, shoulder, gage (a label)
-  double diameter = 0.0;         ///< m
-  double tip_radius = 0.0;       ///< m, from the bit's axis
-  double azimuth = 0.0;          ///< rad, about +z
-  double tip_height = 0.0;       ///< m, above the nose tip (against +z)
-  double profile_angle = 0.0;    ///< rad; normal into the rock n = (sin, cos) in (r, z)
-  double back_rake = 0.0;        ///< rad
-  double side_rake = 0.0;        ///< rad
-  double chamfer = 0.0;          ///< m, width along the face, 0 for a sharp edge
-  double chamfer_angle = 0.0;    ///< rad, from the cutter's axis direction; 45 deg is usual
-  double length = 0.0;           ///< m, of the whole cutter
+  std::string zone;            ///< cone, nose, shoulder, gage (a label)
+  double diameter = 0.0;       ///< m
+  double tip_radius = 0.0;     ///< m, from the bit's axis
+  double azimuth = 0.0;        ///< rad, about +z
+  double tip_height = 0.0;     ///< m, above the nose tip (against +z)
+  double profile_angle = 0.0;  ///< rad; normal into the rock n = (sin, cos) in (r, z)
+  double back_rake = 0.0;      ///< rad
+  double side_rake = 0.0;      ///< rad
+  double chamfer = 0.0;        ///< m, width along the face, 0 for a sharp edge
+  double chamfer_angle = 0.0;  ///< rad, from the cutter's axis direction; 45 deg is usual
+  double land = 0.0;           ///< m, width of a second, flatter chamfer inside the first; 0: none
+  double land_angle = 0.0;     ///< rad, from the cutter's axis direction
+  double length = 0.0;         ///< m, of the whole cutter
   double table_thickness = 0.0;  ///< m, of the diamond table
+  double wear = 0.0;             ///< m, height of the wear flat: lost along the profile's normal
+  double under_exposure = 0.0;   ///< m, from the profile into the bit; a label: the tip tells it
   int line = 0;                  ///< line of the table's file, for messages
   Pose X_BC;                     ///< cutter frame in bit frame (formulation 1)
 };

@@ -15,8 +15,10 @@ constexpr double shank_radius = 0.7;  ///< of the gage radius
 constexpr double shank_length = 1.0;  ///< of the gage radius
 constexpr double closest = 1e-3;      ///< m, between two points of the meridian
 
-/// Cutters in the order in which the profile meets them, from the axis to the gage.
+/// Cutters of the profile, without back-ups, in the order from the axis to the gage.
 std::vector<Cutter> along_profile(std::vector<Cutter> cutters) {
+  if (std::ranges::count(cutters, 0.0, &Cutter::under_exposure) > 0)
+    std::erase_if(cutters, [](const Cutter& c) { return c.under_exposure > 0.0; });
   std::ranges::sort(cutters, {},
                     [](const Cutter& c) { return std::tuple(c.tip_radius, c.tip_height); });
   return cutters;

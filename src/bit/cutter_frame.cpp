@@ -13,7 +13,11 @@ Vec3 direction_of_motion_B(const Cutter& c) {
 
 }  // namespace
 
-double chamfer_depth(const Cutter& c) { return c.chamfer / std::tan(c.chamfer_angle); }
+double land_depth(const Cutter& c) { return c.land > 0.0 ? c.land / std::tan(c.land_angle) : 0.0; }
+
+double chamfer_depth(const Cutter& c) {
+  return c.chamfer / std::tan(c.chamfer_angle) + land_depth(c);
+}
 
 Vec3 tip_C(const Cutter& c) {
   return {c.chamfer > 0.0 ? -chamfer_depth(c) : 0.0, 0.0, -0.5 * c.diameter};

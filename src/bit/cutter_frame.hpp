@@ -4,7 +4,10 @@
 
 namespace tdbd::bit {
 
-/// Axial depth of the chamfer, m: its width along the face / tan(its angle from the axis).
+/// Axial depth of the land inside the chamfer, m: width along the face / tan(angle from the axis).
+double land_depth(const Cutter& c);
+
+/// Axial depth of the whole chamfer, m: the land's and that of the chamfer at the rim.
 double chamfer_depth(const Cutter& c);
 
 /// The tip in the cutter frame, m: (-chamfer_depth, 0, -D/2), on the outer rim of the chamfer, or

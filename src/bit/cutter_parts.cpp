@@ -8,6 +8,7 @@
 
 #include "bit/cutter_frame.hpp"
 #include "bit/surface_of_revolution.hpp"
+#include "mesh/clip_convex.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -81,21 +82,34 @@ Part cutter_part(const Cutter& c, const char* name, PartKind kind, double densit
   return part;
 }
 
+/// Removes what lies beyond the wear flat.
+void wear_down(const Cutter& c, std::vector<Part>& parts) {
+  const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
+  const double limit = n_C.dot(tip_C(c)) - c.wear;
+  for (Part& part : parts) part.mesh_P = mesh::clipped_convex(part.mesh_P, n_C, limit);
+  std::erase_if(parts, [](const Part& part) { return part.mesh_P.triangles.empty(); });
+}
+
 }  // namespace
 
 std::vector<Part> cutter_parts(const Cutter& c, const CutterMeshing& m) {
   const int n = rim_count(c, m);
   const bool chamfered = c.chamfer > 0.0;
-  const double outer = 0.5 * c.diameter, inner = outer - c.chamfer;
+  const double outer = 0.5 * c.diameter, middle = outer - c.chamfer, inner = middle - c.land;
   const double back_of_face = chamfered ? -chamfer_depth(c) : -c.table_thickness;
   std::vector<Part> parts;
   parts.push_back(cutter_part(c, "face", PartKind::face, chamfered ? 0.0 : table_density,
                               frustum({inner, 0.0, n}, {inner, back_of_face, n}, m)));
+  const double back_of_land = -land_depth(c);
+  if (c.land > 0.0)
+    parts.push_back(cutter_part(c, "land", PartKind::chamfer, table_density,
+                                frustum({inner, 0.0, n}, {middle, back_of_land, n}, m)));
   if (chamfered)
     parts.push_back(cutter_part(c, "chamfer", PartKind::chamfer, table_density,
-                                frustum({inner, 0.0, n}, {outer, back_of_face, n}, m)));
+                                frustum({middle, back_of_land, n}, {outer, back_of_face, n}, m)));
   parts.push_back(cutter_part(c, "body", PartKind::cutter_body, carbide_density,
                               frustum({outer, back_of_face, n}, {outer, -c.length, n}, m)));
+  if (c.wear > 0.0) wear_down(c, parts);
   return parts;
 }
 

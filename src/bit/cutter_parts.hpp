@@ -22,11 +22,14 @@ inline constexpr double carbide_density = 14500.0;
 
 /// The parts of a cutter, in this order, all in its frame and at its pose; closed, convex,
 /// inscribed meshes with rim points at the same angles, one of them the tip:
-///   cutter-N/face     cylinder, x in [-f, 0], radius D/2 - chamfer
-///   cutter-N/chamfer  frustum, radius D/2 - chamfer at x = 0 to D/2 at x = -f; absent if sharp
-///   cutter-N/body     cylinder, x in [-length, -f], radius D/2
-/// f is the chamfer's axial depth, or the table's thickness if the edge is sharp. The frustum
-/// encloses the face, whose density is then 0. `group` and `cutter` are the caller's to fill in.
+///   cutter-N/face     cylinder, x in [-f, 0], radius D/2 - land - chamfer
+///   cutter-N/land     frustum, radius D/2 - land - chamfer at x = 0 to D/2 - chamfer; if there is
+///   one cutter-N/chamfer  frustum, on to radius D/2 at x = -f; absent if sharp cutter-N/body
+///   cylinder, x in [-length, -f], radius D/2
+/// f is the chamfers' axial depth, or the table's thickness if the edge is sharp. The frusta
+/// enclose the face, whose density is then 0. A worn cutter's parts end in the plane along its path
+/// that is its wear below the tip, normal to the profile's normal; a part that the plane removes
+/// whole is absent. `group` and `cutter` are the caller's to fill in.
 /// Thesis: 3.2.2, 3.3, figs. 3.8-3.9.
 std::vector<Part> cutter_parts(const Cutter& c, const CutterMeshing& meshing);
 

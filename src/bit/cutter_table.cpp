@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -104,19 +105,23 @@ void check_sizes(const Cutter& c, Mistakes& mistakes) {
       mistakes.add(c.line, column, fmt::format("{:g}", 1e3 * size),
                    fmt::format("less than the cutter's {}, {:g}", what, 1e3 * limit));
   };
-  too_large("chamfer_mm", c.chamfer, 0.5 * c.diameter, "radius");
+  too_large(c.land > 0.0 ? "land_mm" : "chamfer_mm", c.chamfer + c.land, 0.5 * c.diameter,
+            "radius");
+  too_large("wear_mm", c.wear, 0.5 * c.diameter, "radius");
   too_large("table_mm", c.table_thickness, c.length, "length");
   too_large("chamfer_deg", chamfer_depth(c), c.length, "length in depth");
+  constexpr double deg = std::numbers::pi / 180.0;
+  if (c.land > 0.0 && (c.chamfer == 0.0 || c.land_angle <= c.chamfer_angle))
+    mistakes.add(c.line, "land_deg", fmt::format("{:g}", c.land_angle / deg),
+                 fmt::format("a land flatter than its chamfer: more than {:g}",
+                             c.chamfer == 0.0 ? 90.0 : c.chamfer_angle / deg));
 }
 
 Cutter read_cutter(const CsvRow& row, const Header& header, const CutterDefaults& d,
                    Mistakes& mistakes) {
   Cutter c;
   c.line = row.line;
-  c.chamfer = d.chamfer;
-  c.chamfer_angle = d.chamfer_angle;
-  c.length = d.length;
-  c.table_thickness = d.table_thickness;
+  take_shape(c, d);
   c.zone = row.cells[header.at("zone")];
   const auto before = mistakes.lines.size();
   read_integer(row, header, "cutter", c.id, mistakes);
@@ -144,6 +149,15 @@ void check_duplicates(const std::vector<Cutter>& cutters, Mistakes& mistakes) {
 }
 
 }  // namespace
+
+void take_shape(Cutter& c, const CutterDefaults& d) {
+  c.chamfer = d.chamfer;
+  c.chamfer_angle = d.chamfer_angle;
+  c.length = d.length;
+  c.table_thickness = d.table_thickness;
+  c.land = d.land;
+  c.land_angle = d.land_angle;
+}
 
 std::vector<Cutter> read_cutter_table(const std::string& csv_path, const CutterDefaults& d) {
   const std::vector<CsvRow> rows = read_csv(csv_path);

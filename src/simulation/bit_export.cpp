@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bit/cutter_table_text.hpp"
 #include "bit/exposure_profile.hpp"
 #include "core/error.hpp"
 #include "mesh/files.hpp"
@@ -53,6 +54,11 @@ void export_bit(const std::filesystem::path& folder, const bit::Bit& bit,
     toml += part_text(part, file);
   }
   write_text(folder / "bit.toml", toml);
+}
+
+void write_cutter_table(const std::filesystem::path& folder, const bit::Bit& bit) {
+  if (bit.cutters.empty()) return;
+  write_text(folder / "cutters.csv", bit::cutter_table_text(bit.name, bit.cutters));
 }
 
 void write_profile(const std::filesystem::path& folder, const bit::Bit& bit) {

@@ -15,6 +15,10 @@ namespace tdbd::simulation {
 void export_bit(const std::filesystem::path& folder, const bit::Bit& bit,
                 const std::string& format);
 
+/// cutters.csv: the cutter table, from which `table = "cutters.csv"` builds the same cutters to the
+/// last bit. Nothing for a bit without a table. Throws RunError when it cannot be written.
+void write_cutter_table(const std::filesystem::path& folder, const bit::Bit& bit);
+
 /// profile.csv: the exposure profile (r_m, z_m) from the axis to the gage. Thesis: fig. 3.8.
 void write_profile(const std::filesystem::path& folder, const bit::Bit& bit);
 

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "simulation/bit_parts.hpp"
 #include "simulation/cone_file.hpp"
+#include "simulation/design_file.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -23,6 +24,8 @@ bit::CutterDefaults read_defaults(Config c) {
   d.chamfer_angle = c.quantity("chamfer_angle", "rad", d.chamfer_angle, Range::within(0.05, 1.5));
   d.length = c.quantity("length", "m", d.length, Range::positive());
   d.table_thickness = c.quantity("table_thickness", "m", d.table_thickness, Range::positive());
+  d.land = c.quantity("land", "m", d.land, Range::non_negative());
+  d.land_angle = c.quantity("land_angle", "rad", d.land_angle, Range::within(0.05, 1.5));
   return d;
 }
 
@@ -66,7 +69,7 @@ double reach(const bit::Bit& bit, int cutter) {
 }
 
 /// No cutter reaches past the gage that the bit file names.
-void demand_inside(const bit::Bit& bit, double gage_radius, const std::string& table) {
+void demand_inside(const bit::Bit& bit, double gage_radius, const std::string& file) {
   constexpr double slack = 5e-5;  // m: what tables round and bits are made to
   std::string lines;
   for (std::size_t i = 0; i < bit.cutters.size(); ++i)
@@ -74,26 +77,35 @@ void demand_inside(const bit::Bit& bit, double gage_radius, const std::string& t
       lines += fmt::format(
           "{}{}:{}: r_tip_mm: found cutter {} reaching {:.3f} mm from the axis, outside the bit, "
           "expected at most half of gage_diameter, {:.3f} mm",
-          lines.empty() ? "" : "\n", table, bit.cutters[i].line, bit.cutters[i].id, 1e3 * r,
+          lines.empty() ? "" : "\n", file, bit.cutters[i].line, bit.cutters[i].id, 1e3 * r,
           1e3 * gage_radius);
   if (!lines.empty()) throw InputError(lines);
 }
 
+/// A design needs its gage; a table may do without.
+std::optional<double> any_gage(bool designed) {
+  if (designed) return {};
+  return std::numeric_limits<double>::infinity();
+}
+
 BitFile read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule directions,
                      bit::InsideRule inside) {
-  const std::string table = c.path("table", std::nullopt);
+  const bool designed = c.has("design");
+  const std::string table = designed ? "" : c.path("table", std::nullopt);
   const bit::CutterDefaults defaults = read_defaults(c.table("cutters"));
   bit::PdcOptions options;
   options.meshing = read_meshing(c.table("mesh"));
   options.pads = read_pads(c.table("gage_pads"));
   options.directions = directions;
   options.inside = inside;
-  const double gage_diameter =
-      c.quantity("gage_diameter", "m", std::numeric_limits<double>::infinity(), Range::positive());
-  const std::vector<bit::Cutter> cutters = read_table(c, table, defaults);
+  const double gage_radius =
+      0.5 * c.quantity("gage_diameter", "m", any_gage(designed), Range::positive());
+  const std::vector<bit::Cutter> cutters =
+      designed ? read_design(c.table("design"), gage_radius, defaults)
+               : read_table(c, table, defaults);
   c.finish();
   BitFile file{bit::pdc_bit(name, cutters, options), c.files(), c.fingerprint()};
-  demand_inside(file.bit, 0.5 * gage_diameter, table);
+  demand_inside(file.bit, gage_radius, designed ? c.files().front() : table);
   return file;
 }
 
@@ -115,8 +127,13 @@ BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::In
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
   if (c.has("parts") && c.has("table")) c.problem("table", "parts as well", "one of the two");
-  if (c.has("cones") && (c.has("parts") || c.has("table")))
-    c.problem("cones", "parts or a table as well", "one of the three");
+  if (c.has("design") && c.has("table")) {
+    c.text("table", std::nullopt);
+    c.problem("table", "design as well", "one of the two");
+  }
+  if (c.has("design") && c.has("parts")) c.problem("parts", "design as well", "one of the two");
+  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design")))
+    c.problem("cones", "parts, a table or a design as well", "one of them");
   if (c.has("cones")) {
     bit::Bit bit = read_cone_bit(c, name);
     return {std::move(bit), c.files(), c.fingerprint()};

@@ -1,5 +1,7 @@
 """tdbd bit: writes a bit that reads back, in every format, and refuses a part that is no solid."""
 
+import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -20,11 +22,27 @@ def mass_line(result):
 def check_round_trip(folder, form):
     first = tdbd(BIT, "-o", folder / form, "--format", form)
     assert "cutter-28/chamfer" in first.stdout and "gage radius 107.950 mm" in first.stdout
-    for name in ("bit.toml", "bit.json", "bit.stl", "bit.vtp", "profile.csv",
+    for name in ("bit.toml", "bit.json", "bit.stl", "bit.vtp", "profile.csv", "cutters.csv",
                  f"parts/cutter-1/face.{form}", f"parts/bit-body.{form}"):
         assert (folder / form / name).stat().st_size > 0, name
     again = tdbd(folder / form / "bit.toml")
     assert mass_line(first) == mass_line(again) != [], (mass_line(first), mass_line(again))
+
+
+def check_report(folder):
+    """The cut volumes of the analysis fill the hole; a report needs a folder and a length."""
+    ordered = tdbd(BIT, "-o", folder / "report", "--report", "--penetration", "3 mm")
+    assert ordered.returncode == 0, ordered.stderr
+    a = json.loads((folder / "report/analysis.json").read_text())
+    assert len(a["cutters"]) == 28 and a["penetration_m_per_rev"] == 0.003, a
+    hole = math.pi * a["gage_radius_m"] ** 2 * 0.003
+    assert abs(sum(c["volume_m3_per_rev"] for c in a["cutters"]) / hole - 1) < 1e-3
+    assert 0 < a["imbalance_of_unit_law"] < 0.2 and 1 < a["mean_redundancy"] < 28, a
+    nowhere = tdbd(BIT, "--report")
+    assert nowhere.returncode == 2 and "--report: found no folder" in nowhere.stderr, nowhere
+    for wrong in ("3 s", "0 mm", "much"):
+        bad = tdbd(BIT, "-o", folder / "bad", "--report", "--penetration", wrong)
+        assert bad.returncode == 2 and "--penetration: found" in bad.stderr, bad
 
 
 def check_refusals(folder):
@@ -42,4 +60,5 @@ with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     for form in ("ply", "off", "obj", "stl"):
         check_round_trip(folder, form)
+    check_report(folder)
     check_refusals(folder)

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace tdbd::reference {
+
+/// Mass properties of a solid of unit density, with standard errors of the same units.
+struct EstimatedMass {
+  double volume = 0.0, volume_error = 0.0;                    ///< m3
+  Vec3 first = Vec3::Zero(), first_error = Vec3::Zero();      ///< integral of x, m4
+  Mat3 inertia = Mat3::Zero(), inertia_error = Mat3::Zero();  ///< about the origin, m5
+};
+
+/// By points spread at random over the bounding box (core/random, from the seed): each weighs the
+/// box's volume over their number if a ray along +x leaves the closed mesh an odd number of times.
+/// Knows nothing of tetrahedra or normals. Errors fall with the root of the number of points.
+EstimatedMass monte_carlo_mass(const mesh::TriangleMesh& m, long points, std::uint64_t seed);
+
+}  // namespace tdbd::reference

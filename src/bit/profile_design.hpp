@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+
+namespace tdbd::bit {
+
+/// A bit's profile as a designer draws it: a straight cone, the nose's arc, the shoulder's arc that
+/// is tangent to the nose and to the gage, and the gage. SI. Formulation 1; closed form of two
+/// arcs.
+struct ProfileDesign {
+  double gage_radius = 0.0;
+  double cone_angle = 0.0;      ///< rad, of the cone's line over the horizontal
+  double nose_place = 0.0;      ///< m, radius at which the profile is lowest
+  double nose_radius = 0.0;     ///< m, of the nose's arc
+  double shoulder_angle = 0.0;  ///< rad, profile angle at which the shoulder's arc begins
+  double gage_length = 0.0;     ///< m, along the axis
+};
+
+/// The pieces of the profile, from the axis to the gage's upper end.
+enum class Region { cone, nose, shoulder, gage };
+
+/// A point of the profile.
+struct ProfileSpot {
+  double r = 0.0;      ///< m, from the axis
+  double h = 0.0;      ///< m, above the lowest point
+  double angle = 0.0;  ///< rad, of the normal into the rock: (sin, cos) in (r, z), z down
+  Region region = Region::cone;
+};
+
+/// Radius of the shoulder's arc, m, from its tangency to nose and gage; <= 0 when the profile
+/// folds.
+double shoulder_radius(const ProfileDesign& p);
+
+/// The shoulder_angle whose shoulder has this radius, rad: the other way to describe a profile. Not
+/// a number when there is none.
+double shoulder_angle_for(const ProfileDesign& p, double radius);
+
+/// Arc lengths, m, from the axis to the end of each region.
+std::array<double, 4> region_ends(const ProfileDesign& p);
+
+/// The point at the arc length s (m) from the axis, 0 <= s <= the gage's end.
+ProfileSpot spot_at(const ProfileDesign& p, double s);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,73 @@
+#include "simulation/bit_report.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bit/bit_analysis.hpp"
+#include "bit/engagement.hpp"
+#include "bit/mass_properties.hpp"
+#include "simulation/summary.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double column_width = 0.1e-3;  ///< m
+constexpr int outline_points = 72;
+
+Json outline_of(const bit::Cutter& c) {
+  Json points = Json::array();
+  for (const Vec3& p : bit::turned_outline(c, outline_points)) points.push_back({p.x(), p.z()});
+  return points;
+}
+
+Json cutter_of(const bit::Cutter& c, double overlap, double area, double volume) {
+  return {{"name", "cutter-" + std::to_string(c.id)},
+          {"blade", c.blade},
+          {"zone", c.zone},
+          {"tip_radius_m", c.tip_radius},
+          {"tip_height_m", c.tip_height},
+          {"azimuth_rad", c.azimuth},
+          {"profile_angle_rad", c.profile_angle},
+          {"back_rake_rad", c.back_rake},
+          {"side_rake_rad", c.side_rake},
+          {"under_exposure_m", c.under_exposure},
+          {"wear_m", c.wear},
+          {"overlap_with_next", std::isnan(overlap) ? Json() : Json(overlap)},
+          {"area_m2", area},
+          {"volume_m3_per_rev", volume},
+          {"outline_rz_m", outline_of(c)}};
+}
+
+Json inertia_of(const Mat3& inertia) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back({inertia(i, 0), inertia(i, 1), inertia(i, 2)});
+  return rows;
+}
+
+}  // namespace
+
+void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, double advance) {
+  const bit::Engagement e = bit::engagement(bit.cutters, advance, column_width);
+  const std::vector<double> overlap = bit::overlaps(bit.cutters);
+  const bit::MassProperties mass = bit::mass_properties(bit);
+  Json cutters = Json::array();
+  for (std::size_t k = 0; k < bit.cutters.size(); ++k)
+    cutters.push_back(cutter_of(bit.cutters[k], overlap[k], e.area[k], e.volume[k]));
+  const Json file{{"schema", 1},
+                  {"name", bit.name},
+                  {"gage_radius_m", bit.gage_radius},
+                  {"penetration_m_per_rev", advance},
+                  {"imbalance_of_unit_law", bit::imbalance(bit.cutters, e.area)},
+                  {"mean_redundancy", bit::mean_redundancy(e.cutting)},
+                  {"mass_kg", mass.mass},
+                  {"centre_m", {mass.centre.x(), mass.centre.y(), mass.centre.z()}},
+                  {"inertia_kg_m2", inertia_of(mass.inertia)},
+                  {"column_width_m", e.column_width},
+                  {"cutters_cutting_at_radius", e.cutting},
+                  {"cutters", cutters}};
+  write_text(folder / "analysis.json", file.dump(1) + "\n");
+}
+
+}  // namespace tdbd::simulation
