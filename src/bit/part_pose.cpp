@@ -10,4 +10,9 @@ Pose part_pose(const Bit& bit, const Part& part, const std::vector<double>& cone
   return cone_pose(bit.cones[k], cone_angles.at(k)) * (inverse(bit.cones[k].X_BK) * part.X_BP);
 }
 
+Bit turned(Bit bit, const std::vector<double>& cone_angles) {
+  for (Part& part : bit.parts) part.X_BP = part_pose(bit, part, cone_angles);
+  return bit;
+}
+
 }  // namespace tdbd::bit

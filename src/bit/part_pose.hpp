@@ -11,4 +11,7 @@ namespace tdbd::bit {
 /// the bit, X_WP = X_WB part_pose: formulation 4. Parts of one cone move as one rigid body.
 Pose part_pose(const Bit& bit, const Part& part, const std::vector<double>& cone_angles);
 
+/// The bit with its parts where these angles of its cones take them.
+Bit turned(Bit bit, const std::vector<double>& cone_angles);
+
 }  // namespace tdbd::bit

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bit/part_pose.hpp"
 #include "core/tolerance.hpp"
 
 namespace tdbd::rock {
@@ -43,6 +44,12 @@ bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part&
          bit.parts[static_cast<std::size_t>(group.parts.front().part)].group == part.group;
 }
 
+/// No turn of the part's cone takes x farther from the bit's origin.
+double largest_distance(const bit::Bit& bit, const bit::Part& part, const Vec3& x_P) {
+  const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
+  return X_BK.p.norm() + (part.X_BP * x_P - X_BK.p).norm();
+}
+
 /// The sides of the box, and those planes of the parts that bound the other parts too.
 mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
   mesh::ConvexSolid planes;
@@ -73,15 +80,17 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
     const bit::Part& part = bit.parts[static_cast<std::size_t>(i)];
     if (part.cutting == bit::Cutting::never) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
-      cutting.groups.push_back({part.X_BP, {}, {}, 0.0, 0.0, part.update_direction_B, {}});
+      cutting.groups.push_back(
+          {part.X_BP, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.X_BP});
     CuttingGroup& group = cutting.groups.back();
     group.parts.push_back(prepare_part(part, i));
     for (const Vec3& x_P : part.mesh_P.positions) {
       group.box_P.add(x_P);
       const Vec3 x_B = part.X_BP * x_P;
       box_B.add(x_B);
-      group.reach = std::max(group.reach, x_B.head<2>().norm());
-      group.distance = std::max(group.distance, x_B.norm());
+      const double turned = part.cone < 0 ? 0.0 : largest_distance(bit, part, x_P);
+      group.reach = std::max({group.reach, x_B.head<2>().norm(), turned});
+      group.distance = std::max({group.distance, x_B.norm(), turned});
     }
   }
   for (CuttingGroup& group : cutting.groups) {
@@ -90,6 +99,16 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
   }
   cutting.size = std::max(box_B.size().x(), box_B.size().y());
   return cutting;
+}
+
+void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<double>& from,
+                const std::vector<double>& to) {
+  for (CuttingGroup& group : cutting.groups) {
+    const bit::Part& part = bit.parts[static_cast<std::size_t>(group.parts.front().part)];
+    if (part.cone < 0) continue;
+    group.X_BP = bit::part_pose(bit, part, from);
+    group.X_BP1 = bit::part_pose(bit, part, to);
+  }
 }
 
 }  // namespace tdbd::rock

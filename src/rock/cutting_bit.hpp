@@ -30,6 +30,7 @@ struct CuttingGroup {
   double distance = 0.0;     ///< m, farthest from the bit's origin
   Vec3 update_direction_B;
   std::vector<CuttingPart> parts;
+  Pose X_BP1;  ///< at the end of the step; X_BP is at its start. They differ where a cone turns
 };
 
 /// The parts that cut, in the order in which they take rock (the bit's order).
@@ -41,5 +42,9 @@ struct CuttingBit {
 
 /// Every part that cuts, from its closed mesh (bit::Part).
 CuttingBit prepare_cutting_bit(const bit::Bit& bit);
+
+/// Turns the cones of a step: from these angles to those (rad, one for each cone). Formulation 4.
+void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<double>& from,
+                const std::vector<double>& to);
 
 }  // namespace tdbd::rock

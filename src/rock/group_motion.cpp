@@ -67,7 +67,7 @@ double reach(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
 }  // namespace
 
 GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
-  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP;
+  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP1;
   return {inverse(X_WP0), inverse(X_WP1),         inverse(X_WB1),
           X_WB1.R,        reach(g, X_WB0, X_WB1), moving_box(g.box_P, X_WP0, X_WP1)};
 }

@@ -151,10 +151,16 @@ BitFile read_bit_of(Config& c) {
   const Directions directions = read_directions(c.table("update"));
   BitFile bit;
   if (!file.empty()) collect(c, [&] { bit = read_bit(file, directions.rule, directions.inside); });
-  if (!bit.bit.cones.empty())
-    c.problem("bit.file", fmt::format("a bit of {} cones", bit.bit.cones.size()),
-              "a bit without cones: no motion turns them, so that they would be dragged");
   return bit;
+}
+
+/// One speed for each cone of the bit.
+std::vector<double> read_cone_speeds(Config c, std::size_t cones) {
+  const std::vector<double> speeds = c.list("cone_speeds", "1", std::nullopt);
+  if (speeds.size() != cones)
+    c.problem("cone_speeds", fmt::format("{} speeds", speeds.size()),
+              fmt::format("one for each of the bit's {} cones, over the bit's speed", cones));
+  return speeds;
 }
 
 }  // namespace
@@ -169,6 +175,8 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.maintenance = read_maintenance(c.table("maintenance"));
   result.output = read_output(c.table("output"));
   const BitFile bit = read_bit_of(c);
+  if (!bit.bit.cones.empty() || c.has("motion.cone_speeds"))
+    result.motion.cone_speeds = read_cone_speeds(c.table("motion"), bit.bit.cones.size());
   c.finish();
   result.bit = bit.bit;
   result.files = c.files();

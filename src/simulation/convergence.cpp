@@ -23,6 +23,7 @@ double quantity_of(const ConvergencePlan& plan, const std::map<std::string, doub
   const auto at = quantities.find(plan.key);
   if (at == quantities.end()) {
     std::vector<std::string> names;
+    names.reserve(quantities.size());
     for (const auto& [key, value] : quantities) names.push_back(key);
     throw InputError(fmt::format("--over: found {}, expected a quantity of the case: {}", plan.key,
                                  nearest_name(plan.key, names).value_or("time.step, for one")));

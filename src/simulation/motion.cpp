@@ -61,4 +61,10 @@ double angle_turned(const Motion& m, double t) {
   return (1.0 - at.fraction) * at.before->turned + at.fraction * at.after->turned;
 }
 
+std::vector<double> cone_angles(const Motion& m, double t) {
+  std::vector<double> angles;
+  for (const double speed : m.cone_speeds) angles.push_back(-speed * angle_turned(m, t));
+  return angles;
+}
+
 }  // namespace tdbd::simulation

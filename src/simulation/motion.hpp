@@ -35,7 +35,8 @@ struct Motion {
   double rotary_speed = 0.0;         ///< rad/s about +z
   double rate_of_penetration = 0.0;  ///< m/s along +z
   Whirl whirl;
-  std::vector<PathPoint> path;  ///< rising times, at least two, turns summed
+  std::vector<PathPoint> path;      ///< rising times, at least two, turns summed
+  std::vector<double> cone_speeds;  ///< over the bit's, one for each cone; positive: rolling
 };
 
 /// Pose at time t. Between rows of a path the bit moves rigidly: its origin on the chord, its
@@ -45,5 +46,9 @@ Pose pose_at(const Motion& motion, double t);
 /// Angle turned about the bit's axis since the start, rad: rotary speed times t, or along a path
 /// the sum of its turns.
 double angle_turned(const Motion& motion, double t);
+
+/// Angles of the cones about their Z, rad: each turns by its speed times what the bit turned, and
+/// a cone that rolls turns against its Z (bit/cone_frame.hpp). Formulation 4.
+std::vector<double> cone_angles(const Motion& motion, double t);
 
 }  // namespace tdbd::simulation

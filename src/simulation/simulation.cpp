@@ -55,6 +55,9 @@ Simulation start(const Case& c) {
 void step(const Case& c, Simulation& s) {
   const Pose X_WB0 = pose_at(c.motion, time_of(c, s.steps_done));
   const Pose X_WB1 = pose_at(c.motion, time_of(c, s.steps_done + 1));
+  if (!c.bit.cones.empty())
+    rock::turn_cones(s.bit, c.bit, cone_angles(c.motion, time_of(c, s.steps_done)),
+                     cone_angles(c.motion, time_of(c, s.steps_done + 1)));
   rock::cut_rock(s.rock, s.bit, X_WB0, X_WB1, s.cut_work, s.cut);
   note(c, s);
   ++s.steps_done;

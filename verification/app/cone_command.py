@@ -78,17 +78,39 @@ def check_report(folder):
     assert result.returncode == 0 and "between cones: an overlap" in result.stdout, result
 
 
-def check_no_run(folder):
-    case = folder / "case.toml"
-    case.write_text(f'[bit]\nfile = "{pathlib.Path(BIT).resolve()}"\n[rock]\nedge_length = "2 mm"\n'
-                    '[motion]\nrotary_speed = "60 rpm"\nrate_of_penetration = "5 m/h"\n'
-                    '[time]\nstep = "1 ms"\nduration = "1 s"\n')
-    result = subprocess.run([PROGRAM, "check", case], capture_output=True, text=True)
-    assert result.returncode == 2 and ":2: bit.file: found a bit of 3 cones" in result.stderr, result
+def drilled(folder, name, *settings):
+    """Summary of a short run of the shipped case, or the complaint about it."""
+    case = pathlib.Path(BIT).parent.parent / "bit-r-steady.toml"
+    command = [PROGRAM, "run", case, "-o", folder / name, "--quiet"]
+    for setting in ("time.revolutions=1.5", *settings):
+        command += ["--set", setting]
+    result = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+    if result.returncode != 0:
+        return result.stderr
+    return json.loads((folder / name / "summary.json").read_text())
+
+
+def check_drilling(folder):
+    """Teeth of every cone cut, the ledger closes; dragged teeth cut otherwise than rolling ones."""
+    rolling = drilled(folder, "rolling")
+    assert rolling["volume_ledger_defect"] < 1e-12, rolling
+    removed = rolling["removed_volume_by_part_m3"]
+    for cone in ("cone-1", "cone-2", "cone-3"):
+        assert removed[f"{cone}/body"] == 0.0
+        teeth = [v for name, v in removed.items() if name.startswith(f"{cone}/row-3/")]
+        assert sum(v > 0.0 for v in teeth) > 0.8 * len(teeth), (cone, teeth)
+    dragged = drilled(folder, "dragged", "motion.cone_speeds=[0, 0, 0]")
+    assert dragged["volume_ledger_defect"] < 1e-12, dragged
+    still = dragged["removed_volume_by_part_m3"]
+    assert sum(v > 0.0 for v in still.values()) < 0.5 * sum(v > 0.0 for v in removed.values())
+    for speeds, found in (("[1.4]", "found 1 speeds"), ("\"1.4\"", "cone_speeds: found")):
+        complaint = drilled(folder, "bad", f"motion.cone_speeds={speeds}")
+        assert "cone_speeds" in complaint and found in complaint, complaint
+        assert not (folder / "bad").exists()
 
 
 with tempfile.TemporaryDirectory() as name:
     check_bit_r(pathlib.Path(name))
     check_refusals(pathlib.Path(name))
     check_report(pathlib.Path(name))
-    check_no_run(pathlib.Path(name))
+    check_drilling(pathlib.Path(name))
