@@ -62,7 +62,7 @@ def check_refusals(folder):
         ([("spacing = [1, 1, 1.15", "spacing = [1, 1, -1.15")], ["cones[0].rows[2].spacing"]),
         ([("kind = \"conical\"", "kind = \"conicle\"")], ["did you mean conical?"]),
         ([("azimuth = \"0 deg\"", "azimuth = \"0 mm\"")], ["cones[0].azimuth"]),
-        ([("name = \"bit-r\"", "name = \"bit-r\"\ntable = \"bit-b.csv\"")], ["one of the three"]),
+        ([("name = \"bit-r\"", "name = \"bit-r\"\ntable = \"bit-b.csv\"")], ["one of them"]),
     ]
     for replacements, words in bad:
         result = edited(folder, *replacements)
