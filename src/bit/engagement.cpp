@@ -82,11 +82,13 @@ std::vector<Vec3> turned_outline(const Cutter& c, int points) {
 
 Engagement engagement(const std::vector<Cutter>& cutters, double advance, double column_width) {
   std::vector<std::vector<Vec3>> outlines;
+  outlines.reserve(cutters.size());
   for (const Cutter& c : cutters) outlines.push_back(turned_outline(c, rim_points));
   const double end = widest(outlines);
   const auto columns = static_cast<std::size_t>(std::ceil(end / column_width));
   const double width = end / static_cast<double>(columns);
   std::vector<std::vector<Reach>> reach;
+  reach.reserve(outlines.size());
   for (const auto& outline : outlines) reach.push_back(reaches(outline, columns, width));
   Engagement e{std::vector<double>(cutters.size()), std::vector<double>(cutters.size()),
                std::vector<int>(columns), width};

@@ -163,6 +163,7 @@ void demand_cutters_on_every_blade(const PdcDesign& d, Layout& layout) {
 
 std::vector<int> blade_order(int n) {
   std::vector<int> order;
+  order.reserve(static_cast<std::size_t>(n));
   const int step = n % 2 == 0 ? n / 2 : std::max(1, n / 2);
   for (int k = 0; k < n; ++k) order.push_back(n % 2 == 0 ? k / 2 + k % 2 * step : k * step % n);
   return order;

@@ -36,12 +36,14 @@ std::string bracketed(const std::vector<std::string>& texts) {
 
 std::string list_text(const std::vector<double>& list) {
   std::vector<std::string> texts;
+  texts.reserve(list.size());
   for (const double x : list) texts.push_back(number_text(x));
   return bracketed(texts);
 }
 
 std::string pairs_text(const std::vector<std::pair<double, double>>& pairs) {
   std::vector<std::string> texts;
+  texts.reserve(pairs.size());
   for (const auto& [a, b] : pairs) texts.push_back(list_text({a, b}));
   return bracketed(texts);
 }
