@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace tdbd::bit {
 /// Thesis: 3.1, B.2-B.5 (its classes of bit parts).
 enum class PartKind { face, chamfer, cse, cutter_body, gage_pad, bit_body, cone, tooth };
 
-/// A part's say in whether it removes rock. Thesis: 3.1.
-enum class Cutting { cuts, never };
+/// A straight line from one point to another.
+struct Segment {
+  Vec3 from, to;  ///< m
+};
 
 /// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P.
 /// Parts of one cutter share that cutter's frame. Thesis: 3.1.
@@ -22,13 +25,18 @@ struct Part {
   std::string name;  ///< "cutter-12/face", "gage-pad-3", "bit-body"
   PartKind kind = PartKind::bit_body;
   Cutting cutting = Cutting::cuts;
-  Pose X_BP;                                ///< part frame in bit frame
-  mesh::TriangleMesh mesh_P;                ///< m, part frame
+  Pose X_BP;                  ///< part frame in bit frame
+  mesh::TriangleMesh mesh_P;  ///< m, part frame
+  /// Convex solids that touch and whose union the mesh encloses; none: not known.
+  std::vector<mesh::TriangleMesh> pieces_P;
   Vec3 update_direction_B = Vec3(0, 0, 1);  ///< unit, in the bit's X-Z plane (azimuth 0); eq. 4.2
   int group = -1;        ///< parts with the same group share X_BP and are processed together
   int cutter = -1;       ///< index into Bit::cutters, or -1
   double density = 0.0;  ///< kg/m3; 0: this part's volume is counted elsewhere
-  int cone = -1;         ///< index into Bit::cones, or -1: then X_BP holds at the cone's angle 0
+  /// If given, rock moves along the normal about this segment instead (rock::mapped_direction_W).
+  std::optional<Segment> core_P;
+  int cone = -1;  ///< index into Bit::cones, or -1; X_BP holds at the cone's angle 0
+  int row = -1;   ///< of a tooth: index into its cone's rows
 };
 
 /// One row of the cutter table, SI. Thesis: 3.2.2, app. A; formulation 1.

@@ -28,6 +28,9 @@ struct ToothShape {
   double density = 14.9e3;     ///< kg/m3
 };
 
+/// A part's say in whether it removes rock. Thesis: 3.1.
+enum class Cutting { cuts, never };
+
 /// A ring of equal teeth around a cone.
 struct ToothRow {
   double s = 0.0;              ///< m, place on the shell: as ShellPoint
@@ -55,6 +58,7 @@ struct ConeLayout {
   double foot_height = 0.0;       ///< m, of the journal's foot above the bit's origin (against z)
   std::vector<ShellPoint> shell;  ///< s rising, from the nose to the base
   std::vector<ToothRow> rows;     ///< from the nose to the base
+  Cutting body = Cutting::never;  ///< whether the shell crushes what rock stands between prints
   double density = 7850.0;        ///< kg/m3
   int segments = 96;              ///< of the shell's mesh
   int facets = 16;                ///< of an insert's mesh, a multiple of 4

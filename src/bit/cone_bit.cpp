@@ -9,6 +9,7 @@
 #include "bit/cone_parts.hpp"
 #include "bit/cone_reach.hpp"
 #include "bit/surface_of_revolution.hpp"
+#include "bit/tooth_directions.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::bit {
@@ -93,6 +94,7 @@ Bit cone_bit(std::string name, std::vector<ConeLayout> cones, std::optional<doub
     demand_inside(bit.cones.back(), bit.gage_radius);
     for (Part& part : cone_parts(bit.cones.back(), index)) bit.parts.push_back(std::move(part));
   }
+  direct_teeth(bit, GageRule::normal);
   if (shank.radius > 0.0) bit.parts.push_back(shank_part(shank));
   return bit;
 }

@@ -15,24 +15,13 @@ Part cone_body(const Cone& cone, int index) {
   Part body;
   body.name = cone.name + "/body";
   body.kind = PartKind::cone;
-  body.cutting = Cutting::never;
+  body.cutting = cone.layout.body;
   body.X_BP = cone.X_BK;
   body.mesh_P = shell_mesh(cone.layout);
+  body.pieces_P = shell_pieces(cone.layout);
   body.density = cone.layout.density;
   body.cone = index;
   return body;
-}
-
-/// Outward and down of the normal of the row where it is farthest from the bit's axis: its meridian
-/// plane is that of the journal.
-Vec3 gage_direction(const Cone& cone, const ToothRow& row) {
-  const double down = cone.layout.journal_angle;
-  const Pose X_KT = tooth_pose(cone.layout, row, 0.0);
-  const Vec3 z_K = X_KT.R.col(2);  // y = 0
-  const double out = z_K.x() * std::sin(down) - z_K.z() * std::cos(down);
-  const double deep = z_K.x() * std::cos(down) + z_K.z() * std::sin(down);
-  const Vec3 u(std::max(0.0, out), 0.0, std::max(0.0, deep));
-  return u.norm() > 0.0 ? Vec3(u.normalized()) : Vec3(Vec3::UnitZ());
 }
 
 }  // namespace
@@ -52,8 +41,6 @@ std::vector<Part> cone_parts(const Cone& cone, int index) {
   int row_number = 0;
   for (const ToothRow& row : cone.layout.rows) {
     ++row_number;
-    const Vec3 direction_B =
-        row.place == RowPlace::gage ? gage_direction(cone, row) : Vec3(Vec3::UnitZ());
     const mesh::TriangleMesh mesh_T = tooth_mesh(row.shape, cone.layout.facets);
     for (std::size_t i = 0; i < row.angles.size(); ++i) {
       Part& tooth = parts.emplace_back();
@@ -61,9 +48,9 @@ std::vector<Part> cone_parts(const Cone& cone, int index) {
       tooth.kind = PartKind::tooth;
       tooth.X_BP = cone.X_BK * tooth_pose(cone.layout, row, row.angles[i]);
       tooth.mesh_P = mesh_T;
-      tooth.update_direction_B = direction_B;
       tooth.density = row.shape.density;
       tooth.cone = index;
+      tooth.row = row_number - 1;
     }
   }
   return parts;

@@ -20,6 +20,15 @@ ShellPoint halfway(const ShellPoint& a, const ShellPoint& b) {
   return {(a.s + b.s) / length, (a.r + b.r) / length};
 }
 
+mesh::TriangleMesh turned(const Meridian& meridian, int segments) {
+  std::vector<Ring> rings;
+  rings.reserve(meridian.size());
+  for (const ShellPoint& p : meridian) rings.push_back({p.r, -p.s, p.r > 0.0 ? segments : 1});
+  mesh::TriangleMesh m = surface_of_revolution(rings);
+  for (Vec3& x : m.positions) x = Vec3(x.y(), x.z(), x.x());  // the rings stand along X
+  return m;
+}
+
 }  // namespace
 
 ShellPlace shell_place(const std::vector<ShellPoint>& shell, double s) {
@@ -35,12 +44,15 @@ ShellPlace shell_place(const std::vector<ShellPoint>& shell, double s) {
 }
 
 mesh::TriangleMesh shell_mesh(const ConeLayout& cone) {
-  std::vector<Ring> rings;
-  for (const ShellPoint& p : shell_meridian(cone.shell))
-    rings.push_back({p.r, -p.s, p.r > 0.0 ? cone.segments : 1});
-  mesh::TriangleMesh m = surface_of_revolution(rings);
-  for (Vec3& x : m.positions) x = Vec3(x.y(), x.z(), x.x());  // the rings stand along X
-  return m;
+  return turned(shell_meridian(cone.shell), cone.segments);
+}
+
+std::vector<mesh::TriangleMesh> shell_pieces(const ConeLayout& cone) {
+  std::vector<mesh::TriangleMesh> pieces;
+  pieces.reserve(cone.shell.size());
+  for (std::size_t i = 1; i < cone.shell.size(); ++i)
+    pieces.push_back(turned(shell_meridian({cone.shell[i - 1], cone.shell[i]}), cone.segments));
+  return pieces;
 }
 
 }  // namespace tdbd::bit

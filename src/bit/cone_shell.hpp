@@ -19,4 +19,7 @@ ShellPlace shell_place(const std::vector<ShellPoint>& shell, double s);
 /// ends. Thesis: 3.1.
 mesh::TriangleMesh shell_mesh(const ConeLayout& cone);
 
+/// The same solid as a stack of frustums, one for each pitch.
+std::vector<mesh::TriangleMesh> shell_pieces(const ConeLayout& cone);
+
 }  // namespace tdbd::bit

@@ -44,6 +44,7 @@ std::optional<Refusal> judge(const mesh::Surface& s, int c, const Vec3& x, doubl
              after = mesh::area_vector(x, p, q);
   if (after.dot(before) < limits.least_normal_cosine * after.norm() * before.norm())
     return Refusal::normal;
+  if (before.z() < 0.0 && after.z() >= 0.0) return Refusal::overhang;
   if ((p - x).norm() > limits.longest_edge) return Refusal::too_long;
   if (mesh::triangle_quality(x, p, q) < quality_floor) return Refusal::quality;
   return std::nullopt;

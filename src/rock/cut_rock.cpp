@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "rock/mapped_direction.hpp"
 #include "rock/prism.hpp"
 
 namespace tdbd::rock {

@@ -26,21 +26,28 @@ mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t mos
   return chosen;
 }
 
-CuttingPart prepare_part(const bit::Part& part, int index) {
+CuttingPart prepare_solid(const bit::Part& part, const mesh::TriangleMesh& mesh_P, int index) {
   CuttingPart prepared{index, part.name, {}, {}, 0.0};
-  prepared.depth = tolerance::swept * mesh::bounding_box(part.mesh_P).size().norm();
-  if (auto solid = mesh::convex_solid(part.mesh_P))
+  prepared.depth = tolerance::swept * mesh::bounding_box(mesh_P).size().norm();
+  if (auto solid = mesh::convex_solid(mesh_P))
     prepared.solid_P = spread_planes(*solid, solid->planes);
   else
-    prepared.tree_P.emplace(part.mesh_P);
+    prepared.tree_P.emplace(mesh_P);
   return prepared;
 }
 
-/// A group's parts are numbered by the bits of one word (Clear).
-constexpr std::size_t most_parts = 63;
+/// A part is one solid or, if it is known to be so made, several convex ones.
+void add_part(CuttingGroup& group, const bit::Part& part, int index) {
+  if (part.pieces_P.empty()) group.parts.push_back(prepare_solid(part, part.mesh_P, index));
+  for (const mesh::TriangleMesh& piece_P : part.pieces_P)
+    group.parts.push_back(prepare_solid(part, piece_P, index));
+}
+
+/// A group's solids are numbered by the bits of one word (Clear).
+constexpr std::size_t most_solids = 63;
 
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
-  return part.group >= 0 && group.parts.size() < most_parts &&
+  return part.group >= 0 && group.parts.size() + part.pieces_P.size() < most_solids &&
          bit.parts[static_cast<std::size_t>(group.parts.front().part)].group == part.group;
 }
 
@@ -81,9 +88,9 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
     if (part.cutting == bit::Cutting::never) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
       cutting.groups.push_back(
-          {part.X_BP, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.X_BP});
+          {part.X_BP, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.core_P, part.X_BP});
     CuttingGroup& group = cutting.groups.back();
-    group.parts.push_back(prepare_part(part, i));
+    add_part(group, part, i);
     for (const Vec3& x_P : part.mesh_P.positions) {
       group.box_P.add(x_P);
       const Vec3 x_B = part.X_BP * x_P;

@@ -11,8 +11,8 @@
 
 namespace tdbd::rock {
 
-/// A part prepared for swept queries: by its planes if it is convex and has few, by a tree over
-/// its facets if not.
+/// A part, or a convex piece of one, prepared for swept queries: by its planes if it is convex and
+/// has few, by a tree over its facets if not.
 struct CuttingPart {
   int part = -1;  ///< index into Bit::parts
   std::string name;
@@ -30,6 +30,7 @@ struct CuttingGroup {
   double distance = 0.0;     ///< m, farthest from the bit's origin
   Vec3 update_direction_B;
   std::vector<CuttingPart> parts;
+  std::optional<bit::Segment> core_P;  ///< bit::Part::core_P
   Pose X_BP1;  ///< at the end of the step; X_BP is at its start. They differ where a cone turns
 };
 

@@ -72,14 +72,6 @@ GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X
           X_WB1.R,        reach(g, X_WB0, X_WB1), moving_box(g.box_P, X_WP0, X_WP1)};
 }
 
-Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
-  const Vec3 x_B = m.X_BW1 * x_W;
-  const double rho = std::sqrt(x_B.x() * x_B.x() + x_B.y() * x_B.y());
-  const double c = rho > 0.0 ? x_B.x() / rho : 1.0, s = rho > 0.0 ? x_B.y() / rho : 0.0;
-  const Vec3& U = g.update_direction_B;
-  return m.R_WB1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
-}
-
 void HullFilter::choose(std::size_t i) {
   const Vec3 n_P = mesh::normal(hull_P_, i);
   n0_W_ = motion_.X_PW0.R.transpose() * n_P;

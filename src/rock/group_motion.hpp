@@ -18,9 +18,6 @@ struct GroupMotion {
 /// Thesis: 4.1.1.
 GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1);
 
-/// Ur = Rz(azimuth of x in the bit frame at pose 1) U, in space. Thesis: 4.1.2.3, 4.1.3.2.
-Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W);
-
 /// Appends the rock vertices that the group may sweep: all that it does sweep, and those few that
 /// no single plane of its hull tells apart. `chains` is room for the grid's query.
 void find_candidates(const VertexGrid& grid, const CuttingGroup& g, const GroupMotion& m,

@@ -21,9 +21,9 @@ struct MaintenanceLimits {
 MaintenanceLimits limits_for(double edge_length);
 
 /// Why an operation was refused; counted, never silent.
-enum class Refusal { boundary, topology, normal, too_long, quality, volume, count };
+enum class Refusal { boundary, topology, normal, overhang, too_long, quality, volume, count };
 inline constexpr std::array<const char*, static_cast<std::size_t>(Refusal::count)> refusal_names{
-    "boundary", "topology", "normal", "too_long", "quality", "volume"};
+    "boundary", "topology", "normal", "overhang", "too_long", "quality", "volume"};
 
 struct MaintenanceReport {
   long bisections = 0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "bit/tooth_directions.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "simulation/bit_file.hpp"
@@ -127,11 +128,13 @@ OutputPlan read_output(Config c) {
 struct Directions {
   bit::DirectionRule rule;
   bit::InsideRule inside;
+  bit::GageRule gage;
 };
 
-/// The readings of eq. 4.2 (formulation 2.2).
+/// The readings of eq. 4.2, and of its counterpart for roller cones (formulation 2.2, 2.3).
 Directions read_directions(Config c) {
   using bit::DirectionRule;
+  using bit::GageRule;
   using bit::InsideRule;
   return {c.choice<DirectionRule>("directions",
                                   {{"hybrid", DirectionRule::hybrid},
@@ -142,7 +145,13 @@ Directions read_directions(Config c) {
                                {{"down", InsideRule::down},
                                 {"plus-x", InsideRule::plus_x},
                                 {"minus-x", InsideRule::minus_x}},
-                               InsideRule::down)};
+                               InsideRule::down),
+          c.choice<GageRule>("gage_teeth",
+                             {{"normal", GageRule::normal},
+                              {"row", GageRule::row},
+                              {"down", GageRule::down},
+                              {"horizontal", GageRule::horizontal}},
+                             GageRule::normal)};
 }
 
 /// The case's bit, once all else is read, so that the mistakes of both come together.
@@ -151,6 +160,7 @@ BitFile read_bit_of(Config& c) {
   const Directions directions = read_directions(c.table("update"));
   BitFile bit;
   if (!file.empty()) collect(c, [&] { bit = read_bit(file, directions.rule, directions.inside); });
+  bit::direct_teeth(bit.bit, directions.gage);
   return bit;
 }
 

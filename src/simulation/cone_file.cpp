@@ -89,6 +89,7 @@ bit::ConeLayout read_cone(Config& c, bit::ConeLayout cone, const bit::ToothShape
   cone.azimuth = c.quantity("azimuth", "rad", std::nullopt);
   read_journal(c, "journal_angle", cone);
   cone.density = c.quantity("density", "kg/m3", cone.density, Range::non_negative());
+  cone.body = c.flag("body_cuts", false) ? bit::Cutting::cuts : bit::Cutting::never;
   for (const auto& [s, r] : c.pairs("shell", "m", std::nullopt)) cone.shell.push_back({s, r});
   std::vector<Config> rows = c.tables("rows");
   for (Config& row : rows) cone.rows.push_back(read_row(row, usual));

@@ -31,7 +31,7 @@ def check_bit_r(folder):
     assert abs(bit["gage_radius_m"] - 0.10795) < 1e-12, bit["gage_radius_m"]
     cones = bit["cones"]
     assert [c["name"] for c in cones] == ["cone-1", "cone-2", "cone-3"]
-    assert 90 <= sum(r["teeth"] for c in cones for r in c["rows"]) <= 140
+    assert 90 <= sum(r["teeth"] for c in cones for r in c["rows"]) <= 150
     for cone in cones:
         assert abs(math.hypot(*cone["axis"]) - 1) < 1e-12 and cone["axis"][2] > 0
         assert 0.004 < cone["axial_inertia_kg_m2"] < 0.010 and 3 < cone["mass_kg"] < 5, cone
@@ -48,19 +48,19 @@ def check_refusals(folder):
     """(what is changed, what the message must say)"""
     inner = ("s = \"34.5 mm\"", "s = \"34.5 mm\"\nprotrusion = \"-3 mm\"")
     bad = [
-        ([inner], ["cones[0].rows[1].protrusion: found", "> 0"]),
+        ([inner], ["cones[0].rows[2].protrusion: found", "> 0"]),
         ([("[\"3 mm\", \"6 mm\"]", "[\"-3 mm\", \"6 mm\"]")],
          ["cones[0].shell: found a fold: point 2", "s rising"]),
         ([("s = \"34.5 mm\"", "s = \"34.5 mm\"\nsink = \"8 mm\"")],
-         ["cones[0].rows[1].protrusion: found a tip", "inside the cone"]),
+         ["cones[0].rows[2].protrusion: found a tip", "inside the cone"]),
         ([("s = \"57 mm\"", "s = \"36 mm\"")],
-         ["cones[0].rows[2].s: found tooth", "of row 2", "do not touch"]),
-        ([("s = \"82 mm\"", "s = \"820 mm\"")], ["cones[0].rows[3].s: found 820 mm"]),
+         ["cones[0].rows[3].s: found tooth", "of row 3", "do not touch"]),
+        ([("s = \"82 mm\"", "s = \"820 mm\"")], ["cones[0].rows[5].s: found 820 mm"]),
         ([("offset = \"4 mm\"", "offset = \"-120 mm\"")], ["cone-1: found no place", "offset"]),
         ([("s = \"42.5 mm\"", "s = \"37 mm\"")],
-         ["found an overlap of", "cone-1/row-2/tooth-1 (at", "cone-2/row-2/tooth-1 (at", " deg)"]),
-        ([("spacing = [1, 1, 1.15", "spacing = [1, 1, -1.15")], ["cones[0].rows[2].spacing"]),
-        ([("kind = \"conical\"", "kind = \"conicle\"")], ["did you mean conical?"]),
+         ["found an overlap of", "cone-1/row-3/tooth-1 (at", "cone-2/row-2/tooth-1 (at", " deg)"]),
+        ([("spacing = [1, 1, 1.15", "spacing = [1, 1, -1.15")], ["cones[0].rows[3].spacing"]),
+        ([("kind = \"hemispherical\"", "kind = \"hemispheric\"")], ["did you mean hemispherical?"]),
         ([("azimuth = \"0 deg\"", "azimuth = \"0 mm\"")], ["cones[0].azimuth"]),
         ([("name = \"bit-r\"", "name = \"bit-r\"\ntable = \"bit-b.csv\"")], ["one of them"]),
     ]
@@ -96,7 +96,6 @@ def check_drilling(folder):
     assert rolling["volume_ledger_defect"] < 1e-12, rolling
     removed = rolling["removed_volume_by_part_m3"]
     for cone in ("cone-1", "cone-2", "cone-3"):
-        assert removed[f"{cone}/body"] == 0.0
         teeth = [v for name, v in removed.items() if name.startswith(f"{cone}/row-3/")]
         assert sum(v > 0.0 for v in teeth) > 0.8 * len(teeth), (cone, teeth)
     dragged = drilled(folder, "dragged", "motion.cone_speeds=[0, 0, 0]")

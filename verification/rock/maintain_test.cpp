@@ -10,6 +10,7 @@
 
 #include "core/tolerance.hpp"
 #include "mesh/check.hpp"
+#include "mesh/measures.hpp"
 #include "rock/cutting_scene.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/grid_query.hpp"
@@ -197,6 +198,21 @@ RC_GTEST_PROP(maintain, comes_to_rest_and_counts_every_refusal, ()) {
     defects += length < limits.shortest_edge;
   });
   RC_ASSERT(std::accumulate(last.refused.begin(), last.refused.end(), 0L) >= defects);
+}
+
+/// Rock that was moved straight down only is a height field, steep walls of craters and all, and no
+/// repair makes an overhang of it.
+RC_GTEST_PROP(maintain, keeps_a_height_field_one, ()) {
+  Wildness straight_down;
+  straight_down.tilt = straight_down.outwards = 0.0;
+  Worked w = worked(straight_down);
+  settle(w.after, any_limits(mean_edge(w.cut.surface)));
+  const Surface& s = w.after.surface;
+  for (int t = 0; t < s.triangle_slots(); ++t) {
+    if (!s.triangle_is_alive(t)) continue;
+    const auto x = [&](int i) { return s.position(s.vertex(3 * t + i)); };
+    RC_ASSERT(mesh::area_vector(x(0), x(1), x(2)).z() < 0.0);
+  }
 }
 
 RC_GTEST_PROP(maintain, without_touch_does_nothing, ()) {
