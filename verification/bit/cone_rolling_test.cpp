@@ -115,8 +115,8 @@ TEST(cone_rolling, takes_the_ratio_of_the_gage_row) {
   ConeLayout layout;
   layout.shell = {{0.01, 0.01}, {0.04, 0.03}, {0.07, 0.05}, {0.09, 0.035}};
   ToothRow inner, gage;
-  inner.s = 0.04;
-  gage.s = 0.07;
+  inner.s = 0.07;  // farther out than the row at the gage
+  gage.s = 0.04;
   gage.place = RowPlace::gage;
   inner.angles = gage.angles = {0.0};
   layout.rows = {gage, inner};
@@ -128,7 +128,12 @@ TEST(cone_rolling, takes_the_ratio_of_the_gage_row) {
   layout.rows = {inner, gage};
   EXPECT_EQ(ratio(), with_gage);
   layout.rows.back().place = RowPlace::inner;  // then the outermost row
-  EXPECT_EQ(ratio(), with_gage);
+  EXPECT_NE(ratio(), with_gage);
+  layout.rows.pop_back();
+  const double outermost = ratio();
+  layout.rows.push_back(gage);
+  layout.rows.back().place = RowPlace::inner;
+  EXPECT_EQ(ratio(), outermost);
 }
 
 }  // namespace

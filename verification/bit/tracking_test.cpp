@@ -75,7 +75,7 @@ Cone any_rows() {
   layout.offset = number(-6e-3, 6e-3);
   layout.skew = number(-2 * degree, 2 * degree);
   for (ToothRow& row : layout.rows) row.angles = spaced_angles(*rc::gen::inRange(3, 9), 0.3, {});
-  return {"cone-1", layout, cone_pose(layout, 0.0)};
+  return {"cone-1", layout, cone_pose(layout, number(-pi, pi))};
 }
 
 reference::RolledRow rolled(const Cone& cone, const ToothRow& row, double speed, double near) {

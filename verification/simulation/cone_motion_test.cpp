@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bit/cone_bit.hpp"
+#include "rotation/rotation_vector.hpp"
 #include "simulation/simulation.hpp"
 #include "verification/bit/cone_generate.hpp"
 #include "wheel_bit.hpp"
@@ -60,7 +61,20 @@ RC_GTEST_PROP(cone_motion, a_motion_of_the_bit_reaches_each_tooth_through_its_co
   RC_ASSERT(farthest < 1e-13);
 }
 
-/// A screw motion's twist is exact; and it takes points where the poses take them.
+/// Between any two poses: seen from the middle of the way, points go where the twist takes them, to
+/// the third power of the turn.
+RC_GTEST_PROP(cone_motion, a_twist_takes_points_where_the_poses_do, ()) {
+  const Vec3 turn = any_vector(0.1), x_B = any_vector(0.1), about = any_vector(2.0);
+  const Pose X_WB0{rotation::exp(about), any_vector(1.0)},
+      X_WB1{X_WB0.R * rotation::exp(turn), X_WB0.p + any_vector(0.05)};
+  const double dt = number(0.001, 0.01), angle = turn.norm();
+  const Mat3 R_WM = X_WB0.R * rotation::exp(0.5 * turn);
+  const Vec3 seen = R_WM.transpose() * (X_WB1 * x_B - X_WB0 * x_B) / dt;
+  RC_ASSERT((twist_between(X_WB0, X_WB1, dt)(x_B) - seen).norm() * dt <
+            angle * angle * angle * x_B.norm() / 20 + 1e-14);
+}
+
+/// Exact for a screw motion.
 RC_GTEST_PROP(cone_motion, finds_the_twist_of_a_step, ()) {
   const double w = number(-20, 20), v = number(-0.1, 0.1), dt = number(1e-3, 0.02);
   Motion m;
