@@ -88,6 +88,7 @@ std::vector<TrackingShare> tracking(const std::vector<PrintRing>& rings,
                                     const TrackingOptions& options) {
   const double past = -two_pi * (options.lags + 1), end = two_pi * options.revolutions;
   std::vector<std::vector<Print>> all;
+  all.reserve(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i)
     all.push_back(prints(rings[i], speed_ratios[i], past, end));
   std::vector<TrackingShare> shares;

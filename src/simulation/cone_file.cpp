@@ -157,6 +157,7 @@ bit::Bit read_cone_bit(Config& file, const std::string& name) {
   const bit::ToothShape usual_tooth = read_shape(teeth, {});
   std::vector<Config> cones = file.tables("cones");
   std::vector<bit::ConeLayout> layouts;
+  layouts.reserve(cones.size());
   for (Config& c : cones) layouts.push_back(read_cone(c, usual_cone, usual_tooth));
   const bit::Shank shank = read_shank(file.table("shank"));
   file.finish();

@@ -33,6 +33,7 @@ std::vector<HistoryPart> history_parts(const bit::Bit& bit) {
 
 std::vector<std::string> cone_names(const bit::Bit& bit) {
   std::vector<std::string> names;
+  names.reserve(bit.cones.size());
   for (const bit::Cone& cone : bit.cones) names.push_back(cone.name);
   return names;
 }

@@ -21,6 +21,7 @@ Twist any_twist() { return {any_vector(10.0), any_vector(0.1)}; }
 std::vector<ConeContact> any_contacts() {
   std::vector<ConeContact> contacts;
   const int count = *rc::gen::inRange(1, 9);
+  contacts.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) contacts.push_back({any_vector(0.1), number(1e-9, 1e-7)});
   return contacts;
 }
