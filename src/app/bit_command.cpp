@@ -15,6 +15,7 @@
 #include "simulation/bit_report.hpp"
 #include "simulation/cone_report.hpp"
 #include "simulation/output_folder.hpp"
+#include "simulation/tracking_report.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -56,6 +57,7 @@ struct Choices {
   bool force = false;
   bool report = false;
   std::string penetration = "5 mm";
+  std::vector<double> cone_speeds;
 };
 
 /// Of --penetration, m per revolution.
@@ -77,6 +79,8 @@ int inspect(const Choices& choices) {
   print_parts(b);
   print_mass(b);
   fmt::print("{}", cones_text(b));
+  const ConeOperation operation = cone_operation(b, choices.cone_speeds, advance);
+  if (choices.report) fmt::print("{}", tracking_text(b, operation));
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
     return 0;
@@ -86,7 +90,7 @@ int inspect(const Choices& choices) {
   write_bit_files(out.path, b);
   write_profile(out.path, b);
   write_cutter_table(out.path, b);
-  if (choices.report) write_analysis(out.path, b, advance);
+  if (choices.report) write_analysis(out.path, b, advance, choices.cone_speeds);
   export_bit(out.path, b, choices.format);
   mesh::write_mesh(out.path / "bit.stl", merged_mesh(b, Pose{}, nullptr));
   write_bit_vtp(out.path / "bit.vtp", b, Pose{});
@@ -109,6 +113,11 @@ void add_bit(CLI::App& app, int& exit_code) {
   command->add_flag("--report", choices->report, "also write analysis.json, a designer's figures");
   command->add_option("--penetration", choices->penetration, "of the report, per revolution")
       ->capture_default_str();
+  command
+      ->add_option("--cone-speeds", choices->cone_speeds,
+                   "of the report, one for each cone over the bit's: 1.47,1.47,1.47; default: at "
+                   "which the gage rows roll")
+      ->delimiter(',');
   command->add_flag("--force", choices->force, "replace the results in the folder");
   command->footer("Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");
   command->callback(

@@ -22,6 +22,12 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder) {
   fmt::print("{}: {} steps, {:.3f} revolutions, {:.4f} cm3 removed, ledger defect {:.1e}\n",
              s.status == simulation::RunStatus::completed ? "done" : "interrupted", s.steps,
              s.revolutions, 1e6 * s.removed_volume, s.volume_ledger_defect);
+  for (const simulation::ConeFigures& c : s.cones)
+    fmt::print(
+        "{}: {:.4f} of the bit's speed (steps {:.4f} to {:.4f}, std {:.4f}); its gage row rolls at "
+        "{:.4f}: net slip {:+.2f} %\n",
+        c.name, c.mean_speed_ratio, c.min_speed_ratio, c.max_speed_ratio, c.std_speed_ratio,
+        c.rolling_ratio_gage_row, 100.0 * c.net_slip_gage_row);
   fmt::print("results in {}\n", folder);
 }
 

@@ -71,6 +71,7 @@ struct Bit {
   std::vector<Cutter> cutters;
   double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches as its cone turns
   std::vector<Cone> cones;
+  Shank shank;  ///< of a bit with cones
 };
 
 }  // namespace tdbd::bit

@@ -71,4 +71,13 @@ struct Cone {
   Pose X_BK;
 };
 
+/// The steel above the cones: a cylinder about the bit's axis that never cuts and stands for legs
+/// and shank alike. Lengths in m.
+struct Shank {
+  double radius = 0.0;  ///< 0: none
+  double length = 0.0;
+  double height = 0.0;  ///< of its lower end above the bit's origin
+  double density = 7850.0;
+};
+
 }  // namespace tdbd::bit

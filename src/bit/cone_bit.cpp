@@ -47,13 +47,14 @@ double settle(std::vector<ConeLayout>& cones, const std::string& name) {
   return all.radius;
 }
 
-void demand_inside(const Cone& cone, double gage_radius) {
+void demand_inside(const Cone& cone, std::size_t index, double gage_radius) {
   const double radius = reach_of(cone.X_BK, shell_meridian(cone.layout.shell)).radius;
   if (radius > gage_radius)
-    throw InputError(fmt::format(
-        "{}: found a body that reaches {:.3f} mm from the bit's axis, expected less than the "
-        "teeth's {:.3f} mm (offset {:.4g} mm)",
-        cone.name, 1e3 * radius, 1e3 * gage_radius, 1e3 * cone.layout.offset));
+    throw ConeBitError(
+        index, "shell",
+        fmt::format("a body that reaches {:.3f} mm from the bit's axis", 1e3 * radius),
+        fmt::format("less than the teeth's {:.3f} mm (offset {:.4g} mm)", 1e3 * gage_radius,
+                    1e3 * cone.layout.offset));
 }
 
 Part shank_part(const Shank& shank) {
@@ -73,17 +74,26 @@ Part shank_part(const Shank& shank) {
 
 }  // namespace
 
+ConeBitError::ConeBitError(std::size_t of_cone, std::string of_key, std::string was,
+                           std::string wanted)
+    : InputError(
+          fmt::format("cone-{}: {}: found {}, expected {}", of_cone + 1, of_key, was, wanted)),
+      cone(of_cone),
+      key(std::move(of_key)),
+      found(std::move(was)),
+      expected(std::move(wanted)) {}
+
 Bit cone_bit(std::string name, std::vector<ConeLayout> cones, std::optional<double> gage_radius,
              const Shank& shank) {
   Bit bit;
   bit.name = std::move(name);
+  bit.shank = shank;
   for (std::size_t k = 0; k < cones.size(); ++k) {
     if (!gage_radius || !has_gage_row(cones[k])) continue;
     try {
       cones[k].apex = apex_for_gage(cones[k], *gage_radius);
     } catch (const InputError& e) {
-      throw InputError(
-          fmt::format("cone-{}: found {}, expected an offset and a size for it ", k + 1, e.what()));
+      throw ConeBitError(k, "offset", e.what(), "an offset and a size of the cone for it");
     }
   }
   bit.gage_radius = settle(cones, bit.name);
@@ -91,7 +101,7 @@ Bit cone_bit(std::string name, std::vector<ConeLayout> cones, std::optional<doub
     const int index = static_cast<int>(bit.cones.size());
     const Pose X_BK = cone_pose(layout, 0.0);
     bit.cones.push_back({fmt::format("cone-{}", index + 1), std::move(layout), X_BK});
-    demand_inside(bit.cones.back(), bit.gage_radius);
+    demand_inside(bit.cones.back(), bit.cones.size() - 1, bit.gage_radius);
     for (Part& part : cone_parts(bit.cones.back(), index)) bit.parts.push_back(std::move(part));
   }
   direct_teeth(bit, GageRule::normal);

@@ -33,6 +33,11 @@ std::string Config::full(std::string_view key) const {
 
 bool Config::has(std::string_view key) const { return document_->find(full(key)) != nullptr; }
 
+bool Config::is_text(std::string_view key) const {
+  const toml::node* node = document_->find(full(key));
+  return node != nullptr && node->is_string();
+}
+
 Config Config::table(std::string_view key) {
   const std::string name = full(key);
   const toml::node* node = document_->find(name);

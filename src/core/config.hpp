@@ -43,6 +43,9 @@ class Config {
   /// Whether the key is given. Does not count as reading it.
   bool has(std::string_view key) const;
 
+  /// Whether the key is given as a text. Does not count as reading it.
+  bool is_text(std::string_view key) const;
+
   /// A string with a unit ("8.5 in") or a number in `si_unit`; returned in `si_unit`.
   double quantity(std::string_view key, const std::string& si_unit, std::optional<double> fallback,
                   Range range = {});

@@ -7,10 +7,12 @@
 
 #include "bit/cutter_table_text.hpp"
 #include "bit/exposure_profile.hpp"
+#include "bit/swept_parts.hpp"
 #include "core/error.hpp"
 #include "mesh/files.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/bit_output.hpp"
+#include "simulation/cone_export.hpp"
 #include "simulation/summary.hpp"
 
 namespace tdbd::simulation {
@@ -53,6 +55,7 @@ void export_bit(const std::filesystem::path& folder, const bit::Bit& bit,
     mesh::write_mesh(folder / file, part.mesh_P);
     toml += part_text(part, file);
   }
+  if (!bit.cones.empty()) toml = cone_bit_text(bit);
   write_text(folder / "bit.toml", toml);
 }
 
@@ -64,7 +67,7 @@ void write_cutter_table(const std::filesystem::path& folder, const bit::Bit& bit
 void write_profile(const std::filesystem::path& folder, const bit::Bit& bit) {
   constexpr double spacing = 0.25e-3;
   std::string csv = "r_m,z_m\n";
-  for (const bit::ProfilePoint& p : bit::exposure_profile(bit.parts, spacing))
+  for (const bit::ProfilePoint& p : bit::exposure_profile(bit::swept_parts(bit), spacing))
     csv += fmt::format("{:.9g},{:.9g}\n", p.r, p.z);
   write_text(folder / "profile.csv", csv);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "bit/bit.hpp"
 
@@ -10,7 +11,10 @@ namespace tdbd::simulation {
 /// (m) a revolution. Per cutter: place, rakes, under-exposure, wear, overlap with the next one, its
 /// outline turned into one plane, cut area and volume (bit/engagement.hpp); of the bit: number of
 /// cutters that cut at each radius and its mean, imbalance of the unit law, mass, centre, inertia.
-/// SI, units in the keys. Throws RunError when it cannot be written.
-void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, double advance);
+/// Of a bit with cones also tracking and contact ratios of its rows (tracking_json), at these
+/// speeds of the cones over the bit's; without any, at which their gage rows roll. SI, units in the
+/// keys. Throws RunError when it cannot be written.
+void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, double advance,
+                    const std::vector<double>& cone_speeds);
 
 }  // namespace tdbd::simulation

@@ -164,13 +164,24 @@ BitFile read_bit_of(Config& c) {
   return bit;
 }
 
-/// One speed for each cone of the bit.
-std::vector<double> read_cone_speeds(Config c, std::size_t cones) {
-  const std::vector<double> speeds = c.list("cone_speeds", "1", std::nullopt);
-  if (speeds.size() != cones)
-    c.problem("cone_speeds", fmt::format("{} speeds", speeds.size()),
-              fmt::format("one for each of the bit's {} cones, over the bit's speed", cones));
-  return speeds;
+void read_rolling(Config& c, const bit::Bit& bit, Motion& m) {
+  constexpr double remembered_turn = 0.1;  // rad of the bit, a third of a gage row's pitch
+  m.cone_drive =
+      c.choice<ConeDrive>("cone_speeds", {{"rolling", ConeDrive::rolling}}, std::nullopt);
+  const double usual = m.rotary_speed > 0.0 ? remembered_turn / m.rotary_speed : 0.0;
+  m.cone_memory = c.quantity("cone_memory", "s", usual, Range::non_negative());
+  if (bit.cones.empty() && !bit.parts.empty())
+    c.problem("cone_speeds", "\"rolling\"", "a bit with cones");
+}
+
+/// "rolling", or one speed for each cone of the bit; a bit without parts could not be read.
+void read_cone_speeds(Config c, const bit::Bit& bit, Motion& m) {
+  if (c.is_text("cone_speeds")) return read_rolling(c, bit, m);
+  m.cone_speeds = c.list("cone_speeds", "1", std::nullopt);
+  if (m.cone_speeds.size() != bit.cones.size() && !bit.parts.empty())
+    c.problem(
+        "cone_speeds", fmt::format("{} speeds", m.cone_speeds.size()),
+        fmt::format("one for each of the bit's {} cones, over the bit's speed", bit.cones.size()));
 }
 
 }  // namespace
@@ -186,7 +197,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.output = read_output(c.table("output"));
   const BitFile bit = read_bit_of(c);
   if (!bit.bit.cones.empty() || c.has("motion.cone_speeds"))
-    result.motion.cone_speeds = read_cone_speeds(c.table("motion"), bit.bit.cones.size());
+    read_cone_speeds(c.table("motion"), bit.bit, result.motion);
   c.finish();
   result.bit = bit.bit;
   result.files = c.files();

@@ -119,13 +119,30 @@ bit::Shank read_shank(Config c) {
   return shank;
 }
 
-void refuse_overlaps(const bit::Bit& bit, const std::string& name) {
-  std::string lines;
+/// Row of a part "cone-1/row-2/tooth-1" on its cone, or the key of its shell.
+std::string key_of(const std::string& part) {
+  const std::size_t at = part.find("/row-");
+  if (at == std::string::npos) return "shell";
+  return fmt::format("rows[{}]", std::stoi(part.substr(at + 5)) - 1);
+}
+
+/// Every overlap, at the line of that of the two rows or shells which stands first.
+void note_overlaps(const bit::Bit& bit, std::vector<Config>& cones) {
   for (const bit::Clearance& c : bit::cone_clearances(bit.cones))
-    if (c.distance < 0.0)
-      lines += fmt::format("{}{}: cones: found {}, expected a gap", lines.empty() ? "" : "\n", name,
-                           clearance_text(c));
-  if (!lines.empty()) throw InputError(lines);
+    for (std::size_t k = 0; k < cones.size(); ++k)
+      if (c.distance < 0.0 && c.part_a.starts_with(bit.cones[k].name + "/"))
+        cones[k].problem(key_of(c.part_a), clearance_text(c), "a gap");
+}
+
+/// Builds the bit; what stands against it is noted at its line.
+bit::Bit build(std::vector<bit::ConeLayout> layouts, std::optional<double> gage_radius,
+               const bit::Shank& shank, const std::string& name, std::vector<Config>& cones) {
+  try {
+    return bit::cone_bit(name, std::move(layouts), gage_radius, shank);
+  } catch (const bit::ConeBitError& e) {
+    cones[e.cone].problem(e.key, e.found, e.expected);
+    return {};
+  }
 }
 
 }  // namespace
@@ -139,17 +156,21 @@ bit::Bit read_cone_bit(Config& file, const std::string& name) {
   const bit::ConeLayout usual_cone = read_defaults(file);
   Config teeth = file.table("teeth");
   const bit::ToothShape usual_tooth = read_shape(teeth, {});
-  std::vector<bit::ConeLayout> cones;
-  for (Config& c : file.tables("cones")) cones.push_back(read_cone(c, usual_cone, usual_tooth));
+  std::vector<Config> cones = file.tables("cones");
+  std::vector<bit::ConeLayout> layouts;
+  layouts.reserve(cones.size());
+  for (Config& c : cones) layouts.push_back(read_cone(c, usual_cone, usual_tooth));
   const bit::Shank shank = read_shank(file.table("shank"));
   file.finish();
   std::optional<double> gage_radius;
   if (gage < std::numeric_limits<double>::infinity()) gage_radius = 0.5 * gage;
   try {
-    bit::Bit bit = bit::cone_bit(name, std::move(cones), gage_radius, shank);
-    if (interference == Interference::refuse) refuse_overlaps(bit, name);
+    bit::Bit bit = build(std::move(layouts), gage_radius, shank, name, cones);
+    if (interference == Interference::refuse) note_overlaps(bit, cones);
+    file.finish();
     return bit;
   } catch (const InputError& e) {
+    if (file.problem_count() > 0) throw;
     throw InputError(fmt::format("{}: {}", file.files().front(), e.what()));
   }
 }

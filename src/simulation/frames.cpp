@@ -29,8 +29,8 @@ double time_of(const Case& c, const Simulation& s) {
   return c.time.step * static_cast<double>(s.steps_done);
 }
 
-void write_bit(const std::filesystem::path& path, const Case& c, double t) {
-  write_bit_vtp(path, bit::turned(c.bit, cone_angles(c.motion, t)), pose_at(c.motion, t));
+void write_bit(const std::filesystem::path& path, const Case& c, const Simulation& s) {
+  write_bit_vtp(path, bit::turned(c.bit, angles_of(s.cones)), pose_at(c.motion, time_of(c, s)));
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void write_bit(const std::filesystem::path& path, const Case& c, double t) {
 void Frames::add(const Case& c, const Simulation& s) {
   const auto rock = folder_.frame("rock", s.steps_done), bit = folder_.frame("bit", s.steps_done);
   write_rock(rock, s.rock);
-  write_bit(bit, c, time_of(c, s));
+  write_bit(bit, c, s);
   rock_.emplace_back(time_of(c, s), "frames/" + rock.filename().string());
   bit_.emplace_back(time_of(c, s), "frames/" + bit.filename().string());
 }
@@ -46,7 +46,7 @@ void Frames::add(const Case& c, const Simulation& s) {
 void Frames::write_final(const Case& c, const Simulation& s) {
   write_rock(folder_.frames() / "rock_final.vtp", s.rock);
   mesh::write_mesh(folder_.path / "rock_final.ply", mesh::compact(s.rock.surface));
-  write_bit(folder_.frames() / "bit_final.vtp", c, time_of(c, s));
+  write_bit(folder_.frames() / "bit_final.vtp", c, s);
   write_collection("rock", rock_, time_of(c, s));
   write_collection("bit", bit_, time_of(c, s));
 }

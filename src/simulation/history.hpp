@@ -18,6 +18,8 @@ struct HistoryRow {
   double rotation_angle = 0.0;                     ///< rad about the bit's axis, unwrapped
   double removed_volume_total = 0.0;               ///< m3, by all parts since the start
   std::span<const double> removed_volume_by_part;  ///< m3, in this step
+  std::span<const double> cone_angles;             ///< rad, about the cones' Z since the start
+  std::span<const double> cone_speeds;             ///< rad/s, in this step
   long swept_vertices = 0;                         ///< rock vertices moved in this step
   long rock_triangles = 0;                         ///< triangles of the rock surface
 };
@@ -28,14 +30,16 @@ struct HistoryPart {
   std::string kind;  ///< "face"
 };
 
-/// Records rows as `history.nc` (dimensions time and part) and, without the columns by part, as
-/// `history.csv` beside it: a Record with the columns of a run.
+/// Records rows as `history.nc` (dimensions time and part, and cone for a bit with cones) and,
+/// without the columns by part, as `history.csv` beside it: a Record with the columns of a run.
 class History {
  public:
   /// Creates `path.partial`. Throws RunError when it cannot.
-  History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts);
+  History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts,
+          const std::vector<std::string>& cones = {});
 
-  /// Throws RunError when a block cannot be written, or `row` does not have the parts' number.
+  /// Throws RunError when a block cannot be written, or `row` does not have the parts' and the
+  /// cones' number.
   void append(const HistoryRow& row);
 
   /// Writes what is buffered and gives the files their names. An interrupted run closes too.

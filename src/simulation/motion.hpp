@@ -29,6 +29,10 @@ struct PathPoint {
 /// Fills `turned`: between two rows the bit's-axis component of the shortest turn.
 void sum_turns(std::vector<PathPoint>& path);
 
+/// How the cones of a roller cone bit turn: each at a given speed over the bit's, or as its
+/// contacts with rock let it (cone_motion.hpp).
+enum class ConeDrive { given, rolling };
+
 /// A prescribed motion of the bit. Its pose at t = 0 is the start.
 struct Motion {
   MotionKind kind = MotionKind::steady;
@@ -37,6 +41,8 @@ struct Motion {
   Whirl whirl;
   std::vector<PathPoint> path;      ///< rising times, at least two, turns summed
   std::vector<double> cone_speeds;  ///< over the bit's, one for each cone; positive: rolling
+  ConeDrive cone_drive = ConeDrive::given;
+  double cone_memory = 0.0;  ///< s, rolling only: how long a contact counts
 };
 
 /// Pose at time t. Between rows of a path the bit moves rigidly: its origin on the chord, its

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bit/exposure_profile.hpp"
+#include "bit/swept_parts.hpp"
 #include "core/error.hpp"
 #include "mesh/check.hpp"
 #include "mesh/files.hpp"
@@ -73,18 +74,18 @@ mesh::TriangleMesh make_borehole(const Case& c, const std::vector<rock::Meridian
 }
 
 mesh::TriangleMesh conforming(const Case& c) {
+  const double spacing = 0.25 * c.rock.edge_length;
   std::vector<rock::MeridianPoint> curve;
-  for (const bit::ProfilePoint& p : bit::exposure_profile(c.bit.parts, 0.25 * c.rock.edge_length))
+  for (const bit::ProfilePoint& p : bit::exposure_profile(bit::swept_parts(c.bit), spacing))
     curve.push_back({p.r, p.z});
   return make_borehole(c, rock::with_wall(std::move(curve), c.rock.wall));
 }
 
-/// A flat bottom at the depth of the bit's lowest cutting point.
+/// A flat bottom at the depth of the bit's lowest cutting point in a turn of its cones.
 mesh::TriangleMesh flat(const Case& c) {
   double lowest = -1e300;
-  for (const bit::Part& p : c.bit.parts)
-    if (p.cutting == bit::Cutting::cuts)
-      for (const Vec3& x_P : p.mesh_P.positions) lowest = std::max(lowest, (p.X_BP * x_P).z());
+  for (const bit::Part& p : bit::swept_parts(c.bit))
+    for (const Vec3& x_P : p.mesh_P.positions) lowest = std::max(lowest, (p.X_BP * x_P).z());
   const double radius = c.rock.radius > 0.0 ? c.rock.radius : c.bit.gage_radius;
   return make_borehole(c, rock::flat_bottom(radius, lowest, c.rock.wall));
 }

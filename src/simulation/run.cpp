@@ -31,7 +31,16 @@ std::vector<HistoryPart> history_parts(const bit::Bit& bit) {
   return parts;
 }
 
-HistoryRow row_of(const Case& c, const Simulation& s) {
+std::vector<std::string> cone_names(const bit::Bit& bit) {
+  std::vector<std::string> names;
+  names.reserve(bit.cones.size());
+  for (const bit::Cone& cone : bit.cones) names.push_back(cone.name);
+  return names;
+}
+
+/// The row looks at the angles and speeds given.
+HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>& cone_angles,
+                  const std::vector<double>& cone_speeds) {
   HistoryRow row;
   row.time = c.time.step * static_cast<double>(s.steps_done);
   const Pose X_WB = pose_at(c.motion, row.time);
@@ -40,6 +49,8 @@ HistoryRow row_of(const Case& c, const Simulation& s) {
   row.rotation_angle = angle_turned(c.motion, row.time);
   row.removed_volume_total = s.ledger.removed.value();
   row.removed_volume_by_part = s.cut.removed_by_part;
+  row.cone_angles = cone_angles;
+  row.cone_speeds = cone_speeds;
   row.swept_vertices = s.cut.moved;
   row.rock_triangles = s.rock.surface.triangle_count();
   return row;
@@ -80,7 +91,7 @@ struct Recorder {
   std::vector<double> step_seconds;
 
   Recorder(const Case& c, const OutputFolder& f)
-      : folder(f), history(f.history(), history_parts(c.bit)), frames(f) {}
+      : folder(f), history(f.history(), history_parts(c.bit), cone_names(c.bit)), frames(f) {}
 };
 
 /// The loop over steps, with everything that is recorded on the way.
@@ -91,7 +102,8 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     const auto before = Clock::now();
     step(c, s);
     r.step_seconds.push_back(seconds(Clock::now() - before));
-    if (s.steps_done % c.output.history_every == 0) r.history.append(row_of(c, s));
+    if (s.steps_done % c.output.history_every == 0)
+      r.history.append(row_of(c, s, angles_of(s.cones), speeds_of(s.cones)));
     if (c.output.frames_every > 0 && s.steps_done % c.output.frames_every == 0) r.frames.add(c, s);
     if (o.progress) o.progress(s, c.time.steps);
   }
@@ -145,6 +157,8 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.rock.surface);
   r.gage_radius = c.bit.gage_radius;
   r.maintenance = maintenance_counts(s.maintenance);
+  for (std::size_t k = 0; k < s.cones.size(); ++k)
+    r.cones.push_back(figures_of(c.bit.cones[k].name, s.cones[k]));
   return r;
 }
 

@@ -40,6 +40,7 @@ void note(const Case& c, Simulation& s) {
 Simulation start(const Case& c) {
   Simulation s;
   s.bit = rock::prepare_cutting_bit(c.bit);
+  s.cones = start_cones(c);
   s.rock = start_rock(c);
   s.limits = rock::limits_for(c.rock.edge_length);
   s.limits.shortest_edge = c.maintenance.shortest_edge * c.rock.edge_length;
@@ -55,9 +56,11 @@ Simulation start(const Case& c) {
 void step(const Case& c, Simulation& s) {
   const Pose X_WB0 = pose_at(c.motion, time_of(c, s.steps_done));
   const Pose X_WB1 = pose_at(c.motion, time_of(c, s.steps_done + 1));
-  if (!c.bit.cones.empty())
-    rock::turn_cones(s.bit, c.bit, cone_angles(c.motion, time_of(c, s.steps_done)),
-                     cone_angles(c.motion, time_of(c, s.steps_done + 1)));
+  if (!c.bit.cones.empty()) {
+    const std::vector<double> from = angles_of(s.cones);
+    turn_cones(c, s.steps_done, s.cut, s.cones);
+    rock::turn_cones(s.bit, c.bit, from, angles_of(s.cones));
+  }
   rock::cut_rock(s.rock, s.bit, X_WB0, X_WB1, s.cut_work, s.cut);
   note(c, s);
   ++s.steps_done;

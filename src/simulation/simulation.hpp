@@ -6,6 +6,7 @@
 #include "rock/cut_rock.hpp"
 #include "rock/maintain.hpp"
 #include "simulation/case.hpp"
+#include "simulation/cone_motion.hpp"
 
 namespace tdbd::simulation {
 
@@ -27,6 +28,7 @@ struct Simulation {
   long steps_done = 0;
   long start_triangles = 0;
   rock::CutReport cut;  ///< of the last step
+  std::vector<ConeState> cones;
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
 };

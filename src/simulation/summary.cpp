@@ -36,6 +36,19 @@ Json rock_json(const RunSummary& s) {
           {"maintenance", s.maintenance}};
 }
 
+Json cones_json(const RunSummary& s) {
+  Json cones = Json::array();
+  for (const ConeFigures& c : s.cones)
+    cones.push_back({{"name", c.name},
+                     {"mean_speed_ratio", c.mean_speed_ratio},
+                     {"min_speed_ratio", c.min_speed_ratio},
+                     {"max_speed_ratio", c.max_speed_ratio},
+                     {"std_speed_ratio", c.std_speed_ratio},
+                     {"rolling_ratio_gage_row", c.rolling_ratio_gage_row},
+                     {"net_slip_gage_row", c.net_slip_gage_row}});
+  return cones;
+}
+
 }  // namespace
 
 Json summary_head(const std::string& command, const std::string& title, RunStatus status,
@@ -61,6 +74,7 @@ std::string to_json(const RunSummary& s) {
                    {"gage_radius_m", s.gage_radius}});
   json.update(removed_json(s));
   json.update(rock_json(s));
+  if (!s.cones.empty()) json["cones"] = cones_json(s);
   return json.dump(2) + "\n";
 }
 

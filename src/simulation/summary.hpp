@@ -19,6 +19,17 @@ struct PartVolumes {
   std::vector<double> by_revolution;  ///< m3, one for each revolution begun
 };
 
+/// How a cone turned: its speed over the bit's, rolling positive.
+struct ConeFigures {
+  std::string name;
+  double mean_speed_ratio = 0.0;  ///< turn of the cone over turn of the bit, whole run
+  double min_speed_ratio = 0.0;   ///< of single steps
+  double max_speed_ratio = 0.0;
+  double std_speed_ratio = 0.0;
+  double rolling_ratio_gage_row = 0.0;  ///< at which the gage row would roll without slip
+  double net_slip_gage_row = 0.0;       ///< 1 - mean over rolling: positive when the cone lags
+};
+
 /// The figures of a run: what `summary.json` holds. SI. Depends on the case alone: no wall-clock
 /// time and no number of threads.
 struct RunSummary {
@@ -41,6 +52,7 @@ struct RunSummary {
   double rock_quality_1_percent = 0.0;
   double gage_radius = 0.0;                 ///< m
   std::map<std::string, long> maintenance;  ///< operation: how often
+  std::vector<ConeFigures> cones;
 };
 
 /// What depends on the machine: what `timing.json` holds.

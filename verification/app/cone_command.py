@@ -3,9 +3,13 @@
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
+
+import numpy
+import xarray
 
 PROGRAM, BIT = sys.argv[1:3]
 TEXT = pathlib.Path(BIT).read_text()
@@ -56,9 +60,9 @@ def check_refusals(folder):
         ([("s = \"57 mm\"", "s = \"36 mm\"")],
          ["cones[0].rows[3].s: found tooth", "of row 3", "do not touch"]),
         ([("s = \"82 mm\"", "s = \"820 mm\"")], ["cones[0].rows[5].s: found 820 mm"]),
-        ([("offset = \"4 mm\"", "offset = \"-120 mm\"")], ["cone-1: found no place", "offset"]),
+        ([("offset = \"4 mm\"", "offset = \"-120 mm\"")], ["bit.toml:", ": cones[0].offset: found no place"]),
         ([("s = \"42.5 mm\"", "s = \"37 mm\"")],
-         ["found an overlap of", "cone-1/row-3/tooth-1 (at", "cone-2/row-2/tooth-1 (at", " deg)"]),
+         ["cones[0].rows[2]: found an overlap of", "cone-1/row-3/tooth-1 (at", "cone-2/row-2/tooth-1 (at", " deg)"]),
         ([("spacing = [1, 1, 1.15", "spacing = [1, 1, -1.15")], ["cones[0].rows[3].spacing"]),
         ([("kind = \"hemispherical\"", "kind = \"hemispheric\"")], ["did you mean hemispherical?"]),
         ([("azimuth = \"0 deg\"", "azimuth = \"0 mm\"")], ["cones[0].azimuth"]),
@@ -69,7 +73,8 @@ def check_refusals(folder):
         assert result.returncode == 2, (replacements, result)
         for word in words:
             assert word in result.stderr, (word, result.stderr)
-        assert "bit.toml:" in result.stderr, result.stderr
+        for line in result.stderr.strip().split("\n"):  # each at its line of the file
+            assert re.search(r"bit\.toml:\d+: ", line), line
 
 
 def check_report(folder):
@@ -78,11 +83,38 @@ def check_report(folder):
     assert result.returncode == 0 and "between cones: an overlap" in result.stdout, result
 
 
-def drilled(folder, name, *settings):
-    """Summary of a short run of the shipped case, or the complaint about it."""
-    case = pathlib.Path(BIT).parent.parent / "bit-r-steady.toml"
-    command = [PROGRAM, "run", case, "-o", folder / name, "--quiet"]
-    for setting in ("time.revolutions=1.5", *settings):
+def check_analysis(folder):
+    """Tracking and contact ratios in analysis.json and on the terminal, at the speeds asked for."""
+    report = tdbd(BIT, "-o", folder / "report", "--report", "--cone-speeds", "1.47,1.48,1.5")
+    assert report.returncode == 0 and "at random phase" in report.stdout, report
+    analysis = json.loads((folder / "report/analysis.json").read_text())
+    assert [c["speed_ratio"] for c in analysis["cones"]] == [1.47, 1.48, 1.5]
+    rows = [r for c in analysis["cones"] for r in c["rows"]]
+    assert rows[0]["tracking_share"] is None and rows[0]["tooth_contact_ratio"] == 1.0, rows[0]
+    for row in rows[1:]:
+        assert len(row["tracking_share_by_lag"]) == 6
+        assert row["tracking_share_by_lag"][0] == row["tracking_share"]
+        assert 0 <= row["tracking_share"] <= 1 and 0 < row["tracking_share_random_phase"] < 1, row
+        assert 0.5 < row["tooth_contact_ratio"] < row["teeth"] / 2 and row["print_width_m"] < 0.02
+    sweep = analysis["tracking"]["sweep"]
+    assert len(sweep["speed_ratio"]) == len(sweep["tracking_share"]) == 161
+    own = json.loads((folder / "out/bit.json").read_text())["cones"]
+    default = tdbd(BIT, "-o", folder / "default", "--report")
+    assert default.returncode == 0, default
+    for cone, made in zip(json.loads((folder / "default/analysis.json").read_text())["cones"], own):
+        gage = [r["rolling_ratio"] for r in made["rows"] if r["gage"]]
+        assert [cone["speed_ratio"]] == [cone["rolling_ratio_gage_row"]] == gage
+    for wrong in ("1.4", "1.4,1.4,-1", "1.4,1.4,0"):
+        bad = tdbd(BIT, "-o", folder / "bad", "--report", "--cone-speeds", wrong)
+        assert bad.returncode == 2 and "--cone-speeds: found" in bad.stderr, bad
+        assert not (folder / "bad").exists()
+
+
+def drilled(folder, name, *settings, case="bit-r-steady", more=()):
+    """Summary of a short run of a shipped case, or the complaint about it."""
+    case = pathlib.Path(BIT).parent.parent / f"{case}.toml"
+    command = [PROGRAM, "run", case, "-o", folder / name, "--quiet", *more]
+    for setting in (*settings,):
         command += ["--set", setting]
     result = subprocess.run([str(c) for c in command], capture_output=True, text=True)
     if result.returncode != 0:
@@ -92,20 +124,47 @@ def drilled(folder, name, *settings):
 
 def check_drilling(folder):
     """Teeth of every cone cut, the ledger closes; dragged teeth cut otherwise than rolling ones."""
-    rolling = drilled(folder, "rolling")
+    rolling = drilled(folder, "rolling", "time.revolutions=1.5")
     assert rolling["volume_ledger_defect"] < 1e-12, rolling
     removed = rolling["removed_volume_by_part_m3"]
     for cone in ("cone-1", "cone-2", "cone-3"):
         teeth = [v for name, v in removed.items() if name.startswith(f"{cone}/row-3/")]
         assert sum(v > 0.0 for v in teeth) > 0.8 * len(teeth), (cone, teeth)
-    dragged = drilled(folder, "dragged", "motion.cone_speeds=[0, 0, 0]")
+    dragged = drilled(folder, "dragged", "time.revolutions=1.5", "motion.cone_speeds=[0, 0, 0]")
     assert dragged["volume_ledger_defect"] < 1e-12, dragged
     still = dragged["removed_volume_by_part_m3"]
     assert sum(v > 0.0 for v in still.values()) < 0.5 * sum(v > 0.0 for v in removed.values())
-    for speeds, found in (("[1.4]", "found 1 speeds"), ("\"1.4\"", "cone_speeds: found")):
+    for speeds, found in (("[1.4]", "found 1 speeds"), ("rollin", "cone_speeds: found")):
         complaint = drilled(folder, "bad", f"motion.cone_speeds={speeds}")
         assert "cone_speeds" in complaint and found in complaint, complaint
         assert not (folder / "bad").exists()
+
+
+def check_rolling(folder):
+    """Cones that roll: near their gage rows' pure rolling, the same bytes with two threads."""
+    short = ("time.revolutions=0.5", "rock.edge_length='4 mm'")
+    first = drilled(folder, "free", *short, case="bit-r-rolling")
+    again = drilled(folder, "free-2", *short, case="bit-r-rolling", more=("--threads", "2"))
+    assert first == again
+    for file in ("history.nc", "history.csv", "rock_final.ply", "frames/bit_final.vtp", "case.toml"):
+        assert (folder / "free" / file).read_bytes() == (folder / "free-2" / file).read_bytes(), file
+    history = xarray.open_dataset(folder / "free/history.nc", decode_times=False)
+    assert dict(history["cone_angle"].sizes) == {"time": first["steps"], "cone": 3}
+    assert list(history["cone_name"].values) == ["cone-1", "cone-2", "cone-3"]
+    turned = history["cone_angle"].values[-1] / history["rotation_angle"].values[-1]
+    speeds = history["cone_speed"].values
+    numpy.testing.assert_allclose(numpy.diff(history["cone_angle"].values, axis=0),
+                                  speeds[1:] * 0.002, atol=1e-12)
+    for k, cone in enumerate(first["cones"]):
+        assert abs(turned[k] + cone["mean_speed_ratio"]) < 1e-12
+        ratios = -speeds[:, k] / (3 * math.pi)
+        assert abs(ratios.min() - cone["min_speed_ratio"]) < 1e-9, cone
+        assert abs(ratios.max() - cone["max_speed_ratio"]) < 1e-9, cone
+        assert abs(ratios.std() - cone["std_speed_ratio"]) < 1e-9, cone
+        assert 1.1 < cone["mean_speed_ratio"] < 1.7, cone
+        assert abs(cone["net_slip_gage_row"]) < 0.2
+    complaint = drilled(folder, "bad", "motion.cone_memory='-1 s'", case="bit-r-rolling")
+    assert "motion.cone_memory: found" in complaint, complaint
 
 
 with tempfile.TemporaryDirectory() as name:
@@ -113,3 +172,5 @@ with tempfile.TemporaryDirectory() as name:
     check_refusals(pathlib.Path(name))
     check_report(pathlib.Path(name))
     check_drilling(pathlib.Path(name))
+    check_analysis(pathlib.Path(name))
+    check_rolling(pathlib.Path(name))

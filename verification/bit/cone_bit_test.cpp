@@ -155,10 +155,10 @@ std::string complaint(const std::vector<ConeLayout>& cones, double gage) {
 TEST(cone_bit, refuses_what_cannot_reach_its_gage) {
   ConeLayout c = toothed_symmetric();
   EXPECT_EQ(complaint({c}, 0.1), "");
-  EXPECT_NE(complaint({c}, 0.02).find("cone-1: found no place along the journal"),
+  EXPECT_NE(complaint({c}, 0.02).find("cone-1: offset: found no place along the journal"),
             std::string::npos);
   c.offset = 0.12;
-  EXPECT_NE(complaint({c}, 0.1).find("cone-1: found no place along the journal"),
+  EXPECT_NE(complaint({c}, 0.1).find("cone-1: offset: found no place along the journal"),
             std::string::npos);
   EXPECT_NE(complaint({}, 0.1).find("found no tooth"), std::string::npos);
 }
@@ -167,7 +167,8 @@ TEST(cone_bit, refuses_a_body_beyond_its_teeth) {
   ConeLayout c = toothed_symmetric();
   c.shell.back() = {0.12, 0.06};
   c.rows.pop_back();
-  EXPECT_NE(complaint({c}, 0.1).find("cone-1: found a body that reaches"), std::string::npos);
+  EXPECT_NE(complaint({c}, 0.1).find("cone-1: shell: found a body that reaches"),
+            std::string::npos);
 }
 
 /// Two pointed cones nose to nose on one line: the gap is that of the noses; pushed into one

@@ -39,7 +39,7 @@ TEST(relief, far_from_the_axis_is_that_of_a_plane) {
   c.profile_angle = c.side_rake = 0.0;
   c.X_BC = cutter_pose(c);
   const double s = (c.length - chamfer_depth(c)) / 16.0;
-  EXPECT_NEAR(heel_drag({"far", {}, {c}, 0.0, {}}, advance).front(), -s * std::sin(c.back_rake),
+  EXPECT_NEAR(heel_drag({"far", {}, {c}, 0.0, {}, {}}, advance).front(), -s * std::sin(c.back_rake),
               1e-7);
 }
 

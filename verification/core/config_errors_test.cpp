@@ -78,6 +78,35 @@ TEST(config_errors, vector) {
        "FILE:1: v: found \"3 s\" (s is time), expected length in m or another unit of it"});
 }
 
+TEST(config_errors, list) {
+  const auto read = [](Config& c) { c.list("l", "m", {}); };
+  expect_message({"l = 1\n", read, "FILE:1: l: found 1, expected an array: length in m"});
+  expect_message({"l = [1, \"3 s\"]\n", read,
+                  "FILE:1: l: found \"3 s\" (s is time), expected length in m or another unit of "
+                  "it"});
+  expect_message(
+      {"\n", read,
+       "FILE:1: l: found nothing, expected an array: length in m (the key is required)"});
+}
+
+TEST(config_errors, pairs) {
+  const auto read = [](Config& c) { c.pairs("p", "m", {}); };
+  expect_message({"p = \"1 mm\"\n", read,
+                  "FILE:1: p: found \"1 mm\", expected an array of pairs: length in m"});
+  expect_message({"p = [[1, 2], [3]]\n", read,
+                  "FILE:1: p: found an array of 1, expected an array of pairs: length in m"});
+  expect_message({"p = [[1, true]]\n", read,
+                  "FILE:1: p: found true, expected length in m, or a text with a unit"});
+}
+
+TEST(config_errors, matrix) {
+  const auto read = [](Config& c) { c.matrix("m", "1", {}); };
+  expect_message({"m = [[1, 2, 3]]\n", read,
+                  "FILE:1: m: found an array of 1, expected three rows of three: a plain number"});
+  expect_message({"m = [[1, 2, 3], [1, 2], [1, 2, 3]]\n", read,
+                  "FILE:1: m: found an array of 2, expected three rows of three: a plain number"});
+}
+
 TEST(config_errors, integer) {
   const auto read = [](Config& c) { c.integer("n", {}, 1, 9); };
   expect_message({"n = 10\n", read, "FILE:1: n: found 10, expected a whole number from 1 to 9"});

@@ -137,6 +137,30 @@ TEST(config, reads_a_matrix_row_by_row) {
             "J = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]  # 1\n");
 }
 
+TEST(config, reads_lists_and_pairs_of_any_length) {
+  const std::string toml =
+      "l = [\"1 mm\", 2, 0.5]\nnone = []\np = [[\"1 mm\", \"2 mm\"], [3, 4]]\n";
+  Config config = Config::read_file(write_temporary(".toml", toml), {});
+  using Pairs = std::vector<std::pair<double, double>>;
+  EXPECT_EQ(config.list("l", "m", {}), (std::vector<double>{0.001, 2.0, 0.5}));
+  EXPECT_TRUE(config.list("none", "m", {}).empty());
+  EXPECT_EQ(config.list("other", "1", std::vector<double>{7.0}), std::vector<double>{7.0});
+  EXPECT_EQ(config.pairs("p", "m", {}), (Pairs{{0.001, 0.002}, {3.0, 4.0}}));
+  EXPECT_EQ(config.pairs("q", "1", Pairs{{1.0, 2.0}}), (Pairs{{1.0, 2.0}}));
+  EXPECT_NO_THROW(config.finish());
+  EXPECT_EQ(config.resolved(),
+            "l = [0.001, 2, 0.5]  # m\nnone = []  # m\nother = [7]  # 1\n"
+            "p = [[0.001, 0.002], [3, 4]]  # m\nq = [[1, 2]]  # 1\n");
+}
+
+TEST(config, tells_texts_from_other_values) {
+  Config config =
+      Config::read_file(write_temporary(".toml", "t = \"a\"\nn = 1\nl = [\"a\"]\n"), {});
+  EXPECT_TRUE(config.is_text("t"));
+  for (const char* key : {"n", "l", "missing"}) EXPECT_FALSE(config.is_text(key)) << key;
+  EXPECT_ANY_THROW(config.finish());  // it does not count as reading
+}
+
 TEST(config, tells_the_quantities_that_were_read) {
   const std::string toml = "a = \"2 mm\"\nn = 3\n[[t]]\nb = 4\n";
   Config config = Config::read_file(write_temporary(".toml", toml), {});

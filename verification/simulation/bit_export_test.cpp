@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bit/part_pose.hpp"
 #include "mesh_bit.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/case.hpp"
@@ -16,14 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string bit_b = TDBD_SOURCE_DIR "/cases/bits/bit-b.toml";
+const std::string bit_r = TDBD_SOURCE_DIR "/cases/bits/bit-r.toml";
 
 bit::Bit read(const std::string& file) {
   return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
 }
 
-/// Bit B, written to a folder in a format and read back.
-std::string exported(const fs::path& folder, const std::string& format) {
-  export_bit(folder, read(bit_b), format);
+/// A bit, written to a folder in a format and read back.
+std::string exported(const fs::path& folder, const std::string& format,
+                     const std::string& bit_file = bit_b) {
+  export_bit(folder, read(bit_file), format);
   return (folder / "bit.toml").string();
 }
 
@@ -65,12 +68,13 @@ struct Drilled {
 };
 
 /// 3 mm edges, 150 steps.
-Drilled drill(const fs::path& folder, const std::string& bit_file) {
+Drilled drill(const fs::path& folder, const std::string& bit_file,
+              const std::vector<std::string>& overrides = {}) {
   const Case c =
       read_case(write_case(folder, bit_file,
                            "shape = \"conforming\"\nedge_length = \"3 mm\"\nwall = \"15 mm\"",
                            "step = \"1 ms\"\nduration = \"150 ms\""),
-                {});
+                overrides);
   Simulation s = start(c);
   while (s.steps_done < c.time.steps) step(c, s);
   Drilled d;
@@ -96,6 +100,28 @@ TEST(bit_export, drills_the_same_hole) {
     EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
     EXPECT_LE(worst_part(original, again), 1e-6) << format;
   }
+}
+
+TEST(bit_export, reads_back_with_cones_that_turn) {
+  const bit::Bit original = read(bit_r), again = read(exported(test_folder(), "stl", bit_r));
+  ASSERT_EQ(again.cones.size(), 3u);
+  const std::vector<double> angles{0.3, -20.0, 1e-3};
+  expect_same_but_for_rounding(bit::turned(original, angles), bit::turned(again, angles), 1e-15);
+  for (std::size_t i = 0; i < original.parts.size(); ++i) {
+    EXPECT_EQ(original.parts[i].cone, again.parts[i].cone);
+    EXPECT_EQ(original.parts[i].mesh_P.positions, again.parts[i].mesh_P.positions);
+  }
+}
+
+TEST(bit_export, drills_the_same_hole_with_turning_cones) {
+  const fs::path folder = test_folder();
+  const std::vector<std::string> rolling{"motion.cone_speeds=rolling", "rock.edge_length=4 mm",
+                                         "rock.shape=flat"};
+  const Drilled original = drill(folder, bit_r, rolling);
+  const Drilled again = drill(folder, exported(folder / "out", "ply", bit_r), rolling);
+  EXPECT_GT(original.all, 5e-7);
+  EXPECT_NEAR(again.all / original.all, 1.0, 1e-6);
+  EXPECT_LE(worst_part(original, again), 1e-6);
 }
 
 TEST(bit_export, writes_the_exposure_profile) {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/pose.hpp"
+
+namespace tdbd::reference {
+
+/// A row of a cone that rolls: the tips of its teeth in the cone's frame, that frame in the bit's
+/// at angle 0, the cone's speed over the bit's, and within what distance (m) a print falls into
+/// another.
+struct RolledRow {
+  Pose X_BK;
+  std::vector<Vec3> tips_K;
+  double speed = 0.0;
+  double near = 0.0;
+};
+
+struct RolledPrint {
+  double turned = 0.0;        ///< rad, of the bit
+  Vec3 place = Vec3::Zero();  ///< m, in the hole, at z = 0
+};
+
+/// Where tips pass their lowest place while the bit turns, from `from` to `to` (rad): the bit and
+/// its cone are turned in small steps, every tip's height is watched, and a low place between two
+/// steps is closed in on by thirds.
+std::vector<RolledPrint> rolled_prints(const RolledRow& row, double from, double to);
+
+/// Share of the prints of rows[own] within `revolutions` turns that lie near any print of any row
+/// made in the revolution before: every print is compared with every other one.
+double share_near_earlier(const std::vector<RolledRow>& rows, std::size_t own, int revolutions);
+
+/// Mean number of tips within `penetration` (m) of their lowest place over one turn of the cone.
+double mean_tips_in_contact(const RolledRow& row, double penetration);
+
+}  // namespace tdbd::reference
