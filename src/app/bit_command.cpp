@@ -51,10 +51,18 @@ void print_mass(const bit::Bit& b) {
       m.inertia(1, 1), m.inertia(2, 2));
 }
 
+void print_bit(const bit::Bit& b) {
+  print_table(b);
+  print_parts(b);
+  print_mass(b);
+  fmt::print("{}", simulation::cones_text(b));
+}
+
 struct Choices {
   std::string file, folder, format = "ply";
   bool force = false;
   bool report = false;
+  bool quiet = false;
   std::string penetration = "5 mm";
 };
 
@@ -73,10 +81,7 @@ int inspect(const Choices& choices) {
   using namespace simulation;
   const double advance = penetration(choices);
   const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
-  print_table(b);
-  print_parts(b);
-  print_mass(b);
-  fmt::print("{}", cones_text(b));
+  if (!choices.quiet) print_bit(b);
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
     return 0;
@@ -110,6 +115,7 @@ void add_bit(CLI::App& app, int& exit_code) {
   command->add_option("--penetration", choices->penetration, "of the report, per revolution")
       ->capture_default_str();
   command->add_flag("--force", choices->force, "replace the results in the folder");
+  command->add_flag("--quiet", choices->quiet, "print no tables");
   command->footer("Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");
   command->callback(
       [choices, &exit_code] { exit_code = guarded([&] { return inspect(*choices); }); });
