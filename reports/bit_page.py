@@ -20,7 +20,7 @@ from figures import bit_charts, bit_data, bit_frame, bit_meshes, bit_views, cone
 from page_tables import tables  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-DPI = 140  # of rendered pictures
+DPI = 120  # of rendered pictures
 matplotlib.rcParams.update({"svg.hashsalt": "tdbd", "svg.fonttype": "path"})
 
 
@@ -87,9 +87,9 @@ def pictures(bit):
     if bit.cutters:
         yield picture("The cutters' coordinate systems", "Left all from below, right one from near (fig. 3.7): x is the face's normal, "
                       "-z the exposure direction.", cutter_frames.draw_bit(bit, DPI))
-        yield picture("A cutter's mesh", "Face and chamfer (fig. 3.9).", bit_meshes.draw_cutters([bit]))
+        yield picture("A cutter's mesh", "Face and chamfer (fig. 3.9).", bit_meshes.draw_cutters([bit], DPI))
     if bit.cones:
-        yield picture("Meshes of teeth", "The first cone, and the teeth that one sees of it (fig. 3.10).", bit_meshes.draw_teeth(bit))
+        yield picture("Meshes of teeth", "The first cone, and the teeth that one sees of it (fig. 3.10).", bit_meshes.draw_teeth(bit, DPI))
     yield picture("Update directions", "The direction in which each part moves rock, at its azimuth (figs. 4.4, 4.5).",
                   update_directions.draw_bit(bit, DPI))
 
@@ -109,7 +109,12 @@ def html_of(bit):
 
 def write(folder, path):
     """Writes the page of a report folder, whole or not at all. Raises BadFolder."""
-    html = html_of(bit_data.read(folder))
+    bit = bit_data.read(folder)
+    try:
+        html = html_of(bit)
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        raise bit_data.BadFolder(f"{folder}/analysis.json: cannot be drawn: {error!r}; write it again with this "
+                                 f"program: tdbd bit BIT -o {folder} --report") from error
     partial = Path(f"{path}.partial")
     partial.parent.mkdir(parents=True, exist_ok=True)
     partial.write_text(html, encoding="utf-8")

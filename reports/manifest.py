@@ -140,6 +140,6 @@ def read(folder, is_quick=False):
     claims = [Claim(**checked(f"claim {t.get('slug', '?')}", t, CLAIM_KEYS))
               for t in load(Path(folder) / "claims.toml")["claims"]]
     manifest = Manifest(tuple(runs), tuple(map(figure_of, document["figures"])), tuple(claims),
-                        tuple(document.get("bit_pages", [])))
+                        tuple(document.get("quick_bit_pages" if is_quick else "bit_pages", [])))
     demand_links(manifest)
     return manifest

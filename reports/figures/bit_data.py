@@ -3,11 +3,14 @@
 import csv
 import json
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from figures.render import smooth_normals
 
 
 class BadFolder(ValueError):
@@ -41,10 +44,15 @@ class BitReport:
     def parts(self):
         return self.analysis["parts"]
 
+    @cached_property
+    def normals(self):
+        """(k, 3, 3): of the corners of the triangles, for light."""
+        return smooth_normals(self.points[self.triangles], self.part)
+
     def corners(self, wanted=lambda part: True):
-        """((k, 3, 3) corners, (k,) part numbers) of the triangles of the parts that are wanted."""
+        """(corners, normals, part numbers), (k, 3, 3) twice and (k,), of the parts that are wanted."""
         take = np.isin(self.part, [i for i, p in enumerate(self.parts) if wanted(p)])
-        return self.points[self.triangles[take]], self.part[take]
+        return self.points[self.triangles[take]], self.normals[take], self.part[take]
 
     def column(self, key):
         """A key of all cutters, as an array; a null is not a number."""
@@ -92,9 +100,12 @@ def read_profile(folder):
     with path.open(encoding="utf-8", newline="") as file:
         rows = list(csv.reader(file))[1:]
     try:
-        return np.array(rows, dtype=float).reshape(-1, 2)
+        places = np.array(rows, dtype=float).reshape(-1, 2)
     except ValueError as error:
         raise BadFolder(f"{path}: {error}") from error
+    if len(places) < 2:
+        raise BadFolder(f"{path}: found {len(places)} places, expected a profile of at least two")
+    return places
 
 
 def read(folder):

@@ -42,10 +42,10 @@ def colour_of(bit, part):
 
 def layer(bit, wanted=lambda part: True, colour=None, wires=False):
     """The parts that are wanted, with their colours or all in one."""
-    corners, owner = bit.corners(wanted)
+    corners, normals, owner = bit.corners(wanted)
     table = np.array([to_rgb(colour) if colour else colour_of(bit, p) for p in bit.parts])
     lift = np.array([FACE_LIFT if p["kind"] == "face" else 0.0 for p in bit.parts])
-    return render.Layer(corners, table[owner], owner, wires, lift[owner])
+    return render.Layer(corners, table[owner], owner, wires, lift[owner], normals)
 
 
 def across(direction):

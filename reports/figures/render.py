@@ -9,6 +9,7 @@ import numpy as np
 
 CREASE = np.cos(np.radians(35.0))  # across a sharper edge the light does not run on
 SAMPLES = 2  # to a side of a pixel
+DIRECTIONS = 8  # in which the shade of corners looks around
 FRAGMENTS = 2_000_000  # pixels tested at a time
 
 
@@ -141,11 +142,17 @@ def barycentric(seen, x, y):
     return twice_area(c, a, x, y) / whole, twice_area(a, b, x, y) / whole
 
 
-def shifted(image, right, down):
-    """The image's value so far to the right and down; its border's beyond."""
-    rows = np.clip(np.arange(image.shape[0]) + down, 0, image.shape[0] - 1)
-    columns = np.clip(np.arange(image.shape[1]) + right, 0, image.shape[1] - 1)
-    return image[rows][:, columns]
+class Shifted:
+    """An image moved by up to `reach` samples; beyond its border it goes on as at the border."""
+
+    def __init__(self, image, reach):
+        self.reach, self.shape = reach, image.shape
+        self.wider = np.pad(image, [(reach, reach), (reach, reach)] + [(0, 0)] * (image.ndim - 2), mode="edge")
+
+    def at(self, right, down):
+        """Each sample's value is that of the one so far to the right and down. A view."""
+        top, left = self.reach + down, self.reach + right
+        return self.wider[top:top + self.shape[0], left:left + self.shape[1]]
 
 
 def shade_of_corners(depth, reach):
@@ -154,11 +161,12 @@ def shade_of_corners(depth, reach):
     finite = np.where(np.isfinite(depth), depth, depth[np.isfinite(depth)].max() if np.isfinite(depth).any() else 0)
     finite = finite / 2  # depth in samples, which are twice as far apart here
     hidden, count = np.zeros_like(finite), 0
+    around = Shifted(finite, int(np.ceil(reach)))
     for ring, radius in enumerate((0.25 * reach, 0.6 * reach, reach)):
-        for k in range(10):
-            angle = 2 * np.pi * (k + 0.33 * ring) / 10
+        for k in range(DIRECTIONS):
+            angle = 2 * np.pi * (k + 0.33 * ring) / DIRECTIONS
             right, down = round(radius * np.cos(angle)), round(radius * np.sin(angle))
-            nearer = finite - shifted(finite, right, down)
+            nearer = finite - around.at(right, down)
             rise = nearer / max(radius, 1.0)
             hidden += np.clip(rise - 0.15, 0, 1) * np.exp(-np.clip(nearer / (2.5 * reach), 0, None) ** 2)
             count += 1
@@ -168,13 +176,14 @@ def shade_of_corners(depth, reach):
 def outlines(depth, owner, facing):
     """How dark a line is at each sample: where depth jumps, the owner changes or the surface folds."""
     line = np.zeros(depth.shape)
+    depths, owners, facings = (Shifted(image, 1) for image in (depth, owner, facing))
     for right, down in ((1, 0), (0, 1)):
-        other = shifted(depth, right, down)
+        other = depths.at(right, down)
         both = np.isfinite(depth) & np.isfinite(other)
         jump = np.abs(np.where(both, depth, 0) - np.where(both, other, 0)) > 6.0
         edge = np.isfinite(depth) != np.isfinite(other)
-        fold = both & (np.einsum("ijk,ijk->ij", facing, shifted(facing, right, down)) < CREASE)
-        line = np.maximum(line, np.select([edge | (both & jump), both & (owner != shifted(owner, right, down)), fold],
+        fold = both & (np.einsum("ijk,ijk->ij", facing, facings.at(right, down)) < CREASE)
+        line = np.maximum(line, np.select([edge | (both & jump), both & (owner != owners.at(right, down)), fold],
                                           [0.75, 0.45, 0.3], 0.0))
     return line
 
