@@ -38,6 +38,8 @@ class Picture(unittest.TestCase):
         for layers in ([near, far], [far, near]):
             self.assertTrue(is_red(render.picture(CAMERA, render.joined(layers))[50, 50]))
         self.assertFalse(is_red(render.picture(CAMERA, render.joined([square(-0.4, RED), far]))[50, 50]))
+        small = [square(0.2, RED, 0.05, owner=1), square(-0.2, BLUE, 0.9, owner=2)]  # drawn in chunks of one size
+        self.assertTrue(is_red(render.picture(CAMERA, render.joined(small))[50, 50]))
 
     def test_a_lift_decides_between_two_at_one_depth(self):
         low, high = square(0.0, BLUE), square(0.0, RED)
