@@ -49,6 +49,13 @@ class BitReport:
         """(k, 3, 3): of the corners of the triangles, for light."""
         return smooth_normals(self.points[self.triangles], self.part)
 
+    @cached_property
+    def centres(self):
+        """(parts, 3): the mean of each part's corners; a part's frame may stand elsewhere, as a gage pad's does."""
+        count = np.maximum(np.bincount(self.part, minlength=len(self.parts)), 1)
+        means = self.points[self.triangles].mean(axis=1)
+        return np.stack([np.bincount(self.part, x, len(self.parts)) for x in means.T], axis=1) / count[:, None]
+
     def corners(self, wanted=lambda part: True):
         """(corners, normals, part numbers), (k, 3, 3) twice and (k,), of the parts that are wanted."""
         take = np.isin(self.part, [i for i, p in enumerate(self.parts) if wanted(p)])

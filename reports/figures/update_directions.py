@@ -19,8 +19,8 @@ def starts(bit):
     own = {p["cutter"]: p for p in bit.parts if p["cutter"] >= 0}
     if bit.cutters and own:
         return [(c["tip_m"], turned(own[k]["update_direction"], c["tip_m"])) for k, c in enumerate(bit.cutters)]
-    return [(p["origin_m"], turned(p["update_direction"], p["origin_m"])) for p in bit.parts
-            if p["cuts"] and p["kind"] != "chamfer"]
+    return [(centre, turned(p["update_direction"], centre)) for p, centre in zip(bit.parts, bit.centres)
+            if p["cuts"] and p["kind"] not in ("chamfer", "cutter-body")]
 
 
 def draw_bit(bit, dpi=style.DPI):

@@ -1,5 +1,6 @@
 """bit_page_test.py PROGRAM ROOT: the page of a bit from a design, of a cone bit and of a bit of meshes; bad folders."""
 
+import dataclasses
 import html.parser
 import json
 import pathlib
@@ -164,12 +165,15 @@ class Charts(unittest.TestCase):
             self.assertGreaterEqual(np.dot(place[:2], direction[:2]), -ROUNDING)
 
     def test_mesh_and_parts_are_of_one_order(self):
-        centres = {}
-        for k, part in enumerate(self.bit.parts):
-            own = self.bit.points[self.bit.triangles[self.bit.part == k]].reshape(-1, 3)
-            centres[part["name"]] = own.mean(axis=0)
+        centres = {part["name"]: centre for part, centre in zip(self.bit.parts, self.bit.centres)}
         for c in self.bit.cutters:
             self.assertLess(np.linalg.norm(centres[f"{c['name']}/face"] - c["face_centre_m"]), 0.1 * c["diameter_m"])
+
+    def test_arrows_of_a_bit_of_meshes_start_on_its_parts(self):
+        meshes = dataclasses.replace(self.bit, analysis=self.bit.analysis | {"cutters": []})
+        places = np.array([place for place, _ in update_directions.starts(meshes)])
+        self.assertEqual(len(places), 28 + 5)  # faces and pads
+        self.assertGreater(np.linalg.norm(places[28:, :2], axis=1).min(), 0.9 * self.bit.analysis["gage_radius_m"])
 
     def test_the_body_stays_behind_the_tips(self):
         body = np.array(self.bit.analysis["body_profile_rz_m"])
