@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -28,6 +29,7 @@ Vec3 any_point(Random& random, double lo, double hi) {
 
 mesh::TriangleMesh box(const Vec3& lo, const Vec3& size) {
   mesh::TriangleMesh m;
+  m.positions.reserve(8);
   for (int k = 0; k < 8; ++k)
     m.positions.emplace_back(lo + size.cwiseProduct(Vec3(k & 1, (k >> 1) & 1, k >> 2)));
   m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
@@ -98,8 +100,11 @@ TEST(BitNumbers, mass_properties_are_those_of_closed_forms) {
 /// The order with which volumes come near the smooth body's, over numbers of segments.
 template <class Volume>
 void record_order(const std::string& what, double smooth, const Volume& volume) {
+  constexpr std::array segments{16, 32, 64, 128, 256};
   std::vector<double> sizes, errors;
-  for (const int n : {16, 32, 64, 128, 256}) {
+  sizes.reserve(segments.size());
+  errors.reserve(segments.size());
+  for (const int n : segments) {
     sizes.push_back(1.0 / n);
     errors.push_back(std::abs(volume(n) - smooth));
   }

@@ -195,6 +195,7 @@ bit::Bit bit_of_cones(int count) {
 /// Farthest that a corner of a part is from where the chain by hand takes it, at random times.
 double farthest_carried(const bit::Bit& b, Random& random) {
   simulation::Motion motion = steady();
+  motion.cone_speeds.reserve(b.cones.size());
   for (std::size_t k = 0; k < b.cones.size(); ++k)
     motion.cone_speeds.push_back(random.uniform(-2.0, 2.0));
   const double t = random.uniform(0.0, 3.0);
