@@ -5,6 +5,8 @@ import numpy as np
 BIT_KEYS = {"schema", "name", "gage_radius_m", "penetration_m_per_rev", "imbalance_of_unit_law", "imbalance_vector_of_unit_law",
             "mean_redundancy", "mass_kg", "centre_m", "inertia_kg_m2", "column_width_m", "cutters_cutting_at_radius", "cutters",
             "parts", "body_profile_rz_m", "cones", "clearances"}
+CONE_KEYS = {"axis", "origin_m", "rows", "sections"}  # besides the columns
+LISTED = 12  # numbers of a list that are shown
 CONE_COLUMNS = {"name": ("cone", 1), "azimuth_rad": ("azimuth deg", 180 / np.pi), "journal_angle_rad": ("journal deg", 180 / np.pi),
                 "offset_m": ("offset mm", 1e3), "skew_rad": ("skew deg", 180 / np.pi), "apex_m": ("apex mm", 1e3),
                 "mass_kg": ("mass kg", 1), "axial_inertia_kg_m2": ("Ic kg m2", 1), "asymmetry": ("(It1 - It2)/Ic", 1),
@@ -47,6 +49,30 @@ def table(title, entries, columns, note="", folded=False):
             "rows": [[shown(e.get(k), factor) for k, (_, factor) in columns.items()] for e in entries]}
 
 
+def flattened(path, value):
+    """(path, text) of numbers and short lists of them, (path, list) of lists of entries, from any depth."""
+    if is_plain(value):
+        yield path, shown(value)
+    elif isinstance(value, dict):
+        for key, inner in value.items():
+            yield from flattened(f"{path}, {key}", inner)
+    elif value and all(isinstance(e, dict) for e in value):
+        yield path, value
+    elif all(is_plain(e) for e in value):
+        yield path, ", ".join(map(shown, value[:LISTED])) + (f", ... ({len(value)})" if len(value) > LISTED else "")
+
+
+def leftovers(bit):
+    """What the page does not know, of the bit and of its cones; plain keys of cones are columns of their table."""
+    for key, value in bit.analysis.items():
+        if key not in BIT_KEYS:
+            yield from flattened(key, value)
+    for cone in bit.cones:
+        for key, value in cone.items():
+            if key not in CONE_KEYS and not is_plain(value):
+                yield from flattened(f"{cone['name']}, {key}", value)
+
+
 def numbers(bit):
     a = bit.analysis
     centre = ", ".join(f"{1e3 * x:.3f}" for x in a["centre_m"])
@@ -60,7 +86,7 @@ def numbers(bit):
                  ("cutters that cut at a radius, mean by area", f"{a['mean_redundancy']:.3f}"),
                  ("imbalance of the unit law", f"{100 * a['imbalance_of_unit_law']:.3f} % of all pushes, towards "
                   f"{np.degrees(np.arctan2(lateral[1], lateral[0])):.1f} deg")]
-    rows += [(key, shown(value)) for key, value in a.items() if key not in BIT_KEYS and is_plain(value)]
+    rows += [(path, value) for path, value in leftovers(bit) if isinstance(value, str)]
     return {"title": "In numbers", "note": "", "folded": False, "heads": [], "rows": rows}
 
 
@@ -103,6 +129,4 @@ def tables(bit):
         found += [blades(bit), table("Cutters", bit.cutters, CUTTER_COLUMNS, folded=True)]
     if bit.cones:
         found += cone_tables(bit)
-    lists = {k: v for k, v in bit.analysis.items() if k not in BIT_KEYS and isinstance(v, list) and v
-             and all(isinstance(e, dict) for e in v)}
-    return found + [table(key, entries, {}, folded=True) for key, entries in lists.items()]
+    return found + [table(path, entries, {}, folded=True) for path, entries in leftovers(bit) if not isinstance(entries, str)]

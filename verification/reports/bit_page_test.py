@@ -15,6 +15,7 @@ import numpy as np
 
 PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
 sys.path.insert(0, str(ROOT / "reports"))
+import page_tables  # noqa: E402
 from figures import bit_charts, bit_data, update_directions  # noqa: E402
 
 ROUNDING = 1e-13  # of sums of some ten numbers of size 1
@@ -94,13 +95,22 @@ class BitPage(unittest.TestCase):
         self.page("meshes", ["Exposure profile"], OF_CUTTERS + OF_CONES)
 
     def test_keys_that_the_page_does_not_know_are_shown(self):
-        shutil.copytree(self.folder / "meshes", self.folder / "more")
-        file = self.folder / "more/analysis.json"
-        file.write_text(json.dumps(json.loads(file.read_text()) | {
-            "tooth_contact_ratio": 1.2345, "tracking": [{"row": "cone-1/row-2", "pitch_m": 0.25}]}))
-        page = self.page("more", ["tracking"])
-        self.assertIn("<td>tooth_contact_ratio</td><td>1.234</td>", page)
-        self.assertIn("<td>cone-1/row-2</td><td>0.25</td>", page)
+        bit = bit_data.read(self.folder / "meshes")
+        bit.analysis |= {"tooth_contact_ratio": 1.2345, "tracking": [{"row": "cone-1/row-2", "pitch_m": 0.25}]}
+        shown = {t["title"]: t["rows"] for t in page_tables.tables(bit)}
+        self.assertIn(("tooth_contact_ratio", "1.234"), shown["In numbers"])
+        self.assertEqual(shown["tracking"], [["cone-1/row-2", "0.25"]])
+        cones = bit_data.read(self.folder / "cones")
+        cones.cones[0]["rows"][1]["contacts_per_rev"] = 12
+        for row in (r for c in cones.cones for r in c["rows"]):
+            row.setdefault("contacts_per_rev", None)
+        rows = next(t for t in page_tables.tables(cones) if t["title"] == "Rows of teeth")
+        cones.cones[0]["tracking"] = {"ratio": 0.5, "rows": [{"row": 1}], "angles_rad": [0.1] * 13}
+        shown = {t["title"]: t["rows"] for t in page_tables.tables(cones)}
+        self.assertIn(("cone-1, tracking, ratio", "0.5"), shown["In numbers"])
+        self.assertTrue(any(k == "cone-1, tracking, angles_rad" and v.endswith("... (13)") for k, v in shown["In numbers"]))
+        self.assertEqual(shown["cone-1, tracking, rows"], [["1"]])
+        self.assertEqual((rows["heads"][-1], rows["rows"][1][-1], rows["rows"][2][-1]), ("contacts_per_rev", "12", "-"))
 
     def test_bad_folders_are_named_and_leave_no_page(self):
         table = self.folder / "table"
