@@ -20,7 +20,7 @@ def starts(bit):
     if bit.cutters and own:
         return [(c["tip_m"], turned(own[k]["update_direction"], c["tip_m"])) for k, c in enumerate(bit.cutters)]
     return [(centre, turned(p["update_direction"], centre)) for p, centre in zip(bit.parts, bit.centres)
-            if p["cuts"] and p["kind"] not in ("chamfer", "cutter-body")]
+            if p["cuts"] and p["kind"] not in ("chamfer", "cutter-body", "cone")]
 
 
 def draw_bit(bit, dpi=style.DPI):
