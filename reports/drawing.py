@@ -10,7 +10,7 @@ from fingerprint import Stale
 
 DPI = 200
 SCRIPTS = Path(__file__).parent / "figures"
-COMMON = ("results", "style")  # what every figure's script may use
+COMMON = ("results", "style")  # of every figure, whether its script names them or not
 
 
 class Inputs:
@@ -22,6 +22,15 @@ class Inputs:
     def folder(self, group):
         """The result folder of a run that is no sweep."""
         [(_, folder)] = self.groups[group]
+        return folder
+
+    def folders(self):
+        """The result folders of all runs, in the figure's order."""
+        return [folder for runs in self.groups.values() for _, folder in runs]
+
+    def only_folder(self):
+        """The result folder of a figure of one run."""
+        [folder] = self.folders()
         return folder
 
     def sweep(self, group):
@@ -68,7 +77,7 @@ class Drawing:
 
     def inputs(self, figure):
         """Fingerprint of all that decides the picture: script, style, results, tables, versions."""
-        scripts = [fingerprint.of_file(SCRIPTS / f"{n}.py") for n in (figure.script, *COMMON)]
+        scripts = fingerprint.of_scripts(SCRIPTS, *(SCRIPTS / f"{n}.py" for n in (figure.script, *COMMON)))
         results = [fingerprint.read(self.data.stamp(r)).get("files") for r in self.runs(figure)]
         return fingerprint.of_value([scripts, results, [self.rows(t) for t in figure.tables],
                                      version("matplotlib"), version("numpy")])

@@ -1,5 +1,6 @@
 """Fingerprints of inputs, and the stamps that say what an output was made from."""
 
+import ast
 import hashlib
 import json
 import tomllib
@@ -39,6 +40,32 @@ def of_case(case):
     document = tomllib.loads(case.read_text(encoding="utf-8"))
     named = sorted({s for s in strings(document) if s and "\n" not in s and (case.parent / s).is_file()})
     return of_value([of_file(case)] + [[s, of_file(case.parent / s)] for s in named])
+
+
+def figure_modules(script):
+    """Names of the modules of figures/ that a script imports."""
+    for node in ast.walk(ast.parse(script.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module == "figures":
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("figures."):
+            yield node.module.split(".")[1]
+
+
+def scripts_of(figures, script):
+    """A script and all of the folder figures/ that it uses, directly or not."""
+    found, to_read = set(), [script]
+    while to_read:
+        path = to_read.pop()
+        if path not in found and path.is_file():
+            found.add(path)
+            to_read += [figures / f"{name}.py" for name in figure_modules(path)]
+    return sorted(found)
+
+
+def of_scripts(figures, *scripts):
+    """Of scripts with all that they use of figures/."""
+    used = sorted({u for script in scripts for u in scripts_of(figures, script)})
+    return of_value([[u.name, of_file(u)] for u in used])
 
 
 def objects(build, program):

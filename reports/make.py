@@ -12,6 +12,7 @@ import os
 import sys
 from pathlib import Path
 
+import bit_pages
 import evidence
 import manifest as manifests
 import page
@@ -38,18 +39,20 @@ def told(update, subject):
         print(f"made {subject.name}", flush=True)
 
 
-def update(manifest, data, drawing):
+def update(manifest, data, drawing, pages):
     """Runs and draws what changed; returns problems. No figure is drawn of failed runs."""
     runs = [r for r in manifest.runs if drawing.is_made(r)]
     problems = gather([(lambda r: told(data.update, r), r) for r in runs])
-    return problems or gather([(lambda f: told(drawing.update, f), f) for f in manifest.figures])
+    return problems or gather([(lambda f: told(drawing.update, f), f) for f in manifest.figures]
+                              + [(lambda r: told(pages.update, r), r) for r in pages.runs()])
 
 
-def stale(manifest, data, drawing):
+def stale(manifest, data, drawing, pages):
     """All that is missing, or does not match what it was made from."""
     runs = [r for r in manifest.runs if drawing.is_made(r)]
     return (gather([(data.demand_current, r) for r in runs])
-            or gather([(drawing.demand_current, f) for f in manifest.figures]))
+            or gather([(drawing.demand_current, f) for f in manifest.figures]
+                      + [(pages.demand_current, r) for r in pages.runs()]))
 
 
 def stale_page(html, manifest, drawing, evidence_folder):
@@ -89,12 +92,13 @@ def report(chosen):
                                   for t in sorted(tables)])
     data = Data(chosen.root, chosen.build, chosen.output / "data")
     drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
+    pages = bit_pages.BitPages(manifest, data, chosen.output / "bits")
     html = chosen.output / "index.html"
     if chosen.check:
-        problems = stale(manifest, data, drawing) or stale_page(html, manifest, drawing, folder)
+        problems = stale(manifest, data, drawing, pages) or stale_page(html, manifest, drawing, folder)
         return problems + unproved
     html.unlink(missing_ok=True)
-    problems = update(manifest, data, drawing) or stale(manifest, data, drawing)
+    problems = update(manifest, data, drawing, pages) or stale(manifest, data, drawing, pages)
     problems += unproved
     if not problems:
         page.write(html, manifest, data, drawing, found.by_claim, chosen.quick)

@@ -58,6 +58,7 @@ class Manifest:
     runs: tuple
     figures: tuple
     claims: tuple
+    bit_pages: tuple = ()  # groups of one run of `tdbd bit --report` each
 
     def group(self, name):
         return [r for r in self.runs if r.group == name]
@@ -116,10 +117,12 @@ def demand_links(manifest):
     for names in ([f.name for f in manifest.figures], slugs):
         if doubled := {n for n in names if names.count(n) > 1}:
             raise ManifestError(f"twice: {', '.join(sorted(doubled))}")
+    if missing := set(manifest.bit_pages) - groups:
+        raise ManifestError(f"bit_pages: no run {', '.join(sorted(missing))}")
     for f in manifest.figures:
         for missing in [r for r in f.runs if r not in groups] + [c for c in f.claims if c not in slugs]:
             raise ManifestError(f"figure {f.name}: no run or claim {missing}")
-    if unused := groups - {r for f in manifest.figures for r in f.runs}:
+    if unused := groups - {r for f in manifest.figures for r in f.runs} - set(manifest.bit_pages):
         raise ManifestError(f"no figure shows the runs {', '.join(sorted(unused))}")
 
 
@@ -136,6 +139,7 @@ def read(folder, is_quick=False):
     runs = [r for group, table in document["runs"].items() for r in runs_of(group, table, is_quick)]
     claims = [Claim(**checked(f"claim {t.get('slug', '?')}", t, CLAIM_KEYS))
               for t in load(Path(folder) / "claims.toml")["claims"]]
-    manifest = Manifest(tuple(runs), tuple(map(figure_of, document["figures"])), tuple(claims))
+    manifest = Manifest(tuple(runs), tuple(map(figure_of, document["figures"])), tuple(claims),
+                        tuple(document.get("quick_bit_pages" if is_quick else "bit_pages", [])))
     demand_links(manifest)
     return manifest

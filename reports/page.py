@@ -11,6 +11,7 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup, escape
 
+import class_table
 import evidence
 from drawing import DPI
 
@@ -78,6 +79,7 @@ def write(path, manifest, data, drawing, found, is_quick):
     environment.filters["breakable"] = breakable
     html = environment.get_template("page.html.j2").render(
         rows=rows(manifest, found), pictures=pictures(manifest, data, drawing),
+        bits=manifest.bit_pages, classes=class_table.rows(data.root),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")
     partial.write_text(html, encoding="utf-8")

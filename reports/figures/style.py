@@ -2,9 +2,11 @@
 
 import matplotlib
 from matplotlib.figure import Figure
+from matplotlib.patches import Circle
 
 BLUE, RED, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#B3569B"
 GOLD, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#1d2733", "#8593a3"
+DPI = 200  # of rendered pictures, as drawing.py saves them
 XYZ = {"x": BLUE, "y": RED, "z": GREEN}
 CONES = (PURPLE, GOLD, SKY)
 
@@ -27,6 +29,11 @@ def panels(rows, columns, size, **options):
     """A figure of this size (inches) and its axes."""
     figure = Figure(figsize=size, layout="constrained")
     return figure, figure.subplots(rows, columns, **options)
+
+
+def circle(radius):
+    """A thin ring about the origin."""
+    return Circle((0, 0), radius, fill=False, color="0.8", linewidth=0.8)
 
 
 def say_missing(axes, what):

@@ -52,10 +52,18 @@ void print_mass(const bit::Bit& b) {
       m.inertia(1, 1), m.inertia(2, 2));
 }
 
+void print_bit(const bit::Bit& b) {
+  print_table(b);
+  print_parts(b);
+  print_mass(b);
+  fmt::print("{}", simulation::cones_text(b));
+}
+
 struct Choices {
   std::string file, folder, format = "ply";
   bool force = false;
   bool report = false;
+  bool quiet = false;
   std::string penetration = "5 mm";
   std::vector<double> cone_speeds;
 };
@@ -75,12 +83,9 @@ int inspect(const Choices& choices) {
   using namespace simulation;
   const double advance = penetration(choices);
   const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
-  print_table(b);
-  print_parts(b);
-  print_mass(b);
-  fmt::print("{}", cones_text(b));
+  if (!choices.quiet) print_bit(b);
   const ConeOperation operation = cone_operation(b, choices.cone_speeds, advance);
-  if (choices.report) fmt::print("{}", tracking_text(b, operation));
+  if (choices.report && !choices.quiet) fmt::print("{}", tracking_text(b, operation));
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
     return 0;
@@ -119,6 +124,7 @@ void add_bit(CLI::App& app, int& exit_code) {
                    "which the gage rows roll")
       ->delimiter(',');
   command->add_flag("--force", choices->force, "replace the results in the folder");
+  command->add_flag("--quiet", choices->quiet, "print no tables");
   command->footer("Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");
   command->callback(
       [choices, &exit_code] { exit_code = guarded([&] { return inspect(*choices); }); });

@@ -25,14 +25,19 @@ std::vector<double> overlaps(const std::vector<Cutter>& cutters) {
   return overlap;
 }
 
-double imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& areas) {
+Vec3 imbalance_vector(const std::vector<Cutter>& cutters, const std::vector<double>& areas) {
   Vec3 sum = Vec3::Zero();
   double total = 0.0;
   for (std::size_t k = 0; k < cutters.size(); ++k) {
     sum += areas[k] * profile_normal_B(cutters[k]);
     total += areas[k];
   }
-  return total > 0.0 ? std::hypot(sum.x(), sum.y()) / total : 0.0;
+  sum.z() = 0.0;
+  return total > 0.0 ? Vec3(sum / total) : Vec3(Vec3::Zero());
+}
+
+double imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& areas) {
+  return imbalance_vector(cutters, areas).norm();
 }
 
 double mean_redundancy(const std::vector<int>& cutting) {

@@ -12,7 +12,11 @@ namespace tdbd::bit {
 std::vector<double> overlaps(const std::vector<Cutter>& cutters);
 
 /// The unit law: every cutter pushes along its profile normal with its area, 1 Pa. The lateral
-/// resultant over the sum of the forces' magnitudes: 0 is balanced, 1 is a single cutter sideways.
+/// resultant over the sum of the forces' magnitudes, bit frame, z = 0; the rock pushes the bit the
+/// other way. 0 is balanced, a length of 1 is a single cutter sideways.
+Vec3 imbalance_vector(const std::vector<Cutter>& cutters, const std::vector<double>& areas);
+
+/// Its magnitude.
 double imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& areas);
 
 /// Mean number of cutters that cut at a radius, weighted by area of the hole: how far the bit

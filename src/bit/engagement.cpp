@@ -81,6 +81,7 @@ std::vector<Vec3> turned_outline(const Cutter& c, int points) {
 }
 
 Engagement engagement(const std::vector<Cutter>& cutters, double advance, double column_width) {
+  if (cutters.empty()) return {};
   std::vector<std::vector<Vec3>> outlines;
   outlines.reserve(cutters.size());
   for (const Cutter& c : cutters) outlines.push_back(turned_outline(c, rim_points));

@@ -26,6 +26,7 @@ std::vector<Vec3> turned_outline(const Cutter& c, int points);
 ///   h_c = max(0, min over c' of z_c - z_c' + advance f),   f = 1 for c itself,
 /// so the heights add up to the advance. Area and volume are sums of h and 2 pi r h over columns
 /// of at most `column_width` (m) from the axis to the widest rim. Chamfers lie inside the rim.
+/// Without cutters there are no columns.
 Engagement engagement(const std::vector<Cutter>& cutters, double advance, double column_width);
 
 }  // namespace tdbd::bit

@@ -5,7 +5,9 @@
 
 #include "bit/bit_analysis.hpp"
 #include "bit/engagement.hpp"
+#include "bit/exposure.hpp"
 #include "bit/mass_properties.hpp"
+#include "simulation/bit_report_parts.hpp"
 #include "simulation/summary.hpp"
 #include "simulation/tracking_report.hpp"
 
@@ -54,22 +56,33 @@ void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, do
   const bit::Engagement e = bit::engagement(bit.cutters, advance, column_width);
   const std::vector<double> overlap = bit::overlaps(bit.cutters);
   const bit::MassProperties mass = bit::mass_properties(bit);
+  const std::vector<double> exposure = bit::exposures(bit.cutters);
   Json cutters = Json::array();
-  for (std::size_t k = 0; k < bit.cutters.size(); ++k)
+  for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
     cutters.push_back(cutter_of(bit.cutters[k], overlap[k], e.area[k], e.volume[k]));
-  Json file{{"schema", 1},
-            {"name", bit.name},
-            {"gage_radius_m", bit.gage_radius},
-            {"penetration_m_per_rev", advance},
-            {"imbalance_of_unit_law", bit::imbalance(bit.cutters, e.area)},
-            {"mean_redundancy", bit::mean_redundancy(e.cutting)},
-            {"mass_kg", mass.mass},
-            {"centre_m", {mass.centre.x(), mass.centre.y(), mass.centre.z()}},
-            {"inertia_kg_m2", inertia_of(mass.inertia)},
-            {"column_width_m", e.column_width},
-            {"cutters_cutting_at_radius", e.cutting},
-            {"cutters", cutters}};
-  file.update(tracking_json(bit, cone_operation(bit, cone_speeds, advance)));
+    cutters.back()["exposure_m"] = exposure[k];
+    add_placing(bit.cutters[k], cutters.back());
+  }
+  Json file{
+      {"schema", 1},
+      {"name", bit.name},
+      {"gage_radius_m", bit.gage_radius},
+      {"penetration_m_per_rev", advance},
+      {"imbalance_of_unit_law", bit::imbalance(bit.cutters, e.area)},
+      {"imbalance_vector_of_unit_law", vector_json(bit::imbalance_vector(bit.cutters, e.area))},
+      {"mean_redundancy", bit::mean_redundancy(e.cutting)},
+      {"mass_kg", mass.mass},
+      {"centre_m", {mass.centre.x(), mass.centre.y(), mass.centre.z()}},
+      {"inertia_kg_m2", inertia_of(mass.inertia)},
+      {"column_width_m", e.column_width},
+      {"cutters_cutting_at_radius", e.cutting},
+      {"cutters", cutters},
+      {"parts", parts_json(bit)}};
+  add_body_profile(bit, file);
+  if (!bit.cones.empty()) {
+    add_cones(bit, file);
+    add_tracking(bit, cone_operation(bit, cone_speeds, advance), file);
+  }
   write_text(folder / "analysis.json", file.dump(1) + "\n");
 }
 

@@ -75,25 +75,20 @@ void add_shares(Json& json, const bit::TrackingShare& t) {
 }
 
 Json row_json(const RowFigures& f) {
-  Json json{{"row", f.number},
-            {"teeth", f.row->angles.size()},
-            {"gage", f.row->place == bit::RowPlace::gage},
-            {"prints_per_revolution", f.speed * static_cast<double>(f.row->angles.size())},
+  Json json{{"prints_per_revolution", f.speed * static_cast<double>(f.row->angles.size())},
             {"print_width_m", f.width},
             {"tooth_contact_ratio", f.contact_ratio}};
   add_shares(json, f.tracking);
   return json;
 }
 
-Json cone_json(const bit::Cone& cone, double speed, const std::vector<RowFigures>& figures) {
-  Json json{{"name", cone.name},
-            {"speed_ratio", speed},
-            {"rolling_ratio_gage_row", bit::rolling_ratio_of_gage_row(cone)}};
+void add_to_cone(const bit::Cone& cone, double speed, const std::vector<RowFigures>& figures,
+                 Json& json) {
+  json["speed_ratio"] = speed;
+  json["rolling_ratio_gage_row"] = bit::rolling_ratio_of_gage_row(cone);
   add_shares(json, together(figures, &cone));
-  json["rows"] = Json::array();
   for (const RowFigures& f : figures)
-    if (f.cone == &cone) json["rows"].push_back(row_json(f));
-  return json;
+    if (f.cone == &cone) json["rows"][static_cast<std::size_t>(f.number) - 1].update(row_json(f));
 }
 
 /// All cones at one speed, from 1 to 1.8 times the bit's.
@@ -134,19 +129,18 @@ ConeOperation cone_operation(const bit::Bit& bit, const std::vector<double>& con
   return o;
 }
 
-Json tracking_json(const bit::Bit& bit, const ConeOperation& o) {
-  if (bit.cones.empty()) return Json::object();
+void add_tracking(const bit::Bit& bit, const ConeOperation& o, Json& file) {
+  if (bit.cones.empty()) return;
   const std::vector<RowFigures> figures = figures_of(bit, o);
   const bit::TrackingOptions options = options_for(o);
-  Json cones = Json::array();
   for (std::size_t k = 0; k < bit.cones.size(); ++k)
-    cones.push_back(cone_json(bit.cones[k], o.cone_speeds[k], figures));
+    add_to_cone(bit.cones[k], o.cone_speeds[k], figures, file["cones"][k]);
   Json whole{{"penetration_m", o.penetration},
              {"share_of_width", options.share_of_width},
              {"revolutions", options.revolutions}};
   add_shares(whole, together(figures, nullptr));
   whole["sweep"] = sweep_json(bit, o);
-  return {{"cones", cones}, {"tracking", whole}};
+  file["tracking"] = whole;
 }
 
 std::string tracking_text(const bit::Bit& bit, const ConeOperation& o) {

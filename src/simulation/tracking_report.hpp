@@ -19,10 +19,12 @@ struct ConeOperation {
 ConeOperation cone_operation(const bit::Bit& bit, const std::vector<double>& cone_speeds,
                              double penetration);
 
-/// For analysis.json: `cones`, how often the teeth of each row fall into earlier prints and how
-/// many stand on the bottom at once (bit/tracking.hpp, bit/tooth_prints.hpp), and `tracking`, the
-/// same of the whole bit with a sweep of the cones' speed. Empty for a bit without cones.
-nlohmann::ordered_json tracking_json(const bit::Bit& bit, const ConeOperation& operation);
+/// Adds to analysis.json, to each of its `cones` and their `rows`, how often the teeth fall into
+/// earlier prints and how many stand on the bottom at once (bit/tracking.hpp,
+/// bit/tooth_prints.hpp); and `tracking`, the same of the whole bit with a sweep of the cones'
+/// speed. Nothing for a bit without cones.
+void add_tracking(const bit::Bit& bit, const ConeOperation& operation,
+                  nlohmann::ordered_json& file);
 
 /// The rows' figures as lines for a reader.
 std::string tracking_text(const bit::Bit& bit, const ConeOperation& operation);

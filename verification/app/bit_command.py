@@ -29,6 +29,18 @@ def check_round_trip(folder, form):
     assert mass_line(first) == mass_line(again) != [], (mass_line(first), mass_line(again))
 
 
+def check_analysis(a):
+    """Every cutter has its neighbours; the imbalance has its direction; parts come as they are made."""
+    assert all(0 <= c["exposure_m"] < c["diameter_m"] for c in a["cutters"]), a["cutters"]
+    assert abs(math.hypot(*a["imbalance_vector_of_unit_law"]) - a["imbalance_of_unit_law"]) < 1e-15
+    assert a["imbalance_vector_of_unit_law"][2] == 0
+    assert a["parts"][0]["name"] == "cutter-1/face" and a["parts"][-1]["kind"] == "bit-body"
+    for c in a["cutters"]:
+        tip = [c["face_centre_m"][i] - c["diameter_m"] / 2 * c["z_axis"][i] for i in range(3)]
+        assert math.dist(tip, c["tip_m"]) < 1e-3, c  # but for the chamfer's depth along x
+    assert a["body_profile_rz_m"][0][0] == 0 and "cones" not in a
+
+
 def check_report(folder):
     """The cut volumes of the analysis fill the hole; a report needs a folder and a length."""
     ordered = tdbd(BIT, "-o", folder / "report", "--report", "--penetration", "3 mm")
@@ -38,11 +50,18 @@ def check_report(folder):
     hole = math.pi * a["gage_radius_m"] ** 2 * 0.003
     assert abs(sum(c["volume_m3_per_rev"] for c in a["cutters"]) / hole - 1) < 1e-3
     assert 0 < a["imbalance_of_unit_law"] < 0.2 and 1 < a["mean_redundancy"] < 28, a
+    check_analysis(a)
     nowhere = tdbd(BIT, "--report")
     assert nowhere.returncode == 2 and "--report: found no folder" in nowhere.stderr, nowhere
     for wrong in ("3 s", "0 mm", "much"):
         bad = tdbd(BIT, "-o", folder / "bad", "--report", "--penetration", wrong)
         assert bad.returncode == 2 and "--penetration: found" in bad.stderr, bad
+
+
+def check_quiet(folder):
+    done = tdbd(BIT, "-o", folder / "quiet", "--quiet")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", ""), done
+    assert (folder / "quiet/bit.json").is_file()
 
 
 def check_refusals(folder):
@@ -61,4 +80,5 @@ with tempfile.TemporaryDirectory() as name:
     for form in ("ply", "off", "obj", "stl"):
         check_round_trip(folder, form)
     check_report(folder)
+    check_quiet(folder)
     check_refusals(folder)

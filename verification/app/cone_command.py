@@ -83,7 +83,31 @@ def check_report(folder):
     assert result.returncode == 0 and "between cones: an overlap" in result.stdout, result
 
 
+def distance_to_side(p, a, b):
+    along = ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / max(math.dist(a, b) ** 2, 1e-300)
+    w = min(1.0, max(0.0, along))
+    return math.dist(p, (a[0] + w * (b[0] - a[0]), a[1] + w * (b[1] - a[1])))
+
+
 def check_analysis(folder):
+    """Each row's tip lies on its section in the bit's half-plane; the cones are those of bit.json; gaps are told."""
+    done = subprocess.run([PROGRAM, "bit", BIT, "-o", folder / "analysis", "--report", "--quiet"], check=False)
+    assert done.returncode == 0, done
+    a, b = (json.loads((folder / "analysis" / f"{name}.json").read_text()) for name in ("analysis", "bit"))
+    assert a["cutters"] == [] and a["cutters_cutting_at_radius"] == [] and a["imbalance_of_unit_law"] == 0, a.keys()
+    assert "body_profile_rz_m" not in a
+    for cone, same in zip(a["cones"], b["cones"], strict=True):
+        assert {k: v for k, v in cone.items() if k in same} == same, cone["name"]
+        shell, *rows = cone["sections"]
+        assert shell["part"] == "shell" and [r["part"] for r in rows] == [f"row-{j + 1}" for j in range(len(cone["rows"]))]
+        for section, row in zip(rows, cone["rows"], strict=True):
+            line, tip = section["meridian_rz_m"], (row["tip_bit_radius_m"], -row["tip_height_m"])
+            nearest = min(distance_to_side(tip, p, q) for p, q in zip(line, line[1:] + line[:1]))
+            assert nearest < 1e-9, (cone["name"], section["part"], nearest)
+    assert len(a["clearances"]) == 3 and all(c["distance_m"] > 0 for c in a["clearances"]), a["clearances"]
+
+
+def check_tracking(folder):
     """Tracking and contact ratios in analysis.json and on the terminal, at the speeds asked for."""
     report = tdbd(BIT, "-o", folder / "report", "--report", "--cone-speeds", "1.47,1.48,1.5")
     assert report.returncode == 0 and "at random phase" in report.stdout, report
@@ -171,6 +195,7 @@ with tempfile.TemporaryDirectory() as name:
     check_bit_r(pathlib.Path(name))
     check_refusals(pathlib.Path(name))
     check_report(pathlib.Path(name))
+    check_tracking(pathlib.Path(name))
     check_drilling(pathlib.Path(name))
     check_analysis(pathlib.Path(name))
     check_rolling(pathlib.Path(name))

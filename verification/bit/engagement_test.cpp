@@ -51,6 +51,12 @@ TEST(engagement, of_a_backup_begins_at_its_under_exposure) {
   EXPECT_NEAR(areas(0.3 * advance)[1] / areas(0.3 * advance)[0], 0.2 / 0.8, 0.01);
 }
 
+TEST(engagement, of_no_cutters_has_no_columns) {
+  const Engagement e = engagement({}, advance, width);
+  EXPECT_TRUE(e.area.empty() && e.cutting.empty());
+  EXPECT_EQ(mean_redundancy(e.cutting), 0.0);
+}
+
 RC_GTEST_PROP(engagement, adds_up_to_the_whole_hole, ()) {
   const PdcDesign d = any_design();
   const Engagement e = engagement(laid_out(d), advance, width);
@@ -93,6 +99,9 @@ TEST(bit_analysis, of_small_bits_is_computed_by_hand) {
   a.profile_angle = b.profile_angle = pi / 2;
   EXPECT_NEAR(imbalance({a}, {2.0}), 1.0, 1e-15);
   EXPECT_NEAR(imbalance({a, b}, {3.0, 4.0}), 5.0 / 7.0, 1e-15);
+  const Vec3 expected(3.0 / 7.0, 4.0 / 7.0, 0.0);
+  EXPECT_LT((imbalance_vector({a, b}, {3.0, 4.0}) - expected).norm(), 1e-15);
+  EXPECT_EQ(imbalance_vector({}, {}).norm(), 0.0);
   b.azimuth = pi;
   EXPECT_NEAR(imbalance({a, b}, {3.0, 3.0}), 0.0, 1e-15);
   a.profile_angle = 30 * degree;

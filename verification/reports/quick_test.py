@@ -49,6 +49,10 @@ for figure in wanted.figures:
     assert block and re.search(PICTURE, block[0]), figure.name
     assert ("Reconstructed:" in block[0]) == bool(figure.reconstructed), figure.name
 assert len(re.findall(PICTURE, page)) == len(wanted.figures)
+assert wanted.bit_pages
+for name in wanted.bit_pages:
+    assert f'href="bits/{name}.html"' in page and (build / f"report-quick/bits/{name}.html").is_file(), name
+assert "Class diagrams of appendix B" in page and "<code>part_pose</code>" in page
 assert not re.search(r"(src|href)=.https?:", page), "the page fetches something"
 balance = Balance()
 balance.feed(page)

@@ -71,7 +71,8 @@ class Project:
             (self.root / folder).mkdir(parents=True)
         for script in REPORTS.glob("*.py"):
             shutil.copy(script, self.root / "reports")
-        shutil.copy(REPORTS / "page.html.j2", self.root / "reports")
+        for template in REPORTS.glob("*.j2"):
+            shutil.copy(template, self.root / "reports")
         self.write("reports/figures/style.py", "")
         self.write("reports/figures/results.py", "")
         self.write("reports/figures/first.py", FIGURE)

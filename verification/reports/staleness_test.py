@@ -220,6 +220,94 @@ class Worst(unittest.TestCase):
                                     (0.1, "<= 1", "holds")), "number 2")
 
 
+BIT_PAGE = """
+def write(folder, path):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text((folder / "copy.toml").read_text(encoding="utf-8"), encoding="utf-8")
+"""
+
+
+class BitPages(unittest.TestCase):
+    """The pages of bits are made of their results, again when anything behind them changed."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        project = Project(cls.made.name)
+        project.write("reports/manifest.toml", 'bit_pages = ["one"]\n' + MANIFEST)
+        project.write("reports/bit_page.py", BIT_PAGE)
+        code, made, complaints = project.make()
+        assert (code, made.count("made one\n"), complaints) == (0, 2, ""), complaints  # the result and its page
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.project = Project(self.folder.name, copy_of=self.made.name)
+        self.page = self.project.out / "bits/one.html"
+
+    def make(self, *words):
+        code, made, complaints = self.project.make()
+        self.assertEqual(code, 1 if words else 0, complaints)
+        for word in words:
+            self.assertIn(word, complaints)
+        return made.count("made one\n")
+
+    def assert_stale_then_made(self, made=1):
+        code, _, complaints = self.project.make("--check")
+        self.assertEqual(code, 1)
+        self.assertIn("one", complaints)
+        self.assertEqual(self.make(), made)
+        self.assertEqual(self.project.make("--check"), (0, "", ""))
+
+    def test_are_made_once_and_linked(self):
+        self.assertEqual(self.make(), 0)
+        self.assertIn('href="bits/one.html"', (self.project.out / "index.html").read_text(encoding="utf-8"))
+
+    def test_are_made_again_when_they_went_or_their_script_changed(self):
+        self.page.unlink()
+        self.assert_stale_then_made()
+        self.project.write("reports/page_tables.py", "# another\n")
+        self.assert_stale_then_made()
+
+    def test_are_made_again_when_what_their_script_uses_changed(self):
+        self.project.write("reports/bit_page.py", "from figures import first, charts\n" + BIT_PAGE)
+        self.project.write("reports/figures/charts.py", "from figures.deep import A\n")
+        self.project.write("reports/figures/deep.py", "A = 1\n")
+        self.make()
+        self.project.write("reports/figures/deep.py", "A = 2\n")
+        self.assert_stale_then_made()
+
+    def test_are_made_again_when_their_data_changed(self):
+        self.project.write("cases/one.toml", "[time]\nstep = 2.0\n")
+        self.assert_stale_then_made(made=2)
+        self.assertIn("step = 2.0", self.page.read_text(encoding="utf-8"))
+
+    def test_that_cannot_be_drawn_leave_no_report(self):
+        self.project.write("reports/bit_page.py", "def write(folder, path):\n    raise ValueError('no parts')\n")
+        self.make("page of one: no parts")
+        self.assertFalse((self.project.out / "index.html").exists())
+
+    def test_of_no_run(self):
+        self.project.write("reports/manifest.toml", 'bit_pages = ["two"]\n' + MANIFEST)
+        self.make("bit_pages: no run two")
+
+
+class Classes(unittest.TestCase):
+    def test_the_table_of_classes_is_on_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            project = Project(folder)
+            project.write("src/README.md", "# x\n\n| thesis, app. B | its classes | ours | where |\n|---|---|---|---|\n"
+                                           "| B.9 | lost <name> | `Bit`, `read_bit` | `bit/bit.hpp` |\n\nMore.\n")
+            self.assertEqual(project.make()[2], "")
+            page = (project.out / "index.html").read_text(encoding="utf-8")
+            self.assertIn("<td>lost &lt;name&gt;</td><td><code>Bit</code>, <code>read_bit</code></td>", page)
+            self.assertIn("<code>bit/bit.hpp</code>", page)
+
+
 class Manifest(unittest.TestCase):
     def test_mistakes_are_named(self):
         for wrong, words in {

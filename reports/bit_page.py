@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+"""Draws a designer's page of a bit, of what `tdbd bit BIT -o FOLDER --report` wrote.
+
+    reports/bit_page.py FOLDER [-o FILE]      one HTML file with everything in it: FOLDER/bit.html
+
+Exit code 2 and one line on what is wrong when the folder holds no such report.
+"""
+
+import argparse
+import base64
+import io
+import sys
+from pathlib import Path
+
+import jinja2
+import matplotlib
+
+matplotlib.use("Agg")
+from figures import bit_charts, bit_data, bit_frame, bit_meshes, bit_views, cone_charts, cutter_frames, update_directions  # noqa: E402
+from page_tables import tables  # noqa: E402
+
+HERE = Path(__file__).resolve().parent
+DPI = 120  # of rendered pictures
+matplotlib.rcParams.update({"svg.hashsalt": "tdbd", "svg.fonttype": "path"})
+
+
+def embedded(figure, form):
+    """A figure as the address of an image that holds it; the same figure gives the same bytes."""
+    kind = {"svg": "svg+xml", "png": "png"}[form]
+    metadata = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None}}[form]
+    file = io.BytesIO()
+    options = {"bbox_inches": "tight"} if form == "svg" else {}
+    figure.savefig(file, format=form, dpi=DPI, metadata=metadata, **options)
+    return f"data:image/{kind};base64,{base64.b64encode(file.getvalue()).decode()}"
+
+
+def chart(title, shows, figure):
+    return {"title": title, "shows": shows, "image": embedded(figure, "svg")}
+
+
+def picture(title, shows, figure):
+    return {"title": title, "shows": shows, "image": embedded(figure, "png")}
+
+
+def cutter_charts(bit):
+    advance = 1e3 * bit.analysis["penetration_m_per_rev"]
+    yield chart("Profile", "Every cutter turned about the bit's axis into one half-plane (fig. 3.8). Thick: the exposure "
+                "profile, what the cutting parts reach. Grey: the body. Dashed: back-ups. Numbers are those of the table.",
+                bit_charts.profile(bit))
+    yield chart("Exposure", "Above: how far each tip stands out, along the profile's normal, of the envelope of all other "
+                "rims; negative where others stand out beyond it. Below: the share of a diameter by which a tip overlaps "
+                "the next one; back-ups are left out.", bit_charts.exposure(bit))
+    yield chart("Rakes", "Back and side rake of every cutter.", bit_charts.rakes(bit))
+    yield chart(f"Volume and cut area at {advance:.3g} mm a revolution", "In steady drilling, before any: the classical radial "
+                "plane in closed form. The volumes add up to the hole.", bit_charts.loads(bit))
+    yield chart("Redundancy", f"How many cutters remove rock at each radius at {advance:.3g} mm a revolution.",
+                bit_charts.redundancy(bit))
+    yield chart("Imbalance of the unit law", "Each cutter pushes along its profile's normal with its cut area times 1 Pa. Left: the "
+                "lateral pushes head to tail by azimuth, in shares of the sum of all pushes; the thick arrow is what is left over. Right: "
+                "that alone. Seen from above, z away from the reader.", bit_charts.imbalance(bit))
+    yield chart("Normals and update directions", "Grey: the profile's normal at each tip. Magenta: the direction in which the cutter "
+                "moves rock, at azimuth 0 (eqs. 4.1, 4.2).", bit_charts.directions(bit))
+
+
+def cone_chart_list(bit):
+    yield chart("Rows", "What the rows sweep in full turns of their cones (filled) and the cones' shells, where each cone is deepest, turned "
+                "into one half-plane. Numbers count rows from the nose.", cone_charts.profile(bit))
+    yield chart("Cones", "Each cone about its journal: its shell and what its rows sweep.", cone_charts.cone_profiles(bit))
+    yield chart("Speeds of rolling", "Speed of the cone over that of the bit at which a row's tip would roll without sliding. A cone has "
+                "one speed: rows away from it slide.", cone_charts.speeds(bit))
+    yield chart("Spacing of the teeth", "Along the journal, at the cone's angle 0. Squares: at the gage.", cone_charts.spacing(bit))
+
+
+def profile_chart(bit):
+    figure, axes = bit_charts.style.panels(1, 1, (7.4, 4.3))
+    axes.plot(*bit_charts.rz(bit.profile), color=bit_charts.style.BLACK)
+    bit_charts.half_plane(axes)
+    return chart("Exposure profile", "What the cutting parts reach when all are turned about the bit's axis into one half-plane "
+                 "(fig. 3.8).", figure)
+
+
+def pictures(bit):
+    yield picture("The bit", "Left from below, right an isometric view (figs. 3.2 to 3.5). Colours: blades, or cones.",
+                  bit_views.draw_bit(bit, DPI))
+    yield picture("Its coordinate system", "Drawn at the centre of mass (fig. 3.6); x blue, y green, z red and down.",
+                  bit_frame.draw_bit(bit, DPI))
+    if bit.cutters:
+        yield picture("The cutters' coordinate systems", "Left all from below, right one from near (fig. 3.7): x is the face's normal, "
+                      "-z the exposure direction.", cutter_frames.draw_bit(bit, DPI))
+        yield picture("A cutter's mesh", "Face and chamfer (fig. 3.9).", bit_meshes.draw_cutters([bit], DPI))
+    if bit.cones:
+        yield picture("Meshes of teeth", "The first cone, and the teeth that one sees of it (fig. 3.10).", bit_meshes.draw_teeth(bit, DPI))
+    yield picture("Update directions", "The direction in which each part moves rock, at its azimuth (figs. 4.4, 4.5).",
+                  update_directions.draw_bit(bit, DPI))
+
+
+def charts(bit):
+    if bit.cutters:
+        return list(cutter_charts(bit))
+    return list(cone_chart_list(bit)) if bit.cones else [profile_chart(bit)]
+
+
+def html_of(bit):
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
+                                     undefined=jinja2.StrictUndefined, lstrip_blocks=True)
+    return environment.get_template("bit_page.html.j2").render(
+        name=bit.name, pictures=list(pictures(bit)), charts=charts(bit), tables=tables(bit))
+
+
+def write(folder, path):
+    """Writes the page of a report folder, whole or not at all. Raises BadFolder."""
+    bit = bit_data.read(folder)
+    try:
+        html = html_of(bit)
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        raise bit_data.BadFolder(f"{folder}/analysis.json: cannot be drawn: {error!r}; write it again with this "
+                                 f"program: tdbd bit BIT -o {folder} --report") from error
+    partial = Path(f"{path}.partial")
+    partial.parent.mkdir(parents=True, exist_ok=True)
+    partial.write_text(html, encoding="utf-8")
+    partial.rename(path)
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("folder", type=Path, help="what `tdbd bit BIT -o FOLDER --report` wrote")
+    parser.add_argument("-o", "--output", type=Path, help="the page (FOLDER/bit.html)")
+    chosen = parser.parse_args(arguments)
+    path = chosen.output or chosen.folder / "bit.html"
+    try:
+        write(chosen.folder, path)
+    except (bit_data.BadFolder, OSError) as error:
+        print(f"bit_page: {error}", file=sys.stderr)
+        return 2
+    print(f"bit_page: look at {path}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,132 @@
+"""The tables of a bit's page: what analysis.json says in numbers. Keys that the page does not know are shown as they are."""
+
+import numpy as np
+
+BIT_KEYS = {"schema", "name", "gage_radius_m", "penetration_m_per_rev", "imbalance_of_unit_law", "imbalance_vector_of_unit_law",
+            "mean_redundancy", "mass_kg", "centre_m", "inertia_kg_m2", "column_width_m", "cutters_cutting_at_radius", "cutters",
+            "parts", "body_profile_rz_m", "cones", "clearances"}
+CONE_KEYS = {"axis", "origin_m", "rows", "sections"}  # besides the columns
+LISTED = 12  # numbers of a list that are shown
+CONE_COLUMNS = {"name": ("cone", 1), "azimuth_rad": ("azimuth deg", 180 / np.pi), "journal_angle_rad": ("journal deg", 180 / np.pi),
+                "offset_m": ("offset mm", 1e3), "skew_rad": ("skew deg", 180 / np.pi), "apex_m": ("apex mm", 1e3),
+                "mass_kg": ("mass kg", 1), "axial_inertia_kg_m2": ("Ic kg m2", 1), "asymmetry": ("(It1 - It2)/Ic", 1),
+                "centre_off_axis_m": ("centre off axis mm", 1e3)}
+ROW_COLUMNS = {"cone": ("cone", 1), "row": ("row", 1), "teeth": ("teeth", 1), "gage": ("at the gage", 1),
+               "tip_cone_radius_m": ("tip from journal mm", 1e3), "tip_bit_radius_m": ("tip from bit's axis mm", 1e3),
+               "tip_height_m": ("height mm", 1e3), "reach_m": ("reach mm", 1e3), "rolling_ratio": ("rolling ratio", 1)}
+CUTTER_COLUMNS = {"name": ("cutter", 1), "blade": ("blade", 1), "zone": ("zone", 1), "tip_radius_m": ("r mm", 1e3),
+                  "azimuth_rad": ("phi deg", 180 / np.pi), "tip_height_m": ("h mm", 1e3), "profile_angle_rad": ("profile deg", 180 / np.pi),
+                  "back_rake_rad": ("back deg", 180 / np.pi), "side_rake_rad": ("side deg", 180 / np.pi), "diameter_m": ("D mm", 1e3),
+                  "under_exposure_m": ("under mm", 1e3), "wear_m": ("wear mm", 1e3), "exposure_m": ("exposure mm", 1e3),
+                  "overlap_with_next": ("overlap", 1), "area_m2": ("area mm2", 1e6), "volume_m3_per_rev": ("volume mm3/rev", 1e9)}
+CLEARANCE_COLUMNS = {"part_a": ("part", 1), "part_b": ("and", 1), "distance_m": ("gap mm (< 0: overlap)", 1e3),
+                     "angle_a_rad": ("at its cone's deg", 180 / np.pi), "angle_b_rad": ("at its cone's deg", 180 / np.pi)}
+
+
+def shown(value, factor=1):
+    """A number with four digits, a word as it is, a null as a dash."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if value is None:
+        return "-"
+    if isinstance(value, int) and factor == 1:
+        return str(value)
+    if isinstance(value, (int, float)):
+        return f"{round(factor * value, 9) + 0.0:.4g}"  # what rounding leaves is no length
+    return str(value)
+
+
+def is_plain(value):
+    return value is None or isinstance(value, (bool, int, float, str))
+
+
+def table(title, entries, columns, note="", folded=False):
+    """A row for each entry; plain keys that `columns` does not name come last, under their own names."""
+    more = [k for k in dict.fromkeys(k for e in entries for k in e)
+            if k not in columns and all(is_plain(e.get(k)) for e in entries)]
+    columns = {k: v for k, v in columns.items() if any(k in e for e in entries)} | {k: (k, 1) for k in more}
+    return {"title": title, "note": note, "folded": folded, "heads": [head for head, _ in columns.values()],
+            "rows": [[shown(e.get(k), factor) for k, (_, factor) in columns.items()] for e in entries]}
+
+
+def flattened(path, value):
+    """(path, text) of numbers and short lists of them, (path, list) of lists of entries, from any depth."""
+    if is_plain(value):
+        yield path, shown(value)
+    elif isinstance(value, dict):
+        for key, inner in value.items():
+            yield from flattened(f"{path}, {key}", inner)
+    elif value and all(isinstance(e, dict) for e in value):
+        yield path, value
+    elif all(is_plain(e) for e in value):
+        yield path, ", ".join(map(shown, value[:LISTED])) + (f", ... ({len(value)})" if len(value) > LISTED else "")
+
+
+def leftovers(bit):
+    """What the page does not know, of the bit and of its cones; plain keys of cones are columns of their table."""
+    for key, value in bit.analysis.items():
+        if key not in BIT_KEYS:
+            yield from flattened(key, value)
+    for cone in bit.cones:
+        for key, value in cone.items():
+            if key not in CONE_KEYS and not is_plain(value):
+                yield from flattened(f"{cone['name']}, {key}", value)
+
+
+def numbers(bit):
+    a = bit.analysis
+    centre = ", ".join(f"{1e3 * x:.3f}" for x in a["centre_m"])
+    inertia = "; ".join(" ".join(f"{x:.5g}" for x in row) for row in a["inertia_kg_m2"])
+    rows = [("gage diameter", f"{2e3 * a['gage_radius_m']:.3f} mm"), ("parts, triangles", f"{len(bit.parts)}, {len(bit.triangles)}"),
+            ("mass", f"{a['mass_kg']:.3f} kg"), ("centre of mass, bit frame", f"({centre}) mm"),
+            ("inertia about it, rows", f"{inertia} kg m2")]
+    if bit.cutters:
+        lateral = a["imbalance_vector_of_unit_law"]
+        rows += [("penetration", f"{1e3 * a['penetration_m_per_rev']:.4g} mm a revolution"),
+                 ("cutters that cut at a radius, mean by area", f"{a['mean_redundancy']:.3f}"),
+                 ("imbalance of the unit law", f"{100 * a['imbalance_of_unit_law']:.3f} % of all pushes, towards "
+                  f"{np.degrees(np.arctan2(lateral[1], lateral[0])):.1f} deg")]
+    rows += [(path, value) for path, value in leftovers(bit) if isinstance(value, str)]
+    return {"title": "In numbers", "note": "", "folded": False, "heads": [], "rows": rows}
+
+
+def kinds(bit):
+    """Parts by kind."""
+    counted = {}
+    for p in bit.parts:
+        entry = counted.setdefault(p["kind"], {"kind": p["kind"], "parts": 0, "cutting": 0, "volume": 0.0, "mass": 0.0})
+        entry["parts"] += 1
+        entry["cutting"] += bool(p["cuts"])
+        entry["volume"] += 1e6 * p["volume_m3"]
+        entry["mass"] += p["volume_m3"] * p["density_kg_m3"]
+    return table("Parts by kind", list(counted.values()), {"kind": ("kind", 1), "parts": ("parts", 1), "cutting": ("that cut", 1),
+                                                          "volume": ("volume cm3", 1), "mass": ("mass kg", 1)})
+
+
+def blades(bit):
+    entries = []
+    volume = bit.column("volume_m3_per_rev").sum()
+    for blade in sorted({c["blade"] for c in bit.cutters}):
+        own = [c for c in bit.cutters if c["blade"] == blade]
+        entries.append({"blade": blade, "cutters": len(own), "area": 1e6 * sum(c["area_m2"] for c in own),
+                        "share": 100 * sum(c["volume_m3_per_rev"] for c in own) / volume})
+    return table("Blades", entries, {"blade": ("blade", 1), "cutters": ("cutters", 1), "area": ("cut area mm2", 1),
+                                     "share": ("share of the volume %", 1)})
+
+
+def cone_tables(bit):
+    rows = [{"cone": c["name"], "row": j + 1, **row} for c in bit.cones for j, row in enumerate(c["rows"])]
+    note = ("The equations of motion take a cone's transverse inertias as equal and its centre on its axis (thesis: 5.1): these are "
+            "the numbers of that assumption.")
+    return [table("Cones", bit.cones, CONE_COLUMNS, note), table("Rows of teeth", rows, ROW_COLUMNS),
+            table("Gaps between cones", bit.analysis.get("clearances", []), CLEARANCE_COLUMNS,
+                  "In full turns of both cones; parts stand for all that turn with them.")]
+
+
+def tables(bit):
+    found = [numbers(bit), kinds(bit)]
+    if bit.cutters:
+        found += [blades(bit), table("Cutters", bit.cutters, CUTTER_COLUMNS, folded=True)]
+    if bit.cones:
+        found += cone_tables(bit)
+    return found + [table(path, entries, {}, folded=True) for path, entries in leftovers(bit) if not isinstance(entries, str)]

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "bit/bit.hpp"
+
+namespace tdbd::bit {
+
+/// Exposure of every cutter over its neighbours, m, when all rims are turned into one half-plane
+/// (turned_outline): along the cutter's profile normal, from the envelope of the other rims to its
+/// tip. Positive: it stands out and cuts by itself; negative: others stand out beyond its tip; not
+/// a number where no other rim passes within its own diameter. Two equal cutters of radius R
+/// without rakes, side by side at a distance d < R on a flat profile: R - sqrt(R^2 - d^2). Thesis:
+/// fig. 3.8 (exposure); the measure is ours.
+std::vector<double> exposures(const std::vector<Cutter>& cutters);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,195 @@
+"""bit_page_test.py PROGRAM ROOT: the page of a bit from a design, of a cone bit and of a bit of meshes; bad folders."""
+
+import dataclasses
+import html.parser
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
+sys.path.insert(0, str(ROOT / "reports"))
+import page_tables  # noqa: E402
+from figures import bit_charts, bit_data, update_directions  # noqa: E402
+
+ROUNDING = 1e-13  # of sums of some ten numbers of size 1
+IMAGE = r'src="data:image/(?:png|svg\+xml);base64,[A-Za-z0-9+/]{2000,}=*"'
+OF_ALL = ["The bit", "Its coordinate system", "Update directions", "In numbers", "Parts by kind"]
+OF_CUTTERS = ["Profile", "Exposure", "Rakes", "Volume and cut area at 4 mm a revolution", "Redundancy", "Imbalance of the unit law",
+              "Normals and update directions", "The cutters&#39; coordinate systems", "A cutter&#39;s mesh", "Blades", "Cutters"]
+OF_CONES = ["Rows", "Cones", "Speeds of rolling", "Spacing of the teeth", "Meshes of teeth", "Rows of teeth", "Gaps between cones"]
+
+
+def report(bit, folder):
+    subprocess.run([PROGRAM, "bit", bit, "-o", folder, "--report", "--penetration", "4 mm", "--quiet"], check=True)
+
+
+def draw(*arguments):
+    return subprocess.run([sys.executable, "-B", ROOT / "reports/bit_page.py", *arguments], capture_output=True, text=True,
+                          check=False)
+
+
+class Balance(html.parser.HTMLParser):
+    """Every tag that opens closes, in order."""
+
+    def __init__(self):
+        super().__init__()
+        self.open_tags = []
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in ("meta", "img", "br", "wbr"):
+            self.open_tags.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open_tags.pop() == tag, f"{tag} at {self.getpos()}"
+
+
+class BitPage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.made.name)
+        report(ROOT / "cases/bits/generated.toml", cls.folder / "generated")
+        report(ROOT / "cases/bits/bit-r.toml", cls.folder / "cones")
+        report(ROOT / "cases/bits/bit-a.toml", cls.folder / "table")
+        report(cls.folder / "table/bit.toml", cls.folder / "meshes")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def page(self, name, titles, absent=()):
+        done = draw(self.folder / name)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        page = (self.folder / name / "bit.html").read_text(encoding="utf-8")
+        for title in [*OF_ALL, *titles]:
+            if title != "In numbers":
+                self.assertRegex(page, rf"<(h3|summary)>{re.escape(title)}</", title)
+        for title in absent:
+            self.assertNotRegex(page, rf"<(h3|summary)>{re.escape(title)}</", title)
+        self.assertEqual(len(re.findall(IMAGE, page)), page.count("<img "))
+        self.assertIsNone(re.search(r"(src|href)=.https?:", page), "the page fetches something")
+        self.assertIsNone(re.search(r">\s*(nan|None|inf)\s*<", page))
+        balance = Balance()
+        balance.feed(page)
+        self.assertEqual(balance.open_tags, [])
+        return page
+
+    def test_of_a_bit_from_a_design(self):
+        page = self.page("generated", OF_CUTTERS, OF_CONES)
+        self.assertIn("<td>215.900 mm</td>", page)
+        self.assertIn("cutter-61", page)
+
+    def test_of_a_cone_bit_and_twice_the_same_bytes(self):
+        page = self.page("cones", OF_CONES, OF_CUTTERS)
+        self.assertIn("cone-3", page)
+        self.assertEqual(page, self.page("cones", OF_CONES, OF_CUTTERS))
+
+    def test_of_a_bit_of_meshes(self):
+        self.page("meshes", ["Exposure profile"], OF_CUTTERS + OF_CONES)
+
+    def test_keys_that_the_page_does_not_know_are_shown(self):
+        bit = bit_data.read(self.folder / "meshes")
+        bit.analysis |= {"tooth_contact_ratio": 1.2345, "tracking": [{"row": "cone-1/row-2", "pitch_m": 0.25}]}
+        shown = {t["title"]: t["rows"] for t in page_tables.tables(bit)}
+        self.assertIn(("tooth_contact_ratio", "1.234"), shown["In numbers"])
+        self.assertEqual(shown["tracking"], [["cone-1/row-2", "0.25"]])
+        cones = bit_data.read(self.folder / "cones")
+        cones.cones[0]["rows"][1]["contacts_per_rev"] = 12
+        for row in (r for c in cones.cones for r in c["rows"]):
+            row.setdefault("contacts_per_rev", None)
+        rows = next(t for t in page_tables.tables(cones) if t["title"] == "Rows of teeth")
+        cones.cones[0]["tracking"] = {"ratio": 0.5, "rows": [{"row": 1}], "angles_rad": [0.1] * 13}
+        shown = {t["title"]: t["rows"] for t in page_tables.tables(cones)}
+        self.assertIn(("cone-1, tracking, ratio", "0.5"), shown["In numbers"])
+        self.assertTrue(any(k == "cone-1, tracking, angles_rad" and v.endswith("... (13)") for k, v in shown["In numbers"]))
+        self.assertEqual(shown["cone-1, tracking, rows"], [["1"]])
+        self.assertEqual((rows["heads"][-1], rows["rows"][1][-1], rows["rows"][2][-1]), ("contacts_per_rev", "12", "-"))
+
+    def test_bad_folders_are_named_and_leave_no_page(self):
+        table = self.folder / "table"
+        cases = {"analysis.json": ["", "{", "[]", '{"name": "x"}'], "bit.vtp": [""], "profile.csv": ["", "r_m,z_m\na,b\n"]}
+        for name, texts in cases.items():
+            for k, text in enumerate(texts):
+                bad = self.folder / f"bad-{name}-{k}"
+                shutil.copytree(table, bad, ignore=shutil.ignore_patterns("parts", "bit.stl"))
+                (bad / name).unlink() if not text and name != "profile.csv" else (bad / name).write_text(text)
+                done = draw(bad)
+                self.assertEqual(done.returncode, 2, (name, text, done))
+                self.assertRegex(done.stderr, rf"^bit_page: .*{re.escape(name)}: ", (name, text))
+                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                self.assertEqual([p.name for p in bad.iterdir() if "html" in p.name], [])
+        old = self.folder / "old"
+        shutil.copytree(table, old, ignore=shutil.ignore_patterns("parts", "bit.stl"))
+        analysis = json.loads((old / "analysis.json").read_text())
+        del analysis["cutters"][3]["exposure_m"]
+        (old / "analysis.json").write_text(json.dumps(analysis))
+        done = draw(old)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("analysis.json: cannot be drawn: KeyError('exposure_m')", done.stderr)
+        for missing in (self.folder / "nowhere", table / "bit.json"):
+            done = draw(missing)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("found no folder, expected one that `tdbd bit", done.stderr)
+
+
+class Charts(unittest.TestCase):
+    """What is drawn is what the program says."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        report(ROOT / "cases/bits/bit-b.toml", pathlib.Path(cls.made.name) / "b")
+        cls.bit = bit_data.read(pathlib.Path(cls.made.name) / "b")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def test_pushes_head_to_tail_end_at_the_imbalance(self):
+        _, pushes = bit_charts.forces(self.bit)
+        found = pushes.sum(axis=0)
+        np.testing.assert_allclose(found, self.bit.analysis["imbalance_vector_of_unit_law"][:2], atol=ROUNDING)
+        self.assertAlmostEqual(np.hypot(*found), self.bit.analysis["imbalance_of_unit_law"], delta=ROUNDING)
+
+    def test_frames_are_right_handed_and_tips_stand_below_their_faces(self):
+        for c in self.bit.cutters:
+            axes = np.array([c["x_axis"], c["y_axis"], c["z_axis"]])
+            np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=ROUNDING)
+            self.assertAlmostEqual(np.linalg.det(axes), 1.0, delta=ROUNDING)
+            from_centre = axes @ (np.array(c["tip_m"]) - c["face_centre_m"])
+            self.assertAlmostEqual(from_centre[2], -0.5 * c["diameter_m"], delta=ROUNDING)
+            self.assertAlmostEqual(np.hypot(*c["tip_m"][:2]), c["tip_radius_m"], delta=ROUNDING)
+
+    def test_update_directions_stand_in_the_plane_of_the_axis_and_the_place(self):
+        for place, direction in update_directions.starts(self.bit):
+            across = np.cross([0, 0, 1], [*place[:2], 0])
+            self.assertAlmostEqual(np.dot(across, direction), 0.0, delta=ROUNDING)
+            self.assertAlmostEqual(np.linalg.norm(direction), 1.0, delta=ROUNDING)
+            self.assertGreaterEqual(np.dot(place[:2], direction[:2]), -ROUNDING)
+
+    def test_mesh_and_parts_are_of_one_order(self):
+        centres = {part["name"]: centre for part, centre in zip(self.bit.parts, self.bit.centres)}
+        for c in self.bit.cutters:
+            self.assertLess(np.linalg.norm(centres[f"{c['name']}/face"] - c["face_centre_m"]), 0.1 * c["diameter_m"])
+
+    def test_arrows_of_a_bit_of_meshes_start_on_its_parts(self):
+        meshes = dataclasses.replace(self.bit, analysis=self.bit.analysis | {"cutters": []})
+        places = np.array([place for place, _ in update_directions.starts(meshes)])
+        self.assertEqual(len(places), 28 + 5)  # faces and pads
+        self.assertGreater(np.linalg.norm(places[28:, :2], axis=1).min(), 0.9 * self.bit.analysis["gage_radius_m"])
+
+    def test_the_body_stays_behind_the_tips(self):
+        body = np.array(self.bit.analysis["body_profile_rz_m"])
+        for c in self.bit.cutters:
+            self.assertLess(np.interp(c["tip_radius_m"], body[:, 0], body[:, 1], right=-1.0), -c["tip_height_m"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
