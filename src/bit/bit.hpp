@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace tdbd::bit {
 /// Thesis: 3.1, B.2-B.5 (its classes of bit parts).
 enum class PartKind { face, chamfer, cse, cutter_body, gage_pad, bit_body, cone, tooth };
 
-/// A part's say in whether it removes rock. Thesis: 3.1.
-enum class Cutting { cuts, never };
+/// A part's say in whether it removes rock. Thesis: 3.1. A part that rubs leaves the rock as it is;
+/// how near it comes to the rock that the cutters leave is measured (rubbing.hpp).
+enum class Cutting { cuts, rubs, never };
 
 /// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P.
 /// Parts of one cutter share that cutter's frame. Thesis: 3.1.
@@ -55,6 +57,13 @@ struct Cutter {
   Pose X_BC;                     ///< cutter frame in bit frame (formulation 1)
 };
 
+/// A designer's numbers of a body with blades (blade_body.hpp).
+struct BladeFigures {
+  double exposure = 0.0;        ///< m
+  double slot_depth = 0.0;      ///< m
+  double junk_slot_area = 0.0;  ///< m2, across the gage
+};
+
 /// A bit: parts in the bit frame B. B's origin is the nose tip on the axis, z down (drilling
 /// direction); the centre of mass is reported separately by mass_properties.
 struct Bit {
@@ -63,6 +72,7 @@ struct Bit {
   std::vector<Cutter> cutters;
   double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches as its cone turns
   std::vector<Cone> cones;
+  std::optional<BladeFigures> blades = std::nullopt;
 };
 
 }  // namespace tdbd::bit

@@ -6,6 +6,10 @@
 #include "bit/bit_analysis.hpp"
 #include "bit/engagement.hpp"
 #include "bit/mass_properties.hpp"
+#include "bit/rim_reach.hpp"
+#include "simulation/assumption_report.hpp"
+#include "simulation/body_report.hpp"
+#include "simulation/overlap_report.hpp"
 #include "simulation/summary.hpp"
 
 namespace tdbd::simulation {
@@ -48,25 +52,29 @@ Json inertia_of(const Mat3& inertia) {
 
 }  // namespace
 
-void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, double advance) {
+void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, double advance,
+                    double bit_speed) {
   const bit::Engagement e = bit::engagement(bit.cutters, advance, column_width);
   const std::vector<double> overlap = bit::overlaps(bit.cutters);
   const bit::MassProperties mass = bit::mass_properties(bit);
   Json cutters = Json::array();
   for (std::size_t k = 0; k < bit.cutters.size(); ++k)
     cutters.push_back(cutter_of(bit.cutters[k], overlap[k], e.area[k], e.volume[k]));
-  const Json file{{"schema", 1},
-                  {"name", bit.name},
-                  {"gage_radius_m", bit.gage_radius},
-                  {"penetration_m_per_rev", advance},
-                  {"imbalance_of_unit_law", bit::imbalance(bit.cutters, e.area)},
-                  {"mean_redundancy", bit::mean_redundancy(e.cutting)},
-                  {"mass_kg", mass.mass},
-                  {"centre_m", {mass.centre.x(), mass.centre.y(), mass.centre.z()}},
-                  {"inertia_kg_m2", inertia_of(mass.inertia)},
-                  {"column_width_m", e.column_width},
-                  {"cutters_cutting_at_radius", e.cutting},
-                  {"cutters", cutters}};
+  Json file{{"schema", 1},
+            {"name", bit.name},
+            {"gage_radius_m", bit.gage_radius},
+            {"penetration_m_per_rev", advance},
+            {"imbalance_of_unit_law", bit::imbalance(bit.cutters, e.area)},
+            {"mean_redundancy", bit::mean_redundancy(e.cutting)},
+            {"mass_kg", mass.mass},
+            {"centre_m", {mass.centre.x(), mass.centre.y(), mass.centre.z()}},
+            {"inertia_kg_m2", inertia_of(mass.inertia)},
+            {"column_width_m", e.column_width},
+            {"cutters_cutting_at_radius", e.cutting},
+            {"cutters", cutters}};
+  file["cutter_overlaps"] = overlaps_json(bit, bit::cutter_overlaps(bit));
+  if (!bit.cones.empty()) file["cones"] = assumptions_json(bit, bit_speed);
+  if (bit.blades) file["body"] = body_json(bit, advance);
   write_text(folder / "analysis.json", file.dump(1) + "\n");
 }
 
