@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bit/bit_analysis.hpp"
+#include "bit/body_overlap.hpp"
 #include "bit/engagement.hpp"
 #include "bit/mass_properties.hpp"
 #include "bit/rim_reach.hpp"
@@ -73,6 +74,7 @@ void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, do
             {"cutters_cutting_at_radius", e.cutting},
             {"cutters", cutters}};
   file["cutter_overlaps"] = overlaps_json(bit, bit::cutter_overlaps(bit));
+  if (!bit.cutters.empty()) file["cutters_in_body_m3"] = bit::cutters_in_body(bit);
   if (!bit.cones.empty()) file["cones"] = assumptions_json(bit, bit_speed);
   if (bit.blades) file["body"] = body_json(bit, advance);
   write_text(folder / "analysis.json", file.dump(1) + "\n");

@@ -16,7 +16,7 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr double chord = 0.15e-3;  ///< m: what a mesh of 4 mm edges stays inside the smooth body
+constexpr double chord = 0.35e-3;  ///< m: what a mesh of 6 mm edges stays inside the smooth body
 
 /// Blades that suit any_design: in its sizes.
 BladeOptions any_options(const PdcDesign& d) {
@@ -25,6 +25,7 @@ BladeOptions any_options(const PdcDesign& d) {
   o.exposure = number(0.2, 0.45) * size;
   o.slot_depth = number(0.06, 0.12) * d.profile.gage_radius;
   o.wall = number(0.02, 0.05) * d.profile.gage_radius;
+  o.edge = 6e-3;
   return o;
 }
 
