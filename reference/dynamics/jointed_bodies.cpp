@@ -43,8 +43,11 @@ std::vector<BodyMotion> assemble(const JointedBit& bit, const JointedState& star
     const Vec3 x_W = start.R_WB * (b.centre_B - pivot_B);
     motions.push_back({x_W, Eigen::Quaterniond(start.R_WB), w_W.cross(x_W), w_W});
   }
-  for (std::size_t k = 0; k < bit.cones.size(); ++k)
-    motions[k + 1].w_W += start.spins[k] * (start.R_WB * bit.cones[k].axis_B);
+  for (std::size_t k = 0; k < bit.cones.size(); ++k) {
+    const Vec3 spin_W = start.spins[k] * (start.R_WB * bit.cones[k].axis_B);
+    motions[k + 1].w_W += spin_W;
+    motions[k + 1].v_W += spin_W.cross(start.R_WB * bit.cones[k].off_axis_B);
+  }
   return motions;
 }
 

@@ -23,6 +23,10 @@ struct JointedCone {
   double offset = 0.0;              ///< m, from the bearing to the cone's centre along the axis
   double axial_inertia = 0.0;       ///< kg m2
   double transverse_inertia = 0.0;  ///< kg m2, about the centre, at least half the axial
+  /// What the program assumes away, at the angle 0: the centre's place off the axis (m) and what
+  /// is added to the inertia about the centre (kg m2).
+  Vec3 off_axis_B = Vec3::Zero();
+  Mat3 asymmetry_B = Mat3::Zero();
 };
 
 enum class Mount { free, pinned };

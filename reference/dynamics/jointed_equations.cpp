@@ -137,8 +137,9 @@ std::vector<RigidBody> bodies(const JointedBit& bit) {
   std::vector<RigidBody> all{bit.body};
   for (const JointedCone& c : bit.cones) {
     const Mat3 along = c.axis_B * c.axis_B.transpose();
-    all.push_back({c.mass, c.bearing_B + c.offset * c.axis_B,
-                   c.axial_inertia * along + c.transverse_inertia * (Mat3::Identity() - along)});
+    all.push_back({c.mass, c.bearing_B + c.offset * c.axis_B + c.off_axis_B,
+                   c.axial_inertia * along + c.transverse_inertia * (Mat3::Identity() - along) +
+                       c.asymmetry_B});
   }
   return all;
 }

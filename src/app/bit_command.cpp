@@ -9,12 +9,15 @@
 #include "core/units.hpp"
 #include "mesh/files.hpp"
 #include "mesh/measures.hpp"
+#include "simulation/assumption_report.hpp"
 #include "simulation/bit_export.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/bit_output.hpp"
 #include "simulation/bit_report.hpp"
+#include "simulation/body_report.hpp"
 #include "simulation/cone_report.hpp"
 #include "simulation/output_folder.hpp"
+#include "simulation/overlap_report.hpp"
 #include "simulation/tracking_report.hpp"
 
 namespace tdbd::app {
@@ -38,7 +41,7 @@ void print_parts(const bit::Bit& b) {
   for (const bit::Part& p : b.parts) {
     const double volume = mesh::enclosed_volume(p.mesh_P);
     fmt::print("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name,
-               simulation::kind_name(p.kind), p.cutting == bit::Cutting::cuts ? "yes" : "no",
+               simulation::kind_name(p.kind), simulation::cutting_name(p.cutting),
                p.mesh_P.triangles.size(), 1e9 * volume, 1e3 * p.density * volume);
   }
 }
@@ -65,27 +68,35 @@ struct Choices {
   bool report = false;
   bool quiet = false;
   std::string penetration = "5 mm";
+  std::string speed = "120 rpm";
   std::vector<double> cone_speeds;
 };
 
-/// Of --penetration, m per revolution.
-double penetration(const Choices& choices) {
+/// A positive quantity of the command line.
+double positive(const char* option, const std::string& text, const char* si_unit,
+                const char* what) {
   try {
-    const double advance = to_si(choices.penetration, "m");
-    if (advance > 0.0) return advance;
+    const double value = to_si(text, si_unit);
+    if (value > 0.0) return value;
   } catch (const UnitError&) {
   }
-  throw InputError(fmt::format("--penetration: found '{}', expected a length > 0 with its unit",
-                               choices.penetration));
+  throw InputError(
+      fmt::format("{}: found '{}', expected {} > 0 with its unit", option, text, what));
 }
 
 int inspect(const Choices& choices) {
   using namespace simulation;
-  const double advance = penetration(choices);
+  const double advance = positive("--penetration", choices.penetration, "m", "a length");
+  const double bit_speed = positive("--speed", choices.speed, "rad/s", "a rotary speed");
   const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
-  if (!choices.quiet) print_bit(b);
+  const ReportOptions options{advance, bit_speed, choices.cone_speeds};
   const ConeOperation operation = cone_operation(b, choices.cone_speeds, advance);
-  if (choices.report && !choices.quiet) fmt::print("{}", tracking_text(b, operation));
+  if (!choices.quiet) {
+    print_bit(b);
+    fmt::print("{}{}{}", assumptions_text(b, bit_speed), overlaps_text(b, bit::cutter_overlaps(b)),
+               enclosed_text(b));
+    if (choices.report) fmt::print("{}{}", tracking_text(b, operation), body_text(b, advance));
+  }
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
     return 0;
@@ -95,7 +106,7 @@ int inspect(const Choices& choices) {
   write_bit_files(out.path, b);
   write_profile(out.path, b);
   write_cutter_table(out.path, b);
-  if (choices.report) write_analysis(out.path, b, advance, choices.cone_speeds);
+  if (choices.report) write_analysis(out.path, b, options);
   export_bit(out.path, b, choices.format);
   mesh::write_mesh(out.path / "bit.stl", merged_mesh(b, Pose{}, nullptr));
   write_bit_vtp(out.path / "bit.vtp", b, Pose{});
@@ -117,6 +128,8 @@ void add_bit(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("--report", choices->report, "also write analysis.json, a designer's figures");
   command->add_option("--penetration", choices->penetration, "of the report, per revolution")
+      ->capture_default_str();
+  command->add_option("--speed", choices->speed, "of the bit, for what is assumed about cones")
       ->capture_default_str();
   command
       ->add_option("--cone-speeds", choices->cone_speeds,

@@ -63,6 +63,13 @@ struct Cutter {
   Pose X_BC;                     ///< cutter frame in bit frame (formulation 1)
 };
 
+/// A designer's numbers of a body with blades (blade_body.hpp).
+struct BladeFigures {
+  double exposure = 0.0;        ///< m
+  double slot_depth = 0.0;      ///< m
+  double junk_slot_area = 0.0;  ///< m2, across the gage
+};
+
 /// A bit: parts in the bit frame B. B's origin is the nose tip on the axis, z down (drilling
 /// direction); the centre of mass is reported separately by mass_properties.
 struct Bit {
@@ -72,6 +79,7 @@ struct Bit {
   double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches as its cone turns
   std::vector<Cone> cones;
   Shank shank;  ///< of a bit with cones
+  std::optional<BladeFigures> blades = std::nullopt;
 };
 
 }  // namespace tdbd::bit

@@ -28,8 +28,9 @@ struct ToothShape {
   double density = 14.9e3;     ///< kg/m3
 };
 
-/// A part's say in whether it removes rock. Thesis: 3.1.
-enum class Cutting { cuts, never };
+/// A part's say in whether it removes rock. Thesis: 3.1. A part that rubs leaves the rock as it is;
+/// how near it comes to the rock that the cutters leave is measured (rubbing.hpp).
+enum class Cutting { cuts, rubs, never };
 
 /// A ring of equal teeth around a cone.
 struct ToothRow {

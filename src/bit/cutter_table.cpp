@@ -52,7 +52,11 @@ Header read_header(const CsvRow& row, Mistakes& mistakes) {
   Header header;
   for (const std::string& name : row.cells) {
     const int cell = static_cast<int>(&name - row.cells.data());
-    if (!is_known(name)) mistakes.add(row.line, name, "an unknown column", "a known one");
+    if (name.starts_with("exposure"))
+      mistakes.add(row.line, name, "a column of exposures",
+                   "under_exposure_mm here, exposure in the bit file's [blades]");
+    else if (!is_known(name))
+      mistakes.add(row.line, name, "an unknown column", "a known one");
     if (!header.emplace(name, cell).second)
       mistakes.add(row.line, name, "the column twice", "it once");
   }

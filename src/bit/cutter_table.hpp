@@ -25,7 +25,9 @@ void take_shape(Cutter& c, const CutterDefaults& d);
 /// skipped. Required columns: bit, cutter, blade, zone, dia_mm, r_tip_mm, phi_deg, h_tip_mm,
 /// profile_angle_deg, back_rake_deg, side_rake_deg; optional, in place of the defaults: chamfer_mm,
 /// chamfer_deg, length_mm, table_mm, land_mm, land_deg; and wear_mm, under_exposure_mm, 0 without.
-/// The columns may come in any order.
+/// The columns may come in any order. under_exposure_mm tells how far a back-up's tip stands inside
+/// the profile; the tip's place already has it. How far cutters stand out of their blades belongs
+/// to the blades: a column `exposure...` is refused.
 /// Returns the cutters in the table's order, in SI units, each with its pose.
 /// Throws InputError that lists every mistake, a line each: "file:line: column: found X, expected
 /// Y". Thesis: 3.2.2 (what places a cutter).

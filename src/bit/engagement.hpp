@@ -15,11 +15,6 @@ struct Engagement {
   double column_width = 0.0;   ///< m; column k is centred at (k + 1/2) column_width
 };
 
-/// The rim of a cutter turned into one half-plane about the bit's axis, m: x is the radius, y the
-/// azimuth (rad, within half a turn of the cutter's), z the bit's z. `points` points from the tip
-/// on. Where the cutter is worn the rim is set back along the profile's normal to its flat.
-std::vector<Vec3> turned_outline(const Cutter& c, int points);
-
 /// The classical radial plane (Warren and Sinor 1986) in closed form: the bit turns steadily and
 /// sinks by `advance` (m > 0) a revolution. At a radius where the cutters' rims reach the depths
 /// z_c, cutter c' passes a share f of a revolution before c, and the height that c removes is

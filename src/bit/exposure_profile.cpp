@@ -51,7 +51,7 @@ struct Fan {
 double topmost_centre(const std::vector<Part>& parts) {
   double z0 = std::numeric_limits<double>::infinity();
   for (const Part& part : parts) {
-    if (part.cutting == Cutting::never) continue;
+    if (part.cutting != Cutting::cuts) continue;
     const mesh::Box box = mesh::bounding_box(part.mesh_P);
     z0 = std::min(z0, (part.X_BP * Vec3(0.5 * (box.lo + box.hi))).z());
   }

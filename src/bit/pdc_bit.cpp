@@ -1,8 +1,12 @@
 #include "bit/pdc_bit.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
 
 #include "bit/bit_body.hpp"
+#include "bit/blade_body.hpp"
 #include "bit/cutter_frame.hpp"
 #include "bit/largest_radius.hpp"
 #include "core/error.hpp"
@@ -24,6 +28,23 @@ std::vector<Part> indexed_cutter_parts(const Cutter& c, int index, const PdcOpti
   return parts;
 }
 
+void add_body(const PdcOptions& options, Bit& bit) {
+  if (!options.blades) {
+    bit.parts.push_back(
+        bit_body(bit.cutters, options.body_setback, options.body_density, bit.gage_radius));
+    return;
+  }
+  const BladeOptions& blades = *options.blades;
+  std::string lines;
+  for (const BladeProblem& p : blade_problems(bit.cutters, blades, bit.gage_radius))
+    lines += fmt::format("{}{}: blades.{}: found {}, expected {}", lines.empty() ? "" : "\n",
+                         bit.name, p.key, p.found, p.expected);
+  if (!lines.empty()) throw InputError(lines);
+  bit.parts.push_back(blade_body(bit.cutters, blades, bit.gage_radius));
+  bit.blades = {blades.exposure, blades.slot_depth,
+                junk_slot_area(blade_shape(bit.cutters, blades), blades, bit.gage_radius)};
+}
+
 }  // namespace
 
 Bit pdc_bit(std::string name, std::vector<Cutter> cutters, const PdcOptions& options) {
@@ -37,8 +58,7 @@ Bit pdc_bit(std::string name, std::vector<Cutter> cutters, const PdcOptions& opt
   }
   bit.gage_radius = largest_radius(bit.parts);
   append(bit.parts, gage_pads(options.pads, bit.cutters, bit.gage_radius));
-  bit.parts.push_back(
-      bit_body(bit.cutters, options.body_setback, options.body_density, bit.gage_radius));
+  add_body(options, bit);
   return bit;
 }
 

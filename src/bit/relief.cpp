@@ -11,16 +11,18 @@ namespace tdbd::bit {
 namespace {
 
 constexpr int steps_of_edge = 128;   ///< half a rim
-constexpr int steps_of_length = 16;  ///< from the edge to the back of the body
+constexpr int steps_of_length = 64;  ///< from the edge to the back of the body
 
-/// A point in the half-plane at its azimuth: u along the profile, v along its normal, both from the
-/// tip, and the angle by which it trails the tip.
+/// A point, set back to the wear flat, in the half-plane at its azimuth: u along the profile, v
+/// along its normal, both from the tip, and the angle by which it trails the tip.
 struct ProfilePlace {
   double u, v, trail;
 };
 
 ProfilePlace place(const Cutter& c, const Vec3& x_C) {
-  const Vec3 x_B = c.X_BC * x_C;
+  Vec3 x_B = c.X_BC * x_C;
+  const Vec3 n_B = profile_normal_B(c);
+  x_B -= std::max(0.0, n_B.dot(x_B - tip_B(c)) + c.wear) * n_B;
   const double r = std::hypot(x_B.x(), x_B.y()) - c.tip_radius, z = x_B.z() + c.tip_height;
   const double st = std::sin(c.profile_angle), ct = std::cos(c.profile_angle);
   const double ahead =
@@ -38,12 +40,12 @@ double rim_angle(int k) {
   return std::numbers::pi * (static_cast<double>(k) / steps_of_edge - 0.5);
 }
 
-/// The cutting edge down to `depth` behind the tip along the normal, by increasing u.
+/// The cutting edge down to `depth` behind its lowest line along the normal, by increasing u.
 std::vector<ProfilePlace> cutting_edge(const Cutter& c, double depth) {
   std::vector<ProfilePlace> edge;
   for (int k = 0; k <= steps_of_edge; ++k) {
     const ProfilePlace p = place(c, rim_C(c, rim_angle(k), 0.0));
-    if (p.v >= -depth) edge.push_back(p);
+    if (p.v >= -c.wear - depth) edge.push_back(p);
   }
   std::ranges::sort(edge, {}, &ProfilePlace::u);
   return edge;

@@ -15,6 +15,21 @@ std::string message(const std::string& file, const ConfigProblem& p) {
   return fmt::format("{}: {}: found {}, expected {}", place, p.key, p.found, p.expected);
 }
 
+/// Throws one line for each problem, sorted; mistakes of other files follow.
+void throw_if_any(const ConfigDocument& document, std::vector<ConfigProblem> problems) {
+  if (problems.empty() && document.other_mistakes.empty()) return;
+  std::sort(problems.begin(), problems.end());
+  problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
+  std::string lines;
+  const auto add = [&lines](const std::string& text) {
+    if (!lines.empty()) lines += '\n';
+    lines += text;
+  };
+  for (const ConfigProblem& p : problems) add(message(document.file, p));
+  for (const std::string& mistake : document.other_mistakes) add(mistake);
+  throw InputError(lines);
+}
+
 }  // namespace
 
 Config::Config(std::shared_ptr<ConfigDocument> document, std::string prefix)
@@ -95,17 +110,9 @@ void Config::finish() const {
   std::vector<ConfigProblem> problems = document_->problems;
   const std::vector<ConfigProblem> unknown = unknown_keys(*document_);
   problems.insert(problems.end(), unknown.begin(), unknown.end());
-  if (problems.empty() && document_->other_mistakes.empty()) return;
-  std::sort(problems.begin(), problems.end());
-  problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
-  std::string lines;
-  const auto add = [&lines](const std::string& text) {
-    if (!lines.empty()) lines += '\n';
-    lines += text;
-  };
-  for (const ConfigProblem& p : problems) add(message(document_->file, p));
-  for (const std::string& mistake : document_->other_mistakes) add(mistake);
-  throw InputError(lines);
+  throw_if_any(*document_, std::move(problems));
 }
+
+void Config::stop_at_problems() const { throw_if_any(*document_, document_->problems); }
 
 }  // namespace tdbd

@@ -102,6 +102,10 @@ class Config {
   /// sorted by line: "FILE:LINE: KEY: found F, expected E". Mistakes of other files follow.
   void finish() const;
 
+  /// Throws InputError, as finish() does, when there were problems so far; says nothing about keys
+  /// that nobody read. For a mistake that leaves open what the rest of the file means.
+  void stop_at_problems() const;
+
   /// Every value read so far, defaults included, as a TOML file in SI that reads the same.
   std::string resolved() const;
 

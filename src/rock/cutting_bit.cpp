@@ -85,7 +85,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
   mesh::Box box_B;
   for (int i = 0; i < cutting.part_count; ++i) {
     const bit::Part& part = bit.parts[static_cast<std::size_t>(i)];
-    if (part.cutting == bit::Cutting::never) continue;
+    if (part.cutting != bit::Cutting::cuts) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
       cutting.groups.push_back(
           {part.X_BP, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.core_P, part.X_BP});

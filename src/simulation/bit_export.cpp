@@ -27,11 +27,11 @@ std::string vector_text(const Vec3& v) {
 
 std::string part_text(const bit::Part& part, const std::string& file) {
   std::string text = fmt::format(
-      "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n"
+      "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n{}"
       "density = {:.17g}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
       quoted(part.name), quoted(kind_name(part.kind)), quoted(file),
-      part.cutting == bit::Cutting::cuts, part.density, part.group, vector_text(part.X_BP.p),
-      vector_text(rotation::log(part.X_BP.R)));
+      part.cutting == bit::Cutting::cuts, part.cutting == bit::Cutting::rubs ? "rubs = true\n" : "",
+      part.density, part.group, vector_text(part.X_BP.p), vector_text(rotation::log(part.X_BP.R)));
   if (part.cutter < 0)
     text += fmt::format("update_direction = {}\n", vector_text(part.update_direction_B));
   return text;

@@ -12,6 +12,7 @@
 #include "core/config.hpp"
 #include "core/error.hpp"
 #include "simulation/bit_parts.hpp"
+#include "simulation/blade_file.hpp"
 #include "simulation/cone_file.hpp"
 #include "simulation/design_file.hpp"
 
@@ -96,6 +97,7 @@ BitFile read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule dire
   bit::PdcOptions options;
   options.meshing = read_meshing(c.table("mesh"));
   options.pads = read_pads(c.table("gage_pads"));
+  options.blades = read_blades(c);
   options.directions = directions;
   options.inside = inside;
   const double gage_radius =
@@ -103,6 +105,7 @@ BitFile read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule dire
   const std::vector<bit::Cutter> cutters =
       designed ? read_design(c.table("design"), gage_radius, defaults)
                : read_table(c, table, defaults);
+  if (options.blades) check_blades(c, cutters, *options.blades);
   c.finish();
   BitFile file{bit::pdc_bit(name, cutters, options), c.files(), c.fingerprint()};
   demand_inside(file.bit, gage_radius, designed ? c.files().front() : table);
@@ -121,19 +124,29 @@ BitFile read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule dir
   return {std::move(bit), c.files(), c.fingerprint()};
 }
 
+/// A bit has one source. A table beside another one leaves the rest of the file readable; what
+/// designs, parts and cones together mean cannot be told.
+void demand_one_source(Config& c) {
+  if (c.has("table") && !c.has("cones") && (c.has("parts") || c.has("design"))) {
+    c.text("table", std::nullopt);  // read, so that it is no unknown key as well
+    c.problem("table", c.has("parts") ? "parts as well" : "design as well", "one of the two");
+  }
+  if (c.has("design") && c.has("parts")) {
+    c.problem("parts", "design as well", "one of the two");
+    c.stop_at_problems();
+  }
+  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design"))) {
+    c.problem("cones", "parts, a table or a design as well", "one of them");
+    c.stop_at_problems();
+  }
+}
+
 }  // namespace
 
 BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside) {
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
-  if (c.has("parts") && c.has("table")) c.problem("table", "parts as well", "one of the two");
-  if (c.has("design") && c.has("table")) {
-    c.text("table", std::nullopt);
-    c.problem("table", "design as well", "one of the two");
-  }
-  if (c.has("design") && c.has("parts")) c.problem("parts", "design as well", "one of the two");
-  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design")))
-    c.problem("cones", "parts, a table or a design as well", "one of them");
+  demand_one_source(c);
   if (c.has("cones")) {
     bit::Bit bit = read_cone_bit(c, name);
     return {std::move(bit), c.files(), c.fingerprint()};

@@ -15,9 +15,9 @@ struct BitFile {
   std::string fingerprint;         ///< of their content
 };
 
-/// Builds a bit from its file: a cutter table or a design (design_file.hpp) with defaults, meshing
-/// and gage pads (3.1, app. A), the meshes of its parts (bit_parts.hpp), or roller cones
-/// (cone_file.hpp).
+/// Builds a bit from its file: a cutter table or a design (design_file.hpp) with defaults, meshing,
+/// gage pads (3.1, app. A) and blades (blade_file.hpp); the meshes of its parts (bit_parts.hpp); or
+/// roller cones (cone_file.hpp).
 /// Throws InputError that lists every mistake of the file and of its table, or the cutters that
 /// reach past the gage_diameter of the file.
 BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside);

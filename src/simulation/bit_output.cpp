@@ -30,6 +30,18 @@ std::string kind_name(bit::PartKind kind) {
   return "unknown";
 }
 
+std::string cutting_name(bit::Cutting cutting) {
+  switch (cutting) {
+    case bit::Cutting::cuts:
+      return "yes";
+    case bit::Cutting::rubs:
+      return "rubs";
+    case bit::Cutting::never:
+      break;
+  }
+  return "no";
+}
+
 void write_bit_files(const std::filesystem::path& folder, const bit::Bit& bit) {
   nlohmann::ordered_json cutters = nlohmann::ordered_json::array();
   for (const bit::Cutter& c : bit.cutters)

@@ -10,6 +10,9 @@ namespace tdbd::simulation {
 /// "face", "chamfer", "cutter-body", "gage-pad", "bit-body", "cone", "tooth", "cse".
 std::string kind_name(bit::PartKind kind);
 
+/// "yes", "rubs" or "no": a part's say in whether it cuts.
+std::string cutting_name(bit::Cutting cutting);
+
 /// bit.json: the cutters and cones as placed, for figures. SI, units in the keys.
 void write_bit_files(const std::filesystem::path& folder, const bit::Bit& bit);
 

@@ -94,6 +94,8 @@ bit::Part read_part(Config& c, bit::DirectionRule directions, bit::InsideRule in
   part.mesh_P = read_part_mesh(c);
   part.cutting =
       c.flag("cutting", part.kind != PartKind::bit_body) ? bit::Cutting::cuts : bit::Cutting::never;
+  const bool rubs = c.flag("rubs", false);
+  if (rubs && part.cutting == bit::Cutting::never) part.cutting = bit::Cutting::rubs;
   part.density = c.quantity("density", "kg/m3", 0.0, Range::non_negative());
   part.group = static_cast<int>(c.integer("group", -1, -1, std::numeric_limits<int>::max()));
   part.X_BP.p = c.vector("position", "m", Vec3(Vec3::Zero()));
@@ -131,18 +133,29 @@ std::vector<bit::Part> group_of(const std::vector<bit::Part>& parts, const bit::
   return group;
 }
 
+/// A file that weighs one part weighs them all: a forgotten density would be a wrong mass.
+void demand_every_density(std::vector<Config>& configs, const PartsFromFiles& read) {
+  if (std::ranges::none_of(configs, [](const Config& c) { return c.has("density"); })) return;
+  for (std::size_t i = 0; i < configs.size(); ++i)
+    if (!configs[i].has("density"))
+      configs[i].problem("density", "none for " + read.parts[i].name,
+                         "one, as other parts have (0: its volume counts elsewhere)");
+}
+
 }  // namespace
 
 PartsFromFiles read_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside) {
   PartsFromFiles read;
   bool any_cuts = false;
-  for (Config& c : file.tables("parts")) {
+  std::vector<Config> configs = file.tables("parts");
+  for (Config& c : configs) {
     const bit::Part& part = read.parts.emplace_back(read_part(c, directions, inside));
     read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
     any_cuts = any_cuts || part.cutting == bit::Cutting::cuts;
     compare_last_with_earlier(c, read);
   }
+  demand_every_density(configs, read);
   if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
   return read;
 }

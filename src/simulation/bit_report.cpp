@@ -4,10 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "bit/bit_analysis.hpp"
+#include "bit/body_overlap.hpp"
 #include "bit/engagement.hpp"
 #include "bit/exposure.hpp"
 #include "bit/mass_properties.hpp"
+#include "bit/rim_reach.hpp"
+#include "simulation/assumption_report.hpp"
 #include "simulation/bit_report_parts.hpp"
+#include "simulation/body_report.hpp"
+#include "simulation/overlap_report.hpp"
 #include "simulation/summary.hpp"
 #include "simulation/tracking_report.hpp"
 
@@ -51,9 +56,9 @@ Json inertia_of(const Mat3& inertia) {
 
 }  // namespace
 
-void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, double advance,
-                    const std::vector<double>& cone_speeds) {
-  const bit::Engagement e = bit::engagement(bit.cutters, advance, column_width);
+void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit,
+                    const ReportOptions& options) {
+  const bit::Engagement e = bit::engagement(bit.cutters, options.advance, column_width);
   const std::vector<double> overlap = bit::overlaps(bit.cutters);
   const bit::MassProperties mass = bit::mass_properties(bit);
   const std::vector<double> exposure = bit::exposures(bit.cutters);
@@ -67,7 +72,7 @@ void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, do
       {"schema", 1},
       {"name", bit.name},
       {"gage_radius_m", bit.gage_radius},
-      {"penetration_m_per_rev", advance},
+      {"penetration_m_per_rev", options.advance},
       {"imbalance_of_unit_law", bit::imbalance(bit.cutters, e.area)},
       {"imbalance_vector_of_unit_law", vector_json(bit::imbalance_vector(bit.cutters, e.area))},
       {"mean_redundancy", bit::mean_redundancy(e.cutting)},
@@ -81,8 +86,12 @@ void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit, do
   add_body_profile(bit, file);
   if (!bit.cones.empty()) {
     add_cones(bit, file);
-    add_tracking(bit, cone_operation(bit, cone_speeds, advance), file);
+    add_tracking(bit, cone_operation(bit, options.cone_speeds, options.advance), file);
+    add_assumptions(bit, options.bit_speed, file);
   }
+  file["cutter_overlaps"] = overlaps_json(bit, bit::cutter_overlaps(bit));
+  if (!bit.cutters.empty()) file["cutters_in_body_m3"] = bit::cutters_in_body(bit);
+  if (bit.blades) file["body"] = body_json(bit, options.advance);
   write_text(folder / "analysis.json", file.dump(1) + "\n");
 }
 

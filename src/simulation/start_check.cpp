@@ -41,7 +41,7 @@ double cover_above(const mesh::Surface& rock, const Vec3& x_W) {
 void demand_free_start(const Case& c, const mesh::Surface& rock) {
   const Pose X_WB = pose_at(c.motion, 0.0);
   for (const bit::Part& part : c.bit.parts) {
-    if (part.cutting == bit::Cutting::never) continue;
+    if (part.cutting != bit::Cutting::cuts) continue;
     const double cover = cover_above(rock, centre_W(part, X_WB));
     if (cover > 0.0)
       throw InputError(fmt::format(

@@ -6,6 +6,7 @@
 
 #include "bit/bit_analysis.hpp"
 #include "bit/generate_design.hpp"
+#include "bit/rim_reach.hpp"
 #include "reference/bit/radial_plane_engagement.hpp"
 
 namespace tdbd::bit {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bit/blade_body.hpp"
 #include "bit/generate_design.hpp"
 #include "bit/relief.hpp"
 
@@ -159,6 +160,58 @@ RC_GTEST_PROP(pdc_generator, puts_backups_behind_face_cutters_of_their_blade, ()
   }
   RC_ASSERT(wanted ==
             std::ranges::count_if(cutters, [](const Cutter& c) { return c.under_exposure > 0.0; }));
+}
+
+/// A whole bit of a design with pads and blades, worn and spiralled as the design says.
+Bit whole_bit(const PdcDesign& d) {
+  PdcOptions options;
+  options.pads.count = static_cast<int>(d.blades.size());
+  options.pads.under_gage = 0.01 * d.profile.gage_radius;
+  options.blades = BladeOptions{};
+  options.blades->exposure = 0.3 * d.diameter.gage;
+  options.blades->slot_depth = 0.08 * d.profile.gage_radius;
+  const std::vector<Cutter> cutters = laid_out(d);
+  RC_PRE(blade_problems(cutters, *options.blades, d.profile.gage_radius).empty());
+  return pdc_bit("whole", cutters, options);
+}
+
+double reach_of(const Part& part) {
+  double reach = 0.0;
+  for (const Vec3& x_P : part.mesh_P.positions)
+    reach = std::max(reach, (part.X_BP * x_P).head<2>().norm());
+  return reach;
+}
+
+/// Pads stay under the gage by what was asked, the blades by their exposure; wear takes nothing
+/// from the radius at which pads are set but what it takes from the gage cutters.
+RC_GTEST_PROP(pdc_generator, keeps_pads_and_blades_under_the_gage, ()) {
+  const PdcDesign d = any_design();
+  const Bit bit = whole_bit(d);
+  const double under = 0.01 * d.profile.gage_radius;
+  for (const Part& part : bit.parts) {
+    if (part.kind == PartKind::gage_pad)
+      RC_ASSERT(std::abs(reach_of(part) - (bit.gage_radius - under)) < 1e-12);
+    if (part.kind == PartKind::bit_body)
+      RC_ASSERT(reach_of(part) < d.profile.gage_radius - bit.blades->exposure + 1e-12);
+  }
+  RC_ASSERT(bit.gage_radius < d.profile.gage_radius + 5e-5);
+  const double worn = std::max({d.wear.shoulder, d.wear.gage, d.wear.nose});
+  RC_ASSERT(bit.gage_radius > d.profile.gage_radius - worn - 1e-12);
+}
+
+/// The blades follow the spiral: at the place of every face cutter its blade's front has the
+/// cutter's azimuth.
+RC_GTEST_PROP(pdc_generator, lets_blades_follow_their_cutters, ()) {
+  const PdcDesign d = any_design();
+  const std::vector<Cutter> cutters = laid_out(d);
+  const BladeShape shape = blade_shape(cutters, {});
+  for (const Cutter& c : cutters) {
+    if (c.under_exposure > 0.0) continue;
+    const auto blade = std::ranges::find(shape.blades, c.blade, &BladeStrip::blade);
+    RC_ASSERT(blade != shape.blades.end());
+    const double front = front_at(*blade, place_of(shape, c));
+    RC_ASSERT(std::abs(std::remainder(front - c.azimuth, 2 * pi)) < 1e-9);
+  }
 }
 
 TEST(pdc_generator, spreads_neighbours_over_the_blades) {

@@ -170,6 +170,7 @@ file = "box.off"
 group = 1
 position = [0, 0, 1]
 )"));
+  EXPECT_EQ(message.find("table", message.find("table") + 5), std::string::npos) << message;
   expect_words(message, {"bit.toml:2: table: found parts as well",
                          "bit.toml:4: parts[0].name: found \"a b\"", "did you mean tooth?",
                          "bit.toml:7: parts[0].colour: found an unknown key",

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "bit/bit.hpp"
+
+namespace tdbd::bit {
+
+/// The rim of a cutter turned into one half-plane about the bit's axis, m: x is the radius, y the
+/// azimuth (rad, within half a turn of the cutter's), z the bit's z. `points` points from the tip
+/// on. Where the cutter is worn the rim is set back along the profile's normal to its flat.
+std::vector<Vec3> turned_outline(const Cutter& c, int points);
+
+/// Where a cutter's rim is deepest at one radius.
+struct Reach {
+  double z = -std::numeric_limits<double>::infinity();  ///< m, bit frame
+  double azimuth = 0.0;                                 ///< rad
+
+  bool reached() const { return z != -std::numeric_limits<double>::infinity(); }
+};
+
+/// Of every cutter, at the middles of equal columns of radii from the axis to the widest rim.
+struct RimReaches {
+  std::vector<std::vector<Reach>> of_cutter;
+  double width = 0.0;  ///< m; column k is centred at (k + 1/2) width
+};
+
+/// Columns are at most `column_width` (m) wide. Chamfers lie inside the rim.
+RimReaches rim_reaches(const std::vector<Cutter>& cutters, double column_width);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,55 @@
+#include "simulation/body_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bit/rubbing.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+constexpr double column_width = 0.1e-3;  ///< m
+
+bit::Rubbing body_rubbing(const bit::Bit& bit, double advance) {
+  return bit::rubbing(bit.cutters, bit.parts.back(), advance, column_width);
+}
+
+std::string place_text(const Vec3& x_B) {
+  return fmt::format("radius {:.2f} mm, height {:.2f} mm", 1e3 * x_B.head<2>().norm(),
+                     -1e3 * x_B.z());
+}
+
+nlohmann::ordered_json place_json(const Vec3& x_B) { return {x_B.x(), x_B.y(), x_B.z()}; }
+
+}  // namespace
+
+nlohmann::ordered_json body_json(const bit::Bit& bit, double advance) {
+  const bit::Rubbing r = body_rubbing(bit, advance);
+  const bit::Cutting cutting = bit.parts.back().cutting;
+  return {{"exposure_m", bit.blades->exposure},
+          {"slot_depth_m", bit.blades->slot_depth},
+          {"junk_slot_area_m2", bit.blades->junk_slot_area},
+          {"cuts", cutting == bit::Cutting::cuts},
+          {"rubs", cutting == bit::Cutting::rubs},
+          {"least_axial_clearance_m", r.clearance},
+          {"least_axial_clearance_at_m", place_json(r.clearance_at_B)},
+          {"touches_at_m_per_rev", r.touching_advance},
+          {"touches_first_at_m", place_json(r.touching_at_B)},
+          {"vertices_measured", r.vertices},
+          {"vertices_over_uncut_rock", r.over_uncut}};
+}
+
+std::string body_text(const bit::Bit& bit, double advance) {
+  if (!bit.blades) return "";
+  const bit::Rubbing r = body_rubbing(bit, advance);
+  return fmt::format(
+      "blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} mm2\n"
+      "rubbing: at {:.3f} mm per revolution the blades clear the rock by {:.3f} mm along the axis "
+      "({})\n  they touch it from {:.3f} mm per revolution on ({})\n",
+      1e3 * bit.blades->exposure, 1e3 * bit.blades->slot_depth, 1e6 * bit.blades->junk_slot_area,
+      1e3 * advance, 1e3 * r.clearance, place_text(r.clearance_at_B), 1e3 * r.touching_advance,
+      place_text(r.touching_at_B));
+}
+
+}  // namespace tdbd::simulation
