@@ -7,9 +7,9 @@
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "mesh/files.hpp"
 #include "mesh/measures.hpp"
 #include "simulation/bit_export.hpp"
+#include "simulation/bit_export_solids.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/bit_output.hpp"
 #include "simulation/bit_report.hpp"
@@ -52,7 +52,7 @@ void print_mass(const bit::Bit& b) {
 }
 
 struct Choices {
-  std::string file, folder, format = "ply";
+  std::string file, folder, format = "ply", solids = "stl";
   bool force = false;
   bool report = false;
   std::string penetration = "5 mm";
@@ -88,7 +88,7 @@ int inspect(const Choices& choices) {
   write_cutter_table(out.path, b);
   if (choices.report) write_analysis(out.path, b, advance);
   export_bit(out.path, b, choices.format);
-  mesh::write_mesh(out.path / "bit.stl", merged_mesh(b, Pose{}, nullptr));
+  export_solids(out.path, b, choices.solids);
   write_bit_vtp(out.path / "bit.vtp", b, Pose{});
   return 0;
 }
@@ -100,11 +100,17 @@ void add_bit(CLI::App& app, int& exit_code) {
       app.add_subcommand("bit", "Build and inspect a bit: table, mass properties, meshes");
   auto choices = std::make_shared<Choices>();
   command->add_option("bit", choices->file, "the bit file (TOML)")->required();
-  command->add_option(
-      "-o,--output", choices->folder,
-      "write bit.toml with parts/, bit.json, cutters.csv, profile.csv, bit.stl and bit.vtp here");
+  command->add_option("-o,--output", choices->folder,
+                      "write bit.toml with parts/, solids.toml with bit.stl, bit.json, "
+                      "cutters.csv, profile.csv and "
+                      "bit.vtp here");
   command->add_option("--format", choices->format, "of the parts' meshes: ply, off, obj or stl")
       ->check(CLI::IsMember({"ply", "off", "obj", "stl"}))
+      ->capture_default_str();
+  command
+      ->add_option("--solids", choices->solids,
+                   "of the whole bit in one file: stl or obj (named), ply or off")
+      ->check(CLI::IsMember({"stl", "obj", "ply", "off"}))
       ->capture_default_str();
   command->add_flag("--report", choices->report, "also write analysis.json, a designer's figures");
   command->add_option("--penetration", choices->penetration, "of the report, per revolution")

@@ -14,6 +14,7 @@
 #include "simulation/bit_parts.hpp"
 #include "simulation/cone_file.hpp"
 #include "simulation/design_file.hpp"
+#include "simulation/solids_file.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -113,7 +114,8 @@ BitFile read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule dir
                       bit::InsideRule inside) {
   bit::Bit bit;
   bit.name = name;
-  PartsFromFiles read = read_parts(c, directions, inside);
+  PartsFromFiles read =
+      c.has("solids") ? read_solid_parts(c, directions, inside) : read_parts(c, directions, inside);
   c.finish();
   direct_by_profile(read, directions, inside);
   bit.parts = std::move(read.parts);
@@ -132,14 +134,16 @@ BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::In
     c.problem("table", "design as well", "one of the two");
   }
   if (c.has("design") && c.has("parts")) c.problem("parts", "design as well", "one of the two");
-  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design")))
-    c.problem("cones", "parts, a table or a design as well", "one of them");
+  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design") || c.has("solids")))
+    c.problem("cones", "parts, solids, a table or a design as well", "one of them");
   if (c.has("cones")) {
     bit::Bit bit = read_cone_bit(c, name);
     return {std::move(bit), c.files(), c.fingerprint()};
   }
-  return c.has("parts") ? read_mesh_bit(c, name, directions, inside)
-                        : read_pdc_bit(c, name, directions, inside);
+  if (c.has("solids") && (c.has("parts") || c.has("table") || c.has("design")))
+    c.problem("solids", "parts, a table or a design as well", "one of them");
+  return c.has("parts") || c.has("solids") ? read_mesh_bit(c, name, directions, inside)
+                                           : read_pdc_bit(c, name, directions, inside);
 }
 
 }  // namespace tdbd::simulation

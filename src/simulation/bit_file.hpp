@@ -16,8 +16,8 @@ struct BitFile {
 };
 
 /// Builds a bit from its file: a cutter table or a design (design_file.hpp) with defaults, meshing
-/// and gage pads (3.1, app. A), the meshes of its parts (bit_parts.hpp), or roller cones
-/// (cone_file.hpp).
+/// and gage pads (3.1, app. A), the meshes of its parts (bit_parts.hpp) or of the whole bit
+/// (solids_file.hpp), or roller cones (cone_file.hpp).
 /// Throws InputError that lists every mistake of the file and of its table, or the cutters that
 /// reach past the gage_diameter of the file.
 BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside);
