@@ -15,6 +15,7 @@
 #include "simulation/bit_report.hpp"
 #include "simulation/cone_report.hpp"
 #include "simulation/output_folder.hpp"
+#include "simulation/part_keys.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -42,7 +43,9 @@ void print_parts(const bit::Bit& b) {
   }
 }
 
-void print_mass(const bit::Bit& b) {
+void print_mass(const bit::Bit& b, const std::vector<std::string>& without_density) {
+  if (!without_density.empty())
+    return fmt::print("mass not known: no density of {}\n", simulation::listed(without_density));
   const bit::MassProperties m = bit::mass_properties(b);
   fmt::print(
       "mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
@@ -72,10 +75,12 @@ double penetration(const Choices& choices) {
 int inspect(const Choices& choices) {
   using namespace simulation;
   const double advance = penetration(choices);
-  const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
+  const BitFile read = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
+                                choices.report ? Densities::demanded : Densities::as_given);
+  const bit::Bit& b = read.bit;
   print_table(b);
   print_parts(b);
-  print_mass(b);
+  print_mass(b, read.without_density);
   fmt::print("{}", cones_text(b));
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");

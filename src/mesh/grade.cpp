@@ -17,14 +17,15 @@ namespace {
 
 constexpr int most_rounds = 12;
 
-/// Largest distance of a mesh's vertices, edge middles and centres from another surface.
-double farthest(const TriangleMesh& m, const TriangleTree& from) {
+/// Largest distance of a mesh's vertices, edge middles and centres from another surface, up to
+/// `most`.
+double farthest(const TriangleMesh& m, const TriangleTree& from, double most) {
   double worst = 0.0;
   const auto x = [&](int v) { return m.positions[static_cast<std::size_t>(v)]; };
   for (const auto& [a, b, c] : m.triangles)
     for (const Vec3& y : {x(a), Vec3(0.5 * (x(a) + x(b))), Vec3(0.5 * (x(b) + x(c))),
                           Vec3(0.5 * (x(c) + x(a))), Vec3((x(a) + x(b) + x(c)) / 3.0)})
-      worst = std::max(worst, distance(from, y));
+      worst = std::max(worst, distance_up_to(from, y, most));
   return worst;
 }
 
@@ -56,8 +57,9 @@ Graded grade(const TriangleMesh& m, const GradeOptions& options) {
     if (halved + collapsed == 0) break;
   }
   result.mesh = compact(surface.s);
-  result.deviation =
-      std::max(farthest(result.mesh, surface.original), farthest(m, TriangleTree(result.mesh)));
+  const double far = 2.0 * options.deviation + 100.0 * surface.rounding;
+  result.deviation = std::max(farthest(result.mesh, surface.original, far),
+                              farthest(m, TriangleTree(result.mesh), far));
   result.volume_change = enclosed_volume(result.mesh) - enclosed_volume(m);
   demand_bounds(result, m, surface);
   return result;

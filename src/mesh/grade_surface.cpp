@@ -69,8 +69,9 @@ GradeSurface make_grade_surface(const TriangleMesh& m, const GradeOptions& optio
 
 double target(const GradeSurface& g, const Vec3& x) {
   const GradeOptions& o = g.options;
-  if (g.features.empty()) return o.face;
-  return std::min(o.face, o.edge + o.growth * distance(g.feature_tree, x));
+  if (o.growth <= 0.0) return g.features.empty() ? o.face : o.edge;
+  const double reach = (o.face - o.edge) / o.growth;
+  return o.edge + o.growth * distance_up_to(g.feature_tree, x, reach);
 }
 
 bool is_feature(const GradeSurface& g, int a, int b) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mesh/check.hpp"
+#include "mesh/measures.hpp"
 #include "mesh/repair_steps.hpp"
 #include "mesh/self_intersections.hpp"
 #include "mesh/solids.hpp"
@@ -66,6 +67,15 @@ bool unite(TriangleMesh& m) {
   return true;
 }
 
+/// Computed points are rounded: what that leaves without area goes. Whether nothing is wrong then.
+bool clean_up(TriangleMesh& m) {
+  constexpr double rounding = 1e-14;
+  merge_points(m, rounding * bounding_box(m).size().norm());
+  remove_degenerate(m);
+  drop_unused_points(m);
+  return check_solid(m).empty();
+}
+
 /// Facets about intersections are cut out and the holes filled, again and again.
 bool remesh(TriangleMesh& m) {
   SurfaceMesh surface = to_cgal(m);
@@ -95,12 +105,12 @@ std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
 bool remove_intersections(TriangleMesh& m) {
   try {
     TriangleMesh united = m;
-    if (unite(united) && check_solid(united).empty()) {
+    if (unite(united) && clean_up(united)) {
       m = std::move(united);
       return true;
     }
     TriangleMesh remeshed = m;
-    if (!remesh(remeshed) || !check_solid(remeshed).empty()) return false;
+    if (!remesh(remeshed) || !clean_up(remeshed)) return false;
     m = std::move(remeshed);
     return true;
   } catch (const std::exception&) {  // a failed assertion of CGAL: it could not

@@ -97,7 +97,7 @@ std::vector<Defect> check_solid(const TriangleMesh& m) {
   if (!defects.empty()) return defects;
   for (const auto& [a, b] : self_intersections(m))
     defects.push_back({Defect::Kind::self_intersection,
-                       fmt::format("triangles {} and {}", place_of_triangle(m, a), b)});
+                       fmt::format("{} and triangle {}", place_of_triangle(m, a), b)});
   return defects;
 }
 

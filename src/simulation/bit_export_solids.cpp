@@ -9,7 +9,7 @@
 #include "rotation/rotation_vector.hpp"
 #include "simulation/bit_export.hpp"
 #include "simulation/bit_output.hpp"
-#include "simulation/part_keys.hpp"
+#include "simulation/solid_cones.hpp"
 #include "simulation/summary.hpp"
 
 namespace tdbd::simulation {
@@ -48,6 +48,7 @@ void export_solids(const std::filesystem::path& folder, const bit::Bit& bit,
     solids.push_back(solid_of(part));
     toml += rule_text(part, has_names ? part.name : fmt::format("solid-{}", solids.size()));
   }
+  for (const bit::Cone& cone : bit.cones) toml += cone_text_of(cone);
   mesh::write_solids(folder / ("bit." + format), solids);
   write_text(folder / "solids.toml", toml);
 }

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "bit/cutter_table.hpp"
-#include "bit/largest_radius.hpp"
 #include "bit/pdc_bit.hpp"
 #include "core/config.hpp"
 #include "core/error.hpp"
 #include "simulation/bit_parts.hpp"
 #include "simulation/cone_file.hpp"
 #include "simulation/design_file.hpp"
+#include "simulation/solid_cones.hpp"
 #include "simulation/solids_file.hpp"
 
 namespace tdbd::simulation {
@@ -111,21 +111,23 @@ BitFile read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule dire
 }
 
 BitFile read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule directions,
-                      bit::InsideRule inside) {
+                      bit::InsideRule inside, Densities densities) {
   bit::Bit bit;
   bit.name = name;
-  PartsFromFiles read =
-      c.has("solids") ? read_solid_parts(c, directions, inside) : read_parts(c, directions, inside);
+  PartsFromFiles read = c.has("solids") ? read_solid_parts(c, directions, inside, densities)
+                                        : read_parts(c, directions, inside, densities);
   c.finish();
   direct_by_profile(read, directions, inside);
   bit.parts = std::move(read.parts);
-  bit.gage_radius = bit::largest_radius(bit.parts);
-  return {std::move(bit), c.files(), c.fingerprint()};
+  bit.cones = std::move(read.cones);
+  bit.gage_radius = largest_turned_radius(bit);
+  return {std::move(bit), c.files(), c.fingerprint(), std::move(read.without_density)};
 }
 
 }  // namespace
 
-BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside) {
+BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside,
+                 Densities densities) {
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
   if (c.has("parts") && c.has("table")) c.problem("table", "parts as well", "one of the two");
@@ -142,7 +144,7 @@ BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::In
   }
   if (c.has("solids") && (c.has("parts") || c.has("table") || c.has("design")))
     c.problem("solids", "parts, a table or a design as well", "one of them");
-  return c.has("parts") || c.has("solids") ? read_mesh_bit(c, name, directions, inside)
+  return c.has("parts") || c.has("solids") ? read_mesh_bit(c, name, directions, inside, densities)
                                            : read_pdc_bit(c, name, directions, inside);
 }
 

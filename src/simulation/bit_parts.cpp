@@ -12,6 +12,7 @@
 #include "mesh/files.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/part_keys.hpp"
+#include "simulation/unit_question.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -91,16 +92,25 @@ std::vector<bit::Part> group_of(const std::vector<bit::Part>& parts, const bit::
 
 }  // namespace
 
-PartsFromFiles read_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside) {
+PartsFromFiles read_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside,
+                          Densities densities) {
   PartsFromFiles read;
   bool any_cuts = false;
+  const bool ask = checks_units(file);
+  double unit = 1.0;
   for (Config& c : file.tables("parts")) {
     const bit::Part& part = read.parts.emplace_back(read_part(c, directions, inside));
     read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
+    if (!c.has("density")) read.without_density.push_back(part.name);
+    if (!c.has("density") && densities == Densities::demanded)
+      c.problem("density", "none of " + part.name, density_wanted);
+    unit = c.quantity("unit", "m", 1e-3, Range::positive());
+    if (ask) ask_for_unit(c, "unit", part.mesh_P, unit, part_along);
     any_cuts = any_cuts || part.cutting == bit::Cutting::cuts;
     compare_last_with_earlier(c, read);
   }
+  if (ask) ask_for_unit(file, "parts", read.parts, unit);
   if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
   return read;
 }

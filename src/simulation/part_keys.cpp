@@ -42,6 +42,15 @@ Vec3 read_direction(Config& c, const Vec3& fallback) {
   return Vec3::UnitZ();
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  return text;
+}
+
 void note_mesh_faults(Config& c, const std::string& key, const std::string& file,
                       const std::vector<mesh::Solid>& solids, const std::string& expected) {
   const std::vector<std::string> lines = mesh::mesh_faults(file, solids);

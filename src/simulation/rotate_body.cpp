@@ -11,6 +11,7 @@
 #include "mesh/files.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/part_keys.hpp"
+#include "simulation/unit_question.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -30,6 +31,7 @@ Mat3 read_mesh_inertia(Config& c) {
     const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
     const std::size_t mistakes = c.problem_count();
     note_mesh_faults(c, "mesh", file, {{"body", m}}, "a closed mesh whose triangles face outward");
+    if (checks_units(c)) ask_for_unit(c, "unit", m, unit, body_along);
     if (c.problem_count() == mistakes) return bit::mass_properties(m, density).inertia;
   } catch (const InputError& e) {
     c.problem("mesh", e.what(), "a mesh that can be read");

@@ -10,7 +10,9 @@
 #include "core/nearest_name.hpp"
 #include "mesh/solids.hpp"
 #include "simulation/part_keys.hpp"
+#include "simulation/solid_cones.hpp"
 #include "simulation/solid_rules.hpp"
+#include "simulation/unit_question.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -98,13 +100,14 @@ void check_parts(Config& file, const std::vector<bit::Part>& parts) {
 
 }  // namespace
 
-PartsFromFiles read_solid_parts(Config& file, bit::DirectionRule directions,
-                                bit::InsideRule inside) {
+PartsFromFiles read_solid_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside,
+                                Densities densities) {
   Config c = file.table("solids");
   std::vector<mesh::Solid> solids = read_file(c);
   const std::vector<SolidRule> rules = read_rules(c);
   demand_use(c, rules, names_of(solids));
   PartsFromFiles read;
+  read.cones = read_solid_cones(c);
   std::map<std::string, int> groups;
   for (mesh::Solid& solid : solids) {
     const SolidRule rule = rule_for(rules, solid.name);
@@ -117,12 +120,18 @@ PartsFromFiles read_solid_parts(Config& file, bit::DirectionRule directions,
     if (const std::string cutter = cutter_name(part); !cutter.empty())
       part.group = groups.try_emplace(cutter, static_cast<int>(groups.size())).first->second;
     part.group = rule.group.value_or(part.group);
+    part.cone = cone_of(read.cones, part.name);
+    if (!rule.density) read.without_density.push_back(part.name);
     part.update_direction_B = direction_of(rule, part, directions, inside);
     read.has_direction.push_back(rule.update_direction_B || rule.X_BC ||
                                  !belongs_to_a_cutter(part.kind));
     read.parts.push_back(std::move(part));
   }
   check_parts(file, read.parts);
+  if (checks_units(file))
+    ask_for_unit(c, "unit", read.parts, c.quantity("unit", "m", 1e-3, Range::positive()));
+  if (densities == Densities::demanded && !read.without_density.empty())
+    c.problem("rules", "no density of " + listed(read.without_density), density_wanted);
   return read;
 }
 

@@ -15,15 +15,18 @@ namespace tdbd::simulation {
 ///     name           of the part; default: the solid's
 ///     kind           default: what names like those that `tdbd bit` writes tell
 ///     cutting        default: all but the bit body and cones
-///     density        kg/m3, default 0 (counted elsewhere)
+///     density        kg/m3; 0: counted elsewhere; none: the mass is not known
 ///     group          default: the solids cutter-N/... are one
 ///     cutter_position, cutter_rotation_vector   frame of the solid's cutter in the bit's: tells
 ///                    the update direction (eq. 4.2). The mesh stays where it is
 ///     update_direction   as in [[parts]]; default: from the cutter's frame if that is given, else
 ///                    from the exposure profile for the parts of a cutter
+///   [[solids.cones]] journals of cones whose solids turn (solid_cones.hpp)
 /// Notes every mistake at its line: files that cannot be read, solids that bound nothing, solids
-/// without a kind, rules that fit no solid, two parts of one name, no part that cuts.
-PartsFromFiles read_solid_parts(Config& file, bit::DirectionRule directions,
-                                bit::InsideRule inside);
+/// without a kind, rules that fit no solid, two parts of one name, no part that cuts, a size that
+/// no bit has (unit_question.hpp; not with unit_check = "off"), and, if they are demanded,
+/// densities that are missing.
+PartsFromFiles read_solid_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside,
+                                Densities densities = Densities::as_given);
 
 }  // namespace tdbd::simulation

@@ -71,6 +71,26 @@ TEST_P(whole_bit, is_unchanged_by_writing_and_reading_to_the_last_bit) {
     expect_same_part(original.parts[i], again.parts[i]);
 }
 
+/// Of a roller cone bit: the parts turn about the same journals, and reach the same gage.
+TEST_P(whole_bit, keeps_its_cones) {
+  const fs::path folder = fs::path(tdbd::temporary_folder()) / (std::string("cones_") + GetParam());
+  fs::create_directories(folder);
+  const bit::Bit original = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
+  export_solids(folder, original, GetParam());
+  const bit::Bit again = read((folder / "solids.toml").string());
+  ASSERT_EQ(again.parts.size(), original.parts.size());
+  ASSERT_EQ(again.cones.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(again.cones[k].X_BK.R, original.cones[k].X_BK.R);
+    EXPECT_EQ(again.cones[k].X_BK.p, original.cones[k].X_BK.p);
+  }
+  for (std::size_t i = 0; i < original.parts.size(); ++i) {
+    EXPECT_EQ(again.parts[i].cone, original.parts[i].cone);
+    expect_same_part(original.parts[i], again.parts[i]);
+  }
+  EXPECT_NEAR(again.gage_radius, original.gage_radius, 1e-4);
+}
+
 INSTANTIATE_TEST_SUITE_P(formats, whole_bit, ::testing::Values("stl", "obj", "ply", "off"));
 
 /// A body, a cutter and a pad, in mm; what a drawing program might write.
