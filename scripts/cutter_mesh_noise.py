@@ -1,10 +1,10 @@
-"""cutter_mesh_noise.py TDBD FOLDER: the noise that the mesh of cutters makes (thesis: 3.3, ch. 6).
+"""cutter_mesh_noise.py TDBD FOLDER [ROCK_EDGE_MM [VARIANT ...]]: the noise that the mesh of cutters makes (thesis: 3.3, ch. 6).
 
 Bit B drills steadily with cutters meshed in several ways. In its steady state a cutter removes the
 same volume in every step; what varies is noise, of the cutters' meshes and of the rock's. For each
 meshing: corners of the rim, error of the outline (sagitta), facets of a cutter, the scatter of the
 volume per step over the last revolution (rms over the mean, median over the cutters that cut most),
-and the volume of each cutter against that of the finest outline (median, worst).
+and the volume of each cutter against that of the first meshing (median, worst).
 """
 
 import pathlib
@@ -75,12 +75,12 @@ def rim_and_facets(program, folder, name):
     return int(size) if kind == "graded" else round(numpy.pi * 19 / float(size)), facets
 
 
-def main(program, folder, edge="1.5"):
+def main(program, folder, edge="1.5", *names):
     folder = pathlib.Path(folder)
     reference = None
     print(f"rock edge {edge} mm\n{'cutters':>16} {'rim':>5} {'sagitta mm':>11} {'facets':>7} "
           f"{'scatter %':>10} {'bias % median':>14} {'worst':>7}")
-    for name in VARIANTS:
+    for name in names or VARIANTS:
         volume = drilled(program, folder, name, edge)
         mean = volume.mean(axis=0)
         reference = mean if reference is None else reference
