@@ -61,7 +61,9 @@ std::vector<Solid> read_solids(const std::filesystem::path& path, double unit) {
   const TriangleMesh all = triangulated(file, unit, &body_of_triangle);
   std::vector<Solid> solids;
   if (file.names.empty()) {
-    for (TriangleMesh& piece : divide(all))
+    std::vector<TriangleMesh> pieces = divide(all);
+    solids.reserve(pieces.size());
+    for (TriangleMesh& piece : pieces)
       solids.push_back({fmt::format("solid-{}", solids.size() + 1), std::move(piece)});
     return solids;
   }

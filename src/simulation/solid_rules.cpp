@@ -55,7 +55,9 @@ bool fits(std::string_view pattern, std::string_view name) {
 
 std::vector<SolidRule> read_rules(Config& solids) {
   std::vector<SolidRule> rules;
-  for (Config& c : solids.tables("rules")) rules.push_back(read_rule(c));
+  std::vector<Config> tables = solids.tables("rules");
+  rules.reserve(tables.size());
+  for (Config& c : tables) rules.push_back(read_rule(c));
   return rules;
 }
 

@@ -35,6 +35,7 @@ fs::path write_text_file(const std::string& name, const std::string& text) {
 /// Corner by corner: what a format may not change, even if it numbers the points anew.
 std::vector<std::array<Vec3, 3>> corners(const TriangleMesh& m) {
   std::vector<std::array<Vec3, 3>> all;
+  all.reserve(m.triangles.size());
   const auto x = [&](int v) { return m.positions[static_cast<std::size_t>(v)]; };
   for (const Triangle& t : m.triangles) all.push_back({x(t[0]), x(t[1]), x(t[2])});
   return all;

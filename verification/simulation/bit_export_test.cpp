@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh_bit.hpp"
+#include "simulation/bit_export_solids.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/case.hpp"
 #include "simulation/simulation.hpp"
@@ -93,6 +94,19 @@ TEST(bit_export, drills_the_same_hole) {
   const Drilled original = drill(folder, bit_b);
   for (const char* format : {"ply", "off", "stl"}) {
     const Drilled again = drill(folder, exported(folder / format, format));
+    EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
+    EXPECT_LE(worst_part(original, again), 1e-6) << format;
+  }
+}
+
+/// The whole bit in one file: its parts lie in the bit's frame instead of their own.
+TEST(bit_export, drills_the_same_hole_from_one_file) {
+  const fs::path folder = test_folder();
+  const Drilled original = drill(folder, bit_b);
+  for (const char* format : {"stl", "obj", "ply", "off"}) {
+    fs::create_directories(folder / format);
+    export_solids(folder / format, read(bit_b), format);
+    const Drilled again = drill(folder, (folder / format / "solids.toml").string());
     EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
     EXPECT_LE(worst_part(original, again), 1e-6) << format;
   }

@@ -56,9 +56,9 @@ void expect_same_part(const bit::Part& p, const bit::Part& q) {
   EXPECT_EQ(corners_B(p), corners_B(q)) << p.name;
 }
 
-class whole_bit : public ::testing::TestWithParam<const char*> {};
+class WholeBit : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(whole_bit, is_unchanged_by_writing_and_reading_to_the_last_bit) {
+TEST_P(WholeBit, is_unchanged_by_writing_and_reading_to_the_last_bit) {
   const fs::path folder = fs::path(tdbd::temporary_folder()) / (std::string("whole_") + GetParam());
   fs::create_directories(folder);
   const bit::Bit original = read(bit_b);
@@ -72,7 +72,7 @@ TEST_P(whole_bit, is_unchanged_by_writing_and_reading_to_the_last_bit) {
 }
 
 /// Of a roller cone bit: the parts turn about the same journals, and reach the same gage.
-TEST_P(whole_bit, keeps_its_cones) {
+TEST_P(WholeBit, keeps_its_cones) {
   const fs::path folder = fs::path(tdbd::temporary_folder()) / (std::string("cones_") + GetParam());
   fs::create_directories(folder);
   const bit::Bit original = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
@@ -91,7 +91,7 @@ TEST_P(whole_bit, keeps_its_cones) {
   EXPECT_NEAR(again.gage_radius, original.gage_radius, 1e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(formats, whole_bit, ::testing::Values("stl", "obj", "ply", "off"));
+INSTANTIATE_TEST_SUITE_P(formats, WholeBit, ::testing::Values("stl", "obj", "ply", "off"));
 
 /// A body, a cutter and a pad, in mm; what a drawing program might write.
 std::vector<mesh::Solid> drawn() {
