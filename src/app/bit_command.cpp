@@ -7,10 +7,10 @@
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "mesh/files.hpp"
 #include "mesh/measures.hpp"
 #include "simulation/assumption_report.hpp"
 #include "simulation/bit_export.hpp"
+#include "simulation/bit_export_solids.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/bit_output.hpp"
 #include "simulation/bit_report.hpp"
@@ -18,6 +18,7 @@
 #include "simulation/cone_report.hpp"
 #include "simulation/output_folder.hpp"
 #include "simulation/overlap_report.hpp"
+#include "simulation/part_keys.hpp"
 #include "simulation/tracking_report.hpp"
 
 namespace tdbd::app {
@@ -46,7 +47,9 @@ void print_parts(const bit::Bit& b) {
   }
 }
 
-void print_mass(const bit::Bit& b) {
+void print_mass(const bit::Bit& b, const std::vector<std::string>& without_density) {
+  if (!without_density.empty())
+    return fmt::print("mass not known: no density of {}\n", simulation::listed(without_density));
   const bit::MassProperties m = bit::mass_properties(b);
   fmt::print(
       "mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
@@ -55,15 +58,15 @@ void print_mass(const bit::Bit& b) {
       m.inertia(1, 1), m.inertia(2, 2));
 }
 
-void print_bit(const bit::Bit& b) {
-  print_table(b);
-  print_parts(b);
-  print_mass(b);
-  fmt::print("{}", simulation::cones_text(b));
+void print_bit(const simulation::BitFile& read) {
+  print_table(read.bit);
+  print_parts(read.bit);
+  print_mass(read.bit, read.without_density);
+  fmt::print("{}", simulation::cones_text(read.bit));
 }
 
 struct Choices {
-  std::string file, folder, format = "ply";
+  std::string file, folder, format = "ply", solids = "stl";
   bool force = false;
   bool report = false;
   bool quiet = false;
@@ -88,11 +91,13 @@ int inspect(const Choices& choices) {
   using namespace simulation;
   const double advance = positive("--penetration", choices.penetration, "m", "a length");
   const double bit_speed = positive("--speed", choices.speed, "rad/s", "a rotary speed");
-  const bit::Bit b = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
+  const BitFile read = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
+                                choices.report ? Densities::demanded : Densities::as_given);
+  const bit::Bit& b = read.bit;
   const ReportOptions options{advance, bit_speed, choices.cone_speeds};
   const ConeOperation operation = cone_operation(b, choices.cone_speeds, advance);
   if (!choices.quiet) {
-    print_bit(b);
+    print_bit(read);
     fmt::print("{}{}{}", assumptions_text(b, bit_speed), overlaps_text(b, bit::cutter_overlaps(b)),
                enclosed_text(b));
     if (choices.report) fmt::print("{}{}", tracking_text(b, operation), body_text(b, advance));
@@ -108,7 +113,7 @@ int inspect(const Choices& choices) {
   write_cutter_table(out.path, b);
   if (choices.report) write_analysis(out.path, b, options);
   export_bit(out.path, b, choices.format);
-  mesh::write_mesh(out.path / "bit.stl", merged_mesh(b, Pose{}, nullptr));
+  export_solids(out.path, b, choices.solids);
   write_bit_vtp(out.path / "bit.vtp", b, Pose{});
   return 0;
 }
@@ -120,11 +125,17 @@ void add_bit(CLI::App& app, int& exit_code) {
       app.add_subcommand("bit", "Build and inspect a bit: table, mass properties, meshes");
   auto choices = std::make_shared<Choices>();
   command->add_option("bit", choices->file, "the bit file (TOML)")->required();
-  command->add_option(
-      "-o,--output", choices->folder,
-      "write bit.toml with parts/, bit.json, cutters.csv, profile.csv, bit.stl and bit.vtp here");
+  command->add_option("-o,--output", choices->folder,
+                      "write bit.toml with parts/, solids.toml with bit.stl, bit.json, "
+                      "cutters.csv, profile.csv and "
+                      "bit.vtp here");
   command->add_option("--format", choices->format, "of the parts' meshes: ply, off, obj or stl")
       ->check(CLI::IsMember({"ply", "off", "obj", "stl"}))
+      ->capture_default_str();
+  command
+      ->add_option("--solids", choices->solids,
+                   "of the whole bit in one file: stl or obj (named), ply or off")
+      ->check(CLI::IsMember({"stl", "obj", "ply", "off"}))
       ->capture_default_str();
   command->add_flag("--report", choices->report, "also write analysis.json, a designer's figures");
   command->add_option("--penetration", choices->penetration, "of the report, per revolution")

@@ -14,6 +14,7 @@ void add_rotate(CLI::App& app, int& exit_code);
 void add_converge(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_bit(CLI::App& app, int& exit_code);
+void add_mesh(CLI::App& app, int& exit_code);
 
 /// Runs a command's body: an InputError gives 2, any other failure 1, each with one message on
 /// standard error.

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   tdbd::app::add_converge(app, exit_code);
   tdbd::app::add_check(app, exit_code);
   tdbd::app::add_bit(app, exit_code);
+  tdbd::app::add_mesh(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -43,15 +43,4 @@ ConeAssumptions cone_assumptions(const Bit& bit, int cone, double bit_speed, dou
   return a;
 }
 
-double outer_rolling_ratio(const Cone& cone) {
-  double farthest = 0.0, ratio = 0.0;
-  for (const ToothRow& row : cone.layout.rows) {
-    const RowMeasures r = row_measures(cone, row);
-    if (r.bit_radius <= farthest) continue;
-    farthest = r.bit_radius;
-    ratio = r.rolling_ratio;
-  }
-  return ratio;
-}
-
 }  // namespace tdbd::bit

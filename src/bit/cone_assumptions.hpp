@@ -29,7 +29,4 @@ struct ConeAssumptions {
 /// order in the asymmetry. Bearings without friction are not judged: no bearing is drawn.
 ConeAssumptions cone_assumptions(const Bit& bit, int cone, double bit_speed, double cone_ratio);
 
-/// The ratio at which a cone's outermost row rolls (row_measures); 0 without rows.
-double outer_rolling_ratio(const Cone& cone);
-
 }  // namespace tdbd::bit

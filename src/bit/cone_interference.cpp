@@ -69,7 +69,9 @@ void add_pair(const Cone& a, const Cone& b, std::vector<Clearance>& all) {
 std::vector<Clearance> cone_clearances(const std::vector<Cone>& cones) {
   std::vector<Clearance> all;
   for (std::size_t i = 0; i < cones.size(); ++i)
-    for (std::size_t k = i + 1; k < cones.size(); ++k) add_pair(cones[i], cones[k], all);
+    for (std::size_t k = i + 1; k < cones.size(); ++k)
+      if (!cones[i].layout.shell.empty() && !cones[k].layout.shell.empty())
+        add_pair(cones[i], cones[k], all);
   std::ranges::stable_sort(all, {}, &Clearance::distance);
   return all;
 }

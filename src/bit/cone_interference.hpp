@@ -23,7 +23,7 @@ inline constexpr double clearance_tolerance = 1e-5;
 /// the other; and, where there is none, the smallest gap between the two. Cones turn independently,
 /// so a tooth stands at every angle of its turn in time: what counts is what shells and rows sweep
 /// (swept_meridian), and any tooth of a row stands for it. Conservative by swept_meridian's slack.
-/// Sorted by distance.
+/// Cones without a shell, whose solids were drawn, are passed over. Sorted by distance.
 std::vector<Clearance> cone_clearances(const std::vector<Cone>& cones);
 
 }  // namespace tdbd::bit

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bit/engagement.hpp"
+#include "bit/rim_reach.hpp"
 
 namespace tdbd::bit {
 namespace {

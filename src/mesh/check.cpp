@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "mesh/check_edges.hpp"
@@ -14,9 +15,6 @@ namespace {
 using Kind = Defect::Kind;
 using Defects = std::vector<Defect>;
 
-/// What rounding leaves of a quality of zero.
-constexpr double degenerate_quality = 1e-14;
-
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::string in_mm(const Vec3& x) {
@@ -25,12 +23,6 @@ std::string in_mm(const Vec3& x) {
 
 std::string at_vertex(const TriangleMesh& m, int v) {
   return fmt::format("vertex {} at {}", v, in_mm(m.positions[index(v)]));
-}
-
-std::string at_triangle(const TriangleMesh& m, int i) {
-  const Triangle& t = m.triangles[index(i)];
-  const auto corner = [&](std::size_t k) { return m.positions[index(t[k])]; };
-  return fmt::format("triangle {} at {}", i, in_mm((corner(0) + corner(1) + corner(2)) / 3.0));
 }
 
 std::string at_edge(const TriangleMesh& m, const Side& s) {
@@ -62,7 +54,7 @@ void find_degenerate_triangles(const TriangleMesh& m, Defects& found) {
     const double q = triangle_quality(m.positions[index(t[0])], m.positions[index(t[1])],
                                       m.positions[index(t[2])]);
     if (q < degenerate_quality)
-      found.push_back({Kind::degenerate_triangle, at_triangle(m, static_cast<int>(i))});
+      found.push_back({Kind::degenerate_triangle, place_of_triangle(m, static_cast<int>(i))});
   }
 }
 
@@ -119,6 +111,12 @@ Defects find_common(const TriangleMesh& m, std::vector<Side>& sides, std::vector
 
 }  // namespace
 
+std::string place_of_triangle(const TriangleMesh& m, int i) {
+  const Triangle& t = m.triangles[index(i)];
+  const auto corner = [&](std::size_t k) { return m.positions[index(t[k])]; };
+  return fmt::format("triangle {} at {}", i, in_mm((corner(0) + corner(1) + corner(2)) / 3.0));
+}
+
 std::vector<Defect> check_closed(const TriangleMesh& m) {
   std::vector<Side> sides;
   std::vector<int> fans;
@@ -167,6 +165,8 @@ std::string name(Defect::Kind kind) {
       return "inside out";
     case Kind::empty:
       return "empty mesh";
+    case Kind::self_intersection:
+      return "self-intersection";
   }
   return "unknown defect";
 }
@@ -176,6 +176,20 @@ std::string describe(const std::vector<Defect>& defects, std::size_t max) {
   for (std::size_t i = 0; i < std::min(max, defects.size()); ++i)
     text += fmt::format("{}: {}\n", name(defects[i].kind), defects[i].where);
   if (defects.size() > max) text += fmt::format("and {} more\n", defects.size() - max);
+  return text;
+}
+
+std::string summarize(const std::vector<Defect>& defects) {
+  std::map<Kind, std::pair<std::size_t, const Defect*>> kinds;
+  for (const Defect& d : defects) {
+    auto& [count, first] = kinds.try_emplace(d.kind, 0, &d).first->second;
+    ++count;
+  }
+  std::string text;
+  for (const auto& [kind, found] : kinds)
+    text += found.first == 1 ? fmt::format("{}: {}\n", name(kind), found.second->where)
+                             : fmt::format("{}: {} times, first {}\n", name(kind), found.first,
+                                           found.second->where);
   return text;
 }
 

@@ -24,10 +24,14 @@ struct Defect {
     euler_characteristic,  ///< V - E + F is not that of a disk: handles or inner holes
     inside_out,            ///< a closed mesh whose enclosed volume is not positive
     empty,                 ///< no triangles
+    self_intersection,     ///< two triangles meet in more than what they share
   };
   Kind kind;
   std::string where;
 };
+
+/// Triangles of less quality have no area: what rounding leaves of zero.
+inline constexpr double degenerate_quality = 1e-14;
 
 /// What keeps `m` from being the boundary of a solid: closed, consistently oriented outwards,
 /// manifold, finite, without degenerate triangles. Empty when nothing does.
@@ -43,5 +47,11 @@ std::string name(Defect::Kind kind);
 
 /// The first `max` defects, one a line, and how many more there are. Empty without defects.
 std::string describe(const std::vector<Defect>& defects, std::size_t max = 10);
+
+/// A line for each kind: how many, and the first of them. "hole: 4 times, first edge 0-1 of ...".
+std::string summarize(const std::vector<Defect>& defects);
+
+/// "triangle 3 at (1.0000, 2.0000, 3.0000) mm", its centre.
+std::string place_of_triangle(const TriangleMesh& m, int i);
 
 }  // namespace tdbd::mesh

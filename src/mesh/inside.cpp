@@ -71,7 +71,11 @@ bool is_near(const TriangleTree& tree, const Vec3& x, double distance) {
 }
 
 double distance(const TriangleTree& tree, const Vec3& x) {
-  double best = infinity;
+  return distance_up_to(tree, x, infinity);
+}
+
+double distance_up_to(const TriangleTree& tree, const Vec3& x, double most) {
+  double best = most * most;
   tree.visit([&](const Box& box) { return squared_distance(box, x) < best; },
              [&](const Facet& f) {
                best = std::min(best, squared_distance(f, x));

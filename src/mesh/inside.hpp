@@ -15,4 +15,7 @@ bool is_near(const TriangleTree& tree, const Vec3& x, double distance);
 /// Distance from x to the nearest facet, m; infinite without facets.
 double distance(const TriangleTree& tree, const Vec3& x);
 
+/// The same where it is less than `most`, else `most`: sooner found.
+double distance_up_to(const TriangleTree& tree, const Vec3& x, double most);
+
 }  // namespace tdbd::mesh

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bit/cone_measures.hpp"
+#include "bit/cone_rolling.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -16,7 +17,7 @@ struct ConeFigures {
 };
 
 ConeFigures figures_of(const bit::Bit& bit, int cone, double bit_speed) {
-  const double ratio = bit::outer_rolling_ratio(bit.cones[static_cast<std::size_t>(cone)]);
+  const double ratio = bit::rolling_ratio_of_gage_row(bit.cones[static_cast<std::size_t>(cone)]);
   return {bit::cone_mass(bit, cone), ratio, bit::cone_assumptions(bit, cone, bit_speed, ratio)};
 }
 

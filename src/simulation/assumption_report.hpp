@@ -8,7 +8,7 @@
 namespace tdbd::simulation {
 
 /// Adds to each of the "cones" of analysis.json its asymmetry, centre and, under "assumptions",
-/// what they do when the bit turns at bit_speed (rad/s) and the cone rolls on its outermost row
+/// what they do when the bit turns at bit_speed (rad/s) and the cone rolls on its row at the gage
 /// (bit/cone_assumptions.hpp). SI, units in the keys.
 void add_assumptions(const bit::Bit& bit, double bit_speed, nlohmann::ordered_json& file);
 

@@ -18,13 +18,6 @@
 namespace tdbd::simulation {
 namespace {
 
-/// A JSON string is a TOML string.
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
-
-std::string vector_text(const Vec3& v) {
-  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
-}
-
 std::string part_text(const bit::Part& part, const std::string& file) {
   std::string text = fmt::format(
       "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n{}"
@@ -44,6 +37,12 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+std::string vector_text(const Vec3& v) {
+  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
+}
 
 void export_bit(const std::filesystem::path& folder, const bit::Bit& bit,
                 const std::string& format) {

@@ -7,6 +7,12 @@
 
 namespace tdbd::simulation {
 
+/// A text as a string of TOML.
+std::string quoted(const std::string& text);
+
+/// A vector as an array of TOML, to the last bit.
+std::string vector_text(const Vec3& v);
+
 /// Writes every part's mesh in its own frame, in m, to parts/NAME.FORMAT, and bit.toml, which
 /// read_bit reads back. `format` as of mesh::write_mesh: ply, off and obj keep every bit of the
 /// coordinates, stl rounds them to single precision. Parts of a cutter take their update direction

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "bit/cutter_table.hpp"
-#include "bit/largest_radius.hpp"
 #include "bit/pdc_bit.hpp"
 #include "core/config.hpp"
 #include "core/error.hpp"
@@ -15,6 +14,8 @@
 #include "simulation/blade_file.hpp"
 #include "simulation/cone_file.hpp"
 #include "simulation/design_file.hpp"
+#include "simulation/solid_cones.hpp"
+#include "simulation/solids_file.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -113,15 +114,17 @@ BitFile read_pdc_bit(Config& c, const std::string& name, bit::DirectionRule dire
 }
 
 BitFile read_mesh_bit(Config& c, const std::string& name, bit::DirectionRule directions,
-                      bit::InsideRule inside) {
+                      bit::InsideRule inside, Densities densities) {
   bit::Bit bit;
   bit.name = name;
-  PartsFromFiles read = read_parts(c, directions, inside);
+  PartsFromFiles read = c.has("solids") ? read_solid_parts(c, directions, inside, densities)
+                                        : read_parts(c, directions, inside, densities);
   c.finish();
   direct_by_profile(read, directions, inside);
   bit.parts = std::move(read.parts);
-  bit.gage_radius = bit::largest_radius(bit.parts);
-  return {std::move(bit), c.files(), c.fingerprint()};
+  bit.cones = std::move(read.cones);
+  bit.gage_radius = largest_turned_radius(bit);
+  return {std::move(bit), c.files(), c.fingerprint(), std::move(read.without_density)};
 }
 
 /// A bit has one source. A table beside another one leaves the rest of the file readable; what
@@ -135,15 +138,20 @@ void demand_one_source(Config& c) {
     c.problem("parts", "design as well", "one of the two");
     c.stop_at_problems();
   }
-  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design"))) {
-    c.problem("cones", "parts, a table or a design as well", "one of them");
+  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design") || c.has("solids"))) {
+    c.problem("cones", "parts, solids, a table or a design as well", "one of them");
+    c.stop_at_problems();
+  }
+  if (c.has("solids") && (c.has("parts") || c.has("table") || c.has("design"))) {
+    c.problem("solids", "parts, a table or a design as well", "one of them");
     c.stop_at_problems();
   }
 }
 
 }  // namespace
 
-BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside) {
+BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::InsideRule inside,
+                 Densities densities) {
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
   demand_one_source(c);
@@ -151,8 +159,8 @@ BitFile read_bit(const std::string& path, bit::DirectionRule directions, bit::In
     bit::Bit bit = read_cone_bit(c, name);
     return {std::move(bit), c.files(), c.fingerprint()};
   }
-  return c.has("parts") ? read_mesh_bit(c, name, directions, inside)
-                        : read_pdc_bit(c, name, directions, inside);
+  return c.has("parts") || c.has("solids") ? read_mesh_bit(c, name, directions, inside, densities)
+                                           : read_pdc_bit(c, name, directions, inside);
 }
 
 }  // namespace tdbd::simulation

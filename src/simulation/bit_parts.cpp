@@ -5,66 +5,33 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <utility>
 
 #include "bit/exposure_profile.hpp"
 #include "bit/profile_direction.hpp"
 #include "core/error.hpp"
-#include "mesh/check.hpp"
 #include "mesh/files.hpp"
 #include "rotation/rotation_vector.hpp"
-#include "simulation/bit_output.hpp"
+#include "simulation/part_keys.hpp"
+#include "simulation/unit_question.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
 using bit::PartKind;
 
-std::vector<std::pair<std::string, PartKind>> kinds() {
-  std::vector<std::pair<std::string, PartKind>> names;
-  for (const PartKind kind :
-       {PartKind::face, PartKind::chamfer, PartKind::cse, PartKind::cutter_body, PartKind::gage_pad,
-        PartKind::bit_body, PartKind::cone, PartKind::tooth})
-    names.emplace_back(kind_name(kind), kind);
-  return names;
-}
-
-/// Names become paths of files and keys of results.
-bool is_part_name(const std::string& name) {
-  const auto is_word = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '/';
-  };
-  return !name.empty() && name.front() != '/' && name.back() != '/' &&
-         name.find("//") == std::string::npos && std::all_of(name.begin(), name.end(), is_word);
-}
-
-std::string without_line_breaks(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  std::replace(text.begin(), text.end(), '\n', ';');
-  return text;
-}
-
-mesh::TriangleMesh read_part_mesh(Config& c) {
+mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
   const std::string file = c.path("file", std::nullopt);
   const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
   if (file.empty()) return {};
   const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
   try {
     mesh::TriangleMesh m = mesh::read_mesh(file, unit);
-    const auto defects = mesh::check_closed(m);
-    if (!defects.empty())
-      c.problem("file", file + ": " + without_line_breaks(mesh::describe(defects, 3)), expected);
+    note_mesh_faults(c, "file", file, {{name, m}}, expected);
     return m;
   } catch (const InputError& e) {
     c.problem("file", e.what(), expected);
     return {};
   }
-}
-
-bool belongs_to_a_cutter(PartKind kind) {
-  return kind == PartKind::face || kind == PartKind::chamfer || kind == PartKind::cse ||
-         kind == PartKind::cutter_body;
 }
 
 bool has_frame(const Config& c) { return c.has("position") && c.has("rotation_vector"); }
@@ -77,21 +44,13 @@ Vec3 derived_direction(const Config& c, const bit::Part& part, bit::DirectionRul
   return bit::update_direction(part.X_BP, directions, inside);
 }
 
-Vec3 read_direction(Config& c, const Vec3& fallback) {
-  const Vec3 u = c.vector("update_direction", "1", fallback);
-  if (u.y() == 0.0 && u.norm() > 0.0) return u.normalized();
-  c.problem("update_direction", fmt::format("({}, {}, {})", u.x(), u.y(), u.z()),
-            "a direction at azimuth 0, (x, 0, z)");
-  return Vec3::UnitZ();
-}
-
 bit::Part read_part(Config& c, bit::DirectionRule directions, bit::InsideRule inside) {
   bit::Part part;
   part.name = c.text("name", std::nullopt);
   if (c.has("name") && !is_part_name(part.name))
     c.problem("name", '"' + part.name + '"', "letters, digits, - and _, with / between");
-  part.kind = c.choice<PartKind>("kind", kinds(), std::nullopt);
-  part.mesh_P = read_part_mesh(c);
+  part.kind = c.choice<PartKind>("kind", part_kinds(), std::nullopt);
+  part.mesh_P = read_part_mesh(c, part.name);
   part.cutting =
       c.flag("cutting", part.kind != PartKind::bit_body) ? bit::Cutting::cuts : bit::Cutting::never;
   const bool rubs = c.flag("rubs", false);
@@ -144,18 +103,27 @@ void demand_every_density(std::vector<Config>& configs, const PartsFromFiles& re
 
 }  // namespace
 
-PartsFromFiles read_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside) {
+PartsFromFiles read_parts(Config& file, bit::DirectionRule directions, bit::InsideRule inside,
+                          Densities densities) {
   PartsFromFiles read;
   bool any_cuts = false;
+  const bool ask = checks_units(file);
+  double unit = 1.0;
   std::vector<Config> configs = file.tables("parts");
   for (Config& c : configs) {
     const bit::Part& part = read.parts.emplace_back(read_part(c, directions, inside));
     read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
+    if (!c.has("density")) read.without_density.push_back(part.name);
+    if (!c.has("density") && densities == Densities::demanded)
+      c.problem("density", "none of " + part.name, density_wanted);
+    unit = c.quantity("unit", "m", 1e-3, Range::positive());
+    if (ask) ask_for_unit(c, "unit", part.mesh_P, unit, part_along);
     any_cuts = any_cuts || part.cutting == bit::Cutting::cuts;
     compare_last_with_earlier(c, read);
   }
   demand_every_density(configs, read);
+  if (ask) ask_for_unit(file, "parts", read.parts, unit);
   if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
   return read;
 }

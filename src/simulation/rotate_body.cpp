@@ -8,9 +8,10 @@
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
 #include "dynamics/momenta.hpp"
-#include "mesh/check.hpp"
 #include "mesh/files.hpp"
 #include "rotation/rotation_vector.hpp"
+#include "simulation/part_keys.hpp"
+#include "simulation/unit_question.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -20,11 +21,6 @@ using dynamics::InertiaCheck;
 /// An angle in rad whose spacing of double numbers is still a thousandth of a turn or so.
 constexpr double most_turned = 1e13;
 
-std::string trimmed_end(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
 /// Inertia of a solid of one density about its centre of mass, along the axes of its file.
 Mat3 read_mesh_inertia(Config& c) {
   const std::string file = c.path("mesh", std::nullopt);
@@ -33,11 +29,10 @@ Mat3 read_mesh_inertia(Config& c) {
   if (file.empty()) return Mat3::Identity();
   try {
     const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
-    const auto defects = mesh::check_closed(m);
-    if (defects.empty()) return bit::mass_properties(m, density).inertia;
-    c.problem("mesh", file + ", which bounds no solid",
-              "a closed mesh whose triangles face outward");
-    c.other_file(trimmed_end(mesh::describe(defects)));
+    const std::size_t mistakes = c.problem_count();
+    note_mesh_faults(c, "mesh", file, {{"body", m}}, "a closed mesh whose triangles face outward");
+    if (checks_units(c)) ask_for_unit(c, "unit", m, unit, body_along);
+    if (c.problem_count() == mistakes) return bit::mass_properties(m, density).inertia;
   } catch (const InputError& e) {
     c.problem("mesh", e.what(), "a mesh that can be read");
   }

@@ -156,7 +156,8 @@ TEST(bad_rotate, a_mesh_that_bounds_no_solid_is_refused_at_its_key) {
   EXPECT_EQ(o.err.rfind("tdbd: " + c.path("case.toml").string() + ":2: body.mesh: found " +
                             c.path("open.off").string() +
                             ", which bounds no solid, expected a closed mesh whose triangles face "
-                            "outward\nhole: edge ",
+                            "outward\n" +
+                            c.path("open.off").string() + ": solid body: hole: ",
                         0),
             0u)
       << o.err;
@@ -229,9 +230,9 @@ TEST(bad_rotate, missing_files) {
 
 TEST(bad_rotate, two_inertias) {
   const RotateFolder c;
-  c.edit("case.toml", "inertia =", "density = 1000\nmesh = \"box.off\"\ninertia =");
+  c.edit("case.toml", "inertia =", "density = 1000\nunit = 1\nmesh = \"box.off\"\ninertia =");
   expect_refusal(c.rotate(), c.path("case.toml").string() +
-                                 ":5: body.inertia: found mesh as well, expected one of the two");
+                                 ":6: body.inertia: found mesh as well, expected one of the two");
 }
 
 TEST(bad_rotate, all_mistakes_at_once) {

@@ -134,7 +134,8 @@ TEST(files, bad_input_is_refused_with_path_and_reason) {
       contains(refusal(write_text_file("none.off", "OFF\n1 0 0\n0 0 0\n")), "no triangles"));
   EXPECT_TRUE(contains(refusal(write_text_file("text.off", "not a mesh at all")), "text.off: "));
   EXPECT_TRUE(contains(refusal(write_text_file("text.ply", "not a mesh at all")), "text.ply: "));
-  EXPECT_TRUE(contains(refusal(write_text_file("text.obj", "not a mesh at all")), "text.obj: "));
+  EXPECT_TRUE(contains(refusal(write_text_file("text.obj", "not a mesh at all")),
+                       "text.obj:1: found 'not'"));
 }
 
 TEST(files, indices_beyond_the_vertices_are_refused) {

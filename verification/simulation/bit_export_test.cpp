@@ -7,6 +7,7 @@
 
 #include "bit/part_pose.hpp"
 #include "mesh_bit.hpp"
+#include "simulation/bit_export_solids.hpp"
 #include "simulation/bit_file.hpp"
 #include "simulation/case.hpp"
 #include "simulation/simulation.hpp"
@@ -122,6 +123,19 @@ TEST(bit_export, drills_the_same_hole_with_turning_cones) {
   EXPECT_GT(original.all, 5e-7);
   EXPECT_NEAR(again.all / original.all, 1.0, 1e-6);
   EXPECT_LE(worst_part(original, again), 1e-6);
+}
+
+/// The whole bit in one file: its parts lie in the bit's frame instead of their own.
+TEST(bit_export, drills_the_same_hole_from_one_file) {
+  const fs::path folder = test_folder();
+  const Drilled original = drill(folder, bit_b);
+  for (const char* format : {"stl", "obj", "ply", "off"}) {
+    fs::create_directories(folder / format);
+    export_solids(folder / format, read(bit_b), format);
+    const Drilled again = drill(folder, (folder / format / "solids.toml").string());
+    EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
+    EXPECT_LE(worst_part(original, again), 1e-6) << format;
+  }
 }
 
 TEST(bit_export, writes_the_exposure_profile) {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const mesh::TriangleMesh box = battery::box({-1, -2, -3}, {1, 2, 3});
+const mesh::TriangleMesh box = battery::box({-5, -10, -15}, {5, 10, 15});
 
 bit::Bit read(const std::string& file, bit::DirectionRule rule = bit::DirectionRule::hybrid) {
   return read_bit(file, rule, bit::InsideRule::down).bit;
@@ -51,7 +51,7 @@ TEST(bit_parts, takes_what_the_table_says) {
   EXPECT_DOUBLE_EQ(p.density, 15e3);
   EXPECT_NEAR((p.X_BP * Vec3(1, 0, 0) - Vec3(0.01, 1, 0.5)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((p.update_direction_B - Vec3(0.6, 0, 0.8)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR(b.gage_radius, std::hypot(0.0254 + 0.0, 2 * 0.0254 + 0.01), 1e-12);
+  EXPECT_NEAR(b.gage_radius, std::hypot(5 * 0.0254, 10 * 0.0254 + 0.01), 1e-12);
   EXPECT_EQ(p.mesh_P.triangles.size(), box.triangles.size());
 }
 
@@ -59,7 +59,7 @@ TEST(bit_parts, is_in_millimetres_and_in_the_bit_frame_by_default) {
   const bit::Bit b = read(write_one_part_bit(test_folder(), box, "kind = \"gage-pad\"\n"));
   EXPECT_EQ(b.parts[0].X_BP.R, Mat3(Mat3::Identity()));
   EXPECT_EQ(b.parts[0].update_direction_B, Vec3(1, 0, 0));
-  EXPECT_DOUBLE_EQ(b.gage_radius, 1e-3 * std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(b.gage_radius, 5e-3 * std::sqrt(5.0));
   EXPECT_EQ(b.parts[0].density, 0.0);
 }
 

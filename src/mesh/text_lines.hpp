@@ -1,0 +1,39 @@
+#pragma once
+
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace tdbd::mesh {
+
+/// A text file read line by line, with the number of the line for messages.
+class TextLines {
+ public:
+  TextLines(std::istream& in, std::string path);
+
+  /// The next line with anything on it that is no comment (#). False at the end.
+  bool next();
+
+  const std::vector<std::string>& words() const { return words_; }
+  long number() const { return number_; }
+
+  /// What follows the first word, as written.
+  std::string rest() const;
+
+  /// Three finite numbers from word `first` on. Throws InputError.
+  Vec3 point(std::size_t first) const;
+
+  /// Throws InputError "PATH:LINE: found F, expected E".
+  [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
+
+ private:
+  std::istream& in_;
+  std::string path_, line_;
+  std::vector<std::string> words_;
+  long number_ = 0;
+};
+
+}  // namespace tdbd::mesh

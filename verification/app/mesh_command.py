@@ -1,0 +1,175 @@
+"""tdbd mesh: inspects, repairs and grades; never touches its input; refuses what it cannot do.
+tdbd bit, run and rotate: bad meshes are refused with the command that repairs them, and it does."""
+
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+PROGRAM, BIT = sys.argv[1:3]
+CUBE = [(0, 0, 0), (40, 0, 0), (40, 40, 0), (0, 40, 0), (0, 0, 40), (40, 0, 40), (40, 40, 40),
+        (0, 40, 40)]
+SIDES = [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5),
+         (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7)]
+
+
+def tdbd(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+
+
+def solid(name, triangles=SIDES, points=CUBE):
+    facets = "".join("facet normal 0 0 0\nouter loop\n"
+                     + "".join("vertex {} {} {}\n".format(*points[v]) for v in t)
+                     + "endloop\nendfacet\n" for t in triangles)
+    return f"solid {name}\n{facets}endsolid {name}\n"
+
+
+def refused(result, *words):
+    assert result.returncode == 2, result
+    for word in words:
+        assert word in result.stderr, (word, result.stderr)
+
+
+def check_inspection(folder):
+    """The numbers of a cube of 40 mm, and of the same file read in inches."""
+    (folder / "cube.stl").write_text(solid("cutter-1/face"))
+    row = tdbd("mesh", folder / "cube.stl").stdout.splitlines()[1].split()
+    assert row[:7] == ["cutter-1/face", "8", "12", "1", "yes", "yes", "yes"], row
+    assert row[7] == "64000.000" and row[8:11] == ["40.000"] * 3 and row[-1] == "0", row
+    inches = tdbd("mesh", folder / "cube.stl", "--unit", "1 in").stdout.splitlines()[1].split()
+    assert inches[8] == "1016.000", inches
+    refused(tdbd("mesh", folder / "cube.stl", "--unit", "1 kg"), "--unit: found '1 kg'")
+    refused(tdbd("mesh", folder / "none.stl"), "no such file")
+
+
+def broken_meshes():
+    """By the words that refuse it: a mesh, and what the repair says it did."""
+    flipped = [t[::-1] if i in (3, 8) else t for i, t in enumerate(SIDES)]
+    far = CUBE + [(x + 20, y + 10, z + 10) for x, y, z in CUBE]
+    return {
+        "hole: 3 times": (SIDES[:-1], CUBE, "1 holes filled"),
+        "flipped triangle: 6 times": (flipped, CUBE, "2 facets turned"),
+        "inside out: enclosed volume": ([t[::-1] for t in SIDES], CUBE, "12 facets of pieces turned"),
+        "edge of more than two triangles: 3 times":
+            (SIDES + [SIDES[4]], CUBE, "1 duplicate facets dropped"),
+        "degenerate triangle: triangle 12":
+            (SIDES + [(0, 1, 1)], CUBE, "1 facets without area removed"),
+        "self-intersection": (SIDES + [tuple(v + 8 for v in t) for t in SIDES], far,
+                              "intersecting pairs of facets removed"),
+    }
+
+
+def check_repairs(folder):
+    """Each is refused by tdbd mesh and tdbd bit; the command that they print repairs it."""
+    for number, (words, (triangles, points, done)) in enumerate(broken_meshes().items()):
+        path = folder / f"bad {number}.stl"
+        path.write_text(solid("cutter-1/face", triangles, points))
+        before = path.read_bytes()
+        (folder / "bit.toml").write_text(f'name = "b"\n[solids]\nfile = "{path.name}"\n')
+        for result in (tdbd("mesh", path), tdbd("bit", folder / "bit.toml")):
+            refused(result, words, " mm", "solid cutter-1/face", "to repair: tdbd mesh ")
+        command = shlex.split(re.search("to repair: tdbd (.*)", result.stderr).group(1))
+        repaired = tdbd(*command)
+        assert repaired.returncode == 0 and done in repaired.stdout, (words, repaired)
+        assert path.read_bytes() == before, "the input was touched"
+        assert tdbd("mesh", command[-1]).returncode == 0
+        refused(tdbd(*command), "exists; --force replaces it")
+        assert tdbd(*command, "--force").returncode == 0
+
+
+def check_refused_repairs(folder):
+    """Nothing is written for a mesh that tells no solid, or over the input."""
+    bad = folder / "wall.stl"
+    bad.write_text(solid("a", SIDES[1:] + [(1, 3, 4), (1, 6, 4)]))
+    refused(tdbd("mesh", bad, "--repair", "-o", folder / "no.stl"), "solid a: cannot be repaired: ")
+    refused(tdbd("mesh", bad), "tdbd mesh --repair cannot repair this: ")
+    assert not (folder / "no.stl").exists()
+    refused(tdbd("mesh", bad, "--repair", "-o", bad, "--force"), "found the input itself")
+    refused(tdbd("mesh", bad, "--repair"), "--output: found no file")
+
+
+def check_grading(folder):
+    """Finer at the edges, coarser inside, the same cube; the digits of its corners stay."""
+    out = folder / "graded.obj"
+    graded = tdbd("mesh", folder / "cube.stl", "--grade", "--edge", "1 mm", "--face", "10 mm",
+                  "-o", out)
+    assert graded.returncode == 0 and "12 feature edges" in graded.stdout, graded
+    row = tdbd("mesh", out).stdout.splitlines()[1].split()
+    assert row[4:8] == ["yes", "yes", "yes", "64000.000"], row
+    assert float(row[11]) < 1.34 and float(row[13]) > 5, row
+    assert "v 40 40 40\n" in out.read_text()
+    again = folder / "again.obj"
+    tdbd("mesh", folder / "cube.stl", "--grade", "--edge", "1 mm", "--face", "10 mm", "-o", again)
+    assert again.read_bytes() == out.read_bytes()
+    refused(tdbd("mesh", folder / "cube.stl", "--grade", "--edge", "3 mm", "--face", "2 mm", "-o",
+                 folder / "no.obj"), "--face: found 2 mm, expected at least --edge")
+    refused(tdbd("mesh", folder / "cube.stl", "--grade", "--repair", "-o", folder / "no.obj"),
+            "found --repair as well")
+
+
+def check_units(folder):
+    """A cube of 40 mm said to be in m, and one of 40 m in mm: each asks."""
+    bit = folder / "unit.toml"
+    for text in ('[solids]\nfile = "cube.stl"\n{}',
+                 '[[parts]]\nname = "a"\nkind = "face"\nfile = "cube.stl"\n{}'):
+        bit.write_text('name = "b"\n' + text.format('unit = "1 m"\n'))
+        refused(tdbd("bit", bit), "unit: found a size of ", 'is it in mm (unit = "1 mm": ')
+        bit.write_text('name = "b"\nunit_check = "off"\n' + text.format('unit = "1 m"\n'))
+        assert tdbd("bit", bit).returncode == 0
+    (folder / "small.stl").write_text(
+        solid("cutter-1/face", points=[[x / 1000 for x in p] for p in CUBE]))
+    bit.write_text('name = "b"\n[solids]\nfile = "small.stl"\n')
+    refused(tdbd("bit", bit), "unit.toml:2: solids.unit: found a size of 0.113137 mm",
+            'in m (unit = "1 m": 113.137 mm)')
+    case = folder / "body.toml"
+    body = '[body]\nmesh = "{}.stl"\ndensity = 7800\n{}[time]\nstep = 0.01\nduration = 0.1\n'
+    case.write_text(body.format("small", ""))
+    refused(tdbd("check", case), "body.unit: found a size of 0.04 mm, where a body has 10 to 20000")
+    case.write_text(body.format("cube", 'unit = "1 m"\n'))
+    refused(tdbd("check", case), "body.unit: found a size of 40000 mm", 'unit = "1 mm": 40 mm')
+    case.write_text(body.format("cube", ""))
+    assert tdbd("check", case).returncode == 0, tdbd("check", case)
+
+
+def check_densities(folder):
+    """Mass properties that are asked for need the density of every part."""
+    bit = folder / "mass.toml"
+    bit.write_text('name = "b"\n[solids]\nfile = "cube.stl"\n')
+    shown = tdbd("bit", bit)
+    assert shown.returncode == 0 and "mass not known: no density of cutter-1/face" in shown.stdout
+    refused(tdbd("bit", bit, "--report", "-o", folder / "mass"), "no density of cutter-1/face",
+            "mass.toml:")
+    assert not (folder / "mass").exists()
+    bit.write_text('name = "b"\n[[parts]]\nname = "a"\nkind = "face"\nfile = "cube.stl"\n')
+    refused(tdbd("bit", bit, "--report", "-o", folder / "mass"),
+            "mass.toml:2: parts[0].density: found none of a")
+    bit.write_text('name = "b"\n[solids]\nfile = "cube.stl"\n[[solids.rules]]\nmatch = "*"\n'
+                   'density = "7.8 g/cm3"\n')
+    done = tdbd("bit", bit, "--report", "-o", folder / "mass")
+    assert done.returncode == 0, done
+    assert abs(json.loads((folder / "mass/analysis.json").read_text())["mass_kg"] - 0.4992) < 1e-12
+
+
+def check_round_trips(folder):
+    """A bit written whole reads back in every format with the same mass and parts."""
+    def parts(result):
+        assert result.returncode == 0, result
+        lines = result.stdout.splitlines()
+        first = next(i for i, line in enumerate(lines) if line.startswith("part "))
+        return lines[first:]
+
+    for form in ("stl", "obj", "ply", "off"):
+        original = tdbd("bit", BIT, "-o", folder / form, "--solids", form)
+        assert (folder / form / f"bit.{form}").stat().st_size > 0
+        again = parts(tdbd("bit", folder / form / "solids.toml"))
+        assert parts(original) == again, form
+
+
+with tempfile.TemporaryDirectory() as name:
+    test_folder = pathlib.Path(name)
+    for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_units,
+                  check_densities, check_round_trips):
+        check(test_folder)
