@@ -62,12 +62,23 @@ def cutter_charts(bit):
                 "moves rock, at azimuth 0 (eqs. 4.1, 4.2).", bit_charts.directions(bit))
 
 
+def tracking_charts(bit):
+    track = bit.analysis["tracking"]
+    yield chart("Tracking", f"How often a tooth falls into a print of the last revolution, closer to it than {track['share_of_width']:.3g} of "
+                f"a print's width. Left, bars: row by row at the speeds asked for; lines across: at random phase. Right: all rows, all cones at "
+                "one speed; dashed: at random phase; upright: the speeds asked for.", cone_charts.tracking(bit))
+    yield chart("Contact ratio", f"How many teeth of a row stand on the bottom at once, {1e3 * track['penetration_m']:.3g} mm deep.",
+                cone_charts.contacts(bit))
+
+
 def cone_chart_list(bit):
     yield chart("Rows", "What the rows sweep in full turns of their cones (filled) and the cones' shells, where each cone is deepest, turned "
                 "into one half-plane. Numbers count rows from the nose.", cone_charts.profile(bit))
     yield chart("Cones", "Each cone about its journal: its shell and what its rows sweep.", cone_charts.cone_profiles(bit))
     yield chart("Speeds of rolling", "Speed of the cone over that of the bit at which a row's tip would roll without sliding. A cone has "
                 "one speed: rows away from it slide.", cone_charts.speeds(bit))
+    if "tracking" in bit.analysis:
+        yield from tracking_charts(bit)
     yield chart("Spacing of the teeth", "Along the journal, at the cone's angle 0. Squares: at the gage.", cone_charts.spacing(bit))
 
 

@@ -4,16 +4,26 @@ import numpy as np
 
 BIT_KEYS = {"schema", "name", "gage_radius_m", "penetration_m_per_rev", "imbalance_of_unit_law", "imbalance_vector_of_unit_law",
             "mean_redundancy", "mass_kg", "centre_m", "inertia_kg_m2", "column_width_m", "cutters_cutting_at_radius", "cutters",
-            "parts", "body_profile_rz_m", "cones", "clearances"}
-CONE_KEYS = {"axis", "origin_m", "rows", "sections"}  # besides the columns
+            "parts", "body_profile_rz_m", "cones", "clearances", "tracking", "cutter_overlaps", "cutters_in_body_m3", "body"}
+CONE_KEYS = {"axis", "origin_m", "rows", "sections", "assumptions", "tracking_share_by_lag"}  # besides the columns
 LISTED = 12  # numbers of a list that are shown
 CONE_COLUMNS = {"name": ("cone", 1), "azimuth_rad": ("azimuth deg", 180 / np.pi), "journal_angle_rad": ("journal deg", 180 / np.pi),
                 "offset_m": ("offset mm", 1e3), "skew_rad": ("skew deg", 180 / np.pi), "apex_m": ("apex mm", 1e3),
                 "mass_kg": ("mass kg", 1), "axial_inertia_kg_m2": ("Ic kg m2", 1), "asymmetry": ("(It1 - It2)/Ic", 1),
-                "centre_off_axis_m": ("centre off axis mm", 1e3)}
+                "centre_off_axis_m": ("centre off axis mm", 1e3), "speed_ratio": ("speed over the bit's", 1),
+                "rolling_ratio_gage_row": ("gage row rolls at", 1), "tracking_share": ("tracking", 1),
+                "tracking_share_random_phase": ("at random phase", 1)}
 ROW_COLUMNS = {"cone": ("cone", 1), "row": ("row", 1), "teeth": ("teeth", 1), "gage": ("at the gage", 1),
                "tip_cone_radius_m": ("tip from journal mm", 1e3), "tip_bit_radius_m": ("tip from bit's axis mm", 1e3),
-               "tip_height_m": ("height mm", 1e3), "reach_m": ("reach mm", 1e3), "rolling_ratio": ("rolling ratio", 1)}
+               "tip_height_m": ("height mm", 1e3), "reach_m": ("reach mm", 1e3), "rolling_ratio": ("rolling ratio", 1),
+               "prints_per_revolution": ("prints/rev", 1), "print_width_m": ("print mm", 1e3), "tooth_contact_ratio": ("contact ratio", 1),
+               "tracking_share": ("tracking", 1), "tracking_share_random_phase": ("at random phase", 1)}
+ASSUMPTION_COLUMNS = {"cone": ("cone", 1), "unbalance_force_N": ("unbalance N", 1), "unbalance_share_of_weight": ("of the weight", 1),
+                      "gravity_torque_N_m": ("gravity N m", 1), "inertia_modulation_once": ("inertia, once a turn", 1),
+                      "inertia_modulation_twice": ("twice a turn", 1), "cone_frequency_Hz": ("turns Hz", 1),
+                      "momentum_torque_error_N_m": ("torque left out N m", 1),
+                      "momentum_torque_error_over_Ic_speed2": ("over Ic phi'^2", 1), "cone_ratio": ("at the ratio", 1),
+                      "bit_speed_rad_per_s": ("bit rad/s", 1)}
 CUTTER_COLUMNS = {"name": ("cutter", 1), "blade": ("blade", 1), "zone": ("zone", 1), "tip_radius_m": ("r mm", 1e3),
                   "azimuth_rad": ("phi deg", 180 / np.pi), "tip_height_m": ("h mm", 1e3), "profile_angle_rad": ("profile deg", 180 / np.pi),
                   "back_rake_rad": ("back deg", 180 / np.pi), "side_rake_rad": ("side deg", 180 / np.pi), "diameter_m": ("D mm", 1e3),
@@ -73,6 +83,31 @@ def leftovers(bit):
                 yield from flattened(f"{cone['name']}, {key}", value)
 
 
+def overlaps(analysis):
+    """What the mass counts twice."""
+    found = analysis.get("cutter_overlaps", {"pairs": []})
+    rows = []
+    if found["pairs"]:
+        rows.append(("cutters that overlap", f"{len(found['pairs'])} pairs, {1e9 * found['volume_m3']:.4g} mm3"))
+    if analysis.get("cutters_in_body_m3"):
+        rows.append(("cutters inside the body", f"{1e9 * analysis['cutters_in_body_m3']:.5g} mm3, counted twice in the mass"))
+    return rows
+
+
+def body(analysis):
+    """Blades and junk slots, and how near they come to the rock."""
+    if "body" not in analysis:
+        return []
+    found = analysis["body"]
+    rows = [("blades", f"exposure {1e3 * found['exposure_m']:.4g} mm, slots {1e3 * found['slot_depth_m']:.4g} mm deep, "
+                       f"junk slots {1e6 * found['junk_slot_area_m2']:.5g} mm2")]
+    if found.get("least_axial_clearance_m") is not None:
+        rows.append(("blades clear the rock by", f"{1e3 * found['least_axial_clearance_m']:.4g} mm along the axis"))
+    if found.get("touches_at_m_per_rev") is not None:
+        rows.append(("blades touch it from", f"{1e3 * found['touches_at_m_per_rev']:.4g} mm a revolution on"))
+    return rows
+
+
 def numbers(bit):
     a = bit.analysis
     centre = ", ".join(f"{1e3 * x:.3f}" for x in a["centre_m"])
@@ -86,7 +121,7 @@ def numbers(bit):
                  ("cutters that cut at a radius, mean by area", f"{a['mean_redundancy']:.3f}"),
                  ("imbalance of the unit law", f"{100 * a['imbalance_of_unit_law']:.3f} % of all pushes, towards "
                   f"{np.degrees(np.arctan2(lateral[1], lateral[0])):.1f} deg")]
-    rows += [(path, value) for path, value in leftovers(bit) if isinstance(value, str)]
+    rows += overlaps(a) + body(a) + [(path, value) for path, value in leftovers(bit) if isinstance(value, str)]
     return {"title": "In numbers", "note": "", "folded": False, "heads": [], "rows": rows}
 
 
@@ -118,7 +153,10 @@ def cone_tables(bit):
     rows = [{"cone": c["name"], "row": j + 1, **row} for c in bit.cones for j, row in enumerate(c["rows"])]
     note = ("The equations of motion take a cone's transverse inertias as equal and its centre on its axis (thesis: 5.1): these are "
             "the numbers of that assumption.")
+    worth = [{"cone": c["name"], **c["assumptions"]} for c in bit.cones if "assumptions" in c]
     return [table("Cones", bit.cones, CONE_COLUMNS, note), table("Rows of teeth", rows, ROW_COLUMNS),
+            table("What these assumptions are worth", worth, ASSUMPTION_COLUMNS,
+                  "First order in the asymmetry and in the centre's distance from the axis; bearings without friction are not judged."),
             table("Gaps between cones", bit.analysis.get("clearances", []), CLEARANCE_COLUMNS,
                   "In full turns of both cones; parts stand for all that turn with them.")]
 
@@ -129,4 +167,7 @@ def tables(bit):
         found += [blades(bit), table("Cutters", bit.cutters, CUTTER_COLUMNS, folded=True)]
     if bit.cones:
         found += cone_tables(bit)
+    pairs = bit.analysis.get("cutter_overlaps", {"pairs": []})["pairs"]
+    if pairs:
+        found.append(table("Cutters that overlap", pairs, {"volume_m3": ("volume mm3", 1e9)}, folded=True))
     return found + [table(path, entries, {}, folded=True) for path, entries in leftovers(bit) if not isinstance(entries, str)]

@@ -1,6 +1,7 @@
 #include "reference/bit/rolled_prints.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace tdbd::reference {
@@ -22,6 +23,14 @@ double lowest_between(const RolledRow& row, const Vec3& tip_K, double lo, double
         tip_W(row, tip_K, a).z() < tip_W(row, tip_K, b).z() ? a : b;
   }
   return 0.5 * (lo + hi);
+}
+
+/// Largest difference in azimuth at which places as far from the axis as these two are within
+/// `near`: law of cosines.
+double farthest_azimuth(const Vec3& a, const Vec3& b, double near) {
+  const double cosine =
+      (a.squaredNorm() + b.squaredNorm() - near * near) / (2.0 * a.norm() * b.norm());
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
 }  // namespace
@@ -51,11 +60,11 @@ double share_near_earlier(const std::vector<RolledRow>& rows, std::size_t own, i
   long judged = 0, hits = 0;
   const double near = rows[own].near;
   for (const RolledPrint& p : rolled_prints(rows[own], 0.0, two_pi * revolutions)) {
-    const double past = two_pi + near / p.place.norm();
     ++judged;
     hits += std::ranges::any_of(all, [&](const RolledPrint& q) {
       const double age = p.turned - q.turned;
-      return age > itself && age <= past && (p.place - q.place).norm() < near;
+      return age > itself && age <= two_pi + farthest_azimuth(p.place, q.place, near) &&
+             (p.place - q.place).norm() < near;
     });
   }
   return static_cast<double>(hits) / static_cast<double>(judged);

@@ -27,7 +27,8 @@ struct RolledPrint {
 std::vector<RolledPrint> rolled_prints(const RolledRow& row, double from, double to);
 
 /// Share of the prints of rows[own] within `revolutions` turns that lie near any print of any row
-/// made in the revolution before: every print is compared with every other one.
+/// made in the revolution before, and in so much more as `near` is on the ring: every print is
+/// compared with every other one.
 double share_near_earlier(const std::vector<RolledRow>& rows, std::size_t own, int revolutions);
 
 /// Mean number of tips within `penetration` (m) of their lowest place over one turn of the cone.

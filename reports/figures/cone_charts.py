@@ -25,7 +25,7 @@ def profile(bit):
                 axes.annotate(section["part"].split("-")[-1], (r.mean(), z.max()), textcoords="offset points",
                               xytext=(0, -9), fontsize=7, ha="center", color=colour)
         axes.plot([], [], color=colour, linewidth=5, alpha=0.5, label=cone["name"])
-    axes.plot(*rz(bit.profile), color=style.BLACK, linewidth=1.3, label="exposure profile,\ncones at angle 0")
+    axes.plot(*rz(bit.profile), color=style.BLACK, linewidth=1.3, label="exposure profile\nas the cones turn")
     half_plane(axes)
     deepest = max(rz(s["meridian_rz_m"])[1].max() for c in bit.cones for s in c["sections"])
     highest = min(rz(s["meridian_rz_m"])[1].min() for c in bit.cones for s in c["sections"])
@@ -77,4 +77,34 @@ def spacing(bit):
         axes.set(title=f"{cone['name']}: {', '.join(str(r['teeth']) for r in cone['rows'])} teeth",
                  xlim=(-1.15 * widest, 1.15 * widest), ylim=(-1.15 * widest, 1.15 * widest))
         axes.set_axis_off()
+    return figure
+
+
+def tracking(bit):
+    """Left: prints that fall into one of the last revolution, row by row; right: of all rows, against the cones' speed."""
+    figure, (left, right) = style.panels(1, 2, (7.4, 3.2))
+    rows = [(k, j, row) for k, cone in enumerate(bit.cones) for j, row in enumerate(cone["rows"]) if row["tracking_share"] is not None]
+    for y, (k, _, row) in enumerate(rows):
+        left.barh(y, 100 * row["tracking_share"], color=bit_scene.cone_colour(k), alpha=0.6)
+        left.plot([100 * row["tracking_share_random_phase"]] * 2, [y - 0.4, y + 0.4], color=style.BLACK, linewidth=1.4)
+    left.set_yticks(range(len(rows)), [f"{k + 1}/{j + 1}" for k, j, _ in rows], fontsize=7)
+    left.invert_yaxis()
+    left.set(xlabel="tracking (% of prints)", ylabel="cone/row", xlim=(0, 100))
+    sweep = bit.analysis["tracking"]["sweep"]
+    right.plot(sweep["speed_ratio"], [100 * s for s in sweep["tracking_share"]], color=style.BLACK, linewidth=1.0)
+    right.plot(sweep["speed_ratio"], [100 * s for s in sweep["tracking_share_random_phase"]], "--", color=style.GREY)
+    for k, cone in enumerate(bit.cones):
+        right.axvline(cone["speed_ratio"], color=bit_scene.cone_colour(k), linewidth=1.0)
+    right.set(xlabel="speed of all cones over the bit's", ylabel="tracking of all rows (%)", ylim=(0, None))
+    return figure
+
+
+def contacts(bit):
+    """How many teeth of each row stand on the bottom at once."""
+    figure, axes = style.panels(1, 1, (7.4, 2.5))
+    for k, cone in enumerate(bit.cones):
+        axes.plot([MM * r["tip_bit_radius_m"] for r in cone["rows"]], [r["tooth_contact_ratio"] for r in cone["rows"]], "o-",
+                  color=bit_scene.cone_colour(k), linewidth=0.9, label=cone["name"])
+    axes.set(xlabel="radius of the row's tip from the bit's axis (mm)", ylabel="tooth contact ratio", ylim=(0, None), xlim=(0, None))
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure

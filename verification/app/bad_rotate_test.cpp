@@ -132,7 +132,7 @@ const Mistake mistakes[] = {
     {"inertia_of_endless_energy", "[[2, 0, 0], [0, \"2.6 kg m2\", 0], [0, 0, 3]]",
      "[[1e308, 0, 0], [0, 1e308, 0], [0, 0, 1e308]]", "3: body.inertia: " TDBD_ENDLESS},
     {"mesh_without_density", "inertia = [[2, 0, 0], [0, \"2.6 kg m2\", 0], [0, 0, 3]]",
-     "mesh = \"box.off\"",
+     "mesh = \"box.off\"\nunit = 1",
      "2: body.density: found nothing, expected density in kg/m3, > 0 (the key is required)"},
     {"wrong_check", "[load]", "[load]\ncheck = \"off\"",
      "18: load.check: found an unknown key, expected body.check"},

@@ -159,7 +159,8 @@ def check_round_trips(folder):
         assert result.returncode == 0, result
         lines = result.stdout.splitlines()
         first = next(i for i, line in enumerate(lines) if line.startswith("part "))
-        return lines[first:]
+        last = next(i for i, line in enumerate(lines) if line.startswith("mass "))
+        return lines[first:last + 1]
 
     for form in ("stl", "obj", "ply", "off"):
         original = tdbd("bit", BIT, "-o", folder / form, "--solids", form)
