@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "battery/generators.hpp"
@@ -88,8 +89,9 @@ RC_GTEST_PROP(ProgramTorque, is_the_twins, ()) {
   RC_ASSERT(std::abs(dynamics::potential_energy(loads, s) - potential) < energy_agreement * scale);
 }
 
-/// A whole motion under loads of every kind but samples, whose corners no high order likes: the
-/// eighth-order composition at a step at which its own error is below rounding's.
+/// A whole motion that does not swing near half a turn, where the twist's rate is singular and the
+/// twin's error grows without bound, under loads of every kind but samples, whose corners no high
+/// order likes: the eighth-order composition at a step at which its own error is below rounding's.
 RC_GTEST_PROP(ProgramTorque, moves_the_bit_as_the_twin_does, ()) {
   constexpr double h = 1.0 / 256.0, agreement = 1e-10;  // of 1 + momentum, angles in rad
   const dynamics::Gyrostat g = some_bit();
@@ -101,7 +103,12 @@ RC_GTEST_PROP(ProgramTorque, moves_the_bit_as_the_twin_does, ()) {
   const dynamics::Integrator integrator{dynamics::Drift::split, 1, 8,
                                         dynamics::VelocityTorque::symmetric};
   dynamics::Rotating r = dynamics::start(g, loads, s);
-  for (int i = 0; i < 64; ++i) dynamics::step(g, loads, integrator, h, r);
+  double lowest = 1.0;  // cosine of the swing
+  for (int i = 0; i < 64; ++i) {
+    dynamics::step(g, loads, integrator, h, r);
+    lowest = std::min(lowest, matrix_state(r.state).R_WB(2, 2));
+  }
+  RC_PRE(lowest > -0.8);
   const GyrostatState end = matrix_state(r.state);
   double difference =
       (end.R_WB - expected.R_WB).norm() + (end.body_momentum_B - expected.body_momentum_B).norm();
