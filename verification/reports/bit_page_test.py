@@ -96,10 +96,10 @@ class BitPage(unittest.TestCase):
 
     def test_keys_that_the_page_does_not_know_are_shown(self):
         bit = bit_data.read(self.folder / "meshes")
-        bit.analysis |= {"tooth_contact_ratio": 1.2345, "tracking": [{"row": "cone-1/row-2", "pitch_m": 0.25}]}
+        bit.analysis |= {"nozzle_area_m2": 1.2345, "hydraulics": [{"row": "cone-1/row-2", "pitch_m": 0.25}]}
         shown = {t["title"]: t["rows"] for t in page_tables.tables(bit)}
-        self.assertIn(("tooth_contact_ratio", "1.234"), shown["In numbers"])
-        self.assertEqual(shown["tracking"], [["cone-1/row-2", "0.25"]])
+        self.assertIn(("nozzle_area_m2", "1.234"), shown["In numbers"])
+        self.assertEqual(shown["hydraulics"], [["cone-1/row-2", "0.25"]])
         cones = bit_data.read(self.folder / "cones")
         cones.cones[0]["rows"][1]["contacts_per_rev"] = 12
         for row in (r for c in cones.cones for r in c["rows"]):
