@@ -85,10 +85,13 @@ std::vector<Outline> conical(const ToothShape& t, int facets) {
   return outlines;
 }
 
-std::vector<Outline> chisel(const ToothShape& t) {
+/// The crest is shortened as the facets shorten the shank: one as long as the diameter would jut
+/// out of the inscribed shank.
+std::vector<Outline> chisel(const ToothShape& t, int facets) {
+  const double half = 0.5 * (t.crest_length - t.crest_width) * std::cos(std::numbers::pi / facets);
   return {{-t.embedding, 0.0, 0.5 * t.diameter},
           {0.0, 0.0, 0.5 * t.diameter},
-          {t.protrusion, 0.5 * (t.crest_length - t.crest_width), 0.5 * t.crest_width}};
+          {t.protrusion, half, 0.5 * t.crest_width}};
 }
 
 std::vector<Outline> milled(const ToothShape& t) {
@@ -105,7 +108,7 @@ mesh::TriangleMesh tooth_mesh(const ToothShape& shape, int facets) {
     case ToothKind::conical:
       return stack(conical(shape, facets), facets);
     case ToothKind::chisel:
-      return stack(chisel(shape), facets);
+      return stack(chisel(shape, facets), facets);
     case ToothKind::milled_chisel:
       break;
   }

@@ -23,6 +23,16 @@ RC_GTEST_PROP(tooth_mesh, is_closed_convex_and_as_high_as_told, ()) {
   RC_ASSERT(box.lo.z() == -t.embedding);
 }
 
+/// The longest crest that a tooth may have, on the coarsest mesh.
+TEST(tooth_mesh, with_a_crest_as_long_as_the_shank_is_convex) {
+  ToothShape t;
+  t.kind = ToothKind::chisel;
+  t.crest_length = t.diameter;
+  t.crest_width = 0.1 * t.diameter;
+  for (const int facets : {8, 12, 32})
+    EXPECT_TRUE(mesh::convex_solid(tooth_mesh(t, facets)).has_value()) << facets << " facets";
+}
+
 /// Volume and axial inertia of a cylinder with a half-ball on top approach their closed forms with
 /// the square of the edge.
 TEST(tooth_mesh, of_a_half_ball_converges_with_order_2) {
