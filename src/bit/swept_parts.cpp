@@ -36,12 +36,14 @@ Part swept_row(const Cone& cone, std::size_t row, int segments) {
   return swept;
 }
 
+bool stands_in_a_row(const Part& part) { return part.cone >= 0 && part.kind == PartKind::tooth; }
+
 }  // namespace
 
 std::vector<Part> swept_parts(const Bit& bit, int segments) {
   std::vector<Part> parts;
   for (const Part& part : bit.parts)
-    if (part.cutting == Cutting::cuts && part.cone < 0) parts.push_back(part);
+    if (part.cutting == Cutting::cuts && !stands_in_a_row(part)) parts.push_back(part);
   for (const Cone& cone : bit.cones)
     for (std::size_t row = 0; row < cone.layout.rows.size(); ++row)
       parts.push_back(swept_row(cone, row, segments));

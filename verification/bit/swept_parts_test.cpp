@@ -15,7 +15,12 @@ namespace {
 
 constexpr int segments = 180;
 
-Bit any_cone_bit() { return cone_bit("any", {toothed_cone()}, std::nullopt, {0.05, 0.1}); }
+/// Its body cuts or does not.
+Bit any_cone_bit() {
+  ConeLayout cone = toothed_cone();
+  cone.body = *rc::gen::element(Cutting::never, Cutting::cuts);
+  return cone_bit("any", {cone}, std::nullopt, {0.05, 0.1});
+}
 
 double distance(const ProfilePoint& a, const ProfilePoint& b, double r, double z) {
   const Eigen::Vector2d along(b.r - a.r, b.z - a.z), from(r - a.r, z - a.z);
@@ -38,8 +43,8 @@ double beyond(const std::vector<ProfilePoint>& profile, const Vec3& x_B) {
   return nearest;
 }
 
-/// No tooth of a cone that turns comes out of the profile, and one comes to its end.
-RC_GTEST_PROP(swept_parts, the_profile_holds_every_tooth_at_every_angle, ()) {
+/// No cutting part of a cone that turns comes out of the profile, and one comes to its end.
+RC_GTEST_PROP(swept_parts, the_profile_holds_every_cutting_part_at_every_angle, ()) {
   const Bit bit = any_cone_bit();
   constexpr double spacing = 2e-4, slack = 4e-4;  // m: corners that rays and points cut off
   const auto profile = exposure_profile(swept_parts(bit, segments), spacing);
