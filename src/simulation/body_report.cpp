@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "bit/rubbing.hpp"
@@ -11,8 +12,13 @@ namespace {
 
 constexpr double column_width = 0.1e-3;  ///< m
 
+/// The body of a bit with blades.
+const bit::Part& body_of(const bit::Bit& bit) {
+  return *std::ranges::find(bit.parts, bit::PartKind::bit_body, &bit::Part::kind);
+}
+
 bit::Rubbing body_rubbing(const bit::Bit& bit, double advance) {
-  return bit::rubbing(bit.cutters, bit.parts.back(), advance, column_width);
+  return bit::rubbing(bit.cutters, body_of(bit), advance, column_width);
 }
 
 std::string place_text(const Vec3& x_B) {
@@ -26,7 +32,7 @@ nlohmann::ordered_json place_json(const Vec3& x_B) { return {x_B.x(), x_B.y(), x
 
 nlohmann::ordered_json body_json(const bit::Bit& bit, double advance) {
   const bit::Rubbing r = body_rubbing(bit, advance);
-  const bit::Cutting cutting = bit.parts.back().cutting;
+  const bit::Cutting cutting = body_of(bit).cutting;
   return {{"exposure_m", bit.blades->exposure},
           {"slot_depth_m", bit.blades->slot_depth},
           {"junk_slot_area_m2", bit.blades->junk_slot_area},
