@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "simulation/cone_file.hpp"
+
 namespace tdbd::simulation {
 namespace {
 
@@ -20,17 +22,9 @@ std::string shell_text(const std::vector<bit::ShellPoint>& shell) {
   return "[" + text + "]";
 }
 
-const char* kind_text(bit::ToothKind kind) {
-  switch (kind) {
-    case bit::ToothKind::milled_chisel:
-      return "milled-chisel";
-    case bit::ToothKind::hemispherical:
-      return "hemispherical";
-    case bit::ToothKind::conical:
-      return "conical";
-    case bit::ToothKind::chisel:
-      return "chisel";
-  }
+std::string kind_text(bit::ToothKind kind) {
+  for (const auto& [name, named] : tooth_kinds())
+    if (named == kind) return name;
   return "unknown";
 }
 

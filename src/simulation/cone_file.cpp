@@ -23,12 +23,7 @@ enum class Interference { refuse, report };
 constexpr double right_angle = 0.5 * std::numbers::pi;
 
 bit::ToothShape read_shape(Config& c, bit::ToothShape t) {
-  t.kind = c.choice<ToothKind>("kind",
-                               {{"milled-chisel", ToothKind::milled_chisel},
-                                {"hemispherical", ToothKind::hemispherical},
-                                {"conical", ToothKind::conical},
-                                {"chisel", ToothKind::chisel}},
-                               t.kind);
+  t.kind = c.choice<ToothKind>("kind", tooth_kinds(), t.kind);
   const auto length = [&](const char* key, double& value) {
     value = c.quantity(key, "m", value, Range::positive());
   };
@@ -146,6 +141,13 @@ bit::Bit build(std::vector<bit::ConeLayout> layouts, std::optional<double> gage_
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, ToothKind>> tooth_kinds() {
+  return {{"milled-chisel", ToothKind::milled_chisel},
+          {"hemispherical", ToothKind::hemispherical},
+          {"conical", ToothKind::conical},
+          {"chisel", ToothKind::chisel}};
+}
 
 bit::Bit read_cone_bit(Config& file, const std::string& name) {
   const double gage = file.quantity("gage_diameter", "m", std::numeric_limits<double>::infinity(),

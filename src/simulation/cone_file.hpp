@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bit/bit.hpp"
 #include "core/config.hpp"
@@ -16,11 +18,15 @@ namespace tdbd::simulation {
 ///              half_angle, embedding, density              as in bit::ToothShape
 ///   [mesh]     segments, facets
 ///   [shank]    radius, length, height, density             none without a radius
-///   [[cones]]  azimuth, journal_angle, offset, skew, apex, foot_height, density, and
+///   [[cones]]  azimuth, journal_angle, offset, skew, apex, foot_height, density, body_cuts
+///              (false; true: the body crushes rock that stands between prints), and
 ///              shell = [[s, r], ...] from the nose to the base, s outwards along the journal
 ///   [[cones.rows]]  s, sink, lean, gage; angles = [...], or teeth, first_angle and
 ///              spacing = [...] (ratios, repeated); and any key of [teeth]
 /// Notes every mistake at its line, finishes the reading and builds the bit. Throws InputError.
 bit::Bit read_cone_bit(Config& file, const std::string& name);
+
+/// Every kind of tooth with its name in a bit file.
+std::vector<std::pair<std::string, bit::ToothKind>> tooth_kinds();
 
 }  // namespace tdbd::simulation

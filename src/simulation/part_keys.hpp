@@ -13,7 +13,7 @@ namespace tdbd::simulation {
 /// Every kind of part with its name.
 std::vector<std::pair<std::string, bit::PartKind>> part_kinds();
 
-/// Face, chamfer, cutting structure element or body of a PDC cutter.
+/// Face, chamfer, CSE or body of a PDC cutter.
 bool belongs_to_a_cutter(bit::PartKind kind);
 
 /// Letters, digits, - and _, in folders by /: names become paths of files and keys of results.
