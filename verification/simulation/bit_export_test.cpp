@@ -8,9 +8,9 @@
 #include "bit/part_pose.hpp"
 #include "mesh_bit.hpp"
 #include "simulation/bit_export_solids.hpp"
-#include "simulation/bit_file.hpp"
 #include "simulation/case.hpp"
 #include "simulation/simulation.hpp"
+#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -19,10 +19,6 @@ namespace fs = std::filesystem;
 
 const std::string bit_b = TDBD_SOURCE_DIR "/cases/bits/bit-b.toml";
 const std::string bit_r = TDBD_SOURCE_DIR "/cases/bits/bit-r.toml";
-
-bit::Bit read(const std::string& file) {
-  return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
-}
 
 /// A bit, written to a folder in a format and read back.
 std::string exported(const fs::path& folder, const std::string& format,

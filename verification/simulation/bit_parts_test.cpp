@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "mesh_bit.hpp"
-#include "simulation/bit_file.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -15,25 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const mesh::TriangleMesh box = battery::box({-5, -10, -15}, {5, 10, 15});
-
-bit::Bit read(const std::string& file, bit::DirectionRule rule = bit::DirectionRule::hybrid) {
-  return read_bit(file, rule, bit::InsideRule::down).bit;
-}
-
-/// The message that reading the bit gives; empty if it is read.
-std::string complaint(const std::string& file) {
-  try {
-    read(file);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
-}
-
-void expect_words(const std::string& message, const std::vector<std::string>& words) {
-  for (const std::string& word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
-}
 
 TEST(bit_parts, takes_what_the_table_says) {
   const fs::path folder = test_folder();

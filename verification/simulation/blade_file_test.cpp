@@ -11,10 +11,10 @@
 #include "mesh/check.hpp"
 #include "mesh_bit.hpp"
 #include "simulation/bit_export.hpp"
-#include "simulation/bit_file.hpp"
 #include "simulation/body_report.hpp"
 #include "simulation/case.hpp"
 #include "simulation/simulation.hpp"
+#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -27,10 +27,6 @@ std::string write_bit(const std::string& blades) {
                     "name = \"b\"\ntable = \"" TDBD_SOURCE_DIR
                     "/cases/bits/bit-b.csv\"\ngage_diameter = \"8.5 in\"\n\n[blades]\n" +
                         blades);
-}
-
-bit::Bit read(const std::string& file) {
-  return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
 }
 
 std::string message_of(const std::string& blades) {

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "mesh_bit.hpp"
 #include "simulation/bit_export.hpp"
-#include "simulation/bit_file.hpp"
+#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -15,10 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string generated = TDBD_SOURCE_DIR "/cases/bits/generated.toml";
-
-bit::Bit read(const std::string& file) {
-  return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
-}
 
 std::string text_of(const std::string& file) {
   std::ostringstream text;

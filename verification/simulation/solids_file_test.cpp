@@ -8,9 +8,9 @@
 #include "mesh/solids.hpp"
 #include "mesh_bit.hpp"
 #include "simulation/bit_export_solids.hpp"
-#include "simulation/bit_file.hpp"
 #include "simulation/solid_rules.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -18,24 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string bit_b = TDBD_SOURCE_DIR "/cases/bits/bit-b.toml";
-
-bit::Bit read(const std::string& file) {
-  return read_bit(file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
-}
-
-std::string complaint(const std::string& file) {
-  try {
-    read(file);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
-}
-
-void expect_words(const std::string& message, const std::vector<std::string>& words) {
-  for (const std::string& word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
-}
 
 /// Corner by corner in the bit's frame.
 std::vector<Vec3> corners_B(const bit::Part& part) {
