@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -43,7 +44,7 @@ inline Cutter any_cutter() {
 
 /// One of the tables in cases/bits: 'a', 'b' or 'c'.
 inline std::vector<Cutter> table(char letter) {
-  return read_cutter_table(std::string(TDBD_SOURCE_DIR "/cases/bits/bit-") + letter + ".csv", {});
+  return read_cutter_table(fmt::format(TDBD_SOURCE_DIR "/cases/bits/bit-{}.csv", letter), {});
 }
 
 inline Bit example_bit(char letter, const PdcOptions& options = {}) {
