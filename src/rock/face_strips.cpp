@@ -73,7 +73,7 @@ std::vector<FaceStrip> face_strips(const FaceOutline& face, const Twist& twist, 
   const double turning = twist.angular_B.norm();
   const double longest = turning > 0.0 ? largest_turn / turning : infinite;
   std::vector<FaceStrip> strips;
-  for (double hi = fastest, above = infinite; hi > std::max(slowest, 0.0); hi /= ratio) {
+  for (double hi = fastest, above = infinite; hi > 0.0; hi /= ratio) {
     const double lo = std::max(hi / ratio, slowest);
     const bool last = lo == slowest || lead > lo * longest;
     const double bound = !last ? lo : slowest > 0.0 ? -infinite : 0.0;
