@@ -9,7 +9,7 @@ namespace tdbd::rock {
 /// Where the rock ahead of a face is measured. The face is half-way through the triangles at its
 /// own place; an edge length farther on they are as the cutters before it left them.
 struct SectionPlace {
-  double lead = 0.0;          ///< m, at least so far ahead of the face; about 1.2 edge lengths
+  double lead = 0.0;          ///< m > 0, at least so far ahead; about 1.2 edge lengths
   double longest_edge = 0.0;  ///< m, no edge of the rock near the face is longer
   double largest_turn = 0.5;  ///< rad: beside the bit's axis never farther ahead than this
 };
