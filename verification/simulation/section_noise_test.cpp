@@ -59,7 +59,7 @@ double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
-/// The first cutter is beside the axis: its body takes rock where its face goes backwards.
+/// The first cutter is beside the axis, where part of its face goes backwards: bounded apart.
 TEST(section_noise, is_small_and_the_mean_is_the_volume_removed) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/standard-workload.toml", {});
   std::vector<double> noise, noise_of_volumes, ratios;
