@@ -81,9 +81,9 @@ std::vector<double> swept_by_sections(const bit::Bit& bit, double edge_length) {
   return volumes;
 }
 
-/// The first and the last cutter are left out. Beside the axis a cutter's body takes rock, where
-/// its face goes backwards. On the wall cusps stay between the passes of the last one, which
-/// columns of radii count as removed (3 % of its volume here).
+/// The first and the last cutter are left out. Beside the axis, where part of the face goes
+/// backwards, the section is low for a reason not shown yet. On the wall cusps should stay between
+/// the passes of the last one, which columns of radii count as removed: its section is 3 % lower.
 TEST(steady_section, comes_to_what_the_radial_plane_gives_with_the_edge_length) {
   const bit::Bit bit = small_bit();
   const auto expected = reference::radial_plane_engagement(bit, advance, 0.02 * mm);
