@@ -1,0 +1,76 @@
+#include "reference/rock/section_by_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace tdbd::reference {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+struct Span {
+  double lo = INFINITY, hi = -INFINITY;
+
+  void add(double x) {
+    lo = std::min(lo, x);
+    hi = std::max(hi, x);
+  }
+};
+
+/// The outline's extent along the line y.
+Span column(const std::vector<Vec2>& outline, double y) {
+  Span z;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if ((a.x() < y) != (b.x() < y)) z.add(std::lerp(a.y(), b.y(), (y - a.x()) / (b.x() - a.x())));
+  }
+  return z;
+}
+
+double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+/// A line along Z through (0, y) meets a triangle: where, and which side of it is up.
+struct Crossing {
+  double z, sign;
+};
+
+std::optional<Crossing> crossing(const Vec3& a, const Vec3& b, const Vec3& c, double y) {
+  const Vec2 p(0.0, y), pa = a.head<2>(), pb = b.head<2>(), pc = c.head<2>();
+  const double whole = doubled_area(pa, pb, pc);
+  const double wa = doubled_area(p, pb, pc), wb = doubled_area(pa, p, pc),
+               wc = doubled_area(pa, pb, p);
+  const bool inside = whole > 0.0 ? std::min({wa, wb, wc}) >= 0.0 : std::max({wa, wb, wc}) <= 0.0;
+  if (!inside || whole == 0.0) return {};
+  return Crossing{(wa * a.z() + wb * b.z() + wc * c.z()) / whole, whole > 0.0 ? 1.0 : -1.0};
+}
+
+}  // namespace
+
+ColumnSection section_by_columns(const mesh::TriangleMesh& rock_W, const Pose& X_WF,
+                                 const std::vector<Vec2>& outline_F, int columns) {
+  std::vector<Vec3> x_F;
+  for (const Vec3& x_W : rock_W.positions) x_F.push_back(inverse(X_WF) * x_W);
+  Span wide;
+  for (const Vec2& p : outline_F) wide.add(p.x());
+  const double width = (wide.hi - wide.lo) / columns;
+  ColumnSection sum;
+  for (int k = 0; k < columns; ++k) {
+    const double y = wide.lo + (k + 0.5) * width;
+    const Span z = column(outline_F, y);
+    for (const auto& [a, b, c] : rock_W.triangles) {
+      const auto found =
+          crossing(x_F[static_cast<std::size_t>(a)], x_F[static_cast<std::size_t>(b)],
+                   x_F[static_cast<std::size_t>(c)], y);
+      if (!found || found->z <= z.lo) continue;
+      const double top = std::min(found->z, z.hi), area = found->sign * (top - z.lo) * width;
+      sum.area += area;
+      sum.moment += area * Vec2(y, 0.5 * (top + z.lo));
+    }
+  }
+  return sum;
+}
+
+}  // namespace tdbd::reference

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/pose.hpp"
+
+namespace tdbd::rock {
+
+/// Velocity of a bit over the rock, in the bit's frame. Constant there it makes a screw motion;
+/// steady drilling is angular_B = (0, 0, w), linear_B = (0, 0, v): pitch v / w along the bit's z.
+struct Twist {
+  Vec3 angular_B = Vec3::Zero();  ///< rad/s
+  Vec3 linear_B = Vec3::Zero();   ///< m/s, of the bit's origin
+};
+
+/// Velocity of the bit's point x_B, m/s: linear + angular x x.
+inline Vec3 velocity_B(const Twist& twist, const Vec3& x_B) {
+  return twist.linear_B + twist.angular_B.cross(x_B);
+}
+
+/// Where the bit's frame is after a time s (s) of this screw motion, seen from where it is now:
+/// X = exp(s twist), R = exp(s skew(angular)), p = integral of exp(t skew(angular)) linear dt.
+Pose carried(const Twist& twist, double s);
+
+}  // namespace tdbd::rock
