@@ -33,8 +33,8 @@ std::string describe(const std::vector<Violation>& found, std::size_t max = 10);
 /// M1. Also every living vertex is once in the index, where it is, and no dead one.
 std::vector<Violation> check_disc(const Rock& rock);
 
-/// M2 and M3 of all triangles with a vertex for which asked[v] is 1: the guards are asked again
-/// about every repair that is left.
+/// M2 and M3 where asked[v] is 1 at a vertex of a triangle or an end of an edge: the guards are
+/// asked again about every repair that is left. Where it is 2 about collapses alone.
 std::vector<Violation> check_repairs(const mesh::Surface& s, const std::vector<std::uint8_t>& asked,
                                      const MaintenanceLimits& limits);
 

@@ -35,7 +35,7 @@ Maintained maintained(const Wildness& wild = {}) {
   return m;
 }
 
-/// M1 to M3, M5 and M7. M6 depends on how rough the cut is and is measured below.
+/// M1 to M3, M5 and M7. M6 is counted: no guard bounds it.
 RC_GTEST_PROP(invariants, hold_after_one_maintenance, ()) {
   const Maintained m = maintained();
   std::vector<Violation> found = check_maintenance(m.before, m.after, m.limits, m.report);
