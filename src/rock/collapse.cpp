@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "mesh/edit.hpp"
 #include "mesh/measures.hpp"
@@ -15,10 +14,6 @@ struct Trial {
   Vec3 x_W;
   double volume = 0.0;  ///< m3 of hole gained
 };
-
-void count(MaintenanceReport& report, Refusal why) {
-  ++report.refused[static_cast<std::size_t>(why)];
-}
 
 /// Signed volume under the triangles of both stars about o, with a and b at the given places.
 double star_volume(const mesh::Surface& s, int a, int b, const Vec3& xa, const Vec3& xb,
@@ -84,45 +79,67 @@ std::array<Trial, 3> trials(const mesh::Surface& s, int a, int b) {
   return all;
 }
 
-void carry_out(Rock& rock, int c, const Trial& trial, std::vector<int>& ring,
+std::optional<Refusal> judge_trial(const mesh::Surface& s, int a, int b, const Trial& t,
+                                   double quality_floor, const MaintenanceLimits& limits) {
+  if (std::abs(t.volume) > limits.volume_per_collapse) return Refusal::volume;
+  if (const auto why = judge_star(s, a, b, t.x_W, quality_floor, limits)) return why;
+  return judge_star(s, b, a, t.x_W, quality_floor, limits);
+}
+
+void carry_out(Rock& rock, const CollapseVerdict& verdict, std::vector<int>& ring,
                MaintenanceReport& report) {
   mesh::Surface& s = rock.surface;
+  const int c = verdict.corner;
   const int keep = s.vertex(mesh::next_corner(c)), gone = s.vertex(mesh::previous_corner(c));
   ring.clear();
   for (const int v : {keep, gone})
     mesh::visit_corners(s, v, [&](int k) { ring.push_back(s.vertex(mesh::next_corner(k))); });
-  mesh::collapse_edge(s, c, trial.x_W);
+  mesh::collapse_edge(s, c, verdict.x_W);
   rock.grid.remove(gone);
-  rock.grid.move(keep, trial.x_W);
+  rock.grid.move(keep, verdict.x_W);
   for (const int v : ring)
     if (v != gone) touch(rock, v);
   ++report.collapses;
-  report.volume_change += trial.volume;
-  report.volume_disturbed += std::abs(trial.volume);
+  report.volume_change += verdict.volume;
+  report.volume_disturbed += std::abs(verdict.volume);
 }
 
 }  // namespace
 
+CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
+                               const MaintenanceLimits& limits) {
+  CollapseVerdict v;
+  if (s.is_boundary(a) || s.is_boundary(b)) {
+    v.refused = Refusal::boundary;
+    return v;
+  }
+  v.corner = mesh::corner_facing(s, a, b);
+  if (v.corner < 0) return v;
+  if (!mesh::collapse_keeps_topology(s, v.corner)) {
+    v.refused = Refusal::topology;
+    return v;
+  }
+  const double floor = std::min(0.3, std::min(worst_quality(s, a), worst_quality(s, b)));
+  for (const Trial& t : trials(s, a, b)) {
+    const auto why = judge_trial(s, a, b, t, floor, limits);
+    if (!why) {
+      v.refused.reset();
+      v.x_W = t.x_W;
+      v.volume = t.volume;
+      return v;
+    }
+    if (!v.refused) v.refused = why;
+  }
+  return v;
+}
+
 void try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std::vector<int>& ring,
                   MaintenanceReport& report) {
-  const mesh::Surface& s = rock.surface;
-  if (s.is_boundary(a) || s.is_boundary(b)) return count(report, Refusal::boundary);
-  const int c = mesh::corner_facing(s, a, b);
-  if (c < 0) return;  // an earlier collapse took the edge
-  if (!mesh::collapse_keeps_topology(s, c)) return count(report, Refusal::topology);
-  const double floor = std::min(0.3, std::min(worst_quality(s, a), worst_quality(s, b)));
-  Refusal first = Refusal::volume;
-  bool judged = false;
-  for (const Trial& t : trials(s, a, b)) {
-    std::optional<Refusal> why;
-    if (std::abs(t.volume) > limits.volume_per_collapse) why = Refusal::volume;
-    if (!why) why = judge_star(s, a, b, t.x_W, floor, limits);
-    if (!why) why = judge_star(s, b, a, t.x_W, floor, limits);
-    if (!why) return carry_out(rock, c, t, ring, report);
-    if (!judged) first = *why;
-    judged = true;
-  }
-  count(report, first);
+  const CollapseVerdict v = judge_collapse(rock.surface, a, b, limits);
+  if (v.refused)
+    ++report.refused[static_cast<std::size_t>(*v.refused)];
+  else if (v.corner >= 0)  // otherwise an earlier collapse took the edge
+    carry_out(rock, v, ring, report);
 }
 
 }  // namespace tdbd::rock

@@ -58,26 +58,64 @@ void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, MaintenanceW
   }
 }
 
-/// Short edges, and the shortest edge of every badly shaped triangle (4.2.1, 4.2.4.4).
-void find_collapses(const Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work) {
+/// If triangle t is badly shaped, its shortest edge (4.2.4.4).
+void find_bad_shape(const mesh::Surface& s, int t, const MaintenanceLimits& limits,
+                    std::vector<Candidate>& edges) {
+  const mesh::Triangle& v = s.triangles[at(t)];
+  if (mesh::triangle_quality(s.position(v[0]), s.position(v[1]), s.position(v[2])) >=
+      limits.worst_quality)
+    return;
+  Candidate shortest{1e300, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int p = std::min(v[i], v[(i + 1) % 3]), q = std::max(v[i], v[(i + 1) % 3]);
+    const Candidate e{edge_length(s, p, q), p, q};
+    if (shorter(e, shortest)) shortest = e;
+  }
+  edges.push_back(shortest);
+}
+
+/// Short edges, and the shortest edge of every badly shaped triangle (4.2.1), each once, shortest
+/// first: at all touched vertices, or in a later round where the one before changed something.
+void find_collapses(const Rock& rock, const MaintenanceLimits& limits, bool first_round,
+                    MaintenanceWorkspace& work) {
   const mesh::Surface& s = rock.surface;
   work.edges.clear();
-  visit_touched_edges(rock, rock.touched_list, [&](int a, int b, int c) {
+  const auto look = [&](int a, int b, int c) {
     const double length = edge_length(s, a, b);
     if (length < limits.shortest_edge) work.edges.push_back({length, a, b});
-    const mesh::Triangle& t = s.triangles[at(c / 3)];
-    if (mesh::triangle_quality(s.position(t[0]), s.position(t[1]), s.position(t[2])) >=
-        limits.worst_quality)
-      return;
-    Candidate shortest{1e300, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int p = std::min(t[i], t[(i + 1) % 3]), q = std::max(t[i], t[(i + 1) % 3]);
-      const Candidate e{edge_length(s, p, q), p, q};
-      if (shorter(e, shortest)) shortest = e;
-    }
-    work.edges.push_back(shortest);
-  });
+    find_bad_shape(s, c / 3, limits, work.edges);
+  };
+  if (first_round) visit_touched_edges(rock, rock.touched_list, look);
+  for (const int v : work.changed)
+    if (s.is_alive(v))
+      mesh::visit_corners(s, v, [&](int c) {
+        for (const int w : {s.vertex(mesh::next_corner(c)), s.vertex(mesh::previous_corner(c))})
+          look(std::min(v, w), std::max(v, w), c);
+      });
   std::sort(work.edges.begin(), work.edges.end(), shorter);
+  const auto same = [](const Candidate& x, const Candidate& y) { return x.a == y.a && x.b == y.b; };
+  work.edges.erase(std::unique(work.edges.begin(), work.edges.end(), same), work.edges.end());
+}
+
+/// Rounds of collapses until one carries out none: a collapse may shorten an edge beside it, or
+/// remove what another was refused for. What was refused is asked again only where the surface
+/// changed; each round but the last has fewer vertices, so rounds end.
+void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
+                          MaintenanceReport& report) {
+  work.changed.clear();
+  for (bool first_round = true; first_round || !work.changed.empty(); first_round = false) {
+    find_collapses(rock, limits, first_round, work);
+    work.changed.clear();
+    for (const Candidate& e : work.edges) {
+      if (!rock.surface.is_alive(e.a) || !rock.surface.is_alive(e.b)) continue;
+      const long before = report.collapses;
+      try_collapse(rock, e.a, e.b, limits, work.ring, report);
+      if (report.collapses > before)
+        work.changed.insert(work.changed.end(), work.ring.begin(), work.ring.end());
+    }
+    std::sort(work.changed.begin(), work.changed.end());
+    work.changed.erase(std::unique(work.changed.begin(), work.changed.end()), work.changed.end());
+  }
 }
 
 }  // namespace
@@ -93,15 +131,7 @@ MaintenanceLimits limits_for(double edge_length) {
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
   bisect_long_edges(rock, limits, work, report);
-  find_collapses(rock, limits, work);
-  int last_a = -1, last_b = -1;
-  for (const Candidate& e : work.edges) {
-    if (e.a == last_a && e.b == last_b) continue;
-    last_a = e.a;
-    last_b = e.b;
-    if (rock.surface.is_alive(e.a) && rock.surface.is_alive(e.b))
-      try_collapse(rock, e.a, e.b, limits, work.ring, report);
-  }
+  collapse_short_edges(rock, limits, work, report);
   rock.grid.refresh_one_layer();
   for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
   rock.touched_list.clear();

@@ -38,13 +38,13 @@ struct MaintenanceWorkspace {
     double key;
     int a, b;
   };
-  std::vector<int> touched, ring;
+  std::vector<int> ring, changed;
   std::vector<Candidate> edges;
 };
 
 /// One maintenance of the region touched since the last: bisects long edges (longest first), then
-/// collapses short edges and bad triangles (shortest first). The boundary and what was not touched
-/// stay bit for bit. Adds to `report`. Thesis: 4.2.1, 4.2.2.
+/// collapses short edges and bad triangles (shortest first) until no repair is left. The boundary
+/// and what was not touched stay bit for bit. Adds to `report`. Thesis: 4.2.1, 4.2.2.
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report);
 
