@@ -18,46 +18,52 @@ constexpr int max_passes = 1000;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-void begin_part(CutWorkspace& w, const Rock& rock) {
-  ++w.stamp;
-  w.moved.clear();
-  w.vertex_stamp.resize(rock.surface.positions.size(), 0);
-  w.old_position.resize(rock.surface.positions.size());
-  w.triangle_stamp.resize(rock.surface.triangles.size(), 0);
-}
-
 void move_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const CuttingPart& part) {
   if (rock.surface.is_boundary(v))
     throw RunError(fmt::format(
         "{} swept the rock's boundary at ({:.3f}, {:.3f}, {:.3f}) mm: the wall is too low or "
         "the rock too narrow for this motion",
         part.name, 1e3 * x_W.x(), 1e3 * x_W.y(), 1e3 * x_W.z()));
-  w.vertex_stamp[at(v)] = w.stamp;
-  w.old_position[at(v)] = rock.surface.positions[at(v)];
+  w.move_of[at(v)] = static_cast<int>(w.moves.size());
+  w.moves.push_back({v, rock.surface.positions[at(v)]});
   rock.surface.positions[at(v)] = x_W;
   rock.grid.move(v, x_W);
   rock.last_part[at(v)] = part.part;
   touch(rock, v);
-  w.moved.push_back(v);
+}
+
+/// Where vertex v was before the part at work.
+const Vec3& place_before(const Rock& rock, const CutWorkspace& w, int v) {
+  const auto k = static_cast<std::size_t>(w.move_of[at(v)]);
+  return k < w.moves.size() && w.moves[k].v == v ? w.moves[k].from_W : rock.surface.position(v);
+}
+
+/// The triangles around the vertices that the part at work moved, each once, in the order of their
+/// numbers: a sum over them does not hang on the order of the index.
+void find_moved_triangles(const Rock& rock, CutWorkspace& w) {
+  const mesh::Surface& s = rock.surface;
+  for (const MovedVertex& m : w.moves) {
+    const int c = s.corner_of[at(m.v)];
+    __builtin_prefetch(&s.opposite[at(c)]);
+    __builtin_prefetch(&s.triangles[at(c / 3)]);
+  }
+  w.triangles.clear();
+  for (const MovedVertex& m : w.moves)
+    mesh::visit_corners(s, m.v, [&](int c) { w.triangles.push_back(c / 3); });
+  std::ranges::sort(w.triangles);
+  w.triangles.erase(std::ranges::unique(w.triangles).begin(), w.triangles.end());
 }
 
 /// Prism volumes of the triangles around the vertices that this part moved (4.3).
 double removed_by_moves(const Rock& rock, CutWorkspace& w) {
-  w.triangles.clear();
-  for (const int v : w.moved)
-    mesh::visit_corners(rock.surface, v, [&](int c) {
-      if (w.triangle_stamp[at(c / 3)] == w.stamp) return;
-      w.triangle_stamp[at(c / 3)] = w.stamp;
-      w.triangles.push_back(c / 3);
-    });
-  std::sort(w.triangles.begin(), w.triangles.end());  // the sum does not hang on the index's order
+  find_moved_triangles(rock, w);
   double sum = 0.0;
   for (const int t : w.triangles) {
     Corners from, to;
     for (std::size_t i = 0; i < 3; ++i) {
       const int v = rock.surface.triangles[at(t)][i];
       to[i] = rock.surface.position(v);
-      from[i] = w.vertex_stamp[at(v)] == w.stamp ? w.old_position[at(v)] : to[i];
+      from[i] = place_before(rock, w, v);
     }
     sum += prism_volume(from, to);
   }
@@ -93,7 +99,7 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
                   const std::vector<int>& candidates, CutWorkspace& w, CutReport& report,
                   std::vector<int>& moved_by_group) {
   const CuttingPart& part = g.parts[which];
-  begin_part(w, rock);
+  w.moves.clear();
   find_paths(rock, m, candidates, w);
   prepare_exits(part, w.paths, w.swept);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -106,12 +112,12 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
     move_vertex(rock, w, candidates[i], x_W + *t * w.directions_W[i], part);
     note_exit(w.clear[i], which, !part.tree_P);
   }
-  if (w.moved.empty()) return;
+  if (w.moves.empty()) return;
   const double removed = removed_by_moves(rock, w);
   report.removed_by_part[at(part.part)] += removed;
   report.removed += removed;
-  report.moved += static_cast<long>(w.moved.size());
-  moved_by_group.insert(moved_by_group.end(), w.moved.begin(), w.moved.end());
+  report.moved += static_cast<long>(w.moves.size());
+  for (const MovedVertex& moved : w.moves) moved_by_group.push_back(moved.v);
 }
 
 /// First pass: every group looks at the rock as the step found it, so groups look at once.
@@ -205,6 +211,7 @@ std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Roc
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
+  work.move_of.resize(rock.surface.positions.size(), 0);
   find_in_rock(rock, bit, work);
   for (report.passes = 1; report.passes <= max_passes; ++report.passes) {
     if (!process_all(rock, bit, work, report)) return;

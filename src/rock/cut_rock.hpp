@@ -25,18 +25,24 @@ struct Clear {
   std::uint64_t now = 0, for_good = 0;
 };
 
+/// A vertex and where it was before the part at work moved it, m.
+struct MovedVertex {
+  int v;
+  Vec3 from_W;
+};
+
 /// Room for the step, kept between steps so that none allocates once warm.
 struct CutWorkspace {
   SweptScratch swept;
   std::vector<GroupMotion> motions;          ///< per group
   std::vector<std::vector<int>> candidates;  ///< per group
   std::vector<std::vector<int>> chains, moved_by_group, unclear_by_group;
-  std::vector<int> moved, triangles;
-  std::vector<Vec3> old_position, directions_W;
+  std::vector<MovedVertex> moves;  ///< by the part at work
+  std::vector<int> move_of;        ///< per vertex: its place in `moves`, if that is its place
+  std::vector<int> triangles;
+  std::vector<Vec3> directions_W;
   std::vector<RelativePath> paths;  ///< of the candidates, for the part at work
   std::vector<Clear> clear;         ///< per candidate of the group at work
-  std::vector<int> vertex_stamp, triangle_stamp;
-  int stamp = 0;
 };
 
 /// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),

@@ -1,12 +1,17 @@
 #include "rock/group_motion.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/wide.hpp"
 
 namespace tdbd::rock {
 namespace {
+
+/// Of a plane's value at a place whose coordinates, and the plane's, are single: a few roundings of
+/// 6e-8 each, in parts of the largest coordinate.
+constexpr double single_rounding = 1e-6;
 
 template <class Visit>
 void visit_box_corners(const mesh::Box& box, Visit&& visit) {
@@ -33,8 +38,9 @@ Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) 
   return r;
 }
 
-/// A plane of the hull with both points outside; the number of columns if there is none.
-TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q0, const Vec3& q1) {
+/// A plane of the hull with both points outside by `slack`; the number of columns if there is none.
+TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q0, const Vec3& q1,
+                                       double slack) {
   for (std::size_t i = 0; i < h.b.size(); i += lanes) {
     Wide x, y, z, b;
     TDBD_LOAD(x, &h.nx[i]);
@@ -45,7 +51,7 @@ TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q
     const Wide out1 = x * q1.x() + y * q1.y() + z * q1.z() - b;
     const Wide out = out0 < out1 ? out0 : out1;
     for (std::size_t l = 0; l < lanes; ++l)
-      if (out[l] >= 0.0) return i + l;
+      if (out[l] >= slack) return i + l;
   }
   return h.b.size();
 }
@@ -72,19 +78,61 @@ GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X
           X_WB1.R,        reach(g, X_WB0, X_WB1), moving_box(g.box_P, X_WP0, X_WP1)};
 }
 
+HullFilter::HullFilter(const CuttingGroup& g, const GroupMotion& m)
+    : hull_P_(g.hull_P), motion_(m) {
+  const mesh::Box& box_W = m.region_W.box;
+  const double largest = box_W.lo.cwiseAbs().cwiseMax(box_W.hi.cwiseAbs()).maxCoeff();
+  slack_ = single_rounding * largest;
+  choose(0);
+}
+
 void HullFilter::choose(std::size_t i) {
   const Vec3 n_P = mesh::normal(hull_P_, i);
   n0_W_ = motion_.X_PW0.R.transpose() * n_P;
   n1_W_ = motion_.X_PW1.R.transpose() * n_P;
-  b0_ = hull_P_.b[i] - n_P.dot(motion_.X_PW0.p);
-  b1_ = hull_P_.b[i] - n_P.dot(motion_.X_PW1.p);
+  b0_ = hull_P_.b[i] - n_P.dot(motion_.X_PW0.p) + slack_;
+  b1_ = hull_P_.b[i] - n_P.dot(motion_.X_PW1.p) + slack_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    plane_W_[0].n[k] = static_cast<float>(n0_W_[static_cast<int>(k)]);
+    plane_W_[1].n[k] = static_cast<float>(n1_W_[static_cast<int>(k)]);
+  }
+  // Twice the slack: what this turns away, find_plane would. So the answer does not hang on which
+  // plane is asked first.
+  plane_W_[0].b = static_cast<float>(b0_ + slack_);
+  plane_W_[1].b = static_cast<float>(b1_ + slack_);
 }
 
 bool HullFilter::find_plane(const Vec3& x_W) {
-  const std::size_t i = separating_plane(hull_P_, motion_.X_PW0 * x_W, motion_.X_PW1 * x_W);
+  const std::size_t i = separating_plane(hull_P_, motion_.X_PW0 * x_W, motion_.X_PW1 * x_W, slack_);
   if (i == hull_P_.b.size()) return false;
   choose(i);
   return true;
+}
+
+TDBD_WIDE unsigned HullFilter::outside_of(const VertexGrid::Block& block,
+                                          const std::array<SpacePlane, 2>& plane_W) {
+  unsigned outside = 0;
+  std::array<int, VertexGrid::block_size> both{};
+  for (std::size_t s = 0; s < both.size(); ++s) {
+    const float x = block.x[s], y = block.y[s], z = block.z[s];
+    const auto& [p0, p1] = plane_W;
+    both[s] = static_cast<int>(p0.n[0] * x + p0.n[1] * y + p0.n[2] * z >= p0.b) &
+              static_cast<int>(p1.n[0] * x + p1.n[1] * y + p1.n[2] * z >= p1.b);
+  }
+  for (std::size_t s = 0; s < both.size(); ++s) outside |= static_cast<unsigned>(both[s]) << s;
+  return outside;
+}
+
+void HullFilter::add_unclear(const VertexGrid::Block& block, std::vector<int>& candidates) {
+  const unsigned all = (1U << block.count) - 1U;
+  unsigned unclear = all & ~outside_of(block, plane_W_);
+  for (; unclear != 0; unclear &= unclear - 1U) {
+    const auto s = static_cast<std::size_t>(std::countr_zero(unclear));
+    if (find_plane(Vec3(block.x[s], block.y[s], block.z[s])))
+      unclear &= ~outside_of(block, plane_W_) | (1U << s);
+    else
+      candidates.push_back(block.v[s]);
+  }
 }
 
 void find_candidates(const VertexGrid& grid, const CuttingGroup& g, const GroupMotion& m,
@@ -92,16 +140,8 @@ void find_candidates(const VertexGrid& grid, const CuttingGroup& g, const GroupM
   const mesh::Box& box_W = m.region_W.box;
   if (grid.nearest_to_axis(box_W.lo.z(), box_W.hi.z()) > m.reach_W) return;
   HullFilter filter(g, m);
-  grid.visit(m.region_W, chains, [&](const VertexGrid::Block& block) {
-    int outside = 0;
-    for (int s = 0; s < block.count; ++s)
-      outside += filter.last_plane_keeps_outside(block.entries[static_cast<std::size_t>(s)].x_W);
-    if (outside == block.count) return;
-    for (int s = 0; s < block.count; ++s) {
-      const VertexGrid::Entry& e = block.entries[static_cast<std::size_t>(s)];
-      if (!filter.keeps_outside(e.x_W)) candidates.push_back(e.v);
-    }
-  });
+  grid.visit(m.region_W, chains,
+             [&](const VertexGrid::Block& block) { filter.add_unclear(block, candidates); });
 }
 
 }  // namespace tdbd::rock

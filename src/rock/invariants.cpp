@@ -48,8 +48,9 @@ Violations check_index(const Rock& rock) {
   everywhere.box = {Vec3::Constant(-1e300), Vec3::Constant(1e300)};
   rock.grid.visit(everywhere, chains, [&](const VertexGrid::Block& block) {
     for (std::size_t i = 0; i < at(block.count); ++i) {
-      const auto& [x_W, v] = block.entries[i];
-      if (v < s.vertex_slots() && x_W == s.position(v))
+      const int v = block.v[i];
+      const Vec3 x_W(block.x[i], block.y[i], block.z[i]);
+      if (v < s.vertex_slots() && x_W == s.position(v).cast<float>().cast<double>())
         ++held[at(v)];
       else
         found.push_back(

@@ -126,9 +126,9 @@ void find_triangles(const FaceStrip& strip, const Pose& X_WF, double longest_edg
   w.triangles.clear();
   w.rock.grid.visit(region, w.chains, [&](const VertexGrid::Block& block) {
     for (int s = 0; s < block.count; ++s) {
-      const VertexGrid::Entry& e = block.entries[at(s)];
-      if (n_W.dot(e.x_W) < b - rounding) continue;
-      mesh::visit_corners(w.rock.surface, e.v, [&](int c) {
+      const int v = block.v[at(s)];
+      if (n_W.dot(w.rock.surface.position(v)) < b - rounding) continue;
+      mesh::visit_corners(w.rock.surface, v, [&](int c) {
         if (crosses(w.rock.surface, c / 3, n_W, b + rounding)) w.triangles.push_back(c / 3);
       });
     }

@@ -1,16 +1,28 @@
 #include "rock/vertex_grid.hpp"
 
 #include <bit>
-#include <utility>
+#include <tuple>
 
 namespace tdbd::rock {
 namespace {
 
-/// Asks for all cache lines of a block.
-template <class Block>
-void prefetch(const Block& block) {
-  const char* line = reinterpret_cast<const char*>(&block);
-  for (std::size_t i = 0; i < sizeof(Block); i += 64) __builtin_prefetch(line + i);
+constexpr int tile_edge = 4;
+/// Makes a radius that was rounded to single precision smaller than it was.
+constexpr double short_of_rounding = 1.0 - 1e-6;
+
+int tiles_over(int cells) { return (cells + tile_edge - 1) / tile_edge; }
+
+std::uint64_t bit_of(int cell) { return std::uint64_t{1} << (cell % 64); }
+
+/// The cells of a tile with lo <= number <= hi in one direction, whose cells lie `stride` bits
+/// apart; `first` is the tile's first number in it.
+std::uint64_t between(int lo, int hi, int first, int stride) {
+  constexpr std::array<std::uint64_t, 3> planes{0x1111111111111111U, 0x000F000F000F000FU, 0xFFFFU};
+  const std::uint64_t plane = planes[stride == 1 ? 0 : (stride == tile_edge ? 1 : 2)];
+  std::uint64_t cells = 0;
+  for (int n = std::max(lo - first, 0); n <= std::min(hi - first, tile_edge - 1); ++n)
+    cells |= plane << (n * stride);
+  return cells;
 }
 
 }  // namespace
@@ -21,76 +33,66 @@ VertexGrid::VertexGrid(const mesh::Box& box_W, double cell)
   nx_ = 1 + static_cast<int>(n.x());
   ny_ = 1 + static_cast<int>(n.y());
   nz_ = 1 + static_cast<int>(n.z());
-  words_ = (nx_ + 63) / 64;
-  occupied_.assign(static_cast<std::size_t>(words_) * static_cast<std::size_t>(ny_) *
-                       static_cast<std::size_t>(nz_),
-                   0);
+  tiles_x_ = tiles_over(nx_);
+  tiles_y_ = tiles_over(ny_);
+  tiles_z_ = tiles_over(nz_);
+  tile_at_.assign(tile_place(0, 0, tiles_z_), -1);
   nearest_radius2_.assign(static_cast<std::size_t>(nz_), INFINITY);
-  head_.assign(
-      static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) * static_cast<std::size_t>(nz_),
-      -1);
 }
 
-VertexGrid::Row VertexGrid::clip(const Region& region_W, int first, int last, int j, int k) const {
-  // Border cells hold what lies outside the grid, so nothing bounds their rows' y and z.
-  if (j == 0 || j == ny_ - 1 || k == 0 || k == nz_ - 1) return {first, last};
-  const double y = lo_.y() + (j + 0.5) * cell_, z = lo_.z() + (k + 0.5) * cell_;
-  double lo = region_W.box.lo.x(), hi = region_W.box.hi.x();
+bool VertexGrid::may_meet(const Region& region_W, const Cell& first, double size) const {
+  const double half = 0.5 * size * cell_;
+  const Vec3 centre = lo_ + cell_ * Vec3(first.i, first.j, first.k) + Vec3::Constant(half);
   for (const Slab& s : region_W.slabs) {
-    const double centre = s.n.y() * y + s.n.z() * z;
-    const double spread = 0.5 * cell_ * (std::abs(s.n.y()) + std::abs(s.n.z()));
-    const double a = s.lo - centre - spread, b = s.hi - centre + spread;  // a <= n.x x <= b
-    if (std::abs(s.n.x()) < 1e-9) {
-      const double slack = 1e-9 * (std::abs(lo) + std::abs(hi));
-      if (a > slack || b < -slack) return {0, -1};
-      continue;
-    }
-    lo = std::max(lo, (s.n.x() > 0.0 ? a : b) / s.n.x());
-    hi = std::min(hi, (s.n.x() > 0.0 ? b : a) / s.n.x());
+    const double at = s.n.dot(centre), spread = half * s.n.lpNorm<1>();
+    if (at + spread < s.lo || at - spread > s.hi) return false;
   }
-  if (lo > hi) return {0, -1};
-  return {std::max(first, along(lo, lo_.x(), nx_)), std::min(last, along(hi, lo_.x(), nx_))};
+  return true;
 }
 
-int VertexGrid::next_occupied(int i, int j, int k) const {
-  const std::uint64_t* row = occupied_.data() + static_cast<std::ptrdiff_t>(k * ny_ + j) * words_;
-  int word = i / 64;
-  std::uint64_t bits = row[word] & (~std::uint64_t{0} << (i % 64));
-  while (bits == 0 && ++word < words_) bits = row[word];
-  return bits == 0 ? nx_ : 64 * word + std::countr_zero(bits);
+bool VertexGrid::tile_may_meet(const Region& region_W, const Cell& first) const {
+  const Cell last{first.i + tile_edge - 1, first.j + tile_edge - 1, first.k + tile_edge - 1};
+  const bool inner = first.i > 0 && first.j > 0 && first.k > 0 && last.i < nx_ - 1 &&
+                     last.j < ny_ - 1 && last.k < nz_ - 1;
+  return !inner || may_meet(region_W, first, tile_edge);
 }
 
-void VertexGrid::mark(int cell, bool occupied) {
-  const int in_row = cell % nx_;
-  const int number = (cell / nx_) * words_ + in_row / 64;
-  const auto word = static_cast<std::size_t>(number);
-  const std::uint64_t bit = std::uint64_t{1} << (in_row % 64);
-  if (occupied)
-    occupied_[word] |= bit;
-  else
-    occupied_[word] &= ~bit;
+void VertexGrid::gather_tile(const Tile& tile, std::uint64_t cells, const Region& region_W,
+                             std::vector<int>& chains) const {
+  for (cells &= tile.occupied; cells != 0; cells &= cells - 1) {
+    const int bit = std::countr_zero(cells);
+    const Cell c{tile.first.i + bit % 4, tile.first.j + bit / 4 % 4, tile.first.k + bit / 16};
+    if (!on_border(c) && !may_meet(region_W, c, 1.0)) continue;
+    const int first = tile.head[static_cast<std::size_t>(bit)];
+    const char* block = reinterpret_cast<const char*>(&blocks_[static_cast<std::size_t>(first)]);
+    __builtin_prefetch(block);
+    __builtin_prefetch(block + 64);
+    chains.push_back(first);
+  }
 }
 
 void VertexGrid::gather(const Region& region_W, std::vector<int>& chains) const {
   const Cell lo = cell_at(region_W.box.lo), hi = cell_at(region_W.box.hi);
   chains.clear();
-  for (int k = lo.k; k <= hi.k; ++k)
-    for (int j = lo.j; j <= hi.j; ++j) {
-      const int begin = next_occupied(lo.i, j, k);
-      if (begin > hi.i) continue;
-      const Row row = clip(region_W, begin, hi.i, j, k);
-      for (int i = row.first; i <= row.last; ++i) {
-        i = next_occupied(i, j, k);
-        if (i > row.last) break;
-        const int first = head_[static_cast<std::size_t>(index({i, j, k}))];
-        prefetch(blocks_[static_cast<std::size_t>(first)]);
-        chains.push_back(first);
+  for (int tk = lo.k / tile_edge; tk <= hi.k / tile_edge; ++tk)
+    for (int tj = lo.j / tile_edge; tj <= hi.j / tile_edge; ++tj)
+      for (int ti = lo.i / tile_edge; ti <= hi.i / tile_edge; ++ti) {
+        const Cell first{tile_edge * ti, tile_edge * tj, tile_edge * tk};
+        const int number = tile_at_[tile_place(ti, tj, tk)];
+        if (number < 0 || !tile_may_meet(region_W, first)) continue;
+        const std::uint64_t cells = between(lo.i, hi.i, first.i, 1) &
+                                    between(lo.j, hi.j, first.j, 4) &
+                                    between(lo.k, hi.k, first.k, 16);
+        gather_tile(tiles_[static_cast<std::size_t>(number)], cells, region_W, chains);
       }
-    }
 }
 
-void VertexGrid::note_radius(int cell, const Vec3& x_W) {
-  double& nearest = nearest_radius2_[static_cast<std::size_t>(cell / (nx_ * ny_))];
+int VertexGrid::layer_of(int cell) const {
+  return tiles_[static_cast<std::size_t>(cell / 64)].first.k + cell % 64 / 16;
+}
+
+void VertexGrid::note_radius(int layer, const Vec3& x_W) {
+  double& nearest = nearest_radius2_[static_cast<std::size_t>(layer)];
   nearest = std::min(nearest, x_W.head<2>().squaredNorm());
 }
 
@@ -99,19 +101,39 @@ double VertexGrid::nearest_to_axis(double z_lo, double z_hi) const {
   return std::sqrt(*std::min_element(layer(z_lo), layer(z_hi) + 1));
 }
 
+void VertexGrid::note_radii(const Tile& tile, std::uint64_t cells, int layer) {
+  for (; cells != 0; cells &= cells - 1)
+    for (int b = tile.head[static_cast<std::size_t>(std::countr_zero(cells))]; b >= 0;
+         b = blocks_[static_cast<std::size_t>(b)].next) {
+      const Block& block = blocks_[static_cast<std::size_t>(b)];
+      for (std::size_t s = 0; s < static_cast<std::size_t>(block.count); ++s)
+        note_radius(layer, short_of_rounding * Vec3(block.x[s], block.y[s], block.z[s]));
+    }
+}
+
 void VertexGrid::refresh_one_layer() {
   const int k = next_layer_;
   next_layer_ = (next_layer_ + 1) % nz_;
   nearest_radius2_[static_cast<std::size_t>(k)] = INFINITY;
-  for (int j = 0; j < ny_; ++j)
-    for (int i = next_occupied(0, j, k); i < nx_;
-         i = i + 1 < nx_ ? next_occupied(i + 1, j, k) : nx_)
-      for (int b = head_[static_cast<std::size_t>(index({i, j, k}))]; b >= 0;
-           b = blocks_[static_cast<std::size_t>(b)].next) {
-        const Block& block = blocks_[static_cast<std::size_t>(b)];
-        for (int s = 0; s < block.count; ++s)
-          note_radius(index({i, j, k}), block.entries[static_cast<std::size_t>(s)].x_W);
-      }
+  for (std::size_t place = tile_place(0, 0, k / tile_edge);
+       place < tile_place(0, 0, k / tile_edge + 1); ++place) {
+    if (tile_at_[place] < 0) continue;
+    const Tile& tile = tiles_[static_cast<std::size_t>(tile_at_[place])];
+    note_radii(tile, tile.occupied & between(k, k, tile.first.k, 16), k);
+  }
+}
+
+int VertexGrid::open_cell(const Cell& c) {
+  int& number = tile_at_[tile_place(c.i / tile_edge, c.j / tile_edge, c.k / tile_edge)];
+  if (number < 0) {
+    number = static_cast<int>(tiles_.size());
+    Tile tile;
+    tile.first = {c.i / tile_edge * tile_edge, c.j / tile_edge * tile_edge,
+                  c.k / tile_edge * tile_edge};
+    tile.head.fill(-1);
+    tiles_.push_back(tile);
+  }
+  return 64 * number + c.i % tile_edge + 4 * (c.j % tile_edge) + 16 * (c.k % tile_edge);
 }
 
 int VertexGrid::new_block(int next) {
@@ -127,55 +149,69 @@ int VertexGrid::new_block(int next) {
   return b;
 }
 
+void VertexGrid::write(const Place& place, int v, const Vec3& x_W) {
+  Block& b = blocks_[static_cast<std::size_t>(place.block)];
+  const auto s = static_cast<std::size_t>(place.slot);
+  b.x[s] = static_cast<float>(x_W.x());
+  b.y[s] = static_cast<float>(x_W.y());
+  b.z[s] = static_cast<float>(x_W.z());
+  b.v[s] = v;
+}
+
 void VertexGrid::put(int v, const Vec3& x_W, int cell) {
-  int& head = head_[static_cast<std::size_t>(cell)];
-  if (head < 0) mark(cell, true);
+  Tile& tile = tiles_[static_cast<std::size_t>(cell / 64)];
+  int& head = tile.head[static_cast<std::size_t>(cell % 64)];
+  tile.occupied |= bit_of(cell);
   if (head < 0 || blocks_[static_cast<std::size_t>(head)].count == block_size)
     head = new_block(head);
-  Block& b = blocks_[static_cast<std::size_t>(head)];
-  b.entries[static_cast<std::size_t>(b.count)] = {x_W, v};
-  places_[static_cast<std::size_t>(v)] = {cell, head, b.count++};
-  note_radius(cell, x_W);
+  Place& place = places_[static_cast<std::size_t>(v)];
+  place = {cell, head, blocks_[static_cast<std::size_t>(head)].count++};
+  write(place, v, x_W);
+  note_radius(layer_of(cell), x_W);
 }
 
 void VertexGrid::insert(int v, const Vec3& x_W) {
   if (static_cast<std::size_t>(v) >= places_.size())
     places_.resize(static_cast<std::size_t>(v) + 1);
-  put(v, x_W, index(cell_at(x_W)));
+  put(v, x_W, open_cell(cell_at(x_W)));
 }
 
 void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<int> vertices) {
-  const auto cell_of = [&](int v) {
-    return index(cell_at(positions_W[static_cast<std::size_t>(v)]));
+  const auto order_of = [&](int v) {
+    const Cell c = cell_at(positions_W[static_cast<std::size_t>(v)]);
+    const std::size_t tile = tile_place(c.i / tile_edge, c.j / tile_edge, c.k / tile_edge);
+    return std::tuple(tile, c.k, c.j, c.i, v);
   };
-  std::ranges::sort(vertices, {}, [&](int v) { return std::pair(cell_of(v), v); });
+  std::ranges::sort(vertices, {}, order_of);
   places_.resize(positions_W.size());
-  for (const int v : vertices) put(v, positions_W[static_cast<std::size_t>(v)], cell_of(v));
+  for (const int v : vertices) {
+    const Vec3& x_W = positions_W[static_cast<std::size_t>(v)];
+    put(v, x_W, open_cell(cell_at(x_W)));
+  }
 }
 
 void VertexGrid::remove(int v) {
   const Place place = places_[static_cast<std::size_t>(v)];
-  int& head = head_[static_cast<std::size_t>(place.cell)];
+  Tile& tile = tiles_[static_cast<std::size_t>(place.cell / 64)];
+  int& head = tile.head[static_cast<std::size_t>(place.cell % 64)];
   Block& first = blocks_[static_cast<std::size_t>(head)];
-  const Entry last = first.entries[static_cast<std::size_t>(--first.count)];
-  blocks_[static_cast<std::size_t>(place.block)].entries[static_cast<std::size_t>(place.slot)] =
-      last;
-  places_[static_cast<std::size_t>(last.v)] = place;
+  const auto last = static_cast<std::size_t>(--first.count);
+  const int moved = first.v[last];
+  write(place, moved, Vec3(first.x[last], first.y[last], first.z[last]));
+  places_[static_cast<std::size_t>(moved)] = place;
   places_[static_cast<std::size_t>(v)] = {};
   if (first.count > 0) return;
   free_blocks_.push_back(head);
   head = first.next;
-  if (head < 0) mark(place.cell, false);
+  if (head < 0) tile.occupied &= ~bit_of(place.cell);
 }
 
 void VertexGrid::move(int v, const Vec3& x_W) {
-  const int cell = index(cell_at(x_W));
   const Place place = places_[static_cast<std::size_t>(v)];
+  const int cell = open_cell(cell_at(x_W));
   if (cell == place.cell) {
-    blocks_[static_cast<std::size_t>(place.block)]
-        .entries[static_cast<std::size_t>(place.slot)]
-        .x_W = x_W;
-    note_radius(cell, x_W);
+    write(place, v, x_W);
+    note_radius(layer_of(cell), x_W);
     return;
   }
   remove(v);

@@ -23,10 +23,11 @@ struct Region {
   std::array<Slab, 3> slabs{};
 };
 
-/// Uniform grid over the rock's vertices: the spatial index of section 4.1.1. A cell is a chain of
-/// small blocks that hold its vertices' numbers and places side by side, so that a query reads
-/// memory in runs. A vertex outside the grid's box lives in the nearest border cell, so no query
-/// misses it. Moving a vertex costs a few writes; a query costs its cells and their vertices.
+/// Uniform grid over the rock's vertices: the spatial index of section 4.1.1. Cells stand in tiles
+/// of 4 x 4 x 4, so that one word tells which of a tile's cells hold vertices and empty space costs
+/// a number per tile. A cell is a chain of small blocks that hold its vertices' numbers and places
+/// side by side. A vertex outside the grid's box lives in the nearest border cell, so no query
+/// misses it. Moving a vertex costs a few writes; a query costs its tiles, cells and vertices.
 class VertexGrid {
  public:
   VertexGrid() = default;
@@ -46,15 +47,14 @@ class VertexGrid {
   /// Looks one layer of cells through for its nearest vertex, the next at the next call.
   void refresh_one_layer();
 
-  /// A run of a cell's vertices.
-  static constexpr int block_size = 5;  // three cache lines
-  struct Entry {
-    Vec3 x_W;
-    int v;
-  };
+  /// A run of a cell's vertices in two cache lines. Places are rounded to single precision: they
+  /// serve to turn vertices away, not to compute with.
+  static constexpr int block_size = 7;
+  using Column = std::array<float, block_size>;
   struct alignas(64) Block {
+    Column x{}, y{}, z{};
+    std::array<int, block_size> v{};
     int count = 0, next = -1;
-    std::array<Entry, block_size> entries;
   };
 
   /// Calls visit(block) for every block of every cell that the region may meet: a superset of the
@@ -72,11 +72,15 @@ class VertexGrid {
   struct Cell {
     int i, j, k;
   };
-  struct Row {
-    int first, last;
-  };
   struct Place {
-    int cell = -1, block = -1, slot = -1;
+    int cell = -1, block = -1, slot = -1;  ///< cell: 64 times its tile, and its bit there
+  };
+  /// Bit i + 4 j + 16 k stands for a cell. Heads: first block of each chain, the only one that is
+  /// not full.
+  struct Tile {
+    std::uint64_t occupied = 0;
+    Cell first{};  ///< its cell with the smallest numbers
+    std::array<int, 64> head{};
   };
 
   int along(double x, double lo, int n) const {
@@ -86,28 +90,39 @@ class VertexGrid {
   Cell cell_at(const Vec3& x) const {
     return {along(x.x(), lo_.x(), nx_), along(x.y(), lo_.y(), ny_), along(x.z(), lo_.z(), nz_)};
   }
-  int index(const Cell& c) const { return (c.k * ny_ + c.j) * nx_ + c.i; }
+  /// Border cells hold what lies outside of the grid: nothing bounds where.
+  bool on_border(const Cell& c) const {
+    return c.i == 0 || c.j == 0 || c.k == 0 || c.i == nx_ - 1 || c.j == ny_ - 1 || c.k == nz_ - 1;
+  }
+  std::size_t tile_place(int ti, int tj, int tk) const {
+    return static_cast<std::size_t>((tk * tiles_y_ + tj) * tiles_x_ + ti);
+  }
 
   /// The first blocks of all cells that are not empty and that the region may meet.
   void gather(const Region& region_W, std::vector<int>& chains) const;
+  void gather_tile(const Tile& tile, std::uint64_t cells, const Region& region_W,
+                   std::vector<int>& chains) const;
+  /// Whether the cells from `first` on, `size` in each direction, may hold a vertex of the slabs.
+  bool may_meet(const Region& region_W, const Cell& first, double size) const;
+  bool tile_may_meet(const Region& region_W, const Cell& first) const;
+  /// The cell's number, a new tile if it is the first there.
+  int open_cell(const Cell& c);
   int new_block(int next);
   void put(int v, const Vec3& x_W, int cell);
-  /// The cells from first to last of row (j, k) that no slab excludes.
-  Row clip(const Region& region_W, int first, int last, int j, int k) const;
-  /// The first cell from `i` on in row (j, k) that has vertices; nx_ or more if there is none.
-  int next_occupied(int i, int j, int k) const;
-  void mark(int cell, bool occupied);
-  void note_radius(int cell, const Vec3& x_W);
+  void write(const Place& place, int v, const Vec3& x_W);
+  void note_radius(int layer, const Vec3& x_W);
+  void note_radii(const Tile& tile, std::uint64_t cells, int layer);
+  int layer_of(int cell) const;
 
   Vec3 lo_ = Vec3::Zero();
   double cell_ = 1.0, inverse_cell_ = 1.0;
-  int nx_ = 1, ny_ = 1, nz_ = 1, words_ = 1;
-  std::vector<std::uint64_t> occupied_;  ///< a bit per cell, `words_` words per row
-  std::vector<int> head_;  ///< per cell: first block of its chain, the only one that is not full
+  int nx_ = 1, ny_ = 1, nz_ = 1, tiles_x_ = 1, tiles_y_ = 1, tiles_z_ = 1;
+  std::vector<int> tile_at_;  ///< per place of a tile: its number, -1 if there never was a vertex
+  std::vector<Tile> tiles_;
   std::vector<Block> blocks_;
   std::vector<int> free_blocks_;
   std::vector<Place> places_;            ///< per vertex
-  std::vector<double> nearest_radius2_;  ///< per layer, m2
+  std::vector<double> nearest_radius2_;  ///< per layer of cells, m2
   int next_layer_ = 0;
 };
 

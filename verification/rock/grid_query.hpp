@@ -9,7 +9,7 @@ template <class Visit>
 void visit_vertices(const VertexGrid& grid, const Region& region, Visit&& visit) {
   std::vector<int> chains;
   grid.visit(region, chains, [&](const VertexGrid::Block& block) {
-    for (int s = 0; s < block.count; ++s) visit(block.entries[static_cast<std::size_t>(s)].v);
+    for (int s = 0; s < block.count; ++s) visit(block.v[static_cast<std::size_t>(s)]);
   });
 }
 

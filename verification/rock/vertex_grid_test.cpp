@@ -119,8 +119,8 @@ double true_nearest(const Indexed& x, double z_lo, double z_hi) {
   return nearest;
 }
 
-/// Whatever moved, left or came: never farther than the truth, and not nearer than any vertex of
-/// the grid once every layer was looked through.
+/// Whatever moved, left or came: never farther than the truth, and as far as that, but for single
+/// precision, once every layer was looked through.
 RC_GTEST_PROP(vertex_grid, bounds_the_distance_to_the_axis, ()) {
   Indexed x{VertexGrid(unit_box, *battery::number(0.05, 3.0)), {}};
   const auto changes = *rc::gen::container<std::vector<std::tuple<int, Vec3, bool>>>(
@@ -132,7 +132,8 @@ RC_GTEST_PROP(vertex_grid, bounds_the_distance_to_the_axis, ()) {
   for (int k = 0; k < 50; ++k) x.grid.refresh_one_layer();
   RC_ASSERT(x.grid.nearest_to_axis(lo, hi) <= true_nearest(x, lo, hi));
   const double all = true_nearest(x, -9, 9);
-  RC_ASSERT(x.grid.nearest_to_axis(-9, 9) == all);
+  constexpr double single = 2e-6;  // of the radius
+  RC_ASSERT(all == INFINITY || x.grid.nearest_to_axis(-9, 9) >= (1.0 - single) * all);
 }
 
 /// Cells are looked at, not the whole grid: a small box far from all vertices offers none.
