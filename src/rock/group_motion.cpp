@@ -93,13 +93,13 @@ void HullFilter::choose(std::size_t i) {
   b0_ = hull_P_.b[i] - n_P.dot(motion_.X_PW0.p) + slack_;
   b1_ = hull_P_.b[i] - n_P.dot(motion_.X_PW1.p) + slack_;
   for (std::size_t k = 0; k < 3; ++k) {
-    plane_W_[0].n[k] = static_cast<float>(n0_W_[static_cast<int>(k)]);
-    plane_W_[1].n[k] = static_cast<float>(n1_W_[static_cast<int>(k)]);
+    plane_W_[0].n[k] = static_cast<Single>(n0_W_[static_cast<int>(k)]);
+    plane_W_[1].n[k] = static_cast<Single>(n1_W_[static_cast<int>(k)]);
   }
   // Twice the slack: what this turns away, find_plane would. So the answer does not hang on which
   // plane is asked first.
-  plane_W_[0].b = static_cast<float>(b0_ + slack_);
-  plane_W_[1].b = static_cast<float>(b1_ + slack_);
+  plane_W_[0].b = static_cast<Single>(b0_ + slack_);
+  plane_W_[1].b = static_cast<Single>(b1_ + slack_);
 }
 
 bool HullFilter::find_plane(const Vec3& x_W) {
@@ -114,7 +114,7 @@ TDBD_WIDE unsigned HullFilter::outside_of(const VertexGrid::Block& block,
   unsigned outside = 0;
   std::array<int, VertexGrid::block_size> both{};
   for (std::size_t s = 0; s < both.size(); ++s) {
-    const float x = block.x[s], y = block.y[s], z = block.z[s];
+    const Single x = block.x[s], y = block.y[s], z = block.z[s];
     const auto& [p0, p1] = plane_W;
     both[s] = static_cast<int>(p0.n[0] * x + p0.n[1] * y + p0.n[2] * z >= p0.b) &
               static_cast<int>(p1.n[0] * x + p1.n[1] * y + p1.n[2] * z >= p1.b);

@@ -40,8 +40,8 @@ class HullFilter {
  private:
   /// n . x - b >= 0 is outside, in columns' precision; at pose 0 and at pose 1.
   struct SpacePlane {
-    std::array<float, 3> n{};
-    float b = 0.0F;
+    std::array<Single, 3> n{};
+    Single b = 0.0;
   };
 
   void choose(std::size_t plane);

@@ -50,7 +50,7 @@ Violations check_index(const Rock& rock) {
     for (std::size_t i = 0; i < at(block.count); ++i) {
       const int v = block.v[i];
       const Vec3 x_W(block.x[i], block.y[i], block.z[i]);
-      if (v < s.vertex_slots() && x_W == s.position(v).cast<float>().cast<double>())
+      if (v < s.vertex_slots() && x_W == s.position(v).cast<Single>().cast<double>())
         ++held[at(v)];
       else
         found.push_back(

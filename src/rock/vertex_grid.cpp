@@ -152,9 +152,9 @@ int VertexGrid::new_block(int next) {
 void VertexGrid::write(const Place& place, int v, const Vec3& x_W) {
   Block& b = blocks_[static_cast<std::size_t>(place.block)];
   const auto s = static_cast<std::size_t>(place.slot);
-  b.x[s] = static_cast<float>(x_W.x());
-  b.y[s] = static_cast<float>(x_W.y());
-  b.z[s] = static_cast<float>(x_W.z());
+  b.x[s] = static_cast<Single>(x_W.x());
+  b.y[s] = static_cast<Single>(x_W.y());
+  b.z[s] = static_cast<Single>(x_W.z());
   b.v[s] = v;
 }
 

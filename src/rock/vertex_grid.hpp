@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/single.hpp"
 #include "core/types.hpp"
 #include "mesh/measures.hpp"
 
@@ -50,7 +51,7 @@ class VertexGrid {
   /// A run of a cell's vertices in two cache lines. Places are rounded to single precision: they
   /// serve to turn vertices away, not to compute with.
   static constexpr int block_size = 7;
-  using Column = std::array<float, block_size>;
+  using Column = std::array<Single, block_size>;
   struct alignas(64) Block {
     Column x{}, y{}, z{};
     std::array<int, block_size> v{};
