@@ -54,13 +54,8 @@ Json inertia_of(const Mat3& inertia) {
   return rows;
 }
 
-}  // namespace
-
-void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit,
-                    const ReportOptions& options) {
-  const bit::Engagement e = bit::engagement(bit.cutters, options.advance, column_width);
+Json cutters_json(const bit::Bit& bit, const bit::Engagement& e) {
   const std::vector<double> overlap = bit::overlaps(bit.cutters);
-  const bit::MassProperties mass = bit::mass_properties(bit);
   const std::vector<double> exposure = bit::exposures(bit.cutters);
   Json cutters = Json::array();
   for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
@@ -68,6 +63,15 @@ void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit,
     cutters.back()["exposure_m"] = exposure[k];
     add_placing(bit.cutters[k], cutters.back());
   }
+  return cutters;
+}
+
+}  // namespace
+
+void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit,
+                    const ReportOptions& options) {
+  const bit::Engagement e = bit::engagement(bit.cutters, options.advance, column_width);
+  const bit::MassProperties mass = bit::mass_properties(bit);
   Json file{
       {"schema", 1},
       {"name", bit.name},
@@ -81,7 +85,7 @@ void write_analysis(const std::filesystem::path& folder, const bit::Bit& bit,
       {"inertia_kg_m2", inertia_of(mass.inertia)},
       {"column_width_m", e.column_width},
       {"cutters_cutting_at_radius", e.cutting},
-      {"cutters", cutters},
+      {"cutters", cutters_json(bit, e)},
       {"parts", parts_json(bit)}};
   add_body_profile(bit, file);
   if (!bit.cones.empty()) {
