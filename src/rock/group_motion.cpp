@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/wide.hpp"
 
@@ -83,53 +84,54 @@ HullFilter::HullFilter(const CuttingGroup& g, const GroupMotion& m)
   const mesh::Box& box_W = m.region_W.box;
   const double largest = box_W.lo.cwiseAbs().cwiseMax(box_W.hi.cwiseAbs()).maxCoeff();
   slack_ = single_rounding * largest;
-  choose(0);
+  last_ = before_ = plane_W(0);
 }
 
-void HullFilter::choose(std::size_t i) {
+HullFilter::SpacePlane HullFilter::plane_W(std::size_t i) const {
   const Vec3 n_P = mesh::normal(hull_P_, i);
-  n0_W_ = motion_.X_PW0.R.transpose() * n_P;
-  n1_W_ = motion_.X_PW1.R.transpose() * n_P;
-  b0_ = hull_P_.b[i] - n_P.dot(motion_.X_PW0.p) + slack_;
-  b1_ = hull_P_.b[i] - n_P.dot(motion_.X_PW1.p) + slack_;
+  const Vec3 n0_W = motion_.X_PW0.R.transpose() * n_P, n1_W = motion_.X_PW1.R.transpose() * n_P;
+  SpacePlane plane;
   for (std::size_t k = 0; k < 3; ++k) {
-    plane_W_[0].n[k] = static_cast<Single>(n0_W_[static_cast<int>(k)]);
-    plane_W_[1].n[k] = static_cast<Single>(n1_W_[static_cast<int>(k)]);
+    plane.n0[k] = static_cast<Single>(n0_W[static_cast<int>(k)]);
+    plane.n1[k] = static_cast<Single>(n1_W[static_cast<int>(k)]);
   }
   // Twice the slack: what this turns away, find_plane would. So the answer does not hang on which
   // plane is asked first.
-  plane_W_[0].b = static_cast<Single>(b0_ + slack_);
-  plane_W_[1].b = static_cast<Single>(b1_ + slack_);
+  const double b = hull_P_.b[i] + 2.0 * slack_;
+  plane.b0 = static_cast<Single>(b - n_P.dot(motion_.X_PW0.p));
+  plane.b1 = static_cast<Single>(b - n_P.dot(motion_.X_PW1.p));
+  return plane;
 }
 
 bool HullFilter::find_plane(const Vec3& x_W) {
   const std::size_t i = separating_plane(hull_P_, motion_.X_PW0 * x_W, motion_.X_PW1 * x_W, slack_);
   if (i == hull_P_.b.size()) return false;
-  choose(i);
+  before_ = last_;
+  last_ = plane_W(i);
   return true;
 }
 
-TDBD_WIDE unsigned HullFilter::outside_of(const VertexGrid::Block& block,
-                                          const std::array<SpacePlane, 2>& plane_W) {
+TDBD_WIDE unsigned HullFilter::outside_of(const VertexGrid::Block& block, const SpacePlane& p) {
   unsigned outside = 0;
   std::array<int, VertexGrid::block_size> both{};
   for (std::size_t s = 0; s < both.size(); ++s) {
     const Single x = block.x[s], y = block.y[s], z = block.z[s];
-    const auto& [p0, p1] = plane_W;
-    both[s] = static_cast<int>(p0.n[0] * x + p0.n[1] * y + p0.n[2] * z >= p0.b) &
-              static_cast<int>(p1.n[0] * x + p1.n[1] * y + p1.n[2] * z >= p1.b);
+    both[s] = static_cast<int>(p.n0[0] * x + p.n0[1] * y + p.n0[2] * z >= p.b0) &
+              static_cast<int>(p.n1[0] * x + p.n1[1] * y + p.n1[2] * z >= p.b1);
   }
   for (std::size_t s = 0; s < both.size(); ++s) outside |= static_cast<unsigned>(both[s]) << s;
   return outside;
 }
 
 void HullFilter::add_unclear(const VertexGrid::Block& block, std::vector<int>& candidates) {
-  const unsigned all = (1U << block.count) - 1U;
-  unsigned unclear = all & ~outside_of(block, plane_W_);
+  unsigned unclear = ((1U << block.count) - 1U) & ~outside_of(block, last_);
+  if (unclear == 0) return;
+  std::swap(last_, before_);
+  unclear &= ~outside_of(block, last_);
   for (; unclear != 0; unclear &= unclear - 1U) {
     const auto s = static_cast<std::size_t>(std::countr_zero(unclear));
     if (find_plane(Vec3(block.x[s], block.y[s], block.z[s])))
-      unclear &= ~outside_of(block, plane_W_) | (1U << s);
+      unclear &= ~outside_of(block, last_) | (1U << s);
     else
       candidates.push_back(block.v[s]);
   }

@@ -26,40 +26,34 @@ void find_candidates(const VertexGrid& grid, const CuttingGroup& g, const GroupM
                      std::vector<int>& chains, std::vector<int>& candidates);
 
 /// Tells, for one group and step, whether a plane of the hull keeps a rock vertex outside from pose
-/// 0 to pose 1. Asks first the plane that answered last, in space: neighbours have it in common.
+/// 0 to pose 1. Asks first the two planes that answered last, in space: neighbours have them in
+/// common, and a cutter's face and back take turns.
 /// Vertices may come in single precision: nothing nearer to the plane than that rounding is kept
 /// outside.
 class HullFilter {
  public:
   HullFilter(const CuttingGroup& g, const GroupMotion& m);
-  bool keeps_outside(const Vec3& x_W) { return last_plane_keeps_outside(x_W) || find_plane(x_W); }
+  bool keeps_outside(const Vec3& x_W) { return find_plane(x_W); }
 
   /// Appends the block's vertices that no plane keeps outside.
   void add_unclear(const VertexGrid::Block& block, std::vector<int>& candidates);
 
  private:
-  /// n . x - b >= 0 is outside, in columns' precision; at pose 0 and at pose 1.
+  /// A plane of the hull in space at pose 0 and at pose 1, single: n . x >= b is outside.
   struct SpacePlane {
-    std::array<Single, 3> n{};
-    Single b = 0.0;
+    std::array<Single, 3> n0{}, n1{};
+    Single b0 = 0.0, b1 = 0.0;
   };
 
-  void choose(std::size_t plane);
+  SpacePlane plane_W(std::size_t plane) const;
   bool find_plane(const Vec3& x_W);
-  /// Without a branch until the answer.
-  bool last_plane_keeps_outside(const Vec3& x_W) const {
-    return static_cast<int>(n0_W_.dot(x_W) >= b0_) & static_cast<int>(n1_W_.dot(x_W) >= b1_);
-  }
   /// Bit s stands for the block's vertex s.
-  static unsigned outside_of(const VertexGrid::Block& block,
-                             const std::array<SpacePlane, 2>& plane_W);
+  static unsigned outside_of(const VertexGrid::Block& block, const SpacePlane& plane);
 
   const mesh::ConvexSolid& hull_P_;
   const GroupMotion& motion_;
-  double slack_;      ///< m
-  Vec3 n0_W_, n1_W_;  ///< the plane at pose 0 and at pose 1, moved out by the slack
-  double b0_ = 0.0, b1_ = 0.0;
-  std::array<SpacePlane, 2> plane_W_{};
+  double slack_;              ///< m
+  SpacePlane last_, before_;  ///< that answered
 };
 
 }  // namespace tdbd::rock

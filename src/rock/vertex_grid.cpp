@@ -40,39 +40,61 @@ VertexGrid::VertexGrid(const mesh::Box& box_W, double cell)
   nearest_radius2_.assign(static_cast<std::size_t>(nz_), INFINITY);
 }
 
-bool VertexGrid::may_meet(const Region& region_W, const Cell& first, double size) const {
-  const double half = 0.5 * size * cell_;
-  const Vec3 centre = lo_ + cell_ * Vec3(first.i, first.j, first.k) + Vec3::Constant(half);
-  for (const Slab& s : region_W.slabs) {
-    const double at = s.n.dot(centre), spread = half * s.n.lpNorm<1>();
-    if (at + spread < s.lo || at - spread > s.hi) return false;
-  }
-  return true;
+Vec3 VertexGrid::middle_of(const Cell& first, double size) const {
+  return lo_ + cell_ * (Vec3(first.i, first.j, first.k) + Vec3::Constant(0.5 * size));
 }
 
 bool VertexGrid::tile_may_meet(const Region& region_W, const Cell& first) const {
   const Cell last{first.i + tile_edge - 1, first.j + tile_edge - 1, first.k + tile_edge - 1};
-  const bool inner = first.i > 0 && first.j > 0 && first.k > 0 && last.i < nx_ - 1 &&
-                     last.j < ny_ - 1 && last.k < nz_ - 1;
-  return !inner || may_meet(region_W, first, tile_edge);
+  if (on_border(first) || last.i >= nx_ - 1 || last.j >= ny_ - 1 || last.k >= nz_ - 1) return true;
+  const Vec3 middle = middle_of(first, tile_edge);
+  return std::ranges::all_of(region_W.slabs, [&](const Slab& s) {
+    const double at = s.n.dot(middle), spread = 0.5 * tile_edge * cell_ * s.n.lpNorm<1>();
+    return at + spread >= s.lo && at - spread <= s.hi;
+  });
+}
+
+VertexGrid::CellOffsets VertexGrid::cell_offsets(const Region& region_W) const {
+  CellOffsets offsets{};
+  for (std::size_t s = 0; s < offsets.along.size(); ++s) {
+    const Slab& slab = region_W.slabs[s];
+    const Vec3 step = cell_ * slab.n;
+    for (int bit = 0; bit < 64; ++bit)
+      offsets.along[s][static_cast<std::size_t>(bit)] =
+          (bit % 4) * step.x() + (bit / 4 % 4) * step.y() + (bit / 16) * step.z();
+    offsets.lo[s] = slab.lo - 0.5 * step.lpNorm<1>();
+    offsets.hi[s] = slab.hi + 0.5 * step.lpNorm<1>();
+  }
+  return offsets;
 }
 
 void VertexGrid::gather_tile(const Tile& tile, std::uint64_t cells, const Region& region_W,
-                             std::vector<int>& chains) const {
+                             const CellOffsets& offsets, std::vector<int>& chains) const {
+  const Vec3 middle = middle_of(tile.first, 1.0);
+  std::array<double, 3> first{};
+  for (std::size_t s = 0; s < first.size(); ++s) first[s] = region_W.slabs[s].n.dot(middle);
   for (cells &= tile.occupied; cells != 0; cells &= cells - 1) {
-    const int bit = std::countr_zero(cells);
-    const Cell c{tile.first.i + bit % 4, tile.first.j + bit / 4 % 4, tile.first.k + bit / 16};
-    if (!on_border(c) && !may_meet(region_W, c, 1.0)) continue;
-    const int first = tile.head[static_cast<std::size_t>(bit)];
-    const char* block = reinterpret_cast<const char*>(&blocks_[static_cast<std::size_t>(first)]);
+    const int number = std::countr_zero(cells);
+    const auto bit = static_cast<std::size_t>(number);
+    bool meets = true;
+    for (std::size_t s = 0; s < first.size(); ++s) {
+      const double at = first[s] + offsets.along[s][bit];
+      meets = meets && at >= offsets.lo[s] && at <= offsets.hi[s];
+    }
+    if (!meets && !on_border({tile.first.i + number % 4, tile.first.j + number / 4 % 4,
+                              tile.first.k + number / 16}))
+      continue;
+    const char* block =
+        reinterpret_cast<const char*>(&blocks_[static_cast<std::size_t>(tile.head[bit])]);
     __builtin_prefetch(block);
     __builtin_prefetch(block + 64);
-    chains.push_back(first);
+    chains.push_back(tile.head[bit]);
   }
 }
 
 void VertexGrid::gather(const Region& region_W, std::vector<int>& chains) const {
   const Cell lo = cell_at(region_W.box.lo), hi = cell_at(region_W.box.hi);
+  const CellOffsets offsets = cell_offsets(region_W);
   chains.clear();
   for (int tk = lo.k / tile_edge; tk <= hi.k / tile_edge; ++tk)
     for (int tj = lo.j / tile_edge; tj <= hi.j / tile_edge; ++tj)
@@ -83,7 +105,7 @@ void VertexGrid::gather(const Region& region_W, std::vector<int>& chains) const 
         const std::uint64_t cells = between(lo.i, hi.i, first.i, 1) &
                                     between(lo.j, hi.j, first.j, 4) &
                                     between(lo.k, hi.k, first.k, 16);
-        gather_tile(tiles_[static_cast<std::size_t>(number)], cells, region_W, chains);
+        gather_tile(tiles_[static_cast<std::size_t>(number)], cells, region_W, offsets, chains);
       }
 }
 

@@ -84,6 +84,13 @@ class VertexGrid {
     std::array<int, 64> head{};
   };
 
+  /// How far along each slab's normal the middles of a tile's cells lie beyond that of its first
+  /// cell, and the slabs widened by half a cell, m.
+  struct CellOffsets {
+    std::array<std::array<double, 64>, 3> along;
+    std::array<double, 3> lo, hi;
+  };
+
   int along(double x, double lo, int n) const {
     return static_cast<int>(
         std::clamp(std::floor((x - lo) * inverse_cell_), 0.0, static_cast<double>(n - 1)));
@@ -102,10 +109,11 @@ class VertexGrid {
   /// The first blocks of all cells that are not empty and that the region may meet.
   void gather(const Region& region_W, std::vector<int>& chains) const;
   void gather_tile(const Tile& tile, std::uint64_t cells, const Region& region_W,
-                   std::vector<int>& chains) const;
-  /// Whether the cells from `first` on, `size` in each direction, may hold a vertex of the slabs.
-  bool may_meet(const Region& region_W, const Cell& first, double size) const;
+                   const CellOffsets& offsets, std::vector<int>& chains) const;
+  /// Whether a tile may hold a vertex of the slabs.
   bool tile_may_meet(const Region& region_W, const Cell& first) const;
+  Vec3 middle_of(const Cell& first, double size) const;
+  CellOffsets cell_offsets(const Region& region_W) const;
   /// The cell's number, a new tile if it is the first there.
   int open_cell(const Cell& c);
   int new_block(int next);
