@@ -189,7 +189,7 @@ int remove_triangle(Surface& s, int t) {
   const bool is_ear = s.opposite_of(c) >= 0;
   for (int k = 3 * t; k < 3 * t + 3; ++k) cut_loose(s, k);
   free_triangle(s, t);
-  s.boundary[at(apex)] = 1;
+  s.boundary[at(apex)] = is_ear ? 0 : 1;
   if (!is_ear) return -1;
   s.corner_of[at(apex)] = -1;
   s.free_vertices.push_back(apex);

@@ -73,18 +73,44 @@ std::optional<Refusal> judge_trial(const mesh::Surface& s, int a, int b, const T
   return judge_star(s, b, a, t.x_W, quality_floor, limits);
 }
 
-/// How far the place of v is from the triangles that take those around a and b over, m.
-double distance_to_new(const mesh::Surface& s, int v, int a, int b, const Vec3& x_W) {
-  const Vec3& from_W = s.position(v);
-  double least = (x_W - from_W).squaredNorm();
+/// The corners at a and b of the triangles that a collapse of the edge keeps.
+template <class Visit>
+void visit_kept(const mesh::Surface& s, int a, int b, Visit&& visit) {
   for (const auto& [end, other] : {std::pair{a, b}, std::pair{b, a}})
     mesh::visit_corners(s, end, [&, beside = other](int c) {
-      if (s.vertex(mesh::next_corner(c)) == beside || s.vertex(mesh::previous_corner(c)) == beside)
-        return;
-      const mesh::Facet f = facet_at(s, c);
-      least = std::min(least, mesh::squared_distance({x_W, f.b, f.c}, from_W));
+      if (s.vertex(mesh::next_corner(c)) != beside && s.vertex(mesh::previous_corner(c)) != beside)
+        visit(c);
+    });
+}
+
+/// How far a place is from the triangles that take those around a and b over, m.
+double distance_to_new(const mesh::Surface& s, int a, int b, const Vec3& x_W, const Vec3& from_W) {
+  double least = (x_W - from_W).squaredNorm();
+  visit_kept(s, a, b, [&](int c) {
+    const mesh::Facet f = facet_at(s, c);
+    least = std::min(least, mesh::squared_distance({x_W, f.b, f.c}, from_W));
+  });
+  return std::sqrt(least);
+}
+
+/// How far a place is from the triangles around a and b, m.
+double distance_to_old(const mesh::Surface& s, int a, int b, const Vec3& from_W) {
+  double least = 1e300;
+  for (const int end : {a, b})
+    mesh::visit_corners(s, end, [&](int c) {
+      least = std::min(least, mesh::squared_distance(facet_at(s, c), from_W));
     });
   return std::sqrt(least);
+}
+
+/// The farthest middle of a new edge at x from the old surface, m: x itself is on it.
+double farthest_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
+  double farthest = 0.0;
+  visit_kept(s, a, b, [&](int c) {
+    const Vec3 middle_W = 0.5 * (x_W + s.position(s.vertex(mesh::next_corner(c))));
+    farthest = std::max(farthest, distance_to_old(s, a, b, middle_W));
+  });
+  return farthest;
 }
 
 double farthest_strayed(const mesh::Surface& s, int a, int b, const Strays& strays) {
@@ -95,14 +121,14 @@ double farthest_strayed(const mesh::Surface& s, int a, int b, const Strays& stra
   return worst;
 }
 
-/// The guards on distance, once the others agree: the new vertex is on the old surface, so that
-/// only what it drops can be far.
+/// The guards on distance, once the others agree: of the dropped vertices to the new surface, and
+/// of the new edges to the old one.
 std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, const Vec3& x_W,
                                       const MaintenanceLimits& limits, const Strays& strays,
                                       double& stray) {
-  double farthest = 0.0;
+  double farthest = farthest_middle(s, a, b, x_W);
   for (const int v : {a, b}) {
-    const double d = distance_to_new(s, v, a, b, x_W);
+    const double d = distance_to_new(s, a, b, x_W, s.position(v));
     if (d > limits.ridge_cut && is_on_ridge(s, v, limits)) return Refusal::ridge;
     farthest = std::max(farthest, d);
   }

@@ -79,6 +79,7 @@ void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
   const mesh::Surface& s = rock.surface;
   work.changed.clear();
   visit_triangles(s, rock.touched_list, work, [&](int t, const Shape&) {
+    ++report.touched_triangles;
     const mesh::Triangle& v = s.triangles[at(t)];
     const auto higher = [&](int a, int b) { return s.position(a).z() < s.position(b).z(); };
     const int top = *std::min_element(v.begin(), v.end(), higher);
@@ -135,7 +136,7 @@ void find_collapses(const mesh::Surface& s, const MaintenanceLimits& limits, Wor
   visit_triangles(s, work.region, work, [&](int t, const Shape& shape) {
     const bool is_bad = is_below(shape, limits.worst_quality);
     const double least2 = std::min({shape.edge2[0], shape.edge2[1], shape.edge2[2]});
-    const bool is_fold = is_folded(s, t);
+    const bool is_fold = limits.worst_quality > 0.0 && is_folded(s, t);
     if (least2 >= shortest2 && !is_bad && !is_fold) return;
     for (int i = 0; i < 3; ++i)
       if (const double l2 = shape.edge2[at(i)];

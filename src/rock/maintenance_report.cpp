@@ -35,6 +35,7 @@ void add(const MaintenanceReport& more, MaintenanceReport& sum) {
     sum.done[o] += more.done[o];
     for (std::size_t r = 0; r < sum.refused[o].size(); ++r) sum.refused[o][r] += more.refused[o][r];
   }
+  sum.touched_triangles += more.touched_triangles;
   sum.volume_change += more.volume_change;
   sum.volume_disturbed += more.volume_disturbed;
 }

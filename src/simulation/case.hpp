@@ -35,8 +35,8 @@ struct MaintenancePlan {
   double longest_edge = 1.6;   ///< over edge_length
   double worst_quality = 0.1;
   double flip_quality = 0.6;  ///< triangles below may flip their longest edge; 0: none does
-  rock::Smoothing smoothing = rock::Smoothing::off;
-  double smooth_quality = 0.4;  ///< vertices of triangles below are smoothed
+  rock::Smoothing smoothing = rock::Smoothing::tangential;
+  double smooth_quality = 0.5;  ///< vertices of triangles below are smoothed
 };
 
 struct OutputPlan {
