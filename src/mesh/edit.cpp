@@ -90,6 +90,27 @@ void close_gap(Surface& s, int c, int keep) {
   free_triangle(s, c / 3);
 }
 
+/// The corner of t that faces its only boundary edge, or its only inner edge; -1 if there is none.
+int odd_corner(const Surface& s, int t) {
+  int boundary = 0, sum_of_boundary = 0;
+  for (int i = 0; i < 3; ++i)
+    if (s.opposite_of(3 * t + i) < 0) {
+      ++boundary;
+      sum_of_boundary += i;
+    }
+  if (boundary == 1) return 3 * t + sum_of_boundary;
+  return boundary == 2 ? 3 * t + 3 - sum_of_boundary : -1;
+}
+
+/// Cuts the triangle of corner c loose along the edge that c faces, whose ends then count as theirs
+/// the corners beyond.
+void cut_loose(Surface& s, int c) {
+  const int o = s.opposite_of(c);
+  if (o < 0) return;
+  link(s, o, -1);
+  for (const int k : {next_corner(o), previous_corner(o)}) s.corner_of[at(s.vertex(k))] = k;
+}
+
 }  // namespace
 
 int split_edge(Surface& s, int c, const Vec3& x) {
@@ -137,6 +158,42 @@ void collapse_edge(Surface& s, int c, const Vec3& x) {
   s.positions[at(a)] = x;
   s.corner_of[at(b)] = -1;
   s.free_vertices.push_back(b);
+}
+
+bool flip_keeps_topology(const Surface& s, int c) {
+  const int o = s.opposite_of(c);
+  return o >= 0 && s.vertex(c) != s.vertex(o) && !are_neighbours(s, s.vertex(c), s.vertex(o));
+}
+
+void flip_edge(Surface& s, int c) {
+  const int o = s.opposite_of(c);
+  const int at_a = next_corner(c), at_b = next_corner(o);
+  const int beyond_pb = s.opposite_of(at_a), beyond_qa = s.opposite_of(at_b);
+  s.corner_of[at(s.vertex(at_a))] = at_a;
+  s.corner_of[at(s.vertex(at_b))] = at_b;
+  set_vertex(s, previous_corner(c), s.vertex(o));
+  set_vertex(s, previous_corner(o), s.vertex(c));
+  link(s, c, beyond_qa);
+  link(s, o, beyond_pb);
+  link(s, at_a, at_b);
+}
+
+bool removal_keeps_disc(const Surface& s, int t) {
+  const int c = odd_corner(s, t);
+  return c >= 0 && (s.opposite_of(c) >= 0 || !s.is_boundary(s.vertex(c)));
+}
+
+int remove_triangle(Surface& s, int t) {
+  const int c = odd_corner(s, t);
+  const int apex = s.vertex(c);
+  const bool is_ear = s.opposite_of(c) >= 0;
+  for (int k = 3 * t; k < 3 * t + 3; ++k) cut_loose(s, k);
+  free_triangle(s, t);
+  s.boundary[at(apex)] = is_ear ? 0 : 1;
+  if (!is_ear) return -1;
+  s.corner_of[at(apex)] = -1;
+  s.free_vertices.push_back(apex);
+  return apex;
 }
 
 }  // namespace tdbd::mesh

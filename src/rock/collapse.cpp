@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/edit.hpp"
-#include "mesh/measures.hpp"
+#include "rock/check_operation.hpp"
+#include "rock/star.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -33,26 +35,11 @@ double star_volume(const mesh::Surface& s, int a, int b, const Vec3& xa, const V
 /// Guards on one triangle around v, whose corner there goes to x. Nothing: accepted.
 std::optional<Refusal> judge(const mesh::Surface& s, int c, const Vec3& x, double quality_floor,
                              const MaintenanceLimits& limits) {
-  const Vec3& p = s.position(s.vertex(mesh::next_corner(c)));
-  const Vec3& q = s.position(s.vertex(mesh::previous_corner(c)));
-  const Vec3 before = mesh::area_vector(s.position(s.vertex(c)), p, q),
-             after = mesh::area_vector(x, p, q);
-  if (after.dot(before) < limits.least_normal_cosine * after.norm() * before.norm())
-    return Refusal::normal;
-  if (before.z() < 0.0 && after.z() >= 0.0) return Refusal::overhang;
-  if ((p - x).norm() > limits.longest_edge) return Refusal::too_long;
-  if (mesh::triangle_quality(x, p, q) < quality_floor) return Refusal::quality;
+  const mesh::Facet before = facet_at(s, c), after{x, before.b, before.c};
+  if (const auto why = judge_turn(area_vector(before), area_vector(after), limits)) return why;
+  if ((before.b - x).norm() > limits.longest_edge) return Refusal::too_long;
+  if (quality(after) < quality_floor) return Refusal::quality;
   return std::nullopt;
-}
-
-double worst_quality(const mesh::Surface& s, int v) {
-  double worst = 1.0;
-  mesh::visit_corners(s, v, [&](int c) {
-    worst = std::min(worst, mesh::triangle_quality(s.position(s.vertex(c)),
-                                                   s.position(s.vertex(mesh::next_corner(c))),
-                                                   s.position(s.vertex(mesh::previous_corner(c)))));
-  });
-  return worst;
 }
 
 std::optional<Refusal> judge_star(const mesh::Surface& s, int v, int other, const Vec3& x,
@@ -81,12 +68,76 @@ std::array<Trial, 3> trials(const mesh::Surface& s, int a, int b) {
 
 std::optional<Refusal> judge_trial(const mesh::Surface& s, int a, int b, const Trial& t,
                                    double quality_floor, const MaintenanceLimits& limits) {
-  if (std::abs(t.volume) > limits.volume_per_collapse) return Refusal::volume;
+  if (std::abs(t.volume) > limits.volume_per_operation) return Refusal::volume;
   if (const auto why = judge_star(s, a, b, t.x_W, quality_floor, limits)) return why;
   return judge_star(s, b, a, t.x_W, quality_floor, limits);
 }
 
-void carry_out(Rock& rock, const CollapseVerdict& verdict, std::vector<int>& ring,
+/// The corners at a and b of the triangles that a collapse of the edge keeps.
+template <class Visit>
+void visit_kept(const mesh::Surface& s, int a, int b, Visit&& visit) {
+  for (const auto& [end, other] : {std::pair{a, b}, std::pair{b, a}})
+    mesh::visit_corners(s, end, [&, beside = other](int c) {
+      if (s.vertex(mesh::next_corner(c)) != beside && s.vertex(mesh::previous_corner(c)) != beside)
+        visit(c);
+    });
+}
+
+/// How far a place is from the triangles that take those around a and b over, m.
+double distance_to_new(const mesh::Surface& s, int a, int b, const Vec3& x_W, const Vec3& from_W) {
+  double least = (x_W - from_W).squaredNorm();
+  visit_kept(s, a, b, [&](int c) {
+    const mesh::Facet f = facet_at(s, c);
+    least = std::min(least, mesh::squared_distance({x_W, f.b, f.c}, from_W));
+  });
+  return std::sqrt(least);
+}
+
+/// How far a place is from the triangles around a and b, m.
+double distance_to_old(const mesh::Surface& s, int a, int b, const Vec3& from_W) {
+  double least = 1e300;
+  for (const int end : {a, b})
+    mesh::visit_corners(s, end, [&](int c) {
+      least = std::min(least, mesh::squared_distance(facet_at(s, c), from_W));
+    });
+  return std::sqrt(least);
+}
+
+/// The farthest middle of a new edge at x from the old surface, m: x itself is on it.
+double farthest_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
+  double farthest = 0.0;
+  visit_kept(s, a, b, [&](int c) {
+    const Vec3 middle_W = 0.5 * (x_W + s.position(s.vertex(mesh::next_corner(c))));
+    farthest = std::max(farthest, distance_to_old(s, a, b, middle_W));
+  });
+  return farthest;
+}
+
+double farthest_strayed(const mesh::Surface& s, int a, int b, const Strays& strays) {
+  double worst = std::max(strays.of(a), strays.of(b));
+  for (const int end : {a, b})
+    mesh::visit_corners(
+        s, end, [&](int c) { worst = std::max(worst, strays.of(s.vertex(mesh::next_corner(c)))); });
+  return worst;
+}
+
+/// The guards on distance, once the others agree: of the dropped vertices to the new surface, and
+/// of the new edges to the old one.
+std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, const Vec3& x_W,
+                                      const MaintenanceLimits& limits, const Strays& strays,
+                                      double& stray) {
+  double farthest = farthest_middle(s, a, b, x_W);
+  for (const int v : {a, b}) {
+    const double d = distance_to_new(s, a, b, x_W, s.position(v));
+    if (d > limits.ridge_cut && is_on_ridge(s, v, limits)) return Refusal::ridge;
+    farthest = std::max(farthest, d);
+  }
+  stray = farthest + farthest_strayed(s, a, b, strays);
+  if (stray > limits.farthest) return Refusal::distance;
+  return std::nullopt;
+}
+
+void carry_out(Rock& rock, const CollapseVerdict& verdict, std::vector<int>& ring, Strays& strays,
                MaintenanceReport& report) {
   mesh::Surface& s = rock.surface;
   const int c = verdict.corner;
@@ -94,20 +145,22 @@ void carry_out(Rock& rock, const CollapseVerdict& verdict, std::vector<int>& rin
   ring.clear();
   for (const int v : {keep, gone})
     mesh::visit_corners(s, v, [&](int k) { ring.push_back(s.vertex(mesh::next_corner(k))); });
+  LocalState before;
+  if constexpr (check_every_operation) before = local_state(s, ring);
   mesh::collapse_edge(s, c, verdict.x_W);
   rock.grid.remove(gone);
   rock.grid.move(keep, verdict.x_W);
   for (const int v : ring)
     if (v != gone) touch(rock, v);
-  ++report.collapses;
-  report.volume_change += verdict.volume;
-  report.volume_disturbed += std::abs(verdict.volume);
+  strays.note(keep, verdict.stray);
+  note_done(report, Operation::collapse, verdict.volume);
+  if constexpr (check_every_operation) demand_around(rock, before, verdict.volume, "collapses");
 }
 
 }  // namespace
 
 CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
-                               const MaintenanceLimits& limits) {
+                               const MaintenanceLimits& limits, const Strays& strays) {
   CollapseVerdict v;
   if (s.is_boundary(a) || s.is_boundary(b)) {
     v.refused = Refusal::boundary;
@@ -121,7 +174,8 @@ CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
   }
   const double floor = std::min(0.3, std::min(worst_quality(s, a), worst_quality(s, b)));
   for (const Trial& t : trials(s, a, b)) {
-    const auto why = judge_trial(s, a, b, t, floor, limits);
+    auto why = judge_trial(s, a, b, t, floor, limits);
+    if (!why) why = judge_distance(s, a, b, t.x_W, limits, strays, v.stray);
     if (!why) {
       v.refused.reset();
       v.x_W = t.x_W;
@@ -133,13 +187,13 @@ CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
   return v;
 }
 
-void try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std::vector<int>& ring,
-                  MaintenanceReport& report) {
-  const CollapseVerdict v = judge_collapse(rock.surface, a, b, limits);
-  if (v.refused)
-    ++report.refused[static_cast<std::size_t>(*v.refused)];
-  else if (v.corner >= 0)  // otherwise an earlier collapse took the edge
-    carry_out(rock, v, ring, report);
+bool try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std::vector<int>& ring,
+                  Strays& strays, MaintenanceReport& report) {
+  const CollapseVerdict v = judge_collapse(rock.surface, a, b, limits, strays);
+  if (v.refused) note_refused(report, Operation::collapse, *v.refused);
+  if (!is_accepted(v)) return false;  // or an earlier collapse took the edge
+  carry_out(rock, v, ring, strays, report);
+  return true;
 }
 
 }  // namespace tdbd::rock

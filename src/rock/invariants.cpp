@@ -11,6 +11,8 @@
 #include "mesh/measures.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "rock/collapse.hpp"
+#include "rock/flip.hpp"
+#include "rock/star.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -71,27 +73,36 @@ std::string at_edge(const Surface& s, int a, int b) {
                      in_mm(0.5 * (s.position(a) + s.position(b))));
 }
 
-void check_edge(const Surface& s, int c, const MaintenanceLimits& limits, bool ask_long,
-                Violations& found) {
+void check_edge(const Surface& s, int c, const MaintenanceLimits& limits, const Strays& strays,
+                bool ask_long, Violations& found) {
   const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
   if (ask_long && length(s, a, b) > limits.longest_edge && s.opposite_of(c) >= 0)
     found.push_back({Invariant::edges, at_edge(s, a, b) + " is too long"});
-  if (length(s, a, b) < limits.shortest_edge && is_accepted(judge_collapse(s, a, b, limits)))
+  if (length(s, a, b) < limits.shortest_edge &&
+      is_accepted(judge_collapse(s, a, b, limits, strays)))
     found.push_back({Invariant::edges, at_edge(s, a, b) + " is too short and would collapse"});
 }
 
-void check_shape(const Surface& s, int t, const MaintenanceLimits& limits, Violations& found) {
-  const auto& v = s.triangles[at(t)];
-  const double q = mesh::triangle_quality(s.position(v[0]), s.position(v[1]), s.position(v[2]));
-  if (q >= limits.worst_quality) return;
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (length(s, v[i], v[(i + 1) % 3]) < length(s, v[k], v[(k + 1) % 3])) k = i;
-  const int a = std::min(v[k], v[(k + 1) % 3]), b = std::max(v[k], v[(k + 1) % 3]);
-  if (is_accepted(judge_collapse(s, a, b, limits)))
+void check_shape(const Surface& s, int t, const MaintenanceLimits& limits, const Strays& strays,
+                 Violations& found) {
+  const mesh::Facet f = facet_at(s, 3 * t);
+  const double q = quality(f);
+  const std::array<double, 3> edges{(f.b - f.c).squaredNorm(), (f.c - f.a).squaredNorm(),
+                                    (f.a - f.b).squaredNorm()};
+  const auto corner = [&](auto edge) { return 3 * t + static_cast<int>(edge - edges.begin()); };
+  const int shortest = corner(std::min_element(edges.begin(), edges.end()));
+  const int longest = corner(std::max_element(edges.begin(), edges.end()));
+  const int a = s.vertex(mesh::next_corner(shortest)),
+            b = s.vertex(mesh::previous_corner(shortest));
+  const auto note = [&](const char* what) {
     found.push_back({Invariant::quality,
-                     fmt::format("{} has quality {:.4f} and its shortest edge would collapse",
-                                 at_triangle(s, t), q)});
+                     fmt::format("{} has quality {:.4f} and its {}", at_triangle(s, t), q, what)});
+  };
+  if (q < limits.worst_quality &&
+      is_accepted(judge_collapse(s, std::min(a, b), std::max(a, b), limits, strays)))
+    note("shortest edge would collapse");
+  if (q < limits.flip_quality && !judge_flip(s, longest, limits, strays).refused)
+    note("longest edge would flip");
 }
 
 bool in_both(const Surface& s, const Surface& o, int t) {
@@ -163,18 +174,18 @@ Violations check_disc(const Rock& rock) {
 }
 
 Violations check_repairs(const Surface& s, const std::vector<std::uint8_t>& asked,
-                         const MaintenanceLimits& limits) {
+                         const MaintenanceLimits& limits, const Strays& strays) {
   Violations found;
   for (int t = 0; t < s.triangle_slots(); ++t) {
     if (!s.triangle_is_alive(t)) continue;
     if (std::ranges::none_of(s.triangles[at(t)], [&](int v) { return asked[at(v)] != 0; }))
       continue;
-    check_shape(s, t, limits, found);
+    check_shape(s, t, limits, strays, found);
     for (int c = 3 * t; c < 3 * t + 3; ++c) {
       const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
       if (!asked[at(a)] && !asked[at(b)]) continue;
       if (a < b || s.opposite_of(c) < 0)
-        check_edge(s, c, limits, asked[at(a)] == 1 || asked[at(b)] == 1, found);
+        check_edge(s, c, limits, strays, asked[at(a)] == 1 || asked[at(b)] == 1, found);
     }
   }
   return found;
@@ -256,11 +267,11 @@ Violations check_locality(const Rock& before, const Surface& after) {
 }
 
 Violations check_maintenance(const Rock& before, const Rock& after, const MaintenanceLimits& limits,
-                             const MaintenanceReport& report) {
+                             const MaintenanceReport& report, const Strays& strays) {
   Violations found = check_disc(after);
   if (!found.empty()) return found;  // the others walk around vertices
   const Surface &s = before.surface, &now = after.surface;
-  append(found, check_repairs(now, looked_at(before, now), limits));
+  append(found, check_repairs(now, looked_at(before, now), limits, strays));
   append(found, check_ledger(s, now, report.volume_change));
   append(found, check_distance(s, now, limits));
   append(found, check_locality(before, now));

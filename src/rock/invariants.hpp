@@ -13,7 +13,7 @@ namespace tdbd::rock {
 /// asked by reference/mesh/self_intersections.
 enum class Invariant {
   disc,      ///< M1: oriented 2-manifold with one boundary loop; adjacency and index in step
-  quality,   ///< M2: no triangle below worst_quality whose shortest edge would collapse
+  quality,   ///< M2: no triangle whose shortest edge would collapse or longest edge would flip
   edges,     ///< M3: no edge outside its limits that would collapse or be bisected
   normals,   ///< M4
   ledger,    ///< M5: the reported change of volume is the change, to tolerance::ledger
@@ -34,9 +34,10 @@ std::string describe(const std::vector<Violation>& found, std::size_t max = 10);
 std::vector<Violation> check_disc(const Rock& rock);
 
 /// M2 and M3 where asked[v] is 1 at a vertex of a triangle or an end of an edge: the guards are
-/// asked again about every repair that is left. Where it is 2 about collapses alone.
+/// asked again about every repair that is left. Where it is 2 not about bisections. `strays`: those
+/// of the maintenance, since a repair may be refused for what others have moved already.
 std::vector<Violation> check_repairs(const mesh::Surface& s, const std::vector<std::uint8_t>& asked,
-                                     const MaintenanceLimits& limits);
+                                     const MaintenanceLimits& limits, const Strays& strays = {});
 
 /// M4 of one operation (a collapse or a bisection): of each triangle that is in its slot before and
 /// after.
@@ -65,6 +66,7 @@ std::vector<Violation> check_locality(const Rock& before, const mesh::Surface& a
 /// M1 to M3 and M5 to M7 of one maintenance, with what it alone reported.
 std::vector<Violation> check_maintenance(const Rock& before, const Rock& after,
                                          const MaintenanceLimits& limits,
-                                         const MaintenanceReport& report);
+                                         const MaintenanceReport& report,
+                                         const Strays& strays = {});
 
 }  // namespace tdbd::rock

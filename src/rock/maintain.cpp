@@ -3,119 +3,216 @@
 #include <algorithm>
 #include <tuple>
 
-#include "mesh/measures.hpp"
 #include "rock/bisect.hpp"
+#include "rock/blunt.hpp"
 #include "rock/collapse.hpp"
+#include "rock/flip.hpp"
+#include "rock/smooth.hpp"
+#include "rock/star.hpp"
 
 namespace tdbd::rock {
 namespace {
 
-using Candidate = MaintenanceWorkspace::Candidate;
+using Work = MaintenanceWorkspace;
+using Candidate = Work::Candidate;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-double edge_length(const mesh::Surface& s, int a, int b) {
-  return (s.position(b) - s.position(a)).norm();
-}
-
-/// Every edge at a touched vertex once, as (a, b) with a < b when both ends are touched.
-template <class Visit>
-void visit_touched_edges(const Rock& rock, const std::vector<int>& touched, Visit&& visit) {
-  const mesh::Surface& s = rock.surface;
-  for (const int v : touched) {
-    if (!s.is_alive(v)) continue;
-    mesh::visit_corners(s, v, [&](int c) {
-      const int w = s.vertex(mesh::next_corner(c));
-      if (v < w || !rock.touched[at(w)]) visit(std::min(v, w), std::max(v, w), c);
-      const int x = s.vertex(mesh::previous_corner(c));  // the fan's open end at a boundary
-      if (mesh::turn_left(s, c) < 0 && (v < x || !rock.touched[at(x)]))
-        visit(std::min(v, x), std::max(v, x), c);
-    });
-  }
-}
-
-bool shorter(const Candidate& x, const Candidate& y) {
+/// Smallest key first, then by vertices: an order that hangs on no address.
+bool is_before(const Candidate& x, const Candidate& y) {
   return std::tie(x.key, x.a, x.b) < std::tie(y.key, y.a, y.b);
 }
-bool longer(const Candidate& x, const Candidate& y) {
-  return std::tie(y.key, x.a, x.b) < std::tie(x.key, y.a, y.b);
+
+void sort_unique(std::vector<int>& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+void sort_unique(std::vector<Candidate>& edges) {
+  std::sort(edges.begin(), edges.end(), is_before);
+  const auto same = [](const Candidate& x, const Candidate& y) { return x.a == y.a && x.b == y.b; };
+  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+}
+
+/// A triangle as the limits see it. Lengths and quality squared: comparing needs no root.
+struct Shape {
+  std::array<double, 3> edge2{};  ///< m2, of the edge that faces corner i
+  double quality2 = 0.0;
+};
+
+Shape shape_of(const mesh::Surface& s, int t) {
+  const mesh::Facet f = facet_at(s, 3 * t);
+  const Vec3 ab = f.b - f.a, ac = f.c - f.a, bc = f.c - f.b;
+  Shape shape{{bc.squaredNorm(), ac.squaredNorm(), ab.squaredNorm()}, 0.0};
+  const double sum = shape.edge2[0] + shape.edge2[1] + shape.edge2[2];
+  if (sum > 0.0) shape.quality2 = 12.0 * ab.cross(ac).squaredNorm() / (sum * sum);
+  return shape;
+}
+
+bool is_below(const Shape& shape, double quality) { return shape.quality2 < quality * quality; }
+
+Candidate edge_facing(const mesh::Surface& s, int c, double key) {
+  const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+  return {key, std::min(a, b), std::max(a, b)};
+}
+
+/// Every living triangle at the given vertices once, with its shape.
+template <class Visit>
+void visit_triangles(const mesh::Surface& s, const std::vector<int>& vertices, Work& work,
+                     Visit&& visit) {
+  ++work.stamp;
+  work.seen.resize(s.triangles.size(), 0);
+  for (const int v : vertices)
+    if (s.is_alive(v))
+      mesh::visit_corners(s, v, [&](int c) {
+        const int t = c / 3;
+        if (work.seen[at(t)] == work.stamp) return;
+        work.seen[at(t)] = work.stamp;
+        visit(t, shape_of(s, t));
+      });
+}
+
+/// Lowers the tips of spikes among the vertices of touched triangles. A tip below another is looked
+/// at in the next maintenance.
+void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
+                  MaintenanceReport& report) {
+  const mesh::Surface& s = rock.surface;
+  work.changed.clear();
+  visit_triangles(s, rock.touched_list, work, [&](int t, const Shape&) {
+    ++report.touched_triangles;
+    const mesh::Triangle& v = s.triangles[at(t)];
+    const auto higher = [&](int a, int b) { return s.position(a).z() < s.position(b).z(); };
+    const int top = *std::min_element(v.begin(), v.end(), higher);
+    const double steep = limits.shortest_edge * limits.shortest_edge;
+    if (-area_vector(facet_at(s, 3 * t)).z() < 0.5 * steep) work.changed.push_back(top);
+  });
+  sort_unique(work.changed);
+  for (const int v : work.changed) try_blunt(rock, v, limits, work.strays, report);
 }
 
 /// Rounds of bisection: a round's new edges are looked at in the next. Each halves the longest.
-void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
+void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
                        MaintenanceReport& report) {
   constexpr int most_rounds = 24;
-  for (int round = 0; round < most_rounds; ++round) {
+  const double longest2 = limits.longest_edge * limits.longest_edge;
+  work.region = rock.touched_list;
+  for (int round = 0; round < most_rounds && !work.region.empty(); ++round) {
     work.edges.clear();
-    visit_touched_edges(rock, rock.touched_list, [&](int a, int b, int) {
-      const double length = edge_length(rock.surface, a, b);
-      if (length > limits.longest_edge) work.edges.push_back({length, a, b});
+    visit_triangles(rock.surface, work.region, work, [&](int t, const Shape& shape) {
+      for (int i = 0; i < 3; ++i)
+        if (const double l2 = shape.edge2[at(i)]; l2 > longest2) {
+          const Candidate e = edge_facing(rock.surface, 3 * t + i, -l2);
+          if (rock.touched[at(e.a)] || rock.touched[at(e.b)]) work.edges.push_back(e);
+        }
     });
-    std::sort(work.edges.begin(), work.edges.end(), longer);
-    const long before = report.bisections;
-    for (const Candidate& e : work.edges) bisect_edge(rock, e.a, e.b, limits, report);
-    if (report.bisections == before) return;
+    sort_unique(work.edges);
+    work.region.clear();
+    for (const Candidate& e : work.edges)
+      if (bisect_edge(rock, e.a, e.b, limits, work.ring, report))
+        work.region.insert(work.region.end(), work.ring.begin(), work.ring.end());
+    sort_unique(work.region);
   }
 }
 
-/// If triangle t is badly shaped, its shortest edge (4.2.4.4).
-void find_bad_shape(const mesh::Surface& s, int t, const MaintenanceLimits& limits,
-                    std::vector<Candidate>& edges) {
-  const mesh::Triangle& v = s.triangles[at(t)];
-  if (mesh::triangle_quality(s.position(v[0]), s.position(v[1]), s.position(v[2])) >=
-      limits.worst_quality)
-    return;
-  Candidate shortest{1e300, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int p = std::min(v[i], v[(i + 1) % 3]), q = std::max(v[i], v[(i + 1) % 3]);
-    const Candidate e{edge_length(s, p, q), p, q};
-    if (shorter(e, shortest)) shortest = e;
+/// Whether a triangle lies back to back on one beside it. Rock that is moved along an upright wall
+/// can pass its neighbours there.
+bool is_folded(const mesh::Surface& s, int t) {
+  constexpr double back_to_back = -0.5;  // cosine of the normals
+  const Vec3 n = area_vector(facet_at(s, 3 * t));
+  for (int c = 3 * t; c < 3 * t + 3; ++c) {
+    const int o = s.opposite_of(c);
+    if (o < 0) continue;
+    const Vec3 m = area_vector(facet_at(s, o));
+    if (n.dot(m) < back_to_back * n.norm() * m.norm()) return true;
   }
-  edges.push_back(shortest);
+  return false;
 }
 
-/// Short edges, and the shortest edge of every badly shaped triangle (4.2.1), each once, shortest
-/// first: at all touched vertices, or in a later round where the one before changed something.
-void find_collapses(const Rock& rock, const MaintenanceLimits& limits, bool first_round,
-                    MaintenanceWorkspace& work) {
-  const mesh::Surface& s = rock.surface;
+/// Short edges, the shortest edge of every badly shaped triangle, and the edges of folds (4.2.1,
+/// 4.2.4.4).
+void find_collapses(const mesh::Surface& s, const MaintenanceLimits& limits, Work& work) {
+  const double shortest2 = limits.shortest_edge * limits.shortest_edge;
   work.edges.clear();
-  const auto look = [&](int a, int b, int c) {
-    const double length = edge_length(s, a, b);
-    if (length < limits.shortest_edge) work.edges.push_back({length, a, b});
-    find_bad_shape(s, c / 3, limits, work.edges);
-  };
-  if (first_round) visit_touched_edges(rock, rock.touched_list, look);
-  for (const int v : work.changed)
-    if (s.is_alive(v))
-      mesh::visit_corners(s, v, [&](int c) {
-        for (const int w : {s.vertex(mesh::next_corner(c)), s.vertex(mesh::previous_corner(c))})
-          look(std::min(v, w), std::max(v, w), c);
-      });
-  std::sort(work.edges.begin(), work.edges.end(), shorter);
-  const auto same = [](const Candidate& x, const Candidate& y) { return x.a == y.a && x.b == y.b; };
-  work.edges.erase(std::unique(work.edges.begin(), work.edges.end(), same), work.edges.end());
+  visit_triangles(s, work.region, work, [&](int t, const Shape& shape) {
+    const bool is_bad = is_below(shape, limits.worst_quality);
+    const double least2 = std::min({shape.edge2[0], shape.edge2[1], shape.edge2[2]});
+    const bool is_fold = limits.worst_quality > 0.0 && is_folded(s, t);
+    if (least2 >= shortest2 && !is_bad && !is_fold) return;
+    for (int i = 0; i < 3; ++i)
+      if (const double l2 = shape.edge2[at(i)];
+          l2 < shortest2 || is_fold || (is_bad && l2 == least2))
+        work.edges.push_back(edge_facing(s, 3 * t + i, l2));
+  });
+  sort_unique(work.edges);
 }
 
-/// Rounds of collapses until one carries out none: a collapse may shorten an edge beside it, or
-/// remove what another was refused for. What was refused is asked again only where the surface
-/// changed; each round but the last has fewer vertices, so rounds end.
-void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
+void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
                           MaintenanceReport& report) {
-  work.changed.clear();
-  for (bool first_round = true; first_round || !work.changed.empty(); first_round = false) {
-    find_collapses(rock, limits, first_round, work);
-    work.changed.clear();
-    for (const Candidate& e : work.edges) {
-      if (!rock.surface.is_alive(e.a) || !rock.surface.is_alive(e.b)) continue;
-      const long before = report.collapses;
-      try_collapse(rock, e.a, e.b, limits, work.ring, report);
-      if (report.collapses > before)
-        work.changed.insert(work.changed.end(), work.ring.begin(), work.ring.end());
-    }
-    std::sort(work.changed.begin(), work.changed.end());
-    work.changed.erase(std::unique(work.changed.begin(), work.changed.end()), work.changed.end());
+  find_collapses(rock.surface, limits, work);
+  for (const Candidate& e : work.edges) {
+    if (!rock.surface.is_alive(e.a) || !rock.surface.is_alive(e.b)) continue;
+    if (try_collapse(rock, e.a, e.b, limits, work.ring, work.strays, report))
+      work.changed.insert(work.changed.end(), work.ring.begin(), work.ring.end());
   }
+}
+
+/// The longest edge of triangles that flips may improve, worst first.
+void flip_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
+                MaintenanceReport& report) {
+  if (limits.flip_quality <= 0.0) return;
+  const mesh::Surface& s = rock.surface;
+  work.region.insert(work.region.end(), work.changed.begin(), work.changed.end());
+  work.edges.clear();
+  visit_triangles(s, work.region, work, [&](int t, const Shape& shape) {
+    if (!is_below(shape, limits.flip_quality)) return;
+    const auto longest = std::max_element(shape.edge2.begin(), shape.edge2.end());
+    const int c = 3 * t + static_cast<int>(longest - shape.edge2.begin());
+    work.edges.push_back(edge_facing(s, c, shape.quality2));
+  });
+  sort_unique(work.edges);
+  for (const Candidate& e : work.edges) {
+    const int c = mesh::corner_facing(s, e.a, e.b);
+    if (c < 0) continue;
+    const int p = s.vertex(c);
+    if (try_flip(rock, c, limits, work.strays, report))
+      work.changed.insert(work.changed.end(), {e.a, e.b, p, s.vertex(mesh::previous_corner(c))});
+  }
+}
+
+/// Rounds of collapses and flips in `work.region` until one carries out none: an operation may make
+/// another necessary beside it, or remove what one was refused for. What was refused is asked again
+/// only where the surface changed. Collapses leave fewer vertices, flips better triangles, so
+/// rounds end.
+void repair(Rock& rock, const MaintenanceLimits& limits, Work& work, MaintenanceReport& report) {
+  while (!work.region.empty()) {
+    work.changed.clear();
+    collapse_short_edges(rock, limits, work, report);
+    flip_edges(rock, limits, work, report);
+    sort_unique(work.changed);
+    std::swap(work.region, work.changed);
+  }
+}
+
+/// Smooths once every vertex of the touched triangles that want it; `work.region` receives what
+/// changed.
+void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
+                     MaintenanceReport& report) {
+  work.region.clear();
+  if (limits.smoothing == Smoothing::off) return;
+  const mesh::Surface& s = rock.surface;
+  work.changed.clear();
+  visit_triangles(s, rock.touched_list, work, [&](int t, const Shape& shape) {
+    if (!is_below(shape, limits.smooth_quality)) return;
+    for (int c = 3 * t; c < 3 * t + 3; ++c) work.changed.push_back(s.vertex(c));
+  });
+  sort_unique(work.changed);
+  for (const int v : work.changed) {
+    if (!try_smooth(rock, v, limits, work.strays, report)) continue;
+    work.region.push_back(v);
+    mesh::visit_corners(s, v,
+                        [&](int c) { work.region.push_back(s.vertex(mesh::next_corner(c))); });
+  }
+  sort_unique(work.region);
 }
 
 }  // namespace
@@ -124,14 +221,21 @@ MaintenanceLimits limits_for(double edge_length) {
   MaintenanceLimits l;
   l.shortest_edge = 0.4 * edge_length;
   l.longest_edge = 1.6 * edge_length;
-  l.volume_per_collapse = 0.01 * edge_length * edge_length * edge_length;
+  l.volume_per_operation = 0.01 * edge_length * edge_length * edge_length;
+  l.farthest = 0.5 * l.shortest_edge;
+  l.ridge_cut = 0.05 * edge_length;
   return l;
 }
 
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
+  work.strays.clear();
+  blunt_spikes(rock, limits, work, report);
   bisect_long_edges(rock, limits, work, report);
-  collapse_short_edges(rock, limits, work, report);
+  work.region = rock.touched_list;
+  repair(rock, limits, work, report);
+  smooth_vertices(rock, limits, work, report);
+  repair(rock, limits, work, report);
   rock.grid.refresh_one_layer();
   for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
   rock.touched_list.clear();

@@ -34,6 +34,7 @@ RockStart read_rock(Config c) {
       {{"conforming", RockShape::conforming}, {"flat", RockShape::flat}, {"file", RockShape::file}},
       RockShape::conforming);
   r.edge_length = c.quantity("edge_length", "m", std::nullopt, Range::within(1e-5, 0.1));
+  r.trim = c.quantity("trim", "m", 0.0, Range::non_negative());
   if (r.shape == RockShape::file) {
     r.file = c.path("file", std::nullopt);
     r.unit = c.quantity("unit", "m", 1e-3, Range::positive());
@@ -115,6 +116,11 @@ MaintenancePlan read_maintenance(Config c) {
   p.shortest_edge = c.quantity("shortest_edge", "1", p.shortest_edge, Range::within(0.0, 0.7));
   p.longest_edge = c.quantity("longest_edge", "1", p.longest_edge, Range::within(1.3, 100.0));
   p.worst_quality = c.quantity("worst_quality", "1", p.worst_quality, Range::within(0.0, 0.5));
+  p.flip_quality = c.quantity("flip_quality", "1", p.flip_quality, Range::within(0.0, 1.0));
+  p.smoothing = c.choice<rock::Smoothing>(
+      "smoothing", {{"off", rock::Smoothing::off}, {"tangential", rock::Smoothing::tangential}},
+      p.smoothing);
+  p.smooth_quality = c.quantity("smooth_quality", "1", p.smooth_quality, Range::within(0.0, 1.0));
   return p;
 }
 

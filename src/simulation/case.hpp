@@ -6,6 +6,7 @@
 
 #include "bit/bit.hpp"
 #include "core/config.hpp"
+#include "rock/maintain.hpp"
 #include "simulation/motion.hpp"
 
 namespace tdbd::simulation {
@@ -20,6 +21,7 @@ struct RockStart {
   double radius = 0.0;       ///< m, flat only; 0: the bit's gage radius
   std::string file;          ///< file only
   double unit = 1.0;         ///< m per unit of the file
+  double trim = 0.0;         ///< m: wall higher above the bit's lowest point goes; 0: none does
 };
 
 struct TimeGrid {
@@ -32,6 +34,9 @@ struct MaintenancePlan {
   double shortest_edge = 0.4;  ///< over edge_length
   double longest_edge = 1.6;   ///< over edge_length
   double worst_quality = 0.1;
+  double flip_quality = 0.6;  ///< triangles below may flip their longest edge; 0: none does
+  rock::Smoothing smoothing = rock::Smoothing::tangential;
+  double smooth_quality = 0.5;  ///< vertices of triangles below are smoothed
 };
 
 struct OutputPlan {

@@ -77,10 +77,8 @@ std::vector<PartVolumes> part_volumes(const Case& c, const VolumeLedger& l) {
 }
 
 std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r) {
-  std::map<std::string, long> counts{{"bisections", r.bisections}, {"collapses", r.collapses}};
-  for (std::size_t i = 0; i < r.refused.size(); ++i)
-    counts[std::string("refused_") + rock::refusal_names[i]] = r.refused[i];
-  return counts;
+  const auto counts = rock::counts(r);
+  return {counts.begin(), counts.end()};
 }
 
 /// What a run writes on its way.
@@ -152,6 +150,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.parts = part_volumes(c, s.ledger);
   r.volume_ledger_defect = ledger_defect(s);
   r.maintenance_volume = s.maintenance.volume_change;
+  r.trimmed_volume = s.ledger.trimmed.value();
   r.rock_triangles_start = s.start_triangles;
   r.rock_triangles_end = s.rock.surface.triangle_count();
   std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.rock.surface);

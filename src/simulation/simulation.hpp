@@ -5,6 +5,7 @@
 #include "core/compensated_sum.hpp"
 #include "rock/cut_rock.hpp"
 #include "rock/maintain.hpp"
+#include "rock/trim.hpp"
 #include "simulation/case.hpp"
 #include "simulation/cone_motion.hpp"
 
@@ -14,8 +15,17 @@ namespace tdbd::simulation {
 struct VolumeLedger {
   double hole_start = 0.0;  ///< hole's volume under the cap of its boundary
   CompensatedSum removed;
+  CompensatedSum trimmed;  ///< of hole_volume, with the wall that was trimmed
   std::vector<CompensatedSum> removed_by_part;
   std::vector<std::vector<double>> removed_by_revolution;  ///< [revolution][part]
+};
+
+/// Where the wall ends above the bit, when it is trimmed (rock.trim).
+struct Trimming {
+  double height = 0.0;     ///< m, of the plane above the bit's origin; 0: no trimming
+  double done_W = -1e300;  ///< m: the last plane's z
+  long triangles = 0;      ///< removed
+  rock::TrimWorkspace work;
 };
 
 /// All that a run carries from step to step.
@@ -31,6 +41,7 @@ struct Simulation {
   std::vector<ConeState> cones;
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
+  Trimming trimming;
 };
 
 /// Builds rock and bit of a case at t = 0. Throws InputError if the bit starts deeper in the rock
@@ -38,10 +49,11 @@ struct Simulation {
 Simulation start(const Case& c);
 
 /// One time step, thesis fig. 4.2: the bit moves, every part cuts, the ledger notes it, and the
-/// surface is maintained when due.
+/// surface is maintained, and its wall trimmed, when due.
 void step(const Case& c, Simulation& s);
 
-/// |start + removed + maintenance - now| over the largest of them: tolerance::ledger bounds it.
+/// |start + removed + maintenance - trimmed - now| over the largest of them: tolerance::ledger
+/// bounds it.
 double ledger_defect(const Simulation& s);
 
 }  // namespace tdbd::simulation

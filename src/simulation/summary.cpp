@@ -25,7 +25,8 @@ Json removed_json(const RunSummary& s) {
           {"removed_volume_by_revolution_m3", s.removed_volume_by_revolution},
           {"removed_volume_by_part_by_revolution_m3", by_part_by_revolution},
           {"volume_ledger_defect", s.volume_ledger_defect},
-          {"maintenance_volume_m3", s.maintenance_volume}};
+          {"maintenance_volume_m3", s.maintenance_volume},
+          {"trimmed_volume_m3", s.trimmed_volume}};
 }
 
 Json rock_json(const RunSummary& s) {

@@ -46,6 +46,7 @@ struct RunSummary {
   std::vector<PartVolumes> parts;
   double volume_ledger_defect = 0.0;  ///< relative
   double maintenance_volume = 0.0;    ///< m3 that maintenance of the mesh added (+) or took (-)
+  double trimmed_volume = 0.0;  ///< m3 of the hole about W's origin that went with trimmed wall
   long rock_triangles_start = 0;
   long rock_triangles_end = 0;
   double rock_quality_min = 0.0;

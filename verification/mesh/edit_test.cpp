@@ -162,5 +162,62 @@ TEST(collapse_keeps_topology, refuses_a_boundary_edge_and_a_boundary_vertex_that
     }
 }
 
+/// The flip on plain triangles.
+TriangleMesh flipped_by_renaming(const TriangleMesh& m, int c, int o) {
+  TriangleMesh result = m;
+  const Triangle t = m.triangles[c / 3], u = m.triangles[o / 3];
+  const int p = t[c % 3], a = t[(c + 1) % 3], b = t[(c + 2) % 3], q = u[o % 3];
+  result.triangles[c / 3] = {p, a, q};
+  result.triangles[o / 3] = {q, b, p};
+  return result;
+}
+
+/// The same triangles, each turned to start at its smallest vertex, in order.
+std::set<Triangle> as_set(const TriangleMesh& m) {
+  std::set<Triangle> all;
+  for (Triangle t : m.triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    all.insert(t);
+  }
+  return all;
+}
+
+RC_GTEST_PROP(flip_edge, is_right_about_every_edge, ()) {
+  Surface s = random_sheet();
+  for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20)))
+    random_edit(s, choice);
+  const TriangleMesh m = compact(s);
+  s = make_surface(m);
+  for (const int c : interior_corners(s)) {
+    const TriangleMesh expected = flipped_by_renaming(m, c, s.opposite_of(c));
+    RC_ASSERT(flip_keeps_topology(s, c) == topological_defects(expected).empty());
+    if (!flip_keeps_topology(s, c)) continue;
+    Surface flipped = s;
+    flip_edge(flipped, c);
+    RC_ASSERT(adjacency_is_consistent(flipped));
+    RC_ASSERT(as_set(compact(flipped)) == as_set(expected));
+    RC_ASSERT(flipped.boundary == s.boundary);
+  }
+}
+
+/// Four flips of one edge, each at the edge that the last one made, turn it once around.
+RC_GTEST_PROP(flip_edge, four_times_gives_the_same_triangles, ()) {
+  const Surface s = random_sheet();
+  for (const int c : interior_corners(s)) {
+    if (!flip_keeps_topology(s, c)) continue;
+    Surface flipped = s;
+    for (int k = 0, at = c; k < 4; ++k, at = next_corner(at)) flip_edge(flipped, at);
+    RC_ASSERT(as_set(compact(flipped)) == as_set(compact(s)));
+  }
+}
+
+TEST(flip_keeps_topology, refuses_a_boundary_edge) {
+  const Surface s = make_surface(battery::bumpy_rock(1.0, 2, 0.0, 3));
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c)
+    if (s.opposite_of(c) < 0) {
+      EXPECT_FALSE(flip_keeps_topology(s, c));
+    }
+}
+
 }  // namespace
 }  // namespace tdbd::mesh

@@ -10,7 +10,9 @@
 #include "rock/bisect.hpp"
 #include "rock/collapse.hpp"
 #include "rock/cutting_scene.hpp"
+#include "rock/flip.hpp"
 #include "rock/invariants.hpp"
+#include "rock/smooth.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
@@ -21,12 +23,12 @@
 namespace tdbd::rock {
 namespace {
 
-enum class Kind { cut, maintain, collapse, bisect, reload, count };
+enum class Kind { cut, maintain, collapse, bisect, flip, smooth, reload, count };
 
 /// Numbers mean what the kind makes of them.
 struct Command {
   Kind kind = Kind::cut;
-  int pick = 0;                 ///< cut: shape of the tool; collapse, bisect: an edge
+  int pick = 0;                 ///< cut: shape of the tool; single operations: an edge
   double size = 0.2;            ///< cut: of the tool; else: edge length, less 0.15
   double quality = 0.1;         ///< maintain: worst quality
   double outwards = 0.0;        ///< cut: angle of the update direction against straight down
@@ -51,6 +53,12 @@ void showValue(const Command& c, std::ostream& out) {
       break;
     case Kind::bisect:
       out << fmt::format("bisect edge {} at edges of {}", c.pick, c.size + 0.15);
+      break;
+    case Kind::flip:
+      out << fmt::format("flip edge {} at edges of {}", c.pick, c.size + 0.15);
+      break;
+    case Kind::smooth:
+      out << fmt::format("smooth at edge {} at edges of {}", c.pick, c.size + 0.15);
       break;
     default:
       out << "save and load";
@@ -108,6 +116,8 @@ void cut(Run& run, const Command& c) {
 MaintenanceLimits limits_of(const Command& c) {
   MaintenanceLimits limits = limits_for(c.size + 0.15);  // of rock with edges of 0.33 and more
   limits.worst_quality = c.quality;
+  limits.flip_quality = limits.smooth_quality = 3.0 * c.quality;
+  limits.smoothing = c.pick % 2 == 0 ? Smoothing::off : Smoothing::tangential;
   return limits;
 }
 
@@ -134,18 +144,20 @@ void operate(Run& run, const Command& c) {
   const int a = run.rock.surface.vertex(mesh::next_corner(at)),
             b = run.rock.surface.vertex(mesh::previous_corner(at));
   std::vector<int> ring;
+  Strays strays;
   MaintenanceReport report;
   MaintenanceLimits limits = limits_of(c);
   limits.longest_edge *= c.kind == Kind::bisect ? 0.25 : 1.0;
-  if (c.kind == Kind::bisect)
-    bisect_edge(run.rock, a, b, limits, report);
-  else
-    try_collapse(run.rock, a, b, limits, ring, report);
+  if (c.kind == Kind::bisect) bisect_edge(run.rock, a, b, limits, ring, report);
+  if (c.kind == Kind::collapse) try_collapse(run.rock, a, b, limits, ring, strays, report);
+  if (c.kind == Kind::flip) try_flip(run.rock, at, limits, strays, report);
+  if (c.kind == Kind::smooth) try_smooth(run.rock, a, limits, strays, report);
   run.change += report.volume_change;
   before.touched.assign(before.touched.size(), 0);
   before.touched[a] = before.touched[b] = 1;
   RC_ASSERT(describe(check_locality(before, run.rock.surface)) == "");
   RC_ASSERT(describe(check_normals(before.surface, run.rock.surface)) == "");
+  RC_ASSERT(describe(check_distance(before.surface, run.rock.surface, limits)) == "");
 }
 
 /// Through a file and back: the same bits, slots without gaps.

@@ -63,8 +63,7 @@ TEST_F(TwentyRevolutions, keep_edges_in_their_limits) {  // M3
     too_long += length > simulation_->limits.longest_edge;
     too_short += length < simulation_->limits.shortest_edge;
   }
-  long refused = 0;
-  for (const long count : simulation_->maintenance.refused) refused += count;
+  const long refused = rock::refusals(simulation_->maintenance);
   fmt::print("edges: {} too long, {} too short of {}; {} refusals\n", too_long / 2, too_short / 2,
              all / 2, refused);
   EXPECT_LE(too_long + too_short, refused);
