@@ -162,6 +162,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   report.removed_by_part.assign(at(bit.part_count), 0.0);
   report.removed = 0.0;
   report.candidates = report.moved = 0;
+  w.stamp_before = w.stamp;
   w.moved_by_group.resize(bit.groups.size());
   w.unclear_by_group.resize(bit.groups.size());
   w.candidates.resize(bit.groups.size());

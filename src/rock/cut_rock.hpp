@@ -37,6 +37,7 @@ struct CutWorkspace {
   std::vector<Clear> clear;         ///< per candidate of the group at work
   std::vector<int> vertex_stamp, triangle_stamp;
   int stamp = 0;
+  int stamp_before = 0;  ///< the last one of the step before: a vertex of a later one has moved
 };
 
 /// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),

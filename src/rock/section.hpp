@@ -1,8 +1,8 @@
 #pragma once
 
-#include "rock/face_outline.hpp"
+#include "rock/column_sums.hpp"
+#include "rock/face_strips.hpp"
 #include "rock/rock.hpp"
-#include "rock/twist.hpp"
 
 namespace tdbd::rock {
 
@@ -23,21 +23,38 @@ struct Section {
   double volume_rate = 0.0;      ///< m3/s, swept by this area: integral of X . v dA
 };
 
+/// A face, prepared once for its sections.
+struct SectionFace {
+  FaceOutline outline;
+  FaceColumns columns;
+};
+
+SectionFace section_face(FaceOutline outline);
+
+/// Room for a section, kept between them so that none allocates once warm.
+struct SectionWork {
+  std::vector<int> chains;
+  std::vector<FaceStrip> strips;
+  ConvexPolygon forward_F;  ///< what of the outline does not go backwards, if not all
+  FaceColumns forward;      ///< the same in columns
+  ColumnSums sums;
+};
+
 /// The section of uncut rock by a face, formulation 2.6 (ours, beyond the thesis). The face is
 /// carried ahead along the screw motion of the bit, rigidly, and the triangles there are cut by its
 /// plane, so that nothing is approximated but the rock's own mesh. Carried by a time s the face's
 /// point x is X . v(x) s ahead, X . v being affine on the face: where it differs much, near the
-/// bit's axis, the face is carried in strips, each by lead / (least X . v on it), which is at most
-/// half as far again as `lead`. What of the face does not go forwards (X . v <= 0) takes no part.
+/// bit's axis, the face is carried in strips (face_strips). What of the face does not go forwards
+/// (X . v <= 0) takes no part.
 ///
 /// In the plane, with segments a b of the rock's outline that have rock on their left, the area is
 ///   sum of sign(y_a - y_b) |F beside the segment: y between y_a and y_b, on its -Z side|
 /// over the convex outline F, and the same for first moments and lengths of its edge: signed
 /// trapezoids, which need not know which segments are neighbours. So rock must not lie wholly above
 /// (+Z) the box of the outline. The surface is not changed; cost follows the triangles around the
-/// face. Pure: the same surface gives the same bits.
+/// face. Pure: the same surface gives the same bits, whatever its numbering and its index.
 /// X_WB: the bit now; twist: its motion over the rock.
-Section section(const Rock& rock, const FaceOutline& face, const Pose& X_WB, const Twist& twist,
-                const SectionPlace& place);
+Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB, const Twist& twist,
+                const SectionPlace& place, SectionWork& work);
 
 }  // namespace tdbd::rock

@@ -6,6 +6,7 @@
 
 #include "bit/bit.hpp"
 #include "core/config.hpp"
+#include "simulation/measure.hpp"
 #include "simulation/motion.hpp"
 
 namespace tdbd::simulation {
@@ -48,6 +49,7 @@ struct Case {
   Motion motion;
   TimeGrid time;
   MaintenancePlan maintenance;
+  MeasurePlan measure;
   OutputPlan output;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
   std::string hash;      ///< of the resolved values and the content of all files

@@ -41,6 +41,7 @@ Simulation start(const Case& c) {
   Simulation s;
   s.bit = rock::prepare_cutting_bit(c.bit);
   s.cones = start_cones(c);
+  s.measures = start_measures(c.bit, c.measure);
   s.rock = start_rock(c);
   s.limits = rock::limits_for(c.rock.edge_length);
   s.limits.shortest_edge = c.maintenance.shortest_edge * c.rock.edge_length;
@@ -63,6 +64,10 @@ void step(const Case& c, Simulation& s) {
   }
   rock::cut_rock(s.rock, s.bit, X_WB0, X_WB1, s.cut_work, s.cut);
   note(c, s);
+  measure(s.rock, c.measure,
+          {c.bit, s.bit, s.cut_work, s.cut, X_WB0, X_WB1, c.time.step, c.rock.edge_length,
+           revolution_of(c, s.steps_done)},
+          s.measures);
   ++s.steps_done;
   if (c.maintenance.every > 0 && s.steps_done % c.maintenance.every == 0)
     rock::maintain(s.rock, s.limits, s.maintenance_work, s.maintenance);

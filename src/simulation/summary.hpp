@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "simulation/measure.hpp"
+
 namespace tdbd::simulation {
 
 /// Whether a run reached its end.
@@ -53,6 +55,7 @@ struct RunSummary {
   double gage_radius = 0.0;                 ///< m
   std::map<std::string, long> maintenance;  ///< operation: how often
   std::vector<ConeFigures> cones;
+  std::vector<FaceFigures> faces;
 };
 
 /// What depends on the machine: what `timing.json` holds.

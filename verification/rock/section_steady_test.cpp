@@ -67,14 +67,18 @@ std::vector<double> swept_by_sections(const bit::Bit& bit, double edge_length) {
   CutReport cut;
   MaintenanceWorkspace maintain_work;
   MaintenanceReport maintained;
+  SectionWork section_work;
+  std::vector<SectionFace> faces;
+  for (const bit::Cutter& c : bit.cutters)
+    faces.push_back(section_face(face_outline(c, rim_points)));
   std::vector<double> volumes(bit.cutters.size(), 0.0);
   for (long i = 0; i < 3 * steps; ++i) {
     cut_rock(rock, cutting, pose_after(i), pose_after(i + 1), cut_work, cut);
     if (i % 5 == 4) maintain(rock, limits_for(edge_length), maintain_work, maintained);
     if (i < 2 * steps) continue;
     for (std::size_t c = 0; c < volumes.size(); ++c)
-      volumes[c] += section(rock, face_outline(bit.cutters[c], rim_points), pose_after(i + 1),
-                            twist, {1.2 * edge_length, 2.0 * edge_length})
+      volumes[c] += section(rock, faces[c], pose_after(i + 1), twist,
+                            {1.2 * edge_length, 2.0 * edge_length}, section_work)
                         .volume_rate /
                     steps;
   }

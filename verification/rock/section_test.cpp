@@ -22,6 +22,12 @@ Rock rock_of(const mesh::TriangleMesh& m, double cell) {
   return make_rock(mesh::make_surface(m), cell, mesh::bounding_box(m));
 }
 
+Section section_of(const Rock& rock, const FaceOutline& face, const Pose& X_WB, const Twist& twist,
+                   const SectionPlace& place) {
+  SectionWork work;
+  return section(rock, section_face(face), X_WB, twist, place, work);
+}
+
 /// A disc's face at the origin that moves along +x and leans over the rock ahead by `rake`.
 FaceOutline face_along_x(double radius, int points, double rake) {
   FaceOutline face;
@@ -47,7 +53,7 @@ const Twist along_x{Vec3::Zero(), Vec3(2.0, 0.0, 0.0)};
 Section of_flat_rock(int points) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const Pose X_WB{Mat3::Identity(), Vec3(-0.07, 0.013, deepest - radius * std::cos(rake))};
-  return section(rock, face_along_x(radius, points, rake), X_WB, along_x, {0.12, 0.15});
+  return section_of(rock, face_along_x(radius, points, rake), X_WB, along_x, {0.12, 0.15});
 }
 
 TEST(section, of_flat_rock_on_a_straight_path_is_a_circular_segment) {
@@ -83,7 +89,7 @@ TEST(section, is_nothing_above_the_rock_and_behind_its_edge) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const FaceOutline face = face_along_x(radius, 32, rake);
   for (const Vec3& p : {Vec3(0, 0, -0.5), Vec3(-3, 0, 0), Vec3(0, 0, -0.301)}) {
-    const Section s = section(rock, face, {Mat3::Identity(), p}, along_x, {0.12, 0.15});
+    const Section s = section_of(rock, face, {Mat3::Identity(), p}, along_x, {0.12, 0.15});
     EXPECT_EQ(s.area, 0.0);
     EXPECT_EQ(s.engaged_edge, 0.0);
     EXPECT_EQ(s.volume_rate, 0.0);
@@ -93,8 +99,8 @@ TEST(section, is_nothing_above_the_rock_and_behind_its_edge) {
 /// A face that goes backwards cuts nothing.
 TEST(section, is_nothing_for_a_face_that_goes_backwards) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
-  const Section s = section(rock, face_along_x(radius, 32, rake), {},
-                            {Vec3::Zero(), Vec3(-1.0, 0.0, 0.0)}, {0.12, 0.15});
+  const Section s = section_of(rock, face_along_x(radius, 32, rake), {},
+                               {Vec3::Zero(), Vec3(-1.0, 0.0, 0.0)}, {0.12, 0.15});
   EXPECT_EQ(s.area, 0.0);
 }
 
@@ -136,7 +142,7 @@ RC_GTEST_PROP(section, is_what_columns_of_the_carried_face_find_in_the_rock, ())
   const AnySection a = any_section();
   const double lead = *battery::number(0.0, 0.2);
   const Section s =
-      section(rock_of(a.rock_W, 0.2), a.face, a.X_WB, a.twist, {lead, longest_edge(a.rock_W)});
+      section_of(rock_of(a.rock_W, 0.2), a.face, a.X_WB, a.twist, {lead, longest_edge(a.rock_W)});
   const double forward = a.face.X_BF.R.col(0).dot(a.twist.linear_B);
   Pose X_WF = a.X_WB * a.face.X_BF;
   X_WF.p += a.X_WB.R * a.twist.linear_B * (lead / forward);
@@ -155,8 +161,8 @@ RC_GTEST_PROP(section, from_the_grid_is_that_from_all_triangles, ()) {
   AnySection a = any_section();
   a.twist.angular_B = Vec3(0.0, 0.0, *battery::number(-6.0, 6.0));
   const SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
-  const Section near = section(rock_of(a.rock_W, 0.07), a.face, a.X_WB, a.twist, place);
-  const Section all = section(rock_of(a.rock_W, 100.0), a.face, a.X_WB, a.twist, place);
+  const Section near = section_of(rock_of(a.rock_W, 0.07), a.face, a.X_WB, a.twist, place);
+  const Section all = section_of(rock_of(a.rock_W, 100.0), a.face, a.X_WB, a.twist, place);
   RC_ASSERT(near.area == all.area);
   RC_ASSERT(near.engaged_edge == all.engaged_edge);
   RC_ASSERT((near.centroid_B.array() == all.centroid_B.array()).all());

@@ -36,6 +36,10 @@ std::vector<Course> second_revolution(const Case& c) {
                           Vec3(0, 0, c.motion.rate_of_penetration)};
   constexpr int rim_points = 32;  // of the case's discs
   std::vector<Course> courses(c.bit.cutters.size());
+  std::vector<rock::SectionFace> faces;
+  for (const bit::Cutter& cutter : c.bit.cutters)
+    faces.push_back(rock::section_face(rock::face_outline(cutter, rim_points)));
+  rock::SectionWork work;
   Simulation s = start(c);
   while (s.steps_done < 2 * steps) {
     step(c, s);
@@ -46,8 +50,7 @@ std::vector<Course> second_revolution(const Case& c) {
         courses[static_cast<std::size_t>(cutter)].removed.back() += s.cut.removed_by_part[p];
     const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(s.steps_done));
     for (std::size_t i = 0; i < courses.size(); ++i) {
-      const auto face = rock::face_outline(c.bit.cutters[i], rim_points);
-      const auto now = rock::section(s.rock, face, X_WB, twist, {1.2 * edge, 2.0 * edge});
+      const auto now = rock::section(s.rock, faces[i], X_WB, twist, {1.2 * edge, 2.0 * edge}, work);
       courses[i].swept.push_back(now.volume_rate * c.time.step);
     }
   }
