@@ -119,8 +119,7 @@ void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
                stop = std::min(right.x(), face.columns[end - 1].y1);
   if (!(begin < stop)) return;
   const double slope = (right.y() - left.y()) / (right.x() - left.x());
-  const auto part = static_cast<std::size_t>((begin - face.lo_F.x()) * face.parts_per_metre);
-  std::size_t i = std::max<std::size_t>(first, face.first_of[std::min<std::size_t>(part, 63)]);
+  std::size_t i = std::max(first, face.near(begin));
   for (double y = begin; i < end && y < stop; ++i) {
     const FaceColumn& c = face.columns[i];
     if (c.y1 <= y) continue;

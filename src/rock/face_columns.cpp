@@ -25,7 +25,7 @@ void find_box(const ConvexPolygon& outline_F, FaceColumns& c) {
 void divide(const ConvexPolygon& outline_F, FaceColumns& c) {
   c.columns.clear();
   c.columns.reserve(outline_F.size());
-  for (const Vec2& x_F : outline_F) c.columns.push_back({x_F.x(), 0, 0, 0, 0, 0, 0, 0});
+  for (const Vec2& x_F : outline_F) c.columns.push_back({x_F.x(), 0, 0, 0, 0, 0, 0, 0, 1});
   std::ranges::sort(c.columns, {}, &FaceColumn::y0);
   const double width = c.hi_F.x() - c.lo_F.x();
   const auto same = [&](const FaceColumn& a, const FaceColumn& b) {
@@ -46,7 +46,7 @@ void enter(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns& c) {
   const bool lower = p.x() < q.x();
   const Vec2 &left = lower ? p : q, &right = lower ? q : p;
   const double slope = (right.y() - left.y()) / (right.x() - left.x());
-  const double length = is_rim ? std::sqrt(1.0 + slope * slope) : 0.0;
+  const double rise = std::sqrt(1.0 + slope * slope), length = is_rim ? rise : 0.0;
   for (FaceColumn& column : c.columns) {
     const double middle = 0.5 * (column.y0 + column.y1);
     if (middle < left.x() || middle > right.x()) continue;
@@ -54,6 +54,7 @@ void enter(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns& c) {
     (lower ? column.lower : column.upper) = z;
     (lower ? column.lower_slope : column.upper_slope) = slope;
     (lower ? column.lower_length : column.upper_length) = length;
+    if (lower) column.lower_rise = rise;
   }
 }
 

@@ -15,6 +15,7 @@ struct FaceColumn {
   double lower, lower_slope;          ///< z of the lower edge at y0; dz / dy
   double upper, upper_slope;          ///< the same of the upper edge
   double lower_length, upper_length;  ///< of the edge over dy; 0: this edge is a cut, not the rim
+  double lower_rise;                  ///< length of the lower edge over dy, rim or cut
 };
 
 /// An outline in columns, ready for sums over segments (section.hpp).
@@ -26,6 +27,12 @@ struct FaceColumns {
   /// parts of the width.
   std::array<std::uint16_t, 64> first_of;
   double parts_per_metre = 0.0;
+
+  /// A column at most as far right as y, which lies in the outline's width, or near it.
+  std::size_t near(double y) const {
+    const double part = (y - lo_F.x()) * parts_per_metre;
+    return first_of[part < 63.0 ? static_cast<std::size_t>(part) : 63];
+  }
 };
 
 /// The columns of a convex outline, counter-clockwise. Edges along the line `cut` (n . x = b), if

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "rock/crossing_segments.hpp"
-
 namespace tdbd::rock {
 namespace {
 
@@ -30,14 +28,11 @@ const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& 
 }
 
 void add_strip(const Rock& rock, const FaceColumns& face, const FaceStrip& strip, const Pose& X_WF,
-               double longest_edge, SectionWork& w) {
-  const Vec2 lo_F(face.columns[strip.first].y0, face.lo_F.y()),
-      hi_F(face.columns[strip.end - 1].y1, face.hi_F.y());
-  visit_crossings(rock, face_plane(X_WF, lo_F, hi_F, longest_edge), w.chains,
-                  [&](const OutlineSegment& s) {
-                    if (std::max(s.from.y(), s.to.y()) > lo_F.y())
-                      add_segment(face, strip.first, strip.end, s, w.sums);
-                  });
+               double reach, SectionWork& w) {
+  find_outline(rock, face_plane(X_WF, face, strip.first, strip.end, reach), w.outline);
+  for (const OutlineSegment& s : w.outline.segments)
+    if (std::max(s.from.y(), s.to.y()) > face.lo_F.y())
+      add_segment(face, strip.first, strip.end, s, w.sums);
 }
 
 /// An edge of the outline: where its middle is, and how much of it is engaged.
@@ -96,8 +91,7 @@ Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB, con
   begin_sums(*columns, work.sums);
   face_strips(*columns, v, place.lead, time_of_turn(twist, place.largest_turn), work.strips);
   for (const FaceStrip& strip : work.strips)
-    add_strip(rock, *columns, strip, X_WB * carried(twist, strip.ahead) * X_BF, place.longest_edge,
-              work);
+    add_strip(rock, *columns, strip, X_WB * carried(twist, strip.ahead) * X_BF, place.reach, work);
   measure_area(X_BF, twist, work.sums, s);
   measure_edge(*columns, X_BF, twist, work.sums, s);
   return s;

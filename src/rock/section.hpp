@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rock/column_sums.hpp"
+#include "rock/crossing_segments.hpp"
 #include "rock/face_strips.hpp"
 #include "rock/rock.hpp"
 
@@ -9,8 +9,8 @@ namespace tdbd::rock {
 /// Where the rock ahead of a face is measured. The face is half-way through the triangles at its
 /// own place; an edge length farther on they are as the cutters before it left them.
 struct SectionPlace {
-  double lead = 0.0;          ///< m > 0, at least so far ahead; about 1.2 edge lengths
-  double longest_edge = 0.0;  ///< m, no edge of the rock near the face is longer
+  double lead = 0.0;   ///< m > 0, at least so far ahead; about 1.2 edge lengths
+  double reach = 0.0;  ///< m, how far around the face rock is looked for; about an edge length
   double largest_turn = 0.5;  ///< rad: beside the bit's axis never farther ahead than this
 };
 
@@ -33,7 +33,7 @@ SectionFace section_face(FaceOutline outline);
 
 /// Room for a section, kept between them so that none allocates once warm.
 struct SectionWork {
-  std::vector<int> chains;
+  OutlineWork outline;
   std::vector<FaceStrip> strips;
   ConvexPolygon forward_F;  ///< what of the outline does not go backwards, if not all
   FaceColumns forward;      ///< the same in columns

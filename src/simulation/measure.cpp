@@ -12,14 +12,13 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int rim_points = 64;  // a circle's area to 0.2 %
 
-/// No edge that crosses the face's plane has its vertex ahead farther from it; over edge lengths.
-constexpr double longest_edge = 2.0;
+/// Of rock::SectionPlace, over the edge length: no result changes if it is doubled.
+constexpr double reach = 1.0;
 
 void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,
                       Measures& m) {
   const rock::Twist twist = rock::twist_from(step.X_WB0, step.X_WB1, step.dt);
-  const rock::SectionPlace place{plan.section_lead * step.edge_length,
-                                 longest_edge * step.edge_length};
+  const rock::SectionPlace place{plan.section_lead * step.edge_length, reach * step.edge_length};
   for (std::size_t i = 0; i < m.faces.size(); ++i) {
     m.sections[i] = rock::section(rock, m.faces[i], step.X_WB1, twist, place, m.section_work);
     add(m.revolution[i].swept, m.sections[i].volume_rate * step.dt);
