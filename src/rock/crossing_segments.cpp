@@ -8,7 +8,7 @@ namespace {
 /// A vertex as the plane sees it.
 struct Seen {
   int v;
-  const Vec3& x_W;
+  Vec3 x_W;
   double ahead;
 };
 
@@ -21,7 +21,9 @@ class OutlineSearch {
   void around(int v, const Vec3& x_W, double ahead);
   bool is_in_zone(const Vec2& x_F) const;
   bool is_start(const Seen& a) const {
-    return a.ahead >= 0.0 && a.ahead <= f_.reach && is_in_zone(f_.in_plane(a.x_W));
+    if (!(a.ahead >= 0.0 && a.ahead <= f_.reach)) return false;
+    const Vec2 x_F = f_.in_plane(a.x_W);
+    return x_F.y() <= f_.top && is_in_zone(x_F);
   }
 
  private:
@@ -35,7 +37,7 @@ class OutlineSearch {
     const double w = ahead.ahead / (ahead.ahead - behind.ahead);
     return f_.in_plane(ahead.x_W + w * (behind.x_W - ahead.x_W));
   }
-  void triangle(int c, const Seen& v, const Seen& next, const Seen& last);
+  void triangle(int c, const Seen& v, const Seen& next, const Seen& last, bool ask_before);
   void follow(int facing, int ahead, int behind, Vec2 from);
   void follow_back(int facing, int ahead, int behind, Vec2 to);
 
@@ -55,23 +57,40 @@ bool OutlineSearch::is_in_zone(const Vec2& x_F) const {
   return below <= f_.reach * c.lower_rise;
 }
 
+/// The first corner of a vertex, from which turning left comes to all others.
+int first_corner(const mesh::Surface& s, int v) {
+  const int start = s.corner_of[static_cast<std::size_t>(v)];
+  if (!s.is_boundary(v)) return start;
+  int c = start;
+  for (int right = mesh::turn_right(s, c); right >= 0; right = mesh::turn_right(s, c)) c = right;
+  return c;
+}
+
 /// The triangles that cross the plane on an edge from this vertex to one behind.
 void OutlineSearch::around(int v, const Vec3& x_W, double ahead) {
   const Seen centre{v, x_W, ahead};
-  mesh::visit_corners(s_, v, [&](int c) {
-    const Seen next = seen_at(mesh::next_corner(c));
-    if (next.ahead < 0.0) triangle(c, centre, next, seen_at(mesh::previous_corner(c)));
-  });
+  const int first = first_corner(s_, v);
+  Seen next = seen_at(mesh::next_corner(first));
+  bool ask_before = true;
+  int c = first;
+  do {
+    const Seen last = seen_at(mesh::previous_corner(c));
+    if (next.ahead < 0.0) triangle(c, centre, next, last, ask_before);
+    ask_before = next.ahead >= 0.0;
+    next = last;
+    c = mesh::turn_left(s_, c);
+  } while (c >= 0 && c != first);
 }
 
 /// The triangle with this corner at v; follows the outline on either side where the vertex ahead is
-/// none to start from.
-void OutlineSearch::triangle(int c, const Seen& v, const Seen& next, const Seen& last) {
+/// none to start from. What comes before may be known to be around v, too.
+void OutlineSearch::triangle(int c, const Seen& v, const Seen& next, const Seen& last,
+                             bool ask_before) {
   const Vec2 from = crossing(v, next);
   const Vec2 to = last.ahead >= 0.0 ? crossing(last, next) : crossing(v, last);
   w_.segments.push_back({from, to});
   if (last.ahead >= 0.0 && !is_start(last)) follow(c, last.v, next.v, to);
-  const int before = s_.opposite_of(mesh::previous_corner(c));
+  const int before = ask_before ? s_.opposite_of(mesh::previous_corner(c)) : -1;
   if (before < 0) return;
   const Seen u = seen_at(before);
   if (u.ahead >= 0.0 && !is_start(u)) follow_back(mesh::previous_corner(c), v.v, next.v, from);
@@ -119,7 +138,7 @@ Region region_of(const FacePlane& f) {
   Region region{};
   region.slabs[0] = {f.n_W, f.n0 - rounding, f.n0 + reach};
   region.slabs[1] = {f.y_W, f.y0 + f.left - reach, f.y0 + f.right + reach};
-  region.slabs[2] = {f.z_W, f.z0 + f.face.lo_F.y() - reach, f.z0 + f.face.hi_F.y() + reach};
+  region.slabs[2] = {f.z_W, f.z0 + f.face.lo_F.y() - reach, f.z0 + f.top + rounding};
   Vec3 middle = Vec3::Zero(), half = Vec3::Zero();
   for (const Slab& s : region.slabs) {
     middle += 0.5 * (s.lo + s.hi) * s.n;
@@ -133,7 +152,7 @@ Region region_of(const FacePlane& f) {
 }  // namespace
 
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
-                     double reach) {
+                     double reach, double top) {
   const Vec3 n_W = X_WF.R.col(0), y_W = X_WF.R.col(1), z_W = X_WF.R.col(2);
   return {n_W,
           y_W,
@@ -144,20 +163,29 @@ FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t firs
           face,
           face.columns[first].y0,
           face.columns[end - 1].y1,
-          reach};
+          reach,
+          top};
 }
 
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   work.segments.clear();
-  OutlineSearch search(rock, plane, work);
+  work.near.clear();
   rock.grid.visit(region_of(plane), work.chains, [&](const VertexGrid::Block& block) {
+    std::size_t found = work.near.size();
+    work.near.resize(found + VertexGrid::block_size);
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.count); ++e) {
-      const VertexGrid::Entry& entry = block.entries[e];
-      const double ahead = plane.ahead(entry.x_W);
-      if (ahead >= 0.0 && ahead <= plane.reach && search.is_in_zone(plane.in_plane(entry.x_W)))
-        search.around(entry.v, entry.x_W, ahead);
+      const double ahead = plane.ahead(block.entries[e].x_W);
+      work.near[found] = &block.entries[e];  // no branch: chance decides, half and half
+      found += static_cast<std::size_t>(static_cast<int>(ahead >= 0.0) &
+                                        static_cast<int>(ahead <= plane.reach));
     }
+    work.near.resize(found);
   });
+  OutlineSearch search(rock, plane, work);
+  for (const VertexGrid::Entry* e : work.near) {
+    const double ahead = plane.ahead(e->x_W);
+    if (search.is_start({e->v, e->x_W, ahead})) search.around(e->v, e->x_W, ahead);
+  }
 }
 
 }  // namespace tdbd::rock

@@ -12,17 +12,19 @@ struct FacePlane {
   const FaceColumns& face;
   double left, right;  ///< m, y of the ends of the columns
   double reach;        ///< m
+  double top;          ///< m, z up to which vertices to start from are looked for
 
   double ahead(const Vec3& x_W) const { return n_W.dot(x_W) - n0; }
   Vec2 in_plane(const Vec3& x_W) const { return {y_W.dot(x_W) - y0, z_W.dot(x_W) - z0}; }
 };
 
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
-                     double reach);
+                     double reach, double top);
 
 /// Room for the pieces of the rock's outline.
 struct OutlineWork {
   std::vector<int> chains;
+  std::vector<const VertexGrid::Entry*> near;
   std::vector<OutlineSegment> segments;
   std::vector<OutlineSegment> run;
 };
@@ -31,8 +33,8 @@ struct OutlineWork {
 /// in any order, each triangle's once. Corners in the plane count as ahead. The zone is what is at
 /// most `reach` from the columns, for all that their ends and their lower edges tell. Of an outline
 /// of the rock all that lies within the zone is found, if one of its triangles there has a vertex
-/// in the zone that is ahead of the plane by at most `reach`; from such vertices on the outline is
-/// followed from triangle to triangle, however long their edges are.
+/// in the zone, not above `top`, that is ahead of the plane by at most `reach`; from such vertices
+/// on the outline is followed from triangle to triangle, however long their edges are.
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work);
 
 }  // namespace tdbd::rock

@@ -27,12 +27,29 @@ const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& 
   return w.forward.columns.empty() ? nullptr : &w.forward;
 }
 
-void add_strip(const Rock& rock, const FaceColumns& face, const FaceStrip& strip, const Pose& X_WF,
-               double reach, SectionWork& w) {
-  find_outline(rock, face_plane(X_WF, face, strip.first, strip.end, reach), w.outline);
-  for (const OutlineSegment& s : w.outline.segments)
-    if (std::max(s.from.y(), s.to.y()) > face.lo_F.y())
-      add_segment(face, strip.first, strip.end, s, w.sums);
+/// Whether the outline goes on above the zone where it is looked for.
+bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
+  const double top = f.face.hi_F.y() + 0.5 * f.reach;
+  const auto is_over = [&](const Vec2& x_F) {
+    return x_F.y() > top && x_F.x() > f.left && x_F.x() < f.right;
+  };
+  return is_over(s.from) || is_over(s.to);
+}
+
+/// Looks twice as far if nothing is seen, so that a short outline between few vertices is not lost.
+void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
+  find_outline(rock, plane, w.outline);
+  if (w.outline.segments.empty()) {
+    plane.reach *= 2.0;
+    find_outline(rock, plane, w.outline);
+  }
+  const FaceColumns& face = plane.face;
+  for (const OutlineSegment& s : w.outline.segments) {
+    if (std::max(s.from.y(), s.to.y()) <= face.lo_F.y()) continue;
+    if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
+    add_segment(face, strip.first, strip.end, s, w.sums);
+  }
+  if (w.sight == Sight::none && !w.outline.segments.empty()) w.sight = Sight::clear;
 }
 
 /// An edge of the outline: where its middle is, and how much of it is engaged.
@@ -87,11 +104,18 @@ Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB, con
   const Pose& X_BF = face.outline.X_BF;
   const ForwardSpeed v = forward_speed(X_BF, twist);
   const FaceColumns* columns = forward_columns(face, v, work);
+  s.sight = Sight::none;
   if (columns == nullptr) return s;
   begin_sums(*columns, work.sums);
+  work.sight = Sight::none;
   face_strips(*columns, v, place.lead, time_of_turn(twist, place.largest_turn), work.strips);
+  const double middle = 0.5 * (columns->lo_F.y() + columns->hi_F.y());
   for (const FaceStrip& strip : work.strips)
-    add_strip(rock, *columns, strip, X_WB * carried(twist, strip.ahead) * X_BF, place.reach, work);
+    add_strip(rock, strip,
+              face_plane(X_WB * carried(twist, strip.ahead) * X_BF, *columns, strip.first,
+                         strip.end, place.reach, middle),
+              work);
+  s.sight = work.sight;
   measure_area(X_BF, twist, work.sums, s);
   measure_edge(*columns, X_BF, twist, work.sums, s);
   return s;

@@ -14,6 +14,11 @@ struct SectionPlace {
   double largest_turn = 0.5;  ///< rad: beside the bit's axis never farther ahead than this
 };
 
+/// What was seen of the rock's outline in the plane of a face. none: nothing, so that the face is
+/// in the open, or deep in rock. over_the_top: the outline leaves through the top, and what rock is
+/// above is not known; then the numbers of the section are not.
+enum class Sight { clear, none, over_the_top };
+
 /// What of a face's outline lies in uncut rock.
 struct Section {
   double area = 0.0;  ///< m2, in the plane of the face
@@ -21,6 +26,7 @@ struct Section {
   double engaged_edge = 0.0;     ///< m, length of the outline in rock (De)
   double angle_of_attack = 0.0;  ///< rad, between face and path, mean along the engaged edge
   double volume_rate = 0.0;      ///< m3/s, swept by this area: integral of X . v dA
+  Sight sight = Sight::clear;
 };
 
 /// A face, prepared once for its sections.
@@ -38,6 +44,7 @@ struct SectionWork {
   ConvexPolygon forward_F;  ///< what of the outline does not go backwards, if not all
   FaceColumns forward;      ///< the same in columns
   ColumnSums sums;
+  Sight sight = Sight::none;  ///< of the strips so far
 };
 
 /// The section of uncut rock by a face, formulation 2.6 (ours, beyond the thesis). The face is
@@ -50,10 +57,11 @@ struct SectionWork {
 /// In the plane, with segments a b of the rock's outline that have rock on their left, the area is
 ///   sum of sign(y_a - y_b) |F beside the segment: y between y_a and y_b, on its -Z side|
 /// over the convex outline F, and the same for first moments and lengths of its edge: signed
-/// trapezoids, which need not know which segments are neighbours. So rock must not lie wholly above
-/// (+Z) the box of the outline. The surface is not changed; cost follows the triangles around the
-/// face. Pure: the same surface gives the same bits, whatever its numbering and its index.
-/// X_WB: the bit now; twist: its motion over the rock.
+/// trapezoids, which need not know which segments are neighbours. So rock whose surface is wholly
+/// above
+/// (+Z) the outline does not count; Section::sight tells. The surface is not changed; cost follows
+/// the triangles around the face. Pure: the same surface gives the same bits, whatever its
+/// numbering and its index. X_WB: the bit now; twist: its motion over the rock.
 Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB, const Twist& twist,
                 const SectionPlace& place, SectionWork& work);
 

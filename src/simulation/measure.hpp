@@ -31,9 +31,9 @@ void add(Spread& spread, double x);
 /// Root mean square of the distances from the mean, over the mean; 0 where the mean is.
 double relative_rms(const Spread& spread);
 
-/// What one cutter's section swept and what its parts removed, by step, m3.
+/// By step: one cutter's section (m2), what it swept and what the cutter's parts removed (m3).
 struct FaceSpreads {
-  Spread swept, removed;
+  Spread area, swept, removed;
 };
 
 /// The measures of the last step, and their spreads over revolutions.
@@ -43,6 +43,8 @@ struct Measures {
   std::vector<FaceSpreads> revolution;  ///< per cutter, of the revolution that goes on
   std::vector<FaceSpreads> last_whole;  ///< of the last whole revolution; none yet: empty
   std::size_t revolutions = 0;          ///< begun before the one that goes on
+  long refused_deep = 0;          ///< sections: the face is deep in rock, its surface out of sight
+  long refused_over_the_top = 0;  ///< sections: rock reaches over the face's top
   std::vector<rock::SectionFace> faces;
   std::vector<double> removed;  ///< m3, per cutter, in the last step
   rock::SectionWork section_work;
@@ -70,6 +72,7 @@ void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep
 /// One cutter's section beside the volume that it removed, over a revolution.
 struct FaceFigures {
   std::string name;                    ///< "cutter-12"
+  double mean_area = 0.0;              ///< m2
   double mean_swept_by_section = 0.0;  ///< m3 in a step
   double mean_removed = 0.0;           ///< m3 in a step
   double rms_swept_by_section = 0.0;   ///< over the mean

@@ -164,6 +164,8 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.gage_radius = c.bit.gage_radius;
   r.maintenance = maintenance_counts(s.maintenance);
   r.faces = figures_of(c.bit, s.measures);
+  r.sections_refused_deep = s.measures.refused_deep;
+  r.sections_refused_over_the_top = s.measures.refused_over_the_top;
   for (std::size_t k = 0; k < s.cones.size(); ++k)
     r.cones.push_back(figures_of(c.bit.cones[k].name, s.cones[k]));
   return r;

@@ -56,6 +56,8 @@ struct RunSummary {
   std::map<std::string, long> maintenance;  ///< operation: how often
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
+  long sections_refused_deep = 0;  ///< Measures
+  long sections_refused_over_the_top = 0;
 };
 
 /// What depends on the machine: what `timing.json` holds.

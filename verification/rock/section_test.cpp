@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "core/random.hpp"
 #include "mesh/measures.hpp"
 #include "reference/rock/section_by_columns.hpp"
 #include "verification/battery/generators.hpp"
@@ -17,6 +19,8 @@ namespace tdbd::rock {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Rock rock_of(const mesh::TriangleMesh& m, double cell) {
   return make_rock(mesh::make_surface(m), cell, mesh::bounding_box(m));
@@ -167,6 +171,86 @@ RC_GTEST_PROP(section, from_the_grid_is_that_from_all_triangles, ()) {
   RC_ASSERT(near.engaged_edge == all.engaged_edge);
   RC_ASSERT((near.centroid_B.array() == all.centroid_B.array()).all());
   RC_ASSERT(near.angle_of_attack == all.angle_of_attack);
+}
+
+/// Sums are whole numbers, so that neither order nor numbering has a part in them.
+RC_GTEST_PROP(section, has_the_same_bits_however_the_rock_is_numbered, ()) {
+  const AnySection a = any_section();
+  const mesh::TriangleMesh& m = a.rock_W;
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const auto shuffled = [&](std::size_t count) {
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = count; i-- > 1;) std::swap(order[i], order[random.next() % (i + 1)]);
+    return order;
+  };
+  const std::vector<int> number = shuffled(m.positions.size());
+  mesh::TriangleMesh other;
+  other.positions.resize(m.positions.size());
+  for (std::size_t i = 0; i < number.size(); ++i) other.positions[at(number[i])] = m.positions[i];
+  for (const int t : shuffled(m.triangles.size())) {
+    const mesh::Triangle& c = m.triangles[at(t)];
+    other.triangles.push_back({number[at(c[1])], number[at(c[2])], number[at(c[0])]});
+  }
+  const SectionPlace place{0.1, longest_edge(m)};
+  const Section s = section_of(rock_of(m, 0.1), a.face, a.X_WB, a.twist, place),
+                t = section_of(rock_of(other, 0.1), a.face, a.X_WB, a.twist, place);
+  RC_ASSERT(s.area == t.area);
+  RC_ASSERT(s.engaged_edge == t.engaged_edge);
+  RC_ASSERT((s.centroid_B.array() == t.centroid_B.array()).all());
+}
+
+/// From vertices near the plane the outline is followed over edges that are far longer.
+RC_GTEST_PROP(section, follows_the_outline_past_long_edges, ()) {
+  AnySection a = any_section();
+  for (Vec3& x_W : a.rock_W.positions) x_W.z() *= 0.2;  // hills too flat for islands in the plane
+  const double whole = longest_edge(a.rock_W), lead = *battery::number(0.0, 0.2);
+  const Rock rock = rock_of(a.rock_W, 0.2);
+  const Section far = section_of(rock, a.face, a.X_WB, a.twist, {lead, whole});
+  const Section near = section_of(rock, a.face, a.X_WB, a.twist, {lead, 0.45 * whole});
+  if (near.sight == Sight::none) return;
+  RC_ASSERT(near.area == far.area);
+  RC_ASSERT(near.engaged_edge == far.engaged_edge);
+}
+
+/// Rock and bit turned together about z give the section of the unturned ones.
+RC_GTEST_PROP(section, turns_with_rock_and_bit, ()) {
+  AnySection a = any_section();
+  a.twist.angular_B = *battery::point(2.0);
+  const SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
+  const Section s = section_of(rock_of(a.rock_W, 0.1), a.face, a.X_WB, a.twist, place);
+  const Pose turn = carried({Vec3(0, 0, *battery::number(-3.0, 3.0)), Vec3::Zero()}, 1.0);
+  for (Vec3& x_W : a.rock_W.positions) x_W = turn * x_W;
+  const Section t = section_of(rock_of(a.rock_W, 0.1), a.face, turn * a.X_WB, a.twist, place);
+  RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
+  RC_ASSERT(std::abs(s.engaged_edge - t.engaged_edge) <= 1e-10);
+  RC_ASSERT(std::abs(s.volume_rate - t.volume_rate) <= 1e-12);
+}
+
+/// A section knows no step: twice the speed on the same path sweeps twice the volume.
+RC_GTEST_PROP(section, depends_on_the_path_and_not_on_the_speed_along_it, ()) {
+  AnySection a = any_section();
+  a.twist.angular_B = *battery::point(2.0);
+  const SectionPlace place{0.1, longest_edge(a.rock_W)};
+  const Rock rock = rock_of(a.rock_W, 0.1);
+  const Section s = section_of(rock, a.face, a.X_WB, a.twist, place);
+  const Twist twice{2.0 * a.twist.angular_B, 2.0 * a.twist.linear_B};
+  const Section t = section_of(rock, a.face, a.X_WB, twice, place);
+  RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
+  RC_ASSERT(std::abs(2.0 * s.volume_rate - t.volume_rate) <= 1e-12);
+  RC_ASSERT(std::abs(s.angle_of_attack - t.angle_of_attack) <= 1e-9);
+}
+
+TEST(section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {
+  const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
+  const FaceOutline face = face_along_x(radius, 32, rake);
+  const auto sight_at = [&](double z) {
+    return section_of(rock, face, {Mat3::Identity(), Vec3(0, 0, z)}, along_x, {0.12, 0.15}).sight;
+  };
+  EXPECT_EQ(sight_at(-0.25), Sight::clear);
+  EXPECT_EQ(sight_at(-0.9), Sight::none);
+  EXPECT_EQ(sight_at(0.4), Sight::over_the_top);
+  EXPECT_EQ(sight_at(0.9), Sight::none);
 }
 
 }  // namespace
