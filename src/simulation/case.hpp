@@ -6,7 +6,7 @@
 
 #include "bit/bit.hpp"
 #include "core/config.hpp"
-#include "simulation/measure.hpp"
+#include "simulation/measure_plan.hpp"
 #include "simulation/motion.hpp"
 
 namespace tdbd::simulation {

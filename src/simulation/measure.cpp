@@ -98,7 +98,7 @@ void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep
   if (plan.contact == ContactMeasure::on)
     rock::contact_areas(rock, step.cutting, step.cut_work, plan.contact_gap * step.edge_length,
                         m.contact_work, m.contact_areas);
-  if (m.faces.empty()) return;
+  if (m.faces.empty() || plan.section == SectionMeasure::off) return;
   turn_revolution(step.revolution, m);
   measure_sections(rock, plan, step, m);
   sum_removed(step, m);

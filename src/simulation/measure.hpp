@@ -6,19 +6,10 @@
 #include "bit/bit.hpp"
 #include "rock/contact_area.hpp"
 #include "rock/section.hpp"
+#include "simulation/measure_plan.hpp"
+#include "simulation/summary.hpp"
 
 namespace tdbd::simulation {
-
-enum class SectionMeasure { off, ahead };
-enum class ContactMeasure { off, on };
-
-/// What a run measures in every step for forces (formulation 2.6).
-struct MeasurePlan {
-  SectionMeasure section = SectionMeasure::ahead;
-  double section_lead = 1.2;  ///< over the rock's edge length (rock::SectionPlace)
-  ContactMeasure contact = ContactMeasure::on;
-  double contact_gap = 0.01;  ///< over the rock's edge length (rock::contact_areas)
-};
 
 /// Mean of a number over steps, and of its squared distance from the mean.
 struct Spread {
@@ -68,16 +59,6 @@ struct MeasuredStep {
 /// To be asked between cut_rock and maintenance.
 void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,
              Measures& measures);
-
-/// One cutter's section beside the volume that it removed, over a revolution.
-struct FaceFigures {
-  std::string name;                    ///< "cutter-12"
-  double mean_area = 0.0;              ///< m2
-  double mean_swept_by_section = 0.0;  ///< m3 in a step
-  double mean_removed = 0.0;           ///< m3 in a step
-  double rms_swept_by_section = 0.0;   ///< over the mean
-  double rms_removed = 0.0;            ///< over the mean
-};
 
 /// Of the last whole revolution; before its end, of all steps.
 std::vector<FaceFigures> figures_of(const bit::Bit& bit, const Measures& measures);

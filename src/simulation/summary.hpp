@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "simulation/measure.hpp"
-
 namespace tdbd::simulation {
 
 /// Whether a run reached its end.
@@ -30,6 +28,16 @@ struct ConeFigures {
   double std_speed_ratio = 0.0;
   double rolling_ratio_gage_row = 0.0;  ///< at which the gage row would roll without slip
   double net_slip_gage_row = 0.0;       ///< 1 - mean over rolling: positive when the cone lags
+};
+
+/// One cutter's section beside the volume that it removed, over a revolution.
+struct FaceFigures {
+  std::string name;                    ///< "cutter-12"
+  double mean_area = 0.0;              ///< m2
+  double mean_swept_by_section = 0.0;  ///< m3 in a step
+  double mean_removed = 0.0;           ///< m3 in a step
+  double rms_swept_by_section = 0.0;   ///< over the mean
+  double rms_removed = 0.0;            ///< over the mean
 };
 
 /// The figures of a run: what `summary.json` holds. SI. Depends on the case alone: no wall-clock
