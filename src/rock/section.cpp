@@ -29,27 +29,43 @@ const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& 
 
 /// Whether the outline goes on above the zone where it is looked for.
 bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
-  const double top = f.face.hi_F.y() + 0.5 * f.reach;
+  const double top = f.face.hi_F.y() + 0.25 * f.reach;
   const auto is_over = [&](const Vec2& x_F) {
     return x_F.y() > top && x_F.x() > f.left && x_F.x() < f.right;
   };
   return is_over(s.from) || is_over(s.to);
 }
 
-/// Looks twice as far if nothing is seen, so that a short outline between few vertices is not lost.
+/// Whether something of the columns may lie beside the segment, or below it.
+bool concerns(const OutlineSegment& s, const FacePlane& f) {
+  return std::max(s.from.y(), s.to.y()) > f.face.lo_F.y() &&
+         std::max(s.from.x(), s.to.x()) > f.left && std::min(s.from.x(), s.to.x()) < f.right;
+}
+
+bool is_seen(const FacePlane& plane, const OutlineWork& outline) {
+  return std::ranges::any_of(outline.segments,
+                             [&](const OutlineSegment& s) { return concerns(s, plane); });
+}
+
+/// Rock meets a face at its lower half first; only if nothing is seen there, all around the face is
+/// looked through, twice as far.
+bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
+  find_outline(rock, plane, outline);
+  if (is_seen(plane, outline)) return true;
+  plane.reach *= 2.0;
+  plane.top = plane.face.hi_F.y() + plane.reach;
+  find_outline(rock, plane, outline);
+  return is_seen(plane, outline);
+}
+
 void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
-  find_outline(rock, plane, w.outline);
-  if (w.outline.segments.empty()) {
-    plane.reach *= 2.0;
-    find_outline(rock, plane, w.outline);
-  }
-  const FaceColumns& face = plane.face;
+  if (!see_outline(rock, plane, w.outline)) return;
+  if (w.sight == Sight::none) w.sight = Sight::clear;
   for (const OutlineSegment& s : w.outline.segments) {
-    if (std::max(s.from.y(), s.to.y()) <= face.lo_F.y()) continue;
+    if (!concerns(s, plane)) continue;
     if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
-    add_segment(face, strip.first, strip.end, s, w.sums);
+    add_segment(plane.face, strip.first, strip.end, s, w.sums);
   }
-  if (w.sight == Sight::none && !w.outline.segments.empty()) w.sight = Sight::clear;
 }
 
 /// An edge of the outline: where its middle is, and how much of it is engaged.
