@@ -1,4 +1,5 @@
-// The kernels inside a step, each on what it meets while bit B drills.
+// The kernels inside a step, each on what it meets while bit B drills; sections and contact areas
+// on the standard workload.
 
 #include <benchmark/benchmark.h>
 
@@ -7,6 +8,7 @@
 #include "benchmarks/drilling.hpp"
 #include "rock/group_motion.hpp"
 #include "rock/maintain.hpp"
+#include "rock/mapped_direction.hpp"
 #include "rock/swept_part.hpp"
 
 namespace tdbd::bench {
@@ -121,6 +123,48 @@ void maintain(benchmark::State& state) {
   state.SetItemsProcessed(touched);
 }
 
+/// One iteration measures the sections ahead of all 40 faces of the standard workload.
+void sections(benchmark::State& state) {
+  Drilling d = after_one_revolution("standard-workload", edge_length);
+  const simulation::Measures& m = d.state.measures;
+  const Pose X_WB0 = pose_after(d, -1.0), X_WB1 = pose_after(d, 0.0);
+  const rock::Twist twist = rock::twist_from(X_WB0, X_WB1, d.plan.time.step);
+  const rock::SectionPlace place{d.plan.measure.section_lead * edge_length, edge_length};
+  rock::SectionWork work;
+  for (auto _ : state)
+    for (const rock::SectionFace& face : m.faces)
+      benchmark::DoNotOptimize(rock::section(d.state.rock, face, X_WB1, twist, place, work));
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(m.faces.size()));
+}
+
+/// One iteration measures the contact areas of all its parts after a step.
+void contact_areas(benchmark::State& state) {
+  Drilling d = after_one_revolution("standard-workload", edge_length);
+  const double gap = d.plan.measure.contact_gap * edge_length;
+  rock::ContactWork work;
+  std::vector<double> areas;
+  for (auto _ : state) {
+    rock::contact_areas(d.state.rock, d.state.bit, d.state.cut_work, gap, work, areas);
+    benchmark::DoNotOptimize(areas.data());
+  }
+}
+
+/// What a step of the standard workload spends on both, with all that it has in its caches.
+void measures_in_a_run(benchmark::State& state) {
+  Drilling d = after_one_revolution("standard-workload", edge_length);
+  const simulation::MeasurePlan plan = d.plan.measure;
+  d.plan.measure = {simulation::SectionMeasure::off, 1.0, simulation::ContactMeasure::off, 1.0};
+  for (auto _ : state) {
+    drill(d, 1);
+    const simulation::MeasuredStep step{d.plan.bit,       d.state.bit,         d.state.cut_work,
+                                        d.state.cut,      pose_after(d, -1.0), pose_after(d, 0.0),
+                                        d.plan.time.step, edge_length,         1};
+    const double start = cpu_seconds();
+    simulation::measure(d.state.rock, plan, step, d.state.measures);
+    state.SetIterationTime(cpu_seconds() - start);
+  }
+}
+
 /// Median of five repetitions.
 void repeat(benchmark::internal::Benchmark* b) {
   b->Unit(benchmark::kMicrosecond)->Repetitions(5)->ReportAggregatesOnly();
@@ -130,6 +174,9 @@ BENCHMARK(exit_convex)->Apply(repeat);
 BENCHMARK(exit_mesh)->Apply(repeat);
 BENCHMARK(grid_query)->Apply(repeat);
 BENCHMARK(find_candidates)->Apply(repeat);
+BENCHMARK(sections)->Apply(repeat);
+BENCHMARK(contact_areas)->Apply(repeat);
+BENCHMARK(measures_in_a_run)->Apply(repeat)->UseManualTime()->Iterations(200);
 BENCHMARK(maintain)->Apply(repeat)->UseManualTime()->Iterations(100);
 
 }  // namespace

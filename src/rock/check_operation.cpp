@@ -62,7 +62,7 @@ bool is_indexed(const Rock& rock, int v) {
   int held = 0;
   rock.grid.visit(here, chains, [&](const VertexGrid::Block& block) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i)
-      held += block.entries[i].v == v && block.entries[i].x_W == x_W ? 1 : 0;
+      held += block.v[i] == v ? 1 : 0;
   });
   return held == 1;
 }

@@ -24,6 +24,7 @@ void move_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const Cutt
         "{} swept the rock's boundary at ({:.3f}, {:.3f}, {:.3f}) mm: the wall is too low or "
         "the rock too narrow for this motion",
         part.name, 1e3 * x_W.x(), 1e3 * x_W.y(), 1e3 * x_W.z()));
+  w.step_of_move[at(v)] = w.step;
   w.move_of[at(v)] = static_cast<int>(w.moves.size());
   w.moves.push_back({v, rock.surface.positions[at(v)]});
   rock.surface.positions[at(v)] = x_W;
@@ -168,6 +169,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   report.removed_by_part.assign(at(bit.part_count), 0.0);
   report.removed = 0.0;
   report.candidates = report.moved = 0;
+  ++w.step;
   w.moved_by_group.resize(bit.groups.size());
   w.unclear_by_group.resize(bit.groups.size());
   w.candidates.resize(bit.groups.size());
@@ -212,6 +214,7 @@ void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& 
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
   work.move_of.resize(rock.surface.positions.size(), 0);
+  work.step_of_move.resize(rock.surface.positions.size(), 0);
   find_in_rock(rock, bit, work);
   for (report.passes = 1; report.passes <= max_passes; ++report.passes) {
     if (!process_all(rock, bit, work, report)) return;

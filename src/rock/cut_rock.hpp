@@ -43,6 +43,8 @@ struct CutWorkspace {
   std::vector<Vec3> directions_W;
   std::vector<RelativePath> paths;  ///< of the candidates, for the part at work
   std::vector<Clear> clear;         ///< per candidate of the group at work
+  std::vector<int> step_of_move;    ///< per vertex: the last step that moved it
+  int step = 0;                     ///< that the workspace did last
 };
 
 /// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),

@@ -12,9 +12,10 @@ struct FaceOutline {
   ConvexPolygon rim_F;  ///< (Y, Z), m; counter-clockwise seen from the rock ahead
 };
 
-/// The cutter's widest circle, through its tip, as a regular polygon inscribed with a corner at the
-/// tip; of a worn cutter what the wear flat leaves. Sharp: the rim of the face. Chamfered: the rim
-/// of the chamfer, which the whole cutter's cut follows.
-FaceOutline face_outline(const bit::Cutter& c, int rim_points);
+/// The cutter's widest cross-section, that through its tip, as its parts have it: the convex hull
+/// of their vertices in that plane. Sharp: the rim of the face. Chamfered: the rim of the chamfer,
+/// which the whole cutter's cut follows. Worn: with the wear flat. Parts of other cutters are
+/// passed over; without a part in the plane the rim is empty.
+FaceOutline face_outline(const bit::Cutter& c, int index, const std::vector<bit::Part>& parts);
 
 }  // namespace tdbd::rock

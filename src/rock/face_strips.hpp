@@ -2,28 +2,35 @@
 
 #include <vector>
 
-#include "rock/face_outline.hpp"
+#include "rock/face_columns.hpp"
 #include "rock/twist.hpp"
 
 namespace tdbd::rock {
 
-struct RimEdge {
-  Vec2 from, to;  ///< m, frame F
+/// X . v on the face: affine in its plane.
+struct ForwardSpeed {
+  double at_origin;  ///< m/s
+  Vec2 gradient;     ///< 1/s
+
+  double operator()(const Vec2& x_F) const { return at_origin + gradient.dot(x_F); }
 };
 
-/// A part of a face that is carried ahead as one piece.
+ForwardSpeed forward_speed(const Pose& X_BF, const Twist& twist);
+
+/// Columns of a face that are carried ahead together: `first` to before `end`.
 struct FaceStrip {
-  ConvexPolygon outline_F;
-  Vec2 lo_F, hi_F;             ///< m, its box
-  std::vector<RimEdge> rim_F;  ///< the face's own edge in it, without the strip's cuts
-  double ahead = 0.0;          ///< s, for how long it is carried
+  std::size_t first, end;
+  double ahead;  ///< s, for how long
 };
 
-/// The forward going part of a face in strips, from its fastest point on: in strip k the speed
-/// X . v lies in [q^-(k+1), q^-k] of the fastest, q = 1.5, and it is carried for lead / (least
-/// speed in it). The last strip goes down to the slowest point, or to speed 0 once the bit would
-/// turn by more than largest_turn (rad) meanwhile.
-std::vector<FaceStrip> face_strips(const FaceOutline& face, const Twist& twist, double lead,
-                                   double largest_turn);
+/// A face in strips, for each of which the least speeds X . v of its columns are within a factor of
+/// 1.5. A strip is carried for lead / (its least speed), so that every point of it comes at least
+/// `lead` (m) ahead, but never for longer than the bit takes to turn by largest_turn (rad). No
+/// point of the face may go backwards, and one at least must go forwards.
+void face_strips(const FaceColumns& face, const ForwardSpeed& v, double lead, double longest_time,
+                 std::vector<FaceStrip>& strips);
+
+/// How long the bit takes to turn by so much (rad), s; infinite if it does not turn.
+double time_of_turn(const Twist& twist, double turn);
 
 }  // namespace tdbd::rock

@@ -10,10 +10,6 @@
 namespace tdbd::rock {
 namespace {
 
-/// Of a plane's value at a place whose coordinates, and the plane's, are single: a few roundings of
-/// 6e-8 each, in parts of the largest coordinate.
-constexpr double single_rounding = 1e-6;
-
 template <class Visit>
 void visit_box_corners(const mesh::Box& box, Visit&& visit) {
   for (int k = 0; k < 8; ++k)
@@ -81,9 +77,7 @@ GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X
 
 HullFilter::HullFilter(const CuttingGroup& g, const GroupMotion& m)
     : hull_P_(g.hull_P), motion_(m) {
-  const mesh::Box& box_W = m.region_W.box;
-  const double largest = box_W.lo.cwiseAbs().cwiseMax(box_W.hi.cwiseAbs()).maxCoeff();
-  slack_ = single_rounding * largest;
+  slack_ = single_slack(m.region_W.box);
   last_ = before_ = plane_W(0);
 }
 

@@ -1,173 +1,139 @@
 #include "rock/section.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-
-#include "rock/face_strips.hpp"
+#include <utility>
 
 namespace tdbd::rock {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// A piece of the rock's outline in the plane of the face, rock on its left.
-struct OutlineSegment {
-  Vec2 from, to;
-};
-
-Vec2 crossing(const Vec3& ahead, const Vec3& behind) {
-  const double w = ahead.x() / (ahead.x() - behind.x());
-  return ahead.tail<2>() + w * (behind - ahead).tail<2>();
+double angle_of_attack(const Pose& X_BF, const Twist& twist, const Vec2& x_F) {
+  const Vec3 v_B = velocity_B(twist, X_BF * Vec3(0.0, x_F.x(), x_F.y()));
+  return std::asin(std::clamp(X_BF.R.col(0).dot(v_B) / v_B.norm(), -1.0, 1.0));
 }
 
-/// Where a triangle, in the face's frame, crosses the face's plane. Corners in the plane count as
-/// ahead, and an edge gives its two triangles the same point.
-std::optional<OutlineSegment> crossing_segment(const std::array<Vec3, 3>& q_F) {
-  const auto ahead = [&](std::size_t i) { return q_F[i % 3].x() >= 0.0; };
-  std::optional<Vec2> from, to;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (ahead(i) && !ahead(i + 1)) from = crossing(q_F[i], q_F[(i + 1) % 3]);
-    if (!ahead(i) && ahead(i + 1)) to = crossing(q_F[(i + 1) % 3], q_F[i]);
+/// The columns of what goes forwards, in the work's room if that is not all; none if nothing does.
+const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& v, SectionWork& w) {
+  double slowest = INFINITY, fastest = -INFINITY;
+  for (const Vec2& x_F : face.outline.rim_F) {
+    slowest = std::min(slowest, v(x_F));
+    fastest = std::max(fastest, v(x_F));
   }
-  if (!from || !to) return {};
-  return OutlineSegment{*from, *to};
+  if (!(fastest > 0.0)) return nullptr;
+  if (slowest >= 0.0) return &face.columns;
+  const HalfPlane forwards{-v.gradient, v.at_origin};
+  clip(face.outline.rim_F, forwards, w.forward_F);
+  make_columns(w.forward_F, &forwards, w.forward);
+  return w.forward.columns.empty() ? nullptr : &w.forward;
 }
 
-/// Whether anything of the strip can lie beside the segment.
-bool is_beside(const OutlineSegment& s, const FaceStrip& strip) {
-  return std::max(s.from.x(), s.to.x()) > strip.lo_F.x() &&
-         std::min(s.from.x(), s.to.x()) < strip.hi_F.x() &&
-         std::max(s.from.y(), s.to.y()) > strip.lo_F.y() && s.from.x() != s.to.x();
+/// Whether the outline goes on above the zone where it is looked for.
+bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
+  const double top = f.face.hi_F.y() + 0.25 * f.reach;
+  const auto is_over = [&](const Vec2& x_F) {
+    return x_F.y() > top && x_F.x() > f.left && x_F.x() < f.right;
+  };
+  return is_over(s.from) || is_over(s.to);
 }
 
-/// The half-planes beside a segment, on its -Z side; and the sign of what lies there.
-struct Beside {
-  std::array<HalfPlane, 3> bounds;
-  double sign;
-};
-
-Beside beside(const OutlineSegment& s) {
-  const bool rock_is_below = s.from.x() > s.to.x();
-  const Vec2 &left = rock_is_below ? s.to : s.from, &right = rock_is_below ? s.from : s.to;
-  const Vec2 above(left.y() - right.y(), right.x() - left.x());
-  return {{HalfPlane{-Vec2::UnitX(), -left.x()}, HalfPlane{Vec2::UnitX(), right.x()},
-           HalfPlane{above, above.dot(left)}},
-          rock_is_below ? 1.0 : -1.0};
+/// Whether something of the columns may lie beside the segment, or below it.
+bool concerns(const OutlineSegment& s, const FacePlane& f) {
+  return std::max(s.from.y(), s.to.y()) > f.face.lo_F.y() &&
+         std::max(s.from.x(), s.to.x()) > f.left && std::min(s.from.x(), s.to.x()) < f.right;
 }
 
-/// Length of the part of the edge p q in all of these half-planes.
-double length_inside(const Vec2& p, const Vec2& q, const std::array<HalfPlane, 3>& bounds) {
-  if (std::max(p.x(), q.x()) <= -bounds[0].b || std::min(p.x(), q.x()) >= bounds[1].b) return 0.0;
-  double first = 0.0, last = 1.0;
-  for (const HalfPlane& h : bounds) {
-    const double out_p = h.n.dot(p) - h.b, out_q = h.n.dot(q) - h.b;
-    if (out_p > 0.0 && out_q > 0.0) return 0.0;
-    if (out_p > 0.0) first = std::max(first, out_p / (out_p - out_q));
-    if (out_q > 0.0) last = std::min(last, out_p / (out_p - out_q));
-  }
-  return std::max(0.0, last - first) * (q - p).norm();
+bool is_seen(const FacePlane& plane, const OutlineWork& outline) {
+  return std::ranges::any_of(outline.segments,
+                             [&](const OutlineSegment& s) { return concerns(s, plane); });
 }
 
-/// Sums over segments. Edges: those of the outline, not of the strips.
-struct Sums {
-  PolygonMoments rock;
-  double engaged_edge = 0.0, attack = 0.0;  ///< m; m rad
-};
-
-/// One face with its room.
-struct Work {
-  const Rock& rock;
-  const FaceOutline& face;
-  const Twist& twist;
-  std::vector<int> chains, triangles;
-  ConvexPolygon half, strip, left;
-};
-
-double angle_of_attack(const Work& w, const Vec2& x_F) {
-  const Vec3 v_B = velocity_B(w.twist, w.face.X_BF * Vec3(0.0, x_F.x(), x_F.y()));
-  return std::asin(std::clamp(w.face.X_BF.R.col(0).dot(v_B) / v_B.norm(), -1.0, 1.0));
+/// Rock meets a face at its lower half first; only if nothing is seen there, all around the face is
+/// looked through, twice as far.
+bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
+  find_outline(rock, plane, outline);
+  if (is_seen(plane, outline)) return true;
+  plane.reach *= 2.0;
+  plane.top = plane.face.hi_F.y() + plane.reach;
+  find_outline(rock, plane, outline);
+  return is_seen(plane, outline);
 }
 
-void add_area(Work& w, const FaceStrip& strip, const Beside& b, Sums& sums) {
-  clip(strip.outline_F, b.bounds[0], w.half);
-  clip(w.half, b.bounds[1], w.strip);
-  clip(w.strip, b.bounds[2], w.left);
-  const PolygonMoments m = moments(w.left);
-  sums.rock.area += b.sign * m.area;
-  sums.rock.moment += b.sign * m.moment;
-}
-
-void add_edges(const Work& w, const FaceStrip& strip, const Beside& b, Sums& sums) {
-  for (const RimEdge& e : strip.rim_F) {
-    const double length = b.sign * length_inside(e.from, e.to, b.bounds);
-    if (length == 0.0) continue;
-    sums.engaged_edge += length;
-    sums.attack += length * angle_of_attack(w, 0.5 * (e.from + e.to));
+void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
+  if (!see_outline(rock, plane, w.outline)) return;
+  if (w.sight == Sight::none) w.sight = Sight::clear;
+  for (const OutlineSegment& s : w.outline.segments) {
+    if (!concerns(s, plane)) continue;
+    if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
+    add_segment(plane.face, strip.first, strip.end, s, w.sums);
   }
 }
 
-bool crosses(const mesh::Surface& rock, int t, const Vec3& n_W, double b) {
-  return std::ranges::any_of(rock.triangles[at(t)],
-                             [&](int v) { return n_W.dot(rock.position(v)) < b; });
+/// An edge of the outline: where its middle is, and how much of it is engaged.
+struct EngagedEdge {
+  Vec2 middle_F;
+  double length;
+};
+
+EngagedEdge edge_of(const FaceColumns& face, std::size_t i, const ColumnSums& sums) {
+  const std::size_t count = face.columns.size();
+  const double length = static_cast<double>(sums.engaged[i]) / sums.per_length;
+  const FaceColumn& c = face.columns[i < 2 * count ? i % count : i == 2 * count ? 0 : count - 1];
+  const double half = 0.5 * (c.y1 - c.y0);
+  if (i < count) return {{c.y0 + half, c.lower + half * c.lower_slope}, length};
+  if (i < 2 * count) return {{c.y0 + half, c.upper + half * c.upper_slope}, length};
+  const double dy = i == 2 * count ? 0.0 : c.y1 - c.y0;
+  return {{c.y0 + dy, 0.5 * (c.lower + c.upper + dy * (c.lower_slope + c.upper_slope))}, length};
 }
 
-/// The triangles that cross the strip's plane, all that do so within its outline, in the order of
-/// their slots. Each has a vertex ahead of the plane.
-void find_triangles(const FaceStrip& strip, const Pose& X_WF, double longest_edge, Work& w) {
-  Region region{};
-  const Vec3 n_W = X_WF.R.col(0);
-  const double b = n_W.dot(X_WF.p), rounding = 1e-9 * longest_edge;
-  region.slabs[0] = {n_W, b - rounding, b + longest_edge};
-  for (const Vec2& x_F : strip.outline_F) region.box.add(X_WF * Vec3(0.0, x_F.x(), x_F.y()));
-  region.box.lo.array() -= longest_edge;
-  region.box.hi.array() += longest_edge;
-  w.triangles.clear();
-  w.rock.grid.visit(region, w.chains, [&](const VertexGrid::Block& block) {
-    for (int s = 0; s < block.count; ++s) {
-      const int v = block.v[at(s)];
-      if (n_W.dot(w.rock.surface.position(v)) < b - rounding) continue;
-      mesh::visit_corners(w.rock.surface, v, [&](int c) {
-        if (crosses(w.rock.surface, c / 3, n_W, b + rounding)) w.triangles.push_back(c / 3);
-      });
-    }
-  });
-  std::ranges::sort(w.triangles);
-  w.triangles.erase(std::ranges::unique(w.triangles).begin(), w.triangles.end());
-}
-
-void add_strip(const FaceStrip& strip, const Pose& X_WF, double longest_edge, Work& w, Sums& sums) {
-  find_triangles(strip, X_WF, longest_edge, w);
-  const Pose X_FW = inverse(X_WF);
-  for (const int t : w.triangles) {
-    const mesh::Triangle& corners = w.rock.surface.triangles[at(t)];
-    const auto q_F = [&](std::size_t i) { return X_FW * w.rock.surface.position(corners[i]); };
-    const auto segment = crossing_segment({q_F(0), q_F(1), q_F(2)});
-    if (!segment || !is_beside(*segment, strip)) continue;
-    const Beside b = beside(*segment);
-    add_area(w, strip, b, sums);
-    add_edges(w, strip, b, sums);
+void measure_edge(const FaceColumns& face, const Pose& X_BF, const Twist& twist,
+                  const ColumnSums& sums, Section& s) {
+  double attack = 0.0;
+  for (std::size_t i = 0; i < sums.engaged.size(); ++i) {
+    if (sums.engaged[i] == 0) continue;
+    const EngagedEdge e = edge_of(face, i, sums);
+    s.engaged_edge += e.length;
+    attack += e.length * angle_of_attack(X_BF, twist, e.middle_F);
   }
+  if (s.engaged_edge > 0.0) s.angle_of_attack = attack / s.engaged_edge;
+}
+
+void measure_area(const Pose& X_BF, const Twist& twist, const ColumnSums& sums, Section& s) {
+  s.area = static_cast<double>(sums.area) / sums.per_area;
+  if (!(s.area > 0.0)) return;
+  const double per_area = sums.per_moment * s.area;
+  s.centroid_B = X_BF * Vec3(0.0, static_cast<double>(sums.moment_y) / per_area,
+                             static_cast<double>(sums.moment_z) / per_area);
+  s.volume_rate = s.area * X_BF.R.col(0).dot(velocity_B(twist, s.centroid_B));
 }
 
 }  // namespace
 
-Section section(const Rock& rock, const FaceOutline& face, const Pose& X_WB, const Twist& twist,
-                const SectionPlace& place) {
-  Work w{rock, face, twist, {}, {}, {}, {}, {}};
-  Sums sums;
-  for (const FaceStrip& strip : face_strips(face, twist, place.lead, place.largest_turn))
-    add_strip(strip, X_WB * carried(twist, strip.ahead) * face.X_BF, place.longest_edge, w, sums);
+SectionFace section_face(FaceOutline outline) {
+  SectionFace face{std::move(outline), {}};
+  make_columns(face.outline.rim_F, nullptr, face.columns);
+  return face;
+}
+
+Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB, const Twist& twist,
+                const SectionPlace& place, SectionWork& work) {
   Section s;
-  s.area = sums.rock.area;
-  s.engaged_edge = sums.engaged_edge;
-  if (s.area > 0.0) {
-    const Vec2 x_F = sums.rock.moment / s.area;
-    s.centroid_B = face.X_BF * Vec3(0.0, x_F.x(), x_F.y());
-    s.volume_rate = s.area * face.X_BF.R.col(0).dot(velocity_B(twist, s.centroid_B));
-  }
-  if (s.engaged_edge > 0.0) s.angle_of_attack = sums.attack / s.engaged_edge;
+  const Pose& X_BF = face.outline.X_BF;
+  const ForwardSpeed v = forward_speed(X_BF, twist);
+  const FaceColumns* columns = forward_columns(face, v, work);
+  s.sight = Sight::none;
+  if (columns == nullptr) return s;
+  begin_sums(*columns, work.sums);
+  work.sight = Sight::none;
+  face_strips(*columns, v, place.lead, time_of_turn(twist, place.largest_turn), work.strips);
+  const double middle = 0.5 * (columns->lo_F.y() + columns->hi_F.y());
+  for (const FaceStrip& strip : work.strips)
+    add_strip(rock, strip,
+              face_plane(X_WB * carried(twist, strip.ahead) * X_BF, *columns, strip.first,
+                         strip.end, place.reach, middle),
+              work);
+  s.sight = work.sight;
+  measure_area(X_BF, twist, work.sums, s);
+  measure_edge(*columns, X_BF, twist, work.sums, s);
   return s;
 }
 

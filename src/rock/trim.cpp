@@ -21,8 +21,9 @@ void find_first(const Rock& rock, double from_z_W, double z_W, TrimWorkspace& wo
   work.vertices.clear();
   rock.grid.visit(slab_W, work.chains, [&](const VertexGrid::Block& block) {
     for (int i = 0; i < block.count; ++i) {
-      const VertexGrid::Entry& e = block.entries[static_cast<std::size_t>(i)];
-      if (rock.surface.is_boundary(e.v) && e.x_W.z() < z_W) work.vertices.push_back(e.v);
+      const int v = block.v[static_cast<std::size_t>(i)];
+      if (rock.surface.is_boundary(v) && rock.surface.position(v).z() < z_W)
+        work.vertices.push_back(v);
     }
   });
   std::sort(work.vertices.begin(), work.vertices.end());

@@ -20,4 +20,10 @@ inline Vec3 velocity_B(const Twist& twist, const Vec3& x_B) {
 /// X = exp(s twist), R = exp(s skew(angular)), p = integral of exp(t skew(angular)) linear dt.
 Pose carried(const Twist& twist, double s);
 
+/// The screw motion that takes the bit from one pose to the other in the time dt (s):
+/// X_WB1 = X_WB0 carried(twist, dt), exactly: angular dt = log(R_WB0' R_WB1),
+/// linear dt = J^-1 R_WB0' (p_WB1 - p_WB0), J = integral of exp(t skew(angular dt)) dt from 0 to 1.
+/// For turns of less than 3 rad.
+Twist twist_from(const Pose& X_WB0, const Pose& X_WB1, double dt);
+
 }  // namespace tdbd::rock

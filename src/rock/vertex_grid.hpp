@@ -24,6 +24,12 @@ struct Region {
   std::array<Slab, 3> slabs{};
 };
 
+/// Room for rounding, m: n . x of a vertex in the box, with the single coordinates of the index and
+/// of a unit normal, is nearer to the truth. A few roundings of 6e-8 of the largest coordinate.
+inline double single_slack(const mesh::Box& box_W) {
+  return 1e-6 * box_W.lo.cwiseAbs().cwiseMax(box_W.hi.cwiseAbs()).maxCoeff();
+}
+
 /// Uniform grid over the rock's vertices: the spatial index of section 4.1.1. Cells stand in tiles
 /// of 4 x 4 x 4, so that one word tells which of a tile's cells hold vertices and empty space costs
 /// a number per tile. A cell is a chain of small blocks that hold its vertices' numbers and places

@@ -124,6 +124,17 @@ MaintenancePlan read_maintenance(Config c) {
   return p;
 }
 
+MeasurePlan read_measure(Config c) {
+  MeasurePlan p;
+  p.section = c.choice<SectionMeasure>(
+      "section", {{"ahead", SectionMeasure::ahead}, {"off", SectionMeasure::off}}, p.section);
+  p.section_lead = c.quantity("section_lead", "1", p.section_lead, Range::within(0.1, 10.0));
+  p.contact = c.choice<ContactMeasure>(
+      "contact", {{"on", ContactMeasure::on}, {"off", ContactMeasure::off}}, p.contact);
+  p.contact_gap = c.quantity("contact_gap", "1", p.contact_gap, Range::within(1e-6, 1.0));
+  return p;
+}
+
 OutputPlan read_output(Config c) {
   OutputPlan p;
   p.history_every = c.integer("history_every", p.history_every, 1, 1'000'000'000);
@@ -200,6 +211,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.motion = read_motion(c.table("motion"));
   result.time = read_time(c.table("time"), result.motion);
   result.maintenance = read_maintenance(c.table("maintenance"));
+  result.measure = read_measure(c.table("measure"));
   result.output = read_output(c.table("output"));
   const BitFile bit = read_bit_of(c);
   if (!bit.bit.cones.empty() || c.has("motion.cone_speeds"))

@@ -7,6 +7,7 @@
 #include "bit/bit.hpp"
 #include "core/config.hpp"
 #include "rock/maintain.hpp"
+#include "simulation/measure_plan.hpp"
 #include "simulation/motion.hpp"
 
 namespace tdbd::simulation {
@@ -53,6 +54,7 @@ struct Case {
   Motion motion;
   TimeGrid time;
   MaintenancePlan maintenance;
+  MeasurePlan measure;
   OutputPlan output;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
   std::string hash;      ///< of the resolved values and the content of all files

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/types.hpp"
+#include "rock/section.hpp"
 #include "simulation/record.hpp"
 
 namespace tdbd::simulation {
@@ -20,6 +21,8 @@ struct HistoryRow {
   std::span<const double> removed_volume_by_part;  ///< m3, in this step
   std::span<const double> cone_angles;             ///< rad, about the cones' Z since the start
   std::span<const double> cone_speeds;             ///< rad/s, in this step
+  std::span<const rock::Section> sections;         ///< per cutter, at the end of the step
+  std::span<const double> contact_areas;           ///< m2, per part, at the end of the step
   long swept_vertices = 0;                         ///< rock vertices moved in this step
   long rock_triangles = 0;                         ///< triangles of the rock surface
 };
@@ -30,16 +33,24 @@ struct HistoryPart {
   std::string kind;  ///< "face"
 };
 
-/// Records rows as `history.nc` (dimensions time and part, and cone for a bit with cones) and,
-/// without the columns by part, as `history.csv` beside it: a Record with the columns of a run.
+/// What a history has beside the bit and its parts; empty: nothing of it.
+struct HistoryExtent {
+  std::vector<std::string> cones;
+  std::vector<std::string> cutters;  ///< whose sections are measured
+  bool contact_areas = false;
+};
+
+/// Records rows as `history.nc` (dimensions time and part, and cone and cutter where there are any)
+/// and, sums in place of the columns by part and by cutter, as `history.csv` beside it: a Record
+/// with the columns of a run.
 class History {
  public:
   /// Creates `path.partial`. Throws RunError when it cannot.
   History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts,
-          const std::vector<std::string>& cones = {});
+          const HistoryExtent& extent = {});
 
-  /// Throws RunError when a block cannot be written, or `row` does not have the parts' and the
-  /// cones' number.
+  /// Throws RunError when a block cannot be written, or `row` does not have the parts', the
+  /// cones' and the cutters' number.
   void append(const HistoryRow& row);
 
   /// Writes what is buffered and gives the files their names. An interrupted run closes too.
@@ -47,6 +58,7 @@ class History {
   void close();
 
  private:
+  HistoryExtent extent_;
   Record record_;
   std::vector<double> row_;  ///< kept from row to row: no allocation
 };

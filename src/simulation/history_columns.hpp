@@ -40,4 +40,39 @@ inline constexpr std::array history_columns = {
                   [](const HistoryRow& r) { return static_cast<double>(r.rock_triangles); }},
 };
 
+/// One number of a cutter's section: a variable over time and cutter.
+struct SectionColumn {
+  const char* name;
+  const char* units;
+  const char* long_name;
+  double (*value)(const rock::Section&);
+};
+
+/// Of rock::Section, in its order; a cutter that is not in rock has 0 everywhere.
+inline constexpr std::array section_columns = {
+    SectionColumn{"section_area", "m2", "uncut rock in the plane of the cutter's face",
+                  [](const rock::Section& s) { return s.area; }},
+    SectionColumn{"section_centroid_x", "m", "centroid of the section in the bit's frame, x",
+                  [](const rock::Section& s) { return s.centroid_B.x(); }},
+    SectionColumn{"section_centroid_y", "m", "centroid of the section in the bit's frame, y",
+                  [](const rock::Section& s) { return s.centroid_B.y(); }},
+    SectionColumn{"section_centroid_z", "m", "centroid of the section in the bit's frame, z",
+                  [](const rock::Section& s) { return s.centroid_B.z(); }},
+    SectionColumn{"section_engaged_edge", "m", "length of the cutter's outline in rock",
+                  [](const rock::Section& s) { return s.engaged_edge; }},
+    SectionColumn{"section_angle_of_attack", "rad",
+                  "angle between face and path, mean along the engaged edge",
+                  [](const rock::Section& s) { return s.angle_of_attack; }},
+    SectionColumn{"section_volume_rate", "m3 s-1", "volume that the section sweeps",
+                  [](const rock::Section& s) { return s.volume_rate; }},
+};
+
+/// Sums over the cutters, for the csv too.
+inline constexpr std::array section_totals = {
+    SectionColumn{"section_area_total", "m2", "sections of all cutters",
+                  [](const rock::Section& s) { return s.area; }},
+    SectionColumn{"section_volume_rate_total", "m3 s-1", "volume that all sections sweep",
+                  [](const rock::Section& s) { return s.volume_rate; }},
+};
+
 }  // namespace tdbd::simulation

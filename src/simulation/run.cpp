@@ -31,11 +31,15 @@ std::vector<HistoryPart> history_parts(const bit::Bit& bit) {
   return parts;
 }
 
-std::vector<std::string> cone_names(const bit::Bit& bit) {
-  std::vector<std::string> names;
-  names.reserve(bit.cones.size());
-  for (const bit::Cone& cone : bit.cones) names.push_back(cone.name);
-  return names;
+HistoryExtent history_extent(const Case& c) {
+  HistoryExtent extent;
+  extent.cones.reserve(c.bit.cones.size());
+  for (const bit::Cone& cone : c.bit.cones) extent.cones.push_back(cone.name);
+  extent.contact_areas = c.measure.contact == ContactMeasure::on;
+  if (c.measure.section == SectionMeasure::off) return extent;
+  extent.cutters.reserve(c.bit.cutters.size());
+  for (const bit::Cutter& cutter : c.bit.cutters) extent.cutters.push_back(cutter_name(cutter));
+  return extent;
 }
 
 /// The row looks at the angles and speeds given.
@@ -51,6 +55,8 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
   row.removed_volume_by_part = s.cut.removed_by_part;
   row.cone_angles = cone_angles;
   row.cone_speeds = cone_speeds;
+  row.sections = s.measures.sections;
+  row.contact_areas = s.measures.contact_areas;
   row.swept_vertices = s.cut.moved;
   row.rock_triangles = s.rock.surface.triangle_count();
   return row;
@@ -89,7 +95,7 @@ struct Recorder {
   std::vector<double> step_seconds;
 
   Recorder(const Case& c, const OutputFolder& f)
-      : folder(f), history(f.history(), history_parts(c.bit), cone_names(c.bit)), frames(f) {}
+      : folder(f), history(f.history(), history_parts(c.bit), history_extent(c)), frames(f) {}
 };
 
 /// The loop over steps, with everything that is recorded on the way.
@@ -156,6 +162,9 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.rock.surface);
   r.gage_radius = c.bit.gage_radius;
   r.maintenance = maintenance_counts(s.maintenance);
+  r.faces = figures_of(c.bit, s.measures);
+  r.sections_refused_deep = s.measures.refused_deep;
+  r.sections_refused_over_the_top = s.measures.refused_over_the_top;
   for (std::size_t k = 0; k < s.cones.size(); ++k)
     r.cones.push_back(figures_of(c.bit.cones[k].name, s.cones[k]));
   return r;

@@ -88,6 +88,7 @@ Simulation start(const Case& c) {
   Simulation s;
   s.bit = rock::prepare_cutting_bit(c.bit);
   s.cones = start_cones(c);
+  s.measures = start_measures(c.bit, c.measure);
   s.rock = start_rock(c);
   s.limits = limits_of(c);
   s.trimming.height = trim_height(c);
@@ -108,6 +109,10 @@ void step(const Case& c, Simulation& s) {
   }
   rock::cut_rock(s.rock, s.bit, X_WB0, X_WB1, s.cut_work, s.cut);
   note(c, s);
+  measure(s.rock, c.measure,
+          {c.bit, s.bit, s.cut_work, s.cut, X_WB0, X_WB1, c.time.step, c.rock.edge_length,
+           revolution_of(c, s.steps_done)},
+          s.measures);
   ++s.steps_done;
   if (c.maintenance.every > 0 && s.steps_done % c.maintenance.every == 0) {
     rock::maintain(s.rock, s.limits, s.maintenance_work, s.maintenance);

@@ -8,6 +8,7 @@
 #include "rock/trim.hpp"
 #include "simulation/case.hpp"
 #include "simulation/cone_motion.hpp"
+#include "simulation/measure.hpp"
 
 namespace tdbd::simulation {
 
@@ -39,6 +40,7 @@ struct Simulation {
   long start_triangles = 0;
   rock::CutReport cut;  ///< of the last step
   std::vector<ConeState> cones;
+  Measures measures;  ///< of the last step
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
   Trimming trimming;
@@ -48,8 +50,8 @@ struct Simulation {
 /// than its largest cutter's radius, or the rock cannot be built.
 Simulation start(const Case& c);
 
-/// One time step, thesis fig. 4.2: the bit moves, every part cuts, the ledger notes it, and the
-/// surface is maintained, and its wall trimmed, when due.
+/// One time step, thesis fig. 4.2: the bit moves, every part cuts, the ledger notes it, sections
+/// and contact areas are measured, and the surface is maintained, and its wall trimmed, when due.
 void step(const Case& c, Simulation& s);
 
 /// |start + removed + maintenance - trimmed - now| over the largest of them: tolerance::ledger

@@ -50,6 +50,18 @@ Json cones_json(const RunSummary& s) {
   return cones;
 }
 
+Json sections_json(const RunSummary& s) {
+  Json faces = Json::array();
+  for (const FaceFigures& f : s.faces)
+    faces.push_back({{"name", f.name},
+                     {"mean_area_m2", f.mean_area},
+                     {"mean_swept_by_section_m3", f.mean_swept_by_section},
+                     {"mean_removed_volume_m3", f.mean_removed},
+                     {"rms_swept_by_section", f.rms_swept_by_section},
+                     {"rms_removed_volume", f.rms_removed}});
+  return faces;
+}
+
 }  // namespace
 
 Json summary_head(const std::string& command, const std::string& title, RunStatus status,
@@ -76,6 +88,10 @@ std::string to_json(const RunSummary& s) {
   json.update(removed_json(s));
   json.update(rock_json(s));
   if (!s.cones.empty()) json["cones"] = cones_json(s);
+  if (!s.faces.empty()) json["sections"] = sections_json(s);
+  if (!s.faces.empty())
+    json["sections_refused"] = {{"deep_in_rock", s.sections_refused_deep},
+                                {"over_the_top", s.sections_refused_over_the_top}};
   return json.dump(2) + "\n";
 }
 

@@ -30,6 +30,16 @@ struct ConeFigures {
   double net_slip_gage_row = 0.0;       ///< 1 - mean over rolling: positive when the cone lags
 };
 
+/// One cutter's section beside the volume that it removed, over a revolution.
+struct FaceFigures {
+  std::string name;                    ///< "cutter-12"
+  double mean_area = 0.0;              ///< m2
+  double mean_swept_by_section = 0.0;  ///< m3 in a step
+  double mean_removed = 0.0;           ///< m3 in a step
+  double rms_swept_by_section = 0.0;   ///< over the mean
+  double rms_removed = 0.0;            ///< over the mean
+};
+
 /// The figures of a run: what `summary.json` holds. SI. Depends on the case alone: no wall-clock
 /// time and no number of threads.
 struct RunSummary {
@@ -54,6 +64,9 @@ struct RunSummary {
   double gage_radius = 0.0;                 ///< m
   std::map<std::string, long> maintenance;  ///< operation: how often
   std::vector<ConeFigures> cones;
+  std::vector<FaceFigures> faces;
+  long sections_refused_deep = 0;  ///< Measures
+  long sections_refused_over_the_top = 0;
 };
 
 /// What depends on the machine: what `timing.json` holds.

@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "core/random.hpp"
 #include "mesh/measures.hpp"
 #include "reference/rock/section_by_columns.hpp"
 #include "verification/battery/generators.hpp"
@@ -18,8 +20,16 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 Rock rock_of(const mesh::TriangleMesh& m, double cell) {
   return make_rock(mesh::make_surface(m), cell, mesh::bounding_box(m));
+}
+
+Section section_of(const Rock& rock, const FaceOutline& face, const Pose& X_WB, const Twist& twist,
+                   const SectionPlace& place) {
+  SectionWork work;
+  return section(rock, section_face(face), X_WB, twist, place, work);
 }
 
 /// A disc's face at the origin that moves along +x and leans over the rock ahead by `rake`.
@@ -47,7 +57,7 @@ const Twist along_x{Vec3::Zero(), Vec3(2.0, 0.0, 0.0)};
 Section of_flat_rock(int points) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const Pose X_WB{Mat3::Identity(), Vec3(-0.07, 0.013, deepest - radius * std::cos(rake))};
-  return section(rock, face_along_x(radius, points, rake), X_WB, along_x, {0.12, 0.15});
+  return section_of(rock, face_along_x(radius, points, rake), X_WB, along_x, {0.12, 0.15});
 }
 
 TEST(section, of_flat_rock_on_a_straight_path_is_a_circular_segment) {
@@ -83,7 +93,7 @@ TEST(section, is_nothing_above_the_rock_and_behind_its_edge) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const FaceOutline face = face_along_x(radius, 32, rake);
   for (const Vec3& p : {Vec3(0, 0, -0.5), Vec3(-3, 0, 0), Vec3(0, 0, -0.301)}) {
-    const Section s = section(rock, face, {Mat3::Identity(), p}, along_x, {0.12, 0.15});
+    const Section s = section_of(rock, face, {Mat3::Identity(), p}, along_x, {0.12, 0.15});
     EXPECT_EQ(s.area, 0.0);
     EXPECT_EQ(s.engaged_edge, 0.0);
     EXPECT_EQ(s.volume_rate, 0.0);
@@ -93,8 +103,8 @@ TEST(section, is_nothing_above_the_rock_and_behind_its_edge) {
 /// A face that goes backwards cuts nothing.
 TEST(section, is_nothing_for_a_face_that_goes_backwards) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
-  const Section s = section(rock, face_along_x(radius, 32, rake), {},
-                            {Vec3::Zero(), Vec3(-1.0, 0.0, 0.0)}, {0.12, 0.15});
+  const Section s = section_of(rock, face_along_x(radius, 32, rake), {},
+                               {Vec3::Zero(), Vec3(-1.0, 0.0, 0.0)}, {0.12, 0.15});
   EXPECT_EQ(s.area, 0.0);
 }
 
@@ -136,7 +146,7 @@ RC_GTEST_PROP(section, is_what_columns_of_the_carried_face_find_in_the_rock, ())
   const AnySection a = any_section();
   const double lead = *battery::number(0.0, 0.2);
   const Section s =
-      section(rock_of(a.rock_W, 0.2), a.face, a.X_WB, a.twist, {lead, longest_edge(a.rock_W)});
+      section_of(rock_of(a.rock_W, 0.2), a.face, a.X_WB, a.twist, {lead, longest_edge(a.rock_W)});
   const double forward = a.face.X_BF.R.col(0).dot(a.twist.linear_B);
   Pose X_WF = a.X_WB * a.face.X_BF;
   X_WF.p += a.X_WB.R * a.twist.linear_B * (lead / forward);
@@ -155,12 +165,92 @@ RC_GTEST_PROP(section, from_the_grid_is_that_from_all_triangles, ()) {
   AnySection a = any_section();
   a.twist.angular_B = Vec3(0.0, 0.0, *battery::number(-6.0, 6.0));
   const SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
-  const Section near = section(rock_of(a.rock_W, 0.07), a.face, a.X_WB, a.twist, place);
-  const Section all = section(rock_of(a.rock_W, 100.0), a.face, a.X_WB, a.twist, place);
+  const Section near = section_of(rock_of(a.rock_W, 0.07), a.face, a.X_WB, a.twist, place);
+  const Section all = section_of(rock_of(a.rock_W, 100.0), a.face, a.X_WB, a.twist, place);
   RC_ASSERT(near.area == all.area);
   RC_ASSERT(near.engaged_edge == all.engaged_edge);
   RC_ASSERT((near.centroid_B.array() == all.centroid_B.array()).all());
   RC_ASSERT(near.angle_of_attack == all.angle_of_attack);
+}
+
+/// Sums are whole numbers, so that neither order nor numbering has a part in them.
+RC_GTEST_PROP(section, has_the_same_bits_however_the_rock_is_numbered, ()) {
+  const AnySection a = any_section();
+  const mesh::TriangleMesh& m = a.rock_W;
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const auto shuffled = [&](std::size_t count) {
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = count; i-- > 1;) std::swap(order[i], order[random.next() % (i + 1)]);
+    return order;
+  };
+  const std::vector<int> number = shuffled(m.positions.size());
+  mesh::TriangleMesh other;
+  other.positions.resize(m.positions.size());
+  for (std::size_t i = 0; i < number.size(); ++i) other.positions[at(number[i])] = m.positions[i];
+  for (const int t : shuffled(m.triangles.size())) {
+    const mesh::Triangle& c = m.triangles[at(t)];
+    other.triangles.push_back({number[at(c[1])], number[at(c[2])], number[at(c[0])]});
+  }
+  const SectionPlace place{0.1, longest_edge(m)};
+  const Section s = section_of(rock_of(m, 0.1), a.face, a.X_WB, a.twist, place),
+                t = section_of(rock_of(other, 0.1), a.face, a.X_WB, a.twist, place);
+  RC_ASSERT(s.area == t.area);
+  RC_ASSERT(s.engaged_edge == t.engaged_edge);
+  RC_ASSERT((s.centroid_B.array() == t.centroid_B.array()).all());
+}
+
+/// From vertices near the plane the outline is followed over edges that are far longer.
+RC_GTEST_PROP(section, follows_the_outline_past_long_edges, ()) {
+  AnySection a = any_section();
+  for (Vec3& x_W : a.rock_W.positions) x_W.z() *= 0.2;  // hills too flat for islands in the plane
+  const double whole = longest_edge(a.rock_W), lead = *battery::number(0.0, 0.2);
+  const Rock rock = rock_of(a.rock_W, 0.2);
+  const Section far = section_of(rock, a.face, a.X_WB, a.twist, {lead, whole});
+  const Section near = section_of(rock, a.face, a.X_WB, a.twist, {lead, 0.45 * whole});
+  if (near.sight == Sight::none) return;
+  RC_ASSERT(near.area == far.area);
+  RC_ASSERT(near.engaged_edge == far.engaged_edge);
+}
+
+/// Rock and bit turned together about z give the section of the unturned ones.
+RC_GTEST_PROP(section, turns_with_rock_and_bit, ()) {
+  AnySection a = any_section();
+  a.twist.angular_B = *battery::point(2.0);
+  const SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
+  const Section s = section_of(rock_of(a.rock_W, 0.1), a.face, a.X_WB, a.twist, place);
+  const Pose turn = carried({Vec3(0, 0, *battery::number(-3.0, 3.0)), Vec3::Zero()}, 1.0);
+  for (Vec3& x_W : a.rock_W.positions) x_W = turn * x_W;
+  const Section t = section_of(rock_of(a.rock_W, 0.1), a.face, turn * a.X_WB, a.twist, place);
+  RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
+  RC_ASSERT(std::abs(s.engaged_edge - t.engaged_edge) <= 1e-10);
+  RC_ASSERT(std::abs(s.volume_rate - t.volume_rate) <= 1e-12);
+}
+
+/// A section knows no step: twice the speed on the same path sweeps twice the volume.
+RC_GTEST_PROP(section, depends_on_the_path_and_not_on_the_speed_along_it, ()) {
+  AnySection a = any_section();
+  a.twist.angular_B = *battery::point(2.0);
+  const SectionPlace place{0.1, longest_edge(a.rock_W)};
+  const Rock rock = rock_of(a.rock_W, 0.1);
+  const Section s = section_of(rock, a.face, a.X_WB, a.twist, place);
+  const Twist twice{2.0 * a.twist.angular_B, 2.0 * a.twist.linear_B};
+  const Section t = section_of(rock, a.face, a.X_WB, twice, place);
+  RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
+  RC_ASSERT(std::abs(2.0 * s.volume_rate - t.volume_rate) <= 1e-12);
+  RC_ASSERT(std::abs(s.angle_of_attack - t.angle_of_attack) <= 1e-9);
+}
+
+TEST(section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {
+  const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
+  const FaceOutline face = face_along_x(radius, 32, rake);
+  const auto sight_at = [&](double z) {
+    return section_of(rock, face, {Mat3::Identity(), Vec3(0, 0, z)}, along_x, {0.12, 0.15}).sight;
+  };
+  EXPECT_EQ(sight_at(-0.25), Sight::clear);
+  EXPECT_EQ(sight_at(-0.9), Sight::none);
+  EXPECT_EQ(sight_at(0.4), Sight::over_the_top);
+  EXPECT_EQ(sight_at(0.9), Sight::none);
 }
 
 }  // namespace

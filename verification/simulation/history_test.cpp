@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <thread>
 
 #include "core/error.hpp"
@@ -67,6 +69,38 @@ int check_by_xarray(const fs::path& file, long rows) {
 TEST(history, xarray_finds_every_bit_with_units_and_names) {
   for (const long rows : {0L, 1L, 511L, 512L, 1300L})
     EXPECT_EQ(check_by_xarray(write_history(folder("bits"), rows), rows), 0) << rows << " rows";
+}
+
+constexpr std::array<const char*, 2> cutters{"cutter-3", "cutter-7"};
+
+/// One row with contact areas and sections, the second one not known.
+fs::path write_measures(const fs::path& where) {
+  HistoryExtent extent;
+  extent.cutters.assign(cutters.begin(), cutters.end());
+  extent.contact_areas = true;
+  History history(where / "history.nc", parts, extent);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const std::array<rock::Section, 2> sections{
+      rock::Section{1e-6, Vec3(0.1, 0.2, 0.3), 4e-3, 0.5, 6e-7, rock::Sight::clear},
+      rock::Section{unknown, Vec3::Constant(unknown), unknown, unknown, unknown,
+                    rock::Sight::over_the_top}};
+  const std::array<double, 2> volumes{1e-9, 2e-9}, contact_areas{3e-6, 4e-6};
+  HistoryRow row;
+  row.removed_volume_by_part = volumes;
+  row.contact_areas = contact_areas;
+  row.sections = sections;
+  history.append(row);
+  history.close();
+  return where / "history.nc";
+}
+
+TEST(history, xarray_finds_sections_by_cutter_and_contact_areas_by_part) {
+  const fs::path file = write_measures(folder("measures"));
+  EXPECT_EQ(check_by_xarray(file, -1), 0);
+  std::ifstream in(fs::path(file).replace_extension(".csv"));
+  std::string head;
+  std::getline(in, head);
+  EXPECT_NE(head.find("contact_area_total [m2],section_area_total [m2]"), std::string::npos);
 }
 
 TEST(history, two_runs_give_the_same_bytes) {

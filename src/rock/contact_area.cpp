@@ -1,0 +1,121 @@
+#include "rock/contact_area.hpp"
+
+#include <algorithm>
+
+#include "mesh/inside.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Whether this step moved the vertex.
+bool has_moved(const CutWorkspace& cut, int v) {
+  return at(v) < cut.step_of_move.size() && cut.step_of_move[at(v)] == cut.step;
+}
+
+Region widened(Region r, double gap) {
+  r.box.lo.array() -= gap;
+  r.box.hi.array() += gap;
+  for (Slab& s : r.slabs) {
+    s.lo -= gap;
+    s.hi += gap;
+  }
+  return r;
+}
+
+bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
+  return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
+}
+
+/// What the step moved, and what is in the box of the group at the step's end.
+void find_near(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
+               const CutWorkspace& cut, double gap, ContactWork& w) {
+  w.near.clear();
+  w.near_P.clear();
+  const mesh::Box& box_W = m.region_W.box;
+  if (rock.grid.nearest_to_axis(box_W.lo.z() - gap, box_W.hi.z() + gap) > m.reach_W + gap) return;
+  rock.grid.visit(widened(m.region_W, gap), w.chains, [&](const VertexGrid::Block& block) {
+    for (int s = 0; s < block.count; ++s) {
+      const int v = block.v[at(s)];
+      const Vec3 x_P = m.X_PW1 * rock.surface.position(v);
+      if (!is_within(g.box_P, x_P, gap) && !has_moved(cut, v)) continue;
+      w.near.push_back(v);
+      w.near_P.push_back(x_P);
+    }
+  });
+}
+
+/// Asks first the plane that kept the last one away.
+bool touches(const mesh::ConvexSolid& solid, const Vec3& x_P, double gap, std::size_t& plane) {
+  const auto out = [&](std::size_t i) { return mesh::normal(solid, i).dot(x_P) - solid.b[i]; };
+  if (plane < solid.planes && out(plane) > gap) return false;
+  for (std::size_t i = 0; i < solid.planes; ++i)
+    if (out(i) > gap) {
+      plane = i;
+      return false;
+    }
+  return true;
+}
+
+bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& plane) {
+  if (!part.tree_P) return touches(part.solid_P, x_P, gap, plane);
+  return mesh::inside(*part.tree_P, x_P) || mesh::distance(*part.tree_P, x_P) <= gap;
+}
+
+/// Marks what the part moved or touches; a part in several solids comes here for each of them.
+void hold(const Rock& rock, const CuttingPart& part, const CutWorkspace& cut, double gap,
+          ContactWork& w) {
+  std::size_t plane = 0;
+  for (std::size_t i = 0; i < w.near.size(); ++i) {
+    const int v = w.near[i];
+    if (w.mark[at(v)] == w.stamp) continue;
+    const bool moved = rock.last_part[at(v)] == part.part && has_moved(cut, v);
+    if (!moved && !touches(part, w.near_P[i], gap, plane)) continue;
+    w.mark[at(v)] = w.stamp;
+    w.held.push_back(v);
+  }
+}
+
+/// In the order of the triangles' slots, so that the sum does not hang on the index's order.
+double area_between(const Rock& rock, ContactWork& w) {
+  const mesh::Surface& s = rock.surface;
+  w.triangles.clear();
+  for (const int v : w.held)
+    mesh::visit_corners(s, v, [&](int c) {
+      const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+      if (v < a && v < b && w.mark[at(a)] == w.stamp && w.mark[at(b)] == w.stamp)
+        w.triangles.push_back(c / 3);
+    });
+  std::ranges::sort(w.triangles);
+  double doubled = 0.0;
+  for (const int t : w.triangles) {
+    const mesh::Triangle& corners = s.triangles[at(t)];
+    const Vec3& origin_W = s.position(corners[0]);
+    doubled += (s.position(corners[1]) - origin_W).cross(s.position(corners[2]) - origin_W).norm();
+  }
+  return 0.5 * doubled;
+}
+
+}  // namespace
+
+void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, double gap,
+                   ContactWork& w, std::vector<double>& area_by_part) {
+  area_by_part.assign(at(bit.part_count), 0.0);
+  w.mark.resize(rock.surface.positions.size(), 0);
+  for (std::size_t i = 0; i < bit.groups.size(); ++i) {
+    const CuttingGroup& g = bit.groups[i];
+    find_near(rock, g, cut.motions[i], cut, gap, w);
+    if (w.near.size() < 3) continue;
+    for (std::size_t k = 0; k < g.parts.size();) {
+      const int part = g.parts[k].part;
+      ++w.stamp;
+      w.held.clear();
+      for (; k < g.parts.size() && g.parts[k].part == part; ++k)
+        hold(rock, g.parts[k], cut, gap, w);
+      area_by_part[at(part)] = area_between(rock, w);
+    }
+  }
+}
+
+}  // namespace tdbd::rock

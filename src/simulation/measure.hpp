@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bit/bit.hpp"
+#include "rock/contact_area.hpp"
+#include "rock/section.hpp"
+#include "simulation/measure_plan.hpp"
+#include "simulation/summary.hpp"
+
+namespace tdbd::simulation {
+
+/// Mean of a number over steps, and of its squared distance from the mean.
+struct Spread {
+  long count = 0;
+  double mean = 0.0, squares = 0.0;
+};
+
+void add(Spread& spread, double x);
+
+/// Root mean square of the distances from the mean, over the mean; 0 where the mean is.
+double relative_rms(const Spread& spread);
+
+/// By step: one cutter's section (m2), what it swept and what the cutter's parts removed (m3).
+struct FaceSpreads {
+  Spread area, swept, removed;
+};
+
+/// The measures of the last step, and their spreads over revolutions.
+struct Measures {
+  std::vector<rock::Section> sections;  ///< per cutter; none: not measured
+  std::vector<double> contact_areas;    ///< m2, per part; none: not measured
+  std::vector<FaceSpreads> revolution;  ///< per cutter, of the revolution that goes on
+  std::vector<FaceSpreads> last_whole;  ///< of the last whole revolution; none yet: empty
+  std::size_t revolutions = 0;          ///< begun before the one that goes on
+  long refused_deep = 0;          ///< sections: the face is deep in rock, its surface out of sight
+  long refused_over_the_top = 0;  ///< sections: rock reaches over the face's top
+  std::vector<rock::SectionFace> faces;
+  std::vector<double> removed;  ///< m3, per cutter, in the last step
+  rock::SectionWork section_work;
+  rock::ContactWork contact_work;
+};
+
+Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan);
+
+/// What is measured where the bit has come to in a step from pose 0 to pose 1.
+struct MeasuredStep {
+  const bit::Bit& bit;
+  const rock::CuttingBit& cutting;
+  const rock::CutWorkspace& cut_work;
+  const rock::CutReport& cut;
+  Pose X_WB0, X_WB1;
+  double dt = 0.0;             ///< s
+  double edge_length = 0.0;    ///< m, of the rock
+  std::size_t revolution = 0;  ///< that the step is in, from 0
+};
+
+/// To be asked between cut_rock and maintenance.
+void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,
+             Measures& measures);
+
+/// Of the last whole revolution; before its end, of all steps.
+std::vector<FaceFigures> figures_of(const bit::Bit& bit, const Measures& measures);
+
+/// The cutter's name, as its parts have it.
+std::string cutter_name(const bit::Cutter& cutter);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,91 @@
+#include "rock/contact_area.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/measures.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+Pose at_place(double x, double z) { return {Mat3::Identity(), Vec3(x, 0.0, z)}; }
+
+/// A bit of blocks [-0.35, 0.35] x [-0.25, 0.25] x [-1, 0], side by side along x, over flat rock of
+/// cells of 0.1 at z = 0.
+struct Scene {
+  bit::Bit bit;
+  CuttingBit cutting;
+  Rock rock;
+  CutWorkspace work;
+  ContactWork contact_work;
+  std::vector<double> areas;
+
+  explicit Scene(const std::vector<double>& places) {
+    for (const double x : places) {
+      bit::Part& part = bit.parts.emplace_back();
+      part.name = "block";
+      part.mesh_P = battery::box(Vec3(-0.35, -0.25, -1.0), Vec3(0.35, 0.25, 0.0));
+      part.X_BP = at_place(x, 0.0);
+    }
+    cutting = prepare_cutting_bit(bit);
+    const mesh::TriangleMesh flat = battery::flat_rock(1.0, 0.0, 20);
+    rock = make_rock(mesh::make_surface(flat), 0.2, mesh::bounding_box(flat));
+  }
+
+  void move(const Pose& X_WB0, const Pose& X_WB1) {
+    CutReport report;
+    cut_rock(rock, cutting, X_WB0, X_WB1, work, report);
+    contact_areas(rock, cutting, work, 1e-6, contact_work, areas);
+  }
+};
+
+constexpr double rounding = 1e-12;  // of 0.24 m2
+
+/// Of the block's 0.7 x 0.5 the vertices in 0.6 x 0.4.
+TEST(contact_area, of_a_plane_pressed_into_a_plane_is_that_of_the_cells_below_it) {
+  Scene s({0.0});
+  s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
+  ASSERT_EQ(s.areas.size(), 1U);
+  EXPECT_NEAR(s.areas[0], 0.24, rounding);
+}
+
+TEST(contact_area, stays_when_the_plane_slides_and_moves_nothing) {
+  Scene s({0.0});
+  s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
+  s.move(at_place(0.0, 0.02), at_place(0.02, 0.02));
+  EXPECT_NEAR(s.areas[0], 0.24, rounding);
+}
+
+TEST(contact_area, is_none_before_and_after) {
+  Scene s({0.0});
+  s.move(at_place(0.0, -0.05), at_place(0.0, -0.01));
+  EXPECT_EQ(s.areas[0], 0.0);
+  s.move(at_place(0.0, -0.01), at_place(0.0, 0.02));
+  s.move(at_place(0.0, 0.02), at_place(0.0, 0.0));
+  EXPECT_EQ(s.areas[0], 0.0);
+}
+
+/// On the way down 0.06 and up again: the vertices are moved, and touched no more at the end.
+TEST(contact_area, counts_what_a_step_moved_even_if_the_part_is_gone) {
+  Scene s({0.0});
+  Pose X_WB0 = at_place(0.0, 0.01), X_WB1 = at_place(0.45, -0.02);
+  s.move(X_WB0, X_WB1);
+  EXPECT_GT(s.areas[0], 0.1);
+}
+
+/// Cells between the blocks belong to neither; what both touch counts for both.
+TEST(contact_area, is_that_of_each_part) {
+  Scene s({-0.4, 0.4});
+  s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
+  EXPECT_NEAR(s.areas[0], 0.24, rounding);
+  EXPECT_NEAR(s.areas[1], 0.24, rounding);
+  Scene twice({0.0, 0.0});
+  twice.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
+  EXPECT_NEAR(twice.areas[0], 0.24, rounding);
+  EXPECT_NEAR(twice.areas[1], 0.24, rounding);
+}
+
+}  // namespace
+}  // namespace tdbd::rock
