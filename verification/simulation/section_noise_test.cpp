@@ -34,16 +34,21 @@ Case standard_workload() {
 /// The first cutter is beside the axis: the next test.
 TEST(section_noise, is_small_and_the_mean_is_the_volume_removed) {
   std::vector<double> noise, noise_of_volumes, ratios;
+  double swept = 0.0, removed = 0.0;
   for (const FaceFigures& f : second_revolution(standard_workload())) {
     noise.push_back(f.rms_swept_by_section);
     noise_of_volumes.push_back(f.rms_removed);
     ratios.push_back(ratio(f));
+    swept += f.mean_swept_by_section;
+    removed += f.mean_removed;
   }
   fmt::print("rms of one step: section {:.2f} % (worst {:.2f} %), volume {:.1f} %\n",
              100 * median(noise), 100 * std::ranges::max(noise), 100 * median(noise_of_volumes));
   fmt::print("section over volume: median {:.4f}, first cutter {:.4f}, others {:.4f} to {:.4f}\n",
              median(ratios), ratios[0], *std::min_element(ratios.begin() + 1, ratios.end()),
              *std::max_element(ratios.begin() + 1, ratios.end()));
+  fmt::print("of all cutters: {:.4f}\n", swept / removed);
+  EXPECT_NEAR(swept / removed, 1.0, 0.01);
   EXPECT_LT(median(noise), 0.02);
   EXPECT_NEAR(median(ratios), 1.0, 0.01);
   for (std::size_t i = 1; i < ratios.size(); ++i) EXPECT_NEAR(ratios[i], 1.0, 0.01) << i;
