@@ -6,25 +6,38 @@
 
 #include "bit/bit.hpp"
 #include "core/config.hpp"
+#include "rock/borehole.hpp"
+#include "rock/cutting_bit.hpp"
+#include "rock/rough_bottom.hpp"
 #include "simulation/motion.hpp"
 
 namespace tdbd::simulation {
 
-enum class RockShape { conforming, flat, file };
+enum class RockShape { conforming, flat, rough, profile, file };
+enum class IntersectionCheck { full, none };
 
 /// The rock at the start.
 struct RockStart {
   RockShape shape = RockShape::conforming;
-  double edge_length = 0.0;  ///< m
-  double wall = 0.0;         ///< m, height of the cylindrical wall above the bottom's rim
-  double radius = 0.0;       ///< m, flat only; 0: the bit's gage radius
-  std::string file;          ///< file only
-  double unit = 1.0;         ///< m per unit of the file
+  double edge_length = 0.0;   ///< m
+  double wall = 0.0;          ///< m, height of the cylindrical wall above the bottom's rim
+  double radius = 0.0;        ///< m, flat and rough only; 0: the bit's gage radius
+  rock::Roughness roughness;  ///< rough only
+  std::vector<rock::MeridianPoint> profile;  ///< profile only: from the axis to the boundary
+  std::string file;                          ///< file only
+  double unit = 1.0;                         ///< m per unit of the file
+  IntersectionCheck intersections = IntersectionCheck::full;  ///< file and profile only
 };
 
 struct TimeGrid {
   double step = 0.0;  ///< s
-  long steps = 0;
+  long steps = 0;     ///< from the motion's beginning to the run's end
+  long first = 0;     ///< steps of the motion that were made before the run begins
+};
+
+/// Where a case says what shows to be wrong only with the rock: "FILE:LINE: KEY" (Config::place).
+struct CasePlaces {
+  std::string edge_length, motion, file, profile;
 };
 
 struct MaintenancePlan {
@@ -32,6 +45,12 @@ struct MaintenancePlan {
   double shortest_edge = 0.4;  ///< over edge_length
   double longest_edge = 1.6;   ///< over edge_length
   double worst_quality = 0.1;
+};
+
+/// How a step is found, and which way it goes where the bit leans.
+struct UpdatePlan {
+  rock::CuttingOptions cutting{rock::ExitSearch::tree, rock::DirectionFrame::upright};
+  int most_passes = 1000;  ///< of a step; more are an error
 };
 
 struct OutputPlan {
@@ -42,11 +61,13 @@ struct OutputPlan {
 /// A checked case in SI: everything that a run needs, and its resolved text.
 struct Case {
   std::string path;
+  CasePlaces places;
   std::vector<std::string> files;  ///< all that were read: case, bit, tables, meshes
   bit::Bit bit;
   RockStart rock;
   Motion motion;
   TimeGrid time;
+  UpdatePlan update;
   MaintenancePlan maintenance;
   OutputPlan output;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result

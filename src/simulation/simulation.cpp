@@ -39,7 +39,9 @@ void note(const Case& c, Simulation& s) {
 
 Simulation start(const Case& c) {
   Simulation s;
-  s.bit = rock::prepare_cutting_bit(c.bit);
+  s.steps_done = c.time.first;
+  s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
+  s.cut_work.most_passes = c.update.most_passes;
   s.cones = start_cones(c);
   s.rock = start_rock(c);
   s.limits = rock::limits_for(c.rock.edge_length);
