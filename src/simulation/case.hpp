@@ -49,7 +49,7 @@ struct MaintenancePlan {
 
 /// How a step is found, and which way it goes where the bit leans.
 struct UpdatePlan {
-  rock::CuttingOptions cutting{rock::ExitSearch::tree, rock::DirectionFrame::upright};
+  rock::CuttingOptions cutting;
   int most_passes = 1000;  ///< of a step; more are an error
 };
 

@@ -58,11 +58,19 @@ void demand_facing_up(const Case& c, const mesh::TriangleMesh& m) {
     refuse(c, "all facets flipped (they face down, into the rock)", "facets that face up (z down)");
 }
 
+/// "a; b" of "a\nb\n".
+std::string in_one_line(const std::string& lines) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    text += lines[i] != '\n' ? std::string(1, lines[i]) : i + 1 < lines.size() ? "; " : "";
+  return text;
+}
+
 mesh::TriangleMesh from_file(const Case& c) {
   mesh::TriangleMesh m = mesh::read_mesh(c.rock.file, c.rock.unit);
   const auto defects = mesh::check_surface(m);
   if (!defects.empty())
-    refuse(c, mesh::describe(defects, 8), "one open, consistently oriented surface");
+    refuse(c, in_one_line(mesh::describe(defects, 8)), "one open, consistently oriented surface");
   demand_facing_up(c, m);
   demand_like_edges(c, m);
   demand_memory(c, mesh::area(m), mesh::bounding_box(m));

@@ -118,8 +118,8 @@ TEST(bad_case, a_motion_that_jumps_past_a_part) {
   const SmallCase c;
   c.edit("case.toml", "30 m/h", "20 m/s");
   expect_refused(c,
-                 "case.toml:10: time.step: found a jump of 40 mm of cutter-1/face in one step of "
-                 "0.002 s, expected at most the part's size, 22.6 mm: a shorter time.step or a "
+                 "case.toml:10: time.step: found a jump of 40.2 mm of cutter-1/face in one step of "
+                 "0.002 s, expected at most the part's size, 22.7 mm: a shorter time.step or a "
                  "slower motion");
 }
 
@@ -132,7 +132,7 @@ SmallCase moving(const std::string& lines) {
 
 TEST(bad_case, legs) {
   expect_refused(moving("kind = \"legs\""),
-                 "case.toml:7: motion.legs: found none, expected one [[motion.legs]] or more");
+                 "case.toml:6: motion.legs: found none, expected one [[motion.legs]] or more");
   expect_refused(moving("kind = \"legs\"\n[[motion.legs]]\nduration = 0"),
                  "case.toml:9: motion.legs[0].duration: found 0, expected time in s, > 0");
 }

@@ -53,7 +53,7 @@ TEST(bad_path, does_not_hide_the_mistakes_of_the_case) {
 TEST(bad_path, a_jump_past_a_part) {
   expect_refused(case_along("0,0,0,0,0,0,0\n0.02,0,0,0.0003,0,0,0.25\n0.04,0.36,0,0,0,0,0.25\n"),
                  "path.csv:4: time_s: found a jump of 36 mm of cutter-1/face in one step of 0.002 "
-                 "s, expected at most the part's size, 22.6 mm: a shorter time.step or a slower "
+                 "s, expected at most the part's size, 22.7 mm: a shorter time.step or a slower "
                  "motion");
 }
 

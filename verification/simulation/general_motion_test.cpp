@@ -216,23 +216,37 @@ double reach_of(const rock::Rock& rock, double azimuth) {
 
 /// The bit turns about its leaning axis and goes straight down: seen from above its hole is the
 /// hull of ellipses, of half axes r and r cos(angle), which the bit's circles are.
-TEST(tilt, a_leaning_bit_drills_an_elliptic_hole) {
+/// Either way of turning the update directions makes this hole; the meshes differ.
+void expect_elliptic_hole(const std::string& leaning, std::size_t most_pairs) {
   constexpr double angle = 0.1;
   const Case c = outside_case(
       "shape = \"flat\"\nradius = 0.065\nwall = 0.02\nedge_length = 0.003",
-      "[motion]\nstart = [0, 0, -0.006]\n" + fast +
+      "[update]\nleaning = \"" + leaning + "\"\n[motion]\nstart = [0, 0, -0.006]\n" + fast +
           "[motion.tilt]\nangle = 0.1\nramp = 0\n[time]\nstep = 0.002\nrevolutions = 10\n");
   Simulation s = start(c);
   run_out(c, s, 53);
-  expect_sound(s);
+  const mesh::TriangleMesh m = mesh::compact(s.rock.surface);
+  EXPECT_LE(ledger_defect(s), tolerance::ledger);
+  EXPECT_TRUE(mesh::check_surface(m).empty());
+  const std::size_t pairs = reference::self_intersecting_pairs(m);
+  EXPECT_LE(pairs, most_pairs);
+  double nearest = 0.0, farthest = -1.0;
   for (int k = 0; k < 12; ++k) {
     const double azimuth = 2.0 * pi * k / 12.0;
-    const double exact = reach_of(c.bit, angle, azimuth), found = reach_of(s.rock, azimuth);
-    fmt::print("{:4.0f} deg: {:.3f} of {:.3f} mm\n", 30.0 * k, 1e3 * found, 1e3 * exact);
-    EXPECT_LE(found, exact + 5e-6);  // the chord of a step's turn: r (0.025 rad)^2 / 8
-    EXPECT_GE(found, exact - 0.1e-3);
+    const double beyond = reach_of(s.rock, azimuth) - reach_of(c.bit, angle, azimuth);
+    nearest = std::min(nearest, beyond);
+    farthest = std::max(farthest, beyond);
   }
+  fmt::print("{}: reaches {:+.4f} to {:+.4f} mm beyond the exact, {} pairs of {} triangles\n",
+             leaning, 1e3 * nearest, 1e3 * farthest, pairs, m.triangles.size());
+  EXPECT_LE(farthest, 5e-6);  // the chord of a step's turn: r (0.025 rad)^2 / 8
+  EXPECT_GE(nearest, -0.1e-3);
 }
+
+TEST(tilt, a_leaning_bit_drills_an_elliptic_hole) { expect_elliptic_hole("upright", 0); }
+
+/// Maintenance leaves three intersecting pairs here: a fault that is known (src/rock/README.md).
+TEST(tilt, so_it_does_with_directions_about_its_own_axis) { expect_elliptic_hole("bit", 3); }
 
 /// Up without turning, and down the same way.
 TEST(reaming, a_bit_put_back_removes_nothing_more) {
