@@ -79,6 +79,32 @@ void exit_mesh(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
 }
 
+/// The same, by walks over neighbouring facets (formulation 2.4).
+void exit_walk(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<Query> queries = queries_of_next_step(d);
+  std::vector<mesh::TriangleTree> trees;
+  std::vector<rock::FacetNeighbours> across;
+  for (const bit::Part& p : d.plan.bit.parts)
+    across.push_back(rock::neighbours_of(trees.emplace_back(p.mesh_P)));
+  std::vector<rock::MeshScratch> scratch(trees.size());
+  for (auto _ : state)
+    for (const Query& q : queries) {
+      const auto part = static_cast<std::size_t>(q.part->part);
+      benchmark::DoNotOptimize(rock::exit_distance_by_walk(trees[part], across[part], q.path,
+                                                           q.part->depth, scratch[part]));
+    }
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
+  double tried = 0.0, found = 0.0, answered = 0.0;
+  for (const rock::MeshScratch& s : scratch) {
+    tried += static_cast<double>(s.walk.tried);
+    found += static_cast<double>(s.walk.found);
+    answered += static_cast<double>(s.walk.answered);
+  }
+  state.counters["found"] = found / tried;
+  state.counters["answered"] = answered / tried;
+}
+
 /// One iteration visits the vertices near every group of parts; one item is a vertex.
 void grid_query(benchmark::State& state) {
   const Drilling d = bit_b();
@@ -172,6 +198,7 @@ void repeat(benchmark::internal::Benchmark* b) {
 
 BENCHMARK(exit_convex)->Apply(repeat);
 BENCHMARK(exit_mesh)->Apply(repeat);
+BENCHMARK(exit_walk)->Apply(repeat);
 BENCHMARK(grid_query)->Apply(repeat);
 BENCHMARK(find_candidates)->Apply(repeat);
 BENCHMARK(sections)->Apply(repeat);

@@ -10,9 +10,13 @@
 namespace tdbd {
 namespace {
 
+std::string place_of(const std::string& file, long line, const std::string& key) {
+  return line == 0 ? "--set: " + key : fmt::format("{}:{}: {}", file, line, key);
+}
+
 std::string message(const std::string& file, const ConfigProblem& p) {
-  const std::string place = p.line == 0 ? "--set" : fmt::format("{}:{}", file, p.line);
-  return fmt::format("{}: {}: found {}, expected {}", place, p.key, p.found, p.expected);
+  return fmt::format("{}: found {}, expected {}", place_of(file, p.line, p.key), p.found,
+                     p.expected);
 }
 
 /// Throws one line for each problem, sorted; mistakes of other files follow.
@@ -82,6 +86,11 @@ void Config::problem(std::string_view key, const std::string& found, const std::
   const auto same = [&](const ConfigProblem& p) { return p.key == name; };
   if (std::none_of(document_->problems.begin(), document_->problems.end(), same))
     document_->add_problem(name, found, expected);
+}
+
+std::string Config::place(std::string_view key) const {
+  const std::string name = full(key);
+  return place_of(document_->file, document_->line_of(name), name);
 }
 
 void Config::other_file(const std::string& message) {

@@ -94,6 +94,10 @@ class Config {
   /// Notes the mistakes of a file that this one names, whose message tells file and line itself.
   void other_file(const std::string& message);
 
+  /// "FILE:LINE: KEY", as messages begin ("--set: KEY" of an override): for a mistake that shows
+  /// only once the file is read.
+  std::string place(std::string_view key) const;
+
   /// How many mistakes were noted so far: a caller's check across keys makes no sense when one of
   /// the keys was wrong.
   std::size_t problem_count() const;

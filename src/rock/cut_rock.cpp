@@ -12,10 +12,6 @@
 namespace tdbd::rock {
 namespace {
 
-/// A vertex between overlapping parts zigzags into their corner, each pass shorter than the last by
-/// a factor; the worst of 120 000 random scenes took 71 passes.
-constexpr int max_passes = 1000;
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void move_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const CuttingPart& part) {
@@ -198,6 +194,15 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
   return any;
 }
 
+std::string first_moved(const CutWorkspace& w, const Rock& rock) {
+  const auto group =
+      std::ranges::find_if(w.moved_by_group, [](const auto& v) { return !v.empty(); });
+  if (group == w.moved_by_group.end()) return "none";
+  const Vec3& x_W = rock.surface.position(group->front());
+  return fmt::format("vertex {} at ({:.3f}, {:.3f}, {:.3f}) mm", group->front(), 1e3 * x_W.x(),
+                     1e3 * x_W.y(), 1e3 * x_W.z());
+}
+
 std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Rock& rock) {
   std::string names;
   for (std::size_t i = 0; i < bit.groups.size(); ++i)
@@ -216,13 +221,13 @@ void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& 
   work.move_of.resize(rock.surface.positions.size(), 0);
   work.step_of_move.resize(rock.surface.positions.size(), 0);
   find_in_rock(rock, bit, work);
-  for (report.passes = 1; report.passes <= max_passes; ++report.passes) {
+  for (report.passes = 1; report.passes <= work.most_passes; ++report.passes) {
     if (!process_all(rock, bit, work, report)) return;
     find_among_moved(rock, bit, work);
   }
-  throw RunError(
-      fmt::format("rock vertices still move after {} passes of one step; the parts are: {}",
-                  max_passes, still_moving(bit, work, rock)));
+  throw RunError(fmt::format(
+      "rock vertices still move after {} passes of one step, first {}; the parts are: {}",
+      work.most_passes, first_moved(work, rock), still_moving(bit, work, rock)));
 }
 
 }  // namespace tdbd::rock

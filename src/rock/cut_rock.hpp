@@ -33,6 +33,9 @@ struct MovedVertex {
 
 /// Room for the step, kept between steps so that none allocates once warm.
 struct CutWorkspace {
+  /// A vertex between overlapping parts zigzags into their corner, each pass shorter than the last
+  /// by a factor; the worst of 120 000 random scenes took 71 passes.
+  int most_passes = 1000;
   SweptScratch swept;
   std::vector<GroupMotion> motions;          ///< per group
   std::vector<std::vector<int>> candidates;  ///< per group
@@ -50,7 +53,7 @@ struct CutWorkspace {
 /// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),
 /// move (4.1.3), measure (4.3), part after part; passes repeat until nothing moves. Afterwards no
 /// rock vertex lies inside a cutting part at pose 1 (tolerance::inside). Throws RunError with the
-/// parts' names if passes do not end or the bit sweeps the rock's boundary.
+/// parts' names and a place if passes do not end or the bit sweeps the rock's boundary.
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report);
 

@@ -27,7 +27,7 @@ mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t mos
 }
 
 CuttingPart prepare_solid(const bit::Part& part, const mesh::TriangleMesh& mesh_P, int index) {
-  CuttingPart prepared{index, part.name, {}, {}, 0.0};
+  CuttingPart prepared{index, part.name, {}, {}, {}, 0.0};
   prepared.depth = tolerance::swept * mesh::bounding_box(mesh_P).size().norm();
   if (auto solid = mesh::convex_solid(mesh_P))
     prepared.solid_P = spread_planes(*solid, solid->planes);
@@ -79,7 +79,7 @@ mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
 
 }  // namespace
 
-CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
+CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& options) {
   CuttingBit cutting;
   cutting.part_count = static_cast<int>(bit.parts.size());
   mesh::Box box_B;
@@ -103,6 +103,10 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit) {
   for (CuttingGroup& group : cutting.groups) {
     constexpr std::size_t most = 40;
     group.hull_P = spread_planes(bounding_planes(group, bit), most);
+    group.directions = options.directions;
+    for (CuttingPart& part : group.parts)
+      if (part.tree_P && options.search == ExitSearch::walk)
+        part.across = neighbours_of(*part.tree_P);
   }
   cutting.size = std::max(box_B.size().x(), box_B.size().y());
   return cutting;

@@ -8,6 +8,7 @@
 #include "mesh/convex.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/triangle_tree.hpp"
+#include "rock/facet_walk.hpp"
 
 namespace tdbd::rock {
 
@@ -18,8 +19,13 @@ struct CuttingPart {
   std::string name;
   mesh::ConvexSolid solid_P;                 ///< no planes if there is a tree
   std::optional<mesh::TriangleTree> tree_P;  ///< only without planes
+  FacetNeighbours across;                    ///< of the tree's facets; none: exits without walks
   double depth = 0.0;  ///< m: shallower than this is not swept (tolerance::swept times part size)
 };
+
+/// Which axis the update directions turn about (4.1.2.3) when the bit leans: the hole's, so that
+/// rock goes down the hole, or the bit's own, as the thesis has it for a bit that does not lean.
+enum class DirectionFrame { upright, bit };
 
 /// Parts that share a frame and an update direction: found together, processed one after another.
 struct CuttingGroup {
@@ -32,6 +38,7 @@ struct CuttingGroup {
   std::vector<CuttingPart> parts;
   std::optional<bit::Segment> core_P;  ///< bit::Part::core_P
   Pose X_BP1;  ///< at the end of the step; X_BP is at its start. They differ where a cone turns
+  DirectionFrame directions = DirectionFrame::bit;
 };
 
 /// The parts that cut, in the order in which they take rock (the bit's order).
@@ -41,8 +48,16 @@ struct CuttingBit {
   double size = 0.0;   ///< m, diameter over the cutting parts: scale of tolerance::inside
 };
 
+/// How exits from parts that are not convex are found (swept_mesh.hpp); both find the same.
+enum class ExitSearch { tree, walk };
+
+struct CuttingOptions {
+  ExitSearch search = ExitSearch::tree;
+  DirectionFrame directions = DirectionFrame::bit;
+};
+
 /// Every part that cuts, from its closed mesh (bit::Part).
-CuttingBit prepare_cutting_bit(const bit::Bit& bit);
+CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& options = {});
 
 /// Turns the cones of a step: from these angles to those (rad, one for each cone). Formulation 4.
 void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<double>& from,

@@ -67,12 +67,23 @@ double reach(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
   return half_turn > 0.5 ? g.reach / half_turn + off_axis : INFINITY;
 }
 
+Pose direction_frame(const CuttingGroup& g, const Pose& X_WB) {
+  const bool leans = X_WB.R.col(2) != Vec3::UnitZ();
+  return leans && g.directions == DirectionFrame::upright ? Pose{Mat3::Identity(), X_WB.p} : X_WB;
+}
+
 }  // namespace
 
 GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
-  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP1;
-  return {inverse(X_WP0), inverse(X_WP1),         inverse(X_WB1),
-          X_WB1.R,        reach(g, X_WB0, X_WB1), moving_box(g.box_P, X_WP0, X_WP1)};
+  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP1, X_WD1 = direction_frame(g, X_WB1);
+  const bool is_bit = X_WD1.R == X_WB1.R;
+  return {inverse(X_WP0),
+          inverse(X_WP1),
+          inverse(X_WD1),
+          X_WD1.R,
+          is_bit ? Mat3(Mat3::Identity()) : Mat3(X_WD1.R.transpose() * X_WB1.R),
+          reach(g, X_WB0, X_WB1),
+          moving_box(g.box_P, X_WP0, X_WP1)};
 }
 
 HullFilter::HullFilter(const CuttingGroup& g, const GroupMotion& m)

@@ -11,8 +11,10 @@ namespace tdbd::rock {
 /// Poses of one group during a step, and what follows from them.
 struct GroupMotion {
   Pose X_PW0, X_PW1;
-  Pose X_BW1;
-  Mat3 R_WB1;
+  /// Frame D of the update directions at pose 1: the bit's or, where that leans and directions are
+  /// upright, the axes of space at the bit's origin. How D is turned about z does not matter.
+  Pose X_DW1;
+  Mat3 R_WD1, R_DB;
   double reach_W;   ///< m, farthest from the z axis of space that the group can sweep
   Region region_W;  ///< motion box: the group's box at pose 0 and pose 1, axis-aligned and oriented
 };

@@ -13,12 +13,12 @@ Vec3 from_segment(const bit::Segment& s, const Vec3& q) {
   return from - share * along;
 }
 
-/// U at azimuth 0; `radial_B` is the unit vector from the bit's axis to x.
+/// U at azimuth 0; `radial_D` is the unit vector from D's axis to x.
 Vec3 normal_direction(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W,
-                      const Vec3& radial_B) {
+                      const Vec3& radial_D) {
   const Vec3 q_P = 0.5 * (m.X_PW0 * x_W + m.X_PW1 * x_W);
-  const Vec3 n_B = g.X_BP1.R * from_segment(*g.core_P, q_P);
-  const Vec3 u(std::max(0.0, n_B.dot(radial_B)), 0.0, std::max(0.0, n_B.z()));
+  const Vec3 n_D = m.R_DB * (g.X_BP1.R * from_segment(*g.core_P, q_P));
+  const Vec3 u(std::max(0.0, n_D.dot(radial_D)), 0.0, std::max(0.0, n_D.z()));
   const double length = u.norm();
   return length > 0.0 ? Vec3(u / length) : g.update_direction_B;
 }
@@ -26,11 +26,11 @@ Vec3 normal_direction(const CuttingGroup& g, const GroupMotion& m, const Vec3& x
 }  // namespace
 
 Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
-  const Vec3 x_B = m.X_BW1 * x_W;
-  const double rho = std::sqrt(x_B.x() * x_B.x() + x_B.y() * x_B.y());
-  const double c = rho > 0.0 ? x_B.x() / rho : 1.0, s = rho > 0.0 ? x_B.y() / rho : 0.0;
+  const Vec3 x_D = m.X_DW1 * x_W;
+  const double rho = std::sqrt(x_D.x() * x_D.x() + x_D.y() * x_D.y());
+  const double c = rho > 0.0 ? x_D.x() / rho : 1.0, s = rho > 0.0 ? x_D.y() / rho : 0.0;
   const Vec3 U = g.core_P ? normal_direction(g, m, x_W, Vec3(c, s, 0.0)) : g.update_direction_B;
-  return m.R_WB1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
+  return m.R_WD1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
 }
 
 }  // namespace tdbd::rock

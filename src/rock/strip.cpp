@@ -47,6 +47,13 @@ Strip::Strip(const RelativePath& p, const mesh::Box& box)
   half_width_ = 0.5 * (dq_.cwiseAbs() + t_max_ * du_.cwiseAbs());
 }
 
+Strip Strip::up_to(double t) const {
+  Strip shorter = *this;
+  shorter.t_max_ = std::min(t, t_max_);
+  shorter.half_width_ = 0.5 * (dq_.cwiseAbs() + shorter.t_max_ * du_.cwiseAbs());
+  return shorter;
+}
+
 bool Strip::meets(const mesh::Box& box) const {
   double enter = 0.0, leave = t_max_;
   for (int i = 0; i < 3; ++i) {

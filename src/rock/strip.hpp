@@ -23,6 +23,9 @@ class Strip {
 
   Vec3 at(double tau, double t) const { return q_ + tau * dq_ + t * (u_ + tau * du_); }
 
+  /// The strip up to t.
+  Strip up_to(double t) const;
+
   /// May the strip meet the box? Never a wrong no.
   bool meets(const mesh::Box& box) const;
 

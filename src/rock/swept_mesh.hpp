@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesh/triangle_tree.hpp"
+#include "rock/facet_walk.hpp"
 #include "rock/relative_path.hpp"
 #include "rock/strip.hpp"
 
@@ -13,6 +14,8 @@ namespace tdbd::rock {
 struct MeshScratch {
   std::vector<double> ends;
   std::vector<Levels> intervals;
+  std::vector<const mesh::Facet*> facets;
+  WalkMemory walk;
 };
 
 /// Whether the path of the vertex alone enters the solid inside a closed mesh by more than `depth`
@@ -29,5 +32,14 @@ bool is_swept(const mesh::TriangleTree& solid, const RelativePath& path, double 
 /// if not swept.
 std::optional<double> exit_distance(const mesh::TriangleTree& solid, const RelativePath& path,
                                     double depth, MeshScratch& scratch);
+
+/// The same exit from the facets near the strip alone, up to a little beyond a place where the ray
+/// of the strip's middle leaves the solid: a walk from the facet on which the last one ended finds
+/// that place (facet_walk.hpp), or the tree. The first facet on the ray tells whether the vertex is
+/// inside, the last that what lies beyond is not. Where any of this is in doubt, and where the
+/// vertex's path crosses the surface, the search above answers. Formulation 2.4; thesis: 4.1.3.4.
+std::optional<double> exit_distance_by_walk(const mesh::TriangleTree& solid,
+                                            const FacetNeighbours& across, const RelativePath& path,
+                                            double depth, MeshScratch& scratch);
 
 }  // namespace tdbd::rock

@@ -12,6 +12,8 @@ bool is_swept(const CuttingPart& part, const RelativePath& path, SweptScratch& s
 
 std::optional<double> exit_distance(const CuttingPart& part, const RelativePath& path,
                                     SweptScratch& scratch) {
+  if (!part.across.empty())
+    return exit_distance_by_walk(*part.tree_P, part.across, path, part.depth, scratch.mesh);
   return part.tree_P ? exit_distance(*part.tree_P, path, part.depth, scratch.mesh)
                      : exit_distance(part.solid_P, path, part.depth, scratch.convex);
 }

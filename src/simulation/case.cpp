@@ -10,7 +10,9 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "simulation/bit_file.hpp"
-#include "simulation/path_table.hpp"
+#include "simulation/case_motion.hpp"
+#include "simulation/case_rock.hpp"
+#include "simulation/step_check.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -27,59 +29,12 @@ void collect(Config& c, Read read) {
   }
 }
 
-RockStart read_rock(Config c) {
-  RockStart r;
-  r.shape = c.choice<RockShape>(
-      "shape",
-      {{"conforming", RockShape::conforming}, {"flat", RockShape::flat}, {"file", RockShape::file}},
-      RockShape::conforming);
-  r.edge_length = c.quantity("edge_length", "m", std::nullopt, Range::within(1e-5, 0.1));
-  r.trim = c.quantity("trim", "m", 0.0, Range::non_negative());
-  if (r.shape == RockShape::file) {
-    r.file = c.path("file", std::nullopt);
-    r.unit = c.quantity("unit", "m", 1e-3, Range::positive());
-    return r;
-  }
-  r.wall = c.quantity("wall", "m", 0.03, Range::non_negative());
-  if (r.shape == RockShape::flat) r.radius = c.quantity("radius", "m", 0.0, Range::non_negative());
-  return r;
-}
-
-Whirl read_whirl(Config c, double rotary_speed) {
-  Whirl w;
-  w.radius = c.quantity("radius", "m", std::nullopt, Range::non_negative());
-  w.frequency = c.quantity("frequency", "rad/s", std::nullopt, Range::non_negative());
-  w.sense = c.choice<WhirlSense>(
-      "sense", {{"forward", WhirlSense::forward}, {"backward", WhirlSense::backward}},
-      WhirlSense::backward);
-  const double one_turn = rotary_speed > 0.0 ? two_pi / rotary_speed : 0.0;
-  w.ramp = c.quantity("ramp", "s", one_turn, Range::non_negative());
-  return w;
-}
-
-Motion read_motion(Config c) {
-  Motion m;
-  m.kind = c.choice<MotionKind>(
-      "kind",
-      {{"steady", MotionKind::steady}, {"whirl", MotionKind::whirl}, {"table", MotionKind::table}},
-      MotionKind::steady);
-  if (m.kind == MotionKind::table) {
-    const std::string file = c.path("file", std::nullopt);
-    if (!file.empty()) collect(c, [&] { m.path = read_path_table(file); });
-    return m;
-  }
-  m.rotary_speed = c.quantity("rotary_speed", "rad/s", std::nullopt, Range::non_negative());
-  m.rate_of_penetration = c.quantity("rate_of_penetration", "m/s", std::nullopt);
-  if (m.kind == MotionKind::whirl) m.whirl = read_whirl(c.table("whirl"), m.rotary_speed);
-  return m;
-}
-
 /// How long: a duration, or a number of revolutions where the rotary speed is given; along a path
 /// as long as the path.
 double read_duration(Config& c, const Motion& m) {
   if (!c.has("revolutions")) {
     std::optional<double> fallback;
-    if (m.kind == MotionKind::table) fallback = m.path.empty() ? 1.0 : m.path.back().time;
+    if (has_path(m)) fallback = m.path.empty() ? 1.0 : m.path.back().time;
     return c.quantity("duration", "s", fallback, Range::positive());
   }
   const double turns = c.quantity("revolutions", "1", std::nullopt, Range::positive());
@@ -100,6 +55,10 @@ TimeGrid read_time(Config c, const Motion& m) {
   t.step = c.quantity("step", "s", std::nullopt, Range::positive());
   const double duration = read_duration(c, m);
   t.steps = std::lround(std::min(duration / t.step, most_steps));
+  t.first = c.integer("first_step", 0, 0, std::numeric_limits<long>::max());
+  if (t.first > 0 && t.first >= t.steps)
+    c.problem("first_step", fmt::format("{} of {} steps", t.first, t.steps),
+              "a step before the end of the run");
   if (!c.has("step")) return t;
   if (t.steps < 1)
     c.problem("step", fmt::format("{} s for a run of {} s", t.step, duration),
@@ -142,6 +101,18 @@ OutputPlan read_output(Config c) {
   return p;
 }
 
+UpdatePlan read_update(Config c) {
+  using rock::DirectionFrame, rock::ExitSearch;
+  UpdatePlan p;
+  p.cutting.search = c.choice<ExitSearch>(
+      "exit_search", {{"tree", ExitSearch::tree}, {"walk", ExitSearch::walk}}, p.cutting.search);
+  p.cutting.directions = c.choice<DirectionFrame>(
+      "leaning", {{"upright", DirectionFrame::upright}, {"bit", DirectionFrame::bit}},
+      p.cutting.directions);
+  p.most_passes = static_cast<int>(c.integer("most_passes", p.most_passes, 1, 1'000'000));
+  return p;
+}
+
 struct Directions {
   bit::DirectionRule rule;
   bit::InsideRule inside;
@@ -181,26 +152,6 @@ BitFile read_bit_of(Config& c) {
   return bit;
 }
 
-void read_rolling(Config& c, const bit::Bit& bit, Motion& m) {
-  constexpr double remembered_turn = 0.1;  // rad of the bit, a third of a gage row's pitch
-  m.cone_drive =
-      c.choice<ConeDrive>("cone_speeds", {{"rolling", ConeDrive::rolling}}, std::nullopt);
-  const double usual = m.rotary_speed > 0.0 ? remembered_turn / m.rotary_speed : 0.0;
-  m.cone_memory = c.quantity("cone_memory", "s", usual, Range::non_negative());
-  if (bit.cones.empty() && !bit.parts.empty())
-    c.problem("cone_speeds", "\"rolling\"", "a bit with cones");
-}
-
-/// "rolling", or one speed for each cone of the bit; a bit without parts could not be read.
-void read_cone_speeds(Config c, const bit::Bit& bit, Motion& m) {
-  if (c.is_text("cone_speeds")) return read_rolling(c, bit, m);
-  m.cone_speeds = c.list("cone_speeds", "1", std::nullopt);
-  if (m.cone_speeds.size() != bit.cones.size() && !bit.parts.empty())
-    c.problem(
-        "cone_speeds", fmt::format("{} speeds", m.cone_speeds.size()),
-        fmt::format("one for each of the bit's {} cones, over the bit's speed", bit.cones.size()));
-}
-
 }  // namespace
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
@@ -210,14 +161,21 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.rock = read_rock(c.table("rock"));
   result.motion = read_motion(c.table("motion"));
   result.time = read_time(c.table("time"), result.motion);
+  result.update = read_update(c.table("update"));
   result.maintenance = read_maintenance(c.table("maintenance"));
   result.measure = read_measure(c.table("measure"));
   result.output = read_output(c.table("output"));
   const BitFile bit = read_bit_of(c);
   if (!bit.bit.cones.empty() || c.has("motion.cone_speeds"))
     read_cone_speeds(c.table("motion"), bit.bit, result.motion);
-  c.finish();
+  if (result.motion.cone_drive == ConeDrive::rolling && result.time.first > 0)
+    c.problem("time.first_step", fmt::format("{} with rolling cones", result.time.first),
+              "0: what cones remember of their contacts is in no file");
   result.bit = bit.bit;
+  note_long_steps(c, result);
+  result.places = {c.place("rock.edge_length"), c.place("motion"), c.place("rock.file"),
+                   c.place("rock.profile")};
+  c.finish();
   result.files = c.files();
   result.files.insert(result.files.end(), bit.files.begin(), bit.files.end());
   result.resolved = c.resolved();

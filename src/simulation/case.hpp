@@ -6,28 +6,41 @@
 
 #include "bit/bit.hpp"
 #include "core/config.hpp"
+#include "rock/borehole.hpp"
+#include "rock/cutting_bit.hpp"
 #include "rock/maintain.hpp"
+#include "rock/rough_bottom.hpp"
 #include "simulation/measure_plan.hpp"
 #include "simulation/motion.hpp"
 
 namespace tdbd::simulation {
 
-enum class RockShape { conforming, flat, file };
+enum class RockShape { conforming, flat, rough, profile, file };
+enum class IntersectionCheck { full, none };
 
 /// The rock at the start.
 struct RockStart {
   RockShape shape = RockShape::conforming;
-  double edge_length = 0.0;  ///< m
-  double wall = 0.0;         ///< m, height of the cylindrical wall above the bottom's rim
-  double radius = 0.0;       ///< m, flat only; 0: the bit's gage radius
-  std::string file;          ///< file only
-  double unit = 1.0;         ///< m per unit of the file
-  double trim = 0.0;         ///< m: wall higher above the bit's lowest point goes; 0: none does
+  double edge_length = 0.0;   ///< m
+  double wall = 0.0;          ///< m, height of the cylindrical wall above the bottom's rim
+  double radius = 0.0;        ///< m, flat and rough only; 0: the bit's gage radius
+  rock::Roughness roughness;  ///< rough only
+  std::vector<rock::MeridianPoint> profile;  ///< profile only: from the axis to the boundary
+  std::string file;                          ///< file only
+  double unit = 1.0;                         ///< m per unit of the file
+  IntersectionCheck intersections = IntersectionCheck::full;  ///< file and profile only
+  double trim = 0.0;  ///< m: wall higher above the bit's lowest point goes; 0: none does
 };
 
 struct TimeGrid {
   double step = 0.0;  ///< s
-  long steps = 0;
+  long steps = 0;     ///< from the motion's beginning to the run's end
+  long first = 0;     ///< steps of the motion that were made before the run begins
+};
+
+/// Where a case says what shows to be wrong only with the rock: "FILE:LINE: KEY" (Config::place).
+struct CasePlaces {
+  std::string edge_length, motion, file, profile;
 };
 
 struct MaintenancePlan {
@@ -40,6 +53,12 @@ struct MaintenancePlan {
   double smooth_quality = 0.5;  ///< vertices of triangles below are smoothed
 };
 
+/// How a step is found, and which way it goes where the bit leans.
+struct UpdatePlan {
+  rock::CuttingOptions cutting;
+  int most_passes = 1000;  ///< of a step; more are an error
+};
+
 struct OutputPlan {
   long history_every = 1;  ///< steps between rows
   long frames_every = 0;   ///< steps between frames; 0: only the last
@@ -48,11 +67,13 @@ struct OutputPlan {
 /// A checked case in SI: everything that a run needs, and its resolved text.
 struct Case {
   std::string path;
+  CasePlaces places;
   std::vector<std::string> files;  ///< all that were read: case, bit, tables, meshes
   bit::Bit bit;
   RockStart rock;
   Motion motion;
   TimeGrid time;
+  UpdatePlan update;
   MaintenancePlan maintenance;
   MeasurePlan measure;
   OutputPlan output;

@@ -60,8 +60,14 @@ void add(SpeedRatios& r, double ratio) {
 
 std::vector<ConeState> start_cones(const Case& c) {
   std::vector<ConeState> cones;
-  for (const bit::Cone& cone : c.bit.cones)
-    cones.emplace_back().rolling_ratio = bit::rolling_ratio_of_gage_row(cone);
+  const double t = time_of(c, c.time.first);
+  const std::vector<double> angles = cone_angles(c.motion, t);
+  for (const bit::Cone& cone : c.bit.cones) {
+    ConeState& state = cones.emplace_back();
+    state.rolling_ratio = bit::rolling_ratio_of_gage_row(cone);
+    if (!angles.empty()) state.angle = angles[cones.size() - 1];
+    state.bit_turned = angle_turned(c.motion, t);
+  }
   return cones;
 }
 

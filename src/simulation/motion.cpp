@@ -2,16 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "rotation/rotation_vector.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
+double grown(double ramp, double t) { return ramp > 0.0 ? std::min(1.0, t / ramp) : 1.0; }
+
+double sign(WhirlSense sense) { return sense == WhirlSense::forward ? 1.0 : -1.0; }
+
 Vec3 orbit(const Whirl& w, double t) {
-  const double grown = w.ramp > 0.0 ? std::min(1.0, t / w.ramp) : 1.0;
-  const double angle = (w.sense == WhirlSense::forward ? 1.0 : -1.0) * w.frequency * t;
-  return w.radius * grown * Vec3(std::cos(angle), std::sin(angle), 0.0);
+  const double angle = sign(w.sense) * w.frequency * t;
+  return w.radius * grown(w.ramp, t) * Vec3(std::cos(angle), std::sin(angle), 0.0);
+}
+
+/// The rotation that takes z to the leaning axis, about the horizontal across the lean.
+Mat3 lean(const Tilt& tilt, double t) {
+  const double azimuth = tilt.azimuth + sign(tilt.sense) * tilt.frequency * t;
+  return rotation::exp(tilt.angle * grown(tilt.ramp, t) *
+                       Vec3(-std::sin(azimuth), std::cos(azimuth), 0.0));
 }
 
 /// Rows around t, and how far t is between them.
@@ -43,10 +54,11 @@ Pose pose_on(const std::vector<PathPoint>& path, double t) {
 }  // namespace
 
 Pose pose_at(const Motion& m, double t) {
-  if (m.kind == MotionKind::table) return pose_on(m.path, t);
+  if (has_path(m)) return pose_on(m.path, t);
   Pose X_WB{rotation::exp(Vec3(0.0, 0.0, m.rotary_speed * t)),
-            Vec3(0.0, 0.0, m.rate_of_penetration * t)};
+            m.start_W + Vec3(0.0, 0.0, m.rate_of_penetration * t)};
   if (m.kind == MotionKind::whirl) X_WB.p += orbit(m.whirl, t);
+  if (m.tilt.angle > 0.0) X_WB.R = lean(m.tilt, t) * X_WB.R;
   return X_WB;
 }
 
@@ -55,8 +67,26 @@ void sum_turns(std::vector<PathPoint>& path) {
     path[i].turned = path[i - 1].turned + turn_between(path[i - 1], path[i]).z();
 }
 
+std::vector<PathPoint> path_of(const std::vector<Leg>& legs, const Vec3& start_W) {
+  constexpr double quarter_turn = 0.5 * std::numbers::pi;
+  std::vector<PathPoint> path{{0.0, start_W, Vec3::Zero()}};
+  for (const Leg& leg : legs) {
+    const PathPoint from = path.back();
+    const double turn = leg.rotary_speed * leg.duration;
+    const long rows = std::max(1L, std::lround(std::ceil(std::abs(turn) / quarter_turn)));
+    for (long k = 1; k <= rows; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(rows);
+      path.push_back({from.time + share * leg.duration,
+                      from.p_WB + share * leg.duration * leg.velocity_W,
+                      from.rotation_WB + share * turn * Vec3::UnitZ()});
+    }
+  }
+  sum_turns(path);
+  return path;
+}
+
 double angle_turned(const Motion& m, double t) {
-  if (m.kind != MotionKind::table) return m.rotary_speed * t;
+  if (!has_path(m)) return m.rotary_speed * t;
   const Place at = place_on(m.path, t);
   return (1.0 - at.fraction) * at.before->turned + at.fraction * at.after->turned;
 }

@@ -35,9 +35,12 @@ std::vector<PathPoint> read_path_table(const std::string& file) {
   const CsvTable t = read_csv(file);
   const Columns c = find_columns(t);
   std::vector<PathPoint> path;
-  for (const std::vector<double>& row : t.rows)
+  path.reserve(t.rows.size());
+  for (std::size_t i = 0; i < t.rows.size(); ++i) {
+    const std::vector<double>& row = t.rows[i];
     path.push_back({row[c[0]], Vec3(row[c[1]], row[c[2]], row[c[3]]),
-                    Vec3(row[c[4]], row[c[5]], row[c[6]]), 0.0});
+                    Vec3(row[c[4]], row[c[5]], row[c[6]]), 0.0, t.lines[i]});
+  }
   demand_rising_times(t, path);
   sum_turns(path);
   return path;

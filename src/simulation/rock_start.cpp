@@ -12,7 +12,9 @@
 #include "mesh/check.hpp"
 #include "mesh/files.hpp"
 #include "mesh/measures.hpp"
+#include "mesh/self_intersections.hpp"
 #include "rock/borehole.hpp"
+#include "simulation/rock_memory.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -21,6 +23,18 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void refuse(const Case& c, const std::string& found, const std::string& expected) {
   throw InputError(fmt::format("{}: found {}, expected {}", c.rock.file, found, expected));
+}
+
+/// Asked once: a surface that intersects itself says of no place whether it is rock. Some seconds
+/// for a million triangles.
+void demand_no_intersections(const Case& c, const std::string& place, const mesh::TriangleMesh& m) {
+  if (c.rock.intersections == IntersectionCheck::none) return;
+  const auto pairs = mesh::self_intersections(m);
+  if (pairs.empty()) return;
+  throw InputError(fmt::format(
+      "{}: found {} pairs of triangles that intersect, the first {} and triangle {}, expected a "
+      "surface that does not intersect itself (rock.intersection_check = \"off\" admits it)",
+      place, pairs.size(), mesh::place_of_triangle(m, pairs.front().first), pairs.front().second));
 }
 
 /// Edges far from edge_length speak for a wrong unit.
@@ -44,32 +58,41 @@ void demand_facing_up(const Case& c, const mesh::TriangleMesh& m) {
     refuse(c, "all facets flipped (they face down, into the rock)", "facets that face up (z down)");
 }
 
+/// "a; b" of "a\nb\n".
+std::string in_one_line(const std::string& lines) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    text += lines[i] != '\n' ? std::string(1, lines[i]) : i + 1 < lines.size() ? "; " : "";
+  return text;
+}
+
 mesh::TriangleMesh from_file(const Case& c) {
   mesh::TriangleMesh m = mesh::read_mesh(c.rock.file, c.rock.unit);
   const auto defects = mesh::check_surface(m);
   if (!defects.empty())
-    refuse(c, mesh::describe(defects, 8), "one open, consistently oriented surface");
+    refuse(c, in_one_line(mesh::describe(defects, 8)), "one open, consistently oriented surface");
   demand_facing_up(c, m);
   demand_like_edges(c, m);
+  demand_memory(c, mesh::area(m), mesh::bounding_box(m));
+  demand_no_intersections(c, c.rock.file, m);
   return m;
 }
 
-/// A borehole of so many triangles that memory or patience would end first is a slip of the pen.
-void demand_bearable(const Case& c, const std::vector<rock::MeridianPoint>& curve) {
-  constexpr double most_triangles = 5e7;
+mesh::Box box_of(const std::vector<rock::MeridianPoint>& curve) {
+  mesh::Box box;
+  for (const rock::MeridianPoint& p : curve) {
+    box.add({-p.r, -p.r, p.z});
+    box.add({p.r, p.r, p.z});
+  }
+  return box;
+}
+
+mesh::TriangleMesh make_borehole(const Case& c, const std::vector<rock::MeridianPoint>& curve) {
   double area = 0.0;
   for (std::size_t i = 1; i < curve.size(); ++i)
     area += std::numbers::pi * (curve[i - 1].r + curve[i].r) *
             std::hypot(curve[i].r - curve[i - 1].r, curve[i].z - curve[i - 1].z);
-  const double triangles = area * 4.0 / std::numbers::sqrt3 / std::pow(c.rock.edge_length, 2);
-  if (triangles > most_triangles)
-    throw InputError(fmt::format(
-        "{}: rock.edge_length: found {} m, which makes {:.1e} triangles, expected at most {:.0e}",
-        c.path, c.rock.edge_length, triangles, most_triangles));
-}
-
-mesh::TriangleMesh make_borehole(const Case& c, const std::vector<rock::MeridianPoint>& curve) {
-  demand_bearable(c, curve);
+  demand_memory(c, area, box_of(curve));
   return rock::borehole(curve, c.rock.edge_length);
 }
 
@@ -90,51 +113,41 @@ mesh::TriangleMesh flat(const Case& c) {
   return make_borehole(c, rock::flat_bottom(radius, lowest, c.rock.wall));
 }
 
+mesh::TriangleMesh rough(const Case& c) {
+  mesh::TriangleMesh m = flat(c);
+  rock::roughen_bottom(m, c.rock.roughness);
+  return m;
+}
+
+/// Any meridian: one that crosses itself makes no rock.
+mesh::TriangleMesh of_profile(const Case& c) {
+  mesh::TriangleMesh m = make_borehole(c, c.rock.profile);
+  demand_no_intersections(c, c.places.profile, m);
+  return m;
+}
+
 mesh::TriangleMesh start_mesh(const Case& c) {
   switch (c.rock.shape) {
     case RockShape::conforming:
       return conforming(c);
     case RockShape::flat:
       return flat(c);
+    case RockShape::rough:
+      return rough(c);
+    case RockShape::profile:
+      return of_profile(c);
     case RockShape::file:
       return from_file(c);
   }
   return {};
 }
 
-/// Where the bit's axis goes during the run, widened by the bit: start, end and a path's rows.
-mesh::Box reach_W(const Case& c) {
-  mesh::Box box;
-  const double r = c.bit.gage_radius + c.motion.whirl.radius;
-  const auto add = [&](const Vec3& p) {
-    box.add(p - Vec3(r, r, 0.0));
-    box.add(p + Vec3(r, r, 0.0));
-  };
-  for (const double t : {0.0, c.time.step * static_cast<double>(c.time.steps)})
-    add(pose_at(c.motion, t).p);
-  for (const PathPoint& p : c.motion.path) add(p.p_WB);
-  return box;
-}
-
-/// The index has a cell for every place that the bit may come to.
-void demand_near(const Case& c, const mesh::Box& reach, double cell) {
-  constexpr double most_cells = 2e8;
-  const double cells = (reach.size().array() / cell + 1.0).prod();
-  if (cells > most_cells)
-    throw InputError(fmt::format(
-        "{}: motion: found a way of {:.3g} m, {:.0e} cells of rock, expected at most {:.0e} cells",
-        c.path, reach.size().norm(), cells, most_cells));
-}
-
 }  // namespace
 
 rock::Rock start_rock(const Case& c) {
   constexpr double cell_over_edge = 2.0;
-  const double cell = cell_over_edge * c.rock.edge_length;
-  const mesh::Box reach = reach_W(c);
   mesh::Surface surface = mesh::make_surface(start_mesh(c));
-  demand_near(c, reach, cell);
-  return rock::make_rock(std::move(surface), cell, reach);
+  return rock::make_rock(std::move(surface), cell_over_edge * c.rock.edge_length, reach_W(c));
 }
 
 }  // namespace tdbd::simulation

@@ -146,9 +146,12 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.title = c.bit.name;
   r.status = status;
   r.case_hash = c.hash;
-  r.steps = s.steps_done;
-  r.duration = c.time.step * static_cast<double>(s.steps_done);
-  r.revolutions = angle_turned(c.motion, r.duration) / (2.0 * std::numbers::pi);
+  const double from = c.time.step * static_cast<double>(c.time.first),
+               to = c.time.step * static_cast<double>(s.steps_done);
+  r.steps = s.steps_done - c.time.first;
+  r.duration = to - from;
+  r.revolutions =
+      (angle_turned(c.motion, to) - angle_turned(c.motion, from)) / (2.0 * std::numbers::pi);
   r.removed_volume = s.ledger.removed.value();
   for (const auto& revolution : s.ledger.removed_by_revolution)
     r.removed_volume_by_revolution.push_back(

@@ -86,7 +86,9 @@ void trim(const Case& c, double z_W, Simulation& s) {
 
 Simulation start(const Case& c) {
   Simulation s;
-  s.bit = rock::prepare_cutting_bit(c.bit);
+  s.steps_done = c.time.first;
+  s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
+  s.cut_work.most_passes = c.update.most_passes;
   s.cones = start_cones(c);
   s.measures = start_measures(c.bit, c.measure);
   s.rock = start_rock(c);

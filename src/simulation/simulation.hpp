@@ -36,7 +36,7 @@ struct Simulation {
   rock::MaintenanceLimits limits;
   rock::MaintenanceReport maintenance;
   VolumeLedger ledger;
-  long steps_done = 0;
+  long steps_done = 0;  ///< since the motion's beginning (TimeGrid::first)
   long start_triangles = 0;
   rock::CutReport cut;  ///< of the last step
   std::vector<ConeState> cones;

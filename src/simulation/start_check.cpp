@@ -39,15 +39,15 @@ double cover_above(const mesh::Surface& rock, const Vec3& x_W) {
 }
 
 void demand_free_start(const Case& c, const mesh::Surface& rock) {
-  const Pose X_WB = pose_at(c.motion, 0.0);
+  const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(c.time.first));
   for (const bit::Part& part : c.bit.parts) {
     if (part.cutting != bit::Cutting::cuts) continue;
     const double cover = cover_above(rock, centre_W(part, X_WB));
     if (cover > 0.0)
-      throw InputError(fmt::format(
-          "{}: motion: found the middle of {} {:.3f} mm below the rock's surface at the start, "
-          "expected a bit that starts inside the rock by at most a cutter's radius",
-          c.path, part.name, 1e3 * cover));
+      throw InputError(
+          fmt::format("{}: found the middle of {} {:.3f} mm below the rock's surface at the start, "
+                      "expected a bit that starts inside the rock by at most a cutter's radius",
+                      c.places.motion, part.name, 1e3 * cover));
   }
 }
 

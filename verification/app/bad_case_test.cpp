@@ -95,21 +95,95 @@ TEST(bad_case, a_wrong_override_is_named_as_such) {
   EXPECT_EQ(o.err, "tdbd: --set: time.step: found -1, expected time in s, > 0\n");
 }
 
+/// It says how much it would need before it takes any of it, and what would do.
 TEST(bad_case, a_rock_beyond_memory) {
   const SmallCase c;
   c.edit("case.toml", "20 mm", "1e5 km");
   const auto o = c.run();
   EXPECT_EQ(o.exit_code, 2);
-  EXPECT_NE(o.err.find("rock.edge_length: found 0.004 m, which makes "), std::string::npos)
-      << o.err;
+  for (const char* words : {"case.toml:4: rock.edge_length: found 0.004 m, which makes ",
+                            " and needs ", " GB, expected at most ", " m would do"})
+    EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
 }
 
 TEST(bad_case, a_motion_beyond_memory) {
   const SmallCase c;
-  c.edit("case.toml", "30 m/h", "1e9 km/s");
+  c.edit("case.toml", "40 ms", "1e7 s");
   const auto o = c.run();
   EXPECT_EQ(o.exit_code, 2);
-  EXPECT_NE(o.err.find("case.toml: motion: found a way of "), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("cells of rock on a way of "), std::string::npos) << o.err;
+}
+
+TEST(bad_case, a_motion_that_jumps_past_a_part) {
+  const SmallCase c;
+  c.edit("case.toml", "30 m/h", "20 m/s");
+  expect_refused(c,
+                 "case.toml:10: time.step: found a jump of 40.2 mm of cutter-1/face in one step of "
+                 "0.002 s, expected at most the part's size, 22.7 mm: a shorter time.step or a "
+                 "slower motion");
+}
+
+/// Keys of [motion] in place of the small case's.
+SmallCase moving(const std::string& lines) {
+  SmallCase c;
+  c.edit("case.toml", "rotary_speed = \"120 rpm\"\nrate_of_penetration = \"30 m/h\"", lines);
+  return c;
+}
+
+TEST(bad_case, legs) {
+  expect_refused(moving("kind = \"legs\""),
+                 "case.toml:6: motion.legs: found none, expected one [[motion.legs]] or more");
+  expect_refused(moving("kind = \"legs\"\n[[motion.legs]]\nduration = 0"),
+                 "case.toml:9: motion.legs[0].duration: found 0, expected time in s, > 0");
+}
+
+TEST(bad_case, a_tilt_beyond_half_a_radian) {
+  expect_refused(moving("rotary_speed = 1\nrate_of_penetration = 0\n[motion.tilt]\nangle = 1"),
+                 "case.toml:10: motion.tilt.angle: found 1, expected angle in rad, in [0, 0.5]");
+}
+
+TEST(bad_case, a_profile_off_the_axis_or_of_one_point) {
+  const std::string expected =
+      ", expected two points or more, [radius, depth], the first on the axis, the others beside it";
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"[[0.01, 0], [0.06, 0]]", "a first point of radius 0.01 m"},
+      {"[[0, 0]]", "1 points"},
+      {"[[0, 0], [0.06, 0], [0, -0.1]]", "radius 0 m of point 3"},
+      {"[[0, 0], [0.06, 0], [0.06, 0]]", "point 2 twice"}};
+  for (const auto& [profile, found] : wrong) {
+    const SmallCase c;
+    c.edit("case.toml", "wall = \"20 mm\"", "shape = \"profile\"\nprofile = " + profile);
+    expect_refused(c, "case.toml:6: rock.profile: found " + found + expected);
+  }
+}
+
+TEST(bad_case, a_profile_that_crosses_itself) {
+  const SmallCase c;
+  c.edit("case.toml", "wall = \"20 mm\"",
+         "shape = \"profile\"\n"
+         "profile = [[0, 0.01], [0.07, 0.01], [0.07, -0.02], [0.06, 0.03], [0.08, -0.05]]");
+  const auto o = c.run();
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_EQ(o.err.rfind("tdbd: " + c.path("case.toml").string() + ":6: rock.profile: found ", 0),
+            0u)
+      << o.err;
+}
+
+TEST(bad_case, a_roughness_finer_than_the_mesh) {
+  const SmallCase c;
+  c.edit("case.toml", "wall = \"20 mm\"",
+         "shape = \"rough\"\namplitude = \"1 mm\"\ncorrelation_length = \"5 mm\"");
+  expect_refused(c,
+                 "case.toml:7: rock.correlation_length: found 0.005 m, expected at least two "
+                 "edges, 0.008 m");
+}
+
+TEST(bad_case, a_first_step_beyond_the_run) {
+  const SmallCase c;
+  c.edit("case.toml", "duration", "first_step = 20\nduration");
+  expect_refused(c,
+                 "case.toml:11: time.first_step: found 20 of 20 steps, expected a step before the "
+                 "end of the run");
 }
 
 /// Every mistake of a case, its bit file and its tables at once, in the order of the lines.

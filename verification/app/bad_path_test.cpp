@@ -49,5 +49,19 @@ TEST(bad_path, does_not_hide_the_mistakes_of_the_case) {
                         ":3: y_m: found \"nan\", expected a finite number");
 }
 
+/// 36 mm in a step of 2 ms, past cutters of 16 mm.
+TEST(bad_path, a_jump_past_a_part) {
+  expect_refused(case_along("0,0,0,0,0,0,0\n0.02,0,0,0.0003,0,0,0.25\n0.04,0.36,0,0,0,0,0.25\n"),
+                 "path.csv:4: time_s: found a jump of 36 mm of cutter-1/face in one step of 0.002 "
+                 "s, expected at most the part's size, 22.7 mm: a shorter time.step or a slower "
+                 "motion");
+}
+
+TEST(bad_path, a_turn_too_far_for_a_step) {
+  expect_refused(case_along("0,0,0,0,0,0,0\n0.01,0,0,0,0,0,3\n0.04,0,0,0,0,0,3.1\n"),
+                 "path.csv:3: time_s: found a turn of 0.6 rad in one step, expected at most 0.5 "
+                 "rad");
+}
+
 }  // namespace
 }  // namespace tdbd::app

@@ -40,6 +40,26 @@ TEST(failing_run, keeps_what_is_recorded_and_is_no_result) {
   EXPECT_TRUE(fs::exists(c.path("out/rock_final.ply")));
 }
 
+/// A bound on passes that is hit names place and parts. What is kept can be looked at and is rock
+/// that another run reads.
+TEST(failing_run, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_back) {
+  const SmallCase c;
+  const auto o = c.run({"--set", "update.most_passes=1"});
+  EXPECT_EQ(o.exit_code, 1);
+  for (const char* words : {"tdbd: failed after ",
+                            "rock vertices still move after 1 passes of one "
+                            "step, first vertex ",
+                            " mm; the parts are: cutter-"})
+    EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
+  EXPECT_EQ(read(c.path("out/frames/rock_final.vtp")).rfind("<?xml", 0), 0U);
+  EXPECT_NE(read(c.path("out/rock.pvd")).find("frames/rock_final.vtp"), std::string::npos);
+  c.edit("case.toml", "wall = \"20 mm\"",
+         "shape = \"file\"\nfile = \"out/rock_final.ply\"\nunit = \"1 m\"");
+  const auto again = c.run({}, "again");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
 TEST(failing_run, forced_again_and_well_leaves_no_trace_of_the_failure) {
   const SmallCase c = sideways();
   ASSERT_EQ(c.run().exit_code, 1);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "core/random.hpp"
@@ -140,6 +141,52 @@ TEST(swept_mesh, is_the_limit_of_the_twin) {
   EXPECT_GE(above_twin.front(), -1e-14);
   EXPECT_LE(above_twin[above_twin.size() / 2], 1e-14);
   EXPECT_LE(above_twin.back(), 1e-3);
+}
+
+/// From the facet that the last query used, the same to the bit, whatever the part.
+void expect_walk_finds_the_same(const TriangleMesh& part, double way, double turn) {
+  const TriangleTree tree(part);
+  const FacetNeighbours across = neighbours_of(tree);
+  MeshScratch walking, searching;
+  for (int k = 0; k < 10; ++k) {
+    const RelativePath p = any_path(way, turn);
+    const auto t = exit_distance_by_walk(tree, across, p, depth, walking);
+    RC_ASSERT(t == exit_distance(tree, p, depth, searching));
+    RC_TAG(t ? "swept" : "missed");
+  }
+}
+
+RC_GTEST_PROP(swept_mesh, a_walk_finds_the_same_on_prisms, ()) {
+  expect_walk_finds_the_same(*battery::nonconvex_prism(), 0.1, 0.05);
+}
+
+RC_GTEST_PROP(swept_mesh, a_walk_finds_the_same_on_stars, ()) {
+  expect_walk_finds_the_same(*battery::star_shape(), 0.1, 0.05);
+}
+
+/// Neighbouring vertices on a torus, as rock meets it: small steps, a direction that rests.
+TEST(swept_mesh, a_walk_mostly_finds_the_exit_from_a_torus) {
+  const TriangleMesh part = battery::torus(1.0, 0.3, 64, 32);
+  const TriangleTree tree(part);
+  const FacetNeighbours across = neighbours_of(tree);
+  for (const auto& facets : across)
+    for (const int f : facets) ASSERT_GE(f, 0);
+  MeshScratch walking, searching;
+  long swept = 0, found = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double a = 1e-3 * k, r = 1.0 + 0.2 * std::sin(37.0 * a);
+    const Vec3 x(r * std::cos(a), r * std::sin(a), 0.27 - 0.05 * std::cos(11.0 * a));
+    const RelativePath p{x, x + Vec3(0, 1e-3, -1e-3), Vec3(0, 0, 1), Vec3(0, 0, 1)};
+    const long before = walking.walk.found;
+    const auto t = exit_distance_by_walk(tree, across, p, depth, walking);
+    ASSERT_EQ(t, exit_distance(tree, p, depth, searching)) << k;
+    if (!t) continue;
+    ++swept;
+    found += walking.walk.found - before;
+  }
+  std::printf("walks found the way out of %ld of %ld swept vertices\n", found, swept);
+  EXPECT_GT(swept, 500);
+  EXPECT_GT(found, 9 * swept / 10);
 }
 
 const Vec3 up_y(0, 1, 0), to_x(1, 0, 0);

@@ -147,5 +147,45 @@ TEST(motion, a_path_rests_before_its_first_and_after_its_last_row) {
   EXPECT_NEAR(angle_turned(m, 9.0), 0.1, rounding);
 }
 
+TEST(motion, a_tilted_axis_leans_by_its_angle_towards_its_azimuth) {
+  Motion m = steady();
+  m.tilt = {0.1, 0.3, 5.0, WhirlSense::backward, 0.5};
+  for (const double t : {0.0, 0.25, 0.5, 2.0}) {
+    const Pose X_WB = pose_at(m, t);
+    const double angle = 0.1 * std::min(1.0, t / 0.5), azimuth = 0.3 - 5.0 * t;
+    const Vec3 axis(std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth),
+                    std::cos(angle));
+    EXPECT_LE((X_WB.R.col(2) - axis).norm(), rounding) << t;
+    EXPECT_EQ(X_WB.p, pose_at(steady(), t).p);
+  }
+}
+
+/// About its leaning axis the bit turns as an upright one does: seen along the axis, x has gone on.
+TEST(motion, a_tilted_bit_turns_about_its_axis) {
+  Motion m = steady();
+  m.tilt = {0.2, 0.0, 0.0, WhirlSense::forward, 0.0};
+  const Mat3 lean = pose_at(m, 0.0).R;
+  for (const double t : {0.1, 0.7})
+    EXPECT_LE((lean.transpose() * pose_at(m, t).R - turn_about_z(4.0 * pi * t)).norm(),
+              100.0 * rounding);
+}
+
+TEST(motion, legs_are_the_closed_form) {
+  const Vec3 start(0.1, 0.2, 0.3), down(0, 0, 0.004), aside(0.003, -0.001, 0);
+  Motion m;
+  m.kind = MotionKind::legs;
+  m.path = path_of({{2.0, down, 4.0 * pi}, {0.5, aside, 0.0}, {1.0, -down, -2.0 * pi}}, start);
+  const auto expect_at = [&](double t, const Vec3& p, double turned) {
+    EXPECT_LE((pose_at(m, t).p - p).norm(), rounding) << t;
+    EXPECT_LE((pose_at(m, t).R - turn_about_z(turned)).norm(), 100.0 * rounding) << t;
+    EXPECT_NEAR(angle_turned(m, t), turned, 100.0 * rounding) << t;
+  };
+  expect_at(0.0, start, 0.0);
+  expect_at(1.3, start + 1.3 * down, 5.2 * pi);
+  expect_at(2.2, start + 2.0 * down + 0.2 * aside, 8.0 * pi);
+  expect_at(3.1, start + 1.4 * down + 0.5 * aside, 6.8 * pi);
+  expect_at(9.0, start + 1.0 * down + 0.5 * aside, 6.0 * pi);
+}
+
 }  // namespace
 }  // namespace tdbd::simulation
