@@ -42,12 +42,36 @@ std::vector<CutterHull> cutter_hulls(const bit::Bit& bit) {
   for (std::size_t i = 0; i < bit.cutters.size(); ++i) {
     const std::vector<Vec3> points_B = corners_B(bit, static_cast<int>(i));
     if (points_B.empty()) continue;
-    CutterHull h{static_cast<int>(i), bit.cutters[i].X_BC, 0.0, convex_hull(points_B).positions};
+    CutterHull h{static_cast<int>(i), bit.cutters[i].X_BC, 0.0, convex_hull(points_B)};
     const Pose X_CB = inverse(h.X_BC);
-    for (const Vec3& x_B : h.corners_B) h.tip = std::min(h.tip, (X_CB * x_B).z());
+    for (const Vec3& x_B : h.hull_B.positions) h.tip = std::min(h.tip, (X_CB * x_B).z());
     hulls.push_back(std::move(h));
   }
   return hulls;
+}
+
+std::vector<SweepTool> ruled_tools(const std::vector<CutterHull>& cutters, const Pose& X_B1B0) {
+  std::vector<SweepTool> tools;
+  tools.reserve(cutters.size());
+  for (const CutterHull& c : cutters) {
+    SweepTool tool{c.cutter, c.hull_B};
+    mesh::TriangleMesh& m = tool.lower_B;
+    const int n = static_cast<int>(m.positions.size());
+    for (int v = 0; v < n; ++v) m.positions.push_back(X_B1B0 * c.hull_B.positions[v]);
+    for (const mesh::Triangle& t : c.hull_B.triangles)
+      m.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+    std::erase_if(m.triangles,
+                  [&](const mesh::Triangle& t) { return doubled_plan_area(m, t) <= 0.0; });
+    for (const mesh::Triangle& t : c.hull_B.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const int a = t[i], b = t[(i + 1) % 3];
+        if (a > b) continue;  // its other triangle brings it
+        m.triangles.push_back({a, b, b + n});
+        m.triangles.push_back({a, b + n, a + n});
+      }
+    tools.push_back(std::move(tool));
+  }
+  return tools;
 }
 
 std::vector<SweepTool> sweep_tools(const std::vector<CutterHull>& cutters, const Pose& X_B1B0,
@@ -57,8 +81,8 @@ std::vector<SweepTool> sweep_tools(const std::vector<CutterHull>& cutters, const
   for (const CutterHull& c : cutters) {
     const Pose X_CB = inverse(c.X_BC);
     const Depth depth{X_CB, X_CB * inverse(X_B1B0)};
-    std::vector<Vec3> points = c.corners_B;
-    for (const Vec3& x_B : c.corners_B) points.push_back(X_B1B0 * x_B);
+    std::vector<Vec3> points = c.hull_B.positions;
+    for (const Vec3& x_B : c.hull_B.positions) points.push_back(X_B1B0 * x_B);
     SweepTool tool{c.cutter, convex_hull(points)};
     const std::vector<Vec3>& x = tool.lower_B.positions;
     std::erase_if(tool.lower_B.triangles, [&](const mesh::Triangle& t) {

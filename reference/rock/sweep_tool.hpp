@@ -18,15 +18,20 @@ struct SweepTool {
 /// The least z of a surface's points, m.
 double top_of(const mesh::TriangleMesh& rock_W);
 
-/// The corners of a cutter that matter to its sweeps: those of the convex hull of its cutting
-/// parts.
+/// A cutter as its sweeps need it: the convex hull of its cutting parts.
 struct CutterHull {
   int cutter = -1;
   Pose X_BC;
   double tip = 0.0;  ///< least Z of a corner in the cutter's frame, m
-  std::vector<Vec3> corners_B;
+  mesh::TriangleMesh hull_B;
 };
 std::vector<CutterHull> cutter_hulls(const bit::Bit& bit);
+
+/// Tools for motions whose steps differ, where a hull for each would take too long: the hull's
+/// lower facets at both ends of the step and, for every edge, the two triangles between its places.
+/// All lie in the convex hull of both ends; its lower side is theirs when the step is a
+/// translation, and to second order in the step's turn otherwise.
+std::vector<SweepTool> ruled_tools(const std::vector<CutterHull>& cutters, const Pose& X_B1B0);
 
 /// One tool for every cutter. X_B1B0: the bit at the step's start in its frame at the step's end.
 /// Of a facet some corner must be nearer than `reach` (m) to the cutter's tip, along the cutter's Z

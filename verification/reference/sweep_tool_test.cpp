@@ -67,5 +67,32 @@ TEST(sweep_tool, a_turn_removes_the_segment_times_its_way) {
   EXPECT_NEAR(volume_of_a_turn(1.0, y0), swept, 0.01 * swept);
 }
 
+/// A disc goes straight down and ahead: both kinds of tool sweep the same.
+TEST(sweep_tool, ruled_tools_sweep_a_translation_like_the_hull) {
+  const auto hulls = cutter_hulls(one_disc());
+  const Pose back{Mat3::Identity(), Vec3(0.31e-3, -1.7e-3, -0.9e-3)},
+      at{Mat3::Identity(), Vec3::Zero()};
+  ZMap hull = flat_z_map(14e-3, 1e-3, 300), ruled = hull;
+  const double removed = cut_sweep(hull, sweep_tools(hulls, back, 1.0), at);
+  EXPECT_GT(removed, 0.0);
+  EXPECT_NEAR(cut_sweep(ruled, ruled_tools(hulls, back), at), removed, 1e-12 * removed);
+}
+
+/// With a turn they differ by its square.
+TEST(sweep_tool, ruled_tools_sweep_a_turn_like_the_hull_to_second_order) {
+  const auto hulls = cutter_hulls(one_disc());
+  const auto difference = [&](double turn) {
+    ZMap hull = flat_z_map(14e-3, 1e-3, 300), ruled = hull;
+    cut_sweep(hull, sweep_tools(hulls, screw(-turn), 1.0), screw(0.0));
+    cut_sweep(ruled, ruled_tools(hulls, screw(-turn)), screw(0.0));
+    double most = 0.0;
+    for (std::size_t i = 0; i < hull.height.size(); ++i)
+      most = std::max(most, std::abs(hull.height[i] - ruled.height[i]));
+    return most;
+  };
+  EXPECT_LE(difference(0.1), 10e-3 * 0.1 * 0.1);
+  EXPECT_LE(difference(0.02), 10e-3 * 0.02 * 0.02);
+}
+
 }  // namespace
 }  // namespace tdbd::reference
