@@ -1,4 +1,4 @@
-// The standard workload in our mesh, in height fields and by CGAL's corefinement, in one run.
+// The standard workload in our mesh, in height fields and on spokes, in one run.
 // With --benchmark_enable_random_interleaving=true the repetitions of all take turns.
 
 #include <benchmark/benchmark.h>
@@ -44,6 +44,13 @@ void z_map_step(benchmark::State& state, double cell) {
   for (auto _ : state) drill(f, 1);
 }
 
+/// Langeveld's 120 spokes of 500 nodes.
+void spokes_step(benchmark::State& state) {
+  const simulation::Case& plan = mesh_of(1.0 * mm).plan;
+  static RivalDrilling<reference::Spokes> rival = start_spokes(plan, 120, 500);
+  for (auto _ : state) drill(rival, 1);
+}
+
 /// 100 steps are 20 maintenances of ours.
 void turns(benchmark::internal::Benchmark* b) {
   b->Unit(benchmark::kMicrosecond)->Iterations(100)->Repetitions(15)->ReportAggregatesOnly();
@@ -54,6 +61,7 @@ BENCHMARK_CAPTURE(mesh_step, 0_7_mm, 0.7 * mm)->Apply(turns);
 BENCHMARK_CAPTURE(z_map_step, 1_mm, 1.0 * mm)->Apply(turns);
 BENCHMARK_CAPTURE(z_map_step, 0_5_mm, 0.5 * mm)->Apply(turns);
 BENCHMARK_CAPTURE(z_map_step, 0_25_mm, 0.25 * mm)->Apply(turns);
+BENCHMARK(spokes_step)->Apply(turns);
 
 }  // namespace
 }  // namespace tdbd::bench

@@ -34,26 +34,29 @@ class Bins {
     }
   }
 
-  /// Rings of bins outwards until no nearer triangle can come.
-  double distance(const Vec3& x) const {
+  /// Distance to the nearest triangle, rings of bins outwards until no nearer one can come. Any
+  /// distance up to `enough` is as good as the nearest: the largest of all points is sought.
+  double distance(const Vec3& x, double enough) const {
     const int i = along(x.x()), j = along(x.y());
     double best = INFINITY;
-    for (int ring = 0; ring < n_ && (ring - 1) * size_ < best; ++ring)
+    for (int ring = 0; ring < n_ && (ring - 1) * size_ < best && best > enough; ++ring)
       for (int dj = -ring; dj <= ring; ++dj)
         for (int di = -ring; di <= ring; di += std::abs(dj) == ring ? 1 : std::max(2 * ring, 1))
-          best = std::min(best, within(x, i + di, j + dj));
+          best = std::min(best, within(x, i + di, j + dj, enough));
     return best;
   }
 
  private:
   int along(double x) const { return std::clamp(static_cast<int>((x + half_) / size_), 0, n_ - 1); }
 
-  double within(const Vec3& x, int i, int j) const {
+  double within(const Vec3& x, int i, int j, double enough) const {
     double best = INFINITY;
     if (i < 0 || j < 0 || i >= n_ || j >= n_) return best;
     const std::vector<Vec3>& p = mesh_.positions;
-    for (const auto& [a, b, c] : bins_[j * n_ + i])
+    for (const auto& [a, b, c] : bins_[j * n_ + i]) {
       best = std::min(best, distance_to_triangle(x, p[a], p[b], p[c]));
+      if (best <= enough) break;
+    }
     return best;
   }
 
@@ -90,7 +93,7 @@ double one_sided_hausdorff(const mesh::TriangleMesh& from, const mesh::TriangleM
         const Vec3 x = p[a] + (p[b] - p[a]) * (static_cast<double>(i) / n) +
                        (p[c] - p[a]) * (static_cast<double>(j) / n);
         if (std::max(std::abs(x.x()), std::abs(x.y())) <= sampling.half)
-          worst = std::max(worst, bins.distance(x));
+          worst = std::max(worst, bins.distance(x, worst));
       }
   }
   return worst;
