@@ -8,10 +8,12 @@
 
 namespace tdbd::bench {
 
-Drilling after_one_revolution(const std::string& name, double edge_length) {
+Drilling after_one_revolution(const std::string& name, double edge_length,
+                              std::vector<std::string> settings) {
   const std::string path = fmt::format("{}/cases/{}.toml", TDBD_SOURCE_DIR, name);
   Drilling d;
-  d.plan = simulation::read_case(path, {fmt::format("rock.edge_length={}", edge_length)});
+  settings.push_back(fmt::format("rock.edge_length={}", edge_length));
+  d.plan = simulation::read_case(path, settings);
   d.state = simulation::start(d.plan);
   const double per_step = simulation::angle_turned(d.plan.motion, d.plan.time.step);
   drill(d, std::lround(2.0 * std::numbers::pi / std::abs(per_step)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "simulation/simulation.hpp"
 
@@ -13,8 +14,10 @@ struct Drilling {
 };
 
 /// The case `cases/NAME.toml` at this edge length (m) after its first revolution: a conforming
-/// start has no steps in front of the cutters yet, one turn of the bit makes them all.
-Drilling after_one_revolution(const std::string& name, double edge_length);
+/// start has no steps in front of the cutters yet, one turn of the bit makes them all. `settings`:
+/// further KEY=VALUE of the case.
+Drilling after_one_revolution(const std::string& name, double edge_length,
+                              std::vector<std::string> settings = {});
 
 /// The pose of the bit `steps` (or a part of one) after what is drilled.
 Pose pose_after(const Drilling& d, double steps);

@@ -44,6 +44,22 @@ SurfaceMesh hull(const mesh::TriangleMesh& part_P, const Pose& X_WP0, const Pose
 
 double rounded(const Kernel::FT& x) { return CGAL::to_double(CGAL::exact(x)); }
 
+mesh::TriangleMesh from_cgal(SurfaceMesh& surface) {
+  surface.collect_garbage();
+  mesh::TriangleMesh m;
+  for (const Vertex v : surface.vertices()) {
+    const Point& x = surface.point(v);
+    m.positions.push_back({rounded(x.x()), rounded(x.y()), rounded(x.z())});
+  }
+  for (const SurfaceMesh::Face_index f : surface.faces()) {
+    const auto h = surface.halfedge(f);
+    m.triangles.push_back({static_cast<int>(surface.source(h).idx()),
+                           static_cast<int>(surface.target(h).idx()),
+                           static_cast<int>(surface.target(surface.next(h)).idx())});
+  }
+  return m;
+}
+
 }  // namespace
 
 SweptBoolean swept_boolean(const mesh::TriangleMesh& block_W, const mesh::TriangleMesh& part_P,
@@ -56,7 +72,7 @@ SweptBoolean swept_boolean(const mesh::TriangleMesh& block_W, const mesh::Triang
       throw RunError("swept_boolean: what is left of the rock is not a manifold");
   }
   const Kernel::FT after = pmp::volume(rock);
-  return {rounded(before), rounded(after), rounded(before - after)};
+  return {rounded(before), rounded(after), rounded(before - after), from_cgal(rock)};
 }
 
 }  // namespace tdbd::reference

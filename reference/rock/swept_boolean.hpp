@@ -11,7 +11,8 @@ namespace tdbd::reference {
 struct SweptBoolean {
   double before = 0.0;
   double after = 0.0;
-  double removed = 0.0;  ///< before - after, exact before it is rounded
+  double removed = 0.0;       ///< before - after, exact before it is rounded
+  mesh::TriangleMesh left_W;  ///< the rock that is left, its corners rounded
 };
 
 /// Twin of the removed volume (formulation 2.5; thesis: 4.3) that moves no vertices: the block of

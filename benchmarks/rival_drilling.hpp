@@ -1,0 +1,32 @@
+#pragma once
+
+#include "reference/rock/spokes.hpp"
+#include "reference/rock/steady_drilling.hpp"
+#include "reference/rock/z_map_sweep.hpp"
+#include "simulation/simulation.hpp"
+
+namespace tdbd::bench {
+
+/// A case drilled by a rival: the same bit, the same motion in the same steps, every cutter's
+/// sweep as the convex hull of its disc at both ends of the step. For steady cases.
+template <class Rock>
+struct RivalDrilling {
+  reference::SteadyDrilling drilling;
+  Rock rock;
+};
+
+/// In square cells of about this width (m), at t = 0 cut from our own surface.
+RivalDrilling<reference::ZMap> start_z_map(const simulation::Case& plan, double cell);
+
+/// In spokes, at t = 0 cut from our own surface.
+RivalDrilling<reference::Spokes> start_spokes(const simulation::Case& plan, int spokes, int nodes);
+
+/// Steps of one turn of the bit.
+long steps_of_a_revolution(const simulation::Case& plan);
+
+template <class Rock>
+void drill(RivalDrilling<Rock>& rival, long steps) {
+  reference::drill(rival.drilling, rival.rock, steps);
+}
+
+}  // namespace tdbd::bench
