@@ -61,6 +61,10 @@ class Manifest:
     figures: tuple
     claims: tuple
     bit_pages: tuple = ()  # groups of one run of `tdbd bit --report` each
+    animations: tuple = ()  # groups of one run of `tdbd run` with frames each
+
+    def pages(self):
+        return set(self.bit_pages) | set(self.animations)
 
     def group(self, name):
         return [r for r in self.runs if r.group == name]
@@ -119,12 +123,13 @@ def demand_links(manifest):
     for names in ([f.name for f in manifest.figures], slugs):
         if doubled := {n for n in names if names.count(n) > 1}:
             raise ManifestError(f"twice: {', '.join(sorted(doubled))}")
-    if missing := set(manifest.bit_pages) - groups:
-        raise ManifestError(f"bit_pages: no run {', '.join(sorted(missing))}")
+    for key in ("bit_pages", "animations"):
+        if missing := set(getattr(manifest, key)) - groups:
+            raise ManifestError(f"{key}: no run {', '.join(sorted(missing))}")
     for f in manifest.figures:
         for missing in [r for r in f.runs if r not in groups] + [c for c in f.claims if c not in slugs]:
             raise ManifestError(f"figure {f.name}: no run or claim {missing}")
-    if unused := groups - {r for f in manifest.figures for r in f.runs} - set(manifest.bit_pages):
+    if unused := groups - {r for f in manifest.figures for r in f.runs} - manifest.pages():
         raise ManifestError(f"no figure shows the runs {', '.join(sorted(unused))}")
 
 
@@ -132,7 +137,7 @@ def quick_part(manifest):
     """Without the figures that --quick leaves out, and the runs that only these show."""
     figures = tuple(f for f in manifest.figures if f.quick)
     shown = {r for f in figures for r in f.runs} | set(manifest.bit_pages)
-    return replace(manifest, figures=figures, runs=tuple(r for r in manifest.runs if r.group in shown))
+    return replace(manifest, figures=figures, animations=(), runs=tuple(r for r in manifest.runs if r.group in shown))
 
 
 def load(path):
@@ -149,6 +154,7 @@ def read(folder, is_quick=False):
     claims = [Claim(**checked(f"claim {t.get('slug', '?')}", t, CLAIM_KEYS))
               for t in load(Path(folder) / "claims.toml")["claims"]]
     manifest = Manifest(tuple(runs), tuple(map(figure_of, document["figures"])), tuple(claims),
-                        tuple(document.get("quick_bit_pages" if is_quick else "bit_pages", [])))
+                        tuple(document.get("quick_bit_pages" if is_quick else "bit_pages", [])),
+                        tuple(document.get("animations", [])))
     demand_links(manifest)
     return quick_part(manifest) if is_quick else manifest

@@ -79,7 +79,7 @@ def write(path, manifest, data, drawing, found, is_quick):
     environment.filters["breakable"] = breakable
     html = environment.get_template("page.html.j2").render(
         rows=rows(manifest, found), pictures=pictures(manifest, data, drawing),
-        bits=manifest.bit_pages, classes=class_table.rows(data.root),
+        bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")
     partial.parent.mkdir(parents=True, exist_ok=True)
