@@ -21,12 +21,14 @@ COLOURS = 64  # of the whole picture: a GIF has 256 at most, and fewer are small
 INK = (29, 39, 51)
 
 
-def scene(rock, bit, norm):
-    """The rock by depth, and the cutting parts of the bit: its body would hide the bottom."""
+def cutting_parts(bit):
+    """Without the body, which would hide the bottom."""
     parts = bit_in_hole.bit_layer(bit)
-    body = (parts.colours == bit_in_hole.to_rgb(bit_scene.KINDS["bit-body"])).all(axis=1)
-    return render.joined([rock_scene.layer(rock, rock_scene.by_depth(rock, norm)),
-                          bit_in_hole.part_of(parts, ~body)])
+    return bit_in_hole.part_of(parts, (parts.colours != bit_in_hole.BODY).any(axis=1))
+
+
+def scene(rock, bit, norm):
+    return render.joined([rock_scene.layer(rock, rock_scene.by_depth(rock, norm)), cutting_parts(bit)])
 
 
 def frames(folder):
@@ -37,17 +39,15 @@ def frames(folder):
 
 def camera_of(first, last, pixels):
     """Sees the bit at the start and the hole at the end, so that nothing but the bit moves."""
-    rock, (_, _, bit) = rock_data.read(last[1]), first
-    points = np.concatenate([rock.points, rock_data.read(bit).points])
-    low, high = rock.points[:, 2].min() - 0.03, rock.points[:, 2].max()
-    return rock_scene.camera(points[(points[:, 2] > low) & (points[:, 2] <= high)], rock_scene.INTO_HOLE,
-                             (pixels, pixels), dpi=1, margin=1.06)
+    bit = cutting_parts(rock_data.read(first[2])).corners.reshape(-1, 3)
+    points = np.concatenate([rock_data.read(last[1]).points, bit])
+    return rock_scene.camera(points, rock_scene.INTO_HOLE, (pixels, pixels), dpi=1, margin=1.06)
 
 
 def picture(rock, bit, camera, norm, words):
     image = render.picture(camera, scene(rock, bit, norm))
     drawn = Image.fromarray((255 * image).astype(np.uint8))
-    ImageDraw.Draw(drawn).text((8, 6), words, fill=INK, font=ImageFont.truetype(findfont("DejaVu Sans"), 13))
+    ImageDraw.Draw(drawn).text((8, drawn.height - 38), words, fill=INK, font=ImageFont.truetype(findfont("DejaVu Sans"), 13))
     return drawn
 
 

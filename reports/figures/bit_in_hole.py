@@ -7,6 +7,7 @@ from figures import bit_scene, render, results, rock_data, rock_scene, style
 
 INCHES = (4.6, 4.6)
 ROCK = "#c9b79c"
+BODY = to_rgb(bit_scene.KINDS["bit-body"])
 
 
 def bit_layer(mesh):
@@ -29,7 +30,7 @@ def picture(folder, inches):
     camera = rock_scene.camera(np.concatenate([rock.points, bit.corners.reshape(-1, 3)]), rock_scene.INTO_HOLE,
                                inches, dpi=0.75 * style.DPI)
     colours = np.broadcast_to(to_rgb(ROCK), (len(rock.triangles), 3))
-    body = (bit.colours == to_rgb(bit_scene.KINDS["bit-body"])).all(axis=1)
+    body = (bit.colours == BODY).all(axis=1)
     solid = render.joined([rock_scene.layer(rock, colours), part_of(bit, ~body)])
     return render.picture(camera, solid, ghosts=[part_of(bit, body)], opacity=0.3)
 
