@@ -84,6 +84,20 @@ TEST_F(LongHole, keeps_its_mesh_good) {
                                             : battery::Verdict::refuted});
 }
 
+/// Interior edges longer than maintenance may leave them.
+TEST_F(LongHole, has_no_long_edge) {
+  const mesh::Surface& s = hole_->rock.surface;
+  double longest = 0.0;
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c)
+    if (s.triangle_is_alive(c / 3) && s.opposite_of(c) >= 0)
+      longest = std::max(longest, (s.position(s.vertex(mesh::next_corner(c))) -
+                                   s.position(s.vertex(mesh::previous_corner(c))))
+                                      .norm());
+  record_bound("chapter4/equally-fine",
+               "bit B, 75 mm of hole: longest edge over the length asked for",
+               longest / case_->rock.edge_length, "1", case_->maintenance.longest_edge);
+}
+
 /// Edge lengths of the bottom between two radii, over the length asked for: median.
 double median_edge(const simulation::Simulation& s, double from, double to) {
   const mesh::Surface& m = s.rock.surface;
