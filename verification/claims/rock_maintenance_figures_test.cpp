@@ -175,10 +175,9 @@ TEST(RockFigures, show_what_cannot_be_deleted) {
   EXPECT_TRUE(asked.reasons.contains("topology"));
   EXPECT_TRUE(asked.reasons.contains("boundary"));
   EXPECT_TRUE(asked.reasons.contains("normal"));
+  fmt::print("{} accepted, {} refused\n", asked.accepted, asked.refused);
   record_bound("chapter4/guards",
-               fmt::format("{} collapses that the guards accept and {} that they refuse on random "
-                           "sheets: surfaces torn or pinched by the accepted ones",
-                           asked.accepted, asked.refused),
+               "collapses that the guards accept on random sheets: surfaces torn or pinched",
                static_cast<double>(asked.unsound), "1", 0.0);
   battery::record_table("refusals", asked.examples);
 }
