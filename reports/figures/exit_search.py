@@ -7,6 +7,8 @@ from figures.one_step import MM
 
 
 def draw(inputs):
+    if inputs.table("search") is None:
+        return style.only_words("the search for an exit")
     rows = inputs.table("search")
     levels = [r for r in rows if r["what"] == "level"]
     [exit_row] = [r for r in rows if r["what"] == "exit"]

@@ -9,7 +9,7 @@ def draw_view(folder, view, inches):
     mesh, run = rock_data.final(folder), results.summary(folder)
     figure, axes = style.panels(1, 1, (inches[0] + 1.2, inches[1] + 0.3))
     camera = rock_scene.camera(mesh.points, view, inches, dpi=style.DPI)
-    layer = rock_scene.layer(mesh, rock_scene.by_quality(mesh), wires=True, from_rock=True)
+    layer = rock_scene.layer_from_rock(mesh, rock_scene.by_quality(mesh), view)
     rock_scene.show(axes, camera, render.picture(camera, layer))
     quality = mesh.cell_values["quality"]
     axes.set_title(f"{run['title']}, {run['revolutions']:.3g} revolutions: {len(quality)} triangles, worst quality "

@@ -7,6 +7,8 @@ from figures.one_step import MAGENTA, Step, legend_below, name_planes, rz, xy
 
 
 def draw(inputs):
+    if inputs.table("one-step") is None:
+        return style.only_words("one step of one cutter")
     step = Step(inputs.table("one-step"))
     moved = step.state == 2
     start, end, direction = step.start[moved], step.end[moved], step.direction[moved]

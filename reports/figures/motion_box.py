@@ -5,6 +5,8 @@ from figures.one_step import STATES, Step, legend_below, name_planes, rz, xy
 
 
 def draw(inputs):
+    if inputs.table("one-step") is None:
+        return style.only_words("one step of one cutter")
     step = Step(inputs.table("one-step"))
     figure, (above, section) = style.panels(1, 2, (10.4, 5.2))
     for axes, plane in ((above, xy), (section, rz)):

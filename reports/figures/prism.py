@@ -41,6 +41,8 @@ def draw_prism(axes, old, new, names):
 
 
 def draw(inputs):
+    if inputs.table("prisms") is None:
+        return style.only_words("prisms of a step")
     old, new, volume = largest(inputs.table("prisms"))
     figure = style.Figure(figsize=(10.0, 4.8))
     space = figure.add_subplot(1, 2, 1, projection="3d")

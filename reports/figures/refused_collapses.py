@@ -11,6 +11,8 @@ WORDS = {"boundary": "boundary: an end is on it", "topology": "topology: the she
 
 
 def draw(inputs):
+    if inputs.table("refusals") is None:
+        return style.only_words("refused collapses")
     table = inputs.table("refusals")
     columns = 4
     rows = -(-len(table) // columns)

@@ -27,11 +27,17 @@ def depth_norm(mesh):
     return Normalize(*np.percentile(MM * mesh.of_triangles("depth_m")[bottom], [0.5, 100.0]))
 
 
-def layer(mesh, colours, wires=False, from_rock=False):
+def layer(mesh, colours):
     """One layer of render. The rock's triangles face the hole and are not seen from behind, so that one looks
-    through the nearer wall; `from_rock` turns them to who stands in the rock."""
-    corners = mesh.corners[:, ::-1] if from_rock else mesh.corners
-    return render.Layer(corners, np.asarray(colours)[:, :3], np.zeros(len(corners), int), wires)
+    through the nearer wall."""
+    return render.Layer(mesh.corners, np.asarray(colours)[:, :3], np.zeros(len(mesh.triangles), int))
+
+
+def layer_from_rock(mesh, colours, view):
+    """The same for who stands in the rock, with the triangles' edges, and in even light: colours are to be read."""
+    turned = render.Layer(mesh.corners[:, ::-1], np.asarray(colours)[:, :3], np.zeros(len(mesh.triangles), int), True)
+    turned.normals = render.unit(turned.normals + 2.0 * render.unit(view["toward"]))
+    return turned
 
 
 def by_depth(mesh, norm):

@@ -20,7 +20,9 @@ def draw_sheet(axes, row):
 
 
 def draw(inputs):
-    [table] = inputs.tables.values()
+    [(name, table)] = inputs.tables.items()
+    if table is None:
+        return style.only_words(name)
     figure, frames = style.panels(1, len(table), (3.4 * len(table), 3.6))
     for axes, row in zip(frames, table):
         draw_sheet(axes, row)

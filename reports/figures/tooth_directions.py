@@ -30,6 +30,8 @@ def draw_tooth(axes, rows, title):
 
 
 def draw(inputs):
+    if inputs.table("tooth-directions") is None:
+        return style.only_words("directions at teeth")
     rows = inputs.table("tooth-directions")
     figure, frames = style.panels(1, 2, (8.6, 4.6))
     for axes, name in zip(frames, ("inner row", "gage row")):
