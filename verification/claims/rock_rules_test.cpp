@@ -85,7 +85,7 @@ TEST(RockRules, the_search_finds_what_asking_all_facets_finds) {
   EXPECT_GT(swept, 2500);
   record_bound("chapter4/search",
                "5000 vertices swept by a cutter of 16 mm: exit found from plane to plane against "
-               "that of all facets, m",
+               "that of all facets",
                worst, "m", 1e-12);
 }
 
