@@ -1,4 +1,4 @@
-"""The designers' pages of the report: one for each bit of the manifest, made again when it changed."""
+"""What the report makes of one run each, again when it changed: the designers' pages of bits, moving pictures."""
 
 from importlib.metadata import version
 from pathlib import Path
@@ -7,20 +7,24 @@ import fingerprint
 from fingerprint import Stale
 
 HERE = Path(__file__).parent
-OWN = ("bit_page.py", "page_tables.py", "bit_page.html.j2")
 
 
 class BitPages:
     """Pages NAME.html and their stamps NAME.made.json in a folder."""
 
+    script, own, kind, suffix = "bit_page.py", ("bit_page.py", "page_tables.py", "bit_page.html.j2"), "page", ".html"
+
     def __init__(self, manifest, data, folder):
         self.manifest, self.data, self.folder = manifest, data, Path(folder)
 
+    def groups(self):
+        return self.manifest.bit_pages
+
     def runs(self):
-        return [r for group in self.manifest.bit_pages for r in self.manifest.group(group)]
+        return [r for group in self.groups() for r in self.manifest.group(group)]
 
     def page(self, run):
-        return self.folder / f"{run.name}.html"
+        return self.folder / f"{run.name}{self.suffix}"
 
     def stamp(self, run):
         return self.folder / f"{run.name}.made.json"
@@ -28,8 +32,13 @@ class BitPages:
     def inputs(self, run):
         """Fingerprint of all that decides the page: result, scripts, versions."""
         return fingerprint.of_value([
-            fingerprint.read(self.data.stamp(run)).get("files"), [fingerprint.of_file(HERE / name) for name in OWN],
-            fingerprint.of_scripts(HERE / "figures", HERE / "bit_page.py"), version("matplotlib"), version("numpy")])
+            fingerprint.read(self.data.stamp(run)).get("files"), [fingerprint.of_file(HERE / name) for name in self.own],
+            fingerprint.of_scripts(HERE / "figures", HERE / self.script), version("matplotlib"), version("numpy")])
+
+    @staticmethod
+    def write(folder, path):
+        import bit_page  # slow to load, and most calls draw nothing
+        bit_page.write(folder, path)
 
     def is_current(self, run):
         return self.page(run).is_file() and fingerprint.read(self.stamp(run)).get("inputs") == self.inputs(run)
@@ -38,15 +47,29 @@ class BitPages:
         """Draws a stale page; returns whether it did."""
         if self.is_current(run):
             return False
-        import bit_page  # slow to load, and most calls draw nothing
         self.stamp(run).unlink(missing_ok=True)
         try:
-            bit_page.write(self.data.result(run), self.page(run))
+            self.write(self.data.result(run), self.page(run))
         except ValueError as error:
-            raise Stale(f"page of {run.name}: {error}") from error
+            raise Stale(f"{self.kind} of {run.name}: {error}") from error
         fingerprint.write(self.stamp(run), {"inputs": self.inputs(run)})
         return True
 
     def demand_current(self, run):
         if not self.is_current(run):
-            raise Stale(f"page of {run.name}: missing, or its data or scripts changed after it was drawn")
+            raise Stale(f"{self.kind} of {run.name}: missing, or its data or scripts changed after it was drawn")
+
+
+class Animations(BitPages):
+    """Moving pictures NAME.gif of holes being drilled."""
+
+    script, own, kind, suffix = "animate.py", ("animate.py",), "moving picture", ".gif"
+
+    def groups(self):
+        return self.manifest.animations
+
+    @staticmethod
+    def write(folder, path):
+        import animate
+        path.parent.mkdir(parents=True, exist_ok=True)
+        animate.animate(folder, path)

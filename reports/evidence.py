@@ -11,6 +11,7 @@ from fingerprint import Stale
 # From the best to the worst.
 VERDICTS = ["holds", "holds with limits", "refuted"]
 NOT_MEASURED = "not measured in this run"
+OPEN = "open"
 
 
 class Wrong(Stale):
@@ -71,6 +72,7 @@ class Collection:
 def collect(folder, build, claims):
     """All evidence in a folder."""
     found = Collection({c.slug: [] for c in claims}, [], [])
+    open_claims = {c.slug for c in claims if c.open}
     for file in sorted(Path(folder).rglob("*.json")):
         if file.relative_to(folder).parts[0] == "tables":
             continue
@@ -82,7 +84,9 @@ def collect(folder, build, claims):
         except Stale as stale:
             found.stale.append(str(stale))
     found.stale.extend(f"evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
-                       for slug, written in found.by_claim.items() if not written)
+                       for slug, written in found.by_claim.items() if not written and slug not in open_claims)
+    found.wrong.extend(f"claims.toml: {slug} is open, and a test measures it"
+                       for slug in sorted(open_claims) if found.by_claim[slug])
     return found
 
 
@@ -118,5 +122,7 @@ def deciding(evidence):
     return max(evidence, key=lambda e: (VERDICTS.index(e.verdict), share_of_limit(e)), default=None)
 
 
-def verdict(evidence):
-    return deciding(evidence).verdict if evidence else NOT_MEASURED
+def verdict(claim, evidence):
+    if evidence:
+        return deciding(evidence).verdict
+    return OPEN if claim.open else NOT_MEASURED

@@ -44,7 +44,7 @@ def update(manifest, data, drawing, pages):
     runs = [r for r in manifest.runs if drawing.is_made(r)]
     problems = gather([(lambda r: told(data.update, r), r) for r in runs])
     return problems or gather([(lambda f: told(drawing.update, f), f) for f in manifest.figures]
-                              + [(lambda r: told(pages.update, r), r) for r in pages.runs()])
+                              + [(lambda r, p=p: told(p.update, r), r) for p in pages for r in p.runs()])
 
 
 def stale(manifest, data, drawing, pages):
@@ -52,7 +52,7 @@ def stale(manifest, data, drawing, pages):
     runs = [r for r in manifest.runs if drawing.is_made(r)]
     return (gather([(data.demand_current, r) for r in runs])
             or gather([(drawing.demand_current, f) for f in manifest.figures]
-                      + [(pages.demand_current, r) for r in pages.runs()]))
+                      + [(p.demand_current, r) for p in pages for r in p.runs()]))
 
 
 def stale_page(html, manifest, drawing, evidence_folder):
@@ -92,7 +92,8 @@ def report(chosen):
                                   for t in sorted(tables)])
     data = Data(chosen.root, chosen.build, chosen.output / "data")
     drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
-    pages = bit_pages.BitPages(manifest, data, chosen.output / "bits")
+    pages = [bit_pages.BitPages(manifest, data, chosen.output / "bits"),
+             bit_pages.Animations(manifest, data, chosen.output / "moving")]
     html = chosen.output / "index.html"
     if chosen.check:
         problems = stale(manifest, data, drawing, pages) or stale_page(html, manifest, drawing, folder)

@@ -2,7 +2,7 @@
 
 import itertools
 import tomllib
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 # Keys that each table may have, and the ones that it must have.
@@ -10,9 +10,9 @@ RUN_KEYS = {"command": str, "case": str, "program": str, "output": str, "argumen
             "set": dict, "variants": list, "sweep": dict, "quick": dict}
 QUICK_KEYS = {"arguments": list, "set": dict, "sweep": dict}
 FIGURE_KEYS = {"name": str, "script": str, "thesis": str, "title": str, "shows": str,
-               "reconstructed": str, "runs": list, "tables": list, "claims": list}
-CLAIM_KEYS = {"slug": str, "claim": str, "where": str}
-OPTIONAL = {"program", "output", "arguments", "set", "variants", "sweep", "quick", "runs", "tables"}
+               "reconstructed": str, "runs": list, "tables": list, "claims": list, "quick": bool}
+CLAIM_KEYS = {"slug": str, "claim": str, "where": str, "open": str}
+OPTIONAL = {"open", "program", "output", "arguments", "set", "variants", "sweep", "quick", "runs", "tables"}
 
 
 class ManifestError(Exception):
@@ -44,6 +44,7 @@ class Figure:
     runs: tuple  # groups
     tables: tuple  # evidence tables
     claims: tuple
+    quick: bool  # whether --quick draws it
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,7 @@ class Claim:
     slug: str
     claim: str
     where: str  # where it is made
+    open: str = ""  # why no test measures it; empty: one does
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,10 @@ class Manifest:
     figures: tuple
     claims: tuple
     bit_pages: tuple = ()  # groups of one run of `tdbd bit --report` each
+    animations: tuple = ()  # groups of one run of `tdbd run` with frames each
+
+    def pages(self):
+        return set(self.bit_pages) | set(self.animations)
 
     def group(self, name):
         return [r for r in self.runs if r.group == name]
@@ -106,7 +112,7 @@ def runs_of(group, table, is_quick):
 
 def figure_of(table):
     checked(f"figure {table.get('name', '?')}", table, FIGURE_KEYS)
-    values = {"runs": [], "tables": []} | table
+    values = {"runs": [], "tables": [], "quick": True} | table
     return Figure(**{k: tuple(v) if isinstance(v, list) else v for k, v in values.items()})
 
 
@@ -117,13 +123,21 @@ def demand_links(manifest):
     for names in ([f.name for f in manifest.figures], slugs):
         if doubled := {n for n in names if names.count(n) > 1}:
             raise ManifestError(f"twice: {', '.join(sorted(doubled))}")
-    if missing := set(manifest.bit_pages) - groups:
-        raise ManifestError(f"bit_pages: no run {', '.join(sorted(missing))}")
+    for key in ("bit_pages", "animations"):
+        if missing := set(getattr(manifest, key)) - groups:
+            raise ManifestError(f"{key}: no run {', '.join(sorted(missing))}")
     for f in manifest.figures:
         for missing in [r for r in f.runs if r not in groups] + [c for c in f.claims if c not in slugs]:
             raise ManifestError(f"figure {f.name}: no run or claim {missing}")
-    if unused := groups - {r for f in manifest.figures for r in f.runs} - set(manifest.bit_pages):
+    if unused := groups - {r for f in manifest.figures for r in f.runs} - manifest.pages():
         raise ManifestError(f"no figure shows the runs {', '.join(sorted(unused))}")
+
+
+def quick_part(manifest):
+    """Without the figures that --quick leaves out, and the runs that only these show."""
+    figures = tuple(f for f in manifest.figures if f.quick)
+    shown = {r for f in figures for r in f.runs} | set(manifest.bit_pages)
+    return replace(manifest, figures=figures, animations=(), runs=tuple(r for r in manifest.runs if r.group in shown))
 
 
 def load(path):
@@ -140,6 +154,7 @@ def read(folder, is_quick=False):
     claims = [Claim(**checked(f"claim {t.get('slug', '?')}", t, CLAIM_KEYS))
               for t in load(Path(folder) / "claims.toml")["claims"]]
     manifest = Manifest(tuple(runs), tuple(map(figure_of, document["figures"])), tuple(claims),
-                        tuple(document.get("quick_bit_pages" if is_quick else "bit_pages", [])))
+                        tuple(document.get("quick_bit_pages" if is_quick else "bit_pages", [])),
+                        tuple(document.get("animations", [])))
     demand_links(manifest)
-    return manifest
+    return quick_part(manifest) if is_quick else manifest

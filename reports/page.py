@@ -40,7 +40,7 @@ def embedded(picture):
 def rows(manifest, found):
     """One row for each claim, in the order of claims.toml."""
     return [{"claim": c, "evidence": found[c.slug], "decides": evidence.deciding(found[c.slug]),
-             "verdict": evidence.verdict(found[c.slug]), "figures": manifest.figures_of(c.slug)}
+             "verdict": evidence.verdict(c, found[c.slug]), "figures": manifest.figures_of(c.slug)}
             for c in manifest.claims]
 
 
@@ -79,8 +79,9 @@ def write(path, manifest, data, drawing, found, is_quick):
     environment.filters["breakable"] = breakable
     html = environment.get_template("page.html.j2").render(
         rows=rows(manifest, found), pictures=pictures(manifest, data, drawing),
-        bits=manifest.bit_pages, classes=class_table.rows(data.root),
+        bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")
+    partial.parent.mkdir(parents=True, exist_ok=True)
     partial.write_text(html, encoding="utf-8")
     partial.rename(path)

@@ -40,3 +40,10 @@ def say_missing(axes, what):
     """In a quick run a part may not be measured; the figure says so."""
     axes.text(0.5, 0.5, f"{what}:\nnot measured in this run", transform=axes.transAxes, ha="center",
               va="center", color=GREY)
+
+
+def only_words(what):
+    """A figure that could not be drawn in a quick run, and says so."""
+    figure, axes = panels(1, 1, (7.0, 4.0))
+    say_missing(axes, what)
+    return figure

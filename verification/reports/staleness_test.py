@@ -153,6 +153,22 @@ class Report(unittest.TestCase):
         page = (self.project.build / "report-quick/index.html").read_text()
         self.assertTrue("not measured in this run" in page)
 
+    def test_an_open_claim_needs_no_evidence_and_may_have_none(self):
+        self.project.write("reports/claims.toml", CLAIMS + 'open = "no <test> yet"\n')
+        self.assert_stale("chapter5/order is open, and a test measures it", arguments=())
+        (self.project.build / "evidence/chapter5/order/what.json").unlink()
+        self.assert_made()
+        page = (self.project.out / "index.html").read_text(encoding="utf-8")
+        row = page[page.index('id="claim-chapter5/order"'):].split("</tr>")[0]
+        self.assertTrue("no &lt;test&gt; yet" in row and ">open</span>" in row, row)
+
+    def test_a_quick_run_leaves_out_a_figure_and_its_runs(self):
+        self.project.write("reports/manifest.toml", MANIFEST.replace('script = "first"', 'script = "first"\nquick = false'))
+        calls = len(self.project.calls())
+        self.assertEqual(self.project.make("--quick")[0], 0)
+        self.assertEqual(len(self.project.calls()), calls)
+        self.assertFalse("figure-first" in (self.project.build / "report-quick/index.html").read_text(encoding="utf-8"))
+
     def test_a_table_that_is_missing(self):
         (self.project.build / "evidence/tables/numbers.json").unlink()
         self.assert_stale("numbers.json: no test wrote it")

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <numbers>
+
+#include "claims/example_bits.hpp"
+#include "claims/rock_runs.hpp"
+#include "core/tolerance.hpp"
+#include "reference/mesh/self_intersections.hpp"
+
+/// Claims of chapter 4 on motions: whatever the bit does, the rock follows.
+namespace tdbd::claims {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// What every motion must leave: a closed ledger, no vertex inside the bit, no triangles that
+/// intersect.
+void record_sound(const std::string& claim, const std::string& motion, const simulation::Case& c,
+                  const simulation::Simulation& s) {
+  record_bound(claim, motion + ": defect of the volume ledger, relative",
+               simulation::ledger_defect(s), "1", tolerance::ledger);
+  record_bound(
+      claim, motion + ": pairs of triangles that intersect",
+      static_cast<double>(reference::self_intersecting_pairs(mesh::compact(s.rock.surface))), "1",
+      0.0);
+  record_bound("chapter4/vertices-outside",
+               motion + ": deepest rock vertex in a cutting part, over the bit's diameter",
+               deepest_inside(c, s) / (2.0 * c.bit.gage_radius), "1", tolerance::inside);
+}
+
+/// The last step without the maintenance that is due after it: a new vertex on an edge that passes
+/// through the bit is inside until the next update.
+simulation::Case until_an_update(simulation::Case c) {
+  c.time.steps -= c.time.steps % c.maintenance.every == 0;
+  return c;
+}
+
+simulation::Case whirling(const std::string& sense) {
+  return rock_case("bit-b-whirl", {"rock.edge_length='3 mm'", "time.revolutions=2",
+                                   "time.step='2 ms'", "motion.whirl.sense='" + sense + "'"});
+}
+
+/// Largest distance of bottom vertices from the axis of space, m.
+double hole_radius(const simulation::Simulation& s) {
+  double r = 0.0;
+  for (int v = 0; v < s.rock.surface.vertex_slots(); ++v)
+    if (s.rock.surface.is_alive(v)) r = std::max(r, s.rock.surface.position(v).head<2>().norm());
+  return r;
+}
+
+TEST(RockMotion, follows_whirl_both_ways) {
+  for (const char* sense : {"backward", "forward"}) {
+    const simulation::Case c = until_an_update(whirling(sense));
+    const simulation::Simulation s = drilled(c);
+    const std::string motion = fmt::format("bit B, {} whirl of 1 mm, 2 revolutions", sense);
+    record_sound("chapter4/whirl", motion, c, s);
+    record_near("chapter4/whirl", motion + ": radius of the hole over that of gage and whirl",
+                hole_radius(s) / (c.bit.gage_radius + c.motion.whirl.radius), 1.0, 1e-3);
+  }
+}
+
+/// Rows of a path: down and turning, with what each motion does beside.
+template <class Beside>
+simulation::Case along_path(double seconds, const Beside& beside) {
+  constexpr double turn = 4.0 * pi, step = 0.025;  // rad/s, s
+  simulation::Case c = rock_case("bit-b-steady", {"rock.edge_length='3 mm'", "rock.wall='60 mm'",
+                                                  "time.revolutions=1", "time.step='2.5 ms'"});
+  c.motion.kind = simulation::MotionKind::table;
+  const int rows = static_cast<int>(seconds / step);
+  c.motion.path.reserve(static_cast<std::size_t>(rows) + 1);
+  for (int k = 0; k <= rows; ++k) {
+    const double t = step * k;
+    simulation::PathPoint p{t, Vec3::Zero(), Vec3(0, 0, std::remainder(turn * t, 2.0 * pi))};
+    beside(t / seconds, p);
+    c.motion.path.push_back(p);
+  }
+  simulation::sum_turns(c.motion.path);
+  c.time.steps = static_cast<long>(seconds / c.time.step);
+  return until_an_update(c);
+}
+
+TEST(RockMotion, follows_a_bit_that_cuts_sideways) {
+  const simulation::Case c = along_path(
+      0.5, [](double x, simulation::PathPoint& p) { p.p_WB = Vec3(6e-3 * x, 0.0, 3e-3 * x); });
+  record_sound("chapter4/general-motion", "bit B, 6 mm sideways and 3 mm down in a revolution", c,
+               drilled(c));
+}
+
+TEST(RockMotion, follows_a_bit_that_comes_back_and_reams) {
+  const simulation::Case c = along_path(1.0, [](double x, simulation::PathPoint& p) {
+    p.p_WB = Vec3(0.0, 2e-3 * x, 8e-3 * std::sin(3.0 * pi * x) + 4e-3 * x);
+  });
+  record_sound("chapter4/general-motion",
+               "bit B, down 8 mm, back up and down again 2 mm beside, 2 revolutions", c,
+               drilled(c));
+}
+
+}  // namespace
+}  // namespace tdbd::claims
