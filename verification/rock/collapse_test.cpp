@@ -74,17 +74,5 @@ TEST(collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
   EXPECT_GT(accepted, 10);
 }
 
-/// M6 with its bound as the only one: no list of collapses strays farther.
-RC_GTEST_PROP(collapse, together_stray_no_farther_than_the_bound, ()) {
-  Rock before = roof();
-  for (Vec3& x : before.surface.positions) x.z() += *battery::number(-0.05, 0.05);
-  MaintenanceLimits l = limits_for(2.0 * h);
-  l.volume_per_operation = l.ridge_cut = 1.0;
-  l.farthest = *battery::number(0.01, 0.3);
-  const Thinned t = thinned(before, l);
-  RC_ASSERT(t.strayed <= l.farthest * (1.0 + 1e-9));
-  RC_TAG(t.report.carried_out(Operation::collapse) > 10 ? "many" : "few");
-}
-
 }  // namespace
 }  // namespace tdbd::rock
