@@ -54,6 +54,10 @@ std::string defect_at(const Surface& s, int v) {
   return "";
 }
 
+bool is_at(const VertexGrid::Block& block, std::size_t i, const Vec3& x_W) {
+  return Eigen::Matrix<Single, 3, 1>(block.x[i], block.y[i], block.z[i]) == x_W.cast<Single>();
+}
+
 bool is_indexed(const Rock& rock, int v) {
   const Vec3& x_W = rock.surface.position(v);
   Region here;
@@ -62,7 +66,7 @@ bool is_indexed(const Rock& rock, int v) {
   int held = 0;
   rock.grid.visit(here, chains, [&](const VertexGrid::Block& block) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i)
-      held += block.v[i] == v ? 1 : 0;
+      held += block.v[i] == v && is_at(block, i, x_W) ? 1 : 0;
   });
   return held == 1;
 }

@@ -52,7 +52,7 @@ TEST_F(LongHole, needs_few_operations) {
   record_bound("chapter4/few-operations",
                "bit B, 75 mm of hole: operations of maintenance over moves of vertices",
                static_cast<double>(operations(*case_, *hole_)) / static_cast<double>(moves_), "1",
-               0.05);
+               few);
 }
 
 TEST_F(LongHole, needs_no_remeshing) {
@@ -74,14 +74,9 @@ TEST_F(LongHole, keeps_its_mesh_good) {
   record_bound("chapter4/long-term",
                "bit B, 75 mm of hole: share of triangles of quality below 0.1", below(0.1), "1",
                0.0);
-  constexpr double wanted = 0.01, demanded = 0.02;
-  EXPECT_LE(below(0.5), demanded);
-  battery::record({"chapter4/long-term",
-                   "bit B, 75 mm of hole: share of triangles of quality below 0.5", below(0.5), "1",
-                   "<= 0.01 wanted, 0.02 demanded",
-                   below(0.5) <= wanted     ? battery::Verdict::holds
-                   : below(0.5) <= demanded ? battery::Verdict::holds_with_limits
-                                            : battery::Verdict::refuted});
+  record_bound("chapter4/long-term",
+               "bit B, 75 mm of hole: share of triangles of quality below 0.5", below(0.5), "1",
+               0.01);
 }
 
 /// Interior edges longer than maintenance may leave them.

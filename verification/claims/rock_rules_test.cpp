@@ -35,7 +35,7 @@ TEST(RockRules, inside_and_outside_cutters_save_maintenance) {
   const double hybrid = operations_per_move("hybrid");
   record_bound("chapter4/few-operations",
                "bit B, 33 mm of hole: operations of maintenance over moves of vertices", hybrid,
-               "1", 0.05);
+               "1", few);
   for (const char* other : {"all-down", "along-profile"})
     record_bound("chapter4/update-directions",
                  fmt::format("bit B, 33 mm of hole: operations a move with inside and outside "

@@ -16,6 +16,9 @@ simulation::Simulation drilled(const simulation::Case& c);
 /// Shape quality of every triangle, from the worst on.
 std::vector<double> qualities(const mesh::Surface& s);
 
+/// Operations over moves of vertices that the page calls few: one for ten.
+inline constexpr double few = 0.1;
+
 /// Bisections, collapses and all else that maintenance carried out.
 long operations(const simulation::Case& c, const simulation::Simulation& s);
 
