@@ -1,4 +1,4 @@
-"""Figures 4.16 and 4.19: what one operation after another makes of a small sheet of rock, from above."""
+"""Figures 4.16, 4.19, 4.21 and 4.22: what one operation after another makes of a small sheet of rock, from above."""
 
 import numpy as np
 

@@ -48,7 +48,7 @@ void find_moved_triangles(const Rock& rock, CutWorkspace& w) {
   for (const MovedVertex& m : w.moves)
     mesh::visit_corners(s, m.v, [&](int c) { w.triangles.push_back(c / 3); });
   std::ranges::sort(w.triangles);
-  w.triangles.erase(std::ranges::unique(w.triangles).begin(), w.triangles.end());
+  w.triangles.erase(std::unique(w.triangles.begin(), w.triangles.end()), w.triangles.end());
 }
 
 /// Prism volumes of the triangles around the vertices that this part moved (4.3).

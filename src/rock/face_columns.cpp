@@ -31,7 +31,7 @@ void divide(const ConvexPolygon& outline_F, FaceColumns& c) {
   const auto same = [&](const FaceColumn& a, const FaceColumn& b) {
     return b.y0 - a.y0 <= same_y * width;
   };
-  c.columns.erase(std::ranges::unique(c.columns, same).begin(), c.columns.end());
+  c.columns.erase(std::unique(c.columns.begin(), c.columns.end(), same), c.columns.end());
   for (std::size_t i = 0; i + 1 < c.columns.size(); ++i) c.columns[i].y1 = c.columns[i + 1].y0;
   c.columns.pop_back();
 }

@@ -89,10 +89,10 @@ GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X
 HullFilter::HullFilter(const CuttingGroup& g, const GroupMotion& m)
     : hull_P_(g.hull_P), motion_(m) {
   slack_ = single_slack(m.region_W.box);
-  last_ = before_ = plane_W(0);
+  last_ = before_ = in_space(0);
 }
 
-HullFilter::SpacePlane HullFilter::plane_W(std::size_t i) const {
+HullFilter::SpacePlane HullFilter::in_space(std::size_t i) const {
   const Vec3 n_P = mesh::normal(hull_P_, i);
   const Vec3 n0_W = motion_.X_PW0.R.transpose() * n_P, n1_W = motion_.X_PW1.R.transpose() * n_P;
   SpacePlane plane;
@@ -112,7 +112,7 @@ bool HullFilter::find_plane(const Vec3& x_W) {
   const std::size_t i = separating_plane(hull_P_, motion_.X_PW0 * x_W, motion_.X_PW1 * x_W, slack_);
   if (i == hull_P_.b.size()) return false;
   before_ = last_;
-  last_ = plane_W(i);
+  last_ = in_space(i);
   return true;
 }
 

@@ -47,7 +47,7 @@ class HullFilter {
     Single b0 = 0.0, b1 = 0.0;
   };
 
-  SpacePlane plane_W(std::size_t plane) const;
+  SpacePlane in_space(std::size_t plane) const;
   bool find_plane(const Vec3& x_W);
   /// Bit s stands for the block's vertex s.
   static unsigned outside_of(const VertexGrid::Block& block, const SpacePlane& plane);

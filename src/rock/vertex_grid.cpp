@@ -59,9 +59,10 @@ VertexGrid::CellOffsets VertexGrid::cell_offsets(const Region& region_W) const {
   for (std::size_t s = 0; s < offsets.along.size(); ++s) {
     const Slab& slab = region_W.slabs[s];
     const Vec3 step = cell_ * slab.n;
-    for (int bit = 0; bit < 64; ++bit)
-      offsets.along[s][static_cast<std::size_t>(bit)] =
-          (bit % 4) * step.x() + (bit / 4 % 4) * step.y() + (bit / 16) * step.z();
+    for (int bit = 0; bit < 64; ++bit) {
+      const Cell c = cell_of_bit({0, 0, 0}, bit);
+      offsets.along[s][static_cast<std::size_t>(bit)] = Vec3(c.i, c.j, c.k).dot(step);
+    }
     offsets.lo[s] = slab.lo - 0.5 * step.lpNorm<1>();
     offsets.hi[s] = slab.hi + 0.5 * step.lpNorm<1>();
   }
@@ -81,9 +82,7 @@ void VertexGrid::gather_tile(const Tile& tile, std::uint64_t cells, const Region
       const double at = first[s] + offsets.along[s][bit];
       meets = meets && at >= offsets.lo[s] && at <= offsets.hi[s];
     }
-    if (!meets && !on_border({tile.first.i + number % 4, tile.first.j + number / 4 % 4,
-                              tile.first.k + number / 16}))
-      continue;
+    if (!meets && !on_border(cell_of_bit(tile.first, number))) continue;
     const char* block =
         reinterpret_cast<const char*>(&blocks_[static_cast<std::size_t>(tile.head[bit])]);
     __builtin_prefetch(block);

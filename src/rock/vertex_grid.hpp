@@ -104,12 +104,16 @@ class VertexGrid {
   Cell cell_at(const Vec3& x) const {
     return {along(x.x(), lo_.x(), nx_), along(x.y(), lo_.y(), ny_), along(x.z(), lo_.z(), nz_)};
   }
+  static Cell cell_of_bit(const Cell& first, int bit) {
+    return {first.i + bit % 4, first.j + bit / 4 % 4, first.k + bit / 16};
+  }
   /// Border cells hold what lies outside of the grid: nothing bounds where.
   bool on_border(const Cell& c) const {
     return c.i == 0 || c.j == 0 || c.k == 0 || c.i == nx_ - 1 || c.j == ny_ - 1 || c.k == nz_ - 1;
   }
   std::size_t tile_place(int ti, int tj, int tk) const {
-    return static_cast<std::size_t>((tk * tiles_y_ + tj) * tiles_x_ + ti);
+    const auto row = static_cast<std::ptrdiff_t>(tk) * tiles_y_ + tj;
+    return static_cast<std::size_t>(row * tiles_x_ + ti);
   }
 
   /// The first blocks of all cells that are not empty and that the region may meet.

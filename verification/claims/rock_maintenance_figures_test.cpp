@@ -6,6 +6,7 @@
 #include "mesh/check.hpp"
 #include "mesh/edit.hpp"
 #include "rock/collapse.hpp"
+#include "rock/smooth.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
 /// Tables that figures of section 4.2 are drawn of: what maintenance did to small sheets of rock
@@ -180,6 +181,62 @@ TEST(RockFigures, show_what_cannot_be_deleted) {
                "collapses that the guards accept on random sheets: surfaces torn or pinched",
                static_cast<double>(asked.unsound), "1", 0.0);
   battery::record_table("refusals", asked.examples);
+}
+
+Vec3 mean_of_neighbours(const mesh::Surface& s, int v) {
+  Vec3 sum = Vec3::Zero();
+  double count = 0.0;
+  mesh::visit_corners(s, v, [&](int c) {
+    sum += s.position(s.vertex(mesh::next_corner(c)));
+    count += 1.0;
+  });
+  return sum / count;
+}
+
+/// A vertex that went elsewhere, and the volume that this changed over the cube of a cell.
+struct Moved {
+  mesh::Surface surface;
+  double volume;
+};
+
+Moved moved(const mesh::Surface& s, int v, const Vec3& x_W) {
+  constexpr double cell = 2.0 * half / cells;
+  Moved m{s, 0.0};
+  m.surface.positions[static_cast<std::size_t>(v)] = x_W;
+  m.volume =
+      std::abs(mesh::hole_volume(m.surface, s.position(v)) - mesh::hole_volume(s, s.position(v))) /
+      (cell * cell * cell);
+  return m;
+}
+
+/// Of all vertices that may be smoothed: what moving them to the mean of their neighbours changes,
+/// and what our move does. The figure shows the one that plain smoothing changes most.
+TEST(RockFigures, show_smoothing) {
+  double plain_most = 0.0, ours_most = 0.0;
+  Json rows;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const mesh::Surface s = sheet(seed).surface;
+    for (int v = 0; v < s.vertex_slots(); ++v) {
+      const rock::SmoothVerdict verdict = judge_smooth(s, v, limits());
+      if (verdict.refused) continue;
+      const Moved plain = moved(s, v, mean_of_neighbours(s, v)), ours = moved(s, v, verdict.x_W);
+      ours_most = std::max(ours_most, ours.volume);
+      if (plain.volume <= plain_most) continue;
+      plain_most = plain.volume;
+      rows = {stage("before", s),
+              stage(fmt::format("mean of neighbours, {:.2f} h^3", plain.volume), plain.surface),
+              stage(fmt::format("without its normal part, {:.0e} h^3", ours.volume), ours.surface)};
+    }
+  }
+  record_bound("chapter4/smoothing",
+               "random sheets: most volume that smoothing a vertex changes, over h^3", ours_most,
+               "1", 1e-12);
+  constexpr double much = 0.05;
+  EXPECT_GE(plain_most, much);
+  battery::record({"chapter4/smoothing",
+                   "the same vertices to the mean of their neighbours: most volume, over h^3",
+                   plain_most, "1", ">= 0.05", battery::Verdict::holds});
+  battery::record_table("smoothing", rows);
 }
 
 }  // namespace
