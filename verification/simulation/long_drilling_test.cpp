@@ -21,7 +21,9 @@ class TwentyRevolutions : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     case_ = new Case(read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml",
-                               {"rock.edge_length='2.5 mm'", "time.revolutions=20"}));
+                               {"rock.edge_length='2.5 mm'", "time.revolutions=20",
+                                // these have tests of their own, and take longer than the cut
+                                "measure.section=off", "measure.contact=off"}));
     first_ = new mesh::Surface();
     simulation_ = new Simulation(start(*case_));
     *first_ = simulation_->rock.surface;
