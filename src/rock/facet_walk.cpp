@@ -23,23 +23,6 @@ Side side_of(const mesh::Facet& f, int facet, std::size_t edge) {
   return {{p->x(), p->y(), p->z(), q->x(), q->y(), q->z()}, facet, static_cast<int>(edge)};
 }
 
-/// The line against the facet's plane: t, how steeply it goes out, and the barycentric coordinate
-/// that faces each edge a-b, b-c, c-a (negative: beyond that edge).
-struct Crossing {
-  double t, out;
-  std::array<double, 3> beside;
-};
-
-std::optional<Crossing> cross(const mesh::Facet& f, const Vec3& x, const Vec3& u) {
-  constexpr double parallel = 1e-12;
-  const Vec3 e1 = f.b - f.a, e2 = f.c - f.a, n = e1.cross(e2), r = x - f.a;
-  const double out = n.dot(u);
-  if (out * out <= parallel * parallel * n.squaredNorm() * u.squaredNorm()) return std::nullopt;
-  const Vec3 w = u.cross(r);
-  const double beta = w.dot(e2) / out, gamma = -w.dot(e1) / out;
-  return Crossing{-n.dot(r) / out, out, {gamma, 1.0 - beta - gamma, beta}};
-}
-
 /// The line between t = 0 and `reach` against a box, with a little room.
 bool meets(const mesh::Box& box, const Vec3& x, const Vec3& u, double reach) {
   double enter = 0.0, leave = reach;
@@ -86,15 +69,16 @@ FacetNeighbours neighbours_of(const mesh::TriangleTree& tree) {
 std::optional<double> walk_to_exit(const mesh::TriangleTree& tree, const FacetNeighbours& across,
                                    const Vec3& x, const Vec3& u, int& start) {
   constexpr int most_steps = 48;
+  constexpr double parallel = 1e-12;  // a way this flat over a facet is left to the search
   int at = start;
   for (int steps = 0; steps < most_steps && at >= 0; ++steps) {
-    const auto hit = cross(tree.facets()[static_cast<std::size_t>(at)], x, u);
+    const auto hit = mesh::cross_plane(tree.facets()[static_cast<std::size_t>(at)], x, u, parallel);
     if (!hit) return std::nullopt;
     const auto least = std::ranges::min_element(hit->beside);
     if (*least >= 0.0) {
-      if (hit->out <= 0.0 || hit->t <= 0.0) return std::nullopt;
+      if (hit->out <= 0.0 || hit->s <= 0.0) return std::nullopt;
       start = at;
-      return hit->t;
+      return hit->s;
     }
     at =
         across[static_cast<std::size_t>(at)][static_cast<std::size_t>(least - hit->beside.begin())];
