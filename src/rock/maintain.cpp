@@ -1,8 +1,11 @@
 #include "rock/maintain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 
+#include "core/error.hpp"
 #include "rock/bisect.hpp"
 #include "rock/blunt.hpp"
 #include "rock/collapse.hpp"
@@ -56,6 +59,17 @@ Candidate edge_facing(const mesh::Surface& s, int c, double key) {
   return {key, std::min(a, b), std::max(a, b)};
 }
 
+/// After one more round with `left` to do: stops the run if there were too many.
+void count_round(const Rock& rock, const std::vector<int>& left, const MaintenanceLimits& limits,
+                 int& rounds) {
+  if (left.empty() || ++rounds < limits.most_rounds) return;
+  const Vec3 x_W = 1e3 * rock.surface.position(left.front());
+  throw RunError(fmt::format(
+      "maintenance of the rock does not end: after {} rounds there is more to do at ({:.3f}, "
+      "{:.3f}, {:.3f}) mm",
+      rounds, x_W.x(), x_W.y(), x_W.z()));
+}
+
 /// Every living triangle at the given vertices once, with its shape.
 template <class Visit>
 void visit_triangles(const mesh::Surface& s, const std::vector<int>& vertices, Work& work,
@@ -93,10 +107,9 @@ void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
 /// Rounds of bisection: a round's new edges are looked at in the next. Each halves the longest.
 void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
                        MaintenanceReport& report) {
-  constexpr int most_rounds = 24;
   const double longest2 = limits.longest_edge * limits.longest_edge;
   work.region = rock.touched_list;
-  for (int round = 0; round < most_rounds && !work.region.empty(); ++round) {
+  for (int rounds = 0; !work.region.empty(); count_round(rock, work.region, limits, rounds)) {
     work.edges.clear();
     visit_triangles(rock.surface, work.region, work, [&](int t, const Shape& shape) {
       for (int i = 0; i < 3; ++i)
@@ -184,7 +197,7 @@ void flip_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
 /// only where the surface changed. Collapses leave fewer vertices, flips better triangles, so
 /// rounds end.
 void repair(Rock& rock, const MaintenanceLimits& limits, Work& work, MaintenanceReport& report) {
-  while (!work.region.empty()) {
+  for (int rounds = 0; !work.region.empty(); count_round(rock, work.region, limits, rounds)) {
     work.changed.clear();
     collapse_short_edges(rock, limits, work, report);
     flip_edges(rock, limits, work, report);

@@ -27,6 +27,7 @@ struct MaintenanceLimits {
   double least_normal_cosine = 0.3;  ///< nor turns a normal farther
   double steepest_overhang = 0.1;    ///< sine: an upright triangle may come to lean over so far
   double sharp_cosine = 0.7;         ///< of the normals beside an edge: below, it is a sharp ridge
+  int most_rounds = 1000;            ///< of one kind of repair in one maintenance; more is an error
 };
 
 /// Limits that suit an edge length h: lengths in [0.4, 1.6] h, 0.01 h^3, half of L_min.
@@ -96,8 +97,8 @@ struct MaintenanceWorkspace {
 /// One maintenance of the region touched since the last: blunts spikes, bisects long edges (longest
 /// first); then collapses short edges and bad triangles (shortest first) and flips edges of bad
 /// triangles, in rounds until no repair is left; smooths vertices once and repairs what that made
-/// necessary. The boundary and what was not touched stay bit for bit. Adds to `report`.
-/// Thesis: 4.2.1 to 4.2.3.
+/// necessary. The boundary and what was not touched stay bit for bit. Adds to `report`. Throws
+/// RunError with a place if repairs go on after most_rounds. Thesis: 4.2.1 to 4.2.3.
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report);
 

@@ -8,11 +8,14 @@
 #include <numeric>
 #include <set>
 
+#include "core/error.hpp"
 #include "core/tolerance.hpp"
 #include "mesh/check.hpp"
 #include "mesh/measures.hpp"
 #include "rock/cutting_scene.hpp"
+#include "rock/invariants.hpp"
 #include "verification/battery/generators.hpp"
+#include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/grid_query.hpp"
 
 namespace tdbd::rock {
@@ -228,6 +231,26 @@ RC_GTEST_PROP(maintain, keeps_a_height_field_but_for_upright_walls, ()) {
     const Vec3 area = mesh::area_vector(x(0), x(1), x(2));
     RC_ASSERT(area.z() <= limits.steepest_overhang * area.norm() * (1.0 + 1e-9));
   }
+}
+
+/// Edges that are to be an eighth of what they are take several rounds.
+TEST(maintain, that_does_not_end_stops_and_names_the_place) {
+  Rock rock = make_rock(mesh::make_surface(battery::bumpy_rock(1.0, 4, 0.1, 1)), 0.5,
+                        {Vec3::Constant(-1.0), Vec3::Constant(1.0)});
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v) touch(rock, v);
+  MaintenanceLimits limits = limits_for(0.06);
+  limits.most_rounds = 2;
+  MaintenanceWorkspace work;
+  MaintenanceReport report;
+  try {
+    maintain(rock, limits, work, report);
+    FAIL() << "expected a RunError";
+  } catch (const RunError& e) {
+    EXPECT_NE(std::string(e.what()).find("after 2 rounds there is more to do at ("),
+              std::string::npos)
+        << e.what();
+  }
+  EXPECT_EQ(describe(check_disc(rock)), "");
 }
 
 RC_GTEST_PROP(maintain, without_touch_does_nothing, ()) {
