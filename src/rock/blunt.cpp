@@ -65,12 +65,7 @@ bool try_blunt(Rock& rock, int v, const MaintenanceLimits& limits, Strays& stray
   }
   LocalState before;
   if constexpr (check_every_operation) before = local_state(rock.surface, {v});
-  Vec3& x_W = rock.surface.positions[static_cast<std::size_t>(v)];
-  x_W.z() += verdict.drop;
-  rock.grid.move(v, x_W);
-  touch(rock, v);
-  mesh::visit_corners(rock.surface, v,
-                      [&](int c) { touch(rock, rock.surface.vertex(mesh::next_corner(c))); });
+  place_vertex(rock, v, rock.surface.position(v) + Vec3(0.0, 0.0, verdict.drop));
   strays.note(v, verdict.stray);
   note_done(report, Operation::blunting, verdict.volume);
   if constexpr (check_every_operation) demand_around(rock, before, verdict.volume, "bluntings");

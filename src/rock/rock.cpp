@@ -24,6 +24,14 @@ void touch(Rock& rock, int v) {
   rock.touched_list.push_back(v);
 }
 
+void place_vertex(Rock& rock, int v, const Vec3& x_W) {
+  rock.surface.positions[static_cast<std::size_t>(v)] = x_W;
+  rock.grid.move(v, x_W);
+  touch(rock, v);
+  mesh::visit_corners(rock.surface, v,
+                      [&](int c) { touch(rock, rock.surface.vertex(mesh::next_corner(c))); });
+}
+
 void register_vertex(Rock& rock, int v, int last_part) {
   const auto n = static_cast<std::size_t>(rock.surface.vertex_slots());
   rock.last_part.resize(n, -1);

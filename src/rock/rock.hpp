@@ -24,6 +24,9 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W);
 /// Notes that a vertex changed (moved, or its triangles did).
 void touch(Rock& rock, int v);
 
+/// Puts vertex v to x_W, and notes that it and its triangles changed.
+void place_vertex(Rock& rock, int v, const Vec3& x_W);
+
 /// Grows the per-vertex arrays and the index after a bisection made vertex v.
 void register_vertex(Rock& rock, int v, int last_part);
 

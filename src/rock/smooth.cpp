@@ -102,11 +102,7 @@ bool try_smooth(Rock& rock, int v, const MaintenanceLimits& limits, Strays& stra
   }
   LocalState before;
   if constexpr (check_every_operation) before = local_state(rock.surface, {v});
-  rock.surface.positions[static_cast<std::size_t>(v)] = verdict.x_W;
-  rock.grid.move(v, verdict.x_W);
-  touch(rock, v);
-  mesh::visit_corners(rock.surface, v,
-                      [&](int c) { touch(rock, rock.surface.vertex(mesh::next_corner(c))); });
+  place_vertex(rock, v, verdict.x_W);
   strays.note(v, verdict.stray);
   note_done(report, Operation::smoothing, verdict.volume);
   if constexpr (check_every_operation) demand_around(rock, before, verdict.volume, "smoothings");
