@@ -5,12 +5,12 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <ctime>
 
 #include "core/error.hpp"
+#include "reference/mesh/cgal_surface.hpp"
 
 namespace tdbd::bench {
 namespace {
@@ -18,34 +18,8 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
-using Vertex = SurfaceMesh::Vertex_index;
 
 Point to_cgal(const Vec3& x) { return {x[0], x[1], x[2]}; }
-
-SurfaceMesh to_cgal(const mesh::TriangleMesh& m) {
-  SurfaceMesh surface;
-  for (const Vec3& x : m.positions) surface.add_vertex(to_cgal(x));
-  for (const auto& [a, b, c] : m.triangles)
-    if (surface.add_face(Vertex(a), Vertex(b), Vertex(c)) == SurfaceMesh::null_face())
-      throw RunError("corefinement: the block of rock is not a manifold");
-  return surface;
-}
-
-mesh::TriangleMesh from_cgal(SurfaceMesh& surface) {
-  surface.collect_garbage();
-  mesh::TriangleMesh m;
-  for (const Vertex v : surface.vertices()) {
-    const Point& x = surface.point(v);
-    m.positions.push_back({x.x(), x.y(), x.z()});
-  }
-  for (const SurfaceMesh::Face_index f : surface.faces()) {
-    const auto h = surface.halfedge(f);
-    m.triangles.push_back({static_cast<int>(surface.source(h).idx()),
-                           static_cast<int>(surface.target(h).idx()),
-                           static_cast<int>(surface.target(surface.next(h)).idx())});
-  }
-  return m;
-}
 
 SurfaceMesh tool_of(const std::vector<std::vector<Vec3>>& hulls_W) {
   SurfaceMesh tool;
@@ -67,13 +41,14 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 
 BooleanCut cut_by_corefinement(const mesh::TriangleMesh& block_W,
                                const std::vector<std::vector<Vec3>>& hulls_W) {
-  SurfaceMesh rock = to_cgal(block_W), tool = tool_of(hulls_W);
+  SurfaceMesh rock = reference::surface_mesh_of<Point>(block_W), tool = tool_of(hulls_W);
   const double before = pmp::volume(rock);
   const double start = cpu_seconds();
   if (!pmp::corefine_and_compute_difference(rock, tool, rock))
     throw RunError("corefinement: what is left of the rock is not a manifold");
   const double seconds = cpu_seconds() - start;
-  return {seconds, before - pmp::volume(rock), from_cgal(rock)};
+  return {seconds, before - pmp::volume(rock),
+          reference::triangle_mesh_of(rock, [](double x) { return x; })};
 }
 
 }  // namespace tdbd::bench

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/rock/convex_hull.hpp"
+#include "reference/mesh/convex_hull.hpp"
 
 namespace tdbd::reference {
 namespace {

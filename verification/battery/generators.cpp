@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "reference/mesh/convex_hull.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::battery {
@@ -56,7 +57,7 @@ rc::Gen<mesh::TriangleMesh> convex_polyhedron() {
   const auto with_tetrahedron = [](std::vector<Vec3> points) {
     for (const Vec3& x : {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)})
       points.push_back(0.5 * x);
-    return convex_hull(points);
+    return reference::convex_hull(points);
   };
   const auto points = rc::gen::mapcat(rc::gen::inRange<std::size_t>(0, 13), [](std::size_t n) {
     return rc::gen::container<std::vector<Vec3>>(n, point(1.0));

@@ -36,7 +36,4 @@ mesh::TriangleMesh flat_rock(double half, double z, int n);
 /// The mesh with every position moved by a pose.
 mesh::TriangleMesh placed(const Pose& X, mesh::TriangleMesh m);
 
-/// Convex hull of points that are not all in one plane (CGAL, exact predicates).
-mesh::TriangleMesh convex_hull(const std::vector<Vec3>& points);
-
 }  // namespace tdbd::battery

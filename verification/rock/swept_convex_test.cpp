@@ -11,6 +11,7 @@
 #include "core/random.hpp"
 #include "core/tolerance.hpp"
 #include "mesh/measures.hpp"
+#include "reference/mesh/convex_hull.hpp"
 #include "reference/rock/brute_force_exit.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
@@ -186,7 +187,7 @@ TEST(exit_distance, is_the_limit_of_the_twin) {
     std::vector<Vec3> points;
     for (int k = 0; k < 12; ++k) points.push_back(any(1.0));
     const Vec3 q0 = any(1.0), u = any(1.0).normalized();
-    Pass p{battery::convex_hull(points), {q0, q0 + any(0.7), u, u}};
+    Pass p{reference::convex_hull(points), {q0, q0 + any(0.7), u, u}};
     if (deepest(p, 0.0) > resolution(p, 4)) passes.push_back(std::move(p));
   }
   double before = 0.0;
