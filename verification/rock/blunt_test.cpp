@@ -8,8 +8,7 @@
 
 #include "mesh/measures.hpp"
 #include "rock/invariants.hpp"
-#include "verification/battery/generators.hpp"
-#include "verification/battery/rock_surfaces.hpp"
+#include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -20,7 +19,7 @@ constexpr int tip = 60;  // the middle of 11 x 11 vertices
 Rock spiked(double height, double bump = 0.0) {
   mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, bump, 7);
   m.positions[tip].z() -= height;
-  return make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
+  return rock_of(m);
 }
 
 /// L_min is 0.8: the triangles at a vertex, 0.27 in all, are less than its square.

@@ -8,8 +8,7 @@
 
 #include "mesh/measures.hpp"
 #include "rock/invariants.hpp"
-#include "verification/battery/generators.hpp"
-#include "verification/battery/rock_surfaces.hpp"
+#include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -18,10 +17,9 @@ constexpr double h = 0.9;  // limits for rock three times as coarse as the roof'
 
 /// Two slopes of 45 degrees that meet in a ridge along x, in edges of 0.3, every vertex touched.
 Rock roof() {
-  mesh::TriangleMesh m =
-      battery::bumpy_rock(1.5, 10, 0.0, static_cast<std::uint64_t>(*battery::integer(0, 999)));
+  mesh::TriangleMesh m = any_sheet(0.0);
   for (Vec3& x : m.positions) x.z() = std::abs(x.y());
-  Rock rock = make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
+  Rock rock = rock_of(m);
   for (int v = 0; v < rock.surface.vertex_slots(); ++v) touch(rock, v);
   return rock;
 }

@@ -9,19 +9,10 @@
 #include "mesh/measures.hpp"
 #include "rock/invariants.hpp"
 #include "rock/star.hpp"
-#include "verification/battery/generators.hpp"
-#include "verification/battery/rock_surfaces.hpp"
+#include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock {
 namespace {
-
-Rock rock_of(const mesh::TriangleMesh& m) {
-  return make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
-}
-
-mesh::TriangleMesh sheet(double bump) {
-  return battery::bumpy_rock(1.5, 10, bump, static_cast<std::uint64_t>(*battery::integer(0, 999)));
-}
 
 MaintenanceLimits limits() {
   MaintenanceLimits l = limits_for(0.35);
@@ -35,7 +26,7 @@ double worse_quality(const mesh::Surface& s, int c) {
 
 /// Every flip raises the worse of the two qualities, keeps M1, M4, M5, M6 and M7.
 RC_GTEST_PROP(flip, raises_the_worse_quality_and_keeps_the_promises, ()) {
-  Rock rock = rock_of(sheet(0.4));
+  Rock rock = rock_of(any_sheet(0.4));
   const MaintenanceLimits l = limits();
   int flips = 0;
   for (int c = 0; c < 3 * rock.surface.triangle_slots(); ++c) {

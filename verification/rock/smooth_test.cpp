@@ -9,20 +9,10 @@
 #include "mesh/measures.hpp"
 #include "rock/invariants.hpp"
 #include "rock/star.hpp"
-#include "verification/battery/generators.hpp"
-#include "verification/battery/rock_surfaces.hpp"
+#include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock {
 namespace {
-
-Rock rock_of(const mesh::TriangleMesh& m) {
-  return make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
-}
-
-/// Edges of 0.3; `bump` in cells, in all directions.
-mesh::TriangleMesh sheet(double bump) {
-  return battery::bumpy_rock(1.5, 10, bump, static_cast<std::uint64_t>(*battery::integer(0, 999)));
-}
 
 MaintenanceLimits limits() { return limits_for(0.35); }
 
@@ -31,7 +21,7 @@ double volume(const Rock& rock) { return mesh::hole_volume(rock.surface, Vec3::Z
 /// Fig. 4.22: a Laplacian step as it is flattens bumps; its part in the plane of the vector area
 /// does not change the volume at all, however bumpy the rock.
 RC_GTEST_PROP(smooth, changes_no_volume, ()) {
-  Rock rock = rock_of(sheet(0.3));
+  Rock rock = rock_of(any_sheet(0.3));
   MaintenanceLimits l = limits();
   l.volume_per_operation = l.farthest = 1.0;
   l.sharp_cosine = -1.0;
@@ -48,7 +38,7 @@ RC_GTEST_PROP(smooth, changes_no_volume, ()) {
 
 /// On flat rock nothing is refused but what does not raise the quality, or the boundary.
 RC_GTEST_PROP(smooth, keeps_flat_rock_flat_and_makes_it_better, ()) {
-  mesh::TriangleMesh m = sheet(0.15);  // no triangle is turned over
+  mesh::TriangleMesh m = any_sheet(0.15);  // no triangle is turned over
   for (Vec3& x : m.positions) x.z() = 0.0;
   Rock rock = rock_of(m);
   Strays strays;
@@ -67,7 +57,7 @@ RC_GTEST_PROP(smooth, keeps_flat_rock_flat_and_makes_it_better, ()) {
 
 /// M4 and M7 of one smoothing, with the usual limits; and the distance within its bound.
 RC_GTEST_PROP(smooth, keeps_normals_boundary_and_distance, ()) {
-  Rock rock = rock_of(sheet(0.4));
+  Rock rock = rock_of(any_sheet(0.4));
   const MaintenanceLimits l = limits();
   for (int v = 0; v < rock.surface.vertex_slots(); ++v) {
     Rock before = rock;
