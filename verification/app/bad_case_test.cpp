@@ -12,35 +12,54 @@ TEST(bad_case, that_the_small_case_is_right) {
   EXPECT_EQ(c.run().exit_code, 0);
 }
 
-TEST(bad_case, an_unknown_unit) {
+/// One mistake in case.toml: what it replaces, and what the program says of it.
+struct Mistake {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* message;
+};
+
+void PrintTo(const Mistake& m, std::ostream* out) { *out << m.name; }
+
+class BadCase : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(BadCase, is_refused_with_its_place_and_reason) {
   const SmallCase c;
-  c.edit("case.toml", "4 mm", "4 furlogs");
-  expect_refused(c,
-                 "case.toml:4: rock.edge_length: found \"4 furlogs\" (unknown unit furlogs), "
-                 "expected length in m or another unit of it");
+  c.edit("case.toml", GetParam().from, GetParam().to);
+  expect_refused(c, std::string("case.toml:") + GetParam().message);
 }
 
-TEST(bad_case, a_wrong_dimension) {
-  const SmallCase c;
-  c.edit("case.toml", "120 rpm", "120 kg");
-  expect_refused(c,
-                 "case.toml:7: motion.rotary_speed: found \"120 kg\" (kg is mass), expected "
-                 "angular speed in rad/s or another unit of it");
-}
+const Mistake mistakes[] = {
+    {"an_unknown_unit", "4 mm", "4 furlogs",
+     "4: rock.edge_length: found \"4 furlogs\" (unknown unit furlogs), "
+     "expected length in m or another unit of it"},
+    {"a_wrong_dimension", "120 rpm", "120 kg",
+     "7: motion.rotary_speed: found \"120 kg\" (kg is mass), expected "
+     "angular speed in rad/s or another unit of it"},
+    {"a_misspelt_key", "wall =", "wal =", "5: rock.wal: found an unknown key, expected wall"},
+    {"a_missing_key", "step = \"2 ms\"\n", "",
+     "9: time.step: found nothing, expected time in s, > 0 (the key is "
+     "required)"},
+    {"a_step_beyond_the_run", "40 ms", "0.5 ms",
+     "10: time.step: found 0.002 s for a run of 0.0005 s, expected at most the "
+     "duration"},
+    {"a_step_that_turns_the_bit_far", "120 rpm", "1e6 rpm",
+     "10: time.step: found a turn of 209 rad in one step, expected at "
+     "most 0.5 rad"},
+    {"revolutions_and_duration_together", "duration", "revolutions = 1\nduration",
+     "11: time.revolutions: found duration as well, expected one of the two"},
+    {"a_motion_that_jumps_past_a_part", "30 m/h", "20 m/s",
+     "10: time.step: found a jump of 40.2 mm of cutter-1/face in one step of "
+     "0.002 s, expected at most the part's size, 22.7 mm: a shorter time.step or a "
+     "slower motion"},
+    {"a_first_step_beyond_the_run", "duration", "first_step = 20\nduration",
+     "11: time.first_step: found 20 of 20 steps, expected a step before the "
+     "end of the run"},
+};
 
-TEST(bad_case, a_misspelt_key) {
-  const SmallCase c;
-  c.edit("case.toml", "wall =", "wal =");
-  expect_refused(c, "case.toml:5: rock.wal: found an unknown key, expected wall");
-}
-
-TEST(bad_case, a_missing_key) {
-  const SmallCase c;
-  c.edit("case.toml", "step = \"2 ms\"\n", "");
-  expect_refused(c,
-                 "case.toml:9: time.step: found nothing, expected time in s, > 0 (the key is "
-                 "required)");
-}
+INSTANTIATE_TEST_SUITE_P(One, BadCase, ::testing::ValuesIn(mistakes),
+                         [](const auto& m) { return std::string(m.param.name); });
 
 TEST(bad_case, a_step_that_is_negative_or_zero) {
   for (const std::string step : {"-2 ms", "0 ms"}) {
@@ -48,30 +67,6 @@ TEST(bad_case, a_step_that_is_negative_or_zero) {
     c.edit("case.toml", "2 ms", step);
     expect_refused(c, "case.toml:10: time.step: found \"" + step + "\", expected time in s, > 0");
   }
-}
-
-TEST(bad_case, a_step_beyond_the_run) {
-  const SmallCase c;
-  c.edit("case.toml", "40 ms", "0.5 ms");
-  expect_refused(
-      c,
-      "case.toml:10: time.step: found 0.002 s for a run of 0.0005 s, expected at most the "
-      "duration");
-}
-
-TEST(bad_case, a_step_that_turns_the_bit_far) {
-  const SmallCase c;
-  c.edit("case.toml", "120 rpm", "1e6 rpm");
-  expect_refused(c,
-                 "case.toml:10: time.step: found a turn of 209 rad in one step, expected at "
-                 "most 0.5 rad");
-}
-
-TEST(bad_case, revolutions_and_duration_together) {
-  const SmallCase c;
-  c.edit("case.toml", "duration", "revolutions = 1\nduration");
-  expect_refused(c,
-                 "case.toml:11: time.revolutions: found duration as well, expected one of the two");
 }
 
 TEST(bad_case, a_missing_case_file) {
@@ -112,15 +107,6 @@ TEST(bad_case, a_motion_beyond_memory) {
   const auto o = c.run();
   EXPECT_EQ(o.exit_code, 2);
   EXPECT_NE(o.err.find("cells of rock on a way of "), std::string::npos) << o.err;
-}
-
-TEST(bad_case, a_motion_that_jumps_past_a_part) {
-  const SmallCase c;
-  c.edit("case.toml", "30 m/h", "20 m/s");
-  expect_refused(c,
-                 "case.toml:10: time.step: found a jump of 40.2 mm of cutter-1/face in one step of "
-                 "0.002 s, expected at most the part's size, 22.7 mm: a shorter time.step or a "
-                 "slower motion");
 }
 
 /// Keys of [motion] in place of the small case's.
@@ -176,14 +162,6 @@ TEST(bad_case, a_roughness_finer_than_the_mesh) {
   expect_refused(c,
                  "case.toml:7: rock.correlation_length: found 0.005 m, expected at least two "
                  "edges, 0.008 m");
-}
-
-TEST(bad_case, a_first_step_beyond_the_run) {
-  const SmallCase c;
-  c.edit("case.toml", "duration", "first_step = 20\nduration");
-  expect_refused(c,
-                 "case.toml:11: time.first_step: found 20 of 20 steps, expected a step before the "
-                 "end of the run");
 }
 
 /// Every mistake of a case, its bit file and its tables at once, in the order of the lines.
