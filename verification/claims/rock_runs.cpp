@@ -6,7 +6,6 @@
 
 #include "mesh/measures.hpp"
 #include "rock/swept_part.hpp"
-#include "simulation/run.hpp"
 
 namespace tdbd::claims {
 
@@ -29,12 +28,16 @@ std::vector<double> qualities(const mesh::Surface& s) {
   return all;
 }
 
-long operations(const simulation::Case& c, const simulation::Simulation& s) {
+long thesis_operations(const simulation::Simulation& s) {
+  using rock::Operation;
   long sum = 0;
-  for (const auto& [name, count] :
-       simulation::summary_of(c, s, simulation::RunStatus::completed).maintenance)
-    if (!name.starts_with("refused")) sum += count;
+  for (const Operation o : {Operation::collapse, Operation::bisection, Operation::smoothing})
+    sum += s.maintenance.carried_out(o);
   return sum;
+}
+
+long operations(const simulation::Simulation& s) {
+  return std::accumulate(s.maintenance.done.begin(), s.maintenance.done.end(), 0L);
 }
 
 double volume_per_revolution(const simulation::Case& c) {

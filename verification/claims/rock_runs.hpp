@@ -16,11 +16,18 @@ simulation::Simulation drilled(const simulation::Case& c);
 /// Shape quality of every triangle, from the worst on.
 std::vector<double> qualities(const mesh::Surface& s);
 
-/// Operations over moves of vertices that the page calls few: one for ten.
-inline constexpr double few = 0.1;
+/// Operations over moves of vertices that the page calls few: one for twenty.
+inline constexpr double few = 0.05;
 
-/// Bisections, collapses and all else that maintenance carried out.
-long operations(const simulation::Case& c, const simulation::Simulation& s);
+/// The same where flips and blunting count, too: one for ten.
+inline constexpr double few_with_ours = 0.1;
+
+/// What maintenance carried out of the thesis's operations: collapses (4.2.1), bisections (4.2.2),
+/// smoothing (4.2.3).
+long thesis_operations(const simulation::Simulation& s);
+
+/// All that maintenance carried out: flips and blunting, too, which are ours.
+long operations(const simulation::Simulation& s);
 
 /// Volume of the gage circle over one revolution's advance, m3.
 double volume_per_revolution(const simulation::Case& c);
