@@ -91,9 +91,9 @@ TEST(gage_teeth, leave_the_best_wall_along_their_normals) {
     std::size_t folds;
     double quality;
   };
-  const auto wall = [](const std::string& rule) {
-    const Simulation s =
-        drilled(bit_r({"update.gage_teeth='" + rule + "'", "time.revolutions=16"}));
+  const auto wall = [](const std::string& rule, std::vector<std::string> settings = {}) {
+    settings.insert(settings.end(), {"update.gage_teeth='" + rule + "'", "time.revolutions=16"});
+    const Simulation s = drilled(bit_r(settings));
     const Wall w{intersections(s), worst_quality(s)};
     fmt::print("gage_teeth = \"{}\": {} intersecting pairs, worst quality {:.4f}\n", rule, w.folds,
                w.quality);
@@ -102,7 +102,10 @@ TEST(gage_teeth, leave_the_best_wall_along_their_normals) {
   const Wall normal = wall("normal"), row = wall("row"), down = wall("down");
   EXPECT_EQ(normal.folds, 0U);
   EXPECT_GT(normal.quality, std::max(row.quality, down.quality));
-  EXPECT_LT(wall("horizontal").quality, 0.5 * down.quality);  // maintenance undoes its folds
+  EXPECT_LT(wall("horizontal").quality, 0.5 * down.quality);
+  const std::vector<std::string> no_healing = {
+      "maintenance.worst_quality=0", "maintenance.flip_quality=0", "maintenance.smoothing='off'"};
+  EXPECT_GT(wall("horizontal", no_healing).folds, 0U);  // with it, maintenance undoes them
 }
 
 /// A cone's body as its frustums, and as one mesh searched by its tree: the same rock.
