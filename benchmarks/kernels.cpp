@@ -168,10 +168,10 @@ void contact_areas(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", edge_length);
   const double gap = d.plan.measure.contact_gap * edge_length;
   rock::ContactWork work;
-  std::vector<double> areas;
+  std::vector<rock::PartContact> contacts;
   for (auto _ : state) {
-    rock::contact_areas(d.state.rock, d.state.bit, d.state.cut_work, gap, work, areas);
-    benchmark::DoNotOptimize(areas.data());
+    rock::contact_areas(d.state.rock, d.state.bit, d.state.cut_work, gap, work, contacts);
+    benchmark::DoNotOptimize(contacts.data());
   }
 }
 

@@ -77,8 +77,8 @@ void hold(const Rock& rock, const CuttingPart& part, const CutWorkspace& cut, do
   }
 }
 
-/// In the order of the triangles' slots, so that the sum does not hang on the index's order.
-double area_between(const Rock& rock, ContactWork& w) {
+/// In the order of the triangles' slots, so that the sums do not hang on the index's order.
+PartContact contact_of_held(const Rock& rock, ContactWork& w) {
   const mesh::Surface& s = rock.surface;
   w.triangles.clear();
   for (const int v : w.held)
@@ -88,20 +88,26 @@ double area_between(const Rock& rock, ContactWork& w) {
         w.triangles.push_back(c / 3);
     });
   std::ranges::sort(w.triangles);
-  double doubled = 0.0;
+  PartContact contact;
   for (const int t : w.triangles) {
     const mesh::Triangle& corners = s.triangles[at(t)];
-    const Vec3& origin_W = s.position(corners[0]);
-    doubled += (s.position(corners[1]) - origin_W).cross(s.position(corners[2]) - origin_W).norm();
+    const Vec3 &a = s.position(corners[0]), &b = s.position(corners[1]),
+               &c = s.position(corners[2]);
+    const Vec3 area_vector_W = mesh::area_vector(a, b, c);
+    const double area = area_vector_W.norm();
+    contact.area += area;
+    contact.area_vector_W += area_vector_W;
+    contact.centroid_W += area / 3.0 * (a + b + c);
   }
-  return 0.5 * doubled;
+  if (contact.area > 0.0) contact.centroid_W /= contact.area;
+  return contact;
 }
 
 }  // namespace
 
 void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, double gap,
-                   ContactWork& w, std::vector<double>& area_by_part) {
-  area_by_part.assign(at(bit.part_count), 0.0);
+                   ContactWork& w, std::vector<PartContact>& contact_by_part) {
+  contact_by_part.assign(at(bit.part_count), {});
   w.mark.resize(rock.surface.positions.size(), 0);
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     const CuttingGroup& g = bit.groups[i];
@@ -113,7 +119,7 @@ void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& 
       w.held.clear();
       for (; k < g.parts.size() && g.parts[k].part == part; ++k)
         hold(rock, g.parts[k], cut, gap, w);
-      area_by_part[at(part)] = area_between(rock, w);
+      contact_by_part[at(part)] = contact_of_held(rock, w);
     }
   }
 }

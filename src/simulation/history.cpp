@@ -1,7 +1,5 @@
 #include "simulation/history.hpp"
 
-#include <numeric>
-
 #include "simulation/history_columns.hpp"
 
 namespace tdbd::simulation {
@@ -82,8 +80,12 @@ void History::append(const HistoryRow& row) {
   row_.insert(row_.end(), row.cone_angles.begin(), row.cone_angles.end());
   row_.insert(row_.end(), row.cone_speeds.begin(), row.cone_speeds.end());
   if (extent_.contact_areas) {
-    row_.push_back(std::accumulate(row.contact_areas.begin(), row.contact_areas.end(), 0.0));
-    row_.insert(row_.end(), row.contact_areas.begin(), row.contact_areas.end());
+    const std::size_t total = row_.size();
+    row_.push_back(0.0);
+    for (const rock::PartContact& c : row.contacts) {
+      row_[total] += c.area;
+      row_.push_back(c.area);
+    }
   }
   if (!extent_.cutters.empty()) append_sections(row.sections, row_);
   record_.append(row_);

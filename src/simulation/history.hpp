@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/types.hpp"
+#include "rock/contact_area.hpp"
 #include "rock/section.hpp"
 #include "simulation/record.hpp"
 
@@ -22,7 +23,7 @@ struct HistoryRow {
   std::span<const double> cone_angles;             ///< rad, about the cones' Z since the start
   std::span<const double> cone_speeds;             ///< rad/s, in this step
   std::span<const rock::Section> sections;         ///< per cutter, at the end of the step
-  std::span<const double> contact_areas;           ///< m2, per part, at the end of the step
+  std::span<const rock::PartContact> contacts;     ///< per part, at the end of the step
   long swept_vertices = 0;                         ///< rock vertices moved in this step
   long rock_triangles = 0;                         ///< triangles of the rock surface
 };

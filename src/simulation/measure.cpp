@@ -97,7 +97,7 @@ void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep
              Measures& m) {
   if (plan.contact == ContactMeasure::on)
     rock::contact_areas(rock, step.cutting, step.cut_work, plan.contact_gap * step.edge_length,
-                        m.contact_work, m.contact_areas);
+                        m.contact_work, m.contacts);
   if (m.faces.empty() || plan.section == SectionMeasure::off) return;
   turn_revolution(step.revolution, m);
   measure_sections(rock, plan, step, m);

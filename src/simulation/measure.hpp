@@ -29,11 +29,11 @@ struct FaceSpreads {
 
 /// The measures of the last step, and their spreads over revolutions.
 struct Measures {
-  std::vector<rock::Section> sections;  ///< per cutter; none: not measured
-  std::vector<double> contact_areas;    ///< m2, per part; none: not measured
-  std::vector<FaceSpreads> revolution;  ///< per cutter, of the revolution that goes on
-  std::vector<FaceSpreads> last_whole;  ///< of the last whole revolution; none yet: empty
-  std::size_t revolutions = 0;          ///< begun before the one that goes on
+  std::vector<rock::Section> sections;      ///< per cutter; none: not measured
+  std::vector<rock::PartContact> contacts;  ///< per part; none: not measured
+  std::vector<FaceSpreads> revolution;      ///< per cutter, of the revolution that goes on
+  std::vector<FaceSpreads> last_whole;      ///< of the last whole revolution; none yet: empty
+  std::size_t revolutions = 0;              ///< begun before the one that goes on
   long refused_deep = 0;          ///< sections: the face is deep in rock, its surface out of sight
   long refused_over_the_top = 0;  ///< sections: rock reaches over the face's top
   std::vector<rock::SectionFace> faces;

@@ -56,7 +56,7 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
   row.cone_angles = cone_angles;
   row.cone_speeds = cone_speeds;
   row.sections = s.measures.sections;
-  row.contact_areas = s.measures.contact_areas;
+  row.contacts = s.measures.contacts;
   row.swept_vertices = s.cut.moved;
   row.rock_triangles = s.rock.surface.triangle_count();
   return row;

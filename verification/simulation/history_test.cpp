@@ -84,10 +84,11 @@ fs::path write_measures(const fs::path& where) {
       rock::Section{1e-6, Vec3(0.1, 0.2, 0.3), 4e-3, 0.5, 6e-7, rock::Sight::clear},
       rock::Section{unknown, Vec3::Constant(unknown), unknown, unknown, unknown,
                     rock::Sight::over_the_top}};
-  const std::array<double, 2> volumes{1e-9, 2e-9}, contact_areas{3e-6, 4e-6};
+  const std::array<double, 2> volumes{1e-9, 2e-9};
+  const std::array<rock::PartContact, 2> contacts{rock::PartContact{3e-6}, rock::PartContact{4e-6}};
   HistoryRow row;
   row.removed_volume_by_part = volumes;
-  row.contact_areas = contact_areas;
+  row.contacts = contacts;
   row.sections = sections;
   history.append(row);
   history.close();
