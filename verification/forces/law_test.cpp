@@ -1,0 +1,130 @@
+#include "forces/law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/error.hpp"
+#include "forces/generate.hpp"
+
+namespace tdbd::forces {
+namespace {
+
+/// Scale of a force's rounding: its components before they were summed.
+double size(const PartForce& f) { return f.normal + f.tangential; }
+
+RC_GTEST_PROP(force, does_no_positive_work_on_the_bit, ()) {
+  const PartCut c = any_cut();
+  const PartForce f = force(any_law(), c);
+  RC_ASSERT(f.force.dot(c.velocity) <= rounding(size(f) * c.velocity.norm()));
+}
+
+RC_GTEST_PROP(force, never_pulls_the_bit_into_the_rock, ()) {
+  const PartCut c = any_cut();
+  const PartForce f = force(any_law(), c);
+  RC_ASSERT(f.force.dot(c.normal) <= rounding(size(f)));
+}
+
+RC_GTEST_PROP(force, is_finite_and_acts_at_the_contact, ()) {
+  const PartCut c = any_cut();
+  const PartForce f = force(any_law(), c);
+  RC_ASSERT(f.force.allFinite());
+  RC_ASSERT(f.normal >= 0.0 && f.tangential >= 0.0);
+  RC_ASSERT(f.point == c.point);
+}
+
+RC_GTEST_PROP(force, at_rest_has_no_tangential_part, ()) {
+  PartCut c = any_cut();
+  c.velocity = Vec3::Zero();
+  const PartForce f = force(any_law(), c);
+  RC_ASSERT(f.force == -f.normal * c.normal);
+}
+
+/// Turning the whole problem turns the force.
+RC_GTEST_PROP(force, turns_with_the_problem, ()) {
+  const Law law = any_law();
+  const PartCut c = any_cut();
+  const Mat3 R = any_rotation();
+  PartCut turned = c;
+  turned.velocity = R * c.velocity;
+  turned.normal = R * c.normal;
+  turned.point = R * c.point;
+  const PartForce f = force(law, c), g = force(law, turned);
+  // A velocity along the normal keeps a rest of sideways motion by rounding: its direction is free.
+  const Vec3 slip = c.velocity - c.velocity.dot(c.normal) * c.normal;
+  RC_PRE(c.velocity.isZero(0.0) || slip.norm() > 1e-6 * c.velocity.norm());
+  RC_ASSERT((R * f.force - g.force).norm() <= 1e-8 * size(f));
+}
+
+RC_GTEST_PROP(force, of_a_part_that_touches_nothing_is_none, ()) {
+  PartCut c = any_cut();
+  c.cut_area = c.contact_area = c.engaged_edge = c.depth = 0.0;
+  RC_ASSERT(force(any_law(), c).force == Vec3::Zero());
+}
+
+RC_GTEST_PROP(force, of_a_kind_that_the_law_does_not_know_is_none, ()) {
+  const Law law = any_law();
+  const PartCut c = any_cut();
+  if (!law_problem(law, c.kind, c.diameter).empty()) RC_ASSERT(force(law, c).force == Vec3::Zero());
+}
+
+/// Two parts, each with a share of a part's areas and edge: their forces add up to the part's.
+RC_GTEST_PROP(force, of_laws_linear_in_area_adds_up, ()) {
+  const Law law = any_law({"hanson-hansen", "detournay", "friction"});
+  PartCut whole = any_cut(), part = whole, rest = whole;
+  const double share = number(0.0, 1.0);
+  for (auto [p, s] : {std::pair{&part, share}, std::pair{&rest, 1.0 - share}}) {
+    p->cut_area *= s;
+    p->contact_area *= s;
+    p->engaged_edge *= s;
+  }
+  const PartForce f = force(law, whole);
+  RC_ASSERT((force(law, part).force + force(law, rest).force - f.force).norm() <=
+            rounding(size(f)));
+}
+
+TEST(law_fields, reach_every_coefficient_by_name_unit_and_range) {
+  Law law = law_named("detournay");
+  for (const LawField& f : law_fields(law))
+    if (f.key == "eps") {
+      EXPECT_EQ(f.unit, "Pa");
+      EXPECT_FALSE(f.fallback.has_value());
+      EXPECT_FALSE(f.range.contains(0.0));
+      *f.value = 100 * MPa;
+    }
+  EXPECT_EQ(std::get<Detournay>(law).eps, 100 * MPa);
+}
+
+/// What a law starts with is what its table promises, lies in its range, and no key comes twice.
+TEST(law_fields, of_a_new_law_hold_their_fallbacks) {
+  for (const std::string_view name : law_names()) {
+    Law law = law_named(name);
+    EXPECT_EQ(law_name(law), name);
+    std::set<std::string_view> keys;
+    for (const LawField& f : law_fields(law)) {
+      EXPECT_EQ(*f.value, f.fallback.value_or(0.0)) << name << ' ' << f.key;
+      EXPECT_TRUE(!f.fallback || f.range.contains(*f.fallback)) << name << ' ' << f.key;
+      EXPECT_TRUE(keys.insert(f.key).second) << name << ' ' << f.key;
+      EXPECT_FALSE(f.meaning.empty());
+    }
+  }
+}
+
+TEST(law_named, tells_the_laws_that_there_are) {
+  try {
+    law_named("hanson");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("\"hanson-hansen\", \"detournay\""), std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(law_problem, names_the_law_the_part_and_the_parts_that_it_knows) {
+  EXPECT_EQ(law_problem(law_named("detournay"), bit::PartKind::tooth, 0.0),
+            "the law \"detournay\" knows no tooth; it knows: face, chamfer, cse, cutter body");
+  EXPECT_EQ(law_problem(law_named("detournay"), bit::PartKind::face, 16e-3), "");
+}
+
+}  // namespace
+}  // namespace tdbd::forces
