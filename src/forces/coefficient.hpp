@@ -18,7 +18,7 @@ struct Coefficient {
   std::string_view meaning;        ///< a line for a reader
 };
 
-/// Speed below which friction fades (m/s), for want of a better one. Ours: a thousandth of the
+/// Speed below which forces fade (m/s), for want of a better one. Ours: a thousandth of the
 /// speed at a bit's gage.
 inline constexpr double usual_slip_speed = 1e-3;
 

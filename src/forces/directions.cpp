@@ -26,24 +26,31 @@ double slip_share(double speed, double slip_speed) {
   return speed == 0.0 ? 0.0 : speed / std::hypot(speed, slip_speed);
 }
 
-PartForce cutting_force(const PartCut& cut, double Ft, double Fn, double slip_speed) {
-  const CutFrame frame = cut_frame(cut.velocity, cut.normal);
-  const double acting = slip_share(cut.velocity.norm(), slip_speed) * Ft;
-  return {.force = -acting * frame.e1 - Fn * frame.e2,
-          .point = cut.point,
-          .normal = Fn,
-          .tangential = acting};
+double friction_at(const Sliding& sliding, double speed) {
+  if (sliding.weakening == 0.0) return sliding.mu;
+  const double lost = -std::expm1(-speed / sliding.weakening_speed);
+  return sliding.mu * (1.0 - sliding.weakening * lost);
 }
 
-PartForce pressing_force(const PartCut& cut, double Fn, double friction, double slip_speed) {
+PartForce cutting_force(const PartCut& cut, double Ft, double Fn, double slip_speed) {
+  const CutFrame frame = cut_frame(cut.velocity, cut.normal);
+  const double share = slip_share(cut.velocity.norm(), slip_speed);
+  return {.force = -share * (Ft * frame.e1 + Fn * frame.e2),
+          .point = cut.point,
+          .normal = share * Fn,
+          .tangential = share * Ft};
+}
+
+PartForce pressing_force(const PartCut& cut, double Fn, const Sliding& sliding, double slip_speed) {
   const double into = cut.velocity.dot(cut.normal);
   const Vec3 slip = cut.velocity - into * cut.normal;
   const double speed = slip.norm();
-  const double acting = slip_share(speed, slip_speed) * friction * Fn;
+  const double normal = slip_share(cut.velocity.norm(), slip_speed) * Fn;
+  const double drag = slip_share(speed, slip_speed) * friction_at(sliding, speed) * normal;
   Vec3 push = cut.normal;
   if (into < 0.0) push -= into / cut.velocity.squaredNorm() * cut.velocity;
-  PartForce f{.force = -Fn * push, .point = cut.point, .normal = Fn, .tangential = acting};
-  if (speed > 0.0) f.force -= acting / speed * slip;
+  PartForce f{.force = -normal * push, .point = cut.point, .normal = normal, .tangential = drag};
+  if (speed > 0.0) f.force -= drag / speed * slip;
   return f;
 }
 

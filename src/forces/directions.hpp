@@ -21,17 +21,29 @@ struct CutFrame {
 /// positive work on it (F.v <= 0). The frame is continuous in v, rest aside.
 CutFrame cut_frame(const Vec3& velocity, const Vec3& normal);
 
-/// Share of the tangential force that acts at a speed, u/sqrt(u^2 + slip_speed^2): what turns a
-/// force against the motion into a continuous function of it. 0 at rest. Ours.
+/// Share of a law's force that acts at a speed, u/sqrt(u^2 + slip_speed^2): it makes the force a
+/// continuous function of the velocity, at rest as well, where there is none. So a bit at rest
+/// under load creeps, at less than slip_speed. Ours.
 double slip_share(double speed, double slip_speed);
 
-/// The force of a cut with the law's Fn and Ft (N, >= 0): -share Ft e1 - Fn e2.
+/// How two surfaces slide over each other.
+struct Sliding {
+  double mu = 0.0;               ///< 1, coefficient of friction at low speed
+  double weakening = 0.0;        ///< 1, share of mu that is lost at high speed
+  double weakening_speed = 1.0;  ///< m/s, at which most of that is lost
+};
+
+/// mu (1 - weakening (1 - exp(-u/weakening_speed))): friction that falls with speed, one cause of
+/// stick-slip. The form is that of codes for whole bits (domain: Simulator4nDOF), at one contact.
+double friction_at(const Sliding& sliding, double speed);
+
+/// The force of a cut with the law's Fn and Ft (N, >= 0): -share (Ft e1 + Fn e2).
 PartForce cutting_force(const PartCut& cut, double Ft, double Fn, double slip_speed);
 
-/// The force of a surface that presses with Fn (N, >= 0) and slides with the given coefficient of
-/// friction: -Fn n and, against the slip (the velocity along the surface), friction Fn. The rock is
-/// crushed, it does not spring back: where the part leaves the rock, Fn n loses its component along
-/// the velocity, so that it does no work. F.n <= 0 and F.v <= 0, as above. Ours.
-PartForce pressing_force(const PartCut& cut, double Fn, double friction, double slip_speed);
+/// The force of a surface that presses with Fn (N, >= 0) and slides: -share Fn n and, against the
+/// slip (the velocity along the surface), friction times share Fn. The rock is crushed, it does not
+/// spring back: where the part leaves the rock, Fn n loses its component along the velocity, so
+/// that it does no work. F.n <= 0 and F.v <= 0, and continuous, as above. Ours.
+PartForce pressing_force(const PartCut& cut, double Fn, const Sliding& sliding, double slip_speed);
 
 }  // namespace tdbd::forces

@@ -12,13 +12,15 @@ namespace tdbd::forces {
 /// never above what the rock carries, and Coulomb's friction (Ours; formulation 7):
 ///   Fn = min(stress, cap Scc) A s,  Ft = mu Fn,  s = min(1, tan b / tan full_angle), 0 for b < 0
 /// b is the angle between the surface and its motion into the rock. A pad that only slides along
-/// the wall carries nothing (s = 0); pressed into it, it soon carries all. s is 1 at full_angle 0,
-/// as of a wear flat, and at rest. Directions: pressing_force.
+/// the wall carries nothing (s = 0); pressed into it, it soon carries all. At full_angle 0, as of a
+/// wear flat, s = 1. mu may fall with speed (friction_at). Directions: pressing_force.
 struct Friction {
-  double stress = 0.0;       ///< Pa, contact stress
-  double mu = 0.0;           ///< 1, coefficient of friction
-  double cap = 1.5;          ///< 1, largest contact stress over the confined strength
-  double full_angle = 0.01;  ///< rad, of motion into the rock at which the stress is whole
+  double stress = 0.0;           ///< Pa, contact stress
+  double mu = 0.0;               ///< 1, coefficient of friction
+  double cap = 1.5;              ///< 1, largest contact stress over the confined strength
+  double full_angle = 0.01;      ///< rad, of motion into the rock at which the stress is whole
+  double weakening = 0.0;        ///< 1, of mu with speed, friction_at
+  double weakening_speed = 1.0;  ///< m/s
   double slip_speed = usual_slip_speed;  ///< m/s, slip_share
 
   static constexpr std::string_view name = "friction";

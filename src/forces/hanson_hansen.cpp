@@ -35,7 +35,7 @@ const std::array<Coefficient<HansonHansen>, 11> table{{
     {"pressure_share", "1", &HansonHansen::pressure_share, 1.0, Range::within(0.0, 2.0),
      "share of the strength's growth with pressure that counts"},
     {"slip_speed", "m/s", &HansonHansen::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which tangential forces fade"},
+     "speed below which the force fades"},
 }};
 
 double strength(const HansonHansen& law, const Strength& s) {
@@ -97,7 +97,7 @@ std::array<Vec3, hanson_hansen_terms> force_basis(const HansonHansen& law, const
   const double share = slip_share(cut.velocity.norm(), law.slip_speed);
   std::array<Vec3, hanson_hansen_terms> basis;
   for (int k = 0; k < hanson_hansen_terms; ++k)
-    basis[k] = -share * tangential[k] * frame.e1 - normal[k] * frame.e2;
+    basis[k] = -share * (tangential[k] * frame.e1 + normal[k] * frame.e2);
   return basis;
 }
 

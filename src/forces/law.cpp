@@ -28,6 +28,14 @@ bool knows(const Law& law, PartKind kind) {
   return std::visit([kind](const auto& l) { return l.knows(kind); }, law);
 }
 
+bool needs_diameter(const Law& law) {
+  return std::visit(
+      [](const auto& l) {
+        return requires { l.needs_diameter; };
+      },
+      law);
+}
+
 std::string_view kind_name(PartKind kind) {
   for (const auto& [each, name] : kinds)
     if (each == kind) return name;
@@ -84,8 +92,12 @@ Law law_named(std::string_view name) {
   throw InputError(fmt::format("found the force law \"{}\", expected one of {}", name, all));
 }
 
-std::string law_problem(const Law& law, bit::PartKind kind, double) {
-  if (knows(law, kind)) return {};
+std::string law_problem(const Law& law, bit::PartKind kind, double diameter) {
+  if (knows(law, kind)) {
+    if (!needs_diameter(law) || diameter > 0.0) return {};
+    return fmt::format("the law \"{}\" needs the cutter's diameter, which this {} has not",
+                       law_name(law), kind_name(kind));
+  }
   std::string known;
   for (const auto& [each, name] : kinds)
     if (knows(law, each)) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);

@@ -1,21 +1,27 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "forces/depth_of_cut.hpp"
 #include "forces/detournay.hpp"
 #include "forces/friction.hpp"
+#include "forces/glowka.hpp"
 #include "forces/hanson_hansen.hpp"
+#include "forces/indentation.hpp"
 #include "forces/no_force.hpp"
+#include "forces/thin_cut.hpp"
 
 namespace tdbd::forces {
 
 /// The force laws: plain structs of coefficients. A law is one header with such a struct, its
-/// `name`, `knows`, `coefficients` and `law_force`; here it needs no more than its place in this
-/// list.
-using Law = std::variant<NoForce, HansonHansen, Detournay, Friction>;
+/// `name`, `knows` (which kinds of part), `coefficients` and `law_force`, and `needs_diameter` if
+/// it asks for the cutter's; here it needs no more than its place in this list.
+using Law = std::variant<NoForce, HansonHansen, Detournay, DepthOfCut, Glowka, ThinCut, Friction,
+                         Indentation>;
 
 /// The force of the rock on a part, N. Pure: may be asked again at another velocity. A part of a
 /// kind that the law does not know feels nothing (law_problem tells beforehand). Finite for finite

@@ -29,8 +29,14 @@ struct PartCut {
 struct PartForce {
   Vec3 force = Vec3::Zero();  ///< N, on the bit
   Vec3 point = Vec3::Zero();  ///< m, where it acts
-  double normal = 0.0;        ///< N, Fn of the law, >= 0
+  double normal = 0.0;        ///< N, Fn of the law as it acts at this speed, >= 0
   double tangential = 0.0;    ///< N, Ft of the law as it acts at this speed, >= 0
 };
+
+/// Mean area of a cut, m2: removed volume (m3) over the path (m) of the contact; none without a
+/// path. Steps of any length give the same, as long as the cut is the same. Formulation 2.6 [R].
+inline double swept_area(double removed_volume, double path) {
+  return path > 0.0 ? removed_volume / path : 0.0;
+}
 
 }  // namespace tdbd::forces

@@ -62,19 +62,28 @@ TEST(slip_share, rises_from_none_at_rest_to_all) {
   EXPECT_NEAR(slip_share(0.5, 1e-3), 1.0 - 2e-6, 1e-11);
 }
 
+TEST(friction_at, falls_from_its_value_at_rest_to_what_is_left_at_high_speed) {
+  const Sliding s{.mu = 0.5, .weakening = 0.4, .weakening_speed = 0.2};
+  EXPECT_EQ(friction_at(s, 0.0), 0.5);
+  EXPECT_NEAR(friction_at(s, 0.2), 0.5 * (1.0 - 0.4 * (1.0 - std::exp(-1.0))), 1e-15);
+  EXPECT_NEAR(friction_at(s, 1e3), 0.3, 1e-15);
+}
+
 /// Pressed into the rock the force is the stress alone; sliding along it Coulomb's; leaving, none.
 TEST(pressing_force, pushes_along_the_normal_and_drags_against_the_slip) {
   PartCut c = plain_cut(bit::PartKind::gage_pad);
   c.velocity = Vec3(0, 0, 0.1);
-  EXPECT_EQ(pressing_force(c, 100.0, 0.4, 0.0).force, Vec3(0, 0, -100));
+  EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3(0, 0, -100));
   c.velocity = Vec3(0.3, 0.4, 0);
-  EXPECT_LT((pressing_force(c, 100.0, 0.4, 0.0).force - Vec3(-24, -32, -100)).norm(), 1e-13);
+  EXPECT_LT((pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force - Vec3(-24, -32, -100)).norm(),
+            1e-13);
   c.velocity = Vec3(0.3, 0.4, 0.2);
-  EXPECT_LT((pressing_force(c, 100.0, 0.4, 0.0).force - Vec3(-24, -32, -100)).norm(), 1e-13);
+  EXPECT_LT((pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force - Vec3(-24, -32, -100)).norm(),
+            1e-13);
   c.velocity = Vec3(0, 0, -0.1);
-  EXPECT_LT(pressing_force(c, 100.0, 0.4, 0.0).force.norm(), rounding(100.0));
+  EXPECT_LT(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force.norm(), rounding(100.0));
   c.velocity = Vec3::Zero();
-  EXPECT_EQ(pressing_force(c, 100.0, 0.4, 0.0).force, Vec3(0, 0, -100));
+  EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3::Zero());
 }
 
 }  // namespace
