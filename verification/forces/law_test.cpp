@@ -112,6 +112,41 @@ RC_GTEST_PROP(force, of_laws_linear_in_area_adds_up, ()) {
             rounding(size(f)));
 }
 
+/// How a quantity of this unit is written in units of length, force and speed.
+double in_units(std::string_view unit, double length, double force, double speed) {
+  return unit == "m"     ? 1.0 / length
+         : unit == "m/s" ? 1.0 / speed
+         : unit == "Pa"  ? length * length / force
+         : unit == "N"   ? 1.0 / force
+                         : 1.0;
+}
+
+/// Twice as large a bit, or harder rock: what scales, scales. Glowka's law alone has a length of
+/// its own, the depth at which its forces are told.
+RC_GTEST_PROP(force, does_not_depend_on_the_units, ()) {
+  Law law = any_law(
+      {"hanson-hansen", "detournay", "depth-of-cut", "thin-cut", "friction", "indentation"});
+  PartCut c = any_cut(), d = c;
+  const double length = number(0.1, 10.0), newton = number(0.1, 10.0), speed = number(0.1, 10.0);
+  const auto scale = [&](std::string_view unit) { return in_units(unit, length, newton, speed); };
+  for (double* area : {&d.cut_area, &d.contact_area}) *area *= scale("m") * scale("m");
+  for (double* x : {&d.engaged_edge, &d.depth, &d.diameter}) *x *= scale("m");
+  for (double* p : {&d.strength.unconfined, &d.strength.confined, &d.strength.pressure})
+    *p *= scale("Pa");
+  d.velocity *= scale("m/s");
+  const PartForce f = force(law, c);
+  for (const LawField& field : law_fields(law)) *field.value *= scale(field.unit);
+  const Vec3 g = force(law, d).force;
+  RC_ASSERT((g * newton - f.force).norm() <= 1e-9 * size(f));
+}
+
+TEST(swept_area, of_a_cut_does_not_depend_on_the_step) {
+  const double width = 10e-3, depth = 1e-3, speed = 0.5;  // m, m, m/s
+  for (const double step : {1e-4, 1e-3, 1e-2})
+    EXPECT_NEAR(swept_area(width * depth * speed * step, speed * step), 1e-5, 1e-20) << step;
+  EXPECT_EQ(swept_area(0.0, 0.0), 0.0);
+}
+
 TEST(law_fields, reach_every_coefficient_by_name_unit_and_range) {
   Law law = law_named("detournay");
   for (const LawField& f : law_fields(law))
