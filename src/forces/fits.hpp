@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "forces/law.hpp"
+#include "forces/quoted.hpp"
+
+namespace tdbd::forces {
+
+/// Coefficients of a law from the literature, for one rock and tool.
+struct Fit {
+  std::string_view name;  ///< "glowka-berea-0.5in"
+  Law law;
+  Evidence evidence = Evidence::assumed;
+  std::string_view source;
+};
+
+/// All of them. Laws at atmospheric pressure unless told.
+std::span<const Fit> known_fits();
+
+/// The fit of this name. InputError: there is none; tells those that there are.
+const Fit& fit_named(std::string_view name);
+
+}  // namespace tdbd::forces

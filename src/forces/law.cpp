@@ -1,0 +1,108 @@
+#include "forces/law.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace tdbd::forces {
+namespace {
+
+using bit::PartKind;
+
+constexpr std::array<std::pair<PartKind, std::string_view>, 8> kinds{{
+    {PartKind::face, "face"},
+    {PartKind::chamfer, "chamfer"},
+    {PartKind::cse, "cse"},
+    {PartKind::cutter_body, "cutter body"},
+    {PartKind::gage_pad, "gage pad"},
+    {PartKind::bit_body, "bit body"},
+    {PartKind::cone, "cone"},
+    {PartKind::tooth, "tooth"},
+}};
+
+bool knows(const Law& law, PartKind kind) {
+  return std::visit([kind](const auto& l) { return l.knows(kind); }, law);
+}
+
+bool needs_diameter(const Law& law) {
+  return std::visit(
+      [](const auto& l) {
+        return requires { l.needs_diameter; };
+      },
+      law);
+}
+
+std::string_view kind_name(PartKind kind) {
+  for (const auto& [each, name] : kinds)
+    if (each == kind) return name;
+  return "part";
+}
+
+/// Every law with its usual coefficients, in the order of the variant.
+template <std::size_t... I>
+std::array<Law, sizeof...(I)> every_law(std::index_sequence<I...>) {
+  return {Law(std::in_place_index<I>)...};
+}
+auto every_law() { return every_law(std::make_index_sequence<std::variant_size_v<Law>>()); }
+
+}  // namespace
+
+PartForce force(const Law& law, const PartCut& cut) {
+  return std::visit(
+      [&cut](const auto& l) {
+        return l.knows(cut.kind) ? law_force(l, cut) : law_force(NoForce{}, cut);
+      },
+      law);
+}
+
+std::vector<LawField> law_fields(Law& law) {
+  return std::visit(
+      [](auto& l) {
+        const auto coefficients = std::decay_t<decltype(l)>::coefficients();
+        std::vector<LawField> fields;
+        fields.reserve(coefficients.size());
+        for (const auto& c : coefficients)
+          fields.push_back({c.key, c.unit, c.fallback, c.range, c.meaning, &(l.*c.member)});
+        return fields;
+      },
+      law);
+}
+
+std::string_view law_name(const Law& law) {
+  return std::visit([](const auto& l) { return l.name; }, law);
+}
+
+std::vector<std::string_view> law_names() {
+  std::vector<std::string_view> names;
+  names.reserve(std::variant_size_v<Law>);
+  for (const Law& law : every_law()) names.push_back(law_name(law));
+  return names;
+}
+
+Law law_named(std::string_view name) {
+  std::string all;
+  for (const Law& law : every_law()) {
+    if (law_name(law) == name) return law;
+    all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", law_name(law));
+  }
+  throw InputError(fmt::format("found the force law \"{}\", expected one of {}", name, all));
+}
+
+std::string law_problem(const Law& law, bit::PartKind kind, double diameter) {
+  if (knows(law, kind)) {
+    if (!needs_diameter(law) || diameter > 0.0) return {};
+    return fmt::format("the law \"{}\" needs the cutter's diameter, which this {} has not",
+                       law_name(law), kind_name(kind));
+  }
+  std::string known;
+  for (const auto& [each, name] : kinds)
+    if (knows(law, each)) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
+  return fmt::format("the law \"{}\" knows no {}; it knows: {}", law_name(law), kind_name(kind),
+                     known);
+}
+
+}  // namespace tdbd::forces

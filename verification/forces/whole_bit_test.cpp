@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include "bit/cutter_table.hpp"
+#include "bit/engagement.hpp"
+#include "forces/detournay.hpp"
+#include "forces/generate.hpp"
+#include "reference/forces/planar_outline.hpp"
+
+namespace tdbd::forces {
+namespace {
+
+constexpr double advance = 3e-3;    // m per revolution
+constexpr double column = 0.01e-3;  // m
+
+/// Rock K of literature.md: 100 MPa, 0.8, sharp.
+Detournay rock_k() { return {.eps = 100 * MPa, .zeta = 0.8, .slip_speed = 0.0}; }
+
+struct BitLoad {
+  double weight = 0.0;                                  // N
+  double torque = 0.0;                                  // N m
+  Eigen::Vector2d imbalance = Eigen::Vector2d::Zero();  // N
+  double volume = 0.0;                                  // m3 per revolution
+};
+
+/// A cutter's cut in the radial plane, at the arm that its volume has.
+PartCut cut_of(const bit::Cutter& c, double area, double volume) {
+  const double arm = volume / (2 * pi * area);
+  const Vec3 out(std::cos(c.azimuth), std::sin(c.azimuth), 0.0);
+  PartCut cut;
+  cut.kind = bit::PartKind::face;
+  cut.cut_area = area;
+  cut.point = arm * out;
+  cut.velocity = 4 * pi * arm * Vec3(-out.y(), out.x(), 0.0);
+  cut.normal = std::sin(c.profile_angle) * out + std::cos(c.profile_angle) * Vec3::UnitZ();
+  return cut;
+}
+
+std::vector<bit::Cutter> cutters_of(char letter) {
+  return bit::read_cutter_table(std::string(TDBD_SOURCE_DIR "/cases/bits/bit-") + letter + ".csv",
+                                {});
+}
+
+/// Sum over the cutters of what cuts in the radial plane (areas and volumes) make them feel.
+template <class Cuts>
+BitLoad load_of(const std::vector<bit::Cutter>& cutters, const Cuts& cuts) {
+  BitLoad sum;
+  for (std::size_t k = 0; k < cutters.size(); ++k) {
+    if (cuts.area[k] == 0.0) continue;
+    const PartForce f = law_force(rock_k(), cut_of(cutters[k], cuts.area[k], cuts.volume[k]));
+    sum.weight -= f.force.z();
+    sum.imbalance += f.force.head<2>();
+    sum.torque -= f.point.cross(f.force).z();
+    sum.volume += cuts.volume[k];
+  }
+  return sum;
+}
+
+struct Row {
+  char bit;
+  double weight, torque, imbalance;  // N, N m, % of the weight
+};
+
+/// literature.md 1, at 3 mm a revolution, with its tolerances: 0.05 %, of the imbalance 0.05 % of
+/// the weight.
+TEST(whole_bit, of_sharp_cutters_has_the_loads_of_warren_and_sinors_model) {
+  for (const Row& r : {Row{'a', 22779.2, 1747.98, 0.85},
+                       {'b', 22414.8, 1747.98, 7.94},
+                       {'c', 22589.3, 1747.98, 2.54}}) {
+    const auto cutters = cutters_of(r.bit);
+    const BitLoad b = load_of(cutters, reference::planar_cut(cutters, advance, column));
+    EXPECT_NEAR(b.weight, r.weight, 5e-4 * r.weight) << r.bit;
+    EXPECT_NEAR(b.torque, r.torque, 5e-4 * r.torque) << r.bit;
+    EXPECT_NEAR(b.imbalance.norm() / b.weight * 100, r.imbalance, 0.05) << r.bit;
+  }
+}
+
+/// With outlines turned about the axis, which the bit's room has, a core stays and cutter 1 carries
+/// less: 0.3 to 0.9 % of the weight, nothing of the torque.
+TEST(whole_bit, with_its_core_carries_a_little_less_weight) {
+  for (const char letter : {'a', 'b', 'c'}) {
+    const auto cutters = cutters_of(letter);
+    const BitLoad plane = load_of(cutters, reference::planar_cut(cutters, advance, column));
+    const BitLoad turned = load_of(cutters, bit::engagement(cutters, advance, column));
+    EXPECT_LT(turned.weight, 0.998 * plane.weight) << letter;
+    EXPECT_GT(turned.weight, 0.990 * plane.weight) << letter;
+    EXPECT_NEAR(turned.torque, plane.torque, 5e-4 * plane.torque) << letter;
+  }
+}
+
+/// The torque does the work of cutting, whatever the layout: T = eps V/(2 pi), eps R^2 d/2 in all.
+TEST(whole_bit, of_sharp_cutters_has_the_torque_of_its_volume) {
+  for (const char letter : {'a', 'b', 'c'}) {
+    const auto cutters = cutters_of(letter);
+    const BitLoad b = load_of(cutters, bit::engagement(cutters, advance, column));
+    EXPECT_NEAR(b.torque, 100 * MPa * b.volume / (2 * pi), rounding(28 * b.torque)) << letter;
+  }
+}
+
+}  // namespace
+}  // namespace tdbd::forces
