@@ -5,6 +5,15 @@
 
 namespace tdbd::dynamics {
 
+/// Torque of moments m_x, m_y that work on the swing's components: V with dV/db = m gives -dV by
+/// rotations in space.
+template <class S>
+Vec3Of<S> swing_torque_W(const S& m_x, const S& m_y, const rotation::Swing<S>& w) {
+  const S along = w.slope * (m_y * w.d[0] - m_x * w.d[1]);
+  const Vec3Of<S> gradient_d(w.f * m_y, -w.f * m_x, along);  // dV/dd
+  return gradient_d.cross(w.d);
+}
+
 /// Springs to space on the swing-twist angles: V = (kx b_x^2 + ky b_y^2 + kz twist^2) / 2, N m/rad.
 /// The torque is -dV by rotations in space, so that it conserves energy (formulation 6, eq. 2.3).
 template <class S>
@@ -15,10 +24,7 @@ Vec3Of<S> spring_torque_W(const Vec3Of<double>& stiffness, const RotationStateOf
         (stiffness.z() * rotation::twist_angle(s.q_WB, s.turns)) * rotation::twist_gradient(s.q_WB);
   if (stiffness.x() == 0.0 && stiffness.y() == 0.0) return torque;
   const rotation::Swing<S> w = rotation::swing(s.q_WB);
-  const S kx = stiffness.x() * w.b[0], ky = stiffness.y() * w.b[1];
-  const S along = w.slope * (ky * w.d[0] - kx * w.d[1]);
-  const Vec3Of<S> gradient_d(w.f * ky, -w.f * kx, along);  // dV/dd
-  return torque + gradient_d.cross(w.d);
+  return torque + swing_torque_W<S>(stiffness.x() * w.b[0], stiffness.y() * w.b[1], w);
 }
 
 /// Energy stored in the springs, J.

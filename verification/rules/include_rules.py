@@ -16,7 +16,7 @@ ALLOWED = {
 }
 # A slow twin may use plain data of src, never the function it is the twin of.
 PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|"
-                        r"dynamics/(gyrostat|loads|rotation_state)\.hpp|reference/.+")
+                        r"dynamics/(drilling_system|gyrostat|loads|rotation_state|schedule)\.hpp|reference/.+")
 # A program around the twins reads its input and describes it by src's means.
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files|measures)\.hpp|simulation/rotate_case\.hpp")
 CGAL_ALLOWED = re.compile(

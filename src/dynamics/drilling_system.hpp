@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "dynamics/gyrostat.hpp"
+#include "dynamics/integrator.hpp"
+#include "dynamics/rotation_state.hpp"
+#include "dynamics/schedule.hpp"
+
+/// A bit on a drill string in a borehole, as plain data (formulation 6; thesis: eqs. 2.1-2.3).
+/// Frames: W space, z down; B the bit's own, at whose origin its parts are given.
+namespace tdbd::dynamics {
+
+/// What a damper of the string pulls back to.
+enum class DamperEnd {
+  space,  ///< rest, as in eqs. 2.1 and 2.3: mud and wall
+  top,    ///< the motion of the top: losses inside the string; a bit that follows it feels none
+};
+
+/// The string as springs and dampers from the bit to the top (eqs. 2.1, 2.3). Matrices are
+/// symmetric and not negative, frame W. Springs of translation act on the displacement of the
+/// attachment, those of rotation on the angles (swing_x, swing_y, twist - top's angle).
+struct DrillString {
+  Vec3 attachment_B = Vec3::Zero();    ///< m, where the string holds the bit
+  Vec3 rest_W = Vec3::Zero();          ///< m, the attachment's place where the string is slack
+  Mat3 stiffness = Mat3::Zero();       ///< Kt, N/m
+  Mat3 damping = Mat3::Zero();         ///< Dt, N s/m
+  Mat3 turn_stiffness = Mat3::Zero();  ///< Kr, N m/rad
+  Mat3 turn_damping = Mat3::Zero();    ///< Dr, N m s/rad
+  DamperEnd damper_end = DamperEnd::space;
+};
+
+/// How the top moves along z.
+enum class AxialMode {
+  rate,  ///< lowered at a given rate: the axial spring pulls, the weight on bit is the result
+  load,  ///< loaded with a given force in place of the axial spring: the penetration is the result
+};
+
+/// Top of the string.
+struct TopDrive {
+  Schedule speed;  ///< rad/s about +z
+  AxialMode axial = AxialMode::rate;
+  Schedule rate;  ///< m/s along +z
+  /// N: the weight on a bit at rest. The hook carries the weight of the bit's own mass, so that
+  /// gravity does not come on top of it.
+  Schedule load;
+};
+
+/// A circular wall around space z that a ring of the bit touches. Pressed in by p it pushes back
+/// with k p, while p falls with e^2 k p: what comes back is e times as fast. Coulomb friction acts
+/// where the ring touches, along the wall's circumference.
+struct Wall {
+  double stiffness = 0.0;    ///< k, N/m; 0: no wall
+  double clearance = 0.0;    ///< radius of the hole less that of the ring, m
+  double ring_radius = 0.0;  ///< m
+  double ring_z_B = 0.0;     ///< the ring's height in the bit's frame, m
+  double restitution = 1.0;  ///< e, in [0, 1]
+  double friction = 0.0;     ///< Coulomb's coefficient
+  double slip_speed = 1e-3;  ///< v0 of friction N tanh(v / v0), m/s; 0: Coulomb's own law
+};
+
+/// Rock that may move along z (eq. 2.2), as in a laboratory. Mass 0: held.
+struct RockMount {
+  double mass = 0.0;       ///< kg
+  double stiffness = 0.0;  ///< N/m
+  double damping = 0.0;    ///< N s/m
+};
+
+/// A damper in one direction of space.
+struct PrincipalDamper {
+  Vec3 axis_W = Vec3::UnitX();
+  double coefficient = 0.0;  ///< N s/m, or N m s/rad
+};
+
+struct DrillingSystem {
+  double mass = 0.0;             ///< M, kg: bit, cones and what of the string moves with them
+  Vec3 centre_B = Vec3::Zero();  ///< centre of mass, m
+  Gyrostat gyrostat;             ///< inertias about the centre of mass
+  std::vector<double> bearing_damping;  ///< N m s/rad, one a cone; empty: none
+  DrillString string;
+  TopDrive top;
+  Wall wall;
+  RockMount rock;
+  Integrator integrator;  ///< order 2
+  double gravity = 0.0;   ///< m/s2 along +z
+
+  // Derived by make_drilling_system.
+  Mat3 spring = Mat3::Zero();  ///< the string's stiffness, without z when the top is loaded
+  std::array<PrincipalDamper, 3> dampers, turn_dampers;
+};
+
+/// Why this is no system, with the offending value; empty when it is one.
+std::string drilling_problem(const DrillingSystem& system);
+
+/// Derives the rest. Throws InputError with drilling_problem's reason.
+DrillingSystem make_drilling_system(DrillingSystem system);
+
+/// Where bit and rock are and how they move. The time is that of the rotation.
+struct DrillingState {
+  RotationState rotation;          ///< about the centre of mass
+  Vec3 c_W = Vec3::Zero();         ///< centre of mass, m
+  Vec3 momentum_W = Vec3::Zero();  ///< M c', N s
+  double rock_z = 0.0;             ///< how far the rock has moved along +z, m
+  double rock_momentum = 0.0;      ///< N s
+};
+
+/// What cutting does to bit and rock at one instant.
+struct Wrench {
+  Vec3 force_W = Vec3::Zero();   ///< N, on the bit, cones included
+  Vec3 torque_W = Vec3::Zero();  ///< N m, the same forces about the centre of mass
+  std::vector<double> cones;     ///< N m, T_k . s_k, of the forces on cone k; empty: none
+  double rock_force = 0.0;       ///< N along +z, on the rock: -force_W.z by action and reaction
+};
+
+/// Velocities that a state's momenta mean.
+struct DrillingVelocity {
+  Vec3 v_W = Vec3::Zero();         ///< of the centre of mass, m/s
+  Vec3 w_W = Vec3::Zero();         ///< angular, rad/s
+  std::vector<double> cone_rates;  ///< phi_k', rad/s
+  double rock = 0.0;               ///< m/s along +z
+};
+
+}  // namespace tdbd::dynamics
