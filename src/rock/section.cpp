@@ -88,13 +88,17 @@ EngagedEdge edge_of(const FaceColumns& face, std::size_t i, const ColumnSums& su
 void measure_edge(const FaceColumns& face, const Pose& X_BF, const Twist& twist,
                   const ColumnSums& sums, Section& s) {
   double attack = 0.0;
+  Vec2 middle_F = Vec2::Zero();
   for (std::size_t i = 0; i < sums.engaged.size(); ++i) {
     if (sums.engaged[i] == 0) continue;
     const EngagedEdge e = edge_of(face, i, sums);
     s.engaged_edge += e.length;
+    middle_F += e.length * e.middle_F;
     attack += e.length * angle_of_attack(X_BF, twist, e.middle_F);
   }
-  if (s.engaged_edge > 0.0) s.angle_of_attack = attack / s.engaged_edge;
+  if (!(s.engaged_edge > 0.0)) return;
+  s.angle_of_attack = attack / s.engaged_edge;
+  s.edge_centroid_B = X_BF * Vec3(0.0, middle_F.x() / s.engaged_edge, middle_F.y() / s.engaged_edge);
 }
 
 void measure_area(const Pose& X_BF, const Twist& twist, const ColumnSums& sums, Section& s) {

@@ -89,6 +89,14 @@ TEST(section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
   EXPECT_NEAR(s.volume_rate, s.area * 2.0 * std::cos(rake), 1e-12 * s.volume_rate);
 }
 
+TEST(section, has_its_edge_centroid_where_an_arc_has_it) {
+  const double half = std::acos(1.0 - deepest / std::cos(rake) / radius);
+  const Vec3 arc_F(0.0, 0.0, -radius * std::sin(half) / half);
+  const Section s = of_flat_rock(1024);
+  EXPECT_LT((s.edge_centroid_B - face_along_x(radius, 1024, rake).X_BF * arc_F).norm(),
+            2e-5 * radius);
+}
+
 TEST(section, is_nothing_above_the_rock_and_behind_its_edge) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const FaceOutline face = face_along_x(radius, 32, rake);
