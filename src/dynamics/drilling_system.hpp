@@ -40,7 +40,8 @@ enum class AxialMode {
 
 /// Top of the string.
 struct TopDrive {
-  Schedule speed;  ///< rad/s about +z
+  Schedule speed;      ///< rad/s about +z
+  double angle = 0.0;  ///< rad, at t = 0
   AxialMode axial = AxialMode::rate;
   Schedule rate;  ///< m/s along +z
   /// N: the weight on a bit at rest. The hook carries the weight of the bit's own mass, so that

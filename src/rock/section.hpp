@@ -24,10 +24,10 @@ struct Section {
   double area = 0.0;  ///< m2, in the plane of the face
   Vec3 centroid_B = Vec3::Zero();
   double engaged_edge = 0.0;     ///< m, length of the outline in rock (De)
-  Vec3 edge_centroid_B = Vec3::Zero();  ///< m, of the engaged edge
   double angle_of_attack = 0.0;  ///< rad, between face and path, mean along the engaged edge
   double volume_rate = 0.0;      ///< m3/s, swept by this area: integral of X . v dA
   Sight sight = Sight::clear;
+  Vec3 edge_centroid_B = Vec3::Zero();  ///< m, of the engaged edge
 };
 
 /// A face, prepared once for its sections.

@@ -10,6 +10,8 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "simulation/bit_file.hpp"
+#include "simulation/case_drilling.hpp"
+#include "simulation/case_forces.hpp"
 #include "simulation/case_motion.hpp"
 #include "simulation/case_rock.hpp"
 #include "simulation/step_check.hpp"
@@ -94,10 +96,13 @@ MeasurePlan read_measure(Config c) {
   return p;
 }
 
-OutputPlan read_output(Config c) {
+/// Means are taken over the second half unless the case says otherwise.
+OutputPlan read_output(Config c, const TimeGrid& t) {
   OutputPlan p;
   p.history_every = c.integer("history_every", p.history_every, 1, 1'000'000'000);
   p.frames_every = c.integer("frames_every", p.frames_every, 0, 1'000'000'000);
+  const double duration = t.step * static_cast<double>(t.steps - t.first);
+  p.means_from = c.quantity("means_from", "s", 0.5 * duration, Range::non_negative());
   return p;
 }
 
@@ -152,6 +157,16 @@ BitFile read_bit_of(Config& c) {
   return bit;
 }
 
+/// What a bit that drills by itself needs, and cannot have.
+void note_undriven(Config& c, const Case& read) {
+  if (read.motion.kind != MotionKind::drilling) return;
+  if (read.forces.forces == Forces::off)
+    c.problem("forces", "no table [forces]", "force laws: without them nothing drills");
+  if (read.time.first > 0)
+    c.problem("time.first_step", fmt::format("{} of a bit that forces move", read.time.first),
+              "0: what moved before is in no file");
+}
+
 }  // namespace
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
@@ -160,18 +175,24 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.path = path;
   result.rock = read_rock(c.table("rock"));
   result.motion = read_motion(c.table("motion"));
+  dynamics::TopDrive top;
+  if (result.motion.kind == MotionKind::drilling) read_top(c.table("motion"), top, result.motion);
   result.time = read_time(c.table("time"), result.motion);
   result.update = read_update(c.table("update"));
   result.maintenance = read_maintenance(c.table("maintenance"));
   result.measure = read_measure(c.table("measure"));
-  result.output = read_output(c.table("output"));
+  result.output = read_output(c.table("output"), result.time);
   const BitFile bit = read_bit_of(c);
-  if (!bit.bit.cones.empty() || c.has("motion.cone_speeds"))
+  const bool drills = result.motion.kind == MotionKind::drilling;
+  if (!drills && (!bit.bit.cones.empty() || c.has("motion.cone_speeds")))
     read_cone_speeds(c.table("motion"), bit.bit, result.motion);
   if (result.motion.cone_drive == ConeDrive::rolling && result.time.first > 0)
     c.problem("time.first_step", fmt::format("{} with rolling cones", result.time.first),
               "0: what cones remember of their contacts is in no file");
   result.bit = bit.bit;
+  result.forces = read_forces(c, bit.bit, result.measure);
+  if (drills) result.drilling = read_drilling(c, bit.bit, top, result.motion);
+  note_undriven(c, result);
   note_long_steps(c, result);
   result.places = {c.place("rock.edge_length"), c.place("motion"), c.place("rock.file"),
                    c.place("rock.profile")};

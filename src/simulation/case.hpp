@@ -10,6 +10,8 @@
 #include "rock/cutting_bit.hpp"
 #include "rock/maintain.hpp"
 #include "rock/rough_bottom.hpp"
+#include "simulation/drilling_plan.hpp"
+#include "simulation/force_plan.hpp"
 #include "simulation/measure_plan.hpp"
 #include "simulation/motion.hpp"
 
@@ -60,8 +62,9 @@ struct UpdatePlan {
 };
 
 struct OutputPlan {
-  long history_every = 1;  ///< steps between rows
-  long frames_every = 0;   ///< steps between frames; 0: only the last
+  long history_every = 1;   ///< steps between rows
+  long frames_every = 0;    ///< steps between frames; 0: only the last
+  double means_from = 0.0;  ///< s since the run's beginning: steps before do not count in means
 };
 
 /// A checked case in SI: everything that a run needs, and its resolved text.
@@ -76,6 +79,8 @@ struct Case {
   UpdatePlan update;
   MaintenancePlan maintenance;
   MeasurePlan measure;
+  ForcePlan forces;
+  DrillingPlan drilling;  ///< of a motion that is drilling
   OutputPlan output;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
   std::string hash;      ///< of the resolved values and the content of all files

@@ -84,7 +84,8 @@ Motion read_motion(Config c) {
                                 {{"steady", MotionKind::steady},
                                  {"whirl", MotionKind::whirl},
                                  {"legs", MotionKind::legs},
-                                 {"table", MotionKind::table}},
+                                 {"table", MotionKind::table},
+                                 {"drilling", MotionKind::drilling}},
                                 MotionKind::steady);
   if (m.kind == MotionKind::table) {
     read_table(c, m);
@@ -95,6 +96,7 @@ Motion read_motion(Config c) {
     read_legs(c, m);
     return m;
   }
+  if (m.kind == MotionKind::drilling) return m;  // read_top reads the rest
   m.rotary_speed = c.quantity("rotary_speed", "rad/s", std::nullopt, Range::non_negative());
   m.rate_of_penetration = c.quantity("rate_of_penetration", "m/s", std::nullopt);
   if (m.kind == MotionKind::whirl) m.whirl = read_whirl(c.table("whirl"), m.rotary_speed);

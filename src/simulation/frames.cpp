@@ -30,7 +30,7 @@ double time_of(const Case& c, const Simulation& s) {
 }
 
 void write_bit(const std::filesystem::path& path, const Case& c, const Simulation& s) {
-  write_bit_vtp(path, bit::turned(c.bit, angles_of(s.cones)), pose_at(c.motion, time_of(c, s)));
+  write_bit_vtp(path, bit::turned(c.bit, angles_of(s.cones)), s.place.X_WB);
 }
 
 }  // namespace

@@ -45,6 +45,12 @@ void add_sections(const std::vector<std::string>& cutters, RecordLayout& layout)
   layout.labels.push_back({"cutter_name", "name of the cutter", axis, cutters});
 }
 
+void add_loads(RecordLayout& layout) {
+  for (const LoadColumn& c : load_columns) layout.columns.push_back({c.name, c.units, c.long_name});
+  for (const PartLoadColumn& c : part_load_columns)
+    layout.columns.push_back({c.name, c.units, c.long_name, 0, InCsv::no});
+}
+
 /// The columns of a row, then what every part removed, then what the run has besides.
 RecordLayout layout_for(const std::vector<HistoryPart>& parts, const HistoryExtent& extent) {
   RecordLayout layout;
@@ -54,6 +60,7 @@ RecordLayout layout_for(const std::vector<HistoryPart>& parts, const HistoryExte
   if (!extent.cones.empty()) add_cones(extent.cones, layout);
   if (extent.contact_areas) add_contact_areas(layout);
   if (!extent.cutters.empty()) add_sections(extent.cutters, layout);
+  if (extent.forces) add_loads(layout);
   return layout;
 }
 
@@ -65,6 +72,12 @@ void append_sections(std::span<const rock::Section> sections, std::vector<double
   }
   for (const SectionColumn& c : section_columns)
     for (const rock::Section& s : sections) row.push_back(c.value(s));
+}
+
+void append_loads(const LoadedStep& loaded, std::vector<double>& row) {
+  for (const LoadColumn& c : load_columns) row.push_back(c.value(loaded));
+  for (const PartLoadColumn& c : part_load_columns)
+    for (const PartLoad& p : loaded.loads.parts) row.push_back(c.value(p));
 }
 
 }  // namespace
@@ -88,6 +101,7 @@ void History::append(const HistoryRow& row) {
     }
   }
   if (!extent_.cutters.empty()) append_sections(row.sections, row_);
+  if (extent_.forces && row.loaded != nullptr) append_loads(*row.loaded, row_);
   record_.append(row_);
 }
 

@@ -75,4 +75,61 @@ inline constexpr std::array section_totals = {
                   [](const rock::Section& s) { return s.volume_rate; }},
 };
 
+/// One number of the bit's loads.
+struct LoadColumn {
+  const char* name;
+  const char* units;
+  const char* long_name;
+  double (*value)(const LoadedStep&);
+};
+
+/// Formulation 0: weight and torque on bit are positive while drilling.
+inline constexpr std::array load_columns = {
+    LoadColumn{"weight_on_bit", "N", "force of the bit on the rock, z",
+               [](const LoadedStep& s) { return -s.loads.force_W.z(); }},
+    LoadColumn{"torque_on_bit", "N m", "torque of the bit on the rock about its origin, z",
+               [](const LoadedStep& s) { return -s.loads.torque_W.z(); }},
+    LoadColumn{"force_x", "N", "force of the rock on the bit in space, x",
+               [](const LoadedStep& s) { return s.loads.force_W.x(); }},
+    LoadColumn{"force_y", "N", "force of the rock on the bit in space, y",
+               [](const LoadedStep& s) { return s.loads.force_W.y(); }},
+    LoadColumn{"torque_x", "N m", "torque of the rock on the bit about its origin, x",
+               [](const LoadedStep& s) { return s.loads.torque_W.x(); }},
+    LoadColumn{"torque_y", "N m", "torque of the rock on the bit about its origin, y",
+               [](const LoadedStep& s) { return s.loads.torque_W.y(); }},
+    LoadColumn{"drilling_power", "W", "power that the bit spends on the rock",
+               [](const LoadedStep& s) { return s.loads.power; }},
+    LoadColumn{"velocity_x", "m s-1", "velocity of the bit's origin over the rock, x",
+               [](const LoadedStep& s) { return s.velocity.v_W.x(); }},
+    LoadColumn{"velocity_y", "m s-1", "velocity of the bit's origin over the rock, y",
+               [](const LoadedStep& s) { return s.velocity.v_W.y(); }},
+    LoadColumn{"rate_of_penetration", "m s-1", "velocity of the bit's origin over the rock, z",
+               [](const LoadedStep& s) { return s.velocity.v_W.z(); }},
+    LoadColumn{"rotary_speed", "rad s-1", "angular velocity of the bit about its axis",
+               [](const LoadedStep& s) { return s.velocity.w_W.dot(s.X_WB.R.col(2)); }},
+};
+
+/// One number of a part's load: a variable over time and part.
+struct PartLoadColumn {
+  const char* name;
+  const char* units;
+  const char* long_name;
+  double (*value)(const PartLoad&);
+};
+
+inline constexpr std::array part_load_columns = {
+    PartLoadColumn{"force_normal", "N", "force of the part along the normal into the rock",
+                   [](const PartLoad& p) { return p.normal; }},
+    PartLoadColumn{"force_tangential", "N", "force of the part along its velocity",
+                   [](const PartLoad& p) { return p.tangential; }},
+    PartLoadColumn{"part_force_x", "N", "force of the rock on the part in space, x",
+                   [](const PartLoad& p) { return p.force_W.x(); }},
+    PartLoadColumn{"part_force_y", "N", "force of the rock on the part in space, y",
+                   [](const PartLoad& p) { return p.force_W.y(); }},
+    PartLoadColumn{"part_force_z", "N", "force of the rock on the part in space, z",
+                   [](const PartLoad& p) { return p.force_W.z(); }},
+    PartLoadColumn{"part_power", "W", "power that the part spends on the rock",
+                   [](const PartLoad& p) { return p.power; }},
+};
+
 }  // namespace tdbd::simulation

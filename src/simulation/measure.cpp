@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -40,7 +39,8 @@ bool is_deep_in_rock(const rock::SectionFace& face, const rock::Section& s, doub
 
 void refuse(rock::Section& s) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  s = {unknown, Vec3::Constant(unknown), unknown, unknown, unknown, s.sight};
+  s = {unknown, Vec3::Constant(unknown), unknown, unknown, unknown, s.sight,
+       Vec3::Constant(unknown)};
 }
 
 void note(const MeasuredStep& step, Measures& m) {
@@ -68,18 +68,6 @@ void turn_revolution(std::size_t revolution, Measures& m) {
 }
 
 }  // namespace
-
-void add(Spread& s, double x) {
-  ++s.count;
-  const double before = x - s.mean;
-  s.mean += before / static_cast<double>(s.count);
-  s.squares += before * (x - s.mean);
-}
-
-double relative_rms(const Spread& s) {
-  if (s.count == 0 || s.mean == 0.0) return 0.0;
-  return std::sqrt(s.squares / static_cast<double>(s.count)) / s.mean;
-}
 
 Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan) {
   Measures m;

@@ -7,20 +7,10 @@
 #include "rock/contact_area.hpp"
 #include "rock/section.hpp"
 #include "simulation/measure_plan.hpp"
+#include "simulation/spread.hpp"
 #include "simulation/summary.hpp"
 
 namespace tdbd::simulation {
-
-/// Mean of a number over steps, and of its squared distance from the mean.
-struct Spread {
-  long count = 0;
-  double mean = 0.0, squares = 0.0;
-};
-
-void add(Spread& spread, double x);
-
-/// Root mean square of the distances from the mean, over the mean; 0 where the mean is.
-double relative_rms(const Spread& spread);
 
 /// By step: one cutter's section (m2), what it swept and what the cutter's parts removed (m3).
 struct FaceSpreads {

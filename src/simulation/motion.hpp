@@ -7,7 +7,8 @@
 
 namespace tdbd::simulation {
 
-enum class MotionKind { steady, whirl, legs, table };
+/// drilling: forces move the bit (drive.hpp); as a prescribed motion it would follow its top.
+enum class MotionKind { steady, whirl, legs, table, drilling };
 enum class WhirlSense { forward, backward };
 
 /// The bit's centre circles the hole's axis: forward turns with the bit, backward against it.

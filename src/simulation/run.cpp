@@ -36,6 +36,7 @@ HistoryExtent history_extent(const Case& c) {
   extent.cones.reserve(c.bit.cones.size());
   for (const bit::Cone& cone : c.bit.cones) extent.cones.push_back(cone.name);
   extent.contact_areas = c.measure.contact == ContactMeasure::on;
+  extent.forces = c.forces.forces == Forces::on;
   if (c.measure.section == SectionMeasure::off) return extent;
   extent.cutters.reserve(c.bit.cutters.size());
   for (const bit::Cutter& cutter : c.bit.cutters) extent.cutters.push_back(cutter_name(cutter));
@@ -47,10 +48,9 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
                   const std::vector<double>& cone_speeds) {
   HistoryRow row;
   row.time = c.time.step * static_cast<double>(s.steps_done);
-  const Pose X_WB = pose_at(c.motion, row.time);
-  row.p_WB = X_WB.p;
-  row.rotation_vector = rotation::log(X_WB.R);
-  row.rotation_angle = angle_turned(c.motion, row.time);
+  row.p_WB = s.place.X_WB.p;
+  row.rotation_vector = rotation::log(s.place.X_WB.R);
+  row.rotation_angle = s.place.turned;
   row.removed_volume_total = s.ledger.removed.value();
   row.removed_volume_by_part = s.cut.removed_by_part;
   row.cone_angles = cone_angles;
@@ -60,6 +60,14 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
   row.swept_vertices = s.cut.moved;
   row.rock_triangles = s.rock.surface.triangle_count();
   return row;
+}
+
+void append_row(const Case& c, const Simulation& s, History& history) {
+  const std::vector<double> angles = angles_of(s.cones), speeds = speeds_of(s.cones);
+  HistoryRow row = row_of(c, s, angles, speeds);
+  const LoadedStep loaded{s.loads, s.velocity, s.place.X_WB, s.cut.removed_by_part, c.time.step};
+  if (c.forces.forces == Forces::on) row.loaded = &loaded;
+  history.append(row);
 }
 
 /// Worst quality and the quality that 99 % of the triangles exceed.
@@ -106,8 +114,7 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     const auto before = Clock::now();
     step(c, s);
     r.step_seconds.push_back(seconds(Clock::now() - before));
-    if (s.steps_done % c.output.history_every == 0)
-      r.history.append(row_of(c, s, angles_of(s.cones), speeds_of(s.cones)));
+    if (s.steps_done % c.output.history_every == 0) append_row(c, s, r.history);
     if (c.output.frames_every > 0 && s.steps_done % c.output.frames_every == 0) r.frames.add(c, s);
     if (o.progress) o.progress(s, c.time.steps);
   }
@@ -150,8 +157,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
                to = c.time.step * static_cast<double>(s.steps_done);
   r.steps = s.steps_done - c.time.first;
   r.duration = to - from;
-  r.revolutions =
-      (angle_turned(c.motion, to) - angle_turned(c.motion, from)) / (2.0 * std::numbers::pi);
+  r.revolutions = (s.place.turned - s.start_turned) / (2.0 * std::numbers::pi);
   r.removed_volume = s.ledger.removed.value();
   for (const auto& revolution : s.ledger.removed_by_revolution)
     r.removed_volume_by_revolution.push_back(
@@ -166,6 +172,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.gage_radius = c.bit.gage_radius;
   r.maintenance = maintenance_counts(s.maintenance);
   r.faces = figures_of(c.bit, s.measures);
+  if (c.forces.forces == Forces::on) r.loads = figures_of(c.bit, s.load_statistics, to);
   r.sections_refused_deep = s.measures.refused_deep;
   r.sections_refused_over_the_top = s.measures.refused_over_the_top;
   for (std::size_t k = 0; k < s.cones.size(); ++k)

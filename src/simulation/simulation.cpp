@@ -1,13 +1,10 @@
 #include "simulation/simulation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "bit/swept_parts.hpp"
-#include "core/error.hpp"
+#include "simulation/cone_balance.hpp"
 #include "simulation/rock_start.hpp"
 #include "simulation/start_check.hpp"
 
@@ -18,16 +15,14 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double time_of(const Case& c, long steps) { return c.time.step * static_cast<double>(steps); }
 
-/// Revolution during which the step from `steps_done` happens: its middle decides.
-std::size_t revolution_of(const Case& c, long steps_done) {
-  const double middle = c.time.step * (static_cast<double>(steps_done) + 0.5);
-  return static_cast<std::size_t>(std::abs(angle_turned(c.motion, middle)) /
-                                  (2.0 * std::numbers::pi));
+/// Revolution during which the bit goes from one place to another: the middle decides.
+std::size_t revolution_of(const Place& from, const Place& to) {
+  const double middle = 0.5 * (from.turned + to.turned);
+  return static_cast<std::size_t>(std::abs(middle) / (2.0 * std::numbers::pi));
 }
 
-void note(const Case& c, Simulation& s) {
+void note(std::size_t revolution, Simulation& s) {
   VolumeLedger& l = s.ledger;
-  const std::size_t revolution = revolution_of(c, s.steps_done);
   if (l.removed_by_revolution.size() <= revolution)
     l.removed_by_revolution.resize(revolution + 1, std::vector<double>(at(s.bit.part_count), 0.0));
   for (std::size_t i = 0; i < s.cut.removed_by_part.size(); ++i) {
@@ -51,35 +46,56 @@ rock::MaintenanceLimits limits_of(const Case& c) {
   return l;
 }
 
-/// Height of the trimming plane above the bit's origin. All that cuts stays below it.
-double trim_height(const Case& c) {
-  if (c.rock.trim <= 0.0) return 0.0;
-  double lowest = -1e300, highest = 1e300;  // z down
-  for (const bit::Part& p : bit::swept_parts(c.bit))
-    for (const Vec3& x_P : p.mesh_P.positions) {
-      const double z_B = (p.X_BP * x_P).z();
-      lowest = std::max(lowest, z_B);
-      highest = std::min(highest, z_B);
-    }
-  constexpr double edges_of_wall = 4.0;
-  const double least = lowest - highest + edges_of_wall * c.rock.edge_length;
-  if (c.rock.trim < least)
-    throw InputError(fmt::format(
-        "{}: rock.trim: found {:.4g} mm, expected at least {:.4g} mm: the height of what cuts, and "
-        "some edges of wall",
-        c.path, 1e3 * c.rock.trim, 1e3 * least));
-  return c.rock.trim - lowest;
+/// The velocity of the screw motion that made the step, at its end.
+BitVelocity screw_velocity(const MeasuredStep& moved, const std::vector<ConeState>& cones) {
+  const rock::Twist twist = rock::twist_from(moved.X_WB0, moved.X_WB1, moved.dt);
+  const Mat3& R_WB = moved.X_WB1.R;
+  return {moved.X_WB1.p, R_WB * twist.linear_B, R_WB * twist.angular_B, speeds_of(cones)};
 }
 
-/// Trims once the plane has gone down by an edge since it last did.
-void trim(const Case& c, double z_W, Simulation& s) {
-  if (z_W < s.trimming.done_W + c.rock.edge_length) return;
-  rock::TrimReport report;
-  rock::trim_wall(s.rock, s.trimming.done_W - 2.0 * s.limits.longest_edge, z_W, s.trimming.work,
-                  report);
-  s.ledger.trimmed.add(report.volume);
-  s.trimming.triangles += report.triangles;
-  s.trimming.done_W = z_W;
+/// Takes the bit to the end of the step: along its motion, or as forces move it.
+void advance(const Case& c, Simulation& s) {
+  const Place from = s.place;
+  if (s.drive) {
+    dynamics::open_step(c.drilling.system, c.time.step, *s.drive);
+    s.place = place_of(c.drilling.system, s.drive->state);
+  } else {
+    s.place = place_at(c.motion, time_of(c, s.steps_done + 1));
+  }
+  if (c.bit.cones.empty()) return;
+  const std::vector<double> angles = angles_of(s.cones);
+  if (s.drive)
+    follow_cones(s.drive->state, c.time.step, s.place.turned - from.turned, s.cones);
+  else
+    turn_cones(c, s.steps_done, s.cut, s.cones);
+  rock::turn_cones(s.bit, c.bit, angles, angles_of(s.cones));
+}
+
+/// Asks the laws where forces move the bit, at the momenta that the last forces predict, and gives
+/// it their impulses: to the cones' own spins all that of the step, to the rest half of it.
+void drive_on(const Case& c, const MeasuredStep& moved, Simulation& s) {
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  const dynamics::DrillingState& ahead = dynamics::predicted(system, moved.dt, *s.drive);
+  s.velocity = velocity_of(system, ahead);
+  balance_cones(c.forces, c.bit, system, ahead, moved.X_WB1, moved.dt, s.velocity, s.cuts);
+  sum_loads(c.forces, c.bit, moved.X_WB1, s.velocity, moved.dt, s.cuts, s.loads);
+  dynamics::Wrench wrench = wrench_of(system, s.loads, moved.X_WB1);
+  for (double& torque : wrench.cones) torque *= 2.0;
+  dynamics::close_step(system, moved.dt, wrench, *s.drive);
+  for (double& torque : s.drive->wrench.cones) torque = 0.0;
+}
+
+void ask_forces(const Case& c, const MeasuredStep& moved, Simulation& s) {
+  gather_cuts(c.forces, moved, s.measures, s.cuts);
+  if (s.drive) {
+    drive_on(c, moved, s);
+  } else {
+    s.velocity = screw_velocity(moved, s.cones);
+    sum_loads(c.forces, c.bit, moved.X_WB1, s.velocity, moved.dt, s.cuts, s.loads);
+  }
+  const double since = time_of(c, s.steps_done + 1 - c.time.first);
+  if (since > c.output.means_from)
+    add({s.loads, s.velocity, moved.X_WB1, s.cut.removed_by_part, moved.dt}, s.load_statistics);
 }
 
 }  // namespace
@@ -87,6 +103,12 @@ void trim(const Case& c, double z_W, Simulation& s) {
 Simulation start(const Case& c) {
   Simulation s;
   s.steps_done = c.time.first;
+  s.place = place_at(c.motion, time_of(c, s.steps_done));
+  if (c.motion.kind == MotionKind::drilling) {
+    s.drive = start_drive(c);
+    s.place = place_of(c.drilling.system, s.drive->state);
+  }
+  s.start_turned = s.place.turned;
   s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
   s.cut_work.most_passes = c.update.most_passes;
   s.cones = start_cones(c);
@@ -102,23 +124,25 @@ Simulation start(const Case& c) {
 }
 
 void step(const Case& c, Simulation& s) {
-  const Pose X_WB0 = pose_at(c.motion, time_of(c, s.steps_done));
-  const Pose X_WB1 = pose_at(c.motion, time_of(c, s.steps_done + 1));
-  if (!c.bit.cones.empty()) {
-    const std::vector<double> from = angles_of(s.cones);
-    turn_cones(c, s.steps_done, s.cut, s.cones);
-    rock::turn_cones(s.bit, c.bit, from, angles_of(s.cones));
-  }
-  rock::cut_rock(s.rock, s.bit, X_WB0, X_WB1, s.cut_work, s.cut);
-  note(c, s);
-  measure(s.rock, c.measure,
-          {c.bit, s.bit, s.cut_work, s.cut, X_WB0, X_WB1, c.time.step, c.rock.edge_length,
-           revolution_of(c, s.steps_done)},
-          s.measures);
+  const Place from = s.place;
+  advance(c, s);
+  const MeasuredStep moved = {c.bit,
+                              s.bit,
+                              s.cut_work,
+                              s.cut,
+                              over_rock(from),
+                              over_rock(s.place),
+                              c.time.step,
+                              c.rock.edge_length,
+                              revolution_of(from, s.place)};
+  rock::cut_rock(s.rock, s.bit, moved.X_WB0, moved.X_WB1, s.cut_work, s.cut);
+  note(moved.revolution, s);
+  measure(s.rock, c.measure, moved, s.measures);
+  if (c.forces.forces == Forces::on) ask_forces(c, moved, s);
   ++s.steps_done;
   if (c.maintenance.every > 0 && s.steps_done % c.maintenance.every == 0) {
     rock::maintain(s.rock, s.limits, s.maintenance_work, s.maintenance);
-    if (s.trimming.height > 0.0) trim(c, X_WB1.p.z() - s.trimming.height, s);
+    s.ledger.trimmed.add(trim(c, moved.X_WB1.p.z(), s.limits, s.rock, s.trimming));
   }
 }
 

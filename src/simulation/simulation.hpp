@@ -1,14 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/compensated_sum.hpp"
 #include "rock/cut_rock.hpp"
 #include "rock/maintain.hpp"
-#include "rock/trim.hpp"
 #include "simulation/case.hpp"
 #include "simulation/cone_motion.hpp"
+#include "simulation/drive.hpp"
+#include "simulation/load_figures.hpp"
 #include "simulation/measure.hpp"
+#include "simulation/place.hpp"
+#include "simulation/trimming.hpp"
 
 namespace tdbd::simulation {
 
@@ -21,14 +25,6 @@ struct VolumeLedger {
   std::vector<std::vector<double>> removed_by_revolution;  ///< [revolution][part]
 };
 
-/// Where the wall ends above the bit, when it is trimmed (rock.trim).
-struct Trimming {
-  double height = 0.0;     ///< m, of the plane above the bit's origin; 0: no trimming
-  double done_W = -1e300;  ///< m: the last plane's z
-  long triangles = 0;      ///< removed
-  rock::TrimWorkspace work;
-};
-
 /// All that a run carries from step to step.
 struct Simulation {
   rock::CuttingBit bit;
@@ -36,11 +32,18 @@ struct Simulation {
   rock::MaintenanceLimits limits;
   rock::MaintenanceReport maintenance;
   VolumeLedger ledger;
-  long steps_done = 0;  ///< since the motion's beginning (TimeGrid::first)
+  long steps_done = 0;        ///< since the motion's beginning (TimeGrid::first)
+  Place place;                ///< of the bit, after the steps done
+  double start_turned = 0.0;  ///< rad: Place::turned when the run began
   long start_triangles = 0;
   rock::CutReport cut;  ///< of the last step
   std::vector<ConeState> cones;
-  Measures measures;  ///< of the last step
+  Measures measures;                        ///< of the last step
+  std::optional<dynamics::Drilling> drive;  ///< of a bit that forces move
+  BitVelocity velocity;                     ///< over the rock, at the end of the last step
+  std::vector<CutOfPart> cuts;              ///< of the last step; without forces none
+  BitLoads loads;                           ///< at the end of the last step, about the bit's origin
+  LoadStatistics load_statistics;
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
   Trimming trimming;
@@ -51,7 +54,8 @@ struct Simulation {
 Simulation start(const Case& c);
 
 /// One time step, thesis fig. 4.2: the bit moves, every part cuts, the ledger notes it, sections
-/// and contact areas are measured, and the surface is maintained, and its wall trimmed, when due.
+/// and contact areas are measured, the force laws are asked, and the surface is maintained, and its
+/// wall trimmed, when due.
 void step(const Case& c, Simulation& s);
 
 /// |start + removed + maintenance - trimmed - now| over the largest of them: tolerance::ledger

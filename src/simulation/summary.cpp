@@ -87,6 +87,7 @@ std::string to_json(const RunSummary& s) {
                    {"gage_radius_m", s.gage_radius}});
   json.update(removed_json(s));
   json.update(rock_json(s));
+  if (s.loads) json.update(to_json(*s.loads));
   if (!s.cones.empty()) json["cones"] = cones_json(s);
   if (!s.faces.empty()) json["sections"] = sections_json(s);
   if (!s.faces.empty())

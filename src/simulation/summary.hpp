@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "simulation/force_figures.hpp"
 
 namespace tdbd::simulation {
 
@@ -65,7 +68,8 @@ struct RunSummary {
   std::map<std::string, long> maintenance;  ///< operation: how often
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
-  long sections_refused_deep = 0;  ///< Measures
+  std::optional<LoadFigures> loads;  ///< none: the run asked for no forces
+  long sections_refused_deep = 0;    ///< Measures
   long sections_refused_over_the_top = 0;
 };
 

@@ -1,0 +1,94 @@
+#include "simulation/case_forces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "simulation/case_formation.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using bit::PartKind;
+
+/// Whether the law of the whole run holds for a kind of part, where it knows it.
+enum class FollowsRun { yes, no };
+
+struct KindKey {
+  PartKind kind;
+  const char* key;
+  FollowsRun follows;
+};
+
+/// A cutter's body follows its rim through the rock's mesh, whether it rubs or not: its contact is
+/// the cut's own, so that it has no force unless the case says so.
+constexpr std::array<KindKey, part_kinds> kinds{
+    {{PartKind::face, "face", FollowsRun::yes},
+     {PartKind::chamfer, "chamfer", FollowsRun::yes},
+     {PartKind::cse, "cse", FollowsRun::yes},
+     {PartKind::cutter_body, "cutter_body", FollowsRun::no},
+     {PartKind::gage_pad, "gage_pad", FollowsRun::no},
+     {PartKind::bit_body, "bit_body", FollowsRun::no},
+     {PartKind::cone, "cone", FollowsRun::yes},
+     {PartKind::tooth, "tooth", FollowsRun::yes}}};
+
+/// The law of this name, its coefficients read from the table.
+forces::Law read_law(Config& c, const std::string& fallback) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const std::string_view name : forces::law_names())
+    names.emplace_back(std::string(name), std::string(name));
+  const std::optional<std::string> usual =
+      fallback.empty() ? std::nullopt : std::optional<std::string>(fallback);
+  forces::Law law = forces::law_named(c.choice<std::string>("law", names, usual));
+  for (const forces::LawField& f : forces::law_fields(law))
+    *f.value = c.quantity(f.key, std::string(f.unit), f.fallback, f.range);
+  return law;
+}
+
+/// Diameter of the cutters, m; 0: the bit has none.
+double cutter_diameter(const bit::Bit& bit) {
+  return bit.cutters.empty() ? 0.0 : bit.cutters.front().diameter;
+}
+
+/// A law that a table asks for by name must know the kind.
+void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const bit::Bit& bit,
+                 ForcePlan& plan) {
+  forces::Law& law = plan.laws[static_cast<std::size_t>(k.kind)];
+  const bool follows = k.follows == FollowsRun::yes &&
+                       forces::law_problem(common, k.kind, cutter_diameter(bit)).empty();
+  law = follows ? common : forces::Law(forces::NoForce{});
+  if (!c.has(k.key)) return;
+  Config table = c.table(k.key);
+  law = read_law(table, std::string(forces::law_name(law)));
+  const std::string wrong = forces::law_problem(law, k.kind, cutter_diameter(bit));
+  if (!wrong.empty()) table.problem("law", std::string(forces::law_name(law)), wrong);
+}
+
+/// Sections and contact areas are what forces are made of.
+void demand_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure) {
+  if (!bit.cutters.empty() && measure.section == SectionMeasure::off)
+    c.problem("", "measure.section = \"off\"", "sections: a cutter's force comes from them");
+  if (measure.contact == ContactMeasure::off)
+    c.problem("", "measure.contact = \"off\"", "contact areas: forces come from them");
+}
+
+}  // namespace
+
+ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& measure) {
+  ForcePlan plan;
+  if (!whole.has("forces")) return plan;
+  Config c = whole.table("forces");
+  plan.forces = Forces::on;
+  plan.cut = c.choice<CutMeasure>(
+      "cut", {{"section", CutMeasure::section}, {"volume", CutMeasure::volume}}, plan.cut);
+  plan.chamfer = c.choice<ChamferMeasure>(
+      "chamfer_contact", {{"edge", ChamferMeasure::edge}, {"triangles", ChamferMeasure::triangles}},
+      plan.chamfer);
+  const forces::Law common = read_law(c, "");
+  for (const KindKey& k : kinds) read_law_of(c, k, common, bit, plan);
+  demand_measures(c, bit, measure);
+  plan.rock = read_formation(whole.table("rock"));
+  return plan;
+}
+
+}  // namespace tdbd::simulation
