@@ -104,6 +104,7 @@ LumpedState lumped_state(const DrillingSystem& system, const dynamics::DrillingS
   l.c_W = s.c_W;
   l.v_W = s.momentum_W / system.mass;
   l.rock_z = s.rock_z;
+  l.top_angle = system.top.start_angle;
   if (system.rock.mass > 0.0) l.rock_v = s.rock_momentum / system.rock.mass;
   return l;
 }

@@ -11,7 +11,7 @@ struct LumpedRun {
   long evaluations = 0;  ///< of the right-hand side
 };
 
-/// The same state in these unknowns.
+/// The same state in these unknowns, at t = 0.
 LumpedState lumped_state(const dynamics::DrillingSystem& system, const dynamics::DrillingState& s);
 
 /// Twin of the program's drilling step: motion to t_end > the state's time by GSL at the

@@ -14,7 +14,7 @@ struct LumpedState {
   GyrostatState bit;
   Vec3 c_W = Vec3::Zero(), v_W = Vec3::Zero();  ///< centre of mass, m, m/s
   double rock_z = 0.0, rock_v = 0.0;            ///< m, m/s
-  double top_z = 0.0, top_angle = 0.0;          ///< m, rad, since t = 0
+  double top_z = 0.0, top_angle = 0.0;          ///< m from the rest; rad
 };
 
 /// Where energy went, J (or what it does now, W).

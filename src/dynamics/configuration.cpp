@@ -53,7 +53,7 @@ void touch_wall(const DrillingSystem& s, const DrillingState& state, Configurati
 }  // namespace
 
 TopPosition top_position(const DrillingSystem& s, double t) {
-  TopPosition top{s.string.rest_W, s.top.angle + integral_to(s.top.speed, t)};
+  TopPosition top{s.string.rest_W, s.top.start_angle + integral_to(s.top.speed, t)};
   if (s.top.axial == AxialMode::rate) top.point_W.z() += integral_to(s.top.rate, t);
   return top;
 }

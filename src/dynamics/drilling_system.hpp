@@ -40,13 +40,13 @@ enum class AxialMode {
 
 /// Top of the string.
 struct TopDrive {
-  Schedule speed;      ///< rad/s about +z
-  double angle = 0.0;  ///< rad, at t = 0
+  Schedule speed;  ///< rad/s about +z
   AxialMode axial = AxialMode::rate;
   Schedule rate;  ///< m/s along +z
   /// N: the weight on a bit at rest. The hook carries the weight of the bit's own mass, so that
   /// gravity does not come on top of it.
   Schedule load;
+  double start_angle = 0.0;  ///< rad, at t = 0: a string that is wound up already
 };
 
 /// A circular wall around space z that a ring of the bit touches. Pressed in by p it pushes back

@@ -24,6 +24,23 @@ DrillingVelocity velocity(const DrillingSystem& s, const DrillingState& state) {
   return out;
 }
 
+DrillingState make_drilling_state(const DrillingSystem& s, const Pose& X_WB,
+                                  const DrillingVelocity& v, std::span<const double> cone_angles) {
+  DrillingState state;
+  state.rotation =
+      make_state(s.gyrostat, X_WB.R, X_WB.R.transpose() * v.w_W, v.cone_rates, cone_angles);
+  state.c_W = X_WB * s.centre_B;
+  state.momentum_W = s.mass * v.v_W;
+  state.rock_momentum = s.rock.mass * v.rock;
+  return state;
+}
+
+Vec3 hanging_rest_W(const DrillingSystem& s, const DrillingState& state) {
+  const Vec3 weight = s.mass * s.gravity * Vec3::UnitZ();
+  const Vec3 stretch = s.spring.completeOrthogonalDecomposition().solve(weight);
+  return bit_pose(s, state) * s.string.attachment_B - stretch;
+}
+
 void mean_velocity(const DrillingVelocity& a, const DrillingVelocity& b, DrillingVelocity& out) {
   out.v_W = 0.5 * (a.v_W + b.v_W);
   out.w_W = 0.5 * (a.w_W + b.w_W);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "dynamics/configuration.hpp"
 
 namespace tdbd::dynamics {
@@ -15,6 +17,15 @@ DrillingVelocity velocity(const DrillingSystem& system, const DrillingState& sta
 inline Vec3 point_velocity(const DrillingVelocity& v, const Vec3& arm_W) {
   return v.v_W + v.w_W.cross(arm_W);
 }
+
+/// The state at time 0 with the bit's frame at X_WB, these velocities, and cones at these angles
+/// (rad).
+DrillingState make_drilling_state(const DrillingSystem& system, const Pose& X_WB,
+                                  const DrillingVelocity& v, std::span<const double> cone_angles);
+
+/// The string's rest that has it carry the bit's weight in this state: then the bit hangs still.
+/// Directions in which it has no stiffness stay as slack as they are.
+Vec3 hanging_rest_W(const DrillingSystem& system, const DrillingState& state);
 
 /// Mean of two, into `out`, which may be one of them.
 void mean_velocity(const DrillingVelocity& a, const DrillingVelocity& b, DrillingVelocity& out);

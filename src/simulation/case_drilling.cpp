@@ -104,7 +104,7 @@ void set_start(Config c, const bit::Bit& bit, const Motion& m, DrillingPlan& p) 
               "a torsional stiffness that carries it");
   s.string.rest_W = m.start_W + s.string.attachment_B;
   if (kz > 0.0) s.string.rest_W.z() += (weight - s.mass * s.gravity) / kz;
-  if (kt > 0.0) s.top.angle = torque / kt;
+  if (kt > 0.0) s.top.start_angle = torque / kt;
   std::vector<double> spins, angles(bit.cones.size(), 0.0);
   for (const bit::Cone& cone : bit.cones)
     spins.push_back(-bit::rolling_ratio_of_gage_row(cone) * m.rotary_speed);

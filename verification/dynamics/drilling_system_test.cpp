@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/error.hpp"
+#include "verification/dynamics/coupled_bit.hpp"
+
+namespace tdbd::dynamics {
+namespace {
+
+std::string problem(const std::function<void(DrillingSystem&)>& spoil) {
+  DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  spoil(s);
+  const std::string why = drilling_problem(s);
+  if (!why.empty()) {
+    EXPECT_THROW(make_drilling_system(s), InputError);
+  }
+  return why;
+}
+
+TEST(DrillingSystem, refuses_what_is_no_system) {
+  using S = DrillingSystem;
+  EXPECT_EQ(problem([](S&) {}), "");
+  EXPECT_EQ(problem([](S& s) { s.mass = 0.0; }), "a mass of 0 kg");
+  EXPECT_EQ(problem([](S& s) { s.gravity = std::nan(""); }), "gravity of nan m/s2");
+  EXPECT_EQ(problem([](S& s) { s.integrator.order = 4; }),
+            "an integrator of order 4: drilling has order 2");
+  EXPECT_EQ(problem([](S& s) { s.string.stiffness(0, 1) += 1.0; }),
+            "a string's stiffness that is not symmetric");
+  EXPECT_EQ(problem([](S& s) { s.string.turn_damping = Vec3(1, 1, -2).asDiagonal(); }),
+            "a string's damping in turning that is not positive: principal value -2");
+  EXPECT_EQ(problem([](S& s) { s.string.damping(0, 0) = INFINITY; }),
+            "a string's damping that is not finite");
+  EXPECT_EQ(problem([](S& s) { s.wall.restitution = 1.5; }),
+            "a wall's restitution of 1.5: at most 1");
+  EXPECT_EQ(problem([](S& s) { s.wall.friction = -0.1; }), "a wall's friction of -0.1");
+  EXPECT_EQ(problem([](S& s) { s.bearing_damping = {1.0}; }), "1 bearing dampings for 2 cones");
+  EXPECT_EQ(problem([](S& s) { s.rock.damping = -1.0; }), "a rock mount's damping of -1");
+}
+
+TEST(DrillingSystem, state_is_made_of_pose_and_velocities) {
+  const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  const Pose X_WB{Eigen::AngleAxisd(0.3, Vec3(0.6, 0.0, 0.8)).toRotationMatrix(), Vec3(1, 2, 3)};
+  const DrillingVelocity v{Vec3(0.1, 0.2, 0.3), Vec3(-1.0, 2.0, 7.0), {4.0, -5.0}, 0.01};
+  const DrillingState x = make_drilling_state(s, X_WB, v, std::vector<double>{0.5, 0.6});
+  EXPECT_LT((bit_pose(s, x).R - X_WB.R).norm(), 1e-14);
+  EXPECT_LT((bit_pose(s, x).p - X_WB.p).norm(), 1e-14);
+  const DrillingVelocity found = velocity(s, x);
+  EXPECT_LT((found.v_W - v.v_W).norm() + (found.w_W - v.w_W).norm(), 1e-13);
+  EXPECT_NEAR(found.cone_rates[1], -5.0, 1e-13);
+  EXPECT_NEAR(found.rock, 0.01, 1e-16);
+  EXPECT_EQ(x.rotation.cone_angles[1], 0.6);
+}
+
+/// The bit hangs still on a coupled string from the first step on.
+TEST(DrillingSystem, string_hung_by_the_bits_weight_is_at_rest) {
+  DrillingSystem s = plain_bit();
+  s.gravity = 9.81;
+  s.string.stiffness = coupled(Vec3(4e5, 5e5, 7e5), 0.3);
+  s = make_drilling_system(s);
+  s.string.rest_W = hanging_rest_W(s, at_rest(s));
+  Drilling d = start(s, nullptr, at_rest(s));
+  for (int i = 0; i < 1000; ++i) step(s, nullptr, 1e-3, d);
+  EXPECT_LT(d.state.c_W.norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace tdbd::dynamics

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "core/observed_order.hpp"
+#include "reference/dynamics/lumped_drilling.hpp"
+#include "verification/dynamics/coupled_bit.hpp"
+
+namespace tdbd::dynamics {
+namespace {
+
+constexpr std::array names{"top",      "gravity",    "cut, bit", "cut, rock",    "string",
+                           "bearings", "rock mount", "wall",     "wall friction"};
+using Entries = std::array<double, names.size()>;
+
+template <class E>
+Entries entries(const E& e) {
+  return {e.top,         e.gravity,       e.cut_bit,
+          e.cut_rock,    e.damped_string, e.damped_bearings,
+          e.damped_rock, e.wall_loss,     e.wall_friction};
+}
+
+/// Each entry against the integral of its power that the twin carries along.
+TEST(EnergyLedger, every_entry_converges_to_the_twins_with_order_two) {
+  const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::top);
+  const DrillingState from = coupled_start(s);
+  const Entries exact = entries(
+      reference::lumped_drilling(s, smooth_law, reference::lumped_state(s, from), 0.8).energy);
+  std::vector<double> steps;
+  std::array<std::vector<double>, names.size()> errors;
+  for (long n = 800; n <= 12'800; n *= 2) {
+    Drilling d = start(s, smooth_law, from);
+    for (long i = 0; i < n; ++i) step(s, smooth_law, 0.8 / static_cast<double>(n), d);
+    steps.push_back(0.8 / static_cast<double>(n));
+    const Entries found = entries(d.ledger);
+    for (std::size_t e = 0; e < found.size(); ++e)
+      errors[e].push_back(std::abs(found[e] - exact[e]));
+  }
+  for (std::size_t e = 0; e < names.size(); ++e) {
+    if (exact[e] == 0.0) {
+      EXPECT_EQ(errors[e].back(), 0.0) << names[e];  // restitution 1 loses nothing
+      continue;
+    }
+    fmt::print("{:14} {:10.4f} J  order {:.2f}  {:.1e}\n", names[e], exact[e],
+               least_squares_order(steps, errors[e]), errors[e].back());
+    EXPECT_NEAR(least_squares_order(steps, errors[e]), 2.0, 0.1) << names[e];
+    EXPECT_LT(errors[e].back(), 1e-4 * std::abs(exact[e])) << names[e];
+  }
+}
+
+/// Constant forces and torques on bit, cones and rock, and dampers: the step is exact in energy.
+TEST(EnergyLedger, closes_to_rounding_where_the_step_is_exact) {
+  DrillingSystem s = plain_bit();
+  s.gyrostat = make_gyrostat(Vec3(2.0, 2.0, 3.0).asDiagonal(), {{Vec3::UnitZ(), 0.1}});
+  s.bearing_damping = {0.2};
+  s.string.damping.diagonal() = Vec3(90.0, 40.0, 3e3);
+  s.string.turn_damping.diagonal() = Vec3(3.0, 2.0, 5.0);
+  s.rock = {280.0, 0.0, 700.0};
+  s.gravity = 9.81;
+  s.top = {{}, AxialMode::load, {}, constant(9e3)};
+  s = make_drilling_system(s);
+  const LumpedLaw steady = [](const auto&, const auto&, const auto&, Wrench& w) {
+    w = {Vec3(5.0, -9.0, -8e3), Vec3(0.0, 0.0, -30.0), {2.0}, 8e3};
+  };
+  Drilling d = start(s, steady, at_rest(s));
+  for (int i = 0; i < 1000; ++i) step(s, steady, 0.01, d);
+  const double through = std::abs(d.ledger.cut_bit) + d.ledger.top + d.ledger.cut_rock;
+  EXPECT_GT(through, 1e4);
+  EXPECT_NEAR(residual(s, d), 0.0, 1e-12 * through);
+}
+
+/// Half a million steps without anything that damps: the residual swings, it does not drift.
+TEST(EnergyLedger, residual_stays_bounded) {
+  DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  s.string.damping.setZero();
+  s.string.turn_damping.setZero();
+  s.bearing_damping.clear();
+  s.rock.damping = s.wall.friction = 0.0;
+  s.top.speed = constant(8.0);
+  s.top.rate = {};
+  s = make_drilling_system(s);
+  Drilling d = start(s, nullptr, coupled_start(s));
+  double early = 0.0, late = 0.0;
+  constexpr int steps = 500'000;
+  for (int i = 0; i < steps; ++i) {
+    step(s, nullptr, 5e-4, d);
+    double& worst = i < steps / 2 ? early : late;
+    worst = std::max(worst, std::abs(residual(s, d)));
+  }
+  fmt::print("residual at most {:.3e} and {:.3e} J of {:.3e} J\n", early, late, d.ledger.start);
+  EXPECT_LT(late, 1.1 * early);
+}
+
+/// The lead's share: forces of several parts, each at its own point, add up to the wrench's work.
+TEST(EnergyLedger, parts_share_the_work_of_the_wrench) {
+  const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  const std::array<Vec3, 3> forces{Vec3(10.0, 20.0, -500.0), Vec3(-90.0, 5.0, -700.0),
+                                   Vec3(30.0, 60.0, -20.0)};
+  const std::array<Vec3, 3> arms{Vec3(0.1, 0.0, 0.2), Vec3(-0.04, 0.09, 0.2), Vec3(0.0, -0.1, 0.1)};
+  const LumpedLaw parts = [&](const auto&, const auto&, const auto&, Wrench& w) {
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      w.force_W += forces[i];
+      w.torque_W += arms[i].cross(forces[i]);
+    }
+  };
+  Drilling d = start(s, parts, coupled_start(s));
+  constexpr double h = 1e-3;
+  double shared = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    step(s, parts, h, d);
+    for (std::size_t p = 0; p < forces.size(); ++p)
+      for (const DrillingVelocity* v : {&d.opening, &d.closing})
+        shared += 0.5 * h * forces[p].dot(point_velocity(*v, arms[p]));
+  }
+  EXPECT_NEAR(shared, d.ledger.cut_bit, 1e-12 * std::abs(d.ledger.cut_bit));
+}
+
+}  // namespace
+}  // namespace tdbd::dynamics

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/observed_order.hpp"
+#include "reference/dynamics/lumped_drilling.hpp"
+#include "verification/dynamics/drilling_run.hpp"
+
+namespace tdbd::dynamics {
+namespace {
+
+constexpr double clearance = 1e-3;  ///< m
+
+/// literature.md 5: 500 kg at 0.1 m/s against 1e8 N/m that gives 0.6 of the speed back.
+DrillingSystem against_wall(double restitution) {
+  DrillingSystem s = plain_bit();
+  s.wall.stiffness = 1e8;
+  s.wall.clearance = clearance;
+  s.wall.ring_radius = 0.108;
+  s.wall.restitution = restitution;
+  return make_drilling_system(s);
+}
+
+struct Impact {
+  double deepest = 0.0, time = 0.0, speed_out = 0.0, loss = 0.0;
+};
+
+/// One impact in a radial direction that is no axis. It starts `before` (m) off the wall.
+Impact impact(const DrillingSystem& s, double h, double before) {
+  const Vec3 outward = Vec3(0.6, 0.8, 0.0);
+  DrillingState from = at_rest(s);
+  from.c_W = (clearance - before) * outward;
+  from.momentum_W = 0.1 * s.mass * outward;
+  Drilling d = start(s, nullptr, from);
+  Impact found;
+  while (d.state.rotation.time < 0.02) {
+    step(s, nullptr, h, d);
+    const double depth = d.state.c_W.dot(outward) - clearance;
+    if (depth > 0.0) found.time += h;
+    found.deepest = std::max(found.deepest, depth);
+    if (depth < -before) break;
+  }
+  found.speed_out = -d.state.momentum_W.dot(outward) / s.mass;
+  found.loss = d.ledger.wall_loss;
+  return found;
+}
+
+TEST(Wall, gives_the_restitution_back) {
+  const Impact found = impact(against_wall(0.6), 1e-5, 1e-6);
+  EXPECT_NEAR(found.deepest, 0.223607e-3, 1e-9);
+  EXPECT_NEAR(found.time, 9.36642e-3, 2e-5);
+  EXPECT_NEAR(found.speed_out, 0.06, 1e-6);
+  EXPECT_NEAR(found.loss, 1.6, 1e-4);
+}
+
+/// Second order in the speed, though forces jump where the bit turns back: there it stands still.
+TEST(Wall, restitution_converges) {
+  constexpr int starts = 16;  // where in a step the wall is met
+  std::vector<double> steps, errors;
+  for (double h = 4e-4; h > 5e-6; h *= 0.5) {
+    double sum = 0.0;
+    for (int i = 0; i < starts; ++i) {
+      const double before = 1e-5 + 0.1 * h * i / starts;
+      sum += std::abs(impact(against_wall(0.6), h, before).speed_out - 0.06);
+    }
+    steps.push_back(h);
+    errors.push_back(sum / starts);
+  }
+  const double order = least_squares_order(steps, errors);
+  fmt::print("order of the speed after an impact: {:.2f}, error {:.1e} m/s at {:.1e} s\n", order,
+             errors.back(), steps.back());
+  EXPECT_NEAR(order, 2.0, 0.2);
+}
+
+/// A ring that stays on its wall is an isotropic oscillator of sqrt(1e9/500) rad/s.
+DrillingSystem pressed_oscillator() {
+  DrillingSystem s = plain_bit();
+  s.wall.stiffness = 1e9;
+  return make_drilling_system(s);
+}
+
+/// literature.md 4: the classical Runge-Kutta method keeps 1 - x^6/72 + x^8/576 of the energy each
+/// step, x = h omega; that is 8 % lost at 1 ms.
+TEST(Wall, loses_nothing_of_its_own_where_runge_kutta_loses_8_percent_a_step) {
+  const DrillingSystem s = pressed_oscillator();
+  constexpr double h = 1e-3;
+  DrillingState from = at_rest(s);
+  from.c_W = Vec3(2e-5, 0.0, 0.0);
+  const auto energy = [&](const reference::LumpedState& x) {
+    return 0.5 * s.mass * x.v_W.squaredNorm() + 0.5e9 * x.c_W.squaredNorm();
+  };
+  const reference::LumpedState lumped = reference::lumped_state(s, from);
+  const reference::LumpedRun rk4 = reference::lumped_drilling_rk4(s, nullptr, lumped, 10 * h, 10);
+  EXPECT_NEAR(std::pow(energy(rk4.state) / energy(lumped), 0.1), 0.91666667, 1e-6);
+  Drilling d = start(s, nullptr, from);
+  double least = 1.0, most = 0.0;
+  for (int i = 0; i < 100'000; ++i) {
+    step(s, nullptr, h, d);
+    const double e = total(stored_energy(s, d.at, d.state)) / d.ledger.start;
+    least = std::min(least, e);
+    most = std::max(most, e);
+  }
+  // Verlet keeps p^2/(2M) + (k/2)(1 - x^2/4) r^2, x^2 = 2: the energy swings between 1 and 1/2.
+  EXPECT_NEAR(most, 1.0, 1e-6);
+  EXPECT_NEAR(least, 0.5, 1e-3);
+}
+
+/// A bit that friction rolls along its hole, held to its speed by a stiff string.
+DrillingSystem rolling_bit() {
+  DrillingSystem s = plain_bit();
+  s.string.turn_stiffness.diagonal() = Vec3(1e6, 1e6, 1e6);
+  s.string.turn_damping.diagonal() = Vec3(1e3, 1e3, 1e3);
+  s.string.damper_end = DamperEnd::top;
+  s.top.speed = constant(2.0 * std::numbers::pi);  // 60 rpm
+  s.wall = {1e10, 3.2e-3, 0.108, 0.0, 0.5, 0.3, 1e-3};
+  return make_drilling_system(s);
+}
+
+/// Angle that the centre goes about the hole's axis, rad, in steps of less than half a turn.
+double orbit(const DrillingSystem& s, double h, long steps, Drilling& d) {
+  double angle = 0.0, before = std::atan2(d.state.c_W.y(), d.state.c_W.x());
+  for (long i = 0; i < steps; ++i) {
+    step(s, nullptr, h, d);
+    const double now = std::atan2(d.state.c_W.y(), d.state.c_W.x());
+    angle += std::remainder(now - before, 2.0 * std::numbers::pi);
+    before = now;
+  }
+  return angle;
+}
+
+/// Backward whirl by pure rolling: -omega R / (Rh - R).
+TEST(Wall, friction_rolls_the_bit_backward_at_the_kinematic_frequency) {
+  const DrillingSystem s = rolling_bit();
+  constexpr double h = 5e-5, omega = 2.0 * std::numbers::pi;
+  DrillingState from = at_rest(s);
+  const std::vector<double> none;
+  from.rotation = make_state(s.gyrostat, Mat3::Identity(), omega * Vec3::UnitZ(), none, none);
+  from.c_W = Vec3(s.wall.clearance, 0.0, 0.0);
+  from.momentum_W = Vec3(0.0, -0.05 * s.mass, 0.0);  // 7 % of the rolling speed
+  Drilling d = start(s, nullptr, from);
+  orbit(s, h, 20'000, d);  // friction takes it along
+  const double rate = orbit(s, h, 20'000, d) / 1.0;
+  const double kinematic = -omega * s.wall.ring_radius / s.wall.clearance;
+  fmt::print("whirl {:.3f} rad/s, kinematic {:.3f} rad/s\n", rate, kinematic);
+  EXPECT_NEAR(rate, kinematic, 0.02 * std::abs(kinematic));  // the number
+  // What is left is the wall's giving way: the centre goes on a circle of clearance and depth.
+  const double deep = std::hypot(d.state.c_W.x(), d.state.c_W.y());
+  EXPECT_NEAR(rate, -omega * s.wall.ring_radius / deep, 1e-3 * std::abs(kinematic));
+}
+
+/// The whirling bit takes energy from the top alone. What the ledger does not explain swings within
+/// a bound of second order; losses only grow.
+TEST(Wall, friction_creates_no_energy) {
+  const DrillingSystem s = rolling_bit();
+  DrillingState from = at_rest(s);
+  from.c_W = Vec3(s.wall.clearance, 0.0, 0.0);
+  from.momentum_W = Vec3(0.0, -0.05 * s.mass, 0.0);
+  std::vector<double> steps, residuals;
+  for (const double h : {4e-4, 2e-4, 1e-4, 5e-5, 2.5e-5}) {  // the wall's limit is 5e-4 s
+    Drilling d = start(s, nullptr, from);
+    EnergyLedger before;
+    double worst = 0.0;
+    while (d.state.rotation.time < 2.0) {
+      step(s, nullptr, h, d);
+      EXPECT_GE(d.ledger.wall_friction, before.wall_friction);
+      EXPECT_GE(d.ledger.wall_loss, before.wall_loss);
+      before = d.ledger;
+      worst = std::max(worst, std::abs(residual(s, d)));
+    }
+    EXPECT_NEAR(d.ledger.top, 293.0, 1.0);  // J; a third is rubbed away while the whirl begins
+    steps.push_back(h);
+    residuals.push_back(worst);
+  }
+  EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.1);
+  EXPECT_LT(residuals.front(), 2e-3 * 293.0);
+}
+
+}  // namespace
+}  // namespace tdbd::dynamics
