@@ -50,25 +50,25 @@ double face_ratio(const HansonHansen& law, const PartCut& cut) {
   return std::max(0.0, bounded_tan(cut.back_rake + law.A3));
 }
 
-/// Share of each term in Ft; the shares of a face are also those of its Fn, divided by B2.
-Terms tangential_terms(const HansonHansen& law, const PartCut& cut) {
+/// What a factor of 1 gives, N, term by term.
+struct UnitForces {
+  Terms tangential{}, normal{};
+};
+
+UnitForces unit_forces(const HansonHansen& law, const PartCut& cut) {
   const double Scc = strength(law, cut.strength);
+  UnitForces unit;
   if (cut.kind == PartKind::face) {
     const double leaning = std::max(0.0, bounded_tan(cut.back_rake));
-    return {Scc * cut.cut_area, Scc * cut.cut_area * leaning, Scc * law.te * cut.engaged_edge};
+    const double area = Scc * cut.cut_area;
+    unit.tangential = {area, area * leaning, Scc * law.te * cut.engaged_edge};
+    const double B2 = face_ratio(law, cut);
+    for (int k = 0; k < 3; ++k) unit.normal[k] = B2 * unit.tangential[k];
+    return unit;
   }
-  const double pressed = Scc * cut.contact_area;
-  if (cut.kind == PartKind::chamfer) return {0, 0, 0, 0, pressed, 0, 0};
-  return {0, 0, 0, 0, 0, 0, pressed};
-}
-
-Terms normal_terms(const HansonHansen& law, const PartCut& cut) {
-  Terms terms = tangential_terms(law, cut);
-  if (cut.kind == PartKind::face) {
-    for (double& term : terms) term *= face_ratio(law, cut);
-    return terms;
-  }
-  return {0, 0, 0, terms[4], 0, terms[6], 0};
+  const int first = cut.kind == PartKind::chamfer ? 3 : 5;
+  unit.normal[first] = unit.tangential[first + 1] = Scc * cut.contact_area;
+  return unit;
 }
 
 double sum_of(const Terms& factors, const Terms& terms) {
@@ -87,17 +87,18 @@ Terms linear_coefficients(const HansonHansen& law) {
 
 PartForce law_force(const HansonHansen& law, const PartCut& cut) {
   const Terms factors = linear_coefficients(law);
-  return cutting_force(cut, sum_of(factors, tangential_terms(law, cut)),
-                       sum_of(factors, normal_terms(law, cut)), law.slip_speed);
+  const UnitForces unit = unit_forces(law, cut);
+  return cutting_force(cut, sum_of(factors, unit.tangential), sum_of(factors, unit.normal),
+                       law.slip_speed);
 }
 
 std::array<Vec3, hanson_hansen_terms> force_basis(const HansonHansen& law, const PartCut& cut) {
-  const Terms tangential = tangential_terms(law, cut), normal = normal_terms(law, cut);
+  const UnitForces unit = unit_forces(law, cut);
   const CutFrame frame = cut_frame(cut.velocity, cut.normal);
   const double share = slip_share(cut.velocity.norm(), law.slip_speed);
   std::array<Vec3, hanson_hansen_terms> basis;
   for (int k = 0; k < hanson_hansen_terms; ++k)
-    basis[k] = -share * (tangential[k] * frame.e1 + normal[k] * frame.e2);
+    basis[k] = -share * (unit.tangential[k] * frame.e1 + unit.normal[k] * frame.e2);
   return basis;
 }
 
