@@ -98,7 +98,8 @@ void measure_edge(const FaceColumns& face, const Pose& X_BF, const Twist& twist,
   }
   if (!(s.engaged_edge > 0.0)) return;
   s.angle_of_attack = attack / s.engaged_edge;
-  s.edge_centroid_B = X_BF * Vec3(0.0, middle_F.x() / s.engaged_edge, middle_F.y() / s.engaged_edge);
+  s.edge_centroid_B =
+      X_BF * Vec3(0.0, middle_F.x() / s.engaged_edge, middle_F.y() / s.engaged_edge);
 }
 
 void measure_area(const Pose& X_BF, const Twist& twist, const ColumnSums& sums, Section& s) {

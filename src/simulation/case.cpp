@@ -14,6 +14,7 @@
 #include "simulation/case_forces.hpp"
 #include "simulation/case_motion.hpp"
 #include "simulation/case_rock.hpp"
+#include "simulation/contact_slopes.hpp"
 #include "simulation/step_check.hpp"
 
 namespace tdbd::simulation {
@@ -157,6 +158,19 @@ BitFile read_bit_of(Config& c) {
   return bit;
 }
 
+/// A bit carries about as much as it does with everything that cuts a gage radius deep in rock. A
+/// tenfold is a mistake of units.
+void note_overload(Config& c, const Case& read, double axial_stiffness) {
+  constexpr double by_orders = 10.0;
+  const double most = by_orders * axial_stiffness * read.bit.gage_radius;
+  for (const double load : read.drilling.system.top.load.values)
+    if (load > most)
+      return c.problem("motion.weight_on_bit", fmt::format("{:.4g} N", load),
+                       fmt::format("at most {:.4g} N: ten times what the bit would carry buried to "
+                                   "its gage radius",
+                                   most));
+}
+
 /// What a bit that drills by itself needs, and cannot have.
 void note_undriven(Config& c, const Case& read) {
   if (read.motion.kind != MotionKind::drilling) return;
@@ -165,6 +179,13 @@ void note_undriven(Config& c, const Case& read) {
   if (read.time.first > 0)
     c.problem("time.first_step", fmt::format("{} of a bit that forces move", read.time.first),
               "0: what moved before is in no file");
+  if (c.problem_count() > 0) return;
+  const dynamics::ContactSlopes slopes = contact_slopes(read.bit, read.forces);
+  note_overload(c, read, slopes.axial_stiffness);
+  const std::string unstable =
+      dynamics::stability_problem(read.drilling.system, slopes, read.time.step);
+  if (!unstable.empty())
+    c.problem("time.step", fmt::format("{} s", read.time.step), "a stable step: " + unstable);
 }
 
 }  // namespace

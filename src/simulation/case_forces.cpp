@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "simulation/case_formation.hpp"
 
@@ -20,8 +21,21 @@ struct KindKey {
   FollowsRun follows;
 };
 
-/// A cutter's body follows its rim through the rock's mesh, whether it rubs or not: its contact is
-/// the cut's own, so that it has no force unless the case says so.
+/// What a cutter's body bears (ours): in drilling its contact slides along the groove that the rim
+/// cut, and carries nothing; a bit that sticks or goes down faster than its edges cut rests on it.
+/// Without it such a bit would sink into the rock under its weight.
+forces::Law bearing_of_a_body() {
+  constexpr double full_angle = 0.5;  // rad, far above the helix of drilling
+  constexpr double friction = 0.3, over_strength = 1.5;
+  forces::Friction f;
+  f.stress = std::numeric_limits<double>::max();
+  f.cap = over_strength;
+  f.mu = friction;
+  f.full_angle = full_angle;
+  return f;
+}
+
+/// Kinds in the order of PartKind.
 constexpr std::array<KindKey, part_kinds> kinds{
     {{PartKind::face, "face", FollowsRun::yes},
      {PartKind::chamfer, "chamfer", FollowsRun::yes},
@@ -56,7 +70,9 @@ void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const b
   forces::Law& law = plan.laws[static_cast<std::size_t>(k.kind)];
   const bool follows = k.follows == FollowsRun::yes &&
                        forces::law_problem(common, k.kind, cutter_diameter(bit)).empty();
-  law = follows ? common : forces::Law(forces::NoForce{});
+  law = follows                           ? common
+        : k.kind == PartKind::cutter_body ? bearing_of_a_body()
+                                          : forces::Law(forces::NoForce{});
   if (!c.has(k.key)) return;
   Config table = c.table(k.key);
   law = read_law(table, std::string(forces::law_name(law)));

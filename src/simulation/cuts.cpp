@@ -18,12 +18,14 @@ void take_section(const rock::Section& s, const Pose& X_WB, CutOfPart& c) {
   c.cut.engaged_edge = s.engaged_edge;
 }
 
-/// The thesis's measure [R]: the volume over what the tip went along X.
-void take_volume(const bit::Cutter& cutter, const MeasuredStep& step, CutOfPart& c) {
+/// The thesis's measure [R]: the volume that the whole cutter removed over what its tip went along
+/// X; which of its parts took a vertex is the mesh's affair.
+void take_volume(const bit::Cutter& cutter, double removed, const MeasuredStep& step,
+                 CutOfPart& c) {
   const rock::Twist twist = rock::twist_from(step.X_WB0, step.X_WB1, step.dt);
   const Vec3 tip_B = bit::tip_B(cutter);
   const double ahead = cutter.X_BC.R.col(0).dot(rock::velocity_B(twist, tip_B)) * step.dt;
-  c.face_area = ahead > 0.0 ? std::max(0.0, c.cut.removed_volume) / ahead : 0.0;
+  c.face_area = ahead > 0.0 ? std::max(0.0, removed) / ahead : 0.0;
   if (c.cut.engaged_edge == 0.0) c.cut.point = step.X_WB1 * tip_B;
 }
 
@@ -35,7 +37,8 @@ void take_face(const ForcePlan& plan, const MeasuredStep& step, const Measures& 
   const rock::Section& s = m.sections[at(step.bit.parts[at(c.part)].cutter)];
   if (std::isnan(s.area)) return;  // refused: nothing is known of the rock ahead
   take_section(s, step.X_WB1, c);
-  if (plan.cut == CutMeasure::volume) take_volume(cutter, step, c);
+  if (plan.cut == CutMeasure::volume)
+    take_volume(cutter, m.removed[at(step.bit.parts[at(c.part)].cutter)], step, c);
 }
 
 /// The engaged edge of the cutter's face, where the section has it.

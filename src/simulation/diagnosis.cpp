@@ -48,15 +48,15 @@ struct Orbit {
   double turned = 0.0, square = 0.0, moved = 0.0;
 };
 
-Orbit orbit_of(const std::vector<Vec2>& centre) {
-  Vec2 middle = Vec2::Zero();
-  for (const Vec2& x : centre) middle += x / static_cast<double>(centre.size());
+Orbit orbit_of(const std::vector<Eigen::Vector2d>& centre) {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& x : centre) middle += x / static_cast<double>(centre.size());
   Orbit o;
   for (std::size_t i = 0; i < centre.size(); ++i) {
-    const Vec2 b = centre[i] - middle;
+    const Eigen::Vector2d b = centre[i] - middle;
     o.square += b.squaredNorm() / static_cast<double>(centre.size());
     if (i == 0) continue;
-    const Vec2 a = centre[i - 1] - middle;
+    const Eigen::Vector2d a = centre[i - 1] - middle;
     const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
     o.turned += turn;
     o.moved += std::abs(turn);
@@ -92,6 +92,14 @@ std::string text_of(const Diagnosis& d) {
 }
 
 }  // namespace
+
+void reserve(Trace& t, long steps) {
+  constexpr long most = 10'000'000;
+  const auto count = static_cast<std::size_t>(std::min(steps, most));
+  t.wob.reserve(count);
+  t.rotary_speed.reserve(count);
+  t.centre_W.reserve(count);
+}
 
 double strongest_frequency(const std::vector<double>& samples, double dt) {
   constexpr std::size_t fewest = 8;

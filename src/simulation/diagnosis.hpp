@@ -9,30 +9,34 @@ namespace tdbd::simulation {
 
 /// What a bit did in every step that counts, for its diagnosis.
 struct Trace {
-  double dt = 0.0;                      ///< s, between steps
-  std::vector<double> wob;              ///< N
-  std::vector<double> rotary_speed;     ///< rad/s
-  std::vector<Vec2> centre_W;           ///< m, of the bit's origin
+  double dt = 0.0;                        ///< s, between steps
+  std::vector<double> wob;                ///< N
+  std::vector<double> rotary_speed;       ///< rad/s
+  std::vector<Eigen::Vector2d> centre_W;  ///< m, of the bit's origin
 };
+
+/// Room for this number of steps, so that adding one allocates nothing.
+void reserve(Trace& trace, long steps);
 
 /// Frequencies that a run would show by itself, Hz; 0: there is no such spring.
 struct Expected {
   double torsional = 0.0, axial = 0.0, lateral = 0.0;
   double rolling = 0.0;  ///< of the centre's orbit when the bit rolls in its hole: w R / (Rh - R)
+  double rolling_speed = 0.0;  ///< m/s, w R: over the orbit's radius the same for a wall that gives
 };
 
 enum class WhirlKind { none, forward, backward, synchronous };
 
 /// Thesis 1.3: the three instabilities of drilling, from the record of a run. Ours.
 struct Diagnosis {
-  double stick_slip_severity = 0.0;   ///< (max - min) / (2 mean) of the rotary speed
-  double stuck_share = 0.0;           ///< of time below 5 % of the mean speed
-  double torsional_frequency = 0.0;   ///< Hz, strongest of the rotary speed
-  double lost_contact_share = 0.0;    ///< of time without weight on bit
-  double wob_swing = 0.0;             ///< (max - min) / (2 mean)
-  double axial_frequency = 0.0;       ///< Hz, strongest of the weight on bit
-  double orbit_radius = 0.0;          ///< m, root mean square of the centre about its mean
-  double orbit_frequency = 0.0;       ///< Hz, mean turn about that mean; > 0 with the bit
+  double stick_slip_severity = 0.0;  ///< (max - min) / (2 mean) of the rotary speed
+  double stuck_share = 0.0;          ///< of time below 5 % of the mean speed
+  double torsional_frequency = 0.0;  ///< Hz, strongest of the rotary speed
+  double lost_contact_share = 0.0;   ///< of time without weight on bit
+  double wob_swing = 0.0;            ///< (max - min) / (2 mean)
+  double axial_frequency = 0.0;      ///< Hz, strongest of the weight on bit
+  double orbit_radius = 0.0;         ///< m, root mean square of the centre about its mean
+  double orbit_frequency = 0.0;      ///< Hz, mean turn about that mean; > 0 with the bit
   WhirlKind whirl = WhirlKind::none;
   std::string text;  ///< one line for a reader
 };

@@ -16,7 +16,7 @@ struct PartLoadFigures {
   std::string name;
   MeanAndDeviation normal, tangential;  ///< N
   double power = 0.0;                   ///< W, mean
-  double removed = 0.0;                 ///< m3
+  double removed = 0.0;                 ///< m3, by the part's whole cutter
   double specific_energy = 0.0;         ///< Pa: energy over volume; 0 without volume
 };
 

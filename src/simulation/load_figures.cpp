@@ -23,13 +23,23 @@ void add_parts(const LoadedStep& step, LoadStatistics& s) {
 
 double over(double x, double y) { return y != 0.0 ? x / y : 0.0; }
 
+/// What the part's whole cutter removed, m3: face, chamfer and body cut in turn, and which of them
+/// takes a vertex is the mesh's affair.
+double removed_by_cutter(const bit::Bit& bit, const LoadStatistics& s, std::size_t part) {
+  if (bit.parts[part].cutter < 0) return s.part_removed[part];
+  double removed = 0.0;
+  for (std::size_t i = 0; i < s.part_removed.size(); ++i)
+    if (bit.parts[i].cutter == bit.parts[part].cutter) removed += s.part_removed[i];
+  return removed;
+}
+
 std::vector<PartLoadFigures> part_figures(const bit::Bit& bit, const LoadStatistics& s) {
   std::vector<PartLoadFigures> parts;
   for (std::size_t i = 0; i < s.normal.size(); ++i) {
     if (s.normal[i].mean == 0.0 && s.tangential[i].mean == 0.0) continue;
+    const double removed = removed_by_cutter(bit, s, i);
     parts.push_back({bit.parts[i].name, figures_of(s.normal[i]), figures_of(s.tangential[i]),
-                     over(s.part_energy[i], s.time), s.part_removed[i],
-                     over(s.part_energy[i], s.part_removed[i])});
+                     over(s.part_energy[i], s.time), removed, over(s.part_energy[i], removed)});
   }
   return parts;
 }
@@ -47,6 +57,13 @@ void add(const LoadedStep& step, LoadStatistics& s) {
   s.time += step.dt;
   for (const double v : step.removed_by_part) s.removed += v;
   add_parts(step, s);
+}
+
+void add(const LoadedStep& step, Trace& t) {
+  t.dt = step.dt;
+  t.wob.push_back(-step.loads.force_W.z());
+  t.rotary_speed.push_back(step.velocity.w_W.dot(step.X_WB.R.col(2)));
+  t.centre_W.emplace_back(step.X_WB.p.head<2>());
 }
 
 MeanAndDeviation figures_of(const Spread& s) {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "simulation/diagnosis.hpp"
 #include "simulation/force_figures.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/spread.hpp"
@@ -30,6 +31,7 @@ struct LoadedStep {
 };
 
 void add(const LoadedStep& step, LoadStatistics& statistics);
+void add(const LoadedStep& step, Trace& trace);
 
 MeanAndDeviation figures_of(const Spread& spread);
 

@@ -39,8 +39,8 @@ bool is_deep_in_rock(const rock::SectionFace& face, const rock::Section& s, doub
 
 void refuse(rock::Section& s) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  s = {unknown, Vec3::Constant(unknown), unknown, unknown, unknown, s.sight,
-       Vec3::Constant(unknown)};
+  s = {unknown, Vec3::Constant(unknown), unknown, unknown, unknown,
+       s.sight, Vec3::Constant(unknown)};
 }
 
 void note(const MeasuredStep& step, Measures& m) {

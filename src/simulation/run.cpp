@@ -95,6 +95,13 @@ std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r)
   return {counts.begin(), counts.end()};
 }
 
+void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  r.diagnosis = diagnose(s.trace);
+  r.drive = {dynamics::stored_energy(system, s.drive->at, s.drive->state), s.drive->ledger,
+             expected_of(system, r.loads->rotary_speed.mean)};
+}
+
 /// What a run writes on its way.
 struct Recorder {
   OutputFolder folder;
@@ -173,6 +180,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.maintenance = maintenance_counts(s.maintenance);
   r.faces = figures_of(c.bit, s.measures);
   if (c.forces.forces == Forces::on) r.loads = figures_of(c.bit, s.load_statistics, to);
+  if (s.drive) add_drive(c, s, r);
   r.sections_refused_deep = s.measures.refused_deep;
   r.sections_refused_over_the_top = s.measures.refused_over_the_top;
   for (std::size_t k = 0; k < s.cones.size(); ++k)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
+#include "dynamics/divergence.hpp"
 #include "simulation/cone_balance.hpp"
 #include "simulation/rock_start.hpp"
 #include "simulation/start_check.hpp"
@@ -71,6 +73,11 @@ void advance(const Case& c, Simulation& s) {
   rock::turn_cones(s.bit, c.bit, angles, angles_of(s.cones));
 }
 
+void demand_convergence(const Case& c, const Simulation& s) {
+  const std::string what = dynamics::divergence(c.drilling.system, *s.drive);
+  if (!what.empty()) throw RunError("the motion diverges: " + what);
+}
+
 /// Asks the laws where forces move the bit, at the momenta that the last forces predict, and gives
 /// it their impulses: to the cones' own spins all that of the step, to the rest half of it.
 void drive_on(const Case& c, const MeasuredStep& moved, Simulation& s) {
@@ -83,6 +90,7 @@ void drive_on(const Case& c, const MeasuredStep& moved, Simulation& s) {
   for (double& torque : wrench.cones) torque *= 2.0;
   dynamics::close_step(system, moved.dt, wrench, *s.drive);
   for (double& torque : s.drive->wrench.cones) torque = 0.0;
+  demand_convergence(c, s);
 }
 
 void ask_forces(const Case& c, const MeasuredStep& moved, Simulation& s) {
@@ -94,8 +102,10 @@ void ask_forces(const Case& c, const MeasuredStep& moved, Simulation& s) {
     sum_loads(c.forces, c.bit, moved.X_WB1, s.velocity, moved.dt, s.cuts, s.loads);
   }
   const double since = time_of(c, s.steps_done + 1 - c.time.first);
-  if (since > c.output.means_from)
-    add({s.loads, s.velocity, moved.X_WB1, s.cut.removed_by_part, moved.dt}, s.load_statistics);
+  if (since <= c.output.means_from) return;
+  const LoadedStep loaded{s.loads, s.velocity, moved.X_WB1, s.cut.removed_by_part, moved.dt};
+  add(loaded, s.load_statistics);
+  add(loaded, s.trace);
 }
 
 }  // namespace
@@ -109,6 +119,7 @@ Simulation start(const Case& c) {
     s.place = place_of(c.drilling.system, s.drive->state);
   }
   s.start_turned = s.place.turned;
+  if (c.forces.forces == Forces::on) reserve(s.trace, c.time.steps);
   s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
   s.cut_work.most_passes = c.update.most_passes;
   s.cones = start_cones(c);

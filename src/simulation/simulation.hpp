@@ -8,6 +8,7 @@
 #include "rock/maintain.hpp"
 #include "simulation/case.hpp"
 #include "simulation/cone_motion.hpp"
+#include "simulation/diagnosis.hpp"
 #include "simulation/drive.hpp"
 #include "simulation/load_figures.hpp"
 #include "simulation/measure.hpp"
@@ -44,6 +45,7 @@ struct Simulation {
   std::vector<CutOfPart> cuts;              ///< of the last step; without forces none
   BitLoads loads;                           ///< at the end of the last step, about the bit's origin
   LoadStatistics load_statistics;
+  Trace trace;
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
   Trimming trimming;

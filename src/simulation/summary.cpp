@@ -88,6 +88,10 @@ std::string to_json(const RunSummary& s) {
   json.update(removed_json(s));
   json.update(rock_json(s));
   if (s.loads) json.update(to_json(*s.loads));
+  if (s.drive) {
+    json["energy"] = energy_json(*s.drive);
+    json["diagnosis"] = diagnosis_json(s.diagnosis, s.drive->expected);
+  }
   if (!s.cones.empty()) json["cones"] = cones_json(s);
   if (!s.faces.empty()) json["sections"] = sections_json(s);
   if (!s.faces.empty())

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "simulation/drive_figures.hpp"
 #include "simulation/force_figures.hpp"
 
 namespace tdbd::simulation {
@@ -68,8 +69,10 @@ struct RunSummary {
   std::map<std::string, long> maintenance;  ///< operation: how often
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
-  std::optional<LoadFigures> loads;  ///< none: the run asked for no forces
-  long sections_refused_deep = 0;    ///< Measures
+  std::optional<LoadFigures> loads;   ///< none: the run asked for no forces
+  Diagnosis diagnosis;                ///< with forces
+  std::optional<DriveFigures> drive;  ///< of a bit that forces move
+  long sections_refused_deep = 0;     ///< Measures
   long sections_refused_over_the_top = 0;
 };
 

@@ -56,8 +56,8 @@ TEST(drive, moves_torques_to_the_centre_of_mass) {
 
 /// Above flat rock nothing touches: no force, and the bit follows its top.
 TEST(drive, feels_nothing_where_it_touches_nothing) {
-  const Case c = drilling(
-      {"rock.shape=flat", "motion.start=['0 mm', '0 mm', '-20 mm']", "motion.torque_at_start=0"});
+  const Case c = drilling({"rock.shape=flat", "motion.start=['0 mm', '0 mm', '-20 mm']",
+                           "motion.torque_at_start=0", "motion.weight_on_bit=0"});
   const Simulation s = drilled(c);
   EXPECT_TRUE(s.cuts.empty());
   EXPECT_EQ(s.loads.force_W, Vec3(Vec3::Zero()));

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "app/case_folder.hpp"
+
+namespace tdbd::app {
+namespace {
+
+/// One wrong setting of a shipped case, and what the program says of it.
+struct Wrong {
+  const char* name;
+  const char* file;
+  std::vector<std::string> settings;
+  const char* message;
+};
+
+void PrintTo(const Wrong& w, std::ostream* out) { *out << w.name; }
+
+class BadDrilling : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(BadDrilling, is_refused_with_its_place_and_reason) {
+  std::vector<std::string> arguments{
+      "check", TDBD_SOURCE_DIR "/cases/" + std::string(GetParam().file) + ".toml"};
+  for (const std::string& s : GetParam().settings) {
+    arguments.emplace_back("--set");
+    arguments.push_back(s);
+  }
+  const battery::Outcome o = battery::run_tdbd(arguments);
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_NE(o.err.find(GetParam().message), std::string::npos) << o.err;
+}
+
+const Wrong wrongs[] = {
+    {"an_unknown_law",
+     "drill-bit-b",
+     {"forces.law=detournoi"},
+     "--set: forces.law: found \"detournoi\", expected one of none, hanson-hansen, detournay"},
+    {"a_missing_coefficient",
+     "bit-b-3000psi",
+     {"forces.gage_pad.law=friction", "forces.gage_pad.mu=0.3"},
+     "forces.gage_pad.stress: found nothing, expected pressure in Pa"},
+    {"a_law_for_a_part_that_it_does_not_know",
+     "bit-b-3000psi",
+     {"forces.face.law=friction", "forces.face.mu=0.3", "forces.face.stress='1 MPa'"},
+     "--set: forces.face.law: found friction, expected the law \"friction\" knows no face"},
+    {"forces_without_sections",
+     "bit-b-3000psi",
+     {"measure.section=off"},
+     "found measure.section = \"off\", expected sections: a cutter's force comes from them"},
+    {"a_rock_that_nobody_knows",
+     "drill-bit-b",
+     {"rock.material=cheese"},
+     "--set: rock.material: found \"cheese\", expected one of berea-sandstone"},
+    {"a_weight_and_a_rate",
+     "drill-bit-b",
+     {"motion.rate_of_penetration='15 m/h'"},
+     "motion: found weight_on_bit and rate_of_penetration, expected weight_on_bit or "
+     "rate_of_penetration"},
+    {"a_schedule_of_unlike_lengths",
+     "laboratory",
+     {"motion.weight_on_bit.times=[0,1]"},
+     "motion.weight_on_bit.times: found 2 times for 3 values"},
+    {"a_torque_that_nothing_carries",
+     "drill-bit-b",
+     {"string.torsional_stiffness=0"},
+     "motion.torque_at_start: found 1700 N m, expected a torsional stiffness that carries it"},
+    {"a_stiffness_that_the_step_does_not_follow",
+     "drill-bit-b",
+     {"string.lateral_stiffness='1e10 N/m'"},
+     "time.step: found 0.001 s, expected a stable step: "},
+    {"a_load_that_no_bit_carries",
+     "drill-bit-b",
+     {"motion.weight_on_bit='30 GN'"},
+     "motion.weight_on_bit: found 3e+10 N, expected at most "},
+    {"a_first_step_of_a_bit_that_forces_move",
+     "drill-bit-b",
+     {"time.first_step=5"},
+     "time.first_step: found 5 of a bit that forces move"},
+};
+
+INSTANTIATE_TEST_SUITE_P(One, BadDrilling, ::testing::ValuesIn(wrongs),
+                         [](const auto& w) { return std::string(w.param.name); });
+
+}  // namespace
+}  // namespace tdbd::app

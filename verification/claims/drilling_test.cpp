@@ -1,0 +1,115 @@
+#include <cmath>
+
+#include "claims/example_bits.hpp"
+#include "claims/rock_runs.hpp"
+#include "core/tolerance.hpp"
+
+/// Claims of chapter 2's equations on a bit that drills by itself.
+namespace tdbd::claims {
+namespace {
+
+/// Where bit B is after 48 ms, and how it moves, with steps of this length.
+struct End {
+  Vec3 c_W, momentum_W;
+  double turned, spin_momentum, residual;
+};
+
+End end_of(double step) {
+  const simulation::Case c =
+      rock_case("drill-bit-b", {"rock.edge_length='2 mm'", "time.duration='48 ms'",
+                                fmt::format("time.step={}", step), "maintenance.every=0"});
+  const simulation::Simulation s = drilled(c);
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  const dynamics::StoredEnergy stored =
+      dynamics::stored_energy(system, s.drive->at, s.drive->state);
+  return {s.drive->state.c_W, s.drive->state.momentum_W, s.place.turned,
+          s.drive->state.rotation.momentum_W.z(),
+          std::abs(dynamics::residual(stored, s.drive->ledger))};
+}
+
+const std::vector<double>& steps() {
+  static const std::vector<double> all = {2e-3, 1e-3, 0.5e-3, 0.25e-3, 0.125e-3, 0.0625e-3};  // s
+  return all;
+}
+
+const std::vector<End>& ends() {
+  static const std::vector<End> all = [] {
+    std::vector<End> e;
+    for (const double step : steps()) e.push_back(end_of(step));
+    return e;
+  }();
+  return all;
+}
+
+/// Least-squares slope of log y over log x.
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  const auto n = static_cast<double>(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const double a = std::log(x[i]), b = std::log(y[i]);
+    sx += a;
+    sy += b;
+    sxx += a * a;
+    sxy += a * b;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// Order of what f tells of an end, from its changes as the step is halved.
+template <class F>
+double order_of(const F& change) {
+  std::vector<double> differences;
+  for (std::size_t i = 1; i < ends().size(); ++i)
+    differences.push_back(change(ends()[i - 1], ends()[i]));
+  return slope(steps(), differences);
+}
+
+/// The whole step with its cut. The rock is cut by steps and its vertices come into reach one by
+/// one, so that the second order of the smooth step is not to be had: first order is.
+TEST(Drilling, converges_with_first_order_where_rock_is_cut) {
+  const struct {
+    const char* name;
+    double order;
+  } variables[] = {
+      {"place", order_of([](const End& a, const End& b) { return (a.c_W - b.c_W).norm(); })},
+      {"momentum",
+       order_of([](const End& a, const End& b) { return (a.momentum_W - b.momentum_W).norm(); })},
+      {"angle", order_of([](const End& a, const End& b) { return std::abs(a.turned - b.turned); })},
+      {"angular momentum", order_of([](const End& a, const End& b) {
+         return std::abs(a.spin_momentum - b.spin_momentum);
+       })}};
+  for (const auto& v : variables)
+    record_near("chapter2/drill-string",
+                fmt::format("bit B under given weight, cutting, steps of 2 to 0.06 ms: order of {}",
+                            v.name),
+                v.order, 1.15, 0.25);
+}
+
+/// Whatever the cut does, the ledger counts its work exactly: what is left is the step's own.
+TEST(Drilling, accounts_for_its_energy_to_second_order) {
+  std::vector<double> residuals;
+  for (const End& e : ends()) residuals.push_back(e.residual);
+  record_near("chapter2/drill-string",
+              "bit B under given weight, steps of 2 to 0.06 ms: order of the ledger's residual",
+              slope(steps(), residuals), 2.0, 0.1);
+}
+
+/// Two seconds of stick-slip on 2000 m of pipe.
+TEST(Drilling, sticks_and_slips_near_the_frequency_of_its_string) {
+  const simulation::Case c =
+      rock_case("stick-slip",
+                {"rock.edge_length='4 mm'", "time.duration='7 s'", "output.means_from='1.5 s'"});
+  const simulation::Simulation s = drilled(c);
+  const simulation::Diagnosis d = simulation::diagnose(s.trace);
+  const double expected =
+      simulation::expected_of(c.drilling.system, c.motion.rotary_speed).torsional;
+  EXPECT_GT(d.stick_slip_severity, 1.0);
+  record_near("chapter2/drill-string",
+              "long string: strongest frequency of the speed over that of string and mass",
+              d.torsional_frequency / expected, 1.0, 0.5);
+  record_bound("chapter2/drill-string", "long string: defect of the volume ledger",
+               simulation::ledger_defect(s), "1", tolerance::ledger);
+}
+
+}  // namespace
+}  // namespace tdbd::claims
