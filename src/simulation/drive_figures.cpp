@@ -28,6 +28,21 @@ Expected expected_of(const dynamics::DrillingSystem& s, double rotary_speed) {
   return e;
 }
 
+DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& d,
+                   double turned) {
+  const dynamics::StoredEnergy stored = dynamics::stored_energy(system, d.at, d.state);
+  const dynamics::EnergyLedger& l = d.ledger;
+  DriveRow row;
+  row.rock_z = d.state.rock_z;
+  row.string_twist = d.at.top.angle - turned;
+  row.stored = dynamics::total(stored);
+  row.top = l.top;
+  row.cutting = -l.cut_bit;
+  row.lost = l.damped_string + l.damped_bearings + l.damped_rock + l.wall_loss + l.wall_friction;
+  row.residual = dynamics::residual(stored, l);
+  return row;
+}
+
 Json energy_json(const DriveFigures& f) {
   const dynamics::EnergyLedger& l = f.ledger;
   const double residual = dynamics::residual(f.stored, l);
@@ -44,7 +59,8 @@ Json energy_json(const DriveFigures& f) {
           {"kinetic_j", f.stored.translation + f.stored.rotation + f.stored.cones + f.stored.rock},
           {"elastic_j", f.stored.string + f.stored.wall + f.stored.rock_mount},
           {"residual_j", residual},
-          {"residual_over_top", l.top != 0.0 ? residual / l.top : 0.0}};
+          {"residual_over_top", l.top != 0.0 ? residual / l.top : 0.0},
+          {"cutting_by_part_j", f.cutting_by_part}};
 }
 
 Json diagnosis_json(const Diagnosis& d, const Expected& e) {

@@ -1,16 +1,31 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
+#include "dynamics/drilling_step.hpp"
 #include "dynamics/energy_ledger.hpp"
 #include "simulation/diagnosis.hpp"
 
 namespace tdbd::simulation {
 
+/// What the equations of motion leave in a row of the history.
+struct DriveRow {
+  double rock_z = 0.0;                                          ///< m
+  double string_twist = 0.0;                                    ///< rad, of the top over the bit
+  double stored = 0.0;                                          ///< J, kinetic and elastic
+  double top = 0.0, cutting = 0.0, lost = 0.0, residual = 0.0;  ///< J, since the start
+};
+
+DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& drilling,
+                   double turned);
+
 /// What a run of a bit that forces move reports of its motion.
 struct DriveFigures {
   dynamics::StoredEnergy stored;  ///< at the end
   dynamics::EnergyLedger ledger;
+  std::map<std::string, double> cutting_by_part;  ///< J, power times step: first order in it
   Expected expected;
 };
 

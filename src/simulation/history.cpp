@@ -61,6 +61,9 @@ RecordLayout layout_for(const std::vector<HistoryPart>& parts, const HistoryExte
   if (extent.contact_areas) add_contact_areas(layout);
   if (!extent.cutters.empty()) add_sections(extent.cutters, layout);
   if (extent.forces) add_loads(layout);
+  if (!extent.drive) return layout;
+  for (const DriveColumn& c : drive_columns)
+    layout.columns.push_back({c.name, c.units, c.long_name});
   return layout;
 }
 
@@ -102,6 +105,8 @@ void History::append(const HistoryRow& row) {
   }
   if (!extent_.cutters.empty()) append_sections(row.sections, row_);
   if (extent_.forces && row.loaded != nullptr) append_loads(*row.loaded, row_);
+  if (extent_.drive && row.drive != nullptr)
+    for (const DriveColumn& c : drive_columns) row_.push_back(c.value(*row.drive));
   record_.append(row_);
 }
 

@@ -8,6 +8,7 @@
 #include "core/types.hpp"
 #include "rock/contact_area.hpp"
 #include "rock/section.hpp"
+#include "simulation/drive_figures.hpp"
 #include "simulation/load_figures.hpp"
 #include "simulation/record.hpp"
 
@@ -25,6 +26,7 @@ struct HistoryRow {
   std::span<const double> cone_speeds;             ///< rad/s, in this step
   std::span<const rock::Section> sections;         ///< per cutter, at the end of the step
   std::span<const rock::PartContact> contacts;     ///< per part, at the end of the step
+  const DriveRow* drive = nullptr;                 ///< of a bit that forces move
   const LoadedStep* loaded = nullptr;              ///< forces of the step; none: not asked for
   long swept_vertices = 0;                         ///< rock vertices moved in this step
   long rock_triangles = 0;                         ///< triangles of the rock surface
@@ -42,6 +44,7 @@ struct HistoryExtent {
   std::vector<std::string> cutters;  ///< whose sections are measured
   bool contact_areas = false;
   bool forces = false;
+  bool drive = false;
 };
 
 /// Records rows as `history.nc` (dimensions time and part, and cone and cutter where there are any)

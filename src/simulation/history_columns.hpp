@@ -109,6 +109,31 @@ inline constexpr std::array load_columns = {
                [](const LoadedStep& s) { return s.velocity.w_W.dot(s.X_WB.R.col(2)); }},
 };
 
+/// One number of the motion of a bit that forces move.
+struct DriveColumn {
+  const char* name;
+  const char* units;
+  const char* long_name;
+  double (*value)(const DriveRow&);
+};
+
+inline constexpr std::array drive_columns = {
+    DriveColumn{"rock_position_z", "m", "how far the rock has moved along z",
+                [](const DriveRow& r) { return r.rock_z; }},
+    DriveColumn{"string_twist", "rad", "angle of the string's top over that of the bit",
+                [](const DriveRow& r) { return r.string_twist; }},
+    DriveColumn{"energy_stored", "J", "kinetic and elastic energy of bit, string and rock",
+                [](const DriveRow& r) { return r.stored; }},
+    DriveColumn{"work_of_top", "J", "work of the top since the start",
+                [](const DriveRow& r) { return r.top; }},
+    DriveColumn{"work_on_rock", "J", "work that cutting took from the bit since the start",
+                [](const DriveRow& r) { return r.cutting; }},
+    DriveColumn{"energy_lost", "J", "taken by dampers and by the wall since the start",
+                [](const DriveRow& r) { return r.lost; }},
+    DriveColumn{"energy_residual", "J", "what the ledger of energy does not account for",
+                [](const DriveRow& r) { return r.residual; }},
+};
+
 /// One number of a part's load: a variable over time and part.
 struct PartLoadColumn {
   const char* name;

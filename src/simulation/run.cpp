@@ -37,6 +37,7 @@ HistoryExtent history_extent(const Case& c) {
   for (const bit::Cone& cone : c.bit.cones) extent.cones.push_back(cone.name);
   extent.contact_areas = c.measure.contact == ContactMeasure::on;
   extent.forces = c.forces.forces == Forces::on;
+  extent.drive = c.motion.kind == MotionKind::drilling;
   if (c.measure.section == SectionMeasure::off) return extent;
   extent.cutters.reserve(c.bit.cutters.size());
   for (const bit::Cutter& cutter : c.bit.cutters) extent.cutters.push_back(cutter_name(cutter));
@@ -67,6 +68,9 @@ void append_row(const Case& c, const Simulation& s, History& history) {
   HistoryRow row = row_of(c, s, angles, speeds);
   const LoadedStep loaded{s.loads, s.velocity, s.place.X_WB, s.cut.removed_by_part, c.time.step};
   if (c.forces.forces == Forces::on) row.loaded = &loaded;
+  const DriveRow drive =
+      s.drive ? drive_row(c.drilling.system, *s.drive, s.place.turned) : DriveRow{};
+  if (s.drive) row.drive = &drive;
   history.append(row);
 }
 
@@ -98,7 +102,10 @@ std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r)
 void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
   const dynamics::DrillingSystem& system = c.drilling.system;
   r.diagnosis = diagnose(s.trace);
-  r.drive = {dynamics::stored_energy(system, s.drive->at, s.drive->state), s.drive->ledger,
+  std::map<std::string, double> by_part;
+  for (std::size_t i = 0; i < s.energy_by_part.size(); ++i)
+    if (s.energy_by_part[i] != 0.0) by_part[c.bit.parts[i].name] = s.energy_by_part[i];
+  r.drive = {dynamics::stored_energy(system, s.drive->at, s.drive->state), s.drive->ledger, by_part,
              expected_of(system, r.loads->rotary_speed.mean)};
 }
 

@@ -101,6 +101,9 @@ void ask_forces(const Case& c, const MeasuredStep& moved, Simulation& s) {
     s.velocity = screw_velocity(moved, s.cones);
     sum_loads(c.forces, c.bit, moved.X_WB1, s.velocity, moved.dt, s.cuts, s.loads);
   }
+  s.energy_by_part.resize(s.loads.parts.size(), 0.0);
+  for (std::size_t i = 0; i < s.loads.parts.size(); ++i)
+    s.energy_by_part[i] += s.loads.parts[i].power * moved.dt;
   const double since = time_of(c, s.steps_done + 1 - c.time.first);
   if (since <= c.output.means_from) return;
   const LoadedStep loaded{s.loads, s.velocity, moved.X_WB1, s.cut.removed_by_part, moved.dt};

@@ -44,6 +44,7 @@ struct Simulation {
   BitVelocity velocity;                     ///< over the rock, at the end of the last step
   std::vector<CutOfPart> cuts;              ///< of the last step; without forces none
   BitLoads loads;                           ///< at the end of the last step, about the bit's origin
+  std::vector<double> energy_by_part;       ///< J, power times step since the start
   LoadStatistics load_statistics;
   Trace trace;
   rock::CutWorkspace cut_work;
