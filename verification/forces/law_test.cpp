@@ -11,9 +11,6 @@
 namespace tdbd::forces {
 namespace {
 
-/// Scale of a force's rounding: its components before they were summed.
-double size(const PartForce& f) { return f.normal + f.tangential; }
-
 RC_GTEST_PROP(force, does_no_positive_work_on_the_bit, ()) {
   const PartCut c = any_cut();
   const PartForce f = force(any_law(), c);
