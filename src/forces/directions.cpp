@@ -9,6 +9,15 @@ namespace {
 /// Sine of the angle to a plunge below which e2 shrinks.
 constexpr double plunge = 0.5;
 
+/// The part of a velocity along a surface; none where only rounding leaves any.
+Vec3 slip_of(const Vec3& velocity, const Vec3& normal) {
+  constexpr double rounding = 1e-14;
+  Vec3 slip = velocity - velocity.dot(normal) * normal;
+  if (slip.norm() <= rounding * velocity.norm()) return Vec3::Zero();
+  slip -= slip.dot(normal) * normal;  // of a small slip the first difference leaves some normal
+  return slip;
+}
+
 }  // namespace
 
 CutFrame cut_frame(const Vec3& velocity, const Vec3& normal) {
@@ -43,7 +52,7 @@ PartForce cutting_force(const PartCut& cut, double Ft, double Fn, double slip_sp
 
 PartForce pressing_force(const PartCut& cut, double Fn, const Sliding& sliding, double slip_speed) {
   const double into = cut.velocity.dot(cut.normal);
-  const Vec3 slip = cut.velocity - into * cut.normal;
+  const Vec3 slip = slip_of(cut.velocity, cut.normal);
   const double speed = slip.norm();
   const double normal = slip_share(cut.velocity.norm(), slip_speed) * Fn;
   const double drag = slip_share(speed, slip_speed) * friction_at(sliding, speed) * normal;

@@ -89,6 +89,17 @@ TEST(detournay, of_a_sharp_cutter_doubles_with_the_depth_of_cut) {
   EXPECT_LT((law_force(sharp(), c).force - 2 * once).norm(), rounding(once.norm()));
 }
 
+/// Whatever way it goes into the rock, its power is eps times the rate of volume: the specific
+/// energy.
+RC_GTEST_PROP(detournay, of_a_sharp_cutter_spends_eps_on_every_volume, ()) {
+  PartCut c = plain_cut(PartKind::face);
+  c.velocity = number(0.01, 2.0) * any_direction();
+  if (c.velocity.dot(c.normal) < 0.0) c.normal = -c.normal;
+  const double rate = c.cut_area * c.velocity.norm();  // m3/s
+  const double power = -law_force(sharp(), c).force.dot(c.velocity);
+  RC_ASSERT(std::abs(power - 100 * MPa * rate) <= rounding(100 * MPa * rate));
+}
+
 /// A wear flat that the mesh has: contact stress on its area, friction, nothing cut.
 TEST(detournay, of_a_wear_flat_in_the_mesh_is_friction) {
   const PartForce f = law_force(blunt(), plain_cut(PartKind::cutter_body));

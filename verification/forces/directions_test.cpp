@@ -86,5 +86,17 @@ TEST(pressing_force, pushes_along_the_normal_and_drags_against_the_slip) {
   EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3::Zero());
 }
 
+/// Along the normal, in any direction, rounding leaves some slip: no force may act along it, the
+/// sharp law of slip_speed 0 least of all.
+RC_GTEST_PROP(pressing_force, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
+  PartCut c = plain_cut(bit::PartKind::tooth);
+  c.normal = any_direction();
+  const double speed = number(-2.0, 2.0), beside = std::pow(10.0, -number(8.0, 18.0));
+  c.velocity = speed * (c.normal + beside * any_direction());
+  const PartForce f = pressing_force(c, 100.0, {.mu = 3.0}, 0.0);
+  RC_ASSERT(f.force.dot(c.velocity) <= rounding(size(f) * std::abs(speed)));
+  if (beside < 1e-15) RC_ASSERT(f.tangential == 0.0);
+}
+
 }  // namespace
 }  // namespace tdbd::forces

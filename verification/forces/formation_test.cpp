@@ -47,6 +47,7 @@ RC_GTEST_PROP(layer_at, counts_the_planes_above_a_point, ()) {
   f.normal_W = bedding_normal(number(0.0, 90 * degree), number(0.0, 2 * pi));
   double top = number(-1.0, 0.0);
   const std::size_t layers = 1 + index(20);
+  f.tops.reserve(layers);
   for (std::size_t k = 0; k + 1 < layers; ++k) f.tops.push_back(top += number(1e-3, 0.1));
   f.strengths.assign(layers, strong(10 * MPa));
   RC_ASSERT(formation_problem(f).empty());

@@ -16,6 +16,9 @@ inline constexpr double MPa = 1e6;
 /// A few roundings of a sum of terms of this size.
 inline double rounding(double scale) { return 64 * 0x1p-53 * std::abs(scale); }
 
+/// Scale of a force's rounding: its components before they were summed.
+inline double size(const PartForce& f) { return f.normal + f.tangential; }
+
 /// A number in [lo, hi], in 10 000 steps, so that shrinking finds round values.
 inline double number(double lo, double hi) {
   return lo + (hi - lo) * *rc::gen::inRange(0, 10001) / 10000.0;

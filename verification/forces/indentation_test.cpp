@@ -45,6 +45,22 @@ TEST(indentation, adds_up_over_patches_of_a_curved_contact) {
   EXPECT_LT((sum - whole).norm(), 2e-6 * whole.norm());
 }
 
+/// literature.md 6: a smooth wedge of 30 degrees to its side, 10 mm long, 2 mm deep, flanks under
+/// 153.884 MPa: 3553.8 N, and linear in its depth.
+TEST(indentation, of_a_wedge_is_the_pressure_on_its_flanks) {
+  const double half = 30 * degree, length = 10e-3;
+  for (const double depth : {1e-3, 2e-3}) {
+    double weight = 0.0;
+    for (const double side : {-1.0, 1.0}) {
+      PartCut c = pressed(length * depth / std::cos(half));
+      c.normal = Vec3(side * std::cos(half), 0.0, std::sin(half));
+      c.strength.confined = 153.884 * MPa / smooth().ratio;
+      weight -= law_force(smooth(), c).force.z();
+    }
+    EXPECT_NEAR(weight, 3553.8 * depth / 2e-3, 0.05);
+  }
+}
+
 TEST(indentation, drags_against_the_slip) {
   Indentation law = smooth();
   law.mu = 0.3;

@@ -91,12 +91,28 @@ RC_GTEST_PROP(thin_cut, is_the_equilibrium_of_the_chip, ()) {
 
 /// Beyond the largest back rake dead rock stands before the face: nothing changes any more.
 TEST(thin_cut, has_a_largest_back_rake) {
+  ThinCut law = zijsling();
+  law.largest_back_rake = 15 * degree;
   PartCut c = mancos(20 * MPa, 0.3e-3);
-  c.back_rake = 30 * degree;
-  const PartForce at = law_force(zijsling(), c);
-  c.back_rake = 60 * degree;
-  const PartForce beyond = law_force(zijsling(), c);
-  EXPECT_NEAR(beyond.tangential, at.tangential, 1e-12 * at.tangential);
+  c.back_rake = 15 * degree;
+  const PartForce at = law_force(law, c);
+  c.back_rake = 25 * degree;
+  EXPECT_EQ(law_force(law, c).force, at.force);
+  law.largest_back_rake = 25 * degree;
+  EXPECT_GT(law_force(law, c).tangential, 1.1 * at.tangential);
+}
+
+/// Near the formula's pole the sum of angles is held at 170 degrees: here from 28.3 degrees on.
+TEST(thin_cut, stays_below_its_pole) {
+  ThinCut law = zijsling();
+  law.largest_back_rake = 1.0;
+  PartCut c = mancos(20 * MPa, 0.3e-3);
+  c.back_rake = (170 - 90 - 12 - 23.8 - 15.87) * degree;
+  const PartForce at = law_force(law, c);
+  for (const double steeper : {29.0, 38.3, 38.4, 50.0}) {
+    c.back_rake = steeper * degree;
+    EXPECT_LT((law_force(law, c).force - at.force).norm(), 1e-11 * at.force.norm()) << steeper;
+  }
 }
 
 }  // namespace

@@ -75,14 +75,14 @@ TEST(whole_bit, of_sharp_cutters_has_the_loads_of_warren_and_sinors_model) {
 }
 
 /// With outlines turned about the axis, which the bit's room has, a core stays and cutter 1 carries
-/// less: 0.3 to 0.9 % of the weight, nothing of the torque.
+/// less: 0.59, 0.50 and 0.78 % of the weight, nothing of the torque.
 TEST(whole_bit, with_its_core_carries_a_little_less_weight) {
   for (const char letter : {'a', 'b', 'c'}) {
     const auto cutters = cutters_of(letter);
     const BitLoad plane = load_of(cutters, reference::planar_cut(cutters, advance, column));
     const BitLoad turned = load_of(cutters, bit::engagement(cutters, advance, column));
-    EXPECT_LT(turned.weight, 0.998 * plane.weight) << letter;
-    EXPECT_GT(turned.weight, 0.990 * plane.weight) << letter;
+    EXPECT_LT(turned.weight, 0.9955 * plane.weight) << letter;
+    EXPECT_GT(turned.weight, 0.9915 * plane.weight) << letter;
     EXPECT_NEAR(turned.torque, plane.torque, 5e-4 * plane.torque) << letter;
   }
 }
