@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "forces/fits.hpp"
 #include "simulation/case_formation.hpp"
 
 namespace tdbd::simulation {
@@ -46,16 +47,39 @@ constexpr std::array<KindKey, part_kinds> kinds{
      {PartKind::cone, "cone", FollowsRun::yes},
      {PartKind::tooth, "tooth", FollowsRun::yes}}};
 
-/// The law of this name, its coefficients read from the table.
-forces::Law read_law(Config& c, const std::string& fallback) {
+std::vector<std::pair<std::string, std::string>> names_of(
+    const std::vector<std::string_view>& all) {
   std::vector<std::pair<std::string, std::string>> names;
-  for (const std::string_view name : forces::law_names())
-    names.emplace_back(std::string(name), std::string(name));
-  const std::optional<std::string> usual =
-      fallback.empty() ? std::nullopt : std::optional<std::string>(fallback);
-  forces::Law law = forces::law_named(c.choice<std::string>("law", names, usual));
+  names.reserve(all.size());
+  for (const std::string_view name : all) names.emplace_back(std::string(name), std::string(name));
+  return names;
+}
+
+/// A law with coefficients from the literature, which the keys beside it change.
+std::optional<forces::Law> read_fit(Config& c) {
+  if (!c.has("coefficients")) return std::nullopt;
+  std::vector<std::string_view> names;
+  for (const forces::Fit& fit : forces::known_fits()) names.push_back(fit.name);
+  return forces::fit_named(c.choice<std::string>("coefficients", names_of(names), std::nullopt))
+      .law;
+}
+
+/// The law that the table names, its coefficients read from it.
+forces::Law read_law(Config& c, const std::string& fallback) {
+  const std::optional<forces::Law> fit = read_fit(c);
+  std::optional<std::string> usual;
+  if (fit)
+    usual = forces::law_name(*fit);
+  else if (!fallback.empty())
+    usual = fallback;
+  const std::string name = c.choice<std::string>("law", names_of(forces::law_names()), usual);
+  if (fit && name != forces::law_name(*fit))
+    c.problem("law", name,
+              "the law of forces.coefficients, " + std::string(forces::law_name(*fit)));
+  forces::Law law = fit.value_or(forces::law_named(name));
   for (const forces::LawField& f : forces::law_fields(law))
-    *f.value = c.quantity(f.key, std::string(f.unit), f.fallback, f.range);
+    *f.value =
+        c.quantity(f.key, std::string(f.unit), fit ? std::optional(*f.value) : f.fallback, f.range);
   return law;
 }
 
