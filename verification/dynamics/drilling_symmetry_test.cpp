@@ -91,6 +91,19 @@ TEST(DrillingSymmetry, step_back_undoes_the_step) {
   EXPECT_LT(difference(d.state, from), 1e-11);
 }
 
+TEST(DrillingSymmetry, a_resumed_run_is_the_same_to_the_bit) {
+  const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::top);
+  Drilling through = start(s, smooth_law, coupled_start(s));
+  for (int i = 0; i < 50; ++i) step(s, smooth_law, 1e-3, through);
+  Drilling resumed = resume_drilling(s, through.state, through.wrench, through.ledger);
+  for (int i = 0; i < 50; ++i) {
+    step(s, smooth_law, 1e-3, through);
+    step(s, smooth_law, 1e-3, resumed);
+  }
+  EXPECT_EQ(difference(through.state, resumed.state), 0.0);
+  EXPECT_EQ(residual(s, through), residual(s, resumed));
+}
+
 /// Without string and rock the rotation is that of `tdbd rotate`, bit for bit, and the centre goes
 /// straight on.
 TEST(DrillingSymmetry, a_free_bit_turns_as_the_gyrostat_alone) {

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "reference/dynamics/lumped_drilling.hpp"
@@ -28,9 +27,6 @@ TEST(DrillingTwin, impacts_on_the_wall_are_followed) {
     if (depth == 0.0 && d.at.contact.depth > 0.0) ++impacts;
     depth = d.at.contact.depth;
   }
-  fmt::print("{} impacts; centre off by {:.1e} m, lost at the wall {:.3f} J and {:.3f} J\n",
-             impacts, (d.state.c_W - exact.state.c_W).norm(), d.ledger.wall_loss,
-             exact.energy.wall_loss);
   EXPECT_GE(impacts, 5);
   EXPECT_LT((d.state.c_W - exact.state.c_W).norm(), 2e-6);
   EXPECT_NEAR(d.ledger.wall_loss, exact.energy.wall_loss, 2e-3 * exact.energy.wall_loss);
