@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "core/error.hpp"
+#include "dynamics/divergence.hpp"
 #include "dynamics/step.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/dynamics/coupled_bit.hpp"
@@ -102,6 +104,21 @@ TEST(DrillingSymmetry, a_resumed_run_is_the_same_to_the_bit) {
   }
   EXPECT_EQ(difference(through.state, resumed.state), 0.0);
   EXPECT_EQ(residual(s, through), residual(s, resumed));
+}
+
+/// A drift that solves may be too long: the run stops with the state before the step.
+TEST(DrillingSymmetry, a_drift_that_is_too_long_leaves_everything_as_it_was) {
+  DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  s.integrator.drift = Drift::lie_midpoint;
+  Drilling d = start(s, smooth_law, coupled_start(s));
+  step(s, smooth_law, 1e-3, d);
+  const Drilling before = d;
+  EXPECT_THROW(open_step(s, 5.0, d), RunError);
+  EXPECT_EQ(difference(d.state, before.state), 0.0);
+  EXPECT_EQ(d.state.rotation.time, before.state.rotation.time);
+  EXPECT_EQ(residual(s, d), residual(s, before));
+  step(s, smooth_law, 1e-3, d);  // a shorter one goes on
+  EXPECT_EQ(divergence(s, d), "");
 }
 
 /// Without string and rock the rotation is that of `tdbd rotate`, bit for bit, and the centre goes
