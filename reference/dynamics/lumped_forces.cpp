@@ -104,8 +104,7 @@ void add_top(const DrillingSystem& system, const LumpedState& s, LumpedForces& f
 void add_dampers(const DrillingSystem& system, const LumpedState& s, LumpedForces& f,
                  const dynamics::DrillingVelocity& v) {
   const bool follows = system.string.damper_end == DamperEnd::top;
-  const bool lowered = follows && system.top.axial == AxialMode::rate;
-  const Vec3 top_v = (lowered ? scheduled(system.top.rate, s.bit.time) : 0.0) * Vec3::UnitZ();
+  const Vec3 top_v = (follows ? scheduled(system.top.rate, s.bit.time) : 0.0) * Vec3::UnitZ();
   const Vec3 top_w = (follows ? scheduled(system.top.speed, s.bit.time) : 0.0) * Vec3::UnitZ();
   const Vec3 arm_W = s.bit.R_WB * (system.string.attachment_B - system.centre_B);
   const Vec3 slip = v.v_W + v.w_W.cross(arm_W) - top_v, turn = v.w_W - top_w;

@@ -26,8 +26,7 @@ void damp_string(const Sweeping& w, const PrincipalDamper& damper, const Directi
 
 void damp_translation(const Sweeping& w, const PrincipalDamper& damper) {
   const bool follows = w.system.string.damper_end == DamperEnd::top;
-  const bool lowered = follows && w.system.top.axial == AxialMode::rate;
-  const double rate = lowered ? value_at(w.system.top.rate, w.state.rotation.time) : 0.0;
+  const double rate = follows ? value_at(w.system.top.rate, w.state.rotation.time) : 0.0;
   damp_string(w, damper, {damper.axis_W, w.at.pull.arm_W.cross(damper.axis_W)},
               rate * Vec3::UnitZ());
 }

@@ -72,6 +72,16 @@ Drilling start_drilling(const DrillingSystem& system, DrillingState state) {
   return d;
 }
 
+Drilling resume_drilling(const DrillingSystem& system, DrillingState state, Wrench wrench,
+                         const EnergyLedger& ledger) {
+  Drilling d;
+  d.state = std::move(state);
+  d.wrench = std::move(wrench);
+  d.ledger = ledger;
+  configure(system, d.state, d.at);
+  return d;
+}
+
 void open_step(const DrillingSystem& system, double h, Drilling& d) {
   d.step_start = d.state;
   const EnergyLedger ledger_start = d.ledger;

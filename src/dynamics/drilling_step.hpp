@@ -24,6 +24,10 @@ struct Drilling {
 /// At rest with its energies. Give it the wrench of the start where the bit touches rock.
 Drilling start_drilling(const DrillingSystem& system, DrillingState state);
 
+/// Goes on from what was saved between two steps, to the same bits as without the interruption.
+Drilling resume_drilling(const DrillingSystem& system, DrillingState state, Wrench wrench,
+                         const EnergyLedger& ledger);
+
 /// First half of a step of h (s): damping, the kick of the last wrench and of string, wall and
 /// gravity, the drift. Positions and time are then those of the step's end: cut the rock there.
 /// Throws RunError when a drift that solves is too long; the state is then that before the step.

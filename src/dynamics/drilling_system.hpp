@@ -42,7 +42,9 @@ enum class AxialMode {
 struct TopDrive {
   Schedule speed;  ///< rad/s about +z
   AxialMode axial = AxialMode::rate;
-  Schedule rate;  ///< m/s along +z
+  /// m/s along +z. Of a loaded top it is the penetration to expect: dampers that end at the top
+  /// then resist what departs from it, not the drilling itself.
+  Schedule rate;
   /// N: the weight on a bit at rest. The hook carries the weight of the bit's own mass, so that
   /// gravity does not come on top of it.
   Schedule load;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "core/error.hpp"
+#include "dynamics/divergence.hpp"
 #include "dynamics/step.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/dynamics/coupled_bit.hpp"
@@ -89,6 +91,34 @@ TEST(DrillingSymmetry, step_back_undoes_the_step) {
   EXPECT_GT(difference(d.state, from), 0.1);
   for (int i = 0; i < 100; ++i) step(s, of_place, -1e-3, d);
   EXPECT_LT(difference(d.state, from), 1e-11);
+}
+
+TEST(DrillingSymmetry, a_resumed_run_is_the_same_to_the_bit) {
+  const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::top);
+  Drilling through = start(s, smooth_law, coupled_start(s));
+  for (int i = 0; i < 50; ++i) step(s, smooth_law, 1e-3, through);
+  Drilling resumed = resume_drilling(s, through.state, through.wrench, through.ledger);
+  for (int i = 0; i < 50; ++i) {
+    step(s, smooth_law, 1e-3, through);
+    step(s, smooth_law, 1e-3, resumed);
+  }
+  EXPECT_EQ(difference(through.state, resumed.state), 0.0);
+  EXPECT_EQ(residual(s, through), residual(s, resumed));
+}
+
+/// A drift that solves may be too long: the run stops with the state before the step.
+TEST(DrillingSymmetry, a_drift_that_is_too_long_leaves_everything_as_it_was) {
+  DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  s.integrator.drift = Drift::lie_midpoint;
+  Drilling d = start(s, smooth_law, coupled_start(s));
+  step(s, smooth_law, 1e-3, d);
+  const Drilling before = d;
+  EXPECT_THROW(open_step(s, 5.0, d), RunError);
+  EXPECT_EQ(difference(d.state, before.state), 0.0);
+  EXPECT_EQ(d.state.rotation.time, before.state.rotation.time);
+  EXPECT_EQ(residual(s, d), residual(s, before));
+  step(s, smooth_law, 1e-3, d);  // a shorter one goes on
+  EXPECT_EQ(divergence(s, d), "");
 }
 
 /// Without string and rock the rotation is that of `tdbd rotate`, bit for bit, and the centre goes

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "core/observed_order.hpp"
 #include "rotation/swing_twist.hpp"
+#include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling_run.hpp"
 
 namespace tdbd::dynamics {
@@ -30,8 +30,13 @@ double measured_frequency(const DrillingSystem& s, const DrillingState& from, do
   return 2.0 * std::numbers::pi * periods / (last - first);
 }
 
-/// The number that the issue asks for; the step makes a tenth of it here.
+/// The number that the issue asks for.
 constexpr double allowed = 1e-3;
+
+void record_deviation(const char* what, double relative) {
+  battery::record({"chapter2/drill-string", what, relative, "1", "<= 1e-3",
+                   relative <= allowed ? battery::Verdict::holds : battery::Verdict::refuted});
+}
 
 /// What the step makes of an angular frequency: (2/h) asin(h omega / 2), order 2.
 double stepped_frequency(double omega, double h) { return 2.0 / h * std::asin(0.5 * h * omega); }
@@ -42,15 +47,19 @@ TEST(Oscillator, axial_and_lateral_frequencies_are_those_of_mass_on_spring) {
   s = make_drilling_system(s);
   DrillingState from = at_rest(s);
   from.momentum_W = Vec3(10.0, 20.0, 30.0);
+  double worst = 0.0;
   for (int i = 0; i < 3; ++i) {
     const double exact = std::sqrt(s.string.stiffness(i, i) / s.mass);
     const Coordinate place = [i](const auto&, const DrillingState& x) { return x.c_W[i]; };
     for (const double h : {1e-3, 5e-4, 1e-4}) {
       const double found = measured_frequency(s, from, h, 2.0, place);
-      EXPECT_NEAR(found, exact, allowed * exact);
+      worst = std::max(worst, std::abs(found / exact - 1.0));
       EXPECT_NEAR(found, stepped_frequency(exact, h), 1e-6 * exact);
     }
   }
+  EXPECT_LE(worst, allowed);
+  record_deviation("axial and lateral frequencies at steps up to 1 ms: largest relative deviation",
+                   worst);
 }
 
 /// The top turns ten times while the bit swings after it.
@@ -64,11 +73,14 @@ TEST(Oscillator, torsional_pendulum_keeps_its_frequency_through_windings) {
     return rotation::twist_angle(x.rotation.q_WB, x.rotation.turns) -
            top_position(system, x.rotation.time).angle;
   };
+  double worst = 0.0;
   for (const double h : {1e-3, 5e-4, 1e-4}) {
     const double found = measured_frequency(s, at_rest(s), h, 5.0, behind_top);
-    EXPECT_NEAR(found, exact, allowed * exact);
+    worst = std::max(worst, std::abs(found / exact - 1.0));
     EXPECT_NEAR(found, stepped_frequency(exact, h), 1e-5 * exact);
   }
+  EXPECT_LE(worst, allowed);
+  record_deviation("torsional pendulum below a turning top: largest relative deviation", worst);
 }
 
 /// Hung by a stiff pin above its centre of mass the bit is a physical pendulum,

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling_run.hpp"
 
 namespace tdbd::dynamics {
@@ -25,12 +26,17 @@ TEST(RockMount, action_equals_reaction_on_free_rock) {
   start_state.momentum_W.z() = 50.0;
   Drilling d = start(s, elastic_contact, start_state);
   constexpr double h = 1e-5;
-  double contact_time = 0.0;
+  double contact_time = 0.0, worst = 0.0;
   for (int i = 0; i < 5000; ++i) {
     step(s, elastic_contact, h, d);
     if (d.wrench.rock_force > 0.0) contact_time += h;
-    ASSERT_NEAR(d.state.momentum_W.z() + d.state.rock_momentum, 50.0, 1e-11);
+    worst = std::max(worst, std::abs(d.state.momentum_W.z() + d.state.rock_momentum - 50.0));
   }
+  EXPECT_LE(worst, 1e-11);
+  battery::record({"chapter2/moving-rock",
+                   "momentum of bit and free rock, 50 N s, over an impact: largest change", worst,
+                   "N s", "<= 1e-11",
+                   worst <= 1e-11 ? battery::Verdict::holds : battery::Verdict::refuted});
   EXPECT_NEAR(d.state.momentum_W.z() / s.mass, 0.028205, 5e-7);
   EXPECT_NEAR(d.state.rock_momentum / s.rock.mass, 0.128205, 5e-7);
   const double reduced_mass = s.mass * s.rock.mass / (s.mass + s.rock.mass);

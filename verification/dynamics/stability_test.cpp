@@ -61,6 +61,28 @@ TEST(Stability, limit_is_sharp) {
   }
 }
 
+/// The string's own springs, held half a metre off the centre: they tilt the bit as they push it.
+TEST(Stability, limit_of_the_string_is_sharp) {
+  DrillingSystem s = held_bit();
+  s.string.stiffness *= 1e3;
+  s.string.rest_W = s.string.attachment_B - s.centre_B;
+  s = make_drilling_system(s);
+  const double limit = stability_limit(s, {}).step;
+  EXPECT_LT(growth(s, {}, 0.98 * limit), 30.0);
+  EXPECT_GT(growth(s, {}, 1.02 * limit), 1e6);
+}
+
+/// A ring below the centre that stays on its wall.
+TEST(Stability, limit_of_the_wall_is_sharp) {
+  DrillingSystem s = plain_bit();
+  s.wall.stiffness = 1e9;
+  s.wall.ring_z_B = 0.2;
+  s = make_drilling_system(s);
+  const double limit = stability_limit(s, {}).step;
+  EXPECT_LT(growth(s, {}, 0.98 * limit), 30.0);
+  EXPECT_GT(growth(s, {}, 1.02 * limit), 1e6);
+}
+
 /// A law that resists by velocity: h times slope over mass below 1.
 TEST(Stability, limit_of_a_law_of_velocity_is_sharp) {
   const DrillingSystem s = make_drilling_system(plain_bit());

@@ -41,6 +41,27 @@ TEST(TopDrive, staircase_of_loads_is_the_weight_on_bit) {
   }
 }
 
+/// An axial damper to space takes its part of the load while the bit drills on; one to the top
+/// takes none when the top knows the rate.
+TEST(TopDrive, damper_to_the_top_leaves_the_load_on_the_bit) {
+  constexpr double load = 2e4, rate = 15.0 / 3600.0;
+  const LumpedLaw viscous = [](const auto&, const auto&, const DrillingVelocity& v, Wrench& w) {
+    w.force_W.z() = -load / rate * v.v_W.z();  // drills at `rate` under `load`
+  };
+  for (const DamperEnd end : {DamperEnd::space, DamperEnd::top}) {
+    DrillingSystem s = damped_bit();
+    s.mass = 1e4;
+    s.string.damping(2, 2) = 1.4e5;
+    s.string.damper_end = end;
+    s.top = {{}, AxialMode::load, constant(rate), constant(load)};
+    s = make_drilling_system(s);
+    Drilling d = start(s, viscous, at_rest(s));
+    for (int i = 0; i < 1000; ++i) step(s, viscous, 1e-4, d);
+    const double taken = end == DamperEnd::space ? load * 1.4e5 / (1.4e5 + load / rate) : 0.0;
+    EXPECT_NEAR(-d.wrench.force_W.z(), load - taken, 1e-6 * load);
+  }
+}
+
 /// Lowered at a rate: the string's spring is stretched by what the rock carries, less the weight.
 TEST(TopDrive, lowering_presses_through_the_axial_spring) {
   DrillingSystem s = damped_bit();
