@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/measures.hpp"
+#include "reference/mesh/convex_hull.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::rock {
@@ -63,7 +64,7 @@ TEST(contact_area, of_a_roof_has_the_normals_and_the_centroid_of_both_its_sides)
     for (const Vec3& x : {Vec3(-0.44, y, 0.22), Vec3(0.3, y, 0.225), Vec3(-0.44, y, 1.0),
                           Vec3(0.3, y, 1.0), Vec3(0.0, y, 0.0)})
       corners.emplace_back(x.x(), x.y(), -x.z());
-  Scene s({0.0}, battery::convex_hull(corners));
+  Scene s({0.0}, reference::convex_hull(corners));
   s.move(at_place(0.0, -0.05), at_place(0.0, 0.21));
   const double left = 0.16 * std::sqrt(1.25), right = 0.08 * 1.25;
   const PartContact& c = s.contacts[0];
