@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A long string: 41 kg m2 on 469 N m/rad, 0.54 Hz (domain.md 5.3).
+/// A long string: 41 kg m2 on 469 N m/rad, 0.54 Hz: 5 in pipe of 2000 m.
 DrillingSystem long_string(double damping) {
   DrillingSystem s = plain_bit();
   s.gyrostat = make_gyrostat(Vec3(60.0, 60.0, 41.0).asDiagonal(), {});
@@ -204,7 +204,7 @@ TEST(BitBounce, vibration_grows_until_contact_is_lost) {
   EXPECT_NEAR(late.mean, r.rate, 0.05 * r.rate);  // not a whole number of bounces
 }
 
-/// literature.md 4: six blades, 7.593e6 N per m/rev, 120 rpm, lowered at 15 m/h from the bottom:
+/// Worked example: six blades, 7.593e6 N per m/rev, 120 rpm, lowered at 15 m/h from the bottom:
 /// 2.933 mm/s over the eighth second with 5e5 N s/m; without damping it bounces.
 TEST(BitBounce, starting_up_follows_the_worked_example) {
   AxialRun r{1000.0, 5e5, 7e5, 6.0 * 7.593e6, 0.5 / 6.0, 15.0 / 3600.0, DamperEnd::space};

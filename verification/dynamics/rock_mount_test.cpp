@@ -17,7 +17,7 @@ void elastic_contact(const DrillingSystem&, const DrillingState& s, const Drilli
   w.rock_force = -w.force_W.z();
 }
 
-/// literature.md, finding F1: a bit of 500 kg at 0.1 m/s meets free rock of 280 kg.
+/// Worked example: a bit of 500 kg at 0.1 m/s meets free rock of 280 kg.
 TEST(RockMount, action_equals_reaction_on_free_rock) {
   DrillingSystem s = plain_bit();
   s.rock.mass = 280.0;

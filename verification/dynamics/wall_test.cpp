@@ -12,7 +12,7 @@ namespace {
 
 constexpr double clearance = 1e-3;  ///< m
 
-/// literature.md 5: 500 kg at 0.1 m/s against 1e8 N/m that gives 0.6 of the speed back.
+/// Worked example: 500 kg at 0.1 m/s against 1e8 N/m that gives 0.6 of the speed back.
 DrillingSystem against_wall(double restitution) {
   DrillingSystem s = plain_bit();
   s.wall.stiffness = 1e8;
@@ -83,7 +83,7 @@ DrillingSystem pressed_oscillator() {
   return make_drilling_system(s);
 }
 
-/// literature.md 4: the classical Runge-Kutta method keeps 1 - x^6/72 + x^8/576 of the energy each
+/// The classical Runge-Kutta method keeps 1 - x^6/72 + x^8/576 of the energy each
 /// step, x = h omega; that is 8 % lost at 1 ms.
 TEST(Wall, loses_nothing_of_its_own_where_runge_kutta_loses_8_percent_a_step) {
   const DrillingSystem s = pressed_oscillator();

@@ -104,7 +104,9 @@ TEST(LumpedDrilling, a_stair_of_load_is_met_at_its_edge) {
   s.gyrostat = dynamics::make_gyrostat(Vec3(8.0, 8.0, 2.0).asDiagonal(), {});
   s.top.axial = AxialMode::load;
   s.top.load = dynamics::make_schedule(dynamics::Interpolation::stepwise, {0.0, 0.3}, {0.0, 1e3});
-  const LumpedState end = lumped_drilling(s, nullptr, LumpedState{}, 1.0).state;
+  const LumpedRun run = lumped_drilling(s, nullptr, LumpedState{}, 1.0);
+  const LumpedState& end = run.state;
+  EXPECT_LT(run.evaluations, 500);  // no creeping up to the edge
   EXPECT_NEAR(end.v_W.z(), 0.7 * 1e3 / 500.0, 1e-12);
   EXPECT_NEAR(end.c_W.z(), 0.5 * 0.7 * 0.7 * 1e3 / 500.0, 1e-12);
 }
