@@ -125,9 +125,10 @@ void read_top(Config c, dynamics::TopDrive& top, Motion& m) {
               "weight_on_bit or rate_of_penetration");
   top.axial = weight ? AxialMode::load : AxialMode::rate;
   if (weight) top.load = read_schedule(c, "weight_on_bit", "N", Range::non_negative());
-  if (!weight) top.rate = read_schedule(c, "rate_of_penetration", "m/s", {});
+  top.rate = weight ? dynamics::constant(c.quantity("expected_rate", "m/s", 0.0))
+                    : read_schedule(c, "rate_of_penetration", "m/s", {});
   m.rotary_speed = dynamics::value_at(top.speed, 0.0);
-  m.rate_of_penetration = weight ? 0.0 : dynamics::value_at(top.rate, 0.0);
+  m.rate_of_penetration = dynamics::value_at(top.rate, 0.0);
 }
 
 DrillingPlan read_drilling(Config& whole, const bit::Bit& bit, const dynamics::TopDrive& top,

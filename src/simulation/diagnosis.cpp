@@ -76,7 +76,7 @@ WhirlKind whirl_of(const Orbit& o, double orbit_speed, double rotary_speed) {
 }
 
 std::string text_of(const Diagnosis& d) {
-  constexpr double severe = 0.5, bouncing = 0.01;
+  constexpr double severe = 0.5, bouncing = 0.01, swinging = 0.5;
   std::string text;
   const auto add = [&text](const std::string& s) { text += (text.empty() ? "" : "; ") + s; };
   if (d.stick_slip_severity > severe)
@@ -85,6 +85,9 @@ std::string text_of(const Diagnosis& d) {
   if (d.lost_contact_share > bouncing)
     add(fmt::format("bit bounce, without contact {:.0f} % of the time, at {:.3g} Hz",
                     100.0 * d.lost_contact_share, d.axial_frequency));
+  else if (d.wob_swing > swinging)
+    add(fmt::format("axial vibration, weight swings by {:.0f} % at {:.3g} Hz", 100.0 * d.wob_swing,
+                    d.axial_frequency));
   if (d.whirl != WhirlKind::none)
     add(fmt::format("{} whirl, {:.3g} mm at {:.3g} Hz", whirl_name(d.whirl), 1e3 * d.orbit_radius,
                     d.orbit_frequency));

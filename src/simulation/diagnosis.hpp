@@ -42,8 +42,9 @@ struct Diagnosis {
 };
 
 /// Names what exceeds its usual limits: stick-slip from a severity of 0.5, bounce when contact is
-/// lost for 1 % of the time, whirl from an orbit of 0.1 mm that goes round steadily; synchronous
-/// within 10 % of the rotary speed.
+/// lost for 1 % of the time, axial vibration when the weight swings by more than half of its mean,
+/// whirl from an orbit of 0.1 mm that goes round steadily; synchronous within 10 % of the rotary
+/// speed.
 Diagnosis diagnose(const Trace& trace);
 
 /// The strongest frequency of equally spaced samples about their mean, Hz: peak of the spectrum

@@ -65,6 +65,14 @@ TEST(diagnosis, finds_lost_contact) {
   EXPECT_NE(d.text.find("bounce"), std::string::npos);
 }
 
+TEST(diagnosis, finds_axial_vibration_without_lost_contact) {
+  Made m;
+  m.wob = [](double t) { return 1e4 * (1.0 + 0.7 * std::sin(two_pi * 12.5 * t)); };
+  const Diagnosis d = diagnosis_of(m);
+  EXPECT_EQ(d.lost_contact_share, 0.0);
+  EXPECT_NE(d.text.find("axial vibration, weight swings by 70 % at 12.5 Hz"), std::string::npos);
+}
+
 TEST(diagnosis, tells_whirls_by_sense_and_frequency) {
   const double turn = speed / two_pi;
   const struct {
