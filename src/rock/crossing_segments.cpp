@@ -164,8 +164,12 @@ Region region_of(const FacePlane& f) {
 void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   const Region region = region_of(plane);
   const double slack = single_slack(region.box);
-  const double from = plane.n0 - slack, to = plane.n0 + plane.reach + slack;
   work.near.clear();
+  const auto list = static_cast<std::size_t>(plane.near_list);
+  if (plane.near_list >= 0 && list < rock.near_lists.size() &&
+      covers(rock.near_lists[list], rock.grid, region))
+    return add_vertices_between(rock.near_lists[list], region, slack, work.near);
+  const double from = plane.n0 - slack, to = plane.n0 + plane.reach + slack;
   rock.grid.visit(region, work.chains, [&](const VertexGrid::Block& block) {
     std::size_t found = work.near.size();
     work.near.resize(found + VertexGrid::block_size);
@@ -182,7 +186,7 @@ void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
 }  // namespace
 
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
-                     double reach, double top) {
+                     double reach, double top, int near_list) {
   const Vec3 n_W = X_WF.R.col(0), y_W = X_WF.R.col(1), z_W = X_WF.R.col(2);
   return {n_W,
           y_W,
@@ -194,7 +198,8 @@ FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t firs
           face.columns[first].y0,
           face.columns[end - 1].y1,
           reach,
-          top};
+          top,
+          near_list};
 }
 
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work) {

@@ -118,11 +118,15 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
 }
 
 /// First pass: every group looks at the rock as the step found it, so groups look at once.
-void find_in_rock(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
+void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
+    const CuttingGroup& g = bit.groups[at(i)];
+    const GroupMotion& m = w.motions[at(i)];
     w.candidates[at(i)].clear();
-    find_candidates(rock.grid, bit.groups[at(i)], w.motions[at(i)], w.chains[at(i)],
-                    w.candidates[at(i)]);
+    if (is_out_of_reach(rock.grid, m)) return;
+    bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight,
+                     rock.near_lists[at(i)]);
+    find_candidates(g, m, rock.near_lists[at(i)], w.candidates[at(i)]);
   });
 }
 
@@ -148,13 +152,13 @@ void keep_unclear(const CuttingGroup& g, const std::vector<int>& candidates,
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     w.candidates[i].clear();
-    HullFilter filter(bit.groups[i], w.motions[i]);
     const mesh::Box& box_W = w.motions[i].region_W.box;
     for (std::size_t k = 0; k < bit.groups.size(); ++k) {
       const std::vector<int>& among = k == i ? w.unclear_by_group[k] : w.moved_by_group[k];
       if (among.empty() || !meet(box_W, w.motions[k].region_W.box)) continue;
       for (const int v : among)
-        if (!filter.keeps_outside(rock.surface.position(v))) w.candidates[i].push_back(v);
+        if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
+          w.candidates[i].push_back(v);
     }
     sort_unique(w.candidates[i]);
   }
@@ -169,7 +173,8 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   w.moved_by_group.resize(bit.groups.size());
   w.unclear_by_group.resize(bit.groups.size());
   w.candidates.resize(bit.groups.size());
-  w.chains.resize(bit.groups.size());
+  w.moved_in_step.resize(bit.groups.size());
+  for (auto& moved : w.moved_in_step) moved.clear();
   w.motions.clear();
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
 }
@@ -189,9 +194,27 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
                    w.moved_by_group[i]);
     keep_unclear(bit.groups[i], w.candidates[i], w.clear, w.unclear_by_group[i]);
     sort_unique(w.moved_by_group[i]);
+    w.moved_in_step[i].insert(w.moved_in_step[i].end(), w.moved_by_group[i].begin(),
+                              w.moved_by_group[i].end());
     any = any || !w.moved_by_group[i].empty();
   }
   return any;
+}
+
+/// Keeps the lists in step with what moved.
+void note_moves(Rock& rock, CutWorkspace& w) {
+  for (const std::vector<int>& moved : w.moved_in_step) {
+    mesh::Box box_W;
+    for (const int v : moved) box_W.add(rock.surface.position(v));
+    for (NearList& list : rock.near_lists) {
+      if (!meet(box_W, list.region_W.box)) continue;
+      for (const int v : moved)
+        if (is_between(list.region_W.slabs, rock.surface.position(v)))
+          note_moved(list, v, rock.surface.position(v));
+    }
+  }
+  for (NearList& list : rock.near_lists)
+    if (list.changes == w.changes_before) list.changes = rock.grid.changes();
 }
 
 std::string first_moved(const CutWorkspace& w, const Rock& rock) {
@@ -220,9 +243,11 @@ void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& 
   begin_step(bit, X_WB0, X_WB1, work, report);
   work.move_of.resize(rock.surface.positions.size(), 0);
   work.step_of_move.resize(rock.surface.positions.size(), 0);
+  rock.near_lists.resize(bit.groups.size());
   find_in_rock(rock, bit, work);
+  work.changes_before = rock.grid.changes();
   for (report.passes = 1; report.passes <= work.most_passes; ++report.passes) {
-    if (!process_all(rock, bit, work, report)) return;
+    if (!process_all(rock, bit, work, report)) return note_moves(rock, work);
     find_among_moved(rock, bit, work);
   }
   throw RunError(fmt::format(

@@ -3,18 +3,21 @@
 #include <vector>
 
 #include "mesh/surface.hpp"
+#include "rock/near_list.hpp"
 #include "rock/vertex_grid.hpp"
 
 namespace tdbd::rock {
 
-/// The rock: a surface whose normal points out of the rock, an index over its vertices, who cut
-/// each vertex last, and which vertices changed since the last maintenance. Frame W. Thesis: 4.1.
+/// The rock: a surface whose normal points out of the rock, an index over its vertices, lists of
+/// those near the bit, who cut each vertex last, and which vertices changed since the last
+/// maintenance. Frame W. Thesis: 4.1.
 struct Rock {
   mesh::Surface surface;
   VertexGrid grid;
   std::vector<int> last_part;         ///< per vertex: index into Bit::parts, -1 untouched
   std::vector<std::uint8_t> touched;  ///< per vertex: 1 if listed in touched_list
   std::vector<int> touched_list;
+  std::vector<NearList> near_lists;  ///< of the groups of the bit that cut last
 };
 
 /// Puts a surface under the index. `cell` in m; about twice the edge length is quickest.

@@ -89,6 +89,7 @@ Simulation start(const Case& c) {
   s.steps_done = c.time.first;
   s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
   s.cut_work.most_passes = c.update.most_passes;
+  s.cut_work.foresight = foresight_of(c.measure, c.rock.edge_length);
   s.cones = start_cones(c);
   s.measures = start_measures(c.bit, c.measure);
   s.rock = start_rock(c);
