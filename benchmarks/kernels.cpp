@@ -48,9 +48,10 @@ std::vector<Query> queries_of_next_step(const Drilling& d) {
     bring_up_to_date(d.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {},
                      list);
     rock::find_candidates(g, motion, list, candidates);
-    for (const int v : candidates)
+    for (const int place : candidates)
       for (const rock::CuttingPart& part : g.parts) {
-        const auto path = path_of(g, motion, d.state.rock.surface.position(v));
+        const auto path = path_of(
+            g, motion, d.state.rock.surface.position(list.v[static_cast<std::size_t>(place)]));
         if (rock::is_swept(part, path, scratch)) queries.push_back({&part, path});
       }
   }

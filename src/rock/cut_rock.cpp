@@ -122,11 +122,13 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
     const CuttingGroup& g = bit.groups[at(i)];
     const GroupMotion& m = w.motions[at(i)];
+    NearList& list = rock.near_lists[at(i)];
     w.candidates[at(i)].clear();
+    w.places[at(i)].clear();
     if (is_out_of_reach(rock.grid, m)) return;
-    bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight,
-                     rock.near_lists[at(i)]);
-    find_candidates(g, m, rock.near_lists[at(i)], w.candidates[at(i)]);
+    bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight, list);
+    find_candidates(g, m, list, w.places[at(i)]);
+    for (const int place : w.places[at(i)]) w.candidates[at(i)].push_back(list.v[at(place)]);
   });
 }
 
@@ -173,6 +175,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   w.moved_by_group.resize(bit.groups.size());
   w.unclear_by_group.resize(bit.groups.size());
   w.candidates.resize(bit.groups.size());
+  w.places.resize(bit.groups.size());
   w.moved_in_step.resize(bit.groups.size());
   for (auto& moved : w.moved_in_step) moved.clear();
   w.motions.clear();
@@ -201,20 +204,27 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
   return any;
 }
 
-/// Keeps the lists in step with what moved.
+/// Keeps the lists in step with what moved. A group's first candidates are in its list; what it
+/// moved later had been moved by another group, whose turn it was.
 void note_moves(Rock& rock, CutWorkspace& w) {
-  for (const std::vector<int>& moved : w.moved_in_step) {
+  for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
+    NearList& list = rock.near_lists[i];
+    if (list.changes != w.changes_before) continue;
+    for (const int place : w.places[i])
+      set_place(list, at(place), rock.surface.position(list.v[at(place)]));
+    list.changes = rock.grid.changes();
+  }
+  for (std::size_t k = 0; k < w.moved_in_step.size(); ++k) {
     mesh::Box box_W;
-    for (const int v : moved) box_W.add(rock.surface.position(v));
-    for (NearList& list : rock.near_lists) {
-      if (!meet(box_W, list.region_W.box)) continue;
-      for (const int v : moved)
+    for (const int v : w.moved_in_step[k]) box_W.add(rock.surface.position(v));
+    for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
+      NearList& list = rock.near_lists[i];
+      if (i == k || !meet(box_W, list.region_W.box)) continue;
+      for (const int v : w.moved_in_step[k])
         if (is_between(list.region_W.slabs, rock.surface.position(v)))
           note_moved(list, v, rock.surface.position(v));
     }
   }
-  for (NearList& list : rock.near_lists)
-    if (list.changes == w.changes_before) list.changes = rock.grid.changes();
 }
 
 std::string first_moved(const CutWorkspace& w, const Rock& rock) {

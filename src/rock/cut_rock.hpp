@@ -39,6 +39,7 @@ struct CutWorkspace {
   SweptScratch swept;
   std::vector<GroupMotion> motions;          ///< per group
   std::vector<std::vector<int>> candidates;  ///< per group
+  std::vector<std::vector<int>> places;      ///< per group, of the first candidates in its list
   std::vector<std::vector<int>> moved_by_group, unclear_by_group;
   std::vector<std::vector<int>> moved_in_step;  ///< per group, in all passes
   Foresight foresight;

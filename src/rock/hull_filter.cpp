@@ -140,9 +140,9 @@ void visit_unclear(const CuttingGroup& g, const Pose& X_PW0, const Pose& X_PW1,
 }  // namespace
 
 void find_candidates(const CuttingGroup& g, const GroupMotion& m, const NearList& list,
-                     std::vector<int>& candidates) {
+                     std::vector<int>& places) {
   visit_unclear(g, m.X_PW0, m.X_PW1, list, single_slack(list.region_W.box),
-                [&](std::size_t i) { candidates.push_back(list.v[i]); });
+                [&](std::size_t i) { places.push_back(static_cast<int>(i)); });
 }
 
 void find_touching(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap,

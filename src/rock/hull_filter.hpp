@@ -5,10 +5,11 @@
 
 namespace tdbd::rock {
 
-/// Appends those vertices of the list that the group may sweep: all that it does sweep, and those
-/// few that no single plane of its hull tells apart. Each once. The list must cover the motion.
+/// Appends the places in the list (of NearList::v) of those vertices that the group may sweep: all
+/// that it does sweep, and those few that no single plane of its hull tells apart. The list must
+/// cover the motion.
 void find_candidates(const CuttingGroup& g, const GroupMotion& m, const NearList& list,
-                     std::vector<int>& candidates);
+                     std::vector<int>& places);
 
 /// Appends those vertices of the list that are nearer than `gap` (m) to the group at the end of its
 /// motion, and few others.

@@ -89,19 +89,13 @@ void clear(NearList& list) {
   list.v.clear();
 }
 
-void set_place(NearList& list, std::size_t i, const Vec3& from_origin) {
-  list.x[i] = static_cast<Single>(from_origin.x());
-  list.y[i] = static_cast<Single>(from_origin.y());
-  list.z[i] = static_cast<Single>(from_origin.z());
-}
-
-void append(NearList& list, int v, const Vec3& from_origin) {
+void append(NearList& list, int v, const Vec3& x_W) {
   constexpr Single nowhere = std::numeric_limits<Single>::quiet_NaN();
   const std::size_t i = list.v.size();
   list.v.push_back(v);
   if (i == list.x.size())
     for (auto* column : {&list.x, &list.y, &list.z}) column->resize(i + single_lanes, nowhere);
-  set_place(list, i, from_origin);
+  set_place(list, i, x_W);
 }
 
 /// Slabs in single precision, about a list's origin.
@@ -142,14 +136,17 @@ void gather(const VertexGrid& grid, NearList& list) {
   clear(list);
   const double slack = single_slack(list.region_W.box);
   list.origin_W = middle_of(list.region_W.slabs).centre_W;
+  const SingleSlabs slabs = about(Vec3::Zero(), list.region_W.slabs, slack);
   grid.visit(list.region_W, list.chains, [&](const VertexGrid::Block& block) {
-    for (std::size_t s = 0; s < static_cast<std::size_t>(block.count); ++s) {
-      const Vec3 x_W(block.x[s], block.y[s], block.z[s]);
-      const bool is_in = std::ranges::all_of(list.region_W.slabs, [&](const Slab& slab) {
-        const double along = slab.n.dot(x_W);
-        return along >= slab.lo - slack && along <= slab.hi + slack;
-      });
-      if (is_in) append(list, block.v[s], x_W - list.origin_W);
+    std::array<Single, single_lanes> x{}, y{}, z{};
+    std::ranges::copy(block.x, x.begin());
+    std::ranges::copy(block.y, y.begin());
+    std::ranges::copy(block.z, z.begin());
+    const unsigned filled = (1U << block.count) - 1U;
+    for (unsigned in = filled & between(x.data(), y.data(), z.data(), slabs); in != 0;
+         in &= in - 1U) {
+      const auto s = static_cast<std::size_t>(std::countr_zero(in));
+      append(list, block.v[s], Vec3(x[s], y[s], z[s]));
     }
   });
 }
@@ -179,10 +176,16 @@ void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const Fores
   list.since_change = has_changed ? 1 : list.since_change + 1;
 }
 
+void set_place(NearList& list, std::size_t i, const Vec3& x_W) {
+  list.x[i] = static_cast<Single>(x_W.x() - list.origin_W.x());
+  list.y[i] = static_cast<Single>(x_W.y() - list.origin_W.y());
+  list.z[i] = static_cast<Single>(x_W.z() - list.origin_W.z());
+}
+
 void note_moved(NearList& list, int v, const Vec3& x_W) {
   const auto found = std::ranges::find(list.v, v);
-  if (found == list.v.end()) return append(list, v, x_W - list.origin_W);
-  set_place(list, static_cast<std::size_t>(found - list.v.begin()), x_W - list.origin_W);
+  if (found == list.v.end()) return append(list, v, x_W);
+  set_place(list, static_cast<std::size_t>(found - list.v.begin()), x_W);
 }
 
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,

@@ -53,8 +53,11 @@ inline bool is_between(const std::array<Slab, 3>& slabs, const Vec3& x_W) {
   });
 }
 
-/// A vertex has come to this place between the list's slabs. Then the list's `changes` may be set
-/// to the index's.
+/// The list's vertex number i has come to this place.
+void set_place(NearList& list, std::size_t i, const Vec3& x_W);
+
+/// A vertex has come to this place between the list's slabs, known to it or not. Then the list's
+/// `changes` may be set to the index's.
 void note_moved(NearList& list, int v, const Vec3& x_W);
 
 /// Appends the vertices between the slabs of the region widened by `slack` (m), by their places in

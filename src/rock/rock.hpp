@@ -15,7 +15,7 @@ struct Rock {
   mesh::Surface surface;
   VertexGrid grid;
   std::vector<int> last_part;         ///< per vertex: index into Bit::parts, -1 untouched
-  std::vector<std::uint8_t> touched;  ///< per vertex: 1 if listed in touched_list
+  std::vector<std::uint8_t> touched;  ///< per vertex: a mark if listed in touched_list
   std::vector<int> touched_list;
   std::vector<NearList> near_lists;  ///< of the groups of the bit that cut last
 };
@@ -23,6 +23,10 @@ struct Rock {
 /// Puts a surface under the index. `cell` in m; about twice the edge length is quickest.
 /// `reach_W` is where the bit will go, so that the grid covers it.
 Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W);
+
+/// Marks of Rock::touched. The second only during a maintenance: looked at, and not touched since
+/// (touched_region.hpp).
+inline constexpr std::uint8_t touched_mark = 1, looked_at_mark = 2;
 
 /// Notes that a vertex changed (moved, or its triangles did).
 void touch(Rock& rock, int v);

@@ -73,6 +73,7 @@ Json vertex_rows(const OneStep& one, long& moved) {
   bring_up_to_date(one.s.rock.grid,
                    {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, list);
   find_candidates(one.group(), motion, list, candidates);
+  for (int& v : candidates) v = list.v[static_cast<std::size_t>(v)];
   mesh::Box near = motion.region_W.box;
   near.lo -= Vec3::Constant(8e-3);
   near.hi += Vec3::Constant(8e-3);

@@ -48,6 +48,7 @@ std::vector<int> candidates_in(const VertexGrid& grid, const CuttingGroup& g,
   if (is_out_of_reach(grid, m)) return candidates;
   bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, {}, list);
   find_candidates(g, m, list, candidates);
+  for (int& v : candidates) v = list.v[static_cast<std::size_t>(v)];
   return candidates;
 }
 
