@@ -182,12 +182,27 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
 }
 
+/// Asks for what the next group will read of its candidates, while this one is at work.
+void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
+  if (group >= w.candidates.size()) return;
+  for (const int v : w.candidates[group]) {
+    __builtin_prefetch(&rock.surface.positions[at(v)]);
+    __builtin_prefetch(&rock.surface.corner_of[at(v)]);
+    __builtin_prefetch(&rock.last_part[at(v)]);
+    __builtin_prefetch(&rock.touched[at(v)]);
+    __builtin_prefetch(&w.move_of[at(v)]);
+    __builtin_prefetch(&w.step_of_move[at(v)]);
+    rock.grid.prefetch(v);
+  }
+}
+
 /// Every part in turn. Returns whether anything moved.
 bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& report) {
   bool any = false;
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     w.moved_by_group[i].clear();
     w.unclear_by_group[i].clear();
+    prefetch(rock, w, i + 1);
     if (w.candidates[i].empty()) continue;
     report.candidates += static_cast<long>(w.candidates[i].size());
     map_directions(rock, bit.groups[i], w.motions[i], w.candidates[i], w.directions_W);
