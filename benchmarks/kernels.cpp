@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "benchmarks/drilling.hpp"
-#include "rock/group_motion.hpp"
+#include "rock/hull_filter.hpp"
 #include "rock/maintain.hpp"
 #include "rock/mapped_direction.hpp"
 #include "rock/swept_part.hpp"
@@ -39,15 +39,19 @@ struct Query {
 
 std::vector<Query> queries_of_next_step(const Drilling& d) {
   std::vector<Query> queries;
-  std::vector<int> chains, candidates;
+  std::vector<int> candidates;
   rock::SweptScratch scratch;
   for (const rock::CuttingGroup& g : d.state.bit.groups) {
     const auto motion = rock::group_motion(g, pose_after(d, 0.0), pose_after(d, 1.0));
     candidates.clear();
-    rock::find_candidates(d.state.rock.grid, g, motion, chains, candidates);
-    for (const int v : candidates)
+    rock::NearList list;
+    bring_up_to_date(d.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {},
+                     list);
+    rock::find_candidates(g, motion, list, candidates);
+    for (const int place : candidates)
       for (const rock::CuttingPart& part : g.parts) {
-        const auto path = path_of(g, motion, d.state.rock.surface.position(v));
+        const auto path = path_of(
+            g, motion, d.state.rock.surface.position(list.v[static_cast<std::size_t>(place)]));
         if (rock::is_swept(part, path, scratch)) queries.push_back({&part, path});
       }
   }
@@ -119,15 +123,15 @@ void grid_query(benchmark::State& state) {
   state.SetItemsProcessed(vertices);
 }
 
-/// The same, and the test of every vertex against the hull of its group.
+/// The test of every vertex in the groups' lists against the hull of its group.
 void find_candidates(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<rock::GroupMotion> motions = next_motions(d);
-  std::vector<int> chains, candidates;
+  std::vector<int> candidates;
   for (auto _ : state)
     for (std::size_t i = 0; i < motions.size(); ++i) {
       candidates.clear();
-      rock::find_candidates(d.state.rock.grid, d.state.bit.groups[i], motions[i], chains,
+      rock::find_candidates(d.state.bit.groups[i], motions[i], d.state.rock.near_lists[i],
                             candidates);
       benchmark::DoNotOptimize(candidates.data());
     }

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "core/single.hpp"
+
 /// Marks a function over columns to be compiled for wider vector registers too; the program picks
 /// when it starts. No operation is contracted or reordered, so either choice gives the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
@@ -19,6 +21,11 @@ inline constexpr std::size_t lanes = 4;
 
 /// `lanes` numbers that are computed with as one: arithmetic, comparison and ?: work on each.
 using Wide = double __attribute__((vector_size(lanes * sizeof(double))));
+
+/// The same of single precision, twice as many, and what comparing them gives: all bits or none.
+inline constexpr std::size_t single_lanes = 8;
+using WideSingle = Single __attribute__((vector_size(single_lanes * sizeof(Single))));
+using WideFlags = int __attribute__((vector_size(single_lanes * sizeof(int))));
 
 /// No function takes or returns a Wide: how one is passed differs between instruction sets.
 #define TDBD_LOAD(wide, address) std::memcpy(&(wide), (address), sizeof(wide))

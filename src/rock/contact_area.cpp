@@ -28,22 +28,36 @@ bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
   return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
 }
 
-/// What the step moved, and what is in the box of the group at the step's end.
-void find_near(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
-               const CutWorkspace& cut, double gap, ContactWork& w) {
-  w.near.clear();
-  w.near_P.clear();
+/// Those from which a group of parts may be told apart with few of its planes: no part has a corner
+/// so sharp that what it touches lies farther than this many gaps from the hull around it.
+constexpr double gaps_around_hull = 16.0;
+
+/// What may be in the box of the group at the step's end, from the list if that covers it.
+void find_around(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
+                 const NearList& list, double gap, ContactWork& w) {
   const mesh::Box& box_W = m.region_W.box;
   if (rock.grid.nearest_to_axis(box_W.lo.z() - gap, box_W.hi.z() + gap) > m.reach_W + gap) return;
-  rock.grid.visit(widened(m.region_W, gap), w.chains, [&](const VertexGrid::Block& block) {
-    for (int s = 0; s < block.count; ++s) {
-      const int v = block.v[at(s)];
-      const Vec3 x_P = m.X_PW1 * rock.surface.position(v);
-      if (!is_within(g.box_P, x_P, gap) && !has_moved(cut, v)) continue;
-      w.near.push_back(v);
-      w.near_P.push_back(x_P);
-    }
+  const Region region_W = widened(m.region_W, gap);
+  if (covers(list, rock.grid, region_W))
+    return find_touching(g, m, list, gaps_around_hull * gap, w.near);
+  rock.grid.visit(region_W, w.chains, [&](const VertexGrid::Block& block) {
+    w.near.insert(w.near.end(), block.v.begin(), block.v.begin() + block.count);
   });
+}
+
+/// What the step moved, and what is in the box of the group at the step's end. A vertex may be
+/// there twice.
+void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
+               double gap, ContactWork& w) {
+  const CuttingGroup& g = bit.groups[i];
+  const GroupMotion& m = cut.motions[i];
+  w.near.clear();
+  w.near_P.clear();
+  find_around(rock, g, m, rock.near_lists[i], gap, w);
+  std::erase_if(
+      w.near, [&](int v) { return !is_within(g.box_P, m.X_PW1 * rock.surface.position(v), gap); });
+  w.near.insert(w.near.end(), cut.moved_in_step[i].begin(), cut.moved_in_step[i].end());
+  for (const int v : w.near) w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
 }
 
 /// Asks first the plane that kept the last one away.
@@ -111,7 +125,7 @@ void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& 
   w.mark.resize(rock.surface.positions.size(), 0);
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     const CuttingGroup& g = bit.groups[i];
-    find_near(rock, g, cut.motions[i], cut, gap, w);
+    find_near(rock, bit, cut, i, gap, w);
     if (w.near.size() < 3) continue;
     for (std::size_t k = 0; k < g.parts.size();) {
       const int part = g.parts[k].part;

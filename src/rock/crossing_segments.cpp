@@ -18,19 +18,19 @@ class OutlineSearch {
   OutlineSearch(const Rock& rock, const FacePlane& plane, OutlineWork& work)
       : rock_(rock), s_(rock.surface), f_(plane), w_(work) {}
 
-  void around(int v, const Vec3& x_W, double ahead);
+  const RingVertex* around(int v, const RingVertex* ring);
   bool is_in_zone(const Vec2& x_F) const;
   bool is_start(const Seen& a) const {
     if (!(a.ahead >= 0.0 && a.ahead <= f_.reach)) return false;
     const Vec2 x_F = f_.in_plane(a.x_W);
     return x_F.y() <= f_.top && is_in_zone(x_F);
   }
-
- private:
   Seen seen(int v) const {
     const Vec3& x_W = s_.position(v);
     return {v, x_W, f_.ahead(x_W)};
   }
+
+ private:
   Seen seen_at(int corner) const { return seen(s_.vertex(corner)); }
   /// An edge gives its two triangles the same point.
   Vec2 crossing(const Seen& ahead, const Seen& behind) const {
@@ -66,20 +66,35 @@ int first_corner(const mesh::Surface& s, int v) {
   return c;
 }
 
-/// The triangles that cross the plane on an edge from this vertex to one behind.
-void OutlineSearch::around(int v, const Vec3& x_W, double ahead) {
-  const Seen centre{v, x_W, ahead};
-  const int first = first_corner(s_, v);
-  Seen next = seen_at(mesh::next_corner(first));
-  bool ask_before = true;
-  int c = first;
+/// Appends the corners at v, counter-clockwise, and with each the vertex after it; at last the
+/// vertex before the last corner.
+void add_ring(const mesh::Surface& s, int v, std::vector<RingVertex>& ring) {
+  const int first = first_corner(s, v);
+  int c = first, last = -1;
   do {
-    const Seen last = seen_at(mesh::previous_corner(c));
-    if (next.ahead < 0.0) triangle(c, centre, next, last, ask_before);
-    ask_before = next.ahead >= 0.0;
-    next = last;
-    c = mesh::turn_left(s_, c);
+    const auto t = static_cast<std::size_t>(c / 3), i = static_cast<std::size_t>(c) - 3 * t;
+    const std::size_t next = i == 2 ? 0 : i + 1;
+    ring.push_back({c, s.triangles[t][next], 0.0});
+    last = s.triangles[t][i == 0 ? 2 : i - 1];
+    const int o = s.opposite[3 * t + next];
+    c = o < 0 ? -1 : mesh::next_corner(o);
   } while (c >= 0 && c != first);
+  ring.push_back({-1, last, 0.0});
+}
+
+/// The triangles that cross the plane on an edge from this vertex to one behind. Returns the end of
+/// its ring.
+const RingVertex* OutlineSearch::around(int v, const RingVertex* ring) {
+  const Seen centre = seen(v);
+  bool ask_before = true;
+  for (; ring->corner >= 0; ++ring) {
+    const RingVertex& last = ring[1];
+    if (ring->ahead < 0.0)
+      triangle(ring->corner, centre, {ring->v, s_.position(ring->v), ring->ahead},
+               {last.v, s_.position(last.v), last.ahead}, ask_before);
+    ask_before = ring->ahead >= 0.0;
+  }
+  return ring + 1;
 }
 
 /// The triangle with this corner at v; follows the outline on either side where the vertex ahead is
@@ -132,13 +147,22 @@ void OutlineSearch::follow_back(int facing, int ahead, int behind, Vec2 to) {
   w_.segments.insert(w_.segments.end(), w_.run.begin(), w_.run.end());
 }
 
-/// Asks for the first triangle of many vertices at once, so that none is waited for one by one.
+/// Asks for the first triangles of many vertices at once, so that none is waited for one by one.
 void prefetch(const mesh::Surface& s, const std::vector<int>& near) {
   for (const int v : near) __builtin_prefetch(&s.corner_of[static_cast<std::size_t>(v)]);
   for (const int v : near) {
     const auto c = static_cast<std::size_t>(s.corner_of[static_cast<std::size_t>(v)]);
     __builtin_prefetch(&s.triangles[c / 3]);
     __builtin_prefetch(&s.opposite[c]);
+  }
+  for (const int v : near) {
+    const int c = s.corner_of[static_cast<std::size_t>(v)];
+    for (const int o :
+         {s.opposite_of(mesh::next_corner(c)), s.opposite_of(mesh::previous_corner(c))}) {
+      if (o < 0) continue;
+      __builtin_prefetch(&s.triangles[static_cast<std::size_t>(o / 3)]);
+      __builtin_prefetch(&s.opposite[static_cast<std::size_t>(o)]);
+    }
   }
 }
 
@@ -164,8 +188,12 @@ Region region_of(const FacePlane& f) {
 void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   const Region region = region_of(plane);
   const double slack = single_slack(region.box);
-  const double from = plane.n0 - slack, to = plane.n0 + plane.reach + slack;
   work.near.clear();
+  const auto list = static_cast<std::size_t>(plane.near_list);
+  if (plane.near_list >= 0 && list < rock.near_lists.size() &&
+      covers(rock.near_lists[list], rock.grid, region))
+    return add_vertices_between(rock.near_lists[list], region, slack, work.near);
+  const double from = plane.n0 - slack, to = plane.n0 + plane.reach + slack;
   rock.grid.visit(region, work.chains, [&](const VertexGrid::Block& block) {
     std::size_t found = work.near.size();
     work.near.resize(found + VertexGrid::block_size);
@@ -182,7 +210,7 @@ void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
 }  // namespace
 
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
-                     double reach, double top) {
+                     double reach, double top, int near_list) {
   const Vec3 n_W = X_WF.R.col(0), y_W = X_WF.R.col(1), z_W = X_WF.R.col(2);
   return {n_W,
           y_W,
@@ -194,20 +222,21 @@ FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t firs
           face.columns[first].y0,
           face.columns[end - 1].y1,
           reach,
-          top};
+          top,
+          near_list};
 }
 
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   work.segments.clear();
   find_near(rock, plane, work);
   OutlineSearch search(rock, plane, work);
-  const auto ahead = [&](int v) { return plane.ahead(rock.surface.position(v)); };
-  std::erase_if(work.near, [&](int v) {
-    const Seen seen{v, rock.surface.position(v), ahead(v)};
-    return seen.ahead < 0.0 || seen.ahead > plane.reach || !search.is_start(seen);
-  });
+  std::erase_if(work.near, [&](int v) { return !search.is_start(search.seen(v)); });
   prefetch(rock.surface, work.near);
-  for (const int v : work.near) search.around(v, rock.surface.position(v), ahead(v));
+  work.ring.clear();
+  for (const int v : work.near) add_ring(rock.surface, v, work.ring);
+  for (RingVertex& r : work.ring) r.ahead = plane.ahead(rock.surface.position(r.v));
+  const RingVertex* ring = work.ring.data();
+  for (const int v : work.near) ring = search.around(v, ring);
 }
 
 }  // namespace tdbd::rock

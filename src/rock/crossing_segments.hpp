@@ -13,18 +13,27 @@ struct FacePlane {
   double left, right;  ///< m, y of the ends of the columns
   double reach;        ///< m
   double top;          ///< m, z up to which vertices to start from are looked for
+  int near_list;       ///< of the rock's lists, that which may cover the zone; -1: none
 
   double ahead(const Vec3& x_W) const { return n_W.dot(x_W) - n0; }
   Vec2 in_plane(const Vec3& x_W) const { return {y_W.dot(x_W) - y0, z_W.dot(x_W) - z0}; }
 };
 
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
-                     double reach, double top);
+                     double reach, double top, int near_list);
+
+/// A corner at a vertex to start from, the vertex after it, and how far that is ahead (m).
+struct RingVertex {
+  int corner;  ///< -1 at the end of a ring
+  int v;
+  double ahead;
+};
 
 /// Room for the pieces of the rock's outline.
 struct OutlineWork {
   std::vector<int> chains;
-  std::vector<int> near;  ///< vertices to start from
+  std::vector<int> near;         ///< vertices to start from
+  std::vector<RingVertex> ring;  ///< around all of them
   std::vector<OutlineSegment> segments;
   std::vector<OutlineSegment> run;
 };

@@ -118,11 +118,17 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
 }
 
 /// First pass: every group looks at the rock as the step found it, so groups look at once.
-void find_in_rock(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
+void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
+    const CuttingGroup& g = bit.groups[at(i)];
+    const GroupMotion& m = w.motions[at(i)];
+    NearList& list = rock.near_lists[at(i)];
     w.candidates[at(i)].clear();
-    find_candidates(rock.grid, bit.groups[at(i)], w.motions[at(i)], w.chains[at(i)],
-                    w.candidates[at(i)]);
+    w.places[at(i)].clear();
+    if (is_out_of_reach(rock.grid, m)) return;
+    bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight, list);
+    find_candidates(g, m, list, w.places[at(i)]);
+    for (const int place : w.places[at(i)]) w.candidates[at(i)].push_back(list.v[at(place)]);
   });
 }
 
@@ -148,13 +154,13 @@ void keep_unclear(const CuttingGroup& g, const std::vector<int>& candidates,
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     w.candidates[i].clear();
-    HullFilter filter(bit.groups[i], w.motions[i]);
     const mesh::Box& box_W = w.motions[i].region_W.box;
     for (std::size_t k = 0; k < bit.groups.size(); ++k) {
       const std::vector<int>& among = k == i ? w.unclear_by_group[k] : w.moved_by_group[k];
       if (among.empty() || !meet(box_W, w.motions[k].region_W.box)) continue;
       for (const int v : among)
-        if (!filter.keeps_outside(rock.surface.position(v))) w.candidates[i].push_back(v);
+        if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
+          w.candidates[i].push_back(v);
     }
     sort_unique(w.candidates[i]);
   }
@@ -169,9 +175,25 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   w.moved_by_group.resize(bit.groups.size());
   w.unclear_by_group.resize(bit.groups.size());
   w.candidates.resize(bit.groups.size());
-  w.chains.resize(bit.groups.size());
+  w.places.resize(bit.groups.size());
+  w.moved_in_step.resize(bit.groups.size());
+  for (auto& moved : w.moved_in_step) moved.clear();
   w.motions.clear();
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
+}
+
+/// Asks for what the next group will read of its candidates, while this one is at work.
+void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
+  if (group >= w.candidates.size()) return;
+  for (const int v : w.candidates[group]) {
+    __builtin_prefetch(&rock.surface.positions[at(v)]);
+    __builtin_prefetch(&rock.surface.corner_of[at(v)]);
+    __builtin_prefetch(&rock.last_part[at(v)]);
+    __builtin_prefetch(&rock.touched[at(v)]);
+    __builtin_prefetch(&w.move_of[at(v)]);
+    __builtin_prefetch(&w.step_of_move[at(v)]);
+    rock.grid.prefetch(v);
+  }
 }
 
 /// Every part in turn. Returns whether anything moved.
@@ -180,6 +202,7 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     w.moved_by_group[i].clear();
     w.unclear_by_group[i].clear();
+    prefetch(rock, w, i + 1);
     if (w.candidates[i].empty()) continue;
     report.candidates += static_cast<long>(w.candidates[i].size());
     map_directions(rock, bit.groups[i], w.motions[i], w.candidates[i], w.directions_W);
@@ -189,9 +212,34 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
                    w.moved_by_group[i]);
     keep_unclear(bit.groups[i], w.candidates[i], w.clear, w.unclear_by_group[i]);
     sort_unique(w.moved_by_group[i]);
+    w.moved_in_step[i].insert(w.moved_in_step[i].end(), w.moved_by_group[i].begin(),
+                              w.moved_by_group[i].end());
     any = any || !w.moved_by_group[i].empty();
   }
   return any;
+}
+
+/// Keeps the lists in step with what moved. A group's first candidates are in its list; what it
+/// moved later had been moved by another group, whose turn it was.
+void note_moves(Rock& rock, CutWorkspace& w) {
+  for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
+    NearList& list = rock.near_lists[i];
+    if (list.changes != w.changes_before) continue;
+    for (const int place : w.places[i])
+      set_place(list, at(place), rock.surface.position(list.v[at(place)]));
+    list.changes = rock.grid.changes();
+  }
+  for (std::size_t k = 0; k < w.moved_in_step.size(); ++k) {
+    mesh::Box box_W;
+    for (const int v : w.moved_in_step[k]) box_W.add(rock.surface.position(v));
+    for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
+      NearList& list = rock.near_lists[i];
+      if (i == k || !meet(box_W, list.region_W.box)) continue;
+      for (const int v : w.moved_in_step[k])
+        if (is_between(list.region_W.slabs, rock.surface.position(v)))
+          note_moved(list, v, rock.surface.position(v));
+    }
+  }
 }
 
 std::string first_moved(const CutWorkspace& w, const Rock& rock) {
@@ -220,9 +268,11 @@ void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& 
   begin_step(bit, X_WB0, X_WB1, work, report);
   work.move_of.resize(rock.surface.positions.size(), 0);
   work.step_of_move.resize(rock.surface.positions.size(), 0);
+  rock.near_lists.resize(bit.groups.size());
   find_in_rock(rock, bit, work);
+  work.changes_before = rock.grid.changes();
   for (report.passes = 1; report.passes <= work.most_passes; ++report.passes) {
-    if (!process_all(rock, bit, work, report)) return;
+    if (!process_all(rock, bit, work, report)) return note_moves(rock, work);
     find_among_moved(rock, bit, work);
   }
   throw RunError(fmt::format(

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rock/group_motion.hpp"
+#include "rock/hull_filter.hpp"
 #include "rock/rock.hpp"
 #include "rock/swept_part.hpp"
 
@@ -39,7 +39,10 @@ struct CutWorkspace {
   SweptScratch swept;
   std::vector<GroupMotion> motions;          ///< per group
   std::vector<std::vector<int>> candidates;  ///< per group
-  std::vector<std::vector<int>> chains, moved_by_group, unclear_by_group;
+  std::vector<std::vector<int>> places;      ///< per group, of the first candidates in its list
+  std::vector<std::vector<int>> moved_by_group, unclear_by_group;
+  std::vector<std::vector<int>> moved_in_step;  ///< per group, in all passes
+  Foresight foresight;
   std::vector<MovedVertex> moves;  ///< by the part at work
   std::vector<int> move_of;        ///< per vertex: its place in `moves`, if that is its place
   std::vector<int> triangles;
@@ -47,6 +50,7 @@ struct CutWorkspace {
   std::vector<RelativePath> paths;  ///< of the candidates, for the part at work
   std::vector<Clear> clear;         ///< per candidate of the group at work
   std::vector<int> step_of_move;    ///< per vertex: the last step that moved it
+  long changes_before = 0;          ///< of the index, when the step began
   int step = 0;                     ///< that the workspace did last
 };
 

@@ -1,6 +1,7 @@
 #include "rock/cutting_bit.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "bit/part_pose.hpp"
 #include "core/tolerance.hpp"
@@ -77,6 +78,18 @@ mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
   return planes;
 }
 
+SingleSolid in_single(const mesh::ConvexSolid& planes) {
+  SingleSolid single;
+  single.b.fill(std::numeric_limits<Single>::infinity());
+  for (std::size_t i = 0; i < planes.planes; ++i) {
+    single.nx[i] = static_cast<Single>(planes.nx[i]);
+    single.ny[i] = static_cast<Single>(planes.ny[i]);
+    single.nz[i] = static_cast<Single>(planes.nz[i]);
+    single.b[i] = static_cast<Single>(planes.b[i]);
+  }
+  return single;
+}
+
 }  // namespace
 
 CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& options) {
@@ -88,7 +101,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
     if (part.cutting != bit::Cutting::cuts) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
       cutting.groups.push_back(
-          {part.X_BP, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.core_P, part.X_BP});
+          {part.X_BP, {}, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.core_P, part.X_BP});
     CuttingGroup& group = cutting.groups.back();
     add_part(group, part, i);
     for (const Vec3& x_P : part.mesh_P.positions) {
@@ -101,8 +114,8 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
     }
   }
   for (CuttingGroup& group : cutting.groups) {
-    constexpr std::size_t most = 40;
-    group.hull_P = spread_planes(bounding_planes(group, bit), most);
+    group.hull_P = spread_planes(bounding_planes(group, bit), SingleSolid::most);
+    group.single_hull_P = in_single(group.hull_P);
     group.directions = options.directions;
     for (CuttingPart& part : group.parts)
       if (part.tree_P && options.search == ExitSearch::walk)

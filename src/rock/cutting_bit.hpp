@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "core/single.hpp"
 #include "mesh/convex.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/triangle_tree.hpp"
@@ -27,13 +29,20 @@ struct CuttingPart {
 /// rock goes down the hole, or the bit's own, as the thesis has it for a bit that does not lean.
 enum class DirectionFrame { upright, bit };
 
+/// Planes of a solid in single precision, padded with planes that are nowhere.
+struct SingleSolid {
+  static constexpr std::size_t most = 40;
+  std::array<Single, most> nx{}, ny{}, nz{}, b{};
+};
+
 /// Parts that share a frame and an update direction: found together, processed one after another.
 struct CuttingGroup {
   Pose X_BP;
   mesh::Box box_P;
   mesh::ConvexSolid hull_P;  ///< a few planes around all parts, box_P's included
-  double reach = 0.0;        ///< m, farthest from the bit's axis
-  double distance = 0.0;     ///< m, farthest from the bit's origin
+  SingleSolid single_hull_P;
+  double reach = 0.0;     ///< m, farthest from the bit's axis
+  double distance = 0.0;  ///< m, farthest from the bit's origin
   Vec3 update_direction_B;
   std::vector<CuttingPart> parts;
   std::optional<bit::Segment> core_P;  ///< bit::Part::core_P

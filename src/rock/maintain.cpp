@@ -37,23 +37,6 @@ void sort_unique(std::vector<Candidate>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
 }
 
-/// A triangle as the limits see it. Lengths and quality squared: comparing needs no root.
-struct Shape {
-  std::array<double, 3> edge2{};  ///< m2, of the edge that faces corner i
-  double quality2 = 0.0;
-};
-
-Shape shape_of(const mesh::Surface& s, int t) {
-  const mesh::Facet f = facet_at(s, 3 * t);
-  const Vec3 ab = f.b - f.a, ac = f.c - f.a, bc = f.c - f.b;
-  Shape shape{{bc.squaredNorm(), ac.squaredNorm(), ab.squaredNorm()}, 0.0};
-  const double sum = shape.edge2[0] + shape.edge2[1] + shape.edge2[2];
-  if (sum > 0.0) shape.quality2 = 12.0 * ab.cross(ac).squaredNorm() / (sum * sum);
-  return shape;
-}
-
-bool is_below(const Shape& shape, double quality) { return shape.quality2 < quality * quality; }
-
 Candidate edge_facing(const mesh::Surface& s, int c, double key) {
   const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
   return {key, std::min(a, b), std::max(a, b)};
@@ -86,20 +69,41 @@ void visit_triangles(const mesh::Surface& s, const std::vector<int>& vertices, W
       });
 }
 
+/// Those of the touched triangles that an operation wanted at the first look, and all that have
+/// changed since, with their shapes; a triangle may come twice.
+template <class Visit>
+void visit_touched(const Rock& rock, const std::vector<int>& wanted, Work& work, Visit&& visit) {
+  for (const int t : wanted)
+    if (rock.surface.triangle_is_alive(t)) visit(t, shape_of(rock.surface, t));
+  find_changed(rock, work.touched);
+  visit_triangles(rock.surface, work.touched.changed, work, visit);
+}
+
+/// Where an operation is looked for: at what is touched, the first time; or at the vertices of
+/// Work::region.
+enum class Where { touched, region };
+
+template <class Visit>
+void visit_triangles(const Rock& rock, Where where, const std::vector<int>& wanted, Work& work,
+                     Visit&& visit) {
+  if (where == Where::touched)
+    visit_touched(rock, wanted, work, visit);
+  else
+    visit_triangles(rock.surface, work.region, work, visit);
+}
+
 /// Lowers the tips of spikes among the vertices of touched triangles. A tip below another is looked
 /// at in the next maintenance.
 void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
                   MaintenanceReport& report) {
   const mesh::Surface& s = rock.surface;
   work.changed.clear();
-  visit_triangles(s, rock.touched_list, work, [&](int t, const Shape&) {
-    ++report.touched_triangles;
+  report.touched_triangles += static_cast<long>(work.touched.triangles.size());
+  for (const int t : work.touched.steep) {
     const mesh::Triangle& v = s.triangles[at(t)];
     const auto higher = [&](int a, int b) { return s.position(a).z() < s.position(b).z(); };
-    const int top = *std::min_element(v.begin(), v.end(), higher);
-    const double steep = limits.shortest_edge * limits.shortest_edge;
-    if (-area_vector(facet_at(s, 3 * t)).z() < 0.5 * steep) work.changed.push_back(top);
-  });
+    work.changed.push_back(*std::min_element(v.begin(), v.end(), higher));
+  }
   sort_unique(work.changed);
   for (const int v : work.changed) try_blunt(rock, v, limits, work.strays, report);
 }
@@ -108,60 +112,72 @@ void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
 void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
                        MaintenanceReport& report) {
   const double longest2 = limits.longest_edge * limits.longest_edge;
-  work.region = rock.touched_list;
-  for (int rounds = 0; !work.region.empty(); count_round(rock, work.region, limits, rounds)) {
+  Where where = Where::touched;
+  for (int rounds = 0; where == Where::touched || !work.region.empty();
+       count_round(rock, work.region, limits, rounds)) {
     work.edges.clear();
-    visit_triangles(rock.surface, work.region, work, [&](int t, const Shape& shape) {
-      for (int i = 0; i < 3; ++i)
-        if (const double l2 = shape.edge2[at(i)]; l2 > longest2) {
-          const Candidate e = edge_facing(rock.surface, 3 * t + i, -l2);
-          if (rock.touched[at(e.a)] || rock.touched[at(e.b)]) work.edges.push_back(e);
-        }
-    });
+    visit_triangles(rock, where, work.touched.with_long_edges, work,
+                    [&](int t, const Shape& shape) {
+                      for (int i = 0; i < 3; ++i)
+                        if (const double l2 = shape.edge2[at(i)]; l2 > longest2) {
+                          const Candidate e = edge_facing(rock.surface, 3 * t + i, -l2);
+                          if (rock.touched[at(e.a)] || rock.touched[at(e.b)])
+                            work.edges.push_back(e);
+                        }
+                    });
     sort_unique(work.edges);
     work.region.clear();
     for (const Candidate& e : work.edges)
       if (bisect_edge(rock, e.a, e.b, limits, work.ring, report))
         work.region.insert(work.region.end(), work.ring.begin(), work.ring.end());
+    if (work.region.empty()) return;
     sort_unique(work.region);
+    where = Where::region;
   }
 }
 
-/// Whether a triangle lies back to back on one beside it. Rock that is moved along an upright wall
-/// can pass its neighbours there.
-bool is_folded(const mesh::Surface& s, int t) {
-  constexpr double back_to_back = -0.5;  // cosine of the normals
-  const Vec3 n = area_vector(facet_at(s, 3 * t));
-  for (int c = 3 * t; c < 3 * t + 3; ++c) {
-    const int o = s.opposite_of(c);
-    if (o < 0) continue;
-    const Vec3 m = area_vector(facet_at(s, o));
-    if (n.dot(m) < back_to_back * n.norm() * m.norm()) return true;
-  }
-  return false;
+/// Calls visit(neighbour) for every triangle on which this one lies back to back. Rock that is
+/// moved along an upright wall can pass its neighbours there.
+template <class Visit>
+void visit_folds(const mesh::Surface& s, int t, const Shape& shape, Visit&& visit) {
+  for (int c = 3 * t; c < 3 * t + 3; ++c)
+    if (const int o = s.opposite_of(c);
+        o >= 0 && are_folded(shape.doubled_area, doubled_area(facet_at(s, o))))
+      visit(o / 3);
+}
+
+void add_edges(const mesh::Surface& s, int t, const Shape& shape, std::vector<Candidate>& edges) {
+  for (int i = 0; i < 3; ++i) edges.push_back(edge_facing(s, 3 * t + i, shape.edge2[at(i)]));
 }
 
 /// Short edges, the shortest edge of every badly shaped triangle, and the edges of folds (4.2.1,
-/// 4.2.4.4).
-void find_collapses(const mesh::Surface& s, const MaintenanceLimits& limits, Work& work) {
+/// 4.2.4.4). What has changed may have folded a touched triangle that has not.
+void find_collapses(const Rock& rock, const MaintenanceLimits& limits, Where where, Work& work) {
+  const mesh::Surface& s = rock.surface;
   const double shortest2 = limits.shortest_edge * limits.shortest_edge;
   work.edges.clear();
-  visit_triangles(s, work.region, work, [&](int t, const Shape& shape) {
+  visit_triangles(rock, where, work.touched.to_collapse, work, [&](int t, const Shape& shape) {
+    bool is_fold = false;
+    if (limits.worst_quality > 0.0)
+      visit_folds(s, t, shape, [&](int other) {
+        is_fold = true;
+        if (where == Where::touched && place_of(work.touched, other) >= 0)
+          add_edges(s, other, shape_of(s, other), work.edges);
+      });
+    if (is_fold) return add_edges(s, t, shape, work.edges);
     const bool is_bad = is_below(shape, limits.worst_quality);
-    const double least2 = std::min({shape.edge2[0], shape.edge2[1], shape.edge2[2]});
-    const bool is_fold = limits.worst_quality > 0.0 && is_folded(s, t);
-    if (least2 >= shortest2 && !is_bad && !is_fold) return;
+    const double least2 = std::ranges::min(shape.edge2);
+    if (least2 >= shortest2 && !is_bad) return;
     for (int i = 0; i < 3; ++i)
-      if (const double l2 = shape.edge2[at(i)];
-          l2 < shortest2 || is_fold || (is_bad && l2 == least2))
+      if (const double l2 = shape.edge2[at(i)]; l2 < shortest2 || (is_bad && l2 == least2))
         work.edges.push_back(edge_facing(s, 3 * t + i, l2));
   });
   sort_unique(work.edges);
 }
 
-void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
+void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
                           MaintenanceReport& report) {
-  find_collapses(rock.surface, limits, work);
+  find_collapses(rock, limits, where, work);
   for (const Candidate& e : work.edges) {
     if (!rock.surface.is_alive(e.a) || !rock.surface.is_alive(e.b)) continue;
     if (try_collapse(rock, e.a, e.b, limits, work.ring, work.strays, report))
@@ -170,13 +186,13 @@ void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, Work& wor
 }
 
 /// The longest edge of triangles that flips may improve, worst first.
-void flip_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
+void flip_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
                 MaintenanceReport& report) {
   if (limits.flip_quality <= 0.0) return;
   const mesh::Surface& s = rock.surface;
   work.region.insert(work.region.end(), work.changed.begin(), work.changed.end());
   work.edges.clear();
-  visit_triangles(s, work.region, work, [&](int t, const Shape& shape) {
+  visit_triangles(rock, where, work.touched.to_flip, work, [&](int t, const Shape& shape) {
     if (!is_below(shape, limits.flip_quality)) return;
     const auto longest = std::max_element(shape.edge2.begin(), shape.edge2.end());
     const int c = 3 * t + static_cast<int>(longest - shape.edge2.begin());
@@ -192,17 +208,20 @@ void flip_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
   }
 }
 
-/// Rounds of collapses and flips in `work.region` until one carries out none: an operation may make
+/// Rounds of collapses and flips until one carries out none: an operation may make
 /// another necessary beside it, or remove what one was refused for. What was refused is asked again
 /// only where the surface changed. Collapses leave fewer vertices, flips better triangles, so
 /// rounds end.
-void repair(Rock& rock, const MaintenanceLimits& limits, Work& work, MaintenanceReport& report) {
-  for (int rounds = 0; !work.region.empty(); count_round(rock, work.region, limits, rounds)) {
+void repair(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
+            MaintenanceReport& report) {
+  for (int rounds = 0; where == Where::touched || !work.region.empty();
+       count_round(rock, work.region, limits, rounds)) {
     work.changed.clear();
-    collapse_short_edges(rock, limits, work, report);
-    flip_edges(rock, limits, work, report);
+    collapse_short_edges(rock, limits, where, work, report);
+    flip_edges(rock, limits, where, work, report);
     sort_unique(work.changed);
     std::swap(work.region, work.changed);
+    where = Where::region;
   }
 }
 
@@ -214,7 +233,7 @@ void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
   if (limits.smoothing == Smoothing::off) return;
   const mesh::Surface& s = rock.surface;
   work.changed.clear();
-  visit_triangles(s, rock.touched_list, work, [&](int t, const Shape& shape) {
+  visit_touched(rock, work.touched.to_smooth, work, [&](int t, const Shape& shape) {
     if (!is_below(shape, limits.smooth_quality)) return;
     for (int c = 3 * t; c < 3 * t + 3; ++c) work.changed.push_back(s.vertex(c));
   });
@@ -243,12 +262,12 @@ MaintenanceLimits limits_for(double edge_length) {
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
   work.strays.clear();
+  look_through(rock, limits, work.touched);
   blunt_spikes(rock, limits, work, report);
   bisect_long_edges(rock, limits, work, report);
-  work.region = rock.touched_list;
-  repair(rock, limits, work, report);
+  repair(rock, limits, Where::touched, work, report);
   smooth_vertices(rock, limits, work, report);
-  repair(rock, limits, work, report);
+  repair(rock, limits, Where::region, work, report);
   rock.grid.refresh_one_layer();
   for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
   rock.touched_list.clear();

@@ -7,6 +7,7 @@
 
 #include "rock/rock.hpp"
 #include "rock/strays.hpp"
+#include "rock/touched_region.hpp"
 
 namespace tdbd::rock {
 
@@ -87,6 +88,7 @@ struct MaintenanceWorkspace {
     double key;
     int a, b;
   };
+  TouchedRegion touched;
   std::vector<int> ring, changed, region;
   std::vector<Candidate> edges;
   std::vector<int> seen;  ///< per triangle: the last visit's stamp

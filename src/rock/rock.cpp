@@ -19,8 +19,9 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
 
 void touch(Rock& rock, int v) {
   std::uint8_t& mark = rock.touched[static_cast<std::size_t>(v)];
-  if (mark) return;
-  mark = 1;
+  const bool is_listed = mark != 0;
+  mark = touched_mark;
+  if (is_listed) return;
   rock.touched_list.push_back(v);
 }
 

@@ -134,7 +134,7 @@ Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB, con
   for (const FaceStrip& strip : work.strips)
     add_strip(rock, strip,
               face_plane(X_WB * carried(twist, strip.ahead) * X_BF, *columns, strip.first,
-                         strip.end, place.reach, middle),
+                         strip.end, place.reach, middle, place.near_list),
               work);
   s.sight = work.sight;
   measure_area(X_BF, twist, work.sums, s);

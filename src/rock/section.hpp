@@ -11,6 +11,7 @@ namespace tdbd::rock {
 struct SectionPlace {
   double lead = 0.0;   ///< m > 0, at least so far ahead; about 1.2 edge lengths
   double reach = 0.0;  ///< m, how far around the face rock is looked for; about an edge length
+  int near_list = -1;  ///< of the rock's lists, that which may cover the place; -1: none
   double largest_turn = 0.5;  ///< rad: beside the bit's axis never farther ahead than this
 };
 

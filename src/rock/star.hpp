@@ -20,6 +20,7 @@ inline mesh::Facet facet_at(const mesh::Surface& s, int c) {
 }
 
 inline double quality(const mesh::Facet& f) { return mesh::triangle_quality(f.a, f.b, f.c); }
+inline Vec3 doubled_area(const mesh::Facet& f) { return (f.b - f.a).cross(f.c - f.a); }
 inline Vec3 area_vector(const mesh::Facet& f) { return mesh::area_vector(f.a, f.b, f.c); }
 
 /// Worst quality of the triangles at v.

@@ -192,6 +192,7 @@ void VertexGrid::put(int v, const Vec3& x_W, int cell) {
 }
 
 void VertexGrid::insert(int v, const Vec3& x_W) {
+  ++changes_;
   if (static_cast<std::size_t>(v) >= places_.size())
     places_.resize(static_cast<std::size_t>(v) + 1);
   put(v, x_W, open_cell(cell_at(x_W)));
@@ -205,6 +206,7 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
   };
   std::ranges::sort(vertices, {}, order_of);
   places_.resize(positions_W.size());
+  changes_ += static_cast<long>(vertices.size());
   for (const int v : vertices) {
     const Vec3& x_W = positions_W[static_cast<std::size_t>(v)];
     put(v, x_W, open_cell(cell_at(x_W)));
@@ -212,6 +214,7 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
 }
 
 void VertexGrid::remove(int v) {
+  ++changes_;
   const Place place = places_[static_cast<std::size_t>(v)];
   Tile& tile = tiles_[static_cast<std::size_t>(place.cell / 64)];
   int& head = tile.head[static_cast<std::size_t>(place.cell % 64)];
@@ -228,6 +231,7 @@ void VertexGrid::remove(int v) {
 }
 
 void VertexGrid::move(int v, const Vec3& x_W) {
+  ++changes_;
   const Place place = places_[static_cast<std::size_t>(v)];
   const int cell = open_cell(cell_at(x_W));
   if (cell == place.cell) {

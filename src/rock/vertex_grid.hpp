@@ -46,6 +46,12 @@ class VertexGrid {
   void remove(int v);
   void move(int v, const Vec3& x_W);
 
+  /// Asks for the memory that move() will need.
+  void prefetch(int v) const { __builtin_prefetch(&places_[static_cast<std::size_t>(v)]); }
+
+  /// How often a vertex was inserted, removed or moved.
+  long changes() const { return changes_; }
+
   /// No vertex between the heights z_lo and z_hi (m) is nearer to the z axis of space than this, m:
   /// what turns inside a borehole without reaching its wall need not look at the wall. A bound: a
   /// layer of cells remembers its nearest vertex after that has left.
@@ -143,6 +149,7 @@ class VertexGrid {
   std::vector<Place> places_;            ///< per vertex
   std::vector<double> nearest_radius2_;  ///< per layer of cells, m2
   int next_layer_ = 0;
+  long changes_ = 0;
 };
 
 }  // namespace tdbd::rock

@@ -13,12 +13,25 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// Of rock::SectionPlace, over the edge length: no result changes if it is doubled.
 constexpr double reach = 1.0;
 
+/// A cutter's parts are a group; its list of near vertices covers what is ahead of its face, too.
+void find_near_lists(const MeasuredStep& step, Measures& m) {
+  m.near_list_of_face.assign(m.faces.size(), -1);
+  for (std::size_t k = 0; k < step.cutting.groups.size(); ++k) {
+    const int part = step.cutting.groups[k].parts.front().part;
+    if (const int cutter = step.bit.parts[at(part)].cutter; cutter >= 0)
+      m.near_list_of_face[at(cutter)] = static_cast<int>(k);
+  }
+}
+
 void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,
                       Measures& m) {
   const rock::Twist twist = rock::twist_from(step.X_WB0, step.X_WB1, step.dt);
-  const rock::SectionPlace place{plan.section_lead * step.edge_length, reach * step.edge_length};
-  for (std::size_t i = 0; i < m.faces.size(); ++i)
+  rock::SectionPlace place{plan.section_lead * step.edge_length, reach * step.edge_length};
+  find_near_lists(step, m);
+  for (std::size_t i = 0; i < m.faces.size(); ++i) {
+    place.near_list = m.near_list_of_face[i];
     m.sections[i] = rock::section(rock, m.faces[i], step.X_WB1, twist, place, m.section_work);
+  }
 }
 
 void sum_removed(const MeasuredStep& step, Measures& m) {
@@ -79,6 +92,12 @@ Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan) {
   m.sections.resize(m.faces.size());
   m.revolution.resize(m.faces.size());
   return m;
+}
+
+rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length) {
+  if (plan.section == SectionMeasure::off) return {};
+  constexpr double strip = 1.5;  // what a strip of a face comes ahead, over the least (face_strips)
+  return {reach * edge_length, (strip * plan.section_lead + reach) * edge_length};
 }
 
 void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,

@@ -27,12 +27,16 @@ struct Measures {
   long refused_deep = 0;          ///< sections: the face is deep in rock, its surface out of sight
   long refused_over_the_top = 0;  ///< sections: rock reaches over the face's top
   std::vector<rock::SectionFace> faces;
-  std::vector<double> removed;  ///< m3, per cutter, in the last step
+  std::vector<int> near_list_of_face;  ///< rock::SectionPlace::near_list
+  std::vector<double> removed;         ///< m3, per cutter, in the last step
   rock::SectionWork section_work;
   rock::ContactWork contact_work;
 };
 
 Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan);
+
+/// How far the lists of vertices near the bit must reach for these measures.
+rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length);
 
 /// What is measured where the bit has come to in a step from pose 0 to pose 1.
 struct MeasuredStep {

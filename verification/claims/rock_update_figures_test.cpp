@@ -68,8 +68,12 @@ Json part_rows(const OneStep& one) {
 /// for those that moved the mapped direction and where they went.
 Json vertex_rows(const OneStep& one, long& moved) {
   const rock::GroupMotion motion = group_motion(one.group(), one.X_WB0, one.X_WB1);
-  std::vector<int> chains, candidates;
-  find_candidates(one.s.rock.grid, one.group(), motion, chains, candidates);
+  rock::NearList near_list;
+  std::vector<int> candidates;
+  bring_up_to_date(one.s.rock.grid,
+                   {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, near_list);
+  find_candidates(one.group(), motion, near_list, candidates);
+  for (int& v : candidates) v = near_list.v[static_cast<std::size_t>(v)];
   mesh::Box near = motion.region_W.box;
   near.lo -= Vec3::Constant(8e-3);
   near.hi += Vec3::Constant(8e-3);

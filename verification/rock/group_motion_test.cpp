@@ -1,10 +1,9 @@
-#include "rock/group_motion.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 
+#include "rock/hull_filter.hpp"
 #include "rock/swept_part.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "verification/battery/generators.hpp"
@@ -42,6 +41,17 @@ bool is_swept_by(const CuttingBit& bit, const GroupMotion& m, const Vec3& x_W) {
   return is_swept(bit.groups[0].parts[0], path, scratch);
 }
 
+std::vector<int> candidates_in(const VertexGrid& grid, const CuttingGroup& g,
+                               const GroupMotion& m) {
+  NearList list;
+  std::vector<int> candidates;
+  if (is_out_of_reach(grid, m)) return candidates;
+  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, {}, list);
+  find_candidates(g, m, list, candidates);
+  for (int& v : candidates) v = list.v[static_cast<std::size_t>(v)];
+  return candidates;
+}
+
 /// Around the part, so that about half are swept.
 std::vector<Vec3> points_near(const GroupMotion& m) {
   std::vector<Vec3> points;
@@ -60,8 +70,7 @@ RC_GTEST_PROP(find_candidates, finds_all_that_is_swept, ()) {
   const std::vector<Vec3> points = points_near(m);
   VertexGrid grid(m.region_W.box, 0.3);
   for (std::size_t v = 0; v < points.size(); ++v) grid.insert(static_cast<int>(v), points[v]);
-  std::vector<int> chains, candidates;
-  find_candidates(grid, bit.groups[0], m, chains, candidates);
+  const std::vector<int> candidates = candidates_in(grid, bit.groups[0], m);
   for (std::size_t v = 0; v < points.size(); ++v)
     if (is_swept_by(bit, m, points[v]))
       RC_ASSERT(std::ranges::count(candidates, static_cast<int>(v)) == 1);
@@ -79,10 +88,8 @@ TEST(find_candidates, leaves_a_wall_alone_that_is_out_of_reach) {
     VertexGrid grid({Vec3(-2, -2, -1), Vec3(2, 2, 1)}, 0.1);
     for (int k = 0; k < 100; ++k)
       grid.insert(k, {r * std::cos(0.001 * k), r * std::sin(0.001 * k), 0.0});
-    std::vector<int> chains, candidates;
-    find_candidates(grid, bit.groups[0], m, chains, candidates);
-    EXPECT_EQ(chains.empty(), r > m.reach_W);
-    return candidates.size();
+    EXPECT_EQ(is_out_of_reach(grid, m), r > m.reach_W);
+    return candidates_in(grid, bit.groups[0], m).size();
   };
   EXPECT_EQ(candidates_at(reach + 1e-3), 0U);
   EXPECT_GT(candidates_at(reach - 0.02), 0U);
