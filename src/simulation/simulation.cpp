@@ -59,6 +59,7 @@ BitVelocity screw_velocity(const MeasuredStep& moved, const std::vector<ConeStat
 void advance(const Case& c, Simulation& s) {
   const Place from = s.place;
   if (s.drive) {
+    s.drive_before = *s.drive;
     dynamics::open_step(c.drilling.system, c.time.step, *s.drive);
     s.place = place_of(c.drilling.system, s.drive->state);
   } else {
@@ -73,9 +74,13 @@ void advance(const Case& c, Simulation& s) {
   rock::turn_cones(s.bit, c.bit, angles, angles_of(s.cones));
 }
 
-void demand_convergence(const Case& c, const Simulation& s) {
+/// A diverging step leaves the motion as it was before it.
+void demand_convergence(const Case& c, Simulation& s) {
   const std::string what = dynamics::divergence(c.drilling.system, *s.drive);
-  if (!what.empty()) throw RunError("the motion diverges: " + what);
+  if (what.empty()) return;
+  *s.drive = s.drive_before;
+  s.place = place_of(c.drilling.system, s.drive->state);
+  throw RunError("the motion diverges: " + what);
 }
 
 /// Asks the laws where forces move the bit, at the momenta that the last forces predict, and gives

@@ -41,6 +41,7 @@ struct Simulation {
   std::vector<ConeState> cones;
   Measures measures;                        ///< of the last step
   std::optional<dynamics::Drilling> drive;  ///< of a bit that forces move
+  dynamics::Drilling drive_before;          ///< before the step at work
   BitVelocity velocity;                     ///< over the rock, at the end of the last step
   std::vector<CutOfPart> cuts;              ///< of the last step; without forces none
   BitLoads loads;                           ///< at the end of the last step, about the bit's origin

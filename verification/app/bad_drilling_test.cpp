@@ -62,7 +62,7 @@ const Wrong wrongs[] = {
     {"a_torque_that_nothing_carries",
      "drill-bit-b",
      {"string.torsional_stiffness=0"},
-     "motion.torque_at_start: found 1700 N m, expected a torsional stiffness that carries it"},
+     "motion.torque_at_start: found 2600 N m, expected a torsional stiffness that carries it"},
     {"a_stiffness_that_the_step_does_not_follow",
      "drill-bit-b",
      {"string.lateral_stiffness='1e10 N/m'"},

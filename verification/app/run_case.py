@@ -1,7 +1,7 @@
 """run_case.py TDBD CASE.toml FOLDER: the first moments of a case, all defaults of its own.
 
 The command line is `tdbd run CASE` or, when it has a table [body], `tdbd rotate CASE`, cut short; it
-has to end well. What was drilled is drawn.
+has to end well. What was drilled without forces is drawn.
 """
 
 import json
@@ -40,10 +40,21 @@ def rotate():
     assert all(math.isfinite(x) for row in summary["attitude"] for x in row)
 
 
+def asked_for_forces(summary):
+    """Numbers, and energy accounted for; what such a run drills is drawn of cases without forces."""
+    for name in ("wob_mean_n", "tob_mean_n_m", "rop_mean_m_per_s"):
+        assert math.isfinite(summary[name]), name
+    if content["motion"]["kind"] == "drilling":
+        energy = summary["energy"]
+        assert abs(energy["residual_j"]) <= 1e-2 * energy["start_j"], energy
+
+
 def drill():
     key = "revolutions" if "revolutions" in content.get("time", {}) else "duration"
     summary = summary_of("run", key, "0.02" if key == "revolutions" else "10 ms")
     assert summary["volume_ledger_defect"] <= 1e-12, summary["volume_ledger_defect"]
+    if "forces" in content:
+        return asked_for_forces(summary)
     draw = pathlib.Path(__file__).resolve().parents[2] / "reports" / "draw.py"
     subprocess.run([sys.executable, "-B", draw, folder], check=True, stdout=subprocess.DEVNULL)
     for figure in ("bottom_hole.png", "side_view.png", "cutters.png"):

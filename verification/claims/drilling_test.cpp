@@ -65,8 +65,9 @@ double order_of(const F& change) {
 }
 
 /// The whole step with its cut. The rock is cut by steps and its vertices come into reach one by
-/// one, so that the second order of the smooth step is not to be had: first order is.
-TEST(Drilling, converges_with_first_order_where_rock_is_cut) {
+/// one, so that the second order of the smooth step is not to be had: it is between first and
+/// second, the lower the less the string damps.
+TEST(Drilling, converges_between_first_and_second_order_where_rock_is_cut) {
   const struct {
     const char* name;
     double order;
@@ -82,7 +83,7 @@ TEST(Drilling, converges_with_first_order_where_rock_is_cut) {
     record_near("chapter2/drill-string",
                 fmt::format("bit B under given weight, cutting, steps of 2 to 0.06 ms: order of {}",
                             v.name),
-                v.order, 1.15, 0.25);
+                v.order, 1.5, 0.5);
 }
 
 /// Whatever the cut does, the ledger counts its work exactly: what is left is the step's own.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/tolerance.hpp"
 #include "simulation/simulation.hpp"
@@ -34,8 +35,9 @@ TEST(drive, has_the_velocity_of_its_places) {
   dynamics::open_step(system, h, d);
   dynamics::close_step(system, h, {}, d);
   const Place to = place_of(system, d.state);
-  EXPECT_LT(((to.X_WB.p - from.X_WB.p) / h - v.v_W).norm(), 1e-4);  // m/s; forces act meanwhile
-  EXPECT_NEAR((to.turned - from.turned) / h, v.w_W.z(), 1e-4);      // rad/s
+  EXPECT_LT(((to.X_WB.p - from.X_WB.p) / h - v.v_W).norm(),
+            1e-4);                                              // m/s; forces act for a microsecond
+  EXPECT_NEAR((to.turned - from.turned) / h, v.w_W.z(), 1e-3);  // rad/s
 }
 
 /// Wrench about the centre of mass: the same power on a rigid motion as about the bit's origin.
@@ -74,6 +76,24 @@ TEST(drive, gives_the_rock_what_the_bit_loses) {
   const double rock = s.drive->state.rock_momentum;
   EXPECT_GT(rock, 1.0);
   EXPECT_NEAR(s.drive->state.momentum_W.z() + rock, 50.0, 1e-10);  // N s
+}
+
+/// A law out of all proportion throws the bit away: the run says so and keeps the state before.
+TEST(drive, stops_with_the_state_before_a_step_that_diverges) {
+  Case c = drilling({});
+  for (forces::Law& law : c.forces.laws)
+    if (auto* cutting = std::get_if<forces::HansonHansen>(&law)) cutting->A1 = 1e9;
+  Simulation s = start(c);
+  const Vec3 c_W = s.drive->state.c_W;
+  std::string message;
+  try {
+    while (s.steps_done < c.time.steps) step(c, s);
+  } catch (const RunError& e) {
+    message = e.what();
+  }
+  EXPECT_NE(message.find("the motion diverges: "), std::string::npos) << message;
+  EXPECT_LT((s.drive->state.c_W - c_W).norm(), 1e-3);
+  EXPECT_TRUE(s.drive->state.momentum_W.allFinite());
 }
 
 void expect_same(const Simulation& a, const Simulation& b) {
