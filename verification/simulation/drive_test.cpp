@@ -78,6 +78,24 @@ TEST(drive, gives_the_rock_what_the_bit_loses) {
   EXPECT_NEAR(s.drive->state.momentum_W.z() + rock, 50.0, 1e-10);  // N s
 }
 
+/// The spin that a cone has is the one at which the torque on it was asked for.
+TEST(drive, gives_a_cone_the_impulse_of_the_spin_that_it_leads_to) {
+  const Case c = drilling({}, "drill-bit-r");
+  Simulation s = start(c);
+  while (s.steps_done < c.time.steps / 2) step(c, s);
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  const dynamics::DrillingState before = s.drive->state;
+  step(c, s);
+  const dynamics::DrillingVelocity after = dynamics::velocity(system, s.drive->state);
+  for (std::size_t k = 0; k < c.bit.cones.size(); ++k) {
+    const double impulse =
+        s.drive->state.rotation.cone_momenta[k] - before.rotation.cone_momenta[k];
+    const double scale = system.gyrostat.cones[k].axial_inertia * std::abs(after.cone_rates[k]);
+    EXPECT_NEAR(impulse, c.time.step * s.loads.cone_torques[k], 1e-9 * scale) << k;  // N m s
+    EXPECT_NEAR(after.cone_rates[k], s.velocity.cone_speeds[k], 0.05 * 14.0) << k;   // rad/s
+  }
+}
+
 /// A law out of all proportion throws the bit away: the run says so and keeps the state before.
 TEST(drive, stops_with_the_state_before_a_step_that_diverges) {
   Case c = drilling({});
