@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Draws a TDBD result folder: bottom_hole.png, side_view.png, cutters.png.
+"""Draws a TDBD result folder: bottom_hole.png, side_view.png, cutters.png, forces.png, traces.png.
 
     reports/draw.py RESULT_FOLDER [-o DIR]
 
-Needs frames/rock_final.vtp and summary.json; cutters.png also bit.json.
+Needs frames/rock_final.vtp and summary.json; cutters.png also bit.json. Of a run with forces: forces.png
+shows those of every cutter, traces.png weight, torque and speed over time with their spectra.
 """
 
 import argparse
@@ -203,6 +204,16 @@ def finish(figure, summary, path):
     print(path)
 
 
+def force_pictures(folder, summary, output):
+    """Forces of the cutters, if the bit has some, and the traces of the run."""
+    from figures import drilling_traces, forces_by_cutter  # here: their style is not this file's
+
+    if any(part["name"].startswith("cutter-") for part in summary["forces"]):
+        finish(forces_by_cutter.draw_summary(summary), summary, output / "forces.png")
+    words = summary.get("diagnosis", {}).get("text", "at a given rate of penetration")
+    finish(drilling_traces.draw_folder(folder, f"{caption(summary)}\n{words}"), summary, output / "traces.png")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path, help="result folder of tdbd run")
@@ -216,6 +227,8 @@ def main():
     side_view(surface, summary, output / "side_view.png")
     if (arguments.folder / "bit.json").is_file():
         cutter_bars(result.read_cutters(arguments.folder, summary), summary, output / "cutters.png")
+    if "forces" in summary:
+        force_pictures(arguments.folder, summary, output)
 
 
 if __name__ == "__main__":

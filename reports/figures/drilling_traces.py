@@ -30,11 +30,23 @@ def draw_run(axes, folder, name, marks):
     axes[2].set(xlabel="frequency (Hz)", ylabel="amplitude (rpm green, kN blue)")
 
 
+def expected(folder):
+    """Hz: frequencies that string and mass would show by themselves."""
+    diagnosis = results.summary(folder).get("diagnosis", {})
+    found = [diagnosis.get(f"{mode}_frequency_expected_hz", 0.0) for mode in ("torsional", "axial")]
+    return [f for f in found if f > 0.0]
+
+
+def draw_folder(folder, name):
+    """Of any run with forces."""
+    figure, axes = style.panels(3, 1, (6.5, 7.6))
+    draw_run(axes, folder, name, expected(folder))
+    return figure
+
+
 def draw(inputs):
     figure, axes = style.panels(3, 2, (9.0, 7.6))
     for column, (run, name) in enumerate((("stick-slip", "Long string: stick-slip"), ("bounce", "Bit R in granite: bounce"))):
         folder = inputs.folder(run)
-        diagnosis = results.summary(folder)["diagnosis"]
-        expected = [diagnosis[f"{mode}_frequency_expected_hz"] for mode in ("torsional", "axial")]
-        draw_run(axes[:, column], folder, name, [f for f in expected if f > 0.0])
+        draw_run(axes[:, column], folder, name, expected(folder))
     return figure

@@ -23,7 +23,11 @@ def bars(axes, numbers, parts, key, scale, style_of):
 
 
 def draw(inputs):
-    summary = results.summary(inputs.folder("forces-b"))
+    return draw_summary(results.summary(inputs.folder("forces-b")))
+
+
+def draw_summary(summary):
+    """Of any run with forces of a bit with cutters."""
     faces, chamfers = of_parts(summary, "face"), of_parts(summary, "chamfer")
     numbers = np.array(sorted(faces | chamfers))
     figure, axes = style.panels(3, 1, (7.0, 6.4), sharex=True)
