@@ -1,4 +1,9 @@
-"""clang-tidy, as .clang-tidy says, over every source of src; what passed unchanged is not rerun."""
+"""clang-tidy, as .clang-tidy says, over every source of src; what passed unchanged is not rerun.
+
+tidy_passed.txt holds hashes of what passed, of a source with all its headers, its command line and .clang-tidy,
+so that a fresh clone asks only about what changed since. `tidy.py --build BUILD --record` writes it anew from what
+passes; without the file everything is asked again (some seven minutes of two cores).
+"""
 
 import argparse
 import concurrent.futures
@@ -14,6 +19,7 @@ import tempfile
 import sources
 
 JOBS = 2
+RECORD = pathlib.Path(__file__).with_name("tidy_passed.txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
@@ -42,15 +48,21 @@ def project_files(path, seen):
 
 def verdict_key(path, command):
     """Hash of all that can change clang-tidy's verdict on the file, system headers apart."""
-    digest = hashlib.sha256(command.encode() + (sources.ROOT / ".clang-tidy").read_bytes())
+    portable = command.replace(str(sources.ROOT), ".")
+    digest = hashlib.sha256(portable.encode() + (sources.ROOT / ".clang-tidy").read_bytes())
     for file in sorted(project_files(pathlib.Path(path), set())):
-        digest.update(f"\0{file}\0".encode() + file.read_bytes())
+        digest.update(f"\0{file.relative_to(sources.ROOT)}\0".encode() + file.read_bytes())
     return digest.hexdigest()
 
 
+def recorded():
+    return set(RECORD.read_text(encoding="utf-8").split()) if RECORD.is_file() else set()
+
+
 def check_file(path, command, build):
-    passed = build / "tidy-passed" / verdict_key(path, command)
-    if passed.exists():
+    key = verdict_key(path, command)
+    passed = build / "tidy-passed" / key
+    if passed.exists() or key in recorded():
         return ""
     complaints = run_tidy(path, ["-p", str(build), f"--header-filter={sources.ROOT}/src/.*"])
     if not complaints:
@@ -59,15 +71,24 @@ def check_file(path, command, build):
     return complaints
 
 
-def check_all(build):
+def commands(build):
+    """{source: command line} of src."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     ours = {e["file"]: e["command"] for e in entries
             if e["file"].startswith(f"{sources.ROOT}/src/")}
-    if not ours:
-        sys.exit("compile_commands.json lists no file of src")
+    return ours or sys.exit("compile_commands.json lists no file of src")
+
+
+def check_all(build):
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
-        found = pool.map(lambda item: check_file(*item, build), sorted(ours.items()))
+        found = pool.map(lambda item: check_file(*item, build), sorted(commands(build).items()))
     return [complaints for complaints in found if complaints]
+
+
+def record(build):
+    """Everything passes: note it."""
+    keys = sorted(verdict_key(*item) for item in commands(build).items())
+    RECORD.write_text("\n".join(keys) + "\n", encoding="utf-8")
 
 
 def self_test():
@@ -86,8 +107,12 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", type=pathlib.Path, default=sources.ROOT / "build/release")
     parser.add_argument("--self-test", action="store_true")
+    parser.add_argument("--record", action="store_true", help="write tidy_passed.txt if all pass")
     chosen = parser.parse_args()
     if chosen.self_test:
         sources.prove(self_test)
     else:
-        sources.finish(check_all(chosen.build))
+        complaints = check_all(chosen.build)
+        if chosen.record and not complaints:
+            record(chosen.build)
+        sources.finish(complaints)
