@@ -104,6 +104,31 @@ void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const b
   if (!wrong.empty()) table.problem("law", std::string(forces::law_name(law)), wrong);
 }
 
+bool has_force(const ForcePlan& plan, PartKind kind) {
+  return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
+}
+
+/// What is made of a section belongs to a cutter whose place is known: of a table, or of solids
+/// with rules that give it.
+bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
+  return kind == PartKind::face ||
+         (kind == PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
+}
+
+/// The law must have a part to act on, and every part what its law is asked about.
+void demand_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
+                  const ForcePlan& plan) {
+  if (bit.parts.empty()) return;  // its own mistakes are told
+  if (std::ranges::none_of(bit.parts, [&](const bit::Part& p) {
+        return law_of(plan, p.kind).index() == common.index();
+      }))
+    c.problem("law", std::string(forces::law_name(common)), "a law that knows a part of this bit");
+  for (const bit::Part& p : bit.parts)
+    if (p.cutter < 0 && has_force(plan, p.kind) && needs_a_cutter(plan, p.kind))
+      return c.problem("", fmt::format("{}, a part without a cutter of a table", p.name),
+                       "cutters whose places are known, or the law \"none\" for such parts");
+}
+
 /// Sections and contact areas are what forces are made of.
 void demand_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure) {
   if (!bit.cutters.empty() && measure.section == SectionMeasure::off)
@@ -126,6 +151,7 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
       plan.chamfer);
   const forces::Law common = read_law(c, "");
   for (const KindKey& k : kinds) read_law_of(c, k, common, bit, plan);
+  demand_parts(c, bit, common, plan);
   demand_measures(c, bit, measure);
   plan.rock = read_formation(whole.table("rock"));
   return plan;

@@ -26,7 +26,7 @@ struct BitVelocity {
   std::vector<double> cone_speeds;  ///< rad/s, phi' about the cones' Z
 };
 
-/// The cuts of all parts that touched rock in the step, in the order of the parts.
+/// The cuts of all parts with a law that touched rock in the step, in the order of the parts.
 /// - face: the section ahead of it (ForcePlan::cut = section): area, centroid, edge; or its removed
 ///   volume over dt and the speed of its tip along X (volume; formulation 2.6 [R]). Normal: the
 ///   profile's at the cutter.

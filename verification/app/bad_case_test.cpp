@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/mistake.hpp"
 #include "app/small_case.hpp"
 
 namespace tdbd::app {
@@ -11,16 +12,6 @@ TEST(bad_case, that_the_small_case_is_right) {
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
   EXPECT_EQ(c.run().exit_code, 0);
 }
-
-/// One mistake in case.toml: what it replaces, and what the program says of it.
-struct Mistake {
-  const char* name;
-  const char* from;
-  const char* to;
-  const char* message;
-};
-
-void PrintTo(const Mistake& m, std::ostream* out) { *out << m.name; }
 
 class BadCase : public ::testing::TestWithParam<Mistake> {};
 

@@ -1,19 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "app/mistake.hpp"
 #include "app/rotate_folder.hpp"
 
 namespace tdbd::app {
 namespace {
-
-/// One mistake: what it replaces, and what the program says about it.
-struct Mistake {
-  const char* name;
-  const char* from;
-  const char* to;
-  const char* message;
-};
-
-void PrintTo(const Mistake& m, std::ostream* out) { *out << m.name; }
 
 class BadRotate : public ::testing::TestWithParam<Mistake> {};
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <ostream>
+
+namespace tdbd::app {
+
+/// One mistake in a case file: what it replaces, and what the program says of it.
+struct Mistake {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* message;
+};
+
+inline void PrintTo(const Mistake& m, std::ostream* out) { *out << m.name; }
+
+}  // namespace tdbd::app
