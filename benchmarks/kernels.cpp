@@ -47,7 +47,7 @@ std::vector<Query> queries_of_next_step(const Drilling& d) {
     rock::NearList list;
     bring_up_to_date(d.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {},
                      list);
-    rock::find_candidates(g, motion, list, candidates);
+    rock::find_candidates(g, motion, d.state.rock.surface.positions, list, candidates);
     for (const int place : candidates)
       for (const rock::CuttingPart& part : g.parts) {
         const auto path = path_of(
@@ -131,8 +131,8 @@ void find_candidates(benchmark::State& state) {
   for (auto _ : state)
     for (std::size_t i = 0; i < motions.size(); ++i) {
       candidates.clear();
-      rock::find_candidates(d.state.bit.groups[i], motions[i], d.state.rock.near_lists[i],
-                            candidates);
+      rock::find_candidates(d.state.bit.groups[i], motions[i], d.state.rock.surface.positions,
+                            d.state.rock.near_lists[i], candidates);
       benchmark::DoNotOptimize(candidates.data());
     }
 }

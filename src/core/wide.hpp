@@ -31,4 +31,12 @@ using WideFlags = int __attribute__((vector_size(single_lanes * sizeof(int))));
 #define TDBD_LOAD(wide, address) std::memcpy(&(wide), (address), sizeof(wide))
 #define TDBD_STORE(wide, address) std::memcpy((address), &(wide), sizeof(wide))
 
+/// Whether any flag is set. Passed by reference, see above; meant to be inlined.
+inline bool any_of(const WideFlags& flags) {
+  using Halves = long long __attribute__((vector_size(sizeof(WideFlags))));
+  Halves halves;
+  TDBD_LOAD(halves, &flags);
+  return (halves[0] | halves[1] | halves[2] | halves[3]) != 0;
+}
+
 }  // namespace tdbd

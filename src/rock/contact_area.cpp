@@ -28,8 +28,8 @@ bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
   return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
 }
 
-/// Those from which a group of parts may be told apart with few of its planes: no part has a corner
-/// so sharp that what it touches lies farther than this many gaps from the hull around it.
+/// What lies farther than this many gaps from the hull around a group touches none of its parts,
+/// were a corner of theirs sharp enough to have it between its widened planes.
 constexpr double gaps_around_hull = 16.0;
 
 /// What may be in the box of the group at the step's end, from the list if that covers it.
@@ -77,15 +77,18 @@ bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& 
   return mesh::inside(*part.tree_P, x_P) || mesh::distance(*part.tree_P, x_P) <= gap;
 }
 
-/// Marks what the part moved or touches; a part in several solids comes here for each of them.
-void hold(const Rock& rock, const CuttingPart& part, const CutWorkspace& cut, double gap,
-          ContactWork& w) {
+/// Marks what the part of the group moved or touches; a part in several solids comes here for each
+/// of them.
+void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, const CutWorkspace& cut,
+          double gap, ContactWork& w) {
   std::size_t plane = 0;
   for (std::size_t i = 0; i < w.near.size(); ++i) {
     const int v = w.near[i];
     if (w.mark[at(v)] == w.stamp) continue;
     const bool moved = rock.last_part[at(v)] == part.part && has_moved(cut, v);
-    if (!moved && !touches(part, w.near_P[i], gap, plane)) continue;
+    if (!moved && (!touches(part, w.near_P[i], gap, plane) ||
+                   is_far_from(g, w.near_P[i], gaps_around_hull * gap)))
+      continue;
     w.mark[at(v)] = w.stamp;
     w.held.push_back(v);
   }
@@ -132,7 +135,7 @@ void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& 
       ++w.stamp;
       w.held.clear();
       for (; k < g.parts.size() && g.parts[k].part == part; ++k)
-        hold(rock, g.parts[k], cut, gap, w);
+        hold(rock, g, g.parts[k], cut, gap, w);
       contact_by_part[at(part)] = contact_of_held(rock, w);
     }
   }

@@ -127,7 +127,7 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
     w.places[at(i)].clear();
     if (is_out_of_reach(rock.grid, m)) return;
     bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight, list);
-    find_candidates(g, m, list, w.places[at(i)]);
+    find_candidates(g, m, rock.surface.positions, list, w.places[at(i)]);
     for (const int place : w.places[at(i)]) w.candidates[at(i)].push_back(list.v[at(place)]);
   });
 }

@@ -1,6 +1,8 @@
 #include "rock/hull_filter.hpp"
 
-#include "core/wide.hpp"
+#include <algorithm>
+
+#include "rock/wide_planes.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -9,11 +11,9 @@ namespace {
 TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q0, const Vec3& q1,
                                        double slack) {
   for (std::size_t i = 0; i < h.b.size(); i += lanes) {
-    Wide x, y, z, b;
-    TDBD_LOAD(x, &h.nx[i]);
-    TDBD_LOAD(y, &h.ny[i]);
-    TDBD_LOAD(z, &h.nz[i]);
-    TDBD_LOAD(b, &h.b[i]);
+    WidePlanes planes;
+    load(h, i, planes);
+    const auto& [x, y, z, b] = planes;
     const Wide out0 = x * q0.x() + y * q0.y() + z * q0.z() - b;
     const Wide out1 = x * q1.x() + y * q1.y() + z * q1.z() - b;
     const Wide out = out0 < out1 ? out0 : out1;
@@ -71,9 +71,7 @@ TDBD_WIDE bool put_into_frames(const Single* px, const Single* py, const Single*
   const WideSingle x0 = a.R[0] * x + a.R[1] * y + a.R[2] * z + a.p[0];
   const WideSingle x1 = b.R[0] * x + b.R[1] * y + b.R[2] * z + b.p[0];
   WideFlags near = ((x0 <= a.hi[0]) | (x1 <= a.hi[0])) & ((x0 >= a.lo[0]) | (x1 >= a.lo[0]));
-  using Halves = long long __attribute__((vector_size(sizeof(WideFlags))));
-  const Halves any = reinterpret_cast<Halves>(near);
-  if ((any[0] | any[1] | any[2] | any[3]) == 0) return false;
+  if (!any_of(near)) return false;
   const WideSingle y0 = a.R[3] * x + a.R[4] * y + a.R[5] * z + a.p[1];
   const WideSingle y1 = b.R[3] * x + b.R[4] * y + b.R[5] * z + b.p[1];
   const WideSingle z0 = a.R[6] * x + a.R[7] * y + a.R[8] * z + a.p[2];
@@ -112,9 +110,7 @@ TDBD_WIDE bool is_outside(const SingleSolid& h, const Run& r, std::size_t i, Sin
     const WideSingle out1 = x * r.x1[i] + y * r.y1[i] + z * r.z1[i] - b;
     outside |= (out0 >= slack) & (out1 >= slack);
   }
-  using Halves = long long __attribute__((vector_size(sizeof(WideFlags))));
-  const Halves any = reinterpret_cast<Halves>(outside);
-  return (any[0] | any[1] | any[2] | any[3]) != 0;
+  return any_of(outside);
 }
 
 /// Calls visit(place in the list) for what no plane keeps outside of the hull by `slack` from one
@@ -139,10 +135,15 @@ void visit_unclear(const CuttingGroup& g, const Pose& X_PW0, const Pose& X_PW1,
 
 }  // namespace
 
-void find_candidates(const CuttingGroup& g, const GroupMotion& m, const NearList& list,
+void find_candidates(const CuttingGroup& g, const GroupMotion& m,
+                     const std::vector<Vec3>& positions_W, const NearList& list,
                      std::vector<int>& places) {
-  visit_unclear(g, m.X_PW0, m.X_PW1, list, single_slack(list.region_W.box),
-                [&](std::size_t i) { places.push_back(static_cast<int>(i)); });
+  // Twice the slack: what this turns away, keeps_outside would, so that the list has no say.
+  visit_unclear(g, m.X_PW0, m.X_PW1, list, 2.0 * single_slack(list.region_W.box),
+                [&](std::size_t i) {
+                  if (!keeps_outside(g, m, positions_W[static_cast<std::size_t>(list.v[i])]))
+                    places.push_back(static_cast<int>(i));
+                });
 }
 
 void find_touching(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap,
@@ -152,8 +153,16 @@ void find_touching(const CuttingGroup& g, const GroupMotion& m, const NearList& 
 }
 
 bool keeps_outside(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
-  const double slack = single_slack(m.region_W.box);
-  return separating_plane(g.hull_P, m.X_PW0 * x_W, m.X_PW1 * x_W, slack) < g.hull_P.b.size();
+  if (!is_between(m.region_W.slabs, x_W)) return true;
+  const Vec3 q0 = m.X_PW0 * x_W, q1 = m.X_PW1 * x_W;
+  for (int k = 0; k < 3; ++k)
+    if (std::min(q0[k], q1[k]) > g.box_P.hi[k] || std::max(q0[k], q1[k]) < g.box_P.lo[k])
+      return true;
+  return separating_plane(g.hull_P, q0, q1, single_slack(m.region_W.box)) < g.hull_P.b.size();
+}
+
+bool is_far_from(const CuttingGroup& g, const Vec3& x_P, double gap) {
+  return separating_plane(g.hull_P, x_P, x_P, gap) < g.hull_P.b.size();
 }
 
 }  // namespace tdbd::rock

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/wide.hpp"
+#include "rock/wide_planes.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -17,11 +17,9 @@ Middle middle_of(const mesh::Box& box) { return {0.5 * (box.lo + box.hi), 0.5 * 
 /// How far n . x goes beyond b for the x of a box, and n . u for the u of another, lane by lane.
 TDBD_WIDE void supports(const mesh::ConvexSolid& s, std::size_t i, const Middle& q, const Middle& u,
                         double t_max, std::array<double, lanes>& beyond) {
-  Wide x, y, z, b;
-  TDBD_LOAD(x, &s.nx[i]);
-  TDBD_LOAD(y, &s.ny[i]);
-  TDBD_LOAD(z, &s.nz[i]);
-  TDBD_LOAD(b, &s.b[i]);
+  WidePlanes planes;
+  load(s, i, planes);
+  const auto& [x, y, z, b] = planes;
   const Wide ax = x < 0.0 ? -x : x, ay = y < 0.0 ? -y : y, az = z < 0.0 ? -z : z;
   const Wide at_start = x * q.centre.x() + y * q.centre.y() + z * q.centre.z() + ax * q.half.x() +
                         ay * q.half.y() + az * q.half.z() - b;

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "core/wide.hpp"
+#include "rock/wide_planes.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -21,11 +21,9 @@ TDBD_WIDE void bound_tau(const mesh::ConvexSolid& s, const RelativePath& p, doub
   const Vec3 q = p.q0_P, d = p.q1_P - p.q0_P;
   Wide first{}, last = first + 1.0;
   for (std::size_t i = 0; i < s.b.size(); i += lanes) {
-    Wide x, y, z, b;
-    TDBD_LOAD(x, &s.nx[i]);
-    TDBD_LOAD(y, &s.ny[i]);
-    TDBD_LOAD(z, &s.nz[i]);
-    TDBD_LOAD(b, &s.b[i]);
+    WidePlanes planes;
+    load(s, i, planes);
+    const auto& [x, y, z, b] = planes;
     const Wide room = b - depth - (x * q.x() + y * q.y() + z * q.z());
     const Wide speed = x * d.x() + y * d.y() + z * d.z();
     const Wide when = room / (speed == 0.0 ? Wide{} + 1.0 : speed);
@@ -44,11 +42,9 @@ TDBD_WIDE void bound_tau(const mesh::ConvexSolid& s, const RelativePath& p, doub
 TDBD_WIDE void fill(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w) {
   const Vec3 &q = p.q0_P, &u = p.u0_P, d = p.q1_P - p.q0_P, e = p.u1_P - p.u0_P;
   for (std::size_t i = 0; i < s.b.size(); i += lanes) {
-    Wide x, y, z, b;
-    TDBD_LOAD(x, &s.nx[i]);
-    TDBD_LOAD(y, &s.ny[i]);
-    TDBD_LOAD(z, &s.nz[i]);
-    TDBD_LOAD(b, &s.b[i]);
+    WidePlanes planes;
+    load(s, i, planes);
+    const auto& [x, y, z, b] = planes;
     const Wide rest = b - (x * q.x() + y * q.y() + z * q.z());
     const Wide along = x * d.x() + y * d.y() + z * d.z();
     const Wide up = x * u.x() + y * u.y() + z * u.z();

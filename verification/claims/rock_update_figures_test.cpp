@@ -72,7 +72,7 @@ Json vertex_rows(const OneStep& one, long& moved) {
   std::vector<int> candidates;
   bring_up_to_date(one.s.rock.grid,
                    {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, near_list);
-  find_candidates(one.group(), motion, near_list, candidates);
+  find_candidates(one.group(), motion, one.s.rock.surface.positions, near_list, candidates);
   for (int& v : candidates) v = near_list.v[static_cast<std::size_t>(v)];
   mesh::Box near = motion.region_W.box;
   near.lo -= Vec3::Constant(8e-3);
