@@ -181,6 +181,25 @@ RC_GTEST_PROP(section, from_the_grid_is_that_from_all_triangles, ()) {
   RC_ASSERT(near.angle_of_attack == all.angle_of_attack);
 }
 
+/// A list of near vertices stands in for the index, wherever its places are rounded about.
+RC_GTEST_PROP(section, from_a_list_of_near_vertices_is_that_from_the_grid, ()) {
+  const AnySection a = any_section();
+  Rock rock = rock_of(a.rock_W, 0.07);
+  SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
+  const Section from_grid = section_of(rock, a.face, a.X_WB, a.twist, place);
+  Region all{mesh::bounding_box(a.rock_W), {}};
+  for (int k = 0; k < 3; ++k)
+    all.slabs[at(k)] = {Vec3::Unit(k), all.box.lo[k] - 9.0, all.box.hi[k] + 9.0};
+  rock.near_lists.resize(1);
+  bring_up_to_date(rock.grid, {all.box, {}, {}, all}, {}, rock.near_lists[0]);
+  RC_ASSERT(covers(rock.near_lists[0], rock.grid, all));
+  place.near_list = 0;
+  const Section from_list = section_of(rock, a.face, a.X_WB, a.twist, place);
+  RC_ASSERT(from_list.area == from_grid.area);
+  RC_ASSERT(from_list.engaged_edge == from_grid.engaged_edge);
+  RC_ASSERT((from_list.centroid_B.array() == from_grid.centroid_B.array()).all());
+}
+
 /// Sums are whole numbers, so that neither order nor numbering has a part in them.
 RC_GTEST_PROP(section, has_the_same_bits_however_the_rock_is_numbered, ()) {
   const AnySection a = any_section();

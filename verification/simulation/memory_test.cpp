@@ -38,5 +38,27 @@ TEST(Memory, a_rock_takes_at_most_250_bytes_a_triangle) {
   EXPECT_LE(held / triangles, bytes_a_triangle);
 }
 
+/// What a warm step takes beyond what is held, bytes: the least of some steps, since rooms grow now
+/// and then with the wall.
+long taken_by_a_step(const std::string& name) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml",
+                           {"rock.edge_length='4 mm'", "maintenance.every=0"});
+  Simulation s = start(c);
+  for (int i = 0; i < 50; ++i) step(c, s);
+  long least = counted_memory().held;
+  for (int i = 0; i < 20; ++i) {
+    battery::reset_peak();
+    const long before = counted_memory().held;
+    step(c, s);
+    least = std::min(least, counted_memory().peak - before);
+  }
+  return least;
+}
+
+TEST(Memory, a_step_with_forces_allocates_nothing_once_warm) {
+  EXPECT_EQ(taken_by_a_step("bit-b-3000psi"), 0);
+  EXPECT_EQ(taken_by_a_step("drill-bit-b"), 0);
+}
+
 }  // namespace
 }  // namespace tdbd::simulation
