@@ -39,16 +39,15 @@ struct Query {
 
 std::vector<Query> queries_of_next_step(const Drilling& d) {
   std::vector<Query> queries;
-  std::vector<int> candidates;
+  rock::NearGroup near;
   rock::SweptScratch scratch;
   for (const rock::CuttingGroup& g : d.state.bit.groups) {
     const auto motion = rock::group_motion(g, pose_after(d, 0.0), pose_after(d, 1.0));
-    candidates.clear();
     rock::NearList list;
     bring_up_to_date(d.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {},
                      list);
-    rock::find_candidates(g, motion, d.state.rock.surface.positions, list, candidates);
-    for (const int place : candidates)
+    rock::find_candidates(g, motion, d.state.rock.surface.positions, list, -1.0, near);
+    for (const int place : near.places)
       for (const rock::CuttingPart& part : g.parts) {
         const auto path = path_of(
             g, motion, d.state.rock.surface.position(list.v[static_cast<std::size_t>(place)]));
@@ -127,13 +126,12 @@ void grid_query(benchmark::State& state) {
 void find_candidates(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<rock::GroupMotion> motions = next_motions(d);
-  std::vector<int> candidates;
+  rock::NearGroup near;
   for (auto _ : state)
     for (std::size_t i = 0; i < motions.size(); ++i) {
-      candidates.clear();
       rock::find_candidates(d.state.bit.groups[i], motions[i], d.state.rock.surface.positions,
-                            d.state.rock.near_lists[i], candidates);
-      benchmark::DoNotOptimize(candidates.data());
+                            d.state.rock.near_lists[i], -1.0, near);
+      benchmark::DoNotOptimize(near.places.data());
     }
 }
 

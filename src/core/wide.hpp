@@ -39,4 +39,10 @@ inline bool any_of(const WideFlags& flags) {
   return (halves[0] | halves[1] | halves[2] | halves[3]) != 0;
 }
 
+/// Bit l: whether flag l is set. Passed by reference, see above; meant to be inlined.
+inline unsigned bits_of(const WideFlags& flags) {
+  const WideFlags b = flags & WideFlags{1, 2, 4, 8, 16, 32, 64, 128};
+  return static_cast<unsigned>(b[0] | b[1] | b[2] | b[3] | b[4] | b[5] | b[6] | b[7]);
+}
+
 }  // namespace tdbd

@@ -14,32 +14,25 @@ bool has_moved(const CutWorkspace& cut, int v) {
   return at(v) < cut.step_of_move.size() && cut.step_of_move[at(v)] == cut.step;
 }
 
-Region widened(Region r, double gap) {
-  r.box.lo.array() -= gap;
-  r.box.hi.array() += gap;
-  for (Slab& s : r.slabs) {
-    s.lo -= gap;
-    s.hi += gap;
-  }
-  return r;
-}
-
 bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
   return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
 }
 
-/// What lies farther than this many gaps from the hull around a group touches none of its parts,
-/// were a corner of theirs sharp enough to have it between its widened planes.
-constexpr double gaps_around_hull = 16.0;
-
-/// What may be in the box of the group at the step's end, from the list if that covers it.
-void find_around(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
-                 const NearList& list, double gap, ContactWork& w) {
-  const mesh::Box& box_W = m.region_W.box;
-  if (rock.grid.nearest_to_axis(box_W.lo.z() - gap, box_W.hi.z() + gap) > m.reach_W + gap) return;
+/// What may be in the box of the group at the step's end: what the step saw there, and what other
+/// groups brought there since; or what the index has.
+void find_around(const Rock& rock, const CutWorkspace& cut, std::size_t i, double gap,
+                 ContactWork& w) {
+  const GroupMotion& m = cut.motions[i];
   const Region region_W = widened(m.region_W, gap);
-  if (covers(list, rock.grid, region_W))
-    return find_touching(g, m, list, gaps_around_hull * gap, w.near);
+  const mesh::Box& box_W = region_W.box;
+  if (cut.knows_touching[i] != 0 && gap <= cut.contact_gap) {
+    w.near = cut.near[i].touching;
+    for (std::size_t k = 0; k < cut.moved_in_step.size(); ++k)
+      if (k != i && cut.moved_boxes_W[k].overlaps(box_W))
+        w.near.insert(w.near.end(), cut.moved_in_step[k].begin(), cut.moved_in_step[k].end());
+    return;
+  }
+  if (rock.grid.nearest_to_axis(box_W.lo.z(), box_W.hi.z()) > m.reach_W + gap) return;
   rock.grid.visit(region_W, w.chains, [&](const VertexGrid::Block& block) {
     w.near.insert(w.near.end(), block.v.begin(), block.v.begin() + block.count);
   });
@@ -53,7 +46,7 @@ void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
   const GroupMotion& m = cut.motions[i];
   w.near.clear();
   w.near_P.clear();
-  find_around(rock, g, m, rock.near_lists[i], gap, w);
+  find_around(rock, cut, i, gap, w);
   std::erase_if(
       w.near, [&](int v) { return !is_within(g.box_P, m.X_PW1 * rock.surface.position(v), gap); });
   w.near.insert(w.near.end(), cut.moved_in_step[i].begin(), cut.moved_in_step[i].end());

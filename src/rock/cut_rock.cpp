@@ -123,17 +123,18 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
     const CuttingGroup& g = bit.groups[at(i)];
     const GroupMotion& m = w.motions[at(i)];
     NearList& list = rock.near_lists[at(i)];
+    NearGroup& near = w.near[at(i)];
     w.candidates[at(i)].clear();
-    w.places[at(i)].clear();
+    near.places.clear();
+    w.knows_touching[at(i)] = 0;
     if (is_out_of_reach(rock.grid, m)) return;
     bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight, list);
-    find_candidates(g, m, rock.surface.positions, list, w.places[at(i)]);
-    for (const int place : w.places[at(i)]) w.candidates[at(i)].push_back(list.v[at(place)]);
+    find_candidates(g, m, rock.surface.positions, list,
+                    gaps_around_hull * w.contact_gap, near);
+    w.knows_touching[at(i)] =
+        w.contact_gap >= 0.0 && covers(list, rock.grid, widened(m.region_W, w.contact_gap)) ? 1 : 0;
+    for (const int place : near.places) w.candidates[at(i)].push_back(list.v[at(place)]);
   });
-}
-
-bool meet(const mesh::Box& a, const mesh::Box& b) {
-  return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
 }
 
 void sort_unique(std::vector<int>& v) {
@@ -157,7 +158,7 @@ void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) 
     const mesh::Box& box_W = w.motions[i].region_W.box;
     for (std::size_t k = 0; k < bit.groups.size(); ++k) {
       const std::vector<int>& among = k == i ? w.unclear_by_group[k] : w.moved_by_group[k];
-      if (among.empty() || !meet(box_W, w.motions[k].region_W.box)) continue;
+      if (among.empty() || !box_W.overlaps(w.motions[k].region_W.box)) continue;
       for (const int v : among)
         if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
           w.candidates[i].push_back(v);
@@ -175,8 +176,10 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   w.moved_by_group.resize(bit.groups.size());
   w.unclear_by_group.resize(bit.groups.size());
   w.candidates.resize(bit.groups.size());
-  w.places.resize(bit.groups.size());
+  w.near.resize(bit.groups.size());
+  w.knows_touching.resize(bit.groups.size());
   w.moved_in_step.resize(bit.groups.size());
+  w.moved_boxes_W.resize(bit.groups.size());
   for (auto& moved : w.moved_in_step) moved.clear();
   w.motions.clear();
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
@@ -225,16 +228,17 @@ void note_moves(Rock& rock, CutWorkspace& w) {
   for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
     NearList& list = rock.near_lists[i];
     if (list.changes != w.changes_before) continue;
-    for (const int place : w.places[i])
+    for (const int place : w.near[i].places)
       set_place(list, at(place), rock.surface.position(list.v[at(place)]));
     list.changes = rock.grid.changes();
   }
   for (std::size_t k = 0; k < w.moved_in_step.size(); ++k) {
-    mesh::Box box_W;
+    mesh::Box& box_W = w.moved_boxes_W[k];
+    box_W = {};
     for (const int v : w.moved_in_step[k]) box_W.add(rock.surface.position(v));
     for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
       NearList& list = rock.near_lists[i];
-      if (i == k || !meet(box_W, list.region_W.box)) continue;
+      if (i == k || !box_W.overlaps(list.region_W.box)) continue;
       for (const int v : w.moved_in_step[k])
         if (is_between(list.region_W.slabs, rock.surface.position(v)))
           note_moved(list, v, rock.surface.position(v));

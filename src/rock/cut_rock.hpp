@@ -39,10 +39,13 @@ struct CutWorkspace {
   SweptScratch swept;
   std::vector<GroupMotion> motions;          ///< per group
   std::vector<std::vector<int>> candidates;  ///< per group
-  std::vector<std::vector<int>> places;      ///< per group, of the first candidates in its list
+  std::vector<NearGroup> near;               ///< per group, of the step's beginning
+  std::vector<std::uint8_t> knows_touching;  ///< per group: NearGroup::touching is all there is
   std::vector<std::vector<int>> moved_by_group, unclear_by_group;
   std::vector<std::vector<int>> moved_in_step;  ///< per group, in all passes
+  std::vector<mesh::Box> moved_boxes_W;         ///< around these, where they are at the step's end
   Foresight foresight;
+  double contact_gap = -1.0;  ///< m, of contact_areas after the step; negative: nobody asks
   std::vector<MovedVertex> moves;  ///< by the part at work
   std::vector<int> move_of;        ///< per vertex: its place in `moves`, if that is its place
   std::vector<int> triangles;

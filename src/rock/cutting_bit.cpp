@@ -80,6 +80,7 @@ mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
 
 SingleSolid in_single(const mesh::ConvexSolid& planes) {
   SingleSolid single;
+  single.planes = planes.planes;
   single.b.fill(std::numeric_limits<Single>::infinity());
   for (std::size_t i = 0; i < planes.planes; ++i) {
     single.nx[i] = static_cast<Single>(planes.nx[i]);

@@ -29,9 +29,10 @@ struct CuttingPart {
 /// rock goes down the hole, or the bit's own, as the thesis has it for a bit that does not lean.
 enum class DirectionFrame { upright, bit };
 
-/// Planes of a solid in single precision, padded with planes that are nowhere.
+/// Planes of a solid in single precision, padded to whole runs with planes that are nowhere.
 struct SingleSolid {
-  static constexpr std::size_t most = 40;
+  static constexpr std::size_t most = 40, run = 8;
+  std::size_t planes = 0;
   std::array<Single, most> nx{}, ny{}, nz{}, b{};
 };
 

@@ -1,6 +1,8 @@
 #include "rock/hull_filter.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "rock/wide_planes.hpp"
 
@@ -23,13 +25,13 @@ TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q
   return h.b.size();
 }
 
-/// From places about a list's origin to a frame, and the group's box there, in single precision.
+/// From places about a list's origin to a frame, in single precision.
 struct SingleFrame {
   std::array<Single, 9> R{};  ///< by rows
-  std::array<Single, 3> p{}, lo{}, hi{};
+  std::array<Single, 3> p{};
 };
 
-SingleFrame frame_of(const Pose& X_PW, const Vec3& origin_W, const mesh::Box& box_P, double slack) {
+SingleFrame frame_of(const Pose& X_PW, const Vec3& origin_W) {
   SingleFrame f;
   const Vec3 p = X_PW * origin_W;
   for (int i = 0; i < 3; ++i) {
@@ -37,119 +39,129 @@ SingleFrame frame_of(const Pose& X_PW, const Vec3& origin_W, const mesh::Box& bo
     for (int j = 0; j < 3; ++j)
       f.R[3 * k + static_cast<std::size_t>(j)] = static_cast<Single>(X_PW.R(i, j));
     f.p[k] = static_cast<Single>(p[i]);
-    f.lo[k] = static_cast<Single>(box_P.lo[i] - slack);
-    f.hi[k] = static_cast<Single>(box_P.hi[i] + slack);
   }
   return f;
 }
 
-constexpr std::size_t run = 256;
-
-/// Vertices of a run that a group's box may meet, in the group's frame at two poses.
-struct Run {
-  std::array<Single, run> x0, y0, z0, x1, y1, z1;
-  std::array<int, run> place;  ///< in the list
-  std::size_t count = 0;
+/// A box in single precision, widened.
+struct SingleBox {
+  std::array<Single, 3> lo{}, hi{};
 };
 
-using Pack = std::array<Single, single_lanes>;
+SingleBox widened(const mesh::Box& box, double slack) {
+  SingleBox b;
+  for (int i = 0; i < 3; ++i) {
+    b.lo[static_cast<std::size_t>(i)] = static_cast<Single>(box.lo[i] - slack);
+    b.hi[static_cast<std::size_t>(i)] = static_cast<Single>(box.hi[i] + slack);
+  }
+  return b;
+}
 
-/// Eight places of a list in the frame at two poses; which of them the box may meet.
-struct Packed {
-  Pack x0, y0, z0, x1, y1, z1;
-  std::array<int, single_lanes> is_near;
+/// What tells what a group may sweep on its way from one pose to the other, and what it may touch
+/// at the end; nothing if that slack is negative. Swept: no side of the box and no plane of the hull has the vertex outside by its
+/// slack at both poses. Touched: none has it outside by the other slack at the end.
+struct Sieve {
+  SingleFrame start, end;
+  SingleBox swept, touched, either;
+  Single swept_slack, touched_slack;
+  const SingleSolid& hull_P;
 };
 
-/// A side of the box that is passed at both poses keeps a vertex outside. Returns whether any is
-/// left; if not, the rest is not set.
-TDBD_WIDE bool put_into_frames(const Single* px, const Single* py, const Single* pz,
-                               const SingleFrame& a, const SingleFrame& b, Packed& packed) {
+/// Bits: those of eight places that are left.
+struct Sieved {
+  unsigned swept, touched;
+};
+
+/// Bit l: whether the ball l of eight may hold something of the group's box at either pose.
+TDBD_WIDE unsigned balls_near(const Balls& balls, std::size_t i, const Sieve& s) {
+  WideSingle x, y, z, r;
+  TDBD_LOAD(x, &balls.x[i]);
+  TDBD_LOAD(y, &balls.y[i]);
+  TDBD_LOAD(z, &balls.z[i]);
+  TDBD_LOAD(r, &balls.radius[i]);
+  WideFlags near = WideFlags{} - 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &a = s.start.R, &b = s.end.R;
+    const WideSingle q0 = a[3 * k] * x + a[3 * k + 1] * y + a[3 * k + 2] * z + s.start.p[k];
+    const WideSingle q1 = b[3 * k] * x + b[3 * k + 1] * y + b[3 * k + 2] * z + s.end.p[k];
+    const WideSingle lo = s.either.lo[k] - r, hi = s.either.hi[k] + r;
+    near &= ((q0 <= hi) | (q1 <= hi)) & ((q0 >= lo) | (q1 >= lo));
+  }
+  return bits_of(near);
+}
+
+/// Eight places, from that at i on.
+TDBD_WIDE void sieve_pack(const NearList& list, std::size_t i, const Sieve& s, Sieved& sieved) {
   WideSingle x, y, z;
-  TDBD_LOAD(x, px);
-  TDBD_LOAD(y, py);
-  TDBD_LOAD(z, pz);
-  const WideSingle x0 = a.R[0] * x + a.R[1] * y + a.R[2] * z + a.p[0];
-  const WideSingle x1 = b.R[0] * x + b.R[1] * y + b.R[2] * z + b.p[0];
-  WideFlags near = ((x0 <= a.hi[0]) | (x1 <= a.hi[0])) & ((x0 >= a.lo[0]) | (x1 >= a.lo[0]));
-  if (!any_of(near)) return false;
-  const WideSingle y0 = a.R[3] * x + a.R[4] * y + a.R[5] * z + a.p[1];
-  const WideSingle y1 = b.R[3] * x + b.R[4] * y + b.R[5] * z + b.p[1];
-  const WideSingle z0 = a.R[6] * x + a.R[7] * y + a.R[8] * z + a.p[2];
-  const WideSingle z1 = b.R[6] * x + b.R[7] * y + b.R[8] * z + b.p[2];
-  near &= ((y0 <= a.hi[1]) | (y1 <= a.hi[1])) & ((y0 >= a.lo[1]) | (y1 >= a.lo[1]));
-  near &= ((z0 <= a.hi[2]) | (z1 <= a.hi[2])) & ((z0 >= a.lo[2]) | (z1 >= a.lo[2]));
-  TDBD_STORE(x0, packed.x0.data());
-  TDBD_STORE(y0, packed.y0.data());
-  TDBD_STORE(z0, packed.z0.data());
-  TDBD_STORE(x1, packed.x1.data());
-  TDBD_STORE(y1, packed.y1.data());
-  TDBD_STORE(z1, packed.z1.data());
-  TDBD_STORE(near, packed.is_near.data());
-  return true;
+  TDBD_LOAD(x, &list.x[i]);
+  TDBD_LOAD(y, &list.y[i]);
+  TDBD_LOAD(z, &list.z[i]);
+  WideSingle q0[3], q1[3];
+  WideFlags swept = WideFlags{} - 1, touched = swept;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &a = s.start.R, &b = s.end.R;
+    q0[k] = a[3 * k] * x + a[3 * k + 1] * y + a[3 * k + 2] * z + s.start.p[k];
+    q1[k] = b[3 * k] * x + b[3 * k + 1] * y + b[3 * k + 2] * z + s.end.p[k];
+    swept &= ((q0[k] <= s.swept.hi[k]) | (q1[k] <= s.swept.hi[k])) &
+             ((q0[k] >= s.swept.lo[k]) | (q1[k] >= s.swept.lo[k]));
+    touched &= (q1[k] <= s.touched.hi[k]) & (q1[k] >= s.touched.lo[k]);
+  }
+  const SingleSolid& h = s.hull_P;
+  for (std::size_t k = 0; k < h.planes && any_of(swept | touched); k += SingleSolid::run)
+    for (std::size_t l = k; l < k + SingleSolid::run; ++l) {
+      const WideSingle out0 = h.nx[l] * q0[0] + h.ny[l] * q0[1] + h.nz[l] * q0[2] - h.b[l];
+      const WideSingle out1 = h.nx[l] * q1[0] + h.ny[l] * q1[1] + h.nz[l] * q1[2] - h.b[l];
+      swept &= (out0 < s.swept_slack) | (out1 < s.swept_slack);
+      touched &= out1 < s.touched_slack;
+    }
+  sieved = {bits_of(swept), bits_of(touched)};
 }
 
-void append_near(const Packed& packed, std::size_t begin, Run& r) {
-  for (std::size_t l = 0; l < single_lanes; ++l) {  // no branch: chance decides
-    r.x0[r.count] = packed.x0[l], r.y0[r.count] = packed.y0[l], r.z0[r.count] = packed.z0[l];
-    r.x1[r.count] = packed.x1[l], r.y1[r.count] = packed.y1[l], r.z1[r.count] = packed.z1[l];
-    r.place[r.count] = static_cast<int>(begin + l);
-    r.count -= static_cast<std::size_t>(packed.is_near[l] < 0 ? -1 : 0);
-  }
+/// Calls visit_swept(place in the list) and visit_touched for what the sieve lets through.
+template <class Swept, class Touched>
+void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched&& visit_touched) {
+  for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
+    for (unsigned packs = balls_near(list.balls, first, sieve); packs != 0; packs &= packs - 1U) {
+      const std::size_t begin =
+          single_lanes * (first + static_cast<std::size_t>(std::countr_zero(packs)));
+      Sieved in;
+      sieve_pack(list, begin, sieve, in);
+      for (; in.swept != 0; in.swept &= in.swept - 1U)
+        visit_swept(begin + static_cast<std::size_t>(std::countr_zero(in.swept)));
+      for (; in.touched != 0; in.touched &= in.touched - 1U)
+        visit_touched(begin + static_cast<std::size_t>(std::countr_zero(in.touched)));
+    }
 }
 
-/// Whether a plane of the hull has both points outside by `slack`.
-TDBD_WIDE bool is_outside(const SingleSolid& h, const Run& r, std::size_t i, Single slack) {
-  WideFlags outside{};
-  for (std::size_t k = 0; k < SingleSolid::most; k += single_lanes) {
-    WideSingle x, y, z, b;
-    TDBD_LOAD(x, &h.nx[k]);
-    TDBD_LOAD(y, &h.ny[k]);
-    TDBD_LOAD(z, &h.nz[k]);
-    TDBD_LOAD(b, &h.b[k]);
-    const WideSingle out0 = x * r.x0[i] + y * r.y0[i] + z * r.z0[i] - b;
-    const WideSingle out1 = x * r.x1[i] + y * r.y1[i] + z * r.z1[i] - b;
-    outside |= (out0 >= slack) & (out1 >= slack);
-  }
-  return any_of(outside);
-}
-
-/// Calls visit(place in the list) for what no plane keeps outside of the hull by `slack` from one
-/// pose to the other.
-template <class Visit>
-void visit_unclear(const CuttingGroup& g, const Pose& X_PW0, const Pose& X_PW1,
-                   const NearList& list, double slack, Visit&& visit) {
-  const SingleFrame a = frame_of(X_PW0, list.origin_W, g.box_P, slack),
-                    b = frame_of(X_PW1, list.origin_W, g.box_P, slack);
-  Run r;
-  Packed packed;
-  for (std::size_t begin = 0; begin < list.v.size();) {
-    r.count = 0;
-    for (; begin < list.v.size() && r.count + single_lanes < run; begin += single_lanes)
-      if (put_into_frames(&list.x[begin], &list.y[begin], &list.z[begin], a, b, packed))
-        append_near(packed, begin, r);
-    for (std::size_t i = 0; i < r.count; ++i)
-      if (!is_outside(g.single_hull_P, r, i, static_cast<Single>(slack)))
-        visit(static_cast<std::size_t>(r.place[i]));
-  }
+/// Twice the slack of rounding for what is swept: what this turns away, keeps_outside would, so
+/// that the list has no say.
+Sieve sieve_of(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap) {
+  const double rounding = single_slack(list.region_W.box), swept = 2.0 * rounding,
+               touched = gap + rounding;
+  return {frame_of(m.X_PW0, list.origin_W),
+          frame_of(m.X_PW1, list.origin_W),
+          widened(g.box_P, swept),
+          widened(g.box_P, touched),
+          widened(g.box_P, std::max(swept, touched)),
+          static_cast<Single>(swept),
+          static_cast<Single>(touched),
+          g.single_hull_P};
 }
 
 }  // namespace
 
 void find_candidates(const CuttingGroup& g, const GroupMotion& m,
-                     const std::vector<Vec3>& positions_W, const NearList& list,
-                     std::vector<int>& places) {
-  // Twice the slack: what this turns away, keeps_outside would, so that the list has no say.
-  visit_unclear(g, m.X_PW0, m.X_PW1, list, 2.0 * single_slack(list.region_W.box),
-                [&](std::size_t i) {
-                  if (!keeps_outside(g, m, positions_W[static_cast<std::size_t>(list.v[i])]))
-                    places.push_back(static_cast<int>(i));
-                });
-}
-
-void find_touching(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap,
-                   std::vector<int>& vertices) {
-  visit_unclear(g, m.X_PW1, m.X_PW1, list, gap + single_slack(list.region_W.box),
-                [&](std::size_t i) { vertices.push_back(list.v[i]); });
+                     const std::vector<Vec3>& positions_W, const NearList& list, double gap,
+                     NearGroup& near) {
+  near.places.clear();
+  near.touching.clear();
+  sift(
+      list, sieve_of(g, m, list, gap),
+      [&](std::size_t i) {
+        if (!keeps_outside(g, m, positions_W[static_cast<std::size_t>(list.v[i])]))
+          near.places.push_back(static_cast<int>(i));
+      },
+      [&](std::size_t i) { near.touching.push_back(list.v[i]); });
 }
 
 bool keeps_outside(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {

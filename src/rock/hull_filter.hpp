@@ -5,17 +5,23 @@
 
 namespace tdbd::rock {
 
-/// Appends the places in the list (of NearList::v) of the vertices that keeps_outside does not
-/// turn away: among them all that the group sweeps. Which they are does not hang on the list, which
-/// must cover the motion: where it was made, and when, is a matter of what a run did before.
-void find_candidates(const CuttingGroup& g, const GroupMotion& m,
-                     const std::vector<Vec3>& positions_W, const NearList& list,
-                     std::vector<int>& places);
+/// What lies farther than this many gaps from the hull around a group touches none of its parts,
+/// were a corner of theirs sharp enough to have it between its widened planes (contact_area.hpp).
+inline constexpr double gaps_around_hull = 16.0;
 
-/// Appends those vertices of the list that are nearer than `gap` (m) to the group at the end of its
-/// motion, and few others.
-void find_touching(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap,
-                   std::vector<int>& vertices);
+/// What of a list is near a group.
+struct NearGroup {
+  std::vector<int> places;    ///< in the list (of NearList::v) of what the group may sweep
+  std::vector<int> touching;  ///< vertices that it may touch at the end of its motion
+};
+
+/// Looks through a list, which must cover the motion. Swept may be what keeps_outside does not turn
+/// away: which vertices these are does not hang on the list, since where it was made, and when, is
+/// a matter of what a run did before. Touched may be all that is nearer than `gap` (m) to the group
+/// at the end, if it has not moved by then, and others; nothing if the gap is negative.
+void find_candidates(const CuttingGroup& g, const GroupMotion& m,
+                     const std::vector<Vec3>& positions_W, const NearList& list, double gap,
+                     NearGroup& near);
 
 /// Whether a vertex is outside of the motion's region, or stays on the outer side of one side of
 /// the group's box or of one plane of its hull from pose 0 to pose 1.

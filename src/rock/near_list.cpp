@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "core/wide.hpp"
@@ -84,18 +85,63 @@ Region region_ahead(const GroupStep& step, const Foresight& foresight, int steps
   return r;
 }
 
+constexpr Single nowhere = std::numeric_limits<Single>::quiet_NaN();
+
 void clear(NearList& list) {
-  for (auto* column : {&list.x, &list.y, &list.z}) column->clear();
+  for (auto* column : {&list.x, &list.y, &list.z, &list.balls.x, &list.balls.y, &list.balls.z,
+                       &list.balls.radius})
+    column->clear();
   list.v.clear();
 }
 
-void append(NearList& list, int v, const Vec3& x_W) {
-  constexpr Single nowhere = std::numeric_limits<Single>::quiet_NaN();
+void write(NearList& list, std::size_t i, const Vec3& x_W) {
+  list.x[i] = static_cast<Single>(x_W.x() - list.origin_W.x());
+  list.y[i] = static_cast<Single>(x_W.y() - list.origin_W.y());
+  list.z[i] = static_cast<Single>(x_W.z() - list.origin_W.z());
+}
+
+/// Room for one more pack, and for its ball.
+void add_pack(NearList& list) {
+  const std::size_t begin = list.x.size(), pack = begin / single_lanes;
+  for (auto* column : {&list.x, &list.y, &list.z}) column->resize(begin + single_lanes, nowhere);
+  Balls& balls = list.balls;
+  if (pack == balls.x.size())
+    for (auto* column : {&balls.x, &balls.y, &balls.z, &balls.radius})
+      column->resize(pack + single_lanes, nowhere);
+}
+
+/// Widens the ball of the place's pack until it holds the place.
+void widen_ball(NearList& list, std::size_t i) {
+  constexpr Single rounding = 1.001F;
+  const std::size_t pack = i / single_lanes;
+  Balls& b = list.balls;
+  const Single dx = list.x[i] - b.x[pack], dy = list.y[i] - b.y[pack], dz = list.z[i] - b.z[pack];
+  b.radius[pack] = std::max(b.radius[pack], rounding * std::sqrt(dx * dx + dy * dy + dz * dz));
+}
+
+/// The ball of its pack is not asked. Returns the place's number.
+std::size_t append(NearList& list, int v, const Vec3& x_W) {
   const std::size_t i = list.v.size();
   list.v.push_back(v);
-  if (i == list.x.size())
-    for (auto* column : {&list.x, &list.y, &list.z}) column->resize(i + single_lanes, nowhere);
-  set_place(list, i, x_W);
+  if (i == list.x.size()) add_pack(list);
+  write(list, i, x_W);
+  return i;
+}
+
+/// The balls about the middles of the packs' boxes.
+void make_balls(NearList& list) {
+  Balls& b = list.balls;
+  for (std::size_t begin = 0, pack = 0; begin < list.v.size(); begin += single_lanes, ++pack) {
+    const std::size_t end = std::min(begin + single_lanes, list.v.size());
+    const auto middle = [&](const std::vector<Single>& x) {
+      Single lo = x[begin], hi = lo;
+      for (std::size_t i = begin + 1; i < end; ++i) lo = std::min(lo, x[i]), hi = std::max(hi, x[i]);
+      return Single{0.5F} * (lo + hi);
+    };
+    b.x[pack] = middle(list.x), b.y[pack] = middle(list.y), b.z[pack] = middle(list.z);
+    b.radius[pack] = 0;
+    for (std::size_t i = begin; i < end; ++i) widen_ball(list, i);
+  }
 }
 
 /// Slabs in single precision, about a list's origin.
@@ -116,6 +162,21 @@ SingleSlabs about(const Vec3& origin_W, const std::array<Slab, 3>& slabs, double
   return single;
 }
 
+/// Bit l: whether a point of the ball l of eight lies between all slabs, but for rounding.
+TDBD_WIDE unsigned balls_between(const Balls& balls, std::size_t i, const SingleSlabs& s) {
+  WideSingle x, y, z, r;
+  TDBD_LOAD(x, &balls.x[i]);
+  TDBD_LOAD(y, &balls.y[i]);
+  TDBD_LOAD(z, &balls.z[i]);
+  TDBD_LOAD(r, &balls.radius[i]);
+  WideFlags in = WideFlags{} - 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WideSingle along = s.nx[k] * x + s.ny[k] * y + s.nz[k] * z;
+    in &= (along + r >= s.lo[k]) & (along - r <= s.hi[k]);
+  }
+  return bits_of(in);
+}
+
 /// Bit l: whether the place l of eight lies between all slabs.
 TDBD_WIDE unsigned between(const Single* px, const Single* py, const Single* pz,
                            const SingleSlabs& s) {
@@ -128,8 +189,7 @@ TDBD_WIDE unsigned between(const Single* px, const Single* py, const Single* pz,
     const WideSingle along = s.nx[k] * x + s.ny[k] * y + s.nz[k] * z;
     in &= (along >= s.lo[k]) & (along <= s.hi[k]);
   }
-  in &= WideFlags{1, 2, 4, 8, 16, 32, 64, 128};
-  return static_cast<unsigned>(in[0] | in[1] | in[2] | in[3] | in[4] | in[5] | in[6] | in[7]);
+  return bits_of(in);
 }
 
 void gather(const VertexGrid& grid, NearList& list) {
@@ -149,6 +209,7 @@ void gather(const VertexGrid& grid, NearList& list) {
       append(list, block.v[s], Vec3(x[s], y[s], z[s]));
     }
   });
+  make_balls(list);
 }
 
 }  // namespace
@@ -177,24 +238,31 @@ void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const Fores
 }
 
 void set_place(NearList& list, std::size_t i, const Vec3& x_W) {
-  list.x[i] = static_cast<Single>(x_W.x() - list.origin_W.x());
-  list.y[i] = static_cast<Single>(x_W.y() - list.origin_W.y());
-  list.z[i] = static_cast<Single>(x_W.z() - list.origin_W.z());
+  write(list, i, x_W);
+  widen_ball(list, i);
 }
 
 void note_moved(NearList& list, int v, const Vec3& x_W) {
   const auto found = std::ranges::find(list.v, v);
-  if (found == list.v.end()) return append(list, v, x_W);
-  set_place(list, static_cast<std::size_t>(found - list.v.begin()), x_W);
+  if (found != list.v.end())
+    return set_place(list, static_cast<std::size_t>(found - list.v.begin()), x_W);
+  const std::size_t i = append(list, v, x_W), pack = i / single_lanes;
+  if (i % single_lanes != 0) return widen_ball(list, i);
+  Balls& b = list.balls;
+  b.x[pack] = list.x[i], b.y[pack] = list.y[i], b.z[pack] = list.z[i], b.radius[pack] = 0;
 }
 
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,
                           std::vector<int>& vertices) {
   const SingleSlabs slabs = about(list.origin_W, region_W.slabs, slack);
-  for (std::size_t begin = 0; begin < list.v.size(); begin += single_lanes)
-    for (unsigned in = between(&list.x[begin], &list.y[begin], &list.z[begin], slabs); in != 0;
-         in &= in - 1U)
-      vertices.push_back(list.v[begin + static_cast<std::size_t>(std::countr_zero(in))]);
+  for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
+    for (unsigned packs = balls_between(list.balls, first, slabs); packs != 0; packs &= packs - 1U) {
+      const std::size_t begin =
+          single_lanes * (first + static_cast<std::size_t>(std::countr_zero(packs)));
+      for (unsigned in = between(&list.x[begin], &list.y[begin], &list.z[begin], slabs); in != 0;
+           in &= in - 1U)
+        vertices.push_back(list.v[begin + static_cast<std::size_t>(std::countr_zero(in))]);
+    }
 }
 
 }  // namespace tdbd::rock

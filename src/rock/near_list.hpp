@@ -8,16 +8,23 @@
 
 namespace tdbd::rock {
 
+/// Balls around places, m, in columns that are padded to whole packs with balls that are nowhere.
+struct Balls {
+  std::vector<Single> x, y, z, radius;
+};
+
 /// The rock vertices of a region side by side in memory, for the steps in which a group of parts
 /// stays there: the index is asked once in several steps, and everything near the group is then
 /// looked for in this short list (a Verlet list of molecular dynamics, ours). Places are rounded to
 /// single precision: they serve to turn vertices away. A place may be out of date where a vertex
-/// has left the region; whoever takes a vertex from here asks the surface where it is.
+/// has left the region; whoever takes a vertex from here asks the surface where it is. Eight places
+/// are a pack, and a ball around each pack tells first which packs need a look.
 struct NearList {
   Region region_W;               ///< all vertices between its slabs are here; they are orthogonal
   Vec3 origin_W = Vec3::Zero();  ///< of the places
   std::vector<Single> x, y, z;   ///< m; padded to whole packs with places that are nowhere
   std::vector<int> v;            ///< each vertex once
+  Balls balls;                   ///< of the packs
   std::vector<int> chains;
   long changes = -1;     ///< of the index, that the list knows of
   int window = 0;        ///< steps for which the region was made
@@ -60,7 +67,7 @@ void set_place(NearList& list, std::size_t i, const Vec3& x_W);
 /// `changes` may be set to the index's.
 void note_moved(NearList& list, int v, const Vec3& x_W);
 
-/// Appends the vertices between the slabs of the region widened by `slack` (m), by their places in
+/// Appends the vertices between the slabs of the region widened by `slack` (m), in the order of
 /// the list.
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,
                           std::vector<int>& vertices);

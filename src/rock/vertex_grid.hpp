@@ -24,6 +24,17 @@ struct Region {
   std::array<Slab, 3> slabs{};
 };
 
+/// The region and all that is nearer than `by` (m) to each of its slabs and sides.
+inline Region widened(Region r, double by) {
+  r.box.lo.array() -= by;
+  r.box.hi.array() += by;
+  for (Slab& s : r.slabs) {
+    s.lo -= by;
+    s.hi += by;
+  }
+  return r;
+}
+
 /// Room for rounding, m: n . x of a vertex in the box, with the single coordinates of the index and
 /// of a unit normal, is nearer to the truth. A few roundings of 6e-8 of the largest coordinate.
 inline double single_slack(const mesh::Box& box_W) {

@@ -80,6 +80,8 @@ Simulation start(const Case& c) {
   s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
   s.cut_work.most_passes = c.update.most_passes;
   s.cut_work.foresight = foresight_of(c.measure, c.rock.edge_length);
+  if (c.measure.contact == ContactMeasure::on)
+    s.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   s.cones = start_cones(c);
   s.measures = start_measures(c.bit, c.measure);
   s.rock = start_rock(c);

@@ -69,10 +69,11 @@ Json part_rows(const OneStep& one) {
 Json vertex_rows(const OneStep& one, long& moved) {
   const rock::GroupMotion motion = group_motion(one.group(), one.X_WB0, one.X_WB1);
   rock::NearList near_list;
-  std::vector<int> candidates;
+  rock::NearGroup near_group;
   bring_up_to_date(one.s.rock.grid,
                    {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, near_list);
-  find_candidates(one.group(), motion, one.s.rock.surface.positions, near_list, candidates);
+  find_candidates(one.group(), motion, one.s.rock.surface.positions, near_list, -1.0, near_group);
+  std::vector<int>& candidates = near_group.places;
   for (int& v : candidates) v = near_list.v[static_cast<std::size_t>(v)];
   mesh::Box near = motion.region_W.box;
   near.lo -= Vec3::Constant(8e-3);

@@ -45,12 +45,12 @@ std::vector<int> candidates_in(const VertexGrid& grid, const std::vector<Vec3>& 
                                const CuttingGroup& g, const GroupMotion& m,
                                const Foresight& foresight = {}) {
   NearList list;
-  std::vector<int> candidates;
-  if (is_out_of_reach(grid, m)) return candidates;
+  NearGroup near;
+  if (is_out_of_reach(grid, m)) return {};
   bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, foresight, list);
-  find_candidates(g, m, positions_W, list, candidates);
-  for (int& v : candidates) v = list.v[static_cast<std::size_t>(v)];
-  return candidates;
+  find_candidates(g, m, positions_W, list, -1.0, near);
+  for (int& v : near.places) v = list.v[static_cast<std::size_t>(v)];
+  return near.places;
 }
 
 /// Around the part, so that about half are swept.
@@ -75,6 +75,27 @@ RC_GTEST_PROP(find_candidates, finds_all_that_is_swept, ()) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (is_swept_by(bit, m, points[v]))
       RC_ASSERT(std::ranges::count(candidates, static_cast<int>(v)) == 1);
+}
+
+/// Neither region, nor ball, nor hull drops a vertex that a plane of the hull keeps away by less
+/// than the gap at the end.
+RC_GTEST_PROP(find_candidates, finds_all_that_is_touched, ()) {
+  const CuttingBit bit = prepare_cutting_bit(bit_of(*battery::convex_polyhedron(), {}));
+  const Move move = *rc::gen::exec(any_move);
+  const CuttingGroup& g = bit.groups[0];
+  const GroupMotion m = group_motion(g, move.X_WB0, move.X_WB1);
+  const double gap = *battery::number(0.0, 0.2);
+  const std::vector<Vec3> points = points_near(m);
+  const Region region = widened(m.region_W, gap);
+  VertexGrid grid(region.box, 0.3);
+  for (std::size_t v = 0; v < points.size(); ++v) grid.insert(static_cast<int>(v), points[v]);
+  NearList list;
+  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, region}, {}, list);
+  NearGroup near;
+  find_candidates(g, m, points, list, gap, near);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!is_far_from(g, m.X_PW1 * points[v], gap))
+      RC_ASSERT(std::ranges::count(near.touching, static_cast<int>(v)) == 1);
 }
 
 /// A run that begins anew makes other lists than the run that it continues. Half of the points lie
