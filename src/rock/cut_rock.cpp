@@ -129,8 +129,7 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
     w.knows_touching[at(i)] = 0;
     if (is_out_of_reach(rock.grid, m)) return;
     bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight, list);
-    find_candidates(g, m, rock.surface.positions, list,
-                    gaps_around_hull * w.contact_gap, near);
+    find_candidates(g, m, rock.surface.positions, list, gaps_around_hull * w.contact_gap, near);
     w.knows_touching[at(i)] =
         w.contact_gap >= 0.0 && covers(list, rock.grid, widened(m.region_W, w.contact_gap)) ? 1 : 0;
     for (const int place : near.places) w.candidates[at(i)].push_back(list.v[at(place)]);

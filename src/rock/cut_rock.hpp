@@ -45,7 +45,7 @@ struct CutWorkspace {
   std::vector<std::vector<int>> moved_in_step;  ///< per group, in all passes
   std::vector<mesh::Box> moved_boxes_W;         ///< around these, where they are at the step's end
   Foresight foresight;
-  double contact_gap = -1.0;  ///< m, of contact_areas after the step; negative: nobody asks
+  double contact_gap = -1.0;       ///< m, of contact_areas after the step; negative: nobody asks
   std::vector<MovedVertex> moves;  ///< by the part at work
   std::vector<int> move_of;        ///< per vertex: its place in `moves`, if that is its place
   std::vector<int> triangles;

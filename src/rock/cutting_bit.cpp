@@ -9,6 +9,8 @@
 namespace tdbd::rock {
 namespace {
 
+constexpr std::size_t sides = 6;  // of a box
+
 /// At most `most` of the planes: the first six, then always the one whose normal is farthest from
 /// those chosen. Few planes then bound the solid as tightly as so few can, and what is outside of
 /// the solid is outside of one of the first.
@@ -17,7 +19,8 @@ mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t mos
   std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest chosen
   for (std::size_t k = 0; k < std::min(most, planes.planes); ++k) {
     const std::size_t next =
-        k < 6 ? k : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
+        k < sides ? k
+                  : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
     const Vec3 n = mesh::normal(planes, next);
     mesh::add_plane(chosen, n, planes.b[next]);
     for (std::size_t i = 0; i < planes.planes; ++i)
@@ -78,15 +81,17 @@ mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
   return planes;
 }
 
+/// The box's sides come last: whoever asks the planes has asked the box before.
 SingleSolid in_single(const mesh::ConvexSolid& planes) {
   SingleSolid single;
   single.planes = planes.planes;
   single.b.fill(std::numeric_limits<Single>::infinity());
   for (std::size_t i = 0; i < planes.planes; ++i) {
-    single.nx[i] = static_cast<Single>(planes.nx[i]);
-    single.ny[i] = static_cast<Single>(planes.ny[i]);
-    single.nz[i] = static_cast<Single>(planes.nz[i]);
-    single.b[i] = static_cast<Single>(planes.b[i]);
+    const std::size_t k = (i + sides) % planes.planes;
+    single.nx[i] = static_cast<Single>(planes.nx[k]);
+    single.ny[i] = static_cast<Single>(planes.ny[k]);
+    single.nz[i] = static_cast<Single>(planes.nz[k]);
+    single.b[i] = static_cast<Single>(planes.b[k]);
   }
   return single;
 }

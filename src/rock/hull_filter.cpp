@@ -1,13 +1,16 @@
 #include "rock/hull_filter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <utility>
 
+#include "rock/hull_sieve.hpp"
 #include "rock/wide_planes.hpp"
 
 namespace tdbd::rock {
 namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A plane of the hull with both points outside by `slack`; the number of columns if there is none.
 TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q0, const Vec3& q1,
@@ -25,127 +28,59 @@ TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q
   return h.b.size();
 }
 
-/// From places about a list's origin to a frame, in single precision.
-struct SingleFrame {
-  std::array<Single, 9> R{};  ///< by rows
-  std::array<Single, 3> p{};
-};
-
-SingleFrame frame_of(const Pose& X_PW, const Vec3& origin_W) {
-  SingleFrame f;
-  const Vec3 p = X_PW * origin_W;
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    for (int j = 0; j < 3; ++j)
-      f.R[3 * k + static_cast<std::size_t>(j)] = static_cast<Single>(X_PW.R(i, j));
-    f.p[k] = static_cast<Single>(p[i]);
+/// Moves those places of the pack at `from`, which have a bit set, to the run's end.
+void keep(unsigned bits, std::size_t from, Run& r) {
+  for (; bits != 0; bits &= bits - 1U, ++r.count) {
+    const auto i = from + static_cast<std::size_t>(std::countr_zero(bits));
+    for (auto* column : {&r.x0, &r.y0, &r.z0, &r.x1, &r.y1, &r.z1})
+      (*column)[r.count] = (*column)[i];
+    r.place[r.count] = r.place[i];
   }
-  return f;
 }
 
-/// A box in single precision, widened.
-struct SingleBox {
-  std::array<Single, 3> lo{}, hi{};
-};
-
-SingleBox widened(const mesh::Box& box, double slack) {
-  SingleBox b;
-  for (int i = 0; i < 3; ++i) {
-    b.lo[static_cast<std::size_t>(i)] = static_cast<Single>(box.lo[i] - slack);
-    b.hi[static_cast<std::size_t>(i)] = static_cast<Single>(box.hi[i] + slack);
-  }
-  return b;
+/// Bits: those of eight places, from i on, that are before the end.
+unsigned filled(std::size_t i, std::size_t end) {
+  return (1U << std::min(end - i, single_lanes)) - 1U;
 }
 
-/// What tells what a group may sweep on its way from one pose to the other, and what it may touch
-/// at the end; nothing if that slack is negative. Swept: no side of the box and no plane of the hull has the vertex outside by its
-/// slack at both poses. Touched: none has it outside by the other slack at the end.
-struct Sieve {
-  SingleFrame start, end;
-  SingleBox swept, touched, either;
-  Single swept_slack, touched_slack;
-  const SingleSolid& hull_P;
-};
-
-/// Bits: those of eight places that are left.
-struct Sieved {
-  unsigned swept, touched;
-};
-
-/// Bit l: whether the ball l of eight may hold something of the group's box at either pose.
-TDBD_WIDE unsigned balls_near(const Balls& balls, std::size_t i, const Sieve& s) {
-  WideSingle x, y, z, r;
-  TDBD_LOAD(x, &balls.x[i]);
-  TDBD_LOAD(y, &balls.y[i]);
-  TDBD_LOAD(z, &balls.z[i]);
-  TDBD_LOAD(r, &balls.radius[i]);
-  WideFlags near = WideFlags{} - 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto &a = s.start.R, &b = s.end.R;
-    const WideSingle q0 = a[3 * k] * x + a[3 * k + 1] * y + a[3 * k + 2] * z + s.start.p[k];
-    const WideSingle q1 = b[3 * k] * x + b[3 * k + 1] * y + b[3 * k + 2] * z + s.end.p[k];
-    const WideSingle lo = s.either.lo[k] - r, hi = s.either.hi[k] + r;
-    near &= ((q0 <= hi) | (q1 <= hi)) & ((q0 >= lo) | (q1 >= lo));
+/// Drops what the first planes of the hull tell already, most of it.
+void drop_outer(const Sieve& sieve, Run& r) {
+  const std::size_t end = std::exchange(r.count, 0);
+  for (std::size_t i = 0; i < end; i += single_lanes) {
+    Sieved in;
+    sieve_pack(r, i, sieve, SingleSolid::run, in);
+    keep((in.swept | in.touched) & filled(i, end), i, r);
   }
-  return bits_of(near);
 }
 
-/// Eight places, from that at i on.
-TDBD_WIDE void sieve_pack(const NearList& list, std::size_t i, const Sieve& s, Sieved& sieved) {
-  WideSingle x, y, z;
-  TDBD_LOAD(x, &list.x[i]);
-  TDBD_LOAD(y, &list.y[i]);
-  TDBD_LOAD(z, &list.z[i]);
-  WideSingle q0[3], q1[3];
-  WideFlags swept = WideFlags{} - 1, touched = swept;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto &a = s.start.R, &b = s.end.R;
-    q0[k] = a[3 * k] * x + a[3 * k + 1] * y + a[3 * k + 2] * z + s.start.p[k];
-    q1[k] = b[3 * k] * x + b[3 * k + 1] * y + b[3 * k + 2] * z + s.end.p[k];
-    swept &= ((q0[k] <= s.swept.hi[k]) | (q1[k] <= s.swept.hi[k])) &
-             ((q0[k] >= s.swept.lo[k]) | (q1[k] >= s.swept.lo[k]));
-    touched &= (q1[k] <= s.touched.hi[k]) & (q1[k] >= s.touched.lo[k]);
+/// Calls visit_swept(place in the list) and visit_touched for what of the run is let through, and
+/// empties it.
+template <class Swept, class Touched>
+void sift_run(const Sieve& sieve, Run& r, Swept& visit_swept, Touched& visit_touched) {
+  drop_outer(sieve, r);
+  for (std::size_t i = 0; i < r.count; i += single_lanes) {
+    Sieved in;
+    sieve_pack(r, i, sieve, sieve.hull_P.planes, in);
+    for (unsigned bits = in.swept & filled(i, r.count); bits != 0; bits &= bits - 1U)
+      visit_swept(at(r.place[i + static_cast<std::size_t>(std::countr_zero(bits))]));
+    for (unsigned bits = in.touched & filled(i, r.count); bits != 0; bits &= bits - 1U)
+      visit_touched(at(r.place[i + static_cast<std::size_t>(std::countr_zero(bits))]));
   }
-  const SingleSolid& h = s.hull_P;
-  for (std::size_t k = 0; k < h.planes && any_of(swept | touched); k += SingleSolid::run)
-    for (std::size_t l = k; l < k + SingleSolid::run; ++l) {
-      const WideSingle out0 = h.nx[l] * q0[0] + h.ny[l] * q0[1] + h.nz[l] * q0[2] - h.b[l];
-      const WideSingle out1 = h.nx[l] * q1[0] + h.ny[l] * q1[1] + h.nz[l] * q1[2] - h.b[l];
-      swept &= (out0 < s.swept_slack) | (out1 < s.swept_slack);
-      touched &= out1 < s.touched_slack;
-    }
-  sieved = {bits_of(swept), bits_of(touched)};
+  r.count = 0;
 }
 
-/// Calls visit_swept(place in the list) and visit_touched for what the sieve lets through.
+/// The same for what of the list is let through.
 template <class Swept, class Touched>
 void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched&& visit_touched) {
+  Run run;
   for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
     for (unsigned packs = balls_near(list.balls, first, sieve); packs != 0; packs &= packs - 1U) {
       const std::size_t begin =
           single_lanes * (first + static_cast<std::size_t>(std::countr_zero(packs)));
-      Sieved in;
-      sieve_pack(list, begin, sieve, in);
-      for (; in.swept != 0; in.swept &= in.swept - 1U)
-        visit_swept(begin + static_cast<std::size_t>(std::countr_zero(in.swept)));
-      for (; in.touched != 0; in.touched &= in.touched - 1U)
-        visit_touched(begin + static_cast<std::size_t>(std::countr_zero(in.touched)));
+      keep(put_into_frames(list, begin, sieve, run), run.count, run);
+      if (run.count + single_lanes > Run::most) sift_run(sieve, run, visit_swept, visit_touched);
     }
-}
-
-/// Twice the slack of rounding for what is swept: what this turns away, keeps_outside would, so
-/// that the list has no say.
-Sieve sieve_of(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap) {
-  const double rounding = single_slack(list.region_W.box), swept = 2.0 * rounding,
-               touched = gap + rounding;
-  return {frame_of(m.X_PW0, list.origin_W),
-          frame_of(m.X_PW1, list.origin_W),
-          widened(g.box_P, swept),
-          widened(g.box_P, touched),
-          widened(g.box_P, std::max(swept, touched)),
-          static_cast<Single>(swept),
-          static_cast<Single>(touched),
-          g.single_hull_P};
+  sift_run(sieve, run, visit_swept, visit_touched);
 }
 
 }  // namespace
@@ -156,9 +91,9 @@ void find_candidates(const CuttingGroup& g, const GroupMotion& m,
   near.places.clear();
   near.touching.clear();
   sift(
-      list, sieve_of(g, m, list, gap),
+      list, make_sieve(g, m, list, gap),
       [&](std::size_t i) {
-        if (!keeps_outside(g, m, positions_W[static_cast<std::size_t>(list.v[i])]))
+        if (!keeps_outside(g, m, positions_W[at(list.v[i])]))
           near.places.push_back(static_cast<int>(i));
       },
       [&](std::size_t i) { near.touching.push_back(list.v[i]); });

@@ -88,8 +88,8 @@ Region region_ahead(const GroupStep& step, const Foresight& foresight, int steps
 constexpr Single nowhere = std::numeric_limits<Single>::quiet_NaN();
 
 void clear(NearList& list) {
-  for (auto* column : {&list.x, &list.y, &list.z, &list.balls.x, &list.balls.y, &list.balls.z,
-                       &list.balls.radius})
+  for (auto* column :
+       {&list.x, &list.y, &list.z, &list.balls.x, &list.balls.y, &list.balls.z, &list.balls.radius})
     column->clear();
   list.v.clear();
 }
@@ -135,7 +135,8 @@ void make_balls(NearList& list) {
     const std::size_t end = std::min(begin + single_lanes, list.v.size());
     const auto middle = [&](const std::vector<Single>& x) {
       Single lo = x[begin], hi = lo;
-      for (std::size_t i = begin + 1; i < end; ++i) lo = std::min(lo, x[i]), hi = std::max(hi, x[i]);
+      for (std::size_t i = begin + 1; i < end; ++i)
+        lo = std::min(lo, x[i]), hi = std::max(hi, x[i]);
       return Single{0.5F} * (lo + hi);
     };
     b.x[pack] = middle(list.x), b.y[pack] = middle(list.y), b.z[pack] = middle(list.z);
@@ -256,7 +257,8 @@ void add_vertices_between(const NearList& list, const Region& region_W, double s
                           std::vector<int>& vertices) {
   const SingleSlabs slabs = about(list.origin_W, region_W.slabs, slack);
   for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
-    for (unsigned packs = balls_between(list.balls, first, slabs); packs != 0; packs &= packs - 1U) {
+    for (unsigned packs = balls_between(list.balls, first, slabs); packs != 0;
+         packs &= packs - 1U) {
       const std::size_t begin =
           single_lanes * (first + static_cast<std::size_t>(std::countr_zero(packs)));
       for (unsigned in = between(&list.x[begin], &list.y[begin], &list.z[begin], slabs); in != 0;
