@@ -42,10 +42,11 @@ endfunction()
 # All programs that scripts/report needs.
 add_custom_target(report_programs)
 
-# tdbd_tests(NAME SOURCES a_test.cpp ... LINKS dep ...): one GoogleTest program, one ctest entry per test.
+# tdbd_tests(NAME SOURCES a_test.cpp ... LINKS dep ... [TOGETHER Suite ...]): one GoogleTest program, one ctest
+# entry per test; one for the whole of a suite that shares a long run.
 # Tests that link tdbd_evidence have the label evidence: scripts/report builds and runs them.
 function(tdbd_tests name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;TOGETHER" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/verification" "${PROJECT_SOURCE_DIR}")
   target_compile_definitions(${name} PRIVATE TDBD_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
@@ -58,5 +59,12 @@ function(tdbd_tests name)
     set(labels LABELS evidence)
     add_dependencies(report_programs ${name})
   endif()
-  gtest_discover_tests(${name} PROPERTIES TIMEOUT 600 ${labels} DISCOVERY_TIMEOUT 60)
+  set(apart "")
+  foreach(suite IN LISTS ARG_TOGETHER)
+    string(APPEND apart ":${suite}.*")
+    add_test(NAME ${suite} COMMAND ${name} --gtest_filter=${suite}.*)
+    set_tests_properties(${suite} PROPERTIES TIMEOUT 600 FAIL_REGULAR_EXPRESSION "Running 0 tests" ${labels})
+  endforeach()
+  string(REGEX REPLACE "^:" "TEST_FILTER;-" apart "${apart}")
+  gtest_discover_tests(${name} ${apart} PROPERTIES TIMEOUT 600 ${labels} DISCOVERY_TIMEOUT 60)
 endfunction()
