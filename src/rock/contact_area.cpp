@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/inside.hpp"
+#include "rock/wide_planes.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -53,16 +54,28 @@ void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
   for (const int v : w.near) w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
 }
 
+/// The first plane that has the point outside by more than the gap; the number of columns if there
+/// is none.
+TDBD_WIDE std::size_t plane_between(const mesh::ConvexSolid& s, const Vec3& x_P, double gap) {
+  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
+    WidePlanes planes;
+    load(s, i, planes);
+    const auto& [x, y, z, b] = planes;
+    const Wide out = x * x_P.x() + y * x_P.y() + z * x_P.z() - b;
+    for (std::size_t l = 0; l < lanes; ++l)
+      if (out[l] > gap) return i + l;
+  }
+  return s.b.size();
+}
+
 /// Asks first the plane that kept the last one away.
 bool touches(const mesh::ConvexSolid& solid, const Vec3& x_P, double gap, std::size_t& plane) {
-  const auto out = [&](std::size_t i) { return mesh::normal(solid, i).dot(x_P) - solid.b[i]; };
-  if (plane < solid.planes && out(plane) > gap) return false;
-  for (std::size_t i = 0; i < solid.planes; ++i)
-    if (out(i) > gap) {
-      plane = i;
-      return false;
-    }
-  return true;
+  if (plane < solid.planes && mesh::normal(solid, plane).dot(x_P) - solid.b[plane] > gap)
+    return false;
+  const std::size_t between = plane_between(solid, x_P, gap);
+  if (between == solid.b.size()) return true;
+  plane = between;
+  return false;
 }
 
 bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& plane) {

@@ -97,7 +97,6 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
                   std::vector<int>& moved_by_group) {
   const CuttingPart& part = g.parts[which];
   w.moves.clear();
-  find_paths(rock, m, candidates, w);
   prepare_exits(part, w.paths, w.swept);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const auto t = prepared_exit_distance(part, w.paths[i], w.swept);
@@ -105,8 +104,10 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
       note_outside(w.clear[i], which);
       continue;
     }
-    const Vec3& x_W = rock.surface.position(candidates[i]);
-    move_vertex(rock, w, candidates[i], x_W + *t * w.directions_W[i], part);
+    const Vec3 x_W = rock.surface.position(candidates[i]) + *t * w.directions_W[i];
+    move_vertex(rock, w, candidates[i], x_W, part);
+    w.paths[i].q0_P = m.X_PW0 * x_W;
+    w.paths[i].q1_P = m.X_PW1 * x_W;
     note_exit(w.clear[i], which, !part.tree_P);
   }
   if (w.moves.empty()) return;
@@ -208,6 +209,7 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
     if (w.candidates[i].empty()) continue;
     report.candidates += static_cast<long>(w.candidates[i].size());
     map_directions(rock, bit.groups[i], w.motions[i], w.candidates[i], w.directions_W);
+    find_paths(rock, w.motions[i], w.candidates[i], w);
     w.clear.assign(w.candidates[i].size(), {});
     for (std::size_t part = 0; part < bit.groups[i].parts.size(); ++part)
       process_part(rock, bit.groups[i], part, w.motions[i], w.candidates[i], w, report,

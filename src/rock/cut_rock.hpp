@@ -50,7 +50,7 @@ struct CutWorkspace {
   std::vector<int> move_of;        ///< per vertex: its place in `moves`, if that is its place
   std::vector<int> triangles;
   std::vector<Vec3> directions_W;
-  std::vector<RelativePath> paths;  ///< of the candidates, for the part at work
+  std::vector<RelativePath> paths;  ///< of the candidates of the group at work
   std::vector<Clear> clear;         ///< per candidate of the group at work
   std::vector<int> step_of_move;    ///< per vertex: the last step that moved it
   long changes_before = 0;          ///< of the index, when the step began

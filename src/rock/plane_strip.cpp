@@ -56,11 +56,17 @@ TDBD_WIDE void fill(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStri
   }
 }
 
-/// ratio[i] = where the ray at tau leaves plane i, infinite if it does not; `exit` the first of
-/// them and `entry` the last plane that it enters, by lanes.
-TDBD_WIDE void cross_planes(PlaneStrip& w, double tau, Lanes& exit, Lanes& entry) {
+/// The least of some numbers in each lane, and the plane that it belongs to, the first of equals.
+struct Least {
+  Lanes value, plane;
+};
+
+/// Where the ray at tau leaves the planes first, infinite if it does not, and the last of where it
+/// enters them, by lanes.
+TDBD_WIDE void cross_planes(const PlaneStrip& w, double tau, Least& exit, Lanes& entry) {
   Wide first_exit = Wide{} + infinity, last_entry = Wide{} - infinity;
-  for (std::size_t i = 0; i < w.rest.size(); i += lanes) {
+  Wide plane = {0.0, 1.0, 2.0, 3.0}, first_plane = plane;
+  for (std::size_t i = 0; i < w.rest.size(); i += lanes, plane += 4.0) {
     Wide rest, along, up, twist;
     TDBD_LOAD(rest, &w.rest[i]);
     TDBD_LOAD(along, &w.along[i]);
@@ -70,18 +76,21 @@ TDBD_WIDE void cross_planes(PlaneStrip& w, double tau, Lanes& exit, Lanes& entry
     const Wide t = (rest - tau * along) / ((c > grazing) | (c < -grazing) ? c : Wide{} + 1.0);
     const Wide leaves = c > grazing ? t : Wide{} + infinity;
     const Wide enters = c < -grazing ? t : Wide{} - infinity;
+    first_plane = leaves < first_exit ? plane : first_plane;
     first_exit = leaves < first_exit ? leaves : first_exit;
     last_entry = enters > last_entry ? enters : last_entry;
-    TDBD_STORE(leaves, &w.ratio[i]);
   }
-  TDBD_STORE(first_exit, exit.data());
+  TDBD_STORE(first_exit, exit.value.data());
+  TDBD_STORE(first_plane, exit.plane.data());
   TDBD_STORE(last_entry, entry.data());
 }
 
-/// ratio[i] = how far along the way plane i is met, infinite if it is not; `least` by lanes.
-TDBD_WIDE void blocking_ratios(PlaneStrip& w, const Way& way, Lanes& least) {
-  Wide smallest = Wide{} + infinity;
-  for (std::size_t i = 0; i < w.rest.size(); i += lanes) {
+/// How far along the way the planes other than `on` are met, infinite if they are not; the least by
+/// lanes.
+TDBD_WIDE void block(const PlaneStrip& w, const Way& way, std::size_t on, Least& least) {
+  Wide smallest = Wide{} + infinity, plane = {0.0, 1.0, 2.0, 3.0}, first_plane = plane;
+  const Wide underfoot = Wide{} + static_cast<double>(on);
+  for (std::size_t i = 0; i < w.rest.size(); i += lanes, plane += 4.0) {
     Wide rest, along, up, twist;
     TDBD_LOAD(rest, &w.rest[i]);
     TDBD_LOAD(along, &w.along[i]);
@@ -92,11 +101,22 @@ TDBD_WIDE void blocking_ratios(PlaneStrip& w, const Way& way, Lanes& least) {
     const Wide left = rest + (way.tau0 * way.t0) * twist - a * way.tau - c * way.t;
     const Wide room = left > 0.0 ? left : Wide{};
     const Wide reach = room / (speed > grazing ? speed : Wide{} + 1.0);
-    const Wide bounded = speed > grazing ? reach : Wide{} + infinity;
+    const Wide bounded = (speed > grazing) & (plane != underfoot) ? reach : Wide{} + infinity;
+    first_plane = bounded < smallest ? plane : first_plane;
     smallest = bounded < smallest ? bounded : smallest;
-    TDBD_STORE(bounded, &w.ratio[i]);
   }
-  TDBD_STORE(smallest, least.data());
+  TDBD_STORE(smallest, least.value.data());
+  TDBD_STORE(first_plane, least.plane.data());
+}
+
+/// The lane of the least, and of equals the one with the first plane.
+std::size_t first_lane(const Least& least) {
+  std::size_t first = 0;
+  for (std::size_t l = 1; l < lanes; ++l)
+    if (least.value[l] < least.value[first] ||
+        (least.value[l] == least.value[first] && least.plane[l] < least.plane[first]))
+      first = l;
+  return first;
 }
 
 }  // namespace
@@ -108,15 +128,16 @@ Interval when_inside(const mesh::ConvexSolid& s, const RelativePath& p, double d
 }
 
 void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w) {
-  for (auto* column : {&w.rest, &w.along, &w.up, &w.twist, &w.ratio}) column->resize(s.b.size());
+  for (auto* column : {&w.rest, &w.along, &w.up, &w.twist}) column->resize(s.b.size());
   fill(s, p, w);
 }
 
-Exit leave_at(PlaneStrip& w, double tau) {
-  Lanes exit, entry;
+Exit leave_at(const PlaneStrip& w, double tau) {
+  Least exit;
+  Lanes entry;
   cross_planes(w, tau, exit, entry);
-  const double t = *std::ranges::min_element(exit);
-  return {tau, t, static_cast<std::size_t>(std::ranges::find(w.ratio, t) - w.ratio.begin()),
+  const std::size_t l = first_lane(exit);
+  return {tau, exit.value[l], static_cast<std::size_t>(exit.plane[l]),
           *std::ranges::max_element(entry)};
 }
 
@@ -132,17 +153,13 @@ std::size_t last_entered(const PlaneStrip& w, double tau) {
   return plane;
 }
 
-std::size_t first_plane_on_way(PlaneStrip& w, const Way& way, std::size_t on, double& reach) {
-  Lanes lane_least;
-  blocking_ratios(w, way, lane_least);
-  double least = *std::ranges::min_element(lane_least);
-  if (w.ratio[on] == least) {  // the plane underfoot does not block, whatever rounding says
-    w.ratio[on] = infinity;
-    least = *std::ranges::min_element(w.ratio);
-  }
-  if (least >= reach) return w.rest.size();
-  reach = least;
-  return static_cast<std::size_t>(std::ranges::find(w.ratio, least) - w.ratio.begin());
+std::size_t first_plane_on_way(const PlaneStrip& w, const Way& way, std::size_t on, double& reach) {
+  Least least;
+  block(w, way, on, least);
+  const std::size_t l = first_lane(least);
+  if (least.value[l] >= reach) return w.rest.size();
+  reach = least.value[l];
+  return static_cast<std::size_t>(least.plane[l]);
 }
 
 }  // namespace tdbd::rock

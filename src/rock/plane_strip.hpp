@@ -8,10 +8,10 @@
 namespace tdbd::rock {
 
 /// The strip q(tau) + t u(tau) seen by the planes of a convex solid: a point (tau, t) is inside
-/// plane i while along tau + (up + twist tau) t <= rest. Columns over planes; `ratio` is room for
-/// the queries below. Kept between queries, so that none allocates.
+/// plane i while along tau + (up + twist tau) t <= rest. Columns over planes, kept between queries,
+/// so that none allocates.
 struct PlaneStrip {
-  std::vector<double> rest, along, up, twist, ratio;
+  std::vector<double> rest, along, up, twist;
 };
 
 /// When q(tau) is deeper than `depth` inside every plane; empty (lo >= hi) if never.
@@ -29,7 +29,7 @@ struct Exit {
   std::size_t plane;
   double entry;
 };
-Exit leave_at(PlaneStrip& w, double tau);
+Exit leave_at(const PlaneStrip& w, double tau);
 
 /// The plane that the ray at tau enters last.
 std::size_t last_entered(const PlaneStrip& w, double tau);
@@ -41,8 +41,8 @@ struct Way {
   double side, climb;  ///< direction
 };
 
-/// The first plane met on the way within `reach`, other than `on`; shortens `reach` to it. Returns
-/// w.rest.size() if none.
-std::size_t first_plane_on_way(PlaneStrip& w, const Way& way, std::size_t on, double& reach);
+/// The first plane met on the way within `reach`, other than `on`: the plane underfoot does not
+/// block, whatever rounding says. Shortens `reach` to it. Returns w.rest.size() if none.
+std::size_t first_plane_on_way(const PlaneStrip& w, const Way& way, std::size_t on, double& reach);
 
 }  // namespace tdbd::rock

@@ -19,7 +19,7 @@ double towards_meeting(const PlaneStrip& w, std::size_t k, std::size_t l, double
 /// Follows the surface from x the way t grows, with the planes linearised at x (the product tau t
 /// of the turning direction), over as many planes as it takes. Returns where t is largest: where
 /// the last two planes meet, not linearised.
-double highest_from(PlaneStrip& w, const Exit& x) {
+double highest_from(const PlaneStrip& w, const Exit& x) {
   const auto a = [&](std::size_t i) { return w.along[i] + x.t * w.twist[i]; };
   const auto c = [&](std::size_t i) { return w.up[i] + x.tau * w.twist[i]; };
   const double side = a(x.plane) > 0.0 ? -1.0 : 1.0;
@@ -49,7 +49,7 @@ bool meets_solid(const Exit& x) {
 /// The exit at tau, or, where the ray at tau misses the solid (the linearised way overshoots the
 /// solid's end), at that end: where the planes meet that the ray leaves too soon and enters too
 /// late.
-Exit leave_towards(PlaneStrip& w, const Exit& in, double tau) {
+Exit leave_towards(const PlaneStrip& w, const Exit& in, double tau) {
   Exit x = leave_at(w, tau);
   constexpr int newton_steps = 8;
   for (int k = 0; k < newton_steps && !meets_solid(x); ++k) {
