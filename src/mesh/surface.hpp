@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -20,8 +21,11 @@ struct Surface {
   std::vector<int> free_vertices;
   std::vector<int> free_triangles;
 
+  /// Triangles stand side by side, so no division tells which one it is.
   int vertex(int c) const {
-    return triangles[static_cast<std::size_t>(c / 3)][static_cast<std::size_t>(c % 3)];
+    int v;
+    std::memcpy(&v, triangles.data()->data() + c, sizeof(v));
+    return v;
   }
   const Vec3& position(int v) const { return positions[static_cast<std::size_t>(v)]; }
   bool is_boundary(int v) const { return boundary[static_cast<std::size_t>(v)] != 0; }
@@ -36,6 +40,8 @@ struct Surface {
 
 inline int next_corner(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
 inline int previous_corner(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
+
+static_assert(sizeof(Triangle) == 3 * sizeof(int));
 
 /// The next corner at the same vertex, counter-clockwise; -1 past the boundary.
 inline int turn_left(const Surface& s, int c) {

@@ -18,7 +18,7 @@ class OutlineSearch {
   OutlineSearch(const Rock& rock, const FacePlane& plane, OutlineWork& work)
       : rock_(rock), s_(rock.surface), f_(plane), w_(work) {}
 
-  const RingVertex* around(int v, const RingVertex* ring);
+  void around(int v);
   bool is_in_zone(const Vec2& x_F) const;
   bool is_start(const Seen& a) const {
     if (!(a.ahead >= 0.0 && a.ahead <= f_.reach)) return false;
@@ -66,35 +66,20 @@ int first_corner(const mesh::Surface& s, int v) {
   return c;
 }
 
-/// Appends the corners at v, counter-clockwise, and with each the vertex after it; at last the
-/// vertex before the last corner.
-void add_ring(const mesh::Surface& s, int v, std::vector<RingVertex>& ring) {
-  const int first = first_corner(s, v);
-  int c = first, last = -1;
-  do {
-    const auto t = static_cast<std::size_t>(c / 3), i = static_cast<std::size_t>(c) - 3 * t;
-    const std::size_t next = i == 2 ? 0 : i + 1;
-    ring.push_back({c, s.triangles[t][next], 0.0});
-    last = s.triangles[t][i == 0 ? 2 : i - 1];
-    const int o = s.opposite[3 * t + next];
-    c = o < 0 ? -1 : mesh::next_corner(o);
-  } while (c >= 0 && c != first);
-  ring.push_back({-1, last, 0.0});
-}
-
-/// The triangles that cross the plane on an edge from this vertex to one behind. Returns the end of
-/// its ring.
-const RingVertex* OutlineSearch::around(int v, const RingVertex* ring) {
+/// The triangles that cross the plane on an edge from this vertex to one behind.
+void OutlineSearch::around(int v) {
   const Seen centre = seen(v);
+  const int first = first_corner(s_, v);
+  Seen next = seen_at(mesh::next_corner(first));
   bool ask_before = true;
-  for (; ring->corner >= 0; ++ring) {
-    const RingVertex& last = ring[1];
-    if (ring->ahead < 0.0)
-      triangle(ring->corner, centre, {ring->v, s_.position(ring->v), ring->ahead},
-               {last.v, s_.position(last.v), last.ahead}, ask_before);
-    ask_before = ring->ahead >= 0.0;
-  }
-  return ring + 1;
+  int c = first;
+  do {
+    const Seen last = seen_at(mesh::previous_corner(c));
+    if (next.ahead < 0.0) triangle(c, centre, next, last, ask_before);
+    ask_before = next.ahead >= 0.0;
+    next = last;
+    c = mesh::turn_left(s_, c);
+  } while (c >= 0 && c != first);
 }
 
 /// The triangle with this corner at v; follows the outline on either side where the vertex ahead is
@@ -232,11 +217,7 @@ void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   OutlineSearch search(rock, plane, work);
   std::erase_if(work.near, [&](int v) { return !search.is_start(search.seen(v)); });
   prefetch(rock.surface, work.near);
-  work.ring.clear();
-  for (const int v : work.near) add_ring(rock.surface, v, work.ring);
-  for (RingVertex& r : work.ring) r.ahead = plane.ahead(rock.surface.position(r.v));
-  const RingVertex* ring = work.ring.data();
-  for (const int v : work.near) ring = search.around(v, ring);
+  for (const int v : work.near) search.around(v);
 }
 
 }  // namespace tdbd::rock

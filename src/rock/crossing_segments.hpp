@@ -22,18 +22,10 @@ struct FacePlane {
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
                      double reach, double top, int near_list);
 
-/// A corner at a vertex to start from, the vertex after it, and how far that is ahead (m).
-struct RingVertex {
-  int corner;  ///< -1 at the end of a ring
-  int v;
-  double ahead;
-};
-
 /// Room for the pieces of the rock's outline.
 struct OutlineWork {
   std::vector<int> chains;
-  std::vector<int> near;         ///< vertices to start from
-  std::vector<RingVertex> ring;  ///< around all of them
+  std::vector<int> near;  ///< vertices to start from
   std::vector<OutlineSegment> segments;
   std::vector<OutlineSegment> run;
 };

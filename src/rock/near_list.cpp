@@ -110,13 +110,20 @@ void add_pack(NearList& list) {
       column->resize(pack + single_lanes, nowhere);
 }
 
+/// Of a place from the middle of its pack's ball, m2.
+Single squared_distance(const NearList& list, std::size_t i) {
+  const std::size_t pack = i / single_lanes;
+  const Balls& b = list.balls;
+  const Single dx = list.x[i] - b.x[pack], dy = list.y[i] - b.y[pack], dz = list.z[i] - b.z[pack];
+  return dx * dx + dy * dy + dz * dz;
+}
+
+constexpr Single rounding = 1.001F;  // of a ball's radius
+
 /// Widens the ball of the place's pack until it holds the place.
 void widen_ball(NearList& list, std::size_t i) {
-  constexpr Single rounding = 1.001F;
-  const std::size_t pack = i / single_lanes;
-  Balls& b = list.balls;
-  const Single dx = list.x[i] - b.x[pack], dy = list.y[i] - b.y[pack], dz = list.z[i] - b.z[pack];
-  b.radius[pack] = std::max(b.radius[pack], rounding * std::sqrt(dx * dx + dy * dy + dz * dz));
+  Single& radius = list.balls.radius[i / single_lanes];
+  radius = std::max(radius, rounding * std::sqrt(squared_distance(list, i)));
 }
 
 /// The ball of its pack is not asked. Returns the place's number.
@@ -140,8 +147,10 @@ void make_balls(NearList& list) {
       return Single{0.5F} * (lo + hi);
     };
     b.x[pack] = middle(list.x), b.y[pack] = middle(list.y), b.z[pack] = middle(list.z);
-    b.radius[pack] = 0;
-    for (std::size_t i = begin; i < end; ++i) widen_ball(list, i);
+    Single farthest2 = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      farthest2 = std::max(farthest2, squared_distance(list, i));
+    b.radius[pack] = rounding * std::sqrt(farthest2);
   }
 }
 
