@@ -55,9 +55,15 @@ const PlanarFace* held(const PlanarRegion& pieces, const SpokeFrame& frame) {
 
 double sector(const OutlineSpokes& rock) { return 2.0 * std::numbers::pi / rock.spokes(); }
 
-void add(OutlineCut& sum, const OutlineCut& more) {
-  sum.removed += more.removed;
-  sum.respaced += more.respaced;
+/// One spoke without what the tools enclose.
+OutlineCut take_away(const OutlineSpokes& rock, PlanarFace& face,
+                     const std::vector<Outline>& tools) {
+  const PlanarRegion left = without_all({face}, tools);
+  const double before = moment({face});
+  const PlanarFace* const piece = held(left, rock.frame);
+  const double after = piece ? moment({*piece}) : 0.0;
+  face = piece ? respaced(*piece, rock.frame, rock.spacing) : PlanarFace{};
+  return {sector(rock) * (before - after), sector(rock) * (moment({face}) - after)};
 }
 
 /// The deepest place of the rock's surface at a radius: its last but one crossing, the last being
@@ -99,29 +105,43 @@ OutlineSpokes outline_spokes_of(const mesh::TriangleMesh& rock_W, const SpokeFra
 OutlineCut cut_spoke(OutlineSpokes& rock, int spoke, const Outline& tool) {
   PlanarFace& face = rock.rock[static_cast<std::size_t>(spoke)];
   if (tool.empty() || !meets(tool, face)) return {};
-  const PlanarRegion left = without({face}, tool);
-  const double before = moment({face});
-  const PlanarFace* const piece = held(left, rock.frame);
-  const double after = piece ? moment({*piece}) : 0.0;
-  face = piece ? respaced(*piece, rock.frame, rock.spacing) : PlanarFace{};
-  return {sector(rock) * (before - after), sector(rock) * (moment({face}) - after)};
+  return take_away(rock, face, {tool});
 }
 
-OutlineCut cut_sweep(OutlineSpokes& rock, const std::vector<SweptBody>& bodies, const Pose& X_WB) {
-  OutlineCut sum;
+void add_sections(SpokeSections& sections, const OutlineSpokes& rock,
+                  const std::vector<SweptBody>& bodies, const Pose& X_WB) {
+  sections.resize(rock.rock.size());
   std::vector<Vec3> corners_W;
   for (const SweptBody& body : bodies) {
     const Vec3 middle_W = X_WB * body.middle_B;
     corners_W.clear();
     for (const Vec3& x_B : body.corners_B) corners_W.push_back(X_WB * x_B);
-    for (int k = 0; k < rock.spokes(); ++k) {
-      const SpokePlane plane = spoke_plane(k, rock.spokes());
+    for (std::size_t k = 0; k < rock.rock.size(); ++k) {
+      const SpokePlane plane = spoke_plane(static_cast<int>(k), rock.spokes());
       if (std::abs(plane.beside(middle_W)) >= body.reach) continue;
       if (plane.foot(middle_W).x() <= -body.reach) continue;
-      add(sum, cut_spoke(rock, k, section(body, corners_W, plane)));
+      Outline tool = section(body, corners_W, plane);
+      if (!tool.empty() && meets(tool, rock.rock[k])) sections[k].push_back(std::move(tool));
     }
   }
+}
+
+OutlineCut cut_sections(OutlineSpokes& rock, SpokeSections& sections) {
+  OutlineCut sum;
+  for (std::size_t k = 0; k < sections.size(); ++k) {
+    if (sections[k].empty()) continue;
+    const OutlineCut cut = take_away(rock, rock.rock[k], sections[k]);
+    sum.removed += cut.removed;
+    sum.respaced += cut.respaced;
+    sections[k].clear();
+  }
   return sum;
+}
+
+OutlineCut cut_sweep(OutlineSpokes& rock, const std::vector<SweptBody>& bodies, const Pose& X_WB) {
+  SpokeSections sections;
+  add_sections(sections, rock, bodies, X_WB);
+  return cut_sections(rock, sections);
 }
 
 double volume(const OutlineSpokes& rock) { return sector(rock) * moment(rock.rock); }

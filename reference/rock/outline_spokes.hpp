@@ -41,6 +41,17 @@ OutlineSpokes outline_spokes_of(const mesh::TriangleMesh& rock_W, const SpokeFra
 /// lengths into the rock cuts nothing.
 OutlineCut cut_spoke(OutlineSpokes& rock, int spoke, const Outline& tool);
 
+/// What tools cut out of the plane of each spoke: outlines, as long as they are not taken away.
+using SpokeSections = std::vector<std::vector<Outline>>;
+
+/// Adds those sections of one step's bodies that meet rock; X_WB: the bit at the step's end.
+void add_sections(SpokeSections& sections, const OutlineSpokes& rock,
+                  const std::vector<SweptBody>& bodies, const Pose& X_WB);
+
+/// Takes them all away, and leaves none: in whatever order, the rock that is left is the same but
+/// for the places of nodes. Many steps at once cost less than one by one.
+OutlineCut cut_sections(OutlineSpokes& rock, SpokeSections& sections);
+
 /// One step of all bodies; X_WB: the bit at the step's end.
 OutlineCut cut_sweep(OutlineSpokes& rock, const std::vector<SweptBody>& bodies, const Pose& X_WB);
 

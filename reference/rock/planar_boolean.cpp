@@ -68,8 +68,14 @@ PlanarRegion region_of(const Set& set) {
 Vec2 on_grid(const Vec2& x) { return metres({grid_number(x.x()), grid_number(x.y())}); }
 
 PlanarRegion without(const PlanarRegion& region, const Outline& tool) {
+  return without_all(region, {tool});
+}
+
+PlanarRegion without_all(const PlanarRegion& region, const std::vector<Outline>& tools) {
   using namespace bp::operators;
-  return region_of(set_of(region) - set_of({{tool, {}}}));
+  Set taken;
+  for (const Outline& tool : tools) taken.insert(on_integers(tool));
+  return region_of(set_of(region) - taken);
 }
 
 PlanarRegion within(const PlanarRegion& region, const Outline& window) {

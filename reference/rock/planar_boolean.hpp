@@ -13,8 +13,9 @@ inline constexpr double planar_grid = 1e-9;  ///< m
 /// The nearest point of the grid.
 Vec2 on_grid(const Vec2& x);
 
-/// The region without what the outline encloses.
+/// The region without what the outline encloses; without what any of them encloses.
 PlanarRegion without(const PlanarRegion& region, const Outline& tool);
+PlanarRegion without_all(const PlanarRegion& region, const std::vector<Outline>& tools);
 
 /// What of the region the outline encloses.
 PlanarRegion within(const PlanarRegion& region, const Outline& window);

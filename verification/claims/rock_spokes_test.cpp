@@ -85,23 +85,12 @@ TEST(Spokes, remove_in_a_revolution_what_lies_within_the_scalloped_wall) {
   constexpr int few = 12;
   constexpr double spacing = 1.0 * mm;
   reference::OutlineSpokes rock = hanson_of(start_W, plan.bit, few, spacing);
-  const double turn = simulation::angle_turned(plan.motion, plan.time.step),
-               down = plan.motion.rate_of_penetration * plan.time.step;
-  const auto at = [&](long step) {
-    return Pose{
-        Eigen::AngleAxisd(turn * static_cast<double>(step), Vec3::UnitZ()).toRotationMatrix(),
-        Vec3(0, 0, down * static_cast<double>(step))};
-  };
-  const auto bodies =
-      reference::swept_bodies(reference::cutter_hulls(plan.bit), inverse(at(1)) * at(0));
-  reference::OutlineCut revolution;
-  for (long step = 1; step <= 2 * plan.time.steps; ++step) {
-    const reference::OutlineCut cut = reference::cut_sweep(rock, bodies, at(step));
-    if (step <= plan.time.steps) continue;
-    revolution.removed += cut.removed;
-    revolution.respaced += cut.respaced;
-  }
-  const double r = plan.bit.gage_radius, advance = down * static_cast<double>(plan.time.steps),
+  const long turn = plan.time.steps;
+  drill_hanson(rock, plan, 0, turn);
+  const reference::OutlineCut revolution = drill_hanson(rock, plan, turn, 2 * turn);
+  const double r = plan.bit.gage_radius,
+               advance =
+                   plan.motion.rate_of_penetration * plan.time.step * static_cast<double>(turn),
                cylinder = std::numbers::pi * r * r * advance,
                wall = reference::scalloped_wall(plan.bit, advance, 1000).volume;
   fmt::print("over pi R^2 d: wall {:.5f}, removed {:.5f}, respaced {:.5f}\n", wall / cylinder,

@@ -41,23 +41,14 @@ Step step_of(const simulation::Case& c, long i) {
   return {X_WB1, inverse(X_WB1) * simulation::pose_at(c.motion, t)};
 }
 
-void add(reference::OutlineCut& sum, const reference::OutlineCut& more) {
-  sum.removed += more.removed;
-  sum.respaced += more.respaced;
-}
-
 /// The spacing with which a drilled spoke has so many nodes within the gage, by trial on a few
 /// spokes.
 double spacing_for(const simulation::Case& c, const mesh::TriangleMesh& start_W, double nodes) {
   constexpr int few = 6, trials = 3;
-  const auto hulls = reference::cutter_hulls(c.bit);
   double spacing = c.bit.gage_radius / nodes, best = spacing, least = INFINITY;
   for (int trial = 0; trial < trials; ++trial) {
     OutlineSpokes rock = hanson_of(start_W, c.bit, few, spacing);
-    for (long i = 0; i < c.time.steps; ++i) {
-      const Step step = step_of(c, i);
-      reference::cut_sweep(rock, reference::swept_bodies(hulls, step.X_B1B0), step.X_WB1);
-    }
+    drill_hanson(rock, c, 0, c.time.steps);
     const double over = static_cast<double>(nodes_inside(rock, c.bit)) / (few * nodes);
     if (std::abs(over - 1.0) < least) least = std::abs(over - 1.0), best = spacing;
     spacing *= over;
@@ -80,6 +71,24 @@ OutlineSpokes hanson_of(const mesh::TriangleMesh& rock_W, const bit::Bit& bit, i
   for (const Vec3& x : rock_W.positions) bottom = std::max(bottom, x.z());
   return reference::outline_spokes_of(rock_W, {bit.gage_radius + margin, bottom + below_bottom},
                                       spokes, spacing);
+}
+
+reference::OutlineCut drill_hanson(OutlineSpokes& rock, const simulation::Case& plan, long first,
+                                   long last) {
+  constexpr int at_once = 20;
+  const auto hulls = reference::cutter_hulls(plan.bit);
+  reference::OutlineCut sum;
+  reference::SpokeSections sections;
+  for (long i = first; i < last; ++i) {
+    const Step step = step_of(plan, i);
+    reference::add_sections(sections, rock, reference::swept_bodies(hulls, step.X_B1B0),
+                            step.X_WB1);
+    if ((i + 1) % at_once != 0 && i + 1 < last) continue;
+    const reference::OutlineCut cut = reference::cut_sections(rock, sections);
+    sum.removed += cut.removed;
+    sum.respaced += cut.respaced;
+  }
+  return sum;
 }
 
 long nodes_inside(const OutlineSpokes& rock, const bit::Bit& bit) {
@@ -109,14 +118,13 @@ SpokeDrilling drill_spokes(const simulation::Case& plan, int spokes, double fine
   d.hanson = hanson_of(
       start_W, plan.bit, spokes,
       spacing_for(plan, start_W, static_cast<double>(d.points) / static_cast<double>(spokes)));
+  d.hanson_cut = drill_hanson(d.hanson, plan, 0, plan.time.steps);
   const auto hulls = reference::cutter_hulls(plan.bit);
   for (long i = 0; i < plan.time.steps; ++i) {
     const Step step = step_of(plan, i);
     const auto tools = reference::ruled_tools(hulls, step.X_B1B0);
     reference::cut_sweep(d.fine, tools, step.X_WB1);
     reference::cut_sweep(d.langeveld, tools, step.X_WB1);
-    add(d.hanson_cut,
-        reference::cut_sweep(d.hanson, reference::swept_bodies(hulls, step.X_B1B0), step.X_WB1));
     simulation::step(plan, s);
   }
   d.mesh_W = mesh::compact(s.rock.surface);

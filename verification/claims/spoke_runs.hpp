@@ -37,6 +37,10 @@ SpokeDrilling drill_spokes(const simulation::Case& plan, int spokes, double fine
 reference::OutlineSpokes hanson_of(const mesh::TriangleMesh& rock_W, const bit::Bit& bit,
                                    int spokes, double spacing);
 
+/// Drills a plan's steps from `first` to before `last`, 20 at once, on them alone.
+reference::OutlineCut drill_hanson(reference::OutlineSpokes& rock, const simulation::Case& plan,
+                                   long first, long last);
+
 /// Nodes within the gage.
 long nodes_inside(const reference::OutlineSpokes& rock, const bit::Bit& bit);
 

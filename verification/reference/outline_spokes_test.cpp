@@ -124,6 +124,28 @@ TEST(outline_spokes, a_tool_within_the_rock_leaves_a_cavity) {
   EXPECT_EQ(cut_spoke(rock, 0, box).removed, 0.0);  // there is nothing left to cut
 }
 
+/// All steps' sections taken away at once are what they are one by one, as far as respacing changes
+/// the rock between the steps.
+TEST(outline_spokes, steps_may_be_taken_away_at_once) {
+  constexpr double step = 2.0 * pi / 360, spacing = 0.05e-3;
+  OutlineSpokes one_by_one = flat_outline_spokes({15e-3, 20e-3}, 0.0, 5, spacing),
+                at_once = one_by_one;
+  const auto bodies =
+      swept_bodies({{0, {}, 0.0, disc_B(3e-3, Vec3(8e-3, 0, -1e-3), 64)}}, turned(-step));
+  SpokeSections sections;
+  double removed = 0.0, respaced = 0.0;
+  for (int i = 0; i < 90; ++i) {
+    const OutlineCut cut = cut_sweep(one_by_one, bodies, turned(i * step));
+    removed += cut.removed;
+    respaced += std::abs(cut.respaced);
+    add_sections(sections, at_once, bodies, turned(i * step));
+  }
+  const OutlineCut cut = cut_sections(at_once, sections);
+  EXPECT_GT(cut.removed, 0.0);
+  EXPECT_NEAR(cut.removed, removed, respaced + 1e-15);
+  EXPECT_TRUE(std::ranges::all_of(sections, [](const auto& s) { return s.empty(); }));
+}
+
 /// Discs from above, which leave a height field: both surfaces are the same to the spacing's
 /// second order, and where the arcs end, upright, to the first.
 TEST(outline_spokes, agree_with_langevelds_on_a_height_field) {
