@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/rock/spoke_plane.hpp"
+
 namespace tdbd::reference {
 namespace {
 
@@ -58,22 +60,16 @@ struct Cut {
   }
 };
 
-/// The facet in the plane of the spoke along (cosine, sine).
-Cut cut_by_plane(const Facet& f, double cosine, double sine) {
+/// The facet in the plane of a spoke.
+Cut cut_by_plane(const Facet& f, const SpokePlane& plane) {
   Cut cut;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &a = f[i], &b = f[(i + 1) % 3];
-    const double beside_a = cosine * a.y() - sine * a.x(), beside_b = cosine * b.y() - sine * b.x();
-    if ((beside_a < 0.0) == (beside_b < 0.0)) continue;
-    const Vec3 x = a + beside_a / (beside_a - beside_b) * (b - a);
-    cut.add(cosine * x.x() + sine * x.y(), x.z());
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const auto x = crossing(plane, f[i], f[(i + 1) % 3])) cut.add(x->x(), x->y());
   return cut;
 }
 
 double cut_spoke(Spokes& rock, int spoke, const Facet& f) {
-  const double azimuth = rock.azimuth(spoke);
-  const Cut cut = cut_by_plane(f, std::cos(azimuth), std::sin(azimuth));
+  const Cut cut = cut_by_plane(f, spoke_plane(spoke, rock.spokes));
   if (cut.r_lo > cut.r_hi) return 0.0;
   const double spacing = rock.node_spacing();
   const int first = static_cast<int>(std::ceil(std::max(cut.r_lo / spacing - 0.5, 0.0)));
@@ -90,7 +86,7 @@ double cut_spoke(Spokes& rock, int spoke, const Facet& f) {
 
 }  // namespace
 
-double Spokes::azimuth(int spoke) const { return 2.0 * pi * spoke / spokes; }
+double Spokes::azimuth(int spoke) const { return spoke_azimuth(spoke, spokes); }
 
 double spoke_spacing(const Spokes& rock, double r) { return 2.0 * pi * r / rock.spokes; }
 

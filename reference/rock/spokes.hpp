@@ -8,15 +8,14 @@
 
 namespace tdbd::reference {
 
-/// The spoke-and-node rock surface of Langeveld (1992) and of Hanson and Hansen (1995), the
-/// baseline that the triangulated rock replaces. Thesis: 2.1, fig. 2.1. Half-planes through the
-/// hole's axis, the spokes, stand at equal angles; each carries nodes at equal radial distances
-/// with one depth each. Langeveld had 120 spokes of 500 nodes; Hanson and Hansen left both numbers
-/// free.
+/// The spoke-and-node rock surface of Langeveld (1992), the baseline that the triangulated rock
+/// replaces. Thesis: 2.1, fig. 2.1. Half-planes through the hole's axis, the spokes, stand at equal
+/// angles (SpokePlane); each carries nodes at equal radial distances with one depth each: Langeveld
+/// had 120 spokes of 500 nodes.
 ///
-/// Reconstructed: our excerpt tells the layout, not the update. Hanson and Hansen also allow
-/// several z for one radius within a spoke; this is Langeveld's one depth for each node, so a wall
-/// that is steeper than one node's spacing allows, and rock that hangs over, cannot be held.
+/// Reconstructed: our excerpt tells the layout, not the update. With one depth for each node a wall
+/// that is steeper than one node's spacing allows, and rock that hangs over, cannot be held: Hanson
+/// and Hansen's surface (OutlineSpokes) holds them.
 struct Spokes {
   double radius = 0.0;  ///< m, to which spokes reach
   int spokes = 0, nodes = 0;

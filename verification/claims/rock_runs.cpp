@@ -13,6 +13,11 @@ simulation::Case rock_case(const std::string& name, const std::vector<std::strin
   return simulation::read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml", settings);
 }
 
+simulation::Case until_an_update(simulation::Case c) {
+  c.time.steps -= c.time.steps % c.maintenance.every == 0;
+  return c;
+}
+
 simulation::Simulation drilled(const simulation::Case& c) {
   simulation::Simulation s = simulation::start(c);
   while (s.steps_done < c.time.steps) simulation::step(c, s);
@@ -56,7 +61,7 @@ double deepest_inside(const simulation::Case& c, const simulation::Simulation& s
   const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(s.steps_done));
   double deepest = 0.0;
   for (const rock::CuttingGroup& g : s.bit.groups) {
-    const Pose X_PW = inverse(X_WB * g.X_BP);
+    const Pose X_PW = inverse(X_WB * g.X_BP1);  // cones turn in a step
     for (int v = 0; v < s.rock.surface.vertex_slots(); ++v) {
       if (!s.rock.surface.is_alive(v)) continue;
       const Vec3 x_P = X_PW * s.rock.surface.position(v);

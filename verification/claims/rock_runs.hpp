@@ -10,6 +10,10 @@ namespace tdbd::claims {
 /// A case of cases/, with settings KEY=VALUE.
 simulation::Case rock_case(const std::string& name, const std::vector<std::string>& settings);
 
+/// A case without its last step if maintenance is due after that: a new vertex on an edge that
+/// passes through the bit is inside until the next update.
+simulation::Case until_an_update(simulation::Case c);
+
 /// Drills the whole case.
 simulation::Simulation drilled(const simulation::Case& c);
 
