@@ -18,6 +18,14 @@ struct Arguments {
   int threads = 1;
 };
 
+void print_energy(const simulation::DriveFigures& d) {
+  const dynamics::ResidualOrder& order = d.order.residual;
+  fmt::print("energy: {:.1f} J from the top, residual {:.2e} J, its order {}\n", d.ledger.top,
+             dynamics::residual(d.stored, d.ledger),
+             order.order ? fmt::format("{:.3f} in the time step", *order.order)
+                         : "not observed: " + order.reason);
+}
+
 void print_summary(const simulation::RunSummary& s, const std::string& folder) {
   fmt::print("{}: {} steps, {:.3f} revolutions, {:.4f} cm3 removed, ledger defect {:.1e}\n",
              s.status == simulation::RunStatus::completed ? "done" : "interrupted", s.steps,
@@ -28,6 +36,7 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder) {
         "{:.4f}: net slip {:+.2f} %\n",
         c.name, c.mean_speed_ratio, c.min_speed_ratio, c.max_speed_ratio, c.std_speed_ratio,
         c.rolling_ratio_gage_row, 100.0 * c.net_slip_gage_row);
+  if (s.drive) print_energy(*s.drive);
   fmt::print("results in {}\n", folder);
 }
 

@@ -98,12 +98,17 @@ MeasurePlan read_measure(Config c) {
 }
 
 /// Means are taken over the second half unless the case says otherwise.
-OutputPlan read_output(Config c, const TimeGrid& t) {
+OutputPlan read_output(Config c, const TimeGrid& t, bool drills) {
   OutputPlan p;
   p.history_every = c.integer("history_every", p.history_every, 1, 1'000'000'000);
   p.frames_every = c.integer("frames_every", p.frames_every, 0, 1'000'000'000);
   const double duration = t.step * static_cast<double>(t.steps - t.first);
   p.means_from = c.quantity("means_from", "s", 0.5 * duration, Range::non_negative());
+  if (!drills) return p;
+  using enum EnergyOrderWish;
+  p.energy_order = c.choice<EnergyOrderWish>(
+      "energy_order", {{"on", on}, {"off", off}, {"always", always}}, p.energy_order);
+  p.energy_order_window = c.integer("energy_order_window", p.energy_order_window, 8, 1'000'000);
   return p;
 }
 
@@ -202,9 +207,9 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.update = read_update(c.table("update"));
   result.maintenance = read_maintenance(c.table("maintenance"));
   result.measure = read_measure(c.table("measure"));
-  result.output = read_output(c.table("output"), result.time);
-  const BitFile bit = read_bit_of(c);
   const bool drills = result.motion.kind == MotionKind::drilling;
+  result.output = read_output(c.table("output"), result.time, drills);
+  const BitFile bit = read_bit_of(c);
   if (!drills && (!bit.bit.cones.empty() || c.has("motion.cone_speeds")))
     read_cone_speeds(c.table("motion"), bit.bit, result.motion);
   if (result.motion.cone_drive == ConeDrive::rolling && result.time.first > 0)

@@ -61,10 +61,19 @@ struct UpdatePlan {
   int most_passes = 1000;  ///< of a step; more are an error
 };
 
+/// Whether a bit that forces move observes the order of its energy's residual.
+enum class EnergyOrderWish {
+  off,
+  on,      ///< where that costs at most a tenth of the run's steps
+  always,  ///< whatever it costs
+};
+
 struct OutputPlan {
   long history_every = 1;   ///< steps between rows
   long frames_every = 0;    ///< steps between frames; 0: only the last
   double means_from = 0.0;  ///< s since the run's beginning: steps before do not count in means
+  EnergyOrderWish energy_order = EnergyOrderWish::on;
+  long energy_order_window = 24;  ///< steps
 };
 
 /// A checked case in SI: everything that a run needs, and its resolved text.

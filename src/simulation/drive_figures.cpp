@@ -63,6 +63,15 @@ Json energy_json(const DriveFigures& f) {
           {"cutting_by_part_j", f.cutting_by_part}};
 }
 
+Json energy_order_json(const EnergyOrder& o) {
+  return {{"reason", o.residual.reason},
+          {"levels", o.residual.steps.size()},
+          {"from_s", o.from},
+          {"window_s", o.window},
+          {"steps_s", o.residual.steps},
+          {"residuals_j", o.residual.residuals}};
+}
+
 Json diagnosis_json(const Diagnosis& d, const Expected& e) {
   return {{"text", d.text},
           {"stick_slip_severity", d.stick_slip_severity},

@@ -6,6 +6,7 @@
 
 #include "dynamics/drilling_step.hpp"
 #include "dynamics/energy_ledger.hpp"
+#include "dynamics/residual_order.hpp"
 #include "simulation/diagnosis.hpp"
 
 namespace tdbd::simulation {
@@ -21,12 +22,19 @@ struct DriveRow {
 DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& drilling,
                    double turned);
 
+/// The observed order of the ledger's residual, and the window that it is of.
+struct EnergyOrder {
+  dynamics::ResidualOrder residual;
+  double from = 0.0, window = 0.0;  ///< s: when the window begins, how long it is
+};
+
 /// What a run of a bit that forces move reports of its motion.
 struct DriveFigures {
   dynamics::StoredEnergy stored;  ///< at the end
   dynamics::EnergyLedger ledger;
   std::map<std::string, double> cutting_by_part;  ///< J, power times step: first order in it
   Expected expected;
+  EnergyOrder order;
 };
 
 /// Frequencies of string and mass alone, without rock, and of rolling in the hole at a rotary speed
@@ -35,6 +43,9 @@ Expected expected_of(const dynamics::DrillingSystem& system, double rotary_speed
 
 /// "energy" of summary.json: every entry in J, residual and its share of what the top did.
 nlohmann::ordered_json energy_json(const DriveFigures& figures);
+
+/// "energy_residual_order_of" of summary.json: why there is none, the window, steps and residuals.
+nlohmann::ordered_json energy_order_json(const EnergyOrder& order);
 
 /// "diagnosis" of summary.json: measured frequencies beside the expected ones.
 nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Expected& expected);

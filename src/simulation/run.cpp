@@ -14,6 +14,7 @@
 #include "mesh/measures.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/bit_output.hpp"
+#include "simulation/energy_order.hpp"
 #include "simulation/frames.hpp"
 #include "simulation/history.hpp"
 #include "simulation/try_to.hpp"
@@ -105,8 +106,11 @@ void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
   std::map<std::string, double> by_part;
   for (std::size_t i = 0; i < s.energy_by_part.size(); ++i)
     if (s.energy_by_part[i] != 0.0) by_part[c.bit.parts[i].name] = s.energy_by_part[i];
-  r.drive = {dynamics::stored_energy(system, s.drive->at, s.drive->state), s.drive->ledger, by_part,
-             expected_of(system, r.loads->rotary_speed.mean)};
+  r.drive = {dynamics::stored_energy(system, s.drive->at, s.drive->state),
+             s.drive->ledger,
+             by_part,
+             expected_of(system, r.loads->rotary_speed.mean),
+             {}};
 }
 
 /// What a run writes on its way.
@@ -115,9 +119,17 @@ struct Recorder {
   History history;
   Frames frames;
   std::vector<double> step_seconds;
+  EnergyOrderPlan order_plan;
+  EnergyOrder order;
 
   Recorder(const Case& c, const OutputFolder& f)
-      : folder(f), history(f.history(), history_parts(c.bit), history_extent(c)), frames(f) {}
+      : folder(f),
+        history(f.history(), history_parts(c.bit), history_extent(c)),
+        frames(f),
+        order_plan(plan_energy_order(c)) {
+    order.residual.reason =
+        order_plan.at < 0 ? order_plan.reason : "the run ended before its window";
+  }
 };
 
 /// The loop over steps, with everything that is recorded on the way.
@@ -125,6 +137,7 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
   r.step_seconds.reserve(static_cast<std::size_t>(std::min(c.time.steps, 10'000'000L)));
   while (s.steps_done < c.time.steps) {
     if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
+    if (s.steps_done == r.order_plan.at) r.order = observe_energy_order(c, s);
     const auto before = Clock::now();
     step(c, s);
     r.step_seconds.push_back(seconds(Clock::now() - before));
@@ -203,7 +216,8 @@ RunSummary run(const Case& c, const RunOptions& o) {
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   write_bit_files(folder.path, c.bit);
   Recorder recorder(c, folder);
-  const RunSummary summary = summary_of(c, s, run_steps(c, s, o, recorder));
+  RunSummary summary = summary_of(c, s, run_steps(c, s, o, recorder));
+  if (summary.drive) summary.drive->order = recorder.order;
   const double wall = seconds(Clock::now() - started);
   write_text(folder.timing(), to_json(timing_of(recorder.step_seconds, wall, o.threads)));
   write_text(folder.summary(), to_json(summary));

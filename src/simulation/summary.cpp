@@ -90,6 +90,9 @@ std::string to_json(const RunSummary& s) {
   if (s.loads) json.update(to_json(*s.loads));
   if (s.drive) {
     json["energy"] = energy_json(*s.drive);
+    const std::optional<double>& order = s.drive->order.residual.order;
+    json["energy_residual_order"] = order ? Json(*order) : Json();
+    json["energy_residual_order_of"] = energy_order_json(s.drive->order);
     json["diagnosis"] = diagnosis_json(s.diagnosis, s.drive->expected);
   }
   if (!s.cones.empty()) json["cones"] = cones_json(s);

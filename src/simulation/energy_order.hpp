@@ -1,0 +1,25 @@
+#pragma once
+
+#include "dynamics/residual_order.hpp"
+#include "simulation/simulation.hpp"
+
+namespace tdbd::simulation {
+
+/// The order that a run observes of the residual of its own ledger of energy (ours).
+
+/// When the order is asked for, in steps since the motion's beginning.
+struct EnergyOrderPlan {
+  long at = -1;        ///< the window begins after so many steps; -1: it is not asked for
+  std::string reason;  ///< why not
+};
+
+/// The window begins with the steps that count in means (output.means_from), at a maintenance, or
+/// as late as it fits into the run.
+EnergyOrderPlan plan_energy_order(const Case& c);
+
+/// Drills the window that follows `s` again, on copies, at the step h of the case, h/2 and h/4,
+/// maintenance at the same times. The run itself is not touched. No order where the bit loses
+/// contact in it, or a finer level fails.
+EnergyOrder observe_energy_order(const Case& c, const Simulation& s);
+
+}  // namespace tdbd::simulation
