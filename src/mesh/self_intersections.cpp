@@ -19,13 +19,15 @@ using Point = Kernel::Point_3;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Point point(const TriangleMesh& m, int v) {
-  const Vec3& x = m.positions[index(v)];
+Point point(const NamedFacet& f, std::size_t corner) {
+  const Vec3& x = f.x[corner];
   return {x.x(), x.y(), x.z()};
 }
 
-Kernel::Triangle_3 triangle(const TriangleMesh& m, const Triangle& t) {
-  return {point(m, t[0]), point(m, t[1]), point(m, t[2])};
+Kernel::Triangle_3 triangle(const NamedFacet& f) { return {point(f, 0), point(f, 1), point(f, 2)}; }
+
+NamedFacet facet(const TriangleMesh& m, const Triangle& t) {
+  return {t, {m.positions[index(t[0])], m.positions[index(t[1])], m.positions[index(t[2])]}};
 }
 
 Box box_of(const TriangleMesh& m, const Triangle& t) {
@@ -34,39 +36,51 @@ Box box_of(const TriangleMesh& m, const Triangle& t) {
   return box;
 }
 
-/// The corners of t, those that are no corner of `other` first.
-Triangle own_corners_first(Triangle t, const Triangle& other) {
-  std::stable_partition(t.begin(), t.end(), [&](int v) {
-    return std::find(other.begin(), other.end(), v) == other.end();
-  });
-  return t;
+bool has(const Triangle& t, int name) { return std::find(t.begin(), t.end(), name) != t.end(); }
+
+/// The corners of f, those that are no corner of `other` first.
+NamedFacet own_corners_first(const NamedFacet& f, const Triangle& other) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return !has(other, f.names[i]); });
+  NamedFacet sorted;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sorted.names[i] = f.names[order[i]];
+    sorted.x[i] = f.x[order[i]];
+  }
+  return sorted;
 }
 
 /// Triangles over one edge overlap when they are in one plane on one side of it.
-bool fold_over_edge(const TriangleMesh& m, const Triangle& s, const Triangle& t) {
-  const Point a = point(m, s[1]), b = point(m, s[2]), p = point(m, s[0]), q = point(m, t[0]);
+bool fold_over_edge(const NamedFacet& s, const NamedFacet& t) {
+  const Point a = point(s, 1), b = point(s, 2), p = point(s, 0), q = point(t, 0);
   return CGAL::coplanar(a, b, p, q) && CGAL::coplanar_orientation(a, b, p, q) == CGAL::POSITIVE;
 }
 
 /// Triangles with one corner in common overlap when the side across from it meets the other.
-bool meet_beside_corner(const TriangleMesh& m, const Triangle& s, const Triangle& t) {
-  const Kernel::Segment_3 across_s(point(m, s[0]), point(m, s[1]));
-  const Kernel::Segment_3 across_t(point(m, t[0]), point(m, t[1]));
-  return CGAL::do_intersect(across_s, triangle(m, t)) ||
-         CGAL::do_intersect(across_t, triangle(m, s));
+bool meet_beside_corner(const NamedFacet& s, const NamedFacet& t) {
+  const Kernel::Segment_3 across_s(point(s, 0), point(s, 1)), across_t(point(t, 0), point(t, 1));
+  return CGAL::do_intersect(across_s, triangle(t)) || CGAL::do_intersect(across_t, triangle(s));
 }
 
-bool intersect(const TriangleMesh& m, const Triangle& first, const Triangle& second) {
-  const Triangle s = own_corners_first(first, second), t = own_corners_first(second, first);
-  const auto shared = std::count_if(
-      s.begin(), s.end(), [&](int v) { return std::find(t.begin(), t.end(), v) != t.end(); });
+/// Of triangles that both have area.
+bool solid_facets_intersect(const NamedFacet& first, const NamedFacet& second) {
+  const NamedFacet s = own_corners_first(first, second.names),
+                   t = own_corners_first(second, first.names);
+  const auto shared =
+      std::count_if(s.names.begin(), s.names.end(), [&](int v) { return has(t.names, v); });
   if (shared == 3) return true;
-  if (shared == 2) return fold_over_edge(m, s, t);
-  if (shared == 1) return meet_beside_corner(m, s, t);
-  return CGAL::do_intersect(triangle(m, s), triangle(m, t));
+  if (shared == 2) return fold_over_edge(s, t);
+  if (shared == 1) return meet_beside_corner(s, t);
+  return CGAL::do_intersect(triangle(s), triangle(t));
 }
 
 }  // namespace
+
+bool intersect(const NamedFacet& first, const NamedFacet& second) {
+  return !triangle(first).is_degenerate() && !triangle(second).is_degenerate() &&
+         solid_facets_intersect(first, second);
+}
 
 std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh) {
   const TriangleMesh m{mesh.positions, by_first_of_equals(mesh)};
@@ -74,7 +88,7 @@ std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh) {
   boxes.reserve(m.triangles.size());
   std::vector<int> order;
   for (const Triangle& t : m.triangles) {
-    if (!triangle(m, t).is_degenerate()) order.push_back(static_cast<int>(boxes.size()));
+    if (!triangle(facet(m, t)).is_degenerate()) order.push_back(static_cast<int>(boxes.size()));
     boxes.push_back(box_of(m, t));
   }
   const auto left = [&](int i) { return std::pair(boxes[index(i)].lo.x(), i); };
@@ -85,7 +99,7 @@ std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh) {
       const int a = order[i], b = order[j];
       if (boxes[index(b)].lo.x() > boxes[index(a)].hi.x()) break;
       if (boxes[index(a)].overlaps(boxes[index(b)]) &&
-          intersect(m, m.triangles[index(a)], m.triangles[index(b)]))
+          solid_facets_intersect(facet(m, m.triangles[index(a)]), facet(m, m.triangles[index(b)])))
         pairs.emplace_back(std::minmax(a, b));
     }
   std::sort(pairs.begin(), pairs.end());

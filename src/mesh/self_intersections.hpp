@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,16 @@ namespace tdbd::mesh {
 /// shared by place; two triangles with the same three corners are a pair, and triangles without
 /// area are in none. Every index must be in range and every position finite.
 std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh);
+
+/// A triangle by the names of its corners, equal for the same corner, and their places, m.
+struct NamedFacet {
+  Triangle names{};
+  std::array<Vec3, 3> x;
+};
+
+/// Whether two triangles meet in more than the corners and edges that they share by name, by exact
+/// predicates. A triangle without area meets none.
+bool intersect(const NamedFacet& first, const NamedFacet& second);
 
 /// check_closed and, where that finds nothing, the pairs of self_intersections.
 std::vector<Defect> check_solid(const TriangleMesh& m);

@@ -137,8 +137,63 @@ std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, cons
   return std::nullopt;
 }
 
-void carry_out(Rock& rock, const CollapseVerdict& verdict, std::vector<int>& ring, Strays& strays,
-               MaintenanceReport& report) {
+/// The questions that do not hang on the place; nothing refused: the edge is there, or no longer.
+CollapseVerdict judge_edge(const mesh::Surface& s, int a, int b) {
+  CollapseVerdict v;
+  if (s.is_boundary(a) || s.is_boundary(b)) {
+    v.refused = Refusal::boundary;
+    return v;
+  }
+  v.corner = mesh::corner_facing(s, a, b);
+  if (v.corner >= 0 && !mesh::collapse_keeps_topology(s, v.corner)) v.refused = Refusal::topology;
+  return v;
+}
+
+double quality_floor(const mesh::Surface& s, int a, int b) {
+  return std::min(0.3, std::min(worst_quality(s, a), worst_quality(s, b)));
+}
+
+/// The guards about one place, the last answer in v.
+void judge_place(const mesh::Surface& s, int a, int b, const Trial& t, double floor,
+                 const MaintenanceLimits& limits, const Strays& strays, CollapseVerdict& v) {
+  v.refused = judge_trial(s, a, b, t, floor, limits);
+  if (!v.refused) v.refused = judge_distance(s, a, b, t.x_W, limits, strays, v.stray);
+  v.x_W = t.x_W;
+  v.volume = t.volume;
+}
+
+}  // namespace
+
+CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
+                               const MaintenanceLimits& limits, const Strays& strays) {
+  CollapseVerdict v = judge_edge(s, a, b);
+  if (v.corner < 0 || v.refused) return v;
+  const double floor = quality_floor(s, a, b);
+  std::optional<Refusal> first;
+  for (const Trial& t : trials(s, a, b)) {
+    judge_place(s, a, b, t, floor, limits, strays, v);
+    if (!v.refused) return v;
+    if (!first) first = v.refused;
+  }
+  v.refused = first;
+  return v;
+}
+
+std::array<CollapseVerdict, 3> judge_collapses(const mesh::Surface& s, int a, int b,
+                                               const MaintenanceLimits& limits,
+                                               const Strays& strays) {
+  std::array<CollapseVerdict, 3> all;
+  all.fill(judge_edge(s, a, b));
+  if (all[0].corner < 0 || all[0].refused) return all;
+  const double floor = quality_floor(s, a, b);
+  const std::array<Trial, 3> places = trials(s, a, b);
+  for (std::size_t i = 0; i < 3; ++i)
+    judge_place(s, a, b, places[i], floor, limits, strays, all[i]);
+  return all;
+}
+
+void collapse(Rock& rock, const CollapseVerdict& verdict, Operation what, std::vector<int>& ring,
+              Strays& strays, MaintenanceReport& report) {
   mesh::Surface& s = rock.surface;
   const int c = verdict.corner;
   const int keep = s.vertex(mesh::next_corner(c)), gone = s.vertex(mesh::previous_corner(c));
@@ -153,38 +208,8 @@ void carry_out(Rock& rock, const CollapseVerdict& verdict, std::vector<int>& rin
   for (const int v : ring)
     if (v != gone) touch(rock, v);
   strays.note(keep, verdict.stray);
-  note_done(report, Operation::collapse, verdict.volume);
-  if constexpr (check_every_operation) demand_around(rock, before, verdict.volume, "collapses");
-}
-
-}  // namespace
-
-CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
-                               const MaintenanceLimits& limits, const Strays& strays) {
-  CollapseVerdict v;
-  if (s.is_boundary(a) || s.is_boundary(b)) {
-    v.refused = Refusal::boundary;
-    return v;
-  }
-  v.corner = mesh::corner_facing(s, a, b);
-  if (v.corner < 0) return v;
-  if (!mesh::collapse_keeps_topology(s, v.corner)) {
-    v.refused = Refusal::topology;
-    return v;
-  }
-  const double floor = std::min(0.3, std::min(worst_quality(s, a), worst_quality(s, b)));
-  for (const Trial& t : trials(s, a, b)) {
-    auto why = judge_trial(s, a, b, t, floor, limits);
-    if (!why) why = judge_distance(s, a, b, t.x_W, limits, strays, v.stray);
-    if (!why) {
-      v.refused.reset();
-      v.x_W = t.x_W;
-      v.volume = t.volume;
-      return v;
-    }
-    if (!v.refused) v.refused = why;
-  }
-  return v;
+  note_done(report, what, verdict.volume);
+  if constexpr (check_every_operation) demand_around(rock, before, verdict.volume, name_of(what));
 }
 
 bool try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std::vector<int>& ring,
@@ -192,7 +217,7 @@ bool try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std
   const CollapseVerdict v = judge_collapse(rock.surface, a, b, limits, strays);
   if (v.refused) note_refused(report, Operation::collapse, *v.refused);
   if (!is_accepted(v)) return false;  // or an earlier collapse took the edge
-  carry_out(rock, v, ring, strays, report);
+  collapse(rock, v, Operation::collapse, ring, strays, report);
   return true;
 }
 

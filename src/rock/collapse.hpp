@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "rock/maintain.hpp"
@@ -20,6 +21,16 @@ CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
                                const MaintenanceLimits& limits, const Strays& strays = {});
 
 inline bool is_accepted(const CollapseVerdict& v) { return v.corner >= 0 && !v.refused; }
+
+/// What they say about each of the three places, the one that changes the volume least first.
+std::array<CollapseVerdict, 3> judge_collapses(const mesh::Surface& s, int a, int b,
+                                               const MaintenanceLimits& limits,
+                                               const Strays& strays);
+
+/// Carries out an accepted collapse and counts it as `what`. `ring` receives the vertices whose
+/// triangles changed.
+void collapse(Rock& rock, const CollapseVerdict& verdict, Operation what, std::vector<int>& ring,
+              Strays& strays, MaintenanceReport& report);
 
 /// Collapses the edge (a, b) to whichever of its ends or midpoint changes the volume least, if
 /// every guard agrees: boundary, topology (fig. 4.18), no normal turned too far, no edge too long,

@@ -222,9 +222,11 @@ Deviation deviation(const Surface& from, const Surface& to, double reach) {
 }
 
 Violations check_distance(const Surface& before, const Surface& after,
-                          const MaintenanceLimits& limits) {
+                          const MaintenanceLimits& limits, const MaintenanceReport& report) {
   Violations found;
-  const double bound = 0.5 * limits.shortest_edge, reach = 2.0 * limits.longest_edge;
+  const bool untangled = report.carried_out(Operation::untangling) > 0;
+  const double bound = untangled ? limits.untangle_farthest : 0.5 * limits.shortest_edge,
+               reach = 2.0 * limits.longest_edge;
   const auto check = [&](const Surface& from, const Surface& to, const char* which) {
     const Deviation d = deviation(from, to, reach);
     if (d.distance >= bound && d.distance > 0.0)
@@ -273,7 +275,7 @@ Violations check_maintenance(const Rock& before, const Rock& after, const Mainte
   const Surface &s = before.surface, &now = after.surface;
   append(found, check_repairs(now, looked_at(before, now), limits, strays));
   append(found, check_ledger(s, now, report.volume_change));
-  append(found, check_distance(s, now, limits));
+  append(found, check_distance(s, now, limits, report));
   append(found, check_locality(before, now));
   return found;
 }

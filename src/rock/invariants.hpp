@@ -55,9 +55,11 @@ struct Deviation {
 };
 Deviation deviation(const mesh::Surface& from, const mesh::Surface& to, double reach);
 
-/// M6 in both directions.
+/// M6 in both directions. The bound is `untangle_farthest` if the report has an untangling, else
+/// L_min/2.
 std::vector<Violation> check_distance(const mesh::Surface& before, const mesh::Surface& after,
-                                      const MaintenanceLimits& limits);
+                                      const MaintenanceLimits& limits,
+                                      const MaintenanceReport& report = {});
 
 /// M7. Changed triangles hang together when they share a corner or an edge joins them; each such
 /// patch needs a vertex that was touched before.

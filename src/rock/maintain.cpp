@@ -12,6 +12,7 @@
 #include "rock/flip.hpp"
 #include "rock/smooth.hpp"
 #include "rock/star.hpp"
+#include "rock/untangle.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -256,6 +257,8 @@ MaintenanceLimits limits_for(double edge_length) {
   l.volume_per_operation = 0.01 * edge_length * edge_length * edge_length;
   l.farthest = 0.5 * l.shortest_edge;
   l.ridge_cut = 0.05 * edge_length;
+  l.untangle_volume = 20.0 * l.volume_per_operation;
+  l.untangle_farthest = 2.0 * l.shortest_edge;
   return l;
 }
 
@@ -263,11 +266,15 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
               MaintenanceReport& report) {
   work.strays.clear();
   look_through(rock, limits, work.touched);
+  const std::vector<int> folded = folded_places(rock, limits, work.touched);
   blunt_spikes(rock, limits, work, report);
   bisect_long_edges(rock, limits, work, report);
   repair(rock, limits, Where::touched, work, report);
   smooth_vertices(rock, limits, work, report);
   repair(rock, limits, Where::region, work, report);
+  constexpr int most_untanglings = 5;  // what is left is looked at when it is touched again
+  for (int k = 0; k < most_untanglings && untangle(rock, folded, limits, work, report); ++k)
+    repair(rock, limits, Where::region, work, report);
   rock.grid.refresh_one_layer();
   for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
   rock.touched_list.clear();

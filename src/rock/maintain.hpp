@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rock/intersections.hpp"
 #include "rock/rock.hpp"
 #include "rock/strays.hpp"
 #include "rock/touched_region.hpp"
@@ -23,8 +24,10 @@ struct MaintenanceLimits {
   double smooth_quality = 0.0;  ///< vertices of triangles below are smoothed
   Smoothing smoothing = Smoothing::off;
   double volume_per_operation = 0.0;  ///< m3: no operation changes the volume by more
-  double farthest = 0.0;   ///< m: nor moves the surface farther, all of a maintenance together (M6)
-  double ridge_cut = 0.0;  ///< m: nor cuts more off a sharp ridge
+  double farthest = 0.0;  ///< m: nor moves the surface farther, all of a maintenance together (M6)
+  double untangle_volume = 0.0;      ///< m3: the same of a collapse that parts what intersects
+  double untangle_farthest = 0.0;    ///< m: and its distance; 0: intersections are not looked for
+  double ridge_cut = 0.0;            ///< m: nor cuts more off a sharp ridge
   double least_normal_cosine = 0.3;  ///< nor turns a normal farther
   double steepest_overhang = 0.1;    ///< sine: an upright triangle may come to lean over so far
   double sharp_cosine = 0.7;         ///< of the normals beside an edge: below, it is a sharp ridge
@@ -34,10 +37,12 @@ struct MaintenanceLimits {
 /// Limits that suit an edge length h: lengths in [0.4, 1.6] h, 0.01 h^3, half of L_min.
 MaintenanceLimits limits_for(double edge_length);
 
-/// What maintenance does to the surface: 4.2.2, 4.2.1, ours, 4.2.3, ours.
-enum class Operation { bisection, collapse, flip, smoothing, blunting, count };
+/// What maintenance does to the surface: 4.2.2, 4.2.1, ours, 4.2.3, ours, ours.
+enum class Operation { bisection, collapse, flip, smoothing, blunting, untangling, count };
 inline constexpr std::array<const char*, static_cast<std::size_t>(Operation::count)>
-    operation_names{"bisections", "collapses", "flips", "smoothings", "bluntings"};
+    operation_names{"bisections", "collapses", "flips", "smoothings", "bluntings", "untanglings"};
+
+inline const char* name_of(Operation o) { return operation_names[static_cast<std::size_t>(o)]; }
 
 /// Why an operation was refused; counted, never silent.
 enum class Refusal {
@@ -51,11 +56,12 @@ enum class Refusal {
   volume,
   distance,
   ridge,
+  intersection,
   count
 };
 inline constexpr std::array<const char*, static_cast<std::size_t>(Refusal::count)> refusal_names{
-    "boundary",  "topology", "normal", "overhang", "too_long",
-    "too_short", "quality",  "volume", "distance", "ridge"};
+    "boundary", "topology", "normal",   "overhang", "too_long",    "too_short",
+    "quality",  "volume",   "distance", "ridge",    "intersection"};
 
 struct MaintenanceReport {
   std::array<long, static_cast<std::size_t>(Operation::count)> done{};
@@ -93,14 +99,18 @@ struct MaintenanceWorkspace {
   std::vector<Candidate> edges;
   std::vector<int> seen;  ///< per triangle: the last visit's stamp
   int stamp = 0;
-  Strays strays;  ///< of the last maintenance
+  Strays strays;              ///< of the last maintenance
+  std::vector<int> suspects;  ///< triangles that may pass through others
+  Patch patch;
+  IntersectionWork intersections;
 };
 
 /// One maintenance of the region touched since the last: blunts spikes, bisects long edges (longest
 /// first); then collapses short edges and bad triangles (shortest first) and flips edges of bad
 /// triangles, in rounds until no repair is left; smooths vertices once and repairs what that made
-/// necessary. The boundary and what was not touched stay bit for bit. Adds to `report`. Throws
-/// RunError with a place if repairs go on after most_rounds. Thesis: 4.2.1 to 4.2.3.
+/// necessary; parts what passes through itself (untangle.hpp). The boundary and what was not
+/// touched stay bit for bit. Adds to `report`. Throws RunError with a place if repairs go on after
+/// most_rounds. Thesis: 4.2.1 to 4.2.3.
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report);
 
