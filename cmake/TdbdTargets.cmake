@@ -17,26 +17,41 @@ if(TDBD_CCACHE)
       "${TDBD_CCACHE}")
 endif()
 
-# tdbd_library(NAME SOURCES a.cpp ... LINKS dep ...): links are public.
+# What most sources include, read once. Through a precompiled header g++ 12 warns of std::string's own code (its bug
+# 105651 and kin): those four warnings are left to the preset strict, which has none.
+option(TDBD_PRECOMPILED "Precompile what most sources include" ON)
+set(TDBD_PRECOMPILED_OPTIONS -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow
+  -Wno-stringop-overread -Wno-restrict)
+function(tdbd_precompiled name)
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" "")
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  cmake_parse_arguments(ARG "" "" "HEADERS;LINKS" ${ARGN})
+  target_link_libraries(${name} PRIVATE tdbd_flags tdbd_eigen ${ARG_LINKS})
+  target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+  target_compile_options(${name} PRIVATE -fpch-preprocess)
+endfunction()
+
+# tdbd_library(NAME SOURCES a.cpp ... LINKS dep ... [OWN_FLAGS]): links are public. OWN_FLAGS: no precompiled header,
+# since the library has flags of its own, or no Eigen.
 function(tdbd_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "OWN_FLAGS" "" "SOURCES;LINKS" ${ARGN})
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
     target_link_libraries(${name} PUBLIC tdbd_flags ${ARG_LINKS})
+    if(TDBD_PRECOMPILED AND TARGET tdbd_headers AND NOT ARG_OWN_FLAGS)
+      target_precompile_headers(${name} REUSE_FROM tdbd_headers)
+      target_compile_options(${name} PRIVATE ${TDBD_PRECOMPILED_OPTIONS})
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE tdbd_flags ${ARG_LINKS})
   endif()
 endfunction()
 
-# What tests include, read once: reading it takes longer than compiling most of them.
+# What tests include: reading it takes longer than compiling most of them.
 function(tdbd_test_headers)
-  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp" "")
-  add_library(tdbd_test_headers OBJECT EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp")
-  target_link_libraries(tdbd_test_headers PRIVATE tdbd_flags tdbd_eigen GTest::gtest rapidcheck rapidcheck_gtest)
-  target_precompile_headers(tdbd_test_headers PRIVATE
-    <gtest/gtest.h> <rapidcheck.h> <rapidcheck/gtest.h> <Eigen/Dense> <filesystem> <fstream> <string> <vector>)
-  target_compile_options(tdbd_test_headers PRIVATE -fpch-preprocess)
+  tdbd_precompiled(tdbd_test_headers LINKS GTest::gtest rapidcheck rapidcheck_gtest
+    HEADERS <gtest/gtest.h> <rapidcheck.h> <rapidcheck/gtest.h> <Eigen/Dense> <filesystem> <fstream> <string> <vector>)
 endfunction()
 
 # All programs that scripts/report needs.
@@ -52,8 +67,7 @@ function(tdbd_tests name)
   target_compile_definitions(${name} PRIVATE TDBD_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE tdbd_eigen ${ARG_LINKS} GTest::gtest_main rapidcheck rapidcheck_gtest)
   target_precompile_headers(${name} REUSE_FROM tdbd_test_headers)
-  # Through a precompiled header g++ 12 warns of std::string's own code (its bug 105651 and kin).
-  target_compile_options(${name} PRIVATE -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
+  target_compile_options(${name} PRIVATE ${TDBD_PRECOMPILED_OPTIONS})
   set(labels "")
   if("tdbd_evidence" IN_LIST ARG_LINKS)
     set(labels LABELS evidence)

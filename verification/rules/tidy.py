@@ -20,6 +20,8 @@ import sources
 
 JOBS = 2
 RECORD = pathlib.Path(__file__).with_name("tidy_passed.txt")
+PRECOMPILED = re.compile(r" -(Winvalid-pch|fpch-preprocess|Wno-array-bounds|Wno-stringop-overflow|Wno-stringop-overread|Wno-restrict"
+                         r"|include \S*cmake_pch\.hxx)(?= )")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
@@ -64,19 +66,26 @@ def check_file(path, command, build):
     passed = build / "tidy-passed" / key
     if passed.exists() or key in recorded():
         return ""
-    complaints = run_tidy(path, ["-p", str(build), f"--header-filter={sources.ROOT}/src/.*"])
+    complaints = run_tidy(path, ["-p", str(build / "tidy"), f"--header-filter={sources.ROOT}/src/.*"])
     if not complaints:
         passed.parent.mkdir(exist_ok=True)
         passed.touch()
     return complaints
 
 
+def without_precompiled(command):
+    """The command line without g++'s precompiled header, which clang cannot read, and what goes with it."""
+    return PRECOMPILED.sub("", command)
+
+
 def commands(build):
-    """{source: command line} of src."""
-    entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    ours = {e["file"]: e["command"] for e in entries
-            if e["file"].startswith(f"{sources.ROOT}/src/")}
-    return ours or sys.exit("compile_commands.json lists no file of src")
+    """{source: command line} of src; the same for clang-tidy in build/tidy/compile_commands.json."""
+    entries = [{**e, "command": without_precompiled(e["command"])}
+               for e in json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+               if e["file"].startswith(f"{sources.ROOT}/src/")]
+    (build / "tidy").mkdir(exist_ok=True)
+    (build / "tidy/compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
+    return {e["file"]: e["command"] for e in entries} or sys.exit("compile_commands.json lists no file of src")
 
 
 def check_all(build):
