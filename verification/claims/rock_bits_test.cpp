@@ -78,8 +78,8 @@ TEST_P(EveryBit, drills_steadily) {
 }
 
 /// Settings of steps of 5 ms at a rate of penetration. Bit A makes 33 mm of hole. Bit C makes 25 mm
-/// at half the rate: at 60 m/h the needle that its cutters leave at the axis folds (5 pairs of
-/// triangles intersect after 4 revolutions at 3 mm edges, 158 at 2 mm).
+/// at half the rate: at 60 m/h, at 2 mm edges, the needle that its cutters leave at the axis folds
+/// (src/rock/README.md, long runs).
 std::vector<std::string> at_rate(const std::string& rate) {
   return {"time.step='5 ms'", "motion.rate_of_penetration='" + rate + "'"};
 }
