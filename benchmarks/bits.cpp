@@ -5,14 +5,14 @@
 
 #include <string>
 
-#include "simulation/bit_file.hpp"
+#include "bit/files/bit_file.hpp"
 
 namespace tdbd::bench {
 namespace {
 
 bit::Bit read(const std::string& name) {
-  return simulation::read_bit(TDBD_SOURCE_DIR "/cases/bits/" + name + ".toml",
-                              bit::DirectionRule::hybrid, bit::InsideRule::down)
+  return bit::read_bit(TDBD_SOURCE_DIR "/cases/bits/" + name + ".toml", bit::DirectionRule::hybrid,
+                       bit::InsideRule::down)
       .bit;
 }
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "benchmarks/drilling.hpp"
-#include "rock/hull_filter.hpp"
-#include "rock/maintain.hpp"
-#include "rock/mapped_direction.hpp"
-#include "rock/swept_part.hpp"
+#include "rock/cut/hull_filter.hpp"
+#include "rock/cut/mapped_direction.hpp"
+#include "rock/cut/swept_part.hpp"
+#include "rock/maintain/maintain.hpp"
 
 namespace tdbd::bench {
 namespace {
@@ -156,7 +156,7 @@ void sections(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", edge_length);
   const simulation::Measures& m = d.state.measures;
   const Pose X_WB0 = pose_after(d, -1.0), X_WB1 = pose_after(d, 0.0);
-  const rock::Twist twist = rock::twist_from(X_WB0, X_WB1, d.plan.time.step);
+  const rotation::Twist twist = rotation::twist_from(X_WB0, X_WB1, d.plan.time.step);
   const rock::SectionPlace place{d.plan.measure.section_lead * edge_length, edge_length};
   rock::SectionWork work;
   for (auto _ : state)

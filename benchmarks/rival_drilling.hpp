@@ -1,9 +1,9 @@
 #pragma once
 
-#include "reference/rock/spokes.hpp"
-#include "reference/rock/steady_drilling.hpp"
-#include "reference/rock/z_map_sweep.hpp"
-#include "simulation/simulation.hpp"
+#include "reference/literature/spokes.hpp"
+#include "reference/literature/steady_drilling.hpp"
+#include "reference/literature/z_map_sweep.hpp"
+#include "simulation/step/simulation.hpp"
 
 namespace tdbd::bench {
 

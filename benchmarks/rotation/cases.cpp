@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "dynamics/momenta.hpp"
-#include "dynamics/torque.hpp"
+#include "dynamics/rotation/torque.hpp"
 #include "rotation/rotation_vector.hpp"
 
 namespace tdbd::bench {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "benchmarks/rotation/method.hpp"
-#include "dynamics/step.hpp"
+#include "dynamics/rotation/step.hpp"
 
 namespace tdbd::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "dynamics/drilling_system.hpp"
+#include "dynamics/drilling/drilling_system.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
 
 /// What acts on a bit on a string (formulation 6), written from the energies of the springs.

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "reference/dynamics/work_precision.hpp"
-#include "simulation/rotate_case.hpp"
+#include "simulation/rotate/rotate_case.hpp"
 
 namespace {
 

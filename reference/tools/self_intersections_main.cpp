@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "mesh/files.hpp"
+#include "mesh/files/files.hpp"
 #include "mesh/measures.hpp"
 #include "reference/mesh/self_intersections.hpp"
 

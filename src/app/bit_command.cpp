@@ -4,22 +4,22 @@
 #include <numbers>
 
 #include "app/commands.hpp"
+#include "bit/files/bit_export.hpp"
+#include "bit/files/bit_export_solids.hpp"
+#include "bit/files/bit_file.hpp"
+#include "bit/files/part_keys.hpp"
 #include "bit/mass_properties.hpp"
+#include "bit/report/assumption_report.hpp"
+#include "bit/report/bit_output.hpp"
+#include "bit/report/bit_report.hpp"
+#include "bit/report/body_report.hpp"
+#include "bit/report/cone_report.hpp"
+#include "bit/report/overlap_report.hpp"
+#include "bit/report/tracking_report.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "mesh/measures.hpp"
-#include "simulation/assumption_report.hpp"
-#include "simulation/bit_export.hpp"
-#include "simulation/bit_export_solids.hpp"
-#include "simulation/bit_file.hpp"
-#include "simulation/bit_output.hpp"
-#include "simulation/bit_report.hpp"
-#include "simulation/body_report.hpp"
-#include "simulation/cone_report.hpp"
-#include "simulation/output_folder.hpp"
-#include "simulation/overlap_report.hpp"
-#include "simulation/part_keys.hpp"
-#include "simulation/tracking_report.hpp"
+#include "simulation/result/output_folder.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -41,15 +41,15 @@ void print_parts(const bit::Bit& b) {
              "volume mm3", "mass g");
   for (const bit::Part& p : b.parts) {
     const double volume = mesh::enclosed_volume(p.mesh_P);
-    fmt::print("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name,
-               simulation::kind_name(p.kind), simulation::cutting_name(p.cutting),
-               p.mesh_P.triangles.size(), 1e9 * volume, 1e3 * p.density * volume);
+    fmt::print("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name, bit::kind_name(p.kind),
+               bit::cutting_name(p.cutting), p.mesh_P.triangles.size(), 1e9 * volume,
+               1e3 * p.density * volume);
   }
 }
 
 void print_mass(const bit::Bit& b, const std::vector<std::string>& without_density) {
   if (!without_density.empty())
-    return fmt::print("mass not known: no density of {}\n", simulation::listed(without_density));
+    return fmt::print("mass not known: no density of {}\n", bit::listed(without_density));
   const bit::MassProperties m = bit::mass_properties(b);
   fmt::print(
       "mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
@@ -58,11 +58,11 @@ void print_mass(const bit::Bit& b, const std::vector<std::string>& without_densi
       m.inertia(1, 1), m.inertia(2, 2));
 }
 
-void print_bit(const simulation::BitFile& read) {
+void print_bit(const bit::BitFile& read) {
   print_table(read.bit);
   print_parts(read.bit);
   print_mass(read.bit, read.without_density);
-  fmt::print("{}", simulation::cones_text(read.bit));
+  fmt::print("{}", bit::cones_text(read.bit));
 }
 
 struct Choices {
@@ -91,16 +91,17 @@ int inspect(const Choices& choices) {
   using namespace simulation;
   const double advance = positive("--penetration", choices.penetration, "m", "a length");
   const double bit_speed = positive("--speed", choices.speed, "rad/s", "a rotary speed");
-  const BitFile read = read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
-                                choices.report ? Densities::demanded : Densities::as_given);
+  const bit::BitFile read =
+      bit::read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
+                    choices.report ? bit::Densities::demanded : bit::Densities::as_given);
   const bit::Bit& b = read.bit;
-  const ReportOptions options{advance, bit_speed, choices.cone_speeds};
-  const ConeOperation operation = cone_operation(b, choices.cone_speeds, advance);
+  const bit::ReportOptions options{advance, bit_speed, choices.cone_speeds};
+  const bit::ConeOperation operation = bit::cone_operation(b, choices.cone_speeds, advance);
   if (!choices.quiet) {
     print_bit(read);
-    fmt::print("{}{}{}", assumptions_text(b, bit_speed), overlaps_text(b, bit::cutter_overlaps(b)),
-               enclosed_text(b));
-    if (choices.report) fmt::print("{}{}", tracking_text(b, operation), body_text(b, advance));
+    fmt::print("{}{}{}", bit::assumptions_text(b, bit_speed),
+               bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
+    if (choices.report) fmt::print("{}{}", bit::tracking_text(b, operation), bit::body_text(b, advance));
   }
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
@@ -108,13 +109,13 @@ int inspect(const Choices& choices) {
   }
   const OutputFolder out =
       prepare(choices.folder, choices.force ? Overwrite::force : Overwrite::no);
-  write_bit_files(out.path, b);
-  write_profile(out.path, b);
-  write_cutter_table(out.path, b);
-  if (choices.report) write_analysis(out.path, b, options);
-  export_bit(out.path, b, choices.format);
-  export_solids(out.path, b, choices.solids);
-  write_bit_vtp(out.path / "bit.vtp", b, Pose{});
+  bit::write_bit_files(out.path, b);
+  bit::write_profile(out.path, b);
+  bit::write_cutter_table(out.path, b);
+  if (choices.report) bit::write_analysis(out.path, b, options);
+  bit::export_bit(out.path, b, choices.format);
+  bit::export_solids(out.path, b, choices.solids);
+  bit::write_bit_vtp(out.path / "bit.vtp", b, Pose{});
   return 0;
 }
 

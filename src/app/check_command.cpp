@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "simulation/rotate_simulation.hpp"
-#include "simulation/simulation.hpp"
+#include "simulation/rotate/rotate_simulation.hpp"
+#include "simulation/step/simulation.hpp"
 
 namespace tdbd::app {
 namespace {

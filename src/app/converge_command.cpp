@@ -8,8 +8,9 @@
 #include "app/interrupts.hpp"
 #include "app/progress.hpp"
 #include "core/error.hpp"
-#include "simulation/convergence_output.hpp"
-#include "simulation/output_folder.hpp"
+#include "core/whole_file.hpp"
+#include "simulation/result/output_folder.hpp"
+#include "simulation/study/convergence_output.hpp"
 
 namespace tdbd::app {
 namespace {

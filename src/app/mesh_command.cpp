@@ -4,12 +4,12 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "mesh/grade.hpp"
-#include "mesh/inspect.hpp"
-#include "mesh/repair.hpp"
-#include "simulation/solid_rules.hpp"
+#include "mesh/grade/grade.hpp"
+#include "mesh/repair/inspect.hpp"
+#include "mesh/repair/repair.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -120,7 +120,7 @@ mesh::GradeOptions grade_options(const Choices& choices) {
 int grade(const Choices& choices, std::vector<Solid> solids) {
   const mesh::GradeOptions options = grade_options(choices);
   for (Solid& solid : solids) {
-    if (!simulation::fits(choices.only, solid.name)) continue;
+    if (!bit::fits(choices.only, solid.name)) continue;
     const std::size_t before = solid.mesh.triangles.size();
     mesh::Graded g = mesh::grade(solid.mesh, options);
     fmt::print(

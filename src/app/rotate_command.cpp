@@ -6,7 +6,7 @@
 #include "app/commands.hpp"
 #include "app/interrupts.hpp"
 #include "app/progress.hpp"
-#include "simulation/rotate_run.hpp"
+#include "simulation/rotate/rotate_run.hpp"
 
 namespace tdbd::app {
 namespace {

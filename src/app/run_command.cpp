@@ -6,7 +6,7 @@
 #include "app/commands.hpp"
 #include "app/interrupts.hpp"
 #include "app/progress.hpp"
-#include "simulation/run.hpp"
+#include "simulation/result/run.hpp"
 
 namespace tdbd::app {
 namespace {

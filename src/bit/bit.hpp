@@ -5,14 +5,11 @@
 #include <vector>
 
 #include "bit/cone.hpp"
+#include "bit/part_kind.hpp"
 #include "core/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::bit {
-
-/// What a part is; the kind selects data (name, colour, whether it cuts), not a class.
-/// Thesis: 3.1, B.2-B.5 (its classes of bit parts).
-enum class PartKind { face, chamfer, cse, cutter_body, gage_pad, bit_body, cone, tooth };
 
 /// A straight line from one point to another.
 struct Segment {

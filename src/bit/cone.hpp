@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bit/part_kind.hpp"
 #include "core/pose.hpp"
 
 namespace tdbd::bit {
@@ -27,10 +28,6 @@ struct ToothShape {
   double embedding = 4e-3;     ///< how far it is sunk below the shell
   double density = 14.9e3;     ///< kg/m3
 };
-
-/// A part's say in whether it removes rock. Thesis: 3.1. A part that rubs leaves the rock as it is;
-/// how near it comes to the rock that the cutters leave is measured (rubbing.hpp).
-enum class Cutting { cuts, rubs, never };
 
 /// A ring of equal teeth around a cone.
 struct ToothRow {

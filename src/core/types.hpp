@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstddef>
 
 namespace tdbd {
 
@@ -9,5 +10,9 @@ namespace tdbd {
 /// P: a part, C: a cutter. Lengths in m, angles in rad, SI throughout.
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
+
+/// An index of ours (int: positions, triangles, parts) as the standard containers take it. It must
+/// not be negative.
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace tdbd

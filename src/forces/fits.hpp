@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "forces/law.hpp"
-#include "forces/quoted.hpp"
+#include "forces/rock/quoted.hpp"
 
 namespace tdbd::forces {
 

@@ -36,7 +36,7 @@ bool needs_diameter(const Law& law) {
       law);
 }
 
-std::string_view kind_name(PartKind kind) {
+std::string_view name_of(PartKind kind) {
   for (const auto& [each, name] : kinds)
     if (each == kind) return name;
   return "part";
@@ -96,12 +96,12 @@ std::string law_problem(const Law& law, bit::PartKind kind, double diameter) {
   if (knows(law, kind)) {
     if (!needs_diameter(law) || diameter > 0.0) return {};
     return fmt::format("the law \"{}\" needs the cutter's diameter, which this {} has not",
-                       law_name(law), kind_name(kind));
+                       law_name(law), name_of(kind));
   }
   std::string known;
   for (const auto& [each, name] : kinds)
     if (knows(law, each)) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
-  return fmt::format("the law \"{}\" knows no {}; it knows: {}", law_name(law), kind_name(kind),
+  return fmt::format("the law \"{}\" knows no {}; it knows: {}", law_name(law), name_of(kind),
                      known);
 }
 

@@ -6,14 +6,14 @@
 #include <variant>
 #include <vector>
 
-#include "forces/depth_of_cut.hpp"
-#include "forces/detournay.hpp"
-#include "forces/friction.hpp"
-#include "forces/glowka.hpp"
-#include "forces/hanson_hansen.hpp"
-#include "forces/indentation.hpp"
-#include "forces/no_force.hpp"
-#include "forces/thin_cut.hpp"
+#include "forces/laws/depth_of_cut.hpp"
+#include "forces/laws/detournay.hpp"
+#include "forces/laws/friction.hpp"
+#include "forces/laws/glowka.hpp"
+#include "forces/laws/hanson_hansen.hpp"
+#include "forces/laws/indentation.hpp"
+#include "forces/laws/no_force.hpp"
+#include "forces/laws/thin_cut.hpp"
 
 namespace tdbd::forces {
 

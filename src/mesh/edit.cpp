@@ -3,8 +3,6 @@
 namespace tdbd::mesh {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void link(Surface& s, int c, int d) {
   if (c >= 0) s.opposite[at(c)] = d;
   if (d >= 0) s.opposite[at(d)] = c;

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "mesh/surface.hpp"
-#include "rock/near_list.hpp"
-#include "rock/vertex_grid.hpp"
+#include "rock/index/near_list.hpp"
+#include "rock/index/vertex_grid.hpp"
 
 namespace tdbd::rock {
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "dynamics/step.hpp"
+#include "dynamics/rotation/step.hpp"
 #include "verification/battery/dual.hpp"
 
 namespace tdbd::battery {

@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "bit/cutter_frame.hpp"
-#include "bit/cutter_table.hpp"
-#include "bit/pdc_bit.hpp"
+#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter_table.hpp"
+#include "bit/pdc/pdc_bit.hpp"
 
 namespace tdbd::bit {
 

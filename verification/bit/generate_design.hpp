@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bit/generate.hpp"
-#include "bit/pdc_generator.hpp"
+#include "bit/pdc/pdc_generator.hpp"
 
 namespace tdbd::bit {
 

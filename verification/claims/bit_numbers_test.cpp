@@ -4,13 +4,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "bit/cutter_frame.hpp"
-#include "bit/cutter_parts.hpp"
-#include "bit/engagement.hpp"
-#include "bit/exposure.hpp"
+#include "bit/cone/tooth_mesh.hpp"
+#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter_parts.hpp"
 #include "bit/mass_properties.hpp"
+#include "bit/profile/engagement.hpp"
+#include "bit/profile/exposure.hpp"
 #include "bit/surface_of_revolution.hpp"
-#include "bit/tooth_mesh.hpp"
 #include "claims/example_bits.hpp"
 #include "core/observed_order.hpp"
 #include "core/random.hpp"

@@ -2,16 +2,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "bit/cone_bit.hpp"
-#include "bit/cutter_frame.hpp"
-#include "bit/exposure_profile.hpp"
+#include "bit/cone/cone_bit.hpp"
+#include "bit/cone/part_pose.hpp"
+#include "bit/cutter/cutter_frame.hpp"
 #include "bit/mass_properties.hpp"
-#include "bit/part_pose.hpp"
+#include "bit/profile/exposure_profile.hpp"
 #include "claims/example_bits.hpp"
 #include "core/random.hpp"
-#include "mesh/check.hpp"
+#include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
-#include "simulation/motion.hpp"
+#include "simulation/case/motion.hpp"
 
 /// Claims of chapter 3 of the thesis, on the bits of cases/bits.
 namespace tdbd::claims {

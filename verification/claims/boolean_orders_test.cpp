@@ -9,7 +9,7 @@
 #include "reference/mesh/hausdorff.hpp"
 #include "reference/rock/close_surface.hpp"
 #include "reference/rock/swept_boolean.hpp"
-#include "rock/cut_rock.hpp"
+#include "rock/cut/cut_rock.hpp"
 #include "verification/battery/shapes.hpp"
 
 /// Moving vertices against the exact boolean (CGAL, exact kernel) on flat rock, which both know

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/integrator.hpp"
-#include "dynamics/step.hpp"
+#include "dynamics/rotation/step.hpp"
 #include "verification/battery/golden.hpp"
 
 namespace tdbd::claims {

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "battery/evidence.hpp"
-#include "simulation/bit_file.hpp"
+#include "bit/files/bit_file.hpp"
 
 namespace tdbd::claims {
 
 /// One of cases/bits.
 inline bit::Bit example(const std::string& name) {
-  return simulation::read_bit(TDBD_SOURCE_DIR "/cases/bits/" + name + ".toml",
-                              bit::DirectionRule::hybrid, bit::InsideRule::down)
+  return bit::read_bit(TDBD_SOURCE_DIR "/cases/bits/" + name + ".toml", bit::DirectionRule::hybrid,
+                       bit::InsideRule::down)
       .bit;
 }
 

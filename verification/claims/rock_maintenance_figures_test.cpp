@@ -3,10 +3,10 @@
 #include <set>
 
 #include "claims/example_bits.hpp"
-#include "mesh/check.hpp"
+#include "mesh/check/check.hpp"
 #include "mesh/edit.hpp"
-#include "rock/collapse.hpp"
-#include "rock/smooth.hpp"
+#include "rock/maintain/collapse.hpp"
+#include "rock/maintain/smooth.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
 /// Tables that figures of section 4.2 are drawn of: what maintenance did to small sheets of rock

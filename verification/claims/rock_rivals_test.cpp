@@ -6,10 +6,10 @@
 #include "claims/example_bits.hpp"
 #include "core/observed_order.hpp"
 #include "reference/bit/scalloped_wall.hpp"
-#include "reference/rock/steady_drilling.hpp"
-#include "reference/rock/surface_error.hpp"
-#include "reference/rock/z_map_sweep.hpp"
-#include "simulation/simulation.hpp"
+#include "reference/literature/steady_drilling.hpp"
+#include "reference/literature/surface_error.hpp"
+#include "reference/literature/z_map_sweep.hpp"
+#include "simulation/step/simulation.hpp"
 
 /// The standard workload after one revolution: our mesh and height fields against a fine height
 /// field; and the volume of later revolutions against the closed form.

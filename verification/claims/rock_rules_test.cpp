@@ -7,9 +7,9 @@
 #include "core/observed_order.hpp"
 #include "core/random.hpp"
 #include "core/tolerance.hpp"
-#include "mesh/convex.hpp"
 #include "mesh/measures.hpp"
-#include "rock/swept_part.hpp"
+#include "mesh/shape/convex.hpp"
+#include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 
 /// Claims of chapter 4 on its rules: update directions, the search for the exit, resolution.

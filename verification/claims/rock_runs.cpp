@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "mesh/measures.hpp"
-#include "rock/swept_part.hpp"
+#include "rock/cut/swept_part.hpp"
 
 namespace tdbd::claims {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/simulation.hpp"
+#include "simulation/step/simulation.hpp"
 
 namespace tdbd::claims {
 

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bit/report/bit_output.hpp"
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
-#include "rock/mapped_direction.hpp"
-#include "rock/prism.hpp"
-#include "rock/swept_part.hpp"
-#include "simulation/bit_output.hpp"
+#include "rock/cut/mapped_direction.hpp"
+#include "rock/cut/prism.hpp"
+#include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 
 /// Tables that figures of section 4.1 and 4.3 are drawn of: what the running code found, mapped,
@@ -57,7 +57,7 @@ Json part_rows(const OneStep& one) {
       for (const mesh::Triangle& t : part.mesh_P.triangles)
         rows.push_back({{"what", "part"},
                         {"pose", pose},
-                        {"kind", simulation::kind_name(part.kind)},
+                        {"kind", bit::kind_name(part.kind)},
                         {"corners", corners(X_WP, part.mesh_P, t)}});
     }
   }

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "reference/rock/outline_spokes.hpp"
-#include "reference/rock/surface_error.hpp"
-#include "simulation/simulation.hpp"
+#include "reference/literature/outline_spokes.hpp"
+#include "reference/literature/surface_error.hpp"
+#include "simulation/step/simulation.hpp"
 
 /// Figure 2.1 of the thesis in numbers: spokes with as many nodes as our mesh has points, beside
 /// that mesh, all against a fine height field.

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "bit/cutter_table.hpp"
-#include "bit/engagement.hpp"
-#include "forces/detournay.hpp"
+#include "bit/cutter/cutter_table.hpp"
+#include "bit/profile/engagement.hpp"
 #include "forces/generate.hpp"
+#include "forces/laws/detournay.hpp"
 #include "reference/forces/planar_outline.hpp"
 
 namespace tdbd::forces {

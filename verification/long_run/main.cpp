@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "mesh/files.hpp"
+#include "mesh/files/files.hpp"
 #include "mesh/measures.hpp"
 #include "reference/mesh/self_intersections.hpp"
-#include "rock/collapse.hpp"
-#include "rock/invariants.hpp"
-#include "simulation/simulation.hpp"
+#include "rock/maintain/collapse.hpp"
+#include "rock/maintain/invariants.hpp"
+#include "simulation/step/simulation.hpp"
 
 namespace {
 

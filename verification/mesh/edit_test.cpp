@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "mesh/check.hpp"
+#include "mesh/check/check.hpp"
 #include "reference/mesh/exact_rational.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 

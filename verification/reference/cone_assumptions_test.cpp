@@ -1,4 +1,4 @@
-#include "bit/cone_assumptions.hpp"
+#include "bit/cone/cone_assumptions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bit/cone_measures.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "core/observed_order.hpp"
 #include "reference/dynamics/jointed_bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include "reference/rock/outline_nodes.hpp"
+#include "reference/literature/outline_nodes.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "reference/rock/outline_spokes.hpp"
+#include "reference/literature/outline_spokes.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/observed_order.hpp"
-#include "reference/rock/planar_boolean.hpp"
+#include "reference/literature/planar_boolean.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 

@@ -1,4 +1,4 @@
-#include "reference/rock/planar_boolean.hpp"
+#include "reference/literature/planar_boolean.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -6,7 +6,7 @@
 
 #include "battery/generators.hpp"
 #include "dynamics/momenta.hpp"
-#include "dynamics/step.hpp"
+#include "dynamics/rotation/step.hpp"
 #include "reference/dynamics/applied_torque.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
 

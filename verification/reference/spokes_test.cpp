@@ -1,4 +1,4 @@
-#include "reference/rock/spokes.hpp"
+#include "reference/literature/spokes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/rock/z_map_sweep.hpp"
+#include "reference/literature/z_map_sweep.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::reference {

@@ -1,4 +1,4 @@
-#include "reference/rock/surface_error.hpp"
+#include "reference/literature/surface_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "reference/rock/sweep_tool.hpp"
+#include "reference/literature/sweep_tool.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "reference/rock/z_map_sweep.hpp"
+#include "reference/literature/z_map_sweep.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::reference {

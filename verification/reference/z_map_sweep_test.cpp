@@ -1,4 +1,4 @@
-#include "reference/rock/z_map_sweep.hpp"
+#include "reference/literature/z_map_sweep.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "reference/rock/z_map.hpp"
+#include "reference/literature/z_map.hpp"
 
 #include <gtest/gtest.h>
 

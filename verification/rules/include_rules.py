@@ -18,10 +18,10 @@ ALLOWED = {
 PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|"
                         r"dynamics/(drilling_system|gyrostat|loads|rotation_state|schedule)\.hpp|reference/.+")
 # A program around the twins reads its input and describes it by src's means.
-TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files|measures)\.hpp|simulation/rotate_case\.hpp")
+TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
 CGAL_ALLOWED = re.compile(
     r"src/mesh/(files|repair_cgal|self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
-BOOST_ALLOWED = "reference/rock/planar_boolean.cpp"
+BOOST_ALLOWED = "reference/literature/planar_boolean.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -29,7 +29,7 @@ def check_include(path, bracket, target):
     """Why this file may not include that one, or None."""
     parts = path.split("/")
     if target.startswith("CGAL/") and not CGAL_ALLOWED.fullmatch(path):
-        return ("CGAL belongs in src/mesh/files, repair_cgal, self_intersections, reference/, verification/ and "
+        return ("CGAL belongs in src/mesh/files/files, repair_cgal, self_intersections, reference/, verification/ and "
                 "benchmarks/corefinement.cpp")
     if target.startswith("boost/") and path != BOOST_ALLOWED:
         return f"Boost belongs in {BOOST_ALLOWED}"
@@ -63,16 +63,16 @@ def check_all():
 
 def self_test():
     good = [("src/rock/cut.cpp", '#include "bit/bit.hpp"'),
-            ("src/core/csv.cpp", "#include <vector>"),
-            ("src/mesh/files.cpp", "#include <CGAL/Surface_mesh.h>"),
-            ("src/core/csv.cpp", '// #include "mesh/measures.hpp"'),
-            ("reference/tools/show.cpp", '#include "mesh/files.hpp"'),
-            ("reference/tools/show.cpp", '#include "simulation/rotate_case.hpp"'),
+            ("src/core/config/csv.cpp", "#include <vector>"),
+            ("src/mesh/files/files.cpp", "#include <CGAL/Surface_mesh.h>"),
+            ("src/core/config/csv.cpp", '// #include "mesh/measures.hpp"'),
+            ("reference/tools/show.cpp", '#include "mesh/files/files.hpp"'),
+            ("reference/tools/show.cpp", '#include "simulation/rotate/rotate_case.hpp"'),
             ("reference/rock/cut.cpp", '#include "mesh/triangle_mesh.hpp"'),
-            ("reference/rock/planar_boolean.cpp", "#include <boost/polygon/polygon.hpp>"),
+            ("reference/literature/planar_boolean.cpp", "#include <boost/polygon/polygon.hpp>"),
             ("reference/dynamics/top.cpp", '#include "dynamics/loads.hpp"')]
-    bad = [("src/core/csv.cpp", '#include "mesh/measures.hpp"'),
-           ("src/mesh/files.cpp", '#include "bit/bit.hpp"'),
+    bad = [("src/core/config/csv.cpp", '#include "mesh/measures.hpp"'),
+           ("src/mesh/files/files.cpp", '#include "bit/bit.hpp"'),
            ("src/rotation/so3.cpp", '#include "mesh/measures.hpp"'),
            ("src/rock/cut.cpp", '#  include "reference/rock/cut.hpp"'),
            ("src/rock/cut.cpp", '#include "verification/rock/scene.hpp"'),

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "mesh/files.hpp"
+#include "mesh/files/files.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation {

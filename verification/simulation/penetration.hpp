@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "rock/cutting_bit.hpp"
+#include "rock/cut/cutting_bit.hpp"
+#include "rock/cut/swept_part.hpp"
 #include "rock/rock.hpp"
-#include "rock/swept_part.hpp"
 
 namespace tdbd::simulation {
 

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/tolerance.hpp"
-#include "mesh/check.hpp"
+#include "mesh/check/check.hpp"
 #include "mesh/surface.hpp"
 #include "reference/mesh/self_intersections.hpp"
-#include "simulation/simulation.hpp"
+#include "simulation/step/simulation.hpp"
 #include "verification/simulation/penetration.hpp"
 
 namespace tdbd::simulation {

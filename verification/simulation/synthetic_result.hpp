@@ -3,9 +3,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "mesh/vtp.hpp"
-#include "simulation/output_folder.hpp"
-#include "simulation/summary.hpp"
+#include "mesh/files/vtp.hpp"
+#include "simulation/result/output_folder.hpp"
+#include "simulation/result/summary.hpp"
 
 namespace tdbd::simulation {
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "reference/literature/planar_region.hpp"
+
+namespace tdbd::reference {
+
+/// The borders of a spoke's plane: the axis r = 0, the end of the spoke, the bottom of the rock.
+struct SpokeFrame {
+  double radius = 0.0, floor = 0.0;  ///< m
+};
+
+/// The longest edge of the surface over the spacing asked for.
+inline constexpr double widest_spacing = 1.5;
+
+/// Nodes of the surface about equally spaced again; points of the frame's own edges are only its
+/// corners. First nodes go, always the one that changes the area least, wherever two edges that
+/// meet are together no longer than the longest edge; then longer edges are parted evenly. So two
+/// edges that meet are together longer than half the longest edge, and a surface of length L has
+/// at most 3 L / (widest_spacing spacing) nodes, up to one for each of its ends. Cavities that
+/// shrink below a triangle vanish. Reconstructed: our excerpt tells that the number of nodes
+/// varies, not how.
+PlanarFace respaced(const PlanarFace& face, const SpokeFrame& frame, double spacing);
+
+}  // namespace tdbd::reference

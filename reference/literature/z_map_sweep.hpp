@@ -1,0 +1,25 @@
+#pragma once
+
+#include "reference/literature/sweep_tool.hpp"
+#include "reference/literature/z_map.hpp"
+
+namespace tdbd::reference {
+
+/// z_map's cut as those write it who drill with height fields: facets row by row, each row's cells
+/// at once, depths stepped along the row. Lowers every cell whose centre a facet covers to the
+/// facet's depth there. `lower_B` as in SweepTool, X_WB its frame in space; corners that no facet
+/// uses are not looked at. Returns the removed volume, m3. Equal to `cut` of the same facets but
+/// for rounding. Cost: cells under the facets.
+double cut_sweep(ZMap& rock, const mesh::TriangleMesh& lower_B, const Pose& X_WB);
+
+/// One step of all tools; X_WB: the bit at the step's end. Returns the removed volume, m3.
+double cut_sweep(ZMap& rock, const std::vector<SweepTool>& tools, const Pose& X_WB);
+
+/// The height field of a rock surface: the deepest of its points at each cell's centre, its least z
+/// where it has none. m.
+ZMap z_map_of(const mesh::TriangleMesh& rock_W, double half, int cells);
+
+/// Height at a point of the map, bilinear between the centres of the four cells around it, m.
+double height_at(const ZMap& rock, double x, double y);
+
+}  // namespace tdbd::reference

@@ -1,0 +1,89 @@
+#include "bit/cone/cone_interference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bit/cone/cone_parts.hpp"
+#include "bit/cone/meridian_gap.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// What turns with a cone: its shell, or a row with its first tooth.
+struct Turning {
+  std::string part;
+  double first_angle;
+  Meridian meridian;
+};
+
+std::vector<Turning> turning_parts(const Cone& cone) {
+  std::vector<Turning> parts{{cone.name + "/body", 0.0, shell_meridian(cone.layout.shell)}};
+  for (std::size_t j = 0; j < cone.layout.rows.size(); ++j) {
+    const ToothRow& row = cone.layout.rows[j];
+    parts.push_back({fmt::format("{}/row-{}/tooth-1", cone.name, j + 1), row.angles.front(),
+                     row_meridian(cone.layout, row)});
+  }
+  return parts;
+}
+
+double within_turn(double angle) {
+  const double two_pi = 2.0 * std::numbers::pi, turned = std::fmod(angle, two_pi);
+  return turned < 0.0 ? turned + two_pi : turned;
+}
+
+Clearance described(const Gap& gap, const Cone& a, const Turning& of_a, const Cone& b,
+                    const Turning& of_b) {
+  const Vec3 place_B = a.X_BK * Vec3(gap.point_a.r * std::cos(gap.angle_a),
+                                     gap.point_a.r * std::sin(gap.angle_a), -gap.point_a.s);
+  const Vec3 place_K = inverse(b.X_BK) * place_B;
+  return {of_a.part,
+          of_b.part,
+          gap.distance,
+          within_turn(gap.angle_a - of_a.first_angle),
+          within_turn(std::atan2(place_K.y(), place_K.x()) - of_b.first_angle),
+          place_B};
+}
+
+void add_pair(const Cone& a, const Cone& b, std::vector<Clearance>& all) {
+  const std::vector<Turning> parts_a = turning_parts(a), parts_b = turning_parts(b);
+  std::vector<Clearance> overlaps;
+  Clearance nearest;
+  nearest.distance = INFINITY;
+  for (const Turning& of_a : parts_a)
+    for (const Turning& of_b : parts_b) {
+      const Gap gap = smallest_gap(of_a.meridian, a.X_BK, of_b.meridian, b.X_BK,
+                                   clearance_tolerance, std::max(0.0, nearest.distance));
+      const Clearance here = described(gap, a, of_a, b, of_b);
+      if (here.distance < 0.0) overlaps.push_back(here);
+      if (here.distance < nearest.distance) nearest = here;
+    }
+  if (overlaps.empty()) overlaps.push_back(nearest);
+  all.insert(all.end(), overlaps.begin(), overlaps.end());
+}
+
+}  // namespace
+
+std::vector<Clearance> cone_clearances(const std::vector<Cone>& cones) {
+  std::vector<Clearance> all;
+  for (std::size_t i = 0; i < cones.size(); ++i)
+    for (std::size_t k = i + 1; k < cones.size(); ++k)
+      if (!cones[i].layout.shell.empty() && !cones[k].layout.shell.empty())
+        add_pair(cones[i], cones[k], all);
+  std::ranges::stable_sort(all, {}, &Clearance::distance);
+  return all;
+}
+
+std::string clearance_text(const Clearance& c) {
+  return fmt::format(
+      "{} of {:.3f} mm of {} (at {:.1f} deg) and {} (at {:.1f} deg) at ({:.1f}, {:.1f}, {:.1f}) mm",
+      c.distance < 0.0 ? "an overlap" : "a gap", 1e3 * std::abs(c.distance), c.part_a,
+      c.angle_a / degree, c.part_b, c.angle_b / degree, 1e3 * c.place_B.x(), 1e3 * c.place_B.y(),
+      1e3 * c.place_B.z());
+}
+
+}  // namespace tdbd::bit

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bit/cone/meridian.hpp"
+
+namespace tdbd::bit {
+
+/// The smallest gap between two solids of revolution, and where on the first it is.
+struct Gap {
+  double distance = 0.0;  ///< m, signed: negative is the depth to which the first enters the second
+  ShellPoint point_a;     ///< on the first one's meridian
+  double angle_a = 0.0;   ///< rad about the first one's axis
+};
+
+/// Between the surface of solid A (frame X_BA) and solid B. Branch and bound over A's meridian and
+/// angle: the signed distance changes by no more than the place moves, so that the distance is the
+/// smallest of all places to `tolerance` (m). It stops early when no gap below `enough` exists, and
+/// then returns one at least as large. A solid that lies wholly inside A is not seen.
+Gap smallest_gap(const Meridian& a, const Pose& X_BA, const Meridian& b, const Pose& X_BB,
+                 double tolerance, double enough);
+
+}  // namespace tdbd::bit

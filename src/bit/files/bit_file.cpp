@@ -1,0 +1,166 @@
+#include "bit/files/bit_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "bit/cutter/cutter_table.hpp"
+#include "bit/files/bit_parts.hpp"
+#include "bit/files/blade_file.hpp"
+#include "bit/files/cone_file.hpp"
+#include "bit/files/design_file.hpp"
+#include "bit/files/solid_cones.hpp"
+#include "bit/files/solids_file.hpp"
+#include "bit/pdc/pdc_bit.hpp"
+#include "core/config/config.hpp"
+#include "core/error.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+CutterDefaults read_defaults(Config c) {
+  CutterDefaults d;
+  d.chamfer = c.quantity("chamfer", "m", 0.0, Range::non_negative());
+  d.chamfer_angle = c.quantity("chamfer_angle", "rad", d.chamfer_angle, Range::within(0.05, 1.5));
+  d.length = c.quantity("length", "m", d.length, Range::positive());
+  d.table_thickness = c.quantity("table_thickness", "m", d.table_thickness, Range::positive());
+  d.land = c.quantity("land", "m", d.land, Range::non_negative());
+  d.land_angle = c.quantity("land_angle", "rad", d.land_angle, Range::within(0.05, 1.5));
+  return d;
+}
+
+CutterMeshing read_meshing(Config c) {
+  CutterMeshing m;
+  m.grading = c.choice<Grading>(
+      "grading", {{"graded", Grading::graded}, {"uniform", Grading::uniform}}, m.grading);
+  m.rim_segments = static_cast<int>(c.integer("rim_segments", m.rim_segments, 8, 4096));
+  m.uniform_edge = c.quantity("uniform_edge", "m", m.uniform_edge, Range::positive());
+  return m;
+}
+
+GagePads read_pads(Config c) {
+  GagePads p;
+  p.count = static_cast<int>(c.integer("count", 0, 0, 64));
+  p.length = c.quantity("length", "m", p.length, Range::positive());
+  p.width = c.quantity("width", "m", p.width, Range::positive());
+  p.under_gage = c.quantity("under_gage", "m", p.under_gage, Range::non_negative());
+  p.thickness = c.quantity("thickness", "m", p.thickness, Range::positive());
+  return p;
+}
+
+/// The table's mistakes join those of the bit file.
+std::vector<Cutter> read_table(Config& c, const std::string& table,
+                               const CutterDefaults& defaults) {
+  if (table.empty()) return {};
+  try {
+    return read_cutter_table(table, defaults);
+  } catch (const InputError& e) {
+    c.other_file(e.what());
+    return {};
+  }
+}
+
+double reach(const Bit& bit, int cutter) {
+  double radius = 0.0;
+  for (const Part& part : bit.parts)
+    for (const Vec3& x_P : part.mesh_P.positions)
+      if (part.cutter == cutter) radius = std::max(radius, (part.X_BP * x_P).head<2>().norm());
+  return radius;
+}
+
+/// No cutter reaches past the gage that the bit file names.
+void demand_inside(const Bit& bit, double gage_radius, const std::string& file) {
+  constexpr double slack = 5e-5;  // m: what tables round and bits are made to
+  std::string lines;
+  for (std::size_t i = 0; i < bit.cutters.size(); ++i)
+    if (const double r = reach(bit, static_cast<int>(i)); r > gage_radius + slack)
+      lines += fmt::format(
+          "{}{}:{}: r_tip_mm: found cutter {} reaching {:.3f} mm from the axis, outside the bit, "
+          "expected at most half of gage_diameter, {:.3f} mm",
+          lines.empty() ? "" : "\n", file, bit.cutters[i].line, bit.cutters[i].id, 1e3 * r,
+          1e3 * gage_radius);
+  if (!lines.empty()) throw InputError(lines);
+}
+
+/// A design needs its gage; a table may do without.
+std::optional<double> any_gage(bool designed) {
+  if (designed) return {};
+  return std::numeric_limits<double>::infinity();
+}
+
+BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule directions,
+                     InsideRule inside) {
+  const bool designed = c.has("design");
+  const std::string table = designed ? "" : c.path("table", std::nullopt);
+  const CutterDefaults defaults = read_defaults(c.table("cutters"));
+  PdcOptions options;
+  options.meshing = read_meshing(c.table("mesh"));
+  options.pads = read_pads(c.table("gage_pads"));
+  options.blades = read_blades(c);
+  options.directions = directions;
+  options.inside = inside;
+  const double gage_radius =
+      0.5 * c.quantity("gage_diameter", "m", any_gage(designed), Range::positive());
+  const std::vector<Cutter> cutters = designed
+                                          ? read_design(c.table("design"), gage_radius, defaults)
+                                          : read_table(c, table, defaults);
+  if (options.blades) check_blades(c, cutters, *options.blades);
+  c.finish();
+  BitFile file{pdc_bit(name, cutters, options), c.files(), c.fingerprint()};
+  demand_inside(file.bit, gage_radius, designed ? c.files().front() : table);
+  return file;
+}
+
+BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directions,
+                      InsideRule inside, Densities densities) {
+  Bit bit;
+  bit.name = name;
+  PartsFromFiles read = c.has("solids") ? read_solid_parts(c, directions, inside, densities)
+                                        : read_parts(c, directions, inside, densities);
+  c.finish();
+  direct_by_profile(read, directions, inside);
+  bit.parts = std::move(read.parts);
+  bit.cones = std::move(read.cones);
+  bit.gage_radius = largest_turned_radius(bit);
+  return {std::move(bit), c.files(), c.fingerprint(), std::move(read.without_density)};
+}
+
+/// A bit has one source. A table beside another one leaves the rest of the file readable; what
+/// designs, parts and cones together mean cannot be told.
+void demand_one_source(Config& c) {
+  if (c.has("table") && !c.has("cones") && (c.has("parts") || c.has("design"))) {
+    c.text("table", std::nullopt);  // read, so that it is no unknown key as well
+    c.problem("table", c.has("parts") ? "parts as well" : "design as well", "one of the two");
+  }
+  if (c.has("design") && c.has("parts")) {
+    c.problem("parts", "design as well", "one of the two");
+    c.stop_at_problems();
+  }
+  if (c.has("cones") && (c.has("parts") || c.has("table") || c.has("design") || c.has("solids"))) {
+    c.problem("cones", "parts, solids, a table or a design as well", "one of them");
+    c.stop_at_problems();
+  }
+  if (c.has("solids") && (c.has("parts") || c.has("table") || c.has("design"))) {
+    c.problem("solids", "parts, a table or a design as well", "one of them");
+    c.stop_at_problems();
+  }
+}
+
+}  // namespace
+
+BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
+                 Densities densities) {
+  Config c = Config::read_file(path, {});
+  const std::string name = c.text("name", std::nullopt);
+  demand_one_source(c);
+  if (c.has("cones")) {
+    Bit bit = read_cone_bit(c, name);
+    return {std::move(bit), c.files(), c.fingerprint()};
+  }
+  return c.has("parts") || c.has("solids") ? read_mesh_bit(c, name, directions, inside, densities)
+                                           : read_pdc_bit(c, name, directions, inside);
+}
+
+}  // namespace tdbd::bit

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bit/bit.hpp"
+#include "bit/files/bit_parts.hpp"
+#include "bit/update_direction.hpp"
+
+namespace tdbd::bit {
+
+/// A bit, and what it was read from.
+struct BitFile {
+  Bit bit;
+  std::vector<std::string> files;                 ///< the bit file and those that it names
+  std::string fingerprint;                        ///< of their content
+  std::vector<std::string> without_density = {};  ///< parts of meshes whose mass is not known
+};
+
+/// Builds a bit from its file: a cutter table or a design (design_file.hpp) with defaults, meshing,
+/// gage pads (3.1, app. A) and blades (blade_file.hpp); the meshes of its parts (bit_parts.hpp) or
+/// of the whole bit (solids_file.hpp); or roller cones (cone_file.hpp). Where densities are
+/// demanded, parts of meshes without one are a mistake. Throws InputError that lists every mistake
+/// of the file and of its table, or the cutters that reach past the gage_diameter of the file.
+BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
+                 Densities densities = Densities::as_given);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,139 @@
+#include "bit/files/bit_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include "bit/files/part_keys.hpp"
+#include "bit/files/unit_question.hpp"
+#include "bit/profile/exposure_profile.hpp"
+#include "bit/profile/profile_direction.hpp"
+#include "core/error.hpp"
+#include "mesh/files/files.hpp"
+#include "rotation/rotation_vector.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
+  const std::string file = c.path("file", std::nullopt);
+  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  if (file.empty()) return {};
+  const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
+  try {
+    mesh::TriangleMesh m = mesh::read_mesh(file, unit);
+    note_mesh_faults(c, "file", file, {{name, m}}, expected);
+    return m;
+  } catch (const InputError& e) {
+    c.problem("file", e.what(), expected);
+    return {};
+  }
+}
+
+bool has_frame(const Config& c) { return c.has("position") && c.has("rotation_vector"); }
+
+/// The direction that follows from kind and frame.
+Vec3 derived_direction(const Config& c, const Part& part, DirectionRule directions,
+                       InsideRule inside) {
+  if (part.kind == PartKind::gage_pad) return Vec3::UnitX();
+  if (!belongs_to_a_cutter(part.kind) || !has_frame(c)) return Vec3::UnitZ();
+  return update_direction(part.X_BP, directions, inside);
+}
+
+Part read_part(Config& c, DirectionRule directions, InsideRule inside) {
+  Part part;
+  part.name = c.text("name", std::nullopt);
+  if (c.has("name") && !is_part_name(part.name))
+    c.problem("name", '"' + part.name + '"', "letters, digits, - and _, with / between");
+  part.kind = c.choice<PartKind>("kind", named_part_kinds(), std::nullopt);
+  part.mesh_P = read_part_mesh(c, part.name);
+  part.cutting =
+      c.flag("cutting", part.kind != PartKind::bit_body) ? Cutting::cuts : Cutting::never;
+  const bool rubs = c.flag("rubs", false);
+  if (rubs && part.cutting == Cutting::never) part.cutting = Cutting::rubs;
+  part.density = c.quantity("density", "kg/m3", 0.0, Range::non_negative());
+  part.group = static_cast<int>(c.integer("group", -1, -1, std::numeric_limits<int>::max()));
+  part.X_BP.p = c.vector("position", "m", Vec3(Vec3::Zero()));
+  part.X_BP.R = rotation::exp(c.vector("rotation_vector", "rad", Vec3(Vec3::Zero())));
+  part.update_direction_B = read_direction(c, derived_direction(c, part, directions, inside));
+  return part;
+}
+
+bool agree(const PartsFromFiles& read, std::size_t i, std::size_t j) {
+  const Part &a = read.parts[i], &b = read.parts[j];
+  return a.X_BP.R == b.X_BP.R && a.X_BP.p == b.X_BP.p &&
+         a.update_direction_B == b.update_direction_B &&
+         read.has_direction[i] == read.has_direction[j];
+}
+
+void compare_last_with_earlier(Config& c, const PartsFromFiles& read) {
+  const std::size_t last = read.parts.size() - 1;
+  const Part& part = read.parts[last];
+  for (std::size_t i = 0; i < last; ++i) {
+    const Part& other = read.parts[i];
+    if (other.name == part.name)
+      c.problem("name", '"' + part.name + "\" a second time", "a name of its own");
+    if (part.group >= 0 && other.group == part.group && !agree(read, i, last))
+      c.problem("group", "another frame or update direction than of " + other.name,
+                "the same in one group");
+  }
+}
+
+/// The part itself, and those of its group.
+std::vector<Part> group_of(const std::vector<Part>& parts, const Part& part) {
+  if (part.group < 0) return {part};
+  std::vector<Part> group;
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(group),
+               [&](const Part& p) { return p.group == part.group; });
+  return group;
+}
+
+/// A file that weighs one part weighs them all: a forgotten density would be a wrong mass.
+void demand_every_density(std::vector<Config>& configs, const PartsFromFiles& read) {
+  if (std::ranges::none_of(configs, [](const Config& c) { return c.has("density"); })) return;
+  for (std::size_t i = 0; i < configs.size(); ++i)
+    if (!configs[i].has("density"))
+      configs[i].problem("density", "none for " + read.parts[i].name,
+                         "one, as other parts have (0: its volume counts elsewhere)");
+}
+
+}  // namespace
+
+PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule inside,
+                          Densities densities) {
+  PartsFromFiles read;
+  bool any_cuts = false;
+  const bool ask = checks_units(file);
+  double unit = 1.0;
+  std::vector<Config> configs = file.tables("parts");
+  for (Config& c : configs) {
+    const Part& part = read.parts.emplace_back(read_part(c, directions, inside));
+    read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
+                                 !belongs_to_a_cutter(part.kind));
+    if (!c.has("density")) read.without_density.push_back(part.name);
+    if (!c.has("density") && densities == Densities::demanded)
+      c.problem("density", "none of " + part.name, density_wanted);
+    unit = c.quantity("unit", "m", 1e-3, Range::positive());
+    if (ask) ask_for_unit(c, "unit", part.mesh_P, unit, part_along);
+    any_cuts = any_cuts || part.cutting == Cutting::cuts;
+    compare_last_with_earlier(c, read);
+  }
+  demand_every_density(configs, read);
+  if (ask) ask_for_unit(file, "parts", read.parts, unit);
+  if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
+  return read;
+}
+
+void direct_by_profile(PartsFromFiles& read, DirectionRule directions, InsideRule inside) {
+  if (std::count(read.has_direction.begin(), read.has_direction.end(), 0) == 0) return;
+  constexpr double spacing = 0.5e-3;
+  const auto profile = exposure_profile(read.parts, spacing);
+  for (std::size_t i = 0; i < read.parts.size(); ++i)
+    if (read.has_direction[i] == 0)
+      read.parts[i].update_direction_B =
+          profile_direction(profile, group_of(read.parts, read.parts[i]), directions, inside);
+}
+
+}  // namespace tdbd::bit

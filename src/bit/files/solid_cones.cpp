@@ -1,0 +1,61 @@
+#include "bit/files/solid_cones.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bit/cone/cone_frame.hpp"
+#include "bit/cone/cone_reach.hpp"
+#include "bit/files/bit_export.hpp"
+#include "bit/largest_radius.hpp"
+
+namespace tdbd::bit {
+
+std::vector<Cone> read_solid_cones(Config& solids) {
+  std::vector<Cone> cones;
+  for (Config& c : solids.tables("cones")) {
+    Cone cone;
+    cone.name = c.text("name", std::nullopt);
+    cone.layout.azimuth = c.quantity("azimuth", "rad", std::nullopt);
+    cone.layout.journal_angle =
+        c.quantity("journal_angle", "rad", std::nullopt, Range::within(-1.5, 1.5));
+    cone.layout.offset = c.quantity("offset", "m", 0.0);
+    cone.layout.skew = c.quantity("skew", "rad", 0.0);
+    cone.layout.apex = c.quantity("apex", "m", 0.0);
+    cone.layout.foot_height = c.quantity("foot_height", "m", 0.0);
+    cone.X_BK = cone_pose(cone.layout, 0.0);
+    cones.push_back(cone);
+  }
+  return cones;
+}
+
+int cone_of(const std::vector<Cone>& cones, const std::string& part) {
+  const auto at = std::find_if(cones.begin(), cones.end(),
+                               [&](const Cone& cone) { return part.starts_with(cone.name + "/"); });
+  return at == cones.end() ? -1 : static_cast<int>(at - cones.begin());
+}
+
+double largest_turned_radius(const Bit& bit) {
+  double radius = largest_radius(bit.parts);
+  for (const Part& part : bit.parts) {
+    if (part.cone < 0 || part.cutting == Cutting::never) continue;
+    const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
+    for (const Vec3& x_P : part.mesh_P.positions) {
+      const Vec3 x_K = inverse(X_BK) * (part.X_BP * x_P);
+      const ShellPoint place{-x_K.z(), x_K.head<2>().norm()};
+      radius = std::max(radius, reach_of(X_BK, place).radius);
+    }
+  }
+  return radius;
+}
+
+std::string cone_text_of(const Cone& cone) {
+  const ConeLayout& c = cone.layout;
+  return fmt::format(
+      "\n[[solids.cones]]\nname = {}\nazimuth = {}  # rad\njournal_angle = {}  # rad\noffset = {}  "
+      "# m\nskew = {}  # rad\napex = {}  # m\nfoot_height = {}  # m\n",
+      quoted(cone.name), c.azimuth, c.journal_angle, c.offset, c.skew, c.apex, c.foot_height);
+}
+
+}  // namespace tdbd::bit

@@ -1,0 +1,90 @@
+#include "bit/files/solid_rules.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "bit/files/part_keys.hpp"
+#include "rotation/rotation_vector.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+std::optional<Pose> read_frame(Config& c) {
+  if (!c.has("cutter_position") && !c.has("cutter_rotation_vector")) return {};
+  Pose X_BC;
+  X_BC.p = c.vector("cutter_position", "m", std::nullopt);
+  X_BC.R = rotation::exp(c.vector("cutter_rotation_vector", "rad", std::nullopt));
+  return X_BC;
+}
+
+SolidRule read_rule(Config& c) {
+  SolidRule rule;
+  rule.match = c.text("match", std::nullopt);
+  if (c.has("name")) rule.name = c.text("name", std::nullopt);
+  if (rule.name && !is_part_name(*rule.name))
+    c.problem("name", '"' + *rule.name + '"', "letters, digits, - and _, with / between");
+  if (c.has("kind")) rule.kind = c.choice<PartKind>("kind", named_part_kinds(), std::nullopt);
+  if (c.has("cutting"))
+    rule.cutting = c.flag("cutting", std::nullopt) ? Cutting::cuts : Cutting::never;
+  if (c.has("density"))
+    rule.density = c.quantity("density", "kg/m3", std::nullopt, Range::non_negative());
+  if (c.has("group"))
+    rule.group =
+        static_cast<int>(c.integer("group", std::nullopt, -1, std::numeric_limits<int>::max()));
+  rule.X_BC = read_frame(c);
+  if (c.has("update_direction")) rule.update_direction_B = read_direction(c, Vec3::UnitZ());
+  return rule;
+}
+
+template <class T>
+void lay_over(std::optional<T>& below, const std::optional<T>& above) {
+  if (above) below = above;
+}
+
+}  // namespace
+
+bool fits(std::string_view pattern, std::string_view name) {
+  if (pattern.empty()) return name.empty();
+  if (pattern.front() == '*')
+    return fits(pattern.substr(1), name) || (!name.empty() && fits(pattern, name.substr(1)));
+  return !name.empty() && (pattern.front() == '?' || pattern.front() == name.front()) &&
+         fits(pattern.substr(1), name.substr(1));
+}
+
+std::vector<SolidRule> read_rules(Config& solids) {
+  std::vector<SolidRule> rules;
+  std::vector<Config> tables = solids.tables("rules");
+  rules.reserve(tables.size());
+  for (Config& c : tables) rules.push_back(read_rule(c));
+  return rules;
+}
+
+SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name) {
+  SolidRule all;
+  all.match = name;
+  for (const SolidRule& rule : rules) {
+    if (!fits(rule.match, name)) continue;
+    lay_over(all.name, rule.name);
+    lay_over(all.kind, rule.kind);
+    lay_over(all.cutting, rule.cutting);
+    lay_over(all.density, rule.density);
+    lay_over(all.group, rule.group);
+    lay_over(all.X_BC, rule.X_BC);
+    lay_over(all.update_direction_B, rule.update_direction_B);
+  }
+  return all;
+}
+
+std::optional<PartKind> kind_of_name(const std::string& name) {
+  const std::pair<const char*, PartKind> known[] = {
+      {"cutter-*/face", PartKind::face},        {"cutter-*/chamfer", PartKind::chamfer},
+      {"cutter-*/land", PartKind::chamfer},     {"cutter-*/cse", PartKind::cse},
+      {"cutter-*/body", PartKind::cutter_body}, {"gage-pad-*", PartKind::gage_pad},
+      {"bit-body", PartKind::bit_body},         {"cone-*/row-*/tooth-*", PartKind::tooth},
+      {"cone-*/body", PartKind::cone}};
+  for (const auto& [pattern, kind] : known)
+    if (fits(pattern, name)) return kind;
+  return {};
+}
+
+}  // namespace tdbd::bit

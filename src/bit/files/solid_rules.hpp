@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bit/bit.hpp"
+#include "core/config/config.hpp"
+
+namespace tdbd::bit {
+
+/// Whether a name fits a pattern in which * stands for any text, ? for any character.
+bool fits(std::string_view pattern, std::string_view name);
+
+/// What a bit file says of a solid: a [[solids.rules]], or all of them that fit it taken together.
+struct SolidRule {
+  std::string match;
+  std::optional<std::string> name;
+  std::optional<PartKind> kind;
+  std::optional<Cutting> cutting;
+  std::optional<double> density;  ///< kg/m3
+  std::optional<int> group;
+  std::optional<Pose> X_BC;                ///< frame of the solid's cutter
+  std::optional<Vec3> update_direction_B;  ///< unit
+};
+
+/// The rules of [solids], in the order of the file. Mistakes are noted in `solids`.
+std::vector<SolidRule> read_rules(Config& solids);
+
+/// All rules that fit `name`, a later one over the earlier ones, key by key.
+SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name);
+
+/// The kind that a name of the designs' own tells: cutter-3/face, /land, /chamfer, /cse, /body;
+/// gage-pad-2; bit-body; cone-1/body; cone-1/row-2/tooth-3. Nothing for any other name.
+std::optional<PartKind> kind_of_name(const std::string& name);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,136 @@
+#include "bit/files/solids_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bit/files/part_keys.hpp"
+#include "bit/files/solid_cones.hpp"
+#include "bit/files/solid_rules.hpp"
+#include "bit/files/unit_question.hpp"
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+#include "mesh/files/solids.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+constexpr const char* wanted = "closed meshes with outward normals (STL, OBJ, PLY or OFF)";
+
+std::vector<mesh::Solid> read_file(Config& c) {
+  const std::string file = c.path("file", std::nullopt);
+  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  if (file.empty()) return {};
+  try {
+    std::vector<mesh::Solid> solids = mesh::read_solids(file, unit);
+    note_mesh_faults(c, "file", file, solids, wanted);
+    return solids;
+  } catch (const InputError& e) {
+    c.problem("file", e.what(), wanted);
+    return {};
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<mesh::Solid>& solids) {
+  std::vector<std::string> names;
+  names.reserve(solids.size());
+  for (const mesh::Solid& solid : solids) names.push_back(solid.name);
+  return names;
+}
+
+/// A rule that fits nothing is a misspelt one.
+void demand_use(Config& c, const std::vector<SolidRule>& rules,
+                const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    const auto is_fit = [&](const std::string& name) { return fits(rules[i].match, name); };
+    if (names.empty() || std::any_of(names.begin(), names.end(), is_fit)) continue;
+    const auto near = nearest_name(rules[i].match, names);
+    c.problem(
+        fmt::format("rules[{}].match", i), fmt::format("\"{}\", no solid's", rules[i].match),
+        fmt::format("a pattern that fits one of {} solids{}", names.size(),
+                    near ? "; did you mean " + *near + "?" : " (" + names.front() + ", ...)"));
+  }
+}
+
+/// The text before the last /, of the parts of one cutter; empty for any other part.
+std::string cutter_name(const Part& part) {
+  const std::size_t end = part.name.rfind('/');
+  return belongs_to_a_cutter(part.kind) && end != std::string::npos ? part.name.substr(0, end) : "";
+}
+
+Vec3 direction_of(const SolidRule& rule, const Part& part, DirectionRule directions,
+                  InsideRule inside) {
+  if (rule.update_direction_B) return *rule.update_direction_B;
+  if (part.kind == PartKind::gage_pad) return Vec3::UnitX();
+  if (!belongs_to_a_cutter(part.kind) || !rule.X_BC) return Vec3::UnitZ();
+  return update_direction(*rule.X_BC, directions, inside);
+}
+
+/// What the rules and the name make of a solid.
+Part part_of(const SolidRule& rule, mesh::Solid solid, PartKind kind) {
+  Part part;
+  part.name = rule.name.value_or(solid.name);
+  part.kind = kind;
+  part.mesh_P = std::move(solid.mesh);
+  const bool cuts = kind != PartKind::bit_body && kind != PartKind::cone;
+  part.cutting = rule.cutting.value_or(cuts ? Cutting::cuts : Cutting::never);
+  part.density = rule.density.value_or(0.0);
+  return part;
+}
+
+/// Notes what is wrong with the parts taken together.
+void check_parts(Config& file, const std::vector<Part>& parts) {
+  std::map<std::string, int> count;
+  for (const Part& part : parts) {
+    if (!is_part_name(part.name))
+      file.problem("solids.file", "a solid named \"" + part.name + '"',
+                   "letters, digits, - and _, with / between, or a rule that gives it a name");
+    if (++count[part.name] == 2)
+      file.problem("solids.file", "a second solid \"" + part.name + '"',
+                   "a name of its own for each, or a rule that gives it one");
+  }
+  const auto cuts = [](const Part& p) { return p.cutting == Cutting::cuts; };
+  if (!parts.empty() && std::none_of(parts.begin(), parts.end(), cuts))
+    file.problem("solids", "no part that cuts", "at least one");
+}
+
+}  // namespace
+
+PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRule inside,
+                                Densities densities) {
+  Config c = file.table("solids");
+  std::vector<mesh::Solid> solids = read_file(c);
+  const std::vector<SolidRule> rules = read_rules(c);
+  demand_use(c, rules, names_of(solids));
+  PartsFromFiles read;
+  read.cones = read_solid_cones(c);
+  std::map<std::string, int> groups;
+  for (mesh::Solid& solid : solids) {
+    const SolidRule rule = rule_for(rules, solid.name);
+    const auto kind = rule.kind ? rule.kind : kind_of_name(rule.name.value_or(solid.name));
+    if (!kind)
+      c.problem("file", fmt::format("a solid \"{}\" whose name tells no kind", solid.name),
+                "a name like cutter-1/face, gage-pad-1, bit-body or cone-1/row-1/tooth-1, or a "
+                "rule [[solids.rules]] that fits it and gives its kind");
+    Part part = part_of(rule, std::move(solid), kind.value_or(PartKind::bit_body));
+    if (const std::string cutter = cutter_name(part); !cutter.empty())
+      part.group = groups.try_emplace(cutter, static_cast<int>(groups.size())).first->second;
+    part.group = rule.group.value_or(part.group);
+    part.cone = cone_of(read.cones, part.name);
+    if (!rule.density) read.without_density.push_back(part.name);
+    part.update_direction_B = direction_of(rule, part, directions, inside);
+    read.has_direction.push_back(rule.update_direction_B || rule.X_BC ||
+                                 !belongs_to_a_cutter(part.kind));
+    read.parts.push_back(std::move(part));
+  }
+  check_parts(file, read.parts);
+  if (checks_units(file))
+    ask_for_unit(c, "unit", read.parts, c.quantity("unit", "m", 1e-3, Range::positive()));
+  if (densities == Densities::demanded && !read.without_density.empty())
+    c.problem("rules", "no density of " + listed(read.without_density), density_wanted);
+  return read;
+}
+
+}  // namespace tdbd::bit

@@ -1,0 +1,129 @@
+#include "bit/pdc/pdc_design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tdbd::bit {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double steepest = 89.0 * degree;  ///< of the cone and at the shoulder's start
+constexpr double largest_rake = 60.0 * degree, largest_side_rake = 45.0 * degree;
+
+/// Notes what is wrong with one value after the other.
+struct Check {
+  std::vector<DesignProblem> problems;
+
+  void demand(bool fine, const char* key, const std::string& found, const std::string& expected) {
+    if (!fine) problems.push_back({key, found, expected});
+  }
+};
+
+std::string mm(double x) { return fmt::format("{:.6g} mm", 1e3 * x); }
+std::string deg(double x) { return fmt::format("{:.6g} deg", x / degree); }
+
+void check_profile(const ProfileDesign& p, Check& check) {
+  check.demand(p.gage_radius > 0.0, "gage_radius", mm(p.gage_radius), "a positive radius");
+  check.demand(p.nose_radius > 0.0, "profile.nose_radius", mm(p.nose_radius), "a positive radius");
+  check.demand(p.gage_length >= 0.0, "profile.gage_length", mm(p.gage_length), "a length >= 0");
+  check.demand(p.cone_angle >= 0.0 && p.cone_angle <= steepest, "profile.cone_angle",
+               deg(p.cone_angle), "an angle in 0..89 deg");
+  check.demand(p.shoulder_angle >= 0.0 && p.shoulder_angle <= steepest, "profile.shoulder_angle",
+               deg(p.shoulder_angle), "an angle in 0..89 deg");
+  check.demand(p.nose_place > 0.0 && p.nose_place < p.gage_radius, "profile.nose_place",
+               mm(p.nose_place) + " from the axis",
+               "a nose between the axis and the gage at " + mm(p.gage_radius));
+}
+
+/// Whether the regions follow one another without turning back.
+void check_folds(const ProfileDesign& p, Check& check) {
+  const double cone = p.nose_place - p.nose_radius * std::sin(p.cone_angle);
+  check.demand(cone >= 0.0, "profile.nose_radius",
+               fmt::format("{}, a nose that begins at radius {}, across the axis",
+                           mm(p.nose_radius), mm(cone)),
+               "at most " + mm(p.nose_place / std::sin(p.cone_angle)));
+  const double shoulder = shoulder_radius(p);
+  check.demand(
+      shoulder > 0.0, "profile.shoulder_angle",
+      fmt::format("{}, a profile that folds: the nose's arc ends at radius {}, outside the "
+                  "gage at {}",
+                  deg(p.shoulder_angle),
+                  mm(p.nose_place + p.nose_radius * std::sin(p.shoulder_angle)), mm(p.gage_radius)),
+      "a smaller angle, a smaller nose_radius or a smaller nose_place");
+}
+
+void check_law(const RegionLaw& law, const char* key, double lo, double hi, double unit,
+               const char* expected, Check& check) {
+  for (const auto& [at, value] : {std::pair("axis", law.axis), std::pair("nose", law.nose),
+                                  std::pair("shoulder", law.shoulder), std::pair("gage", law.gage)})
+    check.demand(value >= lo && value <= hi, fmt::format("{}.{}", key, at).c_str(),
+                 fmt::format("{:.6g}", value / unit), expected);
+}
+
+void check_cutters(const PdcDesign& d, Check& check) {
+  const auto& [cone, nose, shoulder, gage] = d.diameter;
+  for (const auto& [at, value] : {std::pair("cone", cone), std::pair("nose", nose),
+                                  std::pair("shoulder", shoulder), std::pair("gage", gage)})
+    check.demand(value > 2.0 * (d.shape.chamfer + d.shape.land),
+                 fmt::format("diameter.{}", at).c_str(), mm(value),
+                 "a positive diameter, more than twice the chamfers' width");
+  check_law(d.overlap, "overlap", 0.0, 0.95, 1.0, "a share in 0..0.95", check);
+  check_law(d.back_rake, "back_rake", -5.0 * degree, largest_rake, degree, "an angle in -5..60 deg",
+            check);
+  check_law(d.side_rake, "side_rake", -largest_side_rake, largest_side_rake, degree,
+            "an angle in -45..45 deg", check);
+  const double least = std::min({cone, nose, shoulder, gage});
+  check_law(d.wear, "wear", 0.0, 0.5 * least, 1e-3, "a height in mm from 0 to a cutter's radius",
+            check);
+}
+
+void check_layout(const PdcDesign& d, Check& check) {
+  check.demand(!d.blades.empty(), "blades", "none", "at least one blade");
+  check.demand(d.clearance > 0.0, "clearance", mm(d.clearance), "a positive gap");
+  check.demand(d.backups.under_exposure >= 0.0, "backup.under_exposure",
+               mm(d.backups.under_exposure), "a depth >= 0");
+  check.demand(d.backups.behind > 0.0, "backup.behind", mm(d.backups.behind), "a distance > 0");
+  check.demand(d.gage.cutters >= 0, "gage.cutters", fmt::format("{}", d.gage.cutters),
+               "at least 0");
+  const double cone = d.profile.nose_place - d.profile.nose_radius * std::sin(d.profile.cone_angle);
+  check.demand(d.first_radius >= 0.0 && d.first_radius <= cone, "first_radius", mm(d.first_radius),
+               "a radius from the axis to the cone's end at " + mm(cone));
+}
+
+}  // namespace
+
+std::vector<DesignProblem> design_problems(const PdcDesign& d) {
+  Check check;
+  check_profile(d.profile, check);
+  if (check.problems.empty()) check_folds(d.profile, check);
+  check_cutters(d, check);
+  if (check.problems.empty()) check_layout(d, check);
+  return check.problems;
+}
+
+double law_at(const RegionLaw& law, const ProfileDesign& p, double s) {
+  const auto [cone, nose, shoulder, gage] = region_ends(p);
+  if (s < cone) return std::lerp(law.axis, law.nose, s / cone);
+  if (s < nose) return std::lerp(law.nose, law.shoulder, (s - cone) / (nose - cone));
+  if (s < shoulder) return std::lerp(law.shoulder, law.gage, (s - nose) / (shoulder - nose));
+  return law.gage;
+}
+
+double choice_in(const RegionChoice& choice, Region region) {
+  switch (region) {
+    case Region::cone:
+      return choice.cone;
+    case Region::nose:
+      return choice.nose;
+    case Region::shoulder:
+      return choice.shoulder;
+    case Region::gage:
+      break;
+  }
+  return choice.gage;
+}
+
+}  // namespace tdbd::bit

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bit/cutter/cutter_table.hpp"
+#include "bit/pdc/profile_design.hpp"
+
+namespace tdbd::bit {
+
+/// A quantity that varies along the profile: its values on the axis and where nose, shoulder and
+/// gage begin, linear in arc length between them and constant along the gage.
+struct RegionLaw {
+  double axis = 0.0;
+  double nose = 0.0;
+  double shoulder = 0.0;
+  double gage = 0.0;
+};
+
+/// A quantity with one value in each region.
+struct RegionChoice {
+  double cone = 0.0;
+  double nose = 0.0;
+  double shoulder = 0.0;
+  double gage = 0.0;
+};
+
+enum class Backups { none, behind_face_cutters };
+
+struct BladeDesign {
+  double azimuth = 0.0;  ///< rad, on the bit's axis
+  double start = 0.0;    ///< m, radius from which the blade carries cutters
+  Backups backups = Backups::none;
+};
+
+/// Cutters behind the face cutters of a blade, at the same place of the profile but set back from
+/// it.
+struct BackupRow {
+  double from = 0.0;               ///< m, radii of the face cutters that get one
+  double to = 1e3;                 ///< m
+  double under_exposure = 1.5e-3;  ///< m, from the profile into the bit
+  double behind = 20e-3;           ///< m, from face to face along the circle about the axis
+};
+
+/// Cutters on every blade's gage.
+struct GageRow {
+  int cutters = 1;       ///< on each blade
+  double start = 1.1;    ///< of a diameter, from the gage's lower end to the first
+  double spacing = 1.1;  ///< of a diameter
+};
+
+/// What a designer decides about a PDC bit. SI. Thesis: 3.2.2, app. A; the rules are ours.
+struct PdcDesign {
+  ProfileDesign profile;
+  std::vector<BladeDesign> blades;
+  double first_radius = 0.0;  ///< m, of the tip nearest to the axis
+  double spiral = 0.0;        ///< rad, by which a blade trails at the gage
+  double clearance = 5e-4;    ///< m, least gap between the solids of two cutters
+  RegionChoice diameter;      ///< m
+  RegionLaw overlap;    ///< least share of a diameter by which neighbours on the profile overlap
+  RegionLaw back_rake;  ///< rad
+  RegionLaw side_rake;  ///< rad
+  RegionLaw wear;       ///< m, height of the wear flat
+  BackupRow backups;
+  GageRow gage;
+  CutterDefaults shape;  ///< chamfer, length and table of every cutter
+};
+
+/// A mistake of a design: the key in the bit file, what it holds, what would do.
+struct DesignProblem {
+  std::string key;
+  std::string found;
+  std::string expected;
+};
+
+/// What is impossible about a design before any cutter is placed: sizes that are not positive, a
+/// profile that folds, a nose outside the gage, overlaps that leave no spacing.
+std::vector<DesignProblem> design_problems(const PdcDesign& d);
+
+/// Values of a law and of a choice at an arc length of the profile.
+double law_at(const RegionLaw& law, const ProfileDesign& p, double s);
+double choice_in(const RegionChoice& choice, Region region);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,148 @@
+#include "bit/profile/exposure_profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "mesh/measures.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+/// m; the curve of an edge in (r, z) is followed by chords. No length of a drawing is a multiple of
+/// it, so that rounding a coordinate to single precision does not change the number of chords.
+constexpr double chord = 1.93e-4;
+constexpr int ray_count = 2048;
+
+/// The farthest point on one ray; distance 0: none yet.
+struct Ray {
+  double distance2 = 0.0;
+  ProfilePoint farthest;
+};
+
+/// Rays in a quarter circle about the axis point at height z0, first straight down, last
+/// horizontal; equally spaced in r / (r + depth), which grows with the angle and costs less.
+struct Fan {
+  double z0;
+  std::vector<Ray> rays = std::vector<Ray>(ray_count);
+
+  /// Number of the ray through a point, with its fraction; beyond the last one above the
+  /// horizontal.
+  double at(const ProfilePoint& p) const {
+    const double sum = p.r + p.z - z0;
+    return sum > 0.0 ? p.r / sum * (ray_count - 1) : 2.0 * ray_count;
+  }
+  void add(const ProfilePoint& p, Ray& ray) const {
+    const double distance2 = p.r * p.r + (p.z - z0) * (p.z - z0);
+    if (distance2 > ray.distance2) ray = {distance2, p};
+  }
+  /// Adds the crossings of the chord ab, whose ends stand at the numbers at_a and at_b.
+  void add(const ProfilePoint& a, double at_a, const ProfilePoint& b, double at_b) {
+    const double last = std::min(std::max(at_a, at_b), ray_count - 1.0);
+    for (int k = static_cast<int>(std::ceil(std::min(at_a, at_b))); k <= last; ++k) {
+      const double w = at_a == at_b ? 0.0 : (k - at_a) / (at_b - at_a);
+      add({a.r + w * (b.r - a.r), a.z + w * (b.z - a.z)}, rays[k]);
+    }
+  }
+};
+
+double topmost_centre(const std::vector<Part>& parts) {
+  double z0 = std::numeric_limits<double>::infinity();
+  for (const Part& part : parts) {
+    if (part.cutting != Cutting::cuts) continue;
+    const mesh::Box box = mesh::bounding_box(part.mesh_P);
+    z0 = std::min(z0, (part.X_BP * Vec3(0.5 * (box.lo + box.hi))).z());
+  }
+  return z0;
+}
+
+ProfilePoint in_half_plane(const Vec3& x_B) {
+  return {std::sqrt(x_B.x() * x_B.x() + x_B.y() * x_B.y()), x_B.z()};
+}
+
+void add_edge(const Vec3& a_B, const Vec3& b_B, Fan& fan) {
+  const int steps = 1 + static_cast<int>((b_B - a_B).norm() / chord);
+  ProfilePoint previous = in_half_plane(a_B);
+  double at_previous = fan.at(previous);
+  for (int k = 1; k <= steps; ++k) {
+    const ProfilePoint next = in_half_plane(a_B + (b_B - a_B) * (static_cast<double>(k) / steps));
+    const double at_next = fan.at(next);
+    fan.add(previous, at_previous, next, at_next);
+    previous = next;
+    at_previous = at_next;
+  }
+}
+
+/// A flat triangle folds in (r, z) where it passes the axis: at each height the point nearest to
+/// the axis lies in the vertical plane through the axis and the triangle's normal. There the border
+/// of its image is no edge's image.
+void add_fold(const std::array<Vec3, 3>& x_B, Fan& fan) {
+  const Vec3 across = Vec3::UnitZ().cross(mesh::area_vector(x_B[0], x_B[1], x_B[2]));
+  std::vector<Vec3> ends;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = x_B[k], &b = x_B[(k + 1) % 3];
+    const double from = across.dot(a), to = across.dot(b);
+    if ((from < 0.0) != (to < 0.0)) ends.push_back(a + from / (from - to) * (b - a));
+  }
+  if (ends.size() == 2) add_edge(ends[0], ends[1], fan);
+}
+
+/// Every edge once: of a closed mesh, the direction in which its first index is the smaller.
+void add_part(const Part& part, Fan& fan) {
+  std::vector<Vec3> x_B;
+  for (const Vec3& x_P : part.mesh_P.positions) x_B.push_back(part.X_BP * x_P);
+  for (const mesh::Triangle& t : part.mesh_P.triangles) {
+    for (int k = 0; k < 3; ++k)
+      if (t[k] < t[(k + 1) % 3]) add_edge(x_B[t[k]], x_B[t[(k + 1) % 3]], fan);
+    add_fold({x_B[t[0]], x_B[t[1]], x_B[t[2]]}, fan);
+  }
+}
+
+/// From the axis to the gage, without the empty rays, r monotone.
+std::vector<ProfilePoint> outline(const Fan& fan) {
+  std::vector<ProfilePoint> points;
+  for (const Ray& ray : fan.rays) {
+    if (ray.distance2 == 0.0) continue;
+    if (points.empty()) points.push_back({0.0, ray.farthest.z});
+    points.push_back({std::max(points.back().r, ray.farthest.r), ray.farthest.z});
+  }
+  return points;
+}
+
+double distance(const ProfilePoint& a, const ProfilePoint& b) {
+  return std::hypot(b.r - a.r, b.z - a.z);
+}
+
+/// Points at equal arc lengths along a polyline, both its ends among them.
+std::vector<ProfilePoint> resampled(const std::vector<ProfilePoint>& line, double spacing) {
+  std::vector<double> arc{0.0};
+  for (std::size_t k = 1; k < line.size(); ++k)
+    arc.push_back(arc.back() + distance(line[k - 1], line[k]));
+  const int count = std::max(1, static_cast<int>(std::lround(arc.back() / spacing)));
+  std::vector<ProfilePoint> points;
+  std::size_t segment = 1;
+  for (int k = 0; k < count; ++k) {
+    const double s = arc.back() * k / count;
+    while (arc[segment] <= s) ++segment;
+    const ProfilePoint &a = line[segment - 1], &b = line[segment];
+    const double w = (s - arc[segment - 1]) / (arc[segment] - arc[segment - 1]);
+    points.push_back({std::lerp(a.r, b.r, w), std::lerp(a.z, b.z, w)});
+  }
+  points.push_back(line.back());
+  return points;
+}
+
+}  // namespace
+
+std::vector<ProfilePoint> exposure_profile(const std::vector<Part>& parts, double spacing) {
+  Fan fan{topmost_centre(parts)};
+  for (const Part& part : parts)
+    if (part.cutting == Cutting::cuts) add_part(part, fan);
+  const std::vector<ProfilePoint> line = outline(fan);
+  if (line.size() < 2) throw InputError("exposure profile: found no cutting part, expected one");
+  return resampled(line, spacing);
+}
+
+}  // namespace tdbd::bit

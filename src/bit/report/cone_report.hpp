@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bit/cone/cone_interference.hpp"
+#include "bit/cone/cone_measures.hpp"
+
+namespace tdbd::bit {
+
+/// Each cone's figures, its rows', and the clearances between cones, as lines for a reader.
+std::string cones_text(const Bit& bit);
+
+/// The same for bit.json: an array of cones. SI, units in the keys.
+nlohmann::ordered_json cones_json(const Bit& bit);
+
+}  // namespace tdbd::bit

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bit/cutter/cutter_overlap.hpp"
+
+namespace tdbd::bit {
+
+/// "cutter_overlaps" of analysis.json: pairs, their volumes and masses that count twice, SI.
+nlohmann::ordered_json overlaps_json(const Bit& bit, const std::vector<CutterOverlap>& overlaps);
+
+/// One warning with the number of pairs, their volume and the worst of them; empty without any.
+std::string overlaps_text(const Bit& bit, const std::vector<CutterOverlap>& overlaps);
+
+/// A warning for each part that lies inside another one, both with a density.
+std::string enclosed_text(const Bit& bit);
+
+}  // namespace tdbd::bit

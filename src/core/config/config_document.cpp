@@ -1,0 +1,234 @@
+#include "core/config/config_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+
+namespace tdbd {
+namespace {
+
+/// "8.5", "true" and "[1, 2]" are TOML values; anything else is a bare string.
+void insert_value(toml::table& table, const std::string& name, const std::string& text) {
+  try {
+    toml::table parsed = toml::parse("v = " + text);
+    if (parsed.size() == 1) {
+      table.insert_or_assign(name, std::move(*parsed.get("v")));
+      return;
+    }
+  } catch (const toml::parse_error&) {  // not TOML: the text itself is meant
+  }
+  table.insert_or_assign(name, text);
+}
+
+/// What a key stands in: "a.b[2]" in "a.b", that in "a", that in the file ("").
+std::string enclosing_key(const std::string& key) {
+  return key.back() == ']' ? key.substr(0, key.rfind('[')) : parent_key(key);
+}
+
+/// The table of a dotted key, made on the way down where it is missing; null where a value is.
+toml::table* table_at(toml::table& root, const std::string& key) {
+  if (key.empty()) return &root;
+  if (toml::node* node = toml::at_path(root, key).node()) return node->as_table();
+  toml::table* parent = table_at(root, parent_key(key));
+  if (parent == nullptr || key.back() == ']') return nullptr;
+  return parent->insert_or_assign(last_key(key), toml::table{}).first->second.as_table();
+}
+
+/// What the program knows right under a table: names of values and of tables.
+std::vector<std::string> known_names(const ConfigDocument& document, const std::string& table) {
+  const std::string start = table.empty() ? "" : table + ".";
+  std::set<std::string> names;
+  const auto add = [&](const std::string& key) {
+    if (key.size() > start.size() && key.compare(0, start.size(), start) == 0)
+      names.insert(key.substr(start.size(), key.find_first_of(".[", start.size()) - start.size()));
+  };
+  for (const auto& [key, value] : document.values) add(key);
+  for (const std::string& key : document.tables) add(key);
+  return {names.begin(), names.end()};
+}
+
+/// "one of a, b" of the innermost known table around a key; where that is not the key's own, with
+/// what it stands in place of.
+std::string known_around(const ConfigDocument& document, const std::string& key) {
+  std::string place = key;
+  while (place.find_first_of(".[") != std::string::npos &&
+         known_names(document, enclosing_key(place)).empty())
+    place = enclosing_key(place);
+  const std::vector<std::string> names = known_names(document, parent_key(place));
+  if (names.empty()) return "no key here";
+  return place == key ? "one of " + joined(names)
+                      : fmt::format("one of {} in place of {}", joined(names), last_key(place));
+}
+
+/// What an unknown key may have meant: a like name in its table, a like key elsewhere, or any of
+/// its table's names.
+std::string suggestion(const ConfigDocument& document, const std::string& key) {
+  const std::vector<std::string> siblings = known_names(document, parent_key(key));
+  if (const auto name = nearest_name(last_key(key), siblings)) return *name;
+  std::vector<std::string> everywhere;
+  for (const auto& [known, value] : document.values) everywhere.push_back(known);
+  if (const auto other = nearest_name(key, everywhere)) return *other;
+  return known_around(document, key);
+}
+
+/// A table is known when it, or any key in it, was asked for.
+bool is_known_table(const ConfigDocument& document, const std::string& key) {
+  const auto inside = document.values.lower_bound(key + ".");
+  return document.tables.count(key) != 0 ||
+         (inside != document.values.end() && inside->first.rfind(key + ".", 0) == 0);
+}
+
+/// A value of a wrong kind was told already: what stands in it needs no words of its own.
+bool has_problem(const ConfigDocument& document, const std::string& key) {
+  return std::any_of(document.problems.begin(), document.problems.end(),
+                     [&key](const ConfigProblem& p) { return p.key == key; });
+}
+
+/// Depth first: a leaf that nobody read is unknown; so is an empty table that nobody asked for.
+void collect_unknown(const ConfigDocument& document, const toml::node& node, const std::string& key,
+                     std::vector<ConfigProblem>& unknown) {
+  const toml::table* table = node.as_table();
+  const toml::array* array = node.as_array();
+  const bool is_tables =
+      array != nullptr && !array->empty() && array->is_homogeneous<toml::table>();
+  const bool is_reachable = document.find(key) == &node;  // not so when a name has a dot in it
+  if (is_reachable && (document.values.count(key) != 0 || has_problem(document, key))) return;
+  if (table != nullptr && !table->empty()) {
+    for (const auto& [name, child] : *table) {
+      const std::string dot = key.empty() ? "" : ".";
+      collect_unknown(document, child, fmt::format("{}{}{}", key, dot, name.str()), unknown);
+    }
+  } else if (is_tables) {
+    for (std::size_t i = 0; i < array->size(); ++i)
+      collect_unknown(document, (*array)[i], fmt::format("{}[{}]", key, i), unknown);
+  } else if (!key.empty() && !(is_reachable && is_known_table(document, key))) {
+    unknown.push_back({document.line_of(key), key, "an unknown key", suggestion(document, key)});
+  }
+}
+
+/// The shortest digits that read back to the bit, told from a whole number.
+std::string decimal(double x) {
+  const std::string text = fmt::format("{}", x);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+}  // namespace
+
+std::string parent_key(const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  return dot == std::string::npos ? "" : key.substr(0, dot);
+}
+
+std::string last_key(const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  return dot == std::string::npos ? key : key.substr(dot + 1);
+}
+
+const toml::node* ConfigDocument::find(const std::string& key) const {
+  return key.empty() ? &root : toml::at_path(root, key).node();
+}
+
+long ConfigDocument::line_of(const std::string& key) const {
+  for (std::string k = key; !k.empty(); k = enclosing_key(k))
+    if (overridden.count(k) != 0) return 0;
+  for (std::string k = key; !k.empty(); k = enclosing_key(k))
+    if (const toml::node* node = find(k); node != nullptr && node->source().begin.line != 0)
+      return static_cast<long>(node->source().begin.line);
+  return 1;
+}
+
+void ConfigDocument::add_problem(const std::string& key, const std::string& found,
+                                 const std::string& expected) {
+  problems.push_back({line_of(key), key, found, expected});
+}
+
+namespace {
+
+/// Throws InputError where there is nothing to parse.
+void demand_readable(const std::string& path) {
+  std::error_code ignored;
+  const auto refuse = [&path](const char* found) {
+    throw InputError(fmt::format("{}: found {}, expected a TOML file", path, found));
+  };
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) refuse("no such file");
+  if (std::filesystem::is_directory(status)) refuse("a folder");
+  if (!std::filesystem::is_regular_file(status)) refuse("no regular file");
+  if (!std::ifstream(path)) refuse("a file that cannot be opened");
+}
+
+}  // namespace
+
+ConfigDocument read_document(const std::string& path) {
+  ConfigDocument document;
+  demand_readable(path);
+  document.file = path;
+  document.folder = std::filesystem::absolute(path).parent_path().string();
+  try {
+    document.root = toml::parse_file(path);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: found a syntax error, expected TOML: {}", path, at.line,
+                                 at.column, error.description()));
+  }
+  return document;
+}
+
+void apply_override(ConfigDocument& document, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string key = assignment.substr(0, equals);
+  if (equals == std::string::npos || key.empty()) {
+    document.problems.push_back({0, assignment, "no key=value", "key=value"});
+    return;
+  }
+  document.overridden.insert(key);
+  toml::table* table = table_at(document.root, parent_key(key));
+  if (table == nullptr) {
+    document.add_problem(key, "a value where its table should be", "a key inside a table");
+    return;
+  }
+  insert_value(*table, last_key(key), assignment.substr(equals + 1));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+std::string toml_string(std::string_view text) {
+  std::ostringstream out;
+  out << toml::toml_formatter{toml::array{text}, toml::format_flags::none};
+  const std::string array = out.str();  // [ "text" ]
+  const std::size_t first = array.find('"');
+  return array.substr(first, array.rfind('"') + 1 - first);
+}
+
+std::string describe(const toml::node* node) {
+  if (node == nullptr) return "nothing";
+  if (node->is_table()) return "a table";
+  if (const toml::array* array = node->as_array())
+    return fmt::format("an array of {}", array->size());
+  if (const auto text = node->as_string()) return toml_string(text->get());
+  if (const auto number = node->as_floating_point()) return decimal(number->get());
+  std::ostringstream out;
+  node->visit([&out](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) out << value;
+  });
+  return out.str();
+}
+
+std::vector<ConfigProblem> unknown_keys(const ConfigDocument& document) {
+  std::vector<ConfigProblem> unknown;
+  collect_unknown(document, document.root, "", unknown);
+  return unknown;
+}
+
+}  // namespace tdbd

@@ -1,0 +1,57 @@
+#include "core/whole_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace tdbd {
+namespace {
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason) {
+  throw RunError(fmt::format("cannot write {}: {}", path.string(), reason));
+}
+
+}  // namespace
+
+std::filesystem::path partial_path(const std::filesystem::path& path) {
+  return path.string() + ".partial";
+}
+
+void rename_partial(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::rename(partial_path(path), path, error);
+  if (error) fail_to_write(path, error.message());
+}
+
+WholeFile::WholeFile(std::filesystem::path path) : path_(std::move(path)) {
+  stream_.open(partial_path(path_), std::ios::binary | std::ios::trunc);
+  if (!stream_) fail_to_write(path_, std::strerror(errno));
+}
+
+WholeFile::~WholeFile() {
+  if (committed_) return;
+  stream_.close();
+  std::error_code ignored;
+  std::filesystem::remove(partial_path(path_), ignored);
+}
+
+void WholeFile::commit() {
+  errno = 0;
+  stream_.close();
+  if (!stream_) fail_to_write(path_, errno != 0 ? std::strerror(errno) : "a write failed");
+  rename_partial(path_);
+  committed_ = true;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  WholeFile file(path);
+  file.stream() << text;
+  file.commit();
+}
+
+}  // namespace tdbd

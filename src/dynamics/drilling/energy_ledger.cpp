@@ -1,0 +1,33 @@
+#include "dynamics/drilling/energy_ledger.hpp"
+
+#include "dynamics/momenta.hpp"
+
+namespace tdbd::dynamics {
+
+StoredEnergy stored_energy(const DrillingSystem& s, const Configuration& at,
+                           const DrillingState& state) {
+  const RotationState& r = state.rotation;
+  StoredEnergy e;
+  e.translation = 0.5 * state.momentum_W.squaredNorm() / s.mass;
+  for (std::size_t k = 0; k < r.cone_momenta.size(); ++k)
+    e.cones += 0.5 * r.cone_momenta[k] * r.cone_momenta[k] / s.gyrostat.cones[k].axial_inertia;
+  e.rotation = kinetic_energy(s.gyrostat, r) - e.cones;
+  if (s.rock.mass > 0.0) e.rock = 0.5 * state.rock_momentum * state.rock_momentum / s.rock.mass;
+  e.string = at.pull.energy;
+  e.wall = wall_energy(s, at);
+  e.rock_mount = rock_energy(s, state);
+  return e;
+}
+
+double total(const StoredEnergy& e) {
+  return e.translation + e.rotation + e.cones + e.rock + e.string + e.wall + e.rock_mount;
+}
+
+double residual(const StoredEnergy& now, const EnergyLedger& l) {
+  const double put_in = l.top + l.gravity + l.cut_bit + l.cut_rock;
+  const double lost =
+      l.damped_string + l.damped_bearings + l.damped_rock + l.wall_loss + l.wall_friction;
+  return (total(now) - l.start) - put_in + lost;
+}
+
+}  // namespace tdbd::dynamics

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "dynamics/drilling/configuration.hpp"
+
+namespace tdbd::dynamics {
+
+/// What is stored at one instant, J.
+struct StoredEnergy {
+  double translation = 0.0;  ///< M |c'|^2 / 2
+  double rotation = 0.0;     ///< W . It W / 2
+  double cones = 0.0;        ///< sum_k pi_k^2 / (2 Ic_k): the cones about their axes, in space
+  double rock = 0.0;         ///< kinetic
+  double string = 0.0;       ///< elastic
+  double wall = 0.0;
+  double rock_mount = 0.0;
+};
+StoredEnergy stored_energy(const DrillingSystem& system, const Configuration& at,
+                           const DrillingState& state);
+double total(const StoredEnergy& e);
+
+/// Where energy went since the start, J. What is taken by dampers and frictions is the exact change
+/// of kinetic energy, as is the work of the cutting wrench: impulse times the mean of the
+/// velocities before and after. The work of the top is its mean force times its way.
+struct EnergyLedger {
+  double start = 0.0;     ///< stored at the start
+  double top = 0.0;       ///< done by the top on the string
+  double gravity = 0.0;   ///< done by gravity
+  double cut_bit = 0.0;   ///< done by the cutting wrench on the bit: negative while it drills
+  double cut_rock = 0.0;  ///< and on the rock's motion
+  double damped_string = 0.0;
+  double damped_bearings = 0.0;
+  double damped_rock = 0.0;
+  double wall_loss = 0.0;      ///< what the wall does not give back
+  double wall_friction = 0.0;  ///< turned to heat along it
+};
+
+/// Stored now and lost less stored at the start and put in, J: zero were the step exact. Only the
+/// way in which springs, moving top and rotation are stepped is in it: of second order, bounded.
+double residual(const StoredEnergy& now, const EnergyLedger& ledger);
+
+}  // namespace tdbd::dynamics

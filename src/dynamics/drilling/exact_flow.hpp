@@ -1,0 +1,43 @@
+#pragma once
+
+#include "dynamics/drilling/configuration.hpp"
+
+namespace tdbd::dynamics {
+
+/// What resists motion in one direction, integrated exactly while everything else stands still: it
+/// takes energy, or none, whatever the time. An impulse j along the direction changes the momenta
+/// by j times it and the speed along it by j times its mobility.
+
+/// A direction of bit, one cone or rock: the force and the torque that act for a unit of impulse.
+struct Direction {
+  Vec3 force_W = Vec3::Zero();
+  Vec3 torque_W = Vec3::Zero();  ///< about the centre of mass
+  int cone = -1;                 ///< about this cone's axis, between bit and cone
+  double rock = 0.0;             ///< on the rock, along +z
+};
+
+/// Speed along the direction, m/s or rad/s, and how much an impulse changes it.
+struct Along {
+  double speed = 0.0;
+  double mobility = 0.0;  ///< 1/kg or 1/(kg m2)
+};
+Along along(const DrillingSystem& system, const Configuration& at, const DrillingState& state,
+            const Direction& direction);
+
+void give_impulse(const Direction& direction, double impulse, DrillingState& state);
+
+/// Impulse of a damper over a time: the speed against its other end falls as
+/// exp(-coefficient mobility time).
+double damper_impulse(const Along& a, double coefficient, double other_end_speed, double time);
+
+/// Impulse of friction of at most `force` (N) over a time. Coulomb's own law (slip_speed 0) slows
+/// the speed evenly and stops it; force tanh(speed / slip_speed) has
+/// sinh(speed / slip_speed) fall as exp(-force mobility time / slip_speed).
+double friction_impulse(const Along& a, double force, double slip_speed, double time);
+
+/// Kinetic energy that an impulse adds, J.
+inline double energy_of_impulse(const Along& a, double impulse) {
+  return impulse * (a.speed + 0.5 * impulse * a.mobility);
+}
+
+}  // namespace tdbd::dynamics

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "dynamics/integrator.hpp"
+#include "dynamics/rotation/torque.hpp"
+
+namespace tdbd::dynamics {
+
+/// An impulse h times the torque: momenta change, attitude and angles do not (thesis: 5.4.4).
+template <class S>
+void kick(double h, const TorqueOf<S>& torque, RotationStateOf<S>& s) {
+  s.momentum_W += h * torque.total_W;
+  for (std::size_t k = 0; k < s.cone_momenta.size(); ++k) s.cone_momenta[k] += h * torque.cones[k];
+}
+
+/// A gyrostat on its way: its state, the torque of its last evaluation, which opens the next step,
+/// and how many evaluations there were.
+template <class S>
+struct RotatingOf {
+  RotationStateOf<S> state;
+  TorqueOf<S> torque;
+  long evaluations = 0;
+
+  // Room for what a step keeps meanwhile, so that it allocates nothing once warm.
+  RotationStateOf<S> predicted, kick_start, step_start;
+  TorqueOf<S> step_torque;
+};
+using Rotating = RotatingOf<double>;
+
+/// Largest difference of the momenta of two states, relative to the first's.
+template <class S>
+S momentum_difference(const RotationStateOf<S>& a, const RotationStateOf<S>& b) {
+  using std::abs;
+  S difference = (a.momentum_W - b.momentum_W).squaredNorm(), scale = a.momentum_W.squaredNorm();
+  for (std::size_t k = 0; k < a.cone_momenta.size(); ++k) {
+    const S d = a.cone_momenta[k] - b.cone_momenta[k];
+    difference += d * d;
+    scale += a.cone_momenta[k] * a.cone_momenta[k];
+  }
+  return scale > S(0) ? S(difference / scale) : difference;
+}
+
+/// Closing kick whose torque is evaluated at the momentum that it leads to: the adjoint of the
+/// opening kick, so that the step is symmetric. A fixed point of contraction h/2 times the damping
+/// over the inertia. Throws RunError when it does not settle.
+template <class S>
+void implicit_kick(const Gyrostat& g, const Loads& loads, double h, RotatingOf<S>& r) {
+  constexpr int iterations = 60;
+  constexpr double settled = 1e-30;  // square of the relative change
+  r.kick_start = r.state;
+  for (int i = 0; i < iterations; ++i) {
+    r.predicted = r.state;
+    r.state = r.kick_start;
+    kick(h, r.torque, r.state);
+    evaluate(g, loads, r.state, r.torque);
+    ++r.evaluations;
+    if (i > 0 && momentum_difference(r.state, r.predicted) <= settled) return;
+  }
+  throw RunError("the symmetric kick does not settle: the damping is too strong for the step");
+}
+
+/// Closing kick: the torque at the new attitude; where it depends on velocity, at the momentum
+/// predicted with the last torque. With the momentum as it stands the step would be first order.
+template <class S>
+void closing_kick(const Gyrostat& g, const Loads& loads, VelocityTorque rule, double h,
+                  RotatingOf<S>& r) {
+  if (!depends_on_velocity(loads)) {
+    evaluate_at_rest(g, loads, r.state, r.torque);
+  } else if (rule == VelocityTorque::symmetric) {
+    return implicit_kick(g, loads, h, r);
+  } else {
+    r.predicted = r.state;
+    kick(h, r.torque, r.predicted);
+    evaluate(g, loads, r.predicted, r.torque);
+  }
+  ++r.evaluations;
+  kick(h, r.torque, r.state);
+}
+
+}  // namespace tdbd::dynamics

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "dynamics/rotation/composition.hpp"
+#include "dynamics/rotation/drift.hpp"
+#include "dynamics/rotation/kick.hpp"
+
+namespace tdbd::dynamics {
+
+/// Evaluates the first torque.
+template <class S>
+RotatingOf<S> start(const Gyrostat& g, const Loads& loads, RotationStateOf<S> state) {
+  RotatingOf<S> r;
+  r.state = std::move(state);
+  evaluate(g, loads, r.state, r.torque);
+  r.evaluations = 1;
+  return r;
+}
+
+/// One stage of a composition: kick(h/2), drifts over h, kick(h/2) with the torque at the new
+/// attitude (thesis: 5.4.4, 5.5, reconstructed in detail; formulation 5).
+template <class S>
+LieOutcome stage(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
+                 RotatingOf<S>& r) {
+  kick(0.5 * h, r.torque, r.state);
+  if (coast(g, integrator.drift, integrator.drifts_per_step, h, r.state) == LieOutcome::too_long)
+    return LieOutcome::too_long;
+  r.state.time += h;
+  closing_kick(g, loads, integrator.velocity_torque, 0.5 * h, r);
+  return LieOutcome::solved;
+}
+
+/// Tries a step of size h; `too_long` leaves the state anywhere.
+template <class S>
+LieOutcome try_step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
+                    RotatingOf<S>& r) {
+  for (const double fraction : composition(integrator.order))
+    if (stage(g, loads, integrator, fraction * h, r) == LieOutcome::too_long)
+      return LieOutcome::too_long;
+  return LieOutcome::solved;
+}
+
+/// What to tell when a step is too long, with the step that would do. `r` is the step's start.
+std::string too_long_message(const Gyrostat& g, const Loads& loads, const Integrator& integrator,
+                             double h, const Rotating& r);
+
+/// One step of size h (s): as many stages as the order asks for, one torque evaluation each.
+/// Throws RunError when a drift that solves is too long.
+template <class S>
+void step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
+          RotatingOf<S>& r) {
+  if (try_step(g, loads, integrator, h, r) == LieOutcome::too_long)
+    throw RunError("the drift does not converge: too large a step");
+}
+
+/// Of plain numbers: the state is then that before the step, and the message names the step that
+/// would do.
+template <>
+void step<double>(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
+                  Rotating& r);
+
+}  // namespace tdbd::dynamics

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "forces/part/coefficient.hpp"
+#include "forces/part/part_cut.hpp"
+
+namespace tdbd::forces {
+
+/// Force by width and depth of cut, as in the model of Langeveld (1992):
+///   Ft = kt De depth,  Fn = kn De depth
+/// RECONSTRUCTED: its description says "very simple" and no more. Of a square-ended cutter De depth
+/// is its cut area; of a round one more. Thesis: 2.1 (the earlier models).
+struct DepthOfCut {
+  double kn = 0.0;                       ///< Pa, normal force a width and depth
+  double kt = 0.0;                       ///< Pa, tangential force a width and depth
+  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+
+  static constexpr std::string_view name = "depth-of-cut";
+  static constexpr bool knows(bit::PartKind kind) { return kind == bit::PartKind::face; }
+  static std::span<const Coefficient<DepthOfCut>> coefficients();
+};
+
+PartForce law_force(const DepthOfCut& law, const PartCut& cut);
+
+}  // namespace tdbd::forces

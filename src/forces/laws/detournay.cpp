@@ -1,0 +1,47 @@
+#include "forces/laws/detournay.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "forces/part/directions.hpp"
+
+namespace tdbd::forces {
+namespace {
+
+const std::array<Coefficient<Detournay>, 9> table{{
+    {"eps", "Pa", &Detournay::eps, {}, Range::positive(), "intrinsic specific energy"},
+    {"zeta",
+     "1",
+     &Detournay::zeta,
+     {},
+     Range::non_negative(),
+     "normal over tangential force of a sharp face"},
+    {"sigma", "Pa", &Detournay::sigma, 0.0, Range::non_negative(), "contact stress of a wear flat"},
+    {"mu", "1", &Detournay::mu, 0.0, Range::non_negative(), "friction of a wear flat"},
+    {"l", "m", &Detournay::l, 0.0, Range::non_negative(),
+     "length of the wear flat along the motion, where the mesh has none"},
+    {"kappa", "1", &Detournay::kappa, 5.0, Range::non_negative(),
+     "growth of the contact's length with the depth of cut"},
+    {"weakening", "1", &Detournay::weakening, 0.0, Range::within(0.0, 1.0),
+     "share of mu that is lost at high speed"},
+    {"weakening_speed", "m/s", &Detournay::weakening_speed, 1.0, Range::positive(),
+     "speed at which most of that is lost"},
+    {"slip_speed", "m/s", &Detournay::slip_speed, usual_slip_speed, Range::non_negative(),
+     "speed below which the force fades"},
+}};
+
+}  // namespace
+
+std::span<const Coefficient<Detournay>> Detournay::coefficients() { return table; }
+
+PartForce law_force(const Detournay& law, const PartCut& cut) {
+  const bool is_face = cut.kind == bit::PartKind::face;
+  const double flat =
+      is_face ? cut.engaged_edge * std::min(law.kappa * cut.depth, law.l) : cut.contact_area;
+  const double cutting = is_face ? law.eps * cut.cut_area : 0.0;
+  const double rubbing = law.sigma * flat;
+  const double mu = friction_at({law.mu, law.weakening, law.weakening_speed}, cut.velocity.norm());
+  return cutting_force(cut, cutting + mu * rubbing, law.zeta * cutting + rubbing, law.slip_speed);
+}
+
+}  // namespace tdbd::forces

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "forces/part/coefficient.hpp"
+#include "forces/part/part_cut.hpp"
+
+namespace tdbd::forces {
+
+/// Cutting and friction of Detournay and Defourny (1992), with the growing contact of Detournay,
+/// Richard and Shepherd (2008) on wear flats that are not in the mesh:
+///   face:    Ft = eps Acut + mu Ff,  Fn = zeta eps Acut + Ff,  Ff = sigma De min(kappa depth, l)
+///   other surfaces of a cutter: Fn = sigma A,  Ft = mu Fn      A: contact area, of worn meshes
+/// mu may fall with speed (friction_at).
+/// Summed over a bit: T = eps R^2 d/2, W = zeta eps R d, and the friction line E = E0 + mu S of
+/// specific energy over drilling strength, E0 = (1 - mu zeta) eps (gamma = 1 for even wear).
+/// Strengths are the rock's as it was drilled: pressure enters through eps and sigma only.
+struct Detournay {
+  double eps = 0.0;        ///< Pa, intrinsic specific energy
+  double zeta = 0.0;       ///< 1, normal over tangential force of a sharp face
+  double sigma = 0.0;      ///< Pa, contact stress of a wear flat
+  double mu = 0.0;         ///< 1, friction of a wear flat
+  double l = 0.0;          ///< m, length of the wear flat along the motion, if not in the mesh
+  double kappa = 5.0;      ///< 1, growth of the contact's length with the depth of cut
+  double weakening = 0.0;  ///< 1, of mu with speed, friction_at
+  double weakening_speed = 1.0;          ///< m/s
+  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+
+  static constexpr std::string_view name = "detournay";
+  static constexpr bool knows(bit::PartKind kind) {
+    return kind == bit::PartKind::face || kind == bit::PartKind::chamfer ||
+           kind == bit::PartKind::cse || kind == bit::PartKind::cutter_body;
+  }
+  static std::span<const Coefficient<Detournay>> coefficients();
+};
+
+PartForce law_force(const Detournay& law, const PartCut& cut);
+
+}  // namespace tdbd::forces

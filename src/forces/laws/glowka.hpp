@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "forces/part/coefficient.hpp"
+#include "forces/part/part_cut.hpp"
+
+namespace tdbd::forces {
+
+/// Power laws in the depth of cut, Glowka (1989):
+///   Fn = Cn (de/d0)^nn,  Fd = Cd (de/d0)^nd,  d0 = 1 mm
+/// de is the depth of a groove in flat rock with the cut area that the cutter has in the rock as it
+/// is (virgin_groove.hpp). From tests of one cutter at one speed and rake, chamfer and wear flat
+/// included, so that other parts of the cutter should have no law beside it. The effective depth is
+/// from memory of his work (RECONSTRUCTED). Coefficients of tests: fits.hpp. Needs the diameter.
+struct Glowka {
+  double Cn = 0.0;                       ///< N, normal force at 1 mm
+  double nn = 0.0;                       ///< 1, its power
+  double Cd = 0.0;                       ///< N, drag at 1 mm
+  double nd = 0.0;                       ///< 1, its power
+  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+
+  static constexpr std::string_view name = "glowka";
+  static constexpr double reference_depth = 1e-3;  // m, d0
+  static constexpr bool needs_diameter = true;
+  static constexpr bool knows(bit::PartKind kind) { return kind == bit::PartKind::face; }
+  static std::span<const Coefficient<Glowka>> coefficients();
+};
+
+PartForce law_force(const Glowka& law, const PartCut& cut);
+
+}  // namespace tdbd::forces

@@ -1,0 +1,105 @@
+#include "forces/laws/hanson_hansen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "forces/part/directions.hpp"
+
+namespace tdbd::forces {
+namespace {
+
+using bit::PartKind;
+using Terms = std::array<double, hanson_hansen_terms>;
+
+constexpr double steepest = 80.0 * std::numbers::pi / 180.0;
+
+const std::array<Coefficient<HansonHansen>, 11> table{{
+    {"A1",
+     "1",
+     &HansonHansen::A1,
+     {},
+     Range::non_negative(),
+     "tangential stress of a face over the confined strength"},
+    {"A2", "1", &HansonHansen::A2, 0.0, Range::non_negative(), "its growth with tan(back rake)"},
+    {"A3", "rad", &HansonHansen::A3, {}, Range::within(0.0, 1.0), "friction angle of a face"},
+    {"A4", "1", &HansonHansen::A4, 0.0, Range::non_negative(),
+     "stress along the edge over the confined strength"},
+    {"te", "m", &HansonHansen::te, 1e-4, Range::non_negative(), "width of the edge"},
+    {"A5", "1", &HansonHansen::A5, 0.0, Range::non_negative(),
+     "contact stress of a chamfer over the confined strength"},
+    {"A6", "1", &HansonHansen::A6, 0.0, Range::non_negative(), "friction of a chamfer"},
+    {"A7", "1", &HansonHansen::A7, 0.0, Range::non_negative(),
+     "contact stress of other surfaces of a cutter over the confined strength"},
+    {"A8", "1", &HansonHansen::A8, 0.0, Range::non_negative(), "friction of other surfaces"},
+    {"pressure_share", "1", &HansonHansen::pressure_share, 1.0, Range::within(0.0, 2.0),
+     "share of the strength's growth with pressure that counts"},
+    {"slip_speed", "m/s", &HansonHansen::slip_speed, usual_slip_speed, Range::non_negative(),
+     "speed below which the force fades"},
+}};
+
+double strength(const HansonHansen& law, const Strength& s) {
+  return s.unconfined + law.pressure_share * (s.confined - s.unconfined);
+}
+
+/// tan of an angle held within 80 degrees of 0.
+double bounded_tan(double angle) { return std::tan(std::clamp(angle, -steepest, steepest)); }
+
+/// B2: normal over tangential force of a face.
+double face_ratio(const HansonHansen& law, const PartCut& cut) {
+  return std::max(0.0, bounded_tan(cut.back_rake + law.A3));
+}
+
+/// What a factor of 1 gives, N, term by term.
+struct UnitForces {
+  Terms tangential{}, normal{};
+};
+
+UnitForces unit_forces(const HansonHansen& law, const PartCut& cut) {
+  const double Scc = strength(law, cut.strength);
+  UnitForces unit;
+  if (cut.kind == PartKind::face) {
+    const double leaning = std::max(0.0, bounded_tan(cut.back_rake));
+    const double area = Scc * cut.cut_area;
+    unit.tangential = {area, area * leaning, Scc * law.te * cut.engaged_edge};
+    const double B2 = face_ratio(law, cut);
+    for (int k = 0; k < 3; ++k) unit.normal[k] = B2 * unit.tangential[k];
+    return unit;
+  }
+  const int first = cut.kind == PartKind::chamfer ? 3 : 5;
+  unit.normal[first] = unit.tangential[first + 1] = Scc * cut.contact_area;
+  return unit;
+}
+
+double sum_of(const Terms& factors, const Terms& terms) {
+  double sum = 0.0;
+  for (int k = 0; k < hanson_hansen_terms; ++k) sum += factors[k] * terms[k];
+  return sum;
+}
+
+}  // namespace
+
+std::span<const Coefficient<HansonHansen>> HansonHansen::coefficients() { return table; }
+
+Terms linear_coefficients(const HansonHansen& law) {
+  return {law.A1, law.A1 * law.A2, law.A4, law.A5, law.A5 * law.A6, law.A7, law.A7 * law.A8};
+}
+
+PartForce law_force(const HansonHansen& law, const PartCut& cut) {
+  const Terms factors = linear_coefficients(law);
+  const UnitForces unit = unit_forces(law, cut);
+  return cutting_force(cut, sum_of(factors, unit.tangential), sum_of(factors, unit.normal),
+                       law.slip_speed);
+}
+
+std::array<Vec3, hanson_hansen_terms> force_basis(const HansonHansen& law, const PartCut& cut) {
+  const UnitForces unit = unit_forces(law, cut);
+  const CutFrame frame = cut_frame(cut.velocity, cut.normal);
+  const double share = slip_share(cut.velocity.norm(), law.slip_speed);
+  std::array<Vec3, hanson_hansen_terms> basis;
+  for (int k = 0; k < hanson_hansen_terms; ++k)
+    basis[k] = -share * (unit.tangential[k] * frame.e1 + unit.normal[k] * frame.e2);
+  return basis;
+}
+
+}  // namespace tdbd::forces

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "forces/part/coefficient.hpp"
+#include "forces/part/part_cut.hpp"
+
+namespace tdbd::forces {
+
+/// A law with the ingredients of Hanson and Hansen (1995), which the thesis calibrates in chapter
+/// 6. RECONSTRUCTED: of app. C we hold the names of its quantities and not its equations. Ours:
+///   Scc  = unconfined + pressure_share (confined - unconfined)
+///   B1   = A1 (1 + A2 tan Ebr),  B2 = tan(Ebr + A3), not below 0
+///   face:    Ft = Scc (B1 Acut + A4 te De),  Fn = B2 Ft
+///   chamfer: Fn = A5 Scc A,  Ft = A6 Fn      A: contact area
+///   other surfaces of a cutter (cse, cutter_body):  Fn = A7 Scc A,  Ft = A8 Fn
+///   F    = -Ft E1 - Fn E2                    directions.hpp
+/// The thesis's Rs is taken as the slope of Scc over the pressure: pressure_share times the rock's.
+/// Ebr + A3 is held within 80 degrees. Thesis: app. C.1 to C.4; formulation 7.
+struct HansonHansen {
+  double A1 = 0.0;                       ///< 1, tangential stress over Scc at no back rake
+  double A2 = 0.0;                       ///< 1, growth of it with tan Ebr
+  double A3 = 0.0;                       ///< rad, friction between face and rock
+  double A4 = 0.0;                       ///< 1, stress along the edge over Scc
+  double te = 1e-4;                      ///< m, width of the edge
+  double A5 = 0.0;                       ///< 1, contact stress of a chamfer over Scc
+  double A6 = 0.0;                       ///< 1, friction of a chamfer
+  double A7 = 0.0;                       ///< 1, contact stress of other surfaces over Scc
+  double A8 = 0.0;                       ///< 1, friction of other surfaces
+  double pressure_share = 1.0;           ///< 1
+  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+
+  static constexpr std::string_view name = "hanson-hansen";
+  static constexpr bool knows(bit::PartKind kind) {
+    return kind == bit::PartKind::face || kind == bit::PartKind::chamfer ||
+           kind == bit::PartKind::cse || kind == bit::PartKind::cutter_body;
+  }
+  static std::span<const Coefficient<HansonHansen>> coefficients();
+};
+
+PartForce law_force(const HansonHansen& law, const PartCut& cut);
+
+/// Terms in which the force is linear: A1, A1 A2, A4 (face), A5, A5 A6 (chamfer), A7, A7 A8
+/// (other).
+inline constexpr int hanson_hansen_terms = 7;
+
+/// The factors of those terms of a law.
+std::array<double, hanson_hansen_terms> linear_coefficients(const HansonHansen& law);
+
+/// The force of each term with factor 1 (N per unit of the factor): the force of the law is the sum
+/// of linear_coefficients times these, for any values of the factors; A3, te, pressure_share and
+/// slip_speed are the law's. What makes a calibration linear least squares.
+std::array<Vec3, hanson_hansen_terms> force_basis(const HansonHansen& law, const PartCut& cut);
+
+}  // namespace tdbd::forces

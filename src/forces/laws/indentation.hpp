@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "forces/part/coefficient.hpp"
+#include "forces/part/part_cut.hpp"
+
+namespace tdbd::forces {
+
+/// A tooth of a roller cone, or the cone's shell, pressed into the rock: a crushing pressure on the
+/// contact, and Coulomb's friction along the slip, which turns the cones (Ours; the form is that of
+/// element laws in the literature, from memory):
+///   Fn = ratio Scc A,  Ft = mu Fn          A: contact area seen along `normal`; pressing_force
+/// The growth of force with penetration is the contact's: linear for a wedge, near linear for a
+/// sphere, squared for a cone. Nothing springs back: a tooth that leaves the rock is let go.
+struct Indentation {
+  double ratio = 1.0;                    ///< 1, crushing pressure over the confined strength
+  double mu = 0.3;                       ///< 1, friction between tooth and rock
+  double weakening = 0.0;                ///< 1, of mu with speed, friction_at
+  double weakening_speed = 1.0;          ///< m/s
+  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+
+  static constexpr std::string_view name = "indentation";
+  static constexpr bool knows(bit::PartKind kind) {
+    return kind == bit::PartKind::tooth || kind == bit::PartKind::cone;
+  }
+  static std::span<const Coefficient<Indentation>> coefficients();
+};
+
+PartForce law_force(const Indentation& law, const PartCut& cut);
+
+}  // namespace tdbd::forces

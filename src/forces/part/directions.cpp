@@ -1,0 +1,66 @@
+#include "forces/part/directions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tdbd::forces {
+namespace {
+
+/// Sine of the angle to a plunge below which e2 shrinks.
+constexpr double plunge = 0.5;
+
+/// The part of a velocity along a surface; none where only rounding leaves any.
+Vec3 slip_of(const Vec3& velocity, const Vec3& normal) {
+  constexpr double rounding = 1e-14;
+  Vec3 slip = velocity - velocity.dot(normal) * normal;
+  if (slip.norm() <= rounding * velocity.norm()) return Vec3::Zero();
+  slip -= slip.dot(normal) * normal;  // of a small slip the first difference leaves some normal
+  return slip;
+}
+
+}  // namespace
+
+CutFrame cut_frame(const Vec3& velocity, const Vec3& normal) {
+  const double speed = velocity.norm();
+  if (speed == 0.0) return {.e1 = Vec3::Zero(), .e2 = normal};
+  CutFrame frame{.e1 = velocity / speed, .e2 = Vec3::Zero()};
+  const double a = frame.e1.dot(normal);
+  const Vec3 across = normal - a * frame.e1;
+  frame.e2 = across / std::max(across.norm(), plunge);
+  if (a < 0.0) frame.e1 -= a * normal;
+  return frame;
+}
+
+double slip_share(double speed, double slip_speed) {
+  return speed == 0.0 ? 0.0 : speed / std::hypot(speed, slip_speed);
+}
+
+double friction_at(const Sliding& sliding, double speed) {
+  if (sliding.weakening == 0.0) return sliding.mu;
+  const double lost = -std::expm1(-speed / sliding.weakening_speed);
+  return sliding.mu * (1.0 - sliding.weakening * lost);
+}
+
+PartForce cutting_force(const PartCut& cut, double Ft, double Fn, double slip_speed) {
+  const CutFrame frame = cut_frame(cut.velocity, cut.normal);
+  const double share = slip_share(cut.velocity.norm(), slip_speed);
+  return {.force = -share * (Ft * frame.e1 + Fn * frame.e2),
+          .point = cut.point,
+          .normal = share * Fn,
+          .tangential = share * Ft};
+}
+
+PartForce pressing_force(const PartCut& cut, double Fn, const Sliding& sliding, double slip_speed) {
+  const double into = cut.velocity.dot(cut.normal);
+  const Vec3 slip = slip_of(cut.velocity, cut.normal);
+  const double speed = slip.norm();
+  const double normal = slip_share(cut.velocity.norm(), slip_speed) * Fn;
+  const double drag = slip_share(speed, slip_speed) * friction_at(sliding, speed) * normal;
+  Vec3 push = cut.normal;
+  if (into < 0.0) push -= into / cut.velocity.squaredNorm() * cut.velocity;
+  PartForce f{.force = -normal * push, .point = cut.point, .normal = normal, .tangential = drag};
+  if (speed > 0.0) f.force -= drag / speed * slip;
+  return f;
+}
+
+}  // namespace tdbd::forces

@@ -1,0 +1,116 @@
+#include "mesh/check/self_intersections.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intersections_3/Segment_3_Triangle_3.h>
+#include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "mesh/files/solids.hpp"
+#include "mesh/measures.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+
+Point point(const NamedFacet& f, std::size_t corner) {
+  const Vec3& x = f.x[corner];
+  return {x.x(), x.y(), x.z()};
+}
+
+Kernel::Triangle_3 triangle(const NamedFacet& f) { return {point(f, 0), point(f, 1), point(f, 2)}; }
+
+NamedFacet facet(const TriangleMesh& m, const Triangle& t) {
+  return {t, {m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]}};
+}
+
+Box box_of(const TriangleMesh& m, const Triangle& t) {
+  Box box;
+  for (const int v : t) box.add(m.positions[at(v)]);
+  return box;
+}
+
+bool has(const Triangle& t, int name) { return std::find(t.begin(), t.end(), name) != t.end(); }
+
+/// The corners of f, those that are no corner of `other` first.
+NamedFacet own_corners_first(const NamedFacet& f, const Triangle& other) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return !has(other, f.names[i]); });
+  NamedFacet sorted;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sorted.names[i] = f.names[order[i]];
+    sorted.x[i] = f.x[order[i]];
+  }
+  return sorted;
+}
+
+/// Triangles over one edge overlap when they are in one plane on one side of it.
+bool fold_over_edge(const NamedFacet& s, const NamedFacet& t) {
+  const Point a = point(s, 1), b = point(s, 2), p = point(s, 0), q = point(t, 0);
+  return CGAL::coplanar(a, b, p, q) && CGAL::coplanar_orientation(a, b, p, q) == CGAL::POSITIVE;
+}
+
+/// Triangles with one corner in common overlap when the side across from it meets the other.
+bool meet_beside_corner(const NamedFacet& s, const NamedFacet& t) {
+  const Kernel::Segment_3 across_s(point(s, 0), point(s, 1)), across_t(point(t, 0), point(t, 1));
+  return CGAL::do_intersect(across_s, triangle(t)) || CGAL::do_intersect(across_t, triangle(s));
+}
+
+/// Of triangles that both have area.
+bool solid_facets_intersect(const NamedFacet& first, const NamedFacet& second) {
+  const NamedFacet s = own_corners_first(first, second.names),
+                   t = own_corners_first(second, first.names);
+  const auto shared =
+      std::count_if(s.names.begin(), s.names.end(), [&](int v) { return has(t.names, v); });
+  if (shared == 3) return true;
+  if (shared == 2) return fold_over_edge(s, t);
+  if (shared == 1) return meet_beside_corner(s, t);
+  return CGAL::do_intersect(triangle(s), triangle(t));
+}
+
+}  // namespace
+
+bool intersect(const NamedFacet& first, const NamedFacet& second) {
+  return !triangle(first).is_degenerate() && !triangle(second).is_degenerate() &&
+         solid_facets_intersect(first, second);
+}
+
+std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh) {
+  const TriangleMesh m{mesh.positions, by_first_of_equals(mesh)};
+  std::vector<Box> boxes;
+  boxes.reserve(m.triangles.size());
+  std::vector<int> order;
+  for (const Triangle& t : m.triangles) {
+    if (!triangle(facet(m, t)).is_degenerate()) order.push_back(static_cast<int>(boxes.size()));
+    boxes.push_back(box_of(m, t));
+  }
+  const auto left = [&](int i) { return std::pair(boxes[at(i)].lo.x(), i); };
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return left(i) < left(j); });
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const int a = order[i], b = order[j];
+      if (boxes[at(b)].lo.x() > boxes[at(a)].hi.x()) break;
+      if (boxes[at(a)].overlaps(boxes[at(b)]) &&
+          solid_facets_intersect(facet(m, m.triangles[at(a)]), facet(m, m.triangles[at(b)])))
+        pairs.emplace_back(std::minmax(a, b));
+    }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<Defect> check_solid(const TriangleMesh& m) {
+  std::vector<Defect> defects = check_closed(m);
+  if (!defects.empty()) return defects;
+  for (const auto& [a, b] : self_intersections(m))
+    defects.push_back({Defect::Kind::self_intersection,
+                       fmt::format("{} and triangle {}", place_of_triangle(m, a), b)});
+  return defects;
+}
+
+}  // namespace tdbd::mesh

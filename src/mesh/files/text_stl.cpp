@@ -1,0 +1,66 @@
+#include <array>
+#include <map>
+
+#include "mesh/files/facet_file.hpp"
+#include "mesh/files/text_lines.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+/// The points of one solid, equal ones once.
+class Points {
+ public:
+  explicit Points(std::vector<Vec3>& all) : all_(all) {}
+
+  int add(const Vec3& x) {
+    const auto [at, is_new] =
+        number_.try_emplace({x.x(), x.y(), x.z()}, static_cast<int>(all_.size()));
+    if (is_new) all_.push_back(x);
+    return at->second;
+  }
+
+ private:
+  std::vector<Vec3>& all_;
+  std::map<std::array<double, 3>, int> number_;
+};
+
+/// Fails at the end of the file too, at its last line.
+void demand(TextLines& lines, const char* word, const char* expected) {
+  if (!lines.next()) lines.fail("the end of the file", expected);
+  if (lines.words()[0] != word) lines.fail('\'' + lines.words()[0] + '\'', expected);
+}
+
+std::vector<int> read_facet(TextLines& lines, Points& points) {
+  demand(lines, "outer", "'outer loop'");
+  std::vector<int> corners(3);
+  for (int& corner : corners) {
+    demand(lines, "vertex", "'vertex' and three numbers");
+    corner = points.add(lines.point(1));
+  }
+  demand(lines, "endloop", "'endloop': a facet has three vertices");
+  demand(lines, "endfacet", "'endfacet'");
+  return corners;
+}
+
+}  // namespace
+
+FacetFile read_text_stl(std::istream& in, const std::string& path) {
+  FacetFile file;
+  TextLines lines(in, path);
+  while (lines.next()) {
+    if (lines.words()[0] != "solid") lines.fail('\'' + lines.words()[0] + '\'', "'solid NAME'");
+    file.names.push_back(lines.rest());
+    Points points(file.points);
+    for (;;) {
+      if (!lines.next()) lines.fail("the end of the file", "'facet' or 'endsolid'");
+      if (lines.words()[0] == "endsolid") break;
+      if (lines.words()[0] != "facet")
+        lines.fail('\'' + lines.words()[0] + '\'', "'facet' or 'endsolid'");
+      file.polygons.push_back(read_facet(lines, points));
+      file.body.push_back(static_cast<int>(file.names.size()) - 1);
+    }
+  }
+  return file;
+}
+
+}  // namespace tdbd::mesh

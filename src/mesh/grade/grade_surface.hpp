@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "mesh/grade/grade.hpp"
+#include "mesh/search/triangle_tree.hpp"
+#include "mesh/surface.hpp"
+
+namespace tdbd::mesh {
+
+/// A vertex's place among the features: on none, along one, or where it ends, forks or bends.
+enum class Place : std::uint8_t { face, crease, corner };
+
+/// A surface while it is graded.
+struct GradeSurface {
+  Surface s;
+  std::set<std::pair<int, int>> features;  ///< edges, smaller vertex first
+  std::vector<Place> place;                ///< per vertex slot
+  std::vector<double> moved;               ///< m, how far the surface may have moved there
+  TriangleTree original;                   ///< the mesh as given
+  TriangleTree feature_tree;               ///< its features, as flat facets
+  GradeOptions options;
+  double rounding = 0.0;  ///< m, what rounding may move
+};
+
+GradeSurface make_grade_surface(const TriangleMesh& m, const GradeOptions& options);
+
+/// Target edge length at x, m.
+double target(const GradeSurface& g, const Vec3& x);
+
+bool is_feature(const GradeSurface& g, int a, int b);
+
+/// Halves edges longer than 4/3 of the target, longest first, until there are none. Returns how
+/// many.
+std::size_t refine(GradeSurface& g);
+
+/// Collapses edges shorter than 4/5 of the target, shortest first, where nothing forbids it.
+std::size_t coarsen(GradeSurface& g);
+
+/// Turns the diagonals of pairs of facets in one plane where that makes the worse one better.
+std::size_t flip(GradeSurface& g);
+
+/// Moves vertices inside flat faces towards the middle of their neighbours where that makes the
+/// worst facet better.
+std::size_t relax(GradeSurface& g);
+
+}  // namespace tdbd::mesh

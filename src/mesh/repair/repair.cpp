@@ -1,0 +1,98 @@
+#include "mesh/repair/repair.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <utility>
+
+#include "mesh/check/check.hpp"
+#include "mesh/check/self_intersections.hpp"
+#include "mesh/repair/repair_steps.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+/// A word of a command line.
+std::string in_shell(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./+,:@%";
+  if (word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+void note(Repaired& r, std::size_t count, const std::string& what) {
+  if (count > 0) r.steps.push_back({what, count});
+}
+
+/// Everything up to intersections. A refusal ends it.
+void mend(Repaired& r, const RepairOptions& options) {
+  TriangleMesh& m = r.mesh;
+  note(r, merge_points(m, options.weld),
+       options.weld > 0.0
+           ? fmt::format("points merged that were within {:.6g} mm of another", 1e3 * options.weld)
+           : "points merged at equal places");
+  note(r, drop_duplicates(m), "duplicate facets dropped");
+  note(r, remove_degenerate(m), "facets without area removed");
+  note(r, drop_sheets(m), "facets dropped of sheets that stand out from the surface");
+  note(r, drop_unused_points(m), "points of no facet dropped");
+  note(r, part_non_manifold(m, r.refusal),
+       "points doubled where more than two facets met at an edge, or fans at a point");
+  if (!r.refusal.empty()) return;
+  note(r, turn_facets(m, r.refusal), "facets turned to agree with their neighbours");
+  if (!r.refusal.empty()) return;
+  note(r, fill_holes(m, r.refusal), "holes filled");
+  if (r.refusal.empty()) note(r, turn_pieces(m), "facets of pieces turned outwards");
+}
+
+void mend_intersections(Repaired& r) {
+  const std::size_t pairs = self_intersections(r.mesh).size();
+  if (pairs == 0) return;
+  if (remove_intersections(r.mesh))
+    note(r, pairs, "intersecting pairs of facets removed by uniting pieces or remeshing");
+  else
+    r.refusal = fmt::format("{} pairs of facets intersect and could not be parted", pairs);
+}
+
+}  // namespace
+
+Repaired repair(TriangleMesh m, const RepairOptions& options) {
+  Repaired r{std::move(m), {}, {}};
+  if (options.weld == 0.0 && check_solid(r.mesh).empty()) return r;
+  mend(r, options);
+  if (r.refusal.empty() && r.mesh.triangles.empty()) r.refusal = "no facet is left";
+  if (r.refusal.empty()) mend_intersections(r);
+  if (!r.refusal.empty()) return r;
+  if (const auto left = check_solid(r.mesh); !left.empty()) r.refusal = summarize(left);
+  return r;
+}
+
+std::string repair_command(const std::filesystem::path& path) {
+  std::filesystem::path out = path;
+  out.replace_filename(path.stem().string() + "-repaired" + path.extension().string());
+  return fmt::format("tdbd mesh {} --repair -o {}", in_shell(path.string()),
+                     in_shell(out.string()));
+}
+
+std::vector<std::string> mesh_faults(const std::filesystem::path& path,
+                                     const std::vector<Solid>& solids) {
+  std::vector<std::string> lines;
+  std::string refusal;
+  for (const Solid& solid : solids) {
+    const auto defects = check_solid(solid.mesh);
+    if (defects.empty()) continue;
+    std::istringstream text(summarize(defects));
+    for (std::string line; std::getline(text, line);)
+      lines.push_back(fmt::format("{}: solid {}: {}", path.string(), solid.name, line));
+    if (refusal.empty()) refusal = repair(solid.mesh).refusal;
+  }
+  if (lines.empty()) return lines;
+  lines.push_back(refusal.empty()
+                      ? fmt::format("{}: to repair: {}", path.string(), repair_command(path))
+                      : fmt::format("{}: tdbd mesh --repair cannot repair this: {}", path.string(),
+                                    refusal.substr(0, refusal.find('\n'))));
+  return lines;
+}
+
+}  // namespace tdbd::mesh

@@ -1,0 +1,121 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/utility.h>
+
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <utility>
+
+#include "mesh/check/check.hpp"
+#include "mesh/check/self_intersections.hpp"
+#include "mesh/files/solids.hpp"
+#include "mesh/measures.hpp"
+#include "mesh/repair/repair_steps.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+namespace processing = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+SurfaceMesh to_cgal(const TriangleMesh& m) {
+  using Vertex = SurfaceMesh::Vertex_index;
+  SurfaceMesh surface;
+  for (const Vec3& x : m.positions) surface.add_vertex(Kernel::Point_3(x[0], x[1], x[2]));
+  for (const Triangle& t : m.triangles)
+    surface.add_face(Vertex(static_cast<SurfaceMesh::size_type>(t[0])),
+                     Vertex(static_cast<SurfaceMesh::size_type>(t[1])),
+                     Vertex(static_cast<SurfaceMesh::size_type>(t[2])));
+  return surface;
+}
+
+TriangleMesh from_cgal(SurfaceMesh surface) {
+  surface.collect_garbage();
+  TriangleMesh m;
+  m.positions.reserve(surface.number_of_vertices());
+  for (const auto v : surface.vertices()) {
+    const Kernel::Point_3& p = surface.point(v);
+    m.positions.push_back(Vec3(p.x(), p.y(), p.z()));
+  }
+  m.triangles.reserve(surface.number_of_faces());
+  for (const auto f : surface.faces()) {
+    Triangle t{};
+    std::size_t k = 0;
+    for (const auto v : surface.vertices_around_face(surface.halfedge(f)))
+      t.at(k++) = static_cast<int>(v.idx());
+    m.triangles.push_back(t);
+  }
+  return m;
+}
+
+/// The union of pieces that are sound by themselves; nothing if one is not.
+bool unite(TriangleMesh& m) {
+  std::vector<TriangleMesh> pieces = divide(m);
+  for (const TriangleMesh& piece : pieces)
+    if (!check_solid(piece).empty()) return false;
+  SurfaceMesh all = to_cgal(pieces.front());
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    SurfaceMesh next = to_cgal(pieces[i]);
+    if (!processing::corefine_and_compute_union(all, next, all)) return false;
+  }
+  m = from_cgal(std::move(all));
+  return true;
+}
+
+/// Computed points are rounded: what that leaves without area goes. Whether nothing is wrong then.
+bool clean_up(TriangleMesh& m) {
+  constexpr double rounding = 1e-14;
+  merge_points(m, rounding * bounding_box(m).size().norm());
+  remove_degenerate(m);
+  drop_unused_points(m);
+  return check_solid(m).empty();
+}
+
+/// Facets about intersections are cut out and the holes filled, again and again.
+bool remesh(TriangleMesh& m) {
+  SurfaceMesh surface = to_cgal(m);
+  if (!processing::experimental::remove_self_intersections(surface)) return false;
+  m = from_cgal(std::move(surface));
+  return true;
+}
+
+}  // namespace
+
+std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
+  std::vector<Kernel::Point_3> points;
+  points.reserve(loop.size());
+  for (const Vec3& x : loop) points.emplace_back(x.x(), x.y(), x.z());
+  std::vector<CGAL::Triple<int, int, int>> patch;
+  processing::triangulate_hole_polyline(points, std::back_inserter(patch));
+  std::vector<Triangle> triangles;
+  triangles.reserve(patch.size());
+  for (const auto& [a, b, c] : patch) {
+    Triangle t{a, b, c};
+    std::sort(t.begin(), t.end());  // the sense of the loop
+    triangles.push_back(t);
+  }
+  return triangles;
+}
+
+bool remove_intersections(TriangleMesh& m) {
+  try {
+    TriangleMesh united = m;
+    if (unite(united) && clean_up(united)) {
+      m = std::move(united);
+      return true;
+    }
+    TriangleMesh remeshed = m;
+    if (!remesh(remeshed) || !clean_up(remeshed)) return false;
+    m = std::move(remeshed);
+    return true;
+  } catch (const std::exception&) {  // a failed assertion of CGAL: it could not
+    return false;
+  }
+}
+
+}  // namespace tdbd::mesh

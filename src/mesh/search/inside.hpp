@@ -1,0 +1,21 @@
+#pragma once
+
+#include "mesh/search/triangle_tree.hpp"
+
+namespace tdbd::mesh {
+
+/// Is x inside a closed mesh? Counts the crossings of a ray; a ray that passes too near a rim to
+/// be sure gives way to another, and in the end to the winding number, so that no position is
+/// special. On the surface the answer is arbitrary. Twin: reference::inside.
+bool inside(const TriangleTree& closed, const Vec3& x);
+
+/// Is a facet nearer to x than `distance` (m)?
+bool is_near(const TriangleTree& tree, const Vec3& x, double distance);
+
+/// Distance from x to the nearest facet, m; infinite without facets.
+double distance(const TriangleTree& tree, const Vec3& x);
+
+/// The same where it is less than `most`, else `most`: sooner found.
+double distance_up_to(const TriangleTree& tree, const Vec3& x, double most);
+
+}  // namespace tdbd::mesh

@@ -1,0 +1,144 @@
+#include "rock/cut/cutting_bit.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "bit/cone/part_pose.hpp"
+#include "core/tolerance.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+constexpr std::size_t sides = 6;  // of a box
+
+/// At most `most` of the planes: the first six, then always the one whose normal is farthest from
+/// those chosen. Few planes then bound the solid as tightly as so few can, and what is outside of
+/// the solid is outside of one of the first.
+mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t most) {
+  mesh::ConvexSolid chosen;
+  std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest chosen
+  for (std::size_t k = 0; k < std::min(most, planes.planes); ++k) {
+    const std::size_t next =
+        k < sides ? k
+                  : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
+    const Vec3 n = mesh::normal(planes, next);
+    mesh::add_plane(chosen, n, planes.b[next]);
+    for (std::size_t i = 0; i < planes.planes; ++i)
+      nearest[i] = std::max(nearest[i], n.dot(mesh::normal(planes, i)));
+  }
+  mesh::pad(chosen);
+  return chosen;
+}
+
+CuttingPart prepare_solid(const bit::Part& part, const mesh::TriangleMesh& mesh_P, int index) {
+  CuttingPart prepared{index, part.name, {}, {}, {}, 0.0};
+  prepared.depth = tolerance::swept * mesh::bounding_box(mesh_P).size().norm();
+  if (auto solid = mesh::convex_solid(mesh_P))
+    prepared.solid_P = spread_planes(*solid, solid->planes);
+  else
+    prepared.tree_P.emplace(mesh_P);
+  return prepared;
+}
+
+/// A part is one solid or, if it is known to be so made, several convex ones.
+void add_part(CuttingGroup& group, const bit::Part& part, int index) {
+  if (part.pieces_P.empty()) group.parts.push_back(prepare_solid(part, part.mesh_P, index));
+  for (const mesh::TriangleMesh& piece_P : part.pieces_P)
+    group.parts.push_back(prepare_solid(part, piece_P, index));
+}
+
+/// A group's solids are numbered by the bits of one word (Clear).
+constexpr std::size_t most_solids = 63;
+
+bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
+  return part.group >= 0 && group.parts.size() + part.pieces_P.size() < most_solids &&
+         bit.parts[static_cast<std::size_t>(group.parts.front().part)].group == part.group;
+}
+
+/// No turn of the part's cone takes x farther from the bit's origin.
+double largest_distance(const bit::Bit& bit, const bit::Part& part, const Vec3& x_P) {
+  const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
+  return X_BK.p.norm() + (part.X_BP * x_P - X_BK.p).norm();
+}
+
+/// The sides of the box, and those planes of the parts that bound the other parts too.
+mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
+  mesh::ConvexSolid planes;
+  for (int i = 0; i < 3; ++i) {
+    mesh::add_plane(planes, Vec3::Unit(i), g.box_P.hi[i]);
+    mesh::add_plane(planes, -Vec3::Unit(i), -g.box_P.lo[i]);
+  }
+  const double slack = tolerance::convex * g.box_P.size().norm();
+  for (const CuttingPart& part : g.parts)
+    for (std::size_t i = 0; i < part.solid_P.planes; ++i) {
+      const Vec3 n = mesh::normal(part.solid_P, i);
+      double support = part.solid_P.b[i];
+      for (const CuttingPart& other : g.parts)
+        for (const Vec3& x_P : bit.parts[static_cast<std::size_t>(other.part)].mesh_P.positions)
+          support = std::max(support, n.dot(x_P));
+      if (support <= part.solid_P.b[i] + slack) mesh::add_plane(planes, n, support);
+    }
+  return planes;
+}
+
+/// The box's sides come last: whoever asks the planes has asked the box before.
+SingleSolid in_single(const mesh::ConvexSolid& planes) {
+  SingleSolid single;
+  single.planes = planes.planes;
+  single.b.fill(std::numeric_limits<Single>::infinity());
+  for (std::size_t i = 0; i < planes.planes; ++i) {
+    const std::size_t k = (i + sides) % planes.planes;
+    single.nx[i] = static_cast<Single>(planes.nx[k]);
+    single.ny[i] = static_cast<Single>(planes.ny[k]);
+    single.nz[i] = static_cast<Single>(planes.nz[k]);
+    single.b[i] = static_cast<Single>(planes.b[k]);
+  }
+  return single;
+}
+
+}  // namespace
+
+CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& options) {
+  CuttingBit cutting;
+  cutting.part_count = static_cast<int>(bit.parts.size());
+  mesh::Box box_B;
+  for (int i = 0; i < cutting.part_count; ++i) {
+    const bit::Part& part = bit.parts[static_cast<std::size_t>(i)];
+    if (part.cutting != bit::Cutting::cuts) continue;
+    if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
+      cutting.groups.push_back(
+          {part.X_BP, {}, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.core_P, part.X_BP});
+    CuttingGroup& group = cutting.groups.back();
+    add_part(group, part, i);
+    for (const Vec3& x_P : part.mesh_P.positions) {
+      group.box_P.add(x_P);
+      const Vec3 x_B = part.X_BP * x_P;
+      box_B.add(x_B);
+      const double turned = part.cone < 0 ? 0.0 : largest_distance(bit, part, x_P);
+      group.reach = std::max({group.reach, x_B.head<2>().norm(), turned});
+      group.distance = std::max({group.distance, x_B.norm(), turned});
+    }
+  }
+  for (CuttingGroup& group : cutting.groups) {
+    group.hull_P = spread_planes(bounding_planes(group, bit), SingleSolid::most);
+    group.single_hull_P = in_single(group.hull_P);
+    group.directions = options.directions;
+    for (CuttingPart& part : group.parts)
+      if (part.tree_P && options.search == ExitSearch::walk)
+        part.across = neighbours_of(*part.tree_P);
+  }
+  cutting.size = std::max(box_B.size().x(), box_B.size().y());
+  return cutting;
+}
+
+void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<double>& from,
+                const std::vector<double>& to) {
+  for (CuttingGroup& group : cutting.groups) {
+    const bit::Part& part = bit.parts[static_cast<std::size_t>(group.parts.front().part)];
+    if (part.cone < 0) continue;
+    group.X_BP = bit::part_pose(bit, part, from);
+    group.X_BP1 = bit::part_pose(bit, part, to);
+  }
+}
+
+}  // namespace tdbd::rock

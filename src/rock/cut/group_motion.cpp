@@ -1,0 +1,69 @@
+#include "rock/cut/group_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tdbd::rock {
+namespace {
+
+template <class Visit>
+void visit_box_corners(const mesh::Box& box, Visit&& visit) {
+  for (int k = 0; k < 8; ++k)
+    visit(Vec3(k & 1 ? box.hi.x() : box.lo.x(), k & 2 ? box.hi.y() : box.lo.y(),
+               k & 4 ? box.hi.z() : box.lo.z()));
+}
+
+/// The box at both poses between axis-aligned planes and between planes normal to its own axes at
+/// pose 1.
+Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) {
+  Region r;
+  for (std::size_t i = 0; i < 3; ++i)
+    r.slabs[i] = {X_WP1.R.col(static_cast<int>(i)), INFINITY, -INFINITY};
+  for (const Pose* X_WP : {&X_WP0, &X_WP1})
+    visit_box_corners(box_P, [&](const Vec3& x_P) {
+      const Vec3 x_W = *X_WP * x_P;
+      r.box.add(x_W);
+      for (Slab& s : r.slabs) {
+        s.lo = std::min(s.lo, s.n.dot(x_W));
+        s.hi = std::max(s.hi, s.n.dot(x_W));
+      }
+    });
+  return r;
+}
+
+/// The chord of a turn comes nearer to the axis than its ends, by the cosine of half the turn; a
+/// tilted axis leans at most by the tilt times the distance, counted for the part and for the rock
+/// beside it.
+double reach(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
+  const double cosine = 0.5 * ((X_WB0.R.transpose() * X_WB1.R).trace() - 1.0);
+  const double half_turn = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));
+  double off_axis = 0.0;
+  for (const Pose* X_WB : {&X_WB0, &X_WB1}) {
+    const double tilt = (X_WB->R.col(2) - Vec3::UnitZ()).norm();
+    off_axis = std::max(off_axis, X_WB->p.head<2>().norm() + 4.0 * tilt * g.distance);
+  }
+  return half_turn > 0.5 ? g.reach / half_turn + off_axis : INFINITY;
+}
+
+Pose direction_frame(const CuttingGroup& g, const Pose& X_WB) {
+  const bool leans = X_WB.R.col(2) != Vec3::UnitZ();
+  return leans && g.directions == DirectionFrame::upright ? Pose{Mat3::Identity(), X_WB.p} : X_WB;
+}
+
+}  // namespace
+
+GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
+  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP1, X_WD1 = direction_frame(g, X_WB1);
+  const bool is_bit = X_WD1.R == X_WB1.R;
+  return {inverse(X_WP0),
+          inverse(X_WP1),
+          inverse(X_WD1),
+          X_WD1.R,
+          is_bit ? Mat3(Mat3::Identity()) : Mat3(X_WD1.R.transpose() * X_WB1.R),
+          reach(g, X_WB0, X_WB1),
+          moving_box(g.box_P, X_WP0, X_WP1),
+          X_WP0,
+          X_WP1};
+}
+
+}  // namespace tdbd::rock

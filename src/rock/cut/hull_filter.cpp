@@ -1,0 +1,113 @@
+#include "rock/cut/hull_filter.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "rock/cut/hull_sieve.hpp"
+#include "rock/cut/wide_planes.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+/// A plane of the hull with both points outside by `slack`; the number of columns if there is none.
+TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q0, const Vec3& q1,
+                                       double slack) {
+  for (std::size_t i = 0; i < h.b.size(); i += lanes) {
+    WidePlanes planes;
+    load(h, i, planes);
+    const auto& [x, y, z, b] = planes;
+    const Wide out0 = x * q0.x() + y * q0.y() + z * q0.z() - b;
+    const Wide out1 = x * q1.x() + y * q1.y() + z * q1.z() - b;
+    const Wide out = out0 < out1 ? out0 : out1;
+    for (std::size_t l = 0; l < lanes; ++l)
+      if (out[l] >= slack) return i + l;
+  }
+  return h.b.size();
+}
+
+/// Moves those places of the pack at `from`, which have a bit set, to the run's end.
+void keep(unsigned bits, std::size_t from, Run& r) {
+  for (; bits != 0; bits &= bits - 1U, ++r.count) {
+    const auto i = from + static_cast<std::size_t>(std::countr_zero(bits));
+    for (auto* column : {&r.x0, &r.y0, &r.z0, &r.x1, &r.y1, &r.z1})
+      (*column)[r.count] = (*column)[i];
+    r.place[r.count] = r.place[i];
+  }
+}
+
+/// Bits: those of eight places, from i on, that are before the end.
+unsigned filled(std::size_t i, std::size_t end) {
+  return (1U << std::min(end - i, single_lanes)) - 1U;
+}
+
+/// Drops what the first planes of the hull tell already, most of it.
+void drop_outer(const Sieve& sieve, Run& r) {
+  const std::size_t end = std::exchange(r.count, 0);
+  for (std::size_t i = 0; i < end; i += single_lanes) {
+    Sieved in;
+    sieve_pack(r, i, sieve, SingleSolid::run, in);
+    keep((in.swept | in.touched) & filled(i, end), i, r);
+  }
+}
+
+/// Calls visit_swept(place in the list) and visit_touched for what of the run is let through, and
+/// empties it.
+template <class Swept, class Touched>
+void sift_run(const Sieve& sieve, Run& r, Swept& visit_swept, Touched& visit_touched) {
+  drop_outer(sieve, r);
+  for (std::size_t i = 0; i < r.count; i += single_lanes) {
+    Sieved in;
+    sieve_pack(r, i, sieve, sieve.hull_P.planes, in);
+    for (unsigned bits = in.swept & filled(i, r.count); bits != 0; bits &= bits - 1U)
+      visit_swept(at(r.place[i + static_cast<std::size_t>(std::countr_zero(bits))]));
+    for (unsigned bits = in.touched & filled(i, r.count); bits != 0; bits &= bits - 1U)
+      visit_touched(at(r.place[i + static_cast<std::size_t>(std::countr_zero(bits))]));
+  }
+  r.count = 0;
+}
+
+/// The same for what of the list is let through.
+template <class Swept, class Touched>
+void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched&& visit_touched) {
+  Run run;
+  for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
+    for (unsigned packs = balls_near(list.balls, first, sieve); packs != 0; packs &= packs - 1U) {
+      const std::size_t begin =
+          single_lanes * (first + static_cast<std::size_t>(std::countr_zero(packs)));
+      keep(put_into_frames(list, begin, sieve, run), run.count, run);
+      if (run.count + single_lanes > Run::most) sift_run(sieve, run, visit_swept, visit_touched);
+    }
+  sift_run(sieve, run, visit_swept, visit_touched);
+}
+
+}  // namespace
+
+void find_candidates(const CuttingGroup& g, const GroupMotion& m,
+                     const std::vector<Vec3>& positions_W, const NearList& list, double gap,
+                     NearGroup& near) {
+  near.places.clear();
+  near.touching.clear();
+  sift(
+      list, make_sieve(g, m, list, gap),
+      [&](std::size_t i) {
+        if (!keeps_outside(g, m, positions_W[at(list.v[i])]))
+          near.places.push_back(static_cast<int>(i));
+      },
+      [&](std::size_t i) { near.touching.push_back(list.v[i]); });
+}
+
+bool keeps_outside(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
+  if (!is_between(m.region_W.slabs, x_W)) return true;
+  const Vec3 q0 = m.X_PW0 * x_W, q1 = m.X_PW1 * x_W;
+  for (int k = 0; k < 3; ++k)
+    if (std::min(q0[k], q1[k]) > g.box_P.hi[k] || std::max(q0[k], q1[k]) < g.box_P.lo[k])
+      return true;
+  return separating_plane(g.hull_P, q0, q1, single_slack(m.region_W.box)) < g.hull_P.b.size();
+}
+
+bool is_far_from(const CuttingGroup& g, const Vec3& x_P, double gap) {
+  return separating_plane(g.hull_P, x_P, x_P, gap) < g.hull_P.b.size();
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/facet.hpp"
+#include "mesh/measures.hpp"
+#include "rock/cut/relative_path.hpp"
+
+namespace tdbd::rock {
+
+/// An interval of t, of the levels of a strip.
+struct Levels {
+  double lo, hi;
+};
+
+/// The surface x(tau, t) = q(tau) + t u(tau), tau in [0, 1], 0 <= t <= t_max, that a vertex and its
+/// update direction sweep in a part's frame. At a fixed t it is a straight segment (a "level").
+/// Formulation 2.1.
+class Strip {
+ public:
+  /// Reaches beyond `box`, the part's. u must not vanish on the way from u0 to u1.
+  Strip(const RelativePath& path, const mesh::Box& box);
+
+  Vec3 at(double tau, double t) const { return q_ + tau * dq_ + t * (u_ + tau * du_); }
+
+  /// The strip up to t.
+  Strip up_to(double t) const;
+
+  /// May the strip meet the box? Never a wrong no.
+  bool meets(const mesh::Box& box) const;
+
+  /// Adds the intervals of t whose levels meet the facet. Their ends are where the strip's sides
+  /// tau = 0 and tau = 1 meet the facet and where its edges meet the strip; in between t is a
+  /// monotonic function of tau on the facet (a Moebius map). Ends nearer than `same` (m) are one;
+  /// `ends` is room for them.
+  void levels_that_meet(const mesh::Facet& f, double same, std::vector<double>& ends,
+                        std::vector<Levels>& intervals) const;
+
+ private:
+  void add_side(const mesh::Facet& f, double tau, std::vector<double>& ends) const;
+  void add_edge(const Vec3& a, const Vec3& b, std::vector<double>& ends) const;
+  bool level_meets(const mesh::Facet& f, double t) const;
+
+  Vec3 q_, dq_, u_, du_;
+  double t_max_;
+  Vec3 middle_, inverse_;  ///< the ray tau = 1/2: origin, 1 / direction
+  Vec3 half_width_;        ///< of the strip about that ray, along the axes
+};
+
+}  // namespace tdbd::rock

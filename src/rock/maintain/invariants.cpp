@@ -1,0 +1,281 @@
+#include "rock/maintain/invariants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerance.hpp"
+#include "mesh/check/check.hpp"
+#include "mesh/check/check_edges.hpp"
+#include "mesh/measures.hpp"
+#include "mesh/search/triangle_tree.hpp"
+#include "rock/maintain/collapse.hpp"
+#include "rock/maintain/flip.hpp"
+#include "rock/maintain/star.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+using mesh::Surface;
+using Violations = std::vector<Violation>;
+
+std::string in_mm(const Vec3& x_W) {
+  return fmt::format("({:.4f}, {:.4f}, {:.4f}) mm", 1e3 * x_W.x(), 1e3 * x_W.y(), 1e3 * x_W.z());
+}
+
+std::string at_vertex(const Surface& s, int v) {
+  return fmt::format("vertex {} at {}", v, in_mm(s.position(v)));
+}
+
+std::string at_triangle(const Surface& s, int t) {
+  const auto& [a, b, c] = s.triangles[at(t)];
+  return fmt::format("triangle {} at {}", t,
+                     in_mm((s.position(a) + s.position(b) + s.position(c)) / 3.0));
+}
+
+void append(Violations& to, Violations from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// How often the index holds every vertex, and that it does so in the right place.
+Violations check_index(const Rock& rock) {
+  const Surface& s = rock.surface;
+  Violations found;
+  std::vector<int> held(s.positions.size(), 0);
+  std::vector<int> chains;
+  Region everywhere;
+  everywhere.box = {Vec3::Constant(-1e300), Vec3::Constant(1e300)};
+  rock.grid.visit(everywhere, chains, [&](const VertexGrid::Block& block) {
+    for (std::size_t i = 0; i < at(block.count); ++i) {
+      const int v = block.v[i];
+      const Vec3 x_W(block.x[i], block.y[i], block.z[i]);
+      if (v < s.vertex_slots() && x_W == s.position(v).cast<Single>().cast<double>())
+        ++held[at(v)];
+      else
+        found.push_back(
+            {Invariant::disc, fmt::format("the index has vertex {} at {}", v, in_mm(x_W))});
+    }
+  });
+  for (int v = 0; v < s.vertex_slots(); ++v)
+    if (held[at(v)] != (s.is_alive(v) ? 1 : 0))
+      found.push_back({Invariant::disc,
+                       fmt::format("the index has {} {} times", at_vertex(s, v), held[at(v)])});
+  return found;
+}
+
+double length(const Surface& s, int a, int b) { return (s.position(b) - s.position(a)).norm(); }
+
+std::string at_edge(const Surface& s, int a, int b) {
+  return fmt::format("edge {}-{} of {:.4f} mm at {}", a, b, 1e3 * length(s, a, b),
+                     in_mm(0.5 * (s.position(a) + s.position(b))));
+}
+
+void check_edge(const Surface& s, int c, const MaintenanceLimits& limits, const Strays& strays,
+                bool ask_long, Violations& found) {
+  const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+  if (ask_long && length(s, a, b) > limits.longest_edge && s.opposite_of(c) >= 0)
+    found.push_back({Invariant::edges, at_edge(s, a, b) + " is too long"});
+  if (length(s, a, b) < limits.shortest_edge &&
+      is_accepted(judge_collapse(s, a, b, limits, strays)))
+    found.push_back({Invariant::edges, at_edge(s, a, b) + " is too short and would collapse"});
+}
+
+void check_shape(const Surface& s, int t, const MaintenanceLimits& limits, const Strays& strays,
+                 Violations& found) {
+  const mesh::Facet f = facet_at(s, 3 * t);
+  const double q = quality(f);
+  const std::array<double, 3> edges{(f.b - f.c).squaredNorm(), (f.c - f.a).squaredNorm(),
+                                    (f.a - f.b).squaredNorm()};
+  const auto corner = [&](auto edge) { return 3 * t + static_cast<int>(edge - edges.begin()); };
+  const int shortest = corner(std::min_element(edges.begin(), edges.end()));
+  const int longest = corner(std::max_element(edges.begin(), edges.end()));
+  const int a = s.vertex(mesh::next_corner(shortest)),
+            b = s.vertex(mesh::previous_corner(shortest));
+  const auto note = [&](const char* what) {
+    found.push_back({Invariant::quality,
+                     fmt::format("{} has quality {:.4f} and its {}", at_triangle(s, t), q, what)});
+  };
+  if (q < limits.worst_quality &&
+      is_accepted(judge_collapse(s, std::min(a, b), std::max(a, b), limits, strays)))
+    note("shortest edge would collapse");
+  if (q < limits.flip_quality && !judge_flip(s, longest, limits, strays).refused)
+    note("longest edge would flip");
+}
+
+bool in_both(const Surface& s, const Surface& o, int t) {
+  return t < o.triangle_slots() && s.triangle_is_alive(t) && o.triangle_is_alive(t);
+}
+
+/// Whether the triangle in a living slot of s is not the same bits in o.
+bool is_changed(const Surface& s, const Surface& o, int t) {
+  if (!in_both(s, o, t) || s.triangles[at(t)] != o.triangles[at(t)]) return true;
+  return std::ranges::any_of(s.triangles[at(t)],
+                             [&](int v) { return s.position(v) != o.position(v); });
+}
+
+Vec3 area_of(const Surface& s, int t) {
+  const auto& [a, b, c] = s.triangles[at(t)];
+  return mesh::area_vector(s.position(a), s.position(b), s.position(c));
+}
+
+double distance_to(const mesh::TriangleTree& tree, const Vec3& x_W, double reach) {
+  double best = reach * reach;
+  tree.visit(
+      [&](const mesh::Box& b) {
+        return (x_W.cwiseMax(b.lo).cwiseMin(b.hi) - x_W).squaredNorm() < best;
+      },
+      [&](const mesh::Facet& f) {
+        best = std::min(best, mesh::squared_distance(f, x_W));
+        return true;
+      });
+  return std::sqrt(best);
+}
+
+std::array<Vec3, 7> samples(const Surface& s, int t) {
+  const auto& [i, j, k] = s.triangles[at(t)];
+  const Vec3 &a = s.position(i), &b = s.position(j), &c = s.position(k);
+  return {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0};
+}
+
+/// What maintenance had to look at, as check_repairs is asked: bisections come before collapses, so
+/// that long edges beside what a collapse changed are not its business.
+std::vector<std::uint8_t> looked_at(const Rock& before, const Surface& after) {
+  std::vector<std::uint8_t> asked = before.touched;
+  asked.resize(after.positions.size(), 1);
+  for (int t = 0; t < after.triangle_slots(); ++t)
+    if (after.triangle_is_alive(t) && is_changed(after, before.surface, t))
+      for (const int v : after.triangles[at(t)])
+        if (asked[at(v)] == 0) asked[at(v)] = 2;
+  return asked;
+}
+
+}  // namespace
+
+std::string describe(const Violations& found, std::size_t max) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(max, found.size()); ++i)
+    text += fmt::format("M{}: {}\n", static_cast<int>(found[i].which) + 1, found[i].where);
+  if (found.size() > max) text += fmt::format("and {} more\n", found.size() - max);
+  return text;
+}
+
+Violations check_disc(const Rock& rock) {
+  Violations found;
+  for (const mesh::Defect& d : mesh::check_surface(mesh::compact(rock.surface)))
+    if (d.kind != mesh::Defect::Kind::degenerate_triangle)  // cutting may press a triangle flat
+      found.push_back({Invariant::disc, mesh::name(d.kind) + ": " + d.where});
+  if (!mesh::adjacency_is_consistent(rock.surface))
+    found.push_back({Invariant::disc, "the corners' adjacency is not that of the triangles"});
+  append(found, check_index(rock));
+  return found;
+}
+
+Violations check_repairs(const Surface& s, const std::vector<std::uint8_t>& asked,
+                         const MaintenanceLimits& limits, const Strays& strays) {
+  Violations found;
+  for (int t = 0; t < s.triangle_slots(); ++t) {
+    if (!s.triangle_is_alive(t)) continue;
+    if (std::ranges::none_of(s.triangles[at(t)], [&](int v) { return asked[at(v)] != 0; }))
+      continue;
+    check_shape(s, t, limits, strays, found);
+    for (int c = 3 * t; c < 3 * t + 3; ++c) {
+      const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+      if (!asked[at(a)] && !asked[at(b)]) continue;
+      if (a < b || s.opposite_of(c) < 0)
+        check_edge(s, c, limits, strays, asked[at(a)] == 1 || asked[at(b)] == 1, found);
+    }
+  }
+  return found;
+}
+
+Violations check_normals(const Surface& before, const Surface& after) {
+  Violations found;
+  for (int t = 0; t < before.triangle_slots(); ++t)
+    if (in_both(before, after, t) && area_of(before, t).dot(area_of(after, t)) < 0.0)
+      found.push_back(
+          {Invariant::normals, at_triangle(after, t) + " turned by more than 90 degrees"});
+  return found;
+}
+
+Violations check_ledger(const Surface& before, const Surface& after, double change) {
+  const mesh::Box box_W = mesh::bounding_box(mesh::compact(before));
+  const Vec3 origin_W = 0.5 * (box_W.lo + box_W.hi);
+  const double size = box_W.size().norm();
+  const double gained = mesh::hole_volume(after, origin_W) - mesh::hole_volume(before, origin_W);
+  if (std::abs(gained - change) <= tolerance::ledger * size * size * size) return {};
+  return {{Invariant::ledger,
+           fmt::format("the hole gained {} mm3, reported are {} mm3", 1e9 * gained, 1e9 * change)}};
+}
+
+Deviation deviation(const Surface& from, const Surface& to, double reach) {
+  const mesh::TriangleTree tree(mesh::compact(to));
+  Deviation worst;
+  for (int t = 0; t < from.triangle_slots(); ++t) {
+    if (!from.triangle_is_alive(t) || !is_changed(from, to, t)) continue;
+    for (const Vec3& x_W : samples(from, t))
+      if (const double d = distance_to(tree, x_W, reach); d > worst.distance) worst = {d, x_W};
+  }
+  return worst;
+}
+
+Violations check_distance(const Surface& before, const Surface& after,
+                          const MaintenanceLimits& limits, const MaintenanceReport& report) {
+  Violations found;
+  const bool untangled = report.carried_out(Operation::untangling) > 0;
+  const double bound = untangled ? limits.untangle_farthest : 0.5 * limits.shortest_edge,
+               reach = 2.0 * limits.longest_edge;
+  const auto check = [&](const Surface& from, const Surface& to, const char* which) {
+    const Deviation d = deviation(from, to, reach);
+    if (d.distance >= bound && d.distance > 0.0)
+      found.push_back(
+          {Invariant::distance, fmt::format("{} strays {:.4f} mm at {}, bound {:.4f} mm", which,
+                                            1e3 * d.distance, in_mm(d.x_W), 1e3 * bound)});
+  };
+  check(after, before, "the new surface");
+  check(before, after, "the old surface");
+  return found;
+}
+
+Violations check_locality(const Rock& before, const Surface& after) {
+  const Surface& s = before.surface;
+  Violations found;
+  mesh::DisjointSets patches(s.positions.size());
+  std::vector<std::uint8_t> in_changed(s.positions.size(), 0);
+  std::vector<int> changed;
+  for (int t = 0; t < s.triangle_slots(); ++t) {
+    if (!s.triangle_is_alive(t) || !is_changed(s, after, t)) continue;
+    changed.push_back(t);
+    for (const int v : s.triangles[at(t)]) in_changed[at(v)] = 1;
+  }
+  for (const auto& [a, b, c] : s.triangles) {
+    if (a < 0) continue;
+    for (const auto& [v, w] : {std::pair{a, b}, {b, c}, {c, a}})
+      if (in_changed[at(v)] && in_changed[at(w)]) patches.join(v, w);
+  }
+  std::vector<std::uint8_t> is_known(s.positions.size(), 0);
+  for (int v = 0; v < s.vertex_slots(); ++v) {
+    if (s.is_alive(v) && before.touched[at(v)]) is_known[at(patches.find(v))] = 1;
+    if (!s.is_boundary(v)) continue;
+    if (!after.is_alive(v) || !after.is_boundary(v) || after.position(v) != s.position(v))
+      found.push_back({Invariant::locality, "of the boundary, " + at_vertex(s, v) + " changed"});
+  }
+  for (const int t : changed)
+    if (!is_known[at(patches.find(s.triangles[at(t)][0]))])
+      found.push_back({Invariant::locality, at_triangle(s, t) + " changed, untouched"});
+  return found;
+}
+
+Violations check_maintenance(const Rock& before, const Rock& after, const MaintenanceLimits& limits,
+                             const MaintenanceReport& report, const Strays& strays) {
+  Violations found = check_disc(after);
+  if (!found.empty()) return found;  // the others walk around vertices
+  const Surface &s = before.surface, &now = after.surface;
+  append(found, check_repairs(now, looked_at(before, now), limits, strays));
+  append(found, check_ledger(s, now, report.volume_change));
+  append(found, check_distance(s, now, limits, report));
+  append(found, check_locality(before, now));
+  return found;
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,281 @@
+#include "rock/maintain/maintain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/error.hpp"
+#include "rock/maintain/bisect.hpp"
+#include "rock/maintain/blunt.hpp"
+#include "rock/maintain/collapse.hpp"
+#include "rock/maintain/flip.hpp"
+#include "rock/maintain/smooth.hpp"
+#include "rock/maintain/star.hpp"
+#include "rock/maintain/untangle.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+using Work = MaintenanceWorkspace;
+using Candidate = Work::Candidate;
+
+/// Smallest key first, then by vertices: an order that hangs on no address.
+bool is_before(const Candidate& x, const Candidate& y) {
+  return std::tie(x.key, x.a, x.b) < std::tie(y.key, y.a, y.b);
+}
+
+void sort_unique(std::vector<int>& v) {
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+}
+
+void sort_unique(std::vector<Candidate>& edges) {
+  std::sort(edges.begin(), edges.end(), is_before);
+  const auto same = [](const Candidate& x, const Candidate& y) { return x.a == y.a && x.b == y.b; };
+  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+}
+
+Candidate edge_facing(const mesh::Surface& s, int c, double key) {
+  const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+  return {key, std::min(a, b), std::max(a, b)};
+}
+
+/// After one more round with `left` to do: stops the run if there were too many.
+void count_round(const Rock& rock, const std::vector<int>& left, const MaintenanceLimits& limits,
+                 int& rounds) {
+  if (left.empty() || ++rounds < limits.most_rounds) return;
+  const Vec3 x_W = 1e3 * rock.surface.position(left.front());
+  throw RunError(fmt::format(
+      "maintenance of the rock does not end: after {} rounds there is more to do at ({:.3f}, "
+      "{:.3f}, {:.3f}) mm",
+      rounds, x_W.x(), x_W.y(), x_W.z()));
+}
+
+/// Every living triangle at the given vertices once, with its shape.
+template <class Visit>
+void visit_triangles(const mesh::Surface& s, const std::vector<int>& vertices, Work& work,
+                     Visit&& visit) {
+  ++work.stamp;
+  work.seen.resize(s.triangles.size(), 0);
+  for (const int v : vertices)
+    if (s.is_alive(v))
+      mesh::visit_corners(s, v, [&](int c) {
+        const int t = c / 3;
+        if (work.seen[at(t)] == work.stamp) return;
+        work.seen[at(t)] = work.stamp;
+        visit(t, shape_of(s, t));
+      });
+}
+
+/// Those of the touched triangles that an operation wanted at the first look, and all that have
+/// changed since, with their shapes; a triangle may come twice.
+template <class Visit>
+void visit_touched(const Rock& rock, const std::vector<int>& wanted, Work& work, Visit&& visit) {
+  for (const int t : wanted)
+    if (rock.surface.triangle_is_alive(t)) visit(t, shape_of(rock.surface, t));
+  find_changed(rock, work.touched);
+  visit_triangles(rock.surface, work.touched.changed, work, visit);
+}
+
+/// Where an operation is looked for: at what is touched, the first time; or at the vertices of
+/// Work::region.
+enum class Where { touched, region };
+
+template <class Visit>
+void visit_triangles(const Rock& rock, Where where, const std::vector<int>& wanted, Work& work,
+                     Visit&& visit) {
+  if (where == Where::touched)
+    visit_touched(rock, wanted, work, visit);
+  else
+    visit_triangles(rock.surface, work.region, work, visit);
+}
+
+/// Lowers the tips of spikes among the vertices of touched triangles. A tip below another is looked
+/// at in the next maintenance.
+void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
+                  MaintenanceReport& report) {
+  const mesh::Surface& s = rock.surface;
+  work.changed.clear();
+  report.touched_triangles += static_cast<long>(work.touched.triangles.size());
+  for (const int t : work.touched.steep) {
+    const mesh::Triangle& v = s.triangles[at(t)];
+    const auto higher = [&](int a, int b) { return s.position(a).z() < s.position(b).z(); };
+    work.changed.push_back(*std::min_element(v.begin(), v.end(), higher));
+  }
+  sort_unique(work.changed);
+  for (const int v : work.changed) try_blunt(rock, v, limits, work.strays, report);
+}
+
+/// Rounds of bisection: a round's new edges are looked at in the next. Each halves the longest.
+void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
+                       MaintenanceReport& report) {
+  const double longest2 = limits.longest_edge * limits.longest_edge;
+  Where where = Where::touched;
+  for (int rounds = 0; where == Where::touched || !work.region.empty();
+       count_round(rock, work.region, limits, rounds)) {
+    work.edges.clear();
+    visit_triangles(rock, where, work.touched.with_long_edges, work,
+                    [&](int t, const Shape& shape) {
+                      for (int i = 0; i < 3; ++i)
+                        if (const double l2 = shape.edge2[at(i)]; l2 > longest2) {
+                          const Candidate e = edge_facing(rock.surface, 3 * t + i, -l2);
+                          if (rock.touched[at(e.a)] || rock.touched[at(e.b)])
+                            work.edges.push_back(e);
+                        }
+                    });
+    sort_unique(work.edges);
+    work.region.clear();
+    for (const Candidate& e : work.edges)
+      if (bisect_edge(rock, e.a, e.b, limits, work.ring, report))
+        work.region.insert(work.region.end(), work.ring.begin(), work.ring.end());
+    if (work.region.empty()) return;
+    sort_unique(work.region);
+    where = Where::region;
+  }
+}
+
+/// Calls visit(neighbour) for every triangle on which this one lies back to back. Rock that is
+/// moved along an upright wall can pass its neighbours there.
+template <class Visit>
+void visit_folds(const mesh::Surface& s, int t, const Shape& shape, Visit&& visit) {
+  for (int c = 3 * t; c < 3 * t + 3; ++c)
+    if (const int o = s.opposite_of(c);
+        o >= 0 && are_folded(shape.doubled_area, doubled_area(facet_at(s, o))))
+      visit(o / 3);
+}
+
+void add_edges(const mesh::Surface& s, int t, const Shape& shape, std::vector<Candidate>& edges) {
+  for (int i = 0; i < 3; ++i) edges.push_back(edge_facing(s, 3 * t + i, shape.edge2[at(i)]));
+}
+
+/// Short edges, the shortest edge of every badly shaped triangle, and the edges of folds (4.2.1,
+/// 4.2.4.4). What has changed may have folded a touched triangle that has not.
+void find_collapses(const Rock& rock, const MaintenanceLimits& limits, Where where, Work& work) {
+  const mesh::Surface& s = rock.surface;
+  const double shortest2 = limits.shortest_edge * limits.shortest_edge;
+  work.edges.clear();
+  visit_triangles(rock, where, work.touched.to_collapse, work, [&](int t, const Shape& shape) {
+    bool is_fold = false;
+    if (limits.worst_quality > 0.0)
+      visit_folds(s, t, shape, [&](int other) {
+        is_fold = true;
+        if (where == Where::touched && place_of(work.touched, other) >= 0)
+          add_edges(s, other, shape_of(s, other), work.edges);
+      });
+    if (is_fold) return add_edges(s, t, shape, work.edges);
+    const bool is_bad = is_below(shape, limits.worst_quality);
+    const double least2 = std::ranges::min(shape.edge2);
+    if (least2 >= shortest2 && !is_bad) return;
+    for (int i = 0; i < 3; ++i)
+      if (const double l2 = shape.edge2[at(i)]; l2 < shortest2 || (is_bad && l2 == least2))
+        work.edges.push_back(edge_facing(s, 3 * t + i, l2));
+  });
+  sort_unique(work.edges);
+}
+
+void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
+                          MaintenanceReport& report) {
+  find_collapses(rock, limits, where, work);
+  for (const Candidate& e : work.edges) {
+    if (!rock.surface.is_alive(e.a) || !rock.surface.is_alive(e.b)) continue;
+    if (try_collapse(rock, e.a, e.b, limits, work.ring, work.strays, report))
+      work.changed.insert(work.changed.end(), work.ring.begin(), work.ring.end());
+  }
+}
+
+/// The longest edge of triangles that flips may improve, worst first.
+void flip_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
+                MaintenanceReport& report) {
+  if (limits.flip_quality <= 0.0) return;
+  const mesh::Surface& s = rock.surface;
+  work.region.insert(work.region.end(), work.changed.begin(), work.changed.end());
+  work.edges.clear();
+  visit_triangles(rock, where, work.touched.to_flip, work, [&](int t, const Shape& shape) {
+    if (!is_below(shape, limits.flip_quality)) return;
+    const auto longest = std::max_element(shape.edge2.begin(), shape.edge2.end());
+    const int c = 3 * t + static_cast<int>(longest - shape.edge2.begin());
+    work.edges.push_back(edge_facing(s, c, shape.quality2));
+  });
+  sort_unique(work.edges);
+  for (const Candidate& e : work.edges) {
+    const int c = mesh::corner_facing(s, e.a, e.b);
+    if (c < 0) continue;
+    const int p = s.vertex(c);
+    if (try_flip(rock, c, limits, work.strays, report))
+      work.changed.insert(work.changed.end(), {e.a, e.b, p, s.vertex(mesh::previous_corner(c))});
+  }
+}
+
+/// Rounds of collapses and flips until one carries out none: an operation may make
+/// another necessary beside it, or remove what one was refused for. What was refused is asked again
+/// only where the surface changed. Collapses leave fewer vertices, flips better triangles, so
+/// rounds end.
+void repair(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
+            MaintenanceReport& report) {
+  for (int rounds = 0; where == Where::touched || !work.region.empty();
+       count_round(rock, work.region, limits, rounds)) {
+    work.changed.clear();
+    collapse_short_edges(rock, limits, where, work, report);
+    flip_edges(rock, limits, where, work, report);
+    sort_unique(work.changed);
+    std::swap(work.region, work.changed);
+    where = Where::region;
+  }
+}
+
+/// Smooths once every vertex of the touched triangles that want it; `work.region` receives what
+/// changed.
+void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
+                     MaintenanceReport& report) {
+  work.region.clear();
+  if (limits.smoothing == Smoothing::off) return;
+  const mesh::Surface& s = rock.surface;
+  work.changed.clear();
+  visit_touched(rock, work.touched.to_smooth, work, [&](int t, const Shape& shape) {
+    if (!is_below(shape, limits.smooth_quality)) return;
+    for (int c = 3 * t; c < 3 * t + 3; ++c) work.changed.push_back(s.vertex(c));
+  });
+  sort_unique(work.changed);
+  for (const int v : work.changed) {
+    if (!try_smooth(rock, v, limits, work.strays, report)) continue;
+    work.region.push_back(v);
+    mesh::visit_corners(s, v,
+                        [&](int c) { work.region.push_back(s.vertex(mesh::next_corner(c))); });
+  }
+  sort_unique(work.region);
+}
+
+}  // namespace
+
+MaintenanceLimits limits_for(double edge_length) {
+  MaintenanceLimits l;
+  l.shortest_edge = 0.4 * edge_length;
+  l.longest_edge = 1.6 * edge_length;
+  l.volume_per_operation = 0.01 * edge_length * edge_length * edge_length;
+  l.farthest = 0.5 * l.shortest_edge;
+  l.ridge_cut = 0.05 * edge_length;
+  l.untangle_volume = 20.0 * l.volume_per_operation;
+  l.untangle_farthest = 2.0 * l.shortest_edge;
+  return l;
+}
+
+void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
+              MaintenanceReport& report) {
+  work.strays.clear();
+  look_through(rock, limits, work.touched);
+  const std::vector<int> folded = folded_places(rock, limits, work.touched);
+  blunt_spikes(rock, limits, work, report);
+  bisect_long_edges(rock, limits, work, report);
+  repair(rock, limits, Where::touched, work, report);
+  smooth_vertices(rock, limits, work, report);
+  repair(rock, limits, Where::region, work, report);
+  constexpr int most_untanglings = 5;  // what is left is looked at when it is touched again
+  for (int k = 0; k < most_untanglings && untangle(rock, folded, limits, work, report); ++k)
+    repair(rock, limits, Where::region, work, report);
+  rock.grid.refresh_one_layer();
+  for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
+  rock.touched_list.clear();
+}
+
+}  // namespace tdbd::rock

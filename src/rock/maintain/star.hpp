@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "mesh/facet.hpp"
+#include "mesh/measures.hpp"
+#include "mesh/surface.hpp"
+#include "rock/maintain/maintain.hpp"
+
+namespace tdbd::rock {
+
+/// What the guards of every operation ask about the triangles around a vertex (thesis: 4.2,
+/// reconstructed; formulation 3).
+
+/// The corners of the triangle of corner c, from its vertex on.
+inline mesh::Facet facet_at(const mesh::Surface& s, int c) {
+  return {s.position(s.vertex(c)), s.position(s.vertex(mesh::next_corner(c))),
+          s.position(s.vertex(mesh::previous_corner(c)))};
+}
+
+inline double quality(const mesh::Facet& f) { return mesh::triangle_quality(f.a, f.b, f.c); }
+inline Vec3 doubled_area(const mesh::Facet& f) { return (f.b - f.a).cross(f.c - f.a); }
+inline Vec3 area_vector(const mesh::Facet& f) { return mesh::area_vector(f.a, f.b, f.c); }
+
+/// Worst quality of the triangles at v.
+double worst_quality(const mesh::Surface& s, int v);
+
+/// Whether a normal turns farther than the limit, or a triangle comes to overhang. Rock moved
+/// straight down is a height field, and this keeps it one, but for walls that stand upright: what
+/// is as steep as `steepest_overhang` either way may lean over by that much. The facets of a round
+/// core's wall do by their shape.
+std::optional<Refusal> judge_turn(const Vec3& before, const Vec3& after,
+                                  const MaintenanceLimits& limits);
+
+/// Whether the triangles beside the edge that faces c meet at a sharp ridge or valley.
+bool is_sharp(const mesh::Surface& s, int c, const MaintenanceLimits& limits);
+
+/// Whether a sharp edge ends at v.
+bool is_on_ridge(const mesh::Surface& s, int v, const MaintenanceLimits& limits);
+
+}  // namespace tdbd::rock

@@ -1,0 +1,97 @@
+#include "rock/maintain/touched_region.hpp"
+
+#include <algorithm>
+
+#include "rock/maintain/maintain.hpp"
+#include "rock/maintain/star.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+void clear(TouchedRegion& r) {
+  for (auto* list : {&r.steep, &r.with_long_edges, &r.to_collapse, &r.to_flip, &r.to_smooth,
+                     &r.changed, &r.triangles})
+    list->clear();
+  r.areas.clear();
+  r.wants_collapse.clear();
+}
+
+void sort_by_wants(const mesh::Surface& s, const MaintenanceLimits& limits, int t,
+                   TouchedRegion& r) {
+  const Shape shape = shape_of(s, t);
+  const auto [least2, greatest2] = std::ranges::minmax(shape.edge2);
+  const double short2 = limits.shortest_edge * limits.shortest_edge;
+  r.place[at(t)] = static_cast<int>(r.triangles.size());
+  r.triangles.push_back(t);
+  r.areas.push_back(shape.doubled_area);
+  r.wants_collapse.push_back(least2 < short2 || is_below(shape, limits.worst_quality) ? 1 : 0);
+  if (-0.5 * shape.doubled_area.z() < 0.5 * short2) r.steep.push_back(t);
+  if (greatest2 > limits.longest_edge * limits.longest_edge) r.with_long_edges.push_back(t);
+  if (is_below(shape, limits.flip_quality)) r.to_flip.push_back(t);
+  if (is_below(shape, limits.smooth_quality)) r.to_smooth.push_back(t);
+}
+
+/// Asks for what look_at will want of vertices some places on in the list.
+void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::size_t i) {
+  constexpr std::size_t far = 16, near = 8;
+  if (i + far < vertices.size()) __builtin_prefetch(&s.corner_of[at(vertices[i + far])]);
+  if (i + near >= vertices.size()) return;
+  const int c = s.corner_of[at(vertices[i + near])];
+  if (c < 0) return;
+  __builtin_prefetch(&s.triangles[at(c / 3)]);
+  __builtin_prefetch(&s.opposite[at(c)]);
+}
+
+/// Marks both triangles of every pair that lies back to back; each pair is asked once.
+void find_folds(const mesh::Surface& s, TouchedRegion& r) {
+  for (std::size_t k = 0; k < r.triangles.size(); ++k) {
+    const int t = r.triangles[k];
+    for (int c = 3 * t; c < 3 * t + 3; ++c) {
+      const int o = s.opposite_of(c);
+      if (o < 0) continue;
+      const int other = place_of(r, o / 3);
+      if (other >= 0 && at(other) < k) continue;
+      const Vec3 area = other >= 0 ? r.areas[at(other)] : doubled_area(facet_at(s, o));
+      if (!are_folded(r.areas[k], area)) continue;
+      r.wants_collapse[k] = 1;
+      if (other >= 0) r.wants_collapse[at(other)] = 1;
+    }
+  }
+}
+
+}  // namespace
+
+Shape shape_of(const mesh::Surface& s, int t) {
+  const mesh::Facet f = facet_at(s, 3 * t);
+  const Vec3 ab = f.b - f.a, ac = f.c - f.a, bc = f.c - f.b;
+  Shape shape{{bc.squaredNorm(), ac.squaredNorm(), ab.squaredNorm()}, 0.0, ab.cross(ac)};
+  const double sum = shape.edge2[0] + shape.edge2[1] + shape.edge2[2];
+  if (sum > 0.0) shape.quality2 = 12.0 * shape.doubled_area.squaredNorm() / (sum * sum);
+  return shape;
+}
+
+void look_through(Rock& rock, const MaintenanceLimits& limits, TouchedRegion& region) {
+  const mesh::Surface& s = rock.surface;
+  region.place.resize(s.triangles.size(), 0);
+  clear(region);
+  for (std::size_t i = 0; i < rock.touched_list.size(); ++i) {
+    const int v = rock.touched_list[i];
+    prefetch(s, rock.touched_list, i);
+    rock.touched[at(v)] = looked_at_mark;
+    if (!s.is_alive(v)) continue;
+    mesh::visit_corners(s, v, [&](int c) {
+      if (place_of(region, c / 3) < 0) sort_by_wants(s, limits, c / 3, region);
+    });
+  }
+  if (limits.worst_quality > 0.0) find_folds(s, region);
+  for (std::size_t k = 0; k < region.triangles.size(); ++k)
+    if (region.wants_collapse[k] != 0) region.to_collapse.push_back(region.triangles[k]);
+}
+
+void find_changed(const Rock& rock, TouchedRegion& region) {
+  region.changed.clear();
+  for (const int v : rock.touched_list)
+    if (rock.touched[at(v)] == touched_mark) region.changed.push_back(v);
+}
+
+}  // namespace tdbd::rock

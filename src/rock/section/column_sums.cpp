@@ -1,0 +1,133 @@
+#include "rock/section/column_sums.hpp"
+
+#include <algorithm>
+
+namespace tdbd::rock {
+namespace {
+
+/// A linear function on a piece of a column, by its values at the ends.
+struct Linear {
+  double at0, at1;
+};
+
+/// A piece of a column.
+struct Piece {
+  double y0, y1;
+};
+
+double at(const Piece& p, const Linear& f, double y) {
+  return f.at0 + (f.at1 - f.at0) * ((y - p.y0) / (p.y1 - p.y0));
+}
+
+std::int64_t units(double x) { return std::llrint(x); }
+
+/// The area between z = lower and lower + height.
+void add_trapezoid(const Piece& p, const Linear& lower, const Linear& h, double sign,
+                   ColumnSums& sums) {
+  const double w = sign * (p.y1 - p.y0), sum = h.at0 + h.at1;
+  const double squares = h.at0 * h.at0 + h.at0 * h.at1 + h.at1 * h.at1;
+  const double products = lower.at0 * (sum + h.at0) + lower.at1 * (sum + h.at1);
+  sums.area += units(sums.per_area * 0.5 * w * sum);
+  sums.moment_y += units(sums.per_moment * w / 6.0 * (p.y0 * (sum + h.at0) + p.y1 * (sum + h.at1)));
+  sums.moment_z += units(sums.per_moment * w / 6.0 * (products + squares));
+}
+
+/// The parts of a piece where f <= 0 and f > 0. One of them may be empty.
+struct Split {
+  Piece below, above;
+};
+
+Split split(const Piece& p, const Linear& f) {
+  if (f.at0 <= 0.0 && f.at1 <= 0.0) return {p, {p.y1, p.y1}};
+  if (f.at0 > 0.0 && f.at1 > 0.0) return {{p.y0, p.y0}, p};
+  const double y = std::clamp(p.y0 + (p.y1 - p.y0) * (f.at0 / (f.at0 - f.at1)), p.y0, p.y1);
+  if (f.at0 <= 0.0) return {{p.y0, y}, {y, p.y1}};
+  return {{y, p.y1}, {p.y0, y}};
+}
+
+Linear restricted(const Piece& p, const Linear& f, const Piece& part) {
+  return {at(p, f, part.y0), at(p, f, part.y1)};
+}
+
+/// Segment above the lower edge all along the piece.
+void add_above_lower(const FaceColumn& c, const Piece& p, const Linear& lower, const Linear& h,
+                     double sign, std::int64_t* engaged, std::size_t count, ColumnSums& sums) {
+  engaged[0] += units(sums.per_length * sign * c.lower_length * (p.y1 - p.y0));
+  const Linear whole{c.upper + c.upper_slope * (p.y0 - c.y0) - lower.at0,
+                     c.upper + c.upper_slope * (p.y1 - c.y0) - lower.at1};
+  const Linear over{h.at0 - whole.at0, h.at1 - whole.at1};
+  if (over.at0 <= 0.0 && over.at1 <= 0.0) return add_trapezoid(p, lower, h, sign, sums);
+  const Split parts = split(p, over);
+  if (parts.below.y0 < parts.below.y1)
+    add_trapezoid(parts.below, restricted(p, lower, parts.below), restricted(p, h, parts.below),
+                  sign, sums);
+  add_trapezoid(parts.above, restricted(p, lower, parts.above), restricted(p, whole, parts.above),
+                sign, sums);
+  engaged[count] +=
+      units(sums.per_length * sign * c.upper_length * (parts.above.y1 - parts.above.y0));
+}
+
+void add_piece(const FaceColumn& c, const Piece& p, const Linear& segment, double sign,
+               std::int64_t* engaged, std::size_t count, ColumnSums& sums) {
+  const Linear lower{c.lower + c.lower_slope * (p.y0 - c.y0),
+                     c.lower + c.lower_slope * (p.y1 - c.y0)};
+  const Linear h{segment.at0 - lower.at0, segment.at1 - lower.at1};
+  if (h.at0 <= 0.0 && h.at1 <= 0.0) return;
+  if (h.at0 > 0.0 && h.at1 > 0.0)
+    return add_above_lower(c, p, lower, h, sign, engaged, count, sums);
+  const Piece part = split(p, h).above;
+  if (part.y0 < part.y1)
+    add_above_lower(c, part, restricted(p, lower, part), restricted(p, h, part), sign, engaged,
+                    count, sums);
+}
+
+/// What of an upright edge at y lies below a segment that passes there.
+void add_end(const FaceColumn& c, double y, const OutlineSegment& s, double sign,
+             std::int64_t& engaged, const ColumnSums& sums) {
+  if ((s.from.x() <= y) == (s.to.x() <= y)) return;
+  const double lower = c.lower + c.lower_slope * (y - c.y0),
+               upper = c.upper + c.upper_slope * (y - c.y0);
+  const double share = (y - s.from.x()) / (s.to.x() - s.from.x());
+  const double z = s.from.y() + share * (s.to.y() - s.from.y());
+  engaged += units(sums.per_length * sign * (std::clamp(z, lower, std::max(lower, upper)) - lower));
+}
+
+}  // namespace
+
+void begin_sums(const FaceColumns& face, ColumnSums& sums) {
+  constexpr double units_per_box = 1125899906842624.0;  // 2^50
+  const Vec2 size = face.hi_F - face.lo_F;
+  const double area = size.x() * size.y(),
+               reach = std::max(face.lo_F.cwiseAbs().maxCoeff(), face.hi_F.cwiseAbs().maxCoeff());
+  sums.area = sums.moment_y = sums.moment_z = 0;
+  sums.engaged.assign(2 * face.columns.size() + 2, 0);
+  sums.per_area = units_per_box / area;
+  sums.per_moment = units_per_box / (area * reach);
+  sums.per_length = units_per_box / (size.x() + size.y());
+}
+
+void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
+                 const OutlineSegment& s, ColumnSums& sums) {
+  const std::size_t count = face.columns.size();
+  const double sign = s.from.x() > s.to.x() ? 1.0 : -1.0;
+  const Vec2 &left = sign > 0.0 ? s.to : s.from, &right = sign > 0.0 ? s.from : s.to;
+  if (first == 0 && face.left_is_rim)
+    add_end(face.columns.front(), face.lo_F.x(), s, sign, sums.engaged[2 * count], sums);
+  if (end == count && face.right_is_rim)
+    add_end(face.columns.back(), face.hi_F.x(), s, sign, sums.engaged[2 * count + 1], sums);
+  const double begin = std::max(left.x(), face.columns[first].y0),
+               stop = std::min(right.x(), face.columns[end - 1].y1);
+  if (!(begin < stop)) return;
+  const double slope = (right.y() - left.y()) / (right.x() - left.x());
+  std::size_t i = std::max(first, face.near(begin));
+  for (double y = begin; i < end && y < stop; ++i) {
+    const FaceColumn& c = face.columns[i];
+    if (c.y1 <= y) continue;
+    const Piece p{y, std::min(stop, c.y1)};
+    const Linear z{left.y() + slope * (p.y0 - left.x()), left.y() + slope * (p.y1 - left.x())};
+    add_piece(c, p, z, sign, sums.engaged.data() + i, count, sums);
+    y = p.y1;
+  }
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,148 @@
+#include "rock/section/contact_area.hpp"
+
+#include <algorithm>
+
+#include "mesh/search/inside.hpp"
+#include "rock/cut/wide_planes.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+/// Whether this step moved the vertex.
+bool has_moved(const CutWorkspace& cut, int v) {
+  return at(v) < cut.step_of_move.size() && cut.step_of_move[at(v)] == cut.step;
+}
+
+bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
+  return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
+}
+
+/// What may be in the box of the group at the step's end: what the step saw there, and what other
+/// groups brought there since; or what the index has.
+void find_around(const Rock& rock, const CutWorkspace& cut, std::size_t i, double gap,
+                 ContactWork& w) {
+  const GroupMotion& m = cut.motions[i];
+  const Region region_W = widened(m.region_W, gap);
+  const mesh::Box& box_W = region_W.box;
+  if (cut.knows_touching[i] != 0 && gap <= cut.contact_gap) {
+    w.near = cut.near[i].touching;
+    for (std::size_t k = 0; k < cut.moved_in_step.size(); ++k)
+      if (k != i && cut.moved_boxes_W[k].overlaps(box_W))
+        w.near.insert(w.near.end(), cut.moved_in_step[k].begin(), cut.moved_in_step[k].end());
+    return;
+  }
+  if (rock.grid.nearest_to_axis(box_W.lo.z(), box_W.hi.z()) > m.reach_W + gap) return;
+  rock.grid.visit(region_W, w.chains, [&](const VertexGrid::Block& block) {
+    w.near.insert(w.near.end(), block.v.begin(), block.v.begin() + block.count);
+  });
+}
+
+/// What the step moved, and what is in the box of the group at the step's end. A vertex may be
+/// there twice.
+void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
+               double gap, ContactWork& w) {
+  const CuttingGroup& g = bit.groups[i];
+  const GroupMotion& m = cut.motions[i];
+  w.near.clear();
+  w.near_P.clear();
+  find_around(rock, cut, i, gap, w);
+  std::erase_if(
+      w.near, [&](int v) { return !is_within(g.box_P, m.X_PW1 * rock.surface.position(v), gap); });
+  w.near.insert(w.near.end(), cut.moved_in_step[i].begin(), cut.moved_in_step[i].end());
+  for (const int v : w.near) w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
+}
+
+/// The first plane that has the point outside by more than the gap; the number of columns if there
+/// is none.
+TDBD_WIDE std::size_t plane_between(const mesh::ConvexSolid& s, const Vec3& x_P, double gap) {
+  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
+    WidePlanes planes;
+    load(s, i, planes);
+    const auto& [x, y, z, b] = planes;
+    const Wide out = x * x_P.x() + y * x_P.y() + z * x_P.z() - b;
+    for (std::size_t l = 0; l < lanes; ++l)
+      if (out[l] > gap) return i + l;
+  }
+  return s.b.size();
+}
+
+/// Asks first the plane that kept the last one away.
+bool touches(const mesh::ConvexSolid& solid, const Vec3& x_P, double gap, std::size_t& plane) {
+  if (plane < solid.planes && mesh::normal(solid, plane).dot(x_P) - solid.b[plane] > gap)
+    return false;
+  const std::size_t between = plane_between(solid, x_P, gap);
+  if (between == solid.b.size()) return true;
+  plane = between;
+  return false;
+}
+
+bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& plane) {
+  if (!part.tree_P) return touches(part.solid_P, x_P, gap, plane);
+  return mesh::inside(*part.tree_P, x_P) || mesh::distance(*part.tree_P, x_P) <= gap;
+}
+
+/// Marks what the part of the group moved or touches; a part in several solids comes here for each
+/// of them.
+void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, const CutWorkspace& cut,
+          double gap, ContactWork& w) {
+  std::size_t plane = 0;
+  for (std::size_t i = 0; i < w.near.size(); ++i) {
+    const int v = w.near[i];
+    if (w.mark[at(v)] == w.stamp) continue;
+    const bool moved = rock.last_part[at(v)] == part.part && has_moved(cut, v);
+    if (!moved && (!touches(part, w.near_P[i], gap, plane) ||
+                   is_far_from(g, w.near_P[i], gaps_around_hull * gap)))
+      continue;
+    w.mark[at(v)] = w.stamp;
+    w.held.push_back(v);
+  }
+}
+
+/// In the order of the triangles' slots, so that the sums do not hang on the index's order.
+PartContact contact_of_held(const Rock& rock, ContactWork& w) {
+  const mesh::Surface& s = rock.surface;
+  w.triangles.clear();
+  for (const int v : w.held)
+    mesh::visit_corners(s, v, [&](int c) {
+      const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+      if (v < a && v < b && w.mark[at(a)] == w.stamp && w.mark[at(b)] == w.stamp)
+        w.triangles.push_back(c / 3);
+    });
+  std::ranges::sort(w.triangles);
+  PartContact contact;
+  for (const int t : w.triangles) {
+    const mesh::Triangle& corners = s.triangles[at(t)];
+    const Vec3 &a = s.position(corners[0]), &b = s.position(corners[1]),
+               &c = s.position(corners[2]);
+    const Vec3 area_vector_W = mesh::area_vector(a, b, c);
+    const double area = area_vector_W.norm();
+    contact.area += area;
+    contact.area_vector_W += area_vector_W;
+    contact.centroid_W += area / 3.0 * (a + b + c);
+  }
+  if (contact.area > 0.0) contact.centroid_W /= contact.area;
+  return contact;
+}
+
+}  // namespace
+
+void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, double gap,
+                   ContactWork& w, std::vector<PartContact>& contact_by_part) {
+  contact_by_part.assign(at(bit.part_count), {});
+  w.mark.resize(rock.surface.positions.size(), 0);
+  for (std::size_t i = 0; i < bit.groups.size(); ++i) {
+    const CuttingGroup& g = bit.groups[i];
+    find_near(rock, bit, cut, i, gap, w);
+    if (w.near.size() < 3) continue;
+    for (std::size_t k = 0; k < g.parts.size();) {
+      const int part = g.parts[k].part;
+      ++w.stamp;
+      w.held.clear();
+      for (; k < g.parts.size() && g.parts[k].part == part; ++k)
+        hold(rock, g, g.parts[k], cut, gap, w);
+      contact_by_part[at(part)] = contact_of_held(rock, w);
+    }
+  }
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,92 @@
+#include "rock/section/face_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tdbd::rock {
+namespace {
+
+constexpr double far = std::numeric_limits<double>::max();
+
+/// Corners whose y differ by less, over the outline's width, share a column's end.
+constexpr double same_y = 1e-12;
+
+void find_box(const ConvexPolygon& outline_F, FaceColumns& c) {
+  c.lo_F = Vec2::Constant(far);
+  c.hi_F = Vec2::Constant(-far);
+  for (const Vec2& x_F : outline_F) {
+    c.lo_F = c.lo_F.cwiseMin(x_F);
+    c.hi_F = c.hi_F.cwiseMax(x_F);
+  }
+}
+
+/// Empty columns between the corners' y.
+void divide(const ConvexPolygon& outline_F, FaceColumns& c) {
+  c.columns.clear();
+  c.columns.reserve(outline_F.size());
+  for (const Vec2& x_F : outline_F) c.columns.push_back({x_F.x(), 0, 0, 0, 0, 0, 0, 0, 1});
+  std::ranges::sort(c.columns, {}, &FaceColumn::y0);
+  const double width = c.hi_F.x() - c.lo_F.x();
+  const auto same = [&](const FaceColumn& a, const FaceColumn& b) {
+    return b.y0 - a.y0 <= same_y * width;
+  };
+  c.columns.erase(std::unique(c.columns.begin(), c.columns.end(), same), c.columns.end());
+  for (std::size_t i = 0; i + 1 < c.columns.size(); ++i) c.columns[i].y1 = c.columns[i + 1].y0;
+  c.columns.pop_back();
+}
+
+bool lies_on(const HalfPlane& h, const Vec2& p, const Vec2& q, double size) {
+  const double slack = same_y * size * h.n.norm();
+  return std::abs(h.n.dot(p) - h.b) <= slack && std::abs(h.n.dot(q) - h.b) <= slack;
+}
+
+/// Enters the edge p q, lower if it runs to the right, into the columns that it spans.
+void enter(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns& c) {
+  const bool lower = p.x() < q.x();
+  const Vec2 &left = lower ? p : q, &right = lower ? q : p;
+  const double slope = (right.y() - left.y()) / (right.x() - left.x());
+  const double rise = std::sqrt(1.0 + slope * slope), length = is_rim ? rise : 0.0;
+  for (FaceColumn& column : c.columns) {
+    const double middle = 0.5 * (column.y0 + column.y1);
+    if (middle < left.x() || middle > right.x()) continue;
+    const double z = left.y() + slope * (column.y0 - left.x());
+    (lower ? column.lower : column.upper) = z;
+    (lower ? column.lower_slope : column.upper_slope) = slope;
+    (lower ? column.lower_length : column.upper_length) = length;
+    if (lower) column.lower_rise = rise;
+  }
+}
+
+void index(FaceColumns& c) {
+  c.parts_per_metre = static_cast<double>(c.first_of.size()) / (c.hi_F.x() - c.lo_F.x());
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < c.first_of.size(); ++k) {
+    const double y = c.lo_F.x() + static_cast<double>(k) / c.parts_per_metre;
+    while (i + 1 < c.columns.size() && c.columns[i].y1 <= y) ++i;
+    c.first_of[k] = static_cast<std::uint16_t>(i);
+  }
+}
+
+}  // namespace
+
+void make_columns(const ConvexPolygon& outline_F, const HalfPlane* cut, FaceColumns& made) {
+  made.columns.clear();
+  if (outline_F.size() < 3) return;
+  find_box(outline_F, made);
+  const Vec2 size = made.hi_F - made.lo_F;
+  if (!(size.minCoeff() > 0.0)) return;
+  divide(outline_F, made);
+  made.left_is_rim = made.right_is_rim = true;
+  for (std::size_t i = 0; i < outline_F.size(); ++i) {
+    const Vec2 &p = outline_F[i], &q = outline_F[i + 1 < outline_F.size() ? i + 1 : 0];
+    const bool is_rim = cut == nullptr || !lies_on(*cut, p, q, size.norm());
+    if (std::abs(p.x() - q.x()) > same_y * size.x())
+      enter(p, q, is_rim, made);
+    else
+      (p.y() > q.y() ? made.left_is_rim : made.right_is_rim) = is_rim;
+  }
+  index(made);
+}
+
+}  // namespace tdbd::rock

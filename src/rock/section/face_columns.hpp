@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "rock/section/face_outline.hpp"
+
+namespace tdbd::rock {
+
+/// A convex outline between the y of neighbouring corners: a trapezoid with a lower and an upper
+/// edge. Frame F, m.
+struct FaceColumn {
+  double y0, y1;                      ///< from left to right
+  double lower, lower_slope;          ///< z of the lower edge at y0; dz / dy
+  double upper, upper_slope;          ///< the same of the upper edge
+  double lower_length, upper_length;  ///< of the edge over dy; 0: this edge is a cut, not the rim
+  double lower_rise;                  ///< length of the lower edge over dy, rim or cut
+};
+
+/// An outline in columns, ready for sums over segments (section.hpp).
+struct FaceColumns {
+  std::vector<FaceColumn> columns;  ///< from the least y on; none: an empty outline
+  Vec2 lo_F, hi_F;                  ///< m, its box
+  bool left_is_rim, right_is_rim;   ///< of the upright edges at the ends, if there are any
+  /// Where to begin to look for a y: columns[first_of[k]] holds the begin of the k-th of 64 equal
+  /// parts of the width.
+  std::array<std::uint16_t, 64> first_of;
+  double parts_per_metre = 0.0;
+
+  /// A column at most as far right as y, which lies in the outline's width, or near it.
+  std::size_t near(double y) const {
+    const double part = (y - lo_F.x()) * parts_per_metre;
+    return first_of[part < 63.0 ? static_cast<std::size_t>(part) : 63];
+  }
+};
+
+/// The columns of a convex outline, counter-clockwise. Edges along the line `cut` (n . x = b), if
+/// one is given, are not the rim's. Keeps the room of `made`.
+void make_columns(const ConvexPolygon& outline_F, const HalfPlane* cut, FaceColumns& made);
+
+}  // namespace tdbd::rock

@@ -1,0 +1,146 @@
+#include "rock/section/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tdbd::rock {
+namespace {
+
+double angle_of_attack(const Pose& X_BF, const rotation::Twist& twist, const Vec2& x_F) {
+  const Vec3 v_B = rotation::velocity_B(twist, X_BF * Vec3(0.0, x_F.x(), x_F.y()));
+  return std::asin(std::clamp(X_BF.R.col(0).dot(v_B) / v_B.norm(), -1.0, 1.0));
+}
+
+/// The columns of what goes forwards, in the work's room if that is not all; none if nothing does.
+const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& v, SectionWork& w) {
+  double slowest = INFINITY, fastest = -INFINITY;
+  for (const Vec2& x_F : face.outline.rim_F) {
+    slowest = std::min(slowest, v(x_F));
+    fastest = std::max(fastest, v(x_F));
+  }
+  if (!(fastest > 0.0)) return nullptr;
+  if (slowest >= 0.0) return &face.columns;
+  const HalfPlane forwards{-v.gradient, v.at_origin};
+  clip(face.outline.rim_F, forwards, w.forward_F);
+  make_columns(w.forward_F, &forwards, w.forward);
+  return w.forward.columns.empty() ? nullptr : &w.forward;
+}
+
+/// Whether the outline goes on above the zone where it is looked for.
+bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
+  const double top = f.face.hi_F.y() + 0.25 * f.reach;
+  const auto is_over = [&](const Vec2& x_F) {
+    return x_F.y() > top && x_F.x() > f.left && x_F.x() < f.right;
+  };
+  return is_over(s.from) || is_over(s.to);
+}
+
+/// Whether something of the columns may lie beside the segment, or below it.
+bool concerns(const OutlineSegment& s, const FacePlane& f) {
+  return std::max(s.from.y(), s.to.y()) > f.face.lo_F.y() &&
+         std::max(s.from.x(), s.to.x()) > f.left && std::min(s.from.x(), s.to.x()) < f.right;
+}
+
+bool is_seen(const FacePlane& plane, const OutlineWork& outline) {
+  return std::ranges::any_of(outline.segments,
+                             [&](const OutlineSegment& s) { return concerns(s, plane); });
+}
+
+/// Rock meets a face at its lower half first; only if nothing is seen there, all around the face is
+/// looked through, twice as far.
+bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
+  find_outline(rock, plane, outline);
+  if (is_seen(plane, outline)) return true;
+  plane.reach *= 2.0;
+  plane.top = plane.face.hi_F.y() + plane.reach;
+  find_outline(rock, plane, outline);
+  return is_seen(plane, outline);
+}
+
+void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
+  if (!see_outline(rock, plane, w.outline)) return;
+  if (w.sight == Sight::none) w.sight = Sight::clear;
+  for (const OutlineSegment& s : w.outline.segments) {
+    if (!concerns(s, plane)) continue;
+    if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
+    add_segment(plane.face, strip.first, strip.end, s, w.sums);
+  }
+}
+
+/// An edge of the outline: where its middle is, and how much of it is engaged.
+struct EngagedEdge {
+  Vec2 middle_F;
+  double length;
+};
+
+EngagedEdge edge_of(const FaceColumns& face, std::size_t i, const ColumnSums& sums) {
+  const std::size_t count = face.columns.size();
+  const double length = static_cast<double>(sums.engaged[i]) / sums.per_length;
+  const FaceColumn& c = face.columns[i < 2 * count ? i % count : i == 2 * count ? 0 : count - 1];
+  const double half = 0.5 * (c.y1 - c.y0);
+  if (i < count) return {{c.y0 + half, c.lower + half * c.lower_slope}, length};
+  if (i < 2 * count) return {{c.y0 + half, c.upper + half * c.upper_slope}, length};
+  const double dy = i == 2 * count ? 0.0 : c.y1 - c.y0;
+  return {{c.y0 + dy, 0.5 * (c.lower + c.upper + dy * (c.lower_slope + c.upper_slope))}, length};
+}
+
+void measure_edge(const FaceColumns& face, const Pose& X_BF, const rotation::Twist& twist,
+                  const ColumnSums& sums, Section& s) {
+  double attack = 0.0;
+  Vec2 middle_F = Vec2::Zero();
+  for (std::size_t i = 0; i < sums.engaged.size(); ++i) {
+    if (sums.engaged[i] == 0) continue;
+    const EngagedEdge e = edge_of(face, i, sums);
+    s.engaged_edge += e.length;
+    middle_F += e.length * e.middle_F;
+    attack += e.length * angle_of_attack(X_BF, twist, e.middle_F);
+  }
+  if (!(s.engaged_edge > 0.0)) return;
+  s.angle_of_attack = attack / s.engaged_edge;
+  s.edge_centroid_B =
+      X_BF * Vec3(0.0, middle_F.x() / s.engaged_edge, middle_F.y() / s.engaged_edge);
+}
+
+void measure_area(const Pose& X_BF, const rotation::Twist& twist, const ColumnSums& sums,
+                  Section& s) {
+  s.area = static_cast<double>(sums.area) / sums.per_area;
+  if (!(s.area > 0.0)) return;
+  const double per_area = sums.per_moment * s.area;
+  s.centroid_B = X_BF * Vec3(0.0, static_cast<double>(sums.moment_y) / per_area,
+                             static_cast<double>(sums.moment_z) / per_area);
+  s.volume_rate = s.area * X_BF.R.col(0).dot(rotation::velocity_B(twist, s.centroid_B));
+}
+
+}  // namespace
+
+SectionFace section_face(FaceOutline outline) {
+  SectionFace face{std::move(outline), {}};
+  make_columns(face.outline.rim_F, nullptr, face.columns);
+  return face;
+}
+
+Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB,
+                const rotation::Twist& twist, const SectionPlace& place, SectionWork& work) {
+  Section s;
+  const Pose& X_BF = face.outline.X_BF;
+  const ForwardSpeed v = forward_speed(X_BF, twist);
+  const FaceColumns* columns = forward_columns(face, v, work);
+  s.sight = Sight::none;
+  if (columns == nullptr) return s;
+  begin_sums(*columns, work.sums);
+  work.sight = Sight::none;
+  face_strips(*columns, v, place.lead, time_of_turn(twist, place.largest_turn), work.strips);
+  const double middle = 0.5 * (columns->lo_F.y() + columns->hi_F.y());
+  for (const FaceStrip& strip : work.strips)
+    add_strip(rock, strip,
+              face_plane(X_WB * rotation::carried(twist, strip.ahead) * X_BF, *columns, strip.first,
+                         strip.end, place.reach, middle, place.near_list),
+              work);
+  s.sight = work.sight;
+  measure_area(X_BF, twist, work.sums, s);
+  measure_edge(*columns, X_BF, twist, work.sums, s);
+  return s;
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,160 @@
+#include "simulation/case/case_forces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "forces/fits.hpp"
+#include "simulation/case/case_formation.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using bit::PartKind;
+
+/// Whether the law of the whole run holds for a kind of part, where it knows it.
+enum class FollowsRun { yes, no };
+
+struct KindKey {
+  PartKind kind;
+  const char* key;
+  FollowsRun follows;
+};
+
+/// What a cutter's body bears (ours): in drilling its contact slides along the groove that the rim
+/// cut, and carries nothing; a bit that sticks or goes down faster than its edges cut rests on it.
+/// Without it such a bit would sink into the rock under its weight.
+forces::Law bearing_of_a_body() {
+  constexpr double full_angle = 0.5;  // rad, far above the helix of drilling
+  constexpr double friction = 0.3, over_strength = 1.5;
+  forces::Friction f;
+  f.stress = std::numeric_limits<double>::max();
+  f.cap = over_strength;
+  f.mu = friction;
+  f.full_angle = full_angle;
+  return f;
+}
+
+/// Kinds in the order of PartKind.
+constexpr std::array<KindKey, bit::part_kinds.size()> kinds{
+    {{PartKind::face, "face", FollowsRun::yes},
+     {PartKind::chamfer, "chamfer", FollowsRun::yes},
+     {PartKind::cse, "cse", FollowsRun::yes},
+     {PartKind::cutter_body, "cutter_body", FollowsRun::no},
+     {PartKind::gage_pad, "gage_pad", FollowsRun::no},
+     {PartKind::bit_body, "bit_body", FollowsRun::no},
+     {PartKind::cone, "cone", FollowsRun::yes},
+     {PartKind::tooth, "tooth", FollowsRun::yes}}};
+
+std::vector<std::pair<std::string, std::string>> names_of(
+    const std::vector<std::string_view>& all) {
+  std::vector<std::pair<std::string, std::string>> names;
+  names.reserve(all.size());
+  for (const std::string_view name : all) names.emplace_back(std::string(name), std::string(name));
+  return names;
+}
+
+/// A law with coefficients from the literature, which the keys beside it change.
+std::optional<forces::Law> read_fit(Config& c) {
+  if (!c.has("coefficients")) return std::nullopt;
+  std::vector<std::string_view> names;
+  for (const forces::Fit& fit : forces::known_fits()) names.push_back(fit.name);
+  return forces::fit_named(c.choice<std::string>("coefficients", names_of(names), std::nullopt))
+      .law;
+}
+
+/// The law that the table names, its coefficients read from it.
+forces::Law read_law(Config& c, const std::string& fallback) {
+  const std::optional<forces::Law> fit = read_fit(c);
+  std::optional<std::string> usual;
+  if (fit)
+    usual = forces::law_name(*fit);
+  else if (!fallback.empty())
+    usual = fallback;
+  const std::string name = c.choice<std::string>("law", names_of(forces::law_names()), usual);
+  if (fit && name != forces::law_name(*fit))
+    c.problem("law", name,
+              "the law of forces.coefficients, " + std::string(forces::law_name(*fit)));
+  forces::Law law = fit.value_or(forces::law_named(name));
+  for (const forces::LawField& f : forces::law_fields(law))
+    *f.value =
+        c.quantity(f.key, std::string(f.unit), fit ? std::optional(*f.value) : f.fallback, f.range);
+  return law;
+}
+
+/// Diameter of the cutters, m; 0: the bit has none.
+double cutter_diameter(const bit::Bit& bit) {
+  return bit.cutters.empty() ? 0.0 : bit.cutters.front().diameter;
+}
+
+/// A law that a table asks for by name must know the kind.
+void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const bit::Bit& bit,
+                 ForcePlan& plan) {
+  forces::Law& law = plan.laws[static_cast<std::size_t>(k.kind)];
+  const bool follows = k.follows == FollowsRun::yes &&
+                       forces::law_problem(common, k.kind, cutter_diameter(bit)).empty();
+  law = follows                           ? common
+        : k.kind == PartKind::cutter_body ? bearing_of_a_body()
+                                          : forces::Law(forces::NoForce{});
+  if (!c.has(k.key)) return;
+  Config table = c.table(k.key);
+  law = read_law(table, std::string(forces::law_name(law)));
+  const std::string wrong = forces::law_problem(law, k.kind, cutter_diameter(bit));
+  if (!wrong.empty()) table.problem("law", std::string(forces::law_name(law)), wrong);
+}
+
+bool has_force(const ForcePlan& plan, PartKind kind) {
+  return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
+}
+
+/// What is made of a section belongs to a cutter whose place is known: of a table, or of solids
+/// with rules that give it.
+bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
+  return kind == PartKind::face ||
+         (kind == PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
+}
+
+/// The law must have a part to act on, and every part what its law is asked about.
+void demand_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
+                  const ForcePlan& plan) {
+  if (bit.parts.empty()) return;  // its own mistakes are told
+  if (std::ranges::none_of(bit.parts, [&](const bit::Part& p) {
+        return law_of(plan, p.kind).index() == common.index();
+      }))
+    c.problem("law", std::string(forces::law_name(common)), "a law that knows a part of this bit");
+  for (const bit::Part& p : bit.parts)
+    if (p.cutter < 0 && has_force(plan, p.kind) && needs_a_cutter(plan, p.kind))
+      return c.problem("", fmt::format("{}, a part without a cutter of a table", p.name),
+                       "cutters whose places are known, or the law \"none\" for such parts");
+}
+
+/// Sections and contact areas are what forces are made of.
+void demand_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure) {
+  if (!bit.cutters.empty() && measure.section == SectionMeasure::off)
+    c.problem("", "measure.section = \"off\"", "sections: a cutter's force comes from them");
+  if (measure.contact == ContactMeasure::off)
+    c.problem("", "measure.contact = \"off\"", "contact areas: forces come from them");
+}
+
+}  // namespace
+
+ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& measure) {
+  ForcePlan plan;
+  if (!whole.has("forces")) return plan;
+  Config c = whole.table("forces");
+  plan.forces = Forces::on;
+  plan.cut = c.choice<CutMeasure>(
+      "cut", {{"section", CutMeasure::section}, {"volume", CutMeasure::volume}}, plan.cut);
+  plan.chamfer = c.choice<ChamferMeasure>(
+      "chamfer_contact", {{"edge", ChamferMeasure::edge}, {"triangles", ChamferMeasure::triangles}},
+      plan.chamfer);
+  const forces::Law common = read_law(c, "");
+  for (const KindKey& k : kinds) read_law_of(c, k, common, bit, plan);
+  demand_parts(c, bit, common, plan);
+  demand_measures(c, bit, measure);
+  plan.rock = read_formation(whole.table("rock"));
+  return plan;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,71 @@
+#include "simulation/case/contact_slopes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tdbd::simulation {
+namespace {
+
+constexpr double depth = 1e-3;       // m
+constexpr double usual_speed = 1.0;  // m/s
+
+/// Area and edge of a circular segment of a disc, m2 and m.
+struct Segment {
+  double area, edge;
+};
+
+Segment segment_of(double diameter, double height) {
+  const double a = 0.5 * diameter, half = std::acos(1.0 - std::min(height, a) / a);
+  return {a * a * (half - std::sin(half) * std::cos(half)), 2.0 * a * half};
+}
+
+double normal_force(const ForcePlan& plan, const forces::PartCut& cut) {
+  return forces::force(law_of(plan, cut.kind), cut).normal;
+}
+
+forces::PartCut cut_of(const bit::Cutter& c, const forces::Strength& strength) {
+  const Segment s = segment_of(c.diameter, depth / std::cos(c.back_rake));
+  forces::PartCut cut;
+  cut.kind = bit::PartKind::face;
+  cut.cut_area = s.area * std::cos(c.back_rake);
+  cut.engaged_edge = s.edge;
+  cut.depth = cut.cut_area / s.edge;
+  cut.back_rake = c.back_rake;
+  cut.diameter = c.diameter;
+  cut.velocity = usual_speed * Vec3::UnitX();
+  cut.normal = Vec3::UnitZ();
+  cut.strength = strength;
+  return cut;
+}
+
+forces::PartCut print_of(const bit::ToothRow& row, const forces::Strength& strength) {
+  forces::PartCut cut;
+  cut.kind = bit::PartKind::tooth;
+  cut.contact_area = std::numbers::pi * (row.shape.diameter - depth) * depth;
+  cut.depth = depth;
+  cut.velocity = usual_speed * Vec3::UnitZ();
+  cut.normal = Vec3::UnitZ();
+  cut.strength = strength;
+  return cut;
+}
+
+}  // namespace
+
+dynamics::ContactSlopes contact_slopes(const bit::Bit& bit, const ForcePlan& plan) {
+  const auto strongest = std::ranges::max_element(
+      plan.rock.strengths, {}, [](const forces::Strength& s) { return s.confined; });
+  dynamics::ContactSlopes slopes;
+  for (const bit::Cutter& c : bit.cutters) {
+    const double slope = normal_force(plan, cut_of(c, *strongest)) / depth;
+    const double down = std::cos(c.profile_angle), out = std::sin(c.profile_angle);
+    slopes.axial_stiffness += slope * down * down;
+    slopes.lateral_stiffness += 0.5 * slope * out * out;
+  }
+  for (const bit::Cone& cone : bit.cones)
+    for (const bit::ToothRow& row : cone.layout.rows)
+      slopes.axial_stiffness += normal_force(plan, print_of(row, *strongest)) / depth;
+  return slopes;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,94 @@
+#include "simulation/result/drive_figures.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace tdbd::simulation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+double frequency(double stiffness, double inertia) {
+  return stiffness > 0.0 ? std::sqrt(stiffness / inertia) / two_pi : 0.0;
+}
+
+}  // namespace
+
+Expected expected_of(const dynamics::DrillingSystem& s, double rotary_speed) {
+  Expected e;
+  e.torsional = frequency(s.string.turn_stiffness(2, 2), s.gyrostat.inertia_B(2, 2));
+  e.axial = frequency(s.spring(2, 2), s.mass);
+  e.lateral = frequency(s.string.stiffness(0, 0), s.mass);
+  e.rolling_speed = rotary_speed * s.wall.ring_radius;
+  if (s.wall.stiffness > 0.0 && s.wall.clearance > 0.0)
+    e.rolling = rotary_speed * s.wall.ring_radius / s.wall.clearance / two_pi;
+  return e;
+}
+
+DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& d,
+                   double turned) {
+  const dynamics::StoredEnergy stored = dynamics::stored_energy(system, d.at, d.state);
+  const dynamics::EnergyLedger& l = d.ledger;
+  DriveRow row;
+  row.rock_z = d.state.rock_z;
+  row.string_twist = d.at.top.angle - turned;
+  row.stored = dynamics::total(stored);
+  row.top = l.top;
+  row.cutting = -l.cut_bit;
+  row.lost = l.damped_string + l.damped_bearings + l.damped_rock + l.wall_loss + l.wall_friction;
+  row.residual = dynamics::residual(stored, l);
+  return row;
+}
+
+Json energy_json(const DriveFigures& f) {
+  const dynamics::EnergyLedger& l = f.ledger;
+  const double residual = dynamics::residual(f.stored, l);
+  return {{"start_j", l.start},
+          {"top_j", l.top},
+          {"gravity_j", l.gravity},
+          {"cutting_j", -l.cut_bit},
+          {"cutting_to_rock_motion_j", l.cut_rock},
+          {"damped_string_j", l.damped_string},
+          {"damped_bearings_j", l.damped_bearings},
+          {"damped_rock_j", l.damped_rock},
+          {"wall_loss_j", l.wall_loss},
+          {"wall_friction_j", l.wall_friction},
+          {"kinetic_j", f.stored.translation + f.stored.rotation + f.stored.cones + f.stored.rock},
+          {"elastic_j", f.stored.string + f.stored.wall + f.stored.rock_mount},
+          {"residual_j", residual},
+          {"residual_over_top", l.top != 0.0 ? residual / l.top : 0.0},
+          {"cutting_by_part_j", f.cutting_by_part}};
+}
+
+Json energy_order_json(const EnergyOrder& o) {
+  return {{"reason", o.residual.reason},
+          {"levels", o.residual.steps.size()},
+          {"from_s", o.from},
+          {"window_s", o.window},
+          {"steps_s", o.residual.steps},
+          {"residuals_j", o.residual.residuals}};
+}
+
+Json diagnosis_json(const Diagnosis& d, const Expected& e) {
+  return {{"text", d.text},
+          {"stick_slip_severity", d.stick_slip_severity},
+          {"stuck_share", d.stuck_share},
+          {"torsional_frequency_hz", d.torsional_frequency},
+          {"torsional_frequency_expected_hz", e.torsional},
+          {"lost_contact_share", d.lost_contact_share},
+          {"wob_swing", d.wob_swing},
+          {"axial_frequency_hz", d.axial_frequency},
+          {"axial_frequency_expected_hz", e.axial},
+          {"lateral_frequency_expected_hz", e.lateral},
+          {"orbit_radius_m", d.orbit_radius},
+          {"orbit_frequency_hz", d.orbit_frequency},
+          {"rolling_frequency_expected_hz", -e.rolling},
+          {"rolling_frequency_at_orbit_hz",
+           d.orbit_radius > 0.0 ? -e.rolling_speed / (two_pi * d.orbit_radius) : 0.0},
+          {"whirl", whirl_name(d.whirl)}};
+}
+
+}  // namespace tdbd::simulation

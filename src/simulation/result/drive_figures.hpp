@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "dynamics/drilling/drilling_step.hpp"
+#include "dynamics/drilling/energy_ledger.hpp"
+#include "dynamics/drilling/residual_order.hpp"
+#include "simulation/step/diagnosis.hpp"
+#include "simulation/step/energy_order.hpp"
+
+namespace tdbd::simulation {
+
+/// What the equations of motion leave in a row of the history.
+struct DriveRow {
+  double rock_z = 0.0;                                          ///< m
+  double string_twist = 0.0;                                    ///< rad, of the top over the bit
+  double stored = 0.0;                                          ///< J, kinetic and elastic
+  double top = 0.0, cutting = 0.0, lost = 0.0, residual = 0.0;  ///< J, since the start
+};
+
+DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& drilling,
+                   double turned);
+
+/// What a run of a bit that forces move reports of its motion.
+struct DriveFigures {
+  dynamics::StoredEnergy stored;  ///< at the end
+  dynamics::EnergyLedger ledger;
+  std::map<std::string, double> cutting_by_part;  ///< J, power times step: first order in it
+  Expected expected;
+  EnergyOrder order;
+};
+
+/// Frequencies of string and mass alone, without rock, and of rolling in the hole at a rotary speed
+/// (rad/s): sqrt(k/m)/2 pi with the inertia about the bit's axis, w R/(Rh - R)/2 pi.
+Expected expected_of(const dynamics::DrillingSystem& system, double rotary_speed);
+
+/// "energy" of summary.json: every entry in J, residual and its share of what the top did.
+nlohmann::ordered_json energy_json(const DriveFigures& figures);
+
+/// "energy_residual_order_of" of summary.json: why there is none, the window, steps and residuals.
+nlohmann::ordered_json energy_order_json(const EnergyOrder& order);
+
+/// "diagnosis" of summary.json: measured frequencies beside the expected ones.
+nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Expected& expected);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,110 @@
+#include "simulation/result/record_netcdf.hpp"
+
+#include <H5public.h>
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace tdbd::simulation {
+
+RecordNetcdf::RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout)
+    : file_(file) {
+  H5dont_atexit();  // at exit HDF5 would touch files again that it could not close on a full disk
+  require(nc_create(file.c_str(), NC_NETCDF4 | NC_CLOBBER, &nc_));
+  define(layout);
+}
+
+RecordNetcdf::~RecordNetcdf() {
+  if (nc_ >= 0) nc_close(nc_);
+}
+
+void RecordNetcdf::require(int status) const {
+  if (status == NC_NOERR) return;
+  std::string reason = nc_strerror(status);
+  if (status == NC_EHDFERR && errno != 0) reason += fmt::format(" ({})", std::strerror(errno));
+  throw RunError(fmt::format("cannot write {}: {}", file_.string(), reason));
+}
+
+void RecordNetcdf::define(const RecordLayout& layout) {
+  int time_dim = -1;
+  require(nc_def_dim(nc_, "time", NC_UNLIMITED, &time_dim));
+  std::vector<int> dims;  // NetCDF has no dimension of length 0: an empty axis may grow, and stays
+  for (const RecordAxis& axis : layout.axes) {
+    const std::size_t length = axis.components.empty() ? NC_UNLIMITED : axis.components.size();
+    require(nc_def_dim(nc_, axis.name.c_str(), length, &dims.emplace_back()));
+  }
+  const auto dim_of = [&](int axis) { return dims[static_cast<std::size_t>(axis)]; };
+  for (const RecordColumn& c : layout.columns) {
+    std::vector<int> of_column{time_dim};
+    if (c.axis >= 0) of_column.push_back(dim_of(c.axis));
+    columns_.push_back({define_number(c, of_column, layout.width(c)), layout.width(c), {}});
+  }
+  std::vector<int> variables;
+  for (const RecordLabels& l : layout.labels) variables.push_back(define_labels(l, dim_of(l.axis)));
+  require(nc_enddef(nc_));
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    for (std::size_t at = 0; at < layout.labels[i].texts.size(); ++at) {
+      const char* bytes = layout.labels[i].texts[at].c_str();
+      require(nc_put_var1_string(nc_, variables[i], &at, &bytes));
+    }
+}
+
+void RecordNetcdf::describe(int variable, const std::string& units, const std::string& long_name) {
+  require(nc_put_att_text(nc_, variable, "units", units.size(), units.c_str()));
+  require(nc_put_att_text(nc_, variable, "long_name", long_name.size(), long_name.c_str()));
+}
+
+int RecordNetcdf::define_labels(const RecordLabels& labels, int dim) {
+  int variable = -1;
+  require(nc_def_var(nc_, labels.name.c_str(), NC_STRING, 1, &dim, &variable));
+  describe(variable, "1", labels.long_name);
+  return variable;
+}
+
+int RecordNetcdf::define_number(const RecordColumn& column, const std::vector<int>& dims,
+                                std::size_t width) {
+  int variable = -1;
+  const int rank = static_cast<int>(dims.size());
+  require(nc_def_var(nc_, column.name.c_str(), NC_DOUBLE, rank, dims.data(), &variable));
+  const std::size_t chunk[2] = {record_block, std::max<std::size_t>(1, width)};
+  require(nc_def_var_chunking(nc_, variable, NC_CHUNKED, chunk));
+  require(nc_def_var_deflate(nc_, variable, 1, 1, 1));
+  describe(variable, column.units, column.long_name);
+  return variable;
+}
+
+void RecordNetcdf::append(std::span<const double> row) {
+  for (Column& c : columns_) {
+    const std::span<const double> own = row.first(c.width);
+    c.waiting.insert(c.waiting.end(), own.begin(), own.end());
+    row = row.subspan(c.width);
+  }
+  if (++waiting_ == record_block) write_block();
+}
+
+void RecordNetcdf::write_block() {
+  if (waiting_ == 0) return;
+  errno = 0;
+  for (Column& c : columns_) {
+    const std::size_t start[2] = {written_, 0}, count[2] = {waiting_, c.width};
+    require(nc_put_vara_double(nc_, c.variable, start, count, c.waiting.data()));
+    c.waiting.clear();
+  }
+  written_ += waiting_;
+  waiting_ = 0;
+}
+
+void RecordNetcdf::close() {
+  write_block();
+  const int nc = nc_;
+  nc_ = -1;
+  errno = 0;
+  require(nc_close(nc));
+}
+
+}  // namespace tdbd::simulation

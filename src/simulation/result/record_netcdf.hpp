@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "simulation/result/record.hpp"
+
+namespace tdbd::simulation {
+
+/// Rows kept in memory until they are written as one block, and the chunk length of the file.
+inline constexpr std::size_t record_block = 512;
+
+/// The NetCDF half of a Record: one open file and the block not yet written.
+class RecordNetcdf {
+ public:
+  /// Creates the file and defines its dimensions and variables. Throws RunError.
+  RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout);
+  ~RecordNetcdf();  ///< closes the file; errors are for close() to tell
+  RecordNetcdf(const RecordNetcdf&) = delete;
+  RecordNetcdf& operator=(const RecordNetcdf&) = delete;
+
+  void append(std::span<const double> row);
+  void close();
+
+ private:
+  /// A variable and its part of the block.
+  struct Column {
+    int variable = -1;
+    std::size_t width = 1;
+    std::vector<double> waiting;
+  };
+
+  void require(int status) const;
+  void define(const RecordLayout& layout);
+  int define_number(const RecordColumn& column, const std::vector<int>& dims, std::size_t width);
+  int define_labels(const RecordLabels& labels, int dim);
+  void describe(int variable, const std::string& units, const std::string& long_name);
+  void write_block();
+
+  std::filesystem::path file_;
+  std::vector<Column> columns_;
+  std::size_t written_ = 0;  ///< rows in the file
+  std::size_t waiting_ = 0;  ///< rows in the block
+  int nc_ = -1;
+};
+
+}  // namespace tdbd::simulation

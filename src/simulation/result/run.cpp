@@ -1,0 +1,228 @@
+#include "simulation/result/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "bit/mass_properties.hpp"
+#include "bit/report/bit_output.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/whole_file.hpp"
+#include "mesh/measures.hpp"
+#include "rotation/rotation_vector.hpp"
+#include "simulation/result/frames.hpp"
+#include "simulation/result/history.hpp"
+#include "simulation/result/try_to.hpp"
+#include "simulation/step/energy_order.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+std::vector<HistoryPart> history_parts(const bit::Bit& bit) {
+  std::vector<HistoryPart> parts;
+  for (const bit::Part& p : bit.parts) parts.push_back({p.name, bit::kind_name(p.kind)});
+  return parts;
+}
+
+HistoryExtent history_extent(const Case& c) {
+  HistoryExtent extent;
+  extent.cones.reserve(c.bit.cones.size());
+  for (const bit::Cone& cone : c.bit.cones) extent.cones.push_back(cone.name);
+  extent.contact_areas = c.measure.contact == ContactMeasure::on;
+  extent.forces = c.forces.forces == Forces::on;
+  extent.drive = c.motion.kind == MotionKind::drilling;
+  if (c.measure.section == SectionMeasure::off) return extent;
+  extent.cutters.reserve(c.bit.cutters.size());
+  for (const bit::Cutter& cutter : c.bit.cutters) extent.cutters.push_back(cutter_name(cutter));
+  return extent;
+}
+
+/// The row looks at the angles and speeds given.
+HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>& cone_angles,
+                  const std::vector<double>& cone_speeds) {
+  HistoryRow row;
+  row.time = c.time.step * static_cast<double>(s.steps_done);
+  row.p_WB = s.place.X_WB.p;
+  row.rotation_vector = rotation::log(s.place.X_WB.R);
+  row.rotation_angle = s.place.turned;
+  row.removed_volume_total = s.ledger.removed.value();
+  row.removed_volume_by_part = s.cut.removed_by_part;
+  row.cone_angles = cone_angles;
+  row.cone_speeds = cone_speeds;
+  row.sections = s.measures.sections;
+  row.contacts = s.measures.contacts;
+  row.swept_vertices = s.cut.moved;
+  row.rock_triangles = s.rock.surface.triangle_count();
+  return row;
+}
+
+void append_row(const Case& c, const Simulation& s, History& history) {
+  const std::vector<double> angles = angles_of(s.cones), speeds = speeds_of(s.cones);
+  HistoryRow row = row_of(c, s, angles, speeds);
+  const LoadedStep loaded{s.loads, s.velocity, s.place.X_WB, s.cut.removed_by_part, c.time.step};
+  if (c.forces.forces == Forces::on) row.loaded = &loaded;
+  const DriveRow drive =
+      s.drive ? drive_row(c.drilling.system, *s.drive, s.place.turned) : DriveRow{};
+  if (s.drive) row.drive = &drive;
+  history.append(row);
+}
+
+/// Worst quality and the quality that 99 % of the triangles exceed.
+std::pair<double, double> quality_figures(const mesh::Surface& s) {
+  std::vector<double> q;
+  for (const mesh::Triangle& t : s.triangles)
+    if (t[0] >= 0)
+      q.push_back(mesh::triangle_quality(s.position(t[0]), s.position(t[1]), s.position(t[2])));
+  std::sort(q.begin(), q.end());
+  return q.empty() ? std::pair{0.0, 0.0} : std::pair{q.front(), q[q.size() / 100]};
+}
+
+std::vector<PartVolumes> part_volumes(const Case& c, const VolumeLedger& l) {
+  std::vector<PartVolumes> parts;
+  for (std::size_t i = 0; i < c.bit.parts.size(); ++i) {
+    PartVolumes p{c.bit.parts[i].name, l.removed_by_part[i].value(), {}};
+    for (const auto& revolution : l.removed_by_revolution) p.by_revolution.push_back(revolution[i]);
+    parts.push_back(std::move(p));
+  }
+  return parts;
+}
+
+std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r) {
+  const auto counts = rock::counts(r);
+  return {counts.begin(), counts.end()};
+}
+
+void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  r.diagnosis = diagnose(s.trace);
+  std::map<std::string, double> by_part;
+  for (std::size_t i = 0; i < s.energy_by_part.size(); ++i)
+    if (s.energy_by_part[i] != 0.0) by_part[c.bit.parts[i].name] = s.energy_by_part[i];
+  r.drive = {dynamics::stored_energy(system, s.drive->at, s.drive->state),
+             s.drive->ledger,
+             by_part,
+             expected_of(system, r.loads->rotary_speed.mean),
+             {}};
+}
+
+/// What a run writes on its way.
+struct Recorder {
+  OutputFolder folder;
+  History history;
+  Frames frames;
+  std::vector<double> step_seconds;
+  EnergyOrderPlan order_plan;
+  EnergyOrder order;
+
+  Recorder(const Case& c, const OutputFolder& f)
+      : folder(f),
+        history(f.history(), history_parts(c.bit), history_extent(c)),
+        frames(f),
+        order_plan(plan_energy_order(c)) {
+    order.residual.reason =
+        order_plan.at < 0 ? order_plan.reason : "the run ended before its window";
+  }
+};
+
+/// The loop over steps, with everything that is recorded on the way.
+RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
+  r.step_seconds.reserve(static_cast<std::size_t>(std::min(c.time.steps, 10'000'000L)));
+  while (s.steps_done < c.time.steps) {
+    if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
+    if (s.steps_done == r.order_plan.at) r.order = observe_energy_order(c, s);
+    const auto before = Clock::now();
+    step(c, s);
+    r.step_seconds.push_back(seconds(Clock::now() - before));
+    if (s.steps_done % c.output.history_every == 0) append_row(c, s, r.history);
+    if (c.output.frames_every > 0 && s.steps_done % c.output.frames_every == 0) r.frames.add(c, s);
+    if (o.progress) o.progress(s, c.time.steps);
+  }
+  return RunStatus::completed;
+}
+
+std::string failure_of(const Case& c, const Simulation& s, const std::string& what) {
+  return fmt::format("failed after {} of {} steps, at t = {} s: {}", s.steps_done, c.time.steps,
+                     c.time.step * static_cast<double>(s.steps_done), what);
+}
+
+void keep(const Case& c, const Simulation& s, const std::string& failure, Recorder& r) {
+  try_to([&] { r.history.close(); });
+  try_to([&] { r.frames.write_final(c, s); });
+  try_to([&] { write_text(r.folder.failure(), failure + "\n"); });
+}
+
+RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
+  try {
+    const RunStatus status = loop(c, s, o, r);
+    r.history.close();
+    r.frames.write_final(c, s);
+    return status;
+  } catch (const std::exception& e) {
+    const std::string failure = failure_of(c, s, e.what());
+    keep(c, s, failure, r);
+    throw RunError(failure);
+  }
+}
+
+}  // namespace
+
+RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
+  RunSummary r;
+  r.command = "run";
+  r.title = c.bit.name;
+  r.status = status;
+  r.case_hash = c.hash;
+  const double from = c.time.step * static_cast<double>(c.time.first),
+               to = c.time.step * static_cast<double>(s.steps_done);
+  r.steps = s.steps_done - c.time.first;
+  r.duration = to - from;
+  r.revolutions = (s.place.turned - s.start_turned) / (2.0 * std::numbers::pi);
+  r.removed_volume = s.ledger.removed.value();
+  for (const auto& revolution : s.ledger.removed_by_revolution)
+    r.removed_volume_by_revolution.push_back(
+        std::accumulate(revolution.begin(), revolution.end(), 0.0));
+  r.parts = part_volumes(c, s.ledger);
+  r.volume_ledger_defect = ledger_defect(s);
+  r.maintenance_volume = s.maintenance.volume_change;
+  r.trimmed_volume = s.ledger.trimmed.value();
+  r.rock_triangles_start = s.start_triangles;
+  r.rock_triangles_end = s.rock.surface.triangle_count();
+  std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.rock.surface);
+  r.gage_radius = c.bit.gage_radius;
+  r.maintenance = maintenance_counts(s.maintenance);
+  r.faces = figures_of(c.bit, s.measures);
+  if (c.forces.forces == Forces::on) r.loads = figures_of(c.bit, s.load_statistics, to);
+  if (s.drive) add_drive(c, s, r);
+  r.sections_refused_deep = s.measures.refused_deep;
+  r.sections_refused_over_the_top = s.measures.refused_over_the_top;
+  for (std::size_t k = 0; k < s.cones.size(); ++k)
+    r.cones.push_back(figures_of(c.bit.cones[k].name, s.cones[k]));
+  return r;
+}
+
+RunSummary run(const Case& c, const RunOptions& o) {
+  const auto started = Clock::now();
+  const ThreadLimit limit(o.threads);
+  Simulation s = start(c);
+  const OutputFolder folder = prepare(o.folder, o.overwrite, c.files);
+  write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
+  bit::write_bit_files(folder.path, c.bit);
+  Recorder recorder(c, folder);
+  RunSummary summary = summary_of(c, s, run_steps(c, s, o, recorder));
+  if (summary.drive) summary.drive->order = recorder.order;
+  const double wall = seconds(Clock::now() - started);
+  write_text(folder.timing(), to_json(timing_of(recorder.step_seconds, wall, o.threads)));
+  write_text(folder.summary(), to_json(summary));
+  return summary;
+}
+
+}  // namespace tdbd::simulation

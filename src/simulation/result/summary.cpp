@@ -1,0 +1,135 @@
+#include "simulation/result/summary.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/provenance.hpp"
+#include "core/whole_file.hpp"
+#include "simulation/result/summary_head.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json removed_json(const RunSummary& s) {
+  Json by_part = Json::object(), by_part_by_revolution = Json::object();
+  for (const PartVolumes& p : s.parts) {
+    by_part[p.name] = p.removed;
+    by_part_by_revolution[p.name] = p.by_revolution;
+  }
+  return {{"removed_volume_m3", s.removed_volume},
+          {"removed_volume_by_part_m3", by_part},
+          {"removed_volume_by_revolution_m3", s.removed_volume_by_revolution},
+          {"removed_volume_by_part_by_revolution_m3", by_part_by_revolution},
+          {"volume_ledger_defect", s.volume_ledger_defect},
+          {"maintenance_volume_m3", s.maintenance_volume},
+          {"trimmed_volume_m3", s.trimmed_volume}};
+}
+
+Json rock_json(const RunSummary& s) {
+  return {{"rock_triangles_start", s.rock_triangles_start},
+          {"rock_triangles_end", s.rock_triangles_end},
+          {"rock_quality_min", s.rock_quality_min},
+          {"rock_quality_1_percent", s.rock_quality_1_percent},
+          {"maintenance", s.maintenance}};
+}
+
+Json cones_json(const RunSummary& s) {
+  Json cones = Json::array();
+  for (const ConeFigures& c : s.cones)
+    cones.push_back({{"name", c.name},
+                     {"mean_speed_ratio", c.mean_speed_ratio},
+                     {"min_speed_ratio", c.min_speed_ratio},
+                     {"max_speed_ratio", c.max_speed_ratio},
+                     {"std_speed_ratio", c.std_speed_ratio},
+                     {"rolling_ratio_gage_row", c.rolling_ratio_gage_row},
+                     {"net_slip_gage_row", c.net_slip_gage_row}});
+  return cones;
+}
+
+Json sections_json(const RunSummary& s) {
+  Json faces = Json::array();
+  for (const FaceFigures& f : s.faces)
+    faces.push_back({{"name", f.name},
+                     {"mean_area_m2", f.mean_area},
+                     {"mean_swept_by_section_m3", f.mean_swept_by_section},
+                     {"mean_removed_volume_m3", f.mean_removed},
+                     {"rms_swept_by_section", f.rms_swept_by_section},
+                     {"rms_removed_volume", f.rms_removed}});
+  return faces;
+}
+
+}  // namespace
+
+Json summary_head(const std::string& command, const std::string& title, RunStatus status,
+                  const std::string& case_hash, std::uint64_t seed) {
+  const Provenance& p = provenance();
+  return {{"schema", summary_schema},
+          {"command", command},
+          {"title", title},
+          {"status", status == RunStatus::completed ? "completed" : "interrupted"},
+          {"version", p.version},
+          {"commit", p.commit},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"case_hash", case_hash},
+          {"seed", seed}};
+}
+
+std::string to_json(const RunSummary& s) {
+  Json json = summary_head(s.command, s.title, s.status, s.case_hash, s.seed);
+  json.update(Json{{"steps", s.steps},
+                   {"revolutions", s.revolutions},
+                   {"duration_s", s.duration},
+                   {"gage_radius_m", s.gage_radius}});
+  json.update(removed_json(s));
+  json.update(rock_json(s));
+  if (s.loads) json.update(to_json(*s.loads));
+  if (s.drive) {
+    json["energy"] = energy_json(*s.drive);
+    const std::optional<double>& order = s.drive->order.residual.order;
+    json["energy_residual_order"] = order ? Json(*order) : Json();
+    json["energy_residual_order_of"] = energy_order_json(s.drive->order);
+    json["diagnosis"] = diagnosis_json(s.diagnosis, s.drive->expected);
+  }
+  if (!s.cones.empty()) json["cones"] = cones_json(s);
+  if (!s.faces.empty()) json["sections"] = sections_json(s);
+  if (!s.faces.empty())
+    json["sections_refused"] = {{"deep_in_rock", s.sections_refused_deep},
+                                {"over_the_top", s.sections_refused_over_the_top}};
+  return json.dump(2) + "\n";
+}
+
+std::string to_json(const Timing& t) {
+  const Json json = {{"seconds_per_step_median", t.seconds_per_step_median},
+                     {"seconds_per_step_mean", t.seconds_per_step_mean},
+                     {"wall_seconds", t.wall_seconds},
+                     {"peak_memory_bytes", t.peak_memory_bytes},
+                     {"threads", t.threads}};
+  return json.dump(2) + "\n";
+}
+
+Timing timing_of(std::vector<double> step_seconds, double wall_seconds, int threads) {
+  Timing t;
+  t.wall_seconds = wall_seconds;
+  t.peak_memory_bytes = peak_memory_bytes();
+  t.threads = threads;
+  if (step_seconds.empty()) return t;
+  const double sum = std::accumulate(step_seconds.begin(), step_seconds.end(), 0.0);
+  t.seconds_per_step_mean = sum / static_cast<double>(step_seconds.size());
+  const auto middle = step_seconds.begin() + static_cast<std::ptrdiff_t>(step_seconds.size() / 2);
+  std::nth_element(step_seconds.begin(), middle, step_seconds.end());
+  t.seconds_per_step_median = *middle;
+  return t;
+}
+
+long peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024 * usage.ru_maxrss;
+}
+
+}  // namespace tdbd::simulation

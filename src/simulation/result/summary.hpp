@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "simulation/result/drive_figures.hpp"
+#include "simulation/step/cone_motion.hpp"
+#include "simulation/step/force_figures.hpp"
+#include "simulation/step/measure.hpp"
+
+namespace tdbd::simulation {
+
+/// Whether a run reached its end.
+enum class RunStatus { completed, interrupted };
+
+/// A part and what it removed, in the order of the bit's parts.
+struct PartVolumes {
+  std::string name;
+  double removed = 0.0;               ///< m3, since the start
+  std::vector<double> by_revolution;  ///< m3, one for each revolution begun
+};
+
+/// The figures of a run: what `summary.json` holds. SI. Depends on the case alone: no wall-clock
+/// time and no number of threads.
+struct RunSummary {
+  std::string command;  ///< "run", "rotate"
+  std::string title;    ///< of the case, for figures
+  RunStatus status = RunStatus::completed;
+  std::string case_hash;
+  std::uint64_t seed = 0;
+  long steps = 0;
+  double revolutions = 0.0;
+  double duration = 0.0;                             ///< s, simulated
+  double removed_volume = 0.0;                       ///< m3
+  std::vector<double> removed_volume_by_revolution;  ///< m3
+  std::vector<PartVolumes> parts;
+  double volume_ledger_defect = 0.0;  ///< relative
+  double maintenance_volume = 0.0;    ///< m3 that maintenance of the mesh added (+) or took (-)
+  double trimmed_volume = 0.0;  ///< m3 of the hole about W's origin that went with trimmed wall
+  long rock_triangles_start = 0;
+  long rock_triangles_end = 0;
+  double rock_quality_min = 0.0;
+  double rock_quality_1_percent = 0.0;
+  double gage_radius = 0.0;                 ///< m
+  std::map<std::string, long> maintenance;  ///< operation: how often
+  std::vector<ConeFigures> cones;
+  std::vector<FaceFigures> faces;
+  std::optional<LoadFigures> loads;   ///< none: the run asked for no forces
+  Diagnosis diagnosis;                ///< with forces
+  std::optional<DriveFigures> drive;  ///< of a bit that forces move
+  long sections_refused_deep = 0;     ///< Measures
+  long sections_refused_over_the_top = 0;
+};
+
+/// What depends on the machine: what `timing.json` holds.
+struct Timing {
+  double seconds_per_step_median = 0.0;
+  double wall_seconds = 0.0;
+  long peak_memory_bytes = 0;
+  int threads = 1;
+  double seconds_per_step_mean = 0.0;
+};
+
+/// As JSON with units in the key names, every number in digits that read back to the bit.
+std::string to_json(const RunSummary& summary);
+std::string to_json(const Timing& timing);
+
+/// Timing from the seconds of single steps, in any order, and of the whole.
+Timing timing_of(std::vector<double> step_seconds, double wall_seconds, int threads);
+
+/// Largest memory that this process has held so far, bytes.
+long peak_memory_bytes();
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,158 @@
+#include "simulation/rotate/rotate_body.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bit/files/part_keys.hpp"
+#include "bit/files/unit_question.hpp"
+#include "bit/mass_properties.hpp"
+#include "core/error.hpp"
+#include "core/tolerance.hpp"
+#include "dynamics/momenta.hpp"
+#include "mesh/files/files.hpp"
+#include "rotation/rotation_vector.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using dynamics::InertiaCheck;
+
+/// An angle in rad whose spacing of double numbers is still a thousandth of a turn or so.
+constexpr double most_turned = 1e13;
+
+/// Inertia of a solid of one density about its centre of mass, along the axes of its file.
+Mat3 read_mesh_inertia(Config& c) {
+  const std::string file = c.path("mesh", std::nullopt);
+  const double density = c.quantity("density", "kg/m3", std::nullopt, Range::positive());
+  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  if (file.empty()) return Mat3::Identity();
+  try {
+    const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
+    const std::size_t mistakes = c.problem_count();
+    bit::note_mesh_faults(c, "mesh", file, {{"body", m}},
+                          "a closed mesh whose triangles face outward");
+    if (bit::checks_units(c)) bit::ask_for_unit(c, "unit", m, unit, bit::body_along);
+    if (c.problem_count() == mistakes) return bit::mass_properties(m, density).inertia;
+  } catch (const InputError& e) {
+    c.problem("mesh", e.what(), "a mesh that can be read");
+  }
+  return Mat3::Identity();
+}
+
+/// An inertia tensor, or a mesh with a density.
+Mat3 read_inertia(Config& c) {
+  if (!c.has("mesh")) return c.matrix("inertia", "kg m2", std::nullopt);
+  if (c.has("inertia")) {
+    c.matrix("inertia", "kg m2", std::nullopt);
+    c.problem("inertia", "mesh as well", "one of the two");
+  }
+  return read_mesh_inertia(c);
+}
+
+/// How far a matrix is from a rotation.
+double rotation_defect(const Mat3& R) {
+  const double defect = (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff();
+  return R.determinant() > 0.0 ? defect : std::max(defect, 2.0);
+}
+
+/// Attitude, bit to space: a rotation vector or a matrix.
+Mat3 read_attitude(Config& c) {
+  if (!c.has("attitude")) {
+    const Vec3 r = c.vector("rotation_vector", "rad", Vec3(Vec3::Zero()));
+    if (r.stableNorm() <= most_turned) return rotation::exp(r);
+    c.problem("rotation_vector", fmt::format("an angle of {:.3g} rad", r.stableNorm()),
+              fmt::format("at most {:.0e} rad, beyond which no digit of an attitude is left",
+                          most_turned));
+    return Mat3::Identity();
+  }
+  const Mat3 R = c.matrix("attitude", "1", std::nullopt);
+  if (c.has("rotation_vector")) {
+    c.vector("rotation_vector", "rad", std::nullopt);
+    c.problem("attitude", "rotation_vector as well", "one of the two");
+  } else if (const double defect = rotation_defect(R); defect > tolerance::rotation) {
+    c.problem("attitude", fmt::format("a matrix that misses a rotation by {:.3g}", defect),
+              fmt::format("a rotation to {}", tolerance::rotation));
+    return Mat3::Identity();
+  }
+  return R;
+}
+
+/// Cones with how they start.
+struct Cones {
+  std::vector<dynamics::Cone> cones;
+  std::vector<double> spins, angles;
+};
+
+Cones read_cones(Config& c) {
+  Cones all;
+  for (Config cone : c.tables("cones")) {
+    const Vec3 axis = cone.vector("axis", "1", std::nullopt);
+    if (!(axis.norm() > 0.0))
+      cone.problem("axis", fmt::format("an axis of length {}", axis.norm()), "a direction");
+    const double inertia = cone.quantity("axial_inertia", "kg m2", std::nullopt, Range::positive());
+    all.cones.push_back({axis, inertia});
+    all.spins.push_back(cone.quantity("spin", "rad/s", 0.0));
+    all.angles.push_back(cone.quantity("angle", "rad", 0.0));
+  }
+  return all;
+}
+
+/// Notes inertia_problem's reason at the key that it speaks of: the body's alone, one cone's alone,
+/// or that of all cones together.
+void note_inertia_problem(Config& c, const std::string& why, const Mat3& inertia,
+                          const std::vector<dynamics::Cone>& cones, InertiaCheck check) {
+  const std::string expected =
+      check == InertiaCheck::on
+          ? "what a body can have (body.check = \"off\" admits the inertias of published "
+            "benchmarks that no body has)"
+          : "a positive definite inertia, also without the cones' axial inertias";
+  if (const std::string alone = dynamics::inertia_problem(inertia, {}, check); !alone.empty())
+    return c.problem(c.has("body.mesh") ? "body.mesh" : "body.inertia", alone, expected);
+  for (std::size_t k = 0; k < cones.size(); ++k)
+    if (const std::string one = dynamics::inertia_problem(inertia, {cones[k]}, check); !one.empty())
+      return c.problem(fmt::format("cones[{}].axial_inertia", k),
+                       fmt::format("{} kg m2: {}", cones[k].axial_inertia, one), expected);
+  c.problem("cones", why, expected);
+}
+
+/// Notes a start without a finite energy at the key that is to blame for it.
+void note_endless_energy(Config& c, const dynamics::Gyrostat& body, const Vec3& w_B,
+                         const std::vector<double>& spins) {
+  constexpr const char* found = "a kinetic energy that is not finite";
+  constexpr const char* expected = "numbers whose squares and inverses are numbers";
+  if (!std::isfinite(w_B.squaredNorm())) return c.problem("body.angular_velocity", found, expected);
+  for (std::size_t k = 0; k < spins.size(); ++k) {
+    if (!std::isfinite(spins[k] * spins[k]))
+      return c.problem(fmt::format("cones[{}].spin", k), found, expected);
+    if (!std::isfinite(1.0 / body.cones[k].axial_inertia))
+      return c.problem(fmt::format("cones[{}].axial_inertia", k), found, expected);
+  }
+  c.problem(c.has("body.mesh") ? "body.mesh" : "body.inertia", found, expected);
+}
+
+}  // namespace
+
+BodyStart read_body_start(Config& c) {
+  const std::size_t mistakes = c.problem_count();
+  Config body = c.table("body");
+  const Mat3 inertia = read_inertia(body);
+  const auto check = body.choice<InertiaCheck>(
+      "check", {{"on", InertiaCheck::on}, {"off", InertiaCheck::off}}, InertiaCheck::on);
+  const Mat3 R_WB = read_attitude(body);
+  const Vec3 w_B = body.vector("angular_velocity", "rad/s", Vec3(Vec3::Zero()));
+  const Cones cones = read_cones(c);
+  if (c.problem_count() != mistakes) return {};
+  if (const std::string why = dynamics::inertia_problem(inertia, cones.cones, check);
+      !why.empty()) {
+    note_inertia_problem(c, why, inertia, cones.cones, check);
+    return {};
+  }
+  BodyStart start{dynamics::make_gyrostat(inertia, cones.cones, check), {}};
+  start.state = dynamics::make_state(start.body, R_WB, w_B, cones.spins, cones.angles);
+  if (!std::isfinite(dynamics::kinetic_energy(start.body, start.state)))
+    note_endless_energy(c, start.body, w_B, cones.spins);
+  return start;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/config/config.hpp"
+#include "dynamics/gyrostat.hpp"
+#include "dynamics/rotation_state.hpp"
+
+namespace tdbd::simulation {
+
+/// The body of a rotate case and how it starts.
+struct BodyStart {
+  dynamics::Gyrostat body;
+  dynamics::RotationState state;
+};
+
+/// Reads [body] and [[cones]] of a case and makes the gyrostat. Mistakes are noted in `c`; then
+/// what is returned is harmless.
+BodyStart read_body_start(Config& c);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,89 @@
+#include "simulation/rotate/rotate_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/error.hpp"
+#include "core/whole_file.hpp"
+#include "simulation/result/try_to.hpp"
+#include "simulation/rotate/rotate_history.hpp"
+#include "simulation/rotate/rotate_summary.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+/// Steps between two looks at the clock, the interruption and the progress.
+constexpr long block_steps = 1024;
+
+/// Blocks that are timed one by one; a longer run is timed by its first ones.
+constexpr std::size_t timed_blocks = 1'000'000;
+
+/// Steps until the next row of the history, the end of the block or of the run.
+long next_block(const RotateCase& c, long done) {
+  const long to_row = c.history_every - done % c.history_every;
+  return std::min({block_steps, to_row, c.time.steps - done});
+}
+
+std::string failure_of(const RotateCase& c, const RotateSimulation& s, const std::string& what) {
+  return fmt::format("failed after {} of {} steps, at t = {} s: {}", s.steps_done, c.time.steps,
+                     s.rotating.state.time, what);
+}
+
+void keep(const RotateCase& c, const RotateSimulation& s, const std::string& failure,
+          const OutputFolder& folder, RotateHistory& history) {
+  try_to([&] { history.append(c, s); });
+  try_to([&] { history.close(); });
+  try_to([&] { write_text(folder.failure(), failure + "\n"); });
+}
+
+}  // namespace
+
+RunStatus rotate_steps(const RotateCase& c, RotateSimulation& s, const RotateOptions& o,
+                       const std::function<void()>& row, std::vector<double>& step_seconds) {
+  row();
+  while (s.steps_done < c.time.steps) {
+    if (o.interrupted && *o.interrupted) {
+      row();
+      return RunStatus::interrupted;
+    }
+    const long steps = next_block(c, s.steps_done);
+    const auto before = Clock::now();
+    advance(c, s, steps);
+    if (step_seconds.size() < timed_blocks)
+      step_seconds.push_back(seconds(Clock::now() - before) / static_cast<double>(steps));
+    if (s.steps_done % c.history_every == 0 || s.steps_done == c.time.steps) row();
+    if (o.progress) o.progress(s.steps_done, c.time.steps);
+  }
+  return RunStatus::completed;
+}
+
+RotateOutcome rotate(const RotateCase& c, const RotateOptions& o) {
+  const auto started = Clock::now();
+  RotateOutcome outcome{RunStatus::completed, start(c)};
+  const OutputFolder folder = prepare(o.folder, o.overwrite, c.files, HasFrames::no);
+  write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
+  RotateHistory history(folder.history(), c);
+  std::vector<double> step_seconds;
+  RotateSimulation& s = outcome.end;
+  try {
+    outcome.status = rotate_steps(
+        c, s, o, [&] { history.append(c, s); }, step_seconds);
+    history.close();
+  } catch (const std::exception& e) {
+    const std::string failure = failure_of(c, s, e.what());
+    keep(c, s, failure, folder, history);
+    throw RunError(failure);
+  }
+  const double wall = seconds(Clock::now() - started);
+  write_text(folder.timing(), to_json(timing_of(std::move(step_seconds), wall, 1)));
+  write_text(folder.summary(), summary_json(c, s, outcome.status));
+  return outcome;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "dynamics/rotation/step.hpp"
+#include "simulation/rotate/rotate_case.hpp"
+
+namespace tdbd::simulation {
+
+/// What should not change, at the start, and how far it strayed: the largest over all steps.
+/// Momenta in N m s, energies in J.
+struct Invariants {
+  Vec3 momentum_W = Vec3::Zero();    ///< at the start
+  std::vector<double> cone_momenta;  ///< at the start
+  double energy = 0.0;               ///< at the start, kinetic and potential
+  double energy_scale = 0.0;         ///< |T0| + |V0| + |gravity_moment|; 1 when that is 0
+  double energy_drift = 0.0;         ///< |E - E0|
+  double momentum_drift_squared = 0.0;
+  double vertical_drift = 0.0;       ///< |pi_z - pi_z0|
+  double cone_momentum_drift = 0.0;  ///< of any cone
+  double quaternion_defect = 0.0;    ///< ||q|^2 - 1|
+};
+
+/// A rotate case on its way.
+struct RotateSimulation {
+  dynamics::Rotating rotating;
+  Invariants invariants;
+  long steps_done = 0;
+};
+
+/// Kinetic and potential energy, J.
+double total_energy(const RotateCase& c, const dynamics::RotationState& s);
+
+/// Turn about the space's z axis, swing-twist, unwrapped, rad.
+double twist(const dynamics::RotationState& s);
+
+/// The case at t = 0.
+RotateSimulation start(const RotateCase& c);
+
+/// So many steps more, every invariant watched at every step. Throws RunError when a drift does not
+/// converge or the state is no longer finite; the state before the failing step is then kept where
+/// there is one.
+void advance(const RotateCase& c, RotateSimulation& s, long steps);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,114 @@
+#include "simulation/step/cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bit/cutter/cutter_frame.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+/// A face: what of it is in rock, and where.
+void take_section(const rock::Section& s, const Pose& X_WB, CutOfPart& c) {
+  c.face_area = s.area;
+  c.cut.point = X_WB * s.centroid_B;
+  c.cut.engaged_edge = s.engaged_edge;
+}
+
+/// The thesis's measure [R]: the volume that the whole cutter removed over what its tip went along
+/// X; which of its parts took a vertex is the mesh's affair.
+void take_volume(const bit::Cutter& cutter, double removed, const MeasuredStep& step,
+                 CutOfPart& c) {
+  const rotation::Twist twist = rotation::twist_from(step.X_WB0, step.X_WB1, step.dt);
+  const Vec3 tip_B = bit::tip_B(cutter);
+  const double ahead = cutter.X_BC.R.col(0).dot(rotation::velocity_B(twist, tip_B)) * step.dt;
+  c.face_area = ahead > 0.0 ? std::max(0.0, removed) / ahead : 0.0;
+  if (c.cut.engaged_edge == 0.0) c.cut.point = step.X_WB1 * tip_B;
+}
+
+void take_face(const ForcePlan& plan, const MeasuredStep& step, const Measures& m, CutOfPart& c) {
+  const bit::Cutter& cutter = step.bit.cutters[at(step.bit.parts[at(c.part)].cutter)];
+  c.cut.diameter = cutter.diameter;
+  c.cut.normal = step.X_WB1.R * bit::profile_normal_B(cutter);
+  c.forward_W = step.X_WB1.R * cutter.X_BC.R.col(0);
+  const rock::Section& s = m.sections[at(step.bit.parts[at(c.part)].cutter)];
+  if (std::isnan(s.area)) return;  // refused: nothing is known of the rock ahead
+  take_section(s, step.X_WB1, c);
+  if (plan.cut == CutMeasure::volume)
+    take_volume(cutter, m.removed[at(step.bit.parts[at(c.part)].cutter)], step, c);
+}
+
+/// The engaged edge of the cutter's face, where the section has it.
+void take_edge(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
+  const int cutter = step.bit.parts[at(c.part)].cutter;
+  const rock::Section& s = m.sections[at(cutter)];
+  c.cut.normal = step.X_WB1.R * bit::profile_normal_B(step.bit.cutters[at(cutter)]);
+  if (!(s.engaged_edge > 0.0)) return;
+  constexpr double right_angle = 0.5 * std::numbers::pi;
+  c.cut.contact_area =
+      s.engaged_edge * chamfer_width(step.bit.cutters[at(cutter)], right_angle - s.angle_of_attack);
+  c.cut.engaged_edge = s.engaged_edge;
+  c.cut.point = step.X_WB1 * s.edge_centroid_B;
+}
+
+void take_contact(const rock::PartContact& contact, CutOfPart& c) {
+  const double sum = contact.area_vector_W.norm();
+  if (!(sum > 0.0)) return;
+  c.cut.contact_area = sum;
+  c.cut.normal = -contact.area_vector_W / sum;
+  c.cut.point = contact.centroid_W;
+}
+
+void take_part(const ForcePlan& plan, const MeasuredStep& step, const Measures& m, CutOfPart& c) {
+  if (c.cut.kind == bit::PartKind::face) return take_face(plan, step, m, c);
+  if (c.cut.kind == bit::PartKind::chamfer && plan.chamfer == ChamferMeasure::edge)
+    return take_edge(step, m, c);
+  if (!m.contacts.empty()) take_contact(m.contacts[at(c.part)], c);
+}
+
+}  // namespace
+
+double chamfer_width(const bit::Cutter& c, double back_rake) {
+  return bit::chamfer_depth(c) * std::cos(back_rake) + (c.chamfer + c.land) * std::sin(back_rake);
+}
+
+void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures& m,
+                 std::vector<CutOfPart>& cuts) {
+  cuts.clear();
+  for (std::size_t i = 0; i < step.bit.parts.size(); ++i) {
+    if (std::holds_alternative<forces::NoForce>(law_of(plan, step.bit.parts[i].kind))) continue;
+    CutOfPart c;
+    c.part = static_cast<int>(i);
+    c.cone = step.bit.parts[i].cone;
+    c.cut.kind = step.bit.parts[i].kind;
+    c.cut.removed_volume = step.cut.removed_by_part[i];
+    take_part(plan, step, m, c);
+    if (!(c.face_area > 0.0) && !(c.cut.contact_area > 0.0)) continue;
+    c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
+    cuts.push_back(c);
+  }
+}
+
+Vec3 velocity_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& m, int cone,
+                 const Vec3& x_W) {
+  Vec3 v_W = m.v_W + m.w_W.cross(x_W - m.p_WB);
+  if (cone < 0) return v_W;
+  const Pose X_WK = X_WB * bit.cones[at(cone)].X_BK;
+  return v_W + m.cone_speeds[at(cone)] * X_WK.R.col(2).cross(x_W - X_WK.p);
+}
+
+void set_velocity(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
+                  CutOfPart& c) {
+  c.cut.velocity = velocity_at(bit, X_WB, motion, c.cone, c.cut.point);
+  const double speed = c.cut.velocity.norm();
+  c.cut.path = speed * dt;
+  if (!(c.face_area > 0.0)) return;
+  const double ahead =
+      speed > 0.0 ? std::clamp(c.forward_W.dot(c.cut.velocity) / speed, 0.0, 1.0) : 1.0;
+  c.cut.cut_area = c.face_area * ahead;
+  c.cut.back_rake = std::acos(ahead);
+  c.cut.depth = c.cut.engaged_edge > 0.0 ? c.cut.cut_area / c.cut.engaged_edge : 0.0;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,158 @@
+#include "simulation/step/diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+#include <unsupported/Eigen/FFT>
+
+namespace tdbd::simulation {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+double mean(const std::vector<double>& x) {
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+double share_below(const std::vector<double>& x, double limit) {
+  return static_cast<double>(std::ranges::count_if(x, [&](double v) { return v < limit; })) /
+         static_cast<double>(x.size());
+}
+
+double swing(const std::vector<double>& x) {
+  const auto [least, greatest] = std::ranges::minmax(x);
+  const double m = mean(x);
+  return m != 0.0 ? (greatest - least) / (2.0 * std::abs(m)) : 0.0;
+}
+
+std::vector<double> windowed(const std::vector<double>& x) {
+  const double m = mean(x), n = static_cast<double>(x.size());
+  std::vector<double> y(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    y[i] = (x[i] - m) * (1.0 - std::cos(two_pi * (static_cast<double>(i) + 0.5) / n));
+  return y;
+}
+
+/// Where the parabola through three neighbours has its top, in lines from the middle one.
+double top_between(double before, double at, double after) {
+  const double curvature = before - 2.0 * at + after;
+  return curvature < 0.0 ? 0.5 * (before - after) / curvature : 0.0;
+}
+
+/// Sum of the turns of the centre about its mean, rad, and its mean square distance, m2.
+struct Orbit {
+  double turned = 0.0, square = 0.0, moved = 0.0;
+};
+
+Orbit orbit_of(const std::vector<Eigen::Vector2d>& centre) {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& x : centre) middle += x / static_cast<double>(centre.size());
+  Orbit o;
+  for (std::size_t i = 0; i < centre.size(); ++i) {
+    const Eigen::Vector2d b = centre[i] - middle;
+    o.square += b.squaredNorm() / static_cast<double>(centre.size());
+    if (i == 0) continue;
+    const Eigen::Vector2d a = centre[i - 1] - middle;
+    const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    o.turned += turn;
+    o.moved += std::abs(turn);
+  }
+  return o;
+}
+
+WhirlKind whirl_of(const Orbit& o, double orbit_speed, double rotary_speed) {
+  constexpr double smallest_orbit = 1e-4;  // m
+  constexpr double steadiness = 0.5;       // of all turning, what goes one way
+  constexpr double same_speed = 0.1;
+  if (std::sqrt(o.square) < smallest_orbit || std::abs(o.turned) < steadiness * o.moved)
+    return WhirlKind::none;
+  if (std::abs(orbit_speed - rotary_speed) < same_speed * std::abs(rotary_speed))
+    return WhirlKind::synchronous;
+  return orbit_speed * rotary_speed > 0.0 ? WhirlKind::forward : WhirlKind::backward;
+}
+
+std::string text_of(const Diagnosis& d) {
+  constexpr double severe = 0.5, bouncing = 0.01, swinging = 0.5;
+  std::string text;
+  const auto add = [&text](const std::string& s) { text += (text.empty() ? "" : "; ") + s; };
+  if (d.stick_slip_severity > severe)
+    add(fmt::format("stick-slip, severity {:.2f}, at {:.3g} Hz, stuck {:.0f} % of the time",
+                    d.stick_slip_severity, d.torsional_frequency, 100.0 * d.stuck_share));
+  if (d.lost_contact_share > bouncing)
+    add(fmt::format("bit bounce, without contact {:.0f} % of the time, at {:.3g} Hz",
+                    100.0 * d.lost_contact_share, d.axial_frequency));
+  else if (d.wob_swing > swinging)
+    add(fmt::format("axial vibration, weight swings by {:.0f} % at {:.3g} Hz", 100.0 * d.wob_swing,
+                    d.axial_frequency));
+  if (d.whirl != WhirlKind::none)
+    add(fmt::format("{} whirl, {:.3g} mm at {:.3g} Hz", whirl_name(d.whirl), 1e3 * d.orbit_radius,
+                    d.orbit_frequency));
+  return text.empty() ? "steady" : text;
+}
+
+}  // namespace
+
+void reserve(Trace& t, long steps) {
+  constexpr long most = 10'000'000;
+  const auto count = static_cast<std::size_t>(std::min(steps, most));
+  t.wob.reserve(count);
+  t.rotary_speed.reserve(count);
+  t.centre_W.reserve(count);
+}
+
+double strongest_frequency(const std::vector<double>& samples, double dt) {
+  constexpr std::size_t fewest = 8;
+  if (samples.size() < fewest) return 0.0;
+  Eigen::FFT<double> fft;
+  std::vector<std::complex<double>> lines;
+  fft.fwd(lines, windowed(samples));
+  std::size_t peak = 1;
+  for (std::size_t k = 1; k < samples.size() / 2; ++k)
+    if (std::abs(lines[k]) > std::abs(lines[peak])) peak = k;
+  const double top = std::abs(lines[peak]);
+  if (!(top > 0.0)) return 0.0;
+  const auto height = [&](std::size_t k) { return std::log(std::abs(lines[k]) + 1e-300); };
+  const double between = top_between(height(peak - 1), height(peak), height(peak + 1));
+  return (static_cast<double>(peak) + between) / (static_cast<double>(samples.size()) * dt);
+}
+
+std::string whirl_name(WhirlKind w) {
+  switch (w) {
+    case WhirlKind::forward:
+      return "forward";
+    case WhirlKind::backward:
+      return "backward";
+    case WhirlKind::synchronous:
+      return "synchronous";
+    case WhirlKind::none:
+      break;
+  }
+  return "none";
+}
+
+Diagnosis diagnose(const Trace& t) {
+  constexpr double stuck = 0.05;
+  Diagnosis d;
+  if (t.wob.size() < 2) return d;
+  const double speed = mean(t.rotary_speed);
+  d.stick_slip_severity = swing(t.rotary_speed);
+  d.stuck_share = share_below(t.rotary_speed, stuck * speed);
+  d.torsional_frequency = strongest_frequency(t.rotary_speed, t.dt);
+  d.lost_contact_share =
+      static_cast<double>(std::ranges::count(t.wob, 0.0)) / static_cast<double>(t.wob.size());
+  d.wob_swing = swing(t.wob);
+  d.axial_frequency = strongest_frequency(t.wob, t.dt);
+  const Orbit o = orbit_of(t.centre_W);
+  const double time = t.dt * static_cast<double>(t.centre_W.size() - 1);
+  d.orbit_radius = std::sqrt(o.square);
+  d.orbit_frequency = o.turned / (two_pi * time);
+  d.whirl = whirl_of(o, o.turned / time, speed);
+  d.text = text_of(d);
+  return d;
+}
+
+}  // namespace tdbd::simulation

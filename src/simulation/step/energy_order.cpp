@@ -1,0 +1,106 @@
+#include "simulation/step/energy_order.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+/// Steps of h that all levels together cost.
+constexpr long cost_per_step = (1L << dynamics::residual_levels) - 1;
+
+/// A run pays at most this share of its steps.
+constexpr long dearest = 10;
+
+/// The case with every step in so many parts; nothing counts in means.
+Case divided(Case c, int parts) {
+  c.time.step /= parts;
+  c.time.steps *= parts;
+  c.time.first *= parts;
+  c.maintenance.every *= parts;
+  c.output.means_from = std::numeric_limits<double>::infinity();
+  return c;
+}
+
+/// Where the window begins, with a ledger that begins there, so that rounding is the window's own.
+Simulation at_window(const Case& c, const Simulation& s, int parts) {
+  Simulation copy = s;
+  copy.steps_done *= parts;
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  dynamics::EnergyLedger ledger;
+  ledger.start = dynamics::total(dynamics::stored_energy(system, s.drive->at, s.drive->state));
+  copy.drive = dynamics::resume_drilling(system, s.drive->state, s.drive->wrench, ledger);
+  return copy;
+}
+
+/// J that were stored, came and went.
+double energy_scale(const dynamics::EnergyLedger& l) {
+  return std::abs(l.start) + std::abs(l.top) + std::abs(l.gravity) + std::abs(l.cut_bit) +
+         std::abs(l.cut_rock);
+}
+
+struct Windows {
+  const Case& c;
+  const Simulation& s;
+  bool contact = true;  ///< at every instant of every level so far
+
+  dynamics::WindowResiduals drilled(int parts) {
+    const Case finer = divided(c, parts);
+    Simulation copy = at_window(c, s, parts);
+    dynamics::WindowResiduals w;
+    w.at_instants.reserve(static_cast<std::size_t>(c.output.energy_order_window));
+    for (long i = 0; i < c.output.energy_order_window; ++i) {
+      for (int k = 0; k < parts; ++k) step(finer, copy);
+      contact = contact && !copy.cuts.empty();
+      w.at_instants.push_back(dynamics::residual(
+          dynamics::stored_energy(c.drilling.system, copy.drive->at, copy.drive->state),
+          copy.drive->ledger));
+    }
+    w.scale = energy_scale(copy.drive->ledger);
+    return w;
+  }
+};
+
+}  // namespace
+
+EnergyOrderPlan plan_energy_order(const Case& c) {
+  if (c.motion.kind != MotionKind::drilling || c.output.energy_order == EnergyOrderWish::off)
+    return {-1, "output.energy_order is off"};
+  const long window = c.output.energy_order_window, last = c.time.steps - window;
+  const long least = dearest * cost_per_step * window;
+  if (c.output.energy_order == EnergyOrderWish::on && c.time.steps < least)
+    return {-1, fmt::format("{} steps, of a run of {}, are more than a tenth: {} steps would do, "
+                            "or output.energy_order = \"always\"",
+                            cost_per_step * window, c.time.steps, least)};
+  if (last < 0)
+    return {-1, fmt::format("a window of {} steps does not fit into {}", window, c.time.steps)};
+  const long every = std::max(c.maintenance.every, 1L);
+  const double from = std::ceil(c.output.means_from / c.time.step);
+  const long wanted = static_cast<long>(std::min(from, static_cast<double>(last)));
+  return {std::min((wanted + every - 1) / every * every, last / every * every), ""};
+}
+
+EnergyOrder observe_energy_order(const Case& c, const Simulation& s) {
+  EnergyOrder found;
+  found.from = c.time.step * static_cast<double>(s.steps_done);
+  found.window = c.time.step * static_cast<double>(c.output.energy_order_window);
+  Windows windows{c, s};
+  try {
+    found.residual = dynamics::residual_order(
+        c.time.step, [&windows](int parts) { return windows.drilled(parts); });
+  } catch (const RunError& e) {
+    found.residual.reason = fmt::format("the window fails with a finer step: {}", e.what());
+  }
+  if (!windows.contact) {
+    found.residual.order.reset();
+    found.residual.reason = "the bit loses contact with the rock in the window";
+  }
+  return found;
+}
+
+}  // namespace tdbd::simulation

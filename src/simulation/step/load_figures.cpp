@@ -1,0 +1,92 @@
+#include "simulation/step/load_figures.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tdbd::simulation {
+namespace {
+
+void add_parts(const LoadedStep& step, LoadStatistics& s) {
+  const std::size_t count = step.loads.parts.size();
+  s.normal.resize(count);
+  s.tangential.resize(count);
+  s.part_energy.resize(count, 0.0);
+  s.part_removed.resize(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const PartLoad& p = step.loads.parts[i];
+    add(s.normal[i], p.normal);
+    add(s.tangential[i], p.tangential);
+    s.part_energy[i] += p.power * step.dt;
+    s.part_removed[i] += step.removed_by_part[i];
+  }
+}
+
+double over(double x, double y) { return y != 0.0 ? x / y : 0.0; }
+
+/// What the part's whole cutter removed, m3: face, chamfer and body cut in turn, and which of them
+/// takes a vertex is the mesh's affair.
+double removed_by_cutter(const bit::Bit& bit, const LoadStatistics& s, std::size_t part) {
+  if (bit.parts[part].cutter < 0) return s.part_removed[part];
+  double removed = 0.0;
+  for (std::size_t i = 0; i < s.part_removed.size(); ++i)
+    if (bit.parts[i].cutter == bit.parts[part].cutter) removed += s.part_removed[i];
+  return removed;
+}
+
+std::vector<PartLoadFigures> part_figures(const bit::Bit& bit, const LoadStatistics& s) {
+  std::vector<PartLoadFigures> parts;
+  for (std::size_t i = 0; i < s.normal.size(); ++i) {
+    if (s.normal[i].mean == 0.0 && s.tangential[i].mean == 0.0) continue;
+    const double removed = removed_by_cutter(bit, s, i);
+    parts.push_back({bit.parts[i].name, figures_of(s.normal[i]), figures_of(s.tangential[i]),
+                     over(s.part_energy[i], s.time), removed, over(s.part_energy[i], removed)});
+  }
+  return parts;
+}
+
+}  // namespace
+
+void add(const LoadedStep& step, LoadStatistics& s) {
+  add(s.wob, -step.loads.force_W.z());
+  add(s.tob, -step.loads.torque_W.z());
+  add(s.rop, step.velocity.v_W.z());
+  add(s.rotary_speed, step.velocity.w_W.dot(step.X_WB.R.col(2)));
+  const Vec3 force_B = step.X_WB.R.transpose() * step.loads.force_W;
+  s.lateral_B += (force_B - s.lateral_B) / static_cast<double>(s.wob.count);
+  s.energy += step.loads.power * step.dt;
+  s.time += step.dt;
+  for (const double v : step.removed_by_part) s.removed += v;
+  add_parts(step, s);
+}
+
+void add(const LoadedStep& step, Trace& t) {
+  t.dt = step.dt;
+  t.wob.push_back(-step.loads.force_W.z());
+  t.rotary_speed.push_back(step.velocity.w_W.dot(step.X_WB.R.col(2)));
+  t.centre_W.emplace_back(step.X_WB.p.head<2>());
+}
+
+MeanAndDeviation figures_of(const Spread& s) {
+  if (s.count == 0) return {};
+  return {s.mean, std::sqrt(s.squares / static_cast<double>(s.count))};
+}
+
+LoadFigures figures_of(const bit::Bit& bit, const LoadStatistics& s, double end) {
+  LoadFigures f;
+  f.from = end - s.time;
+  f.to = end;
+  f.wob = figures_of(s.wob);
+  f.tob = figures_of(s.tob);
+  f.rop = figures_of(s.rop);
+  f.rotary_speed = figures_of(s.rotary_speed);
+  const double R = bit.gage_radius, area = std::numbers::pi * R * R;
+  f.aggressiveness = over(3.0 * f.tob.mean, 2.0 * R * f.wob.mean);
+  f.specific_energy = f.wob.mean / area + over(f.rotary_speed.mean * f.tob.mean, area * f.rop.mean);
+  f.imbalance = over(s.lateral_B.head<2>().norm(), f.wob.mean);
+  f.imbalance_azimuth = std::atan2(s.lateral_B.y(), s.lateral_B.x());
+  f.power = over(s.energy, s.time);
+  f.parts = part_figures(bit, s);
+  return f;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "simulation/step/diagnosis.hpp"
+#include "simulation/step/force_figures.hpp"
+#include "simulation/step/loads.hpp"
+#include "simulation/step/spread.hpp"
+
+namespace tdbd::simulation {
+
+/// Sums over the steps that count, of what forces did.
+struct LoadStatistics {
+  Spread wob, tob;                                ///< N, N m
+  Spread rop, rotary_speed;                       ///< m/s, rad/s
+  Vec3 lateral_B = Vec3::Zero();                  ///< N, mean force on the bit in its frame
+  double energy = 0.0;                            ///< J, spent on the rock
+  double removed = 0.0;                           ///< m3
+  double time = 0.0;                              ///< s
+  std::vector<Spread> normal, tangential;         ///< N, per part
+  std::vector<double> part_energy, part_removed;  ///< J, m3, per part
+};
+
+/// One step of forces, for the sums and for the history.
+struct LoadedStep {
+  const BitLoads& loads;
+  const BitVelocity& velocity;
+  const Pose& X_WB;
+  const std::vector<double>& removed_by_part;  ///< m3
+  double dt = 0.0;                             ///< s
+};
+
+void add(const LoadedStep& step, LoadStatistics& statistics);
+void add(const LoadedStep& step, Trace& trace);
+
+MeanAndDeviation figures_of(const Spread& spread);
+
+LoadFigures figures_of(const bit::Bit& bit, const LoadStatistics& statistics, double end);
+
+}  // namespace tdbd::simulation

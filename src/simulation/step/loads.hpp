@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "simulation/step/cuts.hpp"
+
+namespace tdbd::simulation {
+
+/// The rock's force on one part. Frame W.
+struct PartLoad {
+  Vec3 force_W = Vec3::Zero();  ///< N, on the bit
+  Vec3 point_W = Vec3::Zero();  ///< m
+  double normal = 0.0;          ///< N, Fn of its law
+  double tangential = 0.0;      ///< N, Ft
+  double power = 0.0;           ///< W, spent on the rock: -F . v
+};
+
+/// The rock's forces on the bit in a step.
+struct BitLoads {
+  std::vector<PartLoad> parts;       ///< per part of the bit
+  Vec3 force_W = Vec3::Zero();       ///< N
+  Vec3 torque_W = Vec3::Zero();      ///< N m, about the bit's origin
+  std::vector<double> cone_torques;  ///< N m, about the cones' Z, of the forces on each cone
+  double power = 0.0;                ///< W
+};
+
+/// Asks every part's law. A pure function of the cuts and the motion.
+void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
+               const BitVelocity& motion, double dt, std::vector<CutOfPart>& cuts, BitLoads& loads);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,107 @@
+#include "bit/body/rubbing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bit/body/blade_body.hpp"
+#include "bit/cutter/rim_reach.hpp"
+#include "bit/generate_design.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+constexpr double column = 0.02e-3;  // m
+/// m: sagitta of a rim of 1440 chords, 8 mm (2 pi/1440)^2 / 8, and of a column.
+constexpr double sagitta = 3e-8;
+
+/// A flat cutter in the direction of x whose rim is lowest at radius r, depth 0.
+Cutter flat_cutter(double r) {
+  Cutter c;
+  c.diameter = 16e-3;
+  c.tip_radius = r;
+  c.length = 13e-3;
+  c.X_BC = cutter_pose(c);
+  return c;
+}
+
+/// A part whose vertices are these points of the bit.
+Part points(const std::vector<Vec3>& places_B) {
+  Part p;
+  p.mesh_P.positions = places_B;
+  return p;
+}
+
+/// One cutter and a point a quarter of a turn behind it, 2 mm above its groove: at an advance d it
+/// clears the rock by 2 mm - d / 4, and touches it at 8 mm a revolution.
+TEST(rubbing, of_a_point_behind_one_cutter_is_that_of_the_helix) {
+  const Part p = points({{0.0, -50e-3, -2e-3}});
+  const Rubbing r = rubbing({flat_cutter(50e-3)}, p, 3e-3, column);
+  EXPECT_EQ(r.vertices, 1u);
+  EXPECT_NEAR(r.clearance, 2e-3 - 3e-3 / 4, sagitta);
+  EXPECT_NEAR(r.touching_advance, 8e-3, 4 * sagitta);
+}
+
+/// A second cutter half a turn on halves the share that the bit sinks in between.
+TEST(rubbing, depends_on_the_cutter_that_passed_last) {
+  Cutter second = flat_cutter(50e-3);
+  second.azimuth = pi;
+  second.X_BC = cutter_pose(second);
+  const Part p = points({{0.0, 50e-3, -2e-3}});
+  EXPECT_NEAR(rubbing({flat_cutter(50e-3)}, p, 4e-3, column).clearance, 2e-3 - 3e-3, sagitta);
+  EXPECT_NEAR(rubbing({flat_cutter(50e-3), second}, p, 4e-3, column).clearance, 2e-3 - 1e-3,
+              sagitta);
+}
+
+TEST(rubbing, leaves_out_what_lies_over_uncut_rock) {
+  const Rubbing r = rubbing({flat_cutter(50e-3)}, points({{0.0, 10e-3, -2e-3}}), 4e-3, column);
+  EXPECT_EQ(r.vertices, 0u);
+  EXPECT_EQ(r.over_uncut, 1u);
+}
+
+/// At the advance at which a body touches, and at no smaller one, its least clearance is 0.
+RC_GTEST_PROP(rubbing, of_blades_begins_where_the_clearance_ends, ()) {
+  const PdcDesign d = any_design();
+  const std::vector<Cutter> cutters = laid_out(d);
+  BladeOptions o;
+  o.exposure = number(0.25, 0.45) * d.diameter.gage;
+  o.slot_depth = 0.1 * d.profile.gage_radius;
+  o.edge = 8e-3;
+  RC_PRE(blade_problems(cutters, o, d.profile.gage_radius).empty());
+  const Part body = blade_body(cutters, o, d.profile.gage_radius);
+  const double touching = rubbing(cutters, body, 1e-3, 0.1e-3).touching_advance;
+  RC_PRE(touching > 0.0);
+  RC_ASSERT(std::abs(rubbing(cutters, body, touching, 0.1e-3).clearance) < 1e-12);
+  RC_ASSERT(rubbing(cutters, body, 0.9 * touching, 0.1e-3).clearance > 0.0);
+}
+
+/// The slow twin: the cutters' rims as points that turn and sink; the rock over a vertex is the
+/// deepest point that passed within a small angle of it in the last revolution.
+double swept_clearance(const std::vector<Cutter>& cutters, const Vec3& x_B, double advance) {
+  const double r = x_B.head<2>().norm(), azimuth = std::atan2(x_B.y(), x_B.x());
+  double rock = -1.0;
+  for (const Cutter& c : cutters) {
+    const std::vector<Vec3> rim = turned_outline(c, 20000);
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const Vec3 &a = rim[k], &b = rim[(k + 1) % rim.size()];
+      if ((a.x() - r) * (b.x() - r) > 0.0) continue;
+      for (int turns = -2; turns <= 2; ++turns) {
+        const double since = (a.y() - azimuth) / (2 * pi) + turns;
+        if (since >= 0.0) rock = std::max(rock, std::max(a.z(), b.z()) - since * advance);
+      }
+    }
+  }
+  return rock - x_B.z();
+}
+
+TEST(rubbing, is_what_points_of_turning_rims_leave) {
+  const std::vector<Cutter> cutters = lay_out(plain_design()).cutters;
+  for (const double r : {20e-3, 45e-3, 66e-3, 80e-3})
+    for (const double azimuth : {0.3, 1.9, 4.0}) {
+      const Vec3 x(r * std::cos(azimuth), r * std::sin(azimuth), -0.02);
+      EXPECT_NEAR(rubbing(cutters, points({x}), 4e-3, column).clearance,
+                  swept_clearance(cutters, x, 4e-3), 5e-6)
+          << r << ' ' << azimuth;
+    }
+}
+
+}  // namespace
+}  // namespace tdbd::bit

@@ -1,0 +1,194 @@
+#include "bit/cone/cone_bit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bit/cone/cone_frame.hpp"
+#include "bit/cone/cone_interference.hpp"
+#include "bit/cone/cone_measures.hpp"
+#include "bit/cone/cone_parts.hpp"
+#include "bit/cone/cone_reach.hpp"
+#include "bit/cone/cone_shell.hpp"
+#include "bit/cone_generate.hpp"
+#include "core/error.hpp"
+#include "mesh/check/check.hpp"
+#include "mesh/measures.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+/// A fixed cone of two rows with equal spaces.
+ConeLayout toothed_symmetric() {
+  ConeLayout c;
+  c.journal_angle = 36 * degree;
+  c.shell = {{0.01, 0.01}, {0.04, 0.03}, {0.07, 0.05}, {0.09, 0.035}};
+  ToothRow inner, gage;
+  inner.s = 0.04;
+  inner.angles = spaced_angles(8, 0.0, {});
+  gage.s = 0.08;
+  gage.angles = spaced_angles(12, 0.0, {});
+  gage.place = RowPlace::gage;
+  c.rows = {inner, gage};
+  return c;
+}
+
+/// Turned about the cone's axis in the bit's frame: not through the cone's frame.
+Vec3 turned_in_bit(const Part& part, const Pose& X_BK, double phi, const Vec3& x_P) {
+  const Vec3 s = X_BK.R.col(2);
+  return Eigen::AngleAxisd(phi, s).toRotationMatrix() * (part.X_BP * x_P - X_BK.p) + X_BK.p;
+}
+
+RC_GTEST_PROP(cone_bit, has_closed_parts_named_by_cone_row_and_tooth, ()) {
+  const Bit bit = cone_bit("any", {toothed_cone()}, std::nullopt, {});
+  RC_ASSERT(bit.parts.size() == 21u);
+  RC_ASSERT(bit.parts[0].name == "cone-1/body");
+  RC_ASSERT(bit.parts[1].name == "cone-1/row-1/tooth-1");
+  RC_ASSERT(bit.parts[20].name == "cone-1/row-2/tooth-12");
+  for (const Part& part : bit.parts) {
+    RC_ASSERT(mesh::check_closed(part.mesh_P).empty());
+    RC_ASSERT(part.cone == 0);
+  }
+}
+
+/// The teeth at the gage come to the gage radius, exactly and no farther, as their cone turns.
+RC_GTEST_PROP(cone_bit, reaches_the_gage_radius_in_a_turn, ()) {
+  const double gage = number(0.09, 0.13);
+  const ConeLayout layout = toothed_cone();
+  const Bit bit = cone_bit("any", {layout}, gage, {});
+  const Cone& cone = bit.cones[0];
+  RC_ASSERT(std::abs(bit.gage_radius - gage) < 1e-14);
+  const Meridian row = row_meridian(cone.layout, cone.layout.rows[1]);
+  const double best = reach_of(cone.X_BK, row).angle;
+  double largest = 0.0, widest = 0.0, deepest = -1.0;
+  for (const Part& part : bit.parts)
+    if (part.kind == PartKind::tooth)
+      for (const Vec3& x_P : part.mesh_P.positions) {
+        const Vec3 x_K = inverse(cone.X_BK) * (part.X_BP * x_P);
+        const double own = std::atan2(x_K.y(), x_K.x());
+        largest =
+            std::max(largest, turned_in_bit(part, cone.X_BK, best - own, x_P).head<2>().norm());
+        for (int k = 0; k < 24; ++k) {
+          const Vec3 x_B = turned_in_bit(part, cone.X_BK, 2 * pi * k / 24, x_P);
+          widest = std::max(widest, x_B.head<2>().norm());
+          deepest = std::max(deepest, x_B.z());
+        }
+      }
+  RC_ASSERT(widest < gage + 1e-14);
+  RC_ASSERT(std::abs(largest - gage) < 1e-9);
+  RC_ASSERT(deepest < 1e-14 && deepest > -1e-3);
+}
+
+/// A cylinder of steel about the journal: closed forms of mass and axial inertia with order 2, no
+/// asymmetry, the centre on the axis.
+TEST(cone_bit, has_the_mass_properties_of_a_cylinder) {
+  const auto error = [](int segments) {
+    ConeLayout c;
+    c.shell = {{0.02, 0.05}, {0.08, 0.05}};
+    c.segments = segments;
+    Bit bit;
+    bit.cones.push_back({"cone-1", c, {}});
+    bit.parts = cone_parts(bit.cones[0], 0);
+    const ConeMass m = cone_mass(bit, 0);
+    EXPECT_LT(m.asymmetry, 1e-12);
+    EXPECT_LT(m.centre_off_axis, 1e-15);
+    EXPECT_NEAR(m.body_K.centre.z(), -0.05, 1e-15);
+    const double mass = 7850.0 * pi * 0.05 * 0.05 * 0.06;
+    return std::pair(std::abs(m.body_K.mass / mass - 1.0),
+                     std::abs(m.axial_inertia / (0.5 * mass * 0.05 * 0.05) - 1.0));
+  };
+  for (const int n : {32, 64, 128}) {
+    EXPECT_NEAR(std::log2(error(n).first / error(2 * n).first), 2.0, 0.02);
+    EXPECT_NEAR(std::log2(error(n).second / error(2 * n).second), 2.0, 0.02);
+  }
+}
+
+/// A cone whose shell meets the axis: mass and Ic = 3/10 m r^2 of a solid cone, order 2.
+TEST(cone_bit, has_the_mass_properties_of_a_solid_cone) {
+  const auto error = [](int segments) {
+    ConeLayout c;
+    c.shell = {{0.0, 0.0}, {0.08, 0.06}};
+    c.segments = segments;
+    const MassProperties p = mass_properties(shell_mesh(c), 7850.0);
+    EXPECT_NEAR(p.centre.z(), -0.06, 1e-15);
+    return std::abs(p.inertia(2, 2) / (0.3 * 7850.0 * pi * 0.06 * 0.06 * 0.08 / 3 * 0.06 * 0.06) -
+                    1.0);
+  };
+  for (const int n : {32, 64, 128}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.02);
+}
+
+/// Equal teeth of unequal spacing throw the centre off the axis; equal spacing does not.
+TEST(cone_bit, measures_the_asymmetry_of_unequal_spacing) {
+  ConeLayout c = toothed_symmetric();
+  const double equal = cone_mass(cone_bit("a", {c}, std::nullopt, {}), 0).centre_off_axis;
+  c.rows[0].angles = spaced_angles(8, 0.0, {1, 1, 1, 1, 1.4, 1.4, 1, 1});
+  const ConeMass unequal = cone_mass(cone_bit("a", {c}, std::nullopt, {}), 0);
+  EXPECT_LT(equal, 1e-15);
+  EXPECT_GT(unequal.centre_off_axis, 1e-5);
+  EXPECT_GT(unequal.asymmetry, 1e-5);
+}
+
+/// Two opposite teeth: the difference of the transverse principal inertias, whatever their azimuth.
+TEST(cone_bit, measures_the_difference_of_the_transverse_inertias) {
+  ConeLayout c = toothed_symmetric();
+  c.rows.erase(c.rows.begin());
+  const auto measured = [&](double first) {
+    c.rows[0].angles = {first, first + pi};
+    return cone_mass(cone_bit("a", {c}, std::nullopt, {}), 0);
+  };
+  const ConeMass m = measured(0.4);
+  const Eigen::Matrix2d across = m.body_K.inertia.topLeftCorner<2, 2>();
+  const Eigen::Vector2d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(across).eigenvalues();
+  EXPECT_NEAR(m.asymmetry, (principal[1] - principal[0]) / m.axial_inertia, 1e-12);
+  EXPECT_NEAR(m.asymmetry, measured(0.0).asymmetry, 1e-12);
+  EXPECT_GT(m.asymmetry, 0.01);
+}
+
+std::string complaint(const std::vector<ConeLayout>& cones, double gage) {
+  try {
+    cone_bit("any", cones, gage, {});
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(cone_bit, refuses_what_cannot_reach_its_gage) {
+  ConeLayout c = toothed_symmetric();
+  EXPECT_EQ(complaint({c}, 0.1), "");
+  EXPECT_NE(complaint({c}, 0.02).find("cone-1: offset: found no place along the journal"),
+            std::string::npos);
+  c.offset = 0.12;
+  EXPECT_NE(complaint({c}, 0.1).find("cone-1: offset: found no place along the journal"),
+            std::string::npos);
+  EXPECT_NE(complaint({}, 0.1).find("found no tooth"), std::string::npos);
+}
+
+TEST(cone_bit, refuses_a_body_beyond_its_teeth) {
+  ConeLayout c = toothed_symmetric();
+  c.shell.back() = {0.12, 0.06};
+  c.rows.pop_back();
+  EXPECT_NE(complaint({c}, 0.1).find("cone-1: shell: found a body that reaches"),
+            std::string::npos);
+}
+
+/// Two pointed cones nose to nose on one line: the gap is that of the noses; pushed into one
+/// another by d, each nose is d sin(half angle) deep in the other.
+TEST(cone_bit, knows_gap_and_overlap_of_two_cones) {
+  const auto cones = [](double apex) {
+    ConeLayout a;
+    a.shell = {{0.01, 0.0}, {0.05, 0.02}};
+    a.apex = apex;
+    ConeLayout b = a;
+    b.azimuth = pi;
+    return std::vector<Cone>{{"cone-1", a, cone_pose(a, 0)}, {"cone-2", b, cone_pose(b, 0)}};
+  };
+  EXPECT_NEAR(cone_clearances(cones(-0.005)).at(0).distance, 0.03, clearance_tolerance);
+  const Clearance c = cone_clearances(cones(0.013)).at(0);
+  EXPECT_NEAR(c.distance, -0.006 * std::sin(std::atan(0.5)), clearance_tolerance);
+  EXPECT_EQ(c.part_a, "cone-1/body");
+  EXPECT_EQ(c.part_b, "cone-2/body");
+  EXPECT_LE(std::abs(c.place_B.x()), 0.003 + 1e-9);
+}
+
+}  // namespace
+}  // namespace tdbd::bit

@@ -1,0 +1,94 @@
+#include "bit/cone/tooth_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bit/cone/tooth_faults.hpp"
+#include "bit/cone_generate.hpp"
+#include "bit/mass_properties.hpp"
+#include "mesh/check/check.hpp"
+#include "mesh/measures.hpp"
+#include "mesh/shape/convex.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+RC_GTEST_PROP(tooth_mesh, is_closed_convex_and_as_high_as_told, ()) {
+  const ToothShape t = any_tooth();
+  RC_PRE(tooth_faults(t).empty());
+  const mesh::TriangleMesh m = tooth_mesh(t, 4 * *rc::gen::inRange(2, 9));
+  RC_ASSERT(mesh::check_closed(m).empty());
+  RC_ASSERT(mesh::convex_solid(m).has_value());
+  const mesh::Box box = mesh::bounding_box(m);
+  RC_ASSERT(std::abs(box.hi.z() - t.protrusion) < 1e-15);
+  RC_ASSERT(box.lo.z() == -t.embedding);
+}
+
+/// The longest crest that a tooth may have, on the coarsest mesh.
+TEST(tooth_mesh, with_a_crest_as_long_as_the_shank_is_convex) {
+  ToothShape t;
+  t.kind = ToothKind::chisel;
+  t.crest_length = t.diameter;
+  t.crest_width = 0.1 * t.diameter;
+  for (const int facets : {8, 12, 32})
+    EXPECT_TRUE(mesh::convex_solid(tooth_mesh(t, facets)).has_value()) << facets << " facets";
+}
+
+/// Volume and axial inertia of a cylinder with a half-ball on top approach their closed forms with
+/// the square of the edge.
+TEST(tooth_mesh, of_a_half_ball_converges_with_order_2) {
+  ToothShape t;
+  t.diameter = 2.0;
+  t.protrusion = 1.0;
+  t.embedding = 3.0;
+  const auto error = [&](int facets) {
+    const MassProperties p = mass_properties(tooth_mesh(t, facets), 1.0);
+    return std::pair(std::abs(p.mass - (3.0 * pi + 2.0 * pi / 3.0)),
+                     std::abs(p.inertia(2, 2) - (3.0 * pi / 2.0 + 4.0 * pi / 15.0)));
+  };
+  for (const int n : {16, 32, 64}) {
+    EXPECT_NEAR(std::log2(error(n).first / error(2 * n).first), 2.0, 0.05);
+    EXPECT_NEAR(std::log2(error(n).second / error(2 * n).second), 2.0, 0.05);
+  }
+}
+
+/// Wedge on a box: prismoids have a closed volume.
+TEST(tooth_mesh, of_a_milled_tooth_has_the_volume_of_its_prismoid) {
+  ToothShape t;
+  t.kind = ToothKind::milled_chisel;
+  const auto area = [&](double up) {
+    return (t.diameter + up * (t.crest_length - t.diameter)) *
+           (t.width + up * (t.crest_width - t.width));
+  };
+  const double wedge = t.protrusion / 6.0 * (area(0) + 4 * area(0.5) + area(1));
+  EXPECT_NEAR(mesh::enclosed_volume(tooth_mesh(t, 16)), t.embedding * area(0) + wedge, 1e-20);
+}
+
+std::string first_fault(const ToothShape& t) {
+  const auto faults = tooth_faults(t);
+  return faults.empty() ? "" : faults.front().key;
+}
+
+TEST(tooth_mesh, has_faults_for_what_no_tooth_can_be) {
+  ToothShape t;
+  EXPECT_EQ(first_fault(t), "");
+  t.diameter = -1e-3;
+  EXPECT_EQ(first_fault(t), "diameter");
+  t = {};
+  t.embedding = -1e-3;
+  EXPECT_EQ(first_fault(t), "embedding");
+  t = {.protrusion = 1e-3, .embedding = 4e-3};
+  EXPECT_EQ(first_fault(t), "embedding") << "the half-ball ends below the shank";
+  t = {.kind = ToothKind::chisel, .crest_length = 13e-3};
+  EXPECT_EQ(first_fault(t), "crest_length");
+  t = {.kind = ToothKind::chisel, .crest_length = 2e-3, .crest_width = 3e-3};
+  EXPECT_EQ(first_fault(t), "crest_width");
+  t = {.kind = ToothKind::milled_chisel, .width = 1e-3};
+  EXPECT_EQ(first_fault(t), "crest_width");
+  t = {.kind = ToothKind::conical, .tip_radius = 9e-3};
+  EXPECT_EQ(first_fault(t), "tip_radius");
+  t = {.kind = ToothKind::conical, .tip_radius = 1e-3, .half_angle = 0.1};
+  EXPECT_EQ(first_fault(t), "half_angle");
+}
+
+}  // namespace
+}  // namespace tdbd::bit

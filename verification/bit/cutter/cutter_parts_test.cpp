@@ -1,0 +1,123 @@
+#include "bit/cutter/cutter_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "bit/generate.hpp"
+#include "mesh/measures.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+CutterMeshing any_meshing() {
+  CutterMeshing m;
+  m.grading = *rc::gen::element(Grading::graded, Grading::uniform);
+  m.rim_segments = *rc::gen::inRange(8, 70);
+  m.uniform_edge = number(1.5e-3, 5e-3);
+  return m;
+}
+
+/// Area of the regular n-gon in a circle of unit radius.
+double polygon(int n) { return 0.5 * n * std::sin(2 * pi / n); }
+
+/// Volume of the frustum between n-gons of circumradius a and b, h apart.
+double frustum_volume(int n, double a, double b, double h) {
+  return polygon(n) * h * (a * a + a * b + b * b) / 3.0;
+}
+
+RC_GTEST_PROP(cutter_parts, are_closed_and_oriented, ()) {
+  for (const Part& part : cutter_parts(any_cutter(), any_meshing()))
+    RC_ASSERT(is_closed_and_oriented(part.mesh_P));
+}
+
+RC_GTEST_PROP(cutter_parts, are_convex, ()) {
+  const Cutter c = any_cutter();
+  for (const Part& part : cutter_parts(c, any_meshing()))
+    for (const mesh::Triangle& t : part.mesh_P.triangles) {
+      const auto& x = part.mesh_P.positions;
+      const Vec3 n = mesh::area_vector(x[t[0]], x[t[1]], x[t[2]]);
+      RC_ASSERT(n.norm() > 0.0);
+      for (const Vec3& p : x) RC_ASSERT(n.normalized().dot(p - x[t[0]]) < 1e-12 * c.diameter);
+    }
+}
+
+RC_GTEST_PROP(cutter_parts, have_the_volume_of_polygon_prisms_and_frusta, ()) {
+  const Cutter c = any_cutter();
+  CutterMeshing m;
+  m.rim_segments = *rc::gen::inRange(8, 130);
+  const int n = m.rim_segments;
+  const double outer = 0.5 * c.diameter, inner = outer - c.chamfer;
+  const double f = c.chamfer > 0 ? chamfer_depth(c) : c.table_thickness;
+  const auto has_volume = [](const Part& part, double v) {
+    return std::abs(mesh::enclosed_volume(part.mesh_P) - v) < 1e-13 * v;
+  };
+  const std::vector<Part> parts = cutter_parts(c, m);
+  RC_ASSERT(parts.size() == (c.chamfer > 0 ? 3u : 2u));
+  RC_ASSERT(has_volume(parts.front(), frustum_volume(n, inner, inner, f)));
+  RC_ASSERT(has_volume(parts[1], frustum_volume(n, c.chamfer > 0 ? inner : outer, outer,
+                                                c.chamfer > 0 ? f : c.length - f)));
+  RC_ASSERT(has_volume(parts.back(), frustum_volume(n, outer, outer, c.length - f)));
+}
+
+RC_GTEST_PROP(cutter_parts, hold_the_tip_and_nothing_beyond_it, ()) {
+  Cutter c = any_cutter();
+  c.side_rake = 0.0;
+  c.back_rake = std::abs(c.back_rake);
+  c.X_BC = cutter_pose(c);
+  double farthest = -1.0, to_tip = 1.0;
+  for (const Part& part : cutter_parts(c, any_meshing()))
+    for (const Vec3& x_P : part.mesh_P.positions) {
+      const Vec3 x_B = part.X_BP * x_P;
+      farthest = std::max(farthest, profile_normal_B(c).dot(x_B - tip_B(c)));
+      to_tip = std::min(to_tip, (x_P - tip_C(c)).norm());
+    }
+  RC_ASSERT(to_tip == 0.0);
+  RC_ASSERT(std::abs(farthest) < 1e-12);
+}
+
+TEST(cutter_parts, count_the_diamond_table_once) {
+  Cutter c = table('b').front();
+  const std::vector<Part> chamfered = cutter_parts(c, {});
+  EXPECT_EQ(chamfered[0].density, 0.0);
+  EXPECT_EQ(chamfered[1].density, table_density);
+  c.chamfer = 0.0;
+  EXPECT_EQ(cutter_parts(c, {})[0].density, table_density);
+}
+
+TEST(cutter_parts, share_their_rim_points) {
+  const std::vector<Part> parts = cutter_parts(table('b').front(), {});
+  const auto rim = [](const Part& part, double radius) {
+    std::set<std::array<double, 3>> points;
+    for (const Vec3& x : part.mesh_P.positions)
+      if (std::abs(std::hypot(x.y(), x.z()) - radius) < 1e-12) points.insert({x.x(), x.y(), x.z()});
+    return points;
+  };
+  const auto of_chamfer = rim(parts[1], 9.5e-3), of_body = rim(parts[2], 9.5e-3);
+  EXPECT_EQ(of_chamfer.size(), 64u);
+  EXPECT_TRUE(std::ranges::includes(of_body, of_chamfer));
+  const auto of_face = rim(parts[0], 9.1e-3), front_of_chamfer = rim(parts[1], 9.1e-3);
+  EXPECT_EQ(front_of_chamfer.size(), 64u);
+  EXPECT_TRUE(std::ranges::includes(of_face, front_of_chamfer));
+}
+
+TEST(cutter_parts, are_fine_at_the_rim_and_coarse_at_the_centre_or_even) {
+  Cutter c = table('b').front();
+  const auto ratio_of_edges = [&](const CutterMeshing& m) {
+    const mesh::TriangleMesh face = cutter_parts(c, m).front().mesh_P;
+    double shortest = 1.0, longest = 0.0;
+    for (const mesh::Triangle& t : face.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 &a = face.positions[t[k]], &b = face.positions[t[(k + 1) % 3]];
+        if (a.x() != 0.0 || b.x() != 0.0) continue;
+        shortest = std::min(shortest, (b - a).norm());
+        longest = std::max(longest, (b - a).norm());
+      }
+    return longest / shortest;
+  };
+  EXPECT_GT(ratio_of_edges({}), 3.0);
+  EXPECT_LT(ratio_of_edges({Grading::uniform, 0, 1e-3}), 2.5);
+}
+
+}  // namespace
+}  // namespace tdbd::bit

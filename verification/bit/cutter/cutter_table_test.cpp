@@ -1,0 +1,137 @@
+#include "bit/cutter/cutter_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "bit/generate.hpp"
+#include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+constexpr const char* header =
+    "bit,cutter,blade,zone,dia_mm,r_tip_mm,phi_deg,h_tip_mm,profile_angle_deg,back_rake_deg,"
+    "side_rake_deg";
+constexpr const char* good_row = "X,1,2,nose,19,50,90,3,10,15,2";
+
+/// A file of its own for each test, gone at its end.
+class CutterTable : public testing::Test {
+ protected:
+  ~CutterTable() override { std::filesystem::remove(path); }
+
+  std::vector<Cutter> read(const std::string& text) const {
+    std::ofstream(path) << text;
+    return read_cutter_table(path, {});
+  }
+  /// The message, with the file's path left out.
+  std::string mistakes(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      std::string message = error.what();
+      for (auto at = message.find(path); at != std::string::npos; at = message.find(path))
+        message.erase(at, path.size());
+      return message;
+    }
+    return "";
+  }
+  std::string mistakes_of_row(const std::string& row) const {
+    return mistakes(std::string(header) + "\n" + row + "\n");
+  }
+
+  const std::string path = tdbd::temporary_folder() + "tdbd-" +
+                           testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
+};
+
+TEST_F(CutterTable, is_read_in_si_units) {
+  const Cutter c = read(std::string(header) + "\n" + good_row + "\n").at(0);
+  EXPECT_EQ(c.id, 1);
+  EXPECT_EQ(c.blade, 2);
+  EXPECT_EQ(c.zone, "nose");
+  EXPECT_EQ(c.line, 2);
+  EXPECT_DOUBLE_EQ(c.diameter, 0.019);
+  EXPECT_DOUBLE_EQ(c.tip_radius, 0.05);
+  EXPECT_DOUBLE_EQ(c.azimuth, pi / 2);
+  EXPECT_DOUBLE_EQ(c.tip_height, 0.003);
+  EXPECT_DOUBLE_EQ(c.profile_angle, 10 * degree);
+  EXPECT_DOUBLE_EQ(c.back_rake, 15 * degree);
+  EXPECT_DOUBLE_EQ(c.side_rake, 2 * degree);
+  EXPECT_EQ(c.chamfer, CutterDefaults{}.chamfer);
+  EXPECT_LT((c.X_BC * tip_C(c) - Vec3(0, 0.05, -0.003)).norm(), 1e-16);
+}
+
+TEST_F(CutterTable, lets_optional_columns_override_the_defaults) {
+  const Cutter c = read(std::string(header) + ",chamfer_mm,chamfer_deg,length_mm,table_mm\n" +
+                        good_row + ",0.25,30,11,2.5\n")
+                       .at(0);
+  EXPECT_DOUBLE_EQ(c.chamfer, 0.25e-3);
+  EXPECT_DOUBLE_EQ(c.chamfer_angle, 30 * degree);
+  EXPECT_DOUBLE_EQ(c.length, 11e-3);
+  EXPECT_DOUBLE_EQ(c.table_thickness, 2.5e-3);
+}
+
+TEST_F(CutterTable, skips_blank_lines_and_comments_and_takes_columns_in_any_order) {
+  const auto cutters = read(
+      "# a bit\n\nside_rake_deg,back_rake_deg,profile_angle_deg,h_tip_mm,phi_deg,r_tip_mm,dia_mm,"
+      "zone,blade,cutter,bit\r\n2,15,10,3,90,50,19,nose,2,1,X\r\n");
+  ASSERT_EQ(cutters.size(), 1u);
+  EXPECT_DOUBLE_EQ(cutters[0].diameter, 0.019);
+  EXPECT_EQ(cutters[0].line, 4);
+}
+
+TEST_F(CutterTable, names_every_mistake_at_once) {
+  EXPECT_EQ(mistakes(std::string(header) + ",chamfer_mm\n" +  //
+                     "X,1,1,nose,nineteen,50,90,3,10,15,2,0.4\n"
+                     "X,1,1.5,nose,0,-1,90,3,110,-6,nan,0.4\n"
+                     "X,3,1,nose,19,60,90,3,10,15,2,9.5\n"
+                     "X,4,1,nose,19,60,90,3,10,15,2,0.4\n"
+                     "X,5,1,nose\n"),
+            ":2: dia_mm: found 'nineteen', expected a number\n"
+            ":3: blade: found '1.5', expected a whole number\n"
+            ":3: dia_mm: found 0, expected a positive diameter\n"
+            ":3: r_tip_mm: found -1, expected a radius >= 0\n"
+            ":3: profile_angle_deg: found 110, expected an angle in -90..100\n"
+            ":3: back_rake_deg: found -6, expected an angle in -5..60\n"
+            ":3: side_rake_deg: found 'nan', expected a number\n"
+            ":4: chamfer_mm: found 9.5, expected less than the cutter's radius, 9.5\n"
+            ":6: row: found 4 cells, expected 12, as in the header\n"
+            ":3: cutter: found 1, as in line 2, expected a number of its own\n"
+            ":5: r_tip_mm, phi_deg, h_tip_mm: found the tip of line 4, expected a tip of its own");
+}
+
+TEST_F(CutterTable, names_missing_unknown_and_repeated_columns) {
+  EXPECT_EQ(mistakes("bit,cutter,blade,zone,dia_mm,dia_mm,r_tip_mm,phi_deg,h_tip_mm,color,"
+                     "profile_angle_deg,side_rake_deg\nX,1,1,nose,19,19,50,90,3,red,10,2\n"),
+            ":1: dia_mm: found the column twice, expected it once\n"
+            ":1: color: found an unknown column, expected a known one\n"
+            ":1: back_rake_deg: found no such column, expected it in the header");
+}
+
+TEST_F(CutterTable, rejects_half_numbers) {
+  EXPECT_EQ(mistakes_of_row("X,1,2,nose,19mm,50,90,3,10,15,2"),
+            ":2: dia_mm: found '19mm', expected a number");
+  EXPECT_EQ(mistakes_of_row("X,1,2,nose,,50,90,3,10,15,2"),
+            ":2: dia_mm: found '', expected a number");
+}
+
+TEST_F(CutterTable, must_hold_a_cutter) {
+  const char* expected = ":1: table: found no cutter, expected a header and at least one cutter";
+  EXPECT_EQ(mistakes(""), expected);
+  EXPECT_EQ(mistakes(header), expected);
+}
+
+TEST_F(CutterTable, must_exist) {
+  EXPECT_THROW(read_cutter_table(path + ".missing", {}), InputError);
+}
+
+TEST(cutter_table, of_the_example_bits_have_their_counts) {
+  EXPECT_EQ(table('a').size(), 36u);
+  EXPECT_EQ(table('b').size(), 28u);
+  EXPECT_EQ(table('c').size(), 58u);
+}
+
+}  // namespace
+}  // namespace tdbd::bit

@@ -1,0 +1,164 @@
+#include "bit/files/bit_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "mesh_bit.hpp"
+#include "verification/battery/shapes.hpp"
+#include "verification/simulation/bit_reading.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+namespace fs = std::filesystem;
+
+const mesh::TriangleMesh box = battery::box({-5, -10, -15}, {5, 10, 15});
+
+TEST(bit_parts, takes_what_the_table_says) {
+  const fs::path folder = test_folder();
+  const Bit b = read(
+      write_one_part_bit(folder, box,
+                         "kind = \"tooth\"\nunit = \"1 in\"\ndensity = \"15 g/cm3\"\ngroup = 4\n"
+                         "position = [\"10 mm\", 0, 0.5]\nrotation_vector = [0, 0, \"90 deg\"]\n"
+                         "update_direction = [3, 0, 4]\n"));
+  ASSERT_EQ(b.parts.size(), 1u);
+  const Part& p = b.parts[0];
+  EXPECT_EQ(p.name, "tool");
+  EXPECT_EQ(p.kind, PartKind::tooth);
+  EXPECT_EQ(p.cutting, Cutting::cuts);
+  EXPECT_EQ(p.group, 4);
+  EXPECT_DOUBLE_EQ(p.density, 15e3);
+  EXPECT_NEAR((p.X_BP * Vec3(1, 0, 0) - Vec3(0.01, 1, 0.5)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((p.update_direction_B - Vec3(0.6, 0, 0.8)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(b.gage_radius, std::hypot(5 * 0.0254, 10 * 0.0254 + 0.01), 1e-12);
+  EXPECT_EQ(p.mesh_P.triangles.size(), box.triangles.size());
+}
+
+TEST(bit_parts, is_in_millimetres_and_in_the_bit_frame_by_default) {
+  const Bit b = read(write_one_part_bit(test_folder(), box, "kind = \"gage-pad\"\n"));
+  EXPECT_EQ(b.parts[0].X_BP.R, Mat3(Mat3::Identity()));
+  EXPECT_EQ(b.parts[0].update_direction_B, Vec3(1, 0, 0));
+  EXPECT_DOUBLE_EQ(b.gage_radius, 5e-3 * std::sqrt(5.0));
+  EXPECT_EQ(b.parts[0].density, 0.0);
+}
+
+/// The direction of a cutter's part follows from its frame, by the rule that the case chooses.
+TEST(bit_parts, derives_a_cutters_direction_from_its_frame) {
+  const std::string file = write_one_part_bit(
+      test_folder(), box,
+      "kind = \"face\"\nposition = [\"50 mm\", 0, 0]\nrotation_vector = [0, \"-120 deg\", 0]\n");
+  const Vec3 outside(std::sin(120 * M_PI / 180), 0, 0.5);
+  EXPECT_NEAR((read(file).parts[0].update_direction_B - outside).norm(), 0.0, 1e-12);
+  EXPECT_EQ(read(file, DirectionRule::all_down).parts[0].update_direction_B, Vec3(0, 0, 1));
+}
+
+/// A cylinder has a flat profile below and a wall beside it.
+TEST(bit_parts, takes_a_cutters_direction_from_the_profile_without_a_frame) {
+  const fs::path folder = test_folder();
+  mesh::write_mesh(folder / "cylinder.off", battery::cylinder(50, 40, 64));
+  mesh::write_mesh(folder / "side.off", battery::box({49, -1, 8}, {51, 1, 12}));
+  const auto direction = [&](const std::string& rule) {
+    return read(write_file(folder / "bit.toml", R"(name = "walled"
+[[parts]]
+name = "cylinder"
+kind = "bit-body"
+file = "cylinder.off"
+cutting = true
+[[parts]]
+name = "side"
+kind = "cutter-body"
+file = "side.off"
+)" + rule))
+        .parts[1]
+        .update_direction_B;
+  };
+  EXPECT_GT(direction("").x(), 0.9);
+  EXPECT_EQ(direction("update_direction = [0, 0, 2]\n"), Vec3(0, 0, 1));
+}
+
+TEST(bit_parts, lets_a_bit_body_cut_only_when_told) {
+  const fs::path folder = test_folder();
+  expect_words(complaint(write_one_part_bit(folder, box, "kind = \"bit-body\"\n")),
+               {"parts: found no part that cuts"});
+  EXPECT_EQ(complaint(write_one_part_bit(folder, box, "kind = \"bit-body\"\ncutting = true\n")),
+            "");
+}
+
+TEST(bit_parts, names_the_missing_file) {
+  const fs::path folder = test_folder();
+  const std::string file = write_one_part_bit(folder, box, "kind = \"tooth\"\n");
+  fs::remove(folder / "part.ply");
+  expect_words(complaint(file), {"bit.toml:4: parts[0].file:", "there is no", "part.ply"});
+}
+
+TEST(bit_parts, refuses_what_is_no_mesh) {
+  const fs::path folder = test_folder();
+  const std::string file = write_one_part_bit(folder, box, "kind = \"tooth\"\n");
+  write_file(folder / "part.ply", "this is no mesh");
+  expect_words(complaint(file), {"bit.toml:4: parts[0].file:", "part.ply", "closed mesh"});
+}
+
+TEST(bit_parts, refuses_a_hole) {
+  mesh::TriangleMesh open = box;
+  open.triangles.pop_back();
+  expect_words(complaint(write_one_part_bit(test_folder(), open, "kind = \"tooth\"\n")),
+               {"bit.toml:4: parts[0].file:", "part.ply", "hole"});
+}
+
+TEST(bit_parts, refuses_a_flipped_facet) {
+  mesh::TriangleMesh flipped = box;
+  std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
+  expect_words(complaint(write_one_part_bit(test_folder(), flipped, "kind = \"tooth\"\n")),
+               {"bit.toml:4: parts[0].file:", "part.ply", "flipped triangle"});
+}
+
+TEST(bit_parts, refuses_a_mesh_that_is_inside_out) {
+  mesh::TriangleMesh inverted = box;
+  for (mesh::Triangle& t : inverted.triangles) std::swap(t[0], t[1]);
+  expect_words(complaint(write_one_part_bit(test_folder(), inverted, "kind = \"tooth\"\n")),
+               {"bit.toml:4: parts[0].file:", "inside out"});
+}
+
+TEST(bit_parts, refuses_an_edge_of_four_facets) {
+  mesh::TriangleMesh twice = box;
+  twice.triangles.insert(twice.triangles.end(), box.triangles.begin(), box.triangles.end());
+  expect_words(complaint(write_one_part_bit(test_folder(), twice, "kind = \"tooth\"\n")),
+               {"bit.toml:4: parts[0].file:", "edge of more than two triangles"});
+}
+
+TEST(bit_parts, lists_every_mistake_at_its_line) {
+  const fs::path folder = test_folder();
+  mesh::write_mesh(folder / "box.off", box);
+  const std::string message = complaint(write_file(folder / "bit.toml", R"(name = "many"
+table = "cutters.csv"
+[[parts]]
+name = "a b"
+kind = "toth"
+file = "box.off"
+colour = "red"
+[[parts]]
+name = "pad"
+kind = "gage-pad"
+file = "box.off"
+group = 1
+update_direction = [0, 1, 0]
+[[parts]]
+name = "pad"
+kind = "gage-pad"
+file = "box.off"
+group = 1
+position = [0, 0, 1]
+)"));
+  EXPECT_EQ(message.find("table", message.find("table") + 5), std::string::npos) << message;
+  expect_words(message, {"bit.toml:2: table: found parts as well",
+                         "bit.toml:4: parts[0].name: found \"a b\"", "did you mean tooth?",
+                         "bit.toml:7: parts[0].colour: found an unknown key",
+                         "bit.toml:13: parts[1].update_direction: found (0, 1, 0)",
+                         "bit.toml:15: parts[2].name: found \"pad\" a second time",
+                         "bit.toml:18: parts[2].group: found another frame"});
+}
+
+}  // namespace
+}  // namespace tdbd::bit

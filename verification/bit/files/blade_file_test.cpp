@@ -1,0 +1,151 @@
+#include "bit/files/blade_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "bit/files/bit_export.hpp"
+#include "bit/report/body_report.hpp"
+#include "core/error.hpp"
+#include "core/tolerance.hpp"
+#include "mesh/check/check.hpp"
+#include "mesh_bit.hpp"
+#include "simulation/case/case.hpp"
+#include "simulation/step/simulation.hpp"
+#include "verification/simulation/bit_reading.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+constexpr const char* plain = "exposure = \"5 mm\"\nslot_depth = \"16 mm\"\n";
+
+/// Bit B with a table [blades] of these lines; [blades] stands in line 5.
+std::string write_bit(const std::string& blades) {
+  return write_file(test_folder() / "bit.toml",
+                    "name = \"b\"\ntable = \"" TDBD_SOURCE_DIR
+                    "/cases/bits/bit-b.csv\"\ngage_diameter = \"8.5 in\"\n\n[blades]\n" +
+                        blades);
+}
+
+std::string message_of(const std::string& blades) {
+  try {
+    read(write_bit(blades));
+  } catch (const InputError& e) {
+    const std::string message = e.what();
+    return message.substr(message.find("bit.toml:"));
+  }
+  return "";
+}
+
+TEST(blade_file, gives_a_table_bit_blades_that_rub) {
+  const Bit b = read(write_bit(plain));
+  const Part& body = b.parts.back();
+  EXPECT_EQ(body.name, "bit-body");
+  EXPECT_EQ(body.cutting, Cutting::rubs);
+  EXPECT_TRUE(mesh::check_closed(body.mesh_P).empty());
+  ASSERT_TRUE(b.blades.has_value());
+  EXPECT_EQ(b.blades->exposure, 5e-3);
+  EXPECT_GT(b.blades->junk_slot_area, 3e-3);
+  EXPECT_EQ(read(write_bit(std::string(plain) + "rubs = false")).parts.back().cutting,
+            Cutting::never);
+  EXPECT_EQ(read(write_bit(std::string(plain) + "cuts = true")).parts.back().cutting,
+            Cutting::cuts);
+}
+
+/// A body that rubs is none of the parts that cut: gage and profile are those of the cutters.
+TEST(blade_file, does_not_change_what_cuts) {
+  const Bit with = read(write_bit(plain));
+  const Bit without = read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
+  EXPECT_EQ(with.gage_radius, without.gage_radius);
+}
+
+TEST(blade_file, says_what_is_impossible_at_its_line) {
+  EXPECT_EQ(message_of("slot_depth = \"16 mm\""),
+            "bit.toml:5: blades.exposure: found nothing, expected length in m, > 0 (the key is "
+            "required)");
+  const std::string lifted = message_of("slot_depth = \"16 mm\"\nexposure = \"25 mm\"");
+  EXPECT_EQ(
+      lifted.rfind("bit.toml:7: blades.exposure: found 25 mm, which lifts cutter 1 (blade", 0), 0u)
+      << lifted;
+  const std::string deep = message_of("slot_depth = \"90 mm\"\nexposure = \"5 mm\"");
+  EXPECT_EQ(deep.rfind("bit.toml:6: blades.slot_depth: found 90 mm, a floor that folds", 0), 0u)
+      << deep;
+  const std::string wide = message_of(std::string(plain) + "width = \"140 mm\"");
+  EXPECT_EQ(wide.rfind("bit.toml:8: blades.width: found blades ", 0), 0u) << wide;
+}
+
+/// Two sources of a bit: one message, and nothing about keys of the other source.
+TEST(blade_file, two_sources_give_one_message) {
+  const auto folder = test_folder();
+  const auto message = [&](const std::string& text) {
+    try {
+      read(write_file(folder / "bit.toml", text));
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string both = message("name = \"b\"\n[design]\nspiral = 1\n[[parts]]\nname = \"p\"\n");
+  EXPECT_EQ(both, (folder / "bit.toml").string() +
+                      ":4: parts: found design as well, expected one of the two");
+  const std::string cones = message("name = \"b\"\ntable = \"x.csv\"\n[[cones]]\nazimuth = 1\n");
+  EXPECT_EQ(std::count(cones.begin(), cones.end(), '\n'), 0) << cones;
+}
+
+/// A file that weighs one part weighs them all.
+TEST(blade_file, a_forgotten_density_is_named) {
+  const auto folder = test_folder();
+  export_bit(folder, read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), "ply");
+  std::ifstream in(folder / "bit.toml");
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  const auto at = text.find("density");
+  text.erase(at, text.find('\n', at) - at);
+  try {
+    read(write_file(folder / "bit.toml", text));
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("parts[0].density: found none for cutter-1/face"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(blade_file, written_out_still_rubs) {
+  const auto folder = test_folder() / "out";
+  const Bit b = read(write_bit(plain));
+  export_bit(folder, b, "ply");
+  EXPECT_EQ(read(folder / "bit.toml").parts.back().cutting, Cutting::rubs);
+}
+
+TEST(blade_file, is_reported_with_units) {
+  const Bit b = read(write_bit(plain));
+  const auto json = body_json(b, 5e-3);
+  EXPECT_EQ(json["exposure_m"], 5e-3);
+  EXPECT_GT(json["touches_at_m_per_rev"].get<double>(), 3e-3);
+  EXPECT_NE(body_text(b, 5e-3).find("they touch it from"), std::string::npos);
+}
+
+/// Blades that may cut, 1.5 mm behind their cutters, at 8.3 mm a revolution: they remove rock, no
+/// vertex stays inside any part, and the ledger closes. A body that rubs removes none.
+TEST(blade_file, a_body_that_cuts_removes_rock_and_the_ledger_closes) {
+  const std::string shape = "exposure = \"1.5 mm\"\nslot_depth = \"16 mm\"\nedge = \"8 mm\"\n";
+  const std::string file = write_bit(shape + "cuts = true");
+  const auto folder = std::filesystem::path(file).parent_path();
+  const Case c = read_case(
+      write_case(folder, file, "shape = \"conforming\"\nwall = \"15 mm\"\nedge_length = \"4 mm\"",
+                 "step = \"2 ms\"\nduration = \"160 ms\""),
+      {});
+  Simulation s = start(c);
+  ASSERT_FALSE(s.bit.groups.empty());
+  ASSERT_EQ(s.bit.groups.back().parts[0].name, "bit-body");
+  EXPECT_TRUE(s.bit.groups.back().parts[0].tree_P.has_value());
+  const auto body = static_cast<std::size_t>(s.bit.groups.back().parts[0].part);
+  while (s.steps_done < c.time.steps) step(c, s);
+  EXPECT_GT(s.ledger.removed_by_part[body].value(), 1e-9);
+  EXPECT_LE(ledger_defect(s), tolerance::ledger);
+}
+
+}  // namespace
+}  // namespace tdbd::bit

@@ -1,0 +1,77 @@
+#include "bit/pdc/pdc_design.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bit/generate_design.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+/// The first problem of the plain design after a change: "key: found, expected".
+template <class Change>
+std::string problem_after(Change change) {
+  PdcDesign d = plain_design();
+  change(d);
+  const Layout layout = lay_out(d);
+  if (layout.problems.empty()) return "";
+  const DesignProblem& p = layout.problems.front();
+  return p.key + ": " + p.found + ", " + p.expected;
+}
+
+TEST(pdc_design, has_no_problem_at_first) {
+  EXPECT_EQ(problem_after([](PdcDesign&) {}), "");
+}
+
+TEST(pdc_design, may_not_fold) {
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.profile.nose_place = 0.09; }),
+            "profile.shoulder_angle: 35 deg, a profile that folds: the nose's arc ends at radius "
+            "111.796 mm, outside the gage at 107.95 mm, a smaller angle, a smaller nose_radius or "
+            "a smaller nose_place");
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.profile.nose_place = 0.01; }),
+            "profile.nose_radius: 38 mm, a nose that begins at radius -1.74265 mm, across the "
+            "axis, at most 32.3607 mm");
+}
+
+TEST(pdc_design, may_not_have_its_nose_outside_the_gage) {
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.profile.nose_place = 0.12; }),
+            "profile.nose_place: 120 mm from the axis, a nose between the axis and the gage at "
+            "107.95 mm");
+}
+
+TEST(pdc_design, may_not_have_sizes_that_are_no_sizes) {
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.diameter.shoulder = -0.01; }),
+            "diameter.shoulder: -10 mm, a positive diameter, more than twice the chamfers' width");
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.profile.nose_radius = 0.0; }),
+            "profile.nose_radius: 0 mm, a positive radius");
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.overlap.nose = 1.0; }),
+            "overlap.nose: 1, a share in 0..0.95");
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.wear.gage = 0.01; }),
+            "wear.gage: 10, a height in mm from 0 to a cutter's radius");
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.back_rake.axis = 61 * degree; }),
+            "back_rake.axis: 61, an angle in -5..60 deg");
+}
+
+TEST(pdc_design, needs_blades_and_cutters_for_each) {
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.blades.clear(); }),
+            "blades: none, at least one blade");
+  EXPECT_EQ(problem_after([](PdcDesign& d) {
+              d.blades.push_back({0.5, 0.2, Backups::none});
+              d.gage.cutters = 0;
+            }),
+            "blades[6]: blade 7 without any cutter, fewer blades, more overlap or smaller cutters");
+}
+
+TEST(pdc_design, tells_which_cutters_are_in_the_way) {
+  const std::string message = problem_after([](PdcDesign& d) { d.overlap.axis = 0.8; });
+  EXPECT_EQ(message.rfind("overlap: no blade with room for cutter ", 0), 0u) << message;
+  EXPECT_NE(message.find("on blade 3 cutter "), std::string::npos) << message;
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.gage.start = 0.2; }),
+            "gage.start: cutter 33 (gage, blade 1, radius 107.95 mm) overlapping cutter 32 "
+            "(gage, blade 1, radius 107.95 mm), 0.5 mm of clearance");
+  EXPECT_EQ(problem_after([](PdcDesign& d) { d.gage.cutters = 4; }),
+            "gage.cutters: gage cutter 3 reaching 51.072 mm up the gage, at most the gage's "
+            "length, 50 mm");
+}
+
+}  // namespace
+}  // namespace tdbd::bit

@@ -1,0 +1,104 @@
+#include "bit/profile/exposure_profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "bit/generate.hpp"
+
+namespace tdbd::bit {
+namespace {
+
+double distance_to_segment(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
+  const double dr = b.r - a.r, dz = b.z - a.z, length2 = dr * dr + dz * dz;
+  const double along = length2 > 0.0 ? ((p.r - a.r) * dr + (p.z - a.z) * dz) / length2 : 0.0;
+  const double w = std::clamp(along, 0.0, 1.0);
+  return std::hypot(p.r - a.r - w * dr, p.z - a.z - w * dz);
+}
+
+double distance_to_line(const ProfilePoint& p, const std::vector<ProfilePoint>& line) {
+  double nearest = 1e300;
+  for (std::size_t k = 1; k < line.size(); ++k)
+    nearest = std::min(nearest, distance_to_segment(p, line[k - 1], line[k]));
+  return nearest;
+}
+
+TEST(exposure_profile, of_bit_b_passes_through_every_tip) {
+  const Bit bit = example_bit('b');
+  const auto profile = exposure_profile(bit.parts, 2e-4);
+  for (const Cutter& c : bit.cutters)
+    EXPECT_LT(distance_to_line({c.tip_radius, -c.tip_height}, profile), 2e-5) << c.id;
+}
+
+TEST(exposure_profile, runs_from_the_axis_to_the_gage_and_never_back) {
+  for (const char letter : {'a', 'b', 'c'}) {
+    const Bit bit = example_bit(letter);
+    const auto profile = exposure_profile(bit.parts, 5e-4);
+    EXPECT_EQ(profile.front().r, 0.0);
+    EXPECT_NEAR(profile.back().r, bit.gage_radius, 1e-6);
+    EXPECT_TRUE(std::ranges::is_sorted(profile, {}, &ProfilePoint::r));
+  }
+}
+
+TEST(exposure_profile, has_points_about_the_spacing_apart) {
+  const auto profile = exposure_profile(example_bit('b').parts, 1e-3);
+  for (std::size_t k = 1; k < profile.size(); ++k) {
+    const ProfilePoint &a = profile[k - 1], &b = profile[k];
+    EXPECT_LT(std::hypot(b.r - a.r, b.z - a.z), 1.01e-3);
+  }
+}
+
+/// Is p below the profile, by more than its resolution?
+bool is_outside(const ProfilePoint& p, const std::vector<ProfilePoint>& profile) {
+  if (p.z < profile.back().z) return p.r > profile.back().r + 5e-5;
+  const auto next = std::ranges::upper_bound(profile, p.r, {}, &ProfilePoint::r);
+  if (next != profile.end() && p.z <= std::max(next->z, (next - 1)->z)) return false;
+  return distance_to_line(p, profile) > 5e-5;
+}
+
+/// No point of a cutting part, on its vertices or inside its triangles, lies outside the profile.
+TEST(exposure_profile, encloses_every_cutting_part) {
+  for (const char letter : {'a', 'b'}) {
+    const Bit bit = example_bit(letter);
+    const auto profile = exposure_profile(bit.parts, 2e-4);
+    for (const Part& part : bit.parts) {
+      if (part.cutting == Cutting::never) continue;
+      for (const mesh::Triangle& t : part.mesh_P.triangles)
+        for (const Vec3& w : {Vec3(1, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.2, 0.3, 0.5)}) {
+          const auto& x_P = part.mesh_P.positions;
+          const Vec3 x = part.X_BP * (w.x() * x_P[t[0]] + w.y() * x_P[t[1]] + w.z() * x_P[t[2]]);
+          const ProfilePoint p{std::hypot(x.x(), x.y()), x.z()};
+          ASSERT_FALSE(is_outside(p, profile)) << part.name << ' ' << p.r << ' ' << p.z;
+        }
+    }
+  }
+}
+
+/// The first cutter of bit B reaches over the axis; its rim crosses it where the circle does, to
+/// within what rake and chamfer change.
+TEST(exposure_profile, has_no_slit_at_the_axis) {
+  const Bit bit = example_bit('b');
+  const Cutter& c = bit.cutters.front();
+  const double radius = 0.5 * c.diameter;
+  const double circle =
+      -c.tip_height - radius + std::sqrt(radius * radius - c.tip_radius * c.tip_radius);
+  EXPECT_NEAR(exposure_profile(bit.parts, 1e-3).front().z, circle, 2.5e-3);
+}
+
+/// A thin disc in the half-plane: its meridian is its own rim, from where the rays first touch it.
+TEST(exposure_profile, of_a_sharp_cutter_without_rake_is_its_rim) {
+  Cutter c = table('b').at(8);
+  c.tip_radius = 0.03;
+  c.profile_angle = c.back_rake = c.side_rake = c.chamfer = 0.0;
+  c.length = c.table_thickness = 1e-6;
+  c.X_BC = cutter_pose(c);
+  const auto profile = exposure_profile({cutter_parts(c, {Grading::graded, 512, 0}).front()}, 1e-4);
+  for (const ProfilePoint& p : profile) {
+    if (p.r < c.tip_radius - 0.1 * c.diameter) continue;
+    const double to_centre = std::hypot(p.r - c.tip_radius, p.z + c.tip_height + 0.5 * c.diameter);
+    EXPECT_NEAR(to_centre, 0.5 * c.diameter, 5e-5);
+  }
+}
+
+}  // namespace
+}  // namespace tdbd::bit

@@ -1,0 +1,102 @@
+#include "forces/part/directions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "forces/generate.hpp"
+
+namespace tdbd::forces {
+namespace {
+
+/// Where a part drills, the frame is the literature's: unit vectors, perpendicular, n in their
+/// plane.
+RC_GTEST_PROP(cut_frame, is_orthonormal_and_holds_the_normal_where_a_part_drills, ()) {
+  const Vec3 n = any_direction();
+  const Vec3 along = n.cross(any_direction());
+  RC_PRE(along.norm() > 1e-3);
+  const double angle = number(0.0, 59 * degree);  // of motion into the rock
+  const Vec3 v = number(1e-3, 2.0) * (std::cos(angle) * along.normalized() + std::sin(angle) * n);
+  const CutFrame f = cut_frame(v, n);
+  RC_ASSERT(std::abs(f.e1.norm() - 1.0) < 1e-14);
+  RC_ASSERT(std::abs(f.e2.norm() - 1.0) < 1e-14);
+  RC_ASSERT(std::abs(f.e1.dot(f.e2)) < 1e-14);
+  RC_ASSERT((v.normalized() - f.e1).norm() < 1e-14);
+  RC_ASSERT((n - n.dot(f.e1) * f.e1 - n.dot(f.e2) * f.e2).norm() < 1e-14);
+}
+
+/// No jump anywhere but at rest: a small change of velocity changes the frame little.
+RC_GTEST_PROP(cut_frame, is_continuous_in_the_velocity, ()) {
+  const Vec3 n = any_direction(), v = any_direction();
+  const CutFrame a = cut_frame(v, n), b = cut_frame(v + 1e-7 * any_direction(), n);
+  // Slopes: of e1 1/|v| and of its removed part; of e2 at most 1/(0.5) of the same.
+  RC_ASSERT((a.e1 - b.e1).norm() < 4e-7);
+  RC_ASSERT((a.e2 - b.e2).norm() < 8e-7);
+}
+
+TEST(cut_frame, at_rest_is_the_normal_alone) {
+  const CutFrame f = cut_frame(Vec3::Zero(), Vec3(0, 0, 1));
+  EXPECT_EQ(f.e1, Vec3::Zero());
+  EXPECT_EQ(f.e2, Vec3(0, 0, 1));
+}
+
+TEST(cut_frame, of_a_plunge_pushes_back_alone) {
+  const CutFrame f = cut_frame(Vec3(0, 0, 0.3), Vec3(0, 0, 1));
+  EXPECT_EQ(f.e1, Vec3(0, 0, 1));
+  EXPECT_EQ(f.e2, Vec3::Zero());
+}
+
+/// A part that leaves along the normal is let go; one that leaves askew feels no pull.
+TEST(cut_frame, of_a_part_that_leaves_the_rock_holds_nothing_along_the_normal) {
+  const CutFrame straight = cut_frame(Vec3(0, 0, -0.3), Vec3(0, 0, 1));
+  EXPECT_EQ(straight.e1, Vec3::Zero());
+  EXPECT_EQ(straight.e2, Vec3::Zero());
+  const CutFrame askew = cut_frame(Vec3(0.3, 0, -0.3), Vec3(0, 0, 1));
+  EXPECT_NEAR(askew.e1.z(), 0.0, 1e-16);
+  EXPECT_NEAR(askew.e1.x(), std::sqrt(0.5), 1e-15);
+}
+
+TEST(slip_share, rises_from_none_at_rest_to_all) {
+  EXPECT_EQ(slip_share(0.0, 0.0), 0.0);
+  EXPECT_EQ(slip_share(0.0, 1e-3), 0.0);
+  EXPECT_NEAR(slip_share(1e-3, 1e-3), std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(slip_share(1e-9, 0.0), 1.0);
+  EXPECT_NEAR(slip_share(0.5, 1e-3), 1.0 - 2e-6, 1e-11);
+}
+
+TEST(friction_at, falls_from_its_value_at_rest_to_what_is_left_at_high_speed) {
+  const Sliding s{.mu = 0.5, .weakening = 0.4, .weakening_speed = 0.2};
+  EXPECT_EQ(friction_at(s, 0.0), 0.5);
+  EXPECT_NEAR(friction_at(s, 0.2), 0.5 * (1.0 - 0.4 * (1.0 - std::exp(-1.0))), 1e-15);
+  EXPECT_NEAR(friction_at(s, 1e3), 0.3, 1e-15);
+}
+
+/// Pressed into the rock the force is the stress alone; sliding along it Coulomb's; leaving, none.
+TEST(pressing_force, pushes_along_the_normal_and_drags_against_the_slip) {
+  PartCut c = plain_cut(bit::PartKind::gage_pad);
+  c.velocity = Vec3(0, 0, 0.1);
+  EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3(0, 0, -100));
+  c.velocity = Vec3(0.3, 0.4, 0);
+  EXPECT_LT((pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force - Vec3(-24, -32, -100)).norm(),
+            1e-13);
+  c.velocity = Vec3(0.3, 0.4, 0.2);
+  EXPECT_LT((pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force - Vec3(-24, -32, -100)).norm(),
+            1e-13);
+  c.velocity = Vec3(0, 0, -0.1);
+  EXPECT_LT(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force.norm(), rounding(100.0));
+  c.velocity = Vec3::Zero();
+  EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3::Zero());
+}
+
+/// Along the normal, in any direction, rounding leaves some slip: no force may act along it, the
+/// sharp law of slip_speed 0 least of all.
+RC_GTEST_PROP(pressing_force, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
+  PartCut c = plain_cut(bit::PartKind::tooth);
+  c.normal = any_direction();
+  const double speed = number(-2.0, 2.0), beside = std::pow(10.0, -number(8.0, 18.0));
+  c.velocity = speed * (c.normal + beside * any_direction());
+  const PartForce f = pressing_force(c, 100.0, {.mu = 3.0}, 0.0);
+  RC_ASSERT(f.force.dot(c.velocity) <= rounding(size(f) * std::abs(speed)));
+  if (beside < 1e-15) RC_ASSERT(f.tangential == 0.0);
+}
+
+}  // namespace
+}  // namespace tdbd::forces

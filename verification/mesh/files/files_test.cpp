@@ -1,0 +1,174 @@
+#include "mesh/files/files.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+#include "core/error.hpp"
+#include "mesh/check/check.hpp"
+#include "mesh/example_meshes.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A path of the running test alone: tests may run at the same time.
+fs::path temporary(const std::string& name) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  return tdbd::temporary_folder() + "tdbd_files_" + test->name() + "_" + name;
+}
+
+fs::path write_text_file(const std::string& name, const std::string& text) {
+  std::ofstream(temporary(name)) << text;
+  return temporary(name);
+}
+
+/// The message of the error E that `f` throws; fails the test when it throws none.
+template <class E, class F>
+std::string message_of(F f) {
+  try {
+    f();
+  } catch (const E& e) {
+    return e.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+std::string refusal(const fs::path& path) {
+  return message_of<InputError>([&] { read_mesh(path, 1.0); });
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+double any_coordinate() {
+  const double mantissa = static_cast<double>(*rc::gen::arbitrary<std::int64_t>());
+  return std::ldexp(mantissa, *rc::gen::inRange(-70, -60));
+}
+
+/// Tetrahedra with coordinates of any size between 1e-3 m and 1e1 m and all digits in use.
+TriangleMesh any_tetrahedra() {
+  TriangleMesh m;
+  const int n = *rc::gen::inRange(1, 20);
+  for (int k = 0; k < n; ++k) {
+    for (int v = 0; v < 4; ++v) {
+      const double x = any_coordinate(), y = any_coordinate(), z = any_coordinate();
+      m.positions.push_back(Vec3(x, y, z));
+    }
+    for (const Triangle& t : tetrahedron().triangles)
+      m.triangles.push_back({t[0] + 4 * k, t[1] + 4 * k, t[2] + 4 * k});
+  }
+  return m;
+}
+
+TriangleMesh there_and_back(const std::string& extension, const TriangleMesh& m) {
+  const fs::path path = temporary("round_trip" + extension);
+  write_mesh(path, m);
+  return read_mesh(path, 1.0);
+}
+
+RC_GTEST_PROP(files, double_precision_formats_keep_every_bit, ()) {
+  const TriangleMesh m = any_tetrahedra();
+  for (const char* extension : {".obj", ".ply", ".off", ".OFF"}) {
+    const TriangleMesh back = there_and_back(extension, m);
+    RC_ASSERT(back.positions == m.positions);
+    RC_ASSERT(back.triangles == m.triangles);
+  }
+}
+
+RC_GTEST_PROP(files, stl_keeps_single_precision_and_the_order_of_triangles, ()) {
+  const TriangleMesh m = any_tetrahedra(), back = there_and_back(".stl", m);
+  RC_ASSERT(back.triangles.size() == m.triangles.size());
+  for (std::size_t i = 0; i < m.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& x = m.positions[static_cast<std::size_t>(m.triangles[i][k])];
+      const Vec3& y = back.positions[static_cast<std::size_t>(back.triangles[i][k])];
+      RC_ASSERT((x - y).norm() <= 1e-7 * x.norm());
+    }
+}
+
+TEST(files, stl_merges_equal_points_so_that_a_solid_stays_closed) {
+  const TriangleMesh back = there_and_back(".stl", tetrahedron());
+  EXPECT_EQ(back.positions.size(), 4u);
+  EXPECT_TRUE(check_closed(back).empty()) << describe(check_closed(back));
+}
+
+TEST(files, text_stl_is_read_and_scaled_by_the_unit) {
+  const auto path = write_text_file(
+      "text.stl",
+      "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 25.4 0 0\nvertex 0 25.4 0\n"
+      "endloop\nendfacet\nendsolid t\n");
+  const TriangleMesh m = read_mesh(path, 1e-3);
+  ASSERT_EQ(m.triangles.size(), 1u);
+  EXPECT_DOUBLE_EQ(m.positions[1].x(), 0.0254);
+}
+
+TEST(files, a_binary_stl_that_begins_with_solid_is_still_binary) {
+  const fs::path path = temporary("solid.stl");
+  write_mesh(path, tetrahedron());
+  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary) << "solid named by a CAD";
+  EXPECT_EQ(read_mesh(path, 1.0).triangles.size(), 4u);
+}
+
+TEST(files, polygons_become_fans) {
+  const auto path = write_text_file(
+      "fan.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1/1 2/2 3/3 4/4 5/5\n");
+  const std::vector<Triangle> fan = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  EXPECT_EQ(read_mesh(path, 1.0).triangles, fan);
+}
+
+TEST(files, bad_input_is_refused_with_path_and_reason) {
+  EXPECT_TRUE(contains(refusal("nowhere/part.stl"), "nowhere/part.stl: no such file"));
+  EXPECT_TRUE(contains(refusal("part.step"), "unknown mesh format '.step'"));
+  EXPECT_TRUE(contains(refusal(tdbd::temporary_folder()), "unknown mesh format"));
+  EXPECT_TRUE(contains(refusal(write_text_file("empty.stl", "")), "no triangles"));
+  EXPECT_TRUE(
+      contains(refusal(write_text_file("none.off", "OFF\n1 0 0\n0 0 0\n")), "no triangles"));
+  EXPECT_TRUE(contains(refusal(write_text_file("text.off", "not a mesh at all")), "text.off: "));
+  EXPECT_TRUE(contains(refusal(write_text_file("text.ply", "not a mesh at all")), "text.ply: "));
+  EXPECT_TRUE(contains(refusal(write_text_file("text.obj", "not a mesh at all")),
+                       "text.obj:1: found 'not'"));
+}
+
+TEST(files, indices_beyond_the_vertices_are_refused) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  EXPECT_TRUE(contains(refusal(write_text_file("high.obj", triangle + "f 1 2 4\n")),
+                       "a polygon names vertex 3 of 3"));
+  EXPECT_TRUE(contains(refusal(write_text_file("line.obj", triangle + "f 1 2\n")),
+                       "a polygon with 2 corners"));
+}
+
+TEST(files, a_truncated_file_is_refused) {
+  for (const char* extension : {".stl", ".ply", ".off"}) {
+    const fs::path path = temporary(std::string("cut") + extension);
+    write_mesh(path, square_sheet(4));
+    fs::resize_file(path, fs::file_size(path) * 2 / 3);
+    EXPECT_FALSE(refusal(path).empty()) << extension;
+  }
+}
+
+TEST(files, writing_where_nothing_can_be_written_fails) {
+  const auto text = message_of<RunError>([] { write_mesh("/proc/no/part.stl", tetrahedron()); });
+  EXPECT_TRUE(contains(text, "cannot write /proc/no/part.stl"));
+}
+
+TEST(files, a_full_disk_leaves_no_partial_file_and_keeps_the_old_one) {
+  const fs::path path = temporary("full.ply");
+  write_mesh(path, tetrahedron());
+  fs::create_symlink("/dev/full", path.string() + ".partial");
+  const auto text = message_of<RunError>([&] { write_mesh(path, square_sheet(50)); });
+  EXPECT_TRUE(contains(text, "cannot write")) << text;
+  EXPECT_FALSE(fs::is_symlink(path.string() + ".partial"));
+  EXPECT_EQ(read_mesh(path, 1.0).triangles.size(), 4u);
+}
+
+}  // namespace
+}  // namespace tdbd::mesh

@@ -1,0 +1,152 @@
+#include "mesh/grade/grade.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/error.hpp"
+#include "mesh/check/check_edges.hpp"
+#include "mesh/check/self_intersections.hpp"
+#include "mesh/measures.hpp"
+#include "mesh/repair/inspect.hpp"
+#include "mesh/shape/convex.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+/// Rounding of coordinates of a few metres, after some tens of edits.
+constexpr double rounding = 1e-13;
+
+double length(const TriangleMesh& m, const Side& s) {
+  return (m.positions[static_cast<std::size_t>(s.hi)] - m.positions[static_cast<std::size_t>(s.lo)])
+      .norm();
+}
+
+/// Distance of a point in the unit box from the nearest of its twelve edges.
+double distance_from_box_edges(const Vec3& x) {
+  double best = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double u = x[(axis + 1) % 3], v = x[(axis + 2) % 3];
+    best = std::min(best, std::hypot(std::min(u, 1 - u), std::min(v, 1 - v)));
+  }
+  return best;
+}
+
+GradeOptions options(double edge, double face, double growth, double deviation) {
+  return {.edge = edge, .face = face, .growth = growth, .deviation = deviation};
+}
+
+/// Fine along the edges of a box, coarse inside its faces, and the same solid.
+TEST(grade, refines_along_edges_as_the_distance_tells) {
+  const auto o = options(0.02, 0.3, 0.5, 0.0);
+  const Graded g = grade(battery::box({0, 0, 0}, {1, 1, 1}), o);
+  EXPECT_EQ(g.feature_edges, 12u);
+  EXPECT_LE(g.deviation, rounding);
+  EXPECT_NEAR(enclosed_volume(g.mesh), 1.0, rounding);
+  EXPECT_TRUE(check_solid(g.mesh).empty());
+  const std::vector<Side> sides = sorted_sides(g.mesh);
+  double at_features = 0.0, inside = 0.0;
+  for_each_edge(sides, [&](const Side* s, const Side*) {
+    const Vec3 middle = 0.5 * (g.mesh.positions[static_cast<std::size_t>(s->lo)] +
+                               g.mesh.positions[static_cast<std::size_t>(s->hi)]);
+    const double d = distance_from_box_edges(middle), h = std::min(o.face, o.edge + o.growth * d);
+    EXPECT_LE(length(g.mesh, *s), 4.0 / 3.0 * h * (1 + 1e-12));
+    if (d < 1e-12) at_features = std::max(at_features, length(g.mesh, *s));
+    inside = std::max(inside, length(g.mesh, *s));
+  });
+  EXPECT_LE(at_features, 4.0 / 3.0 * o.edge);
+  EXPECT_GE(inside, 0.2);
+  EXPECT_GE(inspect(g.mesh).worst_quality, 0.3);
+}
+
+/// A face that came too fine loses facets, and stays where it is.
+TEST(grade, coarsens_flat_faces_exactly) {
+  const TriangleMesh fine =
+      grade(battery::box({0, 0, 0}, {1, 1, 1}), options(0.05, 0.05, 0.0, 0.0)).mesh;
+  const Graded g = grade(fine, options(0.25, 1.0, 0.5, 0.0));
+  EXPECT_LT(g.mesh.triangles.size(), fine.triangles.size() / 5);
+  EXPECT_LE(g.deviation, rounding);
+  EXPECT_NEAR(enclosed_volume(g.mesh), 1.0, rounding);
+  for (const Vec3& x : battery::box({0, 0, 0}, {1, 1, 1}).positions)
+    EXPECT_EQ(std::count(g.mesh.positions.begin(), g.mesh.positions.end(), x), 1) << x;
+}
+
+/// The outline of a cylinder keeps its corners without a deviation, and loses them within one.
+TEST(grade, keeps_an_outline_within_the_deviation) {
+  const TriangleMesh m = battery::cylinder(1.0, 2.0, 256);
+  const double sagitta = 1.0 - std::cos(std::numbers::pi / 64);
+  const Graded exact = grade(m, options(0.1, 0.5, 0.5, 0.0));
+  EXPECT_LE(exact.deviation, rounding);
+  EXPECT_GE(exact.mesh.positions.size(), 512u);
+  const Graded near = grade(m, options(0.1, 0.5, 0.5, sagitta));
+  EXPECT_LE(near.deviation, sagitta + rounding);
+  EXPECT_LT(near.mesh.positions.size(), exact.mesh.positions.size());
+  EXPECT_LE(std::abs(near.volume_change), sagitta * area(m));
+  EXPECT_LT(near.volume_change, 0.0);
+}
+
+/// A convex part cuts as its planes: those of a graded one are the same.
+TEST(grade, leaves_a_convex_part_its_planes) {
+  const TriangleMesh m = battery::cylinder(9.5e-3, 13e-3, 30);
+  const auto before = convex_solid(m);
+  const auto after = convex_solid(grade(m, options(0.5e-3, 3e-3, 0.5, 0.0)).mesh);
+  ASSERT_TRUE(before && after);
+  ASSERT_EQ(before->planes, 32u);
+  ASSERT_EQ(after->planes, before->planes);
+  for (std::size_t i = 0; i < before->planes; ++i) {
+    double nearest = 1.0;
+    for (std::size_t k = 0; k < after->planes; ++k)
+      nearest = std::min(nearest, (normal(*before, i) - normal(*after, k)).norm());
+    EXPECT_LE(nearest, 1e-9);
+  }
+}
+
+TEST(grade, leaves_a_graded_mesh_nearly_as_it_is) {
+  const auto o = options(0.05, 0.4, 0.5, 0.0);
+  const TriangleMesh once = grade(battery::prism(battery::l_outline(1, 0.4), 0, 1), o).mesh;
+  const TriangleMesh twice = grade(once, o).mesh;
+  const double change =
+      static_cast<double>(twice.triangles.size()) / static_cast<double>(once.triangles.size());
+  EXPECT_NEAR(change, 1.0, 0.05);
+}
+
+TEST(grade, is_the_same_every_time) {
+  const auto o = options(0.1, 0.6, 0.5, 1e-3);
+  const Graded a = grade(battery::torus(2, 0.7, 48, 24), o),
+               b = grade(battery::torus(2, 0.7, 48, 24), o);
+  EXPECT_EQ(a.mesh.positions, b.mesh.positions);
+  EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+}
+
+TEST(grade, refuses_what_bounds_no_solid) {
+  TriangleMesh open = battery::box({0, 0, 0}, {1, 1, 1});
+  open.triangles.pop_back();
+  EXPECT_THROW(grade(open, {}), InputError);
+}
+
+/// Prisms over stars and Ls, tori, cylinders; any targets; with and without a deviation.
+RC_GTEST_PROP(grade, gives_a_solid_within_its_bounds, ()) {
+  const std::vector<TriangleMesh> shapes = {
+      battery::prism(battery::star_outline(1, 0.4, *rc::gen::inRange(3, 8)), 0, 0.5),
+      battery::prism(battery::l_outline(1, 0.3), -0.5, 0.5),
+      battery::torus(2, 0.6, *rc::gen::inRange(6, 40), *rc::gen::inRange(4, 20)),
+      battery::cylinder(1, 0.7, *rc::gen::inRange(3, 60)), battery::sphere(1, 3)};
+  const TriangleMesh& m = shapes[*rc::gen::inRange<std::size_t>(0, shapes.size())];
+  const double edge = 0.05 * *rc::gen::inRange(3, 12);
+  const auto o = options(edge, edge * *rc::gen::inRange(1, 8), 0.1 * *rc::gen::inRange(0, 12),
+                         *rc::gen::element(0.0, 1e-3, 1e-2));
+  const Graded g = grade(m, o);
+  RC_ASSERT(check_solid(g.mesh).empty());
+  RC_ASSERT(g.deviation <= o.deviation + rounding);
+  RC_ASSERT(std::abs(enclosed_volume(g.mesh) - enclosed_volume(m)) <=
+            (o.deviation + rounding) * area(m));
+  RC_ASSERT(inspect(g.mesh).pieces == inspect(m).pieces);
+}
+
+}  // namespace
+}  // namespace tdbd::mesh

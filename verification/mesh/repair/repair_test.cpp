@@ -1,0 +1,270 @@
+#include "mesh/repair/repair.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/check/check.hpp"
+#include "mesh/check/self_intersections.hpp"
+#include "mesh/measures.hpp"
+#include "mesh/repair/inspect.hpp"
+#include "reference/mesh/self_intersections.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+const TriangleMesh unit_box = battery::box({0, 0, 0}, {1, 1, 1});
+
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+  return merged({{"a", a}, {"b", b}});
+}
+
+void turn(TriangleMesh& m, std::size_t i) { std::swap(m.triangles[i][1], m.triangles[i][2]); }
+
+/// What was done, as "12 points merged at equal places".
+std::string steps_of(const Repaired& r) {
+  std::string text;
+  for (const RepairStep& step : r.steps)
+    text += std::to_string(step.count) + " " + step.what + "\n";
+  return text;
+}
+
+void expect_box(const Repaired& r, const std::string& steps) {
+  EXPECT_EQ(r.refusal, "");
+  EXPECT_EQ(steps_of(r), steps);
+  EXPECT_TRUE(check_solid(r.mesh).empty()) << summarize(check_solid(r.mesh));
+  EXPECT_NEAR(enclosed_volume(r.mesh), 1.0, 1e-12);
+}
+
+TEST(repair, leaves_a_sound_mesh_to_the_bit) {
+  for (const TriangleMesh& m : {unit_box, battery::torus(2, 0.5, 24, 12), battery::sphere(1, 2)}) {
+    const Repaired r = repair(m);
+    EXPECT_TRUE(r.steps.empty());
+    EXPECT_EQ(r.mesh.positions, m.positions);
+    EXPECT_EQ(r.mesh.triangles, m.triangles);
+  }
+}
+
+TEST(repair, merges_equal_points) {
+  TriangleMesh soup;
+  for (const Triangle& t : unit_box.triangles) {
+    const int n = static_cast<int>(soup.positions.size());
+    for (const int v : t) soup.positions.push_back(unit_box.positions[static_cast<std::size_t>(v)]);
+    soup.triangles.push_back({n, n + 1, n + 2});
+  }
+  expect_box(repair(soup), "28 points merged at equal places\n");
+}
+
+TEST(repair, welds_near_points_when_told) {
+  TriangleMesh m = unit_box;
+  const int corner = m.triangles[0][0];
+  m.positions.push_back(m.positions[static_cast<std::size_t>(corner)] + Vec3(1e-7, 0, 0));
+  m.triangles[0][0] = static_cast<int>(m.positions.size()) - 1;
+  expect_box(repair(m, {1e-6}), "1 points merged that were within 0.001 mm of another\n");
+}
+
+TEST(repair, turns_flipped_facets) {
+  TriangleMesh m = unit_box;
+  turn(m, 3);
+  turn(m, 8);
+  expect_box(repair(m), "2 facets turned to agree with their neighbours\n");
+}
+
+TEST(repair, turns_a_mesh_that_is_inside_out) {
+  TriangleMesh m = unit_box;
+  for (std::size_t i = 0; i < m.triangles.size(); ++i) turn(m, i);
+  expect_box(repair(m), "12 facets of pieces turned outwards\n");
+}
+
+TEST(repair, fills_holes) {
+  TriangleMesh m = unit_box;
+  m.triangles.erase(m.triangles.begin() + 2);
+  m.triangles.pop_back();
+  const Repaired r = repair(m);
+  expect_box(r, r.steps.at(0).count == 2 ? "2 holes filled\n" : "1 holes filled\n");
+}
+
+TEST(repair, drops_duplicate_facets_and_pairs_that_face_each_other) {
+  TriangleMesh m = unit_box;
+  m.triangles.push_back(m.triangles[5]);
+  m.positions.push_back({0.5, 0.5, 3.0});
+  m.triangles.push_back({0, 1, 8});
+  m.triangles.push_back({1, 0, 8});
+  expect_box(repair(m), "3 duplicate facets dropped\n1 points of no facet dropped\n");
+}
+
+TEST(repair, drops_sheets_that_stand_out) {
+  TriangleMesh m = unit_box;
+  m.positions.push_back({0.5, 0.5, 3.0});
+  m.triangles.push_back({m.triangles[0][0], m.triangles[0][1], 8});
+  expect_box(repair(m),
+             "1 facets dropped of sheets that stand out from the surface\n1 points of no facet "
+             "dropped\n");
+}
+
+/// A point in the middle of a side, and the flat facet that closes the seam.
+TEST(repair, removes_facets_without_area) {
+  TriangleMesh m = unit_box;
+  const Triangle t = m.triangles[0];
+  const auto x = [&](int k) {
+    return m.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+  };
+  m.positions.push_back(0.5 * (x(0) + x(1)));
+  m.triangles[0] = {t[0], 8, t[2]};
+  m.triangles.push_back({8, t[1], t[2]});
+  m.triangles.push_back({t[0], t[1], 8});
+  EXPECT_EQ(check_closed(m).size(), 1u);
+  expect_box(repair(m), "1 facets without area removed\n");
+}
+
+/// Two boxes with a common edge, drawn as one: four facets meet there.
+TEST(repair, parts_solids_that_share_an_edge) {
+  const TriangleMesh two = joined(unit_box, battery::box({1, 1, 0}, {2, 2, 1}));
+  const TriangleMesh m{two.positions, by_first_of_equals(two)};
+  ASSERT_EQ(inspect(m).non_manifold_edges, 1u);
+  const Repaired r = repair(m);
+  EXPECT_EQ(r.refusal, "");
+  EXPECT_TRUE(check_solid(r.mesh).empty()) << summarize(check_solid(r.mesh));
+  EXPECT_EQ(inspect(r.mesh).pieces, 2u);
+  EXPECT_DOUBLE_EQ(enclosed_volume(r.mesh), 2.0);
+}
+
+TEST(repair, turns_a_cavity_inwards) {
+  const TriangleMesh m = joined(unit_box, battery::box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}));
+  TriangleMesh broken = m;
+  turn(broken, 0);
+  const Repaired r = repair(broken);
+  EXPECT_EQ(r.refusal, "");
+  EXPECT_DOUBLE_EQ(enclosed_volume(r.mesh), 1.0 - 0.25 * 0.25 * 0.25);
+}
+
+TEST(repair, unites_pieces_that_overlap) {
+  const TriangleMesh m = joined(unit_box, battery::box({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
+  ASSERT_GT(inspect(m).intersecting_pairs, 0u);
+  const Repaired r = repair(m);
+  EXPECT_EQ(r.refusal, "");
+  EXPECT_TRUE(check_solid(r.mesh).empty());
+  EXPECT_NEAR(enclosed_volume(r.mesh), 1.0 + 1.0 * 0.25, 1e-12);
+}
+
+/// A vertex pushed through the far side.
+TEST(repair, remeshes_where_a_surface_crosses_itself) {
+  TriangleMesh m = battery::sphere(1, 2);
+  m.positions[0] *= -1.3;
+  ASSERT_FALSE(self_intersections(m).empty());
+  const Repaired r = repair(m);
+  if (!r.refusal.empty()) {
+    EXPECT_NE(r.refusal.find("pairs of facets intersect"), std::string::npos) << r.refusal;
+    return;
+  }
+  EXPECT_TRUE(check_solid(r.mesh).empty());
+  EXPECT_NEAR(enclosed_volume(r.mesh), enclosed_volume(battery::sphere(1, 2)), 0.2);
+}
+
+TEST(repair, refuses_an_odd_edge) {
+  TriangleMesh m = joined(unit_box, battery::box({1, 0, 0}, {2, 1, 1}));
+  m.triangles = by_first_of_equals(m);
+  std::vector<Triangle> wall;  // one of the two facing walls between the boxes
+  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+    const Triangle& t = m.triangles[i];
+    const bool on_wall = std::all_of(t.begin(), t.end(), [&](int v) {
+      return m.positions[static_cast<std::size_t>(v)].x() == 1.0;
+    });
+    if (!on_wall || i < 12) wall.push_back(t);
+  }
+  m.triangles = wall;
+  EXPECT_NE(repair(m).refusal.find("3 facets meet at an edge of triangle "), std::string::npos)
+      << repair(m).refusal;
+}
+
+TEST(repair, refuses_a_surface_of_one_side) {
+  TriangleMesh strip;
+  constexpr int n = 12;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * M_PI * i / n;
+    const Vec3 out(std::cos(a), std::sin(a), 0);
+    const Vec3 across = 0.3 * (std::cos(a / 2) * out + std::sin(a / 2) * Vec3::UnitZ());
+    strip.positions.push_back(out + across);
+    strip.positions.push_back(out - across);
+  }
+  for (int i = 0; i < n; ++i) {
+    const bool last = i == n - 1;
+    const int a = 2 * i, b = a + 1, c = last ? 1 : a + 2, d = last ? 0 : a + 3;
+    strip.triangles.push_back({a, b, d});
+    strip.triangles.push_back({a, d, c});
+  }
+  EXPECT_NE(repair(strip).refusal.find("has one side only"), std::string::npos)
+      << repair(strip).refusal;
+}
+
+/// Any mixture of what can be told from the mesh: the solid comes back, and again without change.
+RC_GTEST_PROP(repair, mends_random_damage, ()) {
+  TriangleMesh m = *rc::gen::arbitrary<bool>() ? battery::sphere(1, 1) : battery::cylinder(1, 2, 9);
+  const double volume = enclosed_volume(m);
+  const std::size_t n = m.triangles.size();
+  const int flips = *rc::gen::inRange(0, 6);
+  for (int k = 0; k < flips; ++k) turn(m, *rc::gen::inRange<std::size_t>(0, n));
+  const int copies = *rc::gen::inRange(0, 3);
+  for (int k = 0; k < copies; ++k)
+    m.triangles.push_back(m.triangles[*rc::gen::inRange<std::size_t>(0, n)]);
+  if (*rc::gen::arbitrary<bool>()) {
+    const int v = m.triangles[0][0];
+    m.positions.push_back(Vec3(m.positions[static_cast<std::size_t>(v)]));
+    m.triangles[0][0] = static_cast<int>(m.positions.size()) - 1;
+  }
+  const Repaired r = repair(m);
+  RC_ASSERT(r.refusal.empty());
+  RC_ASSERT(check_solid(r.mesh).empty());
+  RC_ASSERT(std::abs(enclosed_volume(r.mesh) - volume) <= 1e-12 * volume);
+  RC_ASSERT(repair(r.mesh).steps.empty());
+}
+
+/// Positions of a sphere stirred until it crosses itself.
+RC_GTEST_PROP(self_intersections, are_those_of_the_twin, ()) {
+  TriangleMesh m = battery::sphere(1, 2);
+  for (Vec3& x : m.positions) x *= 1.0 + 0.01 * *rc::gen::inRange(-60, 60);
+  const auto found = self_intersections(m), twin = reference::self_intersections(m);
+  RC_CLASSIFY(!twin.empty());
+  RC_ASSERT(found == twin);
+}
+
+TEST(self_intersections, of_solids_that_touch_are_none) {
+  EXPECT_TRUE(self_intersections(joined(unit_box, battery::box({1, 1, 0}, {2, 2, 1}))).empty());
+  EXPECT_FALSE(self_intersections(joined(unit_box, unit_box)).empty());
+}
+
+TEST(inspect, counts_what_is_wrong) {
+  TriangleMesh m = unit_box;
+  turn(m, 3);
+  m.triangles.push_back(m.triangles[5]);
+  m.positions.push_back(Vec3(m.positions[0]));
+  const Inspection i = inspect(m);
+  EXPECT_EQ(i.equal_points, 1u);
+  EXPECT_EQ(i.duplicates, 1u);
+  EXPECT_EQ(i.flipped_edges + i.non_manifold_edges, 6u);
+  EXPECT_FALSE(i.is_oriented());
+  EXPECT_DOUBLE_EQ(inspect(unit_box).longest_edge, std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(inspect(unit_box).shortest_edge, 1.0);
+  EXPECT_DOUBLE_EQ(inspect(unit_box).volume, 1.0);
+}
+
+TEST(mesh_faults, tell_what_where_how_many_and_the_command) {
+  TriangleMesh m = unit_box;
+  turn(m, 3);
+  m.triangles.pop_back();
+  const auto lines = mesh_faults("a b/c.stl", {{"tool", m}, {"fine", unit_box}});
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0].rfind("a b/c.stl: solid tool: hole: 3 times, first edge ", 0), 0u) << lines[0];
+  EXPECT_EQ(lines[1].rfind("a b/c.stl: solid tool: flipped triangle: 3 times, first edge ", 0), 0u)
+      << lines[1];
+  EXPECT_EQ(lines[2],
+            "a b/c.stl: to repair: tdbd mesh 'a b/c.stl' --repair -o 'a b/c-repaired.stl'");
+}
+
+}  // namespace
+}  // namespace tdbd::mesh

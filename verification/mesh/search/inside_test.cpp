@@ -1,0 +1,92 @@
+#include "mesh/search/inside.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/rock/brute_force_exit.hpp"
+#include "verification/battery/generators.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::mesh {
+namespace {
+
+const TriangleMesh unit_box = battery::box({-1, -1, -1}, {1, 1, 1});
+
+RC_GTEST_PROP(inside_tree, agrees_with_the_winding_number, ()) {
+  const TriangleMesh part = *battery::star_shape();
+  const Vec3 x = *battery::point(0.9);
+  const TriangleTree tree(part);
+  RC_PRE(distance(tree, x) > 1e-9);
+  RC_ASSERT(inside(tree, x) == reference::inside(part, x));
+}
+
+/// Where boxes nest in each other's corners, rays meet rims and diagonals all the time.
+RC_GTEST_PROP(inside_tree, has_no_special_positions_in_a_box, ()) {
+  const TriangleTree tree(unit_box);
+  const auto coordinate = rc::gen::element(-1.5, -0.5, 0.0, 0.25, 0.5, 1.5);
+  const Vec3 x(*coordinate, *coordinate, *coordinate);
+  RC_ASSERT(inside(tree, x) == (x.cwiseAbs().maxCoeff() < 1.0));
+}
+
+/// The rays of inside.cpp.
+const Vec3 rays[] = {{0.1237, 0.2711, 0.9545},   {-0.3319, 0.1173, 0.9360},
+                     {0.2113, -0.4391, -0.8732}, {0.7713, 0.5381, 0.3394},
+                     {-0.6151, 0.7333, -0.2895}, {0.3917, -0.9017, 0.1833}};
+
+TEST(inside_tree, turns_to_another_ray_at_a_rim) {
+  const TriangleTree tree(unit_box);
+  for (const Vec3& rim : {Vec3(1, 1, 1), Vec3(1, 1, 0.25), Vec3(0.5, 0.5, 1), Vec3(1, 0, 1)})
+    for (const Vec3& ray : rays)
+      for (const double s : {-0.5, 0.25, 0.5, 1.5}) {
+        const Vec3 x = rim - s * ray;
+        EXPECT_EQ(inside(tree, x), x.cwiseAbs().maxCoeff() < 1.0) << x.transpose();
+      }
+}
+
+/// A ball with a vertex on every ray from its centre.
+TEST(inside_tree, winds_around_when_all_rays_meet_rims) {
+  TriangleMesh ball = battery::sphere(1.0, 2);
+  for (const Vec3& ray : rays)
+    *std::min_element(ball.positions.begin(), ball.positions.end(),
+                      [&](const Vec3& a, const Vec3& b) { return a.dot(ray) > b.dot(ray); }) =
+        ray.normalized();
+  EXPECT_TRUE(inside(TriangleTree(ball), {0, 0, 0}));
+}
+
+RC_GTEST_PROP(squared_distance, does_not_depend_on_the_first_corner, ()) {
+  const Facet f{*battery::point(1.0), *battery::point(1.0), *battery::point(1.0)};
+  const Vec3 x = *battery::point(1.0);
+  const double d = squared_distance(f, x);
+  RC_ASSERT(std::abs(squared_distance({f.b, f.c, f.a}, x) - d) < 1e-12);
+  RC_ASSERT(d <= std::min({(x - f.a).squaredNorm(), (x - f.b).squaredNorm(),
+                           (x - 0.5 * (f.b + f.c)).squaredNorm()}) +
+                     1e-15);
+}
+
+TEST(inside_tree, of_nothing_is_nowhere) { EXPECT_FALSE(inside(TriangleTree{}, {0, 0, 0})); }
+
+RC_GTEST_PROP(distance_tree, of_a_box_is_its_closed_form, ()) {
+  const TriangleTree tree(unit_box);
+  const Vec3 x = *battery::point(2.0);
+  const Vec3 over = x.cwiseAbs() - Vec3::Ones();
+  const double expected = over.maxCoeff() > 0.0 ? over.cwiseMax(0.0).norm() : -over.maxCoeff();
+  RC_ASSERT(std::abs(distance(tree, x) - expected) < 1e-14);
+  RC_ASSERT(is_near(tree, x, expected + 1e-9));
+  RC_ASSERT(!is_near(tree, x, expected - 1e-9) || expected < 1e-9);
+}
+
+/// No facet gets lost: the nearest of all, asked one by one.
+RC_GTEST_PROP(distance_tree, is_the_least_over_all_facets, ()) {
+  const TriangleTree tree(*battery::star_shape());
+  const Vec3 x = *battery::point(2.0);
+  double least = 1e300;
+  for (const Facet& f : tree.facets()) least = std::min(least, squared_distance(f, x));
+  RC_ASSERT(tree.facets().size() == 80u);
+  RC_ASSERT(std::abs(distance(tree, x) - std::sqrt(least)) < 1e-14);
+}
+
+}  // namespace
+}  // namespace tdbd::mesh

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "rock/cut/hull_filter.hpp"
+#include "rock/cut/swept_part.hpp"
+#include "rotation/rotation_vector.hpp"
+#include "verification/battery/generators.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+bit::Bit bit_of(const mesh::TriangleMesh& m, const Pose& X_BP) {
+  bit::Bit bit;
+  bit.parts.push_back({});
+  bit.parts.back().mesh_P = m;
+  bit.parts.back().X_BP = X_BP;
+  return bit;
+}
+
+/// A bit near the axis of space, turned and tilted a little, that turns on in the step.
+struct Move {
+  Pose X_WB0, X_WB1;
+};
+
+Move any_move() {
+  Move m;
+  m.X_WB0 = {rotation::exp(*battery::number(-3.0, 3.0) * Vec3::UnitZ() +
+                           *battery::number(0.0, 0.05) * *battery::direction()),
+             *battery::number(0.0, 0.3) * *battery::direction()};
+  m.X_WB1 = {m.X_WB0.R * rotation::exp(*battery::number(-0.3, 0.3) * *battery::direction()),
+             m.X_WB0.p + *battery::number(0.0, 0.1) * *battery::direction()};
+  return m;
+}
+
+bool is_swept_by(const CuttingBit& bit, const GroupMotion& m, const Vec3& x_W) {
+  SweptScratch scratch;
+  const RelativePath path{m.X_PW0 * x_W, m.X_PW1 * x_W, Vec3::UnitZ(), Vec3::UnitZ()};
+  return is_swept(bit.groups[0].parts[0], path, scratch);
+}
+
+std::vector<int> candidates_in(const VertexGrid& grid, const std::vector<Vec3>& positions_W,
+                               const CuttingGroup& g, const GroupMotion& m,
+                               const Foresight& foresight = {}) {
+  NearList list;
+  NearGroup near;
+  if (is_out_of_reach(grid, m)) return {};
+  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, foresight, list);
+  find_candidates(g, m, positions_W, list, -1.0, near);
+  for (int& v : near.places) v = list.v[static_cast<std::size_t>(v)];
+  return near.places;
+}
+
+/// Around the part, so that about half are swept.
+std::vector<Vec3> points_near(const GroupMotion& m) {
+  std::vector<Vec3> points;
+  const mesh::Box& box = m.region_W.box;
+  for (int k = 0; k < 50; ++k)
+    points.push_back(box.lo + 0.5 * (*battery::point(1.2) + Vec3::Ones()).cwiseProduct(box.size()));
+  return points;
+}
+
+/// Neither region, nor hull, nor reach drops a vertex that is swept.
+RC_GTEST_PROP(find_candidates, finds_all_that_is_swept, ()) {
+  const CuttingBit bit = prepare_cutting_bit(bit_of(
+      *rc::gen::oneOf(battery::convex_polyhedron(), battery::star_shape()), *battery::pose(2.0)));
+  const Move move = *rc::gen::exec(any_move);
+  const GroupMotion m = group_motion(bit.groups[0], move.X_WB0, move.X_WB1);
+  const std::vector<Vec3> points = points_near(m);
+  VertexGrid grid(m.region_W.box, 0.3);
+  for (std::size_t v = 0; v < points.size(); ++v) grid.insert(static_cast<int>(v), points[v]);
+  const std::vector<int> candidates = candidates_in(grid, points, bit.groups[0], m);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_swept_by(bit, m, points[v]))
+      RC_ASSERT(std::ranges::count(candidates, static_cast<int>(v)) == 1);
+}
+
+/// Neither region, nor ball, nor hull drops a vertex that a plane of the hull keeps away by less
+/// than the gap at the end.
+RC_GTEST_PROP(find_candidates, finds_all_that_is_touched, ()) {
+  const CuttingBit bit = prepare_cutting_bit(bit_of(*battery::convex_polyhedron(), {}));
+  const Move move = *rc::gen::exec(any_move);
+  const CuttingGroup& g = bit.groups[0];
+  const GroupMotion m = group_motion(g, move.X_WB0, move.X_WB1);
+  const double gap = *battery::number(0.0, 0.2);
+  const std::vector<Vec3> points = points_near(m);
+  const Region region = widened(m.region_W, gap);
+  VertexGrid grid(region.box, 0.3);
+  for (std::size_t v = 0; v < points.size(); ++v) grid.insert(static_cast<int>(v), points[v]);
+  NearList list;
+  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, region}, {}, list);
+  NearGroup near;
+  find_candidates(g, m, points, list, gap, near);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!is_far_from(g, m.X_PW1 * points[v], gap))
+      RC_ASSERT(std::ranges::count(near.touching, static_cast<int>(v)) == 1);
+}
+
+/// A run that begins anew makes other lists than the run that it continues. Half of the points lie
+/// as far outside of a plane of the hull as lists keep room for their rounding.
+RC_GTEST_PROP(find_candidates, finds_the_same_from_any_list, ()) {
+  const CuttingBit bit = prepare_cutting_bit(bit_of(*battery::convex_polyhedron(), {}));
+  const Move move = *rc::gen::exec(any_move);
+  const CuttingGroup& g = bit.groups[0];
+  const GroupMotion m = group_motion(g, move.X_WB0, move.X_WB1);
+  std::vector<Vec3> points = points_near(m);
+  const double room = single_slack(m.region_W.box);
+  for (std::size_t v = 0; v < points.size(); v += 2) {
+    const std::size_t i = v % g.hull_P.planes;
+    const Vec3 x_P = m.X_PW0 * points[v], n = mesh::normal(g.hull_P, i);
+    points[v] =
+        m.X_WP0 * Vec3(x_P + (g.hull_P.b[i] + *battery::number(0.0, 8.0) * room - n.dot(x_P)) * n);
+  }
+  VertexGrid grid(m.region_W.box, 0.3);
+  for (std::size_t v = 0; v < points.size(); ++v) grid.insert(static_cast<int>(v), points[v]);
+  std::vector<int> tight = candidates_in(grid, points, g, m), wide;
+  wide =
+      candidates_in(grid, points, g, m, {*battery::number(0.0, 2.0), *battery::number(0.0, 3.0)});
+  std::ranges::sort(tight);
+  std::ranges::sort(wide);
+  RC_ASSERT(tight == wide);
+}
+
+/// What reaches less far from the axis than the rock of its heights looks at none of it.
+TEST(find_candidates, leaves_a_wall_alone_that_is_out_of_reach) {
+  const CuttingBit bit =
+      prepare_cutting_bit(bit_of(battery::box({0.9, -0.1, -0.1}, {1.0, 0.1, 0.1}), Pose{}));
+  const double reach = std::hypot(1.0, 0.1);
+  const Pose still, turned{rotation::exp(Vec3(0, 0, 0.01)), Vec3::Zero()};
+  const GroupMotion m = group_motion(bit.groups[0], still, turned);
+  EXPECT_NEAR(m.reach_W, reach, 2e-5);
+  const auto candidates_at = [&](double r) {
+    VertexGrid grid({Vec3(-2, -2, -1), Vec3(2, 2, 1)}, 0.1);
+    std::vector<Vec3> points;
+    for (int k = 0; k < 100; ++k) {
+      points.emplace_back(r * std::cos(0.001 * k), r * std::sin(0.001 * k), 0.0);
+      grid.insert(k, points.back());
+    }
+    EXPECT_EQ(is_out_of_reach(grid, m), r > m.reach_W);
+    return candidates_in(grid, points, bit.groups[0], m).size();
+  };
+  EXPECT_EQ(candidates_at(reach + 1e-3), 0U);
+  EXPECT_GT(candidates_at(reach - 0.02), 0U);
+}
+
+}  // namespace
+}  // namespace tdbd::rock

@@ -1,0 +1,237 @@
+#include "rock/cut/swept_convex.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/random.hpp"
+#include "core/tolerance.hpp"
+#include "mesh/measures.hpp"
+#include "reference/mesh/convex_hull.hpp"
+#include "reference/rock/brute_force_exit.hpp"
+#include "verification/battery/generators.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+using mesh::TriangleMesh;
+using reference::brute_force_exit;
+
+/// A part and a vertex's path past it. Parts have the size of the unit cube.
+struct Pass {
+  TriangleMesh part;
+  RelativePath path;
+};
+
+Vec3 at(const Vec3& x0, const Vec3& x1, double tau) { return (1.0 - tau) * x0 + tau * x1; }
+
+/// How deep x is behind the planes of a convex mesh's own triangles; negative outside.
+double depth_in(const TriangleMesh& m, const Vec3& x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : m.triangles) {
+    const Vec3 n = mesh::area_vector(m.positions[a], m.positions[b], m.positions[c]);
+    if (n.norm() > 1e-12) least = std::min(least, n.normalized().dot(m.positions[a] - x));
+  }
+  return least;
+}
+
+/// The deepest that q(tau) + t u(tau) gets, by sections: a concave function of tau when u rests.
+double deepest(const Pass& p, double t) {
+  const auto depth = [&](double tau) {
+    return depth_in(p.part,
+                    at(p.path.q0_P, p.path.q1_P, tau) + t * at(p.path.u0_P, p.path.u1_P, tau));
+  };
+  double lo = 0.0, hi = 1.0;
+  for (int k = 0; k < 100; ++k) {
+    const double a = lo + (hi - lo) / 3.0, b = hi - (hi - lo) / 3.0;
+    (depth(a) < depth(b) ? lo : hi) = depth(a) < depth(b) ? a : b;
+  }
+  return depth(0.5 * (lo + hi));
+}
+
+double size_of(const TriangleMesh& m) { return mesh::bounding_box(m).size().norm(); }
+
+/// Every kind of convex part: hulls, boxes, discs; thin ones too.
+rc::Gen<TriangleMesh> convex_part() {
+  const auto box = rc::gen::map(battery::point(1.0), [](const Vec3& half) {
+    const Vec3 h = half.cwiseAbs() + Vec3::Constant(0.02);
+    return battery::box(-h, h);
+  });
+  const auto disc = rc::gen::apply(
+      [](double r, double l, int sides) { return battery::cylinder(r, l, sides); },
+      battery::number(0.2, 1.0), battery::number(0.02, 1.0), rc::gen::inRange(3, 24));
+  const auto placed =
+      rc::gen::apply([](const Pose& X, TriangleMesh m) { return battery::placed(X, m); },
+                     battery::pose(0.3), rc::gen::oneOf(box, disc));
+  return rc::gen::oneOf(battery::convex_polyhedron(), placed);
+}
+
+/// Paths up to the part's own size, that start in it or near it; the direction turns by up to
+/// `turn` rad.
+rc::Gen<Pass> pass(double turn) {
+  return rc::gen::apply(
+      [turn](const TriangleMesh& part, const Vec3& q0, const Vec3& d, const Vec3& u,
+             const Vec3& w) {
+        const Vec3 axis = turn * w;
+        const Mat3 R = axis.norm() > 0.0
+                           ? Eigen::AngleAxisd(axis.norm(), axis.normalized()).toRotationMatrix()
+                           : Mat3(Mat3::Identity());
+        return Pass{part, {q0, q0 + d, u, R * u}};
+      },
+      convex_part(), battery::point(0.8), battery::point(0.7), battery::direction(),
+      battery::point(0.57));
+}
+
+/// Production's answers to one pass.
+struct Answer {
+  mesh::ConvexSolid solid;
+  double depth;
+  bool swept;
+  std::optional<double> exit;
+};
+
+Answer answer(const Pass& p) {
+  Answer a;
+  a.solid = *mesh::convex_solid(p.part);
+  a.depth = tolerance::swept * size_of(p.part);
+  PlaneStrip scratch;
+  a.swept = is_swept(a.solid, p.path, a.depth);
+  a.exit = exit_distance(a.solid, p.path, a.depth, scratch);
+  return a;
+}
+
+reference::SweptExit twin(const Pass& p, int substeps) {
+  return brute_force_exit(p.part, p.path.q0_P, p.path.q1_P, p.path.u0_P, p.path.u1_P, substeps);
+}
+
+/// The twin sees what is deeper than half the way between two of its sub-poses, for certain.
+double resolution(const Pass& p, int substeps) {
+  return 0.5 * (p.path.q1_P - p.path.q0_P).norm() / substeps;
+}
+
+RC_GTEST_PROP(is_swept, equals_the_twin_beyond_its_resolution, ()) {
+  const Pass p = *pass(0.0);
+  const Answer a = answer(p);
+  constexpr int substeps = 32;
+  const double depth = deepest(p, 0.0);
+  RC_ASSERT(a.swept == a.exit.has_value());
+  RC_PRE(std::abs(depth) > 1e-9);
+  RC_TAG(a.swept ? "swept" : "missed");
+  RC_ASSERT(a.swept == (depth > 0.0));
+  if (!a.swept) RC_ASSERT(!twin(p, substeps).swept);
+  if (depth > resolution(p, substeps)) RC_ASSERT(twin(p, substeps).swept && a.swept);
+}
+
+RC_GTEST_PROP(depth_inside, is_positive_inside_alone, ()) {
+  const TriangleMesh part = *convex_part();
+  const Vec3 x = *battery::point(1.2);
+  const double depth = depth_inside(*mesh::convex_solid(part), x);
+  RC_PRE(std::abs(depth) > 1e-9);
+  RC_TAG(depth > 0.0 ? "inside" : "outside");
+  RC_ASSERT(reference::inside(part, x) == (depth > 0.0));
+  RC_ASSERT(std::abs(depth - depth_in(part, x)) < 1e-12);
+}
+
+/// For a direction that rests the twin converges from below, and at the exact exit the strip still
+/// touches the solid: both bounds are sharp, so the exit is exact.
+RC_GTEST_PROP(exit_distance, is_where_the_last_ray_leaves_the_solid, ()) {
+  const Pass p = *pass(0.0);
+  const Answer a = answer(p);
+  RC_PRE(a.swept);
+  RC_ASSERT(*a.exit >= twin(p, 32).t - 1e-9);
+  RC_ASSERT(deepest(p, *a.exit) > -1e-9);       // a touch
+  RC_ASSERT(deepest(p, *a.exit + 1e-6) < 0.0);  // and beyond it nothing
+}
+
+/// After the move nothing is left inside, wherever the part is in its step.
+RC_GTEST_PROP(exit_distance, leaves_no_vertex_inside, ()) {
+  const Pass p = *pass(0.0);
+  const Answer a = answer(p);
+  RC_PRE(a.swept);
+  for (const double tau : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const Vec3 x = at(p.path.q0_P, p.path.q1_P, tau) + *a.exit * p.path.u0_P;
+    RC_ASSERT(depth_inside(a.solid, x) < tolerance::inside * size_of(p.part));
+  }
+  RelativePath after = p.path;
+  after.q0_P += *a.exit * p.path.u0_P;
+  after.q1_P += *a.exit * p.path.u0_P;
+  RC_ASSERT(!is_swept(a.solid, after, tolerance::inside * size_of(p.part)));
+}
+
+/// A bit that turns by 0.1 rad in a step (a hundred times what drilling does): the strip is
+/// bilinear. Nothing that the twin finds may be left out.
+RC_GTEST_PROP(exit_distance, follows_a_direction_that_turns, ()) {
+  const Pass p = *pass(0.1);
+  const Answer a = answer(p);
+  RC_PRE(a.swept);
+  const double fine = twin(p, 256).t;
+  RC_ASSERT(*a.exit > fine - 1e-3 * size_of(p.part));
+  RC_ASSERT(deepest(p, *a.exit) > -1e-3);
+}
+
+/// The same passes again and again with more sub-poses: the twin's error falls at first order.
+/// Passes so shallow that four sub-poses may miss them are left out.
+TEST(exit_distance, is_the_limit_of_the_twin) {
+  Random random{20};
+  const auto any = [&](double half) {
+    return Vec3(random.uniform(-half, half), random.uniform(-half, half),
+                random.uniform(-half, half));
+  };
+  std::vector<Pass> passes;
+  while (passes.size() < 200) {
+    std::vector<Vec3> points;
+    for (int k = 0; k < 12; ++k) points.push_back(any(1.0));
+    const Vec3 q0 = any(1.0), u = any(1.0).normalized();
+    Pass p{reference::convex_hull(points), {q0, q0 + any(0.7), u, u}};
+    if (deepest(p, 0.0) > resolution(p, 4)) passes.push_back(std::move(p));
+  }
+  double before = 0.0;
+  for (const int substeps : {4, 16, 64, 256}) {
+    double mean = 0.0, worst = 0.0;
+    for (const Pass& p : passes) {
+      const double error = *answer(p).exit - twin(p, substeps).t;
+      EXPECT_GT(error, -1e-9);
+      mean += error / static_cast<double>(passes.size());
+      worst = std::max(worst, error);
+    }
+    std::printf("  %4d sub-poses: mean %.1e, worst %.1e of the part's size\n", substeps, mean,
+                worst);
+    if (before > 0.0) {
+      EXPECT_LT(mean, 0.35 * before);
+    }
+    before = mean;
+  }
+}
+
+/// A plate of a thousandth, crossed in one step: no tunnelling.
+TEST(is_swept, finds_a_thin_part_between_two_far_poses) {
+  const Pass p{battery::box({-1, -1, -5e-4}, {1, 1, 5e-4}),
+               {Vec3(0.2, 0.1, 3), Vec3(-0.3, 0.2, -4), Vec3::UnitX(), Vec3::UnitX()}};
+  const Answer a = answer(p);
+  EXPECT_TRUE(a.swept);
+  EXPECT_NEAR(*a.exit, 1.0 - (0.2 - 0.5 * (3.0 + 5e-4) / 7.0), 1e-12);
+}
+
+/// The direction lies in the plane of the box's upper face but for rounding, and the last ray to
+/// leave the solid is the one that grazes that face: it must not count as the end of the ray.
+TEST(exit_distance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
+  for (const double rounding : {-1e-16, 0.0, 1e-16, 1e-15}) {
+    const Vec3 u(0, 1, rounding);
+    const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}), {Vec3(0, 0, 1.5), Vec3(0, 0.5, 0.5), u, u}};
+    EXPECT_NEAR(*answer(p).exit, 0.75, 1e-9) << rounding;
+  }
+}
+
+TEST(is_swept, leaves_alone_what_slides_along_a_face) {
+  const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}),
+               {Vec3(-0.5, 0, 1), Vec3(0.5, 0, 1), Vec3::UnitZ(), Vec3::UnitZ()}};
+  EXPECT_FALSE(answer(p).swept);
+}
+
+}  // namespace
+}  // namespace tdbd::rock

@@ -1,0 +1,57 @@
+#include "rock/maintain/check_operation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "mesh/edit.hpp"
+#include "verification/battery/rock_surfaces.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+constexpr int inner = 60;  // the middle of 11 x 11 vertices
+
+Rock sheet() {
+  const mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.1, 7);
+  return make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
+}
+
+TEST(check_operation, finds_nothing_wrong_with_a_bisection) {
+  Rock rock = sheet();
+  const int c = rock.surface.corner_of[inner];
+  const int a = rock.surface.vertex(mesh::next_corner(c)),
+            b = rock.surface.vertex(mesh::previous_corner(c));
+  const LocalState before = local_state(rock.surface, {a, b, inner});
+  const int m = mesh::split_edge(rock.surface, c,
+                                 0.5 * (rock.surface.position(a) + rock.surface.position(b)));
+  register_vertex(rock, m, -1);
+  EXPECT_EQ(describe(check_around(rock, before, 0.0)), "");
+  EXPECT_NO_THROW(demand_around(rock, before, 0.0, "bisections"));
+}
+
+TEST(check_operation, notices_volume_that_was_not_reported) {
+  Rock rock = sheet();
+  const LocalState before = local_state(rock.surface, {inner});
+  Vec3& x_W = rock.surface.positions[inner];
+  x_W.z() += 1e-6;
+  rock.grid.move(inner, x_W);
+  EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M5"), std::string::npos);
+  EXPECT_THROW(demand_around(rock, before, 0.0, "smoothings"), RunError);
+}
+
+TEST(check_operation, notices_wrong_adjacency_and_an_index_out_of_step) {
+  Rock rock = sheet();
+  const LocalState before = local_state(rock.surface, {inner});
+  const int c = rock.surface.corner_of[inner];
+  std::swap(rock.surface.opposite[static_cast<std::size_t>(c)],
+            rock.surface.opposite[static_cast<std::size_t>(mesh::next_corner(c))]);
+  EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M1"), std::string::npos);
+  rock = sheet();
+  rock.surface.positions[inner].z() += 1e-6;
+  EXPECT_NE(describe(check_around(rock, before, 0.0)).find("index"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tdbd::rock

@@ -1,0 +1,76 @@
+#include "rock/maintain/collapse.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/measures.hpp"
+#include "rock/maintain/invariants.hpp"
+#include "verification/rock/bumpy_sheet.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+constexpr double h = 0.9;  // limits for rock three times as coarse as the roof's edges
+
+/// Two slopes of 45 degrees that meet in a ridge along x, in edges of 0.3, every vertex touched.
+Rock roof() {
+  mesh::TriangleMesh m = any_sheet(0.0);
+  for (Vec3& x : m.positions) x.z() = std::abs(x.y());
+  Rock rock = rock_of(m);
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v) touch(rock, v);
+  return rock;
+}
+
+MaintenanceLimits limits() {
+  MaintenanceLimits l = limits_for(h);
+  l.volume_per_operation = 1.0;
+  return l;
+}
+
+struct Thinned {
+  double strayed = 0.0;  ///< m, the old surface from the new one
+  MaintenanceReport report;
+};
+
+Thinned thinned(const Rock& before, const MaintenanceLimits& l) {
+  Rock after = before;
+  MaintenanceWorkspace work;
+  Thinned t;
+  maintain(after, l, work, t.report);
+  t.strayed = deviation(before.surface, after.surface, 1.0).distance;
+  return t;
+}
+
+/// Slopes thin out, and the ridge along itself; but it stays where it is.
+RC_GTEST_PROP(collapse, keeps_a_sharp_ridge, ()) {
+  const Rock before = roof();
+  const Thinned t = thinned(before, limits());
+  RC_ASSERT(t.report.carried_out(Operation::collapse) > 10);
+  RC_ASSERT(t.strayed <= limits().ridge_cut);
+}
+
+/// Ridges and valleys side by side: whichever end of an edge between them stays, one is cut.
+TEST(collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
+  mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.0, 7);
+  for (Vec3& x : m.positions) x.z() = std::lround(x.y() / 0.3) % 2 == 0 ? 0.0 : 0.16;
+  const mesh::Surface s = mesh::make_surface(m);
+  MaintenanceLimits bound = limits(), free = limits();
+  bound.longest_edge = free.longest_edge = 10.0;
+  free.ridge_cut = free.farthest = 1.0;
+  int refused = 0, accepted = 0;
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
+    const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+    if (std::abs(s.position(a).z() - s.position(b).z()) < 0.1) continue;
+    EXPECT_FALSE(is_accepted(judge_collapse(s, a, b, bound)));
+    refused += judge_collapse(s, a, b, bound).refused == Refusal::ridge;
+    accepted += is_accepted(judge_collapse(s, a, b, free));
+  }
+  EXPECT_GT(refused, 10);
+  EXPECT_GT(accepted, 10);
+}
+
+}  // namespace
+}  // namespace tdbd::rock

@@ -1,0 +1,155 @@
+#include "rock/maintain/invariants.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rock/cut/cutting_scene.hpp"
+#include "verification/battery/generators.hpp"
+#include "verification/battery/rock_surfaces.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+/// Rock before and after one maintenance that a random cut made necessary.
+struct Maintained {
+  MaintenanceLimits limits;
+  Rock before, after;
+  MaintenanceReport report;
+  MaintenanceWorkspace work;
+};
+
+Maintained maintained(const Wildness& wild = {}) {
+  const Scene s = *scene(wild);
+  Maintained m;
+  m.before = rock_of(s);
+  CutWorkspace cut_work;
+  CutReport cut;
+  cut_rock(m.before, prepare_cutting_bit(s.bit), s.X_WB0, s.X_WB1, cut_work, cut);
+  const double h = 3.0 / std::sqrt(0.5 * m.before.surface.triangle_count());
+  m.limits = limits_for(h * *battery::number(0.7, 2.0));
+  m.limits.flip_quality = *battery::integer(0, 1) * *battery::number(0.0, 1.0);
+  m.limits.smoothing = *battery::integer(0, 1) == 0 ? Smoothing::off : Smoothing::tangential;
+  m.limits.smooth_quality = *battery::number(0.0, 1.0);
+  m.after = m.before;
+  maintain(m.after, m.limits, m.work, m.report);
+  return m;
+}
+
+/// M1 to M3 and M5 to M7, with and without flips and smoothing.
+RC_GTEST_PROP(invariants, hold_after_one_maintenance, ()) {
+  const Maintained m = maintained();
+  RC_ASSERT(describe(check_maintenance(m.before, m.after, m.limits, m.report, m.work.strays)) ==
+            "");
+}
+
+/// A sheet of edges 0.3 and 0.42, with every vertex touched.
+Rock sheet() {
+  const mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.1, 7);
+  Rock rock = make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v) touch(rock, v);
+  return rock;
+}
+
+int inner_vertex(const Rock& rock) {
+  int v = rock.surface.vertex_slots() / 2;
+  while (rock.surface.is_boundary(v)) ++v;
+  return v;
+}
+
+bool names(const std::vector<Violation>& found, Invariant which) {
+  return std::ranges::any_of(found, [&](const Violation& v) { return v.which == which; });
+}
+
+TEST(invariants, find_nothing_wrong_with_a_sound_sheet) {
+  const Rock rock = sheet();
+  EXPECT_EQ(describe(check_maintenance(rock, rock, limits_for(0.35), {})), "");
+}
+
+TEST(invariants, notice_wrong_adjacency) {
+  Rock rock = sheet();
+  std::swap(rock.surface.opposite[40], rock.surface.opposite[41]);
+  EXPECT_TRUE(names(check_disc(rock), Invariant::disc));
+}
+
+TEST(invariants, notice_a_hole) {
+  Rock rock = sheet();
+  rock.surface.triangles[90] = {-1, -1, -1};
+  EXPECT_TRUE(names(check_disc(rock), Invariant::disc));
+}
+
+TEST(invariants, notice_an_index_out_of_step) {
+  Rock rock = sheet();
+  const int v = inner_vertex(rock);
+  rock.surface.positions[static_cast<std::size_t>(v)].z() += 0.01;
+  EXPECT_TRUE(names(check_disc(rock), Invariant::disc));
+  rock = sheet();
+  rock.grid.remove(v);
+  const auto found = check_disc(rock);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].where.find(std::to_string(v)), std::string::npos) << found[0].where;
+}
+
+TEST(invariants, notice_repairs_left_undone) {
+  const Rock rock = sheet();
+  MaintenanceLimits limits = limits_for(0.8);  // shortest 0.32: many sides of cells are shorter
+  limits.volume_per_operation = 1.0;
+  EXPECT_TRUE(names(check_repairs(rock.surface, rock.touched, limits), Invariant::edges));
+  limits = limits_for(0.2);  // longest 0.32: the diagonals are longer
+  EXPECT_TRUE(names(check_repairs(rock.surface, rock.touched, limits), Invariant::edges));
+  limits = limits_for(0.8);
+  limits.shortest_edge = 0.0;
+  limits.worst_quality = 0.99;
+  limits.volume_per_operation = 1.0;
+  EXPECT_TRUE(names(check_repairs(rock.surface, rock.touched, limits), Invariant::quality));
+}
+
+TEST(invariants, notice_a_normal_turned_over) {
+  const Rock rock = sheet();
+  mesh::Surface turned = rock.surface;
+  turned.positions[static_cast<std::size_t>(inner_vertex(rock))].x() += 0.7;
+  EXPECT_TRUE(names(check_normals(rock.surface, turned), Invariant::normals));
+  EXPECT_TRUE(check_normals(rock.surface, rock.surface).empty());
+}
+
+TEST(invariants, notice_volume_that_was_not_reported) {
+  const Rock rock = sheet();
+  EXPECT_TRUE(names(check_ledger(rock.surface, rock.surface, 1e-9), Invariant::ledger));
+}
+
+/// A plane's vertex lifted by d: the new surface strays d from the old one, at that vertex.
+TEST(invariants, measure_how_far_a_surface_strays) {
+  const mesh::TriangleMesh flat = battery::bumpy_rock(1.5, 10, 0.0, 7);
+  const mesh::Surface before = mesh::make_surface(flat);
+  mesh::Surface after = before;
+  const double d = 0.05;
+  after.positions[60].z() -= d;
+  ASSERT_FALSE(before.is_boundary(60));
+  const Deviation there = deviation(after, before, 1.0);
+  EXPECT_DOUBLE_EQ(there.distance, d);
+  EXPECT_EQ(there.x_W, after.position(60));
+  EXPECT_LT(deviation(before, after, 1.0).distance, d);  // its nearest point is on the slope
+  EXPECT_GT(deviation(before, after, 1.0).distance, 0.5 * d);
+  MaintenanceLimits limits = limits_for(0.3);  // half of its shortest edge: 0.06
+  EXPECT_TRUE(check_distance(before, after, limits).empty());
+  limits.shortest_edge = 1.9 * d;
+  EXPECT_TRUE(names(check_distance(before, after, limits), Invariant::distance));
+}
+
+TEST(invariants, notice_untouched_rock_and_boundary_that_changed) {
+  Rock before = sheet();
+  before.touched.assign(before.touched.size(), 0);
+  mesh::Surface after = before.surface;
+  const int v = inner_vertex(before);
+  after.positions[static_cast<std::size_t>(v)].z() += 1e-16 + 1e-3;
+  EXPECT_TRUE(names(check_locality(before, after), Invariant::locality));
+  before.touched[static_cast<std::size_t>(v)] = 1;
+  EXPECT_TRUE(check_locality(before, after).empty());
+  after.positions[0].z() += 1e-12;
+  EXPECT_TRUE(names(check_locality(before, after), Invariant::locality));
+}
+
+}  // namespace
+}  // namespace tdbd::rock

@@ -1,0 +1,79 @@
+#include "simulation/case/case_forces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "forces/rock/rock_material.hpp"
+#include "simulation/case/case.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using bit::PartKind;
+
+Case shale(std::vector<std::string> settings) {
+  settings.emplace_back("rock.edge_length='4 mm'");
+  return read_case(TDBD_SOURCE_DIR "/cases/bit-b-3000psi.toml", settings);
+}
+
+template <class L>
+const L& law(const Case& c, PartKind kind) {
+  return std::get<L>(law_of(c.forces, kind));
+}
+
+TEST(read_forces, gives_the_law_to_the_kinds_that_it_knows) {
+  const Case c = shale({});
+  EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::face).A1, 1.0);
+  EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::chamfer).A5, 1.0);
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::cutter_body).cap, 1.5);
+  law<forces::NoForce>(c, PartKind::gage_pad);
+}
+
+TEST(read_forces, lets_a_kind_have_its_own) {
+  const Case c = shale({"forces.gage_pad.law=friction", "forces.gage_pad.mu=0.25",
+                        "forces.gage_pad.stress='20 MPa'", "forces.cutter_body.law=none"});
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::gage_pad).stress, 20e6);
+  law<forces::NoForce>(c, PartKind::cutter_body);
+}
+
+TEST(read_forces, takes_coefficients_by_name_and_changes_them) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml",
+                           {"rock.edge_length='4 mm'", "rock.material='berea-sandstone'",
+                            "forces.coefficients='detournay-berea'", "forces.zeta=0.5"});
+  const auto& cutting = law<forces::Detournay>(c, PartKind::face);
+  EXPECT_EQ(cutting.zeta, 0.5);
+  EXPECT_GT(cutting.eps, 30e6);  // 39 to 51 MPa
+  EXPECT_LT(cutting.eps, 60e6);
+}
+
+/// Mancos shale under 3000 psi: 16.5 ksi.
+TEST(read_formation, confines_the_rock) {
+  const Case c = shale({});
+  ASSERT_EQ(c.forces.rock.strengths.size(), 1u);
+  constexpr double psi = 6894.757293168361;  // Pa
+  EXPECT_NEAR(c.forces.rock.strengths.front().confined / psi, 16.5e3, 50.0);
+}
+
+TEST(read_formation, has_layers_that_dip) {
+  const Case c = shale({"rock.layers=[{top='10 mm', material='berea-sandstone'}]",
+                        "rock.dip='30 deg'", "rock.dip_azimuth='90 deg'"});
+  const forces::Formation& rock = c.forces.rock;
+  ASSERT_EQ(rock.strengths.size(), 2u);
+  const double sine = std::sin(std::numbers::pi / 6.0), cosine = std::cos(std::numbers::pi / 6.0);
+  EXPECT_LT((rock.normal_W - Vec3(0.0, -sine, cosine)).norm(), 1e-15);
+  const double sandstone = forces::rock_named("berea-sandstone").unconfined;
+  EXPECT_NE(forces::strength_at(rock, Vec3::Zero()).unconfined, sandstone);
+  EXPECT_EQ(forces::strength_at(rock, Vec3(0.0, -0.03, 0.0)).unconfined, sandstone);
+}
+
+TEST(read_formation, refuses_layers_out_of_order) {
+  EXPECT_THROW(shale({"rock.layers=[{top='10 mm', material='berea-sandstone'}, {top='5 mm', "
+                      "material='mancos-shale'}]"}),
+               InputError);
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

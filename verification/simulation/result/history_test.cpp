@@ -1,0 +1,163 @@
+#include "simulation/result/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <thread>
+
+#include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<HistoryPart> parts = {{"cutter-1/face", "face"}, {"gage-pad-1", "gage_pad"}};
+
+/// An empty folder of one test.
+fs::path folder(const std::string& name) {
+  const fs::path path = tdbd::temporary_folder() + "tdbd_history_" + name;
+  fs::remove_all(path);
+  fs::create_directories(path);
+  return path;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Numbers with all digits in use, that check_history.py computes too.
+void append_rows(History& history, long first, long last) {
+  for (long i = first; i < last; ++i) {
+    const double t = 0.001 * static_cast<double>(i);
+    const double by_part[] = {t / 3.0, t / 7.0};
+    HistoryRow row;
+    row.time = t;
+    row.p_WB = Vec3(t / 11.0, t / 13.0, t / 17.0);
+    row.rotation_vector = Vec3(t / 19.0, t / 23.0, t / 29.0);
+    row.rotation_angle = t / 31.0;
+    row.removed_volume_total = t / 37.0;
+    row.removed_volume_by_part = by_part;
+    row.swept_vertices = 2 * i;
+    row.rock_triangles = 1000 + i;
+    history.append(row);
+  }
+}
+
+fs::path write_history(const fs::path& where, long rows) {
+  History history(where / "history.nc", parts);
+  append_rows(history, 0, rows);
+  history.close();
+  return where / "history.nc";
+}
+
+int check_by_xarray(const fs::path& file, long rows) {
+  const std::string command = std::string("/usr/bin/python3 ") + TDBD_SOURCE_DIR +
+                              "/verification/simulation/check_history.py " + file.string() + " " +
+                              std::to_string(rows);
+  return std::system(command.c_str());
+}
+
+TEST(history, xarray_finds_every_bit_with_units_and_names) {
+  for (const long rows : {0L, 1L, 511L, 512L, 1300L})
+    EXPECT_EQ(check_by_xarray(write_history(folder("bits"), rows), rows), 0) << rows << " rows";
+}
+
+constexpr std::array<const char*, 2> cutters{"cutter-3", "cutter-7"};
+
+/// One row with contact areas and sections, the second one not known.
+fs::path write_measures(const fs::path& where) {
+  HistoryExtent extent;
+  extent.cutters.assign(cutters.begin(), cutters.end());
+  extent.contact_areas = true;
+  History history(where / "history.nc", parts, extent);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const std::array<rock::Section, 2> sections{
+      rock::Section{1e-6, Vec3(0.1, 0.2, 0.3), 4e-3, 0.5, 6e-7, rock::Sight::clear},
+      rock::Section{unknown, Vec3::Constant(unknown), unknown, unknown, unknown,
+                    rock::Sight::over_the_top}};
+  const std::array<double, 2> volumes{1e-9, 2e-9};
+  const std::array<rock::PartContact, 2> contacts{rock::PartContact{3e-6}, rock::PartContact{4e-6}};
+  HistoryRow row;
+  row.removed_volume_by_part = volumes;
+  row.contacts = contacts;
+  row.sections = sections;
+  history.append(row);
+  history.close();
+  return where / "history.nc";
+}
+
+TEST(history, xarray_finds_sections_by_cutter_and_contact_areas_by_part) {
+  const fs::path file = write_measures(folder("measures"));
+  EXPECT_EQ(check_by_xarray(file, -1), 0);
+  std::ifstream in(fs::path(file).replace_extension(".csv"));
+  std::string head;
+  std::getline(in, head);
+  EXPECT_NE(head.find("contact_area_total [m2],section_area_total [m2]"), std::string::npos);
+}
+
+TEST(history, two_runs_give_the_same_bytes) {
+  const fs::path a = write_history(folder("a"), 700);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a time stamp would differ
+  const fs::path b = write_history(folder("b"), 700);
+  EXPECT_EQ(bytes_of(a), bytes_of(b));
+  EXPECT_EQ(bytes_of(a.parent_path() / "history.csv"), bytes_of(b.parent_path() / "history.csv"));
+}
+
+TEST(history, the_files_get_their_names_when_closed) {
+  const fs::path where = folder("names");
+  {
+    History history(where / "history.nc", parts);
+    append_rows(history, 0, 600);
+    EXPECT_FALSE(fs::exists(where / "history.nc"));
+  }
+  EXPECT_TRUE(fs::exists(where / "history.nc.partial"));
+  EXPECT_EQ(check_by_xarray(where / "history.nc.partial", 512), 0);
+  write_history(where, 3);
+  EXPECT_TRUE(fs::exists(where / "history.nc"));
+  EXPECT_FALSE(fs::exists(where / "history.nc.partial"));
+  EXPECT_FALSE(fs::exists(where / "history.csv.partial"));
+}
+
+TEST(history, the_csv_has_a_head_with_units_and_a_line_for_each_row) {
+  std::ifstream in(write_history(folder("csv"), 3).replace_extension(".csv"));
+  std::string head, first, second;
+  std::getline(in, head);
+  std::getline(in, first);
+  std::getline(in, second);
+  EXPECT_EQ(head.substr(0, 25), "time [s],position_x [m],p");
+  EXPECT_EQ(second.substr(0, 6), "0.001,");
+  EXPECT_EQ(std::count(head.begin(), head.end(), ','), std::count(first.begin(), first.end(), ','));
+}
+
+TEST(history, a_row_for_other_parts_is_refused) {
+  History history(folder("refused") / "history.nc", parts);
+  EXPECT_THROW(history.append(HistoryRow{}), RunError);
+}
+
+TEST(history, a_folder_that_does_not_exist_is_an_error) {
+  EXPECT_THROW(History("/proc/no/history.nc", parts), RunError);
+}
+
+TEST(history, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond) {
+  const std::vector<HistoryPart> many(100, {"cutter/face", "face"});
+  const std::vector<double> volumes(100, 1.0 / 3.0);
+  History history(folder("cost") / "history.nc", many);
+  HistoryRow row;
+  row.removed_volume_by_part = volumes;
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 2048; ++i) history.append(row);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(spent.count() / 2048, 1e-4);
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

@@ -1,0 +1,101 @@
+#include "simulation/result/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/provenance.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+RunSummary third() {
+  RunSummary s;
+  s.command = "run";
+  s.title = "a \"quoted\" case";
+  s.status = RunStatus::interrupted;
+  s.case_hash = "abc";
+  s.seed = 18446744073709551615u;
+  s.steps = 12;
+  s.revolutions = 1.0 / 3.0;
+  s.removed_volume = 0.1 + 0.2;
+  s.removed_volume_by_revolution = {0.1, 0.2};
+  s.parts = {{"cutter-2/face", 0.1, {0.1, 0.0}}, {"cutter-1/face", 0.2, {0.0, 0.2}}};
+  s.maintenance = {{"flips", 7}, {"splits", 3}};
+  return s;
+}
+
+TEST(summary, every_number_reads_back_to_the_bit) {
+  const Json json = Json::parse(to_json(third()));
+  EXPECT_EQ(json["revolutions"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(json["removed_volume_m3"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["seed"].get<std::uint64_t>(), 18446744073709551615u);
+  EXPECT_EQ(json["removed_volume_by_part_by_revolution_m3"]["cutter-1/face"][1], 0.2);
+}
+
+TEST(summary, holds_the_names_that_scripts_rely_on) {
+  const Json json = Json::parse(to_json(third()));
+  for (const char* key : {"schema",
+                          "status",
+                          "version",
+                          "commit",
+                          "compiler",
+                          "flags",
+                          "case_hash",
+                          "seed",
+                          "steps",
+                          "revolutions",
+                          "removed_volume_m3",
+                          "removed_volume_by_part_m3",
+                          "removed_volume_by_revolution_m3",
+                          "removed_volume_by_part_by_revolution_m3",
+                          "volume_ledger_defect",
+                          "maintenance_volume_m3",
+                          "rock_triangles_start",
+                          "rock_triangles_end",
+                          "rock_quality_min",
+                          "rock_quality_1_percent",
+                          "gage_radius_m",
+                          "maintenance"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["status"], "interrupted");
+  EXPECT_EQ(json["version"], provenance().version);
+  EXPECT_EQ(json["maintenance"]["flips"], 7);
+}
+
+TEST(summary, parts_stay_in_the_order_of_the_bit) {
+  const Json json = Json::parse(to_json(third()));
+  EXPECT_EQ(json["removed_volume_by_part_m3"].begin().key(), "cutter-2/face");
+}
+
+TEST(summary, without_parts_the_volumes_are_an_empty_object) {
+  const Json json = Json::parse(to_json(RunSummary{}));
+  EXPECT_TRUE(json["removed_volume_by_part_m3"].is_object());
+  EXPECT_TRUE(json["removed_volume_by_revolution_m3"].is_array());
+  EXPECT_TRUE(json["maintenance"].is_object());
+}
+
+TEST(summary, timing_holds_what_depends_on_the_machine) {
+  const Json json = Json::parse(to_json(Timing{0.25, 10.0, peak_memory_bytes(), 2}));
+  EXPECT_EQ(json["seconds_per_step_median"], 0.25);
+  EXPECT_EQ(json["wall_seconds"], 10.0);
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_GT(json["peak_memory_bytes"].get<long>(), 1000000);
+}
+
+TEST(summary, is_written_whole) {
+  const std::filesystem::path path = tdbd::temporary_folder() + "tdbd_summary.json";
+  write_text(path, to_json(third()));
+  std::ifstream in(path);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), to_json(third()));
+  EXPECT_THROW(write_text("/proc/no/summary.json", "{}"), RunError);
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

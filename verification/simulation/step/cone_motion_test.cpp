@@ -1,0 +1,168 @@
+#include "simulation/step/cone_motion.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "bit/cone/cone_bit.hpp"
+#include "rotation/rotation_vector.hpp"
+#include "simulation/step/simulation.hpp"
+#include "verification/bit/cone_generate.hpp"
+#include "wheel_bit.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using bit::number;
+
+Case wheel_case(const std::string& motion, const std::string& time) {
+  return read_case(write_wheel_case(test_folder(), {}, motion, time), {});
+}
+
+Simulation drilled(const Case& c) {
+  Simulation s = start(c);
+  while (s.steps_done < c.time.steps) step(c, s);
+  return s;
+}
+
+Vec3 any_vector(double size) {
+  return {number(-size, size), number(-size, size), number(-size, size)};
+}
+
+/// Turned about the unit axis by Rodrigues' formula: a chain of its own.
+Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
+  return std::cos(angle) * v + std::sin(angle) * axis.cross(v) +
+         (1 - std::cos(angle)) * axis.dot(v) * axis;
+}
+
+/// Formulation 4: p = c + R (r0 + S s + D Rot(s, phi) d0), at both ends of a step.
+RC_GTEST_PROP(cone_motion, a_motion_of_the_bit_reaches_each_tooth_through_its_cone, ()) {
+  const bit::Bit b =
+      bit::cone_bit("any", {bit::toothed_cone(), bit::toothed_cone()}, std::nullopt, {});
+  const std::vector<double> from{number(-9, 9), number(-9, 9)}, to{number(-9, 9), number(-9, 9)};
+  rock::CuttingBit cutting = rock::prepare_cutting_bit(b);
+  rock::turn_cones(cutting, b, from, to);
+  const Vec3 c_W = any_vector(1.0), axis = any_vector(1.0).normalized(), x_P = any_vector(0.01);
+  const double angle = number(-3, 3);
+  const Pose X_WB{Eigen::AngleAxisd(angle, axis).toRotationMatrix(), c_W};
+  double farthest = 0.0;
+  for (const rock::CuttingGroup& g : cutting.groups) {
+    const bit::Part& part = b.parts[static_cast<std::size_t>(g.parts.front().part)];
+    const auto k = static_cast<std::size_t>(part.cone);
+    const Vec3 r0 = b.cones[k].X_BK.p, s = b.cones[k].X_BK.R.col(2);
+    const Vec3 offset = part.X_BP * x_P - r0, S = s.dot(offset) * s, d0 = offset - S;
+    const auto place = [&](double phi) {
+      return Vec3(c_W + turned(r0 + S + turned(d0, s, phi), axis, angle));
+    };
+    farthest = std::max({farthest, (X_WB * (g.X_BP * x_P) - place(from[k])).norm(),
+                         (X_WB * (g.X_BP1 * x_P) - place(to[k])).norm()});
+  }
+  RC_ASSERT(farthest < 1e-13);
+}
+
+/// Between any two poses: seen from the middle of the way, points go where the twist takes them, to
+/// the third power of the turn.
+RC_GTEST_PROP(cone_motion, a_twist_takes_points_where_the_poses_do, ()) {
+  const Vec3 turn = any_vector(0.1), x_B = any_vector(0.1), about = any_vector(2.0);
+  const Pose X_WB0{rotation::exp(about), any_vector(1.0)},
+      X_WB1{X_WB0.R * rotation::exp(turn), X_WB0.p + any_vector(0.05)};
+  const double dt = number(0.001, 0.01), angle = turn.norm();
+  const Mat3 R_WM = X_WB0.R * rotation::exp(0.5 * turn);
+  const Vec3 seen = R_WM.transpose() * (X_WB1 * x_B - X_WB0 * x_B) / dt;
+  RC_ASSERT((twist_between(X_WB0, X_WB1, dt)(x_B) - seen).norm() * dt <
+            angle * angle * angle * x_B.norm() / 20 + 1e-14);
+}
+
+/// Exact for a screw motion.
+RC_GTEST_PROP(cone_motion, finds_the_twist_of_a_step, ()) {
+  const double w = number(-20, 20), v = number(-0.1, 0.1), dt = number(1e-3, 0.02);
+  Motion m;
+  m.rotary_speed = w;
+  m.rate_of_penetration = v;
+  const double t = number(0, 10);
+  const rotation::Twist twist = twist_between(pose_at(m, t), pose_at(m, t + dt), dt);
+  RC_ASSERT((twist.w_B - Vec3(0, 0, w)).norm() * dt < 1e-14 * (1 + std::abs(w) * t));
+  RC_ASSERT((twist.v_B - Vec3(0, 0, v)).norm() * dt < 1e-14);
+}
+
+TEST(cone_motion, a_cone_without_contact_rolls_purely_and_keeps_its_speed) {
+  Case c = wheel_case(wheel_motion, "step = 0.005\nduration = 0.1");
+  std::vector<ConeState> cones = start_cones(c);
+  const double w = c.motion.rotary_speed;
+  rock::CutReport none, one;
+  turn_cones(c, 0, none, cones);
+  EXPECT_NEAR(cones[0].speed, -Wheel{}.ratio() * w, 1e-12 * w);
+  one.removed_by_part.assign(c.bit.parts.size(), 0.0);
+  one.removed_by_part[5] = 1e-9;  // a tooth off the lowest place
+  turn_cones(c, 1, one, cones);
+  const double after = cones[0].speed;
+  EXPECT_GT(std::abs(after + Wheel{}.ratio() * w), 1e-3 * w);
+  c.motion.cone_memory = 0.0;
+  turn_cones(c, 2, one, cones);
+  const double at_once = cones[0].speed;
+  for (long k = 3; k < 5000; ++k) turn_cones(c, k, none, cones);
+  EXPECT_EQ(cones[0].speed, at_once);
+}
+
+/// Without memory the torque of the last step's contacts vanishes at every step.
+TEST(cone_motion, no_torque_is_left_at_any_step) {
+  const Case c = wheel_case(wheel_motion + "cone_memory = 0\n", "step = 0.005\nduration = 0.6");
+  Simulation s = start(c);
+  int balanced = 0;
+  while (s.steps_done < c.time.steps) {
+    const auto contacts = contacts_of(c.bit, 0, middle_angles(s.cones, 0.005), s.cut);
+    step(c, s);
+    double torque = 0.0, scale = 0.0;
+    const Vec3 axis = c.bit.cones[0].X_BK.R.col(2), origin = c.bit.cones[0].X_BK.p;
+    for (const bit::ConeContact& at : contacts) {
+      const Vec3 r = at.x_B - origin, of_bit = Vec3(0, 0, c.motion.rotary_speed).cross(at.x_B) +
+                                               Vec3(0, 0, c.motion.rate_of_penetration);
+      const Vec3 force = -at.weight * (of_bit + s.cones[0].speed * axis.cross(r));
+      torque += axis.dot(r.cross(force));
+      scale += at.weight * r.norm() * of_bit.norm();
+    }
+    EXPECT_LE(std::abs(torque), 1e-11 * scale) << s.steps_done;
+    balanced += contacts.empty() ? 0 : 1;
+  }
+  EXPECT_GT(balanced, 50);
+}
+
+/// Slip of a toothed wheel on a flat bottom that advances by `advance` (m) over a revolution.
+double wheel_slip(double advance) {
+  const Case c = wheel_case(
+      "rotary_speed = \"60 rpm\"\nrate_of_penetration = " + std::to_string(advance) + "\n",
+      "step = 0.005\nrevolutions = 1.5");
+  const ConeFigures f = figures_of("wheel", drilled(c).cones[0]);
+  EXPECT_NEAR(f.rolling_ratio_gage_row, Wheel{}.ratio(), 1e-14);
+  EXPECT_NEAR(f.net_slip_gage_row, 1.0 - f.mean_speed_ratio / Wheel{}.ratio(), 1e-15);
+  return f.net_slip_gage_row;
+}
+
+/// Exactly R/rho in the limit: teeth cut at psi before their lowest place, and what the wheel lags,
+/// 1 - cos psi, is proportional to the advance.
+TEST(cone_motion, a_wheel_rolls_at_R_over_rho) {
+  const double slip = wheel_slip(1.5e-3), half = wheel_slip(0.75e-3);
+  EXPECT_GT(half, 0.0);
+  EXPECT_LT(slip, 1.5 * 1.5e-3 / Wheel{}.rho);  // psi of the whole depth
+  EXPECT_NEAR(2.0 * half - slip, 0.0, 5e-4);
+}
+
+double mean_ratio(const std::string& step) {
+  const Case c = wheel_case(wheel_motion, "step = " + step + "\nrevolutions = 1.5");
+  return figures_of("wheel", drilled(c).cones[0]).mean_speed_ratio;
+}
+
+/// Halving the step, the mean speed converges with order 2: contacts count where they were in the
+/// middle of their step.
+TEST(cone_motion, the_mean_speed_does_not_hang_on_the_step) {
+  const double coarse = mean_ratio("0.01"), middle = mean_ratio("0.005"),
+               fine = mean_ratio("0.0025");
+  EXPECT_LT(std::abs(fine - middle), 1e-3);
+  const double order = std::log2(std::abs(middle - coarse) / std::abs(fine - middle));
+  EXPECT_GT(order, 1.5) << coarse << ' ' << middle << ' ' << fine;
+  EXPECT_LT(order, 2.5) << coarse << ' ' << middle << ' ' << fine;
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

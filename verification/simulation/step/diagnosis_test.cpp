@@ -1,0 +1,116 @@
+#include "simulation/step/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace tdbd::simulation {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi, dt = 1e-3;
+constexpr double speed = 10.0;  // rad/s, of the bit
+constexpr int steps = 8000;
+
+/// A record of made-up functions of time.
+struct Made {
+  std::function<double(double)> wob = [](double) { return 1e4; };
+  std::function<double(double)> rotary_speed = [](double) { return speed; };
+  std::function<Eigen::Vector2d(double)> centre = [](double) {
+    return Eigen::Vector2d(1e-3, 2e-3);
+  };
+};
+
+Diagnosis diagnosis_of(const Made& m) {
+  Trace t;
+  t.dt = dt;
+  for (int i = 0; i < steps; ++i) {
+    t.wob.push_back(m.wob(i * dt));
+    t.rotary_speed.push_back(m.rotary_speed(i * dt));
+    t.centre_W.push_back(m.centre(i * dt));
+  }
+  return diagnose(t);
+}
+
+Eigen::Vector2d circle(double radius, double frequency, double t) {
+  return radius *
+         Eigen::Vector2d(std::cos(two_pi * frequency * t), std::sin(two_pi * frequency * t));
+}
+
+TEST(diagnosis, calls_what_does_not_vary_steady) {
+  const Diagnosis d = diagnosis_of({});
+  EXPECT_EQ(d.text, "steady");
+  EXPECT_EQ(d.whirl, WhirlKind::none);
+  EXPECT_EQ(d.stick_slip_severity, 0.0);
+  EXPECT_EQ(d.lost_contact_share, 0.0);
+}
+
+TEST(diagnosis, finds_stick_slip_with_its_severity_and_frequency) {
+  Made m;
+  m.rotary_speed = [](double t) { return speed * (1.0 + std::sin(two_pi * 0.5 * t)); };
+  const Diagnosis d = diagnosis_of(m);
+  EXPECT_NEAR(d.stick_slip_severity, 1.0, 1e-3);
+  EXPECT_NEAR(d.torsional_frequency, 0.5, 0.01);
+  EXPECT_GT(d.stuck_share, 0.05);
+  EXPECT_NE(d.text.find("stick-slip"), std::string::npos);
+}
+
+TEST(diagnosis, finds_lost_contact) {
+  Made m;
+  m.wob = [](double t) { return std::max(0.0, 1e4 * std::sin(two_pi * 7.3 * t)); };
+  const Diagnosis d = diagnosis_of(m);
+  EXPECT_NEAR(d.lost_contact_share, 0.5, 0.01);
+  EXPECT_NEAR(d.axial_frequency, 7.3, 0.01);
+  EXPECT_NE(d.text.find("bounce"), std::string::npos);
+}
+
+TEST(diagnosis, finds_axial_vibration_without_lost_contact) {
+  Made m;
+  m.wob = [](double t) { return 1e4 * (1.0 + 0.7 * std::sin(two_pi * 12.5 * t)); };
+  const Diagnosis d = diagnosis_of(m);
+  EXPECT_EQ(d.lost_contact_share, 0.0);
+  EXPECT_NE(d.text.find("axial vibration, weight swings by 70 % at 12.5 Hz"), std::string::npos);
+}
+
+TEST(diagnosis, tells_whirls_by_sense_and_frequency) {
+  const double turn = speed / two_pi;
+  const struct {
+    double frequency;
+    WhirlKind kind;
+  } whirls[] = {
+      {-31.7, WhirlKind::backward}, {4.4, WhirlKind::forward}, {turn, WhirlKind::synchronous}};
+  for (const auto& w : whirls) {
+    Made m;
+    m.centre = [&](double t) {
+      return Eigen::Vector2d(Eigen::Vector2d(1e-3, 0.0) + circle(2e-3, w.frequency, t));
+    };
+    const Diagnosis d = diagnosis_of(m);
+    EXPECT_EQ(d.whirl, w.kind) << whirl_name(d.whirl);
+    EXPECT_NEAR(d.orbit_frequency, w.frequency, 2e-2);  // the mean is that of a cut circle
+    EXPECT_NEAR(d.orbit_radius, 2e-3, 2e-5);
+  }
+}
+
+/// Rocking to and fro is no whirl, however far.
+TEST(diagnosis, does_not_take_rocking_for_whirl) {
+  Made m;
+  m.centre = [](double t) {
+    return Eigen::Vector2d(5e-3 * std::sin(two_pi * 3.0 * t), 1e-5 * std::cos(two_pi * 5.1 * t));
+  };
+  EXPECT_EQ(diagnosis_of(m).whirl, WhirlKind::none);
+}
+
+/// Between two lines of the spectrum, whatever the phase: within a twentieth of a line.
+TEST(strongest_frequency, is_found_between_lines) {
+  constexpr int count = 1000;
+  for (int k = 0; k < 40; ++k) {
+    const double f = 20.0 + 0.05 * k, phase = 0.7 * k;
+    std::vector<double> x;
+    for (int i = 0; i < count; ++i) x.push_back(3.0 + std::sin(two_pi * f * i * dt + phase));
+    EXPECT_NEAR(strongest_frequency(x, dt), f, 0.05 / (count * dt)) << f;
+  }
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

@@ -1,0 +1,145 @@
+#include "simulation/step/drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/tolerance.hpp"
+#include "simulation/step/simulation.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+/// Bit B (or R) on a string, 4 mm edges, with what a test sets beside.
+Case drilling(std::vector<std::string> settings, const std::string& name = "drill-bit-b") {
+  settings.insert(settings.end(), {"rock.edge_length='4 mm'", "time.duration='0.2 s'"});
+  return read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml", settings);
+}
+
+Simulation drilled(const Case& c) {
+  Simulation s = start(c);
+  while (s.steps_done < c.time.steps) step(c, s);
+  return s;
+}
+
+/// The place moves as the velocity says: central difference over a short free flight.
+TEST(drive, has_the_velocity_of_its_places) {
+  const Case c = drilling({});
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  dynamics::Drilling d = start_drive(c);
+  const double h = 1e-6;
+  const BitVelocity v = velocity_of(system, d.state);
+  const Place from = place_of(system, d.state);
+  dynamics::open_step(system, h, d);
+  dynamics::close_step(system, h, {}, d);
+  const Place to = place_of(system, d.state);
+  EXPECT_LT(((to.X_WB.p - from.X_WB.p) / h - v.v_W).norm(),
+            1e-4);                                              // m/s; forces act for a microsecond
+  EXPECT_NEAR((to.turned - from.turned) / h, v.w_W.z(), 1e-3);  // rad/s
+}
+
+/// Wrench about the centre of mass: the same power on a rigid motion as about the bit's origin.
+TEST(drive, moves_torques_to_the_centre_of_mass) {
+  const Case c = drilling({});
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  const dynamics::Drilling d = start_drive(c);
+  BitLoads loads;
+  loads.force_W = Vec3(1.0, -2.0, 3.0);
+  loads.torque_W = Vec3(-0.5, 0.7, 0.9);
+  const BitVelocity v = velocity_of(system, d.state);
+  const dynamics::Wrench w = wrench_of(system, loads, place_of(system, d.state).X_WB);
+  const dynamics::DrillingVelocity centre = dynamics::velocity(system, d.state);
+  EXPECT_NEAR(w.force_W.dot(centre.v_W) + w.torque_W.dot(centre.w_W),
+              loads.force_W.dot(v.v_W) + loads.torque_W.dot(v.w_W), 1e-12);
+  EXPECT_EQ(w.rock_force, -loads.force_W.z());
+}
+
+/// Above flat rock nothing touches: no force, and the bit follows its top.
+TEST(drive, feels_nothing_where_it_touches_nothing) {
+  const Case c = drilling({"rock.shape=flat", "motion.start=['0 mm', '0 mm', '-20 mm']",
+                           "motion.torque_at_start=0", "motion.weight_on_bit=0"});
+  const Simulation s = drilled(c);
+  EXPECT_TRUE(s.cuts.empty());
+  EXPECT_EQ(s.loads.force_W, Vec3(Vec3::Zero()));
+  EXPECT_EQ(s.ledger.removed.value(), 0.0);
+}
+
+/// Eq. 2.2: rock that is free to move takes the momentum that the bit loses to it.
+TEST(drive, gives_the_rock_what_the_bit_loses) {
+  const Case c = drilling({"rock_mount.mass='280 kg'", "string.gravity=0", "string.axial_damping=0",
+                           "motion.weight_on_bit='0 N'", "string.axial_stiffness=0"});
+  Simulation s = start(c);
+  s.drive->state.momentum_W.z() = 50.0;
+  while (s.steps_done < c.time.steps) step(c, s);
+  const double rock = s.drive->state.rock_momentum;
+  EXPECT_GT(rock, 1.0);
+  EXPECT_NEAR(s.drive->state.momentum_W.z() + rock, 50.0, 1e-10);  // N s
+}
+
+/// The spin that a cone has is the one at which the torque on it was asked for.
+TEST(drive, gives_a_cone_the_impulse_of_the_spin_that_it_leads_to) {
+  const Case c = drilling({}, "drill-bit-r");
+  Simulation s = start(c);
+  while (s.steps_done < c.time.steps / 2) step(c, s);
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  const dynamics::DrillingState before = s.drive->state;
+  step(c, s);
+  const dynamics::DrillingVelocity after = dynamics::velocity(system, s.drive->state);
+  for (std::size_t k = 0; k < c.bit.cones.size(); ++k) {
+    const double impulse =
+        s.drive->state.rotation.cone_momenta[k] - before.rotation.cone_momenta[k];
+    const double scale = system.gyrostat.cones[k].axial_inertia * std::abs(after.cone_rates[k]);
+    EXPECT_NEAR(impulse, c.time.step * s.loads.cone_torques[k], 1e-9 * scale) << k;  // N m s
+    EXPECT_NEAR(after.cone_rates[k], s.velocity.cone_speeds[k], 0.05 * 14.0) << k;   // rad/s
+  }
+}
+
+/// A law out of all proportion throws the bit away: the run says so and keeps the state before.
+TEST(drive, stops_with_the_state_before_a_step_that_diverges) {
+  Case c = drilling({});
+  for (forces::Law& law : c.forces.laws)
+    if (auto* cutting = std::get_if<forces::HansonHansen>(&law)) cutting->A1 = 1e9;
+  Simulation s = start(c);
+  const Vec3 c_W = s.drive->state.c_W;
+  std::string message;
+  try {
+    while (s.steps_done < c.time.steps) step(c, s);
+  } catch (const RunError& e) {
+    message = e.what();
+  }
+  EXPECT_NE(message.find("the motion diverges: "), std::string::npos) << message;
+  EXPECT_LT((s.drive->state.c_W - c_W).norm(), 1e-3);
+  EXPECT_TRUE(s.drive->state.momentum_W.allFinite());
+}
+
+void expect_same(const Simulation& a, const Simulation& b) {
+  EXPECT_EQ(a.drive->state.c_W, b.drive->state.c_W);
+  EXPECT_EQ(a.drive->state.momentum_W, b.drive->state.momentum_W);
+  EXPECT_EQ(a.drive->state.rotation.momentum_W, b.drive->state.rotation.momentum_W);
+  EXPECT_EQ(a.rock.surface.positions, b.rock.surface.positions);
+}
+
+TEST(drive, does_the_same_twice_and_on_two_threads) {
+  const Case c = drilling({});
+  const Simulation first = drilled(c);
+  expect_same(first, drilled(c));
+  const ThreadLimit two(2);
+  expect_same(first, drilled(c));
+}
+
+/// Cones turn as the teeth's forces make them; the mesh stays sound and the ledger closes.
+TEST(drive, turns_cones_by_the_forces_on_their_teeth) {
+  const Case c = drilling({}, "drill-bit-r");
+  const Simulation s = drilled(c);
+  EXPECT_LT(ledger_defect(s), tolerance::ledger);
+  for (const ConeState& cone : s.cones) {
+    const double ratio = -cone.angle / cone.bit_turned;
+    EXPECT_GT(ratio, 1.2);  // rolling: 1.69 at the gage row
+    EXPECT_LT(ratio, 1.9);
+  }
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

@@ -1,0 +1,121 @@
+#include "simulation/step/energy_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "simulation/result/run.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Of an observed order, three levels, forces of a cut whose vertices come into reach one by one.
+/// Drilling.accounts_for_its_energy_to_second_order holds the same tolerance over six levels.
+constexpr double order_tolerance = 0.1;
+
+Case drilling(std::vector<std::string> settings, const std::string& name = "drill-bit-b") {
+  settings.insert(settings.end(), {"rock.edge_length='4 mm'", "time.duration='0.1 s'"});
+  return read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml", settings);
+}
+
+Simulation after(const Case& c, long steps) {
+  Simulation s = start(c);
+  while (s.steps_done < steps) step(c, s);
+  return s;
+}
+
+double residual_of(const Case& c, const Simulation& s) {
+  return dynamics::residual(dynamics::stored_energy(c.drilling.system, s.drive->at, s.drive->state),
+                            s.drive->ledger);
+}
+
+TEST(energy_order, is_two_where_rock_is_cut) {
+  for (const char* name : {"drill-bit-b", "drill-bit-r"}) {
+    const Case c = drilling({}, name);
+    const EnergyOrder found = observe_energy_order(c, after(c, 50));
+    ASSERT_TRUE(found.residual.order) << found.residual.reason;
+    EXPECT_NEAR(*found.residual.order, 2.0, order_tolerance) << name;
+    EXPECT_EQ(found.from, 0.05);
+    EXPECT_EQ(found.window, 0.024);
+  }
+}
+
+/// The level of the step itself is what the run goes through.
+TEST(energy_order, first_level_is_the_run_itself) {
+  const Case c = drilling({});
+  Simulation s = after(c, 50);
+  const EnergyOrder found = observe_energy_order(c, s);
+  const double before = residual_of(c, s);
+  double squares = 0.0;
+  for (long i = 0; i < c.output.energy_order_window; ++i) {
+    step(c, s);
+    squares += std::pow(residual_of(c, s) - before, 2);
+  }
+  const double size = std::sqrt(squares / static_cast<double>(c.output.energy_order_window));
+  EXPECT_NEAR(found.residual.residuals[0] / size, 1.0, 1e-6);
+}
+
+TEST(energy_order, is_not_told_of_a_bit_without_contact) {
+  const Case c = drilling(
+      {"rock.shape=flat", "motion.start=['0 mm', '0 mm', '-20 mm']", "motion.weight_on_bit=0"});
+  const EnergyOrder found = observe_energy_order(c, after(c, 2));
+  EXPECT_FALSE(found.residual.order);
+  EXPECT_EQ(found.residual.reason, "the bit loses contact with the rock in the window");
+}
+
+TEST(energy_order, begins_with_the_means_at_a_maintenance_and_fits_the_run) {
+  const auto at = [](std::vector<std::string> settings) {
+    settings.emplace_back("output.energy_order=always");
+    return plan_energy_order(drilling(std::move(settings))).at;
+  };
+  EXPECT_EQ(at({}), 50);
+  EXPECT_EQ(at({"output.means_from='23 ms'"}), 25);
+  EXPECT_EQ(at({"output.means_from='1 s'"}), 75);
+  EXPECT_EQ(at({"maintenance.every=0", "output.means_from='1 s'"}), 76);
+  EXPECT_EQ(at({"output.energy_order_window=200"}), -1);
+  EXPECT_EQ(plan_energy_order(drilling({})).reason,
+            "168 steps, of a run of 100, are more than a tenth: 1680 steps would do, or "
+            "output.energy_order = \"always\"");
+  EXPECT_EQ(plan_energy_order(drilling({"output.energy_order=off"})).reason,
+            "output.energy_order is off");
+}
+
+std::string read(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The folder of a run with this wish.
+std::filesystem::path run_with(const std::string& name, const char* wish, int threads) {
+  RunOptions options;
+  options.folder = temporary_folder() + name;
+  options.threads = threads;
+  run(drilling({std::string("output.energy_order=") + wish}), options);
+  return options.folder;
+}
+
+TEST(energy_order, leaves_the_bytes_of_the_run_and_does_not_know_threads) {
+  const auto with = run_with("with", "always", 1), without = run_with("without", "off", 1);
+  const auto threads = run_with("threads", "always", 2);
+  for (const char* file : {"history.csv", "history.nc", "rock_final.ply"})
+    EXPECT_TRUE(read(with / file) == read(without / file)) << file;
+  EXPECT_EQ(read(with / "summary.json"), read(threads / "summary.json"));
+  Json a = Json::parse(read(with / "summary.json")),
+       b = Json::parse(read(without / "summary.json"));
+  EXPECT_NEAR(a["energy_residual_order"].get<double>(), 2.0, order_tolerance);
+  EXPECT_TRUE(b["energy_residual_order"].is_null());
+  EXPECT_EQ(b["energy_residual_order_of"]["reason"], "output.energy_order is off");
+  for (Json* j : {&a, &b})
+    for (const char* key : {"energy_residual_order", "energy_residual_order_of", "case_hash"})
+      j->erase(key);
+  EXPECT_EQ(a, b);
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/tolerance.hpp"
+#include "mesh/measures.hpp"
+#include "reference/mesh/self_intersections.hpp"
+#include "rock/maintain/invariants.hpp"
+#include "simulation/step/simulation.hpp"
+
+/// Short versions of the long runs in src/rock/README.md: whatever drills, the surface stays sound.
+namespace tdbd::simulation {
+namespace {
+
+struct Run {
+  const char* name;
+  const char* file;
+  std::vector<std::string> overrides;
+};
+
+void PrintTo(const Run& run, std::ostream* out) { *out << run.name; }
+
+class StableSurface : public testing::TestWithParam<Run> {
+ protected:
+  StableSurface()
+      : case_(read_case(std::string(TDBD_SOURCE_DIR "/cases/") + GetParam().file,
+                        GetParam().overrides)),
+        simulation_(start(case_)) {}
+
+  void drill(long steps) {
+    while (simulation_.steps_done < steps) step(case_, simulation_);
+  }
+
+  Case case_;
+  Simulation simulation_;
+};
+
+/// Worst quality, and the quality that 99 % exceed.
+std::pair<double, double> quality(const mesh::Surface& s) {
+  std::vector<double> q;
+  for (const auto& [a, b, c] : s.triangles)
+    if (a >= 0) q.push_back(mesh::triangle_quality(s.position(a), s.position(b), s.position(c)));
+  std::sort(q.begin(), q.end());
+  return {q.front(), q[q.size() / 100]};
+}
+
+/// M1 to M7 of one maintenance of what the last step touched.
+std::string broken_promises(Simulation& s) {
+  const rock::Rock before = s.rock;
+  rock::MaintenanceReport report;
+  rock::maintain(s.rock, s.limits, s.maintenance_work, report);
+  const auto found =
+      rock::check_maintenance(before, s.rock, s.limits, report, s.maintenance_work.strays);
+  rock::add(report, s.maintenance);
+  return rock::describe(found);
+}
+
+TEST_P(StableSurface, keeps_its_promises) {
+  drill(case_.time.steps - case_.maintenance.every / 2);
+  EXPECT_EQ(broken_promises(simulation_), "");
+  const mesh::Surface& s = simulation_.rock.surface;
+  EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(s)), 0U);
+  EXPECT_LE(ledger_defect(simulation_), tolerance::ledger);
+  const auto [worst, one_percent] = quality(s);
+  const double disturbed =
+      simulation_.maintenance.volume_disturbed / simulation_.ledger.removed.value();
+  fmt::print("worst quality {:.3f}, 99 % above {:.3f}; maintenance disturbed {:.1e}\n", worst,
+             one_percent, disturbed);
+  EXPECT_GT(worst, 0.1);
+  EXPECT_GT(one_percent, 0.5);
+  EXPECT_LT(disturbed, 1e-3);
+}
+
+const std::string coarse = "rock.edge_length='3 mm'";
+
+INSTANTIATE_TEST_SUITE_P(
+    of, StableSurface,
+    testing::Values(Run{"a_core", "core.toml", {coarse, "time.revolutions=30"}},
+                    Run{"backward_whirl", "bit-b-whirl.toml", {coarse, "time.revolutions=6"}},
+                    Run{"forward_whirl",
+                        "bit-b-whirl.toml",
+                        {coarse, "time.revolutions=6", "motion.whirl.sense='forward'"}},
+                    Run{"rolling_cones",
+                        "bit-r-rolling.toml",
+                        {"rock.edge_length='4 mm'", "time.step='4 ms'", "time.revolutions=12"}}),
+    [](const auto& instance) { return instance.param.name; });
+
+/// Trimming keeps a disc and the ledger; the wall does not grow.
+TEST(trimmed_wall, keeps_the_disc_and_the_ledger_and_a_bounded_number_of_triangles) {
+  const std::string file = TDBD_SOURCE_DIR "/cases/core.toml";
+  const std::vector<std::string> common{"rock.edge_length='4 mm'", "time.revolutions=40",
+                                        "time.step='2 ms'"};
+  std::vector<std::string> trimmed = common;
+  trimmed.emplace_back("rock.trim='80 mm'");
+  std::array<long, 2> triangles{};
+  for (const bool trims : {false, true}) {
+    const Case c = read_case(file, trims ? trimmed : common);
+    Simulation s = start(c);
+    while (s.steps_done < c.time.steps) step(c, s);
+    EXPECT_LE(ledger_defect(s), tolerance::ledger);
+    EXPECT_EQ(rock::describe(rock::check_disc(s.rock)), "");
+    EXPECT_EQ(s.trimming.triangles > 0, trims);
+    triangles.at(trims ? 1 : 0) = s.rock.surface.triangle_count();
+  }
+  fmt::print("{} triangles with the whole wall, {} when trimmed\n", triangles[0], triangles[1]);
+  EXPECT_LT(triangles[1], triangles[0]);
+}
+
+TEST(trimmed_wall, is_refused_below_what_cuts) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/core.toml", {"rock.trim='20 mm'"});
+  try {
+    start(c);
+    FAIL() << "expected an InputError";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("rock.trim: found 20 mm"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace tdbd::simulation

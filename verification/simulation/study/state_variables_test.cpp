@@ -1,0 +1,92 @@
+#include "simulation/study/state_variables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+std::string rotation_by(double angle) {
+  const std::string c = std::to_string(std::cos(angle)), s = std::to_string(std::sin(angle));
+  return "[[" + c + ",-" + s + ",0],[" + s + "," + c + ",0],[0,0,1]]";
+}
+
+std::string rotate_summary(double angle) {
+  return R"({"command": "rotate", "duration_s": 2.5, "body_momentum": [3, 0, 4],
+    "space_momentum": [0, 0, 0], "angular_velocity": [1, 2, 2], "cone_angles": [0.25],
+    "cone_momenta": [7], "energy_end": 0.5, "energy_scale": 8, "attitude": )" +
+         rotation_by(angle) + "}";
+}
+
+const StateVariable& variable(const EndState& end, const std::string& name) {
+  for (const StateVariable& v : end.variables)
+    if (v.name == name) return v;
+  throw std::runtime_error("no " + name);
+}
+
+TEST(state_variables, attitudes_differ_by_their_angle) {
+  const EndState a = read_end_state(rotate_summary(0.0), "a");
+  const EndState b = read_end_state(rotate_summary(0.01), "b");
+  // Frobenius over sqrt(2) is 2 sin(angle/2); to_string keeps six digits
+  EXPECT_NEAR(distance(variable(a, "attitude"), variable(b, "attitude")), 2.0 * std::sin(0.005),
+              1e-6);
+  EXPECT_EQ(distance(variable(a, "body_momentum"), variable(b, "body_momentum")), 0.0);
+}
+
+TEST(state_variables, have_units_and_scales) {
+  const EndState end = read_end_state(rotate_summary(0.3), "a");
+  EXPECT_EQ(end.command, "rotate");
+  EXPECT_EQ(end.duration, 2.5);
+  EXPECT_EQ(end.variables.size(), 7u);
+  EXPECT_EQ(variable(end, "body_momentum").scale, 5.0);
+  EXPECT_EQ(variable(end, "space_momentum").scale, 0.0);
+  EXPECT_EQ(variable(end, "cone_angles").scale, 1.0);
+  EXPECT_EQ(variable(end, "energy").scale, 8.0);
+  EXPECT_EQ(variable(end, "energy").units, "J");
+  EXPECT_EQ(variable(end, "angular_velocity").units, "rad/s");
+}
+
+TEST(state_variables, of_a_run_are_volumes) {
+  const EndState end = read_end_state(
+      R"({"command": "run", "duration_s": 1, "removed_volume_m3": 3,
+          "removed_volume_by_part_m3": {"b": 1, "a": 2}, "removed_volume_by_revolution_m3": [3]})",
+      "a");
+  EXPECT_EQ(variable(end, "removed_volume").values, std::vector<double>{3.0});
+  EXPECT_EQ(variable(end, "removed_volume_by_part").values, (std::vector<double>{1.0, 2.0}));
+}
+
+TEST(state_variables, without_cones_have_none_of_theirs) {
+  std::string text = rotate_summary(0.3);
+  text.replace(text.find("[0.25]"), 6, "[]").replace(text.find("[7]"), 3, "[]");
+  EXPECT_EQ(read_end_state(text, "a").variables.size(), 5u);
+}
+
+TEST(state_variables, other_texts_are_refused_by_name) {
+  for (const char* text : {"", "no json", "{}", R"({"command": "bit", "duration_s": 1})",
+                           R"({"command": "rotate", "duration_s": 1})"}) {
+    try {
+      read_end_state(text, "there.json");
+      FAIL() << text;
+    } catch (const InputError& e) {
+      EXPECT_EQ(std::string(e.what()).rfind("there.json: found ", 0), 0u) << e.what();
+    }
+  }
+}
+
+TEST(state_variables, are_found_in_a_folder_or_a_file) {
+  const std::filesystem::path folder = tdbd::temporary_folder() + "tdbd_state_variables";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "summary.json") << rotate_summary(0.1);
+  EXPECT_EQ(read_end_state_file(folder).duration, 2.5);
+  EXPECT_EQ(read_end_state_file(folder / "summary.json").duration, 2.5);
+  EXPECT_THROW(read_end_state_file(folder / "absent.json"), InputError);
+}
+
+}  // namespace
+}  // namespace tdbd::simulation
