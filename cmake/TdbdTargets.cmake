@@ -31,6 +31,21 @@ function(tdbd_precompiled name)
   target_compile_options(${name} PRIVATE -fpch-preprocess)
 endfunction()
 
+# The sources of a folder are compiled together: headers are read once for all of them, and a changed source costs its
+# folder. So no two of them may use one name for two things in their unnamed namespaces. Off: one object a source.
+option(TDBD_UNITY "Compile the sources of a folder together" ON)
+function(tdbd_by_folder name)
+  if(NOT TDBD_UNITY)
+    return()
+  endif()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${name}_${folder}" group)
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
+  endforeach()
+endfunction()
+
 # tdbd_library(NAME SOURCES a.cpp ... LINKS dep ... [OWN_FLAGS]): links are public. OWN_FLAGS: no precompiled header,
 # since the library has flags of its own, or no Eigen.
 function(tdbd_library name)
@@ -38,6 +53,7 @@ function(tdbd_library name)
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
     target_link_libraries(${name} PUBLIC tdbd_flags ${ARG_LINKS})
+    tdbd_by_folder(${name} ${ARG_SOURCES})
     if(TDBD_PRECOMPILED AND TARGET tdbd_headers AND NOT ARG_OWN_FLAGS)
       target_precompile_headers(${name} REUSE_FROM tdbd_headers)
       target_compile_options(${name} PRIVATE ${TDBD_PRECOMPILED_OPTIONS})

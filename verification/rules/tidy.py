@@ -22,6 +22,8 @@ JOBS = 2
 RECORD = pathlib.Path(__file__).with_name("tidy_passed.txt")
 PRECOMPILED = re.compile(r" -(Winvalid-pch|fpch-preprocess|Wno-array-bounds|Wno-stringop-overflow|Wno-stringop-overread|Wno-restrict"
                          r"|include \S*cmake_pch\.hxx)(?= )")
+UNITY = re.compile(r"/Unity/unity_\w+\.cxx$")
+BATCHED = re.compile(r'^#include "([^"]+\.cpp)"', re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
@@ -78,11 +80,21 @@ def without_precompiled(command):
     return PRECOMPILED.sub("", command)
 
 
+def sources_of(entry):
+    """{source: command line} of an entry of the compile database: of a folder compiled together, each of its sources."""
+    path = pathlib.Path(entry["file"])
+    if UNITY.search(entry["file"]) is None:
+        return {entry["file"]: entry["command"]}
+    together = BATCHED.findall(path.read_text(encoding="utf-8"))
+    return {source: entry["command"].replace(entry["file"], source) for source in together}
+
+
 def commands(build):
     """{source: command line} of src; the same for clang-tidy in build/tidy/compile_commands.json."""
-    entries = [{**e, "command": without_precompiled(e["command"])}
-               for e in json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-               if e["file"].startswith(f"{sources.ROOT}/src/")]
+    database = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    entries = [{**entry, "file": source, "command": without_precompiled(command)}
+               for entry in database for source, command in sources_of(entry).items()
+               if source.startswith(f"{sources.ROOT}/src/")]
     (build / "tidy").mkdir(exist_ok=True)
     (build / "tidy/compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
     return {e["file"]: e["command"] for e in entries} or sys.exit("compile_commands.json lists no file of src")
