@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Draws a TDBD result folder: bottom_hole.png, side_view.png, cutters.png, forces.png, traces.png.
+"""Draws a TDBD result folder, of tdbd run or of tdbd converge.
 
     reports/draw.py RESULT_FOLDER [-o DIR]
 
-Needs frames/rock_final.vtp and summary.json; cutters.png also bit.json. Of a run with forces: forces.png
-shows those of every cutter, traces.png weight, torque and speed over time with their spectra.
+Of a run: bottom_hole.png and side_view.png (from frames/rock_final.vtp and summary.json), cutters.png (also
+from bit.json); with forces: forces.png shows those of every cutter, traces.png weight, torque and speed over
+time with their spectra. Of a study of convergence: convergence.png (from convergence.json).
 """
 
 import argparse
@@ -214,21 +215,35 @@ def force_pictures(folder, summary, output):
     finish(drilling_traces.draw_folder(folder, f"{caption(summary)}\n{words}"), summary, output / "traces.png")
 
 
+def run_pictures(folder, output):
+    """All pictures of a result of tdbd run."""
+    summary = result.read_json(folder / "summary.json")
+    surface = result.read_surface(folder / "frames" / "rock_final.vtp")
+    bottom_hole(surface, summary, output / "bottom_hole.png")
+    side_view(surface, summary, output / "side_view.png")
+    if (folder / "bit.json").is_file():
+        cutter_bars(result.read_cutters(folder, summary), summary, output / "cutters.png")
+    if "forces" in summary:
+        force_pictures(folder, summary, output)
+
+
+def study_picture(folder, output):
+    """The errors of a study of tdbd converge."""
+    from figures import convergence
+
+    study = result.read_json(folder / "convergence.json")
+    finish(convergence.draw_folder(folder), study, output / "convergence.png")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=Path, help="result folder of tdbd run")
+    parser.add_argument("folder", type=Path, help="result folder of tdbd run or tdbd converge")
     parser.add_argument("-o", "--output", type=Path, help="where figures go (the result folder)")
     arguments = parser.parse_args()
     output = arguments.output or arguments.folder
     output.mkdir(parents=True, exist_ok=True)
-    summary = result.read_json(arguments.folder / "summary.json")
-    surface = result.read_surface(arguments.folder / "frames" / "rock_final.vtp")
-    bottom_hole(surface, summary, output / "bottom_hole.png")
-    side_view(surface, summary, output / "side_view.png")
-    if (arguments.folder / "bit.json").is_file():
-        cutter_bars(result.read_cutters(arguments.folder, summary), summary, output / "cutters.png")
-    if "forces" in summary:
-        force_pictures(arguments.folder, summary, output)
+    is_study = (arguments.folder / "convergence.json").is_file()
+    (study_picture if is_study else run_pictures)(arguments.folder, output)
 
 
 if __name__ == "__main__":

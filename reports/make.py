@@ -16,6 +16,7 @@ import bit_pages
 import evidence
 import manifest as manifests
 import page
+import studies
 from data import Data
 from drawing import Drawing
 from fingerprint import Stale
@@ -55,12 +56,17 @@ def stale(manifest, data, drawing, pages):
                       + [(p.demand_current, r) for p in pages for r in p.runs()]))
 
 
-def stale_page(html, manifest, drawing, evidence_folder):
-    """Whether the page is older than a picture or a measurement on it, as a list of problems."""
+def sources(manifest, drawing, made, evidence_folder):
+    """Files that the page shows: pictures, measurements, what the studies made."""
+    return ([drawing.picture(f) for f in manifest.figures] + list(evidence_folder.rglob("*.json"))
+            + [p for study in made.runs() for p in made.products(study)])
+
+
+def stale_page(html, shown):
+    """Whether the page is older than something on it, as a list of problems."""
     if not html.is_file():
         return [f"{html}: has not been made"]
-    sources = [drawing.picture(f) for f in manifest.figures] + list(evidence_folder.rglob("*.json"))
-    newer = [s for s in sources if s.stat().st_mtime_ns > html.stat().st_mtime_ns]
+    newer = [s for s in shown if s.stat().st_mtime_ns > html.stat().st_mtime_ns]
     return [f"{html}: older than {newer[0]}"] if newer else []
 
 
@@ -94,15 +100,16 @@ def report(chosen):
     drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
     pages = [bit_pages.BitPages(manifest, data, chosen.output / "bits"),
              bit_pages.Animations(manifest, data, chosen.output / "moving")]
+    pages.append(made := studies.Studies(chosen.root, chosen.output / "studies"))
     html = chosen.output / "index.html"
     if chosen.check:
-        problems = stale(manifest, data, drawing, pages) or stale_page(html, manifest, drawing, folder)
+        problems = stale(manifest, data, drawing, pages) or stale_page(html, sources(manifest, drawing, made, folder))
         return problems + unproved
     html.unlink(missing_ok=True)
     problems = update(manifest, data, drawing, pages) or stale(manifest, data, drawing, pages)
     problems += unproved
     if not problems:
-        page.write(html, manifest, data, drawing, found.by_claim, chosen.quick)
+        page.write(html, manifest, data, drawing, made, found.by_claim, chosen.quick)
         print(f"report: look at {html}")
     return problems
 
@@ -110,7 +117,7 @@ def report(chosen):
 def main(arguments):
     try:
         problems = report(parse(arguments))
-    except manifests.ManifestError as error:
+    except (manifests.ManifestError, Stale) as error:
         problems = [str(error)]
     for problem in problems:
         print(f"report: {problem}", file=sys.stderr)

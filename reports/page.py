@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 
 import class_table
 import evidence
+import studies
 from drawing import DPI
 
 HERE = Path(__file__).parent
@@ -52,6 +53,13 @@ def pictures(manifest, data, drawing):
             for f in manifest.figures]
 
 
+def shown_studies(made):
+    """What the page shows of each study: title, text, table, figure."""
+    return [{"study": s, "text": studies.as_html(s.text), "table": made.table(s),
+             "picture": (figure := made.figure(s)) and embedded(figure), "width": figure and shown_width(figure)}
+            for s in made.runs()]
+
+
 def program(manifest, data):
     """(what, which) of the programs that made the results, as these say themselves: results that did
     not change may be of an earlier commit."""
@@ -67,18 +75,18 @@ def program(manifest, data):
 
 def provenance(manifest, data):
     """(what, which): what made the results, and what drew them."""
-    drawn = [(name, version(name)) for name in ("numpy", "matplotlib", "netCDF4", "Jinja2")]
+    drawn = [(name, version(name)) for name in ("numpy", "matplotlib", "netCDF4", "Jinja2", "Markdown")]
     return program(manifest, data) + [("python", platform.python_version())] + drawn
 
 
-def write(path, manifest, data, drawing, found, is_quick):
+def write(path, manifest, data, drawing, made, found, is_quick):
     """Writes the page, whole or not at all."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)
     environment.filters["breakable"] = breakable
     html = environment.get_template("page.html.j2").render(
-        rows=rows(manifest, found), pictures=pictures(manifest, data, drawing),
+        rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
         bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")

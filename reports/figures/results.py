@@ -42,9 +42,9 @@ class Study:
     words: str  # the observed order, or why there is none
 
 
-def in_words(variable):
+def in_words(variable, digits=2):
     order = variable["order"]
-    return variable["verdict"] if order is None else f"{order:.2f}"
+    return variable["verdict"] if order is None else f"{order:.{digits}f}"
 
 
 def convergence(folder):

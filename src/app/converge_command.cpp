@@ -63,7 +63,9 @@ int converge(ConvergeArguments a) {
     write_convergence(folder.path, c);
     if (!a.quiet) {
       progress.finish();
-      fmt::print("{}results in {}\n", table_text(c), folder.path.string());
+      const std::string name = folder.path.string();
+      fmt::print("{}results in {}; to draw them: python3 reports/draw.py {}\n", table_text(c), name,
+                 name);
     }
     return c.status == RunStatus::completed ? 0 : interrupted_code;
   } catch (const InputError&) {
@@ -103,9 +105,9 @@ void add_converge(CLI::App& app, int& exit_code) {
   auto a = std::make_shared<ConvergeArguments>();
   add_options(*command, *a);
   command->footer(
-      "Writes convergence.json, convergence.csv and convergence.svg. An order rests on at least\n"
-      "three differences above rounding whose local orders have settled; else the table says why\n"
-      "there is none.\n"
+      "Writes convergence.json and convergence.csv; python3 reports/draw.py FOLDER draws them. An\n"
+      "order rests on at least three differences above rounding whose local orders have settled;\n"
+      "else the table says why there is none.\n"
       "Example: tdbd converge cases/slow-top.toml --over time.step --levels 6 -o out/orders");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return converge(*a); }); });
 }

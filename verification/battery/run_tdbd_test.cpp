@@ -5,7 +5,7 @@
 namespace tdbd::battery {
 namespace {
 
-TEST(run_tdbd, captures_both_streams_and_the_exit_code) {
+TEST(RunTdbd, captures_both_streams_and_the_exit_code) {
   const Outcome help = run_tdbd({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_NE(help.out.find("Usage: tdbd"), std::string::npos) << help.out;
@@ -15,7 +15,7 @@ TEST(run_tdbd, captures_both_streams_and_the_exit_code) {
   EXPECT_NE(wrong.err, "");
 }
 
-TEST(run_tdbd, arguments_keep_their_spaces) {
+TEST(RunTdbd, arguments_keep_their_spaces) {
   const Outcome o = run_tdbd({"check", "no such file.toml"});
   EXPECT_EQ(o.err, "tdbd: no such file.toml: found no such file, expected a TOML file\n");
 }

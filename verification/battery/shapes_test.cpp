@@ -34,7 +34,7 @@ void expect_sound(const TriangleMesh& m) {
   EXPECT_EQ(reference::self_intersecting_pairs(m), 0u);
 }
 
-TEST(shapes, are_closed_oriented_and_do_not_intersect_themselves) {
+TEST(Shapes, are_closed_oriented_and_do_not_intersect_themselves) {
   expect_sound(box({-1, -2, -3}, {1, 2, 3}));
   expect_sound(cylinder(2.0, 3.0, 7));
   expect_sound(torus(3.0, 1.0, 12, 8));
@@ -44,7 +44,7 @@ TEST(shapes, are_closed_oriented_and_do_not_intersect_themselves) {
   expect_sound(prism(star_outline(2.0, 0.5, 5), 0.0, 1.0));
 }
 
-TEST(shapes, have_the_volumes_of_their_closed_forms) {
+TEST(Shapes, have_the_volumes_of_their_closed_forms) {
   EXPECT_EQ(enclosed_volume_exact(box({-1, -2, -3}, {1, 2, 3})), 48.0);
   EXPECT_DOUBLE_EQ(enclosed_volume_exact(prism(l_outline(2.0, 0.5), 0.0, 1.0)), 1.75);
   EXPECT_DOUBLE_EQ(enclosed_volume_exact(prism(u_outline(2.0, 0.5), 0.0, 1.0)), 2.5);
@@ -55,13 +55,13 @@ TEST(shapes, have_the_volumes_of_their_closed_forms) {
               6.0 * std::numbers::pi * std::numbers::pi, 0.05);
 }
 
-TEST(shapes, sphere_has_its_vertices_on_the_sphere) {
+TEST(Shapes, sphere_has_its_vertices_on_the_sphere) {
   const TriangleMesh m = sphere(2.0, 2);
   EXPECT_EQ(m.triangles.size(), 320u);
   for (const Vec3& x : m.positions) EXPECT_NEAR(x.norm(), 2.0, 1e-15);
 }
 
-TEST(shapes, flat_rock_faces_up) {
+TEST(Shapes, flat_rock_faces_up) {
   const TriangleMesh m = flat_rock(2.0, 1.0, 3);
   EXPECT_EQ(m.triangles.size(), 18u);
   for (const auto& [a, b, c] : m.triangles) {
@@ -71,7 +71,7 @@ TEST(shapes, flat_rock_faces_up) {
 }
 
 /// Every integer of a range turns up, none far oftener than the others, whatever the test's size.
-TEST(generators, integers_fill_their_range_evenly) {
+TEST(Generators, integers_fill_their_range_evenly) {
   for (const auto& [first, last] : {std::pair(-3, 5), std::pair(-5, 2), std::pair(2, 9),
                                     std::pair(-9, -4), std::pair(-4, 4), std::pair(7, 7)}) {
     std::map<int, int> count;
@@ -85,13 +85,13 @@ TEST(generators, integers_fill_their_range_evenly) {
   }
 }
 
-RC_GTEST_PROP(generators, rotations_are_rotations, ()) {
+RC_GTEST_PROP(Generators, rotations_are_rotations, ()) {
   const Mat3 R = *rotation();
   RC_ASSERT((R.transpose() * R - Mat3::Identity()).norm() < 1e-14);
   RC_ASSERT(std::abs(R.determinant() - 1.0) < 1e-14);
 }
 
-RC_GTEST_PROP(generators, convex_polyhedra_have_all_vertices_behind_every_face, ()) {
+RC_GTEST_PROP(Generators, convex_polyhedra_have_all_vertices_behind_every_face, ()) {
   const TriangleMesh m = *convex_polyhedron();
   RC_ASSERT(closed_and_oriented(m));
   for (const auto& [a, b, c] : m.triangles) {
@@ -100,7 +100,7 @@ RC_GTEST_PROP(generators, convex_polyhedra_have_all_vertices_behind_every_face, 
   }
 }
 
-RC_GTEST_PROP(generators, star_shapes_see_all_faces_from_the_origin, ()) {
+RC_GTEST_PROP(Generators, star_shapes_see_all_faces_from_the_origin, ()) {
   const TriangleMesh m = *star_shape();
   RC_ASSERT(closed_and_oriented(m));
   for (const auto& [a, b, c] : m.triangles)

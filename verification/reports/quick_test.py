@@ -13,6 +13,7 @@ import sys
 root, build = map(pathlib.Path, sys.argv[1:])
 sys.path.insert(0, str(root / "reports"))
 import manifest  # noqa: E402
+import studies  # noqa: E402
 from evidence import NOT_MEASURED, OPEN, VERDICTS  # noqa: E402
 
 PICTURE = r'<img alt="[^"]+" width="[0-9]+" src="data:image/png;base64,[A-Za-z0-9+/]{10000,}=*">'
@@ -48,7 +49,13 @@ for figure in wanted.figures:
     block = re.search(rf'<figure id="figure-{figure.name}">.*?</figure>', page, re.DOTALL)
     assert block and re.search(PICTURE, block[0]), figure.name
     assert ("Reconstructed:" in block[0]) == bool(figure.reconstructed), figure.name
-assert len(re.findall(PICTURE, page)) == len(wanted.figures)
+shown = studies.find(root)
+drawn = 0
+for study in shown:
+    section = re.search(rf'<section id="study-{study.name}">.*?</section>', page, re.DOTALL)
+    assert section and ("<td" in section[0] or re.search(PICTURE, section[0])), study.name
+    drawn += len(re.findall(PICTURE, section[0]))
+assert len(re.findall(PICTURE, page)) == len(wanted.figures) + drawn
 assert wanted.bit_pages
 for name in wanted.bit_pages:
     assert f'href="bits/{name}.html"' in page and (build / f"report-quick/bits/{name}.html").is_file(), name
@@ -57,4 +64,4 @@ assert not re.search(r"(src|href)=.https?:", page), "the page fetches something"
 balance = Balance()
 balance.feed(page)
 assert not balance.open_tags, balance.open_tags
-print(f"{len(wanted.claims)} claims, {len(wanted.figures)} figures")
+print(f"{len(wanted.claims)} claims, {len(wanted.figures)} figures, {len(shown)} studies")

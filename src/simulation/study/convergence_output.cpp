@@ -8,7 +8,6 @@
 
 #include "core/whole_file.hpp"
 #include "simulation/result/summary_head.hpp"
-#include "simulation/study/log_log_plot.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -60,30 +59,6 @@ Json levels_json(const Convergence& c) {
 
 std::size_t error_count(const Convergence& c) {
   return c.variables.empty() ? 0 : c.variables.front().differences.size();
-}
-
-/// The nominal order through a point below the finest error of the best variable that has one.
-PlotLine nominal_line(const Convergence& c, const std::vector<PlotLine>& lines) {
-  PlotLine nominal{fmt::format("order {:g}, nominal", c.nominal_order), {}, {}, LineStyle::dashed};
-  double least = 0.0, x = 0.0;
-  for (const PlotLine& line : lines)
-    for (std::size_t i = 0; i < line.y.size(); ++i)
-      if (line.y[i] > order_floor && (least == 0.0 || line.y[i] < least)) {
-        least = line.y[i];
-        x = line.x[i];
-      }
-  if (least == 0.0) return nominal;
-  nominal.x = lines.front().x;
-  for (const double size : nominal.x)
-    nominal.y.push_back(0.4 * least * std::pow(size / x, c.nominal_order));
-  return nominal;
-}
-
-std::string label_of(const VariableConvergence& v) {
-  if (v.order.verdict == OrderVerdict::order)
-    return fmt::format("{}: {:.3f}", v.name, v.order.order);
-  return fmt::format("{}: {}", v.name,
-                     v.order.verdict == OrderVerdict::exact ? "exact" : "no order");
 }
 
 /// Of the quantity that is divided, in brackets. Only the step's is known here: SI is what is left.
@@ -145,30 +120,8 @@ std::string to_csv(const Convergence& c) {
   return out + "\n";
 }
 
-std::string to_svg(const Convergence& c) {
-  LogLogPlot plot;
-  plot.title = fmt::format("{}: {} over {}", c.title.empty() ? "convergence" : c.title,
-                           error_name(c.plan), c.plan.key);
-  plot.x_label = fmt::format("{} {}", c.plan.key, unit_text(c.plan));
-  plot.y_label = fmt::format("{} {}, over the variable's size", error_name(c.plan),
-                             c.plan.reference ? "to the reference" : "to the next level");
-  plot.legend_title = "variable: observed order";
-  for (const VariableConvergence& v : c.variables) {
-    PlotLine line{label_of(v), {}, {}};
-    for (std::size_t i = 0; i < v.differences.size(); ++i) {
-      line.x.push_back(c.levels[i].size);
-      line.y.push_back(v.scale > 0.0 ? v.differences[i] / v.scale : 0.0);
-    }
-    plot.lines.push_back(std::move(line));
-  }
-  if (c.nominal_order > 0.0 && !plot.lines.empty())
-    plot.lines.push_back(nominal_line(c, plot.lines));
-  return to_svg(plot);
-}
-
 void write_convergence(const std::filesystem::path& folder, const Convergence& c) {
   write_text(folder / "convergence.csv", to_csv(c));
-  write_text(folder / "convergence.svg", to_svg(c));
   write_text(folder / "convergence.json", to_json(c));
 }
 

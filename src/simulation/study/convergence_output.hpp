@@ -17,11 +17,7 @@ std::string to_json(const Convergence& c);
 /// One line for each error: size, steps, and a column for each variable, absolute.
 std::string to_csv(const Convergence& c);
 
-/// Errors over their variables' scales against the quantity, both axes logarithmic, with a dashed
-/// line of the nominal order where there is one.
-std::string to_svg(const Convergence& c);
-
-/// Writes convergence.json, convergence.csv and convergence.svg. Throws RunError.
+/// Writes convergence.json and convergence.csv. Throws RunError.
 void write_convergence(const std::filesystem::path& folder, const Convergence& c);
 
 }  // namespace tdbd::simulation

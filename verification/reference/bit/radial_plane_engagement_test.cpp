@@ -35,7 +35,7 @@ void add_disc(bit::Bit& bit, double radius, double azimuth, double z, int sides 
 
 double ring(double inner, double outer) { return pi * (outer * outer - inner * inner); }
 
-TEST(radial_plane_engagement, of_a_single_cutter_is_its_ring_times_the_advance) {
+TEST(RadialPlaneEngagement, of_a_single_cutter_is_its_ring_times_the_advance) {
   bit::Bit bit;
   add_disc(bit, 0.05, 1.0, 0.0);
   const Engagement e = radial_plane_engagement(bit, advance, spacing);
@@ -45,7 +45,7 @@ TEST(radial_plane_engagement, of_a_single_cutter_is_its_ring_times_the_advance) 
   EXPECT_EQ(e.total, e.volume_per_revolution[0]);
 }
 
-TEST(radial_plane_engagement, of_opposite_twins_is_half_each) {
+TEST(RadialPlaneEngagement, of_opposite_twins_is_half_each) {
   bit::Bit bit;
   add_disc(bit, 0.05, 0.5, 0.0);
   add_disc(bit, 0.05, 0.5 + pi, 0.0);
@@ -56,7 +56,7 @@ TEST(radial_plane_engagement, of_opposite_twins_is_half_each) {
 
 /// A quarter turn behind its twin, a cutter follows in the fresh cut and takes a quarter.
 /// The bit turns about +z, so the cutter at the smaller azimuth follows.
-TEST(radial_plane_engagement, gives_the_follower_the_part_of_the_turn_since_its_leader) {
+TEST(RadialPlaneEngagement, gives_the_follower_the_part_of_the_turn_since_its_leader) {
   bit::Bit bit;
   add_disc(bit, 0.05, pi / 2, 0.0);
   add_disc(bit, 0.05, 0.0, 0.0);
@@ -65,7 +65,7 @@ TEST(radial_plane_engagement, gives_the_follower_the_part_of_the_turn_since_its_
 }
 
 /// Every point passes at its own azimuth; the table's azimuth only counts its turns.
-TEST(radial_plane_engagement, takes_azimuths_from_the_points_and_not_from_the_table) {
+TEST(RadialPlaneEngagement, takes_azimuths_from_the_points_and_not_from_the_table) {
   bit::Bit bit;
   add_disc(bit, 0.05, pi / 2, 0.0);
   add_disc(bit, 0.05, 0.0, 0.0);
@@ -75,7 +75,7 @@ TEST(radial_plane_engagement, takes_azimuths_from_the_points_and_not_from_the_ta
 }
 
 /// Of opposite twins, the one that stands proud by h takes advance / 2 + h, the other the rest.
-TEST(radial_plane_engagement, gives_a_proud_cutter_more) {
+TEST(RadialPlaneEngagement, gives_a_proud_cutter_more) {
   bit::Bit bit;
   const double h = 0.1 * advance;
   add_disc(bit, 0.05, 0.0, h);
@@ -84,7 +84,7 @@ TEST(radial_plane_engagement, gives_a_proud_cutter_more) {
   EXPECT_NEAR(e.mean_area[0] / (e.mean_area[0] + e.mean_area[1]), 0.6, 1e-3);
 }
 
-TEST(radial_plane_engagement, gives_nothing_to_a_cutter_that_is_too_high) {
+TEST(RadialPlaneEngagement, gives_nothing_to_a_cutter_that_is_too_high) {
   bit::Bit bit;
   add_disc(bit, 0.05, 0.0, 0.0);
   add_disc(bit, 0.05, pi, -0.51 * advance);
@@ -92,7 +92,7 @@ TEST(radial_plane_engagement, gives_nothing_to_a_cutter_that_is_too_high) {
   EXPECT_EQ(e.volume_per_revolution[1], 0.0);
 }
 
-TEST(radial_plane_engagement, ignores_parts_that_never_cut) {
+TEST(RadialPlaneEngagement, ignores_parts_that_never_cut) {
   bit::Bit bit;
   add_disc(bit, 0.05, 0.0, 0.0);
   add_disc(bit, 0.09, 0.0, 0.0);
@@ -103,7 +103,7 @@ TEST(radial_plane_engagement, ignores_parts_that_never_cut) {
 }
 
 /// Cutters that leave no radius uncut, at any azimuths and heights: a hole of the bit's reach.
-RC_GTEST_PROP(radial_plane_engagement, adds_up_to_the_hole, ()) {
+RC_GTEST_PROP(RadialPlaneEngagement, adds_up_to_the_hole, ()) {
   bit::Bit bit;
   for (double radius = cutter_radius; radius < 0.06; radius += cutter_radius)
     add_disc(bit, radius, *battery::number(-10.0, 10.0), 0.01 * *battery::number(-1.0, 1.0), 32);
@@ -115,7 +115,7 @@ RC_GTEST_PROP(radial_plane_engagement, adds_up_to_the_hole, ()) {
 }
 
 /// The bit's own zero of azimuth means nothing.
-RC_GTEST_PROP(radial_plane_engagement, does_not_depend_on_where_azimuth_starts, ()) {
+RC_GTEST_PROP(RadialPlaneEngagement, does_not_depend_on_where_azimuth_starts, ()) {
   const double shift = *battery::number(0.0, 6.0);
   bit::Bit here, there;
   for (int i = 0; i < 4; ++i) {

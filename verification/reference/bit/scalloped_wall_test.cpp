@@ -43,7 +43,7 @@ double volume(double pitch) {
 }
 
 /// Three discs at equal angles pass every third of the advance: their scallops are a ninth as deep.
-TEST(scalloped_wall, of_discs_is_their_arcs_side_by_side) {
+TEST(ScallopedWall, of_discs_is_their_arcs_side_by_side) {
   for (const int count : {1, 3}) {
     const ScallopedWall wall = scalloped_wall(discs(count), advance, 1000);
     const double pitch = advance / count;

@@ -115,20 +115,20 @@ void expect_predicted(Fault fault, int times) {
   EXPECT_NEAR(order, 1.0, 0.05);
 }
 
-TEST(cone_assumptions, asymmetry_drives_the_cone_twice_a_turn_as_predicted) {
+TEST(ConeAssumptions, asymmetry_drives_the_cone_twice_a_turn_as_predicted) {
   expect_predicted(Fault::asymmetry, 2);
 }
 
-TEST(cone_assumptions, a_centre_off_the_axis_drives_the_cone_once_a_turn_as_predicted) {
+TEST(ConeAssumptions, a_centre_off_the_axis_drives_the_cone_once_a_turn_as_predicted) {
   expect_predicted(Fault::centre, 1);
 }
 
-TEST(cone_assumptions, a_tilted_principal_axis_drives_the_cone_once_a_turn_as_predicted) {
+TEST(ConeAssumptions, a_tilted_principal_axis_drives_the_cone_once_a_turn_as_predicted) {
   expect_predicted(Fault::tilt, 1);
 }
 
 /// A ball of the box's mass does not feel where its axis is: nothing to predict, nothing found.
-TEST(cone_assumptions, of_a_symmetric_cone_are_nothing) {
+TEST(ConeAssumptions, of_a_symmetric_cone_are_nothing) {
   const bit::Bit b = boxed(Fault::asymmetry, 0.0);
   const bit::ConeAssumptions a = bit::cone_assumptions(b, 0, bit_speed, cone_ratio);
   const double scale = bit::cone_mass(b, 0).axial_inertia * bit_speed * bit_speed;
@@ -138,7 +138,7 @@ TEST(cone_assumptions, of_a_symmetric_cone_are_nothing) {
 }
 
 /// Closed forms: m e phi'^2, m g e, and the share of the inertia about the bit's axis.
-TEST(cone_assumptions, are_forces_and_shares_in_closed_form) {
+TEST(ConeAssumptions, are_forces_and_shares_in_closed_form) {
   const double amount = 0.02, e = amount * 0.05;
   const bit::Bit b = boxed(Fault::centre, amount);
   const bit::ConeAssumptions a = bit::cone_assumptions(b, 0, bit_speed, cone_ratio);

@@ -57,7 +57,7 @@ JointedState thrown(std::size_t cones) {
   return s;
 }
 
-/// The same start in the gyrostat's unknowns, from the definitions of formulation 4.
+/// The same start in the gyrostat's unknowns, from their definitions in src/dynamics.
 GyrostatState gyrostat_start(const dynamics::Gyrostat& g, const JointedState& s) {
   GyrostatState start;
   start.R_WB = s.R_WB;

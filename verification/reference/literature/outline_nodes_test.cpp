@@ -29,21 +29,21 @@ bool is_on_frame(const Vec2& x) {
   return x.x() == 0.0 || x.x() == frame.radius || x.y() == frame.floor;
 }
 
-TEST(outline_nodes, part_long_edges_evenly_and_leave_the_frames_alone) {
+TEST(OutlineNodes, part_long_edges_evenly_and_leave_the_frames_alone) {
   const PlanarFace even = respaced(below({{0, 0}, {0.1, 0}}), frame, 0.01);
   ASSERT_EQ(even.border.size(), 7U + 1U + 2U);  // seven parts of 14.3 mm, at most 15
   for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(edge(even.border, i), 0.1 / 7, 2e-9);
   EXPECT_NEAR(area({even}), 0.01, 1e-16);
 }
 
-TEST(outline_nodes, drop_what_the_frames_own_edges_hold) {
+TEST(OutlineNodes, drop_what_the_frames_own_edges_hold) {
   const PlanarFace face{
       {{0, 0}, {0.1, 0}, {0.1, 0.03}, {0.1, 0.1}, {0.04, 0.1}, {0, 0.1}, {0, 0.01}}, {}};
   EXPECT_EQ(respaced(face, frame, 1.0).border.size(), 4U);
 }
 
 /// Of nodes that stand too close, the one on a straight goes, the corner beside it stays.
-TEST(outline_nodes, drop_first_what_costs_least) {
+TEST(OutlineNodes, drop_first_what_costs_least) {
   const PlanarFace even = respaced(
       below({{0, 0}, {0.048, 0}, {0.05, 0.01}, {0.0505, 0.01}, {0.056, 0.01}, {0.1, 0.01}}), frame,
       0.01);
@@ -54,7 +54,7 @@ TEST(outline_nodes, drop_first_what_costs_least) {
   EXPECT_FALSE(has(Vec2(0.0505, 0.01)));
 }
 
-TEST(outline_nodes, drop_cavities_below_a_triangle) {
+TEST(OutlineNodes, drop_cavities_below_a_triangle) {
   PlanarFace face = below({{0, 0}, {0.1, 0}});
   face.cavities = {{{0.05, 0.05}, {0.051, 0.05}, {0.051, 0.051}, {0.05, 0.051}},
                    {{0.02, 0.05}, {0.04, 0.05}, {0.04, 0.07}, {0.02, 0.07}}};
@@ -62,7 +62,7 @@ TEST(outline_nodes, drop_cavities_below_a_triangle) {
 }
 
 /// A circle's arc by far too many nodes comes to a polygon of the spacing: area to second order.
-TEST(outline_nodes, cost_a_curved_surface_area_of_second_order) {
+TEST(OutlineNodes, cost_a_curved_surface_area_of_second_order) {
   Outline arc;
   arc.reserve(2001);
   for (int i = 0; i <= 2000; ++i) {
@@ -83,7 +83,7 @@ TEST(outline_nodes, cost_a_curved_surface_area_of_second_order) {
 
 /// Two edges that meet off the frame are together longer than half the widest spacing, and none is
 /// longer than it.
-RC_GTEST_PROP(outline_nodes, stand_about_equally_far_apart, ()) {
+RC_GTEST_PROP(OutlineNodes, stand_about_equally_far_apart, ()) {
   constexpr double spacing = 5e-3, widest = widest_spacing * spacing, rounding = 4e-9;
   const int corners = *rc::gen::inRange(2, 40);
   Outline line{{0.0, 0.0}};

@@ -39,7 +39,7 @@ double polygon_area(double radius, int sides) {
 }
 
 /// A box over the axis: in each spoke a rectangle, of which the sector's volume is known.
-TEST(outline_spokes, a_box_on_the_axis_leaves_its_section_in_every_spoke) {
+TEST(OutlineSpokes, a_box_on_the_axis_leaves_its_section_in_every_spoke) {
   constexpr double half = 0.1, depth = 0.025;
   OutlineSpokes rock = flat_outline_spokes({0.2, 0.3}, 0.0, 16, 1e-3);
   const double before = volume(rock);
@@ -58,7 +58,7 @@ TEST(outline_spokes, a_box_on_the_axis_leaves_its_section_in_every_spoke) {
 }
 
 /// Half of a disc in a flat rock: the half of a regular polygon, and nothing in other spokes.
-TEST(outline_spokes, a_disc_in_the_plane_of_a_spoke_leaves_its_own_outline) {
+TEST(OutlineSpokes, a_disc_in_the_plane_of_a_spoke_leaves_its_own_outline) {
   constexpr double a = 8e-3;
   OutlineSpokes rock = flat_outline_spokes({0.1, 0.1}, 0.0, 8, 0.2e-3);
   const PlanarFace untouched = rock.rock[1];
@@ -69,7 +69,7 @@ TEST(outline_spokes, a_disc_in_the_plane_of_a_spoke_leaves_its_own_outline) {
 }
 
 /// A step without turn sweeps the hull of both ends: a disc that goes 30 mm along its own plane.
-TEST(outline_spokes, a_step_takes_all_between_its_ends) {
+TEST(OutlineSpokes, a_step_takes_all_between_its_ends) {
   constexpr double a = 8e-3, way = 30e-3;
   OutlineSpokes rock = flat_outline_spokes({0.1, 0.1}, 0.0, 8, 0.2e-3);
   const double before = area({rock.rock[0]});
@@ -82,7 +82,7 @@ TEST(outline_spokes, a_step_takes_all_between_its_ends) {
 
 /// The cutter of `one_depth_for_each_node_takes_the_rock_above_an_undercut` (spokes_test): half a
 /// disc out of an upright wall, 50 mm below its top.
-TEST(outline_spokes, an_undercut_is_held) {
+TEST(OutlineSpokes, an_undercut_is_held) {
   constexpr double r = 6.7e-3, below = 50e-3, wall = 0.1, spacing = 0.5e-3;
   OutlineSpokes rock = flat_outline_spokes({0.12, 0.2}, 0.0, 8, spacing);
   for (int k = 0; k < 8; ++k)  // the hole
@@ -104,7 +104,7 @@ TEST(outline_spokes, an_undercut_is_held) {
 }
 
 /// Rock cut off from the rest falls out with what cut it off.
-TEST(outline_spokes, a_loose_chip_is_removed) {
+TEST(OutlineSpokes, a_loose_chip_is_removed) {
   OutlineSpokes rock = flat_outline_spokes({0.1, 0.1}, 0.0, 4, 1e-3);
   const double before = area({rock.rock[0]});
   cut_spoke(rock, 0, {{0.06, -0.01}, {0.061, -0.01}, {0.061, 0.02}, {0.06, 0.02}});
@@ -114,7 +114,7 @@ TEST(outline_spokes, a_loose_chip_is_removed) {
   EXPECT_NEAR(before - area({rock.rock[0]}), 0.021 * 0.02, 1e-9);
 }
 
-TEST(outline_spokes, a_tool_within_the_rock_leaves_a_cavity) {
+TEST(OutlineSpokes, a_tool_within_the_rock_leaves_a_cavity) {
   OutlineSpokes rock = flat_outline_spokes({0.1, 0.1}, 0.0, 4, 1e-3);
   const double before = area({rock.rock[0]});
   const Outline box{{0.04, 0.04}, {0.06, 0.04}, {0.06, 0.05}, {0.04, 0.05}};
@@ -126,7 +126,7 @@ TEST(outline_spokes, a_tool_within_the_rock_leaves_a_cavity) {
 
 /// All steps' sections taken away at once are what they are one by one, as far as respacing changes
 /// the rock between the steps.
-TEST(outline_spokes, steps_may_be_taken_away_at_once) {
+TEST(OutlineSpokes, steps_may_be_taken_away_at_once) {
   constexpr double step = 2.0 * pi / 360, spacing = 0.05e-3;
   OutlineSpokes one_by_one = flat_outline_spokes({15e-3, 20e-3}, 0.0, 5, spacing),
                 at_once = one_by_one;
@@ -148,7 +148,7 @@ TEST(outline_spokes, steps_may_be_taken_away_at_once) {
 
 /// Discs from above, which leave a height field: both surfaces are the same to the spacing's
 /// second order, and where the arcs end, upright, to the first.
-TEST(outline_spokes, agree_with_langevelds_on_a_height_field) {
+TEST(OutlineSpokes, agree_with_langevelds_on_a_height_field) {
   constexpr double spacing = 0.05e-3;
   constexpr int spokes = 7;
   OutlineSpokes ours = flat_outline_spokes({15e-3, 20e-3}, 0.0, spokes, spacing);
@@ -183,7 +183,7 @@ std::vector<double> angles_between(const std::vector<int>& counts) {
 
 /// Rock cut down to a tilted plane. Every spoke holds its line; between two of them depths are
 /// linear in the angle where the plane's are a cosine: second order.
-TEST(outline_spokes, see_a_tilted_plane_with_second_order_in_the_number_of_spokes) {
+TEST(OutlineSpokes, see_a_tilted_plane_with_second_order_in_the_number_of_spokes) {
   constexpr double radius = 0.1, level = 20e-3, slope = 0.15;
   std::vector<double> errors;
   for (const int spokes : spoke_counts) {
@@ -208,7 +208,7 @@ TEST(outline_spokes, see_a_tilted_plane_with_second_order_in_the_number_of_spoke
 /// A ball's dent beside the axis. Its sections shrink as the power 3/2 of the distance from the
 /// rim, so that their sum over equal angles comes to the volume with the order 5/2, up or down as
 /// the outermost spokes happen to lie.
-TEST(outline_spokes, find_a_balls_volume_with_order_two_or_better_in_the_number_of_spokes) {
+TEST(OutlineSpokes, find_a_balls_volume_with_order_two_or_better_in_the_number_of_spokes) {
   constexpr double radius = 15e-3, under = 12e-3, centre = 40e-3;
   const Vec3 middle(centre, 0, under - radius);
   std::vector<double> errors;
@@ -235,7 +235,7 @@ TEST(outline_spokes, find_a_balls_volume_with_order_two_or_better_in_the_number_
 
 /// However often and wherever it is cut, a spoke has as many nodes as its length asks for, and the
 /// ledger closes.
-RC_GTEST_PROP(outline_spokes, keep_their_nodes_few, ()) {
+RC_GTEST_PROP(OutlineSpokes, keep_their_nodes_few, ()) {
   constexpr double spacing = 2e-3;
   OutlineSpokes rock = flat_outline_spokes({0.1, 0.1}, 0.0, 1, spacing);
   const double before = volume(rock);

@@ -14,7 +14,7 @@ namespace {
 
 const Outline square{{0, 0}, {0.4, 0}, {0.4, 0.4}, {0, 0.4}};
 
-TEST(planar_boolean, a_corner_is_taken_off_exactly) {
+TEST(PlanarBoolean, a_corner_is_taken_off_exactly) {
   const PlanarRegion left =
       without({{square, {}}}, {{0.3, 0.3}, {0.5, 0.3}, {0.5, 0.5}, {0.3, 0.5}});
   ASSERT_EQ(left.size(), 1U);
@@ -24,7 +24,7 @@ TEST(planar_boolean, a_corner_is_taken_off_exactly) {
   EXPECT_NEAR(moment(left), 0.032 - 0.0035, 1e-16);
 }
 
-TEST(planar_boolean, what_lies_within_is_a_cavity_and_what_is_cut_through_has_two_pieces) {
+TEST(PlanarBoolean, what_lies_within_is_a_cavity_and_what_is_cut_through_has_two_pieces) {
   const PlanarRegion holed =
       without({{square, {}}}, {{0.1, 0.1}, {0.2, 0.1}, {0.2, 0.2}, {0.1, 0.2}});
   ASSERT_EQ(holed.size(), 1U);
@@ -36,7 +36,7 @@ TEST(planar_boolean, what_lies_within_is_a_cavity_and_what_is_cut_through_has_tw
 }
 
 /// Regularised: common edges leave no lines, either way round, and rims are no area.
-TEST(planar_boolean, touching_takes_nothing) {
+TEST(PlanarBoolean, touching_takes_nothing) {
   const Outline beside{{0.4, 0}, {0.4, 0.4}, {0.6, 0.4}, {0.6, 0}};
   const PlanarRegion left = without({{square, {}}}, beside);
   ASSERT_EQ(left.size(), 1U);
@@ -46,7 +46,7 @@ TEST(planar_boolean, touching_takes_nothing) {
   EXPECT_TRUE(without({{square, {}}}, square).empty());
 }
 
-TEST(planar_boolean, refuses_what_the_grid_does_not_hold) {
+TEST(PlanarBoolean, refuses_what_the_grid_does_not_hold) {
   EXPECT_THROW(without({{square, {}}}, {{0, 0}, {2.5, 0}, {0, 1}}), std::invalid_argument);
   EXPECT_THROW(without({{square, {}}}, {{0, 0}, {NAN, 0}, {0, 1}}), std::invalid_argument);
 }
@@ -70,7 +70,7 @@ bool holds(const PlanarRegion& region, const Vec2& x) {
 
 /// Of two random stars, what is without and what is within add up, and any point is where it
 /// belongs.
-RC_GTEST_PROP(planar_boolean, parts_what_it_cuts, ()) {
+RC_GTEST_PROP(PlanarBoolean, parts_what_it_cuts, ()) {
   const PlanarRegion rock{{any_star(), {}}};
   const Outline tool = any_star();
   const PlanarRegion out = without(rock, tool), in = within(rock, tool);

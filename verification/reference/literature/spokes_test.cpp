@@ -49,7 +49,7 @@ Spokes turned_once(Spokes rock, double z) {
 }
 
 /// A turn of the disc leaves a groove with the disc's circle in every half-plane.
-TEST(spokes, a_turning_disc_leaves_its_circle_at_every_node) {
+TEST(Spokes, a_turning_disc_leaves_its_circle_at_every_node) {
   const Spokes rock = turned_once(flat_spokes(15e-3, 0.0, 37, 301), 0.0);
   for (int k = 0; k < rock.spokes; ++k)
     for (int j = 0; j < rock.nodes; ++j) {
@@ -62,7 +62,7 @@ TEST(spokes, a_turning_disc_leaves_its_circle_at_every_node) {
 }
 
 /// Pappus: half a disc's area on its way about the axis.
-TEST(spokes, a_turning_disc_removes_its_half_circle_times_its_way) {
+TEST(Spokes, a_turning_disc_removes_its_half_circle_times_its_way) {
   Spokes rock = flat_spokes(15e-3, 0.0, 60, 600);
   const double exact = pi * a * a / 2.0 * 2.0 * pi * centre_radius;
   const double before = rock.depth.front();
@@ -76,7 +76,7 @@ TEST(spokes, a_turning_disc_removes_its_half_circle_times_its_way) {
 }
 
 /// A box over the axis: every spoke starts inside it.
-TEST(spokes, a_box_on_the_axis_is_seen_by_every_spoke) {
+TEST(Spokes, a_box_on_the_axis_is_seen_by_every_spoke) {
   Spokes rock = flat_spokes(2.0, 0.0, 16, 400);
   auto box = battery::box({-1, -1, -1}, {1, 1, 0.25});
   std::erase_if(box.triangles, [&](const mesh::Triangle& t) {
@@ -103,7 +103,7 @@ TEST(spokes, a_box_on_the_axis_is_seen_by_every_spoke) {
   EXPECT_NEAR(removed, 0.25 * sectors, 0.01);
 }
 
-TEST(spokes, depth_between_nodes_is_exact_for_a_cone) {
+TEST(Spokes, depth_between_nodes_is_exact_for_a_cone) {
   Spokes rock = flat_spokes(1.0, 0.0, 12, 50);
   for (int k = 0; k < 12; ++k)
     for (int j = 0; j < 50; ++j)
@@ -114,7 +114,7 @@ TEST(spokes, depth_between_nodes_is_exact_for_a_cone) {
 }
 
 /// Figure 2.1: at the gage the spokes are as far apart as the radius makes them.
-TEST(spokes, spread_with_the_radius) {
+TEST(Spokes, spread_with_the_radius) {
   const Spokes langeveld = flat_spokes(107.95e-3, 0.0, 120, 500);
   EXPECT_NEAR(spoke_spacing(langeveld, 107.95e-3), 5.652e-3, 1e-6);
   EXPECT_NEAR(langeveld.node_spacing(), 0.2159e-3, 1e-7);
@@ -123,7 +123,7 @@ TEST(spokes, spread_with_the_radius) {
 /// A cutter takes a half disc out of an upright wall, 50 mm below its top. The hole grows by half
 /// the disc's area for each metre of its way; one depth for each place takes all rock above as
 /// well.
-TEST(spokes, one_depth_for_each_node_takes_the_rock_above_an_undercut) {
+TEST(Spokes, one_depth_for_each_node_takes_the_rock_above_an_undercut) {
   const double r = 6.7e-3, below = 50e-3, wall = 100e-3;
   Pose X;
   X.R.col(0) = Vec3::UnitX();

@@ -20,7 +20,7 @@ ZMap raised(double by) {
   return map;
 }
 
-TEST(surface_error, of_a_shifted_surface_is_the_shift_along_the_normal) {
+TEST(SurfaceError, of_a_shifted_surface_is_the_shift_along_the_normal) {
   const auto e = surface_errors(raised(0.0), raised(-0.01), cone(), {0.3, 0.6, 0.9});
   ASSERT_EQ(e.size(), 2U);
   for (const SurfaceError& ring : e) {
@@ -34,7 +34,7 @@ TEST(surface_error, of_a_shifted_surface_is_the_shift_along_the_normal) {
 }
 
 /// A ramp in x: distances are uniform over the disc's chords, the largest twentieth beyond p95.
-TEST(surface_error, percentiles_are_those_of_the_distances) {
+TEST(SurfaceError, percentiles_are_those_of_the_distances) {
   ZMap ramp = raised(0.0);
   for (int i = 0; i < ramp.cells * ramp.cells; ++i)
     ramp.height[static_cast<std::size_t>(i)] += -1.0 + (i % ramp.cells + 0.5) * ramp.cell();
@@ -47,7 +47,7 @@ TEST(surface_error, percentiles_are_those_of_the_distances) {
   EXPECT_NEAR(e.mean_signed, 0.0, 1e-12);
 }
 
-TEST(surface_error, refuses_other_cells) {
+TEST(SurfaceError, refuses_other_cells) {
   EXPECT_THROW(surface_errors(raised(0.0), flat_z_map(1.0, 0.0, 10), cone(), {0.0, 1.0}),
                std::invalid_argument);
 }

@@ -47,7 +47,7 @@ double volume_of_a_turn(double reach, double start) {
 }
 
 /// Rock from 1 mm above the tip on: facets farther than 2.5 mm from it cannot reach it.
-TEST(sweep_tool, facets_out_of_reach_of_the_cut_take_nothing) {
+TEST(SweepTool, facets_out_of_reach_of_the_cut_take_nothing) {
   const double start = 2e-3;
   EXPECT_DOUBLE_EQ(volume_of_a_turn(2.5e-3, start), volume_of_a_turn(1.0, start));
   EXPECT_LT(volume_of_a_turn(0.1e-3, start), 0.9 * volume_of_a_turn(1.0, start));
@@ -55,7 +55,7 @@ TEST(sweep_tool, facets_out_of_reach_of_the_cut_take_nothing) {
 
 /// The hull joins both ends of the step, so a turn of few steps leaves no gaps: the groove's volume
 /// is the segment of the disc on its way about the axis, a spiral ramp of 1 mm deep at its end.
-TEST(sweep_tool, a_turn_removes_the_segment_times_its_way) {
+TEST(SweepTool, a_turn_removes_the_segment_times_its_way) {
   const double a = 3e-3, y0 = 2e-3;  // the chord's height at the start
   const auto segment = [a](double y) {
     return a * a * std::acos(y / a) - y * std::sqrt(a * a - y * y);
@@ -68,7 +68,7 @@ TEST(sweep_tool, a_turn_removes_the_segment_times_its_way) {
 }
 
 /// A disc goes straight down and ahead: both kinds of tool sweep the same.
-TEST(sweep_tool, ruled_tools_sweep_a_translation_like_the_hull) {
+TEST(SweepTool, ruled_tools_sweep_a_translation_like_the_hull) {
   const auto hulls = cutter_hulls(one_disc());
   const Pose back{Mat3::Identity(), Vec3(0.31e-3, -1.7e-3, -0.9e-3)},
       at{Mat3::Identity(), Vec3::Zero()};
@@ -79,7 +79,7 @@ TEST(sweep_tool, ruled_tools_sweep_a_translation_like_the_hull) {
 }
 
 /// With a turn they differ by its square.
-TEST(sweep_tool, ruled_tools_sweep_a_turn_like_the_hull_to_second_order) {
+TEST(SweepTool, ruled_tools_sweep_a_turn_like_the_hull_to_second_order) {
   const auto hulls = cutter_hulls(one_disc());
   const auto difference = [&](double turn) {
     ZMap hull = flat_z_map(14e-3, 1e-3, 300), ruled = hull;

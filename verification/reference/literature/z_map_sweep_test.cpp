@@ -23,7 +23,7 @@ double most_apart(const ZMap& a, const ZMap& b) {
 /// A cell whose centre lies on a facet's rim to rounding may belong to one and not the other: at a
 /// silhouette a whole depth hangs on it. Places that are no multiples of the cell make that rare;
 /// here none happens.
-RC_GTEST_PROP(z_map_sweep, takes_row_by_row_what_the_slow_twin_takes, ()) {
+RC_GTEST_PROP(ZMapSweep, takes_row_by_row_what_the_slow_twin_takes, ()) {
   const mesh::TriangleMesh part = *battery::convex_polyhedron();
   Pose X_WP = *battery::pose(0.3);
   X_WP.p += Vec3(0.01234567, 0.0234567, -0.2);
@@ -33,7 +33,7 @@ RC_GTEST_PROP(z_map_sweep, takes_row_by_row_what_the_slow_twin_takes, ()) {
   RC_ASSERT(most_apart(slow, quick) < 1e-12);
 }
 
-TEST(z_map_sweep, of_a_sheet_has_its_heights) {
+TEST(ZMapSweep, of_a_sheet_has_its_heights) {
   const mesh::TriangleMesh sheet =
       battery::placed({Eigen::AngleAxisd(0.3, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero()},
                       battery::flat_rock(1.0, 0.0, 7));
@@ -44,7 +44,7 @@ TEST(z_map_sweep, of_a_sheet_has_its_heights) {
 
 /// Heights at corners of cells are means of four: exact for planes, off by a cell's share of a
 /// curved surface, which order 2 shows.
-TEST(z_map_sweep, height_between_cells_converges_with_order_two) {
+TEST(ZMapSweep, height_between_cells_converges_with_order_two) {
   const auto error = [](int cells) {
     ZMap map = flat_z_map(1.0, 0.0, cells);
     for (int i = 0; i < cells * cells; ++i) {

@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 
 Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
 
-TEST(z_map, a_box_leaves_its_shape) {
+TEST(ZMap, a_box_leaves_its_shape) {
   ZMap rock = flat_z_map(2.0, 0.0, 40);
   const auto cube = battery::box({-1, -1, -1}, {1, 1, 1});
   EXPECT_NEAR(cut(rock, cube, at(0, 0, -0.75)), 1.0, 1e-12);
@@ -25,14 +25,14 @@ TEST(z_map, a_box_leaves_its_shape) {
   EXPECT_NEAR(*std::max_element(rock.height.begin(), rock.height.end()), 0.25, 1e-15);
 }
 
-TEST(z_map, a_part_in_the_air_or_beside_the_map_removes_nothing) {
+TEST(ZMap, a_part_in_the_air_or_beside_the_map_removes_nothing) {
   ZMap rock = flat_z_map(2.0, 0.0, 10);
   const auto cube = battery::box({-1, -1, -1}, {1, 1, 1});
   EXPECT_EQ(cut(rock, cube, at(0, 0, -1.5)), 0.0);
   EXPECT_EQ(cut(rock, cube, at(9, -9, 0)), 0.0);
 }
 
-TEST(z_map, a_ball_pressed_in_removes_its_cap) {
+TEST(ZMap, a_ball_pressed_in_removes_its_cap) {
   ZMap rock = flat_z_map(1.1, 0.0, 220);
   const double h = 0.4, cap = pi * h * h * (1.0 - h / 3.0);
   EXPECT_NEAR(cut(rock, battery::sphere(1.0, 5), at(0, 0, h - 1.0)), cap, 5e-3 * cap);
@@ -60,7 +60,7 @@ bit::Bit three_discs() {
 /// The height field and the radial plane know nothing of each other: one moves the bit in time, the
 /// other sorts passes. They must agree cutter by cutter, so the sense of rotation and the order of
 /// the cutters are right in both.
-TEST(z_map, removes_by_cutter_what_the_radial_plane_predicts) {
+TEST(ZMap, removes_by_cutter_what_the_radial_plane_predicts) {
   const bit::Bit bit = three_discs();
   const double advance = 1e-3;
   const int steps = 1200, revolutions = 3;

@@ -13,7 +13,7 @@ namespace tdbd::reference {
 namespace {
 
 /// Many points of the triangle, the nearest of them.
-RC_GTEST_PROP(hausdorff, distance_to_a_triangle_is_that_to_its_nearest_point, ()) {
+RC_GTEST_PROP(Hausdorff, distance_to_a_triangle_is_that_to_its_nearest_point, ()) {
   const Vec3 x = *battery::point(2.0), a = *battery::point(1.0), b = *battery::point(1.0),
              c = *battery::point(1.0);
   constexpr int n = 60;
@@ -27,7 +27,7 @@ RC_GTEST_PROP(hausdorff, distance_to_a_triangle_is_that_to_its_nearest_point, ()
   RC_ASSERT(d >= nearest - longest / n);
 }
 
-TEST(hausdorff, of_a_bump_is_its_height_seen_from_it_and_less_seen_from_the_plane) {
+TEST(Hausdorff, of_a_bump_is_its_height_seen_from_it_and_less_seen_from_the_plane) {
   const auto flat = battery::flat_rock(1.0, 0.0, 10);
   auto bump = battery::flat_rock(1.0, 0.0, 40);
   for (Vec3& x : bump.positions)
@@ -40,7 +40,7 @@ TEST(hausdorff, of_a_bump_is_its_height_seen_from_it_and_less_seen_from_the_plan
   EXPECT_NEAR(hausdorff(flat, bump, sampling), 0.03, 1e-12);
 }
 
-TEST(hausdorff, of_equal_planes_in_other_triangles_is_nothing) {
+TEST(Hausdorff, of_equal_planes_in_other_triangles_is_nothing) {
   EXPECT_LT(
       hausdorff(battery::flat_rock(1.0, 0.2, 3), battery::flat_rock(1.0, 0.2, 17), {0.02, 0.9}),
       1e-15);

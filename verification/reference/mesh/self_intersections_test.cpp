@@ -19,30 +19,30 @@ TriangleMesh two_triangles(double lowest) {
           {{0, 1, 2}, {3, 4, 5}}};
 }
 
-TEST(self_intersections, finds_the_piercing_pair_and_no_other) {
+TEST(SelfIntersections, finds_the_piercing_pair_and_no_other) {
   EXPECT_EQ(self_intersections(two_triangles(-1.0)), (Pairs{{0, 1}}));
   EXPECT_EQ(self_intersections(two_triangles(1.0)), Pairs{});
 }
 
-TEST(self_intersections, touching_without_a_common_vertex_counts) {
+TEST(SelfIntersections, touching_without_a_common_vertex_counts) {
   EXPECT_EQ(self_intersecting_pairs(two_triangles(0.0)), 1u);
 }
 
 /// The inner vertex of a flat rock leaves its ring sideways: triangles fold over each other.
-TEST(self_intersections, finds_a_fold) {
+TEST(SelfIntersections, finds_a_fold) {
   TriangleMesh m = battery::flat_rock(1.0, 0.0, 2);
   EXPECT_EQ(self_intersecting_pairs(m), 0u);
   m.positions[4] = Vec3(3, 0.5, 0);
   EXPECT_GT(self_intersecting_pairs(m), 0u);
 }
 
-TEST(self_intersections, refuses_what_is_not_an_oriented_manifold) {
+TEST(SelfIntersections, refuses_what_is_not_an_oriented_manifold) {
   TriangleMesh m = two_triangles(1.0);
   m.triangles.push_back({0, 1, 3});
   EXPECT_THROW(self_intersections(m), RunError);
 }
 
-RC_GTEST_PROP(self_intersections, star_shapes_have_none, ()) {
+RC_GTEST_PROP(SelfIntersections, star_shapes_have_none, ()) {
   RC_ASSERT(self_intersecting_pairs(*battery::star_shape()) == 0u);
 }
 

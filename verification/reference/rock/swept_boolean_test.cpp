@@ -21,7 +21,7 @@ const TriangleMesh cube = battery::box({-1, -1, -1}, {1, 1, 1});
 
 Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
 
-TEST(swept_boolean, of_a_cube_that_goes_down_is_its_face_times_its_depth) {
+TEST(SweptBoolean, of_a_cube_that_goes_down_is_its_face_times_its_depth) {
   const SweptBoolean s = swept_boolean(rock, cube, {at(0, 0, -2), at(0, 0, -1), at(0, 0, -0.5)});
   EXPECT_EQ(s.before, 192.0);
   EXPECT_EQ(s.removed, 2.0);
@@ -29,18 +29,18 @@ TEST(swept_boolean, of_a_cube_that_goes_down_is_its_face_times_its_depth) {
 }
 
 /// Along x, then along y: the corner is counted once.
-TEST(swept_boolean, of_a_path_with_a_corner_is_its_union) {
+TEST(SweptBoolean, of_a_path_with_a_corner_is_its_union) {
   const SweptBoolean s =
       swept_boolean(rock, cube, {at(-1, 0, -0.5), at(1, 0, -0.5), at(1, 1.5, -0.5)});
   EXPECT_EQ(s.removed, 0.5 * (4.0 * 2.0 + 1.5 * 2.0));
 }
 
-TEST(swept_boolean, of_a_path_in_the_air_is_nothing) {
+TEST(SweptBoolean, of_a_path_in_the_air_is_nothing) {
   EXPECT_EQ(swept_boolean(rock, cube, {at(0, 0, -3), at(0, 0, -2)}).removed, 0.0);
 }
 
 /// The cube turns about its upright axis by a quarter: its corners' circle, in chords.
-TEST(swept_boolean, of_a_turning_cube_is_a_disc_in_chords) {
+TEST(SweptBoolean, of_a_turning_cube_is_a_disc_in_chords) {
   constexpr int steps = 3;
   std::vector<Pose> poses;
   for (int i = 0; i <= steps; ++i) {
@@ -53,7 +53,7 @@ TEST(swept_boolean, of_a_turning_cube_is_a_disc_in_chords) {
   EXPECT_NEAR(swept_boolean(rock, cube, poses).removed, 0.5 * polygon, 1e-12);
 }
 
-RC_GTEST_PROP(swept_boolean, of_a_buried_part_at_rest_is_the_part, ()) {
+RC_GTEST_PROP(SweptBoolean, of_a_buried_part_at_rest_is_the_part, ()) {
   const TriangleMesh part = *battery::convex_polyhedron();
   Pose X_WP = *battery::pose(0.0);
   X_WP.p = Vec3(0.0, 0.0, 2.0);

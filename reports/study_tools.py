@@ -1,0 +1,25 @@
+"""What the scripts of the studies share. A study's make.py finds it in the folder two above its own."""
+
+import csv
+from pathlib import Path
+
+
+def read_csv(path):
+    """{column: values} of a CSV file with a line of headings; numbers where all of a column are."""
+    with Path(path).open(newline="", encoding="utf-8") as file:
+        headings, *rows = csv.reader(file)
+    columns = {h: [row[i] for row in rows] for i, h in enumerate(headings)}
+    return {h: numbers(values) for h, values in columns.items()}
+
+
+def numbers(words):
+    try:
+        return [float(w) for w in words]
+    except ValueError:
+        return words
+
+
+def markdown_table(headings, rows):
+    """The rows under their headings, as Markdown."""
+    lines = [headings, ["---"] * len(headings), *rows]
+    return "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines)

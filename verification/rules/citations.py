@@ -1,0 +1,113 @@
+"""Equations are cited by room and number, "rock (7)", and every such number stands in a page of that room.
+
+An equation or a contract is numbered in src/ROOM/*.md, once: "(7)" at the end of its line in a code block, or at
+the start of a paragraph, a list item or a table row. A document outside the repository is not cited at all.
+"""
+
+import re
+
+import sources
+
+ROOMS = ("core", "rotation", "mesh", "bit", "rock", "forces", "dynamics", "simulation")
+FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "cmake", "scripts", "README.md",
+           "CONTRIBUTING.md", "CHANGELOG.md", "CMakeLists.txt")
+CODE, TEXT = (".hpp", ".cpp"), (".md", ".py", ".toml", ".txt", ".j2", ".cmake")
+NUMBER = r"\(\d+[a-z]?\)"
+CITED = re.compile(rf"\b({'|'.join(ROOMS)})`?\s+({NUMBER}(?:\s*(?:,|and|to|or)\s*{NUMBER})*)")
+AT_START = re.compile(rf"^\s*(?:[-*+] |\d+\. |\| *)?(?:\*\*)?({NUMBER})(?=\W|$)")
+AT_END = re.compile(rf"({NUMBER})\W*$")
+# An undefined noun with a number was the way to cite a paper that is not in the repository.
+OUTSIDE = re.compile(r"\bformulations?'?s?\s+\d", re.IGNORECASE)
+THIS_RULE = "verification/rules/citations.py"  # its self-test holds wrong citations on purpose
+
+
+def comments(code):
+    """The comments of a source alone, each character in its place."""
+    blank = lambda text: re.sub(r"[^\n]", " ", text)
+    code = re.sub(r"(?<=\d)'(?=\d)", "_", code)  # the separator of 10'000
+    out, end = [], 0
+    for match in sources.TOKEN.finditer(code):
+        out.append(blank(code[end:match.start()]))
+        token = match.group(0)
+        out.append(token if token.startswith(("//", "/*")) else blank(token))
+        end = match.end()
+    return "".join(out) + blank(code[end:])
+
+
+def prose(path, text):
+    """What a file says in words; marks of comments are blanks, so that a citation may go over two lines."""
+    if path.endswith(CODE):
+        text = comments(text)
+    return re.sub(r"(?m)^[ \t]*(///?<?!?|\*|#)", lambda m: " " * len(m.group(0)), text)
+
+
+def numbered(text):
+    """Numbers of equations and contracts in a page, in their order."""
+    found, fenced = [], False
+    for line in text.split("\n"):
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+            continue
+        is_code = fenced or line.startswith("    ")
+        start, end = AT_START.match(line), AT_END.search(line) if is_code else None
+        if match := (end or start):
+            found.append(match.group(1))
+    return found
+
+
+def check_pages(pages):
+    """pages: {path: text} of all Markdown pages under src. Returns ({room: numbers}, problems)."""
+    rooms, problems = {room: set() for room in ROOMS}, []
+    for path, text in sorted(pages.items()):
+        room = path.split("/")[1]
+        for number in numbered(text) if room in rooms else []:
+            if number in rooms[room]:
+                problems.append(f"{path}: {room} {number} is numbered twice")
+            rooms[room].add(number)
+    return rooms, problems
+
+
+def check_text(path, text, rooms):
+    problems = []
+    text = prose(path, text)
+    at = lambda match: f"{path}:{text.count(chr(10), 0, match.start()) + 1}"
+    for match in CITED.finditer(text):
+        room = match.group(1)
+        for number in re.findall(NUMBER, match.group(2)):
+            if number not in rooms[room]:
+                problems.append(f"{at(match)}: {room} {number} is cited, and no page of src/{room} numbers it")
+    for match in OUTSIDE.finditer(text):
+        problems.append(f'{at(match)}: "{" ".join(match.group(0).split())}" cites a document outside the repository')
+    return problems
+
+
+def check_all():
+    pages = {p: sources.read(p) for p in sources.tracked("src", suffixes=(".md",))}
+    rooms, problems = check_pages(pages)
+    for path in sources.tracked(*FOLDERS, suffixes=CODE + TEXT):
+        if path != THIS_RULE:
+            problems += check_text(path, sources.read(path), rooms)
+    return problems
+
+
+def self_test():
+    page = "# Rock\n\n    V = A h   (1)\n\n```\nx = y,  (2)\n```\n\n- (3) Contract.\n- **(4)** Another.\n\n(5) A paragraph.\n" \
+           "| (6) | a row |\n\nProse that ends with rock (9)\nA list (10) of things.\n"
+    assert numbered(page) == ["(1)", "(2)", "(3)", "(4)", "(5)", "(6)"], numbered(page)
+    rooms, problems = check_pages({"src/rock/README.md": page, "src/rock/cut/MORE.md": "    a   (7a)\n",
+                                   "src/README.md": "(8) of no room\n"})
+    assert not problems and "(7a)" in rooms["rock"] and "(8)" not in rooms["rock"]
+    assert check_pages({"src/rock/README.md": page, "src/rock/cut/MORE.md": "    a   (3)\n"})[1]
+    good = [("a.cpp", "// see rock (1), (2) and (3)"), ("a.cpp", "/// by rock\n/// (4) to (6)."), ("a.md", "`rock` (5)"),
+            ("a.cpp", 'f("rock (99)");'), ("a.cpp", "int rock (99);"), ("a.md", "a rocky (99)"), ("a.md", "another formulation:"),
+            ("a.md", "two formulations, 3 tests"), ("a.py", "# rock (7a)")]
+    bad = [("a.cpp", "// rock (9)"), ("a.cpp", "// rock (1) and\n// (9)"), ("a.cpp", "/* mesh (1) */"), ("a.md", "rock (7)"),
+           ("a.cpp", "/// formulation 4"), ("a.cpp", "/// (Formulation\n/// 2.6)"), ("a.toml", "# formulation 3, M1")]
+    for path, text in good:
+        assert not check_text(path, text, rooms), (path, text)
+    for path, text in bad:
+        assert len(check_text(path, "\n" + text, rooms)) == 1 and ":2:" in check_text(path, "\n" + text, rooms)[0], (path, text)
+
+
+if __name__ == "__main__":
+    sources.main(check_all, self_test)
