@@ -1,8 +1,7 @@
 #pragma once
 
-namespace tdbd::tolerance {
-
 /// Every tolerance of the program, each with its scale. None is loosened to make a test pass.
+namespace tdbd::tolerance {
 
 /// No rock vertex deeper than this inside a cutting part; scale: bit diameter (formulation 2.1).
 inline constexpr double inside = 1e-9;

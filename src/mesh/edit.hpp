@@ -4,6 +4,7 @@
 
 namespace tdbd::mesh {
 
+/// @file
 /// The surgeries of section 4.2 and a flip as pure connectivity: they ask no questions about shape
 /// (the guards are in rock/) but keep every adjacency right. Thesis: 4.2.1, 4.2.2.
 

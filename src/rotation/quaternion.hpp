@@ -6,6 +6,7 @@
 
 namespace tdbd::rotation {
 
+/// @file
 /// Unit quaternions as attitudes; S is double or a number that carries derivatives.
 
 /// The rotation by |v| about v, rad.

@@ -5,6 +5,7 @@
 
 namespace tdbd::rotation {
 
+/// @file
 /// Stumpff's functions c_k(x) = sum_j (-x)^j / (2j + k)! of x = t^2:
 ///   c_0 = cos t, c_1 = sin t / t, c_2 = (1 - cos t) / t^2, c_3 = (t - sin t) / t^3, ...
 /// They have no singularity at zero and serve doubles as well as numbers that carry derivatives.

@@ -6,6 +6,7 @@
 
 namespace tdbd::rotation {
 
+/// @file
 /// R = Swing Twist: the twist turns about space z, the swing tilts z to R z.
 ///
 /// The twist angle counts windings. A quaternion that moves by small steps shows it modulo 4 pi;

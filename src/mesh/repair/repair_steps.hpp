@@ -8,6 +8,7 @@
 
 namespace tdbd::mesh {
 
+/// @file
 /// The operations of repair(). Each returns how many things it changed; 0 leaves the mesh as it is.
 
 /// Makes points closer than `weld` (equal ones for 0) one, the first of them. Facets keep their
