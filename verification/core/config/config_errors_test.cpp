@@ -5,7 +5,7 @@
 
 #include "core/config/config.hpp"
 #include "core/error.hpp"
-#include "temporary_file.hpp"
+#include "core/temporary_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd {
