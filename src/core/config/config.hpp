@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,31 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "core/config/key.hpp"
 #include "core/types.hpp"
 
 namespace tdbd {
 
-/// The values that a quantity may take, in SI.
-struct Range {
-  enum class Ends { closed, open_lo };  ///< open_lo: greater than lo, not lo itself
-  double lo = -std::numeric_limits<double>::infinity();
-  double hi = std::numeric_limits<double>::infinity();
-  Ends ends = Ends::closed;
-
-  bool contains(double x) const { return (ends == Ends::closed ? x >= lo : x > lo) && x <= hi; }
-  std::string text() const;  ///< ", > 0", ", in [0, 1]"; empty when there is no limit
-
-  static Range positive() { return {.lo = 0.0, .ends = Ends::open_lo}; }
-  static Range non_negative() { return {.lo = 0.0}; }
-  static Range within(double lo, double hi) { return {.lo = lo, .hi = hi}; }
-};
-
 struct ConfigDocument;  // the file, the keys that were read, and the problems found so far
 
-/// Strict reader of a TOML file. A key is dotted ("motion.whirl.radius") and relative to the table
-/// that this Config stands for. A read without a fallback is required. A wrong or missing value
-/// never throws at once: the read notes the problem and returns the fallback or a harmless value,
-/// so that finish() can report every mistake of the file together.
+/// Strict reader of a TOML file. A key is relative to the table that this Config stands for. A wrong
+/// or missing value never throws at once: the read notes the problem and returns the fallback or a
+/// harmless value, so that finish() can report every mistake of the file together.
 class Config {
  public:
   /// Parses a file, then applies overrides "key.sub=value" (a TOML value, or else a bare string).
@@ -45,6 +29,51 @@ class Config {
 
   /// Whether the key is given as a text. Does not count as reading it.
   bool is_text(std::string_view key) const;
+
+  /// Reads a declared key. A quantity is a string with a unit ("8.5 in") or a number in the key's
+  /// SI unit, and is returned in that unit; a path is returned absolute.
+  double read(const QuantityKey& key) { return read(key, key.fallback); }
+  Vec3 read(const VectorKey& key);
+  template <class T>
+  T read(const ArrayKey<T>& key) {
+    return read(key, std::optional<T>());
+  }
+  long read(const IntegerKey& key) { return read(key, key.fallback); }
+  bool read(const FlagKey& key);
+  std::string read(const TextKey& key);
+  std::string read(const PathKey& key);
+  template <class E>
+  E read(const ChoiceKey<E>& key) {
+    return read(key, key.fallback);
+  }
+  std::string read(const NameKey& key) { return read(key, std::optional<std::string>()); }
+
+  /// Reads a key whose fallback is computed (`usual`); none: the key is required here.
+  double read(const QuantityKey& key, std::optional<double> fallback);
+  Vec3 read(const VectorKey& key, const std::optional<Vec3>& fallback);
+  std::vector<double> read(const ListKey& key, std::optional<std::vector<double>> fallback);
+  std::vector<std::pair<double, double>> read(
+      const PairsKey& key, std::optional<std::vector<std::pair<double, double>>> fallback);
+  Mat3 read(const MatrixKey& key, const std::optional<Mat3>& fallback);
+  long read(const IntegerKey& key, std::optional<long> fallback);
+  template <class E>
+  E read(const ChoiceKey<E>& key, std::optional<E> fallback) {
+    note_former_names(key, key.former);
+    std::vector<std::pair<std::string, E>> names;
+    for (const auto& named : key.values)
+      if (!named.name.empty()) names.emplace_back(std::string(named.name), named.value);
+    return choice<E>(key.name, names, fallback);
+  }
+  std::string read(const NameKey& key, const std::optional<std::string>& fallback);
+
+  /// The table, given or not, and the tables of an array of tables, named by the last part of the
+  /// key's name.
+  Config table(const TableKey& key);
+  std::vector<Config> tables(const TableKey& key);
+  bool has(const TableKey& key) const;
+
+  // The same by names and units, for keys that no declaration stands for. A key may be dotted
+  // ("motion.whirl.radius"); a read without a fallback is required.
 
   /// A string with a unit ("8.5 in") or a number in `si_unit`; returned in `si_unit`.
   double quantity(std::string_view key, const std::string& si_unit, std::optional<double> fallback,
@@ -128,6 +157,7 @@ class Config {
   std::size_t choice_index(std::string_view key, const std::vector<std::string>& names,
                            std::optional<std::size_t> fallback);
   std::string full(std::string_view key) const;
+  void note_former_names(std::string_view key, const FormerNames& former);
 
   std::shared_ptr<ConfigDocument> document_;
   std::string prefix_;  ///< dotted path of the table that this stands for; empty: the whole file

@@ -38,6 +38,7 @@ struct ConfigDocument {
   std::set<std::string> overridden;             ///< keys given by --set
   std::map<std::string, ResolvedValue> values;  ///< every key that was read
   std::set<std::string> tables;                 ///< every table that was asked for
+  std::set<std::string> renamed;  ///< keys that the file gives by a former name: not missing
   std::vector<ConfigProblem> problems;
   std::vector<std::string> other_mistakes;  ///< messages about files that this one names
 

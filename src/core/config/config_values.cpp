@@ -97,7 +97,7 @@ T read_value(ConfigDocument& document, const std::string& key, const std::option
     } catch (const UnitError& error) {
       document.add_problem(key, error.found, error.expected);
     }
-  } else if (!fallback) {
+  } else if (!fallback && document.renamed.count(key) == 0) {
     document.add_problem(key, "nothing", kind.expected + " (the key is required)");
   }
   document.values.try_emplace(key, ResolvedValue{kind.to_toml(value), kind.unit, ""});

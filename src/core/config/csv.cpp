@@ -11,17 +11,12 @@
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "core/text.hpp"
 
 namespace tdbd {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string> split(std::string_view line) {
+std::vector<std::string> split_cells(std::string_view line) {
   std::vector<std::string> cells;
   std::size_t comma = 0;
   while ((comma = line.find(',')) != std::string_view::npos) {
@@ -53,53 +48,59 @@ struct Problems {
   }
 };
 
-void add_header(CsvTable& table, const std::vector<std::string>& cells, long line,
-                Problems& problems) {
-  for (const std::string& name : cells) {
+void add_header(CsvTable& table, const CsvRow& row, Problems& problems) {
+  for (const std::string& name : row.cells) {
     if (name.empty() || finite_number(name))
-      problems.add(line, "header", fmt::format("\"{}\"", name), "the name of a column");
-    if (std::count(cells.begin(), cells.end(), name) > 1)
-      problems.add(line, "header", fmt::format("\"{}\" twice", name), "different names");
+      problems.add(row.line, "header", fmt::format("\"{}\"", name), "the name of a column");
+    if (std::count(row.cells.begin(), row.cells.end(), name) > 1)
+      problems.add(row.line, "header", fmt::format("\"{}\" twice", name), "different names");
   }
-  table.header = cells;
+  table.header = row.cells;
 }
 
-void add_row(CsvTable& table, const std::vector<std::string>& cells, long line,
-             Problems& problems) {
-  if (cells.size() != table.header.size()) {
-    problems.add(line, "row", fmt::format("{} values", cells.size()),
+void add_row(CsvTable& table, const CsvRow& row, Problems& problems) {
+  if (row.cells.size() != table.header.size()) {
+    problems.add(row.line, "row", fmt::format("{} values", row.cells.size()),
                  fmt::format("{}, as in the header", table.header.size()));
     return;
   }
-  std::vector<double> row;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::optional<double> value = finite_number(cells[i]);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const std::optional<double> value = finite_number(row.cells[i]);
     if (!value)
-      problems.add(line, table.header[i], fmt::format("\"{}\"", cells[i]), "a finite number");
-    row.push_back(value.value_or(0.0));
+      problems.add(row.line, table.header[i], fmt::format("\"{}\"", row.cells[i]),
+                   "a finite number");
+    numbers.push_back(value.value_or(0.0));
   }
-  table.rows.push_back(std::move(row));
-  table.lines.push_back(line);
+  table.rows.push_back(std::move(numbers));
+  table.lines.push_back(row.line);
 }
 
 }  // namespace
 
-CsvTable read_csv(const std::string& path) {
+std::vector<CsvRow> read_csv_rows(const std::string& path) {
   std::ifstream in(path);
   if (!in || !std::filesystem::is_regular_file(path))
     throw InputError(fmt::format("{}: found no such file, expected a CSV table", path));
-  CsvTable table{path, {}, {}, {}};
-  Problems problems{path, ""};
+  std::vector<CsvRow> rows;
   std::string text;
-  for (long line = 1; std::getline(in, text); ++line) {
+  for (int line = 1; std::getline(in, text); ++line) {
     std::string_view body = text;
     if (line == 1 && body.substr(0, 3) == "\xef\xbb\xbf") body.remove_prefix(3);
     body = trimmed(body);
-    if (body.empty() || body.front() == '#') continue;
+    if (!body.empty() && body.front() != '#') rows.push_back({line, split_cells(body)});
+  }
+  return rows;
+}
+
+CsvTable read_csv(const std::string& path) {
+  CsvTable table{path, {}, {}, {}};
+  Problems problems{path, ""};
+  for (const CsvRow& row : read_csv_rows(path)) {
     if (table.header.empty())
-      add_header(table, split(body), line, problems);
+      add_header(table, row, problems);
     else
-      add_row(table, split(body), line, problems);
+      add_row(table, row, problems);
   }
   if (table.header.empty()) problems.add(1, "header", "nothing", "the names of the columns");
   if (!problems.text.empty()) throw InputError(problems.text);

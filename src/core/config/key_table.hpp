@@ -1,0 +1,68 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/config/key.hpp"
+
+namespace tdbd {
+
+/// A declared key in words, whatever its type.
+struct KeyRow {
+  std::string name;
+  std::string kind;      ///< "m", "three rad/s", "whole number", "one of", ...
+  std::string fallback;  ///< as in a file ("0.03 m"), in words ("one turn of the bit"), "required"
+  std::string allowed;   ///< "> 0", "steady, whirl, ..."; empty: anything of its kind
+  std::string meaning;
+  std::string toml = {};  ///< a fixed fallback as the resolved file writes it; empty: there is none
+};
+
+/// A table with its keys, for `tdbd keys` and KEYS.md.
+struct KeyTable {
+  std::string file;  ///< what it stands in: "run", "rotate"
+  TableKey key;
+  std::vector<KeyRow> rows;
+};
+
+KeyRow row(const QuantityKey& key);
+KeyRow row(const VectorKey& key);
+KeyRow row(const ListKey& key);
+KeyRow row(const PairsKey& key);
+KeyRow row(const MatrixKey& key);
+KeyRow row(const IntegerKey& key);
+KeyRow row(const FlagKey& key);
+KeyRow row(const TextKey& key);
+KeyRow row(const PathKey& key);
+KeyRow row(const NameKey& key);
+
+/// A choice with its names; `fallback` is the name of the fallback, or empty.
+KeyRow choice_row(std::string_view name, const std::vector<std::string_view>& names,
+                  std::string_view fallback, std::string_view usual, std::string_view meaning);
+
+template <class E>
+KeyRow row(const ChoiceKey<E>& key) {
+  std::vector<std::string_view> names;
+  std::string_view fallback;
+  for (const auto& named : key.values) {
+    if (named.name.empty()) continue;
+    names.push_back(named.name);
+    if (key.fallback && *key.fallback == named.value) fallback = named.name;
+  }
+  return choice_row(key.name, names, fallback, key.usual, key.meaning);
+}
+
+/// "[motion.whirl]", "[[rock.layers]]", "top of the file".
+std::string header_of(const TableKey& key);
+
+/// The tables for a terminal, one under the other.
+std::string keys_as_text(std::span<const KeyTable> tables);
+
+/// The tables in Markdown.
+std::string keys_as_markdown(std::span<const KeyTable> tables);
+
+/// The tables of this name and those inside them ("motion": also "motion.whirl"). Throws InputError
+/// with the nearest name when there is none.
+std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::string& name);
+
+}  // namespace tdbd
