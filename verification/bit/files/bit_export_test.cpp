@@ -6,11 +6,8 @@
 #include <cmath>
 
 #include "bit/cone/part_pose.hpp"
-#include "bit/files/bit_export_solids.hpp"
-#include "mesh_bit.hpp"
-#include "simulation/case/case.hpp"
-#include "simulation/step/simulation.hpp"
-#include "verification/simulation/bit_reading.hpp"
+#include "bit/files/bit_reading.hpp"
+#include "bit/files/mesh_bit.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -59,46 +56,6 @@ TEST(bit_export, reads_back_from_single_precision) {
   expect_same_but_for_rounding(read(bit_b), read(exported(test_folder(), "stl")), 1e-8);
 }
 
-struct Drilled {
-  std::vector<double> by_part;
-  double all = 0.0;
-};
-
-/// 3 mm edges, 150 steps.
-Drilled drill(const fs::path& folder, const std::string& bit_file,
-              const std::vector<std::string>& overrides = {}) {
-  const Case c =
-      read_case(write_case(folder, bit_file,
-                           "shape = \"conforming\"\nedge_length = \"3 mm\"\nwall = \"15 mm\"",
-                           "step = \"1 ms\"\nduration = \"150 ms\""),
-                overrides);
-  Simulation s = start(c);
-  while (s.steps_done < c.time.steps) step(c, s);
-  Drilled d;
-  d.all = s.ledger.removed.value();
-  for (const auto& sum : s.ledger.removed_by_part) d.by_part.push_back(sum.value());
-  return d;
-}
-
-/// Largest difference of a part's volume, over the largest part's volume.
-double worst_part(const Drilled& a, const Drilled& b) {
-  const double scale = *std::max_element(a.by_part.begin(), a.by_part.end());
-  double worst = 0.0;
-  for (std::size_t i = 0; i < a.by_part.size(); ++i)
-    worst = std::max(worst, std::abs(a.by_part[i] - b.by_part.at(i)) / scale);
-  return worst;
-}
-
-TEST(bit_export, drills_the_same_hole) {
-  const fs::path folder = test_folder();
-  const Drilled original = drill(folder, bit_b);
-  for (const char* format : {"ply", "off", "stl"}) {
-    const Drilled again = drill(folder, exported(folder / format, format));
-    EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
-    EXPECT_LE(worst_part(original, again), 1e-6) << format;
-  }
-}
-
 TEST(bit_export, reads_back_with_cones_that_turn) {
   const Bit original = read(bit_r), again = read(exported(test_folder(), "stl", bit_r));
   ASSERT_EQ(again.cones.size(), 3u);
@@ -107,30 +64,6 @@ TEST(bit_export, reads_back_with_cones_that_turn) {
   for (std::size_t i = 0; i < original.parts.size(); ++i) {
     EXPECT_EQ(original.parts[i].cone, again.parts[i].cone);
     EXPECT_EQ(original.parts[i].mesh_P.positions, again.parts[i].mesh_P.positions);
-  }
-}
-
-TEST(bit_export, drills_the_same_hole_with_turning_cones) {
-  const fs::path folder = test_folder();
-  const std::vector<std::string> rolling{"motion.cone_speeds=rolling", "rock.edge_length=4 mm",
-                                         "rock.shape=flat"};
-  const Drilled original = drill(folder, bit_r, rolling);
-  const Drilled again = drill(folder, exported(folder / "out", "ply", bit_r), rolling);
-  EXPECT_GT(original.all, 5e-7);
-  EXPECT_NEAR(again.all / original.all, 1.0, 1e-6);
-  EXPECT_LE(worst_part(original, again), 1e-6);
-}
-
-/// The whole bit in one file: its parts lie in the bit's frame instead of their own.
-TEST(bit_export, drills_the_same_hole_from_one_file) {
-  const fs::path folder = test_folder();
-  const Drilled original = drill(folder, bit_b);
-  for (const char* format : {"stl", "obj", "ply", "off"}) {
-    fs::create_directories(folder / format);
-    export_solids(folder / format, read(bit_b), format);
-    const Drilled again = drill(folder, (folder / format / "solids.toml").string());
-    EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
-    EXPECT_LE(worst_part(original, again), 1e-6) << format;
   }
 }
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "bit/files/bit_reading.hpp"
+#include "bit/files/mesh_bit.hpp"
 #include "core/error.hpp"
-#include "mesh_bit.hpp"
 #include "verification/battery/shapes.hpp"
-#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::bit {
 namespace {

@@ -7,14 +7,11 @@
 #include <sstream>
 
 #include "bit/files/bit_export.hpp"
+#include "bit/files/bit_reading.hpp"
+#include "bit/files/mesh_bit.hpp"
 #include "bit/report/body_report.hpp"
 #include "core/error.hpp"
-#include "core/tolerance.hpp"
 #include "mesh/check/check.hpp"
-#include "mesh_bit.hpp"
-#include "simulation/case/case.hpp"
-#include "simulation/step/simulation.hpp"
-#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -125,26 +122,6 @@ TEST(blade_file, is_reported_with_units) {
   EXPECT_EQ(json["exposure_m"], 5e-3);
   EXPECT_GT(json["touches_at_m_per_rev"].get<double>(), 3e-3);
   EXPECT_NE(body_text(b, 5e-3).find("they touch it from"), std::string::npos);
-}
-
-/// Blades that may cut, 1.5 mm behind their cutters, at 8.3 mm a revolution: they remove rock, no
-/// vertex stays inside any part, and the ledger closes. A body that rubs removes none.
-TEST(blade_file, a_body_that_cuts_removes_rock_and_the_ledger_closes) {
-  const std::string shape = "exposure = \"1.5 mm\"\nslot_depth = \"16 mm\"\nedge = \"8 mm\"\n";
-  const std::string file = write_bit(shape + "cuts = true");
-  const auto folder = std::filesystem::path(file).parent_path();
-  const Case c = read_case(
-      write_case(folder, file, "shape = \"conforming\"\nwall = \"15 mm\"\nedge_length = \"4 mm\"",
-                 "step = \"2 ms\"\nduration = \"160 ms\""),
-      {});
-  Simulation s = start(c);
-  ASSERT_FALSE(s.bit.groups.empty());
-  ASSERT_EQ(s.bit.groups.back().parts[0].name, "bit-body");
-  EXPECT_TRUE(s.bit.groups.back().parts[0].tree_P.has_value());
-  const auto body = static_cast<std::size_t>(s.bit.groups.back().parts[0].part);
-  while (s.steps_done < c.time.steps) step(c, s);
-  EXPECT_GT(s.ledger.removed_by_part[body].value(), 1e-9);
-  EXPECT_LE(ledger_defect(s), tolerance::ledger);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "bit/files/bit_export.hpp"
+#include "bit/files/bit_reading.hpp"
+#include "bit/files/mesh_bit.hpp"
 #include "core/error.hpp"
-#include "mesh_bit.hpp"
-#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::bit {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "bit/files/bit_export_solids.hpp"
 #include "bit/files/solid_rules.hpp"
+#include "bit/files/bit_reading.hpp"
+#include "bit/files/mesh_bit.hpp"
 #include "core/error.hpp"
 #include "mesh/files/solids.hpp"
-#include "mesh_bit.hpp"
 #include "verification/battery/shapes.hpp"
-#include "verification/simulation/bit_reading.hpp"
 
 namespace tdbd::bit {
 namespace {
