@@ -73,10 +73,10 @@ Drilled drill(const fs::path& folder, const std::string& bit_file,
                            "step = \"1 ms\"\nduration = \"150 ms\""),
                 overrides);
   Simulation s = start(c);
-  while (s.steps_done < c.time.steps) step(c, s);
+  while (s.state.steps_done < c.time.steps) step(c, s);
   Drilled d;
-  d.all = s.ledger.removed.value();
-  for (const auto& sum : s.ledger.removed_by_part) d.by_part.push_back(sum.value());
+  d.all = s.state.ledger.removed.value();
+  for (const auto& sum : s.state.ledger.removed_by_part) d.by_part.push_back(sum.value());
   return d;
 }
 
