@@ -14,19 +14,19 @@ Drilling after_one_revolution(const std::string& name, double edge_length,
   Drilling d;
   settings.push_back(fmt::format("rock.edge_length={}", edge_length));
   d.plan = simulation::read_case(path, settings);
-  d.state = simulation::start(d.plan);
+  d.run = simulation::start(d.plan);
   const double per_step = simulation::angle_turned(d.plan.motion, d.plan.time.step);
   drill(d, std::lround(2.0 * std::numbers::pi / std::abs(per_step)));
   return d;
 }
 
 Pose pose_after(const Drilling& d, double steps) {
-  const double done = static_cast<double>(d.state.steps_done);
+  const double done = static_cast<double>(d.run.state.steps_done);
   return simulation::pose_at(d.plan.motion, d.plan.time.step * (done + steps));
 }
 
 void drill(Drilling& d, long steps) {
-  for (long i = 0; i < steps; ++i) simulation::step(d.plan, d.state);
+  for (long i = 0; i < steps; ++i) simulation::step(d.plan, d.run);
 }
 
 double cpu_seconds() {

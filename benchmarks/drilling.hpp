@@ -10,7 +10,7 @@ namespace tdbd::bench {
 /// A case and how far it is drilled.
 struct Drilling {
   simulation::Case plan;
-  simulation::Simulation state;
+  simulation::Simulation run;
 };
 
 /// The case `cases/NAME.toml` at this edge length (m) after its first revolution: a conforming

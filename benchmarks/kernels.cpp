@@ -20,7 +20,7 @@ Drilling bit_b() { return after_one_revolution("bit-b-steady", edge_length); }
 
 std::vector<rock::GroupMotion> next_motions(const Drilling& d) {
   std::vector<rock::GroupMotion> motions;
-  for (const rock::CuttingGroup& g : d.state.bit.groups)
+  for (const rock::CuttingGroup& g : d.run.work.cutting.groups)
     motions.push_back(rock::group_motion(g, pose_after(d, 0.0), pose_after(d, 1.0)));
   return motions;
 }
@@ -41,16 +41,16 @@ std::vector<Query> queries_of_next_step(const Drilling& d) {
   std::vector<Query> queries;
   rock::NearGroup near;
   rock::SweptScratch scratch;
-  for (const rock::CuttingGroup& g : d.state.bit.groups) {
+  for (const rock::CuttingGroup& g : d.run.work.cutting.groups) {
     const auto motion = rock::group_motion(g, pose_after(d, 0.0), pose_after(d, 1.0));
     rock::NearList list;
-    bring_up_to_date(d.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {},
-                     list);
-    rock::find_candidates(g, motion, d.state.rock.surface.positions, list, -1.0, near);
+    bring_up_to_date(d.run.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W},
+                     {}, list);
+    rock::find_candidates(g, motion, d.run.state.rock.surface.positions, list, -1.0, near);
     for (const int place : near.places)
       for (const rock::CuttingPart& part : g.parts) {
         const auto path = path_of(
-            g, motion, d.state.rock.surface.position(list.v[static_cast<std::size_t>(place)]));
+            g, motion, d.run.state.rock.surface.position(list.v[static_cast<std::size_t>(place)]));
         if (rock::is_swept(part, path, scratch)) queries.push_back({&part, path});
       }
   }
@@ -116,8 +116,8 @@ void grid_query(benchmark::State& state) {
   long vertices = 0;
   for (auto _ : state)
     for (const rock::GroupMotion& m : motions)
-      d.state.rock.grid.visit(m.region_W, chains,
-                              [&](const rock::VertexGrid::Block& b) { vertices += b.count; });
+      d.run.state.rock.grid.visit(m.region_W, chains,
+                                  [&](const rock::VertexGrid::Block& b) { vertices += b.count; });
   benchmark::DoNotOptimize(vertices);
   state.SetItemsProcessed(vertices);
 }
@@ -129,8 +129,9 @@ void find_candidates(benchmark::State& state) {
   rock::NearGroup near;
   for (auto _ : state)
     for (std::size_t i = 0; i < motions.size(); ++i) {
-      rock::find_candidates(d.state.bit.groups[i], motions[i], d.state.rock.surface.positions,
-                            d.state.rock.near_lists[i], -1.0, near);
+      rock::find_candidates(d.run.work.cutting.groups[i], motions[i],
+                            d.run.state.rock.surface.positions, d.run.state.rock.near_lists[i],
+                            -1.0, near);
       benchmark::DoNotOptimize(near.places.data());
     }
 }
@@ -143,9 +144,10 @@ void maintain(benchmark::State& state) {
   long touched = 0;
   for (auto _ : state) {
     drill(d, period);
-    touched += static_cast<long>(d.state.rock.touched_list.size());
+    touched += static_cast<long>(d.run.state.rock.touched_list.size());
     const double start = cpu_seconds();
-    rock::maintain(d.state.rock, d.state.limits, d.state.maintenance_work, d.state.maintenance);
+    rock::maintain(d.run.state.rock, d.run.work.limits, d.run.work.maintenance_work,
+                   d.run.state.maintenance);
     state.SetIterationTime(cpu_seconds() - start);
   }
   state.SetItemsProcessed(touched);
@@ -154,15 +156,15 @@ void maintain(benchmark::State& state) {
 /// One iteration measures the sections ahead of all 40 faces of the standard workload.
 void sections(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", edge_length);
-  const simulation::Measures& m = d.state.measures;
+  const std::vector<rock::SectionFace>& faces = d.run.work.faces.faces;
   const Pose X_WB0 = pose_after(d, -1.0), X_WB1 = pose_after(d, 0.0);
   const rotation::Twist twist = rotation::twist_from(X_WB0, X_WB1, d.plan.time.step);
   const rock::SectionPlace place{d.plan.measure.section_lead * edge_length, edge_length};
   rock::SectionWork work;
   for (auto _ : state)
-    for (const rock::SectionFace& face : m.faces)
-      benchmark::DoNotOptimize(rock::section(d.state.rock, face, X_WB1, twist, place, work));
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(m.faces.size()));
+    for (const rock::SectionFace& face : faces)
+      benchmark::DoNotOptimize(rock::section(d.run.state.rock, face, X_WB1, twist, place, work));
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(faces.size()));
 }
 
 /// One iteration measures the contact areas of all its parts after a step.
@@ -172,7 +174,8 @@ void contact_areas(benchmark::State& state) {
   rock::ContactWork work;
   std::vector<rock::PartContact> contacts;
   for (auto _ : state) {
-    rock::contact_areas(d.state.rock, d.state.bit, d.state.cut_work, gap, work, contacts);
+    rock::contact_areas(d.run.state.rock, d.run.work.cutting, d.run.work.cut_work, gap, work,
+                        contacts);
     benchmark::DoNotOptimize(contacts.data());
   }
 }
@@ -184,11 +187,13 @@ void measures_in_a_run(benchmark::State& state) {
   d.plan.measure = {simulation::SectionMeasure::off, 1.0, simulation::ContactMeasure::off, 1.0};
   for (auto _ : state) {
     drill(d, 1);
-    const simulation::MeasuredStep step{d.plan.bit,       d.state.bit,         d.state.cut_work,
-                                        d.state.cut,      pose_after(d, -1.0), pose_after(d, 0.0),
-                                        d.plan.time.step, edge_length,         1};
+    const simulation::Move move{pose_after(d, -1.0), pose_after(d, 0.0), d.plan.time.step, 0.0, 1};
+    simulation::Work& work = d.run.work;
+    const simulation::MeasuredStep step{d.plan.bit,      work.cutting, work.cut_work,
+                                        d.run.state.cut, move,         edge_length};
     const double start = cpu_seconds();
-    simulation::measure(d.state.rock, plan, step, d.state.measures);
+    simulation::measure_cut(d.run.state.rock, plan, work.faces, step, work.measure_work,
+                            work.measures);
     state.SetIterationTime(cpu_seconds() - start);
   }
 }

@@ -16,10 +16,10 @@ void drill_and_report(benchmark::State& state, Drilling& d) {
   const double start = cpu_seconds();
   for (auto _ : state) {
     drill(d, 1);
-    moved += d.state.cut.moved;
+    moved += d.run.state.cut.moved;
   }
   const double seconds = cpu_seconds() - start;
-  state.counters["triangles"] = static_cast<double>(d.state.rock.surface.triangle_count());
+  state.counters["triangles"] = static_cast<double>(d.run.state.rock.surface.triangle_count());
   state.counters["moves"] = static_cast<double>(moved) / static_cast<double>(state.iterations());
   state.counters["ns_a_move"] = 1e9 * seconds / static_cast<double>(moved);
 }

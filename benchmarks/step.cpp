@@ -21,11 +21,11 @@ void step(benchmark::State& state, const char* name, double edge_length) {
   long moved = 0;
   for (auto _ : state) {
     drill(d, 1);
-    moved += d.state.cut.moved;
+    moved += d.run.state.cut.moved;
   }
   state.counters["moves"] =
       benchmark::Counter(static_cast<double>(moved), benchmark::Counter::kAvgIterations);
-  state.counters["triangles"] = static_cast<double>(d.state.rock.surface.triangle_count());
+  state.counters["triangles"] = static_cast<double>(d.run.state.rock.surface.triangle_count());
 }
 
 /// Corners of a cutter's disc, cutter frame: of its two rims, not of the mesh between them.
@@ -60,7 +60,7 @@ std::vector<std::vector<Vec3>> swept_corners_W(const Drilling& d, long steps) {
 
 mesh::TriangleMesh block_of(const Drilling& d) {
   constexpr double radius = 120 * mm, depth = 80 * mm;
-  return block_of_rock(d.state.rock.surface, radius, depth);
+  return block_of_rock(d.run.state.rock.surface, radius, depth);
 }
 
 /// What one side took for its steps.
@@ -81,11 +81,11 @@ void add(const BooleanCut& cut, Side& cgal) {
 
 /// Drills so many steps. A multiple of the maintenance's period counts its fair share.
 void add_steps(long steps, Drilling& d, Side& tdbd) {
-  const double removed_before = d.state.ledger.removed.value();
+  const double removed_before = d.run.state.ledger.removed.value();
   const double start = cpu_seconds();
   drill(d, steps);
   tdbd.cpu_seconds += cpu_seconds() - start;
-  tdbd.removed += d.state.ledger.removed.value() - removed_before;
+  tdbd.removed += d.run.state.ledger.removed.value() - removed_before;
   tdbd.steps += steps;
 }
 

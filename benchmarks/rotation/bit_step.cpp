@@ -11,12 +11,12 @@ namespace {
 void step(benchmark::State& state, const dynamics::DrillingSystem& system,
           const dynamics::DrillingState& from) {
   constexpr double h = 1e-4;
-  dynamics::Drilling d = dynamics::start_drilling(system, from);
+  dynamics::LumpedRun d = dynamics::go_on(system, dynamics::start_drilling(system, from));
   dynamics::Wrench wrench;
   for (auto _ : state) {
-    dynamics::open_step(system, h, d);
-    wrench.force_W = -1e-3 * dynamics::predicted(system, h, d).momentum_W;
-    dynamics::close_step(system, h, wrench, d);
+    dynamics::open_step(system, h, d, d.work);
+    wrench.force_W = -1e-3 * dynamics::predicted(system, h, d, d.work).momentum_W;
+    dynamics::close_step(system, h, wrench, d, d.work);
   }
 }
 

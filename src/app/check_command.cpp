@@ -13,7 +13,7 @@ void check_run(const std::string& file, const std::vector<std::string>& override
   const simulation::Case c = simulation::read_case(file, overrides);
   const simulation::Simulation s = simulation::start(c);
   fmt::print("{}: right; {} parts, {} triangles of rock, {} steps of {} s\n", file,
-             c.bit.parts.size(), s.start_triangles, c.time.steps, c.time.step);
+             c.bit.parts.size(), s.state.start_triangles, c.time.steps, c.time.step);
 }
 
 void check_rotate(const std::string& file, const std::vector<std::string>& overrides) {

@@ -41,8 +41,8 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder) {
 }
 
 std::string detail_of(const simulation::Simulation& s) {
-  return fmt::format("  {} triangles  {:.3f} cm3", s.rock.surface.triangle_count(),
-                     1e6 * s.ledger.removed.value());
+  return fmt::format("  {} triangles  {:.3f} cm3", s.state.rock.surface.triangle_count(),
+                     1e6 * s.state.ledger.removed.value());
 }
 
 simulation::RunOptions options_of(const Arguments& a) {
@@ -62,7 +62,8 @@ int run(const Arguments& a) {
   Progress progress;
   if (!a.quiet)
     options.progress = [&](const simulation::Simulation& s, long total) {
-      if (progress.is_due(s.steps_done, total)) progress.show(s.steps_done, total, detail_of(s));
+      if (progress.is_due(s.state.steps_done, total))
+        progress.show(s.state.steps_done, total, detail_of(s));
     };
   const simulation::RunSummary summary = simulation::run(c, options);
   if (!a.quiet) {

@@ -21,10 +21,10 @@ End end_of(double step) {
   const simulation::Simulation s = drilled(c);
   const dynamics::DrillingSystem& system = c.drilling.system;
   const dynamics::StoredEnergy stored =
-      dynamics::stored_energy(system, s.drive->at, s.drive->state);
-  return {s.drive->state.c_W, s.drive->state.momentum_W, s.place.turned,
-          s.drive->state.rotation.momentum_W.z(),
-          std::abs(dynamics::residual(stored, s.drive->ledger))};
+      dynamics::stored_energy(system, s.work.drive.at, s.state.drive->state);
+  return {s.state.drive->state.c_W, s.state.drive->state.momentum_W, s.state.place.turned,
+          s.state.drive->state.rotation.momentum_W.z(),
+          std::abs(dynamics::residual(stored, s.state.drive->ledger))};
 }
 
 const std::vector<double>& steps() {
@@ -101,7 +101,7 @@ TEST(Drilling, sticks_and_slips_near_the_frequency_of_its_string) {
       rock_case("stick-slip",
                 {"rock.edge_length='4 mm'", "time.duration='7 s'", "output.means_from='1.5 s'"});
   const simulation::Simulation s = drilled(c);
-  const simulation::Diagnosis d = simulation::diagnose(s.trace);
+  const simulation::Diagnosis d = simulation::diagnose(s.statistics.trace);
   const double expected =
       simulation::expected_of(c.drilling.system, c.motion.rotary_speed).torsional;
   EXPECT_GT(d.stick_slip_severity, 1.0);

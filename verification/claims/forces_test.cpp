@@ -31,8 +31,8 @@ std::vector<std::string> sharp(std::vector<std::string> more) {
 
 simulation::LoadFigures loads_of(const simulation::Case& c) {
   const simulation::Simulation s = drilled(c);
-  return simulation::figures_of(c.bit, s.load_statistics,
-                                c.time.step * static_cast<double>(s.steps_done));
+  return simulation::figures_of(c.bit, s.statistics.loads,
+                                c.time.step * static_cast<double>(s.state.steps_done));
 }
 
 simulation::LoadFigures sharp_loads(const std::vector<std::string>& more) {

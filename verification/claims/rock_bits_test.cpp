@@ -32,12 +32,12 @@ void record_surface(const std::string& hole, const simulation::Simulation& s) {
                simulation::ledger_defect(s), "1", tolerance::ledger);
   record_bound(
       "chapter4/no-remeshing", hole + ": pairs of triangles that intersect",
-      static_cast<double>(reference::self_intersecting_pairs(mesh::compact(s.rock.surface))), "1",
-      0.0);
+      static_cast<double>(reference::self_intersecting_pairs(mesh::compact(s.state.rock.surface))),
+      "1", 0.0);
   record_bound("chapter4/no-remeshing",
                hole + ": volume disturbed by maintenance over volume removed",
-               s.maintenance.volume_disturbed / s.ledger.removed.value(), "1", 1e-3);
-  const std::vector<double> q = qualities(s.rock.surface);
+               s.state.maintenance.volume_disturbed / s.state.ledger.removed.value(), "1", 1e-3);
+  const std::vector<double> q = qualities(s.state.rock.surface);
   const auto share_below = [&q](double limit) {
     return static_cast<double>(std::ranges::lower_bound(q, limit) - q.begin()) /
            static_cast<double>(q.size());
@@ -57,9 +57,9 @@ TEST_P(EveryBit, drills_steadily) {
   const simulation::Case c = rock_case(run.file, settings);
   simulation::Simulation s = simulation::start(c);
   long moves = 0;
-  while (s.steps_done < c.time.steps) {
+  while (s.state.steps_done < c.time.steps) {
     simulation::step(c, s);
-    moves += s.cut.moved;
+    moves += s.state.cut.moved;
   }
   const std::string hole =
       fmt::format("{} at {} edges, {} revolutions", run.name, run.edge_length, run.revolutions);

@@ -20,10 +20,10 @@ class LongHole : public testing::Test {
         rock_case("bit-b-steady", {"rock.edge_length='3 mm'", "time.revolutions=9",
                                    "time.step='5 ms'", "motion.rate_of_penetration='60 m/h'"}));
     hole_ = new simulation::Simulation(simulation::start(*case_));
-    start_triangles_ = hole_->rock.surface.triangle_count();
-    while (hole_->steps_done < case_->time.steps) {
+    start_triangles_ = hole_->state.rock.surface.triangle_count();
+    while (hole_->state.steps_done < case_->time.steps) {
       simulation::step(*case_, *hole_);
-      moves_ += hole_->cut.moved;
+      moves_ += hole_->state.cut.moved;
     }
   }
   static void TearDownTestSuite() {
@@ -60,17 +60,18 @@ TEST_F(LongHole, needs_few_operations) {
 }
 
 TEST_F(LongHole, needs_no_remeshing) {
-  record_bound(
-      "chapter4/no-remeshing", "bit B, 75 mm of hole: pairs of triangles that intersect",
-      static_cast<double>(reference::self_intersecting_pairs(mesh::compact(hole_->rock.surface))),
-      "1", 0.0);
+  record_bound("chapter4/no-remeshing", "bit B, 75 mm of hole: pairs of triangles that intersect",
+               static_cast<double>(
+                   reference::self_intersecting_pairs(mesh::compact(hole_->state.rock.surface))),
+               "1", 0.0);
   record_bound("chapter4/no-remeshing",
                "bit B, 75 mm of hole: volume disturbed by maintenance over volume removed",
-               hole_->maintenance.volume_disturbed / hole_->ledger.removed.value(), "1", 1e-3);
+               hole_->state.maintenance.volume_disturbed / hole_->state.ledger.removed.value(), "1",
+               1e-3);
 }
 
 TEST_F(LongHole, keeps_its_mesh_good) {
-  const std::vector<double> q = qualities(hole_->rock.surface);
+  const std::vector<double> q = qualities(hole_->state.rock.surface);
   const auto below = [&q](double limit) {
     return static_cast<double>(std::ranges::lower_bound(q, limit) - q.begin()) /
            static_cast<double>(q.size());
@@ -85,7 +86,7 @@ TEST_F(LongHole, keeps_its_mesh_good) {
 
 /// Interior edges longer than maintenance may leave them.
 TEST_F(LongHole, has_no_long_edge) {
-  const mesh::Surface& s = hole_->rock.surface;
+  const mesh::Surface& s = hole_->state.rock.surface;
   double longest = 0.0;
   for (int c = 0; c < 3 * s.triangle_slots(); ++c)
     if (s.triangle_is_alive(c / 3) && s.opposite_of(c) >= 0)
@@ -99,7 +100,7 @@ TEST_F(LongHole, has_no_long_edge) {
 
 /// Edge lengths of the bottom between two radii, over the length asked for: median.
 double median_edge(const simulation::Simulation& s, double from, double to) {
-  const mesh::Surface& m = s.rock.surface;
+  const mesh::Surface& m = s.state.rock.surface;
   double bottom = -1e300;
   for (int v = 0; v < m.vertex_slots(); ++v)
     if (m.is_alive(v)) bottom = std::max(bottom, m.position(v).z());
@@ -138,7 +139,7 @@ TEST_F(LongHole, has_the_pattern_that_the_cutters_make) {
   std::vector<double> by_cutter(case_->bit.cutters.size(), 0.0), errors;
   for (std::size_t i = 0; i < case_->bit.parts.size(); ++i)
     if (const int k = case_->bit.parts[i].cutter; k >= 0)
-      by_cutter[static_cast<std::size_t>(k)] += hole_->ledger.removed_by_revolution[8][i];
+      by_cutter[static_cast<std::size_t>(k)] += hole_->state.ledger.removed_by_revolution[8][i];
   errors.reserve(by_cutter.size());
   for (std::size_t k = 0; k < by_cutter.size(); ++k)
     if (const double v = expected.volume_per_revolution[k]; v > 0.01 * expected.total)

@@ -21,8 +21,8 @@ void record_sound(const std::string& claim, const std::string& motion, const sim
                simulation::ledger_defect(s), "1", tolerance::ledger);
   record_bound(
       claim, motion + ": pairs of triangles that intersect",
-      static_cast<double>(reference::self_intersecting_pairs(mesh::compact(s.rock.surface))), "1",
-      0.0);
+      static_cast<double>(reference::self_intersecting_pairs(mesh::compact(s.state.rock.surface))),
+      "1", 0.0);
   record_bound("chapter4/vertices-outside",
                motion + ": deepest rock vertex in a cutting part, over the bit's diameter",
                deepest_inside(c, s) / (2.0 * c.bit.gage_radius), "1", tolerance::inside);
@@ -49,8 +49,9 @@ simulation::Case whirling(const Driller& d, const std::string& sense) {
 /// Largest distance of bottom vertices from the axis of space, m.
 double hole_radius(const simulation::Simulation& s) {
   double r = 0.0;
-  for (int v = 0; v < s.rock.surface.vertex_slots(); ++v)
-    if (s.rock.surface.is_alive(v)) r = std::max(r, s.rock.surface.position(v).head<2>().norm());
+  for (int v = 0; v < s.state.rock.surface.vertex_slots(); ++v)
+    if (s.state.rock.surface.is_alive(v))
+      r = std::max(r, s.state.rock.surface.position(v).head<2>().norm());
   return r;
 }
 

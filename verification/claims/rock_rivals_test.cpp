@@ -74,7 +74,7 @@ ZMap ours(double edge_length) {
   const simulation::Case c = plan_of(edge_length);
   simulation::Simulation s = simulation::start(c);
   for (long i = 0; i < turn_steps; ++i) simulation::step(c, s);
-  return reference::z_map_of(mesh::compact(s.rock.surface), half_of_map(), fine().cells);
+  return reference::z_map_of(mesh::compact(s.state.rock.surface), half_of_map(), fine().cells);
 }
 
 /// Without the axis and the gage's edge, where depths are no distances.
@@ -122,7 +122,7 @@ std::vector<double> volume_errors(double edge_length, double exact) {
   for (long i = 0; i < 4 * turn_steps; ++i) simulation::step(c, s);
   std::vector<double> errors;
   for (std::size_t k = 1; k < 4; ++k) {
-    const std::vector<double>& parts = s.ledger.removed_by_revolution[k];
+    const std::vector<double>& parts = s.state.ledger.removed_by_revolution[k];
     errors.push_back(std::accumulate(parts.begin(), parts.end(), 0.0) / exact - 1.0);
   }
   return errors;

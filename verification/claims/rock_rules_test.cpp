@@ -29,9 +29,9 @@ PerMove operations_per_move(const std::string& rule) {
                        "motion.rate_of_penetration='60 m/h'", "update.directions='" + rule + "'"});
   simulation::Simulation s = simulation::start(c);
   long moves = 0;
-  while (s.steps_done < c.time.steps) {
+  while (s.state.steps_done < c.time.steps) {
     simulation::step(c, s);
-    moves += s.cut.moved;
+    moves += s.state.cut.moved;
   }
   return {static_cast<double>(thesis_operations(s)) / static_cast<double>(moves),
           static_cast<double>(operations(s)) / static_cast<double>(moves)};

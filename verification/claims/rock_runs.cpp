@@ -20,7 +20,7 @@ simulation::Case until_an_update(simulation::Case c) {
 
 simulation::Simulation drilled(const simulation::Case& c) {
   simulation::Simulation s = simulation::start(c);
-  while (s.steps_done < c.time.steps) simulation::step(c, s);
+  while (s.state.steps_done < c.time.steps) simulation::step(c, s);
   return s;
 }
 
@@ -37,12 +37,12 @@ long thesis_operations(const simulation::Simulation& s) {
   using rock::Operation;
   long sum = 0;
   for (const Operation o : {Operation::collapse, Operation::bisection, Operation::smoothing})
-    sum += s.maintenance.carried_out(o);
+    sum += s.state.maintenance.carried_out(o);
   return sum;
 }
 
 long operations(const simulation::Simulation& s) {
-  return std::accumulate(s.maintenance.done.begin(), s.maintenance.done.end(), 0L);
+  return std::accumulate(s.state.maintenance.done.begin(), s.state.maintenance.done.end(), 0L);
 }
 
 double volume_per_revolution(const simulation::Case& c) {
@@ -53,18 +53,18 @@ double volume_per_revolution(const simulation::Case& c) {
 }
 
 double removed_in(const simulation::Simulation& s, std::size_t revolution) {
-  const std::vector<double>& parts = s.ledger.removed_by_revolution.at(revolution);
+  const std::vector<double>& parts = s.state.ledger.removed_by_revolution.at(revolution);
   return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 
 double deepest_inside(const simulation::Case& c, const simulation::Simulation& s) {
-  const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(s.steps_done));
+  const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(s.state.steps_done));
   double deepest = 0.0;
-  for (const rock::CuttingGroup& g : s.bit.groups) {
+  for (const rock::CuttingGroup& g : s.work.cutting.groups) {
     const Pose X_PW = inverse(X_WB * g.X_BP1);  // cones turn in a step
-    for (int v = 0; v < s.rock.surface.vertex_slots(); ++v) {
-      if (!s.rock.surface.is_alive(v)) continue;
-      const Vec3 x_P = X_PW * s.rock.surface.position(v);
+    for (int v = 0; v < s.state.rock.surface.vertex_slots(); ++v) {
+      if (!s.state.rock.surface.is_alive(v)) continue;
+      const Vec3 x_P = X_PW * s.state.rock.surface.position(v);
       if (!g.box_P.contains(x_P)) continue;
       for (const rock::CuttingPart& p : g.parts)
         deepest = std::max(deepest, rock::depth_inside(p, x_P));

@@ -31,7 +31,7 @@ struct OneStep {
       rock_case("bit-b-steady", {"rock.edge_length='2.5 mm'", "time.revolutions=0.5",
                                  "time.step='5 ms'", "motion.rate_of_penetration='60 m/h'"});
   simulation::Simulation s = drilled(c);
-  rock::CuttingBit cutter = s.bit;
+  rock::CuttingBit cutter = s.work.cutting;
   Pose X_WB0 = pose_at(c.motion, 0.25), X_WB1 = pose_at(c.motion, 0.262);
   rock::Rock after;
   rock::CutReport report;
@@ -41,7 +41,7 @@ struct OneStep {
     std::erase_if(cutter.groups, [&](const rock::CuttingGroup& g) {
       return c.bit.parts[static_cast<std::size_t>(g.parts.front().part)].cutter != shoulder;
     });
-    after = s.rock;
+    after = s.state.rock;
     rock::CutWorkspace work;
     rock::cut_rock(after, cutter, X_WB0, X_WB1, work, report);
   }
@@ -70,18 +70,19 @@ Json vertex_rows(const OneStep& one, long& moved) {
   const rock::GroupMotion motion = group_motion(one.group(), one.X_WB0, one.X_WB1);
   rock::NearList near_list;
   rock::NearGroup near_group;
-  bring_up_to_date(one.s.rock.grid,
+  bring_up_to_date(one.s.state.rock.grid,
                    {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, near_list);
-  find_candidates(one.group(), motion, one.s.rock.surface.positions, near_list, -1.0, near_group);
+  find_candidates(one.group(), motion, one.s.state.rock.surface.positions, near_list, -1.0,
+                  near_group);
   std::vector<int>& candidates = near_group.places;
   for (int& v : candidates) v = near_list.v[static_cast<std::size_t>(v)];
   mesh::Box near = motion.region_W.box;
   near.lo -= Vec3::Constant(8e-3);
   near.hi += Vec3::Constant(8e-3);
   Json rows = Json::array();
-  for (int v = 0; v < one.s.rock.surface.vertex_slots(); ++v) {
-    const Vec3 &from = one.s.rock.surface.position(v), &to = one.after.surface.position(v);
-    if (!one.s.rock.surface.is_alive(v) || !near.contains(from)) continue;
+  for (int v = 0; v < one.s.state.rock.surface.vertex_slots(); ++v) {
+    const Vec3 &from = one.s.state.rock.surface.position(v), &to = one.after.surface.position(v);
+    if (!one.s.state.rock.surface.is_alive(v) || !near.contains(from)) continue;
     const bool is_moved = from != to;
     moved += is_moved;
     rows.push_back({{"what", "vertex"},
@@ -101,7 +102,7 @@ Json vertex_rows(const OneStep& one, long& moved) {
 /// Triangles of which a corner moved, with the volume of the prism between old and new.
 Json prism_rows(const OneStep& one, double& sum) {
   Json rows = Json::array();
-  const mesh::Surface &before = one.s.rock.surface, &after = one.after.surface;
+  const mesh::Surface &before = one.s.state.rock.surface, &after = one.after.surface;
   for (const mesh::Triangle& t : before.triangles) {
     if (t[0] < 0) continue;
     rock::Corners from, to;
@@ -137,7 +138,7 @@ TEST(RockFigures, show_the_prisms_of_the_step) {
                "one step of one cutter of bit B: sum of prisms against the change of the hole, "
                "relative",
                std::abs(sum / (mesh::hole_volume(one.after.surface, Vec3::Zero()) -
-                               mesh::hole_volume(one.s.rock.surface, Vec3::Zero())) -
+                               mesh::hole_volume(one.s.state.rock.surface, Vec3::Zero())) -
                         1.0),
                "1", 1e-9);
 }

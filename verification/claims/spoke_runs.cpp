@@ -110,7 +110,7 @@ SpokeDrilling drill_spokes(const simulation::Case& plan, int spokes, double fine
   simulation::Simulation s = simulation::start(plan);
   SpokeDrilling d;
   d.plan = plan;
-  const mesh::TriangleMesh start_W = mesh::compact(s.rock.surface);
+  const mesh::TriangleMesh start_W = mesh::compact(s.state.rock.surface);
   const double gage = plan.bit.gage_radius, half = gage + margin;
   d.points = points_within(start_W, 0.0, inside_gage(plan.bit));
   d.fine = reference::z_map_of(start_W, half, static_cast<int>(std::lround(2 * half / fine_cell)));
@@ -127,8 +127,8 @@ SpokeDrilling drill_spokes(const simulation::Case& plan, int spokes, double fine
     reference::cut_sweep(d.langeveld, tools, step.X_WB1);
     simulation::step(plan, s);
   }
-  d.mesh_W = mesh::compact(s.rock.surface);
-  d.mesh_removed = s.ledger.removed.value();
+  d.mesh_W = mesh::compact(s.state.rock.surface);
+  d.mesh_removed = s.state.ledger.removed.value();
   return d;
 }
 

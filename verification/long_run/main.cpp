@@ -72,69 +72,70 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 
 /// Steps up to `end`; the maintenance that ends them is asked about its promises.
 std::string drill(const Case& c, Simulation& s, long end, Times& times) {
-  const long touched_before = s.maintenance.touched_triangles;
-  while (s.steps_done < end - 1) {
+  const long touched_before = s.state.maintenance.touched_triangles;
+  while (s.state.steps_done < end - 1) {
     const double before = cpu_seconds();
     step(c, s);
     const double took = cpu_seconds() - before;
-    const bool maintained = s.steps_done % c.maintenance.every == 0;
+    const bool maintained = s.state.steps_done % c.maintenance.every == 0;
     (maintained ? times.maintaining : times.cutting) += took;
     times.maintenances += maintained ? 1 : 0;
   }
-  times.triangles = s.maintenance.touched_triangles - touched_before;
+  times.triangles = s.state.maintenance.touched_triangles - touched_before;
   Case without = c;
   without.maintenance.every = 0;
   step(without, s);
-  const tdbd::rock::Rock before = s.rock;
+  const tdbd::rock::Rock before = s.state.rock;
   tdbd::rock::MaintenanceReport alone;
-  tdbd::rock::maintain(s.rock, s.limits, s.maintenance_work, alone);
-  const auto found =
-      tdbd::rock::check_maintenance(before, s.rock, s.limits, alone, s.maintenance_work.strays);
-  tdbd::rock::add(alone, s.maintenance);
+  tdbd::rock::maintain(s.state.rock, s.work.limits, s.work.maintenance_work, alone);
+  const auto found = tdbd::rock::check_maintenance(before, s.state.rock, s.work.limits, alone,
+                                                   s.work.maintenance_work.strays);
+  tdbd::rock::add(alone, s.state.maintenance);
   return tdbd::rock::describe(found, 3);
 }
 
 bool print_row(const Simulation& s, double depth, const Times& t, long cut_steps,
                const std::string& broken) {
-  const Quality q = quality_of(s.rock.surface);
-  const auto pairs = tdbd::reference::self_intersecting_pairs(tdbd::mesh::compact(s.rock.surface));
-  const double removed = s.ledger.removed.value();
+  const Quality q = quality_of(s.state.rock.surface);
+  const auto pairs =
+      tdbd::reference::self_intersecting_pairs(tdbd::mesh::compact(s.state.rock.surface));
+  const double removed = s.state.ledger.removed.value();
   const double a_step = t.cutting / static_cast<double>(std::max(1L, cut_steps));
   const double maintaining = t.maintaining - a_step * static_cast<double>(t.maintenances);
   const double a_triangle = maintaining / static_cast<double>(std::max(1L, t.triangles));
   fmt::print("{:9} {:9.2f} {:9} {:5} {:6.3f} {:6.3f} {:9.2e} {:9.1e} {:8.0f} {:6.0f}  {}\n",
-             s.steps_done, 1e3 * depth, s.rock.surface.triangle_count(), pairs, q.worst,
-             q.one_percent, s.maintenance.volume_disturbed / removed,
-             s.maintenance.volume_change / removed, 1e6 * a_step, 1e9 * a_triangle,
+             s.state.steps_done, 1e3 * depth, s.state.rock.surface.triangle_count(), pairs, q.worst,
+             q.one_percent, s.state.maintenance.volume_disturbed / removed,
+             s.state.maintenance.volume_change / removed, 1e6 * a_step, 1e9 * a_triangle,
              broken.empty() ? "none" : broken);
   std::fflush(stdout);
   return pairs == 0 && broken.empty();
 }
 
 void print_counts(const Simulation& s) {
-  for (const auto& [name, count] : tdbd::rock::counts(s.maintenance))
+  for (const auto& [name, count] : tdbd::rock::counts(s.state.maintenance))
     if (count > 0) fmt::print("{} {}\n", name, count);
   fmt::print("ledger defect {:.1e}\n", tdbd::simulation::ledger_defect(s));
 }
 
 /// The worst triangles that are left, and what the guards say of their shortest edge's collapse.
 void print_worst(const Simulation& s) {
-  const Surface& m = s.rock.surface;
+  const Surface& m = s.state.rock.surface;
   std::vector<std::pair<double, int>> bad;
   for (int t = 0; t < m.triangle_slots(); ++t) {
     const auto& [a, b, c] = m.triangles[static_cast<std::size_t>(t)];
     if (a < 0) continue;
     const double q = tdbd::mesh::triangle_quality(m.position(a), m.position(b), m.position(c));
-    if (q < s.limits.worst_quality) bad.emplace_back(q, t);
+    if (q < s.work.limits.worst_quality) bad.emplace_back(q, t);
   }
   std::sort(bad.begin(), bad.end());
-  fmt::print("{} triangles below quality {}\n", bad.size(), s.limits.worst_quality);
+  fmt::print("{} triangles below quality {}\n", bad.size(), s.work.limits.worst_quality);
   for (std::size_t i = 0; i < std::min<std::size_t>(bad.size(), 8); ++i) {
     const auto& v = m.triangles[static_cast<std::size_t>(bad[i].second)];
     fmt::print("  {:.4f}", bad[i].first);
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = v[k], b = v[(k + 1) % 3];
-      const auto verdict = tdbd::rock::judge_collapse(m, a, b, s.limits);
+      const auto verdict = tdbd::rock::judge_collapse(m, a, b, s.work.limits);
       fmt::print("  {:.3f} mm {}", 1e3 * (m.position(a) - m.position(b)).norm(),
                  verdict.refused
                      ? tdbd::rock::refusal_names[static_cast<std::size_t>(*verdict.refused)]
@@ -146,7 +147,7 @@ void print_worst(const Simulation& s) {
 }
 
 void print_pairs(const Simulation& s) {
-  const auto m = tdbd::mesh::compact(s.rock.surface);
+  const auto m = tdbd::mesh::compact(s.state.rock.surface);
   const auto pairs = tdbd::reference::self_intersections(m);
   for (std::size_t i = 0; i < std::min<std::size_t>(pairs.size(), 8); ++i) {
     const auto& v = m.triangles[static_cast<std::size_t>(pairs[i].first)];
@@ -161,12 +162,13 @@ void print_pairs(const Simulation& s) {
 int run(const Options& o) {
   const Case c = tdbd::simulation::read_case(o.path, o.overrides);
   Simulation s = tdbd::simulation::start(c);
-  fmt::print("{}: {} steps, {} triangles at the start\n", o.path, c.time.steps, s.start_triangles);
+  fmt::print("{}: {} steps, {} triangles at the start\n", o.path, c.time.steps,
+             s.state.start_triangles);
   print_head();
   bool kept = true;
   for (long k = 1; k <= o.rows; ++k) {
     Times times;
-    const long from = s.steps_done, end = c.time.steps * k / o.rows;
+    const long from = s.state.steps_done, end = c.time.steps * k / o.rows;
     if (end <= from) continue;
     const std::string broken = drill(c, s, end, times);
     const double depth =
@@ -176,7 +178,7 @@ int run(const Options& o) {
   print_counts(s);
   print_worst(s);
   print_pairs(s);
-  if (!o.save.empty()) tdbd::mesh::write_mesh(o.save, tdbd::mesh::compact(s.rock.surface));
+  if (!o.save.empty()) tdbd::mesh::write_mesh(o.save, tdbd::mesh::compact(s.state.rock.surface));
   return kept ? 0 : 1;
 }
 

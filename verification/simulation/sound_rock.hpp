@@ -13,25 +13,27 @@ namespace tdbd::simulation {
 
 /// The pose that a simulation has reached.
 inline Pose pose_of(const Case& c, const Simulation& s) {
-  return pose_at(c.motion, c.time.step * static_cast<double>(s.steps_done));
+  return pose_at(c.motion, c.time.step * static_cast<double>(s.state.steps_done));
 }
 
 /// Steps to the end of the case; after every cut no vertex is inside the bit. Steps with
 /// maintenance are not asked: vertices that it made wait for the next cut.
 inline void run_out(const Case& c, Simulation& s, long ask_every = 1) {
-  while (s.steps_done < c.time.steps) {
+  while (s.state.steps_done < c.time.steps) {
     step(c, s);
-    const bool maintained = c.maintenance.every > 0 && s.steps_done % c.maintenance.every == 0;
-    if (maintained || s.steps_done % ask_every != 0) continue;
-    ASSERT_LE(deepest_penetration(s.rock, s.bit, pose_of(c, s)), tolerance::inside * s.bit.size)
-        << "after step " << s.steps_done;
+    const bool maintained =
+        c.maintenance.every > 0 && s.state.steps_done % c.maintenance.every == 0;
+    if (maintained || s.state.steps_done % ask_every != 0) continue;
+    ASSERT_LE(deepest_penetration(s.state.rock, s.work.cutting, pose_of(c, s)),
+              tolerance::inside * s.work.cutting.size)
+        << "after step " << s.state.steps_done;
   }
 }
 
 /// What must hold after any motion: the ledger closes, the surface is a disc and does not intersect
 /// itself (formulation 3, M1, M4, M5).
 inline void expect_sound(const Simulation& s) {
-  const mesh::TriangleMesh m = mesh::compact(s.rock.surface);
+  const mesh::TriangleMesh m = mesh::compact(s.state.rock.surface);
   EXPECT_LE(ledger_defect(s), tolerance::ledger);
   EXPECT_TRUE(mesh::check_surface(m).empty()) << mesh::describe(mesh::check_surface(m));
   EXPECT_EQ(reference::self_intersecting_pairs(m), 0U);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/whole_file.hpp"
 #include "mesh/files/vtp.hpp"
 #include "simulation/result/output_folder.hpp"
 #include "simulation/result/summary.hpp"

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <string>
 
-#include "mesh_bit.hpp"
+#include "verification/simulation/mesh_bit.hpp"
 
 namespace tdbd::simulation {
 

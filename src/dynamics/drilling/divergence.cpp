@@ -34,8 +34,7 @@ std::string beyond(const char* what, double value, double bound, const char* uni
   return fmt::format("{}: {:.4g} {}, beyond {:.4g}", what, value, unit, bound);
 }
 
-std::string too_fast(const Drilling& d, const DivergenceBounds& b) {
-  const DrillingVelocity& v = d.closing;
+std::string too_fast(const DrillingVelocity& v, const DivergenceBounds& b) {
   for (const std::string& why :
        {beyond("the bit's speed along x", v.v_W.x(), b.speed, "m/s"),
         beyond("the bit's speed along y", v.v_W.y(), b.speed, "m/s"),
@@ -72,14 +71,14 @@ const char* largest_store(const StoredEnergy& e) {
 
 }  // namespace
 
-std::string divergence(const DrillingSystem& system, const Drilling& d,
+std::string divergence(const DrillingSystem& system, const Drilling& d, const DrillingWork& work,
                        const DivergenceBounds& bounds) {
   const auto at = [&](const std::string& why) {
     return fmt::format("{} at t = {:.9g} s", why, d.state.rotation.time);
   };
   if (const std::string what = not_finite(d); !what.empty()) return at(what + " is not finite");
-  if (const std::string why = too_fast(d, bounds); !why.empty()) return at(why);
-  const StoredEnergy now = stored_energy(system, d.at, d.state);
+  if (const std::string why = too_fast(work.closing, bounds); !why.empty()) return at(why);
+  const StoredEnergy now = stored_energy(system, work.at, d.state);
   const double left = residual(now, d.ledger);
   const double moved = throughput(d.ledger);
   if (std::abs(left) <= bounds.energy_residual * moved + bounds.least_energy) return "";

@@ -17,7 +17,7 @@ struct DivergenceBounds {
 /// What of a closed step has diverged, with its value and the time (speeds: means over the closing
 /// kick); empty when nothing has. Looks at numbers that are not finite first, the wrench before the
 /// state: it is the cause.
-std::string divergence(const DrillingSystem& system, const Drilling& d,
+std::string divergence(const DrillingSystem& system, const Drilling& d, const DrillingWork& work,
                        const DivergenceBounds& bounds = {});
 
 }  // namespace tdbd::dynamics

@@ -9,26 +9,39 @@
 namespace tdbd::dynamics {
 namespace {
 
+/// The two kicks of a step h, h/2 each.
+enum class Kick { opening, closing };
+
+/// Share of h/2 over which a wrench's cone torques act in a kick.
+double cone_share(ConeImpulse impulse, Kick kick) {
+  if (impulse == ConeImpulse::halves) return 1.0;
+  return kick == Kick::closing ? 2.0 : 0.0;
+}
+
 /// Held rock takes none.
-void add_impulse(const DrillingSystem& system, double h, const Wrench& w, DrillingState& s) {
+void add_impulse(const DrillingSystem& system, double h, const Wrench& w, double cone_share,
+                 DrillingState& s) {
   s.momentum_W += h * w.force_W;
   s.rotation.momentum_W += h * w.torque_W;
-  for (std::size_t k = 0; k < w.cones.size(); ++k) s.rotation.cone_momenta[k] += h * w.cones[k];
+  for (std::size_t k = 0; k < w.cones.size(); ++k)
+    s.rotation.cone_momenta[k] += h * (cone_share * w.cones[k]);
   if (system.rock.mass > 0.0) s.rock_momentum += h * w.rock_force;
 }
 
-void give_impulses(const DrillingSystem& system, double h, const Drilling& d, DrillingState& s) {
-  add_impulse(system, h, d.at.conservative, s);
-  add_impulse(system, h, d.wrench, s);
+void give_impulses(const DrillingSystem& system, double h, const Configuration& at,
+                   const Wrench& wrench, Kick which, DrillingState& s) {
+  add_impulse(system, h, at.conservative, 1.0, s);
+  add_impulse(system, h, wrench, cone_share(wrench.cone_impulse, which), s);
 }
 
 /// A kick, the mean velocity over it, and the work of the wrench.
-void kick(const DrillingSystem& system, double h, Drilling& d, DrillingVelocity& mean) {
-  velocity(system, d.at, d.state, d.before);
-  give_impulses(system, h, d, d.state);
-  velocity(system, d.at, d.state, mean);
-  mean_velocity(d.before, mean, mean);
-  d.ledger.cut_bit += h * power_on_bit(d.wrench, mean);
+void kick(const DrillingSystem& system, double h, Kick which, Drilling& d, DrillingWork& work) {
+  DrillingVelocity& mean = which == Kick::opening ? work.opening : work.closing;
+  velocity(system, work.at, d.state, work.before);
+  give_impulses(system, h, work.at, d.wrench, which, d.state);
+  velocity(system, work.at, d.state, mean);
+  mean_velocity(work.before, mean, mean);
+  d.ledger.cut_bit += h * power_on_bit(d.wrench, mean, cone_share(d.wrench.cone_impulse, which));
   d.ledger.cut_rock += h * power_on_rock(d.wrench, mean);
 }
 
@@ -38,8 +51,8 @@ struct TopAction {
   StringPull pull;
   double attachment_z = 0.0;
 };
-TopAction top_action(const Drilling& d) {
-  return {d.at.top, d.at.pull, d.state.c_W.z() + d.at.pull.arm_W.z()};
+TopAction top_action(const DrillingState& state, const Configuration& at) {
+  return {at.top, at.pull, state.c_W.z() + at.pull.arm_W.z()};
 }
 
 /// Mean force times way. The top pulls at the string's upper end as the string does at the bit.
@@ -49,7 +62,7 @@ double work_of_top(const TopAction& a, const TopAction& b) {
          0.5 * (a.pull.load + b.pull.load) * (b.attachment_z - a.attachment_z);
 }
 
-/// Positions and time move on, momenta stay. False: a drift that solves was too long.
+/// Positions and time move on, momenta stay. False: an implicit drift did not converge.
 bool drift_all(const DrillingSystem& s, double h, Drilling& d) {
   const Integrator& i = s.integrator;
   if (coast(s.gyrostat, i.drift, i.drifts_per_step, h, d.state.rotation) == LieOutcome::too_long)
@@ -67,50 +80,49 @@ bool drift_all(const DrillingSystem& s, double h, Drilling& d) {
 Drilling start_drilling(const DrillingSystem& system, DrillingState state) {
   Drilling d;
   d.state = std::move(state);
-  configure(system, d.state, d.at);
-  d.ledger.start = total(stored_energy(system, d.at, d.state));
+  Configuration at;
+  configure(system, d.state, at);
+  d.ledger.start = total(stored_energy(system, at, d.state));
   return d;
 }
 
-Drilling resume_drilling(const DrillingSystem& system, DrillingState state, Wrench wrench,
-                         const EnergyLedger& ledger) {
-  Drilling d;
-  d.state = std::move(state);
-  d.wrench = std::move(wrench);
-  d.ledger = ledger;
-  configure(system, d.state, d.at);
-  return d;
+DrillingWork drilling_work(const DrillingSystem& system, const Drilling& d) {
+  DrillingWork work;
+  configure(system, d.state, work.at);
+  return work;
 }
 
-void open_step(const DrillingSystem& system, double h, Drilling& d) {
-  d.step_start = d.state;
+void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work) {
+  work.step_start = d.state;
   const EnergyLedger ledger_start = d.ledger;
-  dissipate(system, d.at, Sweep::forward, 0.5 * h, d.state, d.ledger);
-  kick(system, 0.5 * h, d, d.opening);
-  const TopAction before = top_action(d);
+  dissipate(system, work.at, Sweep::forward, 0.5 * h, d.state, d.ledger);
+  kick(system, 0.5 * h, Kick::opening, d, work);
+  const TopAction before = top_action(d.state, work.at);
   if (!drift_all(system, h, d)) {
-    d.state = d.step_start;
+    d.state = work.step_start;
     d.ledger = ledger_start;
     throw RunError(
         fmt::format("the drift does not converge at t = {:.9g} s with a step of {:.6g} s",
                     d.state.rotation.time, h));
   }
-  configure(system, d.state, d.at);
-  d.ledger.top += work_of_top(before, top_action(d));
+  configure(system, d.state, work.at);
+  d.ledger.top += work_of_top(before, top_action(d.state, work.at));
 }
 
-const DrillingState& predicted(const DrillingSystem& system, double h, Drilling& d) {
-  d.predicted = d.state;
-  give_impulses(system, 0.5 * h, d, d.predicted);
+const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
+                               DrillingWork& work) {
+  work.predicted = d.state;
+  give_impulses(system, 0.5 * h, work.at, d.wrench, Kick::opening, work.predicted);
   EnergyLedger unseen;
-  dissipate(system, d.at, Sweep::backward, 0.5 * h, d.predicted, unseen);
-  return d.predicted;
+  dissipate(system, work.at, Sweep::backward, 0.5 * h, work.predicted, unseen);
+  return work.predicted;
 }
 
-void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d) {
+void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,
+                DrillingWork& work) {
   d.wrench = wrench;
-  kick(system, 0.5 * h, d, d.closing);
-  dissipate(system, d.at, Sweep::backward, 0.5 * h, d.state, d.ledger);
+  kick(system, 0.5 * h, Kick::closing, d, work);
+  dissipate(system, work.at, Sweep::backward, 0.5 * h, d.state, d.ledger);
 }
 
 }  // namespace tdbd::dynamics

@@ -109,12 +109,19 @@ struct DrillingState {
   double rock_momentum = 0.0;      ///< N s
 };
 
+/// When the impulses of a step h reach the cones' own spins.
+enum class ConeImpulse {
+  halves,  ///< h/2 at either end of the step, like every other impulse
+  at_end,  ///< h at its end: for torques that were evaluated at the spins they lead to
+};
+
 /// What cutting does to bit and rock at one instant.
 struct Wrench {
   Vec3 force_W = Vec3::Zero();   ///< N, on the bit, cones included
   Vec3 torque_W = Vec3::Zero();  ///< N m, the same forces about the centre of mass
   std::vector<double> cones;     ///< N m, T_k . s_k, of the forces on cone k; empty: none
   double rock_force = 0.0;       ///< N along +z, on the rock: -force_W.z by action and reaction
+  ConeImpulse cone_impulse = ConeImpulse::halves;
 };
 
 /// Velocities that a state's momenta mean.

@@ -50,9 +50,10 @@ void mean_velocity(const DrillingVelocity& a, const DrillingVelocity& b, Drillin
   out.rock = 0.5 * (a.rock + b.rock);
 }
 
-double power_on_bit(const Wrench& w, const DrillingVelocity& v) {
+double power_on_bit(const Wrench& w, const DrillingVelocity& v, double cone_share) {
   double power = w.force_W.dot(v.v_W) + w.torque_W.dot(v.w_W);
-  for (std::size_t k = 0; k < w.cones.size(); ++k) power += w.cones[k] * v.cone_rates[k];
+  for (std::size_t k = 0; k < w.cones.size(); ++k)
+    power += cone_share * w.cones[k] * v.cone_rates[k];
   return power;
 }
 

@@ -40,6 +40,11 @@ struct TimeGrid {
   long first = 0;     ///< steps of the motion that were made before the run begins
 };
 
+/// s, after so many steps.
+inline double time_at(const TimeGrid& grid, long steps) {
+  return grid.step * static_cast<double>(steps);
+}
+
 /// Where a case says what shows to be wrong only with the rock: "FILE:LINE: KEY" (Config::place).
 struct CasePlaces {
   std::string edge_length, motion, file, profile;

@@ -29,12 +29,12 @@ Expected expected_of(const dynamics::DrillingSystem& s, double rotary_speed) {
 }
 
 DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& d,
-                   double turned) {
-  const dynamics::StoredEnergy stored = dynamics::stored_energy(system, d.at, d.state);
+                   const dynamics::Configuration& at, double turned) {
+  const dynamics::StoredEnergy stored = dynamics::stored_energy(system, at, d.state);
   const dynamics::EnergyLedger& l = d.ledger;
   DriveRow row;
   row.rock_z = d.state.rock_z;
-  row.string_twist = d.at.top.angle - turned;
+  row.string_twist = at.top.angle - turned;
   row.stored = dynamics::total(stored);
   row.top = l.top;
   row.cutting = -l.cut_bit;

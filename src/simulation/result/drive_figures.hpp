@@ -21,7 +21,7 @@ struct DriveRow {
 };
 
 DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& drilling,
-                   double turned);
+                   const dynamics::Configuration& at, double turned);
 
 /// What a run of a bit that forces move reports of its motion.
 struct DriveFigures {

@@ -50,29 +50,31 @@ HistoryExtent history_extent(const Case& c) {
 HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>& cone_angles,
                   const std::vector<double>& cone_speeds) {
   HistoryRow row;
-  row.time = c.time.step * static_cast<double>(s.steps_done);
-  row.p_WB = s.place.X_WB.p;
-  row.rotation_vector = rotation::log(s.place.X_WB.R);
-  row.rotation_angle = s.place.turned;
-  row.removed_volume_total = s.ledger.removed.value();
-  row.removed_volume_by_part = s.cut.removed_by_part;
+  row.time = time_at(c.time, s.state.steps_done);
+  row.p_WB = s.state.place.X_WB.p;
+  row.rotation_vector = rotation::log(s.state.place.X_WB.R);
+  row.rotation_angle = s.state.place.turned;
+  row.removed_volume_total = s.state.ledger.removed.value();
+  row.removed_volume_by_part = s.state.cut.removed_by_part;
   row.cone_angles = cone_angles;
   row.cone_speeds = cone_speeds;
-  row.sections = s.measures.sections;
-  row.contacts = s.measures.contacts;
-  row.swept_vertices = s.cut.moved;
-  row.rock_triangles = s.rock.surface.triangle_count();
+  row.sections = s.work.measures.sections;
+  row.contacts = s.work.measures.contacts;
+  row.swept_vertices = s.state.cut.moved;
+  row.rock_triangles = s.state.rock.surface.triangle_count();
   return row;
 }
 
 void append_row(const Case& c, const Simulation& s, History& history) {
-  const std::vector<double> angles = angles_of(s.cones), speeds = speeds_of(s.cones);
+  const std::vector<double> angles = angles_of(s.state.cones), speeds = speeds_of(s.state.cones);
   HistoryRow row = row_of(c, s, angles, speeds);
-  const LoadedStep loaded{s.loads, s.velocity, s.place.X_WB, s.cut.removed_by_part, c.time.step};
+  const LoadedStep loaded{s.work.loads, s.work.velocity, s.state.place.X_WB,
+                          s.state.cut.removed_by_part, c.time.step};
   if (c.forces.forces == Forces::on) row.loaded = &loaded;
-  const DriveRow drive =
-      s.drive ? drive_row(c.drilling.system, *s.drive, s.place.turned) : DriveRow{};
-  if (s.drive) row.drive = &drive;
+  const DriveRow drive = s.state.drive ? drive_row(c.drilling.system, *s.state.drive,
+                                                   s.work.drive.at, s.state.place.turned)
+                                       : DriveRow{};
+  if (s.state.drive) row.drive = &drive;
   history.append(row);
 }
 
@@ -103,12 +105,13 @@ std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r)
 
 void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
   const dynamics::DrillingSystem& system = c.drilling.system;
-  r.diagnosis = diagnose(s.trace);
+  r.diagnosis = diagnose(s.statistics.trace);
   std::map<std::string, double> by_part;
-  for (std::size_t i = 0; i < s.energy_by_part.size(); ++i)
-    if (s.energy_by_part[i] != 0.0) by_part[c.bit.parts[i].name] = s.energy_by_part[i];
-  r.drive = {dynamics::stored_energy(system, s.drive->at, s.drive->state),
-             s.drive->ledger,
+  for (std::size_t i = 0; i < s.statistics.energy_by_part.size(); ++i)
+    if (s.statistics.energy_by_part[i] != 0.0)
+      by_part[c.bit.parts[i].name] = s.statistics.energy_by_part[i];
+  r.drive = {dynamics::stored_energy(system, s.work.drive.at, s.state.drive->state),
+             s.state.drive->ledger,
              by_part,
              expected_of(system, r.loads->rotary_speed.mean),
              {}};
@@ -136,22 +139,23 @@ struct Recorder {
 /// The loop over steps, with everything that is recorded on the way.
 RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
   r.step_seconds.reserve(static_cast<std::size_t>(std::min(c.time.steps, 10'000'000L)));
-  while (s.steps_done < c.time.steps) {
+  while (s.state.steps_done < c.time.steps) {
     if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
-    if (s.steps_done == r.order_plan.at) r.order = observe_energy_order(c, s);
+    if (s.state.steps_done == r.order_plan.at) r.order = observe_energy_order(c, s);
     const auto before = Clock::now();
     step(c, s);
     r.step_seconds.push_back(seconds(Clock::now() - before));
-    if (s.steps_done % c.output.history_every == 0) append_row(c, s, r.history);
-    if (c.output.frames_every > 0 && s.steps_done % c.output.frames_every == 0) r.frames.add(c, s);
+    if (s.state.steps_done % c.output.history_every == 0) append_row(c, s, r.history);
+    if (c.output.frames_every > 0 && s.state.steps_done % c.output.frames_every == 0)
+      r.frames.add(c, s);
     if (o.progress) o.progress(s, c.time.steps);
   }
   return RunStatus::completed;
 }
 
 std::string failure_of(const Case& c, const Simulation& s, const std::string& what) {
-  return fmt::format("failed after {} of {} steps, at t = {} s: {}", s.steps_done, c.time.steps,
-                     c.time.step * static_cast<double>(s.steps_done), what);
+  return fmt::format("failed after {} of {} steps, at t = {} s: {}", s.state.steps_done,
+                     c.time.steps, time_at(c.time, s.state.steps_done), what);
 }
 
 void keep(const Case& c, const Simulation& s, const std::string& failure, Recorder& r) {
@@ -181,31 +185,30 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.title = c.bit.name;
   r.status = status;
   r.case_hash = c.hash;
-  const double from = c.time.step * static_cast<double>(c.time.first),
-               to = c.time.step * static_cast<double>(s.steps_done);
-  r.steps = s.steps_done - c.time.first;
+  const double from = time_at(c.time, c.time.first), to = time_at(c.time, s.state.steps_done);
+  r.steps = s.state.steps_done - c.time.first;
   r.duration = to - from;
-  r.revolutions = (s.place.turned - s.start_turned) / (2.0 * std::numbers::pi);
-  r.removed_volume = s.ledger.removed.value();
-  for (const auto& revolution : s.ledger.removed_by_revolution)
+  r.revolutions = (s.state.place.turned - s.state.start_turned) / (2.0 * std::numbers::pi);
+  r.removed_volume = s.state.ledger.removed.value();
+  for (const auto& revolution : s.state.ledger.removed_by_revolution)
     r.removed_volume_by_revolution.push_back(
         std::accumulate(revolution.begin(), revolution.end(), 0.0));
-  r.parts = part_volumes(c, s.ledger);
+  r.parts = part_volumes(c, s.state.ledger);
   r.volume_ledger_defect = ledger_defect(s);
-  r.maintenance_volume = s.maintenance.volume_change;
-  r.trimmed_volume = s.ledger.trimmed.value();
-  r.rock_triangles_start = s.start_triangles;
-  r.rock_triangles_end = s.rock.surface.triangle_count();
-  std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.rock.surface);
+  r.maintenance_volume = s.state.maintenance.volume_change;
+  r.trimmed_volume = s.state.ledger.trimmed.value();
+  r.rock_triangles_start = s.state.start_triangles;
+  r.rock_triangles_end = s.state.rock.surface.triangle_count();
+  std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.state.rock.surface);
   r.gage_radius = c.bit.gage_radius;
-  r.maintenance = maintenance_counts(s.maintenance);
-  r.faces = figures_of(c.bit, s.measures);
-  if (c.forces.forces == Forces::on) r.loads = figures_of(c.bit, s.load_statistics, to);
-  if (s.drive) add_drive(c, s, r);
-  r.sections_refused_deep = s.measures.refused_deep;
-  r.sections_refused_over_the_top = s.measures.refused_over_the_top;
-  for (std::size_t k = 0; k < s.cones.size(); ++k)
-    r.cones.push_back(figures_of(c.bit.cones[k].name, s.cones[k]));
+  r.maintenance = maintenance_counts(s.state.maintenance);
+  r.faces = figures_of(c.bit, s.statistics.faces);
+  if (c.forces.forces == Forces::on) r.loads = figures_of(c.bit, s.statistics.loads, to);
+  if (s.state.drive) add_drive(c, s, r);
+  r.sections_refused_deep = s.statistics.faces.refused_deep;
+  r.sections_refused_over_the_top = s.statistics.faces.refused_over_the_top;
+  for (std::size_t k = 0; k < s.state.cones.size(); ++k)
+    r.cones.push_back(figures_of(c.bit.cones[k], s.state.cones[k], s.statistics.cones[k]));
   return r;
 }
 

@@ -26,8 +26,6 @@ bool is_bearable(const RockNeed& need) {
          need.bytes <= memory_of_machine();
 }
 
-double time_of(const Case& c, long steps) { return c.time.step * static_cast<double>(steps); }
-
 /// Of the cylinder that the bit's gage sweeps on its way down.
 double area_of_new_wall(const Case& c, const mesh::Box& reach) {
   return 2.0 * std::numbers::pi * c.bit.gage_radius * reach.size().z();
@@ -51,7 +49,8 @@ mesh::Box reach_W(const Case& c) {
     box.add(p - Vec3(r, r, 0.0));
     box.add(p + Vec3(r, r, 0.0));
   };
-  for (const long steps : {c.time.first, c.time.steps}) add(pose_at(c.motion, time_of(c, steps)).p);
+  for (const long steps : {c.time.first, c.time.steps})
+    add(pose_at(c.motion, time_at(c.time, steps)).p);
   for (const PathPoint& p : c.motion.path) add(p.p_WB);
   return box;
 }

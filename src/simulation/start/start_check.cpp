@@ -39,7 +39,7 @@ double cover_above(const mesh::Surface& rock, const Vec3& x_W) {
 }
 
 void demand_free_start(const Case& c, const mesh::Surface& rock) {
-  const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(c.time.first));
+  const Pose X_WB = pose_at(c.motion, time_at(c.time, c.time.first));
   for (const bit::Part& part : c.bit.parts) {
     if (part.cutting != bit::Cutting::cuts) continue;
     const double cover = cover_above(rock, centre_W(part, X_WB));

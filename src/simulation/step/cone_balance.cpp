@@ -35,34 +35,36 @@ double root_between(const F& f, double a, double fa, double b, double fb) {
 }  // namespace
 
 double cone_torque(const ForcePlan& plan, const bit::Bit& bit, int cone, const Pose& X_WB,
-                   const BitVelocity& motion, double dt, std::vector<CutOfPart>& cuts) {
+                   const BitVelocity& motion, double dt, const std::vector<CutOfPart>& cuts) {
   const Pose X_WK = X_WB * bit.cones[at(cone)].X_BK;
   double torque = 0.0;
-  for (CutOfPart& c : cuts) {
+  for (const CutOfPart& c : cuts) {
     if (c.cone != cone) continue;
-    set_velocity(bit, X_WB, motion, dt, c);
-    const forces::PartForce f = forces::force(law_of(plan, c.cut.kind), c.cut);
+    const forces::PartCut moving = cut_at(bit, X_WB, motion, dt, c);
+    const forces::PartForce f = forces::force(law_of(plan, moving.kind), moving);
     torque += X_WK.R.col(2).dot((f.point - X_WK.p).cross(f.force));
   }
   return torque;
 }
 
-void balance_cones(const ForcePlan& plan, const bit::Bit& bit,
-                   const dynamics::DrillingSystem& system, const dynamics::DrillingState& before,
-                   const Pose& X_WB, double dt, BitVelocity& motion, std::vector<CutOfPart>& cuts) {
+std::vector<double> balanced_spins(const ForcePlan& plan, const bit::Bit& bit,
+                                   const dynamics::DrillingSystem& system,
+                                   const dynamics::DrillingState& before, const Pose& X_WB,
+                                   double dt, BitVelocity motion,
+                                   const std::vector<CutOfPart>& cuts) {
   for (int k = 0; k < static_cast<int>(bit.cones.size()); ++k) {
     const dynamics::Cone& cone = system.gyrostat.cones[at(k)];
     const double Ic = cone.axial_inertia, carried = (X_WB.R * cone.axis_B).dot(motion.w_W);
     const double free = before.rotation.cone_momenta[at(k)] / Ic - carried;
-    const auto torque = [&](double spin) {
+    const auto excess = [&](double spin) {
       motion.cone_speeds[at(k)] = spin;
-      return cone_torque(plan, bit, k, X_WB, motion, dt, cuts);
+      return spin - free - dt / Ic * cone_torque(plan, bit, k, X_WB, motion, dt, cuts);
     };
-    const auto excess = [&](double spin) { return spin - free - dt / Ic * torque(spin); };
     const double start = excess(free), far = free - start;
     motion.cone_speeds[at(k)] =
         start == 0.0 ? free : root_between(excess, free, start, far, excess(far));
   }
+  return motion.cone_speeds;
 }
 
 }  // namespace tdbd::simulation

@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "bit/cone/part_pose.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::simulation {
 namespace {
-
-double time_of(const Case& c, long steps) { return c.time.step * static_cast<double>(steps); }
 
 /// Adds the contacts of a step to those remembered; the speed at which they balance.
 double balanced_speed(ConeState& cone, const bit::SlipBalance& now, double fading) {
@@ -32,16 +30,17 @@ double rolling_speed(ConeState& cone, const bit::SlipBalance& now, double fading
 /// Speeds of rolling cones in the next step, rad/s.
 std::vector<double> rolling_speeds(const Case& c, long steps_done, const rock::CutReport& cut,
                                    std::vector<ConeState>& cones) {
-  const double dt = c.time.step, t = time_of(c, steps_done);
+  const double dt = c.time.step;
   const rotation::Twist twist =
-      twist_between(pose_at(c.motion, t), pose_at(c.motion, time_of(c, steps_done + 1)), dt);
+      rotation::twist_from(pose_at(c.motion, time_at(c.time, steps_done)),
+                           pose_at(c.motion, time_at(c.time, steps_done + 1)), dt);
   const double fading = c.motion.cone_memory > 0.0 ? std::exp(-dt / c.motion.cone_memory) : 0.0;
   const std::vector<double> angles = middle_angles(cones, dt);
   std::vector<double> speeds;
   for (std::size_t k = 0; k < cones.size(); ++k) {
     const bit::SlipBalance now = bit::slip_balance(
         c.bit.cones[k].X_BK, twist, contacts_of(c.bit, static_cast<int>(k), angles, cut));
-    const double pure = -cones[k].rolling_ratio * twist.angular_B.z();
+    const double pure = -bit::rolling_ratio_of_gage_row(c.bit.cones[k]) * twist.angular_B.z();
     speeds.push_back(rolling_speed(cones[k], now, fading, pure));
   }
   return speeds;
@@ -49,32 +48,28 @@ std::vector<double> rolling_speeds(const Case& c, long steps_done, const rock::C
 
 }  // namespace
 
-void add(SpeedRatios& r, double ratio) {
-  ++r.count;
-  r.least = r.count == 1 ? ratio : std::min(r.least, ratio);
-  r.greatest = r.count == 1 ? ratio : std::max(r.greatest, ratio);
-  const double before = ratio - r.mean;
-  r.mean += before / static_cast<double>(r.count);
-  r.squares += before * (ratio - r.mean);
+void set_angle(ConeState& cone, double angle) {
+  cone.turned = angle - cone.angle;
+  cone.angle = angle;
+}
+
+void add(double turn, const std::vector<ConeState>& cones, std::vector<ConeStatistics>& all) {
+  for (std::size_t k = 0; k < cones.size(); ++k) {
+    ConeStatistics& s = all[k];
+    s.bit_turned += turn;
+    if (turn == 0.0) continue;
+    const double ratio = -cones[k].turned / turn;
+    add(s.ratio, ratio);
+    s.least = s.ratio.count == 1 ? ratio : std::min(s.least, ratio);
+    s.greatest = s.ratio.count == 1 ? ratio : std::max(s.greatest, ratio);
+  }
 }
 
 std::vector<ConeState> start_cones(const Case& c) {
-  std::vector<ConeState> cones;
-  const double t = time_of(c, c.time.first);
-  const std::vector<double> angles = cone_angles(c.motion, t);
-  for (const bit::Cone& cone : c.bit.cones) {
-    ConeState& state = cones.emplace_back();
-    state.rolling_ratio = bit::rolling_ratio_of_gage_row(cone);
-    if (!angles.empty()) state.angle = angles[cones.size() - 1];
-    state.bit_turned = angle_turned(c.motion, t);
-  }
+  std::vector<ConeState> cones(c.bit.cones.size());
+  const std::vector<double> angles = cone_angles(c.motion, time_at(c.time, c.time.first));
+  for (std::size_t k = 0; k < angles.size(); ++k) cones[k].angle = angles[k];
   return cones;
-}
-
-rotation::Twist twist_between(const Pose& X_WB0, const Pose& X_WB1, double dt) {
-  const Vec3 turn = rotation::log(X_WB0.R.transpose() * X_WB1.R);
-  const Mat3 R_WM = X_WB0.R * rotation::exp(0.5 * turn);
-  return {turn / dt, R_WM.transpose() * (X_WB1.p - X_WB0.p) / dt};
 }
 
 std::vector<bit::ConeContact> contacts_of(const bit::Bit& bit, int cone,
@@ -93,18 +88,18 @@ std::vector<bit::ConeContact> contacts_of(const bit::Bit& bit, int cone,
 
 void turn_cones(const Case& c, long steps_done, const rock::CutReport& cut,
                 std::vector<ConeState>& cones) {
-  const double t0 = time_of(c, steps_done), t1 = time_of(c, steps_done + 1);
-  const double bit_turn = angle_turned(c.motion, t1) - angle_turned(c.motion, t0);
-  const bool rolling = c.motion.cone_drive == ConeDrive::rolling;
-  const std::vector<double> speeds =
-      rolling ? rolling_speeds(c, steps_done, cut, cones) : std::vector<double>{};
-  const std::vector<double> given = cone_angles(c.motion, t1);
+  if (c.motion.cone_drive == ConeDrive::rolling) {
+    const std::vector<double> speeds = rolling_speeds(c, steps_done, cut, cones);
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+      set_angle(cones[k], cones[k].angle + c.time.step * speeds[k]);
+      cones[k].speed = speeds[k];
+    }
+    return;
+  }
+  const std::vector<double> given = cone_angles(c.motion, time_at(c.time, steps_done + 1));
   for (std::size_t k = 0; k < cones.size(); ++k) {
-    const double before = cones[k].angle;
-    cones[k].angle = rolling ? before + c.time.step * speeds[k] : given[k];
-    cones[k].speed = rolling ? speeds[k] : (given[k] - before) / c.time.step;
-    cones[k].bit_turned += bit_turn;
-    if (bit_turn != 0.0) add(cones[k].ratios, (before - cones[k].angle) / bit_turn);
+    set_angle(cones[k], given[k]);
+    cones[k].speed = cones[k].turned / c.time.step;
   }
 }
 
@@ -129,15 +124,15 @@ std::vector<double> speeds_of(const std::vector<ConeState>& cones) {
   return speeds;
 }
 
-ConeFigures figures_of(const std::string& name, const ConeState& cone) {
-  const SpeedRatios& r = cone.ratios;
-  ConeFigures f{name};
-  if (cone.bit_turned != 0.0) f.mean_speed_ratio = -cone.angle / cone.bit_turned;
-  f.min_speed_ratio = r.least;
-  f.max_speed_ratio = r.greatest;
-  if (r.count > 0) f.std_speed_ratio = std::sqrt(r.squares / static_cast<double>(r.count));
-  f.rolling_ratio_gage_row = cone.rolling_ratio;
-  if (cone.rolling_ratio > 0.0) f.net_slip_gage_row = 1.0 - f.mean_speed_ratio / cone.rolling_ratio;
+ConeFigures figures_of(const bit::Cone& cone, const ConeState& state, const ConeStatistics& s) {
+  ConeFigures f{cone.name};
+  if (s.bit_turned != 0.0) f.mean_speed_ratio = -state.angle / s.bit_turned;
+  f.min_speed_ratio = s.least;
+  f.max_speed_ratio = s.greatest;
+  f.std_speed_ratio = deviation(s.ratio);
+  f.rolling_ratio_gage_row = bit::rolling_ratio_of_gage_row(cone);
+  if (f.rolling_ratio_gage_row > 0.0)
+    f.net_slip_gage_row = 1.0 - f.mean_speed_ratio / f.rolling_ratio_gage_row;
   return f;
 }
 

@@ -6,18 +6,9 @@
 #include "bit/cone/cone_rolling.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/step/spread.hpp"
 
 namespace tdbd::simulation {
-
-/// A cone's turn over the bit's, step by step; rolling is positive.
-struct SpeedRatios {
-  long count = 0;
-  double least = 0.0, greatest = 0.0;
-  double mean = 0.0;
-  double squares = 0.0;  ///< sum of the squared distances from the mean
-};
-
-void add(SpeedRatios& ratios, double ratio);
 
 /// How a cone turned: its speed over the bit's, rolling positive.
 struct ConeFigures {
@@ -30,22 +21,29 @@ struct ConeFigures {
   double net_slip_gage_row = 0.0;       ///< 1 - mean over rolling: positive when the cone lags
 };
 
-/// One cone of a run.
+/// One cone of a run, as the next step needs it.
 struct ConeState {
   double angle = 0.0;           ///< rad about its Z since the start; rolling is negative
+  double turned = 0.0;          ///< rad, in the last step
   double speed = 0.0;           ///< rad/s in the last step, phi'
-  double rolling_ratio = 0.0;   ///< bit::rolling_ratio_of_gage_row
   bit::SlipBalance remembered;  ///< of all contacts so far, each faded with its age
   double start_share = 1.0;     ///< of the speed that is still the start's pure rolling
-  double bit_turned = 0.0;      ///< rad, since the start
-  SpeedRatios ratios;           ///< of all steps in which the bit turned
 };
 
-std::vector<ConeState> start_cones(const Case& c);
+/// Turns the cone to this angle (rad).
+void set_angle(ConeState& cone, double angle);
 
-/// The twist that takes the bit from one pose to the next in the time dt (s), in its own frame.
-/// Exact for a screw motion; else of second order in dt at the middle of the way.
-rotation::Twist twist_between(const Pose& X_WB0, const Pose& X_WB1, double dt);
+/// How a cone turned over the bit; rolling is positive.
+struct ConeStatistics {
+  double bit_turned = 0.0;  ///< rad, since the start
+  Spread ratio;             ///< of all steps in which the bit turned
+  double least = 0.0, greatest = 0.0;
+};
+
+/// A step in which the bit turned by `turn` (rad).
+void add(double turn, const std::vector<ConeState>& cones, std::vector<ConeStatistics>& statistics);
+
+std::vector<ConeState> start_cones(const Case& c);
 
 /// Where the teeth of a cone took rock in a step: at their tips, the cones at these angles (rad;
 /// middle_angles), weighed by what they removed.
@@ -54,7 +52,7 @@ std::vector<bit::ConeContact> contacts_of(const bit::Bit& bit, int cone,
                                           const rock::CutReport& cut);
 
 /// Turns the cones through the step that follows `steps_done` steps. At given speeds their angles
-/// are those of cone_angles(). A rolling cone turns at
+/// are those of cone_angles(). A rolling cone turns at, simulation (2),
 ///   phi' = e (-i w) + (1 - e) phi'_balance,     phi'_balance = - M / D     (bit::slip_balance) [+]
 /// with M and D summed over the contacts of `cut`, the step before, and of all earlier steps, faded
 /// by exp(-age / cone_memory); -i w the pure rolling of its gage row and e its share, 1 until the
@@ -70,6 +68,7 @@ std::vector<double> angles_of(const std::vector<ConeState>& cones);
 std::vector<double> speeds_of(const std::vector<ConeState>& cones);
 
 /// What a run reports of a cone.
-ConeFigures figures_of(const std::string& name, const ConeState& cone);
+ConeFigures figures_of(const bit::Cone& cone, const ConeState& state,
+                       const ConeStatistics& statistics);
 
 }  // namespace tdbd::simulation

@@ -20,21 +20,22 @@ void take_section(const rock::Section& s, const Pose& X_WB, CutOfPart& c) {
 /// X; which of its parts took a vertex is the mesh's affair.
 void take_volume(const bit::Cutter& cutter, double removed, const MeasuredStep& step,
                  CutOfPart& c) {
-  const rotation::Twist twist = rotation::twist_from(step.X_WB0, step.X_WB1, step.dt);
+  const rotation::Twist twist =
+      rotation::twist_from(step.move.X_WB0, step.move.X_WB1, step.move.dt);
   const Vec3 tip_B = bit::tip_B(cutter);
-  const double ahead = cutter.X_BC.R.col(0).dot(rotation::velocity_B(twist, tip_B)) * step.dt;
+  const double ahead = cutter.X_BC.R.col(0).dot(rotation::velocity_B(twist, tip_B)) * step.move.dt;
   c.face_area = ahead > 0.0 ? std::max(0.0, removed) / ahead : 0.0;
-  if (c.cut.engaged_edge == 0.0) c.cut.point = step.X_WB1 * tip_B;
+  if (c.cut.engaged_edge == 0.0) c.cut.point = step.move.X_WB1 * tip_B;
 }
 
 void take_face(const ForcePlan& plan, const MeasuredStep& step, const Measures& m, CutOfPart& c) {
   const bit::Cutter& cutter = step.bit.cutters[at(step.bit.parts[at(c.part)].cutter)];
   c.cut.diameter = cutter.diameter;
-  c.cut.normal = step.X_WB1.R * bit::profile_normal_B(cutter);
-  c.forward_W = step.X_WB1.R * cutter.X_BC.R.col(0);
+  c.cut.normal = step.move.X_WB1.R * bit::profile_normal_B(cutter);
+  c.forward_W = step.move.X_WB1.R * cutter.X_BC.R.col(0);
   const rock::Section& s = m.sections[at(step.bit.parts[at(c.part)].cutter)];
   if (std::isnan(s.area)) return;  // refused: nothing is known of the rock ahead
-  take_section(s, step.X_WB1, c);
+  take_section(s, step.move.X_WB1, c);
   if (plan.cut == CutMeasure::volume)
     take_volume(cutter, m.removed[at(step.bit.parts[at(c.part)].cutter)], step, c);
 }
@@ -43,13 +44,13 @@ void take_face(const ForcePlan& plan, const MeasuredStep& step, const Measures& 
 void take_edge(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
   const int cutter = step.bit.parts[at(c.part)].cutter;
   const rock::Section& s = m.sections[at(cutter)];
-  c.cut.normal = step.X_WB1.R * bit::profile_normal_B(step.bit.cutters[at(cutter)]);
+  c.cut.normal = step.move.X_WB1.R * bit::profile_normal_B(step.bit.cutters[at(cutter)]);
   if (!(s.engaged_edge > 0.0)) return;
   constexpr double right_angle = 0.5 * std::numbers::pi;
   c.cut.contact_area =
       s.engaged_edge * chamfer_width(step.bit.cutters[at(cutter)], right_angle - s.angle_of_attack);
   c.cut.engaged_edge = s.engaged_edge;
-  c.cut.point = step.X_WB1 * s.edge_centroid_B;
+  c.cut.point = step.move.X_WB1 * s.edge_centroid_B;
 }
 
 void take_contact(const rock::PartContact& contact, CutOfPart& c) {
@@ -90,25 +91,19 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
   }
 }
 
-Vec3 velocity_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& m, int cone,
-                 const Vec3& x_W) {
-  Vec3 v_W = m.v_W + m.w_W.cross(x_W - m.p_WB);
-  if (cone < 0) return v_W;
-  const Pose X_WK = X_WB * bit.cones[at(cone)].X_BK;
-  return v_W + m.cone_speeds[at(cone)] * X_WK.R.col(2).cross(x_W - X_WK.p);
-}
-
-void set_velocity(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
-                  CutOfPart& c) {
-  c.cut.velocity = velocity_at(bit, X_WB, motion, c.cone, c.cut.point);
-  const double speed = c.cut.velocity.norm();
-  c.cut.path = speed * dt;
-  if (!(c.face_area > 0.0)) return;
+forces::PartCut cut_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
+                       const CutOfPart& c) {
+  forces::PartCut cut = c.cut;
+  cut.velocity = velocity_at(bit, X_WB, motion, c.cone, cut.point);
+  const double speed = cut.velocity.norm();
+  cut.path = speed * dt;
+  if (!(c.face_area > 0.0)) return cut;
   const double ahead =
-      speed > 0.0 ? std::clamp(c.forward_W.dot(c.cut.velocity) / speed, 0.0, 1.0) : 1.0;
-  c.cut.cut_area = c.face_area * ahead;
-  c.cut.back_rake = std::acos(ahead);
-  c.cut.depth = c.cut.engaged_edge > 0.0 ? c.cut.cut_area / c.cut.engaged_edge : 0.0;
+      speed > 0.0 ? std::clamp(c.forward_W.dot(cut.velocity) / speed, 0.0, 1.0) : 1.0;
+  cut.cut_area = c.face_area * ahead;
+  cut.back_rake = std::acos(ahead);
+  cut.depth = cut.engaged_edge > 0.0 ? cut.cut_area / cut.engaged_edge : 0.0;
+  return cut;
 }
 
 }  // namespace tdbd::simulation

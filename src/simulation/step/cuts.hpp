@@ -5,30 +5,23 @@
 #include "forces/part/part_cut.hpp"
 #include "simulation/case/force_plan.hpp"
 #include "simulation/step/measure.hpp"
+#include "simulation/step/move.hpp"
 
 namespace tdbd::simulation {
 
 /// What one part did in a step, without its velocity over the rock: a law may be asked about the
-/// same cut at several velocities (formulation 4, 5).
+/// same cut at several velocities.
 struct CutOfPart {
-  int part = 0;            ///< index into Bit::parts
-  int cone = -1;           ///< index into Bit::cones, or -1
-  forces::PartCut cut;     ///< in the frame W; velocity, path and what hangs on them are not set
-  double face_area = 0.0;  ///< m2, cut by a face, in its plane
+  int part = 0;                   ///< index into Bit::parts
+  int cone = -1;                  ///< index into Bit::cones, or -1
+  forces::PartCut cut;            ///< in the frame W; velocity and what follows from it are not set
+  double face_area = 0.0;         ///< m2, cut by a face, in its plane
   Vec3 forward_W = Vec3::Zero();  ///< unit, the face's normal; of a face only
-};
-
-/// How the bit moves over the rock at an instant. Frame W.
-struct BitVelocity {
-  Vec3 p_WB = Vec3::Zero();         ///< m, the bit's origin
-  Vec3 v_W = Vec3::Zero();          ///< m/s, of that origin
-  Vec3 w_W = Vec3::Zero();          ///< rad/s
-  std::vector<double> cone_speeds;  ///< rad/s, phi' about the cones' Z
 };
 
 /// The cuts of all parts with a law that touched rock in the step, in the order of the parts.
 /// - face: the section ahead of it (ForcePlan::cut = section): area, centroid, edge; or its removed
-///   volume over dt and the speed of its tip along X (volume; formulation 2.6 [R]). Normal: the
+///   volume over dt and the speed of its tip along X (volume; reconstructed). Normal: the
 ///   profile's at the cutter.
 /// - chamfer: engaged edge times the chamfer's width, seen along the profile's normal (edge), or
 ///   the rock triangles in contact (triangles).
@@ -41,9 +34,9 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
 /// back rake (rad): depth cos + width sin, m; land included.
 double chamfer_width(const bit::Cutter& cutter, double back_rake);
 
-/// Gives a cut the velocity of its point at this motion of the bit, and with it its path in dt (s),
-/// area normal to the velocity, thickness and effective back rake.
-void set_velocity(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
-                  CutOfPart& cut);
+/// The cut at this motion of the bit: with the velocity of its point, its path in dt (s), the area
+/// normal to the velocity, thickness and effective back rake, simulation (3).
+forces::PartCut cut_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
+                       const CutOfPart& cut);
 
 }  // namespace tdbd::simulation

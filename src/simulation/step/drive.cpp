@@ -33,17 +33,14 @@ dynamics::Wrench wrench_of(const dynamics::DrillingSystem& system, const BitLoad
   w.torque_W = loads.torque_W - (X_RB.R * system.centre_B).cross(loads.force_W);
   w.cones = loads.cone_torques;
   w.rock_force = -loads.force_W.z();
+  w.cone_impulse = dynamics::ConeImpulse::at_end;
   return w;
 }
 
-void follow_cones(const dynamics::DrillingState& state, double dt, double turn,
-                  std::vector<ConeState>& cones) {
+void follow_cones(const dynamics::DrillingState& state, double dt, std::vector<ConeState>& cones) {
   for (std::size_t k = 0; k < cones.size(); ++k) {
-    const double before = cones[k].angle;
-    cones[k].angle = state.rotation.cone_angles[k];
-    cones[k].speed = (cones[k].angle - before) / dt;
-    cones[k].bit_turned += turn;
-    if (turn != 0.0) add(cones[k].ratios, (before - cones[k].angle) / turn);
+    set_angle(cones[k], state.rotation.cone_angles[k]);
+    cones[k].speed = cones[k].turned / dt;
   }
 }
 

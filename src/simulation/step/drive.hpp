@@ -21,13 +21,12 @@ BitVelocity velocity_of(const dynamics::DrillingSystem& system,
                         const dynamics::DrillingState& state);
 
 /// The loads as the equations of motion take them: torques about the centre of mass, the opposite
-/// force on the rock. X_RB: where the loads were summed, about its origin.
+/// force on the rock, the impulses of the cones' own spins at the step's end (cone_balance.hpp).
+/// X_RB: where the loads were summed, about its origin.
 dynamics::Wrench wrench_of(const dynamics::DrillingSystem& system, const BitLoads& loads,
                            const Pose& X_RB);
 
-/// Takes the cones' angles and speeds from the state after a step of dt (s) in which the bit turned
-/// by `turn` (rad).
-void follow_cones(const dynamics::DrillingState& state, double dt, double turn,
-                  std::vector<ConeState>& cones);
+/// Takes the cones' angles and speeds from the state after a step of dt (s).
+void follow_cones(const dynamics::DrillingState& state, double dt, std::vector<ConeState>& cones);
 
 }  // namespace tdbd::simulation

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -28,14 +29,14 @@ Case divided(Case c, int parts) {
 }
 
 /// Where the window begins, with a ledger that begins there, so that rounding is the window's own.
-Simulation at_window(const Case& c, const Simulation& s, int parts) {
-  Simulation copy = s;
-  copy.steps_done *= parts;
-  const dynamics::DrillingSystem& system = c.drilling.system;
-  dynamics::EnergyLedger ledger;
-  ledger.start = dynamics::total(dynamics::stored_energy(system, s.drive->at, s.drive->state));
-  copy.drive = dynamics::resume_drilling(system, s.drive->state, s.drive->wrench, ledger);
-  return copy;
+Simulation at_window(const Case& finer, const Simulation& s, int parts) {
+  State state = s.state;
+  state.steps_done *= parts;
+  const dynamics::DrillingState& now = s.state.drive->state;
+  state.drive->ledger = {};
+  state.drive->ledger.start =
+      dynamics::total(dynamics::stored_energy(finer.drilling.system, s.work.drive.at, now));
+  return resume(finer, std::move(state), start_statistics(finer));
 }
 
 /// J that were stored, came and went.
@@ -51,17 +52,17 @@ struct Windows {
 
   dynamics::WindowResiduals drilled(int parts) {
     const Case finer = divided(c, parts);
-    Simulation copy = at_window(c, s, parts);
+    Simulation copy = at_window(finer, s, parts);
     dynamics::WindowResiduals w;
     w.at_instants.reserve(static_cast<std::size_t>(c.output.energy_order_window));
     for (long i = 0; i < c.output.energy_order_window; ++i) {
       for (int k = 0; k < parts; ++k) step(finer, copy);
-      contact = contact && !copy.cuts.empty();
+      contact = contact && !copy.work.cuts.empty();
       w.at_instants.push_back(dynamics::residual(
-          dynamics::stored_energy(c.drilling.system, copy.drive->at, copy.drive->state),
-          copy.drive->ledger));
+          dynamics::stored_energy(c.drilling.system, copy.work.drive.at, copy.state.drive->state),
+          copy.state.drive->ledger));
     }
-    w.scale = energy_scale(copy.drive->ledger);
+    w.scale = energy_scale(copy.state.drive->ledger);
     return w;
   }
 };
@@ -87,7 +88,7 @@ EnergyOrderPlan plan_energy_order(const Case& c) {
 
 EnergyOrder observe_energy_order(const Case& c, const Simulation& s) {
   EnergyOrder found;
-  found.from = c.time.step * static_cast<double>(s.steps_done);
+  found.from = c.time.step * static_cast<double>(s.state.steps_done);
   found.window = c.time.step * static_cast<double>(c.output.energy_order_window);
   Windows windows{c, s};
   try {

@@ -66,10 +66,7 @@ void add(const LoadedStep& step, Trace& t) {
   t.centre_W.emplace_back(step.X_WB.p.head<2>());
 }
 
-MeanAndDeviation figures_of(const Spread& s) {
-  if (s.count == 0) return {};
-  return {s.mean, std::sqrt(s.squares / static_cast<double>(s.count))};
-}
+MeanAndDeviation figures_of(const Spread& s) { return {s.mean, deviation(s)}; }
 
 LoadFigures figures_of(const bit::Bit& bit, const LoadStatistics& s, double end) {
   LoadFigures f;

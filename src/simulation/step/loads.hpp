@@ -24,8 +24,10 @@ struct BitLoads {
   double power = 0.0;                ///< W
 };
 
-/// Asks every part's law. A pure function of the cuts and the motion.
+/// Evaluates every part's law at this motion of the bit and sums, simulation (4). A pure function
+/// of all but `loads`, whose room is used again.
 void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
-               const BitVelocity& motion, double dt, std::vector<CutOfPart>& cuts, BitLoads& loads);
+               const BitVelocity& motion, double dt, const std::vector<CutOfPart>& cuts,
+               BitLoads& loads);
 
 }  // namespace tdbd::simulation

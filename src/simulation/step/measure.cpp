@@ -2,41 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace tdbd::simulation {
 namespace {
 
 /// Of rock::SectionPlace, over the edge length: no result changes if it is doubled.
-constexpr double reach = 1.0;
+constexpr double section_reach = 1.0;
 
-/// A cutter's parts are a group; its list of near vertices covers what is ahead of its face, too.
-void find_near_lists(const MeasuredStep& step, Measures& m) {
-  m.near_list_of_face.assign(m.faces.size(), -1);
-  for (std::size_t k = 0; k < step.cutting.groups.size(); ++k) {
-    const int part = step.cutting.groups[k].parts.front().part;
-    if (const int cutter = step.bit.parts[at(part)].cutter; cutter >= 0)
-      m.near_list_of_face[at(cutter)] = static_cast<int>(k);
+rotation::Twist twist_of(const Move& move) {
+  return rotation::twist_from(move.X_WB0, move.X_WB1, move.dt);
+}
+
+void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
+                      const MeasuredStep& step, rock::SectionWork& work, Measures& m) {
+  const rotation::Twist twist = twist_of(step.move);
+  rock::SectionPlace place{plan.section_lead * step.edge_length, section_reach * step.edge_length};
+  m.sections.resize(faces.faces.size());
+  for (std::size_t i = 0; i < faces.faces.size(); ++i) {
+    place.near_list = faces.near_lists[i];
+    m.sections[i] = rock::section(rock, faces.faces[i], step.move.X_WB1, twist, place, work);
   }
 }
 
-void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,
-                      Measures& m) {
-  const rotation::Twist twist = rotation::twist_from(step.X_WB0, step.X_WB1, step.dt);
-  rock::SectionPlace place{plan.section_lead * step.edge_length, reach * step.edge_length};
-  find_near_lists(step, m);
-  for (std::size_t i = 0; i < m.faces.size(); ++i) {
-    place.near_list = m.near_list_of_face[i];
-    m.sections[i] = rock::section(rock, m.faces[i], step.X_WB1, twist, place, m.section_work);
-  }
-}
-
-void sum_removed(const MeasuredStep& step, Measures& m) {
-  m.removed.assign(m.faces.size(), 0.0);
+void sum_removed(const MeasuredStep& step, std::size_t cutters, std::vector<double>& removed) {
+  removed.assign(cutters, 0.0);
   for (std::size_t p = 0; p < step.bit.parts.size(); ++p)
     if (const int cutter = step.bit.parts[p].cutter; cutter >= 0)
-      m.removed[at(cutter)] += step.cut.removed_by_part[p];
+      removed[at(cutter)] += step.cut.removed_by_part[p];
 }
 
 /// A face deep in rock, its surface out of sight, removes what its whole outline sweeps.
@@ -54,70 +48,83 @@ void refuse(rock::Section& s) {
        s.sight, Vec3::Constant(unknown)};
 }
 
-void note(const MeasuredStep& step, Measures& m) {
-  const rotation::Twist twist = rotation::twist_from(step.X_WB0, step.X_WB1, step.dt);
-  for (std::size_t i = 0; i < m.faces.size(); ++i) {
+void refuse_unknown(const MeasuredFaces& faces, const Move& move, Measures& m) {
+  const rotation::Twist twist = twist_of(move);
+  for (std::size_t i = 0; i < faces.faces.size(); ++i) {
     rock::Section& s = m.sections[i];
-    FaceSpreads& spreads = m.revolution[i];
-    const bool deep = is_deep_in_rock(m.faces[i], s, m.removed[i], twist, step.dt);
-    if (deep || s.sight == rock::Sight::over_the_top) {
+    if (s.sight == rock::Sight::over_the_top ||
+        is_deep_in_rock(faces.faces[i], s, m.removed[i], twist, move.dt))
       refuse(s);
-      ++(deep ? m.refused_deep : m.refused_over_the_top);
-      continue;
-    }
-    add(spreads.area, s.area);
-    add(spreads.swept, s.volume_rate * step.dt);
-    add(spreads.removed, m.removed[i]);
   }
 }
 
-void turn_revolution(std::size_t revolution, Measures& m) {
-  if (revolution == m.revolutions) return;
-  m.last_whole.swap(m.revolution);
-  m.revolution.assign(m.faces.size(), {});
-  m.revolutions = revolution;
+void begin_revolution(const Move& move, std::size_t cutters, FaceStatistics& s) {
+  if (move.revolution == s.revolutions) return;
+  s.last_whole.swap(s.revolution);
+  s.revolution.assign(cutters, {});
+  s.revolutions = move.revolution;
 }
 
 }  // namespace
 
-Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan) {
-  Measures m;
+MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
+                             const MeasurePlan& plan) {
+  MeasuredFaces m;
   if (plan.section == SectionMeasure::off) return m;
   m.faces.reserve(bit.cutters.size());
   for (std::size_t i = 0; i < bit.cutters.size(); ++i)
     m.faces.push_back(
         rock::section_face(rock::face_outline(bit.cutters[i], static_cast<int>(i), bit.parts)));
-  m.sections.resize(m.faces.size());
-  m.revolution.resize(m.faces.size());
+  m.near_lists.assign(m.faces.size(), -1);
+  for (std::size_t k = 0; k < cutting.groups.size(); ++k)
+    if (const int cutter = bit.parts[at(cutting.groups[k].parts.front().part)].cutter; cutter >= 0)
+      m.near_lists[at(cutter)] = static_cast<int>(k);
   return m;
 }
 
 rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length) {
   if (plan.section == SectionMeasure::off) return {};
   constexpr double strip = 1.5;  // what a strip of a face comes ahead, over the least (face_strips)
-  return {reach * edge_length, (strip * plan.section_lead + reach) * edge_length};
+  return {section_reach * edge_length, (strip * plan.section_lead + section_reach) * edge_length};
 }
 
-void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,
-             Measures& m) {
+void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
+                 const MeasuredStep& step, MeasureWork& work, Measures& m) {
   if (plan.contact == ContactMeasure::on)
     rock::contact_areas(rock, step.cutting, step.cut_work, plan.contact_gap * step.edge_length,
-                        m.contact_work, m.contacts);
-  if (m.faces.empty() || plan.section == SectionMeasure::off) return;
-  turn_revolution(step.revolution, m);
-  measure_sections(rock, plan, step, m);
-  sum_removed(step, m);
-  note(step, m);
+                        work.contact, m.contacts);
+  m.sections.clear();
+  if (faces.faces.empty() || plan.section == SectionMeasure::off) return;
+  measure_sections(rock, plan, faces, step, work.section, m);
+  sum_removed(step, faces.faces.size(), m.removed);
+  refuse_unknown(faces, step.move, m);
 }
 
-std::vector<FaceFigures> figures_of(const bit::Bit& bit, const Measures& m) {
-  const std::vector<FaceSpreads>& spreads = m.last_whole.empty() ? m.revolution : m.last_whole;
+void add(const Move& move, const Measures& m, FaceStatistics& statistics) {
+  if (m.sections.empty()) return;
+  begin_revolution(move, m.sections.size(), statistics);
+  for (std::size_t i = 0; i < m.sections.size(); ++i) {
+    const rock::Section& s = m.sections[i];
+    if (std::isnan(s.area)) {
+      ++(s.sight == rock::Sight::over_the_top ? statistics.refused_over_the_top
+                                              : statistics.refused_deep);
+      continue;
+    }
+    FaceSpreads& spreads = statistics.revolution[i];
+    add(spreads.area, s.area);
+    add(spreads.swept, s.volume_rate * move.dt);
+    add(spreads.removed, m.removed[i]);
+  }
+}
+
+std::vector<FaceFigures> figures_of(const bit::Bit& bit, const FaceStatistics& s) {
+  const std::vector<FaceSpreads>& spreads = s.last_whole.empty() ? s.revolution : s.last_whole;
   std::vector<FaceFigures> figures;
   figures.reserve(spreads.size());
   for (std::size_t i = 0; i < spreads.size(); ++i)
     figures.push_back({cutter_name(bit.cutters[i]), spreads[i].area.mean, spreads[i].swept.mean,
-                       spreads[i].removed.mean, relative_rms(spreads[i].swept),
-                       relative_rms(spreads[i].removed)});
+                       spreads[i].removed.mean, relative_deviation(spreads[i].swept),
+                       relative_deviation(spreads[i].removed)});
   return figures;
 }
 

@@ -7,14 +7,68 @@
 #include "rock/section/contact_area.hpp"
 #include "rock/section/section.hpp"
 #include "simulation/case/measure_plan.hpp"
+#include "simulation/step/move.hpp"
 #include "simulation/step/spread.hpp"
 
 namespace tdbd::simulation {
+
+/// The cutters' faces, prepared once for their sections; none: not measured.
+struct MeasuredFaces {
+  std::vector<rock::SectionFace> faces;  ///< per cutter
+  std::vector<int> near_lists;           ///< per cutter: rock::SectionPlace::near_list
+};
+
+/// A cutter's parts are a group, whose list of near vertices covers what is ahead of its face, too.
+MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
+                             const MeasurePlan& plan);
+
+/// How far the lists of vertices near the bit must reach for these measures.
+rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length);
+
+/// What a step is measured on.
+struct MeasuredStep {
+  const bit::Bit& bit;
+  const rock::CuttingBit& cutting;
+  const rock::CutWorkspace& cut_work;
+  const rock::CutReport& cut;
+  const Move& move;
+  double edge_length = 0.0;  ///< m, of the rock
+};
+
+/// The measures of one step.
+struct Measures {
+  /// Per cutter; none: not measured. NaN where the section is refused: the face is deep in rock
+  /// (Sight::none), its surface out of sight, or rock reaches over its top (Sight::over_the_top).
+  std::vector<rock::Section> sections;
+  std::vector<double> removed;              ///< m3, per cutter
+  std::vector<rock::PartContact> contacts;  ///< per part; none: not measured
+};
+
+/// Room for them, kept between steps so that none allocates once warm.
+struct MeasureWork {
+  rock::SectionWork section;
+  rock::ContactWork contact;
+};
+
+/// Measures where the bit has come to. To be called between cut_rock and maintenance.
+void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
+                 const MeasuredStep& step, MeasureWork& work, Measures& measures);
 
 /// By step: one cutter's section (m2), what it swept and what the cutter's parts removed (m3).
 struct FaceSpreads {
   Spread area, swept, removed;
 };
+
+/// The spreads of all sections over revolutions.
+struct FaceStatistics {
+  std::vector<FaceSpreads> revolution;  ///< per cutter, of the revolution that goes on
+  std::vector<FaceSpreads> last_whole;  ///< of the last whole revolution; none yet: empty
+  std::size_t revolutions = 0;          ///< begun before the one that goes on
+  long refused_deep = 0, refused_over_the_top = 0;  ///< sections (Measures::sections)
+};
+
+/// Adds the measures of a step.
+void add(const Move& move, const Measures& measures, FaceStatistics& statistics);
 
 /// One cutter's section beside the volume that it removed, over a revolution.
 struct FaceFigures {
@@ -26,45 +80,8 @@ struct FaceFigures {
   double rms_removed = 0.0;            ///< over the mean
 };
 
-/// The measures of the last step, and their spreads over revolutions.
-struct Measures {
-  std::vector<rock::Section> sections;      ///< per cutter; none: not measured
-  std::vector<rock::PartContact> contacts;  ///< per part; none: not measured
-  std::vector<FaceSpreads> revolution;      ///< per cutter, of the revolution that goes on
-  std::vector<FaceSpreads> last_whole;      ///< of the last whole revolution; none yet: empty
-  std::size_t revolutions = 0;              ///< begun before the one that goes on
-  long refused_deep = 0;          ///< sections: the face is deep in rock, its surface out of sight
-  long refused_over_the_top = 0;  ///< sections: rock reaches over the face's top
-  std::vector<rock::SectionFace> faces;
-  std::vector<int> near_list_of_face;  ///< rock::SectionPlace::near_list
-  std::vector<double> removed;         ///< m3, per cutter, in the last step
-  rock::SectionWork section_work;
-  rock::ContactWork contact_work;
-};
-
-Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan);
-
-/// How far the lists of vertices near the bit must reach for these measures.
-rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length);
-
-/// What is measured where the bit has come to in a step from pose 0 to pose 1.
-struct MeasuredStep {
-  const bit::Bit& bit;
-  const rock::CuttingBit& cutting;
-  const rock::CutWorkspace& cut_work;
-  const rock::CutReport& cut;
-  Pose X_WB0, X_WB1;
-  double dt = 0.0;             ///< s
-  double edge_length = 0.0;    ///< m, of the rock
-  std::size_t revolution = 0;  ///< that the step is in, from 0
-};
-
-/// To be asked between cut_rock and maintenance.
-void measure(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredStep& step,
-             Measures& measures);
-
 /// Of the last whole revolution; before its end, of all steps.
-std::vector<FaceFigures> figures_of(const bit::Bit& bit, const Measures& measures);
+std::vector<FaceFigures> figures_of(const bit::Bit& bit, const FaceStatistics& statistics);
 
 /// The cutter's name, as its parts have it.
 std::string cutter_name(const bit::Cutter& cutter);

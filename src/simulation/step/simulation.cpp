@@ -2,35 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "simulation/start/rock_start.hpp"
 #include "simulation/start/start_check.hpp"
-#include "simulation/step/force_step.hpp"
+#include "simulation/step/drive.hpp"
 
 namespace tdbd::simulation {
 namespace {
-
-double time_of(const Case& c, long steps) { return c.time.step * static_cast<double>(steps); }
-
-/// Revolution during which the bit goes from one place to another: the middle decides.
-std::size_t revolution_of(const Place& from, const Place& to) {
-  const double middle = 0.5 * (from.turned + to.turned);
-  return static_cast<std::size_t>(std::abs(middle) / (2.0 * std::numbers::pi));
-}
-
-void note(std::size_t revolution, Simulation& s) {
-  VolumeLedger& l = s.ledger;
-  if (l.removed_by_revolution.size() <= revolution)
-    l.removed_by_revolution.resize(revolution + 1, std::vector<double>(at(s.bit.part_count), 0.0));
-  for (std::size_t i = 0; i < s.cut.removed_by_part.size(); ++i) {
-    const double v = s.cut.removed_by_part[i];
-    if (v == 0.0) continue;
-    l.removed.add(v);
-    l.removed_by_part[i].add(v);
-    l.removed_by_revolution[revolution][i] += v;
-  }
-}
 
 rock::MaintenanceLimits limits_of(const Case& c) {
   rock::MaintenanceLimits l = rock::limits_for(c.rock.edge_length);
@@ -45,78 +24,62 @@ rock::MaintenanceLimits limits_of(const Case& c) {
   return l;
 }
 
-/// Takes the bit to the end of the step: along its motion, or as forces move it.
-void advance(const Case& c, Simulation& s) {
-  const Place from = s.place;
-  if (s.drive) {
-    s.drive_before = *s.drive;
-    dynamics::open_step(c.drilling.system, c.time.step, *s.drive);
-    s.place = place_of(c.drilling.system, s.drive->state);
-  } else {
-    s.place = place_at(c.motion, time_of(c, s.steps_done + 1));
-  }
-  if (c.bit.cones.empty()) return;
-  const std::vector<double> angles = angles_of(s.cones);
-  if (s.drive)
-    follow_cones(s.drive->state, c.time.step, s.place.turned - from.turned, s.cones);
-  else
-    turn_cones(c, s.steps_done, s.cut, s.cones);
-  rock::turn_cones(s.bit, c.bit, angles, angles_of(s.cones));
-}
-
-}  // namespace
-
-Simulation start(const Case& c) {
-  Simulation s;
+State start_state(const Case& c) {
+  State s;
   s.steps_done = c.time.first;
-  s.place = place_at(c.motion, time_of(c, s.steps_done));
+  s.place = place_at(c.motion, time_at(c.time, s.steps_done));
   if (c.motion.kind == MotionKind::drilling) {
     s.drive = start_drive(c);
     s.place = place_of(c.drilling.system, s.drive->state);
   }
   s.start_turned = s.place.turned;
-  if (c.forces.forces == Forces::on) reserve(s.trace, c.time.steps);
-  s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
-  s.cut_work.most_passes = c.update.most_passes;
-  s.cut_work.foresight = foresight_of(c.measure, c.rock.edge_length);
-  if (c.measure.contact == ContactMeasure::on)
-    s.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   s.cones = start_cones(c);
-  s.measures = start_measures(c.bit, c.measure);
   s.rock = start_rock(c);
-  s.limits = limits_of(c);
-  s.trimming.height = trim_height(c);
   demand_free_start(c, s.rock.surface);
   s.start_triangles = s.rock.surface.triangle_count();
   s.ledger.hole_start = mesh::hole_volume(s.rock.surface, Vec3::Zero());
-  s.ledger.removed_by_part.resize(at(s.bit.part_count));
+  s.ledger.removed_by_part.resize(c.bit.parts.size());
   return s;
 }
 
-void step(const Case& c, Simulation& s) {
-  const Place from = s.place;
-  advance(c, s);
-  const MeasuredStep moved = {c.bit,
-                              s.bit,
-                              s.cut_work,
-                              s.cut,
-                              over_rock(from),
-                              over_rock(s.place),
-                              c.time.step,
-                              c.rock.edge_length,
-                              revolution_of(from, s.place)};
-  rock::cut_rock(s.rock, s.bit, moved.X_WB0, moved.X_WB1, s.cut_work, s.cut);
-  note(moved.revolution, s);
-  measure(s.rock, c.measure, moved, s.measures);
-  if (c.forces.forces == Forces::on) ask_forces(c, moved, s);
-  ++s.steps_done;
-  if (c.maintenance.every > 0 && s.steps_done % c.maintenance.every == 0) {
-    rock::maintain(s.rock, s.limits, s.maintenance_work, s.maintenance);
-    s.ledger.trimmed.add(trim(c, moved.X_WB1.p.z(), s.limits, s.rock, s.trimming));
-  }
+}  // namespace
+
+Work start_work(const Case& c, const State& state) {
+  Work w;
+  w.limits = limits_of(c);
+  w.trim_height = trim_height(c);
+  w.cutting = rock::prepare_cutting_bit(c.bit, c.update.cutting);
+  rock::turn_cones(w.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
+  w.cut_work.most_passes = c.update.most_passes;
+  w.cut_work.foresight = foresight_of(c.measure, c.rock.edge_length);
+  if (c.measure.contact == ContactMeasure::on)
+    w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
+  w.faces = measured_faces(c.bit, w.cutting, c.measure);
+  if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);
+  return w;
 }
 
-double ledger_defect(const Simulation& s) {
+Statistics start_statistics(const Case& c) {
+  Statistics s;
+  const double turned = angle_turned(c.motion, time_at(c.time, c.time.first));
+  s.cones.assign(c.bit.cones.size(), ConeStatistics{turned, {}, 0.0, 0.0});
+  if (c.measure.section != SectionMeasure::off) s.faces.revolution.resize(c.bit.cutters.size());
+  if (c.forces.forces == Forces::on) reserve(s.trace, c.time.steps);
+  return s;
+}
+
+Simulation start(const Case& c) { return resume(c, start_state(c), start_statistics(c)); }
+
+Simulation resume(const Case& c, State state, Statistics statistics) {
+  Simulation s;
+  s.state = std::move(state);
+  s.work = start_work(c, s.state);
+  s.statistics = std::move(statistics);
+  return s;
+}
+
+double ledger_defect(const Simulation& simulation) {
+  const State& s = simulation.state;
   const double now = mesh::hole_volume(s.rock.surface, Vec3::Zero());
   const double removed = s.ledger.removed.value(), trimmed = s.ledger.trimmed.value();
   const double scale = std::max(

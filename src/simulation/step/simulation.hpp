@@ -4,66 +4,101 @@
 #include <vector>
 
 #include "core/compensated_sum.hpp"
+#include "dynamics/drilling/drilling_step.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rock/maintain/maintain.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/place.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/diagnosis.hpp"
-#include "simulation/step/drive.hpp"
 #include "simulation/step/load_figures.hpp"
 #include "simulation/step/measure.hpp"
 #include "simulation/step/trimming.hpp"
 
 namespace tdbd::simulation {
 
-/// Where every cubic millimetre went (formulation 2.5). Volumes in m3.
+/// Where every cubic millimetre of rock went, simulation (6). Volumes in m3.
 struct VolumeLedger {
   double hole_start = 0.0;  ///< hole's volume under the cap of its boundary
   CompensatedSum removed;
-  CompensatedSum trimmed;  ///< of hole_volume, with the wall that was trimmed
+  CompensatedSum trimmed;  ///< of the hole, with the wall that was trimmed
   std::vector<CompensatedSum> removed_by_part;
   std::vector<std::vector<double>> removed_by_revolution;  ///< [revolution][part]
 };
 
-/// All that a run carries from step to step.
-struct Simulation {
-  rock::CuttingBit bit;
-  rock::Rock rock;
-  rock::MaintenanceLimits limits;
-  rock::MaintenanceReport maintenance;
-  VolumeLedger ledger;
+/// All that a restart needs beside the case: what later steps read, and what a run counts of its
+/// rock. Of `rock`, the index (`grid`, `near_lists`) can be rebuilt from the surface, and the
+/// steps that follow are the same to the bit.
+struct State {
   long steps_done = 0;        ///< since the motion's beginning (TimeGrid::first)
   Place place;                ///< of the bit, after the steps done
   double start_turned = 0.0;  ///< rad: Place::turned when the run began
+  rock::Rock rock;
   long start_triangles = 0;
-  rock::CutReport cut;  ///< of the last step
   std::vector<ConeState> cones;
-  Measures measures;                        ///< of the last step
+  rock::CutReport cut;                      ///< of the last step: turns the cones in the next
   std::optional<dynamics::Drilling> drive;  ///< of a bit that forces move
-  dynamics::Drilling drive_before;          ///< before the step at work
-  BitVelocity velocity;                     ///< over the rock, at the end of the last step
-  std::vector<CutOfPart> cuts;              ///< of the last step; without forces none
-  BitLoads loads;                           ///< at the end of the last step, about the bit's origin
-  std::vector<double> energy_by_part;       ///< J, power times step since the start
-  LoadStatistics load_statistics;
-  Trace trace;
+  VolumeLedger ledger;
+  rock::MaintenanceReport maintenance;
+  Trimming trimming;
+};
+
+/// What a step keeps beside the state: all of it follows from the case and the state (start_work).
+struct Work {
+  // Of the case.
+  rock::MaintenanceLimits limits;
+  double trim_height = 0.0;  ///< m, of the trimming plane above the bit's origin; 0: no trimming
+  rock::CuttingBit cutting;  ///< the bit prepared, its cones at the angles of the last step
+  MeasuredFaces faces;       ///< the cutters' faces prepared
+  // Of the last step.
+  Measures measures;
+  std::vector<CutOfPart> cuts;  ///< none without forces
+  BitVelocity velocity;         ///< over the rock, at which the force laws were evaluated
+  BitLoads loads;               ///< about the bit's origin
+  // Room.
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
-  Trimming trimming;
+  rock::TrimWorkspace trim_work;
+  MeasureWork measure_work;
+  dynamics::DrillingWork drive;
+  dynamics::Drilling drive_before;  ///< the motion before the step at work
+};
+
+/// What a run says at its end of all its steps; no step reads it.
+struct Statistics {
+  FaceStatistics faces;
+  std::vector<ConeStatistics> cones;
+  LoadStatistics loads;
+  std::vector<double> energy_by_part;  ///< J, power times step since the start
+  Trace trace;
+};
+
+/// A run between two steps.
+struct Simulation {
+  State state;
+  Work work;
+  Statistics statistics;
 };
 
 /// Builds rock and bit of a case at t = 0. Throws InputError if the bit starts deeper in the rock
 /// than its largest cutter's radius, or the rock cannot be built.
 Simulation start(const Case& c);
 
-/// One time step, thesis fig. 4.2: the bit moves, every part cuts, the ledger notes it, sections
-/// and contact areas are measured, the force laws are asked, and the surface is maintained, and its
-/// wall trimmed, when due.
+/// One time step, thesis fig. 4.2: the bit drifts to its next place, its parts cut, what they met
+/// is measured, the force laws are evaluated, the motion takes their kick, and when it is due the
+/// surface is maintained and its wall trimmed (step.hpp). Throws RunError where a step cannot be
+/// done; where the motion diverges it is then as it was before the step.
 void step(const Case& c, Simulation& s);
 
+/// A run that goes on from what was copied or saved between two steps; it does the same to the bit
+/// as if it had not been interrupted.
+Simulation resume(const Case& c, State state, Statistics statistics);
+
+Work start_work(const Case& c, const State& state);
+Statistics start_statistics(const Case& c);
+
 /// |start + removed + maintenance - trimmed - now| over the largest of them: tolerance::ledger
-/// bounds it.
+/// bounds it. Simulation (6).
 double ledger_defect(const Simulation& s);
 
 }  // namespace tdbd::simulation

@@ -11,9 +11,10 @@ void add(Spread& s, double x) {
   s.squares += before * (x - s.mean);
 }
 
-double relative_rms(const Spread& s) {
-  if (s.count == 0 || s.mean == 0.0) return 0.0;
-  return std::sqrt(s.squares / static_cast<double>(s.count)) / s.mean;
+double deviation(const Spread& s) {
+  return s.count > 0 ? std::sqrt(s.squares / static_cast<double>(s.count)) : 0.0;
 }
+
+double relative_deviation(const Spread& s) { return s.mean != 0.0 ? deviation(s) / s.mean : 0.0; }
 
 }  // namespace tdbd::simulation

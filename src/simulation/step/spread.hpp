@@ -2,7 +2,8 @@
 
 namespace tdbd::simulation {
 
-/// Mean of a number over steps, and of its squared distance from the mean.
+/// Running mean of a number over steps, and the sum of its squared distances from the mean
+/// (Welford's recurrence).
 struct Spread {
   long count = 0;
   double mean = 0.0, squares = 0.0;
@@ -10,7 +11,10 @@ struct Spread {
 
 void add(Spread& spread, double x);
 
-/// Root mean square of the distances from the mean, over the mean; 0 where the mean is.
-double relative_rms(const Spread& spread);
+/// Root mean square of the distances from the mean; 0 of nothing.
+double deviation(const Spread& spread);
+
+/// The same over the mean; 0 where the mean is.
+double relative_deviation(const Spread& spread);
 
 }  // namespace tdbd::simulation

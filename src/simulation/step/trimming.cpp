@@ -28,14 +28,13 @@ double trim_height(const Case& c) {
   return c.rock.trim - lowest;
 }
 
-double trim(const Case& c, double bit_z_W, const rock::MaintenanceLimits& limits, rock::Rock& rock,
-            Trimming& trimming) {
-  const double z_W = bit_z_W - trimming.height;
-  if (trimming.height <= 0.0 || z_W < trimming.done_W + c.rock.edge_length) return 0.0;
+double trim(double edge_length, double plane_W, const rock::MaintenanceLimits& limits,
+            rock::Rock& rock, Trimming& trimming, rock::TrimWorkspace& work) {
+  if (plane_W < trimming.done_W + edge_length) return 0.0;
   rock::TrimReport report;
-  rock::trim_wall(rock, trimming.done_W - 2.0 * limits.longest_edge, z_W, trimming.work, report);
+  rock::trim_wall(rock, trimming.done_W - 2.0 * limits.longest_edge, plane_W, work, report);
   trimming.triangles += report.triangles;
-  trimming.done_W = z_W;
+  trimming.done_W = plane_W;
   return report.volume;
 }
 

@@ -28,12 +28,12 @@ LevelOutcome drill_level(const std::string& file, const std::vector<std::string>
   const ThreadLimit limit(o.threads);
   Simulation s = start(c);
   RunStatus status = RunStatus::completed;
-  while (s.steps_done < c.time.steps && status == RunStatus::completed) {
+  while (s.state.steps_done < c.time.steps && status == RunStatus::completed) {
     step(c, s);
-    if (o.progress) o.progress(number, s.steps_done, c.time.steps);
+    if (o.progress) o.progress(number, s.state.steps_done, c.time.steps);
     if (o.interrupted && *o.interrupted) status = RunStatus::interrupted;
   }
-  return {status, c.time.step, s.steps_done, to_json(summary_of(c, s, status))};
+  return {status, c.time.step, s.state.steps_done, to_json(summary_of(c, s, status))};
 }
 
 }  // namespace

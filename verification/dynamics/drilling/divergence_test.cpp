@@ -11,11 +11,11 @@ namespace {
 
 TEST(Divergence, a_sound_run_has_none) {
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
-  Drilling d = start(s, smooth_law, coupled_start(s));
-  EXPECT_EQ(divergence(s, d), "");
+  LumpedRun d = start(s, smooth_law, coupled_start(s));
+  EXPECT_EQ(divergence(s, d, d.work), "");
   for (int i = 0; i < 1000; ++i) {
     step(s, smooth_law, 1e-3, d);
-    ASSERT_EQ(divergence(s, d), "");
+    ASSERT_EQ(divergence(s, d, d.work), "");
   }
 }
 
@@ -24,11 +24,11 @@ TEST(Divergence, names_the_force_that_is_no_number) {
   const LumpedLaw broken = [](const auto&, const DrillingState& x, const auto&, Wrench& w) {
     if (x.rotation.time > 0.0095) w.force_W.y() = std::numeric_limits<double>::quiet_NaN();
   };
-  Drilling d = start(s, broken, coupled_start(s));
+  LumpedRun d = start(s, broken, coupled_start(s));
   int steps = 0;
-  while (divergence(s, d).empty() && ++steps < 100) step(s, broken, 1e-3, d);
+  while (divergence(s, d, d.work).empty() && ++steps < 100) step(s, broken, 1e-3, d);
   EXPECT_EQ(steps, 10);
-  EXPECT_EQ(divergence(s, d), "the force of cutting is not finite at t = 0.01 s");
+  EXPECT_EQ(divergence(s, d, d.work), "the force of cutting is not finite at t = 0.01 s");
 }
 
 /// A spring far beyond the stability limit: the run ends with the motion that ran away.
@@ -38,21 +38,22 @@ TEST(Divergence, names_the_motion_that_runs_away) {
   s = make_drilling_system(s);
   DrillingState from = at_rest(s);
   from.momentum_W.z() = 1.0;
-  Drilling d = start(s, nullptr, from);
-  for (int i = 0; i < 100 && divergence(s, d).empty(); ++i) step(s, nullptr, 1e-3, d);
-  EXPECT_EQ(divergence(s, d).find("the residual of energy"), 0U) << divergence(s, d);
+  LumpedRun d = start(s, nullptr, from);
+  for (int i = 0; i < 100 && divergence(s, d, d.work).empty(); ++i) step(s, nullptr, 1e-3, d);
+  EXPECT_EQ(divergence(s, d, d.work).find("the residual of energy"), 0U)
+      << divergence(s, d, d.work);
   d.ledger.start = 1e30;  // as if there had been so much to begin with
-  while (divergence(s, d).empty()) step(s, nullptr, 1e-3, d);
-  EXPECT_NE(divergence(s, d).find("the bit's speed along z"), std::string::npos);
+  while (divergence(s, d, d.work).empty()) step(s, nullptr, 1e-3, d);
+  EXPECT_NE(divergence(s, d, d.work).find("the bit's speed along z"), std::string::npos);
 }
 
 /// A force law that feeds energy, which no ledger explains, is caught before speeds are absurd.
 TEST(Divergence, sees_energy_from_nowhere) {
   const DrillingSystem s = make_drilling_system(plain_bit());
-  Drilling d = start(s, nullptr, at_rest(s));
+  LumpedRun d = start(s, nullptr, at_rest(s));
   d.state.momentum_W.z() += 500.0;
   step(s, nullptr, 1e-3, d);
-  EXPECT_EQ(divergence(s, d),
+  EXPECT_EQ(divergence(s, d, d.work),
             "the residual of energy: 250 J where 0 J came and went, most of it in the bit's "
             "translation at t = 0.001 s");
 }

@@ -10,14 +10,14 @@ namespace {
 /// Everything at once, cones included: a thousand steps ask the allocator for nothing.
 TEST(DrillingMemory, a_warm_step_allocates_nothing) {
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::top);
-  Drilling d = start(s, smooth_law, coupled_start(s));
+  LumpedRun d = start(s, smooth_law, coupled_start(s));
   Wrench wrench = d.wrench;
   const auto one = [&] {
-    open_step(s, 1e-3, d);
-    const DrillingState& there = predicted(s, 1e-3, d);
+    open_step(s, 1e-3, d, d.work);
+    const DrillingState& there = predicted(s, 1e-3, d, d.work);
     wrench.force_W = -100.0 * there.momentum_W;
-    close_step(s, 1e-3, wrench, d);
-    return divergence(s, d).empty();
+    close_step(s, 1e-3, wrench, d, d.work);
+    return divergence(s, d, d.work).empty();
   };
   for (int i = 0; i < 3; ++i) one();
   battery::reset_peak();

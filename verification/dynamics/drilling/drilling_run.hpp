@@ -23,23 +23,35 @@ inline void evaluate(const DrillingSystem& system, const LumpedLaw& law, const D
   if (law) law(system, state, velocity(system, state), out);
 }
 
-inline Drilling start(const DrillingSystem& system, const LumpedLaw& law, DrillingState state) {
-  Drilling d = start_drilling(system, std::move(state));
+/// A motion with its work beside it.
+struct LumpedRun : Drilling {
+  DrillingWork work;
+};
+
+/// Goes on from what was started, or saved.
+inline LumpedRun go_on(const DrillingSystem& system, Drilling from) {
+  LumpedRun d{std::move(from), {}};
+  d.work = drilling_work(system, d);
+  return d;
+}
+
+inline LumpedRun start(const DrillingSystem& system, const LumpedLaw& law, DrillingState state) {
+  LumpedRun d = go_on(system, start_drilling(system, std::move(state)));
   evaluate(system, law, d.state, d.wrench);
   return d;
 }
 
-inline void step(const DrillingSystem& system, const LumpedLaw& law, double h, Drilling& d,
+inline void step(const DrillingSystem& system, const LumpedLaw& law, double h, LumpedRun& d,
                  LawMomenta momenta = LawMomenta::predicted) {
-  open_step(system, h, d);
+  open_step(system, h, d, d.work);
   Wrench wrench;
-  evaluate(system, law, momenta == LawMomenta::predicted ? predicted(system, h, d) : d.state,
-           wrench);
-  close_step(system, h, wrench, d);
+  evaluate(system, law,
+           momenta == LawMomenta::predicted ? predicted(system, h, d, d.work) : d.state, wrench);
+  close_step(system, h, wrench, d, d.work);
 }
 
-inline double residual(const DrillingSystem& system, const Drilling& d) {
-  return residual(stored_energy(system, d.at, d.state), d.ledger);
+inline double residual(const DrillingSystem& system, const LumpedRun& d) {
+  return residual(stored_energy(system, d.work.at, d.state), d.ledger);
 }
 
 /// A bit of 500 kg without cones, hanging in nothing.

@@ -19,13 +19,13 @@ TEST(DrillingTwin, impacts_on_the_wall_are_followed) {
   const reference::LumpedRun exact =
       reference::lumped_drilling_rk4(s, smooth_law, reference::lumped_state(s, from), 0.1, 20'000);
   constexpr double h = 2e-5;
-  Drilling d = start(s, smooth_law, from);
+  LumpedRun d = start(s, smooth_law, from);
   long impacts = 0;
   double depth = 0.0;
   for (int i = 0; i < 5'000; ++i) {
     step(s, smooth_law, h, d);
-    if (depth == 0.0 && d.at.contact.depth > 0.0) ++impacts;
-    depth = d.at.contact.depth;
+    if (depth == 0.0 && d.work.at.contact.depth > 0.0) ++impacts;
+    depth = d.work.at.contact.depth;
   }
   EXPECT_GE(impacts, 5);
   EXPECT_LT((d.state.c_W - exact.state.c_W).norm(), 2e-6);

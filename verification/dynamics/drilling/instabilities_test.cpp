@@ -37,19 +37,20 @@ struct Swing {
   double least = 1e300, most = -1e300;
   double size() const { return most - least; }
 };
-Swing swing(const DrillingSystem& s, const LumpedLaw& law, double h, double duration, Drilling& d) {
+Swing swing(const DrillingSystem& s, const LumpedLaw& law, double h, double duration,
+            LumpedRun& d) {
   Swing found;
   const double end = d.state.rotation.time + duration;
   while (d.state.rotation.time < end) {
     step(s, law, h, d);
-    const double w = d.closing.w_W.z();
+    const double w = d.work.closing.w_W.z();
     found = {std::min(found.least, w), std::max(found.most, w)};
   }
   return found;
 }
 
 /// Steady turning at w0, disturbed a little.
-Drilling steady_turning(DrillingSystem& s, double w0, double disturbance) {
+LumpedRun steady_turning(DrillingSystem& s, double w0, double disturbance) {
   s.top.speed = constant(w0);
   s.top.start_angle = bit_torque(w0) / 469.0;
   s = make_drilling_system(s);
@@ -67,7 +68,7 @@ TEST(StickSlip, small_swings_grow_or_die_as_the_slope_of_the_torque_says) {
   double worst = 0.0;
   for (const double damping : {0.7 * slope, 0.95 * slope, 1.05 * slope, 1.5 * slope}) {
     DrillingSystem s = long_string(damping);
-    Drilling d = steady_turning(s, w0, 1e-4);
+    LumpedRun d = steady_turning(s, w0, 1e-4);
     const double exact = (slope - damping) / (2.0 * 41.0),
                  period = 2.0 * pi * std::sqrt(41.0 / 469.0);
     const double first = swing(s, weakening_law, h, 2.0 * period, d).size();
@@ -85,7 +86,7 @@ TEST(StickSlip, small_swings_grow_or_die_as_the_slope_of_the_torque_says) {
 /// Beyond the onset the bit sticks, and lets go with up to twice the top's speed and more.
 TEST(StickSlip, slow_top_on_a_long_string_sticks_and_slips) {
   DrillingSystem s = long_string(30.0);
-  Drilling d = steady_turning(s, 8.0, 1e-2);
+  LumpedRun d = steady_turning(s, 8.0, 1e-2);
   swing(s, weakening_law, 1e-3, 60.0, d);
   const Swing cycle = swing(s, weakening_law, 1e-3, 10.0, d);
   EXPECT_LT(cycle.least, 0.02 * 8.0);
@@ -96,7 +97,7 @@ TEST(StickSlip, slow_top_on_a_long_string_sticks_and_slips) {
 /// A fast top is beyond the weakening: the same disturbance dies.
 TEST(StickSlip, a_fast_top_drills_smoothly) {
   DrillingSystem s = long_string(30.0);
-  Drilling d = steady_turning(s, 20.0, 5.0);
+  LumpedRun d = steady_turning(s, 20.0, 5.0);
   swing(s, weakening_law, 1e-3, 40.0, d);
   EXPECT_LT(swing(s, weakening_law, 1e-3, 5.0, d).size(), 0.1);
 }
@@ -146,7 +147,7 @@ AxialMotion regenerate(const AxialRun& r, bool steady, double from_time, double 
   const auto force = [&](double z) {
     return -r.cutting * std::max(z - blades.past[blades.next], 0.0);
   };
-  Drilling d = start_drilling(s, from);
+  LumpedRun d = go_on(s, start_drilling(s, from));
   Wrench w;
   w.force_W.z() = force(from.c_W.z());
   d.wrench = w;
@@ -154,16 +155,16 @@ AxialMotion regenerate(const AxialRun& r, bool steady, double from_time, double 
   double least = 1e300, most = -1e300, z_from = 0.0;
   while (d.state.rotation.time < to_time) {
     blades.cut(d.state.c_W.z());
-    open_step(s, h, d);
+    open_step(s, h, d, d.work);
     w.force_W.z() = force(d.state.c_W.z());
-    close_step(s, h, w, d);
+    close_step(s, h, w, d, d.work);
     if (d.state.rotation.time < from_time) {
       z_from = d.state.c_W.z();
       continue;
     }
     if (w.force_W.z() == 0.0) ++found.lost;
-    least = std::min(least, d.closing.v_W.z());
-    most = std::max(most, d.closing.v_W.z());
+    least = std::min(least, d.work.closing.v_W.z());
+    most = std::max(most, d.work.closing.v_W.z());
   }
   found.mean = (d.state.c_W.z() - z_from) / (to_time - from_time);
   found.swing = most - least;

@@ -29,9 +29,9 @@ double growth(const DrillingSystem& s, const ContactSlopes& c, double h) {
   from.momentum_W = 1e-6 * Vec3(1.0, 1.0, 1.0);
   from.rotation.momentum_W = 1e-8 * Vec3(1.0, 1.0, 1.0);
   const LumpedLaw law = linear_law(c);
-  Drilling d = start(s, law, from);
+  LumpedRun d = start(s, law, from);
   for (int i = 0; i < 600; ++i) step(s, law, h, d);
-  return std::sqrt(total(stored_energy(s, d.at, d.state)) / d.ledger.start);
+  return std::sqrt(total(stored_energy(s, d.work.at, d.state)) / d.ledger.start);
 }
 
 DrillingSystem held_bit() {

@@ -26,15 +26,15 @@ class TwentyRevolutions : public testing::Test {
                                 "measure.section=off", "measure.contact=off"}));
     first_ = new mesh::Surface();
     simulation_ = new Simulation(start(*case_));
-    *first_ = simulation_->rock.surface;
-    while (simulation_->steps_done < case_->time.steps) step(*case_, *simulation_);
+    *first_ = simulation_->state.rock.surface;
+    while (simulation_->state.steps_done < case_->time.steps) step(*case_, *simulation_);
   }
   static void TearDownTestSuite() {
     delete simulation_;
     delete first_;
     delete case_;
   }
-  static const mesh::Surface& surface() { return simulation_->rock.surface; }
+  static const mesh::Surface& surface() { return simulation_->state.rock.surface; }
   static double advance() {
     return case_->motion.rate_of_penetration * 2.0 * std::numbers::pi / case_->motion.rotary_speed;
   }
@@ -62,10 +62,10 @@ TEST_F(TwentyRevolutions, keep_edges_in_their_limits) {  // M3
               b = surface().vertex(mesh::previous_corner(c));
     const double length = (surface().position(a) - surface().position(b)).norm();
     ++all;
-    too_long += length > simulation_->limits.longest_edge;
-    too_short += length < simulation_->limits.shortest_edge;
+    too_long += length > simulation_->work.limits.longest_edge;
+    too_short += length < simulation_->work.limits.shortest_edge;
   }
-  const long refused = rock::refusals(simulation_->maintenance);
+  const long refused = rock::refusals(simulation_->state.maintenance);
   fmt::print("edges: {} too long, {} too short of {}; {} refusals\n", too_long / 2, too_short / 2,
              all / 2, refused);
   EXPECT_LE(too_long + too_short, refused);
@@ -73,10 +73,10 @@ TEST_F(TwentyRevolutions, keep_edges_in_their_limits) {  // M3
 
 TEST_F(TwentyRevolutions, close_the_ledger_and_hardly_disturb_it) {  // M5
   EXPECT_LE(ledger_defect(*simulation_), tolerance::ledger);
-  const double removed = simulation_->ledger.removed.value();
+  const double removed = simulation_->state.ledger.removed.value();
   fmt::print("maintenance disturbed {:.2e} of what was removed\n",
-             simulation_->maintenance.volume_disturbed / removed);
-  EXPECT_LT(simulation_->maintenance.volume_disturbed, 1e-3 * removed);
+             simulation_->state.maintenance.volume_disturbed / removed);
+  EXPECT_LT(simulation_->state.maintenance.volume_disturbed, 1e-3 * removed);
 }
 
 TEST_F(TwentyRevolutions, leave_the_boundary_bit_for_bit) {  // M7
@@ -103,7 +103,7 @@ TEST_F(TwentyRevolutions, need_no_more_triangles_than_the_wall_grows) {
 TEST_F(TwentyRevolutions, remove_the_same_in_every_revolution_but_the_first) {
   const double r = case_->bit.gage_radius;
   const double expected = std::numbers::pi * r * r * advance();
-  const auto& by_revolution = simulation_->ledger.removed_by_revolution;
+  const auto& by_revolution = simulation_->state.ledger.removed_by_revolution;
   ASSERT_GE(by_revolution.size(), 20U);
   double worst = 0.0;
   for (std::size_t k = 1; k < 20; ++k) {

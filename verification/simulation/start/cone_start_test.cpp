@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "bit/cone/part_pose.hpp"
-#include "mesh_bit.hpp"
 #include "simulation/start/start_check.hpp"
 #include "simulation/step/simulation.hpp"
+#include "verification/simulation/mesh_bit.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -40,7 +40,7 @@ TEST(cone_start, a_conforming_bottom_holds_no_tooth_at_any_angle) {
     for (const bit::Part& part : there.parts) {
       if (part.cutting == bit::Cutting::never) continue;
       for (std::size_t i = 0; i < part.mesh_P.positions.size(); i += 7)
-        EXPECT_TRUE(is_free(s.rock.surface, part.X_BP * part.mesh_P.positions[i], slack))
+        EXPECT_TRUE(is_free(s.state.rock.surface, part.X_BP * part.mesh_P.positions[i], slack))
             << part.name;
     }
   }
@@ -51,8 +51,8 @@ TEST(cone_start, a_conforming_bottom_holds_no_tooth_at_any_angle) {
 TEST(cone_start, a_bit_that_turns_in_its_conforming_hole_takes_almost_nothing) {
   const Case c = conforming("step = \"4 ms\"\nduration = \"0.5 s\"");
   Simulation s = start(c);
-  while (s.steps_done < c.time.steps) step(c, s);
-  EXPECT_LT(s.ledger.removed.value(), 0.5e-6);
+  while (s.state.steps_done < c.time.steps) step(c, s);
+  EXPECT_LT(s.state.ledger.removed.value(), 0.5e-6);
   EXPECT_LE(ledger_defect(s), 1e-12);
 }
 

@@ -24,12 +24,12 @@ Case bit_r(std::vector<std::string> settings) {
 
 Simulation drilled(const Case& c) {
   Simulation s = start(c);
-  while (s.steps_done < c.time.steps) step(c, s);
+  while (s.state.steps_done < c.time.steps) step(c, s);
   return s;
 }
 
 std::size_t intersections(const Simulation& s) {
-  return reference::self_intersecting_pairs(mesh::compact(s.rock.surface));
+  return reference::self_intersecting_pairs(mesh::compact(s.state.rock.surface));
 }
 
 /// Fifty revolutions of bit R: what maintenance must keep (formulation 3).
@@ -52,8 +52,8 @@ TEST_F(FiftyRevolutions, close_the_ledger) {  // M5
 }
 
 TEST_F(FiftyRevolutions, keep_the_surface_a_disc) {  // M1
-  const mesh::TriangleMesh m = mesh::compact(simulation_->rock.surface);
-  EXPECT_TRUE(mesh::adjacency_is_consistent(simulation_->rock.surface));
+  const mesh::TriangleMesh m = mesh::compact(simulation_->state.rock.surface);
+  EXPECT_TRUE(mesh::adjacency_is_consistent(simulation_->state.rock.surface));
   EXPECT_TRUE(mesh::check_surface(m).empty());
 }
 
@@ -69,14 +69,14 @@ TEST_F(FiftyRevolutions, remove_what_the_bit_advances_through) {
       case_->motion.rate_of_penetration * 2.0 * std::numbers::pi / case_->motion.rotary_speed;
   double removed = 0.0;
   for (std::size_t k = 40; k < 50; ++k)
-    for (const double part : simulation_->ledger.removed_by_revolution[k]) removed += part;
+    for (const double part : simulation_->state.ledger.removed_by_revolution[k]) removed += part;
   const double ratio = removed / (10.0 * std::numbers::pi * r * r * advance);
   fmt::print("removed over pi R^2 d: {:.4f}\n", ratio);
   EXPECT_NEAR(ratio, 1.0, 0.01);
 }
 
 double worst_quality(const Simulation& s) {
-  const mesh::TriangleMesh m = mesh::compact(s.rock.surface);
+  const mesh::TriangleMesh m = mesh::compact(s.state.rock.surface);
   double worst = 1.0;
   for (const auto& [a, b, c] : m.triangles) {
     const auto x = [&m](int v) { return m.positions[static_cast<std::size_t>(v)]; };
@@ -118,12 +118,12 @@ TEST(body_cuts, do_not_depend_on_how_the_body_is_searched) {
   double taken = 0.0;
   for (std::size_t i = 0; i < pieces.bit.parts.size(); ++i)
     if (pieces.bit.parts[i].kind == bit::PartKind::cone)
-      for (const auto& revolution : a.ledger.removed_by_revolution) taken += revolution.at(i);
+      for (const auto& revolution : a.state.ledger.removed_by_revolution) taken += revolution.at(i);
   EXPECT_GT(taken, 0.0);
   const double size = 2.0 * pieces.bit.gage_radius;
-  ASSERT_EQ(a.rock.surface.vertex_slots(), b.rock.surface.vertex_slots());
-  for (int v = 0; v < a.rock.surface.vertex_slots(); ++v)
-    EXPECT_LE((a.rock.surface.position(v) - b.rock.surface.position(v)).norm(),
+  ASSERT_EQ(a.state.rock.surface.vertex_slots(), b.state.rock.surface.vertex_slots());
+  for (int v = 0; v < a.state.rock.surface.vertex_slots(); ++v)
+    EXPECT_LE((a.state.rock.surface.position(v) - b.state.rock.surface.position(v)).norm(),
               tolerance::inside * size);
 }
 

@@ -69,17 +69,17 @@ double last_revolution(const Case& c, const Simulation& s, double turned) {
   const double r = c.bit.gage_radius;
   const double d = c.motion.rate_of_penetration * 2.0 * std::numbers::pi / c.motion.rotary_speed;
   const auto last = static_cast<std::size_t>(turned + 1e-9) - 1;
-  const std::vector<double>& v = s.ledger.removed_by_revolution[last];
+  const std::vector<double>& v = s.state.ledger.removed_by_revolution[last];
   return std::accumulate(v.begin(), v.end(), 0.0) / (std::numbers::pi * r * r * d);
 }
 
 /// Steps until the end or an error.
 void drill_on(const Case& c, Simulation& s, Outcome& o) {
   try {
-    while (s.steps_done < c.time.steps) {
+    while (s.state.steps_done < c.time.steps) {
       step(c, s);
       o.ledger = std::max(o.ledger, ledger_defect(s));
-      for (const double v : s.cut.removed_by_part) o.added -= std::min(0.0, v);
+      for (const double v : s.state.cut.removed_by_part) o.added -= std::min(0.0, v);
     }
   } catch (const RunError& e) {
     o.stopped = e.what();
@@ -90,15 +90,15 @@ Outcome drill(const Case& c) {
   Simulation s = start(c);
   Outcome o;
   drill_on(c, s, o);
-  const mesh::TriangleMesh m = mesh::compact(s.rock.surface);
-  const double time = c.time.step * static_cast<double>(s.steps_done);
+  const mesh::TriangleMesh m = mesh::compact(s.state.rock.surface);
+  const double time = c.time.step * static_cast<double>(s.state.steps_done);
   o.turned = angle_turned(c.motion, time) / (2.0 * std::numbers::pi);
   o.volume = last_revolution(c, s, o.turned);
-  o.removed = s.ledger.removed.value();
-  o.maintenance = s.maintenance.volume_disturbed;
-  o.growth = static_cast<double>(m.triangles.size()) / static_cast<double>(s.start_triangles);
+  o.removed = s.state.ledger.removed.value();
+  o.maintenance = s.state.maintenance.volume_disturbed;
+  o.growth = static_cast<double>(m.triangles.size()) / static_cast<double>(s.state.start_triangles);
   o.pairs = reference::self_intersecting_pairs(m);
-  o.folds = folds(s.rock.surface);
+  o.folds = folds(s.state.rock.surface);
   o.worst_quality = worst_quality(m);
   return o;
 }

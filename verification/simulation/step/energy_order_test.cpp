@@ -26,13 +26,14 @@ Case drilling(std::vector<std::string> settings, const std::string& name = "dril
 
 Simulation after(const Case& c, long steps) {
   Simulation s = start(c);
-  while (s.steps_done < steps) step(c, s);
+  while (s.state.steps_done < steps) step(c, s);
   return s;
 }
 
 double residual_of(const Case& c, const Simulation& s) {
-  return dynamics::residual(dynamics::stored_energy(c.drilling.system, s.drive->at, s.drive->state),
-                            s.drive->ledger);
+  return dynamics::residual(
+      dynamics::stored_energy(c.drilling.system, s.work.drive.at, s.state.drive->state),
+      s.state.drive->ledger);
 }
 
 TEST(energy_order, is_two_where_rock_is_cut) {

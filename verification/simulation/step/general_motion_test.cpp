@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh_bit.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/sound_rock.hpp"
 
 namespace tdbd::simulation {
@@ -105,19 +105,19 @@ TEST(sideways, a_disc_undercuts_the_wall) {
   for (const double edge : {2e-3, 1e-3}) {
     const Case c = undercut(u, edge);
     Simulation s = start(c);
-    EXPECT_EQ(roof_area(s.rock.surface), 0.0);
-    EXPECT_EQ(crossings(s.rock.surface, 0.0291, 0.0003), 0);
+    EXPECT_EQ(roof_area(s.state.rock.surface), 0.0);
+    EXPECT_EQ(crossings(s.state.rock.surface, 0.0291, 0.0003), 0);
     run_out(c, s, 7);
-    EXPECT_EQ(crossings(s.rock.surface, 0.0291, 0.0003), 2);
-    const double volume = s.ledger.removed.value() / (u.area() * u.disc.height);
-    const double roof = roof_area(s.rock.surface) / u.area();
-    const auto pairs = reference::self_intersecting_pairs(mesh::compact(s.rock.surface));
+    EXPECT_EQ(crossings(s.state.rock.surface, 0.0291, 0.0003), 2);
+    const double volume = s.state.ledger.removed.value() / (u.area() * u.disc.height);
+    const double roof = roof_area(s.state.rock.surface) / u.area();
+    const auto pairs = reference::self_intersecting_pairs(mesh::compact(s.state.rock.surface));
     fmt::print("edges of {:.1f} mm: volume {:.4f}, roof {:.4f} of the exact, {} pairs\n",
                1e3 * edge, volume, roof, pairs);
     EXPECT_NEAR(volume, 1.0, 60.0 * edge);
     EXPECT_NEAR(roof, 1.0, 100.0 * edge);
     EXPECT_LE(ledger_defect(s), tolerance::ledger);
-    EXPECT_TRUE(mesh::check_surface(mesh::compact(s.rock.surface)).empty());
+    EXPECT_TRUE(mesh::check_surface(mesh::compact(s.state.rock.surface)).empty());
     if (edge == 2e-3) {  // at 1 mm maintenance makes folds of a micrometre: src/rock/README.md
       EXPECT_EQ(pairs, 0U);
     }
@@ -134,8 +134,8 @@ TEST(sideways, straight_down_leaves_the_rock_ahead_of_an_undercutting_disc) {
   Simulation s = start(c);
   run_out(c, s, 7);
   EXPECT_LE(ledger_defect(s), tolerance::ledger);
-  const double volume = s.ledger.removed.value() / (u.area() * u.disc.height);
-  const auto pairs = reference::self_intersecting_pairs(mesh::compact(s.rock.surface));
+  const double volume = s.state.ledger.removed.value() / (u.area() * u.disc.height);
+  const auto pairs = reference::self_intersecting_pairs(mesh::compact(s.state.rock.surface));
   fmt::print("straight down: {:.4f} of the exact volume, {} intersecting pairs\n", volume, pairs);
   EXPECT_LT(volume, 0.01);
 }
@@ -148,7 +148,7 @@ TEST(sideways, going_up_from_an_undercut_takes_its_roof) {
   run_out(c, s, 7);
   expect_sound(s);
   const double up = 15e-3;
-  const double volume = s.ledger.removed.value() / (u.area() * (u.disc.height + up));
+  const double volume = s.state.ledger.removed.value() / (u.area() * (u.disc.height + up));
   fmt::print("sideways and up: {:.4f} of the exact volume\n", volume);
   EXPECT_NEAR(volume, 1.0, 0.12);
 }
@@ -176,9 +176,9 @@ TEST(reaming, a_bit_opens_a_narrower_hole_to_its_gage) {
   expect_sound(s);
   std::vector<double> widest(8, 0.0);  // of layers of 5 mm
   double narrowest = 1.0;
-  for (int v = 0; v < s.rock.surface.vertex_slots(); ++v) {
-    const Vec3& x = s.rock.surface.position(v);
-    if (!s.rock.surface.is_alive(v) || x.z() < 0.005 || x.z() >= 0.045) continue;
+  for (int v = 0; v < s.state.rock.surface.vertex_slots(); ++v) {
+    const Vec3& x = s.state.rock.surface.position(v);
+    if (!s.state.rock.surface.is_alive(v) || x.z() < 0.005 || x.z() >= 0.045) continue;
     double& layer = widest[static_cast<std::size_t>((x.z() - 0.005) / 0.005)];
     layer = std::max(layer, x.head<2>().norm());
     narrowest = std::min(narrowest, x.head<2>().norm());
@@ -225,7 +225,7 @@ void expect_elliptic_hole(const std::string& leaning, std::size_t most_pairs) {
           "[motion.tilt]\nangle = 0.1\nramp = 0\n[time]\nstep = 0.002\nrevolutions = 10\n");
   Simulation s = start(c);
   run_out(c, s, 53);
-  const mesh::TriangleMesh m = mesh::compact(s.rock.surface);
+  const mesh::TriangleMesh m = mesh::compact(s.state.rock.surface);
   EXPECT_LE(ledger_defect(s), tolerance::ledger);
   EXPECT_TRUE(mesh::check_surface(m).empty());
   const std::size_t pairs = reference::self_intersecting_pairs(m);
@@ -233,7 +233,7 @@ void expect_elliptic_hole(const std::string& leaning, std::size_t most_pairs) {
   double nearest = 0.0, farthest = -1.0;
   for (int k = 0; k < 12; ++k) {
     const double azimuth = 2.0 * pi * k / 12.0;
-    const double beyond = reach_of(s.rock, azimuth) - reach_of(c.bit, angle, azimuth);
+    const double beyond = reach_of(s.state.rock, azimuth) - reach_of(c.bit, angle, azimuth);
     nearest = std::min(nearest, beyond);
     farthest = std::max(farthest, beyond);
   }
@@ -259,12 +259,12 @@ TEST(reaming, a_bit_put_back_removes_nothing_more) {
                                               "[time]\nstep = 0.002\n[maintenance]\nevery = 0\n");
   Simulation s = start(c);
   double drilled = 0.0, up = 0.0;
-  while (s.steps_done < c.time.steps) {
+  while (s.state.steps_done < c.time.steps) {
     step(c, s);
-    if (s.steps_done <= 250) drilled += s.cut.removed;
-    if (s.steps_done > 250 && s.steps_done <= 300) up += s.cut.removed;
-    if (s.steps_done > 301) {
-      EXPECT_EQ(s.cut.moved, 0) << s.steps_done;
+    if (s.state.steps_done <= 250) drilled += s.state.cut.removed;
+    if (s.state.steps_done > 250 && s.state.steps_done <= 300) up += s.state.cut.removed;
+    if (s.state.steps_done > 301) {
+      EXPECT_EQ(s.state.cut.moved, 0) << s.state.steps_done;
     }
   }
   expect_sound(s);
@@ -281,10 +281,10 @@ TEST(continuing, after_a_reload_is_the_run_without_interruption) {
   constexpr long cut_at = 100;
   const auto file = test_folder() / "rock.ply";
   double before = 0.0;
-  while (s.steps_done < whole.time.steps) {
-    if (s.steps_done == cut_at) {
-      mesh::write_mesh(file, mesh::compact(s.rock.surface));
-      before = s.ledger.removed.value();
+  while (s.state.steps_done < whole.time.steps) {
+    if (s.state.steps_done == cut_at) {
+      mesh::write_mesh(file, mesh::compact(s.state.rock.surface));
+      before = s.state.ledger.removed.value();
     }
     step(whole, s);
   }
@@ -295,13 +295,14 @@ TEST(continuing, after_a_reload_is_the_run_without_interruption) {
                      file.string() + "\"\n" + motion + "first_step = 100\n"),
       {});
   Simulation t = start(rest);
-  EXPECT_EQ(t.steps_done, cut_at);
-  while (t.steps_done < rest.time.steps) step(rest, t);
-  const mesh::TriangleMesh a = mesh::compact(s.rock.surface), b = mesh::compact(t.rock.surface);
+  EXPECT_EQ(t.state.steps_done, cut_at);
+  while (t.state.steps_done < rest.time.steps) step(rest, t);
+  const mesh::TriangleMesh a = mesh::compact(s.state.rock.surface),
+                           b = mesh::compact(t.state.rock.surface);
   EXPECT_TRUE(a.positions == b.positions);
   EXPECT_TRUE(a.triangles == b.triangles);
-  EXPECT_NEAR(t.ledger.removed.value(), s.ledger.removed.value() - before,
-              1e-14 * s.ledger.hole_start);
+  EXPECT_NEAR(t.state.ledger.removed.value(), s.state.ledger.removed.value() - before,
+              1e-14 * s.state.ledger.hole_start);
 }
 
 /// Volume of the eighth revolution from a start of radius 55 mm.
@@ -312,7 +313,7 @@ double eighth_revolution(const std::string& shape) {
   run_out(c, s, 97);
   expect_sound(s);
   double last = 0.0;
-  for (const double v : s.ledger.removed_by_revolution[7]) last += v;
+  for (const double v : s.state.ledger.removed_by_revolution[7]) last += v;
   return last;
 }
 

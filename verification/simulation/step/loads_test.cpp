@@ -67,17 +67,17 @@ std::vector<CutOfPart> any_cuts(const ForcePlan& plan) {
 
 /// The virtual power of the forces at their points is that of the sums: force, torque about the
 /// bit's origin, and torques about the cones' axes. So all levers are right.
-RC_GTEST_PROP(loads, have_the_power_of_their_sums, ()) {
+RC_GTEST_PROP(Loads, have_the_power_of_their_sums, ()) {
   const ForcePlan plan = any_plan();
   const Pose X_WB = *battery::pose(1.0);
   const BitVelocity v = any_velocity(X_WB.p);
-  std::vector<CutOfPart> cuts = any_cuts(plan);
+  const std::vector<CutOfPart> cuts = any_cuts(plan);
   BitLoads loads;
   sum_loads(plan, bit_r(), X_WB, v, 1e-3, cuts, loads);
   double power = -loads.force_W.dot(v.v_W) - loads.torque_W.dot(v.w_W), scale = 1.0;
   for (std::size_t k = 0; k < v.cone_speeds.size(); ++k)
     power -= loads.cone_torques[k] * v.cone_speeds[k];
-  for (const CutOfPart& c : cuts) scale += c.cut.velocity.norm();
+  for (const CutOfPart& c : cuts) scale += cut_at(bit_r(), X_WB, v, 1e-3, c).velocity.norm();
   RC_ASSERT(std::abs(power - loads.power) <= 20.0 * rounding * scale);
   RC_ASSERT(loads.power >= -rounding * scale);
 }
@@ -88,7 +88,7 @@ CutOfPart turned(CutOfPart c, const Mat3& R) {
 }
 
 /// The whole problem turned about z: so are forces and torques.
-RC_GTEST_PROP(loads, turn_with_the_problem, ()) {
+RC_GTEST_PROP(Loads, turn_with_the_problem, ()) {
   const ForcePlan plan = any_plan();
   const Mat3 R = rotation::exp(Vec3(*battery::number(-3.0, 3.0) * Vec3::UnitZ()));
   const Pose X_WB = *battery::pose(1.0), X_WB_turned{R * X_WB.R, R * X_WB.p};
@@ -104,26 +104,25 @@ RC_GTEST_PROP(loads, turn_with_the_problem, ()) {
 }
 
 /// A cut's area normal to the velocity, and its rake, from the face's plane.
-TEST(loads, know_a_face_by_its_velocity) {
+TEST(Loads, know_a_face_by_its_velocity) {
   CutOfPart c;
   c.cut.kind = bit::PartKind::face;
   c.face_area = 2.0;
   c.cut.engaged_edge = 4.0;
   c.forward_W = Vec3(std::cos(0.3), 0.0, std::sin(0.3));
   const BitVelocity along_x{Vec3::Zero(), Vec3(5.0, 0.0, 0.0), Vec3::Zero(), {}};
-  set_velocity(bit_r(), {}, along_x, 0.01, c);
-  EXPECT_NEAR(c.cut.cut_area, 2.0 * std::cos(0.3), rounding);
-  EXPECT_NEAR(c.cut.back_rake, 0.3, rounding);
-  EXPECT_NEAR(c.cut.path, 0.05, rounding);
-  EXPECT_NEAR(c.cut.depth, 0.5 * std::cos(0.3), rounding);
+  const forces::PartCut cut = cut_at(bit_r(), {}, along_x, 0.01, c);
+  EXPECT_NEAR(cut.cut_area, 2.0 * std::cos(0.3), rounding);
+  EXPECT_NEAR(cut.back_rake, 0.3, rounding);
+  EXPECT_NEAR(cut.path, 0.05, rounding);
+  EXPECT_NEAR(cut.depth, 0.5 * std::cos(0.3), rounding);
   const BitVelocity backwards{Vec3::Zero(), Vec3(-5.0, 0.0, 0.0), Vec3::Zero(), {}};
-  set_velocity(bit_r(), {}, backwards, 0.01, c);
-  EXPECT_EQ(c.cut.cut_area, 0.0);
+  EXPECT_EQ(cut_at(bit_r(), {}, backwards, 0.01, c).cut_area, 0.0);
 }
 
 /// Chamfer of 45 degrees and width w, seen along the profile's normal: w (cos b + sin b). The same
 /// from the rim's points in the cutter's frame.
-TEST(loads, see_a_chamfer_along_the_normal) {
+TEST(Loads, see_a_chamfer_along_the_normal) {
   bit::Cutter c;
   c.diameter = 16e-3;
   c.tip_radius = 50e-3;

@@ -31,10 +31,10 @@ TEST(Memory, a_rock_takes_at_most_250_bytes_a_triangle) {
   Simulation s = start(c);
   const double start_peak = static_cast<double>(counted_memory().peak - before - 2 * of_the_bit);
   for (int i = 0; i < 100; ++i) step(c, s);
-  const auto triangles = static_cast<double>(s.rock.surface.triangle_count());
+  const auto triangles = static_cast<double>(s.state.rock.surface.triangle_count());
   const double held = static_cast<double>(counted_memory().held - before - 2 * of_the_bit);
   fmt::print("{} triangles: {:.0f} bytes a triangle, {:.0f} at most while the start is built\n",
-             s.rock.surface.triangle_count(), held / triangles, start_peak / triangles);
+             s.state.rock.surface.triangle_count(), held / triangles, start_peak / triangles);
   EXPECT_LE(held / triangles, bytes_a_triangle);
 }
 

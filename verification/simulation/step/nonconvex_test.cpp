@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include "core/tolerance.hpp"
-#include "mesh_bit.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/penetration.hpp"
 
 namespace tdbd::simulation {
@@ -24,15 +24,17 @@ double drill(const mesh::TriangleMesh& tool_mm) {
                  "step = \"1 ms\"\nduration = \"120 ms\""),
       {});
   Simulation s = start(c);
-  EXPECT_TRUE(s.bit.groups[0].parts[0].tree_P.has_value());
-  while (s.steps_done < c.time.steps) {
+  EXPECT_TRUE(s.work.cutting.groups[0].parts[0].tree_P.has_value());
+  while (s.state.steps_done < c.time.steps) {
     step(c, s);
-    if (s.steps_done % c.maintenance.every == 0) continue;  // new vertices wait for the next cut
-    const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(s.steps_done));
-    EXPECT_LE(deepest_penetration(s.rock, s.bit, X_WB), tolerance::inside * s.bit.size);
+    if (s.state.steps_done % c.maintenance.every == 0)
+      continue;  // new vertices wait for the next cut
+    const Pose X_WB = pose_at(c.motion, c.time.step * static_cast<double>(s.state.steps_done));
+    EXPECT_LE(deepest_penetration(s.state.rock, s.work.cutting, X_WB),
+              tolerance::inside * s.work.cutting.size);
   }
   EXPECT_LE(ledger_defect(s), tolerance::ledger);
-  return s.ledger.removed.value();
+  return s.state.ledger.removed.value();
 }
 
 /// Depth of the tool after `drill`: 60 m/h for 120 ms.

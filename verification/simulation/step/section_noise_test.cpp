@@ -15,9 +15,9 @@ namespace {
 std::vector<FaceFigures> second_revolution(const Case& c) {
   const long steps = std::lround(2.0 * std::numbers::pi / c.motion.rotary_speed / c.time.step);
   Simulation s = start(c);
-  while (s.steps_done <= 2 * steps) step(c, s);
-  EXPECT_EQ(s.measures.refused_deep + s.measures.refused_over_the_top, 0);
-  return figures_of(c.bit, s.measures);
+  while (s.state.steps_done <= 2 * steps) step(c, s);
+  EXPECT_EQ(s.statistics.faces.refused_deep + s.statistics.faces.refused_over_the_top, 0);
+  return figures_of(c.bit, s.statistics.faces);
 }
 
 double median(std::vector<double> x) {

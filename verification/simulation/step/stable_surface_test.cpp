@@ -34,7 +34,7 @@ class StableSurface : public testing::TestWithParam<Run> {
         simulation_(start(case_)) {}
 
   void drill(long steps) {
-    while (simulation_.steps_done < steps) step(case_, simulation_);
+    while (simulation_.state.steps_done < steps) step(case_, simulation_);
   }
 
   Case case_;
@@ -52,24 +52,24 @@ std::pair<double, double> quality(const mesh::Surface& s) {
 
 /// M1 to M7 of one maintenance of what the last step touched.
 std::string broken_promises(Simulation& s) {
-  const rock::Rock before = s.rock;
+  const rock::Rock before = s.state.rock;
   rock::MaintenanceReport report;
-  rock::maintain(s.rock, s.limits, s.maintenance_work, report);
-  const auto found =
-      rock::check_maintenance(before, s.rock, s.limits, report, s.maintenance_work.strays);
-  rock::add(report, s.maintenance);
+  rock::maintain(s.state.rock, s.work.limits, s.work.maintenance_work, report);
+  const auto found = rock::check_maintenance(before, s.state.rock, s.work.limits, report,
+                                             s.work.maintenance_work.strays);
+  rock::add(report, s.state.maintenance);
   return rock::describe(found);
 }
 
 TEST_P(StableSurface, keeps_its_promises) {
   drill(case_.time.steps - case_.maintenance.every / 2);
   EXPECT_EQ(broken_promises(simulation_), "");
-  const mesh::Surface& s = simulation_.rock.surface;
+  const mesh::Surface& s = simulation_.state.rock.surface;
   EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(s)), 0U);
   EXPECT_LE(ledger_defect(simulation_), tolerance::ledger);
   const auto [worst, one_percent] = quality(s);
   const double disturbed =
-      simulation_.maintenance.volume_disturbed / simulation_.ledger.removed.value();
+      simulation_.state.maintenance.volume_disturbed / simulation_.state.ledger.removed.value();
   fmt::print("worst quality {:.3f}, 99 % above {:.3f}; maintenance disturbed {:.1e}\n", worst,
              one_percent, disturbed);
   EXPECT_GT(worst, 0.1);
@@ -102,11 +102,11 @@ TEST(trimmed_wall, keeps_the_disc_and_the_ledger_and_a_bounded_number_of_triangl
   for (const bool trims : {false, true}) {
     const Case c = read_case(file, trims ? trimmed : common);
     Simulation s = start(c);
-    while (s.steps_done < c.time.steps) step(c, s);
+    while (s.state.steps_done < c.time.steps) step(c, s);
     EXPECT_LE(ledger_defect(s), tolerance::ledger);
-    EXPECT_EQ(rock::describe(rock::check_disc(s.rock)), "");
-    EXPECT_EQ(s.trimming.triangles > 0, trims);
-    triangles.at(trims ? 1 : 0) = s.rock.surface.triangle_count();
+    EXPECT_EQ(rock::describe(rock::check_disc(s.state.rock)), "");
+    EXPECT_EQ(s.state.trimming.triangles > 0, trims);
+    triangles.at(trims ? 1 : 0) = s.state.rock.surface.triangle_count();
   }
   fmt::print("{} triangles with the whole wall, {} when trimmed\n", triangles[0], triangles[1]);
   EXPECT_LT(triangles[1], triangles[0]);

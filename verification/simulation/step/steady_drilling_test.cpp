@@ -17,7 +17,7 @@ constexpr double micron = 1e-6;
 
 Simulation drilled(const Case& c) {
   Simulation s = start(c);
-  while (s.steps_done < c.time.steps) step(c, s);
+  while (s.state.steps_done < c.time.steps) step(c, s);
   return s;
 }
 
@@ -37,7 +37,7 @@ class SteadyBitB : public testing::Test {
     delete case_;
   }
   static const std::vector<double>& revolution(std::size_t k) {
-    return simulation_->ledger.removed_by_revolution[k];
+    return simulation_->state.ledger.removed_by_revolution[k];
   }
   static std::vector<double> by_cutter(const std::vector<double>& by_part) {
     std::vector<double> sums(case_->bit.cutters.size(), 0.0);
@@ -86,7 +86,7 @@ TEST_F(SteadyBitB, gives_every_cutter_what_the_radial_plane_gives_it) {
 TEST_F(SteadyBitB, closes_the_ledger) { EXPECT_LE(ledger_defect(*simulation_), tolerance::ledger); }
 
 TEST_F(SteadyBitB, leaves_a_bottom_without_self_intersections) {
-  EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(simulation_->rock.surface)), 0U);
+  EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(simulation_->state.rock.surface)), 0U);
 }
 
 }  // namespace

@@ -1,0 +1,145 @@
+#include "simulation/step/step.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "dynamics/drilling/divergence.hpp"
+#include "simulation/step/cone_balance.hpp"
+#include "simulation/step/drive.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+/// Revolution during which the bit goes from one place to another: the middle decides.
+std::size_t revolution_of(const Place& from, const Place& to) {
+  const double middle = 0.5 * (from.turned + to.turned);
+  return static_cast<std::size_t>(std::abs(middle) / (2.0 * std::numbers::pi));
+}
+
+/// At the end of the step: along the motion, or as forces move the bit.
+Place next_place(const Case& c, State& state, Work& work) {
+  if (!state.drive) return place_at(c.motion, time_at(c.time, state.steps_done + 1));
+  work.drive_before = *state.drive;
+  dynamics::open_step(c.drilling.system, c.time.step, *state.drive, work.drive);
+  return place_of(c.drilling.system, state.drive->state);
+}
+
+void note_removed(std::size_t revolution, const rock::CutReport& cut, VolumeLedger& l) {
+  const std::size_t parts = cut.removed_by_part.size();
+  if (l.removed_by_revolution.size() <= revolution)
+    l.removed_by_revolution.resize(revolution + 1, std::vector<double>(parts, 0.0));
+  for (std::size_t i = 0; i < parts; ++i) {
+    const double v = cut.removed_by_part[i];
+    if (v == 0.0) continue;
+    l.removed.add(v);
+    l.removed_by_part[i].add(v);
+    l.removed_by_revolution[revolution][i] += v;
+  }
+}
+
+MeasuredStep measured(const Case& c, const Move& move, const State& state, const Work& work) {
+  return {c.bit, work.cutting, work.cut_work, state.cut, move, c.rock.edge_length};
+}
+
+/// At the momenta that the last forces predict, the cones at the spins that the new ones give them.
+BitVelocity predicted_velocity(const Case& c, const Move& move, const State& state, Work& work) {
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  const dynamics::DrillingState& ahead =
+      dynamics::predicted(system, move.dt, *state.drive, work.drive);
+  BitVelocity v = velocity_of(system, ahead);
+  v.cone_speeds = balanced_spins(c.forces, c.bit, system, ahead, move.X_WB1, move.dt, v, work.cuts);
+  return v;
+}
+
+/// A diverging step leaves the motion as it was before it.
+void require_convergence(const Case& c, State& state, const Work& work) {
+  const std::string what = dynamics::divergence(c.drilling.system, *state.drive, work.drive);
+  if (what.empty()) return;
+  state.drive = work.drive_before;
+  state.place = place_of(c.drilling.system, state.drive->state);
+  throw RunError("the motion diverges: " + what);
+}
+
+void record_loads(const Case& c, const Move& move, const State& state, const Work& work,
+                  Statistics& to) {
+  const std::vector<PartLoad>& parts = work.loads.parts;
+  to.energy_by_part.resize(parts.size(), 0.0);
+  for (std::size_t i = 0; i < parts.size(); ++i) to.energy_by_part[i] += parts[i].power * move.dt;
+  const double since = c.time.step * static_cast<double>(state.steps_done + 1 - c.time.first);
+  if (since <= c.output.means_from) return;
+  const LoadedStep loaded{work.loads, work.velocity, move.X_WB1, state.cut.removed_by_part,
+                          move.dt};
+  add(loaded, to.loads);
+  add(loaded, to.trace);
+}
+
+}  // namespace
+
+void step(const Case& c, Simulation& s) {
+  const Move move = drift(c, s.state, s.work);
+  cut(move, s.state, s.work);
+  measure(c, move, s.state, s.work);
+  apply_forces(c, move, s.state, s.work);
+  kick(c, move, s.state, s.work);
+  record(c, move, s);
+  ++s.state.steps_done;
+  maintain(c, s.state, s.work);
+}
+
+Move drift(const Case& c, State& state, Work& work) {
+  const Place from = state.place;
+  const std::vector<double> angles = angles_of(state.cones);
+  state.place = next_place(c, state, work);
+  const Move move{over_rock(from), over_rock(state.place), c.time.step,
+                  state.place.turned - from.turned, revolution_of(from, state.place)};
+  if (state.drive)
+    follow_cones(state.drive->state, move.dt, state.cones);
+  else
+    turn_cones(c, state.steps_done, state.cut, state.cones);
+  rock::turn_cones(work.cutting, c.bit, angles, angles_of(state.cones));
+  return move;
+}
+
+void cut(const Move& move, State& state, Work& work) {
+  rock::cut_rock(state.rock, work.cutting, move.X_WB0, move.X_WB1, work.cut_work, state.cut);
+  note_removed(move.revolution, state.cut, state.ledger);
+}
+
+void measure(const Case& c, const Move& move, const State& state, Work& work) {
+  measure_cut(state.rock, c.measure, work.faces, measured(c, move, state, work), work.measure_work,
+              work.measures);
+}
+
+void apply_forces(const Case& c, const Move& move, const State& state, Work& work) {
+  if (c.forces.forces == Forces::off) return;
+  gather_cuts(c.forces, measured(c, move, state, work), work.measures, work.cuts);
+  work.velocity = state.drive ? predicted_velocity(c, move, state, work)
+                              : velocity_of(move, speeds_of(state.cones));
+  sum_loads(c.forces, c.bit, move.X_WB1, work.velocity, move.dt, work.cuts, work.loads);
+}
+
+void kick(const Case& c, const Move& move, State& state, Work& work) {
+  if (!state.drive) return;
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  dynamics::close_step(system, move.dt, wrench_of(system, work.loads, move.X_WB1), *state.drive,
+                       work.drive);
+  require_convergence(c, state, work);
+}
+
+void record(const Case& c, const Move& move, Simulation& s) {
+  add(move, s.work.measures, s.statistics.faces);
+  add(move.turn, s.state.cones, s.statistics.cones);
+  if (c.forces.forces == Forces::on) record_loads(c, move, s.state, s.work, s.statistics);
+}
+
+void maintain(const Case& c, State& state, Work& work) {
+  if (c.maintenance.every == 0 || state.steps_done % c.maintenance.every != 0) return;
+  rock::maintain(state.rock, work.limits, work.maintenance_work, state.maintenance);
+  if (work.trim_height == 0.0) return;
+  const double plane_W = over_rock(state.place).p.z() - work.trim_height;
+  state.ledger.trimmed.add(
+      trim(c.rock.edge_length, plane_W, work.limits, state.rock, state.trimming, work.trim_work));
+}
+
+}  // namespace tdbd::simulation
