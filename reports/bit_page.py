@@ -91,16 +91,16 @@ def profile_chart(bit):
 
 
 def pictures(bit):
-    yield picture("The bit", "Left from below, right an isometric view (figs. 3.2 to 3.5). Colours: blades, or cones.",
+    yield picture("The bit", "Left: from below. Right: isometric (figs. 3.2 to 3.5). Colours: blades, or cones.",
                   bit_views.draw_bit(bit, DPI))
     yield picture("Its coordinate system", "Drawn at the centre of mass (fig. 3.6); x blue, y green, z red and down.",
                   bit_frame.draw_bit(bit, DPI))
     if bit.cutters:
-        yield picture("The cutters' coordinate systems", "Left all from below, right one from near (fig. 3.7): x is the face's normal, "
-                      "-z the exposure direction.", cutter_frames.draw_bit(bit, DPI))
+        yield picture("The cutters' coordinate systems", "Left: all, from below. Right: one, close up (fig. 3.7). x is the face's normal, "
+                      "-z lies in the face and points towards the rock.", cutter_frames.draw_bit(bit, DPI))
         yield picture("A cutter's mesh", "Face and chamfer (fig. 3.9).", bit_meshes.draw_cutters([bit], DPI))
     if bit.cones:
-        yield picture("Meshes of teeth", "The first cone, and the teeth that one sees of it (fig. 3.10).", bit_meshes.draw_teeth(bit, DPI))
+        yield picture("Meshes of teeth", "The first cone, and its visible teeth (fig. 3.10).", bit_meshes.draw_teeth(bit, DPI))
     yield picture("Update directions", "The direction in which each part moves rock, at its azimuth (figs. 4.4, 4.5).",
                   update_directions.draw_bit(bit, DPI))
 

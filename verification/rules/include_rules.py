@@ -1,12 +1,14 @@
-"""Includes point one way: between the rooms of src, and between the folders of each room."""
+"""Includes point one way: a room of src includes only rooms below it, a sub-folder only sub-folders of its room below it.
+
+No file is included in a circle either."""
 
 import re
 
 import sources
 
 CORE, MESH = {"core"}, {"core", "mesh"}
-BIT, FORCES = MESH | {"rotation", "bit"}, MESH | {"bit", "forces"}
-ROCK, DYNAMICS = BIT | {"rock"}, {"core", "rotation", "dynamics"}
+BIT = MESH | {"rotation", "bit"}
+ROCK, FORCES, DYNAMICS = BIT | {"rock"}, BIT | {"forces"}, {"core", "rotation", "dynamics"}
 SIMULATION = ROCK | FORCES | DYNAMICS | {"simulation"}
 CALIBRATION = SIMULATION | {"calibration"}
 ALLOWED = {
@@ -14,45 +16,45 @@ ALLOWED = {
     "forces": FORCES, "dynamics": DYNAMICS, "simulation": SIMULATION, "calibration": CALIBRATION,
     "app": CALIBRATION | {"app"},
 }
-# The folders of a room in order: each includes itself and those before it. "." is the room's own level.
-FOLDERS = {
-    "core": [".", "config"],
-    "mesh": [".", "search", "shape", "check", "grade", "files", "repair"],
-    "bit": [".", "cutter", "cone", "body", "pdc", "profile", "files", "report"],
-    "rock": ["index", ".", "cut", "section", "maintain", "start"],
-    "forces": ["rock", "part", "laws", "."],
-    "dynamics": [".", "rotation", "drilling"],
-    "simulation": ["case", "start", "step", "result", "rotate", "study"],
+# The sub-folders of each room, from the lowest to the highest; "." are the files of the room itself.
+SUB_FOLDERS = {
+    "core": (".", "config"),
+    "rotation": (".",),
+    "mesh": (".", "shape", "search", "check", "files", "repair", "grade"),
+    "bit": (".", "cutter", "cone", "profile", "body", "pdc", "report", "files"),
+    "rock": ("index", ".", "start", "cut", "section", "maintain"),
+    "forces": ("rock", "part", "laws", "."),
+    "dynamics": (".", "rotation", "drilling"),
+    "simulation": ("case", "start", "step", "result", "rotate", "study"),
+    "calibration": (".",),
+    "app": (".",),
 }
 # A slow twin may use plain data of src, never the function it is the twin of.
 PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|"
-                        r"dynamics/(drilling/drilling_system|gyrostat|loads|rotation_state|schedule)\.hpp|reference/.+")
+                        r"dynamics/(gyrostat|loads|rotation_state|schedule|drilling/drilling_system)\.hpp|reference/.+")
 # A program around the twins reads its input and describes it by src's means.
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
 CGAL_ALLOWED = re.compile(
-    r"src/mesh/(files/files|repair/repair_cgal|check/self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|"
-    r"verification/.+")
+    r"src/mesh/(files/files|repair/repair_cgal|check/self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
 BOOST_ALLOWED = "reference/literature/planar_boolean.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def folder_of(path):
-    """Room and folder of a file below src: ("bit", "cone"); ("bit", ".") for the room's own level."""
+def sub_folder(path):
+    """Of a path below src: "cut" of rock/cut/prism.hpp, "." of rock/rock.hpp."""
     parts = path.split("/")
-    return parts[0], "/".join(parts[1:-1]) or "."
+    return parts[1] if len(parts) > 2 else "."
 
 
-def check_folders(path, target):
-    """Why a source of a room may not include that header of the same room, or None."""
-    (room, here), (other, there) = folder_of(path), folder_of(target)
-    if room != other or here == there:
-        return None
-    order = FOLDERS.get(room, [])
-    for folder in (here, there):
-        if folder not in order:
-            return f"the folder {room}/{folder} has no place in FOLDERS of include_rules.py"
-    if order.index(there) > order.index(here):
-        return f'src/{room}/{here} may not include "{target}": {there} comes after it'
+def check_sub_folder(path, target):
+    """Why a file of src may not include that header of its own room, or None. Paths below src."""
+    room = path.split("/")[0]
+    known, own, other = SUB_FOLDERS[room], sub_folder(path), sub_folder(target)
+    for sub in (own, other):
+        if sub not in known:
+            return f"the sub-folder {sub} of src/{room} has no place in include_rules.py"
+    if known.index(other) > known.index(own):
+        return f"src/{room}/{own} may not include src/{room}/{other}, which is above it"
     return None
 
 
@@ -60,8 +62,8 @@ def check_include(path, bracket, target):
     """Why this file may not include that one, or None."""
     parts = path.split("/")
     if target.startswith("CGAL/") and not CGAL_ALLOWED.fullmatch(path):
-        return ("CGAL belongs in src/mesh/files/files, repair_cgal, self_intersections, reference/, verification/ and "
-                "benchmarks/corefinement.cpp")
+        return ("CGAL belongs in src/mesh/files/files, repair/repair_cgal, check/self_intersections, reference/, verification/ "
+                "and benchmarks/corefinement.cpp")
     if target.startswith("boost/") and path != BOOST_ALLOWED:
         return f"Boost belongs in {BOOST_ALLOWED}"
     if bracket == "<":
@@ -74,7 +76,8 @@ def check_include(path, bracket, target):
             return f"the folder of {path} has no line in include_rules.py"
         if target.split("/")[0] not in ALLOWED[parts[1]]:
             return f'src/{parts[1]} may not include "{target}"'
-        return check_folders(path.removeprefix("src/"), target)
+        if target.split("/")[0] == parts[1]:
+            return check_sub_folder(path.removeprefix("src/"), target)
     return None
 
 
@@ -88,9 +91,35 @@ def check_text(path, text):
     return problems
 
 
+def circles(includes):
+    """Circles of headers, each as a list of paths; includes: {path: paths that it includes}."""
+    found, state = [], {}
+
+    def visit(path, trail):
+        state[path] = "open"
+        for target in sorted(includes.get(path, ())):
+            if state.get(target) == "open":
+                found.append(trail[trail.index(target):] + [target])
+            elif target not in state:
+                visit(target, trail + [target])
+        state[path] = "done"
+
+    for path in sorted(includes):
+        if path not in state:
+            visit(path, [path])
+    return found
+
+
+def included(text):
+    code = sources.without_comments(text, keep_strings=True)
+    return {m[2] for line in code.split("\n") if (m := INCLUDE.match(line)) and m[1] == '"'}
+
+
 def check_all():
-    files = sources.tracked("src", "reference", "verification", "benchmarks")
-    return [p for f in files for p in check_text(f, sources.read(f))]
+    texts = {f: sources.read(f) for f in sources.tracked("src", "reference", "verification", "benchmarks")}
+    problems = [p for f, text in texts.items() for p in check_text(f, text)]
+    headers = {f.removeprefix("src/"): included(text) for f, text in texts.items() if f.endswith(".hpp")}
+    return problems + ["included in a circle: " + ", ".join(c) for c in circles(headers)]
 
 
 def self_test():
@@ -102,10 +131,6 @@ def self_test():
             ("reference/tools/show.cpp", '#include "simulation/rotate/rotate_case.hpp"'),
             ("reference/rock/cut.cpp", '#include "mesh/triangle_mesh.hpp"'),
             ("reference/literature/planar_boolean.cpp", "#include <boost/polygon/polygon.hpp>"),
-            ("src/bit/files/bit_file.cpp", '#include "bit/cone/cone_bit.hpp"'),
-            ("src/rock/rock.hpp", '#include "rock/index/vertex_grid.hpp"'),
-            ("src/rock/cut/cut_rock.hpp", '#include "rock/rock.hpp"'),
-            ("src/simulation/step/simulation.cpp", '#include "bit/files/bit_file.hpp"'),
             ("reference/dynamics/top.cpp", '#include "dynamics/loads.hpp"')]
     bad = [("src/core/config/csv.cpp", '#include "mesh/measures.hpp"'),
            ("src/mesh/files/files.cpp", '#include "bit/bit.hpp"'),
@@ -117,15 +142,19 @@ def self_test():
            ("benchmarks/step.cpp", "#include <CGAL/Surface_mesh.h>"),
            ("reference/rock/cut.cpp", "#include <boost/polygon/polygon.hpp>"),
            ("src/new_folder/a.cpp", '#include "core/types.hpp"'),
-           ("src/bit/cone/cone_bit.cpp", '#include "bit/files/bit_file.hpp"'),
-           ("src/rock/index/vertex_grid.cpp", '#include "rock/rock.hpp"'),
-           ("src/simulation/case/case.hpp", '#include "simulation/step/simulation.hpp"'),
-           ("src/bit/cone/cone_bit.cpp", '#include "bit/new_folder/a.hpp"'),
-           ("src/bit/new_folder/a.cpp", '#include "bit/bit.hpp"'),
            ("reference/rock/cut.cpp", '#include "rock/cut.hpp"'),
            ("reference/tools/show.cpp", '#include "rock/cut.hpp"'),
            ("reference/mesh/measures.cpp", '#include "mesh/measures.hpp"'),
            ("reference/dynamics/top.cpp", '#include "dynamics/momenta.hpp"')]
+    good += [("src/rock/cut/cut_rock.cpp", '#include "rock/rock.hpp"'), ("src/rock/rock.hpp", '#include "rock/index/near_list.hpp"'),
+             ("src/simulation/study/convergence.cpp", '#include "simulation/case/case.hpp"'),
+             ("src/forces/law.hpp", '#include "forces/laws/friction.hpp"')]
+    bad += [("src/rock/index/near_list.cpp", '#include "rock/rock.hpp"'),
+            ("src/rock/rock.hpp", '#include "rock/cut/cut_rock.hpp"'),
+            ("src/simulation/case/case.cpp", '#include "simulation/step/simulation.hpp"'),
+            ("src/rock/new_sub/a.cpp", '#include "rock/rock.hpp"')]
+    assert circles({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"a", "c"}}) == [["b", "c", "b"]]
+    assert not circles({"a": {"b", "c"}, "b": {"c"}, "d": {"a", "c"}})
     for path, text in good:
         assert not check_text(path, text), (path, text)
     for path, text in bad:
