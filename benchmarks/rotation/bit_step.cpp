@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::bench {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace tdbd::reference {
 
-/// The swing-twist angles of an attitude R = Swing Twist about space z (formulation 6), from the
+/// The swing-twist angles of an attitude R = Swing Twist about space z, from the
 /// matrix alone: the swing takes ez to R ez the shortest way, the twist is about ez. Undefined
 /// where R ez = -ez.
 struct SwingTwist {

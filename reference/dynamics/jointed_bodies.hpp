@@ -68,7 +68,7 @@ struct JointedRun {
   long evaluations = 0;       ///< of the right-hand side
 };
 
-/// A different formulation than the gyrostat's (formulation 4, last line): every body has position,
+/// A different formulation than the gyrostat's, dynamics (3): every body has position,
 /// quaternion, velocity and angular velocity; each bearing gives five equations for accelerations,
 /// a pin three; the constraint forces are Lagrange multipliers of one dense linear system, solved
 /// at every evaluation and integrated by GSL's rk8pd. Nothing pulls back to the constraints: their

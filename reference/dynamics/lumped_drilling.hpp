@@ -4,7 +4,7 @@
 
 namespace tdbd::reference {
 
-/// What a bit on a string does (formulation 6; thesis: eqs. 2.1-2.3), by Runge-Kutta.
+/// What a bit on a string does (dynamics (9) to (12); thesis: eqs. 2.1-2.3), by Runge-Kutta.
 struct LumpedRun {
   LumpedState state;
   LumpedEnergy energy;   ///< J since the start

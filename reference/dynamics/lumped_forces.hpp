@@ -5,7 +5,7 @@
 #include "dynamics/drilling/drilling_system.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
 
-/// What acts on a bit on a string (formulation 6), written from the energies of the springs.
+/// What acts on a bit on a string (dynamics (9) to (12)), written from the energies of the springs.
 namespace tdbd::reference {
 
 /// Bit, rock and top in other unknowns than the program's: velocities, and the top's place as an

@@ -30,7 +30,7 @@ Vec3 bit_angular_velocity(const dynamics::Gyrostat& g, const GyrostatState& s);
 double total_energy(const dynamics::Gyrostat& g, const dynamics::Loads& loads,
                     const GyrostatState& s);
 
-/// The equations of formulation 4 for the unknowns R (by rows), Pi, phi, pi and, only where a
+/// Equations dynamics (3) for the unknowns R (by rows), Pi, phi, pi and, only where a
 /// spring about space z asks for the winding, the twist. Its angle comes from R all the same.
 /// (Without a spring it would cost steps for nothing: its rate is singular where R ez = -ez.)
 RightHandSide gyrostat_equations(const dynamics::Gyrostat& g, const dynamics::Loads& loads);
@@ -42,7 +42,7 @@ struct RungeKuttaRun {
   long evaluations = 0;  ///< of the right-hand side
 };
 
-/// Twin of the program's step (thesis: 5.4, 5.5; formulation 4 and 5): the gyrostat's motion to
+/// Twin of the program's step (thesis: 5.4, 5.5; dynamics (3), (4)): the gyrostat's motion to
 /// time t_end > start.time by GSL, at the tolerance's accuracy. Stops at every sample of a sampled
 /// torque, where the right-hand side has a kink. Throws RunError when the tolerance is out of
 /// reach.

@@ -15,8 +15,8 @@ struct Cone {
 };
 
 /// A rigid body that carries any number of spinning cones, zero included (thesis: 5.1-5.3;
-/// formulation 4). The assumptions: every cone is symmetric about its axis and has its centre of
-/// mass on it, so that I does not depend on the cones' angles.
+/// dynamics (1) to (3)). Assumed: every cone is symmetric about its axis and has its centre of mass
+/// on it, so that I does not depend on the cones' angles.
 struct Gyrostat {
   Mat3 inertia_B = Mat3::Identity();  ///< I, kg m2, body and cones locked, about the centre of mass
   std::vector<Cone> cones;

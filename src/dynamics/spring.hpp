@@ -14,8 +14,9 @@ Vec3Of<S> swing_torque_W(const S& m_x, const S& m_y, const rotation::Swing<S>& w
   return gradient_d.cross(w.d);
 }
 
-/// Springs to space on the swing-twist angles: V = (kx b_x^2 + ky b_y^2 + kz twist^2) / 2, N m/rad.
-/// The torque is -dV by rotations in space, so that it conserves energy (formulation 6, eq. 2.3).
+/// Springs to space on the swing-twist angles, dynamics (8):
+/// V = (kx b_x^2 + ky b_y^2 + kz twist^2) / 2, N m/rad (thesis: eq. 2.3). The torque is -dV by
+/// rotations in space, so that it conserves energy.
 template <class S>
 Vec3Of<S> spring_torque_W(const Vec3Of<double>& stiffness, const RotationStateOf<S>& s) {
   Vec3Of<S> torque = Vec3Of<S>::Zero();

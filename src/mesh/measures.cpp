@@ -1,14 +1,43 @@
 #include "mesh/measures.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/compensated_sum.hpp"
+#include "mesh/surface.hpp"
 
 namespace tdbd::mesh {
+namespace {
+
+QualityFigures figures_of(std::vector<double> qualities) {
+  if (qualities.empty()) return {};
+  std::sort(qualities.begin(), qualities.end());
+  return {qualities.front(), qualities[qualities.size() / 100]};
+}
+
+}  // namespace
 
 double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double edges2 = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
   return edges2 > 0.0 ? 4.0 * std::sqrt(3.0) * area_vector(a, b, c).norm() / edges2 : 0.0;
+}
+
+QualityFigures quality_figures(const TriangleMesh& m) {
+  std::vector<double> qualities;
+  qualities.reserve(m.triangles.size());
+  for (const Triangle& t : m.triangles)
+    qualities.push_back(
+        triangle_quality(m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]));
+  return figures_of(std::move(qualities));
+}
+
+QualityFigures quality_figures(const Surface& s) {
+  std::vector<double> qualities;
+  for (const Triangle& t : s.triangles)
+    if (t[0] >= 0)
+      qualities.push_back(triangle_quality(s.position(t[0]), s.position(t[1]), s.position(t[2])));
+  return figures_of(std::move(qualities));
 }
 
 double enclosed_volume(const TriangleMesh& m) {

@@ -42,20 +42,6 @@ struct Options {
   long rows = 10;
 };
 
-struct Quality {
-  double worst = 1.0, one_percent = 1.0;
-};
-
-Quality quality_of(const Surface& s) {
-  std::vector<double> q;
-  q.reserve(s.triangles.size());
-  for (const auto& [a, b, c] : s.triangles)
-    if (a >= 0)
-      q.push_back(tdbd::mesh::triangle_quality(s.position(a), s.position(b), s.position(c)));
-  std::sort(q.begin(), q.end());
-  return {q.front(), q[q.size() / 100]};
-}
-
 void print_head() {
   fmt::print("{:>9} {:>9} {:>9} {:>5} {:>6} {:>6} {:>9} {:>9} {:>8} {:>6}  broken\n", "steps",
              "depth mm", "triangles", "pairs", "worst", "1 %", "disturbed", "change", "us/step",
@@ -96,7 +82,7 @@ std::string drill(const Case& c, Simulation& s, long end, Times& times) {
 
 bool print_row(const Simulation& s, double depth, const Times& t, long cut_steps,
                const std::string& broken) {
-  const Quality q = quality_of(s.state.rock.surface);
+  const tdbd::mesh::QualityFigures q = tdbd::mesh::quality_figures(s.state.rock.surface);
   const auto pairs =
       tdbd::reference::self_intersecting_pairs(tdbd::mesh::compact(s.state.rock.surface));
   const double removed = s.state.ledger.removed.value();
@@ -104,7 +90,7 @@ bool print_row(const Simulation& s, double depth, const Times& t, long cut_steps
   const double maintaining = t.maintaining - a_step * static_cast<double>(t.maintenances);
   const double a_triangle = maintaining / static_cast<double>(std::max(1L, t.triangles));
   fmt::print("{:9} {:9.2f} {:9} {:5} {:6.3f} {:6.3f} {:9.2e} {:9.1e} {:8.0f} {:6.0f}  {}\n",
-             s.state.steps_done, 1e3 * depth, s.state.rock.surface.triangle_count(), pairs, q.worst,
+             s.state.steps_done, 1e3 * depth, s.state.rock.surface.triangle_count(), pairs, q.least,
              q.one_percent, s.state.maintenance.volume_disturbed / removed,
              s.state.maintenance.volume_change / removed, 1e6 * a_step, 1e9 * a_triangle,
              broken.empty() ? "none" : broken);

@@ -31,7 +31,7 @@ inline void run_out(const Case& c, Simulation& s, long ask_every = 1) {
 }
 
 /// What must hold after any motion: the ledger closes, the surface is a disc and does not intersect
-/// itself (formulation 3, M1, M4, M5).
+/// itself (M1, M4, M5).
 inline void expect_sound(const Simulation& s) {
   const mesh::TriangleMesh m = mesh::compact(s.state.rock.surface);
   EXPECT_LE(ledger_defect(s), tolerance::ledger);

@@ -9,7 +9,7 @@
 #include "dynamics/rotation_state.hpp"
 #include "dynamics/schedule.hpp"
 
-/// A bit on a drill string in a borehole, as plain data (formulation 6; thesis: eqs. 2.1-2.3).
+/// A bit on a drill string in a borehole, as plain data: dynamics (9) to (12) (thesis: eqs. 2.1-2.3).
 /// Frames: W space, z down; B the bit's own, at whose origin its parts are given.
 namespace tdbd::dynamics {
 

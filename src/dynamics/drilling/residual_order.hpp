@@ -20,7 +20,7 @@ struct WindowResiduals {
 /// The window again, with every step of h divided into so many equal parts.
 using Window = std::function<WindowResiduals(int parts)>;
 
-/// Observed order of the energy ledger's residual in the time step (formulation 6).
+/// Observed order of the energy ledger's residual, dynamics (17), in the time step.
 struct ResidualOrder {
   std::optional<double> order;    ///< none: `reason` says why
   std::string reason;             ///< empty where there is an order

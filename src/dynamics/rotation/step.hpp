@@ -17,7 +17,7 @@ RotatingOf<S> start(const Gyrostat& g, const Loads& loads, RotationStateOf<S> st
 }
 
 /// One stage of a composition: kick(h/2), drifts over h, kick(h/2) with the torque at the new
-/// attitude (thesis: 5.4.4, 5.5, reconstructed in detail; formulation 5).
+/// attitude (dynamics (4); thesis: 5.4.4, 5.5, reconstructed in detail).
 template <class S>
 LieOutcome stage(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
                  RotatingOf<S>& r) {

@@ -8,7 +8,7 @@
 
 namespace tdbd::dynamics {
 
-/// What acts on a gyrostat at one instant (formulation 4; thesis: 5.2.2).
+/// What acts on a gyrostat at one instant (T and T_k of dynamics (3); thesis: 5.2.2).
 template <class S>
 struct TorqueOf {
   Vec3Of<S> total_W = Vec3Of<S>::Zero();  ///< N m, from outside, on body and cones

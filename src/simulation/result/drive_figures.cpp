@@ -9,10 +9,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double full_turn = 2.0 * std::numbers::pi;  // rad
 
 double frequency(double stiffness, double inertia) {
-  return stiffness > 0.0 ? std::sqrt(stiffness / inertia) / two_pi : 0.0;
+  return stiffness > 0.0 ? std::sqrt(stiffness / inertia) / full_turn : 0.0;
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ Expected expected_of(const dynamics::DrillingSystem& s, double rotary_speed) {
   e.lateral = frequency(s.string.stiffness(0, 0), s.mass);
   e.rolling_speed = rotary_speed * s.wall.ring_radius;
   if (s.wall.stiffness > 0.0 && s.wall.clearance > 0.0)
-    e.rolling = rotary_speed * s.wall.ring_radius / s.wall.clearance / two_pi;
+    e.rolling = rotary_speed * s.wall.ring_radius / s.wall.clearance / full_turn;
   return e;
 }
 
@@ -87,7 +87,7 @@ Json diagnosis_json(const Diagnosis& d, const Expected& e) {
           {"orbit_frequency_hz", d.orbit_frequency},
           {"rolling_frequency_expected_hz", -e.rolling},
           {"rolling_frequency_at_orbit_hz",
-           d.orbit_radius > 0.0 ? -e.rolling_speed / (two_pi * d.orbit_radius) : 0.0},
+           d.orbit_radius > 0.0 ? -e.rolling_speed / (full_turn * d.orbit_radius) : 0.0},
           {"whirl", whirl_name(d.whirl)}};
 }
 

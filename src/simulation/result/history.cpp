@@ -1,9 +1,137 @@
 #include "simulation/result/history.hpp"
 
-#include "simulation/result/history_columns.hpp"
+#include <array>
 
 namespace tdbd::simulation {
 namespace {
+
+/// One number of a row: a variable of `history.nc`, a column of `history.csv`.
+template <class Row>
+struct ColumnOf {
+  const char* name;
+  const char* units;  ///< as UDUNITS reads them; "1" for counts
+  const char* long_name;
+  double (*value)(const Row&);
+};
+
+/// Every bit-level column, in the order of the files. A new one is one line here.
+constexpr std::array history_columns = {
+    ColumnOf<HistoryRow>{"time", "s", "time at the end of the step",
+                         [](const HistoryRow& r) { return r.time; }},
+    ColumnOf<HistoryRow>{"position_x", "m", "origin of the bit in space, x",
+                         [](const HistoryRow& r) { return r.p_WB.x(); }},
+    ColumnOf<HistoryRow>{"position_y", "m", "origin of the bit in space, y",
+                         [](const HistoryRow& r) { return r.p_WB.y(); }},
+    ColumnOf<HistoryRow>{"position_z", "m", "origin of the bit in space, z (down)",
+                         [](const HistoryRow& r) { return r.p_WB.z(); }},
+    ColumnOf<HistoryRow>{"rotation_vector_x", "rad", "attitude of the bit, rotation vector, x",
+                         [](const HistoryRow& r) { return r.rotation_vector.x(); }},
+    ColumnOf<HistoryRow>{"rotation_vector_y", "rad", "attitude of the bit, rotation vector, y",
+                         [](const HistoryRow& r) { return r.rotation_vector.y(); }},
+    ColumnOf<HistoryRow>{"rotation_vector_z", "rad", "attitude of the bit, rotation vector, z",
+                         [](const HistoryRow& r) { return r.rotation_vector.z(); }},
+    ColumnOf<HistoryRow>{"rotation_angle", "rad",
+                         "angle turned about the bit's axis since the start",
+                         [](const HistoryRow& r) { return r.rotation_angle; }},
+    ColumnOf<HistoryRow>{"removed_volume_total", "m3", "rock removed by all parts since the start",
+                         [](const HistoryRow& r) { return r.removed_volume_total; }},
+    ColumnOf<HistoryRow>{"swept_vertices", "1", "rock vertices moved in the step",
+                         [](const HistoryRow& r) { return static_cast<double>(r.swept_vertices); }},
+    ColumnOf<HistoryRow>{"rock_triangles", "1", "triangles of the rock surface",
+                         [](const HistoryRow& r) { return static_cast<double>(r.rock_triangles); }},
+};
+
+/// Of rock::Section, in its order; a cutter that is not in rock has 0 everywhere.
+constexpr std::array section_columns = {
+    ColumnOf<rock::Section>{"section_area", "m2", "uncut rock in the plane of the cutter's face",
+                            [](const rock::Section& s) { return s.area; }},
+    ColumnOf<rock::Section>{"section_centroid_x", "m",
+                            "centroid of the section in the bit's frame, x",
+                            [](const rock::Section& s) { return s.centroid_B.x(); }},
+    ColumnOf<rock::Section>{"section_centroid_y", "m",
+                            "centroid of the section in the bit's frame, y",
+                            [](const rock::Section& s) { return s.centroid_B.y(); }},
+    ColumnOf<rock::Section>{"section_centroid_z", "m",
+                            "centroid of the section in the bit's frame, z",
+                            [](const rock::Section& s) { return s.centroid_B.z(); }},
+    ColumnOf<rock::Section>{"section_engaged_edge", "m", "length of the cutter's outline in rock",
+                            [](const rock::Section& s) { return s.engaged_edge; }},
+    ColumnOf<rock::Section>{"section_angle_of_attack", "rad",
+                            "angle between face and path, mean along the engaged edge",
+                            [](const rock::Section& s) { return s.angle_of_attack; }},
+    ColumnOf<rock::Section>{"section_volume_rate", "m3 s-1", "volume that the section sweeps",
+                            [](const rock::Section& s) { return s.volume_rate; }},
+};
+
+/// Sums over the cutters, for the csv too.
+constexpr std::array section_totals = {
+    ColumnOf<rock::Section>{"section_area_total", "m2", "sections of all cutters",
+                            [](const rock::Section& s) { return s.area; }},
+    ColumnOf<rock::Section>{"section_volume_rate_total", "m3 s-1", "volume that all sections sweep",
+                            [](const rock::Section& s) { return s.volume_rate; }},
+};
+
+/// Of the bit; weight and torque are positive while drilling.
+constexpr std::array load_columns = {
+    ColumnOf<LoadedStep>{"weight_on_bit", "N", "force of the bit on the rock, z",
+                         [](const LoadedStep& s) { return -s.loads.force_W.z(); }},
+    ColumnOf<LoadedStep>{"torque_on_bit", "N m",
+                         "torque of the bit on the rock about its origin, z",
+                         [](const LoadedStep& s) { return -s.loads.torque_W.z(); }},
+    ColumnOf<LoadedStep>{"force_x", "N", "force of the rock on the bit in space, x",
+                         [](const LoadedStep& s) { return s.loads.force_W.x(); }},
+    ColumnOf<LoadedStep>{"force_y", "N", "force of the rock on the bit in space, y",
+                         [](const LoadedStep& s) { return s.loads.force_W.y(); }},
+    ColumnOf<LoadedStep>{"torque_x", "N m", "torque of the rock on the bit about its origin, x",
+                         [](const LoadedStep& s) { return s.loads.torque_W.x(); }},
+    ColumnOf<LoadedStep>{"torque_y", "N m", "torque of the rock on the bit about its origin, y",
+                         [](const LoadedStep& s) { return s.loads.torque_W.y(); }},
+    ColumnOf<LoadedStep>{"drilling_power", "W", "power that the bit spends on the rock",
+                         [](const LoadedStep& s) { return s.loads.power; }},
+    ColumnOf<LoadedStep>{"velocity_x", "m s-1", "velocity of the bit's origin over the rock, x",
+                         [](const LoadedStep& s) { return s.velocity.v_W.x(); }},
+    ColumnOf<LoadedStep>{"velocity_y", "m s-1", "velocity of the bit's origin over the rock, y",
+                         [](const LoadedStep& s) { return s.velocity.v_W.y(); }},
+    ColumnOf<LoadedStep>{"rate_of_penetration", "m s-1",
+                         "velocity of the bit's origin over the rock, z",
+                         [](const LoadedStep& s) { return s.velocity.v_W.z(); }},
+    ColumnOf<LoadedStep>{"rotary_speed", "rad s-1", "angular velocity of the bit about its axis",
+                         [](const LoadedStep& s) { return s.velocity.w_W.dot(s.X_WB.R.col(2)); }},
+};
+
+/// Of a bit that forces move.
+constexpr std::array drive_columns = {
+    ColumnOf<DriveRow>{"rock_position_z", "m", "how far the rock has moved along z",
+                       [](const DriveRow& r) { return r.rock_z; }},
+    ColumnOf<DriveRow>{"string_twist", "rad", "angle of the string's top over that of the bit",
+                       [](const DriveRow& r) { return r.string_twist; }},
+    ColumnOf<DriveRow>{"energy_stored", "J", "kinetic and elastic energy of bit, string and rock",
+                       [](const DriveRow& r) { return r.stored; }},
+    ColumnOf<DriveRow>{"work_of_top", "J", "work of the top since the start",
+                       [](const DriveRow& r) { return r.top; }},
+    ColumnOf<DriveRow>{"work_on_rock", "J", "work that cutting took from the bit since the start",
+                       [](const DriveRow& r) { return r.cutting; }},
+    ColumnOf<DriveRow>{"energy_lost", "J", "taken by dampers and by the wall since the start",
+                       [](const DriveRow& r) { return r.lost; }},
+    ColumnOf<DriveRow>{"energy_residual", "J", "what the ledger of energy does not account for",
+                       [](const DriveRow& r) { return r.residual; }},
+};
+
+/// Of a part's load: variables over time and part.
+constexpr std::array part_load_columns = {
+    ColumnOf<PartLoad>{"force_normal", "N", "force of the part along the normal into the rock",
+                       [](const PartLoad& p) { return p.normal; }},
+    ColumnOf<PartLoad>{"force_tangential", "N", "force of the part along its velocity",
+                       [](const PartLoad& p) { return p.tangential; }},
+    ColumnOf<PartLoad>{"part_force_x", "N", "force of the rock on the part in space, x",
+                       [](const PartLoad& p) { return p.force_W.x(); }},
+    ColumnOf<PartLoad>{"part_force_y", "N", "force of the rock on the part in space, y",
+                       [](const PartLoad& p) { return p.force_W.y(); }},
+    ColumnOf<PartLoad>{"part_force_z", "N", "force of the rock on the part in space, z",
+                       [](const PartLoad& p) { return p.force_W.z(); }},
+    ColumnOf<PartLoad>{"part_power", "W", "power that the part spends on the rock",
+                       [](const PartLoad& p) { return p.power; }},
+};
 
 void add_parts(const std::vector<HistoryPart>& parts, RecordLayout& layout) {
   RecordLabels names{"part_name", "name of the part", 0, {}};
@@ -38,23 +166,24 @@ void add_contact_areas(RecordLayout& layout) {
 void add_sections(const std::vector<std::string>& cutters, RecordLayout& layout) {
   const int axis = static_cast<int>(layout.axes.size());
   layout.axes.push_back({"cutter", cutters});
-  for (const SectionColumn& c : section_totals)
+  for (const ColumnOf<rock::Section>& c : section_totals)
     layout.columns.push_back({c.name, c.units, c.long_name});
-  for (const SectionColumn& c : section_columns)
+  for (const ColumnOf<rock::Section>& c : section_columns)
     layout.columns.push_back({c.name, c.units, c.long_name, axis, InCsv::no});
   layout.labels.push_back({"cutter_name", "name of the cutter", axis, cutters});
 }
 
 void add_loads(RecordLayout& layout) {
-  for (const LoadColumn& c : load_columns) layout.columns.push_back({c.name, c.units, c.long_name});
-  for (const PartLoadColumn& c : part_load_columns)
+  for (const ColumnOf<LoadedStep>& c : load_columns)
+    layout.columns.push_back({c.name, c.units, c.long_name});
+  for (const ColumnOf<PartLoad>& c : part_load_columns)
     layout.columns.push_back({c.name, c.units, c.long_name, 0, InCsv::no});
 }
 
 /// The columns of a row, then what every part removed, then what the run has besides.
 RecordLayout layout_for(const std::vector<HistoryPart>& parts, const HistoryExtent& extent) {
   RecordLayout layout;
-  for (const HistoryColumn& c : history_columns)
+  for (const ColumnOf<HistoryRow>& c : history_columns)
     layout.columns.push_back({c.name, c.units, c.long_name});
   add_parts(parts, layout);
   if (!extent.cones.empty()) add_cones(extent.cones, layout);
@@ -62,24 +191,24 @@ RecordLayout layout_for(const std::vector<HistoryPart>& parts, const HistoryExte
   if (!extent.cutters.empty()) add_sections(extent.cutters, layout);
   if (extent.forces) add_loads(layout);
   if (!extent.drive) return layout;
-  for (const DriveColumn& c : drive_columns)
+  for (const ColumnOf<DriveRow>& c : drive_columns)
     layout.columns.push_back({c.name, c.units, c.long_name});
   return layout;
 }
 
 void append_sections(std::span<const rock::Section> sections, std::vector<double>& row) {
-  for (const SectionColumn& c : section_totals) {
+  for (const ColumnOf<rock::Section>& c : section_totals) {
     double sum = 0.0;
     for (const rock::Section& s : sections) sum += c.value(s);
     row.push_back(sum);
   }
-  for (const SectionColumn& c : section_columns)
+  for (const ColumnOf<rock::Section>& c : section_columns)
     for (const rock::Section& s : sections) row.push_back(c.value(s));
 }
 
 void append_loads(const LoadedStep& loaded, std::vector<double>& row) {
-  for (const LoadColumn& c : load_columns) row.push_back(c.value(loaded));
-  for (const PartLoadColumn& c : part_load_columns)
+  for (const ColumnOf<LoadedStep>& c : load_columns) row.push_back(c.value(loaded));
+  for (const ColumnOf<PartLoad>& c : part_load_columns)
     for (const PartLoad& p : loaded.loads.parts) row.push_back(c.value(p));
 }
 
@@ -91,7 +220,7 @@ History::History(const std::filesystem::path& path, const std::vector<HistoryPar
 
 void History::append(const HistoryRow& row) {
   row_.clear();
-  for (const HistoryColumn& c : history_columns) row_.push_back(c.value(row));
+  for (const ColumnOf<HistoryRow>& c : history_columns) row_.push_back(c.value(row));
   row_.insert(row_.end(), row.removed_volume_by_part.begin(), row.removed_volume_by_part.end());
   row_.insert(row_.end(), row.cone_angles.begin(), row.cone_angles.end());
   row_.insert(row_.end(), row.cone_speeds.begin(), row.cone_speeds.end());
@@ -106,7 +235,7 @@ void History::append(const HistoryRow& row) {
   if (!extent_.cutters.empty()) append_sections(row.sections, row_);
   if (extent_.forces && row.loaded != nullptr) append_loads(*row.loaded, row_);
   if (extent_.drive && row.drive != nullptr)
-    for (const DriveColumn& c : drive_columns) row_.push_back(c.value(*row.drive));
+    for (const ColumnOf<DriveRow>& c : drive_columns) row_.push_back(c.value(*row.drive));
   record_.append(row_);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@ enum class Overwrite { no, force };
 /// Whether a result has pictures of its steps in a folder `frames`.
 enum class HasFrames { yes, no };
 
-/// A result folder, ready to be written to. Names of results are those of the design.
+/// A result folder, ready to be written to.
 struct OutputFolder {
   std::filesystem::path path;
 
@@ -40,5 +41,15 @@ inline constexpr const char* resolved_head =
 OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite,
                      const std::vector<std::string>& inputs = {},
                      HasFrames frames = HasFrames::yes);
+
+/// Writes what can still be written after a failure; a second failure (the disk is full) leaves the
+/// rest unwritten, since the first one is the one to report.
+template <class Write>
+void ignore_failure(Write write) {
+  try {
+    write();
+  } catch (const std::exception&) {
+  }
+}
 
 }  // namespace tdbd::simulation

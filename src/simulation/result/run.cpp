@@ -17,15 +17,10 @@
 #include "rotation/rotation_vector.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
-#include "simulation/result/try_to.hpp"
 #include "simulation/step/energy_order.hpp"
 
 namespace tdbd::simulation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 std::vector<HistoryPart> history_parts(const bit::Bit& bit) {
   std::vector<HistoryPart> parts;
@@ -76,16 +71,6 @@ void append_row(const Case& c, const Simulation& s, History& history) {
                                        : DriveRow{};
   if (s.state.drive) row.drive = &drive;
   history.append(row);
-}
-
-/// Worst quality and the quality that 99 % of the triangles exceed.
-std::pair<double, double> quality_figures(const mesh::Surface& s) {
-  std::vector<double> q;
-  for (const mesh::Triangle& t : s.triangles)
-    if (t[0] >= 0)
-      q.push_back(mesh::triangle_quality(s.position(t[0]), s.position(t[1]), s.position(t[2])));
-  std::sort(q.begin(), q.end());
-  return q.empty() ? std::pair{0.0, 0.0} : std::pair{q.front(), q[q.size() / 100]};
 }
 
 std::vector<PartVolumes> part_volumes(const Case& c, const VolumeLedger& l) {
@@ -142,9 +127,9 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
   while (s.state.steps_done < c.time.steps) {
     if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
     if (s.state.steps_done == r.order_plan.at) r.order = observe_energy_order(c, s);
-    const auto before = Clock::now();
+    const auto before = std::chrono::steady_clock::now();
     step(c, s);
-    r.step_seconds.push_back(seconds(Clock::now() - before));
+    r.step_seconds.push_back(seconds_since(before));
     if (s.state.steps_done % c.output.history_every == 0) append_row(c, s, r.history);
     if (c.output.frames_every > 0 && s.state.steps_done % c.output.frames_every == 0)
       r.frames.add(c, s);
@@ -153,15 +138,10 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
   return RunStatus::completed;
 }
 
-std::string failure_of(const Case& c, const Simulation& s, const std::string& what) {
-  return fmt::format("failed after {} of {} steps, at t = {} s: {}", s.state.steps_done,
-                     c.time.steps, time_at(c.time, s.state.steps_done), what);
-}
-
-void keep(const Case& c, const Simulation& s, const std::string& failure, Recorder& r) {
-  try_to([&] { r.history.close(); });
-  try_to([&] { r.frames.write_final(c, s); });
-  try_to([&] { write_text(r.folder.failure(), failure + "\n"); });
+void keep_so_far(const Case& c, const Simulation& s, const std::string& failure, Recorder& r) {
+  ignore_failure([&] { r.history.close(); });
+  ignore_failure([&] { r.frames.write_final(c, s); });
+  ignore_failure([&] { write_text(r.folder.failure(), failure + "\n"); });
 }
 
 RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
@@ -171,8 +151,9 @@ RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder&
     r.frames.write_final(c, s);
     return status;
   } catch (const std::exception& e) {
-    const std::string failure = failure_of(c, s, e.what());
-    keep(c, s, failure, r);
+    const std::string failure = failure_text(s.state.steps_done, c.time.steps,
+                                             time_at(c.time, s.state.steps_done), e.what());
+    keep_so_far(c, s, failure, r);
     throw RunError(failure);
   }
 }
@@ -199,7 +180,9 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.trimmed_volume = s.state.ledger.trimmed.value();
   r.rock_triangles_start = s.state.start_triangles;
   r.rock_triangles_end = s.state.rock.surface.triangle_count();
-  std::tie(r.rock_quality_min, r.rock_quality_1_percent) = quality_figures(s.state.rock.surface);
+  const mesh::QualityFigures quality = mesh::quality_figures(s.state.rock.surface);
+  r.rock_quality_min = quality.least;
+  r.rock_quality_1_percent = quality.one_percent;
   r.gage_radius = c.bit.gage_radius;
   r.maintenance = maintenance_counts(s.state.maintenance);
   r.faces = figures_of(c.bit, s.statistics.faces);
@@ -213,7 +196,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
 }
 
 RunSummary run(const Case& c, const RunOptions& o) {
-  const auto started = Clock::now();
+  const auto started = std::chrono::steady_clock::now();
   const ThreadLimit limit(o.threads);
   Simulation s = start(c);
   const OutputFolder folder = prepare(o.folder, o.overwrite, c.files);
@@ -222,7 +205,7 @@ RunSummary run(const Case& c, const RunOptions& o) {
   Recorder recorder(c, folder);
   RunSummary summary = summary_of(c, s, run_steps(c, s, o, recorder));
   if (summary.drive) summary.drive->order = recorder.order;
-  const double wall = seconds(Clock::now() - started);
+  const double wall = seconds_since(started);
   write_text(folder.timing(), to_json(timing_of(recorder.step_seconds, wall, o.threads)));
   write_text(folder.summary(), to_json(summary));
   return summary;

@@ -1,13 +1,13 @@
 #include "simulation/result/summary.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "core/provenance.hpp"
-#include "core/whole_file.hpp"
-#include "simulation/result/summary_head.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -124,6 +124,14 @@ Timing timing_of(std::vector<double> step_seconds, double wall_seconds, int thre
   std::nth_element(step_seconds.begin(), middle, step_seconds.end());
   t.seconds_per_step_median = *middle;
   return t;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string failure_text(long steps_done, long steps, double t, const std::string& what) {
+  return fmt::format("failed after {} of {} steps, at t = {} s: {}", steps_done, steps, t, what);
 }
 
 long peak_memory_bytes() {

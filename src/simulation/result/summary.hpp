@@ -1,8 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,6 +68,14 @@ struct Timing {
   double seconds_per_step_mean = 0.0;
 };
 
+/// Grows when a key of a summary changes its meaning or goes away.
+inline constexpr int summary_schema = 1;
+
+/// What every summary starts with: schema, command, title, status, provenance.
+nlohmann::ordered_json summary_head(const std::string& command, const std::string& title,
+                                    RunStatus status, const std::string& case_hash,
+                                    std::uint64_t seed);
+
 /// As JSON with units in the key names, every number in digits that read back to the bit.
 std::string to_json(const RunSummary& summary);
 std::string to_json(const Timing& timing);
@@ -75,5 +85,11 @@ Timing timing_of(std::vector<double> step_seconds, double wall_seconds, int thre
 
 /// Largest memory that this process has held so far, bytes.
 long peak_memory_bytes();
+
+/// Wall time, s.
+double seconds_since(std::chrono::steady_clock::time_point start);
+
+/// What `failure.txt` says of a run that ended after so many steps, at the time t (s).
+std::string failure_text(long steps_done, long steps, double t, const std::string& what);
 
 }  // namespace tdbd::simulation

@@ -1,22 +1,15 @@
 #include "simulation/rotate/rotate_run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 
 #include "core/error.hpp"
 #include "core/whole_file.hpp"
-#include "simulation/result/try_to.hpp"
 #include "simulation/rotate/rotate_history.hpp"
 #include "simulation/rotate/rotate_summary.hpp"
 
 namespace tdbd::simulation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 /// Steps between two looks at the clock, the interruption and the progress.
 constexpr long block_steps = 1024;
@@ -30,16 +23,11 @@ long next_block(const RotateCase& c, long done) {
   return std::min({block_steps, to_row, c.time.steps - done});
 }
 
-std::string failure_of(const RotateCase& c, const RotateSimulation& s, const std::string& what) {
-  return fmt::format("failed after {} of {} steps, at t = {} s: {}", s.steps_done, c.time.steps,
-                     s.rotating.state.time, what);
-}
-
 void keep(const RotateCase& c, const RotateSimulation& s, const std::string& failure,
           const OutputFolder& folder, RotateHistory& history) {
-  try_to([&] { history.append(c, s); });
-  try_to([&] { history.close(); });
-  try_to([&] { write_text(folder.failure(), failure + "\n"); });
+  ignore_failure([&] { history.append(c, s); });
+  ignore_failure([&] { history.close(); });
+  ignore_failure([&] { write_text(folder.failure(), failure + "\n"); });
 }
 
 }  // namespace
@@ -53,10 +41,10 @@ RunStatus rotate_steps(const RotateCase& c, RotateSimulation& s, const RotateOpt
       return RunStatus::interrupted;
     }
     const long steps = next_block(c, s.steps_done);
-    const auto before = Clock::now();
+    const auto before = std::chrono::steady_clock::now();
     advance(c, s, steps);
     if (step_seconds.size() < timed_blocks)
-      step_seconds.push_back(seconds(Clock::now() - before) / static_cast<double>(steps));
+      step_seconds.push_back(seconds_since(before) / static_cast<double>(steps));
     if (s.steps_done % c.history_every == 0 || s.steps_done == c.time.steps) row();
     if (o.progress) o.progress(s.steps_done, c.time.steps);
   }
@@ -64,7 +52,7 @@ RunStatus rotate_steps(const RotateCase& c, RotateSimulation& s, const RotateOpt
 }
 
 RotateOutcome rotate(const RotateCase& c, const RotateOptions& o) {
-  const auto started = Clock::now();
+  const auto started = std::chrono::steady_clock::now();
   RotateOutcome outcome{RunStatus::completed, start(c)};
   const OutputFolder folder = prepare(o.folder, o.overwrite, c.files, HasFrames::no);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
@@ -76,11 +64,12 @@ RotateOutcome rotate(const RotateCase& c, const RotateOptions& o) {
         c, s, o, [&] { history.append(c, s); }, step_seconds);
     history.close();
   } catch (const std::exception& e) {
-    const std::string failure = failure_of(c, s, e.what());
+    const std::string failure =
+        failure_text(s.steps_done, c.time.steps, s.rotating.state.time, e.what());
     keep(c, s, failure, folder, history);
     throw RunError(failure);
   }
-  const double wall = seconds(Clock::now() - started);
+  const double wall = seconds_since(started);
   write_text(folder.timing(), to_json(timing_of(std::move(step_seconds), wall, 1)));
   write_text(folder.summary(), summary_json(c, s, outcome.status));
   return outcome;

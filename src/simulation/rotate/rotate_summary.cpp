@@ -1,8 +1,9 @@
 #include "simulation/rotate/rotate_summary.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "simulation/result/summary_head.hpp"
+#include "simulation/result/summary.hpp"
 
 namespace tdbd::simulation {
 namespace {

@@ -21,7 +21,7 @@ double memory_of_machine() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-bool is_bearable(const RockNeed& need) {
+bool fits_machine(const RockNeed& need) {
   return need.triangles <= most_triangles && need.cells <= most_cells &&
          need.bytes <= memory_of_machine();
 }
@@ -55,16 +55,16 @@ mesh::Box reach_W(const Case& c) {
   return box;
 }
 
-void demand_memory(const Case& c, double area, mesh::Box box_W) {
+void require_memory(const Case& c, double area, mesh::Box box_W) {
   const mesh::Box reach = reach_W(c);
   box_W.add(reach.lo);
   box_W.add(reach.hi);
   area += area_of_new_wall(c, reach);
   const RockNeed need = need_of(area, box_W, c.rock.edge_length);
-  if (is_bearable(need)) return;
+  if (fits_machine(need)) return;
   double edge = c.rock.edge_length;
   constexpr double finest_step = 1.1;
-  for (int k = 0; k < 400 && !is_bearable(need_of(area, box_W, edge)); ++k) edge *= finest_step;
+  for (int k = 0; k < 400 && !fits_machine(need_of(area, box_W, edge)); ++k) edge *= finest_step;
   throw InputError(fmt::format(
       "{}: found {} m, which makes {:.1e} triangles and {:.1e} cells of rock on a way of {:.3g} m "
       "and needs {:.3g} GB, expected at most {:.3g} GB (this machine's memory), {:.0e} triangles "

@@ -20,6 +20,6 @@ mesh::Box reach_W(const Case& c);
 /// Throws InputError, naming rock.edge_length, if a rock of this area and box, with the wall that
 /// the run adds, needs more than the machine's memory or more than 32-bit numbers count; says how
 /// much it needs and which edge length would do.
-void demand_memory(const Case& c, double area, mesh::Box box_W);
+void require_memory(const Case& c, double area, mesh::Box box_W);
 
 }  // namespace tdbd::simulation

@@ -25,7 +25,8 @@ namespace {
 
 /// Asked once: a surface that intersects itself says of no place whether it is rock. Some seconds
 /// for a million triangles.
-void demand_no_intersections(const Case& c, const std::string& place, const mesh::TriangleMesh& m) {
+void require_no_intersections(const Case& c, const std::string& place,
+                              const mesh::TriangleMesh& m) {
   if (c.rock.intersections == IntersectionCheck::none) return;
   const auto pairs = mesh::self_intersections(m);
   if (pairs.empty()) return;
@@ -36,7 +37,7 @@ void demand_no_intersections(const Case& c, const std::string& place, const mesh
 }
 
 /// Edges far from edge_length speak for a wrong unit.
-void demand_like_edges(const Case& c, const mesh::TriangleMesh& m) {
+void require_plausible_edges(const Case& c, const mesh::TriangleMesh& m) {
   constexpr double factor = 20.0;
   const double triangles = static_cast<double>(m.triangles.size());
   const double edge = std::sqrt(mesh::area(m) / triangles * 4.0 / std::numbers::sqrt3);
@@ -47,7 +48,7 @@ void demand_like_edges(const Case& c, const mesh::TriangleMesh& m) {
 }
 
 /// Its normals point out of the rock: up, on the whole.
-void demand_facing_up(const Case& c, const mesh::TriangleMesh& m) {
+void require_facing_up(const Case& c, const mesh::TriangleMesh& m) {
   double down = 0.0;
   for (const mesh::Triangle& t : m.triangles)
     down +=
@@ -69,10 +70,10 @@ mesh::TriangleMesh from_file(const Case& c) {
   const auto defects = mesh::check_surface(m);
   if (!defects.empty())
     refuse(c, in_one_line(mesh::describe(defects, 8)), "one open, consistently oriented surface");
-  demand_facing_up(c, m);
-  demand_like_edges(c, m);
-  demand_memory(c, mesh::area(m), mesh::bounding_box(m));
-  demand_no_intersections(c, c.rock.file, m);
+  require_facing_up(c, m);
+  require_plausible_edges(c, m);
+  require_memory(c, mesh::area(m), mesh::bounding_box(m));
+  require_no_intersections(c, c.rock.file, m);
   return m;
 }
 
@@ -90,7 +91,7 @@ mesh::TriangleMesh make_borehole(const Case& c, const std::vector<rock::Meridian
   for (std::size_t i = 1; i < curve.size(); ++i)
     area += std::numbers::pi * (curve[i - 1].r + curve[i].r) *
             std::hypot(curve[i].r - curve[i - 1].r, curve[i].z - curve[i - 1].z);
-  demand_memory(c, area, box_of(curve));
+  require_memory(c, area, box_of(curve));
   return rock::borehole(curve, c.rock.edge_length);
 }
 
@@ -120,7 +121,7 @@ mesh::TriangleMesh rough(const Case& c) {
 /// Any meridian: one that crosses itself makes no rock.
 mesh::TriangleMesh of_profile(const Case& c) {
   mesh::TriangleMesh m = make_borehole(c, c.rock.profile);
-  demand_no_intersections(c, c.places.profile, m);
+  require_no_intersections(c, c.places.profile, m);
   return m;
 }
 

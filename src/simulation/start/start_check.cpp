@@ -38,7 +38,7 @@ double cover_above(const mesh::Surface& rock, const Vec3& x_W) {
   return up_minus_down > 0 ? cover : 0.0;
 }
 
-void demand_free_start(const Case& c, const mesh::Surface& rock) {
+void require_free_start(const Case& c, const mesh::Surface& rock) {
   const Pose X_WB = pose_at(c.motion, time_at(c.time, c.time.first));
   for (const bit::Part& part : c.bit.parts) {
     if (part.cutting != bit::Cutting::cuts) continue;

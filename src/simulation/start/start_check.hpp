@@ -12,6 +12,6 @@ double cover_above(const mesh::Surface& rock, const Vec3& x_W);
 
 /// Throws InputError when the bit of a case starts inside the rock by more than a cutter's radius:
 /// then the centre of a cutting part lies below the rock's surface.
-void demand_free_start(const Case& c, const mesh::Surface& rock);
+void require_free_start(const Case& c, const mesh::Surface& rock);
 
 }  // namespace tdbd::simulation

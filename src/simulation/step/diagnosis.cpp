@@ -12,8 +12,6 @@
 namespace tdbd::simulation {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
-
 double mean(const std::vector<double>& x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
@@ -33,7 +31,8 @@ std::vector<double> windowed(const std::vector<double>& x) {
   const double m = mean(x), n = static_cast<double>(x.size());
   std::vector<double> y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i)
-    y[i] = (x[i] - m) * (1.0 - std::cos(two_pi * (static_cast<double>(i) + 0.5) / n));
+    y[i] =
+        (x[i] - m) * (1.0 - std::cos(2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / n));
   return y;
 }
 
@@ -149,7 +148,7 @@ Diagnosis diagnose(const Trace& t) {
   const Orbit o = orbit_of(t.centre_W);
   const double time = t.dt * static_cast<double>(t.centre_W.size() - 1);
   d.orbit_radius = std::sqrt(o.square);
-  d.orbit_frequency = o.turned / (two_pi * time);
+  d.orbit_frequency = o.turned / (2.0 * std::numbers::pi * time);
   d.whirl = whirl_of(o, o.turned / time, speed);
   d.text = text_of(d);
   return d;

@@ -21,7 +21,8 @@ void add_parts(const LoadedStep& step, LoadStatistics& s) {
   }
 }
 
-double over(double x, double y) { return y != 0.0 ? x / y : 0.0; }
+/// 0 over nothing.
+double quotient(double x, double y) { return y != 0.0 ? x / y : 0.0; }
 
 /// What the part's whole cutter removed, m3: face, chamfer and body cut in turn, and which of them
 /// takes a vertex is the mesh's affair.
@@ -39,7 +40,8 @@ std::vector<PartLoadFigures> part_figures(const bit::Bit& bit, const LoadStatist
     if (s.normal[i].mean == 0.0 && s.tangential[i].mean == 0.0) continue;
     const double removed = removed_by_cutter(bit, s, i);
     parts.push_back({bit.parts[i].name, figures_of(s.normal[i]), figures_of(s.tangential[i]),
-                     over(s.part_energy[i], s.time), removed, over(s.part_energy[i], removed)});
+                     quotient(s.part_energy[i], s.time), removed,
+                     quotient(s.part_energy[i], removed)});
   }
   return parts;
 }
@@ -77,11 +79,12 @@ LoadFigures figures_of(const bit::Bit& bit, const LoadStatistics& s, double end)
   f.rop = figures_of(s.rop);
   f.rotary_speed = figures_of(s.rotary_speed);
   const double R = bit.gage_radius, area = std::numbers::pi * R * R;
-  f.aggressiveness = over(3.0 * f.tob.mean, 2.0 * R * f.wob.mean);
-  f.specific_energy = f.wob.mean / area + over(f.rotary_speed.mean * f.tob.mean, area * f.rop.mean);
-  f.imbalance = over(s.lateral_B.head<2>().norm(), f.wob.mean);
+  f.aggressiveness = quotient(3.0 * f.tob.mean, 2.0 * R * f.wob.mean);
+  f.specific_energy =
+      f.wob.mean / area + quotient(f.rotary_speed.mean * f.tob.mean, area * f.rop.mean);
+  f.imbalance = quotient(s.lateral_B.head<2>().norm(), f.wob.mean);
   f.imbalance_azimuth = std::atan2(s.lateral_B.y(), s.lateral_B.x());
-  f.power = over(s.energy, s.time);
+  f.power = quotient(s.energy, s.time);
   f.parts = part_figures(bit, s);
   return f;
 }

@@ -35,7 +35,7 @@ State start_state(const Case& c) {
   s.start_turned = s.place.turned;
   s.cones = start_cones(c);
   s.rock = start_rock(c);
-  demand_free_start(c, s.rock.surface);
+  require_free_start(c, s.rock.surface);
   s.start_triangles = s.rock.surface.triangle_count();
   s.ledger.hole_start = mesh::hole_volume(s.rock.surface, Vec3::Zero());
   s.ledger.removed_by_part.resize(c.bit.parts.size());

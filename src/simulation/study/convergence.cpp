@@ -7,9 +7,12 @@
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "core/parallel.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_case.hpp"
-#include "simulation/study/convergence_level.hpp"
+#include "simulation/rotate/rotate_run.hpp"
+#include "simulation/rotate/rotate_summary.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -48,7 +51,7 @@ bool is_like(const EndState& a, const EndState& b) {
                                               b.variables.begin(), b.variables.end(), like);
 }
 
-void demand_like(const EndState& level, const EndState& other, const std::string& what) {
+void require_same_variables(const EndState& level, const EndState& other, const std::string& what) {
   if (!is_like(level, other))
     throw InputError(
         fmt::format("{}: found other state variables, expected those of the case", what));
@@ -86,6 +89,49 @@ VariableConvergence observe(const Convergence& c, std::size_t v) {
   return r;
 }
 
+/// One level of a study, as a summary.
+struct LevelOutcome {
+  RunStatus status = RunStatus::completed;
+  double step = 0.0;  ///< s, the one that was used
+  long steps = 0;
+  std::string summary;
+};
+
+LevelOutcome rotate_level(const std::string& file, const std::vector<std::string>& overrides,
+                          int number, const ConvergenceOptions& o) {
+  const RotateCase c = read_rotate_case(file, overrides);
+  RotateOptions options;
+  options.interrupted = o.interrupted;
+  if (o.progress)
+    options.progress = [&](long done, long total) { o.progress(number, done, total); };
+  RotateSimulation s = start(c);
+  std::vector<double> step_seconds;
+  const RunStatus status = rotate_steps(
+      c, s, options, [] {}, step_seconds);
+  return {status, c.time.step, s.steps_done, summary_json(c, s, status)};
+}
+
+LevelOutcome drill_level(const std::string& file, const std::vector<std::string>& overrides,
+                         int number, const ConvergenceOptions& o) {
+  const Case c = read_case(file, overrides);
+  const ThreadLimit limit(o.threads);
+  Simulation s = start(c);
+  RunStatus status = RunStatus::completed;
+  while (s.state.steps_done < c.time.steps && status == RunStatus::completed) {
+    step(c, s);
+    if (o.progress) o.progress(number, s.state.steps_done, c.time.steps);
+    if (o.interrupted && *o.interrupted) status = RunStatus::interrupted;
+  }
+  return {status, c.time.step, s.state.steps_done, to_json(summary_of(c, s, status))};
+}
+
+/// Runs a case in memory, a rotate case or a run; `number` is the level's, for the progress.
+LevelOutcome run_level(const std::string& case_file, const std::vector<std::string>& overrides,
+                       int number, const ConvergenceOptions& o) {
+  return is_rotate_case(case_file) ? rotate_level(case_file, overrides, number, o)
+                                   : drill_level(case_file, overrides, number, o);
+}
+
 /// Of the quantity at level `i`, from 0.
 double size_at(const ConvergencePlan& plan, double first_size, int i) {
   return first_size / std::pow(plan.factor, i);
@@ -114,8 +160,8 @@ bool add_level(Convergence& c, double first_size, int i, const ConvergenceOption
     throw RunError(fmt::format("{}: {}", level_text(c.plan, i, size), e.what()));
   }
   if (i == 0 && c.plan.reference)
-    demand_like(c.levels.front().end, *c.plan.reference, "--reference");
-  demand_like(c.levels.front().end, c.levels.back().end, fmt::format("level {}", i + 1));
+    require_same_variables(c.levels.front().end, *c.plan.reference, "--reference");
+  require_same_variables(c.levels.front().end, c.levels.back().end, fmt::format("level {}", i + 1));
   if (i > 0 && c.plan.key == step_key && c.levels[i].steps == c.levels[i - 1].steps)
     throw InputError(
         fmt::format("--factor: level {}: found {} steps, as at level {}, expected more: "
@@ -135,7 +181,7 @@ ConvergenceStart check_rotate(const ConvergencePlan& plan) {
           c.time.step * static_cast<double>(c.time.steps)};
 }
 
-/// Rock vertices move along paths that are straight to second order in the step (formulation 2.1).
+/// Rock vertices move along paths that are straight to second order in the step.
 ConvergenceStart check_run(const ConvergencePlan& plan) {
   const Case c = read_case(plan.case_file, plan.overrides);
   const double nominal = plan.key == step_key ? 2.0 : 0.0;

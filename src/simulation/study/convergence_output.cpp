@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "core/whole_file.hpp"
-#include "simulation/result/summary_head.hpp"
+#include "simulation/result/summary.hpp"
 
 namespace tdbd::simulation {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verification/dynamics/drilling_run.hpp"
+#include "verification/dynamics/drilling/drilling_run.hpp"
 
 /// A problem in which everything acts at once and is smooth.
 namespace tdbd::dynamics {

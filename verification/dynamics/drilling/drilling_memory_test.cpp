@@ -2,7 +2,7 @@
 
 #include "dynamics/drilling/divergence.hpp"
 #include "verification/battery/counted_memory.hpp"
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics {
 namespace {

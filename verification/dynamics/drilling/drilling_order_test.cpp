@@ -5,7 +5,7 @@
 #include "core/observed_order.hpp"
 #include "reference/dynamics/lumped_drilling.hpp"
 #include "verification/battery/evidence.hpp"
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics {
 namespace {

@@ -5,7 +5,7 @@
 #include "dynamics/drilling/divergence.hpp"
 #include "dynamics/rotation/step.hpp"
 #include "verification/battery/generators.hpp"
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics {
 namespace {

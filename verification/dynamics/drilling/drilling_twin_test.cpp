@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/dynamics/lumped_drilling.hpp"
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics {
 namespace {

@@ -5,7 +5,7 @@
 #include "core/observed_order.hpp"
 #include "reference/dynamics/lumped_drilling.hpp"
 #include "verification/battery/evidence.hpp"
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics {
 namespace {
@@ -117,6 +117,33 @@ TEST(EnergyLedger, parts_share_the_work_of_the_wrench) {
         shared += 0.5 * h * forces[p].dot(point_velocity(*v, arms[p]));
   }
   EXPECT_NEAR(shared, d.ledger.cut_bit, 1e-12 * std::abs(d.ledger.cut_bit));
+}
+
+/// The whole impulse of the cones' own spins at the step's end, none at its start; the ledger has
+/// its work.
+TEST(EnergyLedger, counts_cone_impulses_at_the_end_of_a_step) {
+  DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  s.bearing_damping.assign(s.gyrostat.cones.size(), 0.0);
+  LumpedRun d = start(s, nullptr, coupled_start(s));
+  constexpr double h = 1e-3;
+  for (int i = 0; i < 100; ++i) {
+    const std::vector<double> before = d.state.rotation.cone_momenta;
+    open_step(s, h, d, d.work);
+    EXPECT_EQ(d.state.rotation.cone_momenta, before);
+    EXPECT_EQ(predicted(s, h, d, d.work).rotation.cone_momenta, before);
+    Wrench w;
+    w.cones = {0.3, -0.2};
+    w.cone_impulse = ConeImpulse::at_end;
+    const double cut_before = d.ledger.cut_bit;
+    close_step(s, h, w, d, d.work);
+    double work = 0.0;
+    for (std::size_t k = 0; k < w.cones.size(); ++k) {
+      EXPECT_EQ(d.state.rotation.cone_momenta[k], before[k] + h * w.cones[k]);
+      work += h * w.cones[k] * d.work.closing.cone_rates[k];
+    }
+    EXPECT_NEAR(d.ledger.cut_bit - cut_before, work, 1e-15);
+  }
+  EXPECT_LT(std::abs(residual(s, d)), 1e-2 * std::abs(d.ledger.start));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "dynamics/drilling/dissipation.hpp"
 #include "reference/dynamics/ode.hpp"
 #include "verification/battery/generators.hpp"
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "rotation/swing_twist.hpp"
 #include "verification/battery/evidence.hpp"
-#include "verification/dynamics/drilling_run.hpp"
+#include "verification/dynamics/drilling/drilling_run.hpp"
 
 /// The instabilities of section 1.3 on lumped models with a known onset. Whirl is in wall_test.
 namespace tdbd::dynamics {

@@ -5,7 +5,7 @@
 #include "core/observed_order.hpp"
 #include "rotation/swing_twist.hpp"
 #include "verification/battery/evidence.hpp"
-#include "verification/dynamics/drilling_run.hpp"
+#include "verification/dynamics/drilling/drilling_run.hpp"
 
 namespace tdbd::dynamics {
 namespace {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "verification/battery/evidence.hpp"
-#include "verification/dynamics/drilling_run.hpp"
+#include "verification/dynamics/drilling/drilling_run.hpp"
 
 namespace tdbd::dynamics {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "rotation/swing_twist.hpp"
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics {
 namespace {

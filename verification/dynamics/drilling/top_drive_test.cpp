@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "rotation/swing_twist.hpp"
-#include "verification/dynamics/drilling_run.hpp"
+#include "verification/dynamics/drilling/drilling_run.hpp"
 
 namespace tdbd::dynamics {
 namespace {

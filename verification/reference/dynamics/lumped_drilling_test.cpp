@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/dynamics/coupled_bit.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::reference {
 namespace {

@@ -13,7 +13,7 @@ int run(const std::string& command) { return std::system(command.c_str()); }
 const std::string python = "/usr/bin/python3 ";
 const std::string source = TDBD_SOURCE_DIR;
 
-TEST(draw, figures_of_a_result_are_pictures_and_not_blank) {
+TEST(Draw, figures_of_a_result_are_pictures_and_not_blank) {
   const OutputFolder folder =
       write_synthetic_result(tdbd::temporary_folder() + "tdbd_draw_result", 60, 180);
   const std::string path = folder.path.string();
@@ -24,7 +24,7 @@ TEST(draw, figures_of_a_result_are_pictures_and_not_blank) {
   EXPECT_EQ(run(check + "/cutters.png 1000 1000 50"), 0);
 }
 
-TEST(draw, a_folder_without_a_surface_is_an_error) {
+TEST(Draw, a_folder_without_a_surface_is_an_error) {
   const OutputFolder folder =
       write_synthetic_result(tdbd::temporary_folder() + "tdbd_draw_no_surface", 4, 8);
   std::filesystem::remove(folder.frames() / "rock_final.vtp");

@@ -66,7 +66,7 @@ int check_by_xarray(const fs::path& file, long rows) {
   return std::system(command.c_str());
 }
 
-TEST(history, xarray_finds_every_bit_with_units_and_names) {
+TEST(History, xarray_finds_every_bit_with_units_and_names) {
   for (const long rows : {0L, 1L, 511L, 512L, 1300L})
     EXPECT_EQ(check_by_xarray(write_history(folder("bits"), rows), rows), 0) << rows << " rows";
 }
@@ -95,7 +95,7 @@ fs::path write_measures(const fs::path& where) {
   return where / "history.nc";
 }
 
-TEST(history, xarray_finds_sections_by_cutter_and_contact_areas_by_part) {
+TEST(History, xarray_finds_sections_by_cutter_and_contact_areas_by_part) {
   const fs::path file = write_measures(folder("measures"));
   EXPECT_EQ(check_by_xarray(file, -1), 0);
   std::ifstream in(fs::path(file).replace_extension(".csv"));
@@ -104,7 +104,7 @@ TEST(history, xarray_finds_sections_by_cutter_and_contact_areas_by_part) {
   EXPECT_NE(head.find("contact_area_total [m2],section_area_total [m2]"), std::string::npos);
 }
 
-TEST(history, two_runs_give_the_same_bytes) {
+TEST(History, two_runs_give_the_same_bytes) {
   const fs::path a = write_history(folder("a"), 700);
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a time stamp would differ
   const fs::path b = write_history(folder("b"), 700);
@@ -112,7 +112,7 @@ TEST(history, two_runs_give_the_same_bytes) {
   EXPECT_EQ(bytes_of(a.parent_path() / "history.csv"), bytes_of(b.parent_path() / "history.csv"));
 }
 
-TEST(history, the_files_get_their_names_when_closed) {
+TEST(History, the_files_get_their_names_when_closed) {
   const fs::path where = folder("names");
   {
     History history(where / "history.nc", parts);
@@ -127,7 +127,7 @@ TEST(history, the_files_get_their_names_when_closed) {
   EXPECT_FALSE(fs::exists(where / "history.csv.partial"));
 }
 
-TEST(history, the_csv_has_a_head_with_units_and_a_line_for_each_row) {
+TEST(History, the_csv_has_a_head_with_units_and_a_line_for_each_row) {
   std::ifstream in(write_history(folder("csv"), 3).replace_extension(".csv"));
   std::string head, first, second;
   std::getline(in, head);
@@ -138,16 +138,16 @@ TEST(history, the_csv_has_a_head_with_units_and_a_line_for_each_row) {
   EXPECT_EQ(std::count(head.begin(), head.end(), ','), std::count(first.begin(), first.end(), ','));
 }
 
-TEST(history, a_row_for_other_parts_is_refused) {
+TEST(History, a_row_for_other_parts_is_refused) {
   History history(folder("refused") / "history.nc", parts);
   EXPECT_THROW(history.append(HistoryRow{}), RunError);
 }
 
-TEST(history, a_folder_that_does_not_exist_is_an_error) {
+TEST(History, a_folder_that_does_not_exist_is_an_error) {
   EXPECT_THROW(History("/proc/no/history.nc", parts), RunError);
 }
 
-TEST(history, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond) {
+TEST(History, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond) {
   const std::vector<HistoryPart> many(100, {"cutter/face", "face"});
   const std::vector<double> volumes(100, 1.0 / 3.0);
   History history(folder("cost") / "history.nc", many);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double revolutions = 20;
 
-/// Bit B for twenty revolutions on a coarse mesh: what maintenance must keep (formulation 3).
+/// Bit B for twenty revolutions on a coarse mesh: what maintenance must keep.
 class TwentyRevolutions : public testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -30,19 +30,19 @@ std::string refusal(const fs::path& path, Overwrite overwrite = Overwrite::no) {
   return "not refused";
 }
 
-TEST(output_folder, is_made_with_its_parents) {
+TEST(OutputFolder, is_made_with_its_parents) {
   const OutputFolder folder = prepare(nothing_at("new") / "a" / "b", Overwrite::no);
   EXPECT_TRUE(fs::is_directory(folder.frames()));
   EXPECT_EQ(folder.frame("rock", 7), folder.path / "frames" / "rock-000007.vtp");
 }
 
-TEST(output_folder, that_is_empty_is_taken) {
+TEST(OutputFolder, that_is_empty_is_taken) {
   const fs::path path = nothing_at("empty");
   fs::create_directories(path);
   EXPECT_EQ(refusal(path), "not refused");
 }
 
-TEST(output_folder, with_files_needs_force) {
+TEST(OutputFolder, with_files_needs_force) {
   const OutputFolder folder = prepare(nothing_at("full"), Overwrite::no);
   touch(folder.summary());
   EXPECT_EQ(refusal(folder.path),
@@ -50,7 +50,7 @@ TEST(output_folder, with_files_needs_force) {
   EXPECT_TRUE(fs::exists(folder.summary()));
 }
 
-TEST(output_folder, force_removes_old_results_and_nothing_else) {
+TEST(OutputFolder, force_removes_old_results_and_nothing_else) {
   const OutputFolder folder = prepare(nothing_at("force"), Overwrite::no);
   for (const fs::path& old : {folder.summary(), folder.history(), folder.frame("rock", 99)})
     touch(old);
@@ -61,7 +61,7 @@ TEST(output_folder, force_removes_old_results_and_nothing_else) {
   EXPECT_TRUE(fs::exists(folder.path / "notes.txt"));
 }
 
-TEST(output_folder, that_is_a_file_or_cannot_be_made_is_refused) {
+TEST(OutputFolder, that_is_a_file_or_cannot_be_made_is_refused) {
   const fs::path file = nothing_at("file");
   touch(file);
   EXPECT_EQ(refusal(file, Overwrite::force), "output folder " + file.string() + ": is a file");

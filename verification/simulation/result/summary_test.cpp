@@ -32,7 +32,7 @@ RunSummary third() {
   return s;
 }
 
-TEST(summary, every_number_reads_back_to_the_bit) {
+TEST(Summary, every_number_reads_back_to_the_bit) {
   const Json json = Json::parse(to_json(third()));
   EXPECT_EQ(json["revolutions"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["removed_volume_m3"].get<double>(), 0.1 + 0.2);
@@ -40,7 +40,7 @@ TEST(summary, every_number_reads_back_to_the_bit) {
   EXPECT_EQ(json["removed_volume_by_part_by_revolution_m3"]["cutter-1/face"][1], 0.2);
 }
 
-TEST(summary, holds_the_names_that_scripts_rely_on) {
+TEST(Summary, holds_the_names_that_scripts_rely_on) {
   const Json json = Json::parse(to_json(third()));
   for (const char* key : {"schema",
                           "status",
@@ -70,19 +70,19 @@ TEST(summary, holds_the_names_that_scripts_rely_on) {
   EXPECT_EQ(json["maintenance"]["flips"], 7);
 }
 
-TEST(summary, parts_stay_in_the_order_of_the_bit) {
+TEST(Summary, parts_stay_in_the_order_of_the_bit) {
   const Json json = Json::parse(to_json(third()));
   EXPECT_EQ(json["removed_volume_by_part_m3"].begin().key(), "cutter-2/face");
 }
 
-TEST(summary, without_parts_the_volumes_are_an_empty_object) {
+TEST(Summary, without_parts_the_volumes_are_an_empty_object) {
   const Json json = Json::parse(to_json(RunSummary{}));
   EXPECT_TRUE(json["removed_volume_by_part_m3"].is_object());
   EXPECT_TRUE(json["removed_volume_by_revolution_m3"].is_array());
   EXPECT_TRUE(json["maintenance"].is_object());
 }
 
-TEST(summary, timing_holds_what_depends_on_the_machine) {
+TEST(Summary, timing_holds_what_depends_on_the_machine) {
   const Json json = Json::parse(to_json(Timing{0.25, 10.0, peak_memory_bytes(), 2}));
   EXPECT_EQ(json["seconds_per_step_median"], 0.25);
   EXPECT_EQ(json["wall_seconds"], 10.0);
@@ -90,7 +90,7 @@ TEST(summary, timing_holds_what_depends_on_the_machine) {
   EXPECT_GT(json["peak_memory_bytes"].get<long>(), 1000000);
 }
 
-TEST(summary, is_written_whole) {
+TEST(Summary, is_written_whole) {
   const std::filesystem::path path = tdbd::temporary_folder() + "tdbd_summary.json";
   write_text(path, to_json(third()));
   std::ifstream in(path);

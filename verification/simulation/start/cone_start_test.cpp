@@ -31,7 +31,7 @@ bool is_free(const mesh::Surface& rock, const Vec3& x_B, double slack) {
 }
 
 /// However the cones stand, no tooth reaches farther into the rock than its edges cut corners.
-TEST(cone_start, a_conforming_bottom_holds_no_tooth_at_any_angle) {
+TEST(ConeStart, a_conforming_bottom_holds_no_tooth_at_any_angle) {
   const Case c = conforming("step = \"2 ms\"\nduration = \"4 ms\"");
   const Simulation s = start(c);
   constexpr double slack = 0.5e-3;  // m: a sixth of an edge
@@ -48,7 +48,7 @@ TEST(cone_start, a_conforming_bottom_holds_no_tooth_at_any_angle) {
 
 /// Turning in its own hole without advance it takes almost nothing; half a millimetre of the
 /// bottom would be 18 cm3.
-TEST(cone_start, a_bit_that_turns_in_its_conforming_hole_takes_almost_nothing) {
+TEST(ConeStart, a_bit_that_turns_in_its_conforming_hole_takes_almost_nothing) {
   const Case c = conforming("step = \"4 ms\"\nduration = \"0.5 s\"");
   Simulation s = start(c);
   while (s.state.steps_done < c.time.steps) step(c, s);

@@ -32,7 +32,7 @@ std::size_t intersections(const Simulation& s) {
   return reference::self_intersecting_pairs(mesh::compact(s.state.rock.surface));
 }
 
-/// Fifty revolutions of bit R: what maintenance must keep (formulation 3).
+/// Fifty revolutions of bit R: what maintenance must keep.
 class FiftyRevolutions : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -75,18 +75,8 @@ TEST_F(FiftyRevolutions, remove_what_the_bit_advances_through) {
   EXPECT_NEAR(ratio, 1.0, 0.01);
 }
 
-double worst_quality(const Simulation& s) {
-  const mesh::TriangleMesh m = mesh::compact(s.state.rock.surface);
-  double worst = 1.0;
-  for (const auto& [a, b, c] : m.triangles) {
-    const auto x = [&m](int v) { return m.positions[static_cast<std::size_t>(v)]; };
-    worst = std::min(worst, mesh::triangle_quality(x(a), x(b), x(c)));
-  }
-  return worst;
-}
-
-/// The comparison of formulation 2.3 at the gage, reconstructed; as figures 4.7 to 4.9 do for PDC.
-TEST(gage_teeth, leave_the_best_wall_along_their_normals) {
+/// The comparison of update directions at the gage, reconstructed; as figures 4.7 to 4.9 do for PDC.
+TEST(GageTeeth, leave_the_best_wall_along_their_normals) {
   struct Wall {
     std::size_t folds;
     double quality;
@@ -94,7 +84,7 @@ TEST(gage_teeth, leave_the_best_wall_along_their_normals) {
   const auto wall = [](const std::string& rule, std::vector<std::string> settings = {}) {
     settings.insert(settings.end(), {"update.gage_teeth='" + rule + "'", "time.revolutions=16"});
     const Simulation s = drilled(bit_r(settings));
-    const Wall w{intersections(s), worst_quality(s)};
+    const Wall w{intersections(s), mesh::quality_figures(s.state.rock.surface).least};
     fmt::print("gage_teeth = \"{}\": {} intersecting pairs, worst quality {:.4f}\n", rule, w.folds,
                w.quality);
     return w;
@@ -109,7 +99,7 @@ TEST(gage_teeth, leave_the_best_wall_along_their_normals) {
 }
 
 /// A cone's body as its frustums, and as one mesh searched by its tree: the same rock.
-TEST(body_cuts, do_not_depend_on_how_the_body_is_searched) {
+TEST(BodyCuts, do_not_depend_on_how_the_body_is_searched) {
   const Case pieces = bit_r({"time.revolutions=0.7", "rock.edge_length='5 mm'", "rock.wall='90 mm'",
                              "motion.rate_of_penetration='80 m/h'"});
   Case whole = pieces;

@@ -38,7 +38,7 @@ Eigen::Vector2d circle(double radius, double frequency, double t) {
          Eigen::Vector2d(std::cos(two_pi * frequency * t), std::sin(two_pi * frequency * t));
 }
 
-TEST(diagnosis, calls_what_does_not_vary_steady) {
+TEST(Diagnosis, calls_what_does_not_vary_steady) {
   const Diagnosis d = diagnosis_of({});
   EXPECT_EQ(d.text, "steady");
   EXPECT_EQ(d.whirl, WhirlKind::none);
@@ -46,7 +46,7 @@ TEST(diagnosis, calls_what_does_not_vary_steady) {
   EXPECT_EQ(d.lost_contact_share, 0.0);
 }
 
-TEST(diagnosis, finds_stick_slip_with_its_severity_and_frequency) {
+TEST(Diagnosis, finds_stick_slip_with_its_severity_and_frequency) {
   Made m;
   m.rotary_speed = [](double t) { return speed * (1.0 + std::sin(two_pi * 0.5 * t)); };
   const Diagnosis d = diagnosis_of(m);
@@ -56,7 +56,7 @@ TEST(diagnosis, finds_stick_slip_with_its_severity_and_frequency) {
   EXPECT_NE(d.text.find("stick-slip"), std::string::npos);
 }
 
-TEST(diagnosis, finds_lost_contact) {
+TEST(Diagnosis, finds_lost_contact) {
   Made m;
   m.wob = [](double t) { return std::max(0.0, 1e4 * std::sin(two_pi * 7.3 * t)); };
   const Diagnosis d = diagnosis_of(m);
@@ -65,7 +65,7 @@ TEST(diagnosis, finds_lost_contact) {
   EXPECT_NE(d.text.find("bounce"), std::string::npos);
 }
 
-TEST(diagnosis, finds_axial_vibration_without_lost_contact) {
+TEST(Diagnosis, finds_axial_vibration_without_lost_contact) {
   Made m;
   m.wob = [](double t) { return 1e4 * (1.0 + 0.7 * std::sin(two_pi * 12.5 * t)); };
   const Diagnosis d = diagnosis_of(m);
@@ -73,7 +73,7 @@ TEST(diagnosis, finds_axial_vibration_without_lost_contact) {
   EXPECT_NE(d.text.find("axial vibration, weight swings by 70 % at 12.5 Hz"), std::string::npos);
 }
 
-TEST(diagnosis, tells_whirls_by_sense_and_frequency) {
+TEST(Diagnosis, tells_whirls_by_sense_and_frequency) {
   const double turn = speed / two_pi;
   const struct {
     double frequency;
@@ -93,7 +93,7 @@ TEST(diagnosis, tells_whirls_by_sense_and_frequency) {
 }
 
 /// Rocking to and fro is no whirl, however far.
-TEST(diagnosis, does_not_take_rocking_for_whirl) {
+TEST(Diagnosis, does_not_take_rocking_for_whirl) {
   Made m;
   m.centre = [](double t) {
     return Eigen::Vector2d(5e-3 * std::sin(two_pi * 3.0 * t), 1e-5 * std::cos(two_pi * 5.1 * t));
@@ -102,7 +102,7 @@ TEST(diagnosis, does_not_take_rocking_for_whirl) {
 }
 
 /// Between two lines of the spectrum, whatever the phase: within a twentieth of a line.
-TEST(strongest_frequency, is_found_between_lines) {
+TEST(StrongestFrequency, is_found_between_lines) {
   constexpr int count = 1000;
   for (int k = 0; k < 40; ++k) {
     const double f = 20.0 + 0.05 * k, phase = 0.7 * k;

@@ -17,7 +17,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// What one reading of eq. 4.2 makes of the same rock (formulation 2.2).
+/// What one reading of eq. 4.2 makes of the same rock.
 struct Outcome {
   std::string stopped;         ///< why the run ended early; empty if it did not
   double turned = 0.0;         ///< revolutions
@@ -143,7 +143,7 @@ Outcome first_third(const std::string& inside, std::vector<std::string> override
 /// The default drills: nothing folds over, no rock is added, and the steady volume is that of the
 /// gage's disc. The thesis' figures 4.7-4.9 compare it with the two extremes, which drill too, but
 /// with worse meshes: straight down crowds the wall at the gage, along the profile the axis.
-TEST(directions, hybrid_drills_a_deep_hole_and_has_the_best_mesh) {
+TEST(Directions, hybrid_drills_a_deep_hole_and_has_the_best_mesh) {
   const Outcome hybrid = deep_hole("hybrid");
   EXPECT_EQ(hybrid.stopped, "");
   EXPECT_LT(hybrid.ledger, tolerance::ledger);
@@ -160,7 +160,7 @@ TEST(directions, hybrid_drills_a_deep_hole_and_has_the_best_mesh) {
 }
 
 /// Unhealed, the extremes fold the surface; maintenance undoes most of their folds.
-TEST(directions, hybrid_folds_least_where_nothing_heals) {
+TEST(Directions, hybrid_folds_least_where_nothing_heals) {
   const Outcome hybrid = deep_hole("hybrid", no_healing);
   for (const char* extreme : {"all-down", "along-profile"})
     EXPECT_GT(deep_hole(extreme, no_healing).folds, hybrid.folds);
@@ -169,7 +169,7 @@ TEST(directions, hybrid_folds_least_where_nothing_heals) {
 /// e of eq. 4.2 straight down, and the two signs of [1, 0, 0] between which our excerpt leaves the
 /// choice. +X pushes the cone's vertices out of the rock: more rock is added than removed. -X
 /// drills, but pushes them through the axis: the surface folds over, where nothing heals it.
-TEST(directions, of_inside_cutters_only_down_holds) {
+TEST(Directions, of_inside_cutters_only_down_holds) {
   const Outcome down = first_third("down");
   EXPECT_EQ(down.stopped, "");
   EXPECT_EQ(down.pairs, 0u);

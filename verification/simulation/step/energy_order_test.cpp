@@ -36,7 +36,7 @@ double residual_of(const Case& c, const Simulation& s) {
       s.state.drive->ledger);
 }
 
-TEST(energy_order, is_two_where_rock_is_cut) {
+TEST(EnergyOrder, is_two_where_rock_is_cut) {
   for (const char* name : {"drill-bit-b", "drill-bit-r"}) {
     const Case c = drilling({}, name);
     const EnergyOrder found = observe_energy_order(c, after(c, 50));
@@ -48,7 +48,7 @@ TEST(energy_order, is_two_where_rock_is_cut) {
 }
 
 /// The level of the step itself is what the run goes through.
-TEST(energy_order, first_level_is_the_run_itself) {
+TEST(EnergyOrder, first_level_is_the_run_itself) {
   const Case c = drilling({});
   Simulation s = after(c, 50);
   const EnergyOrder found = observe_energy_order(c, s);
@@ -62,7 +62,7 @@ TEST(energy_order, first_level_is_the_run_itself) {
   EXPECT_NEAR(found.residual.residuals[0] / size, 1.0, 1e-6);
 }
 
-TEST(energy_order, is_not_told_of_a_bit_without_contact) {
+TEST(EnergyOrder, is_not_told_of_a_bit_without_contact) {
   const Case c = drilling(
       {"rock.shape=flat", "motion.start=['0 mm', '0 mm', '-20 mm']", "motion.weight_on_bit=0"});
   const EnergyOrder found = observe_energy_order(c, after(c, 2));
@@ -70,7 +70,7 @@ TEST(energy_order, is_not_told_of_a_bit_without_contact) {
   EXPECT_EQ(found.residual.reason, "the bit loses contact with the rock in the window");
 }
 
-TEST(energy_order, begins_with_the_means_at_a_maintenance_and_fits_the_run) {
+TEST(EnergyOrder, begins_with_the_means_at_a_maintenance_and_fits_the_run) {
   const auto at = [](std::vector<std::string> settings) {
     settings.emplace_back("output.energy_order=always");
     return plan_energy_order(drilling(std::move(settings))).at;
@@ -101,7 +101,7 @@ std::filesystem::path run_with(const std::string& name, const char* wish, int th
   return options.folder;
 }
 
-TEST(energy_order, leaves_the_bytes_of_the_run_and_does_not_know_threads) {
+TEST(EnergyOrder, leaves_the_bytes_of_the_run_and_does_not_know_threads) {
   const auto with = run_with("with", "always", 1), without = run_with("without", "off", 1);
   const auto threads = run_with("threads", "always", 2);
   for (const char* file : {"history.csv", "history.nc", "rock_final.ply"})

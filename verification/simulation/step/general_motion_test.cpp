@@ -100,7 +100,7 @@ Case undercut(const Undercut& u, double edge, const std::string& more = "") {
 /// The groove has a floor and a roof: a vertical line meets the surface there twice, where a height
 /// field has one height. Its volume and the shadow of its roof are known: the disc at the end less
 /// its lens with the hole. The groove's rims are as blurred as the edges are long.
-TEST(sideways, a_disc_undercuts_the_wall) {
+TEST(Sideways, a_disc_undercuts_the_wall) {
   const Undercut u;
   for (const double edge : {2e-3, 1e-3}) {
     const Case c = undercut(u, edge);
@@ -127,7 +127,7 @@ TEST(sideways, a_disc_undercuts_the_wall) {
 /// Under a roof, straight down is no way out of the rock ahead: what the disc meets first goes down
 /// beside it, and then no vertex comes to meet it any more. The direction that a part needs is the
 /// one in which it cuts.
-TEST(sideways, straight_down_leaves_the_rock_ahead_of_an_undercutting_disc) {
+TEST(Sideways, straight_down_leaves_the_rock_ahead_of_an_undercutting_disc) {
   Undercut u;
   u.disc.direction = "[0, 0, 1]";
   const Case c = undercut(u, 2e-3);
@@ -141,7 +141,7 @@ TEST(sideways, straight_down_leaves_the_rock_ahead_of_an_undercutting_disc) {
 }
 
 /// From below, the disc takes the roof of its groove away: what is left is open upwards.
-TEST(sideways, going_up_from_an_undercut_takes_its_roof) {
+TEST(Sideways, going_up_from_an_undercut_takes_its_roof) {
   const Undercut u;
   const Case c = undercut(u, 2e-3, leg(0.3, {0, 0, -50}));
   Simulation s = start(c);
@@ -166,7 +166,7 @@ const std::string fast = "rotary_speed = \"120 rpm\"\nrate_of_penetration = \"60
 
 /// The mouth of 120 mm leads to a hole of 70 mm: the bit, 95 mm, makes it 95 mm wide, but for the
 /// ridges between the passes of its gage cutters, 8.3 mm apart.
-TEST(reaming, a_bit_opens_a_narrower_hole_to_its_gage) {
+TEST(Reaming, a_bit_opens_a_narrower_hole_to_its_gage) {
   const Case c = outside_case(
       "shape = \"profile\"\nedge_length = 0.003\nprofile = [[0, 0.07], [0.035, 0.07], "
       "[0.035, 0], [0.06, 0], [0.06, -0.03]]",
@@ -243,13 +243,13 @@ void expect_elliptic_hole(const std::string& leaning, std::size_t most_pairs) {
   EXPECT_GE(nearest, -0.1e-3);
 }
 
-TEST(tilt, a_leaning_bit_drills_an_elliptic_hole) { expect_elliptic_hole("upright", 0); }
+TEST(Tilt, a_leaning_bit_drills_an_elliptic_hole) { expect_elliptic_hole("upright", 0); }
 
 /// Maintenance leaves three intersecting pairs here: a fault that is known (src/rock/README.md).
-TEST(tilt, so_it_does_with_directions_about_its_own_axis) { expect_elliptic_hole("bit", 3); }
+TEST(Tilt, so_it_does_with_directions_about_its_own_axis) { expect_elliptic_hole("bit", 3); }
 
 /// Up without turning, and down the same way.
-TEST(reaming, a_bit_put_back_removes_nothing_more) {
+TEST(Reaming, a_bit_put_back_removes_nothing_more) {
   const std::string drill =
       "[[motion.legs]]\nduration = 0.5\nrotary_speed = \"120 rpm\"\n"
       "velocity = [0, 0, \"60 m/h\"]\n";
@@ -274,7 +274,7 @@ TEST(reaming, a_bit_put_back_removes_nothing_more) {
 
 /// A run that is cut in two at a maintenance, its rock saved and read again, goes on as one that
 /// was not.
-TEST(continuing, after_a_reload_is_the_run_without_interruption) {
+TEST(Continuing, after_a_reload_is_the_run_without_interruption) {
   const std::string motion = "[motion]\n" + fast + "[time]\nstep = 0.002\nduration = 0.4\n";
   const Case whole = outside_case("edge_length = 0.003", motion);
   Simulation s = start(whole);
@@ -319,7 +319,7 @@ double eighth_revolution(const std::string& shape) {
 
 /// Once the bit has drilled through the roughness, a revolution removes what it does from a flat
 /// start.
-TEST(rough_start, is_forgotten) {
+TEST(RoughStart, is_forgotten) {
   const double rough = eighth_revolution(
       "shape = \"rough\"\namplitude = 0.002\ncorrelation_length = 0.01\nseed = 7");
   const double flat = eighth_revolution("shape = \"flat\"");

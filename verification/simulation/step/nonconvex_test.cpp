@@ -40,7 +40,7 @@ double drill(const mesh::TriangleMesh& tool_mm) {
 /// Depth of the tool after `drill`: 60 m/h for 120 ms.
 constexpr double depth = 60.0 / 3600.0 * 0.12;
 
-TEST(nonconvex, a_ring_cuts_an_annular_groove) {
+TEST(Nonconvex, a_ring_cuts_an_annular_groove) {
   constexpr double minor = 5e-3, major = 25e-3;
   const double half_angle = std::acos(1.0 - depth / minor);
   const double segment = minor * minor * (half_angle - 0.5 * std::sin(2.0 * half_angle));
@@ -49,7 +49,7 @@ TEST(nonconvex, a_ring_cuts_an_annular_groove) {
 }
 
 /// A U with its legs down turns about its middle: the legs cut a groove about a standing core.
-TEST(nonconvex, a_u_leaves_a_core) {
+TEST(Nonconvex, a_u_leaves_a_core) {
   const Mat3 legs_down =
       Eigen::AngleAxisd(std::numbers::pi / 2.0, Vec3::UnitX()).toRotationMatrix();
   const double removed = drill(battery::placed(
@@ -61,11 +61,11 @@ TEST(nonconvex, a_u_leaves_a_core) {
   EXPECT_LT(removed, 1.1 * full_turn);
 }
 
-TEST(nonconvex, an_l_cuts) {
+TEST(Nonconvex, an_l_cuts) {
   EXPECT_GT(drill(battery::prism(battery::l_outline(40.0, 12.0), -5.0, 5.0)), 0.0);
 }
 
-TEST(nonconvex, a_star_cuts) {
+TEST(Nonconvex, a_star_cuts) {
   EXPECT_GT(drill(battery::prism(battery::star_outline(30.0, 10.0, 6), -5.0, 5.0)), 0.0);
 }
 

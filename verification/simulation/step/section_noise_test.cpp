@@ -32,7 +32,7 @@ Case standard_workload() {
 }
 
 /// The first cutter is beside the axis: the next test.
-TEST(section_noise, is_small_and_the_mean_is_the_volume_removed) {
+TEST(SectionNoise, is_small_and_the_mean_is_the_volume_removed) {
   std::vector<double> noise, noise_of_volumes, ratios;
   double swept = 0.0, removed = 0.0;
   for (const FaceFigures& f : second_revolution(standard_workload())) {
@@ -56,7 +56,7 @@ TEST(section_noise, is_small_and_the_mean_is_the_volume_removed) {
 
 /// On a circle that is small beside its thickness, the disc's side runs into rock behind the face
 /// and removes what no section of the face sees: 3 % of a disc of 2 mm, nothing of a thin one.
-TEST(section_noise, beside_the_axis_the_side_behind_the_face_takes_what_is_missing) {
+TEST(SectionNoise, beside_the_axis_the_side_behind_the_face_takes_what_is_missing) {
   Case c = standard_workload();
   std::vector<bit::Cutter> cutters = c.bit.cutters;
   for (bit::Cutter& cutter : cutters) {

@@ -41,15 +41,6 @@ class StableSurface : public testing::TestWithParam<Run> {
   Simulation simulation_;
 };
 
-/// Worst quality, and the quality that 99 % exceed.
-std::pair<double, double> quality(const mesh::Surface& s) {
-  std::vector<double> q;
-  for (const auto& [a, b, c] : s.triangles)
-    if (a >= 0) q.push_back(mesh::triangle_quality(s.position(a), s.position(b), s.position(c)));
-  std::sort(q.begin(), q.end());
-  return {q.front(), q[q.size() / 100]};
-}
-
 /// M1 to M7 of one maintenance of what the last step touched.
 std::string broken_promises(Simulation& s) {
   const rock::Rock before = s.state.rock;
@@ -67,7 +58,7 @@ TEST_P(StableSurface, keeps_its_promises) {
   const mesh::Surface& s = simulation_.state.rock.surface;
   EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(s)), 0U);
   EXPECT_LE(ledger_defect(simulation_), tolerance::ledger);
-  const auto [worst, one_percent] = quality(s);
+  const auto [worst, one_percent] = mesh::quality_figures(s);
   const double disturbed =
       simulation_.state.maintenance.volume_disturbed / simulation_.state.ledger.removed.value();
   fmt::print("worst quality {:.3f}, 99 % above {:.3f}; maintenance disturbed {:.1e}\n", worst,
@@ -92,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return instance.param.name; });
 
 /// Trimming keeps a disc and the ledger; the wall does not grow.
-TEST(trimmed_wall, keeps_the_disc_and_the_ledger_and_a_bounded_number_of_triangles) {
+TEST(TrimmedWall, keeps_the_disc_and_the_ledger_and_a_bounded_number_of_triangles) {
   const std::string file = TDBD_SOURCE_DIR "/cases/core.toml";
   const std::vector<std::string> common{"rock.edge_length='4 mm'", "time.revolutions=40",
                                         "time.step='2 ms'"};
@@ -112,7 +103,7 @@ TEST(trimmed_wall, keeps_the_disc_and_the_ledger_and_a_bounded_number_of_triangl
   EXPECT_LT(triangles[1], triangles[0]);
 }
 
-TEST(trimmed_wall, is_refused_below_what_cuts) {
+TEST(TrimmedWall, is_refused_below_what_cuts) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/core.toml", {"rock.trim='20 mm'"});
   try {
     start(c);

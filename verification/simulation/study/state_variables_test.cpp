@@ -30,7 +30,7 @@ const StateVariable& variable(const EndState& end, const std::string& name) {
   throw std::runtime_error("no " + name);
 }
 
-TEST(state_variables, attitudes_differ_by_their_angle) {
+TEST(StateVariables, attitudes_differ_by_their_angle) {
   const EndState a = read_end_state(rotate_summary(0.0), "a");
   const EndState b = read_end_state(rotate_summary(0.01), "b");
   // Frobenius over sqrt(2) is 2 sin(angle/2); to_string keeps six digits
@@ -39,7 +39,7 @@ TEST(state_variables, attitudes_differ_by_their_angle) {
   EXPECT_EQ(distance(variable(a, "body_momentum"), variable(b, "body_momentum")), 0.0);
 }
 
-TEST(state_variables, have_units_and_scales) {
+TEST(StateVariables, have_units_and_scales) {
   const EndState end = read_end_state(rotate_summary(0.3), "a");
   EXPECT_EQ(end.command, "rotate");
   EXPECT_EQ(end.duration, 2.5);
@@ -52,7 +52,7 @@ TEST(state_variables, have_units_and_scales) {
   EXPECT_EQ(variable(end, "angular_velocity").units, "rad/s");
 }
 
-TEST(state_variables, of_a_run_are_volumes) {
+TEST(StateVariables, of_a_run_are_volumes) {
   const EndState end = read_end_state(
       R"({"command": "run", "duration_s": 1, "removed_volume_m3": 3,
           "removed_volume_by_part_m3": {"b": 1, "a": 2}, "removed_volume_by_revolution_m3": [3]})",
@@ -61,13 +61,13 @@ TEST(state_variables, of_a_run_are_volumes) {
   EXPECT_EQ(variable(end, "removed_volume_by_part").values, (std::vector<double>{1.0, 2.0}));
 }
 
-TEST(state_variables, without_cones_have_none_of_theirs) {
+TEST(StateVariables, without_cones_have_none_of_theirs) {
   std::string text = rotate_summary(0.3);
   text.replace(text.find("[0.25]"), 6, "[]").replace(text.find("[7]"), 3, "[]");
   EXPECT_EQ(read_end_state(text, "a").variables.size(), 5u);
 }
 
-TEST(state_variables, other_texts_are_refused_by_name) {
+TEST(StateVariables, other_texts_are_refused_by_name) {
   for (const char* text : {"", "no json", "{}", R"({"command": "bit", "duration_s": 1})",
                            R"({"command": "rotate", "duration_s": 1})"}) {
     try {
@@ -79,7 +79,7 @@ TEST(state_variables, other_texts_are_refused_by_name) {
   }
 }
 
-TEST(state_variables, are_found_in_a_folder_or_a_file) {
+TEST(StateVariables, are_found_in_a_folder_or_a_file) {
   const std::filesystem::path folder = tdbd::temporary_folder() + "tdbd_state_variables";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "summary.json") << rotate_summary(0.1);
