@@ -109,10 +109,14 @@ KeyRow choice_row(std::string_view name, const std::vector<std::string_view>& na
   return fallback.empty() ? r : with_fallback(std::move(r), fmt::format("\"{}\"", fallback));
 }
 
-std::string header_of(const TableKey& key) {
-  if (key.name.empty()) return "top of the file";
-  return key.repeats == Repeats::yes ? fmt::format("[[{}]]", key.name)
-                                     : fmt::format("[{}]", key.name);
+KeyTable key_table(const std::string& command, const TableKey& key, std::vector<KeyRow> rows) {
+  return {command, std::string(key.name), std::string(key.meaning), key.repeats, std::move(rows)};
+}
+
+std::string header_of(const KeyTable& table) {
+  if (table.name.empty()) return "top of the file";
+  return table.repeats == Repeats::yes ? fmt::format("[[{}]]", table.name)
+                                       : fmt::format("[{}]", table.name);
 }
 
 std::string keys_as_text(std::span<const KeyTable> tables) {
@@ -124,8 +128,8 @@ std::string keys_as_text(std::span<const KeyTable> tables) {
       kind = std::max(kind, r.kind.size());
       fallback = std::max(fallback, r.fallback.size());
     }
-    out += fmt::format("{}{} ({}): {}\n", out.empty() ? "" : "\n", header_of(table.key), table.file,
-                       table.key.meaning);
+    out += fmt::format("{}{} ({}): {}\n", out.empty() ? "" : "\n", header_of(table), table.command,
+                       table.meaning);
     for (const KeyRow& r : table.rows)
       out += fmt::format("  {:<{}}  {:<{}}  {:<{}}  {}{}{}\n", r.name, name, r.kind, kind,
                          r.fallback, fallback, r.meaning, r.allowed.empty() ? "" : "; ", r.allowed);
@@ -139,7 +143,7 @@ std::string keys_as_markdown(std::span<const KeyTable> tables) {
     out += fmt::format(
         "{}## `{}` of `{}`: {}\n\n| key | kind | default | allowed | meaning |\n"
         "|---|---|---|---|---|\n",
-        out.empty() ? "" : "\n", header_of(table.key), table.file, table.key.meaning);
+        out.empty() ? "" : "\n", header_of(table), table.command, table.meaning);
     for (const KeyRow& r : table.rows)
       out += fmt::format("| `{}` | {} | {} | {} | {} |\n", r.name, r.kind, r.fallback, r.allowed,
                          r.meaning);
@@ -151,9 +155,8 @@ std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::
   std::vector<KeyTable> found;
   std::vector<std::string> names;
   for (const KeyTable& table : tables) {
-    const std::string full(table.key.name);
-    names.push_back(full);
-    if (full == name || (!name.empty() && full.starts_with(name + "."))) found.push_back(table);
+    names.push_back(table.name);
+    if (table.name == name || table.name.starts_with(name + ".")) found.push_back(table);
   }
   if (!found.empty()) return found;
   const auto near = nearest_name(name, names);

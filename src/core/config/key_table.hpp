@@ -20,10 +20,15 @@ struct KeyRow {
 
 /// A table with its keys, for `tdbd keys` and KEYS.md.
 struct KeyTable {
-  std::string file;  ///< what it stands in: "run", "rotate"
-  TableKey key;
+  std::string command;  ///< that reads it: "run", "rotate"
+  std::string name;     ///< dotted, from the top of the file; empty: the top itself
+  std::string meaning;
+  Repeats repeats = Repeats::no;
   std::vector<KeyRow> rows;
 };
+
+/// The table with its rows.
+KeyTable key_table(const std::string& command, const TableKey& key, std::vector<KeyRow> rows);
 
 KeyRow row(const QuantityKey& key);
 KeyRow row(const VectorKey& key);
@@ -53,7 +58,7 @@ KeyRow row(const ChoiceKey<E>& key) {
 }
 
 /// "[motion.whirl]", "[[rock.layers]]", "top of the file".
-std::string header_of(const TableKey& key);
+std::string header_of(const KeyTable& table);
 
 /// The tables for a terminal, one under the other.
 std::string keys_as_text(std::span<const KeyTable> tables);

@@ -10,19 +10,16 @@
 #include "rock/maintain/maintain.hpp"
 #include "rock/start/borehole.hpp"
 #include "rock/start/rough_bottom.hpp"
-#include "simulation/case/drilling_plan.hpp"
-#include "simulation/case/force_plan.hpp"
-#include "simulation/case/measure_plan.hpp"
 #include "simulation/case/motion.hpp"
+#include "simulation/case/plans.hpp"
+#include "simulation/case/rock_keys.hpp"
+#include "simulation/case/run_keys.hpp"
 
 namespace tdbd::simulation {
 
-enum class RockShape { conforming, flat, rough, profile, file };
-enum class IntersectionCheck { full, none };
-
 /// The rock at the start.
 struct RockStart {
-  RockShape shape = RockShape::conforming;
+  RockShape shape = *rock_keys::shape.fallback;
   double edge_length = 0.0;   ///< m
   double wall = 0.0;          ///< m, height of the cylindrical wall above the bottom's rim
   double radius = 0.0;        ///< m, flat and rough only; 0: the bit's gage radius
@@ -30,8 +27,9 @@ struct RockStart {
   std::vector<rock::MeridianPoint> profile;  ///< profile only: from the axis to the boundary
   std::string file;                          ///< file only
   double unit = 1.0;                         ///< m per unit of the file
-  IntersectionCheck intersections = IntersectionCheck::full;  ///< file and profile only
-  double trim = 0.0;  ///< m: wall higher above the bit's lowest point goes; 0: none does
+  IntersectionCheck intersections =
+      *rock_keys::intersection_check.fallback;  ///< file and profile only
+  double trim = 0.0;  ///< m: wall higher than this above the bit's lowest point goes; 0: none
 };
 
 struct TimeGrid {
@@ -45,40 +43,34 @@ inline double time_at(const TimeGrid& grid, long steps) {
   return grid.step * static_cast<double>(steps);
 }
 
-/// Where a case says what shows to be wrong only with the rock: "FILE:LINE: KEY" (Config::place).
+/// Where the case gives what only the rock shows to be wrong: "FILE:LINE: KEY" (Config::place).
 struct CasePlaces {
   std::string edge_length, motion, file, profile;
 };
 
 struct MaintenancePlan {
-  long every = 5;              ///< steps between maintenances; 0: never
-  double shortest_edge = 0.4;  ///< over edge_length
-  double longest_edge = 1.6;   ///< over edge_length
-  double worst_quality = 0.1;
-  double flip_quality = 0.6;  ///< triangles below may flip their longest edge; 0: none does
-  rock::Smoothing smoothing = rock::Smoothing::tangential;
-  double smooth_quality = 0.5;  ///< vertices of triangles below are smoothed
+  long every = *maintenance_keys::every.fallback;  ///< steps between maintenances; 0: never
+  double shortest_edge = *maintenance_keys::shortest_edge.fallback;  ///< over edge_length
+  double longest_edge = *maintenance_keys::longest_edge.fallback;    ///< over edge_length
+  double worst_quality = *maintenance_keys::worst_quality.fallback;
+  double flip_quality = *maintenance_keys::flip_quality.fallback;  ///< 0: no triangle flips
+  rock::Smoothing smoothing = *maintenance_keys::smoothing.fallback;
+  double smooth_quality = *maintenance_keys::smooth_quality.fallback;
 };
 
-/// How a step is found, and which way it goes where the bit leans.
+/// How rock vertices leave the parts that cut.
 struct UpdatePlan {
   rock::CuttingOptions cutting;
-  int most_passes = 1000;  ///< of a step; more are an error
-};
-
-/// Whether a bit that forces move observes the order of its energy's residual.
-enum class EnergyOrderWish {
-  off,
-  on,      ///< where that costs at most a tenth of the run's steps
-  always,  ///< whatever it costs
+  int most_passes = static_cast<int>(*update_keys::most_passes.fallback);  ///< of a step
 };
 
 struct OutputPlan {
-  long history_every = 1;   ///< steps between rows
-  long frames_every = 0;    ///< steps between frames; 0: only the last
+  long history_every = *output_keys::history_every.fallback;  ///< steps between rows
+  long frames_every =
+      *output_keys::frames_every.fallback;  ///< steps between frames; 0: only the last
   double means_from = 0.0;  ///< s since the run's beginning: steps before do not count in means
-  EnergyOrderWish energy_order = EnergyOrderWish::on;
-  long energy_order_window = 24;  ///< steps
+  EnergyOrderWish energy_order = *output_keys::energy_order.fallback;
+  long energy_order_window = *output_keys::energy_order_window.fallback;  ///< steps
 };
 
 /// A checked case in SI: everything that a run needs, and its resolved text.

@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "forces/fits.hpp"
-#include "simulation/case/case_formation.hpp"
+#include "simulation/case/case_rock.hpp"
+#include "simulation/case/force_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -22,10 +23,10 @@ struct KindKey {
   FollowsRun follows;
 };
 
-/// What a cutter's body bears (ours): in drilling its contact slides along the groove that the rim
-/// cut, and carries nothing; a bit that sticks or goes down faster than its edges cut rests on it.
-/// Without it such a bit would sink into the rock under its weight.
-forces::Law bearing_of_a_body() {
+/// What a cutter's body bears (ours). In drilling it slides along the groove that the rim cut, and
+/// carries nothing; a bit that sticks, or goes down faster than its edges cut, rests on it. Without
+/// it such a bit would sink into the rock under its weight.
+forces::Law cutter_body_bearing() {
   constexpr double full_angle = 0.5;  // rad, far above the helix of drilling
   constexpr double friction = 0.3, over_strength = 1.5;
   forces::Friction f;
@@ -47,39 +48,28 @@ constexpr std::array<KindKey, bit::part_kinds.size()> kinds{
      {PartKind::cone, "cone", FollowsRun::yes},
      {PartKind::tooth, "tooth", FollowsRun::yes}}};
 
-std::vector<std::pair<std::string, std::string>> names_of(
-    const std::vector<std::string_view>& all) {
-  std::vector<std::pair<std::string, std::string>> names;
-  names.reserve(all.size());
-  for (const std::string_view name : all) names.emplace_back(std::string(name), std::string(name));
-  return names;
-}
-
 /// A law with coefficients from the literature, which the keys beside it change.
 std::optional<forces::Law> read_fit(Config& c) {
-  if (!c.has("coefficients")) return std::nullopt;
-  std::vector<std::string_view> names;
-  for (const forces::Fit& fit : forces::known_fits()) names.push_back(fit.name);
-  return forces::fit_named(c.choice<std::string>("coefficients", names_of(names), std::nullopt))
-      .law;
+  if (!c.has(force_keys::coefficients)) return std::nullopt;
+  return forces::fit_named(c.read(force_keys::coefficients)).law;
 }
 
-/// The law that the table names, its coefficients read from it.
-forces::Law read_law(Config& c, const std::string& fallback) {
+/// The law that the table names, with its coefficients; a table that names none means `usual`
+/// (empty: it must name one).
+forces::Law read_law(Config& c, const std::string& usual) {
   const std::optional<forces::Law> fit = read_fit(c);
-  std::optional<std::string> usual;
+  std::optional<std::string> fallback;
   if (fit)
-    usual = forces::law_name(*fit);
-  else if (!fallback.empty())
-    usual = fallback;
-  const std::string name = c.choice<std::string>("law", names_of(forces::law_names()), usual);
+    fallback = forces::law_name(*fit);
+  else if (!usual.empty())
+    fallback = usual;
+  const std::string name = c.read(force_keys::law, fallback);
   if (fit && name != forces::law_name(*fit))
-    c.problem("law", name,
+    c.problem(force_keys::law, name,
               "the law of forces.coefficients, " + std::string(forces::law_name(*fit)));
   forces::Law law = fit.value_or(forces::law_named(name));
   for (const forces::LawField& f : forces::law_fields(law))
-    *f.value =
-        c.quantity(f.key, std::string(f.unit), fit ? std::optional(*f.value) : f.fallback, f.range);
+    *f.value = c.read(force_keys::key_of(f), fit ? std::optional(*f.value) : f.fallback);
   return law;
 }
 
@@ -88,20 +78,20 @@ double cutter_diameter(const bit::Bit& bit) {
   return bit.cutters.empty() ? 0.0 : bit.cutters.front().diameter;
 }
 
-/// A law that a table asks for by name must know the kind.
+/// A law that a table names must know the kind.
 void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const bit::Bit& bit,
                  ForcePlan& plan) {
   forces::Law& law = plan.laws[static_cast<std::size_t>(k.kind)];
   const bool follows = k.follows == FollowsRun::yes &&
                        forces::law_problem(common, k.kind, cutter_diameter(bit)).empty();
   law = follows                           ? common
-        : k.kind == PartKind::cutter_body ? bearing_of_a_body()
+        : k.kind == PartKind::cutter_body ? cutter_body_bearing()
                                           : forces::Law(forces::NoForce{});
   if (!c.has(k.key)) return;
   Config table = c.table(k.key);
   law = read_law(table, std::string(forces::law_name(law)));
   const std::string wrong = forces::law_problem(law, k.kind, cutter_diameter(bit));
-  if (!wrong.empty()) table.problem("law", std::string(forces::law_name(law)), wrong);
+  if (!wrong.empty()) table.problem(force_keys::law, std::string(forces::law_name(law)), wrong);
 }
 
 bool has_force(const ForcePlan& plan, PartKind kind) {
@@ -115,14 +105,15 @@ bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
          (kind == PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
 }
 
-/// The law must have a part to act on, and every part what its law is asked about.
-void demand_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
-                  const ForcePlan& plan) {
+/// The law must have a part to act on, and every part what its law needs.
+void require_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
+                   const ForcePlan& plan) {
   if (bit.parts.empty()) return;  // its own mistakes are told
   if (std::ranges::none_of(bit.parts, [&](const bit::Part& p) {
         return law_of(plan, p.kind).index() == common.index();
       }))
-    c.problem("law", std::string(forces::law_name(common)), "a law that knows a part of this bit");
+    c.problem(force_keys::law, std::string(forces::law_name(common)),
+              "a law that knows a part of this bit");
   for (const bit::Part& p : bit.parts)
     if (p.cutter < 0 && has_force(plan, p.kind) && needs_a_cutter(plan, p.kind))
       return c.problem("", fmt::format("{}, a part without a cutter of a table", p.name),
@@ -130,7 +121,7 @@ void demand_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
 }
 
 /// Sections and contact areas are what forces are made of.
-void demand_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure) {
+void require_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure) {
   if (!bit.cutters.empty() && measure.section == SectionMeasure::off)
     c.problem("", "measure.section = \"off\"", "sections: a cutter's force comes from them");
   if (measure.contact == ContactMeasure::off)
@@ -141,19 +132,16 @@ void demand_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure)
 
 ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& measure) {
   ForcePlan plan;
-  if (!whole.has("forces")) return plan;
-  Config c = whole.table("forces");
+  if (!whole.has(force_keys::table)) return plan;
+  Config c = whole.table(force_keys::table);
   plan.forces = Forces::on;
-  plan.cut = c.choice<CutMeasure>(
-      "cut", {{"section", CutMeasure::section}, {"volume", CutMeasure::volume}}, plan.cut);
-  plan.chamfer = c.choice<ChamferMeasure>(
-      "chamfer_contact", {{"edge", ChamferMeasure::edge}, {"triangles", ChamferMeasure::triangles}},
-      plan.chamfer);
+  plan.cut = c.read(force_keys::cut);
+  plan.chamfer = c.read(force_keys::chamfer_contact);
   const forces::Law common = read_law(c, "");
   for (const KindKey& k : kinds) read_law_of(c, k, common, bit, plan);
-  demand_parts(c, bit, common, plan);
-  demand_measures(c, bit, measure);
-  plan.rock = read_formation(whole.table("rock"));
+  require_parts(c, bit, common, plan);
+  require_measures(c, bit, measure);
+  plan.rock = read_formation(whole.table(rock_keys::table));
   return plan;
 }
 

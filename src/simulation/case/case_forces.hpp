@@ -1,13 +1,12 @@
 #pragma once
 
 #include "core/config/config.hpp"
-#include "simulation/case/force_plan.hpp"
-#include "simulation/case/measure_plan.hpp"
+#include "simulation/case/plans.hpp"
 
 namespace tdbd::simulation {
 
-/// The tables [forces] and [rock] of a case (keys: README.md); without [forces] a run asks for no
-/// forces. Mistakes are noted in the Config.
+/// Reads [forces] (force_keys) and the material of [rock] (read_formation); a run without [forces]
+/// computes no forces. Mistakes are noted in the Config.
 ForcePlan read_forces(Config& c, const bit::Bit& bit, const MeasurePlan& measure);
 
 }  // namespace tdbd::simulation

@@ -5,49 +5,51 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "simulation/case/motion_keys.hpp"
 #include "simulation/case/path_table.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using dynamics::AxialMode;
+using dynamics::Schedule;
 
-const std::vector<std::pair<std::string, WhirlSense>> senses{{"forward", WhirlSense::forward},
-                                                             {"backward", WhirlSense::backward}};
+double time_of_turn(double angle, double rotary_speed) {
+  return rotary_speed > 0.0 ? angle / rotary_speed : 0.0;
+}
 
-double one_turn(double rotary_speed) { return rotary_speed > 0.0 ? two_pi / rotary_speed : 0.0; }
+double one_turn(double rotary_speed) { return time_of_turn(2.0 * std::numbers::pi, rotary_speed); }
 
 Whirl read_whirl(Config c, double rotary_speed) {
   Whirl w;
-  w.radius = c.quantity("radius", "m", std::nullopt, Range::non_negative());
-  w.frequency = c.quantity("frequency", "rad/s", std::nullopt, Range::non_negative());
-  w.sense = c.choice<WhirlSense>("sense", senses, WhirlSense::backward);
-  w.ramp = c.quantity("ramp", "s", one_turn(rotary_speed), Range::non_negative());
+  w.radius = c.read(whirl_keys::radius);
+  w.frequency = c.read(whirl_keys::frequency);
+  w.sense = c.read(whirl_keys::sense);
+  w.ramp = c.read(whirl_keys::ramp, one_turn(rotary_speed));
   return w;
 }
 
 Tilt read_tilt(Config c, double rotary_speed) {
-  constexpr double largest = 0.5;  // rad
   Tilt t;
-  t.angle = c.quantity("angle", "rad", std::nullopt, Range::within(0.0, largest));
-  t.azimuth = c.quantity("azimuth", "rad", 0.0);
-  t.frequency = c.quantity("frequency", "rad/s", 0.0, Range::non_negative());
-  t.sense = c.choice<WhirlSense>("sense", senses, WhirlSense::forward);
-  t.ramp = c.quantity("ramp", "s", one_turn(rotary_speed), Range::non_negative());
+  t.angle = c.read(tilt_keys::angle);
+  t.azimuth = c.read(tilt_keys::azimuth);
+  t.frequency = c.read(tilt_keys::frequency);
+  t.sense = c.read(tilt_keys::sense);
+  t.ramp = c.read(tilt_keys::ramp, one_turn(rotary_speed));
   return t;
 }
 
 Leg read_leg(Config& c) {
   Leg leg;
-  leg.duration = c.quantity("duration", "s", std::nullopt, Range::positive());
-  leg.velocity_W = c.vector("velocity", "m/s", Vec3(Vec3::Zero()));
-  leg.rotary_speed = c.quantity("rotary_speed", "rad/s", 0.0);
+  leg.duration = c.read(leg_keys::duration);
+  leg.velocity_W = c.read(leg_keys::velocity);
+  leg.rotary_speed = c.read(leg_keys::rotary_speed);
   return leg;
 }
 
 /// At least one leg; legs that could not be read make no path.
 void read_legs(Config& c, Motion& m) {
-  std::vector<Config> tables = c.tables("legs");
+  std::vector<Config> tables = c.tables(leg_keys::table);
   if (tables.empty()) c.problem("legs", "none", "one [[motion.legs]] or more");
   std::vector<Leg> legs;
   legs.reserve(tables.size());
@@ -57,7 +59,7 @@ void read_legs(Config& c, Motion& m) {
 }
 
 void read_table(Config& c, Motion& m) {
-  m.path_file = c.path("file", std::nullopt);
+  m.path_file = c.read(motion_keys::file);
   if (m.path_file.empty()) return;
   try {
     m.path = read_path_table(m.path_file);
@@ -66,51 +68,90 @@ void read_table(Config& c, Motion& m) {
   }
 }
 
+void read_steady(Config& c, Motion& m) {
+  m.rotary_speed = c.read(motion_keys::rotary_speed);
+  m.rate_of_penetration = c.read(motion_keys::rate_of_penetration);
+  if (m.kind == MotionKind::whirl) m.whirl = read_whirl(c.table(whirl_keys::table), m.rotary_speed);
+  if (c.has(tilt_keys::table)) m.tilt = read_tilt(c.table(tilt_keys::table), m.rotary_speed);
+}
+
+/// A quantity, or a table of it over time.
+Schedule read_schedule(Config& c, const QuantityKey& key) {
+  const ListKey values = schedule_keys::values(key);
+  if (!c.has(fmt::format("{}.{}", key.name, values.name))) return dynamics::constant(c.read(key));
+  Config table = c.table(key);
+  const std::vector<double> t = table.read(schedule_keys::times);
+  const std::vector<double> v = table.read(values);
+  const auto between = table.read(schedule_keys::between);
+  for (const double x : v)
+    if (!key.range.contains(x))
+      table.problem(values, fmt::format("{}", x), std::string(key.unit) + key.range.text());
+  const std::string wrong = dynamics::schedule_problem(t, v);
+  if (wrong.empty()) return dynamics::make_schedule(between, t, v);
+  table.problem(schedule_keys::times, wrong, "ascending times, and as many values");
+  return dynamics::constant(0.0);
+}
+
+/// The top's speed, and its rate or its weight. A prescribed motion in `m` is what the bit would do
+/// if it followed its top.
+void read_top(Config& c, Motion& m) {
+  dynamics::TopDrive& top = m.driven.top;
+  top.speed = read_schedule(c, motion_keys::rotary_speed);
+  const bool weight = c.has(motion_keys::weight_on_bit);
+  if (weight == c.has(motion_keys::rate_of_penetration))
+    c.problem("", weight ? "weight_on_bit and rate_of_penetration" : "neither",
+              "weight_on_bit or rate_of_penetration");
+  top.axial = weight ? AxialMode::load : AxialMode::rate;
+  if (weight) top.load = read_schedule(c, motion_keys::weight_on_bit);
+  top.rate = weight ? dynamics::constant(c.read(motion_keys::expected_rate))
+                    : read_schedule(c, motion_keys::rate_of_penetration);
+  m.driven.weight_at_start = c.read(motion_keys::weight_at_start);
+  m.driven.torque_at_start = c.read(motion_keys::torque_at_start);
+  m.rotary_speed = dynamics::value_at(top.speed, 0.0);
+  m.rate_of_penetration = dynamics::value_at(top.rate, 0.0);
+}
+
 void read_rolling(Config& c, const bit::Bit& bit, Motion& m) {
   constexpr double remembered_turn = 0.1;  // rad of the bit, a third of a gage row's pitch
-  m.cone_drive =
-      c.choice<ConeDrive>("cone_speeds", {{"rolling", ConeDrive::rolling}}, std::nullopt);
-  const double usual = m.rotary_speed > 0.0 ? remembered_turn / m.rotary_speed : 0.0;
-  m.cone_memory = c.quantity("cone_memory", "s", usual, Range::non_negative());
+  m.cone_drive = c.read(motion_keys::cone_drive);
+  m.cone_memory = c.read(motion_keys::cone_memory, time_of_turn(remembered_turn, m.rotary_speed));
   if (bit.cones.empty() && !bit.parts.empty())
-    c.problem("cone_speeds", "\"rolling\"", "a bit with cones");
+    c.problem(motion_keys::cone_drive, "\"rolling\"", "a bit with cones");
+}
+
+/// "rolling", or one speed for each cone of the bit.
+void read_cone_speeds(Config& c, const bit::Bit& bit, Motion& m) {
+  if (bit.cones.empty() && !c.has(motion_keys::cone_speeds)) return;
+  if (c.is_text(motion_keys::cone_speeds)) return read_rolling(c, bit, m);
+  m.cone_speeds = c.read(motion_keys::cone_speeds);
+  if (m.cone_speeds.size() != bit.cones.size() && !bit.parts.empty())
+    c.problem(
+        motion_keys::cone_speeds, fmt::format("{} speeds", m.cone_speeds.size()),
+        fmt::format("one for each of the bit's {} cones, over the bit's speed", bit.cones.size()));
 }
 
 }  // namespace
 
-Motion read_motion(Config c) {
+Motion read_motion(Config c, const bit::Bit& bit) {
   Motion m;
-  m.kind = c.choice<MotionKind>("kind",
-                                {{"steady", MotionKind::steady},
-                                 {"whirl", MotionKind::whirl},
-                                 {"legs", MotionKind::legs},
-                                 {"table", MotionKind::table},
-                                 {"drilling", MotionKind::drilling}},
-                                MotionKind::steady);
-  if (m.kind == MotionKind::table) {
-    read_table(c, m);
-    return m;
+  m.kind = c.read(motion_keys::kind);
+  if (m.kind != MotionKind::table) m.start_W = c.read(motion_keys::start);
+  switch (m.kind) {
+    case MotionKind::table:
+      read_table(c, m);
+      break;
+    case MotionKind::legs:
+      read_legs(c, m);
+      break;
+    case MotionKind::drilling:
+      read_top(c, m);
+      return m;
+    case MotionKind::steady:
+    case MotionKind::whirl:
+      read_steady(c, m);
   }
-  m.start_W = c.vector("start", "m", Vec3(Vec3::Zero()));
-  if (m.kind == MotionKind::legs) {
-    read_legs(c, m);
-    return m;
-  }
-  if (m.kind == MotionKind::drilling) return m;  // read_top reads the rest
-  m.rotary_speed = c.quantity("rotary_speed", "rad/s", std::nullopt, Range::non_negative());
-  m.rate_of_penetration = c.quantity("rate_of_penetration", "m/s", std::nullopt);
-  if (m.kind == MotionKind::whirl) m.whirl = read_whirl(c.table("whirl"), m.rotary_speed);
-  if (c.has("tilt")) m.tilt = read_tilt(c.table("tilt"), m.rotary_speed);
+  read_cone_speeds(c, bit, m);
   return m;
-}
-
-void read_cone_speeds(Config c, const bit::Bit& bit, Motion& m) {
-  if (c.is_text("cone_speeds")) return read_rolling(c, bit, m);
-  m.cone_speeds = c.list("cone_speeds", "1", std::nullopt);
-  if (m.cone_speeds.size() != bit.cones.size() && !bit.parts.empty())
-    c.problem(
-        "cone_speeds", fmt::format("{} speeds", m.cone_speeds.size()),
-        fmt::format("one for each of the bit's {} cones, over the bit's speed", bit.cones.size()));
 }
 
 }  // namespace tdbd::simulation

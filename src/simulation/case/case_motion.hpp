@@ -6,12 +6,8 @@
 
 namespace tdbd::simulation {
 
-/// The table [motion] (keys: README.md). Mistakes are noted in the Config; those of a path's file
-/// join them.
-Motion read_motion(Config c);
-
-/// motion.cone_speeds: "rolling", or one speed for each cone of the bit; a bit without parts could
-/// not be read.
-void read_cone_speeds(Config c, const bit::Bit& bit, Motion& m);
+/// Reads [motion] (motion_keys.hpp). Mistakes are noted in the Config; those of a path's file join
+/// them. The bit tells whether there are cones to turn; one without parts could not be read.
+Motion read_motion(Config c, const bit::Bit& bit);
 
 }  // namespace tdbd::simulation

@@ -2,36 +2,29 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include "forces/rock/rock_material.hpp"
+#include "simulation/case/rock_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
-IntersectionCheck read_intersections(Config& c) {
-  return c.choice<IntersectionCheck>(
-      "intersection_check", {{"on", IntersectionCheck::full}, {"off", IntersectionCheck::none}},
-      IntersectionCheck::full);
-}
-
-/// Waves shorter than a few edges are not seen by the mesh.
+/// The mesh does not show waves shorter than a few edges.
 void read_roughness(Config& c, RockStart& r) {
   constexpr double least_edges = 2.0;
-  r.roughness.amplitude = c.quantity("amplitude", "m", std::nullopt, Range::non_negative());
-  r.roughness.correlation_length =
-      c.quantity("correlation_length", "m", std::nullopt, Range::positive());
-  const long seed = c.integer("seed", 1, 0, std::numeric_limits<long>::max());
-  r.roughness.seed = static_cast<std::uint64_t>(seed);
+  r.roughness.amplitude = c.read(rock_keys::amplitude);
+  r.roughness.correlation_length = c.read(rock_keys::correlation_length);
+  r.roughness.seed = static_cast<std::uint64_t>(c.read(rock_keys::seed));
   if (r.roughness.correlation_length < least_edges * r.edge_length)
-    c.problem("correlation_length", fmt::format("{} m", r.roughness.correlation_length),
+    c.problem(rock_keys::correlation_length, fmt::format("{} m", r.roughness.correlation_length),
               fmt::format("at least two edges, {} m", least_edges * r.edge_length));
 }
 
 void read_profile(Config& c, RockStart& r) {
-  for (const auto& [radius, depth] : c.pairs("profile", "m", std::nullopt))
+  for (const auto& [radius, depth] : c.read(rock_keys::profile))
     r.profile.push_back({radius, depth});
   const std::vector<rock::MeridianPoint>& p = r.profile;
   const auto wrong = [&](const std::string& found) {
-    c.problem("profile", found,
+    c.problem(rock_keys::profile, found,
               "two points or more, [radius, depth], the first on the axis, the others beside it");
   };
   if (p.size() < 2) return wrong(fmt::format("{} points", p.size()));
@@ -43,33 +36,75 @@ void read_profile(Config& c, RockStart& r) {
   }
 }
 
+struct Surroundings {
+  forces::BottomHole hole;
+  forces::Confinement confinement = *formation_keys::confinement.fallback;
+};
+
+Surroundings read_surroundings(Config& c) {
+  Surroundings s;
+  s.hole.pressure = c.read(formation_keys::pressure);
+  s.hole.pore_pressure = c.read(formation_keys::pore_pressure);
+  s.hole.overburden = c.read(formation_keys::overburden);
+  s.confinement = c.read(formation_keys::confinement);
+  return s;
+}
+
+/// By name from the table of rocks, or by its numbers.
+forces::RockMaterial read_material(Config& c) {
+  using namespace formation_keys;
+  if (!c.has(fmt::format("{}.{}", material.name, unconfined_strength.name)))
+    return forces::rock_named(c.read(material));
+  Config table = c.table(material_table);
+  forces::RockMaterial m;
+  m.name = table.read(name);
+  m.unconfined = table.read(unconfined_strength);
+  m.friction_angle = table.read(friction_angle);
+  m.porosity = table.read(porosity);
+  return m;
+}
+
+forces::Strength read_strength(Config& c, const Surroundings& s) {
+  return forces::strength_of(read_material(c), s.hole, s.confinement);
+}
+
 }  // namespace
 
 RockStart read_rock(Config c) {
   RockStart r;
-  r.shape = c.choice<RockShape>("shape",
-                                {{"conforming", RockShape::conforming},
-                                 {"flat", RockShape::flat},
-                                 {"rough", RockShape::rough},
-                                 {"profile", RockShape::profile},
-                                 {"file", RockShape::file}},
-                                RockShape::conforming);
-  r.edge_length = c.quantity("edge_length", "m", std::nullopt, Range::within(1e-5, 0.1));
-  r.trim = c.quantity("trim", "m", 0.0, Range::non_negative());
+  r.shape = c.read(rock_keys::shape);
+  r.edge_length = c.read(rock_keys::edge_length);
+  r.trim = c.read(rock_keys::trim);
   if (r.shape == RockShape::file) {
-    r.file = c.path("file", std::nullopt);
-    r.unit = c.quantity("unit", "m", 1e-3, Range::positive());
+    r.file = c.read(rock_keys::file);
+    r.unit = c.read(rock_keys::unit);
   }
   if (r.shape == RockShape::profile) read_profile(c, r);
   if (r.shape == RockShape::file || r.shape == RockShape::profile) {
-    r.intersections = read_intersections(c);
+    r.intersections = c.read(rock_keys::intersection_check);
     return r;
   }
-  r.wall = c.quantity("wall", "m", 0.03, Range::non_negative());
+  r.wall = c.read(rock_keys::wall);
   if (r.shape == RockShape::conforming) return r;
-  r.radius = c.quantity("radius", "m", 0.0, Range::non_negative());
+  r.radius = c.read(rock_keys::radius);
   if (r.shape == RockShape::rough) read_roughness(c, r);
   return r;
+}
+
+forces::Formation read_formation(Config c) {
+  forces::Formation f;
+  const Surroundings surroundings = read_surroundings(c);
+  const double dip = c.read(formation_keys::dip);
+  f.normal_W = forces::bedding_normal(dip, c.read(formation_keys::dip_azimuth));
+  f.strengths.push_back(read_strength(c, surroundings));
+  for (Config& layer : c.tables(formation_keys::layers)) {
+    f.tops.push_back(layer.read(formation_keys::top));
+    f.strengths.push_back(read_strength(layer, surroundings));
+    if (f.tops.size() > 1 && !(f.tops.back() > f.tops[f.tops.size() - 2]))
+      layer.problem(formation_keys::top, fmt::format("{} m", f.tops.back()),
+                    "a top below that of the layer above");
+  }
+  return f;
 }
 
 }  // namespace tdbd::simulation

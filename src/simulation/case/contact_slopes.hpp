@@ -2,7 +2,7 @@
 
 #include "bit/bit.hpp"
 #include "dynamics/drilling/stability.hpp"
-#include "simulation/case/force_plan.hpp"
+#include "simulation/case/plans.hpp"
 
 namespace tdbd::simulation {
 

@@ -9,29 +9,29 @@
 namespace tdbd::simulation {
 namespace {
 
-double grown(double ramp, double t) { return ramp > 0.0 ? std::min(1.0, t / ramp) : 1.0; }
+double ramp_fraction(double ramp, double t) { return ramp > 0.0 ? std::min(1.0, t / ramp) : 1.0; }
 
 double sign(WhirlSense sense) { return sense == WhirlSense::forward ? 1.0 : -1.0; }
 
 Vec3 orbit(const Whirl& w, double t) {
   const double angle = sign(w.sense) * w.frequency * t;
-  return w.radius * grown(w.ramp, t) * Vec3(std::cos(angle), std::sin(angle), 0.0);
+  return w.radius * ramp_fraction(w.ramp, t) * Vec3(std::cos(angle), std::sin(angle), 0.0);
 }
 
-/// The rotation that takes z to the leaning axis, about the horizontal across the lean.
+/// The rotation that takes z to the leaning axis: about the horizontal perpendicular to the lean.
 Mat3 lean(const Tilt& tilt, double t) {
   const double azimuth = tilt.azimuth + sign(tilt.sense) * tilt.frequency * t;
-  return rotation::exp(tilt.angle * grown(tilt.ramp, t) *
+  return rotation::exp(tilt.angle * ramp_fraction(tilt.ramp, t) *
                        Vec3(-std::sin(azimuth), std::cos(azimuth), 0.0));
 }
 
-/// Rows around t, and how far t is between them.
-struct Place {
+/// The rows around t, and how far t is between them.
+struct Rows {
   const PathPoint *before, *after;
   double fraction;
 };
 
-Place place_on(const std::vector<PathPoint>& path, double t) {
+Rows rows_around(const std::vector<PathPoint>& path, double t) {
   const auto after = std::upper_bound(
       path.begin(), path.end(), t, [](double time, const PathPoint& p) { return time < p.time; });
   if (after == path.begin()) return {&path.front(), &path.front(), 0.0};
@@ -45,7 +45,7 @@ Vec3 turn_between(const PathPoint& a, const PathPoint& b) {
 }
 
 Pose pose_on(const std::vector<PathPoint>& path, double t) {
-  const Place at = place_on(path, t);
+  const Rows at = rows_around(path, t);
   const Vec3 turn = at.fraction * turn_between(*at.before, *at.after);
   return {rotation::exp(at.before->rotation_WB) * rotation::exp(turn),
           (1.0 - at.fraction) * at.before->p_WB + at.fraction * at.after->p_WB};
@@ -87,7 +87,7 @@ std::vector<PathPoint> path_of(const std::vector<Leg>& legs, const Vec3& start_W
 
 double angle_turned(const Motion& m, double t) {
   if (!has_path(m)) return m.rotary_speed * t;
-  const Place at = place_on(m.path, t);
+  const Rows at = rows_around(m.path, t);
   return (1.0 - at.fraction) * at.before->turned + at.fraction * at.after->turned;
 }
 

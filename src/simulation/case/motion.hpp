@@ -4,19 +4,17 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "dynamics/drilling/drilling_system.hpp"
+#include "simulation/case/motion_keys.hpp"
 
 namespace tdbd::simulation {
-
-/// drilling: forces move the bit (drive.hpp); as a prescribed motion it would follow its top.
-enum class MotionKind { steady, whirl, legs, table, drilling };
-enum class WhirlSense { forward, backward };
 
 /// The bit's centre circles the hole's axis: forward turns with the bit, backward against it.
 /// The orbit grows from nothing over `ramp`, so that the bit starts in its hole. Thesis: 4.4.3.
 struct Whirl {
   double radius = 0.0;     ///< m
   double frequency = 0.0;  ///< rad/s, positive
-  WhirlSense sense = WhirlSense::backward;
+  WhirlSense sense = *whirl_keys::sense.fallback;
   double ramp = 0.0;  ///< s
 };
 
@@ -27,7 +25,7 @@ struct Tilt {
   double angle = 0.0;      ///< rad
   double azimuth = 0.0;    ///< rad about z from x at t = 0
   double frequency = 0.0;  ///< rad/s, positive
-  WhirlSense sense = WhirlSense::forward;
+  WhirlSense sense = *tilt_keys::sense.fallback;
   double ramp = 0.0;  ///< s
 };
 
@@ -47,20 +45,23 @@ struct PathPoint {
   long line = 0;        ///< of the file that it comes from; 0: none
 };
 
-/// Fills `turned`: between two rows the bit's-axis component of the shortest turn.
+/// Fills `turned`: between two rows, the shortest turn's component along the bit's axis.
 void sum_turns(std::vector<PathPoint>& path);
 
 /// The path of an upright bit along legs from a place, turns summed: rows at the ends of legs and
 /// in between, a quarter of a turn apart or less.
 std::vector<PathPoint> path_of(const std::vector<Leg>& legs, const Vec3& start_W);
 
-/// How the cones of a roller cone bit turn: each at a given speed over the bit's, or as its
-/// contacts with rock let it (cone_motion.hpp).
-enum class ConeDrive { given, rolling };
+/// What moves the top of the string of a bit that drills by itself, and how the string starts.
+struct TopPlan {
+  dynamics::TopDrive top;
+  double weight_at_start = 0.0;  ///< N, that the string carries already
+  double torque_at_start = 0.0;  ///< N m, that winds it up already
+};
 
-/// A prescribed motion of the bit. Its pose at t = 0 is the start.
+/// The motion of the bit. Its pose at t = 0 is the start.
 struct Motion {
-  MotionKind kind = MotionKind::steady;
+  MotionKind kind = *motion_keys::kind.fallback;
   double rotary_speed = 0.0;         ///< rad/s about +z
   double rate_of_penetration = 0.0;  ///< m/s along +z
   Vec3 start_W = Vec3::Zero();       ///< m, added to the place of a steady or a whirling bit
@@ -71,6 +72,7 @@ struct Motion {
   std::vector<double> cone_speeds;  ///< over the bit's, one for each cone; positive: rolling
   ConeDrive cone_drive = ConeDrive::given;
   double cone_memory = 0.0;  ///< s, rolling only: how long a contact counts
+  TopPlan driven;  ///< drilling only; rotary_speed and rate_of_penetration are its start's
 };
 
 /// Whether the motion goes along rows of `path`.
@@ -87,7 +89,26 @@ Pose pose_at(const Motion& motion, double t);
 double angle_turned(const Motion& motion, double t);
 
 /// Angles of the cones about their Z, rad: each turns by its speed times what the bit turned, and
-/// a cone that rolls turns against its Z (bit/cone/cone_frame.hpp). Formulation 4.
+/// a cone that rolls turns against its Z (bit/cone/cone_frame.hpp).
 std::vector<double> cone_angles(const Motion& motion, double t);
+
+/// Where the bit is at an instant.
+struct Place {
+  Pose X_WB;            ///< bit in space
+  double turned = 0.0;  ///< rad about the bit's axis since the start
+  double rock_z = 0.0;  ///< m that the rock has moved along +z (eq. 2.2)
+};
+
+/// The bit in the frame of the rock, in which its surface is kept.
+inline Pose over_rock(const Place& place) {
+  Pose X_RB = place.X_WB;
+  X_RB.p.z() -= place.rock_z;
+  return X_RB;
+}
+
+/// The place at time t (s) along a prescribed motion.
+inline Place place_at(const Motion& motion, double t) {
+  return {pose_at(motion, t), angle_turned(motion, t), 0.0};
+}
 
 }  // namespace tdbd::simulation

@@ -20,7 +20,7 @@ Columns find_columns(const CsvTable& t) {
   return c;
 }
 
-void demand_rising_times(const CsvTable& t, const std::vector<PathPoint>& path) {
+void require_rising_times(const CsvTable& t, const std::vector<PathPoint>& path) {
   if (path.size() < 2)
     throw InputError(fmt::format("{}: found {} rows, expected at least two", t.file, path.size()));
   for (std::size_t i = 1; i < path.size(); ++i)
@@ -41,7 +41,7 @@ std::vector<PathPoint> read_path_table(const std::string& file) {
     path.push_back({row[c[0]], Vec3(row[c[1]], row[c[2]], row[c[3]]),
                     Vec3(row[c[4]], row[c[5]], row[c[6]]), 0.0, t.lines[i]});
   }
-  demand_rising_times(t, path);
+  require_rising_times(t, path);
   sum_turns(path);
   return path;
 }

@@ -28,11 +28,12 @@ std::vector<Obstacle> cutting_parts(const bit::Bit& bit) {
   return parts;
 }
 
+/// How far the middle of the part goes in a step, at most, m.
 double jump(const Speeds& s, const Obstacle& o, double dt) {
   return dt * (s.shift + s.w_B.cross(o.middle_B).norm() + s.swing * o.middle_B.norm());
 }
 
-/// Of one piece: what is wrong with the step.
+/// What is wrong with the step during one piece of the motion: found and expected.
 std::optional<std::pair<std::string, std::string>> fault(const Speeds& s, double dt,
                                                          const std::vector<Obstacle>& parts) {
   constexpr double largest_turn = 0.5;  // rad
@@ -72,14 +73,14 @@ std::vector<Speeds> speeds_of(const Motion& m) {
            m.tilt.angle * (m.tilt.frequency + over(1.0, m.tilt.ramp)), 0}};
 }
 
-void note_long_steps(Config& c, const Case& read) {
+void check_step_length(Config& c, const Case& read) {
   if (c.problem_count() > 0) return;
   const std::vector<Obstacle> parts = cutting_parts(read.bit);
   for (const Speeds& s : speeds_of(read.motion)) {
     const auto wrong = fault(s, read.time.step, parts);
     if (!wrong) continue;
     const auto& [found, expected] = *wrong;
-    if (s.line == 0) return c.problem("time.step", found, expected);
+    if (s.line == 0) return c.table(time_keys::table).problem(time_keys::step, found, expected);
     return c.other_file(fmt::format("{}:{}: time_s: found {}, expected {}", read.motion.path_file,
                                     s.line, found, expected));
   }

@@ -12,40 +12,43 @@
 #include "dynamics/momenta.hpp"
 #include "mesh/files/files.hpp"
 #include "rotation/rotation_vector.hpp"
+#include "simulation/case/rotate_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
 using dynamics::InertiaCheck;
 
-/// An angle in rad whose spacing of double numbers is still a thousandth of a turn or so.
+/// rad; around this angle doubles are still about a thousandth of a turn apart.
 constexpr double most_turned = 1e13;
 
 /// Inertia of a solid of one density about its centre of mass, along the axes of its file.
 Mat3 read_mesh_inertia(Config& c) {
-  const std::string file = c.path("mesh", std::nullopt);
-  const double density = c.quantity("density", "kg/m3", std::nullopt, Range::positive());
-  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  const std::string file = c.read(body_keys::mesh);
+  const double density = c.read(body_keys::density);
+  const double unit = c.read(body_keys::unit);
   if (file.empty()) return Mat3::Identity();
   try {
     const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
     const std::size_t mistakes = c.problem_count();
-    bit::note_mesh_faults(c, "mesh", file, {{"body", m}},
+    const std::string mesh_key(body_keys::mesh);
+    bit::note_mesh_faults(c, mesh_key, file, {{"body", m}},
                           "a closed mesh whose triangles face outward");
-    if (bit::checks_units(c)) bit::ask_for_unit(c, "unit", m, unit, bit::body_along);
+    if (c.read(body_keys::unit_check))
+      bit::ask_for_unit(c, std::string(body_keys::unit), m, unit, bit::body_along);
     if (c.problem_count() == mistakes) return bit::mass_properties(m, density).inertia;
   } catch (const InputError& e) {
-    c.problem("mesh", e.what(), "a mesh that can be read");
+    c.problem(body_keys::mesh, e.what(), "a mesh that can be read");
   }
   return Mat3::Identity();
 }
 
 /// An inertia tensor, or a mesh with a density.
 Mat3 read_inertia(Config& c) {
-  if (!c.has("mesh")) return c.matrix("inertia", "kg m2", std::nullopt);
-  if (c.has("inertia")) {
-    c.matrix("inertia", "kg m2", std::nullopt);
-    c.problem("inertia", "mesh as well", "one of the two");
+  if (!c.has(body_keys::mesh)) return c.read(body_keys::inertia);
+  if (c.has(body_keys::inertia)) {
+    c.read(body_keys::inertia);
+    c.problem(body_keys::inertia, "mesh as well", "one of the two");
   }
   return read_mesh_inertia(c);
 }
@@ -58,27 +61,27 @@ double rotation_defect(const Mat3& R) {
 
 /// Attitude, bit to space: a rotation vector or a matrix.
 Mat3 read_attitude(Config& c) {
-  if (!c.has("attitude")) {
-    const Vec3 r = c.vector("rotation_vector", "rad", Vec3(Vec3::Zero()));
+  if (!c.has(body_keys::attitude)) {
+    const Vec3 r = c.read(body_keys::rotation_vector);
     if (r.stableNorm() <= most_turned) return rotation::exp(r);
-    c.problem("rotation_vector", fmt::format("an angle of {:.3g} rad", r.stableNorm()),
+    c.problem(body_keys::rotation_vector, fmt::format("an angle of {:.3g} rad", r.stableNorm()),
               fmt::format("at most {:.0e} rad, beyond which no digit of an attitude is left",
                           most_turned));
     return Mat3::Identity();
   }
-  const Mat3 R = c.matrix("attitude", "1", std::nullopt);
-  if (c.has("rotation_vector")) {
-    c.vector("rotation_vector", "rad", std::nullopt);
-    c.problem("attitude", "rotation_vector as well", "one of the two");
+  const Mat3 R = c.read(body_keys::attitude);
+  if (c.has(body_keys::rotation_vector)) {
+    c.read(body_keys::rotation_vector);
+    c.problem(body_keys::attitude, "rotation_vector as well", "one of the two");
   } else if (const double defect = rotation_defect(R); defect > tolerance::rotation) {
-    c.problem("attitude", fmt::format("a matrix that misses a rotation by {:.3g}", defect),
+    c.problem(body_keys::attitude, fmt::format("a matrix that misses a rotation by {:.3g}", defect),
               fmt::format("a rotation to {}", tolerance::rotation));
     return Mat3::Identity();
   }
   return R;
 }
 
-/// Cones with how they start.
+/// Cones, and how they start.
 struct Cones {
   std::vector<dynamics::Cone> cones;
   std::vector<double> spins, angles;
@@ -86,22 +89,22 @@ struct Cones {
 
 Cones read_cones(Config& c) {
   Cones all;
-  for (Config cone : c.tables("cones")) {
-    const Vec3 axis = cone.vector("axis", "1", std::nullopt);
+  for (Config cone : c.tables(cone_keys::table)) {
+    const Vec3 axis = cone.read(cone_keys::axis);
     if (!(axis.norm() > 0.0))
-      cone.problem("axis", fmt::format("an axis of length {}", axis.norm()), "a direction");
-    const double inertia = cone.quantity("axial_inertia", "kg m2", std::nullopt, Range::positive());
-    all.cones.push_back({axis, inertia});
-    all.spins.push_back(cone.quantity("spin", "rad/s", 0.0));
-    all.angles.push_back(cone.quantity("angle", "rad", 0.0));
+      cone.problem(cone_keys::axis, fmt::format("an axis of length {}", axis.norm()),
+                   "a direction");
+    all.cones.push_back({axis, cone.read(cone_keys::axial_inertia)});
+    all.spins.push_back(cone.read(cone_keys::spin));
+    all.angles.push_back(cone.read(cone_keys::angle));
   }
   return all;
 }
 
-/// Notes inertia_problem's reason at the key that it speaks of: the body's alone, one cone's alone,
-/// or that of all cones together.
-void note_inertia_problem(Config& c, const std::string& why, const Mat3& inertia,
-                          const std::vector<dynamics::Cone>& cones, InertiaCheck check) {
+/// Notes inertia_problem's reason at the key that is wrong: that of the body alone, of one cone
+/// alone, or of all cones together.
+void report_inertia_problem(Config& c, const std::string& why, const Mat3& inertia,
+                            const std::vector<dynamics::Cone>& cones, InertiaCheck check) {
   const std::string expected =
       check == InertiaCheck::on
           ? "what a body can have (body.check = \"off\" admits the inertias of published "
@@ -116,9 +119,9 @@ void note_inertia_problem(Config& c, const std::string& why, const Mat3& inertia
   c.problem("cones", why, expected);
 }
 
-/// Notes a start without a finite energy at the key that is to blame for it.
-void note_endless_energy(Config& c, const dynamics::Gyrostat& body, const Vec3& w_B,
-                         const std::vector<double>& spins) {
+/// Notes that the energy at the start is not finite, at the key that makes it so.
+void report_infinite_energy(Config& c, const dynamics::Gyrostat& body, const Vec3& w_B,
+                            const std::vector<double>& spins) {
   constexpr const char* found = "a kinetic energy that is not finite";
   constexpr const char* expected = "numbers whose squares and inverses are numbers";
   if (!std::isfinite(w_B.squaredNorm())) return c.problem("body.angular_velocity", found, expected);
@@ -135,23 +138,22 @@ void note_endless_energy(Config& c, const dynamics::Gyrostat& body, const Vec3& 
 
 BodyStart read_body_start(Config& c) {
   const std::size_t mistakes = c.problem_count();
-  Config body = c.table("body");
+  Config body = c.table(body_keys::table);
   const Mat3 inertia = read_inertia(body);
-  const auto check = body.choice<InertiaCheck>(
-      "check", {{"on", InertiaCheck::on}, {"off", InertiaCheck::off}}, InertiaCheck::on);
+  const InertiaCheck check = body.read(body_keys::check);
   const Mat3 R_WB = read_attitude(body);
-  const Vec3 w_B = body.vector("angular_velocity", "rad/s", Vec3(Vec3::Zero()));
+  const Vec3 w_B = body.read(body_keys::angular_velocity);
   const Cones cones = read_cones(c);
   if (c.problem_count() != mistakes) return {};
   if (const std::string why = dynamics::inertia_problem(inertia, cones.cones, check);
       !why.empty()) {
-    note_inertia_problem(c, why, inertia, cones.cones, check);
+    report_inertia_problem(c, why, inertia, cones.cones, check);
     return {};
   }
   BodyStart start{dynamics::make_gyrostat(inertia, cones.cones, check), {}};
   start.state = dynamics::make_state(start.body, R_WB, w_B, cones.spins, cones.angles);
   if (!std::isfinite(dynamics::kinetic_energy(start.body, start.state)))
-    note_endless_energy(c, start.body, w_B, cones.spins);
+    report_infinite_energy(c, start.body, w_B, cones.spins);
   return start;
 }
 

@@ -12,7 +12,7 @@
 
 namespace tdbd::simulation {
 
-/// Steps of one length that end exactly at the duration.
+/// Steps of equal length that end exactly at the duration.
 struct RotateTime {
   double step = 0.0;      ///< s, the one that is used
   double duration = 0.0;  ///< s
@@ -20,7 +20,7 @@ struct RotateTime {
 };
 
 /// A checked case of rotational dynamics in SI: all that `tdbd rotate` needs.
-/// Thesis: 5.1 to 5.5; formulation 4 and 5.
+/// Thesis: 5.1 to 5.5.
 struct RotateCase {
   std::string path;
   std::string title;

@@ -4,47 +4,38 @@
 
 #include "core/config/csv.hpp"
 #include "core/error.hpp"
+#include "simulation/case/rotate_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
 using dynamics::TorqueFrame;
 
-const Vec3 zero = Vec3::Zero();
-
-TorqueFrame read_frame(Config& c) {
-  return c.choice<TorqueFrame>(
-      "frame", {{"body", TorqueFrame::body}, {"space", TorqueFrame::space}}, TorqueFrame::body);
-}
-
-/// A direction, made unit.
-Vec3 read_direction(Config& c, const char* key, const Vec3& fallback) {
-  const Vec3 v = c.vector(key, "1", fallback);
+/// The direction of the arm, made unit.
+Vec3 read_arm(Config& c) {
+  const VectorKey& key = load_keys::gravity_arm;
+  const Vec3 v = c.read(key);
   if (v.norm() > 0.0) return v.stableNormalized();
   c.problem(key, fmt::format("an arm of length {}", v.norm()), "a direction");
-  return fallback;
+  return Vec3::UnitZ();
 }
 
 /// Three numbers, none negative.
-Vec3 read_coefficients(Config& c, const char* key, const std::string& unit) {
-  const Vec3 v = c.vector(key, unit, zero);
+Vec3 read_coefficients(Config& c, const VectorKey& key) {
+  const Vec3 v = c.read(key);
   if ((v.array() < 0.0).any())
     c.problem(key, fmt::format("{}", v.minCoeff()), "numbers that are not negative");
   return v;
 }
 
 dynamics::HarmonicTorque read_harmonic(Config c) {
-  dynamics::HarmonicTorque h;
-  h.frame = read_frame(c);
-  h.amplitude = c.vector("amplitude", "N m", std::nullopt);
-  h.angular_frequency = c.quantity("angular_frequency", "rad/s", 0.0, Range::non_negative());
-  h.phase = c.quantity("phase", "rad", 0.0);
-  return h;
+  using namespace harmonic_keys;
+  return {c.read(frame), c.read(amplitude), c.read(angular_frequency), c.read(phase)};
 }
 
 dynamics::SampledTorque read_samples(Config c) {
-  const TorqueFrame frame = read_frame(c);
-  const std::string file = c.path("file", std::nullopt);
+  const TorqueFrame frame = c.read(sample_keys::frame);
+  const std::string file = c.read(sample_keys::file);
   if (file.empty()) return {};
   try {
     return read_torque_samples(file, frame);
@@ -55,11 +46,8 @@ dynamics::SampledTorque read_samples(Config c) {
 }
 
 dynamics::ConeLoad read_cone_load(Config c) {
-  dynamics::ConeLoad load;
-  load.internal = c.quantity("torque", "N m", 0.0);
-  load.external = c.quantity("external_torque", "N m", 0.0);
-  load.damping = c.quantity("damping", "N m s/rad", 0.0, Range::non_negative());
-  return load;
+  using namespace cone_keys;
+  return {c.read(torque), c.read(external_torque), c.read(damping)};
 }
 
 }  // namespace
@@ -83,17 +71,17 @@ dynamics::SampledTorque read_torque_samples(const std::string& file, TorqueFrame
 }
 
 dynamics::Loads read_loads(Config& c) {
-  Config load = c.table("load");
+  Config load = c.table(load_keys::table);
   dynamics::Loads l;
-  l.body_torque_B = load.vector("body_torque", "N m", zero);
-  l.space_torque_W = load.vector("space_torque", "N m", zero);
-  l.gravity_moment = load.quantity("gravity_moment", "N m", 0.0);
-  l.gravity_arm_B = read_direction(load, "gravity_arm", Vec3::UnitZ());
-  l.stiffness_W = read_coefficients(load, "stiffness", "N m/rad");
-  l.damping_W = read_coefficients(load, "damping", "N m s/rad");
-  for (Config& h : load.tables("harmonics")) l.harmonics.push_back(read_harmonic(h));
-  for (Config& s : load.tables("samples")) l.samples.push_back(read_samples(s));
-  for (Config& cone : c.tables("cones")) l.cones.push_back(read_cone_load(cone));
+  l.body_torque_B = load.read(load_keys::body_torque);
+  l.space_torque_W = load.read(load_keys::space_torque);
+  l.gravity_moment = load.read(load_keys::gravity_moment);
+  l.gravity_arm_B = read_arm(load);
+  l.stiffness_W = read_coefficients(load, load_keys::stiffness);
+  l.damping_W = read_coefficients(load, load_keys::damping);
+  for (Config& h : load.tables(harmonic_keys::table)) l.harmonics.push_back(read_harmonic(h));
+  for (Config& s : load.tables(sample_keys::table)) l.samples.push_back(read_samples(s));
+  for (Config& cone : c.tables(cone_keys::table)) l.cones.push_back(read_cone_load(cone));
   return l;
 }
 

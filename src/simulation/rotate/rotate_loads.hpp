@@ -6,7 +6,7 @@
 namespace tdbd::simulation {
 
 /// Reads [load] of a rotate case and the torques of its [[cones]]. Mistakes are noted in `c`.
-/// Thesis: 5.2.2; formulation 4.
+/// Thesis: 5.2.2.
 dynamics::Loads read_loads(Config& c);
 
 /// Reads samples of a torque: CSV with the columns time_s, x, y, z in N m. Throws InputError for a

@@ -11,13 +11,13 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Steps between two looks at the clock, the interruption and the progress.
+/// Steps between checks of the clock, of an interruption and of the progress.
 constexpr long block_steps = 1024;
 
-/// Blocks that are timed one by one; a longer run is timed by its first ones.
+/// Only so many blocks are timed, one by one.
 constexpr std::size_t timed_blocks = 1'000'000;
 
-/// Steps until the next row of the history, the end of the block or of the run.
+/// Steps until the next row of the history, the end of the block or the end of the run.
 long next_block(const RotateCase& c, long done) {
   const long to_row = c.history_every - done % c.history_every;
   return std::min({block_steps, to_row, c.time.steps - done});

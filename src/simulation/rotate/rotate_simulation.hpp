@@ -7,8 +7,8 @@
 
 namespace tdbd::simulation {
 
-/// What should not change, at the start, and how far it strayed: the largest over all steps.
-/// Momenta in N m s, energies in J.
+/// What should not change: its value at the start, and the largest change over all steps. Momenta in
+/// N m s, energies in J.
 struct Invariants {
   Vec3 momentum_W = Vec3::Zero();    ///< at the start
   std::vector<double> cone_momenta;  ///< at the start
@@ -21,7 +21,7 @@ struct Invariants {
   double quaternion_defect = 0.0;    ///< ||q|^2 - 1|
 };
 
-/// A rotate case on its way.
+/// The state of a rotate case as it runs.
 struct RotateSimulation {
   dynamics::Rotating rotating;
   Invariants invariants;
@@ -37,9 +37,9 @@ double twist(const dynamics::RotationState& s);
 /// The case at t = 0.
 RotateSimulation start(const RotateCase& c);
 
-/// So many steps more, every invariant watched at every step. Throws RunError when a drift does not
-/// converge or the state is no longer finite; the state before the failing step is then kept where
-/// there is one.
+/// Makes `steps` more steps and checks every invariant at each. Throws RunError when a drift does not
+/// converge or the state is no longer finite; where there is a state before the failing step, it is
+/// kept.
 void advance(const RotateCase& c, RotateSimulation& s, long steps);
 
 }  // namespace tdbd::simulation

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "forces/part/part_cut.hpp"
-#include "simulation/case/force_plan.hpp"
+#include "simulation/case/plans.hpp"
 #include "simulation/step/measure.hpp"
 #include "simulation/step/move.hpp"
 

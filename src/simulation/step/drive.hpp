@@ -2,7 +2,7 @@
 
 #include "dynamics/drilling/drilling_step.hpp"
 #include "simulation/case/case.hpp"
-#include "simulation/case/place.hpp"
+#include "simulation/case/motion.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/loads.hpp"
 

@@ -6,7 +6,7 @@
 #include "bit/bit.hpp"
 #include "rock/section/contact_area.hpp"
 #include "rock/section/section.hpp"
-#include "simulation/case/measure_plan.hpp"
+#include "simulation/case/plans.hpp"
 #include "simulation/step/move.hpp"
 #include "simulation/step/spread.hpp"
 

@@ -8,7 +8,7 @@
 #include "rock/cut/cut_rock.hpp"
 #include "rock/maintain/maintain.hpp"
 #include "simulation/case/case.hpp"
-#include "simulation/case/place.hpp"
+#include "simulation/case/motion.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/load_figures.hpp"

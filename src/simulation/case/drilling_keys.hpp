@@ -1,0 +1,111 @@
+#pragma once
+
+#include "core/config/key.hpp"
+#include "dynamics/drilling/drilling_system.hpp"
+
+namespace tdbd::simulation {
+
+namespace string_keys {
+
+inline constexpr TableKey table{"string", "drilling: the drill string, from the bit to the top"};
+
+/// Of a spring, a damper or a mass: none unless given.
+constexpr QuantityKey part(std::string_view name, std::string_view unit, std::string_view meaning) {
+  return {.name = name,
+          .unit = unit,
+          .fallback = 0.0,
+          .range = Range::non_negative(),
+          .meaning = meaning};
+}
+
+inline constexpr QuantityKey mass = part("mass", "kg", "of string that moves with the bit");
+inline constexpr QuantityKey bending_inertia =
+    part("bending_inertia", "kg m2", "of that string, about the horizontal axes");
+inline constexpr QuantityKey torsional_inertia =
+    part("torsional_inertia", "kg m2", "of that string, about the bit's axis");
+inline constexpr QuantityKey lateral_stiffness =
+    part("lateral_stiffness", "N/m", "against sideways displacement");
+inline constexpr QuantityKey axial_stiffness =
+    part("axial_stiffness", "N/m", "against displacement along z");
+inline constexpr QuantityKey bending_stiffness =
+    part("bending_stiffness", "N m/rad", "against leaning");
+inline constexpr QuantityKey torsional_stiffness =
+    part("torsional_stiffness", "N m/rad", "against twist relative to the top");
+inline constexpr QuantityKey lateral_damping =
+    part("lateral_damping", "N s/m", "of sideways motion");
+inline constexpr QuantityKey axial_damping = part("axial_damping", "N s/m", "of motion along z");
+inline constexpr QuantityKey bending_damping = part("bending_damping", "N m s/rad", "of leaning");
+inline constexpr QuantityKey torsional_damping =
+    part("torsional_damping", "N m s/rad", "of rotation");
+inline constexpr QuantityKey bearing_damping =
+    part("bearing_damping", "N m s/rad", "of the cones' bearings");
+inline constexpr ChoiceKey<dynamics::DamperEnd> dampers_to{
+    .name = "dampers_to",
+    .values = {{{"top", dynamics::DamperEnd::top}, {"space", dynamics::DamperEnd::space}}},
+    .fallback = dynamics::DamperEnd::top,
+    .meaning = "what dampers pull towards: the motion of the top, or rest"};
+inline constexpr QuantityKey attachment_height{
+    .name = "attachment_height",
+    .unit = "m",
+    .fallback = 0.0,
+    .meaning = "of the place where the string holds the bit, above the bit's origin"};
+inline constexpr QuantityKey gravity{
+    .name = "gravity", .unit = "m/s2", .fallback = 9.80665, .meaning = "along +z"};
+
+}  // namespace string_keys
+
+namespace wall_keys {
+
+inline constexpr TableKey table{"wall", "drilling: a circular wall that a ring of the bit touches"};
+
+inline constexpr QuantityKey stiffness{
+    .name = "stiffness", .unit = "N/m", .range = Range::positive(), .meaning = "of the wall"};
+inline constexpr QuantityKey clearance{.name = "clearance",
+                                       .unit = "m",
+                                       .range = Range::non_negative(),
+                                       .meaning = "radius of the hole less that of the ring"};
+inline constexpr QuantityKey ring_radius{.name = "ring_radius",
+                                         .unit = "m",
+                                         .usual = "the bit's gage radius",
+                                         .range = Range::positive(),
+                                         .meaning = "of the ring"};
+inline constexpr QuantityKey ring_height{.name = "ring_height",
+                                         .unit = "m",
+                                         .fallback = 0.0,
+                                         .meaning = "of the ring above the bit's origin"};
+inline constexpr QuantityKey restitution{.name = "restitution",
+                                         .fallback = dynamics::Wall{}.restitution,
+                                         .range = Range::within(0.0, 1.0),
+                                         .meaning = "speed after an impact over that before it"};
+inline constexpr QuantityKey friction{.name = "friction",
+                                      .fallback = dynamics::Wall{}.friction,
+                                      .range = Range::non_negative(),
+                                      .meaning = "Coulomb's coefficient along the wall"};
+inline constexpr QuantityKey slip_speed{.name = "slip_speed",
+                                        .unit = "m/s",
+                                        .fallback = dynamics::Wall{}.slip_speed,
+                                        .range = Range::non_negative(),
+                                        .meaning = "below which friction fades; 0: it does not"};
+
+}  // namespace wall_keys
+
+namespace rock_mount_keys {
+
+inline constexpr TableKey table{"rock_mount", "drilling: rock that moves along z (eq. 2.2)"};
+
+inline constexpr QuantityKey mass{
+    .name = "mass", .unit = "kg", .range = Range::positive(), .meaning = "of the rock"};
+inline constexpr QuantityKey stiffness{.name = "stiffness",
+                                       .unit = "N/m",
+                                       .fallback = 0.0,
+                                       .range = Range::non_negative(),
+                                       .meaning = "of what holds the rock"};
+inline constexpr QuantityKey damping{.name = "damping",
+                                     .unit = "N s/m",
+                                     .fallback = 0.0,
+                                     .range = Range::non_negative(),
+                                     .meaning = "of what holds the rock"};
+
+}  // namespace rock_mount_keys
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,182 @@
+#include "simulation/case/key_tables.hpp"
+
+#include <fmt/format.h>
+
+#include "simulation/case/drilling_keys.hpp"
+#include "simulation/case/force_keys.hpp"
+#include "simulation/case/motion_keys.hpp"
+#include "simulation/case/rock_keys.hpp"
+#include "simulation/case/rotate_keys.hpp"
+#include "simulation/case/run_keys.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+/// The rows of keys of any types.
+template <class... Keys>
+std::vector<KeyRow> rows(const Keys&... keys) {
+  return {row(keys)...};
+}
+
+std::vector<KeyTable> rock_tables() {
+  using namespace rock_keys;
+  using namespace formation_keys;
+  return {
+      key_table("run", table,
+                rows(shape, edge_length, wall, radius, amplitude, correlation_length, seed, profile,
+                     file, unit, intersection_check, trim, material, pressure, pore_pressure,
+                     overburden, confinement, dip, dip_azimuth)),
+      key_table("run", material_table, rows(name, unconfined_strength, friction_angle, porosity)),
+      key_table("run", layers, rows(top, material))};
+}
+
+KeyTable motion_table() {
+  using namespace motion_keys;
+  return key_table(
+      "run", table,
+      rows(kind, start, rotary_speed, rate_of_penetration, file, weight_on_bit, expected_rate,
+           weight_at_start, torque_at_start, cone_speeds, cone_drive, cone_memory));
+}
+
+KeyTable whirl_table() {
+  using namespace whirl_keys;
+  return key_table("run", table, rows(radius, frequency, sense, ramp));
+}
+
+KeyTable tilt_table() {
+  using namespace tilt_keys;
+  return key_table("run", table, rows(angle, azimuth, frequency, sense, ramp));
+}
+
+KeyTable leg_table() {
+  using namespace leg_keys;
+  return key_table("run", table, rows(duration, velocity, rotary_speed));
+}
+
+/// The values' unit is that of the quantity that changes over time.
+KeyTable schedule_table() {
+  using namespace schedule_keys;
+  return key_table("run", table,
+                   rows(times, values({.name = "KEY", .unit = "KEY's unit"}), between));
+}
+
+KeyTable time_table() {
+  using namespace time_keys;
+  return key_table("run", table, rows(step, duration, revolutions, first_step));
+}
+
+KeyTable update_table() {
+  using namespace update_keys;
+  return key_table("run", table,
+                   rows(directions, inside_cutters, gage_teeth, leaning, exit_search, most_passes));
+}
+
+KeyTable maintenance_table() {
+  using namespace maintenance_keys;
+  return key_table("run", table,
+                   rows(every, shortest_edge, longest_edge, worst_quality, flip_quality, smoothing,
+                        smooth_quality));
+}
+
+KeyTable measure_table() {
+  using namespace measure_keys;
+  return key_table("run", table, rows(section, section_lead, contact, contact_gap));
+}
+
+KeyTable output_table() {
+  using namespace output_keys;
+  return key_table(
+      "run", table,
+      rows(history_every, frames_every, means_from, energy_order, energy_order_window));
+}
+
+/// [forces], and the coefficients of every law that has any.
+std::vector<KeyTable> force_tables() {
+  using namespace force_keys;
+  std::vector<KeyTable> tables{
+      key_table("run", table, rows(law, coefficients, cut, chamfer_contact)),
+      key_table("run", kind_table, rows(law, coefficients))};
+  for (const std::string_view name : forces::law_names()) {
+    forces::Law each = forces::law_named(name);
+    std::vector<KeyRow> fields;
+    for (const forces::LawField& field : forces::law_fields(each))
+      fields.push_back(row(key_of(field)));
+    const std::string meaning = fmt::format("coefficients of the law \"{}\"", name);
+    if (!fields.empty())
+      tables.push_back(key_table("run", {.name = "forces", .meaning = meaning}, std::move(fields)));
+  }
+  return tables;
+}
+
+KeyTable string_table() {
+  using namespace string_keys;
+  return key_table(
+      "run", table,
+      rows(mass, bending_inertia, torsional_inertia, lateral_stiffness, axial_stiffness,
+           bending_stiffness, torsional_stiffness, lateral_damping, axial_damping, bending_damping,
+           torsional_damping, dampers_to, bearing_damping, attachment_height, gravity));
+}
+
+KeyTable wall_table() {
+  using namespace wall_keys;
+  return key_table(
+      "run", table,
+      rows(stiffness, clearance, ring_radius, ring_height, restitution, friction, slip_speed));
+}
+
+KeyTable rock_mount_table() {
+  using namespace rock_mount_keys;
+  return key_table("run", table, rows(mass, stiffness, damping));
+}
+
+KeyTable body_table() {
+  using namespace body_keys;
+  return key_table("rotate", table,
+                   rows(inertia, mesh, density, unit, unit_check, rotation_vector, attitude,
+                        angular_velocity, check));
+}
+
+KeyTable cone_table() {
+  using namespace cone_keys;
+  return key_table("rotate", table,
+                   rows(axis, axial_inertia, spin, angle, torque, external_torque, damping));
+}
+
+std::vector<KeyTable> load_tables() {
+  using namespace load_keys;
+  using namespace harmonic_keys;
+  return {
+      key_table("rotate", load_keys::table,
+                rows(body_torque, space_torque, gravity_moment, gravity_arm, stiffness, damping)),
+      key_table("rotate", harmonic_keys::table, rows(frame, amplitude, angular_frequency, phase)),
+      key_table("rotate", sample_keys::table, rows(sample_keys::frame, sample_keys::file))};
+}
+
+std::vector<KeyTable> rotate_tables() {
+  using namespace integrator_keys;
+  return {key_table("rotate", title_keys::table, rows(title_keys::title)),
+          key_table("rotate", table, rows(drift, drifts_per_step, order, velocity_torque)),
+          key_table("rotate", rotate_time_keys::table,
+                    rows(rotate_time_keys::step, rotate_time_keys::duration)),
+          key_table("rotate", rotate_output_keys::table, rows(rotate_output_keys::history_every))};
+}
+
+}  // namespace
+
+std::vector<KeyTable> all_tables() {
+  std::vector<KeyTable> all{key_table("run", bit_keys::table, rows(bit_keys::file))};
+  const auto add = [&all](const std::vector<KeyTable>& tables) {
+    all.insert(all.end(), tables.begin(), tables.end());
+  };
+  add(rock_tables());
+  add({motion_table(), whirl_table(), tilt_table(), leg_table(), schedule_table()});
+  add({time_table(), update_table(), maintenance_table(), measure_table()});
+  add(force_tables());
+  add({string_table(), wall_table(), rock_mount_table(), output_table()});
+  add({body_table(), cone_table()});
+  add(load_tables());
+  add(rotate_tables());
+  return all;
+}
+
+}  // namespace tdbd::simulation

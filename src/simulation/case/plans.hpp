@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "bit/bit.hpp"
+#include "dynamics/drilling/drilling_system.hpp"
+#include "forces/law.hpp"
+#include "forces/rock/formation.hpp"
+#include "simulation/case/force_keys.hpp"
+#include "simulation/case/run_keys.hpp"
+
+namespace tdbd::simulation {
+
+/// What a run measures in every step, for forces.
+struct MeasurePlan {
+  SectionMeasure section = *measure_keys::section.fallback;
+  double section_lead = *measure_keys::section_lead.fallback;  ///< over the rock's edge length
+  ContactMeasure contact = *measure_keys::contact.fallback;
+  double contact_gap = *measure_keys::contact_gap.fallback;  ///< over the rock's edge length
+};
+
+/// Whether a run computes forces at all.
+enum class Forces { off, on };
+
+/// The force laws of a run, by kind of part, and the rock that they act in.
+struct ForcePlan {
+  Forces forces = Forces::off;
+  CutMeasure cut = *force_keys::cut.fallback;
+  ChamferMeasure chamfer = *force_keys::chamfer_contact.fallback;
+  std::array<forces::Law, bit::part_kinds.size()> laws;  ///< by PartKind
+  forces::Formation rock;
+};
+
+inline const forces::Law& law_of(const ForcePlan& plan, bit::PartKind kind) {
+  return plan.laws[static_cast<std::size_t>(kind)];
+}
+
+/// The bit, the string, the wall and the rock's mount of a bit that forces move, and how they start
+/// (thesis: eqs. 2.1 to 2.3).
+struct DrillingPlan {
+  dynamics::DrillingSystem system;
+  dynamics::DrillingState start;
+};
+
+}  // namespace tdbd::simulation
