@@ -1,4 +1,4 @@
-"""cutter_mesh_noise.py TDBD FOLDER [ROCK_EDGE_MM [VARIANT ...]]: the noise that the mesh of cutters makes (thesis: 3.3, ch. 6).
+"""measure.py TDBD FOLDER [ROCK_EDGE_MM [VARIANT ...]]: the noise that the mesh of cutters makes (thesis: 3.3, ch. 6).
 
 Bit B drills steadily with cutters meshed in several ways. In its steady state a cutter removes the
 same volume in every step; what varies is noise, of the cutters' meshes and of the rock's. For each
@@ -14,7 +14,7 @@ import sys
 import numpy
 import xarray
 
-BITS = pathlib.Path(__file__).resolve().parents[1] / "cases/bits"
+BITS = pathlib.Path(__file__).resolve().parents[3] / "cases/bits"
 VARIANTS = {  # name: lines of [mesh], corners of the rim of a 19 mm cutter
     "graded 256": 'grading = "graded"\nrim_segments = 256',
     "graded 128": 'grading = "graded"\nrim_segments = 128',

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Cutter table of the standard workload, the bit of cases/standard-workload.toml.
 
-    scripts/standard_workload.py > cases/bits/standard.csv     write it
-    scripts/standard_workload.py --check FILE                  exit 1 unless FILE is that table
-    scripts/standard_workload.py core > cases/bits/core.csv    the same from r = 12 mm outwards: it
-                                                               leaves a core; --check knows it too
+    cases/bits/standard_workload.py > cases/bits/standard.csv     write it
+    cases/bits/standard_workload.py --check FILE                  exit 1 unless FILE is that table
+    cases/bits/standard_workload.py core > cases/bits/core.csv    the same from r = 12 mm outwards: it
+                                                                  leaves a core; --check knows it too
 
 Profile in (r, z), mm, z down: a cone that falls at 15 degrees from the axis to r = 45, then one arc
 of radius 52.15 on which the profile's angle (normal into the rock against the axis) goes from -15

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""update_directions.py BUILD FOLDER: what each rule for the update direction does, as tables.
+"""measure.py BUILD FOLDER: what each rule for the update direction does, as tables.
 
 Figures 4.7 to 4.9 of the thesis compare the rules (eq. 4.2) for PDC bits; `gage_teeth` is their
 counterpart for roller cone bits. Runs BUILD/tdbd once for each rule and mesh, keeps the results below
@@ -28,10 +28,10 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "reports"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 from result import read_surface  # noqa: E402
 
-CASES = pathlib.Path(__file__).resolve().parents[1] / "cases"
+CASES = pathlib.Path(__file__).resolve().parents[3] / "cases"
 EDGE = 3e-3  # m
 BITS = {  # case, key of the rule, rules, settings of both runs, revolutions of each
     "bit-b": ("bit-b-steady.toml", "update.directions", ["hybrid", "all-down", "along-profile"],

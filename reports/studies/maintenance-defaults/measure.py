@@ -2,13 +2,13 @@
 """Study behind the defaults of [maintenance]: one table per case, a row per choice (thesis: 4.2.4.3
 frequency, 4.2.4.4 quality; reconstructed). Wants a release build with the target long-run.
 
-    scripts/maintenance_study.py                   every choice in every case, ten minutes and more
-    scripts/maintenance_study.py --cases whirl     cases whose name holds the text
-    scripts/maintenance_study.py --choices flip    choices whose name holds the text
+    measure.py                   every choice in every case, ten minutes and more
+    measure.py --cases whirl     cases whose name holds the text
+    measure.py --choices flip    choices whose name holds the text
 
 Pairs of triangles that intersect (CGAL), worst quality and the quality that 99 % exceed, volume
 that maintenance disturbed over the volume removed, operations a revolution, CPU nanoseconds
-of maintenance a touched triangle. src/rock/README.md holds the tables.
+of maintenance a touched triangle. choices.csv holds what was kept of the tables.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import pathlib
 import re
 import subprocess
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build/release/verification/long_run/long-run"
 
 CASES = {

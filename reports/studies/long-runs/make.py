@@ -1,0 +1,13 @@
+"""make.py OUT: the tables of this study, from its CSV files."""
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1]))
+from csv_tables import write_tables  # noqa: E402
+
+TABLES = {"runs.csv": "Long runs. 1 m of hole is 480 revolutions (bit R: 675)."}
+
+if __name__ == "__main__":
+    write_tables(HERE, TABLES, sys.argv[1])
