@@ -1,4 +1,4 @@
-"""The studies of reports/studies: what was measured once, told by a README, made into a table or a figure from data.
+"""The studies of reports/studies: what was measured once, described in a README, with a table or a figure made from its data.
 
 A study is a folder with README.md (its first line is "# TITLE"), data files, and make.py, which takes an output
 folder as its only argument and writes table.md, figure.png, or both there.
