@@ -47,7 +47,7 @@ def find(root):
 
 def as_html(text):
     """Markdown as HTML; its headings stand below those of the page."""
-    html = markdown.markdown(text, extensions=["tables", "fenced_code"])
+    html = markdown.markdown(text, extensions=["tables", "fenced_code"], output_format="html")
     return Markup(re.sub(r"<(/?)h[1-6]>", r"<\1h4>", html))
 
 
