@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Makes a moving picture of a hole being drilled, of the frames of a run.
+"""Makes a moving picture of a hole being drilled, from the frames of a run.
 
-    /usr/bin/python3 reports/animate.py RESULT_FOLDER OUT.gif [--pixels 400] [--seconds 5]
+    reports/animate.py RESULT_FOLDER OUT.gif [--pixels 400] [--seconds 5]
 
 Needs rock.pvd and bit.pvd with their frames: run with --set output.frames_every=STEPS.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws a designer's page of a bit, of what `tdbd bit BIT -o FOLDER --report` wrote.
+"""Draws a designer's page of a bit, from what `tdbd bit BIT -o FOLDER --report` wrote.
 
     reports/bit_page.py FOLDER [-o FILE]      one HTML file with everything in it: FOLDER/bit.html
 

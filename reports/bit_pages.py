@@ -1,4 +1,4 @@
-"""What the report makes of one run each, again when it changed: the designers' pages of bits, moving pictures."""
+"""Pages of bits and moving pictures: one for each run, made again when it changed."""
 
 from importlib.metadata import version
 from pathlib import Path

@@ -15,7 +15,7 @@ OPEN = "open"
 
 
 class Wrong(Stale):
-    """Evidence that cannot be shown: of no claim, of no verdict, not readable."""
+    """Evidence that cannot be shown: it has no claim or no verdict, or cannot be read."""
 
 
 @dataclass(frozen=True)
@@ -106,8 +106,8 @@ NUMBER = r"([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\d.e]| times)"
 
 
 def share_of_limit(e):
-    """How much of its limit a measurement takes: 1 is all of it, as is a limit without room that is met
-    ("0, to the bit"). 0 where the limit is told in other words."""
+    """How much of its limit a measurement uses up: 1 is all of it, also where the limit is an exact value that is
+    met ("0, to the bit"). 0 where the limit is given in other words."""
     if bound := re.search(rf"<= {NUMBER}", e.limit):
         return abs(e.measured) / float(bound[1]) if float(bound[1]) else 1.0
     if band := re.fullmatch(rf"{NUMBER} \+- {NUMBER}", e.limit):
@@ -117,8 +117,8 @@ def share_of_limit(e):
 
 
 def deciding(evidence):
-    """The worst measurement of a claim, which is as good as that: of the worst verdict, the one that takes
-    most of its limit or goes farthest beyond it. None: none."""
+    """The measurement that decides a claim: of the worst verdict, the one that uses up most of its limit or goes
+    farthest beyond it. None without measurements."""
     return max(evidence, key=lambda e: (VERDICTS.index(e.verdict), share_of_limit(e)), default=None)
 
 

@@ -63,7 +63,7 @@ def scripts_of(figures, script):
 
 
 def of_scripts(figures, *scripts):
-    """Of scripts with all that they use of figures/."""
+    """Fingerprint of scripts with all that they use of figures/."""
     used = sorted({u for script in scripts for u in scripts_of(figures, script)})
     return of_value([[u.name, of_file(u)] for u in used])
 

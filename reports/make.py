@@ -25,7 +25,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def gather(actions):
-    """Calls each action; returns what they complain about."""
+    """Calls each action on its subject; returns the complaints."""
     problems = []
     for action, subject in actions:
         try:
@@ -41,7 +41,7 @@ def told(update, subject):
 
 
 def update(manifest, data, drawing, pages):
-    """Runs and draws what changed; returns problems. No figure is drawn of failed runs."""
+    """Runs and draws what changed; returns problems. No figure is drawn from failed runs."""
     runs = [r for r in manifest.runs if drawing.is_made(r)]
     problems = gather([(lambda r: told(data.update, r), r) for r in runs])
     return problems or gather([(lambda f: told(drawing.update, f), f) for f in manifest.figures]

@@ -117,7 +117,7 @@ def figure_of(table):
 
 
 def demand_links(manifest):
-    """What a figure names exists; nothing is there that nobody shows; no name comes twice."""
+    """Raises ManifestError unless all that figures name exists, all runs are shown and no name occurs twice."""
     groups = {r.group for r in manifest.runs}
     slugs = [c.slug for c in manifest.claims]
     for names in ([f.name for f in manifest.figures], slugs):

@@ -19,12 +19,12 @@ from drawing import DPI
 HERE = Path(__file__).parent
 
 
-# Letters of a picture are then as large as those around it: they have 9 points, CSS has 96 pixels an inch.
+# Letters in a picture are then as large as the text around it: they have 9 points, and CSS has 96 pixels an inch.
 PIXELS_PER_INCH = 128
 
 
 def shown_width(picture):
-    """Width on the page, CSS pixels: of the picture's own inches."""
+    """Width on the page in CSS pixels, from the picture's size in inches."""
     header = Path(picture).read_bytes()[:24]
     return round(int.from_bytes(header[16:20], "big") / DPI * PIXELS_PER_INCH)
 
@@ -61,7 +61,7 @@ def shown_studies(made):
 
 
 def program(manifest, data):
-    """(what, which) of the programs that made the results, as these say themselves: results that did
+    """(what, which) of the programs that made the results, from the results themselves: one that did
     not change may be of an earlier commit."""
     made = {}
     for run in manifest.runs:

@@ -1,4 +1,4 @@
-"""The studies of reports/studies: what was measured once, told by a README, made into a table or a figure from data.
+"""The studies of reports/studies: what was measured once, described in a README, with a table or a figure made from its data.
 
 A study is a folder with README.md (its first line is "# TITLE"), data files, and make.py, which takes an output
 folder as its only argument and writes table.md, figure.png, or both there.
@@ -47,7 +47,7 @@ def find(root):
 
 def as_html(text):
     """Markdown as HTML; its headings stand below those of the page."""
-    html = markdown.markdown(text, extensions=["tables", "fenced_code"])
+    html = markdown.markdown(text, extensions=["tables", "fenced_code"], output_format="html")
     return Markup(re.sub(r"<(/?)h[1-6]>", r"<\1h4>", html))
 
 

@@ -27,7 +27,7 @@ def draw_cutters(bits, dpi=style.DPI):
 
 
 def draw_teeth(bit, dpi=style.DPI):
-    """The first cone from its side, and the meshes of the teeth that one sees of it."""
+    """The first cone from its side, and the meshes of its visible teeth."""
     figure, frames = bit_scene.canvas(2, INCHES)
     cone = bit.cones[0]
     axis, origin = np.array(cone["axis"]), np.array(cone["origin_m"])

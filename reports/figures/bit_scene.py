@@ -1,4 +1,4 @@
-"""A bit as a scene: colours by kind, blade and cone; arrows; where one looks from."""
+"""A bit as a scene: colours by kind, blade and cone; arrows; views."""
 
 import numpy as np
 from matplotlib.colors import to_rgb

@@ -1,4 +1,4 @@
-"""Figure 3.7: the frame of every cutter, and of one from near."""
+"""Figure 3.7: the frame of every cutter, and one of them close up."""
 
 import numpy as np
 

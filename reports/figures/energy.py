@@ -15,7 +15,7 @@ def relative_change(run):
 
 
 def draw_change(axes, run, drift):
-    """Mean and range in slots of time: the lines of all rows would hide each other."""
+    """Mean and range in intervals of time: lines through all rows would hide each other."""
     label, colour, _ = style.DRIFTS[drift]
     time, change = relative_change(run)
     slots = np.array_split(np.arange(len(time)), min(SLOTS, len(time)))

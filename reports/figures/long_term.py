@@ -1,4 +1,4 @@
-"""Ours, of section 4.4.2: how the mesh and the hole do over many revolutions."""
+"""Ours, of section 4.4.2: mesh and hole over many revolutions."""
 
 import numpy as np
 

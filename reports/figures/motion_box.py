@@ -1,4 +1,4 @@
-"""Beside figures 4.2 and 4.3: the motion box of a cutter, what the search finds in it, what was swept."""
+"""For figures 4.2 and 4.3: the motion box of a cutter, what the search finds in it, what was swept."""
 
 from figures import style
 from figures.one_step import STATES, Step, legend_below, name_planes, rz, xy

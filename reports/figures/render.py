@@ -20,7 +20,7 @@ def unit(v):
 
 @dataclass(frozen=True)
 class Camera:
-    """A parallel projection: `toward` points to who looks, `up` is up in the picture."""
+    """A parallel projection: `toward` points to the viewer, `up` is up in the picture."""
 
     toward: tuple
     up: tuple
@@ -35,7 +35,7 @@ class Camera:
         return np.array([right, np.cross(toward, right), toward])
 
     def project(self, points):
-        """(x, y, depth) of points: x to the right and y down in samples, depth away from who looks."""
+        """(x, y, depth) of points: x to the right and y down in samples, depth away from the viewer."""
         seen = (np.asarray(points) - np.asarray(self.centre)) @ self.axes().T
         wide, high = (SAMPLES * n for n in self.pixels)
         scale = wide / self.width
@@ -226,7 +226,7 @@ def lit(camera, layer):
 
 
 def picture(camera, solid, ghosts=(), opacity=0.3):
-    """(high, wide, 3), 0 to 1: a layer, and layers that one sees through."""
+    """(high, wide, 3), 0 to 1: a layer, and transparent layers over it."""
     colour, depth = lit(camera, solid)
     for ghost in ghosts:
         over, nearer = lit(camera, ghost)

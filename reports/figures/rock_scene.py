@@ -28,13 +28,13 @@ def depth_norm(mesh):
 
 
 def layer(mesh, colours):
-    """One layer of render. The rock's triangles face the hole and are not seen from behind, so that one looks
-    through the nearer wall."""
+    """One layer of render. The rock's triangles face the hole and are not drawn from behind, so that the
+    nearer wall is transparent."""
     return render.Layer(mesh.corners, np.asarray(colours)[:, :3], np.zeros(len(mesh.triangles), int))
 
 
 def layer_from_rock(mesh, colours, view):
-    """The same for who stands in the rock, with the triangles' edges, and in even light: colours are to be read."""
+    """The same seen from the rock, with the triangles' edges, and in even light, so that colours can be read."""
     turned = render.Layer(mesh.corners[:, ::-1], np.asarray(colours)[:, :3], np.zeros(len(mesh.triangles), int), True)
     turned.normals = render.unit(turned.normals + 2.0 * render.unit(view["toward"]))
     return turned
@@ -74,7 +74,7 @@ def show(axes, camera, image):
 
 
 def show_free(axes, image):
-    """A picture seen askew, without axes."""
+    """A picture in an oblique view, without axes."""
     bit_scene.show(axes, image)
 
 

@@ -1,4 +1,4 @@
-"""Figures 4.16, 4.19, 4.21 and 4.22: what one operation after another makes of a small sheet of rock, from above."""
+"""Figures 4.16, 4.19, 4.21 and 4.22: a small sheet of rock from above, before and after an operation."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Figure 5.5: the path of the slow top's axis, seen along the vertical; and how far it is off."""
+"""Figure 5.5: the path of the slow top's axis, seen along the vertical; and its error."""
 
 import numpy as np
 

@@ -9,7 +9,7 @@ MAGENTA = "#d6139a"
 
 
 def slice_of(mesh, edge):
-    """Numbers of the vertices nearest to the half-plane y = 0, x > 0, one of each ring of the start, from the axis
+    """Indices of the vertices nearest to the half-plane y = 0, x > 0, one of each ring of the start, from the axis
     up the wall."""
     x, y, z = mesh.points.T
     beside = np.flatnonzero((np.abs(y) < 0.7 * edge) & (x > -0.25 * edge))

@@ -64,8 +64,7 @@ int converge(ConvergeArguments a) {
     if (!a.quiet) {
       progress.finish();
       const std::string name = folder.path.string();
-      fmt::print("{}results in {}; to draw them: python3 reports/draw.py {}\n", table_text(c), name,
-                 name);
+      fmt::print("{}results in {}; to draw them: reports/draw.py {}\n", table_text(c), name, name);
     }
     return c.status == RunStatus::completed ? 0 : interrupted_code;
   } catch (const InputError&) {
@@ -105,7 +104,7 @@ void add_converge(CLI::App& app, int& exit_code) {
   auto a = std::make_shared<ConvergeArguments>();
   add_options(*command, *a);
   command->footer(
-      "Writes convergence.json and convergence.csv; python3 reports/draw.py FOLDER draws them. An\n"
+      "Writes convergence.json and convergence.csv; reports/draw.py FOLDER draws them. An\n"
       "order rests on at least three differences above rounding whose local orders have settled;\n"
       "else the table says why there is none.\n"
       "Example: tdbd converge cases/slow-top.toml --over time.step --levels 6 -o out/orders");

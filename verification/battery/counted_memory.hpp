@@ -1,10 +1,10 @@
 #pragma once
 
-/// Counts what operator new hands out in a program that links counted_memory.cpp, whose operators
-/// take the place of the library's.
+/// Counts the memory that operator new allocates, in a program that links counted_memory.cpp: its
+/// operators replace those of the library.
 namespace tdbd::battery {
 
-/// Bytes that are held now, as the allocator rounds them, and the most since the last reset.
+/// Bytes held now, as the allocator rounds them, and the most held since the last reset.
 struct CountedMemory {
   long held = 0;
   long peak = 0;
@@ -12,7 +12,7 @@ struct CountedMemory {
 
 CountedMemory counted_memory();
 
-/// The peak starts again from what is held now.
+/// Sets the peak to what is held now.
 void reset_peak();
 
 }  // namespace tdbd::battery

@@ -6,7 +6,7 @@
 namespace tdbd::battery {
 
 /// A number that carries its derivatives by N variables, exact to rounding (forward mode). Compares
-/// by value, so that a kernel takes the branches that it takes with plain numbers.
+/// by value, so that a kernel takes the same branches as with plain numbers.
 template <int N>
 struct Dual {
   using Derivatives = Eigen::Array<double, N, 1>;

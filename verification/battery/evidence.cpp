@@ -23,7 +23,7 @@ fs::path evidence_folder() {
   return chosen != nullptr && *chosen != '\0' ? chosen : TDBD_EVIDENCE_FOLDER;
 }
 
-/// Below the build folder, so that the text does not depend on where the build is.
+/// Relative to the build folder, so that the text does not depend on where that is.
 std::string running_program() {
   return fs::read_symlink("/proc/self/exe")
       .lexically_relative(fs::path(TDBD_EVIDENCE_FOLDER).parent_path())
@@ -68,8 +68,8 @@ const char* name_of(Verdict verdict) {
   throw std::invalid_argument("evidence: no such verdict");
 }
 
-/// Under another name first: a reader never sees half a file. Tests run side by side, hence the
-/// process in that name.
+/// Written under another name first, so that no reader sees half a file. Tests run in parallel,
+/// hence the process id in that name.
 void write_whole(const fs::path& file, const Json& content) {
   fs::create_directories(file.parent_path());
   const fs::path partial = file.string() + "." + std::to_string(getpid()) + ".partial";

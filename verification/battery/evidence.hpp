@@ -5,7 +5,7 @@
 
 namespace tdbd::battery {
 
-/// What a measurement says of a claim.
+/// What a measurement says about a claim.
 enum class Verdict { holds, holds_with_limits, refuted };
 
 /// One number that a test measured for or against a claim. The evidence page (reports/) reads
@@ -20,7 +20,7 @@ struct Evidence {
 };
 
 /// Writes FOLDER/CLAIM/SLUG-OF-WHAT.json, whole or not at all, with the running test's name and its
-/// program. The same test leaves the same bytes. FOLDER is the build folder's `evidence`, or what
+/// program. The same test writes the same bytes. FOLDER is the build folder's `evidence`, or what
 /// the environment variable TDBD_EVIDENCE names. Throws std::invalid_argument when the claim is no
 /// slug, `what` holds no letter, the number is not finite or no test is running, and
 /// std::runtime_error when the file cannot be written.

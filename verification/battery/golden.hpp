@@ -11,7 +11,8 @@
 /// how they were made).
 namespace tdbd::battery {
 
-/// A golden state as written: not made consistent by any relation of ours. Frames: W space, B bit.
+/// A golden state as written in its file, not made consistent by any function of ours. Frames: W
+/// space, B bit.
 struct GoldenState {
   double time = 0.0;                    ///< s
   Mat3 R_WB = Mat3::Identity();         ///< takes B to W

@@ -10,7 +10,7 @@
 
 namespace tdbd::battery {
 
-/// What the battery asks of a rotation scheme, as numbers. The tests hold the limits.
+/// What the battery measures of a rotation scheme. The limits are in the tests.
 
 /// The state variables of an order table.
 inline constexpr std::array<const char*, 5> state_variables = {
@@ -44,7 +44,7 @@ double largest_difference(const std::vector<S>& a, const std::vector<S>& b) {
   return static_cast<double>(d);
 }
 
-/// Difference of two states. Its own rounding is that of S.
+/// Difference of two states, with the rounding of S.
 template <class S>
 StateErrors state_errors(const dynamics::RotationStateOf<S>& a,
                          const dynamics::RotationStateOf<S>& b) {

@@ -10,7 +10,7 @@
 namespace tdbd::battery {
 namespace {
 
-/// What errors are measured against: states at half of the time and at its end.
+/// Reference states at half of the time and at its end.
 template <class S>
 using Reference = std::array<dynamics::RotationStateOf<S>, 2>;
 
@@ -41,7 +41,7 @@ RotationScheme eighth_order() {
   return production("split order 8", {dynamics::Drift::split, 1, 8});
 }
 
-/// A reference and what rounding makes of errors against it.
+/// A reference, and the rounding of errors against it.
 template <class S>
 struct Yardstick {
   Reference<S> reference;
@@ -92,7 +92,7 @@ Levels run_levels(const RotationScheme& scheme, const GoldenCase& c, const Yards
       levels.errors.push_back(largest_errors(run<S>(scheme, c, steps), y.reference));
       levels.steps.push_back(c.states.back().time / static_cast<double>(steps));
     } catch (const RunError&) {
-      continue;  // too large a step for a drift that solves
+      continue;  // too large a step for a drift that solves an equation
     }
   }
   return levels;

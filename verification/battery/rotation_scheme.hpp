@@ -10,9 +10,9 @@
 
 namespace tdbd::battery {
 
-/// A rule that carries a gyrostat over one step, in plain numbers, in extended precision and
-/// with derivatives. The battery
-/// asks the same of every scheme: the program's, and those that are broken on purpose.
+/// A rule that carries a gyrostat over one step, in plain numbers, in extended precision and with
+/// derivatives. The battery checks every scheme in the same way: the program's, and those that are
+/// broken on purpose.
 struct RotationScheme {
   template <class S>
   using Step = std::function<void(const dynamics::Gyrostat&, const dynamics::Loads&, double,

@@ -7,19 +7,18 @@
 
 namespace tdbd::battery {
 
-/// What a command left behind.
+/// What a command returned.
 struct Outcome {
   int exit_code = -1;  ///< 128 + signal when a signal ended it
   std::string out, err;
 };
 
-/// How a command is run.
+/// The conditions under which a command runs.
 struct Surroundings {
   std::filesystem::path standard_output = {};  ///< empty: captured
   long largest_file = -1;                      ///< bytes that a file may have; -1: no limit
-  std::filesystem::path signal_after =
-      {};  ///< once this file exists, or so many seconds passed, `signal` is sent
-  double signal_after_seconds = -1.0;
+  std::filesystem::path signal_after = {};  ///< send `signal` once this file exists; empty: never
+  double signal_after_seconds = -1.0;       ///< or after so many seconds; < 0: never
   int signal = SIGINT;
 };
 

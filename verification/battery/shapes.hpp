@@ -5,7 +5,7 @@
 #include "core/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-/// Shapes that tests share. All are closed and oriented outwards. Lengths in m.
+/// Shapes that tests share, closed and oriented outwards unless they say otherwise. Lengths in m.
 namespace tdbd::battery {
 
 /// Box between two corners.

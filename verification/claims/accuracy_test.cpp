@@ -15,7 +15,7 @@ using battery::Verdict;
 
 constexpr double t_end = 10.0;  // s
 constexpr int steps = 1000;     // h = 0.01 s
-/// What an attitude may be off after ten seconds and still be called accurate; rad.
+/// Error of an attitude after ten seconds that still counts as accurate, rad.
 constexpr double accurate = 1e-2;
 
 double error_of(const battery::GoldenCase& c, const dynamics::Integrator& integrator) {

@@ -47,7 +47,7 @@ TEST(AdjointComposition, the_thesis_step_of_minus_h_undoes_the_step_of_h) {
        worst <= reversible ? battery::Verdict::holds : battery::Verdict::refuted});
 }
 
-/// The check sees a step that is not its own adjoint: kicks of which only the first is made.
+/// The check finds a step that is not its own adjoint: one with the first kick alone.
 TEST(AdjointComposition, is_not_found_in_a_step_of_first_order) {
   const battery::GoldenCase c = battery::read_golden_case("slow_top");
   auto r = dynamics::start(c.gyrostat, c.loads, c.initial);

@@ -97,7 +97,7 @@ TEST(BitNumbers, mass_properties_are_those_of_closed_forms) {
   record("regular prisms of 3 to 128 corners", prisms);
 }
 
-/// The order with which volumes come near the smooth body's, over numbers of segments.
+/// The order with which volumes converge to the smooth body's, over the number of segments.
 template <class Volume>
 void record_order(const std::string& what, double smooth, const Volume& volume) {
   constexpr std::array segments{16, 32, 64, 128, 256};
@@ -111,7 +111,7 @@ void record_order(const std::string& what, double smooth, const Volume& volume) 
   record_near("ours/mesh-order", what, observed_order(sizes, errors, smooth).order, 2.0, 0.02);
 }
 
-TEST(BitNumbers, meshes_come_near_the_smooth_body_with_second_order) {
+TEST(BitNumbers, meshes_converge_to_the_smooth_body_with_second_order) {
   bit::Cutter c = example("bit-b").cutters.front();
   const double r = 0.5 * c.diameter, inner = r - c.chamfer, depth = bit::chamfer_depth(c);
   const double cylinder = pi * r * r * (c.length - depth);
@@ -170,7 +170,7 @@ TEST(BitNumbers, exposure_between_two_circles_is_the_height_between_them) {
 }
 
 TEST(BitNumbers, the_gage_is_reached_and_not_passed) {
-  constexpr double gage = 0.10795;  // m, 8.5 in / 2, as the files ask
+  constexpr double gage = 0.10795;  // m, 8.5 in / 2, as in the files
   for (const char* name : {"bit-a", "bit-b", "bit-c", "bit-r", "generated"})
     record_bound("ours/gage",
                  fmt::format("{}: largest radius of cutting parts{} from half of 8.5 in", name,

@@ -56,14 +56,14 @@ TEST(BitModel, the_bit_frame_is_the_global_one_at_first_and_drills_along_z) {
 }
 
 /// The thesis puts the origin at the centre of mass. Ours is the nose's tip, where it stays when
-/// masses change; mass_properties tells the centre.
+/// masses change; mass_properties gives the centre.
 TEST(BitModel, the_origin_is_the_tip_of_the_nose_not_the_centre_of_mass) {
   for (const bit::Bit& b : fixed_cutter_bits()) {
     const double away = mass_properties(b).centre.norm();
     EXPECT_GT(away, 0.0);
     battery::record({"chapter3/bit-frame",
                      b.name + ": centre of mass from our origin, the tip of the nose on the axis",
-                     away, "m", "0, were it the thesis's; analysis.json tells the centre",
+                     away, "m", "0, were it the thesis's; analysis.json gives the centre",
                      battery::Verdict::holds_with_limits});
   }
 }
@@ -172,7 +172,7 @@ TEST(BitModel, cutters_are_meshed_finer_at_the_edge_as_those_of_bits_b_and_c) {
                  "1", 0.5);
 }
 
-/// A place of a cone's part in space by Rodrigues' formula, without any frame of the program's.
+/// The place of a cone's part in space by Rodrigues' formula, without the program's frames.
 Vec3 carried(const Pose& X_WB, const bit::Cone& cone, const Vec3& x_B, double angle) {
   const Vec3 s = cone.X_BK.R.col(2), d = x_B - cone.X_BK.p;
   const Vec3 turned =

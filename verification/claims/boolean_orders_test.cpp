@@ -12,8 +12,8 @@
 #include "rock/cut/cut_rock.hpp"
 #include "verification/battery/shapes.hpp"
 
-/// Moving vertices against the exact boolean (CGAL, exact kernel) on flat rock, which both know
-/// exactly: volume and Hausdorff distance over the edge length and over the time step.
+/// Moving vertices against the exact boolean (CGAL, exact kernel) on flat rock, which both
+/// represent exactly: volume and Hausdorff distance over the edge length and over the time step.
 namespace tdbd::claims {
 namespace {
 
@@ -179,10 +179,10 @@ void add_rows(const std::string& name, const std::vector<Level>& levels,
 }
 
 /// Upright walls stand where a vertex happens to be, so the distance is that of an edge: order 1.
-/// What is missed at one wall is taken at another, so volumes fall with order 2, but for a groove
-/// along the rows of the mesh, where all of a wall is missed or taken at once: order 1. The exact
-/// boolean of a turn is that of its two chords.
-TEST(BooleanOrders, vertex_motion_comes_near_the_exact_boolean_as_edges_shrink) {
+/// What is missed at one wall is taken at another, so volumes converge with order 2, except for a
+/// groove along the rows of the mesh, where all of a wall is missed or taken at once: order 1. The
+/// exact boolean of a turn is that of its two chords.
+TEST(BooleanOrders, vertex_motion_converges_to_the_exact_boolean_as_edges_shrink) {
   nlohmann::ordered_json rows;
   for (const Sweep& s : {straight_groove(), oblique_groove(), wedge_groove(),
                          rotating_disc(0.03, 2, Vec3(10, 0, 0))}) {
@@ -205,7 +205,7 @@ Level difference(const Cut& a, const Cut& b, double step) {
   return l;
 }
 
-/// On one mesh, against very short steps: what the straight way of a vertex within a step loses.
+/// On one mesh, against very short steps: the error of a vertex's straight path within a step.
 /// The disc turns by half a radian about an axis 1 m away.
 TEST(BooleanOrders, vertex_motion_is_of_second_order_in_the_time_step) {
   constexpr double turn = 0.5;

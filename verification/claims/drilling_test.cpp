@@ -55,7 +55,7 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// Order of what f tells of an end, from its changes as the step is halved.
+/// Observed order of f at the end, from its changes as the step is halved.
 template <class F>
 double order_of(const F& change) {
   std::vector<double> differences;
@@ -64,9 +64,9 @@ double order_of(const F& change) {
   return slope(steps(), differences);
 }
 
-/// The whole step with its cut. The rock is cut by steps and its vertices come into reach one by
-/// one, so that the second order of the smooth step is not to be had: it is between first and
-/// second, the lower the less the string damps.
+/// The whole step with its cut. Vertices of the rock come into reach one by one, so the second
+/// order of the smooth step is not reached: it is between first and second, and the lower the less
+/// the string damps.
 TEST(Drilling, converges_between_first_and_second_order_where_rock_is_cut) {
   const struct {
     const char* name;
@@ -86,7 +86,7 @@ TEST(Drilling, converges_between_first_and_second_order_where_rock_is_cut) {
                 v.order, 1.5, 0.5);
 }
 
-/// Whatever the cut does, the ledger counts its work exactly: what is left is the step's own.
+/// Whatever the cut does, the ledger counts its work exactly: the residual is that of the step.
 TEST(Drilling, accounts_for_its_energy_to_second_order) {
   std::vector<double> residuals;
   for (const End& e : ends()) residuals.push_back(e.residual);

@@ -109,7 +109,7 @@ TEST(Forces, double_with_the_depth_of_cut) {
                std::abs(twice.tob.mean / (2.0 * once.tob.mean) - 1.0), "1", 0.01);
 }
 
-TEST(Forces, do_not_hang_on_the_step) {
+TEST(Forces, do_not_depend_on_the_step) {
   const auto whole = sharp_loads({"rock.edge_length='1.5 mm'", "time.step='2 ms'"});
   const auto half = sharp_loads({"rock.edge_length='1.5 mm'", "time.step='1 ms'"});
   record_bound("appendix-c/step",

@@ -68,8 +68,8 @@ rock::RelativePath any_path(Random& random) {
   return {q, q + 2e-3 * any_unit(random), u, (u + 0.05 * any_unit(random)).normalized()};
 }
 
-/// The same solid twice: by its planes, from one to the next, and by all facets that a strip meets.
-TEST(RockRules, the_search_finds_what_asking_all_facets_finds) {
+/// The same solid twice: by a walk from plane to plane, and by all facets that a strip meets.
+TEST(RockRules, the_search_finds_what_testing_all_facets_finds) {
   rock::CuttingPart by_planes, by_facets;
   const mesh::TriangleMesh disc = battery::cylinder(8e-3, 8e-3, 64);
   by_planes.solid_P = mesh::convex_solid(disc).value();
@@ -140,7 +140,7 @@ double dent_error(double edge) {
   return between / (std::numbers::pi * dent_depth * dent_depth * (ball_radius - dent_depth / 3.0));
 }
 
-TEST(RockRules, a_finer_mesh_comes_nearer_to_any_shape) {
+TEST(RockRules, a_finer_mesh_approximates_any_shape_better) {
   std::vector<double> edges, errors;
   edges.reserve(4);
   errors.reserve(4);

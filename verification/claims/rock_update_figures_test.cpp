@@ -10,8 +10,8 @@
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 
-/// Tables that figures of section 4.1 and 4.3 are drawn of: what the running code found, mapped,
-/// moved and measured (reports/figures).
+/// Tables for the figures of sections 4.1 and 4.3: what the running code found, mapped, moved and
+/// measured (reports/figures).
 namespace tdbd::claims {
 namespace {
 

@@ -30,7 +30,7 @@ class Balance(html.parser.HTMLParser):
     open_tags = []
 
     def handle_starttag(self, tag, attrs):
-        if tag not in ("meta", "img", "br", "wbr"):
+        if tag not in ("meta", "img", "br", "hr", "wbr"):
             self.open_tags.append(tag)
 
     def handle_endtag(self, tag):
