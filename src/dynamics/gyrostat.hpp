@@ -33,7 +33,7 @@ struct Gyrostat {
 enum class InertiaCheck { on, off };
 
 /// Why these cannot be the inertias of a body with cones, with the offending value; empty when they
-/// can. `off` asks only for what the equations need: symmetric, finite, It positive definite.
+/// can. `off` checks only what the equations need: symmetric, finite, It positive definite.
 std::string inertia_problem(const Mat3& inertia_B, const std::vector<Cone>& cones,
                             InertiaCheck check);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/rotation/composition.hpp"
+#include "dynamics/integrator.hpp"
 #include "dynamics/rotation/drift.hpp"
 #include "dynamics/rotation/kick.hpp"
 
@@ -43,7 +43,7 @@ LieOutcome try_step(const Gyrostat& g, const Loads& loads, const Integrator& int
 std::string too_long_message(const Gyrostat& g, const Loads& loads, const Integrator& integrator,
                              double h, const Rotating& r);
 
-/// One step of size h (s): as many stages as the order asks for, one torque evaluation each.
+/// One step of size h (s): as many stages as the order takes, one torque evaluation each.
 /// Throws RunError when a drift that solves is too long.
 template <class S>
 void step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
