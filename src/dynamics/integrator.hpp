@@ -8,8 +8,8 @@ namespace tdbd::dynamics {
 enum class Drift {
   split,         ///< spherical gyrostat and principal axes; explicit, symplectic
   three_axis,    ///< one rotation about each principal axis; explicit, symplectic
-  lie_midpoint,  ///< the thesis's, as reconstructed (LIEMID[EA]); solves; not symplectic
-  lie_mean,      ///< its symplectic twin: the mean momentum in place of the middle one; solves
+  lie_midpoint,  ///< the thesis's, as reconstructed (LIEMID[EA]); implicit; not symplectic
+  lie_mean,      ///< its symplectic twin: the mean momentum in place of the middle one; implicit
 };
 
 /// How the closing kick evaluates a torque that depends on velocity.
