@@ -11,7 +11,7 @@ namespace {
 void step(benchmark::State& state, const dynamics::DrillingSystem& system,
           const dynamics::DrillingState& from) {
   constexpr double h = 1e-4;
-  dynamics::LumpedRun d = dynamics::go_on(system, dynamics::start_drilling(system, from));
+  dynamics::DrillingRun d = dynamics::go_on(system, dynamics::start_drilling(system, from));
   dynamics::Wrench wrench;
   for (auto _ : state) {
     dynamics::open_step(system, h, d, d.work);

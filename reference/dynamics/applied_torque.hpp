@@ -14,7 +14,7 @@ struct SwingTwist {
 };
 SwingTwist swing_twist(const Mat3& R_WB, double about);
 
-/// (x swing_x^2 + y swing_y^2 + z twist^2) / 2, J. `twist` tells the winding.
+/// (x swing_x^2 + y swing_y^2 + z twist^2) / 2, J. `twist` carries the winding.
 double spring_energy(const Vec3& stiffness_W, const Mat3& R_WB, double twist);
 
 /// Minus the gradient of spring_energy over rotations in space, N m, by central differences of

@@ -31,7 +31,7 @@ double total_energy(const dynamics::Gyrostat& g, const dynamics::Loads& loads,
                     const GyrostatState& s);
 
 /// Equations dynamics (3) for the unknowns R (by rows), Pi, phi, pi and, only where a
-/// spring about space z asks for the winding, the twist. Its angle comes from R all the same.
+/// spring about space z needs the winding, the twist. Its angle comes from R all the same.
 /// (Without a spring it would cost steps for nothing: its rate is singular where R ez = -ez.)
 RightHandSide gyrostat_equations(const dynamics::Gyrostat& g, const dynamics::Loads& loads);
 std::vector<double> unknowns(const GyrostatState& s, const dynamics::Loads& loads);

@@ -12,7 +12,7 @@ namespace tdbd::reference {
 enum class Rival { rk8pd, rkf45, rk4 };
 
 struct WorkPrecision {
-  double accuracy = 0.0;        ///< as asked for
+  double accuracy = 0.0;        ///< requested
   long evaluations = 0;         ///< of the right-hand side, hence of the torque
   double attitude_error = 0.0;  ///< rad, angle to the attitude at a tolerance of rounding
   GyrostatState end;

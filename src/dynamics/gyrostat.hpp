@@ -29,11 +29,11 @@ struct Gyrostat {
   Mat3 principal_axes_B = Mat3::Identity();   ///< their axes as columns, right-handed
 };
 
-/// Whether an inertia that no body can have is accepted: published benchmarks use such.
+/// Whether an inertia that no body can have is accepted: published benchmarks use them.
 enum class InertiaCheck { on, off };
 
 /// Why these cannot be the inertias of a body with cones, with the offending value; empty when they
-/// can. `off` asks only for what the equations need: symmetric, finite, It positive definite.
+/// can. `off` checks only what the equations need: symmetric, finite, It positive definite.
 std::string inertia_problem(const Mat3& inertia_B, const std::vector<Cone>& cones,
                             InertiaCheck check);
 

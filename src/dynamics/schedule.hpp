@@ -21,7 +21,7 @@ struct Schedule {
   double integral_at_zero = 0.0;  ///< the same at t = 0; derived
 };
 
-/// Why these make no schedule, with the offending entry; empty when they do.
+/// Why these are not a valid schedule, with the offending entry; empty when they are.
 std::string schedule_problem(const std::vector<double>& times, const std::vector<double>& values);
 
 /// Throws InputError with schedule_problem's reason.

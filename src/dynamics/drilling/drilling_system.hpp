@@ -9,8 +9,8 @@
 #include "dynamics/rotation_state.hpp"
 #include "dynamics/schedule.hpp"
 
-/// A bit on a drill string in a borehole, as plain data: dynamics (9) to (12) (thesis: eqs. 2.1-2.3).
-/// Frames: W space, z down; B the bit's own, at whose origin its parts are given.
+/// A bit on a drill string in a borehole, as plain data: dynamics (9) to (12) (thesis: eqs.
+/// 2.1-2.3). Frames: W space, z down; B the bit's own, at whose origin its parts are given.
 namespace tdbd::dynamics {
 
 /// What a damper of the string pulls back to.
@@ -94,7 +94,7 @@ struct DrillingSystem {
   std::array<PrincipalDamper, 3> dampers, turn_dampers;
 };
 
-/// Why this is no system, with the offending value; empty when it is one.
+/// Why this is not a valid system, with the offending value; empty when it is.
 std::string drilling_problem(const DrillingSystem& system);
 
 /// Derives the rest. Throws InputError with drilling_problem's reason.
@@ -124,7 +124,7 @@ struct Wrench {
   ConeImpulse cone_impulse = ConeImpulse::halves;
 };
 
-/// Velocities that a state's momenta mean.
+/// Velocities that follow from a state's momenta.
 struct DrillingVelocity {
   Vec3 v_W = Vec3::Zero();         ///< of the centre of mass, m/s
   Vec3 w_W = Vec3::Zero();         ///< angular, rad/s

@@ -34,8 +34,9 @@ struct EnergyLedger {
   double wall_friction = 0.0;  ///< turned to heat along it
 };
 
-/// Stored now and lost less stored at the start and put in, J: zero were the step exact. Only the
-/// way in which springs, moving top and rotation are stepped is in it: of second order, bounded.
+/// Stored now and lost less stored at the start and put in, J: dynamics (17); zero if the step
+/// were exact. What is left comes from how springs, a moving top and rotation are stepped: it is of
+/// second order and bounded.
 double residual(const StoredEnergy& now, const EnergyLedger& ledger);
 
 }  // namespace tdbd::dynamics

@@ -4,9 +4,9 @@
 
 namespace tdbd::dynamics {
 
-/// What resists motion in one direction, integrated exactly while everything else stands still: it
-/// takes energy, or none, whatever the time. An impulse j along the direction changes the momenta
-/// by j times it and the speed along it by j times its mobility.
+/// What resists motion in one direction, integrated exactly while everything else stands still,
+/// dynamics (14): it never adds energy, whatever the time. An impulse j along the direction changes
+/// the momenta by j times it and the speed along it by j times its mobility.
 
 /// A direction of bit, one cone or rock: the force and the torque that act for a unit of impulse.
 struct Direction {

@@ -29,9 +29,9 @@ struct ResidualOrder {
 };
 
 /// Runs the window at h (s), h/2 and h/4 and takes the least-squares slope of log residual over log
-/// step. Root mean squares over many common instants are taken, since at a single one a residual
-/// that swings may be small by chance. No order where a residual is at the level of rounding, of
-/// order_rounding_per_step a step.
+/// step. Root mean squares over many common instants are taken, since a residual that swings may
+/// be small at a single one by chance. No order where a residual is at the level of rounding
+/// (order_rounding_per_step a step).
 ResidualOrder residual_order(double h, const Window& window);
 
 }  // namespace tdbd::dynamics

@@ -17,9 +17,10 @@ struct ContactSlopes {
   double twist_damping = 0.0;      ///< N m s/rad: a torque that falls from one sign to the other
 };
 
-/// What limits the step. Kicks and drift are stable while h times the highest angular frequency of
-/// string, pressed wall and contact stays below 2; the exact dampers do not change that. A law of
-/// velocity at the predicted momenta adds: h times its largest rate (slope over mass) below 1.
+/// What limits the step, dynamics (16). Kicks and drift are stable while h times the highest
+/// angular frequency of string, pressed wall and contact stays below 2; the exact dampers do not
+/// change that. A law of velocity at the predicted momenta adds: h times its largest rate (slope
+/// over mass) below 1.
 struct StabilityLimit {
   double frequency = 0.0;  ///< rad/s, the highest; of the worst attitude about z
   double rate = 0.0;       ///< 1/s

@@ -10,7 +10,7 @@ namespace tdbd::dynamics {
 void velocity(const DrillingSystem& system, const Configuration& at, const DrillingState& state,
               DrillingVelocity& out);
 
-/// The same for any state; makes what it needs.
+/// The same for any state, whose configuration it computes.
 DrillingVelocity velocity(const DrillingSystem& system, const DrillingState& state);
 
 /// Velocity in W of a point of the bit, m/s; `arm_W` from the centre of mass to it, m.
@@ -23,8 +23,8 @@ inline Vec3 point_velocity(const DrillingVelocity& v, const Vec3& arm_W) {
 DrillingState make_drilling_state(const DrillingSystem& system, const Pose& X_WB,
                                   const DrillingVelocity& v, std::span<const double> cone_angles);
 
-/// The string's rest that has it carry the bit's weight in this state: then the bit hangs still.
-/// Directions in which it has no stiffness stay as slack as they are.
+/// The string's rest at which it carries the bit's weight in this state, so that the bit hangs
+/// still. Directions in which it has no stiffness stay as slack as they are.
 Vec3 hanging_rest_W(const DrillingSystem& system, const DrillingState& state);
 
 /// Mean of two, into `out`, which may be one of them.

@@ -7,8 +7,8 @@
 
 namespace tdbd::dynamics {
 
-/// One drift over h, free of torque. Only those that solve can be too long; then the state is as it
-/// was.
+/// One drift over h, free of torque. Only an implicit one can be too long; the state is then left
+/// unchanged.
 template <class S>
 LieOutcome drift(const Gyrostat& g, Drift kind, double h, RotationStateOf<S>& s) {
   switch (kind) {

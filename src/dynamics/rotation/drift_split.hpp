@@ -41,9 +41,9 @@ void split_flows(const Gyrostat& g, double h, double outer_rate, double inner_ra
   end_flow(g, h, f, s);
 }
 
-/// Kinetic energy as |Pi - sigma|^2 / (2 j), j the middle principal inertia, and the two axes whose
-/// inertia differs from it, in the order 1 3 S 3 1. Of an axisymmetric body one axis is left, and a
-/// free body's attitude is exact when its cones' momentum lies along the axis.
+/// Dynamics (7): kinetic energy as |Pi - sigma|^2 / (2 j), j the middle principal inertia, and the
+/// two axes whose inertia differs from it, in the order 1 3 S 3 1. Of an axisymmetric body one axis
+/// is left, and a free body's attitude is exact when its cones' momentum lies along the axis.
 template <class S>
 [[gnu::flatten]] void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
   const Vec3& rate = g.principal_rates;

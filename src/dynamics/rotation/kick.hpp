@@ -15,7 +15,7 @@ void kick(double h, const TorqueOf<S>& torque, RotationStateOf<S>& s) {
   for (std::size_t k = 0; k < s.cone_momenta.size(); ++k) s.cone_momenta[k] += h * torque.cones[k];
 }
 
-/// A gyrostat on its way: its state, the torque of its last evaluation, which opens the next step,
+/// A gyrostat in motion: its state, the torque of its last evaluation, which opens the next step,
 /// and how many evaluations there were.
 template <class S>
 struct RotatingOf {

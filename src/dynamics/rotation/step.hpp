@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/rotation/composition.hpp"
+#include "dynamics/integrator.hpp"
 #include "dynamics/rotation/drift.hpp"
 #include "dynamics/rotation/kick.hpp"
 
@@ -29,7 +29,7 @@ LieOutcome stage(const Gyrostat& g, const Loads& loads, const Integrator& integr
   return LieOutcome::solved;
 }
 
-/// Tries a step of size h; `too_long` leaves the state anywhere.
+/// Tries a step of size h; after `too_long` the state is undefined.
 template <class S>
 LieOutcome try_step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
                     RotatingOf<S>& r) {
@@ -39,12 +39,12 @@ LieOutcome try_step(const Gyrostat& g, const Loads& loads, const Integrator& int
   return LieOutcome::solved;
 }
 
-/// What to tell when a step is too long, with the step that would do. `r` is the step's start.
+/// The message for a step that is too long, with the step that would do. `r` is the step's start.
 std::string too_long_message(const Gyrostat& g, const Loads& loads, const Integrator& integrator,
                              double h, const Rotating& r);
 
-/// One step of size h (s): as many stages as the order asks for, one torque evaluation each.
-/// Throws RunError when a drift that solves is too long.
+/// One step of size h (s): as many stages as the order takes, one torque evaluation each.
+/// Throws RunError when an implicit drift is too long.
 template <class S>
 void step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
           RotatingOf<S>& r) {

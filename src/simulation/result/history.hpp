@@ -27,7 +27,7 @@ struct HistoryRow {
   std::span<const rock::Section> sections;         ///< per cutter, at the end of the step
   std::span<const rock::PartContact> contacts;     ///< per part, at the end of the step
   const DriveRow* drive = nullptr;                 ///< of a bit that forces move
-  const LoadedStep* loaded = nullptr;              ///< forces of the step; none: not asked for
+  const LoadedStep* loaded = nullptr;              ///< forces of the step; none: without forces
   long swept_vertices = 0;                         ///< rock vertices moved in this step
   long rock_triangles = 0;                         ///< triangles of the rock surface
 };

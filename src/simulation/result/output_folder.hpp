@@ -28,8 +28,8 @@ struct OutputFolder {
   std::filesystem::path frame(const std::string& name, long number) const;
 };
 
-/// First line of the resolved case in a result folder: it tells that folder's case.toml from one
-/// that a user wrote.
+/// First line of the resolved case in a result folder: it distinguishes that folder's
+/// case.toml from one that a user wrote.
 inline constexpr const char* resolved_head =
     "# Resolved by tdbd: every default written out, in SI.";
 

@@ -16,7 +16,7 @@ class RecordNetcdf {
  public:
   /// Creates the file and defines its dimensions and variables. Throws RunError.
   RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout);
-  ~RecordNetcdf();  ///< closes the file; errors are for close() to tell
+  ~RecordNetcdf();  ///< closes the file; close() reports errors
   RecordNetcdf(const RecordNetcdf&) = delete;
   RecordNetcdf& operator=(const RecordNetcdf&) = delete;
 

@@ -52,10 +52,10 @@ struct RunSummary {
   std::map<std::string, long> maintenance;  ///< operation: how often
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
-  std::optional<LoadFigures> loads;   ///< none: the run asked for no forces
+  std::optional<LoadFigures> loads;   ///< none: the run had no forces
   Diagnosis diagnosis;                ///< with forces
   std::optional<DriveFigures> drive;  ///< of a bit that forces move
-  long sections_refused_deep = 0;     ///< Measures
+  long sections_refused_deep = 0;     ///< FaceStatistics
   long sections_refused_over_the_top = 0;
 };
 

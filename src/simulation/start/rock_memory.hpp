@@ -5,8 +5,8 @@
 
 namespace tdbd::simulation {
 
-/// What a rock takes before any of it is made: triangles at the start and those that the wall gains
-/// while the hole grows, cells of the index, and bytes for both.
+/// What a rock needs, before any of it is made: triangles at the start and those that the wall
+/// gains while the hole grows, cells of the index, and bytes for both.
 struct RockNeed {
   double triangles = 0.0, cells = 0.0, bytes = 0.0;
 };

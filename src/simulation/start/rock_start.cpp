@@ -23,8 +23,8 @@ namespace {
   throw InputError(fmt::format("{}: found {}, expected {}", c.rock.file, found, expected));
 }
 
-/// Asked once: a surface that intersects itself says of no place whether it is rock. Some seconds
-/// for a million triangles.
+/// A surface that intersects itself does not say which side is rock. Checked once; takes some
+/// seconds for a million triangles.
 void require_no_intersections(const Case& c, const std::string& place,
                               const mesh::TriangleMesh& m) {
   if (c.rock.intersections == IntersectionCheck::none) return;
@@ -36,7 +36,7 @@ void require_no_intersections(const Case& c, const std::string& place,
       place, pairs.size(), mesh::place_of_triangle(m, pairs.front().first), pairs.front().second));
 }
 
-/// Edges far from edge_length speak for a wrong unit.
+/// Edges far from edge_length suggest a wrong unit.
 void require_plausible_edges(const Case& c, const mesh::TriangleMesh& m) {
   constexpr double factor = 20.0;
   const double triangles = static_cast<double>(m.triangles.size());

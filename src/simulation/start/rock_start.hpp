@@ -8,7 +8,7 @@ namespace tdbd::simulation {
 /// The rock of a case at t = 0, under its index: conforming to the bit's exposure profile, flat,
 /// rough, of any meridian, or read from a file. Throws InputError for a file that is no single open
 /// oriented surface, for one (or a meridian) that intersects itself, unless the case waives that
-/// question, and for a rock that the machine's memory does not hold.
+/// check, and for a rock that the machine's memory does not hold.
 rock::Rock start_rock(const Case& c);
 
 }  // namespace tdbd::simulation

@@ -36,14 +36,10 @@ double root_between(const F& f, double a, double fa, double b, double fb) {
 
 double cone_torque(const ForcePlan& plan, const bit::Bit& bit, int cone, const Pose& X_WB,
                    const BitVelocity& motion, double dt, const std::vector<CutOfPart>& cuts) {
-  const Pose X_WK = X_WB * bit.cones[at(cone)].X_BK;
   double torque = 0.0;
-  for (const CutOfPart& c : cuts) {
-    if (c.cone != cone) continue;
-    const forces::PartCut moving = cut_at(bit, X_WB, motion, dt, c);
-    const forces::PartForce f = forces::force(law_of(plan, moving.kind), moving);
-    torque += X_WK.R.col(2).dot((f.point - X_WK.p).cross(f.force));
-  }
+  for (const CutOfPart& c : cuts)
+    if (c.cone == cone)
+      torque += torque_about_cone(bit, X_WB, cone, load_of(plan, bit, X_WB, motion, dt, c));
   return torque;
 }
 

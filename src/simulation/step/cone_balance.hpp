@@ -11,8 +11,8 @@ double cone_torque(const ForcePlan& plan, const bit::Bit& bit, int cone, const P
 
 /// Spins phi' that the cones have at the end of a step, rad/s, simulation (5) (ours). A cone is
 /// light and friction on its teeth stiff: an explicit impulse would throw its slip from one side to
-/// the other in every step, 100 rad/s in a millisecond on bit R. So its own momentum takes the whole
-/// impulse of the step at the spin that it leads to,
+/// the other in every step, 100 rad/s in a millisecond on bit R. So its own momentum takes the
+/// whole impulse of the step at the spin that it leads to,
 ///   pi_k = pi_k* + h T_k(phi_k'),   pi_k = Ic_k (phi_k' + s_k . W)
 /// (first order in this one variable; everything else keeps the step's order). T_k falls with
 /// phi_k', so that the root is bracketed by phi* and phi* + h T_k(phi*)/Ic_k; it is found to a

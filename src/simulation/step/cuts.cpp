@@ -17,7 +17,7 @@ void take_section(const rock::Section& s, const Pose& X_WB, CutOfPart& c) {
 }
 
 /// The thesis's measure [R]: the volume that the whole cutter removed over what its tip went along
-/// X; which of its parts took a vertex is the mesh's affair.
+/// X; which of its parts took a vertex depends on the mesh.
 void take_volume(const bit::Cutter& cutter, double removed, const MeasuredStep& step,
                  CutOfPart& c) {
   const rotation::Twist twist =

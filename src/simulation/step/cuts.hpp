@@ -9,8 +9,8 @@
 
 namespace tdbd::simulation {
 
-/// What one part did in a step, without its velocity over the rock: a law may be asked about the
-/// same cut at several velocities.
+/// What one part did in a step, without its velocity over the rock: a law may be
+/// evaluated on the same cut at several velocities.
 struct CutOfPart {
   int part = 0;                   ///< index into Bit::parts
   int cone = -1;                  ///< index into Bit::cones, or -1

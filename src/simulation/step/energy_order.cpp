@@ -15,8 +15,8 @@ namespace {
 /// Steps of h that all levels together cost.
 constexpr long cost_per_step = (1L << dynamics::residual_levels) - 1;
 
-/// A run pays at most this share of its steps.
-constexpr long dearest = 10;
+/// The observation costs at most one step in so many of the run's.
+constexpr long least_steps_per_cost = 10;
 
 /// The case with every step in so many parts; nothing counts in means.
 Case divided(Case c, int parts) {
@@ -73,7 +73,7 @@ EnergyOrderPlan plan_energy_order(const Case& c) {
   if (c.motion.kind != MotionKind::drilling || c.output.energy_order == EnergyOrderWish::off)
     return {-1, "output.energy_order is off"};
   const long window = c.output.energy_order_window, last = c.time.steps - window;
-  const long least = dearest * cost_per_step * window;
+  const long least = least_steps_per_cost * cost_per_step * window;
   if (c.output.energy_order == EnergyOrderWish::on && c.time.steps < least)
     return {-1, fmt::format("{} steps, of a run of {}, are more than a tenth: {} steps would do, "
                             "or output.energy_order = \"always\"",

@@ -5,17 +5,16 @@
 
 namespace tdbd::simulation {
 
-/// The observed order of the ledger's residual, and the window that it is of.
+/// The observed order of the residual of a run's own ledger of energy (ours; dynamics (17)), and
+/// the window that it was observed in.
 struct EnergyOrder {
   dynamics::ResidualOrder residual;
   double from = 0.0, window = 0.0;  ///< s: when the window begins, how long it is
 };
 
-/// The order that a run observes of the residual of its own ledger of energy (ours).
-
-/// When the order is asked for, in steps since the motion's beginning.
+/// When the order is observed, in steps since the motion's beginning.
 struct EnergyOrderPlan {
-  long at = -1;        ///< the window begins after so many steps; -1: it is not asked for
+  long at = -1;        ///< the window begins after so many steps; -1: not at all
   std::string reason;  ///< why not
 };
 

@@ -25,7 +25,7 @@ void add_parts(const LoadedStep& step, LoadStatistics& s) {
 double quotient(double x, double y) { return y != 0.0 ? x / y : 0.0; }
 
 /// What the part's whole cutter removed, m3: face, chamfer and body cut in turn, and which of them
-/// takes a vertex is the mesh's affair.
+/// takes a vertex depends on the mesh.
 double removed_by_cutter(const bit::Bit& bit, const LoadStatistics& s, std::size_t part) {
   if (bit.parts[part].cutter < 0) return s.part_removed[part];
   double removed = 0.0;

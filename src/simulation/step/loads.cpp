@@ -1,18 +1,18 @@
 #include "simulation/step/loads.hpp"
 
 namespace tdbd::simulation {
-namespace {
 
-void add_load(const bit::Bit& bit, const Pose& X_WB, int cone, const PartLoad& p, BitLoads& loads) {
-  loads.force_W += p.force_W;
-  loads.torque_W += (p.point_W - X_WB.p).cross(p.force_W);
-  loads.power += p.power;
-  if (cone < 0) return;
-  const Pose X_WK = X_WB * bit.cones[at(cone)].X_BK;
-  loads.cone_torques[at(cone)] += X_WK.R.col(2).dot((p.point_W - X_WK.p).cross(p.force_W));
+PartLoad load_of(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
+                 const BitVelocity& motion, double dt, const CutOfPart& c) {
+  const forces::PartCut cut = cut_at(bit, X_WB, motion, dt, c);
+  const forces::PartForce f = forces::force(law_of(plan, cut.kind), cut);
+  return {f.force, f.point, f.normal, f.tangential, -f.force.dot(cut.velocity)};
 }
 
-}  // namespace
+double torque_about_cone(const bit::Bit& bit, const Pose& X_WB, int cone, const PartLoad& load) {
+  const Pose X_WK = X_WB * bit.cones[at(cone)].X_BK;
+  return X_WK.R.col(2).dot((load.point_W - X_WK.p).cross(load.force_W));
+}
 
 void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
                const BitVelocity& motion, double dt, const std::vector<CutOfPart>& cuts,
@@ -22,11 +22,11 @@ void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
   loads.force_W = loads.torque_W = Vec3::Zero();
   loads.power = 0.0;
   for (const CutOfPart& c : cuts) {
-    const forces::PartCut moving = cut_at(bit, X_WB, motion, dt, c);
-    const forces::PartForce f = forces::force(law_of(plan, moving.kind), moving);
-    PartLoad& p = loads.parts[at(c.part)];
-    p = {f.force, f.point, f.normal, f.tangential, -f.force.dot(moving.velocity)};
-    add_load(bit, X_WB, c.cone, p, loads);
+    const PartLoad& p = loads.parts[at(c.part)] = load_of(plan, bit, X_WB, motion, dt, c);
+    loads.force_W += p.force_W;
+    loads.torque_W += (p.point_W - X_WB.p).cross(p.force_W);
+    loads.power += p.power;
+    if (c.cone >= 0) loads.cone_torques[at(c.cone)] += torque_about_cone(bit, X_WB, c.cone, p);
   }
 }
 

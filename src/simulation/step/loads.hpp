@@ -24,6 +24,13 @@ struct BitLoads {
   double power = 0.0;                ///< W
 };
 
+/// Evaluates the law of a part that made this cut, at this motion of the bit.
+PartLoad load_of(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
+                 const BitVelocity& motion, double dt, const CutOfPart& cut);
+
+/// Torque of a load about a cone's Z, N m.
+double torque_about_cone(const bit::Bit& bit, const Pose& X_WB, int cone, const PartLoad& load);
+
 /// Evaluates every part's law at this motion of the bit and sums, simulation (4). A pure function
 /// of all but `loads`, whose room is used again.
 void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,

@@ -197,7 +197,7 @@ ConvergenceStart check_first(const ConvergencePlan& plan) {
   return is_rotate_case(plan.case_file) ? check_rotate(plan) : check_run(plan);
 }
 
-/// Reads the case as level `i` will: a wrong level is told before the first one runs.
+/// Reads the case as level `i` will: a wrong level is reported before the first one runs.
 void check_level(const ConvergencePlan& plan, const ConvergenceStart& first, int i) {
   const double size = size_at(plan, first.size, i);
   const std::string level = level_text(plan, i, size);

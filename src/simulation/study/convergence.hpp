@@ -22,7 +22,7 @@ struct ConvergencePlan {
   std::optional<EndState> reference;  ///< errors are against this; none: against the next level
 };
 
-/// A case with one value of the quantity.
+/// One value of the quantity, and what the case came to with it.
 struct ConvergenceLevel {
   double size = 0.0;  ///< of the quantity, SI; for time.step the step that was used
   long steps = 0;
@@ -42,16 +42,17 @@ struct Convergence {
   ConvergencePlan plan;
   RunStatus status = RunStatus::completed;
   std::string title, case_hash;
-  double nominal_order = 0.0;  ///< of the method in this quantity; 0: nothing is promised
+  double nominal_order = 0.0;  ///< of the method in this quantity; 0: not known
   std::vector<ConvergenceLevel> levels;
   std::vector<VariableConvergence> variables;
 };
 
+/// How a study is carried out.
 struct ConvergenceOptions {
   int threads = 1;
   const std::atomic<bool>* interrupted = nullptr;
-  std::function<void(int, long, long)>
-      progress;  ///< now and then: level from 1, steps done, in all
+  /// Called now and then: level from 1, steps done, steps in all.
+  std::function<void(int, long, long)> progress;
 };
 
 /// The case with its own value of the quantity, checked. Throws InputError: a wrong case, a key

@@ -24,7 +24,7 @@ struct Entry {
   const char* units;
   double factor;
   double least_scale;     ///< angles count in radians however small they are
-  const char* scale_key;  ///< another entry that tells the scale; null: the variable's own size
+  const char* scale_key;  ///< another entry that holds the scale; null: the variable's own size
 };
 
 constexpr double per_sqrt2 = 1.0 / std::numbers::sqrt2;

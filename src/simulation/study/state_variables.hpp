@@ -16,7 +16,7 @@ struct StateVariable {
   double scale = 0.0;   ///< size of the variable that errors are relative to
 };
 
-/// What a summary tells of the end of its case.
+/// What a summary says about the end of its case.
 struct EndState {
   std::string command;    ///< "run", "rotate"
   double duration = 0.0;  ///< s

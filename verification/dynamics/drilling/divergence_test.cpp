@@ -11,7 +11,7 @@ namespace {
 
 TEST(Divergence, a_sound_run_has_none) {
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
-  LumpedRun d = start(s, smooth_law, coupled_start(s));
+  DrillingRun d = start(s, smooth_law, coupled_start(s));
   EXPECT_EQ(divergence(s, d, d.work), "");
   for (int i = 0; i < 1000; ++i) {
     step(s, smooth_law, 1e-3, d);
@@ -24,7 +24,7 @@ TEST(Divergence, names_the_force_that_is_no_number) {
   const LumpedLaw broken = [](const auto&, const DrillingState& x, const auto&, Wrench& w) {
     if (x.rotation.time > 0.0095) w.force_W.y() = std::numeric_limits<double>::quiet_NaN();
   };
-  LumpedRun d = start(s, broken, coupled_start(s));
+  DrillingRun d = start(s, broken, coupled_start(s));
   int steps = 0;
   while (divergence(s, d, d.work).empty() && ++steps < 100) step(s, broken, 1e-3, d);
   EXPECT_EQ(steps, 10);
@@ -38,7 +38,7 @@ TEST(Divergence, names_the_motion_that_runs_away) {
   s = make_drilling_system(s);
   DrillingState from = at_rest(s);
   from.momentum_W.z() = 1.0;
-  LumpedRun d = start(s, nullptr, from);
+  DrillingRun d = start(s, nullptr, from);
   for (int i = 0; i < 100 && divergence(s, d, d.work).empty(); ++i) step(s, nullptr, 1e-3, d);
   EXPECT_EQ(divergence(s, d, d.work).find("the residual of energy"), 0U)
       << divergence(s, d, d.work);
@@ -50,7 +50,7 @@ TEST(Divergence, names_the_motion_that_runs_away) {
 /// A force law that feeds energy, which no ledger explains, is caught before speeds are absurd.
 TEST(Divergence, sees_energy_from_nowhere) {
   const DrillingSystem s = make_drilling_system(plain_bit());
-  LumpedRun d = start(s, nullptr, at_rest(s));
+  DrillingRun d = start(s, nullptr, at_rest(s));
   d.state.momentum_W.z() += 500.0;
   step(s, nullptr, 1e-3, d);
   EXPECT_EQ(divergence(s, d, d.work),

@@ -7,10 +7,10 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// Everything at once, cones included: a thousand steps ask the allocator for nothing.
+/// Everything at once, cones included: a thousand steps allocate nothing.
 TEST(DrillingMemory, a_warm_step_allocates_nothing) {
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::top);
-  LumpedRun d = start(s, smooth_law, coupled_start(s));
+  DrillingRun d = start(s, smooth_law, coupled_start(s));
   Wrench wrench = d.wrench;
   const auto one = [&] {
     open_step(s, 1e-3, d, d.work);

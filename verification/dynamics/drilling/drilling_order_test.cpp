@@ -23,7 +23,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum);
 }
 
-Errors errors(const DrillingSystem& s, const LumpedRun& d, const reference::LumpedState& exact) {
+Errors errors(const DrillingSystem& s, const DrillingRun& d, const reference::LumpedState& exact) {
   const DrillingState& x = d.state;
   const reference::GyrostatState& bit = exact.bit;
   return {(x.c_W - exact.c_W).norm(),
@@ -40,7 +40,7 @@ Errors errors(const DrillingSystem& s, const LumpedRun& d, const reference::Lump
 /// Largest errors at a half and at the whole of the time, where neither is small by chance alone.
 Errors largest_errors(const DrillingSystem& s, const std::array<reference::LumpedState, 2>& exact,
                       LawMomenta momenta, long n) {
-  LumpedRun d = start(s, smooth_law, coupled_start(s));
+  DrillingRun d = start(s, smooth_law, coupled_start(s));
   Errors largest{};
   for (const reference::LumpedState& there : exact) {
     for (long i = 0; i < n / 2; ++i) step(s, smooth_law, end / static_cast<double>(n), d, momenta);

@@ -24,24 +24,24 @@ inline void evaluate(const DrillingSystem& system, const LumpedLaw& law, const D
 }
 
 /// A motion with its work beside it.
-struct LumpedRun : Drilling {
+struct DrillingRun : Drilling {
   DrillingWork work;
 };
 
 /// Goes on from what was started, or saved.
-inline LumpedRun go_on(const DrillingSystem& system, Drilling from) {
-  LumpedRun d{std::move(from), {}};
+inline DrillingRun go_on(const DrillingSystem& system, Drilling from) {
+  DrillingRun d{std::move(from), {}};
   d.work = drilling_work(system, d);
   return d;
 }
 
-inline LumpedRun start(const DrillingSystem& system, const LumpedLaw& law, DrillingState state) {
-  LumpedRun d = go_on(system, start_drilling(system, std::move(state)));
+inline DrillingRun start(const DrillingSystem& system, const LumpedLaw& law, DrillingState state) {
+  DrillingRun d = go_on(system, start_drilling(system, std::move(state)));
   evaluate(system, law, d.state, d.wrench);
   return d;
 }
 
-inline void step(const DrillingSystem& system, const LumpedLaw& law, double h, LumpedRun& d,
+inline void step(const DrillingSystem& system, const LumpedLaw& law, double h, DrillingRun& d,
                  LawMomenta momenta = LawMomenta::predicted) {
   open_step(system, h, d, d.work);
   Wrench wrench;
@@ -50,7 +50,7 @@ inline void step(const DrillingSystem& system, const LumpedLaw& law, double h, L
   close_step(system, h, wrench, d, d.work);
 }
 
-inline double residual(const DrillingSystem& system, const LumpedRun& d) {
+inline double residual(const DrillingSystem& system, const DrillingRun& d) {
   return residual(stored_energy(system, d.work.at, d.state), d.ledger);
 }
 

@@ -66,8 +66,8 @@ RC_GTEST_PROP(DrillingSymmetry, nothing_changes_when_everything_turns_about_z, (
   s.string.turn_stiffness = Vec3(2e3, 2e3, 0.0).asDiagonal();
   s = make_drilling_system(s);
   const DrillingSystem there = turned(s, R);
-  LumpedRun a = start(s, round_law, coupled_start(s));
-  LumpedRun b = start(there, round_law, turned(coupled_start(s), R, angle));
+  DrillingRun a = start(s, round_law, coupled_start(s));
+  DrillingRun b = start(there, round_law, turned(coupled_start(s), R, angle));
   for (int i = 0; i < 200; ++i) {
     step(s, round_law, 1e-3, a);
     step(there, round_law, 1e-3, b);
@@ -86,7 +86,7 @@ TEST(DrillingSymmetry, step_back_undoes_the_step) {
     w.rock_force = -w.force_W.z();
   };
   const DrillingState from = coupled_start(s);
-  LumpedRun d = start(s, of_place, from);
+  DrillingRun d = start(s, of_place, from);
   for (int i = 0; i < 100; ++i) step(s, of_place, 1e-3, d);
   EXPECT_GT(difference(d.state, from), 0.1);
   for (int i = 0; i < 100; ++i) step(s, of_place, -1e-3, d);
@@ -95,9 +95,9 @@ TEST(DrillingSymmetry, step_back_undoes_the_step) {
 
 TEST(DrillingSymmetry, a_resumed_run_is_the_same_to_the_bit) {
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::top);
-  LumpedRun through = start(s, smooth_law, coupled_start(s));
+  DrillingRun through = start(s, smooth_law, coupled_start(s));
   for (int i = 0; i < 50; ++i) step(s, smooth_law, 1e-3, through);
-  LumpedRun resumed = go_on(s, {through.state, through.wrench, through.ledger});
+  DrillingRun resumed = go_on(s, {through.state, through.wrench, through.ledger});
   for (int i = 0; i < 50; ++i) {
     step(s, smooth_law, 1e-3, through);
     step(s, smooth_law, 1e-3, resumed);
@@ -110,9 +110,9 @@ TEST(DrillingSymmetry, a_resumed_run_is_the_same_to_the_bit) {
 TEST(DrillingSymmetry, a_drift_that_is_too_long_leaves_everything_as_it_was) {
   DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
   s.integrator.drift = Drift::lie_midpoint;
-  LumpedRun d = start(s, smooth_law, coupled_start(s));
+  DrillingRun d = start(s, smooth_law, coupled_start(s));
   step(s, smooth_law, 1e-3, d);
-  const LumpedRun before = d;
+  const DrillingRun before = d;
   EXPECT_THROW(open_step(s, 5.0, d, d.work), RunError);
   EXPECT_EQ(difference(d.state, before.state), 0.0);
   EXPECT_EQ(d.state.rotation.time, before.state.rotation.time);
@@ -129,7 +129,7 @@ TEST(DrillingSymmetry, a_free_bit_turns_as_the_gyrostat_alone) {
   s.gyrostat = coupled_bit(AxialMode::rate, DamperEnd::space).gyrostat;
   s = make_drilling_system(s);
   const DrillingState from = coupled_start(s);
-  LumpedRun d = start(s, nullptr, from);
+  DrillingRun d = start(s, nullptr, from);
   Rotating alone = dynamics::start(s.gyrostat, Loads{}, from.rotation);
   for (int i = 0; i < 1000; ++i) {
     step(s, nullptr, 1e-3, d);
@@ -149,7 +149,7 @@ TEST(DrillingSymmetry, a_bit_that_touches_nothing_feels_nothing) {
   s.string.turn_stiffness = (900.0 * Mat3::Identity()).eval();
   s.string.damping = (1e4 * Mat3::Identity()).eval();
   s = make_drilling_system(s);
-  LumpedRun d = start(s, nullptr, at_rest(s));
+  DrillingRun d = start(s, nullptr, at_rest(s));
   for (int i = 0; i < 100; ++i) step(s, nullptr, 1e-3, d);
   EXPECT_EQ(d.state.c_W, Vec3(Vec3::Zero()));
   EXPECT_EQ(d.state.momentum_W, Vec3(Vec3::Zero()));

@@ -60,7 +60,7 @@ TEST(DrillingSystem, string_hung_by_the_bits_weight_is_at_rest) {
   s.string.stiffness = coupled(Vec3(4e5, 5e5, 7e5), 0.3);
   s = make_drilling_system(s);
   s.string.rest_W = hanging_rest_W(s, at_rest(s));
-  LumpedRun d = start(s, nullptr, at_rest(s));
+  DrillingRun d = start(s, nullptr, at_rest(s));
   for (int i = 0; i < 1000; ++i) step(s, nullptr, 1e-3, d);
   EXPECT_LT(d.state.c_W.norm(), 1e-15);
 }

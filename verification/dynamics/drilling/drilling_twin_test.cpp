@@ -19,7 +19,7 @@ TEST(DrillingTwin, impacts_on_the_wall_are_followed) {
   const reference::LumpedRun exact =
       reference::lumped_drilling_rk4(s, smooth_law, reference::lumped_state(s, from), 0.1, 20'000);
   constexpr double h = 2e-5;
-  LumpedRun d = start(s, smooth_law, from);
+  DrillingRun d = start(s, smooth_law, from);
   long impacts = 0;
   double depth = 0.0;
   for (int i = 0; i < 5'000; ++i) {

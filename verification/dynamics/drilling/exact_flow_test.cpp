@@ -26,7 +26,7 @@ TEST(ExactFlow, damper_is_the_exponential_whatever_the_step) {
     s = make_drilling_system(s);
     DrillingState from = at_rest(s);
     from.momentum_W = Vec3(3.0, -5.0, 7.0);
-    LumpedRun d = start(s, nullptr, from);
+    DrillingRun d = start(s, nullptr, from);
     const double start_energy = d.ledger.start;
     double energy = start_energy;
     for (int i = 0; i < 20; ++i) {
@@ -84,7 +84,7 @@ TEST(ExactFlow, damper_to_the_top_takes_its_work_from_the_top) {
   s.top.speed = constant(12.0);
   s.top.rate = constant(0.01);
   s = make_drilling_system(s);
-  LumpedRun d = start(s, nullptr, at_rest(s));
+  DrillingRun d = start(s, nullptr, at_rest(s));
   for (int i = 0; i < 100; ++i) step(s, nullptr, 0.1, d);
   const double kept = 0.5 * 2.0 * 12.0 * 12.0 + 0.5 * 500.0 * 0.01 * 0.01;  // as much as is lost
   EXPECT_NEAR(d.ledger.top, 2.0 * kept, rounding * kept);

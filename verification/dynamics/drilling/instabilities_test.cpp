@@ -38,7 +38,7 @@ struct Swing {
   double size() const { return most - least; }
 };
 Swing swing(const DrillingSystem& s, const LumpedLaw& law, double h, double duration,
-            LumpedRun& d) {
+            DrillingRun& d) {
   Swing found;
   const double end = d.state.rotation.time + duration;
   while (d.state.rotation.time < end) {
@@ -50,7 +50,7 @@ Swing swing(const DrillingSystem& s, const LumpedLaw& law, double h, double dura
 }
 
 /// Steady turning at w0, disturbed a little.
-LumpedRun steady_turning(DrillingSystem& s, double w0, double disturbance) {
+DrillingRun steady_turning(DrillingSystem& s, double w0, double disturbance) {
   s.top.speed = constant(w0);
   s.top.start_angle = bit_torque(w0) / 469.0;
   s = make_drilling_system(s);
@@ -68,7 +68,7 @@ TEST(StickSlip, small_swings_grow_or_die_as_the_slope_of_the_torque_says) {
   double worst = 0.0;
   for (const double damping : {0.7 * slope, 0.95 * slope, 1.05 * slope, 1.5 * slope}) {
     DrillingSystem s = long_string(damping);
-    LumpedRun d = steady_turning(s, w0, 1e-4);
+    DrillingRun d = steady_turning(s, w0, 1e-4);
     const double exact = (slope - damping) / (2.0 * 41.0),
                  period = 2.0 * pi * std::sqrt(41.0 / 469.0);
     const double first = swing(s, weakening_law, h, 2.0 * period, d).size();
@@ -86,7 +86,7 @@ TEST(StickSlip, small_swings_grow_or_die_as_the_slope_of_the_torque_says) {
 /// Beyond the onset the bit sticks, and lets go with up to twice the top's speed and more.
 TEST(StickSlip, slow_top_on_a_long_string_sticks_and_slips) {
   DrillingSystem s = long_string(30.0);
-  LumpedRun d = steady_turning(s, 8.0, 1e-2);
+  DrillingRun d = steady_turning(s, 8.0, 1e-2);
   swing(s, weakening_law, 1e-3, 60.0, d);
   const Swing cycle = swing(s, weakening_law, 1e-3, 10.0, d);
   EXPECT_LT(cycle.least, 0.02 * 8.0);
@@ -97,7 +97,7 @@ TEST(StickSlip, slow_top_on_a_long_string_sticks_and_slips) {
 /// A fast top is beyond the weakening: the same disturbance dies.
 TEST(StickSlip, a_fast_top_drills_smoothly) {
   DrillingSystem s = long_string(30.0);
-  LumpedRun d = steady_turning(s, 20.0, 5.0);
+  DrillingRun d = steady_turning(s, 20.0, 5.0);
   swing(s, weakening_law, 1e-3, 40.0, d);
   EXPECT_LT(swing(s, weakening_law, 1e-3, 5.0, d).size(), 0.1);
 }
@@ -147,7 +147,7 @@ AxialMotion regenerate(const AxialRun& r, bool steady, double from_time, double 
   const auto force = [&](double z) {
     return -r.cutting * std::max(z - blades.past[blades.next], 0.0);
   };
-  LumpedRun d = go_on(s, start_drilling(s, from));
+  DrillingRun d = go_on(s, start_drilling(s, from));
   Wrench w;
   w.force_W.z() = force(from.c_W.z());
   d.wrench = w;

@@ -15,7 +15,7 @@ using Coordinate = std::function<double(const DrillingSystem&, const DrillingSta
 /// Angular frequency of one coordinate about zero, from the times of its upward crossings.
 double measured_frequency(const DrillingSystem& s, const DrillingState& from, double h,
                           double duration, const Coordinate& value) {
-  LumpedRun d = start(s, nullptr, from);
+  DrillingRun d = start(s, nullptr, from);
   double first = -1.0, last = -1.0, before = value(s, d.state);
   int periods = -1;
   while (d.state.rotation.time < duration) {
@@ -30,7 +30,7 @@ double measured_frequency(const DrillingSystem& s, const DrillingState& from, do
   return 2.0 * std::numbers::pi * periods / (last - first);
 }
 
-/// The number that the issue asks for.
+/// The number to be reached.
 constexpr double allowed = 1e-3;
 
 void record_deviation(const char* what, double relative) {
@@ -107,7 +107,7 @@ TEST(Oscillator, static_weight_stretches_the_string) {
   s.string.stiffness = (7e5 * Mat3::Identity()).eval();
   s.string.damping = (4e4 * Mat3::Identity()).eval();
   s = make_drilling_system(s);
-  LumpedRun d = start(s, nullptr, at_rest(s));
+  DrillingRun d = start(s, nullptr, at_rest(s));
   for (int i = 0; i < 10000; ++i) step(s, nullptr, 1e-4, d);
   EXPECT_NEAR(d.state.c_W.z(), 500.0 * 9.81 / 7e5, 1e-12);
 }
@@ -135,7 +135,7 @@ TEST(Oscillator, forced_and_damped_motion_is_the_closed_form_with_order_two) {
   std::vector<double> steps, errors;
   for (int n = 400; n <= 12'800; n *= 2) {
     const double h = 2.0 / n;
-    LumpedRun d = start(s, shakes, at_rest(s));
+    DrillingRun d = start(s, shakes, at_rest(s));
     double worst = 0.0;
     for (int i = 0; i < n; ++i) {
       step(s, shakes, h, d);

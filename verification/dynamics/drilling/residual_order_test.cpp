@@ -11,7 +11,7 @@ namespace {
 Window lumped_window(const DrillingSystem& s, const LumpedLaw& law, const DrillingState& from,
                      double h) {
   return [=](int parts) {
-    LumpedRun d = start(s, law, from);
+    DrillingRun d = start(s, law, from);
     WindowResiduals w;
     for (int i = 0; i < 24; ++i) {
       for (int k = 0; k < parts; ++k) step(s, law, h / parts, d);

@@ -24,7 +24,7 @@ TEST(RockMount, action_equals_reaction_on_free_rock) {
   s = make_drilling_system(s);
   DrillingState start_state = at_rest(s);
   start_state.momentum_W.z() = 50.0;
-  LumpedRun d = start(s, elastic_contact, start_state);
+  DrillingRun d = start(s, elastic_contact, start_state);
   constexpr double h = 1e-5;
   double contact_time = 0.0, worst = 0.0;
   for (int i = 0; i < 5000; ++i) {
@@ -47,7 +47,7 @@ TEST(RockMount, held_rock_does_not_move) {
   const DrillingSystem s = make_drilling_system(plain_bit());
   DrillingState start_state = at_rest(s);
   start_state.momentum_W.z() = 50.0;
-  LumpedRun d = start(s, elastic_contact, start_state);
+  DrillingRun d = start(s, elastic_contact, start_state);
   for (int i = 0; i < 5000; ++i) step(s, elastic_contact, 1e-5, d);
   EXPECT_EQ(d.state.rock_z, 0.0);
   EXPECT_EQ(d.state.rock_momentum, 0.0);

@@ -10,7 +10,7 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// Springs at the slopes that the limit was asked for.
+/// Springs at the slopes that the limit was computed for.
 LumpedLaw linear_law(const ContactSlopes& c) {
   return [c](const DrillingSystem&, const DrillingState& x, const DrillingVelocity& v, Wrench& w) {
     w.force_W =
@@ -29,7 +29,7 @@ double growth(const DrillingSystem& s, const ContactSlopes& c, double h) {
   from.momentum_W = 1e-6 * Vec3(1.0, 1.0, 1.0);
   from.rotation.momentum_W = 1e-8 * Vec3(1.0, 1.0, 1.0);
   const LumpedLaw law = linear_law(c);
-  LumpedRun d = start(s, law, from);
+  DrillingRun d = start(s, law, from);
   for (int i = 0; i < 600; ++i) step(s, law, h, d);
   return std::sqrt(total(stored_energy(s, d.work.at, d.state)) / d.ledger.start);
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double h = 1e-3;  ///< s
 
-/// Rock that asks for 8.6e6 N a metre of depth, and a torque in proportion.
+/// Rock that resists with 8.6e6 N a metre of depth, and a torque in proportion.
 void springy_rock(const DrillingSystem&, const DrillingState& x, const DrillingVelocity&,
                   Wrench& w) {
   w.force_W.z() = -8.6e6 * std::max(x.c_W.z(), 0.0);
@@ -33,7 +33,7 @@ TEST(TopDrive, staircase_of_loads_is_the_weight_on_bit) {
   s.top.axial = AxialMode::load;
   s.top.load = make_schedule(Interpolation::stepwise, {0.0, 1.0, 2.0}, {5e3, 2e4, 1e4});
   s = make_drilling_system(s);
-  LumpedRun d = start(s, springy_rock, at_rest(s));
+  DrillingRun d = start(s, springy_rock, at_rest(s));
   for (const double load : {5e3, 2e4, 1e4}) {
     for (int i = 0; i < 999; ++i) step(s, springy_rock, h, d);
     EXPECT_NEAR(-d.wrench.force_W.z(), load, 1e-6 * load);
@@ -55,7 +55,7 @@ TEST(TopDrive, damper_to_the_top_leaves_the_load_on_the_bit) {
     s.string.damper_end = end;
     s.top = {{}, AxialMode::load, constant(rate), constant(load)};
     s = make_drilling_system(s);
-    LumpedRun d = start(s, viscous, at_rest(s));
+    DrillingRun d = start(s, viscous, at_rest(s));
     for (int i = 0; i < 1000; ++i) step(s, viscous, 1e-4, d);
     const double taken = end == DamperEnd::space ? load * 1.4e5 / (1.4e5 + load / rate) : 0.0;
     EXPECT_NEAR(-d.wrench.force_W.z(), load - taken, 1e-6 * load);
@@ -67,7 +67,7 @@ TEST(TopDrive, lowering_presses_through_the_axial_spring) {
   DrillingSystem s = damped_bit();
   s.top.rate = make_schedule(Interpolation::stepwise, {0.0, 0.5}, {0.04, 0.0});  // 20 mm in all
   s = make_drilling_system(s);
-  LumpedRun d = start(s, springy_rock, at_rest(s));
+  DrillingRun d = start(s, springy_rock, at_rest(s));
   for (int i = 0; i < 3000; ++i) step(s, springy_rock, h, d);
   const double depth = (7e5 * 0.02 + 500.0 * 9.81) / (7e5 + 8.6e6);
   EXPECT_NEAR(d.state.c_W.z(), depth, 1e-9 * depth);
@@ -82,7 +82,7 @@ TEST(TopDrive, windings_count) {
   const LumpedLaw holds = [](const auto&, const DrillingState& x, const auto&, Wrench& w) {
     w.torque_W.z() = -1e5 * rotation::twist_angle(x.rotation.q_WB, x.rotation.turns);
   };
-  LumpedRun d = start(s, holds, at_rest(s));
+  DrillingRun d = start(s, holds, at_rest(s));
   for (int i = 0; i < 15'000; ++i) step(s, holds, h, d);
   EXPECT_NEAR(d.wrench.torque_W.z(), -938.0 * 20.0 * std::numbers::pi * 1e5 / (1e5 + 938.0), 1e-4);
   EXPECT_NEAR(d.ledger.top, 0.5 * 938.0 * std::pow(20.0 * std::numbers::pi, 2), 2e4);
@@ -95,7 +95,7 @@ TEST(TopDrive, ramp_of_speeds_is_followed) {
   s.string.damper_end = DamperEnd::top;
   s.top.speed = make_schedule(Interpolation::linear, {0.0, 20.0}, {0.0, 20.0});
   s = make_drilling_system(s);
-  LumpedRun d = start(s, nullptr, at_rest(s));
+  DrillingRun d = start(s, nullptr, at_rest(s));
   for (int i = 0; i < 10'000; ++i) step(s, nullptr, h, d);
   const double lag = top_position(s, d.state.rotation.time).angle -
                      rotation::twist_angle(d.state.rotation.q_WB, d.state.rotation.turns);

@@ -32,7 +32,7 @@ Impact impact(const DrillingSystem& s, double h, double before) {
   DrillingState from = at_rest(s);
   from.c_W = (clearance - before) * outward;
   from.momentum_W = 0.1 * s.mass * outward;
-  LumpedRun d = start(s, nullptr, from);
+  DrillingRun d = start(s, nullptr, from);
   Impact found;
   while (d.state.rotation.time < 0.02) {
     step(s, nullptr, h, d);
@@ -96,7 +96,7 @@ TEST(Wall, loses_nothing_of_its_own_where_runge_kutta_loses_8_percent_a_step) {
   const reference::LumpedState lumped = reference::lumped_state(s, from);
   const reference::LumpedRun rk4 = reference::lumped_drilling_rk4(s, nullptr, lumped, 10 * h, 10);
   EXPECT_NEAR(std::pow(energy(rk4.state) / energy(lumped), 0.1), 0.91666667, 1e-6);
-  LumpedRun d = start(s, nullptr, from);
+  DrillingRun d = start(s, nullptr, from);
   double least = 1.0, most = 0.0;
   for (int i = 0; i < 100'000; ++i) {
     step(s, nullptr, h, d);
@@ -121,7 +121,7 @@ DrillingSystem rolling_bit() {
 }
 
 /// Angle that the centre goes about the hole's axis, rad, in steps of less than half a turn.
-double orbit(const DrillingSystem& s, double h, long steps, LumpedRun& d) {
+double orbit(const DrillingSystem& s, double h, long steps, DrillingRun& d) {
   double angle = 0.0, before = std::atan2(d.state.c_W.y(), d.state.c_W.x());
   for (long i = 0; i < steps; ++i) {
     step(s, nullptr, h, d);
@@ -141,7 +141,7 @@ TEST(Wall, friction_rolls_the_bit_backward_at_the_kinematic_frequency) {
   from.rotation = make_state(s.gyrostat, Mat3::Identity(), omega * Vec3::UnitZ(), none, none);
   from.c_W = Vec3(s.wall.clearance, 0.0, 0.0);
   from.momentum_W = Vec3(0.0, -0.05 * s.mass, 0.0);  // 7 % of the rolling speed
-  LumpedRun d = start(s, nullptr, from);
+  DrillingRun d = start(s, nullptr, from);
   orbit(s, h, 20'000, d);  // friction takes it along
   const double rate = orbit(s, h, 20'000, d) / 1.0;
   const double kinematic = -omega * s.wall.ring_radius / s.wall.clearance;
@@ -165,7 +165,7 @@ TEST(Wall, friction_creates_no_energy) {
   from.momentum_W = Vec3(0.0, -0.05 * s.mass, 0.0);
   std::vector<double> steps, residuals;
   for (const double h : {4e-4, 2e-4, 1e-4, 5e-5, 2.5e-5}) {  // the wall's limit is 5e-4 s
-    LumpedRun d = start(s, nullptr, from);
+    DrillingRun d = start(s, nullptr, from);
     EnergyLedger before;
     double worst = 0.0;
     while (d.state.rotation.time < 2.0) {

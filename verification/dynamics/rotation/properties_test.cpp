@@ -9,7 +9,7 @@
 
 /// What holds for every gyrostat: any inertia that a body can have, up to three cones about any
 /// axes with any spin, any attitude and velocity, steps up to one radian of what turns fastest
-/// (the Lie drifts ask for no more; the others take any step).
+/// (enough for the Lie drifts; the others take any step).
 namespace tdbd::battery {
 namespace {
 
@@ -147,7 +147,7 @@ RC_GTEST_PROP(EveryGyrostat, moves_alike_in_another_bit_frame, ()) {
   turned.gravity_arm_B = R_BC.transpose() * loads.gravity_arm_B;
   const Vec3& J = s.g.principal;
   const double apart = std::min(J[1] - J[0], J[2] - J[1]);
-  RC_PRE(apart > 1e-3);  // nearly equal axes of inertia are not to be told apart by rounding
+  RC_PRE(apart > 1e-3);  // nearly equal axes of inertia cannot be distinguished at rounding
   for (const RotationScheme& scheme : second_order_schemes()) {
     const dynamics::Rotating a = carried(scheme, s, loads, 10);
     dynamics::Rotating b = carried(scheme, other, turned, 10);

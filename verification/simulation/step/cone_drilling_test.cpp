@@ -75,7 +75,8 @@ TEST_F(FiftyRevolutions, remove_what_the_bit_advances_through) {
   EXPECT_NEAR(ratio, 1.0, 0.01);
 }
 
-/// The comparison of update directions at the gage, reconstructed; as figures 4.7 to 4.9 do for PDC.
+/// The comparison of update directions at the gage, reconstructed; as figures 4.7 to 4.9 do for
+/// PDC.
 TEST(GageTeeth, leave_the_best_wall_along_their_normals) {
   struct Wall {
     std::size_t folds;

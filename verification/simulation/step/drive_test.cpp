@@ -79,7 +79,7 @@ TEST(Drive, gives_the_rock_what_the_bit_loses) {
   EXPECT_NEAR(s.state.drive->state.momentum_W.z() + rock, 50.0, 1e-10);  // N s
 }
 
-/// The spin that a cone has is the one at which the torque on it was asked for.
+/// The spin that a cone has is the one at which the torque on it was evaluated.
 TEST(Drive, gives_a_cone_the_impulse_of_the_spin_that_it_leads_to) {
   const Case c = drilling({}, "drill-bit-r");
   Simulation s = start(c);

@@ -92,12 +92,12 @@ std::string read(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The folder of a run with this wish.
-std::filesystem::path run_with(const std::string& name, const char* wish, int threads) {
+/// The folder of a run with this setting of output.energy_order.
+std::filesystem::path run_with(const std::string& name, const char* setting, int threads) {
   RunOptions options;
   options.folder = temporary_folder() + name;
   options.threads = threads;
-  run(drilling({std::string("output.energy_order=") + wish}), options);
+  run(drilling({std::string("output.energy_order=") + setting}), options);
   return options.folder;
 }
 

@@ -1,4 +1,4 @@
-#include "dynamics/rotation/composition.hpp"
+#include "dynamics/integrator.hpp"
 
 #include <fmt/format.h>
 

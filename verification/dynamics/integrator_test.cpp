@@ -1,4 +1,4 @@
-#include "dynamics/rotation/composition.hpp"
+#include "dynamics/integrator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ TEST(Composition, fractions_are_symmetric_and_sum_to_one) {
   }
 }
 
-/// A symmetric step has errors of odd powers: the simplest order conditions ask their sums to
+/// A symmetric step has errors of odd powers: the simplest order conditions require their sums to
 /// vanish. The others are seen in the observed orders.
 TEST(Composition, odd_power_sums_vanish_up_to_the_order) {
   for (const int order : composition_orders)
