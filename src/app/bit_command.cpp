@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <numbers>
 
+#include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_export_solids.hpp"
@@ -17,7 +18,6 @@
 #include "bit/report/overlap_report.hpp"
 #include "bit/report/tracking_report.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "mesh/measures.hpp"
 #include "simulation/result/output_folder.hpp"
 
@@ -65,7 +65,7 @@ void print_bit(const bit::BitFile& read) {
   fmt::print("{}", bit::cones_text(read.bit));
 }
 
-struct Choices {
+struct BitChoices {
   std::string file, folder, format = "ply", solids = "stl";
   bool force = false;
   bool report = false;
@@ -75,22 +75,11 @@ struct Choices {
   std::vector<double> cone_speeds;
 };
 
-/// A positive quantity of the command line.
-double positive(const char* option, const std::string& text, const char* si_unit,
-                const char* what) {
-  try {
-    const double value = to_si(text, si_unit);
-    if (value > 0.0) return value;
-  } catch (const UnitError&) {
-  }
-  throw InputError(
-      fmt::format("{}: found '{}', expected {} > 0 with its unit", option, text, what));
-}
-
-int inspect(const Choices& choices) {
-  using namespace simulation;
-  const double advance = positive("--penetration", choices.penetration, "m", "a length");
-  const double bit_speed = positive("--speed", choices.speed, "rad/s", "a rotary speed");
+int inspect_bit(const BitChoices& choices) {
+  const double advance =
+      option_quantity("--penetration", choices.penetration, "m", Range::positive(), "a length");
+  const double bit_speed =
+      option_quantity("--speed", choices.speed, "rad/s", Range::positive(), "a rotary speed");
   const bit::BitFile read =
       bit::read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
                     choices.report ? bit::Densities::demanded : bit::Densities::as_given);
@@ -101,14 +90,15 @@ int inspect(const Choices& choices) {
     print_bit(read);
     fmt::print("{}{}{}", bit::assumptions_text(b, bit_speed),
                bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
-    if (choices.report) fmt::print("{}{}", bit::tracking_text(b, operation), bit::body_text(b, advance));
+    if (choices.report)
+      fmt::print("{}{}", bit::tracking_text(b, operation), bit::body_text(b, advance));
   }
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
     return 0;
   }
-  const OutputFolder out =
-      prepare(choices.folder, choices.force ? Overwrite::force : Overwrite::no);
+  const simulation::OutputFolder out =
+      simulation::prepare(choices.folder, overwrite_of(choices.force));
   bit::write_bit_files(out.path, b);
   bit::write_profile(out.path, b);
   bit::write_cutter_table(out.path, b);
@@ -124,7 +114,7 @@ int inspect(const Choices& choices) {
 void add_bit(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("bit", "Build and inspect a bit: table, mass properties, meshes");
-  auto choices = std::make_shared<Choices>();
+  auto choices = std::make_shared<BitChoices>();
   command->add_option("bit", choices->file, "the bit file (TOML)")->required();
   command->add_option("-o,--output", choices->folder,
                       "write bit.toml with parts/, solids.toml with bit.stl, bit.json, "
@@ -141,18 +131,20 @@ void add_bit(CLI::App& app, int& exit_code) {
   command->add_flag("--report", choices->report, "also write analysis.json, a designer's figures");
   command->add_option("--penetration", choices->penetration, "of the report, per revolution")
       ->capture_default_str();
-  command->add_option("--speed", choices->speed, "of the bit, for what is assumed about cones")
+  command
+      ->add_option("--speed", choices->speed,
+                   "of the bit, for the figures on what is assumed about cones")
       ->capture_default_str();
   command
       ->add_option("--cone-speeds", choices->cone_speeds,
-                   "of the report, one for each cone over the bit's: 1.47,1.47,1.47; default: at "
-                   "which the gage rows roll")
+                   "of the report, one for each cone over the bit's: 1.47,1.47,1.47; default: the "
+                   "speeds at which the gage rows roll")
       ->delimiter(',');
   command->add_flag("--force", choices->force, "replace the results in the folder");
   command->add_flag("--quiet", choices->quiet, "print no tables");
   command->footer("Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");
   command->callback(
-      [choices, &exit_code] { exit_code = guarded([&] { return inspect(*choices); }); });
+      [choices, &exit_code] { exit_code = guarded([&] { return inspect_bit(*choices); }); });
 }
 
 }  // namespace tdbd::app

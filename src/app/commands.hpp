@@ -8,16 +8,17 @@ class App;
 
 namespace tdbd::app {
 
-/// Each adds one subcommand; when it runs, its exit code goes to `exit_code`.
+/// Each adds one subcommand, which stores its exit code in `exit_code` when it runs.
 void add_run(CLI::App& app, int& exit_code);
 void add_rotate(CLI::App& app, int& exit_code);
 void add_converge(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_keys(CLI::App& app, int& exit_code);
 void add_bit(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 
-/// Runs a command's body: an InputError gives 2, any other failure 1, each with one message on
-/// standard error.
+/// Runs a command's body and returns its exit code: 2 after an InputError, 1 after any other failure,
+/// each with one message on standard error.
 int guarded(const std::function<int()>& body);
 
 }  // namespace tdbd::app

@@ -8,13 +8,13 @@
 
 namespace {
 
-/// A reader that goes away and a limit on file sizes are failed writes, told like any other.
+/// A closed pipe and a limit on file sizes are failed writes, reported like any other.
 void let_writes_fail() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// What was printed has arrived; otherwise a command that was fine has failed.
+/// Fails a command whose output did not arrive.
 int after_output(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
   std::fputs("tdbd: cannot write to standard output\n", stderr);
@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   tdbd::app::add_rotate(app, exit_code);
   tdbd::app::add_converge(app, exit_code);
   tdbd::app::add_check(app, exit_code);
+  tdbd::app::add_keys(app, exit_code);
   tdbd::app::add_bit(app, exit_code);
   tdbd::app::add_mesh(app, exit_code);
   try {

@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/inspect.hpp"
 #include "mesh/repair/repair.hpp"
@@ -17,28 +17,18 @@ namespace {
 namespace fs = std::filesystem;
 using mesh::Solid;
 
-struct Choices {
+struct MeshChoices {
   std::string file, output, only = "*", unit = "1 mm", weld = "0 mm";
   std::string edge = "0.5 mm", face = "3 mm", angle = "25 deg", deviation = "0.005 mm";
   double growth = 0.5;
   bool repair = false, grade = false, force = false;
 };
 
-/// A length (m) or an angle (rad) of an option.
-double quantity(const std::string& option, const std::string& text, const std::string& si_unit) {
-  try {
-    if (const double x = to_si(text, si_unit); x >= 0.0) return x;
-  } catch (const UnitError&) {
-  }
-  throw InputError(fmt::format("{}: found '{}', expected {} >= 0 with its unit", option, text,
-                               si_unit == "m" ? "a length" : "an angle"));
-}
-
 double length(const std::string& option, const std::string& text) {
-  return quantity(option, text, "m");
+  return option_quantity(option, text, "m", Range::non_negative(), "a length");
 }
 
-const char* yes(bool is) { return is ? "yes" : "no"; }
+const char* yes_or_no(bool is) { return is ? "yes" : "no"; }
 
 void print_row(const Solid& solid) {
   const mesh::Inspection i = mesh::inspect(solid.mesh);
@@ -46,9 +36,10 @@ void print_row(const Solid& solid) {
   fmt::print(
       "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.4f} "
       "{:>8.4f} {:>8.4f} {:>7.4f} {:>5}\n",
-      solid.name, i.vertices, i.facets, i.pieces, yes(i.is_closed()), yes(i.is_oriented()),
-      yes(i.is_manifold()), 1e9 * i.volume, size.x(), size.y(), size.z(), 1e3 * i.shortest_edge,
-      1e3 * i.mean_edge, 1e3 * i.longest_edge, i.worst_quality, i.intersecting_pairs);
+      solid.name, i.vertices, i.facets, i.pieces, yes_or_no(i.is_closed()),
+      yes_or_no(i.is_oriented()), yes_or_no(i.is_manifold()), 1e9 * i.volume, size.x(), size.y(),
+      size.z(), 1e3 * i.shortest_edge, 1e3 * i.mean_edge, 1e3 * i.longest_edge, i.worst_quality,
+      i.intersecting_pairs);
 }
 
 void print_table(const std::vector<Solid>& solids) {
@@ -60,21 +51,21 @@ void print_table(const std::vector<Solid>& solids) {
   for (const Solid& solid : solids) print_row(solid);
 }
 
-void demand_sound(const Choices& choices, const std::vector<Solid>& solids) {
+void require_sound(const MeshChoices& choices, const std::vector<Solid>& solids) {
   std::string text;
   for (const std::string& line : mesh::mesh_faults(choices.file, solids))
     text += (text.empty() ? "" : "\n") + line;
   if (!text.empty()) throw InputError(text);
 }
 
-/// The table, and what is wrong: an input that no bit can be made of.
-int inspect(const Choices& choices, const std::vector<Solid>& solids) {
+/// Prints the table, and refuses solids that no bit can be made of.
+int inspect(const MeshChoices& choices, const std::vector<Solid>& solids) {
   print_table(solids);
-  demand_sound(choices, solids);
+  require_sound(choices, solids);
   return 0;
 }
 
-void demand_output(const Choices& choices) {
+void require_output(const MeshChoices& choices) {
   const std::string& out = choices.output;
   if (out.empty()) throw InputError("--output: found no file, expected one: -o FILE");
   if (!fs::exists(out)) return;
@@ -83,7 +74,7 @@ void demand_output(const Choices& choices) {
   if (!choices.force) throw InputError(out + ": exists; --force replaces it");
 }
 
-int repair(const Choices& choices, std::vector<Solid> solids) {
+int repair(const MeshChoices& choices, std::vector<Solid> solids) {
   const mesh::RepairOptions options{length("--weld", choices.weld)};
   std::string refusals;
   for (Solid& solid : solids) {
@@ -101,12 +92,12 @@ int repair(const Choices& choices, std::vector<Solid> solids) {
   return 0;
 }
 
-mesh::GradeOptions grade_options(const Choices& choices) {
+mesh::GradeOptions grade_options(const MeshChoices& choices) {
   mesh::GradeOptions o;
   o.edge = length("--edge", choices.edge);
   o.face = length("--face", choices.face);
   o.deviation = length("--deviation", choices.deviation);
-  o.angle = quantity("--angle", choices.angle, "rad");
+  o.angle = option_quantity("--angle", choices.angle, "rad", Range::non_negative(), "an angle");
   o.growth = choices.growth;
   if (!(o.edge > 0.0)) throw InputError("--edge: found no length, expected one like '0.5 mm'");
   if (o.face < o.edge)
@@ -117,7 +108,7 @@ mesh::GradeOptions grade_options(const Choices& choices) {
   return o;
 }
 
-int grade(const Choices& choices, std::vector<Solid> solids) {
+int grade(const MeshChoices& choices, std::vector<Solid> solids) {
   const mesh::GradeOptions options = grade_options(choices);
   for (Solid& solid : solids) {
     if (!bit::fits(choices.only, solid.name)) continue;
@@ -135,16 +126,16 @@ int grade(const Choices& choices, std::vector<Solid> solids) {
   return 0;
 }
 
-int work(const Choices& choices) {
+int inspect_or_write(const MeshChoices& choices) {
   const double unit = length("--unit", choices.unit);
   if (!(unit > 0.0)) throw InputError("--unit: found no length, expected one like '1 mm'");
   if (choices.repair && choices.grade)
     throw InputError("--grade: found --repair as well, expected one of them at a time");
-  if (choices.repair || choices.grade) demand_output(choices);
+  if (choices.repair || choices.grade) require_output(choices);
   std::vector<Solid> solids = mesh::read_solids(choices.file, unit);
   if (choices.repair) return repair(choices, std::move(solids));
   if (!choices.grade) return inspect(choices, solids);
-  demand_sound(choices, solids);
+  require_sound(choices, solids);
   return grade(choices, std::move(solids));
 }
 
@@ -153,32 +144,38 @@ int work(const Choices& choices) {
 void add_mesh(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("mesh", "Inspect a mesh file; repair or grade it into another one");
-  auto choices = std::make_shared<Choices>();
+  auto choices = std::make_shared<MeshChoices>();
   command->add_option("mesh", choices->file, "the mesh file (STL, OBJ, PLY or OFF)")->required();
   command->add_option("--unit", choices->unit, "length of the file's unit")->capture_default_str();
   command->add_flag("--repair", choices->repair,
-                    "make closed, outward solids of it, if that can be told; needs -o");
+                    "make closed solids that face outward, where that is possible; needs -o");
   command->add_option("--weld", choices->weld, "merge points this close when repairing")
       ->capture_default_str();
   command->add_flag("--grade", choices->grade,
                     "refine along sharp edges, coarsen flat and smooth faces; needs -o");
-  command->add_option("--only", choices->only, "solids to grade: a name, * for any text")
+  command->add_option("--only", choices->only, "solids to grade: a name; * stands for any text")
       ->capture_default_str();
   command->add_option("--edge", choices->edge, "target edge length at sharp edges")
       ->capture_default_str();
   command->add_option("--face", choices->face, "target edge length far from them")
       ->capture_default_str();
-  command->add_option("--growth", choices->growth, "of the target, per length of distance")
+  command
+      ->add_option("--growth", choices->growth,
+                   "growth of the target length per length of distance")
       ->capture_default_str();
-  command->add_option("--angle", choices->angle, "between facets, from which an edge is sharp")
+  command
+      ->add_option("--angle", choices->angle,
+                   "angle between facets from which their edge counts as sharp")
       ->capture_default_str();
-  command->add_option("--deviation", choices->deviation, "most that the surface may move")
+  command->add_option("--deviation", choices->deviation, "how far the surface may move at most")
       ->capture_default_str();
-  command->add_option("-o,--output", choices->output,
-                      "the file to write, its format by its extension; the input stays");
+  command->add_option(
+      "-o,--output", choices->output,
+      "the file to write, in the format of its extension; the input stays as it is");
   command->add_flag("--force", choices->force, "replace the output file");
   command->footer("Example: tdbd mesh bit.stl --repair -o bit-repaired.stl");
-  command->callback([choices, &exit_code] { exit_code = guarded([&] { return work(*choices); }); });
+  command->callback(
+      [choices, &exit_code] { exit_code = guarded([&] { return inspect_or_write(*choices); }); });
 }
 
 }  // namespace tdbd::app

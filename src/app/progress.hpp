@@ -5,13 +5,14 @@
 
 namespace tdbd::app {
 
-/// A bar with the time left on a terminal, a line every few seconds otherwise. Standard error.
+/// Progress on standard error: a bar with the time left on a terminal, otherwise a line every two
+/// seconds.
 class Progress {
  public:
   Progress();
-  /// Whether it is time to show something: after a while, and at the end.
+  /// Whether it is time to show something again; always at the end.
   bool is_due(long done, long total) const;
-  /// Shows how much is done, the time left, and `detail` behind them.
+  /// Shows how much is done and the time left, followed by `detail`.
   void show(long done, long total, const std::string& detail);
   void finish();
 

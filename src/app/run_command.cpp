@@ -1,20 +1,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
+#include "app/arguments.hpp"
 #include "app/commands.hpp"
-#include "app/interrupts.hpp"
 #include "app/progress.hpp"
 #include "simulation/result/run.hpp"
 
 namespace tdbd::app {
 namespace {
 
-struct Arguments {
-  std::string case_file, folder;
-  std::vector<std::string> overrides;
-  bool force = false, quiet = false;
+struct RunArguments : ResultArguments {
   int threads = 1;
 };
 
@@ -45,19 +41,9 @@ std::string detail_of(const simulation::Simulation& s) {
                      1e6 * s.state.ledger.removed.value());
 }
 
-simulation::RunOptions options_of(const Arguments& a) {
-  simulation::RunOptions options;
-  options.folder = a.folder.empty() ? std::filesystem::path("results") /
-                                          std::filesystem::path(a.case_file).stem()
-                                    : std::filesystem::path(a.folder);
-  options.overwrite = a.force ? simulation::Overwrite::force : simulation::Overwrite::no;
+int run(const RunArguments& a) {
+  auto options = options_for<simulation::RunOptions>(a);
   options.threads = a.threads;
-  options.interrupted = &catch_interrupts();
-  return options;
-}
-
-int run(const Arguments& a) {
-  simulation::RunOptions options = options_of(a);
   const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
   Progress progress;
   if (!a.quiet)
@@ -76,19 +62,15 @@ int run(const Arguments& a) {
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("run", "Drill a case");
-  auto a = std::make_shared<Arguments>();
-  command->add_option("case", a->case_file, "the case file (TOML)")->required();
-  command->add_option("-o,--output", a->folder, "result folder; default results/CASE");
-  command->add_option("--set", a->overrides, "override a key: --set time.step='2 ms'")
-      ->allow_extra_args(false);
-  command->add_flag("--force", a->force, "replace the results in the folder");
-  command->add_flag("--quiet", a->quiet, "no progress, no summary");
-  command->add_option("--threads", a->threads, "threads; the results do not depend on them")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  auto* command = app.add_subcommand("run", "Run a drilling case");
+  auto a = std::make_shared<RunArguments>();
+  const ResultHelp help{.case_file = "the case file (TOML)"};
+  add_case(*command, *a, help);
+  add_result_options(*command, *a, help);
+  add_threads(*command, a->threads);
   command->footer(
-      "Ctrl-C ends the run after its step and writes all that is recorded; exit code 130.\n"
+      "The keys of a case: tdbd keys.\n"
+      "Ctrl-C ends the run after the current step and writes what was recorded; exit code 130.\n"
       "Example: tdbd run cases/bit-b-steady.toml -o out/b --set time.revolutions=2");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return run(*a); }); });
 }

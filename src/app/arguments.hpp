@@ -1,0 +1,61 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/interrupts.hpp"
+#include "core/config/key.hpp"
+#include "simulation/result/output_folder.hpp"
+
+namespace tdbd::app {
+
+/// What every command is given that reads a case and writes a result folder.
+struct ResultArguments {
+  std::string case_file, folder;
+  std::vector<std::string> overrides;
+  bool force = false, quiet = false;
+};
+
+/// The help that differs from command to command.
+struct ResultHelp {
+  std::string case_file;                          ///< "the case file (TOML)"
+  std::string folder = "results/CASE";            ///< the default, as help shows it
+  std::string set = "--set time.step='2 ms'";     ///< an example
+  std::string quiet = "no progress, no summary";  ///< what --quiet leaves out
+};
+
+/// Adds the case file, which the command requires.
+void add_case(CLI::App& command, ResultArguments& a, const ResultHelp& help);
+
+/// Adds -o, --set, --force and --quiet.
+void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp& help);
+
+/// Adds --set and --threads, as all commands have them.
+void add_set(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
+void add_threads(CLI::App& command, int& threads);
+
+/// The folder that was given, or results/CASE followed by `suffix`.
+std::filesystem::path result_folder(const ResultArguments& a, const std::string& suffix = "");
+
+/// What --force means.
+simulation::Overwrite overwrite_of(bool force);
+
+/// RunOptions or RotateOptions with what their commands have in common: the folder, whether to
+/// replace it, and the flag that Ctrl-C sets.
+template <class Options>
+Options options_for(const ResultArguments& a) {
+  Options options;
+  options.folder = result_folder(a);
+  options.overwrite = overwrite_of(a.force);
+  options.interrupted = &catch_interrupts();
+  return options;
+}
+
+/// The quantity of an option, in `si_unit`; `what` names it in the message: "a length". Throws
+/// InputError when it has no unit, another dimension, or a value out of the range.
+double option_quantity(const std::string& option, const std::string& text,
+                       const std::string& si_unit, const Range& range, const std::string& what);
+
+}  // namespace tdbd::app

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "simulation/case/key_tables.hpp"
+
+namespace tdbd::app {
+namespace {
+
+constexpr const char* markdown_head =
+    "# The keys of a case file\n"
+    "\n"
+    "`tdbd keys --markdown` writes this file from the declarations (`*_keys.hpp`); do not edit it. "
+    "A quantity is a number\n"
+    "in the SI unit that is shown, or a text with any unit of the same dimension (`\"8.5 in\"`). "
+    "Frame W: z down along the hole.\n"
+    "\n";
+
+int print_keys(const std::string& table, bool markdown) {
+  std::vector<KeyTable> tables = simulation::all_tables();
+  if (!table.empty()) tables = tables_named(tables, table);
+  if (markdown)
+    fmt::print("{}{}", markdown_head, keys_as_markdown(tables));
+  else
+    fmt::print("{}", keys_as_text(tables));
+  return 0;
+}
+
+}  // namespace
+
+void add_keys(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("keys", "List the keys of a case file: units, defaults, ranges, meanings");
+  auto table = std::make_shared<std::string>();
+  auto markdown = std::make_shared<bool>(false);
+  command->add_option("table", *table, "a table, with those inside it: motion; default: all");
+  command->add_flag("--markdown", *markdown, "as Markdown");
+  command->footer("Example: tdbd keys motion");
+  command->callback([table, markdown, &exit_code] {
+    exit_code = guarded([&] { return print_keys(*table, *markdown); });
+  });
+}
+
+}  // namespace tdbd::app
