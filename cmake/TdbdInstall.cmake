@@ -6,8 +6,8 @@ include(CMakePackageConfigHelpers)
 set(TDBD_ROOMS core rotation mesh bit rock forces dynamics simulation)
 set(TDBD_PACKAGE_FOLDER "${CMAKE_INSTALL_LIBDIR}/cmake/tdbd")
 
-# mesh_files and flags only follow the rooms that link them.
-foreach(room IN LISTS TDBD_ROOMS ITEMS mesh_files flags)
+# mesh_cgal and flags only follow the rooms that link them.
+foreach(room IN LISTS TDBD_ROOMS ITEMS mesh_cgal flags)
   set_target_properties(tdbd_${room} PROPERTIES EXPORT_NAME ${room})
   add_library(tdbd::${room} ALIAS tdbd_${room})
   install(TARGETS tdbd_${room} EXPORT tdbd ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")

@@ -9,7 +9,7 @@
 
 namespace tdbd::reference {
 
-/// A mesh as CGAL's. Throws RunError if it is no manifold.
+/// Converts a mesh to CGAL's. Throws RunError if it is not a manifold.
 template <class Point>
 CGAL::Surface_mesh<Point> surface_mesh_of(const mesh::TriangleMesh& m) {
   using Surface = CGAL::Surface_mesh<Point>;
@@ -22,7 +22,7 @@ CGAL::Surface_mesh<Point> surface_mesh_of(const mesh::TriangleMesh& m) {
   return surface;
 }
 
-/// CGAL's mesh as ours; `rounded` makes a double of a coordinate. Polygons become fans, which is
+/// Converts CGAL's mesh to ours; `rounded` makes a double of a coordinate. Polygons become fans, which is
 /// right where they are convex and plane.
 template <class Point, class Rounded>
 mesh::TriangleMesh triangle_mesh_of(CGAL::Surface_mesh<Point>& surface, Rounded&& rounded) {

@@ -14,7 +14,7 @@ using Rational = CGAL::Gmpq;
 Rational signed_volume_rational(const mesh::TriangleMesh& m);
 
 /// Signed volume of the prisms x = (1 - zeta) x_before + zeta x_after that the triangles span
-/// (formulation 2.5; thesis: 4.3, figs. 4.23, 4.24), exact, m3. Positive along the normals.
+/// (rock (10); thesis: 4.3, figs. 4.23, 4.24), exact, m3. Positive along the normals.
 /// With fixed boundary: signed_volume_rational(after) - signed_volume_rational(before).
 /// Throws RunError if the two meshes do not have the same triangles.
 Rational prism_volume_rational(const mesh::TriangleMesh& before, const mesh::TriangleMesh& after);

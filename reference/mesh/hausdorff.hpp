@@ -12,8 +12,8 @@ struct HausdorffSampling {
 };
 
 /// Largest distance of a sample of `from` to the nearest point of `to`, m: the one-sided Hausdorff
-/// distance, from below to within `spacing`. Triangles are found by bins of the x-y plane, so
-/// sheets suit it. Cost: samples times the triangles in a few bins, less where the largest distance
+/// distance, from below to within `spacing`. Triangles are found by bins of the x-y plane, which
+/// suits sheets. Cost: samples times the triangles in a few bins, less where the largest distance
 /// is found early.
 double one_sided_hausdorff(const mesh::TriangleMesh& from, const mesh::TriangleMesh& to,
                            const HausdorffSampling& sampling);

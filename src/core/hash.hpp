@@ -6,7 +6,7 @@
 
 namespace tdbd {
 
-/// FNV-1a, 64 bits: names the content of a case, against mistakes and not against forgers.
+/// FNV-1a, 64 bits: identifies the content of a case. It guards against mistakes, not against forgery.
 std::uint64_t fnv1a(std::string_view bytes);
 
 /// The same as 16 lower-case hexadecimal digits.

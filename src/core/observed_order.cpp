@@ -27,7 +27,7 @@ Run run_above(std::span<const double> errors, const std::vector<double>& floors)
   return r;
 }
 
-/// Where rounding may begin to matter, for every error.
+/// The level below which rounding may matter, for every error.
 std::vector<double> floors_of(std::size_t size, double scale, std::span<const long> counts) {
   std::vector<double> floors(size, scale * order_floor);
   for (std::size_t i = 0; i < counts.size(); ++i)

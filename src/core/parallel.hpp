@@ -7,7 +7,7 @@
 
 namespace tdbd {
 
-/// While it lives, parallel loops use at most so many threads.
+/// Limits parallel loops to this many threads while it exists.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads)
@@ -18,7 +18,7 @@ class ThreadLimit {
 };
 
 /// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit allows.
-/// Deterministic when each call writes only what belongs to its own i.
+/// Deterministic if each call writes only to data of its own i.
 template <class Body>
 void parallel_for(int n, Body&& body) {
   tbb::parallel_for(tbb::blocked_range<int>(0, n), [&](const tbb::blocked_range<int>& range) {

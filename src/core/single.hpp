@@ -2,8 +2,8 @@
 
 namespace tdbd {
 
-/// Single precision, to turn away what is surely not meant, with room for its rounding; nothing is
-/// computed with it. Half the memory, twice the lanes.
+/// Single precision: rejects candidates conservatively, with a margin for its rounding; no result is computed in it.
+/// Half the memory, twice the lanes.
 using Single = float;
 
 }  // namespace tdbd

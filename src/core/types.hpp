@@ -11,8 +11,8 @@ namespace tdbd {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// An index of ours (int: positions, triangles, parts) as the standard containers take it. It must
-/// not be negative.
+/// Converts an index (int: of positions, triangles, parts) to what the standard containers take. It must not be
+/// negative.
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace tdbd

@@ -19,7 +19,7 @@ namespace {
 
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 
-/// The dimensions that the program's input uses, for messages.
+/// The dimensions of the program's input, for messages.
 constexpr std::array<std::pair<const char*, const char*>, 20> dimension_names{{
     {"1", "a plain number"},
     {"m", "length"},
@@ -47,7 +47,7 @@ Unit parse_unit(ut_system* system, const std::string& text) {
   return {ut_parse(system, text.c_str(), UT_ASCII), &ut_free};
 }
 
-/// A name that UDUNITS-2 lacks; one that it has already keeps its meaning.
+/// Adds a name that UDUNITS-2 lacks; one that it already has keeps its meaning.
 void add_alias(ut_system* system, const char* name, const std::string& definition) {
   if (parse_unit(system, name)) return;
   const Unit unit = parse_unit(system, definition);
@@ -68,14 +68,14 @@ ut_system* load_units() {
   return system;
 }
 
-/// Loaded once, kept until the program ends.
+/// Loaded once and kept until the program ends.
 ut_system* unit_system() {
   static ut_system* const system = load_units();
   return system;
 }
 
-/// Powers of the base units. Our own comparison, since UDUNITS-2 takes the radian for a plain
-/// number and converts seconds into 1/s by taking the reciprocal.
+/// Powers of the base units. We compare dimensions ourselves, since UDUNITS-2 treats the radian as a plain number and
+/// converts seconds to 1/s by taking the reciprocal.
 using Dimension = std::map<std::string, int>;
 
 void add_power(const ut_unit* base, int power, void* dimension) {
@@ -84,7 +84,7 @@ void add_power(const ut_unit* base, int power, void* dimension) {
   (*static_cast<Dimension*>(dimension))[name != nullptr ? name : "?"] += power;
 }
 
-/// How a unit is made up: a base unit, powers of base units, or one of these scaled and shifted.
+/// Collects the dimension of a unit: a base unit, powers of base units, or one of these scaled and shifted.
 ut_visitor dimension_visitor() {
   ut_visitor visitor{};
   visitor.visit_basic = [](const ut_unit* base, void* dimension) {
@@ -131,20 +131,20 @@ std::string dimension_of(const Unit& unit) {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Whether a number stands in the unit other than as an exponent ("m2", "s-1", "m^3") or as the 1
+/// Whether the unit contains a number other than as an exponent ("m2", "s-1", "m^3") or as the 1
 /// of "1/s". UDUNITS-2 would multiply by it: "8 1/2 in" would be 8 times half an inch.
 bool has_second_number(std::string_view unit) {
   if (unit.size() > 2 && unit.substr(0, 2) == "1/" && is_letter(unit[2])) unit.remove_prefix(1);
   for (std::size_t i = 0; i < unit.size(); ++i) {
     if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1]))) continue;
     const bool is_signed = i > 0 && (unit[i - 1] == '-' || unit[i - 1] == '+');
-    const std::size_t before = i - (is_signed ? 1 : 0);  // one past what the number hangs on
+    const std::size_t before = i - (is_signed ? 1 : 0);  // one past what the number belongs to
     if (before == 0 || !(is_letter(unit[before - 1]) || unit[before - 1] == '^')) return true;
   }
   return false;
 }
 
-/// The unit that the program itself asks for.
+/// The unit that the program itself requests.
 Unit wanted_unit(const std::string& si_unit) {
   Unit unit = parse_unit(unit_system(), si_unit);
   if (!unit) throw RunError(fmt::format("units: {} is no unit", si_unit));
@@ -157,7 +157,7 @@ UnitError refused(std::string_view text, const std::string& why, const std::stri
                          : fmt::format("{} or another unit of it", describe_unit(si_unit))};
 }
 
-/// The number at the start of the text, and the unit's name after it.
+/// The number at the start of the text, and the name of the unit after it.
 std::pair<double, std::string> split(std::string_view text, const std::string& si_unit) {
   const std::string_view body = trimmed(text);
   double number = 0.0;

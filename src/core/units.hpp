@@ -6,7 +6,7 @@
 
 namespace tdbd {
 
-/// A text that is not a quantity of the wanted dimension: what was found, what was expected.
+/// The text is not a quantity of the expected dimension: what was found, what was expected.
 struct UnitError : std::runtime_error {
   UnitError(const std::string& found_text, const std::string& expected_text);
   std::string found;
@@ -14,11 +14,11 @@ struct UnitError : std::runtime_error {
 };
 
 /// Reads a number and its unit ("8.5 in", "120 rpm", "20 klbf") and returns the value in `si_unit`
-/// ("m", "m/s", "rad/s", "N", "Pa", "rad", "s", "kg/m3", "1"). The names of units are UDUNITS-2's,
-/// and the drilling industry's klbf and ppg. A plane angle counts as a dimension: Hz is no rad/s.
+/// ("m", "m/s", "rad/s", "N", "Pa", "rad", "s", "kg/m3", "1"). Unit names are those of UDUNITS-2
+/// and the drilling industry's klbf and ppg. A plane angle counts as a dimension: Hz is not rad/s.
 /// Throws UnitError: not a finite number, no unit, an unknown unit, a unit of another dimension;
-/// RunError when `si_unit` is itself no unit.
-/// Not to be called from two threads at once (UDUNITS-2 is not thread-safe).
+/// RunError if `si_unit` itself is not a unit.
+/// Do not call it from two threads at once: UDUNITS-2 is not thread-safe.
 double to_si(std::string_view text, const std::string& si_unit);
 
 /// "length in m": the dimension of an SI unit in words, for messages.

@@ -6,17 +6,17 @@
 
 namespace tdbd {
 
-/// `path.partial`: where a file's bytes go until it is whole.
+/// `path.partial`: where a file is written until it is complete.
 std::filesystem::path partial_path(const std::filesystem::path& path);
 
-/// Puts `path.partial` in the place of `path`. Throws RunError.
+/// Renames `path.partial` to `path`. Throws RunError.
 void rename_partial(const std::filesystem::path& path);
 
-/// A file that appears whole or not at all: bytes go to `path.partial`, which commit() renames to
-/// `path`. Without commit() nothing of it stays, and an older file at `path` is untouched.
+/// A file that appears complete or not at all: bytes go to `path.partial`, which commit() renames to `path`. Without
+/// commit() nothing is left behind, and an older file at `path` is untouched.
 class WholeFile {
  public:
-  /// Throws RunError when the file cannot be created.
+  /// Throws RunError if the file cannot be created.
   explicit WholeFile(std::filesystem::path path);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
@@ -24,7 +24,7 @@ class WholeFile {
 
   std::ostream& stream() { return stream_; }
 
-  /// Closes and renames. Throws RunError when any write failed (full disk).
+  /// Closes and renames. Throws RunError if any write failed (full disk).
   void commit();
 
  private:
@@ -33,7 +33,7 @@ class WholeFile {
   bool committed_ = false;
 };
 
-/// Writes a text file, whole or not at all. Throws RunError.
+/// Writes a text file, complete or not at all. Throws RunError.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace tdbd

@@ -71,7 +71,7 @@ bool are_neighbours(const Surface& s, int v, int w) {
   return found;
 }
 
-/// Takes the triangle of corner c out: the triangles beyond its two other edges become neighbours.
+/// Removes the triangle of corner c: the triangles beyond its other two edges become neighbours.
 void close_gap(Surface& s, int c, int keep) {
   const int beyond_next = s.opposite_of(next_corner(c));
   const int beyond_previous = s.opposite_of(previous_corner(c));
@@ -100,8 +100,7 @@ int odd_corner(const Surface& s, int t) {
   return boundary == 2 ? 3 * t + 3 - sum_of_boundary : -1;
 }
 
-/// Cuts the triangle of corner c loose along the edge that c faces, whose ends then count as theirs
-/// the corners beyond.
+/// Detaches the triangle of corner c along the edge that c faces; the ends of that edge then refer to the corners beyond.
 void cut_loose(Surface& s, int c) {
   const int o = s.opposite_of(c);
   if (o < 0) return;
@@ -145,8 +144,7 @@ void collapse_edge(Surface& s, int c, const Vec3& x) {
   const int a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
   const int first = s.corner_of[at(b)];
   int k = first;
-  do {  // b is an interior vertex: the turn closes. The topology is still whole while it is
-        // renamed.
+  do {  // b is interior, so the turn closes; the topology is intact while b is renamed
     const int following = turn_left(s, k);
     set_vertex(s, k, a);
     k = following;

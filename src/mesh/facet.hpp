@@ -13,16 +13,16 @@ struct Facet {
   Vec3 a, b, c;
 };
 
-/// A line against a facet's plane: its parameter there, how steeply it goes out of the plane (times
-/// twice the facet's area) and the barycentric coordinates that face the edges ab, bc and ca:
-/// negative beyond that edge.
+/// Where a line crosses the plane of a facet.
 struct PlaneCrossing {
-  double s = 0.0, out = 0.0;
-  std::array<double, 3> beside{};
+  double s = 0.0;    ///< the line's parameter
+  double out = 0.0;  ///< its direction along the normal, times twice the facet's area
+  std::array<double, 3>
+      beside{};  ///< barycentric coordinates opposite ab, bc and ca: negative beyond that edge
 };
 
-/// x + s d against a facet's plane (Moeller and Trumbore, 1997). Nothing when the sine between them
-/// is at most `parallel`, and for d = 0.
+/// The line x + s d and a facet's plane (Moeller and Trumbore, 1997). Nothing if the sine of the angle between them is
+/// at most `parallel`, or if d = 0.
 inline std::optional<PlaneCrossing> cross_plane(const Facet& f, const Vec3& x, const Vec3& d,
                                                 double parallel) {
   const Vec3 e1 = f.b - f.a, e2 = f.c - f.a, n = e1.cross(e2), r = x - f.a;
@@ -33,13 +33,13 @@ inline std::optional<PlaneCrossing> cross_plane(const Facet& f, const Vec3& x, c
   return PlaneCrossing{-n.dot(r) / out, out, {gamma, 1.0 - beta - gamma, beta}};
 }
 
-/// Where a line meets the plane of a facet, and how well inside the facet that is.
+/// Where a line meets the plane of a facet, and how far inside the facet.
 struct LineHit {
   double s = 0.0;       ///< the line's parameter
-  double margin = 0.0;  ///< smallest barycentric coordinate: 0 on the rim, negative outside
+  double margin = 0.0;  ///< smallest barycentric coordinate: 0 on an edge, negative outside
 };
 
-/// x + s d against a facet. Nothing when they are parallel to rounding, and for d = 0.
+/// The line x + s d and a facet. Nothing if they are parallel to rounding, or if d = 0.
 inline std::optional<LineHit> meet(const Facet& f, const Vec3& x, const Vec3& d) {
   constexpr double rounding = 1e-15;
   const auto crossing = cross_plane(f, x, d, rounding);
@@ -47,7 +47,7 @@ inline std::optional<LineHit> meet(const Facet& f, const Vec3& x, const Vec3& d)
   return LineHit{crossing->s, *std::ranges::min_element(crossing->beside)};
 }
 
-/// Square of the distance from x to the nearest point of a facet, m2.
+/// Squared distance from x to the nearest point of a facet, m2.
 double squared_distance(const Facet& f, const Vec3& x);
 
 }  // namespace tdbd::mesh

@@ -6,13 +6,13 @@ namespace tdbd::mesh {
 
 struct Surface;
 
-/// Area vector of a triangle: half the cross product of two edges, along the normal. m2.
+/// Area vector of a triangle, mesh (2): half the cross product of two edges, along the normal. m2.
 inline Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 0.5 * (b - a).cross(c - a);
 }
 
 /// Shape quality q = 4 sqrt(3) A / (a^2 + b^2 + c^2): 1 for equilateral, 0 for degenerate.
-/// Formulation 3; thesis: 4.2.4.4.
+/// mesh (5); thesis: 4.2.4.4.
 double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Shape quality of a surface: its worst triangle's, and the quality that 99 % of the triangles
@@ -23,7 +23,7 @@ struct QualityFigures {
 QualityFigures quality_figures(const TriangleMesh& m);
 QualityFigures quality_figures(const Surface& s);
 
-/// Volume enclosed by a closed mesh, by signed tetrahedra about the first position
+/// Volume enclosed by a closed mesh, mesh (3): signed tetrahedra about the first position
 /// (compensated sum). Positive when the normals point outwards. m3.
 double enclosed_volume(const TriangleMesh& m);
 

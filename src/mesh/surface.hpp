@@ -8,10 +8,9 @@
 
 namespace tdbd::mesh {
 
-/// A triangulated surface that can change: positions, triangles and, for every corner c = 3 t + i,
-/// the corner on the other side of the edge that faces c (-1 on the boundary). No half-edge
-/// objects. Dead entries (triangle {-1,-1,-1}, corner_of -1) wait in free lists for reuse.
-/// Thesis: 4.2, B.6 (its surface classes).
+/// A triangulated surface that can change, as a corner table, mesh (1): positions, triangles and, for every corner
+/// c = 3 t + i, the corner across the edge that faces c (-1 on the boundary). Dead entries (triangle {-1,-1,-1},
+/// corner_of -1) are kept in free lists for reuse. Thesis: 4.2; B.6 has its surface classes.
 struct Surface {
   std::vector<Vec3> positions;  ///< m
   std::vector<Triangle> triangles;
@@ -21,17 +20,17 @@ struct Surface {
   std::vector<int> free_vertices;
   std::vector<int> free_triangles;
 
-  /// Triangles stand side by side, so no division tells which one it is.
+  /// Triangles are contiguous, so no division is needed to find the one of a corner.
   int vertex(int c) const {
     int v;
     std::memcpy(&v, triangles.data()->data() + c, sizeof(v));
     return v;
   }
-  const Vec3& position(int v) const { return positions[static_cast<std::size_t>(v)]; }
-  bool is_boundary(int v) const { return boundary[static_cast<std::size_t>(v)] != 0; }
-  bool is_alive(int v) const { return corner_of[static_cast<std::size_t>(v)] >= 0; }
-  bool triangle_is_alive(int t) const { return triangles[static_cast<std::size_t>(t)][0] >= 0; }
-  int opposite_of(int c) const { return opposite[static_cast<std::size_t>(c)]; }
+  const Vec3& position(int v) const { return positions[at(v)]; }
+  bool is_boundary(int v) const { return boundary[at(v)] != 0; }
+  bool is_alive(int v) const { return corner_of[at(v)] >= 0; }
+  bool triangle_is_alive(int t) const { return triangles[at(t)][0] >= 0; }
+  int opposite_of(int c) const { return opposite[at(c)]; }
   int triangle_slots() const { return static_cast<int>(triangles.size()); }
   int vertex_slots() const { return static_cast<int>(positions.size()); }
   int triangle_count() const { return triangle_slots() - static_cast<int>(free_triangles.size()); }
@@ -55,11 +54,11 @@ inline int turn_right(const Surface& s, int c) {
   return o < 0 ? -1 : previous_corner(o);
 }
 
-/// Calls visit(corner) for every corner at vertex v, counter-clockwise from corner_of[v]; at a
-/// boundary vertex those clockwise of it follow.
+/// Calls visit(corner) for every corner at vertex v, counter-clockwise from corner_of[v]; at a boundary vertex the
+/// corners clockwise of it follow.
 template <class Visit>
 void visit_corners(const Surface& s, int v, Visit&& visit) {
-  const int start = s.corner_of[static_cast<std::size_t>(v)];
+  const int start = s.corner_of[at(v)];
   int c = start;
   do {
     visit(c);
@@ -72,21 +71,21 @@ void visit_corners(const Surface& s, int v, Visit&& visit) {
 /// The corner that faces the edge (a, b) in the triangle where b follows a; -1 if there is none.
 int corner_facing(const Surface& s, int a, int b);
 
-/// Builds the adjacency. Throws InputError if an edge has more than two triangles or two triangles
-/// disagree about its direction (vertices and their places are named).
+/// Builds the adjacency. Throws InputError if an edge has more than two triangles or if its two triangles are oriented
+/// differently; the message names the vertices and their positions.
 Surface make_surface(const TriangleMesh& m);
 
-/// The living part, vertices and triangles in slot order. If given, slot_of_vertex receives the
-/// slot in `s` of every vertex of the result.
+/// The surface without its dead entries, in slot order. If given, slot_of_vertex receives the slot in `s` of every
+/// vertex of the result.
 TriangleMesh compact(const Surface& s, std::vector<int>* slot_of_vertex = nullptr);
 
-/// Recomputes the adjacency slowly and compares: true if every opposite, corner_of and boundary
-/// entry is right. For tests and debug builds.
+/// Recomputes the adjacency and compares: true if every opposite, corner_of and boundary entry is right. Slow; for tests
+/// and debug builds.
 bool adjacency_is_consistent(const Surface& s);
 
-/// Volume between the surface and a cap over its boundary loop, m3, up to a constant that depends
-/// on the boundary alone: -1/3 of the sum of x . A over triangles about `origin` (the rock's normal
-/// points into the hole). Differences are volumes removed (formulation 2.5).
+/// Volume between the surface and a cap over its boundary loop, m3, up to a constant that depends on the boundary alone;
+/// mesh (4) about `origin_W`. The rock's normal points into the hole, and while the boundary is fixed, differences are
+/// volumes removed.
 double hole_volume(const Surface& s, const Vec3& origin_W);
 
 }  // namespace tdbd::mesh

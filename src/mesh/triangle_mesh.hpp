@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/types.hpp"
@@ -10,11 +10,25 @@ namespace tdbd::mesh {
 
 using Triangle = std::array<int, 3>;
 
-/// Plain triangle mesh: what files hold and parts are made of. Triangles are counter-clockwise seen
-/// from outside (from where the normal points). Positions in m, in the frame its owner names.
+/// A plain triangle mesh, as in files and parts. Triangles are counter-clockwise seen from outside, where the normal
+/// points. Positions in m, in the frame that the owner names.
 struct TriangleMesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
+};
+
+inline const Vec3& position(const TriangleMesh& m, int v) { return m.positions[at(v)]; }
+
+/// The positions of the corners of triangle i.
+inline std::array<Vec3, 3> corners(const TriangleMesh& m, std::size_t i) {
+  const Triangle& t = m.triangles[i];
+  return {m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]};
+}
+
+/// One body of a mesh file.
+struct Solid {
+  std::string name;
+  TriangleMesh mesh;  ///< m
 };
 
 }  // namespace tdbd::mesh

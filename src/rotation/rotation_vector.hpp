@@ -4,13 +4,13 @@
 
 namespace tdbd::rotation {
 
-/// skew(a) b = a x b.
+/// The skew-symmetric matrix of a: skew(a) b = a x b.
 Mat3 skew(const Vec3& a);
 
-/// Rotation by |v| about v (Rodrigues; series near zero). Thesis: 5.1, formulation 5.
+/// Rotation by |v| about v (Rodrigues; series near zero). rotation (1); thesis: 5.1.
 Mat3 exp(const Vec3& v);
 
-/// Rotation vector of R with angle in [0, pi] (by quaternion, accurate near 0 and pi).
+/// Rotation vector of R with an angle in [0, pi], rad: rotation (2), by quaternion, accurate near 0 and pi.
 Vec3 log(const Mat3& R);
 
 }  // namespace tdbd::rotation

@@ -2,17 +2,9 @@
 
 #include <cmath>
 
+#include "rotation/rotation_vector.hpp"
+
 namespace tdbd::rotation {
-namespace {
-
-Mat3 skew(const Vec3& a) {
-  Mat3 S;
-  S << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return S;
-}
-
-}  // namespace
-
 Pose carried(const Twist& twist, double s) {
   const Vec3 turn = s * twist.angular_B;
   const double x = turn.squaredNorm(), angle = std::sqrt(x), half = 0.5 * angle;

@@ -4,8 +4,7 @@
 
 namespace tdbd::rotation {
 
-/// Velocity of a bit over the rock, in the bit's frame. Constant there it makes a screw motion;
-/// steady drilling is angular_B = (0, 0, w), linear_B = (0, 0, v): pitch v / w along the bit's z.
+/// Velocity of a bit over the rock, in the bit's frame. If constant, it gives a screw motion; steady drilling is angular_B = (0, 0, w), linear_B = (0, 0, v): pitch v / w along the bit's z.
 struct Twist {
   Vec3 angular_B = Vec3::Zero();  ///< rad/s
   Vec3 linear_B = Vec3::Zero();   ///< m/s, of the bit's origin
@@ -16,14 +15,14 @@ inline Vec3 velocity_B(const Twist& twist, const Vec3& x_B) {
   return twist.linear_B + twist.angular_B.cross(x_B);
 }
 
-/// Where the bit's frame is after a time s (s) of this screw motion, seen from where it is now:
+/// The bit's frame after a time s (s) of this screw motion, relative to its pose now; rotation (4):
 /// X = exp(s twist), R = exp(s skew(angular)), p = integral of exp(t skew(angular)) linear dt.
 Pose carried(const Twist& twist, double s);
 
-/// The screw motion that takes the bit from one pose to the other in the time dt (s):
+/// The screw motion from one pose to the other in the time dt (s); rotation (5):
 /// X_WB1 = X_WB0 carried(twist, dt), exactly: angular dt = log(R_WB0' R_WB1),
 /// linear dt = J^-1 R_WB0' (p_WB1 - p_WB0), J = integral of exp(t skew(angular dt)) dt from 0 to 1.
-/// For turns of less than 3 rad.
+/// For turns below 3 rad.
 Twist twist_from(const Pose& X_WB0, const Pose& X_WB1, double dt);
 
 }  // namespace tdbd::rotation

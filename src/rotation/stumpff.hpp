@@ -6,17 +6,17 @@
 namespace tdbd::rotation {
 
 /// @file
-/// Stumpff's functions c_k(x) = sum_j (-x)^j / (2j + k)! of x = t^2:
+/// Stumpff functions, rotation (3): c_k(x) = sum_j (-x)^j / (2j + k)! of x = t^2:
 ///   c_0 = cos t, c_1 = sin t / t, c_2 = (1 - cos t) / t^2, c_3 = (t - sin t) / t^3, ...
-/// They have no singularity at zero and serve doubles as well as numbers that carry derivatives.
-/// Up to x = 1/4 they are polynomials without calls to the library of the machine.
+/// They are regular at zero and work for doubles and for number types that carry derivatives. Up to x = 1/4 they are
+/// polynomials, without calls to the machine's mathematical library.
 
 inline constexpr double stumpff_series_end = 0.25;  ///< x; 8 terms are exact to rounding below
 
 /// x; 5 terms are exact to rounding below, and so is their derivative.
 inline constexpr double stumpff_short_series_end = 1.0 / 1024.0;
 
-/// 1 / n! for c_k's terms j = 0..7 with their signs.
+/// (-1)^j / (2j + k)! for j = 0..7.
 template <int k>
 constexpr std::array<double, 8> stumpff_coefficients() {
   std::array<double, 8> a{};
@@ -29,7 +29,7 @@ constexpr std::array<double, 8> stumpff_coefficients() {
   return a;
 }
 
-/// c_k(x) for 0 <= x <= stumpff_series_end, by pairs: short chains of operations.
+/// c_k(x) for 0 <= x <= stumpff_series_end, summed in pairs to keep chains of operations short.
 template <int k, class S>
 S stumpff_series(const S& x) {
   constexpr std::array<double, 8> a = stumpff_coefficients<k>();

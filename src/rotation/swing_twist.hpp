@@ -7,10 +7,10 @@
 namespace tdbd::rotation {
 
 /// @file
-/// R = Swing Twist: the twist turns about space z, the swing tilts z to R z.
+/// R = Swing Twist, rotation (6): the twist turns about the z axis of space, the swing tilts z to R z.
 ///
-/// The twist angle counts windings. A quaternion that moves by small steps shows it modulo 4 pi;
-/// `turns` counts how often the double turn was passed.
+/// The twist angle counts full turns. A quaternion followed in small steps gives it modulo 4 pi; `turns` counts how many
+/// double turns were completed.
 
 /// Twist angle about z, rad: 2 atan2(q_z, q_w) + 4 pi turns.
 template <class S>
@@ -19,7 +19,7 @@ S twist_angle(const Eigen::Quaternion<S>& q, long turns) {
   return 2.0 * atan2(q.z(), q.w()) + 4.0 * std::numbers::pi * static_cast<double>(turns);
 }
 
-/// How `turns` changes when q moves from one attitude to the next by less than half a turn.
+/// The change of `turns` when q moves from one attitude to the next by less than half a turn.
 template <class S>
 long turns_passed(const Eigen::Quaternion<S>& from, const Eigen::Quaternion<S>& to) {
   const bool was_below = from.z() < S(0), is_below = to.z() < S(0);
@@ -27,8 +27,8 @@ long turns_passed(const Eigen::Quaternion<S>& from, const Eigen::Quaternion<S>& 
   return is_below ? 1 : -1;
 }
 
-/// Gradient of the twist angle by rotations in space: d(twist) = gradient . w_W dt. Undefined where
-/// z is turned upside down.
+/// Gradient of the twist angle with respect to rotations in space: d(twist) = gradient . w_W dt. Undefined where z is
+/// upside down.
 template <class S>
 Eigen::Matrix<S, 3, 1> twist_gradient(const Eigen::Quaternion<S>& q) {
   const S n = 1.0 / (q.w() * q.w() + q.z() * q.z());

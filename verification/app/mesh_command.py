@@ -51,8 +51,8 @@ def broken_meshes():
     far = CUBE + [(x + 20, y + 10, z + 10) for x, y, z in CUBE]
     return {
         "hole: 3 times": (SIDES[:-1], CUBE, "1 holes filled"),
-        "flipped triangle: 6 times": (flipped, CUBE, "2 facets turned"),
-        "inside out: enclosed volume": ([t[::-1] for t in SIDES], CUBE, "12 facets of pieces turned"),
+        "flipped triangle: 6 times": (flipped, CUBE, "2 facets flipped"),
+        "inside out: enclosed volume": ([t[::-1] for t in SIDES], CUBE, "12 facets flipped"),
         "edge of more than two triangles: 3 times":
             (SIDES + [SIDES[4]], CUBE, "1 duplicate facets dropped"),
         "degenerate triangle: triangle 12":

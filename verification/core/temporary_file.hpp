@@ -9,7 +9,7 @@
 
 namespace tdbd {
 
-/// Writes a file of this test's own into the temporary folder and returns its path.
+/// Writes a file that only this test uses into the temporary folder and returns its path.
 inline std::string write_temporary(const std::string& suffix, const std::string& content) {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
   const std::string path =

@@ -8,8 +8,8 @@
 
 namespace tdbd {
 
-/// A folder of this process alone, removed when it ends; with a slash at its end. Tests run side by
-/// side, each in a process of its own.
+/// A folder that only this process uses, removed when it ends; the path ends with a slash. Tests run in parallel, each
+/// in its own process.
 inline const std::string& temporary_folder() {
   struct Folder {
     std::string path = ::testing::TempDir() + "tdbd_" + std::to_string(getpid()) + "/";

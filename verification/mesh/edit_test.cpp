@@ -28,7 +28,7 @@ std::vector<int> interior_corners(const Surface& s) {
   return corners;
 }
 
-/// What is wrong with the sheet as a topological disc. Shape is not an edit's business.
+/// What is wrong with the sheet as a topological disc. Edits ignore shape.
 std::string topological_defects(const TriangleMesh& m) {
   std::vector<Defect> defects = check_surface(m);
   std::erase_if(defects,
@@ -36,7 +36,7 @@ std::string topological_defects(const TriangleMesh& m) {
   return describe(defects);
 }
 
-/// The boundary as it runs: from each vertex to the next, with positions.
+/// The boundary loop: from each vertex to the next, with positions.
 std::map<int, std::pair<int, std::vector<double>>> boundary_loop(const Surface& s) {
   std::map<int, std::pair<int, std::vector<double>>> loop;
   for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
@@ -66,7 +66,7 @@ int random_edit(Surface& s, int choice) {
   return -1;
 }
 
-RC_GTEST_PROP(edit, any_sequence_leaves_a_disc_with_the_same_boundary, ()) {
+RC_GTEST_PROP(Edit, any_sequence_leaves_a_disc_with_the_same_boundary, ()) {
   Surface s = random_sheet();
   const auto loop = boundary_loop(s);
   const auto choices = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20));
@@ -74,14 +74,15 @@ RC_GTEST_PROP(edit, any_sequence_leaves_a_disc_with_the_same_boundary, ()) {
     const int vertices = s.vertex_count(), triangles = s.triangle_count();
     const int added = random_edit(s, choice);
     RC_ASSERT(s.vertex_count() == vertices + added);
-    RC_ASSERT(s.triangle_count() == triangles + 2 * added);  // so the Euler characteristic stays
+    RC_ASSERT(s.triangle_count() ==
+              triangles + 2 * added);  // so the Euler characteristic is unchanged
     RC_ASSERT(adjacency_is_consistent(s));
     RC_ASSERT(topological_defects(compact(s)) == "");
   }
   RC_ASSERT(boundary_loop(s) == loop);
 }
 
-RC_GTEST_PROP(edit, dead_slots_are_used_again, ()) {
+RC_GTEST_PROP(Edit, dead_slots_are_reused, ()) {
   Surface s = random_sheet();
   for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20))) {
     const int dead_vertices = static_cast<int>(s.free_vertices.size());
@@ -93,7 +94,7 @@ RC_GTEST_PROP(edit, dead_slots_are_used_again, ()) {
   for (const int t : s.free_triangles) RC_ASSERT(!s.triangle_is_alive(t));
 }
 
-RC_GTEST_PROP(edit, a_surface_survives_compaction_after_edits, ()) {
+RC_GTEST_PROP(Edit, a_surface_survives_compaction_after_edits, ()) {
   Surface s = random_sheet();
   for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20)))
     random_edit(s, choice);
@@ -106,8 +107,8 @@ RC_GTEST_PROP(edit, a_surface_survives_compaction_after_edits, ()) {
     RC_ASSERT(m.positions[i] == s.position(slot_of_vertex[i]));
 }
 
-/// Coordinates that are multiples of 2^-20: their middles are exact, and so is the comparison.
-RC_GTEST_PROP(split_edge, at_a_point_of_the_edge_changes_no_volume_at_all, ()) {
+/// Coordinates are multiples of 2^-20: their midpoints are exact, and so is the comparison.
+RC_GTEST_PROP(SplitEdge, at_a_point_of_the_edge_changes_no_volume_at_all, ()) {
   Surface s = random_sheet();
   for (Vec3& x : s.positions) x = (x * 0x1p20).array().round().matrix() * 0x1p-20;
   const reference::Rational before = reference::signed_volume_rational(compact(s));
@@ -122,7 +123,7 @@ RC_GTEST_PROP(split_edge, at_a_point_of_the_edge_changes_no_volume_at_all, ()) {
   RC_ASSERT(reference::signed_volume_rational(compact(s)) == before);
 }
 
-/// The collapse on plain triangles: b becomes a, triangles that lost a corner go.
+/// The collapse on plain triangles: b becomes a, triangles that lost a corner are dropped.
 TriangleMesh collapsed_by_renaming(const TriangleMesh& m, int a, int b) {
   TriangleMesh result;
   std::vector<int> renumbered;
@@ -137,7 +138,7 @@ TriangleMesh collapsed_by_renaming(const TriangleMesh& m, int a, int b) {
   return result;
 }
 
-RC_GTEST_PROP(collapse_keeps_topology, is_right_about_every_edge, ()) {
+RC_GTEST_PROP(CollapseKeepsTopology, is_right_about_every_edge, ()) {
   Surface s = random_sheet();
   for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20)))
     random_edit(s, choice);
@@ -154,7 +155,7 @@ RC_GTEST_PROP(collapse_keeps_topology, is_right_about_every_edge, ()) {
   RC_TAG(allowed > 0 ? "some allowed" : "none allowed");
 }
 
-TEST(collapse_keeps_topology, refuses_a_boundary_edge_and_a_boundary_vertex_that_would_go) {
+TEST(CollapseKeepsTopology, refuses_a_boundary_edge_and_a_boundary_vertex_that_would_go) {
   const Surface s = make_surface(battery::bumpy_rock(1.0, 2, 0.0, 3));
   for (int c = 0; c < 3 * s.triangle_slots(); ++c)
     if (s.opposite_of(c) < 0 || s.is_boundary(s.vertex(previous_corner(c)))) {
@@ -172,7 +173,7 @@ TriangleMesh flipped_by_renaming(const TriangleMesh& m, int c, int o) {
   return result;
 }
 
-/// The same triangles, each turned to start at its smallest vertex, in order.
+/// The same triangles, each rotated to start at its smallest vertex, sorted.
 std::set<Triangle> as_set(const TriangleMesh& m) {
   std::set<Triangle> all;
   for (Triangle t : m.triangles) {
@@ -182,7 +183,7 @@ std::set<Triangle> as_set(const TriangleMesh& m) {
   return all;
 }
 
-RC_GTEST_PROP(flip_edge, is_right_about_every_edge, ()) {
+RC_GTEST_PROP(FlipEdge, is_right_about_every_edge, ()) {
   Surface s = random_sheet();
   for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20)))
     random_edit(s, choice);
@@ -201,7 +202,7 @@ RC_GTEST_PROP(flip_edge, is_right_about_every_edge, ()) {
 }
 
 /// Four flips of one edge, each at the edge that the last one made, turn it once around.
-RC_GTEST_PROP(flip_edge, four_times_gives_the_same_triangles, ()) {
+RC_GTEST_PROP(FlipEdge, four_times_gives_the_same_triangles, ()) {
   const Surface s = random_sheet();
   for (const int c : interior_corners(s)) {
     if (!flip_keeps_topology(s, c)) continue;
@@ -211,7 +212,7 @@ RC_GTEST_PROP(flip_edge, four_times_gives_the_same_triangles, ()) {
   }
 }
 
-TEST(flip_keeps_topology, refuses_a_boundary_edge) {
+TEST(FlipKeepsTopology, refuses_a_boundary_edge) {
   const Surface s = make_surface(battery::bumpy_rock(1.0, 2, 0.0, 3));
   for (int c = 0; c < 3 * s.triangle_slots(); ++c)
     if (s.opposite_of(c) < 0) {

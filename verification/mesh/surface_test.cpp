@@ -14,7 +14,7 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Open or closed, smooth or rough: every kind of surface that adjacency is built for.
+/// Open or closed, smooth or rough: every kind of surface that adjacency must handle.
 rc::Gen<TriangleMesh> any_surface() {
   const auto sheet = rc::gen::apply(
       [](int n, std::uint64_t seed) { return battery::bumpy_rock(1.0, n, 0.3, seed); },
@@ -31,7 +31,7 @@ int facing_by_search(const TriangleMesh& m, int a, int b) {
   return -1;
 }
 
-RC_GTEST_PROP(surface, opposite_corners_equal_a_search_of_all, ()) {
+RC_GTEST_PROP(Surface, opposite_corners_equal_a_search_of_all, ()) {
   const TriangleMesh m = *any_surface();
   const Surface s = make_surface(m);
   for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
@@ -42,7 +42,7 @@ RC_GTEST_PROP(surface, opposite_corners_equal_a_search_of_all, ()) {
   RC_ASSERT(adjacency_is_consistent(s));
 }
 
-RC_GTEST_PROP(surface, boundary_vertices_are_those_of_edges_with_one_triangle, ()) {
+RC_GTEST_PROP(Surface, boundary_vertices_are_those_of_edges_with_one_triangle, ()) {
   const TriangleMesh m = *any_surface();
   const Surface s = make_surface(m);
   std::vector<bool> open(m.positions.size(), false);
@@ -53,7 +53,7 @@ RC_GTEST_PROP(surface, boundary_vertices_are_those_of_edges_with_one_triangle, (
   for (int v = 0; v < s.vertex_slots(); ++v) RC_ASSERT(s.is_boundary(v) == open[v]);
 }
 
-RC_GTEST_PROP(surface, visit_corners_meets_every_corner_of_a_vertex_once, ()) {
+RC_GTEST_PROP(Surface, visit_corners_meets_every_corner_of_a_vertex_once, ()) {
   const TriangleMesh m = *any_surface();
   const Surface s = make_surface(m);
   std::vector<int> visits(3 * m.triangles.size(), 0);
@@ -65,7 +65,7 @@ RC_GTEST_PROP(surface, visit_corners_meets_every_corner_of_a_vertex_once, ()) {
   for (const int n : visits) RC_ASSERT(n == 1);
 }
 
-TEST(surface, refuses_an_edge_of_three_triangles_and_names_it) {
+TEST(Surface, refuses_an_edge_of_three_triangles_and_names_it) {
   const TriangleMesh m{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
                        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   try {
@@ -79,7 +79,7 @@ TEST(surface, refuses_an_edge_of_three_triangles_and_names_it) {
   }
 }
 
-TEST(surface, refuses_a_flipped_triangle_and_names_its_edge) {
+TEST(Surface, refuses_a_flipped_triangle_and_names_its_edge) {
   TriangleMesh m = square_sheet(2);
   std::swap(m.triangles[3][0], m.triangles[3][1]);
   try {
@@ -92,10 +92,10 @@ TEST(surface, refuses_a_flipped_triangle_and_names_its_edge) {
   }
 }
 
-RC_GTEST_PROP(surface, compact_returns_what_make_surface_was_given, ()) {
+RC_GTEST_PROP(Surface, compact_returns_what_make_surface_was_given, ()) {
   TriangleMesh m = *any_surface();
   const int lonely = static_cast<int>(m.positions.size());
-  m.positions.push_back(Vec3(7, 7, 7));  // of no triangle: left out
+  m.positions.push_back(Vec3(7, 7, 7));  // unused: left out
   std::vector<int> slot_of_vertex;
   const TriangleMesh back = compact(make_surface(m), &slot_of_vertex);
   RC_ASSERT(back.triangles == m.triangles);
@@ -106,9 +106,9 @@ RC_GTEST_PROP(surface, compact_returns_what_make_surface_was_given, ()) {
   }
 }
 
-/// Rough sheets whose inner vertices go elsewhere, as cutting does to rock. Scale: the volume of
+/// Rough sheets whose inner vertices move, as cutting moves rock. Scale: the volume of
 /// the cube over the square.
-RC_GTEST_PROP(surface, differences_of_hole_volume_are_the_rock_between, ()) {
+RC_GTEST_PROP(Surface, differences_of_hole_volume_are_the_rock_between, ()) {
   const int n = *rc::gen::inRange(1, 12);
   const auto seeds = *rc::gen::pair(rc::gen::arbitrary<std::uint64_t>(), rc::gen::arbitrary<int>());
   const TriangleMesh before = battery::bumpy_rock(1.0, n, 0.4, seeds.first);
@@ -125,7 +125,7 @@ RC_GTEST_PROP(surface, differences_of_hole_volume_are_the_rock_between, ()) {
 
 /// The middle vertex of a flat square goes down: a pyramid of base 4 (whatever the diagonals, if it
 /// is joined to all corners; less if not).
-TEST(surface, hole_volume_grows_when_rock_goes) {
+TEST(Surface, hole_volume_grows_when_rock_goes) {
   TriangleMesh m = battery::bumpy_rock(1.0, 2, 0.0, 1);
   const double before = hole_volume(make_surface(m), Vec3::Zero());
   m.positions[4].z() += 0.3;
@@ -134,7 +134,7 @@ TEST(surface, hole_volume_grows_when_rock_goes) {
   EXPECT_LE(gained, 0.3 * 4.0 / 3.0 + 1e-15);
 }
 
-RC_GTEST_PROP(adjacency_is_consistent, notices_any_wrong_entry, ()) {
+RC_GTEST_PROP(AdjacencyIsConsistent, notices_any_wrong_entry, ()) {
   Surface s = make_surface(*any_surface());
   const int corner = *rc::gen::inRange(0, 3 * s.triangle_slots());
   const int vertex = *rc::gen::inRange(0, s.vertex_slots());

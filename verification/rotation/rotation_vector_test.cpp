@@ -36,25 +36,25 @@ rc::Gen<Vec3> rotation_vector() {
       battery::direction(), battery::number(0.0, 1.0), rc::gen::inRange(0, 16));
 }
 
-RC_GTEST_PROP(skew, is_the_cross_product, ()) {
+RC_GTEST_PROP(Skew, is_the_cross_product, ()) {
   const Vec3 a = *battery::point(3.0), b = *battery::point(3.0);
   RC_ASSERT((skew(a) * b - a.cross(b)).norm() < 20.0 * rounding);
 }
 
-RC_GTEST_PROP(exp, is_a_rotation, ()) {
+RC_GTEST_PROP(Exp, is_a_rotation, ()) {
   const Mat3 R = exp(*rotation_vector());
   RC_ASSERT(distance(R.transpose() * R, Mat3::Identity()) < 4.0 * rounding);
   RC_ASSERT(std::abs(R.determinant() - 1.0) < 4.0 * rounding);
 }
 
 /// The series loses digits where its terms grow beyond its sum: at most e^pi / 1, some 23.
-RC_GTEST_PROP(exp, equals_its_power_series, ()) {
+RC_GTEST_PROP(Exp, equals_its_power_series, ()) {
   const Vec3 v = *rotation_vector();
   RC_ASSERT(distance(exp(v), exp_by_series(v)) < 25.0 * rounding);
 }
 
 /// Relative to the angle: the turn of a tiny rotation vector keeps all its digits.
-RC_GTEST_PROP(exp, keeps_the_digits_of_small_turns, ()) {
+RC_GTEST_PROP(Exp, keeps_the_digits_of_small_turns, ()) {
   const Vec3 v = *rotation_vector();
   const Mat3 R = exp(v);
   const Vec3 sine_axis = 0.5 * Vec3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
@@ -63,14 +63,14 @@ RC_GTEST_PROP(exp, keeps_the_digits_of_small_turns, ()) {
   RC_ASSERT((sine_axis - expected).norm() <= 4.0 * rounding * angle);
 }
 
-RC_GTEST_PROP(log, undoes_exp_up_to_a_half_turn, ()) {
+RC_GTEST_PROP(Log, undoes_exp_up_to_a_half_turn, ()) {
   const Vec3 v = *rotation_vector();
   RC_PRE(v.norm() < pi - 1e-3);
   RC_ASSERT((log(exp(v)) - v).norm() <= 8.0 * rounding * std::max(v.norm(), 1e-8));
 }
 
 /// At a half turn v and -v are one rotation: compare rotations, not vectors.
-RC_GTEST_PROP(exp, undoes_log_also_near_a_half_turn, ()) {
+RC_GTEST_PROP(Exp, undoes_log_also_near_a_half_turn, ()) {
   const Vec3 u = *battery::direction();
   const double short_of_pi = std::pow(10.0, -*rc::gen::inRange(1, 18));
   const Mat3 R = exp((pi - short_of_pi) * u);
@@ -80,32 +80,32 @@ RC_GTEST_PROP(exp, undoes_log_also_near_a_half_turn, ()) {
   RC_ASSERT(distance(exp(v), R) < 8.0 * rounding);
 }
 
-RC_GTEST_PROP(exp, undoes_log_of_any_rotation, ()) {
+RC_GTEST_PROP(Exp, undoes_log_of_any_rotation, ()) {
   const Mat3 R = *battery::rotation();
   RC_ASSERT(distance(exp(log(R)), R) < 8.0 * rounding);
 }
 
-TEST(log, of_nothing_is_nothing) { EXPECT_EQ(log(Mat3::Identity()), Vec3(Vec3::Zero())); }
+TEST(Log, of_nothing_is_nothing) { EXPECT_EQ(log(Mat3::Identity()), Vec3(Vec3::Zero())); }
 
-RC_GTEST_PROP(exp, of_turns_about_one_axis_adds_their_angles, ()) {
+RC_GTEST_PROP(Exp, of_turns_about_one_axis_adds_their_angles, ()) {
   const Vec3 u = *battery::direction();
   const double a = *battery::number(-3.0, 3.0), b = *battery::number(-3.0, 3.0);
   RC_ASSERT(distance(exp(a * u) * exp(b * u), exp((a + b) * u)) < 8.0 * rounding);
   RC_ASSERT(distance(exp(-a * u), exp(a * u).transpose()) < rounding);
 }
 
-RC_GTEST_PROP(exp, turns_with_its_frame, ()) {
+RC_GTEST_PROP(Exp, turns_with_its_frame, ()) {
   const Mat3 R = *battery::rotation();
   const Vec3 v = *rotation_vector();
   RC_ASSERT(distance(exp(R * v), R * exp(v) * R.transpose()) < 8.0 * rounding);
 }
 
-TEST(exp, turns_x_to_y_about_z) {
+TEST(Exp, turns_x_to_y_about_z) {
   EXPECT_LT((exp(Vec3(0, 0, pi / 2)) * Vec3::UnitX() - Vec3::UnitY()).norm(), rounding);
 }
 
 /// exp(h v) = I + h S + h^2 S^2 / 2 + O(h^3): the remainder falls by 8 when h halves.
-RC_GTEST_PROP(exp, has_the_derivatives_of_a_rotation_at_zero, ()) {
+RC_GTEST_PROP(Exp, has_the_derivatives_of_a_rotation_at_zero, ()) {
   const Vec3 v = *battery::direction();
   const Mat3 S = skew(v);
   double before = 0.0;
@@ -118,7 +118,7 @@ RC_GTEST_PROP(exp, has_the_derivatives_of_a_rotation_at_zero, ()) {
 }
 
 /// The formula changes at an angle of 1e-4: no step there beyond rounding.
-RC_GTEST_PROP(exp, does_not_jump_where_its_formula_changes, ()) {
+RC_GTEST_PROP(Exp, does_not_jump_where_its_formula_changes, ()) {
   const Vec3 u = *battery::direction();
   const double below = 1e-4 * (1.0 - 1e-9), above = 1e-4 * (1.0 + 1e-9);
   const Mat3 step = exp(above * u) - exp(below * u);

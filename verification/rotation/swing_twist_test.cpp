@@ -54,7 +54,7 @@ RC_GTEST_PROP(SwingTwist, gradient_is_the_derivative_of_the_twist, ()) {
   RC_ASSERT((angle.by.matrix() - gradient).norm() <= rounding * (1.0 + gradient.squaredNorm()));
 }
 
-TEST(SwingTwist, swings_until_shortly_before_upside_down) {
+TEST(SwingTwist, swings_almost_upside_down) {
   for (const double short_of : {1e-2, 1e-4, 1e-6}) {
     const double angle = std::numbers::pi - short_of;
     const auto q = quaternion_exp<double>(Eigen::Vector3d(0.6 * angle, 0.8 * angle, 0.0));

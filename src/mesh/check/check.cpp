@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "mesh/check/check_edges.hpp"
+#include "mesh/check/topology.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::mesh {
@@ -14,10 +14,6 @@ namespace {
 
 using Kind = Defect::Kind;
 using Defects = std::vector<Defect>;
-
-std::string in_mm(const Vec3& x) {
-  return fmt::format("({:.4f}, {:.4f}, {:.4f}) mm", 1e3 * x.x(), 1e3 * x.y(), 1e3 * x.z());
-}
 
 std::string at_vertex(const TriangleMesh& m, int v) {
   return fmt::format("vertex {} at {}", v, in_mm(m.positions[at(v)]));
@@ -28,7 +24,7 @@ std::string at_edge(const TriangleMesh& m, const Side& s) {
                      in_mm(m.positions[at(s.lo)]), in_mm(m.positions[at(s.hi)]));
 }
 
-/// Corners that name no vertex. Nothing else can be asked of a mesh that has one.
+/// Corners that refer to no vertex. With one of them no other check is possible.
 Defects indices_out_of_range(const TriangleMesh& m) {
   Defects found;
   const int n = static_cast<int>(m.positions.size());
@@ -48,10 +44,8 @@ void find_bad_numbers(const TriangleMesh& m, Defects& found) {
 
 void find_degenerate_triangles(const TriangleMesh& m, Defects& found) {
   for (std::size_t i = 0; i < m.triangles.size(); ++i) {
-    const Triangle& t = m.triangles[i];
-    const double q =
-        triangle_quality(m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]);
-    if (q < degenerate_quality)
+    const auto [a, b, c] = corners(m, i);
+    if (triangle_quality(a, b, c) < degenerate_quality)
       found.push_back({Kind::degenerate_triangle, place_of_triangle(m, static_cast<int>(i))});
   }
 }
@@ -84,7 +78,7 @@ void find_isolated_vertices(const TriangleMesh& m, const std::vector<int>& fans,
     if (fans[v] == 0) found.push_back({Kind::isolated_vertex, at_vertex(m, static_cast<int>(v))});
 }
 
-/// For a mesh whose edges and vertices are manifold.
+/// Requires manifold edges and vertices.
 void find_wrong_topology(const TriangleMesh& m, const std::vector<Side>& sides, Defects& found) {
   const Topology t = topology(m, sides);
   if (t.pieces != 1) found.push_back({Kind::several_pieces, fmt::format("{} pieces", t.pieces)});
@@ -93,7 +87,7 @@ void find_wrong_topology(const TriangleMesh& m, const std::vector<Side>& sides, 
     found.push_back({Kind::euler_characteristic, fmt::format("V - E + F = {}, not 1", t.euler)});
 }
 
-/// What both checks look for. Sides are filled when the indices allow it.
+/// The defects that both checks look for. Fills `sides` and `fans` if the indices are in range.
 Defects find_common(const TriangleMesh& m, std::vector<Side>& sides, std::vector<int>& fans) {
   if (m.triangles.empty()) return {{Kind::empty, "no triangles"}};
   Defects found = indices_out_of_range(m);
@@ -109,10 +103,13 @@ Defects find_common(const TriangleMesh& m, std::vector<Side>& sides, std::vector
 
 }  // namespace
 
+std::string in_mm(const Vec3& x) {
+  return fmt::format("({:.4f}, {:.4f}, {:.4f}) mm", 1e3 * x.x(), 1e3 * x.y(), 1e3 * x.z());
+}
+
 std::string place_of_triangle(const TriangleMesh& m, int i) {
-  const Triangle& t = m.triangles[at(i)];
-  const auto corner = [&](std::size_t k) { return m.positions[at(t[k])]; };
-  return fmt::format("triangle {} at {}", i, in_mm((corner(0) + corner(1) + corner(2)) / 3.0));
+  const auto [a, b, c] = corners(m, at(i));
+  return fmt::format("triangle {} at {}", i, in_mm((a + b + c) / 3.0));
 }
 
 std::vector<Defect> check_closed(const TriangleMesh& m) {

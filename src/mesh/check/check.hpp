@@ -30,28 +30,30 @@ struct Defect {
   std::string where;
 };
 
-/// Triangles of less quality have no area: what rounding leaves of zero.
+/// Triangles of lower quality count as degenerate: their area is zero up to rounding.
 inline constexpr double degenerate_quality = 1e-14;
 
-/// What keeps `m` from being the boundary of a solid: closed, consistently oriented outwards,
-/// manifold, finite, without degenerate triangles. Empty when nothing does.
-/// Vertices of no triangle are harmless here and are not reported.
+/// Why `m` is not the boundary of a solid (closed, consistently oriented outwards, manifold, finite, without degenerate
+/// triangles); empty if it is. Unused vertices are harmless here and are not reported.
 std::vector<Defect> check_closed(const TriangleMesh& m);
 
-/// What keeps `m` from being a sheet like the rock's surface: an oriented 2-manifold in one piece,
-/// with one boundary loop, Euler characteristic 1, and no isolated vertex. Empty when nothing does.
+/// Why `m` is not a sheet like the rock's surface (an oriented 2-manifold in one piece with one boundary loop, Euler
+/// characteristic 1 and no isolated vertex); empty if it is.
 std::vector<Defect> check_surface(const TriangleMesh& m);
 
 /// The kind in words: "hole", "flipped triangle", ...
 std::string name(Defect::Kind kind);
 
-/// The first `max` defects, one a line, and how many more there are. Empty without defects.
+/// The first `max` defects, one per line, and how many more there are. Empty without defects.
 std::string describe(const std::vector<Defect>& defects, std::size_t max = 10);
 
-/// A line for each kind: how many, and the first of them. "hole: 4 times, first edge 0-1 of ...".
+/// One line per kind: how many, and the first of them. "hole: 4 times, first edge 0-1 of ...".
 std::string summarize(const std::vector<Defect>& defects);
 
-/// "triangle 3 at (1.0000, 2.0000, 3.0000) mm", its centre.
+/// "(1.0000, 2.0000, 3.0000) mm" for a position in m.
+std::string in_mm(const Vec3& x);
+
+/// "triangle 3 at (1.0000, 2.0000, 3.0000) mm": its centroid.
 std::string place_of_triangle(const TriangleMesh& m, int i);
 
 }  // namespace tdbd::mesh

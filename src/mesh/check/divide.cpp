@@ -1,15 +1,17 @@
+#include "mesh/check/divide.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
-#include "mesh/check/check_edges.hpp"
-#include "mesh/files/solids.hpp"
+#include "mesh/check/topology.hpp"
 
 namespace tdbd::mesh {
 namespace {
 
-/// The edges of facets that were added so far, and whether they close.
+/// The edges of the facets added so far, and whether those close a solid.
 class Closing {
  public:
   void add(const Triangle& t) {
@@ -34,12 +36,9 @@ class Closing {
   int unfinished_ = 0;
 };
 
-/// Facets by their number, those of one piece together.
-using Facets = std::vector<int>;
-
-/// Runs of facets that close.
-std::vector<Facets> closing_runs(const std::vector<Triangle>& facets) {
-  std::vector<Facets> runs;
+/// Facets by number, in runs that end where the facets so far are closed.
+std::vector<std::vector<int>> closing_runs(const std::vector<Triangle>& facets) {
+  std::vector<std::vector<int>> runs;
   Closing closing;
   for (int i = 0; i < static_cast<int>(facets.size()); ++i) {
     if (closing.is_closed()) {
@@ -50,23 +49,6 @@ std::vector<Facets> closing_runs(const std::vector<Triangle>& facets) {
     closing.add(facets[at(i)]);
   }
   return runs;
-}
-
-/// Facets of a run that hang together by edges, in the order of their first facets.
-std::vector<Facets> pieces_of(const Facets& run, const std::vector<Triangle>& facets) {
-  DisjointSets sets(run.size());
-  std::map<std::pair<int, int>, int> at_edge;
-  for (int i = 0; i < static_cast<int>(run.size()); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Triangle& t = facets[at(run[at(i)])];
-      sets.join(i, at_edge.try_emplace(std::minmax({t[k], t[(k + 1) % 3]}), i).first->second);
-    }
-  std::map<int, Facets> of_set;
-  for (int i = 0; i < static_cast<int>(run.size()); ++i) of_set[sets.find(i)].push_back(run[at(i)]);
-  std::vector<Facets> pieces;
-  pieces.reserve(of_set.size());
-  for (auto& [first, piece] : of_set) pieces.push_back(std::move(piece));
-  return pieces;
 }
 
 }  // namespace
@@ -106,8 +88,15 @@ std::vector<Triangle> by_first_of_equals(const TriangleMesh& m) {
 std::vector<TriangleMesh> divide(const TriangleMesh& m) {
   const std::vector<Triangle> facets = by_first_of_equals(m);
   std::vector<TriangleMesh> pieces;
-  for (const Facets& run : closing_runs(facets))
-    for (const Facets& piece : pieces_of(run, facets)) pieces.push_back(submesh(m, piece));
+  for (const std::vector<int>& run : closing_runs(facets)) {
+    std::vector<Triangle> of_run;
+    of_run.reserve(run.size());
+    for (const int i : run) of_run.push_back(facets[at(i)]);
+    for (std::vector<int>& piece : connected_pieces(of_run)) {
+      for (int& i : piece) i = run[at(i)];
+      pieces.push_back(submesh(m, piece));
+    }
+  }
   return pieces;
 }
 

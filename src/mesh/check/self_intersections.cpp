@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "mesh/files/solids.hpp"
+#include "mesh/check/divide.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::mesh {
@@ -36,7 +36,7 @@ Box box_of(const TriangleMesh& m, const Triangle& t) {
 
 bool has(const Triangle& t, int name) { return std::find(t.begin(), t.end(), name) != t.end(); }
 
-/// The corners of f, those that are no corner of `other` first.
+/// The corners of f, those that `other` does not share first.
 NamedFacet own_corners_first(const NamedFacet& f, const Triangle& other) {
   std::array<std::size_t, 3> order{0, 1, 2};
   std::stable_partition(order.begin(), order.end(),
@@ -49,19 +49,19 @@ NamedFacet own_corners_first(const NamedFacet& f, const Triangle& other) {
   return sorted;
 }
 
-/// Triangles over one edge overlap when they are in one plane on one side of it.
+/// Triangles that share an edge overlap if they lie in one plane on the same side of it.
 bool fold_over_edge(const NamedFacet& s, const NamedFacet& t) {
   const Point a = point(s, 1), b = point(s, 2), p = point(s, 0), q = point(t, 0);
   return CGAL::coplanar(a, b, p, q) && CGAL::coplanar_orientation(a, b, p, q) == CGAL::POSITIVE;
 }
 
-/// Triangles with one corner in common overlap when the side across from it meets the other.
+/// Triangles that share one corner overlap if the side opposite to it meets the other triangle.
 bool meet_beside_corner(const NamedFacet& s, const NamedFacet& t) {
   const Kernel::Segment_3 across_s(point(s, 0), point(s, 1)), across_t(point(t, 0), point(t, 1));
   return CGAL::do_intersect(across_s, triangle(t)) || CGAL::do_intersect(across_t, triangle(s));
 }
 
-/// Of triangles that both have area.
+/// For triangles with area.
 bool solid_facets_intersect(const NamedFacet& first, const NamedFacet& second) {
   const NamedFacet s = own_corners_first(first, second.names),
                    t = own_corners_first(second, first.names);

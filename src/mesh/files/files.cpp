@@ -22,12 +22,12 @@
 namespace tdbd::mesh {
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
+using FilePoint = CGAL::Simple_cartesian<double>::Point_3;
 using Polygon = std::vector<int>;
 
-/// As CGAL reads and writes it.
+/// Points and polygons as CGAL reads and writes them.
 struct Soup {
-  std::vector<Point> points;
+  std::vector<FilePoint> points;
   std::vector<Polygon> polygons;
 };
 
@@ -42,8 +42,8 @@ void require_known(const std::filesystem::path& path) {
                  fmt::format("unknown mesh format '{}', expected .stl, .obj, .ply or .off", e));
 }
 
-/// A binary STL tells how many facets follow its header of 80 bytes. Text is what begins with
-/// "solid" and is not as long as that number wants: some programs begin binary files so.
+/// A binary STL gives the number of facets after its header of 80 bytes. A file is text if it begins with "solid" and
+/// its length does not match that number: some programs begin binary files with "solid" too.
 enum class StlKind { text, binary };
 StlKind stl_kind(const std::filesystem::path& path, std::istream& in) {
   constexpr std::uintmax_t head = 84, facet = 50;
@@ -69,7 +69,7 @@ bool parse(std::istream& in, const std::string& extension, Soup& soup) {
   return CGAL::IO::read_PLY(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
 }
 
-/// The readers throw on broken files (sizes beyond memory, failed assertions); that is bad input.
+/// CGAL's readers throw on broken files (sizes beyond memory, failed assertions): that is an input error.
 FacetFile read_by_cgal(const std::filesystem::path& path, std::istream& in) {
   Soup soup;
   bool understood = false;
@@ -82,12 +82,12 @@ FacetFile read_by_cgal(const std::filesystem::path& path, std::istream& in) {
     fail_to_read(path, fmt::format("not a valid {} file, or cut short", lower_extension(path)));
   FacetFile file;
   file.points.reserve(soup.points.size());
-  for (const Point& p : soup.points) file.points.push_back(Vec3(p.x(), p.y(), p.z()));
+  for (const FilePoint& p : soup.points) file.points.push_back(Vec3(p.x(), p.y(), p.z()));
   file.polygons = std::move(soup.polygons);
   return file;
 }
 
-void demand_sound(const std::filesystem::path& path, const FacetFile& file) {
+void require_sound(const std::filesystem::path& path, const FacetFile& file) {
   if (file.polygons.empty()) fail_to_read(path, "no triangles");
   for (std::size_t v = 0; v < file.points.size(); ++v)
     if (const Vec3& x = file.points[v]; !x.allFinite())
@@ -146,7 +146,7 @@ FacetFile read_facets(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) fail_to_read(path, "cannot be opened for reading");
   FacetFile file = read_any(path, in);
-  demand_sound(path, file);
+  require_sound(path, file);
   return file;
 }
 

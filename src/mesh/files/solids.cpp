@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/whole_file.hpp"
+#include "mesh/check/divide.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/measures.hpp"

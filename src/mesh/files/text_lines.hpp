@@ -9,18 +9,18 @@
 
 namespace tdbd::mesh {
 
-/// A text file read line by line, with the number of the line for messages.
+/// Reads a text file line by line and keeps the line number for messages.
 class TextLines {
  public:
   TextLines(std::istream& in, std::string path);
 
-  /// The next line with anything on it that is no comment (#). False at the end.
+  /// Moves to the next line with words before any comment (#). False at the end of the file.
   bool next();
 
   const std::vector<std::string>& words() const { return words_; }
   long number() const { return number_; }
 
-  /// What follows the first word, as written.
+  /// The text after the first word, as written.
   std::string rest() const;
 
   /// Three finite numbers from word `first` on. Throws InputError.

@@ -10,14 +10,14 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Statements without a say in the shape.
-bool is_passed_over(const std::string& word) {
+/// Statements that do not affect the shape.
+bool is_ignored(const std::string& word) {
   constexpr const char* known[] = {"vt", "vn",     "vp",     "s", "mg", "usemtl",
                                    "l",  "mtllib", "usemap", "p", "lod"};
   return std::find(std::begin(known), std::end(known), word) != std::end(known);
 }
 
-/// Number of the point that "7", "7/1/2" or "-1" (the last one so far) names.
+/// The index of the point that "7", "7/1/2" or "-1" (the last one so far) refers to.
 int corner(const TextLines& lines, const std::string& word, int points) {
   const std::string number = word.substr(0, word.find('/'));
   int i = 0;
@@ -41,25 +41,25 @@ std::vector<int> read_polygon(const TextLines& lines, int points) {
   return polygon;
 }
 
-/// A group may be taken up again.
+/// The body of this name, new or known: a group may be continued later.
 int body_named(FacetFile& file, const std::string& name) {
-  const auto at = std::find(file.names.begin(), file.names.end(), name);
-  if (at != file.names.end()) return static_cast<int>(at - file.names.begin());
+  const auto known = std::find(file.names.begin(), file.names.end(), name);
+  if (known != file.names.end()) return static_cast<int>(known - file.names.begin());
   file.names.push_back(name);
   return static_cast<int>(file.names.size()) - 1;
 }
 
-/// Groups without facets are no bodies; a file without any name has none.
+/// Groups without facets are not bodies; a file without any name has no named bodies.
 void drop_empty_bodies(FacetFile& file) {
   std::vector<int> number(file.names.size(), -1);
-  for (const int b : file.body) number[static_cast<std::size_t>(b)] = 0;
+  for (const int b : file.body) number[at(b)] = 0;
   std::vector<std::string> used;
   for (std::size_t b = 0; b < number.size(); ++b)
     if (number[b] == 0) {
       number[b] = static_cast<int>(used.size());
       used.push_back(file.names[b]);
     }
-  for (int& b : file.body) b = number[static_cast<std::size_t>(b)];
+  for (int& b : file.body) b = number[at(b)];
   file.names = used;
   if (used.size() == 1 && used[0].empty()) {
     file.names.clear();
@@ -82,7 +82,7 @@ FacetFile read_obj(std::istream& in, const std::string& path) {
       file.body.push_back(body_named(file, name));
     } else if (word == "g" || word == "o") {
       name = lines.rest();
-    } else if (!is_passed_over(word)) {
+    } else if (!is_ignored(word)) {
       lines.fail('\'' + word + '\'', "a statement of an OBJ file (v, f, g, o, ...)");
     }
   }

@@ -7,16 +7,16 @@
 namespace tdbd::mesh {
 namespace {
 
-/// The points of one solid, equal ones once.
+/// The points of one solid, without duplicates.
 class Points {
  public:
   explicit Points(std::vector<Vec3>& all) : all_(all) {}
 
   int add(const Vec3& x) {
-    const auto [at, is_new] =
+    const auto [place, is_new] =
         number_.try_emplace({x.x(), x.y(), x.z()}, static_cast<int>(all_.size()));
     if (is_new) all_.push_back(x);
-    return at->second;
+    return place->second;
   }
 
  private:
@@ -24,21 +24,21 @@ class Points {
   std::map<std::array<double, 3>, int> number_;
 };
 
-/// Fails at the end of the file too, at its last line.
-void demand(TextLines& lines, const char* word, const char* expected) {
+/// Moves to the next line and requires its first word. At the end of the file it fails with the last line.
+void require(TextLines& lines, const char* word, const char* expected) {
   if (!lines.next()) lines.fail("the end of the file", expected);
   if (lines.words()[0] != word) lines.fail('\'' + lines.words()[0] + '\'', expected);
 }
 
 std::vector<int> read_facet(TextLines& lines, Points& points) {
-  demand(lines, "outer", "'outer loop'");
+  require(lines, "outer", "'outer loop'");
   std::vector<int> corners(3);
   for (int& corner : corners) {
-    demand(lines, "vertex", "'vertex' and three numbers");
+    require(lines, "vertex", "'vertex' and three numbers");
     corner = points.add(lines.point(1));
   }
-  demand(lines, "endloop", "'endloop': a facet has three vertices");
-  demand(lines, "endfacet", "'endfacet'");
+  require(lines, "endloop", "'endloop': a facet has three vertices");
+  require(lines, "endfacet", "'endfacet'");
   return corners;
 }
 

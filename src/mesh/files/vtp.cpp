@@ -15,7 +15,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "appended data are written as they lie");
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::int32_t));
 
-/// The XML head and, behind it, the bytes that its DataArray elements point into.
+/// The XML header and the bytes that its DataArray elements refer to.
 struct Document {
   std::string head;
   std::string appended;

@@ -9,15 +9,15 @@
 
 namespace tdbd::mesh {
 
-/// A number at every vertex or every triangle. The name carries the unit: "depth_m".
+/// A number at every vertex or every triangle. The name includes the unit: "depth_m".
 struct Field {
   std::string name;
   std::vector<double> values;
 };
 
-/// Writes `m` (positions in m) with its fields as VTK XML PolyData, appended raw binary: doubles
-/// to the bit, 32-bit indices, little-endian. ParaView opens it. Throws RunError when a field has
-/// the wrong length or the file cannot be written; no partial file stays.
+/// Writes `m` (positions in m) with its fields as VTK XML PolyData for ParaView, appended raw binary: exact doubles,
+/// 32-bit indices, little-endian. Throws RunError if a field has the wrong length or the file cannot be written; no
+/// partial file is left.
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& m,
                const std::vector<Field>& point_data, const std::vector<Field>& cell_data);
 

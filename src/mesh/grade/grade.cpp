@@ -21,7 +21,7 @@ constexpr int most_rounds = 12;
 /// `most`.
 double farthest(const TriangleMesh& m, const TriangleTree& from, double most) {
   double worst = 0.0;
-  const auto x = [&](int v) { return m.positions[static_cast<std::size_t>(v)]; };
+  const auto x = [&](int v) { return m.positions[at(v)]; };
   for (const auto& [a, b, c] : m.triangles)
     for (const Vec3& y : {x(a), Vec3(0.5 * (x(a) + x(b))), Vec3(0.5 * (x(b) + x(c))),
                           Vec3(0.5 * (x(c) + x(a))), Vec3((x(a) + x(b) + x(c)) / 3.0)})
@@ -29,7 +29,7 @@ double farthest(const TriangleMesh& m, const TriangleTree& from, double most) {
   return worst;
 }
 
-void demand_bounds(const Graded& g, const TriangleMesh& m, const GradeSurface& surface) {
+void require_bounds(const Graded& g, const TriangleMesh& m, const GradeSurface& surface) {
   const double most = surface.options.deviation + 10.0 * surface.rounding;
   if (g.deviation > most)
     throw RunError(
@@ -61,7 +61,7 @@ Graded grade(const TriangleMesh& m, const GradeOptions& options) {
   result.deviation = std::max(farthest(result.mesh, surface.original, far),
                               farthest(m, TriangleTree(result.mesh), far));
   result.volume_change = enclosed_volume(result.mesh) - enclosed_volume(m);
-  demand_bounds(result, m, surface);
+  require_bounds(result, m, surface);
   return result;
 }
 

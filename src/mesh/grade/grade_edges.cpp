@@ -12,11 +12,11 @@ namespace tdbd::mesh {
 namespace {
 
 constexpr double too_long = 4.0 / 3.0, too_short = 4.0 / 5.0;
-constexpr double poor = 0.3;       ///< quality below which a collapse may not bring a facet
-constexpr double same_side = 0.7;  ///< cosine: facets may not turn more in a collapse
+constexpr double poor = 0.3;       ///< a collapse may not leave a facet of lower quality
+constexpr double same_side = 0.7;  ///< cosine of the largest rotation of a facet in a collapse
 
 /// An edge by its vertices, with its length over the target.
-struct Edge {
+struct RatedEdge {
   double ratio = 0.0;
   int a = 0, b = 0;
 };
@@ -28,8 +28,8 @@ double ratio(const GradeSurface& g, int a, int b) {
 
 /// Edges whose ratio `is_wanted` picks, in the order of their vertices.
 template <class Wanted>
-std::vector<Edge> edges(const GradeSurface& g, Wanted is_wanted) {
-  std::vector<Edge> found;
+std::vector<RatedEdge> edges(const GradeSurface& g, Wanted is_wanted) {
+  std::vector<RatedEdge> found;
   for (int c = 0; c < 3 * g.s.triangle_slots(); ++c) {
     if (!g.s.triangle_is_alive(c / 3) || g.s.opposite_of(c) < c) continue;
     const auto [a, b] = std::minmax({g.s.vertex(next_corner(c)), g.s.vertex(previous_corner(c))});
@@ -52,7 +52,7 @@ void halve(GradeSurface& g, int c) {
   g.features.insert(std::minmax(m, b));
 }
 
-/// The other neighbour of crease vertex v along its feature.
+/// The other neighbour of crease vertex v on its feature.
 int along(const GradeSurface& g, int v, int from) {
   int other = -1;
   visit_corners(g.s, v, [&](int c) {
@@ -62,10 +62,10 @@ int along(const GradeSurface& g, int v, int from) {
   return other;
 }
 
-/// Vertex `gone` on its way to vertex `keep`.
+/// The collapse of vertex `gone` onto vertex `keep`.
 struct Collapse {
   int gone = 0, keep = 0;
-  int next_on_feature = -1;  ///< of a crease vertex: the neighbour across from `keep`
+  int next_on_feature = -1;  ///< of a crease vertex: its neighbour on the other side
   std::vector<Facet> old_facets, new_facets;
   double moved = 0.0;
 };
@@ -84,7 +84,7 @@ Collapse prepare(const GradeSurface& g, int gone, int keep) {
 
 double quality(const Facet& f) { return triangle_quality(f.a, f.b, f.c); }
 
-/// No facet turns over or becomes poorer than it may, no edge longer than the target allows.
+/// Whether no facet flips over or becomes too poor, and no edge too long for the target.
 bool keeps_shape(const GradeSurface& g, const Collapse& k) {
   double worst = poor;
   for (const Facet& f : k.old_facets) worst = std::min(worst, quality(f));
@@ -98,8 +98,8 @@ bool keeps_shape(const GradeSurface& g, const Collapse& k) {
   return true;
 }
 
-/// How far the surface moves: from the vertex that goes to the new facets, on top of how far it
-/// had moved; and from places on the new facets to the mesh as given.
+/// Whether the surface stays within the deviation: measured from the removed vertex to the new facets, in addition to
+/// how far it had moved before, and from points of the new facets to the given mesh.
 bool keeps_place(const GradeSurface& g, Collapse& k) {
   const double most = g.options.deviation + g.rounding;
   const Vec3& x = g.s.position(k.gone);
@@ -147,10 +147,10 @@ std::size_t refine(GradeSurface& g) {
   std::size_t halved = 0;
   for (std::size_t before = halved + 1; halved != before;) {
     before = halved;
-    std::vector<Edge> longs = edges(g, [](double r) { return r > too_long; });
+    std::vector<RatedEdge> longs = edges(g, [](double r) { return r > too_long; });
     std::stable_sort(longs.begin(), longs.end(),
-                     [](const Edge& x, const Edge& y) { return x.ratio > y.ratio; });
-    for (const Edge& e : longs) {
+                     [](const RatedEdge& x, const RatedEdge& y) { return x.ratio > y.ratio; });
+    for (const RatedEdge& e : longs) {
       const int c = corner_facing(g.s, e.a, e.b);
       halve(g, c);
       ++halved;
@@ -160,11 +160,11 @@ std::size_t refine(GradeSurface& g) {
 }
 
 std::size_t coarsen(GradeSurface& g) {
-  std::vector<Edge> shorts = edges(g, [](double r) { return r < too_short; });
+  std::vector<RatedEdge> shorts = edges(g, [](double r) { return r < too_short; });
   std::stable_sort(shorts.begin(), shorts.end(),
-                   [](const Edge& x, const Edge& y) { return x.ratio < y.ratio; });
+                   [](const RatedEdge& x, const RatedEdge& y) { return x.ratio < y.ratio; });
   std::size_t collapsed = 0;
-  for (const Edge& e : shorts) {
+  for (const RatedEdge& e : shorts) {
     if (!g.s.is_alive(e.a) || !g.s.is_alive(e.b) || corner_facing(g.s, e.a, e.b) < 0) continue;
     collapsed += try_collapse(g, e.a, e.b) || try_collapse(g, e.b, e.a);
   }

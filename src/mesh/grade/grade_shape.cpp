@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/edit.hpp"
 #include "mesh/grade/grade_surface.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/search/inside.hpp"
@@ -8,10 +9,10 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Facets whose corners leave a plane by no more are in it: files round coordinates.
+/// Facets whose corners are this close to a plane lie in it: files round coordinates.
 double flat(const GradeSurface& g) { return g.rounding + 0.01 * g.options.deviation; }
 
-/// A change for shape has to be worth it, so that none is made to and fro.
+/// Smallest improvement of the quality that is worth a change: prevents endless back and forth.
 constexpr double gain = 1e-6;
 
 double quality(const Surface& s, int a, int b, int c) {
@@ -22,41 +23,13 @@ Vec3 area(const Surface& s, int a, int b, int c) {
   return area_vector(s.position(a), s.position(b), s.position(c));
 }
 
-void link(Surface& s, int c, int o) {
-  s.opposite[at(c)] = o;
-  if (o >= 0) s.opposite[at(o)] = c;
-}
-
-/// The edge that faces corner c becomes the other diagonal of its two triangles.
-void turn_diagonal(Surface& s, int c) {
-  const int o = s.opposite_of(c), t = c / 3, u = o / 3;
-  const int p = s.vertex(c), a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
-  const int q = s.vertex(o);
-  const int beyond_pa = s.opposite_of(previous_corner(c)),
-            beyond_bp = s.opposite_of(next_corner(c));
-  const int beyond_qb = s.opposite_of(previous_corner(o)),
-            beyond_aq = s.opposite_of(next_corner(o));
-  s.triangles[at(t)] = {p, a, q};
-  s.triangles[at(u)] = {q, b, p};
-  link(s, 3 * t + 1, 3 * u + 1);
-  link(s, 3 * t, beyond_aq);
-  link(s, 3 * t + 2, beyond_pa);
-  link(s, 3 * u, beyond_bp);
-  link(s, 3 * u + 2, beyond_qb);
-  s.corner_of[at(p)] = 3 * t;
-  s.corner_of[at(a)] = 3 * t + 1;
-  s.corner_of[at(q)] = 3 * u;
-  s.corner_of[at(b)] = 3 * u + 1;
-}
-
-/// Whether turning the diagonal at c leaves the surface where it is and the facets better.
-bool should_turn(const GradeSurface& g, int c) {
+/// Whether flipping the edge at c leaves the surface in place and improves the facets.
+bool should_flip(const GradeSurface& g, int c) {
   const Surface& s = g.s;
   const int o = s.opposite_of(c);
   const int p = s.vertex(c), a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
   const int q = s.vertex(o);
-  if (is_feature(g, a, b) || corner_facing(s, p, q) >= 0 || corner_facing(s, q, p) >= 0)
-    return false;
+  if (is_feature(g, a, b) || !flip_keeps_topology(s, c)) return false;
   const Vec3 n = area(s, p, a, b), n1 = area(s, p, a, q), n2 = area(s, q, b, p);
   if (n.dot(n1) <= 0.0 || n.dot(n2) <= 0.0) return false;
   const double height = std::abs(n.dot(s.position(q) - s.position(a)));
@@ -65,7 +38,7 @@ bool should_turn(const GradeSurface& g, int c) {
          std::min(quality(s, p, a, b), quality(s, a, q, b)) + gain;
 }
 
-/// The facets about v, and their neighbours' middle.
+/// The facets around a vertex, and the mean of its neighbours.
 struct Star {
   std::vector<std::pair<int, int>> rims;
   Vec3 middle = Vec3::Zero();
@@ -91,7 +64,7 @@ bool is_flat(const GradeSurface& g, const Star& star, const Vec3& x) {
   });
 }
 
-/// The worst quality about v if it were at x; negative if a facet turned over.
+/// The worst quality around a vertex if it were at x; negative if a facet flipped over.
 double worst_at(const Surface& s, const Star& star, const Vec3& x) {
   double worst = 1.0;
   for (const auto& [p, q] : star.rims) {
@@ -110,8 +83,8 @@ std::size_t flip(GradeSurface& g) {
   for (int pass = 0; pass < most_passes; ++pass) {
     const std::size_t before = turned;
     for (int c = 0; c < 3 * g.s.triangle_slots(); ++c)
-      if (g.s.triangle_is_alive(c / 3) && should_turn(g, c)) {
-        turn_diagonal(g.s, c);
+      if (g.s.triangle_is_alive(c / 3) && should_flip(g, c)) {
+        flip_edge(g.s, c);
         ++turned;
       }
     if (turned == before) break;

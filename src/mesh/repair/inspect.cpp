@@ -6,13 +6,11 @@
 #include <set>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/check_edges.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/check/topology.hpp"
 
 namespace tdbd::mesh {
 namespace {
-
-const Vec3& position(const TriangleMesh& m, int v) { return m.positions[at(v)]; }
 
 std::size_t equal_points(const TriangleMesh& m) {
   std::set<std::array<double, 3>> places;
@@ -45,16 +43,6 @@ void measure_edges(const TriangleMesh& m, const std::vector<Side>& sides, Inspec
   found.mean_edge /= static_cast<double>(std::max<std::size_t>(edges, 1));
 }
 
-std::size_t pieces(const TriangleMesh& m, const std::vector<Side>& sides) {
-  DisjointSets sets(m.triangles.size());
-  for_each_edge(sides, [&](const Side* first, const Side* last) {
-    for (const Side* s = first; s < last; ++s) sets.join(first->triangle, s->triangle);
-  });
-  std::size_t count = 0;
-  for (int t = 0; t < static_cast<int>(m.triangles.size()); ++t) count += sets.find(t) == t;
-  return count;
-}
-
 }  // namespace
 
 Inspection inspect(const TriangleMesh& m) {
@@ -65,13 +53,14 @@ Inspection inspect(const TriangleMesh& m) {
   found.duplicates = duplicates(m);
   const std::vector<Side> sides = sorted_sides(m);
   measure_edges(m, sides, found);
-  found.pieces = pieces(m, sides);
+  found.pieces = connected_pieces(m.triangles).size();
   const std::vector<int> fans = fan_counts(m, sides);
   found.non_manifold_vertices = static_cast<std::size_t>(
       std::count_if(fans.begin(), fans.end(), [](int n) { return n > 1; }));
   found.worst_quality = 1.0;
-  for (const Triangle& t : m.triangles) {
-    const double q = triangle_quality(position(m, t[0]), position(m, t[1]), position(m, t[2]));
+  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+    const auto [a, b, c] = corners(m, i);
+    const double q = triangle_quality(a, b, c);
     found.worst_quality = std::min(found.worst_quality, q);
     found.degenerate += q < degenerate_quality;
   }

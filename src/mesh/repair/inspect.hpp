@@ -7,20 +7,20 @@
 
 namespace tdbd::mesh {
 
-/// What there is to say of a mesh, sound or not. Its indices are in range, its positions finite.
+/// Figures of a mesh, sound or not. Its indices must be in range and its positions finite.
 struct Inspection {
   std::size_t vertices = 0;
   std::size_t facets = 0;
-  std::size_t pieces = 0;                 ///< that hang together by edges
-  std::size_t equal_points = 0;           ///< vertices at the place of an earlier one
+  std::size_t pieces = 0;                 ///< connected by edges
+  std::size_t equal_points = 0;           ///< vertices at the position of an earlier one
   std::size_t degenerate = 0;             ///< facets without area
   std::size_t duplicates = 0;             ///< facets with the corners of an earlier one
   std::size_t open_edges = 0;             ///< of one facet
-  std::size_t flipped_edges = 0;          ///< whose two facets run along them the same way
+  std::size_t flipped_edges = 0;          ///< whose two facets traverse them in the same direction
   std::size_t non_manifold_edges = 0;     ///< of more than two facets
   std::size_t non_manifold_vertices = 0;  ///< where fans of facets touch
   std::size_t intersecting_pairs = 0;     ///< self_intersections
-  double volume = 0.0;                    ///< m3, enclosed; meaningless if open
+  double volume = 0.0;                    ///< m3, enclosed; meaningless for an open mesh
   double area = 0.0;                      ///< m2
   Box box;
   double shortest_edge = 0.0, mean_edge = 0.0, longest_edge = 0.0;  ///< m, over edges

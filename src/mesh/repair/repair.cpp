@@ -12,8 +12,8 @@
 namespace tdbd::mesh {
 namespace {
 
-/// A word of a command line.
-std::string in_shell(const std::string& word) {
+/// A word of a shell command line, quoted if it must be.
+std::string shell_quoted(const std::string& word) {
   constexpr const char* plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./+,:@%";
   if (word.find_first_not_of(plain) == std::string::npos) return word;
@@ -22,37 +22,37 @@ std::string in_shell(const std::string& word) {
   return quoted + "'";
 }
 
-void note(Repaired& r, std::size_t count, const std::string& what) {
+void record(Repaired& r, std::size_t count, const std::string& what) {
   if (count > 0) r.steps.push_back({what, count});
 }
 
-/// Everything up to intersections. A refusal ends it.
-void mend(Repaired& r, const RepairOptions& options) {
+/// All steps but the removal of intersections. Stops at a refusal.
+void repair_surface(Repaired& r, const RepairOptions& options) {
   TriangleMesh& m = r.mesh;
-  note(r, merge_points(m, options.weld),
-       options.weld > 0.0
-           ? fmt::format("points merged that were within {:.6g} mm of another", 1e3 * options.weld)
-           : "points merged at equal places");
-  note(r, drop_duplicates(m), "duplicate facets dropped");
-  note(r, remove_degenerate(m), "facets without area removed");
-  note(r, drop_sheets(m), "facets dropped of sheets that stand out from the surface");
-  note(r, drop_unused_points(m), "points of no facet dropped");
-  note(r, part_non_manifold(m, r.refusal),
-       "points doubled where more than two facets met at an edge, or fans at a point");
+  record(r, merge_points(m, options.weld),
+         options.weld > 0.0
+             ? fmt::format("points merged with another within {:.6g} mm", 1e3 * options.weld)
+             : "points merged at equal places");
+  record(r, drop_duplicates(m), "duplicate facets dropped");
+  record(r, remove_degenerate(m), "facets without area removed");
+  record(r, drop_sheets(m), "facets of protruding sheets dropped");
+  record(r, drop_unused_points(m), "unused points dropped");
+  record(r, split_non_manifold(m, r.refusal),
+         "points duplicated where more than two facets met at an edge, or fans at a point");
   if (!r.refusal.empty()) return;
-  note(r, turn_facets(m, r.refusal), "facets turned to agree with their neighbours");
+  record(r, orient_facets(m, r.refusal), "facets flipped to agree with their neighbours");
   if (!r.refusal.empty()) return;
-  note(r, fill_holes(m, r.refusal), "holes filled");
-  if (r.refusal.empty()) note(r, turn_pieces(m), "facets of pieces turned outwards");
+  record(r, fill_holes(m, r.refusal), "holes filled");
+  if (r.refusal.empty()) record(r, orient_pieces(m), "facets flipped to orient pieces outwards");
 }
 
-void mend_intersections(Repaired& r) {
+void repair_intersections(Repaired& r) {
   const std::size_t pairs = self_intersections(r.mesh).size();
   if (pairs == 0) return;
   if (remove_intersections(r.mesh))
-    note(r, pairs, "intersecting pairs of facets removed by uniting pieces or remeshing");
+    record(r, pairs, "intersecting pairs of facets removed by uniting pieces or remeshing");
   else
-    r.refusal = fmt::format("{} pairs of facets intersect and could not be parted", pairs);
+    r.refusal = fmt::format("{} pairs of facets intersect and could not be removed", pairs);
 }
 
 }  // namespace
@@ -60,9 +60,9 @@ void mend_intersections(Repaired& r) {
 Repaired repair(TriangleMesh m, const RepairOptions& options) {
   Repaired r{std::move(m), {}, {}};
   if (options.weld == 0.0 && check_solid(r.mesh).empty()) return r;
-  mend(r, options);
+  repair_surface(r, options);
   if (r.refusal.empty() && r.mesh.triangles.empty()) r.refusal = "no facet is left";
-  if (r.refusal.empty()) mend_intersections(r);
+  if (r.refusal.empty()) repair_intersections(r);
   if (!r.refusal.empty()) return r;
   if (const auto left = check_solid(r.mesh); !left.empty()) r.refusal = summarize(left);
   return r;
@@ -71,8 +71,8 @@ Repaired repair(TriangleMesh m, const RepairOptions& options) {
 std::string repair_command(const std::filesystem::path& path) {
   std::filesystem::path out = path;
   out.replace_filename(path.stem().string() + "-repaired" + path.extension().string());
-  return fmt::format("tdbd mesh {} --repair -o {}", in_shell(path.string()),
-                     in_shell(out.string()));
+  return fmt::format("tdbd mesh {} --repair -o {}", shell_quoted(path.string()),
+                     shell_quoted(out.string()));
 }
 
 std::vector<std::string> mesh_faults(const std::filesystem::path& path,

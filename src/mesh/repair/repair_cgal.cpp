@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "mesh/check/check.hpp"
+#include "mesh/check/divide.hpp"
 #include "mesh/check/self_intersections.hpp"
-#include "mesh/files/solids.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
@@ -53,7 +53,7 @@ TriangleMesh from_cgal(SurfaceMesh surface) {
   return m;
 }
 
-/// The union of pieces that are sound by themselves; nothing if one is not.
+/// The union of the pieces, if each is sound on its own.
 bool unite(TriangleMesh& m) {
   std::vector<TriangleMesh> pieces = divide(m);
   for (const TriangleMesh& piece : pieces)
@@ -67,7 +67,7 @@ bool unite(TriangleMesh& m) {
   return true;
 }
 
-/// Computed points are rounded: what that leaves without area goes. Whether nothing is wrong then.
+/// Removes what the rounding of computed points left without area. Whether the mesh is sound then.
 bool clean_up(TriangleMesh& m) {
   constexpr double rounding = 1e-14;
   merge_points(m, rounding * bounding_box(m).size().norm());
@@ -76,7 +76,7 @@ bool clean_up(TriangleMesh& m) {
   return check_solid(m).empty();
 }
 
-/// Facets about intersections are cut out and the holes filled, again and again.
+/// Cuts out facets around intersections and fills the holes, repeatedly.
 bool remesh(TriangleMesh& m) {
   SurfaceMesh surface = to_cgal(m);
   if (!processing::experimental::remove_self_intersections(surface)) return false;
@@ -96,7 +96,7 @@ std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
   triangles.reserve(patch.size());
   for (const auto& [a, b, c] : patch) {
     Triangle t{a, b, c};
-    std::sort(t.begin(), t.end());  // the sense of the loop
+    std::sort(t.begin(), t.end());  // the direction of the loop
     triangles.push_back(t);
   }
   return triangles;
@@ -113,7 +113,7 @@ bool remove_intersections(TriangleMesh& m) {
     if (!remesh(remeshed) || !clean_up(remeshed)) return false;
     m = std::move(remeshed);
     return true;
-  } catch (const std::exception&) {  // a failed assertion of CGAL: it could not
+  } catch (const std::exception&) {  // a failed assertion of CGAL
     return false;
   }
 }

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/check_edges.hpp"
-#include "mesh/files/solids.hpp"
+#include "mesh/check/divide.hpp"
+#include "mesh/check/topology.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
 #include "mesh/search/inside.hpp"
@@ -15,21 +15,13 @@
 namespace tdbd::mesh {
 namespace {
 
-const Vec3& position(const TriangleMesh& m, int v) { return m.positions[at(v)]; }
-
-/// Number of the corner of triangle t at vertex v.
-int corner(const TriangleMesh& m, int t, int v) {
-  const Triangle& c = m.triangles[at(t)];
-  return 3 * t + static_cast<int>(std::find(c.begin(), c.end(), v) - c.begin());
-}
-
 int apex(const TriangleMesh& m, const Side& s) {
   for (const int v : m.triangles[at(s.triangle)])
     if (v != s.lo && v != s.hi) return v;
   return s.lo;
 }
 
-/// The facets of an edge in the order of their angle about it, from lo to hi.
+/// The facets of an edge, sorted by their angle about it, seen from lo to hi.
 std::vector<Side> around(const TriangleMesh& m, const Side* first, const Side* last) {
   const Vec3 e = (position(m, first->hi) - position(m, first->lo)).stableNormalized();
   const Vec3 u =
@@ -45,14 +37,15 @@ std::vector<Side> around(const TriangleMesh& m, const Side* first, const Side* l
   return order;
 }
 
-/// Joins the corners of two facets at both ends of their edge.
+/// Puts the corners of two facets at both ends of their edge into the same fan.
 void join(const TriangleMesh& m, DisjointSets& fans, const Side& a, const Side& b) {
-  for (const int v : {a.lo, a.hi}) fans.join(corner(m, a.triangle, v), corner(m, b.triangle, v));
+  for (const int v : {a.lo, a.hi})
+    fans.join(corner_at(m.triangles, a.triangle, v), corner_at(m.triangles, b.triangle, v));
 }
 
-/// The normal of a facet that runs from lo to hi points counter-clockwise about that edge: the
-/// inside comes before it, and after one that runs back. Pairs (0 1) (2 3) ... or (1 2) ...
-/// (last 0), as most facets say.
+/// Pairs the facets of an edge that bound the same solid. The normal of a facet that runs from lo to hi points
+/// counter-clockwise about the edge, so the inside comes before it, and after a facet that runs back. The majority
+/// decides between the pairs (0 1) (2 3) ... and (1 2) ... (last 0).
 void join_pairs(const TriangleMesh& m, DisjointSets& fans, const std::vector<Side>& order) {
   std::size_t votes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) votes += order[i].forward == (i % 2 == 1);
@@ -61,13 +54,8 @@ void join_pairs(const TriangleMesh& m, DisjointSets& fans, const std::vector<Sid
     join(m, fans, order[i % order.size()], order[(i + 1) % order.size()]);
 }
 
-std::string edge_text(const TriangleMesh& m, const Side& s) {
-  const Vec3 x = 0.5e3 * (position(m, s.lo) + position(m, s.hi));
-  return fmt::format("triangle {} at ({:.4f}, {:.4f}, {:.4f}) mm", s.triangle, x.x(), x.y(), x.z());
-}
-
-/// Gives every fan of corners but the first a vertex of its own.
-std::size_t part_fans(TriangleMesh& m, DisjointSets& fans) {
+/// Gives every fan of corners except the first at a vertex a vertex of its own.
+std::size_t separate_fans(TriangleMesh& m, DisjointSets& fans) {
   std::vector<int> first_fan(m.positions.size(), -1);
   std::map<int, int> vertex_of_fan;
   std::size_t doubled = 0;
@@ -90,14 +78,14 @@ std::size_t part_fans(TriangleMesh& m, DisjointSets& fans) {
   return doubled;
 }
 
-/// Facets that are to be turned: found from neighbour to neighbour, seeds first.
-struct Turning {
-  std::vector<std::vector<std::pair<int, bool>>> neighbours;  ///< facet, agrees
-  std::vector<int> sign;                                      ///< 0: not reached
+/// Orientation of facets relative to the first of their piece, spread from neighbour to neighbour.
+struct Orientation {
+  std::vector<std::vector<std::pair<int, bool>>> neighbours;  ///< facet, whether it agrees
+  std::vector<int> sign;                                      ///< -1: flipped; 0: not reached
 };
 
-/// Reaches the piece of facet `seed`; its facets in the order reached, empty if it has one side.
-std::vector<int> reach(Turning& t, int seed) {
+/// The facets of the piece of facet `seed` in the order reached; empty if the piece is one-sided.
+std::vector<int> reach(Orientation& t, int seed) {
   std::vector<int> piece{seed};
   t.sign[at(seed)] = 1;
   for (std::size_t k = 0; k < piece.size(); ++k)
@@ -110,9 +98,9 @@ std::vector<int> reach(Turning& t, int seed) {
   return piece;
 }
 
-Turning make_turning(const TriangleMesh& m) {
-  Turning t{std::vector<std::vector<std::pair<int, bool>>>(m.triangles.size()),
-            std::vector<int>(m.triangles.size(), 0)};
+Orientation make_orientation(const TriangleMesh& m) {
+  Orientation t{std::vector<std::vector<std::pair<int, bool>>>(m.triangles.size()),
+                std::vector<int>(m.triangles.size(), 0)};
   for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
     if (last - first != 2) return;
     const bool agrees = first[0].forward != first[1].forward;
@@ -122,7 +110,7 @@ Turning make_turning(const TriangleMesh& m) {
   return t;
 }
 
-/// Boundary loops in the sense of the facets that will fill them: against the open edges.
+/// Boundary loops in the direction of the facets that will fill them: opposite to the open edges.
 std::vector<std::vector<int>> loops_of(const TriangleMesh& m) {
   std::map<int, int> next;
   for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
@@ -142,28 +130,9 @@ std::vector<std::vector<int>> loops_of(const TriangleMesh& m) {
   return loops;
 }
 
-/// Facets of each piece that hangs together by edges.
-std::vector<std::vector<int>> pieces_of(const TriangleMesh& m) {
-  DisjointSets sets(m.triangles.size());
-  for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
-    for (const Side* s = first; s < last; ++s) sets.join(first->triangle, s->triangle);
-  });
-  std::map<int, std::vector<int>> of_set;
-  for (int t = 0; t < static_cast<int>(m.triangles.size()); ++t) of_set[sets.find(t)].push_back(t);
-  std::vector<std::vector<int>> pieces;
-  pieces.reserve(of_set.size());
-  for (auto& [first, facets] : of_set) pieces.push_back(std::move(facets));
-  return pieces;
-}
-
-Vec3 centre(const TriangleMesh& m, int t) {
-  const Triangle& c = m.triangles[at(t)];
-  return (position(m, c[0]) + position(m, c[1]) + position(m, c[2])) / 3.0;
-}
-
 }  // namespace
 
-std::size_t part_non_manifold(TriangleMesh& m, std::string& refusal) {
+std::size_t split_non_manifold(TriangleMesh& m, std::string& refusal) {
   DisjointSets fans(3 * m.triangles.size());
   for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
     if (last - first == 2) join(m, fans, first[0], first[1]);
@@ -171,20 +140,22 @@ std::size_t part_non_manifold(TriangleMesh& m, std::string& refusal) {
     if ((last - first) % 2 == 0)
       join_pairs(m, fans, around(m, first, last));
     else if (refusal.empty())
-      refusal = fmt::format("{} facets meet at an edge of {}: which of them bound the solid?",
-                            last - first, edge_text(m, *first));
+      refusal = fmt::format(
+          "{} facets meet at an edge of triangle {} at {}: which of them bound the solid?",
+          last - first, first->triangle,
+          in_mm(0.5 * (position(m, first->lo) + position(m, first->hi))));
   });
-  return refusal.empty() ? part_fans(m, fans) : 0;
+  return refusal.empty() ? separate_fans(m, fans) : 0;
 }
 
-std::size_t turn_facets(TriangleMesh& m, std::string& refusal) {
-  Turning t = make_turning(m);
+std::size_t orient_facets(TriangleMesh& m, std::string& refusal) {
+  Orientation t = make_orientation(m);
   std::size_t turned = 0;
   for (int seed = 0; seed < static_cast<int>(m.triangles.size()); ++seed) {
     if (t.sign[at(seed)] != 0) continue;
     const std::vector<int> piece = reach(t, seed);
     if (piece.empty()) {
-      refusal = "the surface at " + place_of_triangle(m, seed) + " has one side only";
+      refusal = "the surface at " + place_of_triangle(m, seed) + " is one-sided";
       return 0;
     }
     const auto against =
@@ -199,8 +170,8 @@ std::size_t turn_facets(TriangleMesh& m, std::string& refusal) {
   return turned;
 }
 
-std::size_t turn_pieces(TriangleMesh& m) {
-  const std::vector<std::vector<int>> pieces = pieces_of(m);
+std::size_t orient_pieces(TriangleMesh& m) {
+  const std::vector<std::vector<int>> pieces = connected_pieces(m.triangles);
   std::vector<TriangleMesh> meshes;
   std::vector<TriangleTree> trees;
   meshes.reserve(pieces.size());
@@ -211,7 +182,8 @@ std::size_t turn_pieces(TriangleMesh& m) {
   }
   std::size_t turned = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Vec3 x = centre(m, pieces[i].front());
+    const auto [a, b, c] = corners(m, at(pieces[i].front()));
+    const Vec3 x = (a + b + c) / 3.0;
     bool outwards = true;
     for (std::size_t j = 0; j < pieces.size(); ++j)
       if (j != i && trees[j].box().contains(x) && inside(trees[j], x)) outwards = !outwards;
@@ -231,8 +203,7 @@ std::size_t fill_holes(TriangleMesh& m, std::string& refusal) {
     const std::vector<Triangle> patch = triangulate_loop(points);
     if (patch.size() + 2 != loop.size()) {
       refusal =
-          fmt::format("the hole of {} edges at ({:.4f}, {:.4f}, {:.4f}) mm has no filling",
-                      loop.size(), 1e3 * points[0].x(), 1e3 * points[0].y(), 1e3 * points[0].z());
+          fmt::format("the hole of {} edges at {} has no filling", loop.size(), in_mm(points[0]));
       return 0;
     }
     for (const Triangle& t : patch)

@@ -6,14 +6,12 @@
 #include <utility>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/check_edges.hpp"
+#include "mesh/check/topology.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 namespace tdbd::mesh {
 namespace {
-
-const Vec3& position(const TriangleMesh& m, int v) { return m.positions[at(v)]; }
 
 bool same_corners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
@@ -22,7 +20,7 @@ bool is_flat(const TriangleMesh& m, const Triangle& t) {
          degenerate_quality;
 }
 
-/// Keeps the triangles that `keep` picks by number; returns how many went.
+/// Keeps the triangles whose numbers `keep` accepts; returns how many were dropped.
 template <class Keep>
 std::size_t keep_triangles(TriangleMesh& m, Keep keep) {
   std::vector<Triangle> kept;
@@ -34,7 +32,7 @@ std::size_t keep_triangles(TriangleMesh& m, Keep keep) {
   return gone;
 }
 
-/// For every vertex the first one within `weld`, found along x.
+/// For every vertex the first vertex within `weld`, by a sweep along x.
 std::vector<int> first_within(const TriangleMesh& m, double weld) {
   std::vector<int> order(m.positions.size()), first(m.positions.size());
   std::iota(order.begin(), order.end(), 0);
@@ -53,7 +51,7 @@ std::vector<int> first_within(const TriangleMesh& m, double weld) {
   return first;
 }
 
-/// Number of the corner that faces the longest side.
+/// The corner that faces the longest side.
 std::size_t middle_corner(const TriangleMesh& m, const Triangle& t) {
   const auto side = [&](std::size_t k) {
     return (position(m, t[(k + 1) % 3]) - position(m, t[(k + 2) % 3])).squaredNorm();
@@ -61,7 +59,7 @@ std::size_t middle_corner(const TriangleMesh& m, const Triangle& t) {
   return side(0) >= side(1) && side(0) >= side(2) ? 0 : side(1) >= side(2) ? 1 : 2;
 }
 
-/// The other triangle along the side that faces corner k of triangle i, if there is just one.
+/// The other triangle at the side that faces corner k of triangle i, if there is exactly one.
 std::optional<std::size_t> neighbour(const TriangleMesh& m, std::size_t i, std::size_t k) {
   const int a = m.triangles[i][(k + 1) % 3], b = m.triangles[i][(k + 2) % 3];
   std::optional<std::size_t> found;
@@ -76,8 +74,8 @@ std::optional<std::size_t> neighbour(const TriangleMesh& m, std::size_t i, std::
   return found;
 }
 
-/// Cuts the neighbour at the longest side of a flat triangle in two, and drops the flat one.
-bool give_to_neighbour(TriangleMesh& m, std::size_t i) {
+/// Splits the neighbour across the longest side of a triangle without area, and drops that triangle.
+bool split_neighbour(TriangleMesh& m, std::size_t i) {
   const std::size_t k = middle_corner(m, m.triangles[i]);
   const auto j = neighbour(m, i, k);
   if (!j) return false;
@@ -146,11 +144,11 @@ std::size_t drop_duplicates(TriangleMesh& m) {
 std::size_t remove_degenerate(TriangleMesh& m) {
   std::size_t removed =
       keep_triangles(m, [&](std::size_t i) { return !same_corners(m.triangles[i]); });
-  // Giving a side away may leave the neighbour flat: as often as there are triangles at most.
+  // A split may leave the neighbour without area: at most one pass per triangle.
   for (std::size_t pass = 0, done = 1; done > 0 && pass < m.triangles.size(); ++pass) {
     done = 0;
     for (std::size_t i = 0; i < m.triangles.size(); ++i)
-      if (is_flat(m, m.triangles[i]) && give_to_neighbour(m, i)) {
+      if (is_flat(m, m.triangles[i]) && split_neighbour(m, i)) {
         done = 1;
         ++removed;
         break;

@@ -10,29 +10,29 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Along no axis, face or diagonal that a drawing office would choose.
+/// Along no axis, face or diagonal that a designer would choose.
 const Vec3 directions[] = {{0.1237, 0.2711, 0.9545},   {-0.3319, 0.1173, 0.9360},
                            {0.2113, -0.4391, -0.8732}, {0.7713, 0.5381, 0.3394},
                            {-0.6151, 0.7333, -0.2895}, {0.3917, -0.9017, 0.1833}};
 
-/// Does the ray x + s / inverse, s >= 0, meet the box?
+/// Whether the ray x + s / inverse, s >= 0, meets the box.
 bool ray_meets(const Box& box, const Vec3& x, const Vec3& inverse) {
   const Vec3 to_lo = (box.lo - x).cwiseProduct(inverse), to_hi = (box.hi - x).cwiseProduct(inverse);
   const double enter = to_lo.cwiseMin(to_hi).maxCoeff(), leave = to_lo.cwiseMax(to_hi).minCoeff();
   return leave >= 0.0 && enter <= leave * (1.0 + 1e-12);
 }
 
-/// Whether the number of crossings is odd; nothing if one of them is too near a rim to tell.
+/// Whether the number of crossings is odd; nothing if one of them is too close to an edge to tell.
 std::optional<bool> crosses_oddly(const TriangleTree& tree, const Vec3& x, const Vec3& d) {
-  constexpr double rim = 1e-9;
+  constexpr double edge = 1e-9;
   const Vec3 inverse = d.cwiseInverse();
   bool odd = false;
   const bool sure = tree.visit([&](const Box& box) { return ray_meets(box, x, inverse); },
                                [&](const Facet& f) {
                                  const auto hit = meet(f, x, d);
-                                 if (!hit || hit->s <= 0.0 || hit->margin < -rim) return true;
+                                 if (!hit || hit->s <= 0.0 || hit->margin < -edge) return true;
                                  odd = !odd;
-                                 return hit->margin > rim;
+                                 return hit->margin > edge;
                                });
   return sure ? std::optional(odd) : std::nullopt;
 }

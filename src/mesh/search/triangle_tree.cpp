@@ -10,8 +10,8 @@ namespace {
 constexpr int leaf_facets = 4;
 
 Facet facet(const TriangleMesh& m, int i) {
-  const Triangle& t = m.triangles[static_cast<std::size_t>(i)];
-  const auto corner = [&](int k) { return m.positions[static_cast<std::size_t>(k)]; };
+  const Triangle& t = m.triangles[at(i)];
+  const auto corner = [&](int k) { return m.positions[at(k)]; };
   return {corner(t[0]), corner(t[1]), corner(t[2])};
 }
 
@@ -39,7 +39,7 @@ void TriangleTree::build(std::vector<int>& order, int first, int last, const Tri
   nodes_.emplace_back();
   Box box, middles;
   for (int k = first; k < last; ++k) {
-    const Facet f = facet(m, order[static_cast<std::size_t>(k)]);
+    const Facet f = facet(m, order[at(k)]);
     add(box, f);
     middles.add(middle(f));
   }
@@ -47,8 +47,7 @@ void TriangleTree::build(std::vector<int>& order, int first, int last, const Tri
   if (last - first <= leaf_facets) {
     nodes_[self].next = static_cast<int>(facets_.size());
     nodes_[self].facets = last - first;
-    for (int k = first; k < last; ++k)
-      facets_.push_back(facet(m, order[static_cast<std::size_t>(k)]));
+    for (int k = first; k < last; ++k) facets_.push_back(facet(m, order[at(k)]));
     return;
   }
   Eigen::Index axis = 0;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double on_plane = 1e-12;  ///< of the mesh's size
 
-/// A mesh that is being cut: signed heights of its vertices over the plane, and the new vertices,
-/// one for each edge that crosses it.
+/// A mesh being cut: the signed heights of its vertices above the plane, and the new vertices, one per edge that crosses
+/// the plane.
 struct Cut {
   TriangleMesh mesh;
   std::vector<double> height;
@@ -43,7 +43,7 @@ int crossing_vertex(Cut& cut, int i, int j) {
   return place->second;
 }
 
-/// What stays of a triangle: a polygon of three or four corners, or fewer.
+/// What remains of a triangle: a polygon of up to four corners.
 std::vector<int> inner_polygon(Cut& cut, const Triangle& t) {
   std::vector<int> polygon;
   for (int k = 0; k < 3; ++k) {
@@ -58,7 +58,7 @@ bool inside_somewhere(const Cut& cut, const std::vector<int>& polygon) {
   return std::ranges::any_of(polygon, [&](int i) { return cut.height[i] < 0.0; });
 }
 
-/// A fan about the middle of the open edges, all of which lie in the plane.
+/// Closes the mesh by a fan about the mean of its open edges, all of which lie in the plane.
 void close(TriangleMesh& m) {
   std::set<std::pair<int, int>> edges;
   for (const Triangle& t : m.triangles)

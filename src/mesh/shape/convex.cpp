@@ -16,9 +16,7 @@ struct Plane {
   double b;
 };
 
-Vec3 corner(const TriangleMesh& m, const Triangle& t, int i) {
-  return m.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])];
-}
+Vec3 corner(const TriangleMesh& m, const Triangle& t, int i) { return m.positions[at(t[at(i)])]; }
 
 Vec3 area_vector_of(const TriangleMesh& m, const Triangle& t) {
   return area_vector(corner(m, t, 0), corner(m, t, 1), corner(m, t, 2));
@@ -32,23 +30,22 @@ bool lies_on(const TriangleMesh& m, const Triangle& t, const Vec3& area, const P
   return true;
 }
 
-/// Largest triangles first: their normals are the least disturbed by rounded coordinates.
+/// Largest triangles first: rounded coordinates disturb their normals least.
 std::vector<int> by_falling_area(const TriangleMesh& m) {
   std::vector<double> area(m.triangles.size());
   for (std::size_t t = 0; t < area.size(); ++t) area[t] = area_vector_of(m, m.triangles[t]).norm();
   std::vector<int> order(m.triangles.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
-    return area[static_cast<std::size_t>(i)] > area[static_cast<std::size_t>(j)];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int i, int j) { return area[at(i)] > area[at(j)]; });
   return order;
 }
 
-/// One more than `most_planes` at most.
+/// At most one more than `most_planes`.
 std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack) {
   std::vector<Plane> planes;
   for (const int k : by_falling_area(m)) {
-    const Triangle& t = m.triangles[static_cast<std::size_t>(k)];
+    const Triangle& t = m.triangles[at(k)];
     const Vec3 area = area_vector_of(m, t);
     if (area.norm() == 0.0) continue;
     const bool known = std::any_of(planes.begin(), planes.end(),

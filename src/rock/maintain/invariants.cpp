@@ -7,7 +7,7 @@
 
 #include "core/tolerance.hpp"
 #include "mesh/check/check.hpp"
-#include "mesh/check/check_edges.hpp"
+#include "mesh/check/topology.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/search/triangle_tree.hpp"
 #include "rock/maintain/collapse.hpp"

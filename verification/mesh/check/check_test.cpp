@@ -18,12 +18,12 @@ bool has(const std::vector<Defect>& defects, Kind kind) {
                      [&](const Defect& d) { return d.kind == kind; });
 }
 
-TEST(check, sound_meshes_have_no_defect) {
+TEST(Check, sound_meshes_have_no_defect) {
   EXPECT_TRUE(check_closed(tetrahedron()).empty()) << describe(check_closed(tetrahedron()));
   EXPECT_TRUE(check_surface(square_sheet(5)).empty()) << describe(check_surface(square_sheet(5)));
 }
 
-TEST(check, a_missing_triangle_is_three_holes_and_says_where) {
+TEST(Check, a_missing_triangle_is_three_holes_and_says_where) {
   TriangleMesh m = tetrahedron();
   m.triangles.pop_back();
   const auto defects = check_closed(m);
@@ -34,7 +34,7 @@ TEST(check, a_missing_triangle_is_three_holes_and_says_where) {
             "0.0000) mm");
 }
 
-TEST(check, a_flipped_triangle_is_found_at_each_of_its_edges) {
+TEST(Check, a_flipped_triangle_is_found_at_each_of_its_edges) {
   TriangleMesh m = tetrahedron();
   std::swap(m.triangles[2][1], m.triangles[2][2]);
   const auto defects = check_closed(m);
@@ -42,7 +42,7 @@ TEST(check, a_flipped_triangle_is_found_at_each_of_its_edges) {
   for (const Defect& d : defects) EXPECT_EQ(d.kind, Kind::flipped_triangle);
 }
 
-TEST(check, a_mesh_with_all_triangles_flipped_is_inside_out) {
+TEST(Check, a_mesh_with_all_triangles_flipped_is_inside_out) {
   TriangleMesh m = tetrahedron();
   for (Triangle& t : m.triangles) std::swap(t[1], t[2]);
   const auto defects = check_closed(m);
@@ -50,13 +50,13 @@ TEST(check, a_mesh_with_all_triangles_flipped_is_inside_out) {
   EXPECT_EQ(defects[0].kind, Kind::inside_out);
 }
 
-TEST(check, solids_that_touch_in_a_vertex_or_an_edge_are_not_manifold) {
+TEST(Check, solids_that_touch_in_a_vertex_or_an_edge_are_not_manifold) {
   EXPECT_TRUE(has(check_closed(two_tetrahedra_sharing(1)), Kind::non_manifold_vertex));
   EXPECT_FALSE(has(check_closed(two_tetrahedra_sharing(1)), Kind::non_manifold_edge));
   EXPECT_TRUE(has(check_closed(two_tetrahedra_sharing(2)), Kind::non_manifold_edge));
 }
 
-TEST(check, bad_indices_and_numbers_and_slivers_are_found) {
+TEST(Check, bad_indices_and_numbers_and_slivers_are_found) {
   TriangleMesh bad_index = tetrahedron(), bad_number = tetrahedron(), flat = tetrahedron();
   bad_index.triangles[1][2] = 4;
   bad_number.positions[3].y() = std::numeric_limits<double>::quiet_NaN();
@@ -69,13 +69,13 @@ TEST(check, bad_indices_and_numbers_and_slivers_are_found) {
   EXPECT_TRUE(has(check_closed({}), Kind::empty));
 }
 
-TEST(check, a_repeated_corner_is_degenerate) {
+TEST(Check, a_repeated_corner_is_degenerate) {
   TriangleMesh m = square_sheet(3);
   m.triangles.push_back({0, 0, 1});
   EXPECT_TRUE(has(check_surface(m), Kind::degenerate_triangle));
 }
 
-TEST(check, a_sheet_with_a_hole_has_two_loops_and_is_not_a_disk) {
+TEST(Check, a_sheet_with_a_hole_has_two_loops_and_is_not_a_disk) {
   TriangleMesh m = square_sheet(5);
   m.triangles.erase(m.triangles.begin() + 24);
   const auto defects = check_surface(m);
@@ -83,7 +83,7 @@ TEST(check, a_sheet_with_a_hole_has_two_loops_and_is_not_a_disk) {
   EXPECT_TRUE(has(defects, Kind::euler_characteristic));
 }
 
-TEST(check, a_closed_mesh_two_sheets_or_a_stray_vertex_are_not_a_sheet) {
+TEST(Check, a_closed_mesh_two_sheets_or_a_stray_vertex_are_not_a_sheet) {
   EXPECT_TRUE(has(check_surface(tetrahedron()), Kind::boundary_loops));
   EXPECT_TRUE(has(check_surface(two_sheets()), Kind::several_pieces));
   TriangleMesh stray = square_sheet(3);
@@ -93,7 +93,7 @@ TEST(check, a_closed_mesh_two_sheets_or_a_stray_vertex_are_not_a_sheet) {
   EXPECT_EQ(defects[0].where, "vertex 16 at (9000.0000, 9000.0000, 9000.0000) mm");
 }
 
-TEST(check, a_description_lists_the_first_and_counts_the_rest) {
+TEST(Check, a_description_lists_the_first_and_counts_the_rest) {
   const std::vector<Defect> three(3, {Kind::hole, "here"});
   EXPECT_EQ(describe(three, 2), "hole: here\nhole: here\nand 1 more\n");
   EXPECT_EQ(describe({}, 2), "");

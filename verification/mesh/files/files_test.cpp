@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path of the running test alone: tests may run at the same time.
+/// A path used by the running test alone: tests may run at the same time.
 fs::path temporary(const std::string& name) {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   return tdbd::temporary_folder() + "tdbd_files_" + test->name() + "_" + name;
@@ -29,7 +29,7 @@ fs::path write_text_file(const std::string& name, const std::string& text) {
   return temporary(name);
 }
 
-/// The message of the error E that `f` throws; fails the test when it throws none.
+/// The message of the error E that `f` throws; fails the test if it throws none.
 template <class E, class F>
 std::string message_of(F f) {
   try {
@@ -75,7 +75,7 @@ TriangleMesh there_and_back(const std::string& extension, const TriangleMesh& m)
   return read_mesh(path, 1.0);
 }
 
-RC_GTEST_PROP(files, double_precision_formats_keep_every_bit, ()) {
+RC_GTEST_PROP(Files, double_precision_formats_keep_every_bit, ()) {
   const TriangleMesh m = any_tetrahedra();
   for (const char* extension : {".obj", ".ply", ".off", ".OFF"}) {
     const TriangleMesh back = there_and_back(extension, m);
@@ -84,7 +84,7 @@ RC_GTEST_PROP(files, double_precision_formats_keep_every_bit, ()) {
   }
 }
 
-RC_GTEST_PROP(files, stl_keeps_single_precision_and_the_order_of_triangles, ()) {
+RC_GTEST_PROP(Files, stl_keeps_single_precision_and_the_order_of_triangles, ()) {
   const TriangleMesh m = any_tetrahedra(), back = there_and_back(".stl", m);
   RC_ASSERT(back.triangles.size() == m.triangles.size());
   for (std::size_t i = 0; i < m.triangles.size(); ++i)
@@ -95,13 +95,13 @@ RC_GTEST_PROP(files, stl_keeps_single_precision_and_the_order_of_triangles, ()) 
     }
 }
 
-TEST(files, stl_merges_equal_points_so_that_a_solid_stays_closed) {
+TEST(Files, stl_merges_equal_points_so_that_a_solid_stays_closed) {
   const TriangleMesh back = there_and_back(".stl", tetrahedron());
   EXPECT_EQ(back.positions.size(), 4u);
   EXPECT_TRUE(check_closed(back).empty()) << describe(check_closed(back));
 }
 
-TEST(files, text_stl_is_read_and_scaled_by_the_unit) {
+TEST(Files, text_stl_is_read_and_scaled_by_the_unit) {
   const auto path = write_text_file(
       "text.stl",
       "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 25.4 0 0\nvertex 0 25.4 0\n"
@@ -111,21 +111,21 @@ TEST(files, text_stl_is_read_and_scaled_by_the_unit) {
   EXPECT_DOUBLE_EQ(m.positions[1].x(), 0.0254);
 }
 
-TEST(files, a_binary_stl_that_begins_with_solid_is_still_binary) {
+TEST(Files, a_binary_stl_that_begins_with_solid_is_still_binary) {
   const fs::path path = temporary("solid.stl");
   write_mesh(path, tetrahedron());
   std::fstream(path, std::ios::in | std::ios::out | std::ios::binary) << "solid named by a CAD";
   EXPECT_EQ(read_mesh(path, 1.0).triangles.size(), 4u);
 }
 
-TEST(files, polygons_become_fans) {
+TEST(Files, polygons_become_fans) {
   const auto path = write_text_file(
       "fan.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1/1 2/2 3/3 4/4 5/5\n");
   const std::vector<Triangle> fan = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
   EXPECT_EQ(read_mesh(path, 1.0).triangles, fan);
 }
 
-TEST(files, bad_input_is_refused_with_path_and_reason) {
+TEST(Files, bad_input_is_refused_with_path_and_reason) {
   EXPECT_TRUE(contains(refusal("nowhere/part.stl"), "nowhere/part.stl: no such file"));
   EXPECT_TRUE(contains(refusal("part.step"), "unknown mesh format '.step'"));
   EXPECT_TRUE(contains(refusal(tdbd::temporary_folder()), "unknown mesh format"));
@@ -138,7 +138,7 @@ TEST(files, bad_input_is_refused_with_path_and_reason) {
                        "text.obj:1: found 'not'"));
 }
 
-TEST(files, indices_beyond_the_vertices_are_refused) {
+TEST(Files, indices_beyond_the_vertices_are_refused) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   EXPECT_TRUE(contains(refusal(write_text_file("high.obj", triangle + "f 1 2 4\n")),
                        "a polygon names vertex 3 of 3"));
@@ -146,7 +146,7 @@ TEST(files, indices_beyond_the_vertices_are_refused) {
                        "a polygon with 2 corners"));
 }
 
-TEST(files, a_truncated_file_is_refused) {
+TEST(Files, a_truncated_file_is_refused) {
   for (const char* extension : {".stl", ".ply", ".off"}) {
     const fs::path path = temporary(std::string("cut") + extension);
     write_mesh(path, square_sheet(4));
@@ -155,12 +155,12 @@ TEST(files, a_truncated_file_is_refused) {
   }
 }
 
-TEST(files, writing_where_nothing_can_be_written_fails) {
+TEST(Files, writing_where_nothing_can_be_written_fails) {
   const auto text = message_of<RunError>([] { write_mesh("/proc/no/part.stl", tetrahedron()); });
   EXPECT_TRUE(contains(text, "cannot write /proc/no/part.stl"));
 }
 
-TEST(files, a_full_disk_leaves_no_partial_file_and_keeps_the_old_one) {
+TEST(Files, a_full_disk_leaves_no_partial_file_and_keeps_the_old_one) {
   const fs::path path = temporary("full.ply");
   write_mesh(path, tetrahedron());
   fs::create_symlink("/dev/full", path.string() + ".partial");

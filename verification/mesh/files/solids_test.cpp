@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"
+#include "mesh/check/divide.hpp"
 #include "mesh/files/files.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/core/temporary_folder.hpp"
@@ -32,7 +33,7 @@ fs::path write_text_file(const std::string& name, const std::string& text) {
   return temporary(name);
 }
 
-/// Corner by corner: what a format may not change, even if it numbers the points anew.
+/// Corner by corner: what a format must not change, even if it renumbers the points.
 std::vector<std::array<Vec3, 3>> corners(const TriangleMesh& m) {
   std::vector<std::array<Vec3, 3>> all;
   all.reserve(m.triangles.size());
@@ -47,7 +48,7 @@ double any_coordinate() {
   return std::ldexp(mantissa, *rc::gen::inRange(-70, -60));
 }
 
-/// Tetrahedra, each beside or upon the one before: neighbours share a facet's three points.
+/// Tetrahedra, each next to or on top of the one before: neighbours share the three points of a facet.
 std::vector<Solid> any_solids() {
   std::vector<Solid> solids;
   const int n = *rc::gen::inRange(1, 12);
@@ -67,7 +68,7 @@ void expect_same_bodies(const std::vector<Solid>& a, const std::vector<Solid>& b
   for (std::size_t i = 0; i < a.size(); ++i) RC_ASSERT(corners(a[i].mesh) == corners(b[i].mesh));
 }
 
-RC_GTEST_PROP(solids, formats_with_names_keep_names_and_every_bit, ()) {
+RC_GTEST_PROP(Solids, formats_with_names_keep_names_and_every_bit, ()) {
   const std::vector<Solid> solids = any_solids();
   for (const char* extension : {".stl", ".obj"}) {
     const fs::path path = temporary(std::string("named") + extension);
@@ -78,7 +79,7 @@ RC_GTEST_PROP(solids, formats_with_names_keep_names_and_every_bit, ()) {
   }
 }
 
-RC_GTEST_PROP(solids, formats_without_names_fall_into_the_same_pieces, ()) {
+RC_GTEST_PROP(Solids, formats_without_names_fall_into_the_same_pieces, ()) {
   const std::vector<Solid> solids = any_solids();
   for (const char* extension : {".ply", ".off"}) {
     const fs::path path = temporary(std::string("nameless") + extension);
@@ -90,8 +91,8 @@ RC_GTEST_PROP(solids, formats_without_names_fall_into_the_same_pieces, ()) {
   }
 }
 
-/// Two boxes on each other share an edge's points, which a binary STL tells only by their places.
-TEST(solids, a_binary_stl_falls_into_bodies_that_touch) {
+/// Two stacked boxes share the points of an edge, which a binary STL shows only by their positions.
+TEST(Solids, a_binary_stl_falls_into_bodies_that_touch) {
   const std::vector<Solid> boxes = {{"a", battery::box({0, 0, 0}, {1, 1, 1})},
                                     {"b", battery::box({1, 1, 0}, {2, 2, 1})},
                                     {"c", battery::box({0, 0, 1}, {1, 1, 2})}};
@@ -105,8 +106,8 @@ TEST(solids, a_binary_stl_falls_into_bodies_that_touch) {
   }
 }
 
-/// Facets in any order: bodies that share no edge are told apart all the same.
-TEST(solids, pieces_are_found_in_shuffled_facets) {
+/// Facets in any order: bodies that share no edge are separated nevertheless.
+TEST(Solids, pieces_are_found_in_shuffled_facets) {
   TriangleMesh m = merged(
       {{"a", battery::box({0, 0, 0}, {1, 1, 1})}, {"b", battery::box({5, 0, 0}, {6, 1, 1})}});
   for (std::size_t i = 0; i + 13 < m.triangles.size(); i += 2)
@@ -116,7 +117,7 @@ TEST(solids, pieces_are_found_in_shuffled_facets) {
   for (const TriangleMesh& piece : pieces) EXPECT_TRUE(check_closed(piece).empty());
 }
 
-TEST(solids, groups_of_an_obj_are_taken_up_again) {
+TEST(Solids, groups_of_an_obj_may_continue_later) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const auto path = write_text_file(
       "groups.obj", points + "o cutter 1 \ng empty\ng a\nf 1 3 2\ng b\nf 1//1 2//1 4//1\ng a\n" +
@@ -143,7 +144,7 @@ void expect_in(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << part << " is not in: " << text;
 }
 
-TEST(solids, bad_lines_of_text_files_are_named) {
+TEST(Solids, bad_lines_of_text_files_are_named) {
   const std::string facet = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
   expect_in(refusal("nan.stl", facet + "vertex 1 nan 0\n"), "nan.stl:5: found 'nan', expected a f");
   expect_in(refusal("few.stl", facet + "vertex 1 2\n"), "few.stl:5: found 3 words");
@@ -158,7 +159,7 @@ TEST(solids, bad_lines_of_text_files_are_named) {
   expect_in(refusal("inf.obj", "v 0 0 1e999\n"), "inf.obj:1: found '1e999'");
 }
 
-TEST(solids, a_binary_stl_that_is_cut_short_tells_its_size) {
+TEST(Solids, a_binary_stl_that_is_cut_short_tells_its_size) {
   const fs::path path = temporary("cut.stl");
   write_mesh(path, battery::box({0, 0, 0}, {1, 1, 1}));
   fs::resize_file(path, 600);

@@ -26,7 +26,7 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What VTK itself finds in the file, one line for each thing.
+/// What VTK itself reads from the file, one line per item.
 std::string read_by_vtk(const fs::path& path) {
   const fs::path out = path.string() + ".txt";
   const std::string command = std::string("/usr/bin/python3 ") + TDBD_SOURCE_DIR +
@@ -48,7 +48,7 @@ std::string expected(const TriangleMesh& m, const std::vector<Field>& points,
   return text;
 }
 
-TEST(vtp, vtk_reads_back_every_bit) {
+TEST(Vtp, vtk_reads_back_every_bit) {
   TriangleMesh m = square_sheet(3);
   Field depth{"depth_m", {}}, quality{"quality", {}}, part{"part", {}};
   for (Vec3& x : m.positions) {
@@ -63,19 +63,19 @@ TEST(vtp, vtk_reads_back_every_bit) {
   EXPECT_EQ(read_by_vtk(temporary("sheet.vtp")), expected(m, {depth}, {quality, part}));
 }
 
-TEST(vtp, two_writings_give_the_same_bytes) {
+TEST(Vtp, two_writings_give_the_same_bytes) {
   write_vtp(temporary("a.vtp"), tetrahedron(), {}, {});
   write_vtp(temporary("b.vtp"), tetrahedron(), {}, {});
   EXPECT_EQ(text_of(temporary("a.vtp")), text_of(temporary("b.vtp")));
 }
 
-TEST(vtp, a_field_of_the_wrong_length_is_refused) {
+TEST(Vtp, a_field_of_the_wrong_length_is_refused) {
   EXPECT_THROW(write_vtp(temporary("c.vtp"), tetrahedron(), {{"depth_m", {1, 2, 3}}}, {}),
                RunError);
   EXPECT_FALSE(fs::exists(temporary("c.vtp")));
 }
 
-TEST(vtp, a_full_disk_leaves_nothing) {
+TEST(Vtp, a_full_disk_leaves_nothing) {
   const fs::path path = temporary("full.vtp");
   fs::create_symlink("/dev/full", path.string() + ".partial");
   EXPECT_THROW(write_vtp(path, square_sheet(80), {}, {}), RunError);
@@ -83,7 +83,7 @@ TEST(vtp, a_full_disk_leaves_nothing) {
   EXPECT_FALSE(fs::is_symlink(path.string() + ".partial"));
 }
 
-TEST(vtp, a_collection_names_times_and_files) {
+TEST(Vtp, a_collection_names_times_and_files) {
   write_pvd(temporary("rock.pvd"),
             {{0.0, "frames/rock-000000.vtp"}, {0.25, "frames/rock-000001.vtp"}});
   const std::string text = text_of(temporary("rock.pvd"));

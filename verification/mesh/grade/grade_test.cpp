@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "mesh/check/check_edges.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/inspect.hpp"
 #include "mesh/shape/convex.hpp"
+#include "mesh/sides.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::mesh {
@@ -42,7 +42,7 @@ GradeOptions options(double edge, double face, double growth, double deviation) 
 }
 
 /// Fine along the edges of a box, coarse inside its faces, and the same solid.
-TEST(grade, refines_along_edges_as_the_distance_tells) {
+TEST(Grade, refines_towards_the_edges) {
   const auto o = options(0.02, 0.3, 0.5, 0.0);
   const Graded g = grade(battery::box({0, 0, 0}, {1, 1, 1}), o);
   EXPECT_EQ(g.feature_edges, 12u);
@@ -64,8 +64,8 @@ TEST(grade, refines_along_edges_as_the_distance_tells) {
   EXPECT_GE(inspect(g.mesh).worst_quality, 0.3);
 }
 
-/// A face that came too fine loses facets, and stays where it is.
-TEST(grade, coarsens_flat_faces_exactly) {
+/// A face that is too fine loses facets and stays in place.
+TEST(Grade, coarsens_flat_faces_exactly) {
   const TriangleMesh fine =
       grade(battery::box({0, 0, 0}, {1, 1, 1}), options(0.05, 0.05, 0.0, 0.0)).mesh;
   const Graded g = grade(fine, options(0.25, 1.0, 0.5, 0.0));
@@ -76,8 +76,8 @@ TEST(grade, coarsens_flat_faces_exactly) {
     EXPECT_EQ(std::count(g.mesh.positions.begin(), g.mesh.positions.end(), x), 1) << x;
 }
 
-/// The outline of a cylinder keeps its corners without a deviation, and loses them within one.
-TEST(grade, keeps_an_outline_within_the_deviation) {
+/// With no deviation allowed the outline of a cylinder keeps its corners; within one it loses them.
+TEST(Grade, keeps_an_outline_within_the_deviation) {
   const TriangleMesh m = battery::cylinder(1.0, 2.0, 256);
   const double sagitta = 1.0 - std::cos(std::numbers::pi / 64);
   const Graded exact = grade(m, options(0.1, 0.5, 0.5, 0.0));
@@ -90,8 +90,8 @@ TEST(grade, keeps_an_outline_within_the_deviation) {
   EXPECT_LT(near.volume_change, 0.0);
 }
 
-/// A convex part cuts as its planes: those of a graded one are the same.
-TEST(grade, leaves_a_convex_part_its_planes) {
+/// A convex part cuts by its planes: grading must not change them.
+TEST(Grade, leaves_a_convex_part_its_planes) {
   const TriangleMesh m = battery::cylinder(9.5e-3, 13e-3, 30);
   const auto before = convex_solid(m);
   const auto after = convex_solid(grade(m, options(0.5e-3, 3e-3, 0.5, 0.0)).mesh);
@@ -106,7 +106,7 @@ TEST(grade, leaves_a_convex_part_its_planes) {
   }
 }
 
-TEST(grade, leaves_a_graded_mesh_nearly_as_it_is) {
+TEST(Grade, leaves_a_graded_mesh_nearly_as_it_is) {
   const auto o = options(0.05, 0.4, 0.5, 0.0);
   const TriangleMesh once = grade(battery::prism(battery::l_outline(1, 0.4), 0, 1), o).mesh;
   const TriangleMesh twice = grade(once, o).mesh;
@@ -115,7 +115,7 @@ TEST(grade, leaves_a_graded_mesh_nearly_as_it_is) {
   EXPECT_NEAR(change, 1.0, 0.05);
 }
 
-TEST(grade, is_the_same_every_time) {
+TEST(Grade, is_the_same_every_time) {
   const auto o = options(0.1, 0.6, 0.5, 1e-3);
   const Graded a = grade(battery::torus(2, 0.7, 48, 24), o),
                b = grade(battery::torus(2, 0.7, 48, 24), o);
@@ -123,14 +123,14 @@ TEST(grade, is_the_same_every_time) {
   EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
 }
 
-TEST(grade, refuses_what_bounds_no_solid) {
+TEST(Grade, refuses_what_bounds_no_solid) {
   TriangleMesh open = battery::box({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
   EXPECT_THROW(grade(open, {}), InputError);
 }
 
 /// Prisms over stars and Ls, tori, cylinders; any targets; with and without a deviation.
-RC_GTEST_PROP(grade, gives_a_solid_within_its_bounds, ()) {
+RC_GTEST_PROP(Grade, gives_a_solid_within_its_bounds, ()) {
   const std::vector<TriangleMesh> shapes = {
       battery::prism(battery::star_outline(1, 0.4, *rc::gen::inRange(3, 8)), 0, 0.5),
       battery::prism(battery::l_outline(1, 0.3), -0.5, 0.5),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/check/check.hpp"
+#include "mesh/check/divide.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/inspect.hpp"
@@ -41,7 +42,7 @@ void expect_box(const Repaired& r, const std::string& steps) {
   EXPECT_NEAR(enclosed_volume(r.mesh), 1.0, 1e-12);
 }
 
-TEST(repair, leaves_a_sound_mesh_to_the_bit) {
+TEST(Repair, leaves_a_sound_mesh_unchanged) {
   for (const TriangleMesh& m : {unit_box, battery::torus(2, 0.5, 24, 12), battery::sphere(1, 2)}) {
     const Repaired r = repair(m);
     EXPECT_TRUE(r.steps.empty());
@@ -50,7 +51,7 @@ TEST(repair, leaves_a_sound_mesh_to_the_bit) {
   }
 }
 
-TEST(repair, merges_equal_points) {
+TEST(Repair, merges_equal_points) {
   TriangleMesh soup;
   for (const Triangle& t : unit_box.triangles) {
     const int n = static_cast<int>(soup.positions.size());
@@ -60,28 +61,28 @@ TEST(repair, merges_equal_points) {
   expect_box(repair(soup), "28 points merged at equal places\n");
 }
 
-TEST(repair, welds_near_points_when_told) {
+TEST(Repair, welds_near_points_when_told) {
   TriangleMesh m = unit_box;
   const int corner = m.triangles[0][0];
   m.positions.push_back(m.positions[static_cast<std::size_t>(corner)] + Vec3(1e-7, 0, 0));
   m.triangles[0][0] = static_cast<int>(m.positions.size()) - 1;
-  expect_box(repair(m, {1e-6}), "1 points merged that were within 0.001 mm of another\n");
+  expect_box(repair(m, {1e-6}), "1 points merged with another within 0.001 mm\n");
 }
 
-TEST(repair, turns_flipped_facets) {
+TEST(Repair, flips_facets_that_disagree) {
   TriangleMesh m = unit_box;
   turn(m, 3);
   turn(m, 8);
-  expect_box(repair(m), "2 facets turned to agree with their neighbours\n");
+  expect_box(repair(m), "2 facets flipped to agree with their neighbours\n");
 }
 
-TEST(repair, turns_a_mesh_that_is_inside_out) {
+TEST(Repair, flips_a_mesh_that_is_inside_out) {
   TriangleMesh m = unit_box;
   for (std::size_t i = 0; i < m.triangles.size(); ++i) turn(m, i);
-  expect_box(repair(m), "12 facets of pieces turned outwards\n");
+  expect_box(repair(m), "12 facets flipped to orient pieces outwards\n");
 }
 
-TEST(repair, fills_holes) {
+TEST(Repair, fills_holes) {
   TriangleMesh m = unit_box;
   m.triangles.erase(m.triangles.begin() + 2);
   m.triangles.pop_back();
@@ -89,26 +90,24 @@ TEST(repair, fills_holes) {
   expect_box(r, r.steps.at(0).count == 2 ? "2 holes filled\n" : "1 holes filled\n");
 }
 
-TEST(repair, drops_duplicate_facets_and_pairs_that_face_each_other) {
+TEST(Repair, drops_duplicate_facets_and_pairs_that_face_each_other) {
   TriangleMesh m = unit_box;
   m.triangles.push_back(m.triangles[5]);
   m.positions.push_back({0.5, 0.5, 3.0});
   m.triangles.push_back({0, 1, 8});
   m.triangles.push_back({1, 0, 8});
-  expect_box(repair(m), "3 duplicate facets dropped\n1 points of no facet dropped\n");
+  expect_box(repair(m), "3 duplicate facets dropped\n1 unused points dropped\n");
 }
 
-TEST(repair, drops_sheets_that_stand_out) {
+TEST(Repair, drops_protruding_sheets) {
   TriangleMesh m = unit_box;
   m.positions.push_back({0.5, 0.5, 3.0});
   m.triangles.push_back({m.triangles[0][0], m.triangles[0][1], 8});
-  expect_box(repair(m),
-             "1 facets dropped of sheets that stand out from the surface\n1 points of no facet "
-             "dropped\n");
+  expect_box(repair(m), "1 facets of protruding sheets dropped\n1 unused points dropped\n");
 }
 
 /// A point in the middle of a side, and the flat facet that closes the seam.
-TEST(repair, removes_facets_without_area) {
+TEST(Repair, removes_facets_without_area) {
   TriangleMesh m = unit_box;
   const Triangle t = m.triangles[0];
   const auto x = [&](int k) {
@@ -122,8 +121,8 @@ TEST(repair, removes_facets_without_area) {
   expect_box(repair(m), "1 facets without area removed\n");
 }
 
-/// Two boxes with a common edge, drawn as one: four facets meet there.
-TEST(repair, parts_solids_that_share_an_edge) {
+/// Two boxes that share an edge, as one mesh: four facets meet there.
+TEST(Repair, separates_solids_that_share_an_edge) {
   const TriangleMesh two = joined(unit_box, battery::box({1, 1, 0}, {2, 2, 1}));
   const TriangleMesh m{two.positions, by_first_of_equals(two)};
   ASSERT_EQ(inspect(m).non_manifold_edges, 1u);
@@ -134,7 +133,7 @@ TEST(repair, parts_solids_that_share_an_edge) {
   EXPECT_DOUBLE_EQ(enclosed_volume(r.mesh), 2.0);
 }
 
-TEST(repair, turns_a_cavity_inwards) {
+TEST(Repair, turns_a_cavity_inwards) {
   const TriangleMesh m = joined(unit_box, battery::box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}));
   TriangleMesh broken = m;
   turn(broken, 0);
@@ -143,7 +142,7 @@ TEST(repair, turns_a_cavity_inwards) {
   EXPECT_DOUBLE_EQ(enclosed_volume(r.mesh), 1.0 - 0.25 * 0.25 * 0.25);
 }
 
-TEST(repair, unites_pieces_that_overlap) {
+TEST(Repair, unites_pieces_that_overlap) {
   const TriangleMesh m = joined(unit_box, battery::box({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
   ASSERT_GT(inspect(m).intersecting_pairs, 0u);
   const Repaired r = repair(m);
@@ -153,7 +152,7 @@ TEST(repair, unites_pieces_that_overlap) {
 }
 
 /// A vertex pushed through the far side.
-TEST(repair, remeshes_where_a_surface_crosses_itself) {
+TEST(Repair, remeshes_where_a_surface_crosses_itself) {
   TriangleMesh m = battery::sphere(1, 2);
   m.positions[0] *= -1.3;
   ASSERT_FALSE(self_intersections(m).empty());
@@ -166,7 +165,7 @@ TEST(repair, remeshes_where_a_surface_crosses_itself) {
   EXPECT_NEAR(enclosed_volume(r.mesh), enclosed_volume(battery::sphere(1, 2)), 0.2);
 }
 
-TEST(repair, refuses_an_odd_edge) {
+TEST(Repair, refuses_an_odd_edge) {
   TriangleMesh m = joined(unit_box, battery::box({1, 0, 0}, {2, 1, 1}));
   m.triangles = by_first_of_equals(m);
   std::vector<Triangle> wall;  // one of the two facing walls between the boxes
@@ -182,7 +181,7 @@ TEST(repair, refuses_an_odd_edge) {
       << repair(m).refusal;
 }
 
-TEST(repair, refuses_a_surface_of_one_side) {
+TEST(Repair, refuses_a_one_sided_surface) {
   TriangleMesh strip;
   constexpr int n = 12;
   for (int i = 0; i < n; ++i) {
@@ -198,12 +197,11 @@ TEST(repair, refuses_a_surface_of_one_side) {
     strip.triangles.push_back({a, b, d});
     strip.triangles.push_back({a, d, c});
   }
-  EXPECT_NE(repair(strip).refusal.find("has one side only"), std::string::npos)
-      << repair(strip).refusal;
+  EXPECT_NE(repair(strip).refusal.find("is one-sided"), std::string::npos) << repair(strip).refusal;
 }
 
-/// Any mixture of what can be told from the mesh: the solid comes back, and again without change.
-RC_GTEST_PROP(repair, mends_random_damage, ()) {
+/// Any mixture of repairable damage: the solid comes back, and a second repair changes nothing.
+RC_GTEST_PROP(Repair, repairs_random_damage, ()) {
   TriangleMesh m = *rc::gen::arbitrary<bool>() ? battery::sphere(1, 1) : battery::cylinder(1, 2, 9);
   const double volume = enclosed_volume(m);
   const std::size_t n = m.triangles.size();
@@ -224,8 +222,8 @@ RC_GTEST_PROP(repair, mends_random_damage, ()) {
   RC_ASSERT(repair(r.mesh).steps.empty());
 }
 
-/// Positions of a sphere stirred until it crosses itself.
-RC_GTEST_PROP(self_intersections, are_those_of_the_twin, ()) {
+/// Positions of a sphere, perturbed until it crosses itself.
+RC_GTEST_PROP(SelfIntersections, are_those_of_the_twin, ()) {
   TriangleMesh m = battery::sphere(1, 2);
   for (Vec3& x : m.positions) x *= 1.0 + 0.01 * *rc::gen::inRange(-60, 60);
   const auto found = self_intersections(m), twin = reference::self_intersections(m);
@@ -233,12 +231,12 @@ RC_GTEST_PROP(self_intersections, are_those_of_the_twin, ()) {
   RC_ASSERT(found == twin);
 }
 
-TEST(self_intersections, of_solids_that_touch_are_none) {
+TEST(SelfIntersections, of_solids_that_touch_are_none) {
   EXPECT_TRUE(self_intersections(joined(unit_box, battery::box({1, 1, 0}, {2, 2, 1}))).empty());
   EXPECT_FALSE(self_intersections(joined(unit_box, unit_box)).empty());
 }
 
-TEST(inspect, counts_what_is_wrong) {
+TEST(Inspect, counts_what_is_wrong) {
   TriangleMesh m = unit_box;
   turn(m, 3);
   m.triangles.push_back(m.triangles[5]);
@@ -253,7 +251,7 @@ TEST(inspect, counts_what_is_wrong) {
   EXPECT_DOUBLE_EQ(inspect(unit_box).volume, 1.0);
 }
 
-TEST(mesh_faults, tell_what_where_how_many_and_the_command) {
+TEST(MeshFaults, tell_what_where_how_many_and_the_command) {
   TriangleMesh m = unit_box;
   turn(m, 3);
   m.triangles.pop_back();

@@ -15,7 +15,7 @@ namespace {
 
 const TriangleMesh unit_box = battery::box({-1, -1, -1}, {1, 1, 1});
 
-RC_GTEST_PROP(inside_tree, agrees_with_the_winding_number, ()) {
+RC_GTEST_PROP(InsideTree, agrees_with_the_winding_number, ()) {
   const TriangleMesh part = *battery::star_shape();
   const Vec3 x = *battery::point(0.9);
   const TriangleTree tree(part);
@@ -23,8 +23,8 @@ RC_GTEST_PROP(inside_tree, agrees_with_the_winding_number, ()) {
   RC_ASSERT(inside(tree, x) == reference::inside(part, x));
 }
 
-/// Where boxes nest in each other's corners, rays meet rims and diagonals all the time.
-RC_GTEST_PROP(inside_tree, has_no_special_positions_in_a_box, ()) {
+/// Boxes nested in each other's corners: rays hit edges and diagonals all the time.
+RC_GTEST_PROP(InsideTree, has_no_special_positions_in_a_box, ()) {
   const TriangleTree tree(unit_box);
   const auto coordinate = rc::gen::element(-1.5, -0.5, 0.0, 0.25, 0.5, 1.5);
   const Vec3 x(*coordinate, *coordinate, *coordinate);
@@ -36,7 +36,7 @@ const Vec3 rays[] = {{0.1237, 0.2711, 0.9545},   {-0.3319, 0.1173, 0.9360},
                      {0.2113, -0.4391, -0.8732}, {0.7713, 0.5381, 0.3394},
                      {-0.6151, 0.7333, -0.2895}, {0.3917, -0.9017, 0.1833}};
 
-TEST(inside_tree, turns_to_another_ray_at_a_rim) {
+TEST(InsideTree, tries_another_ray_near_an_edge) {
   const TriangleTree tree(unit_box);
   for (const Vec3& rim : {Vec3(1, 1, 1), Vec3(1, 1, 0.25), Vec3(0.5, 0.5, 1), Vec3(1, 0, 1)})
     for (const Vec3& ray : rays)
@@ -47,7 +47,7 @@ TEST(inside_tree, turns_to_another_ray_at_a_rim) {
 }
 
 /// A ball with a vertex on every ray from its centre.
-TEST(inside_tree, winds_around_when_all_rays_meet_rims) {
+TEST(InsideTree, uses_the_winding_number_if_all_rays_hit_edges) {
   TriangleMesh ball = battery::sphere(1.0, 2);
   for (const Vec3& ray : rays)
     *std::min_element(ball.positions.begin(), ball.positions.end(),
@@ -56,7 +56,7 @@ TEST(inside_tree, winds_around_when_all_rays_meet_rims) {
   EXPECT_TRUE(inside(TriangleTree(ball), {0, 0, 0}));
 }
 
-RC_GTEST_PROP(squared_distance, does_not_depend_on_the_first_corner, ()) {
+RC_GTEST_PROP(SquaredDistance, does_not_depend_on_the_first_corner, ()) {
   const Facet f{*battery::point(1.0), *battery::point(1.0), *battery::point(1.0)};
   const Vec3 x = *battery::point(1.0);
   const double d = squared_distance(f, x);
@@ -66,9 +66,11 @@ RC_GTEST_PROP(squared_distance, does_not_depend_on_the_first_corner, ()) {
                      1e-15);
 }
 
-TEST(inside_tree, of_nothing_is_nowhere) { EXPECT_FALSE(inside(TriangleTree{}, {0, 0, 0})); }
+TEST(InsideTree, nothing_is_inside_an_empty_mesh) {
+  EXPECT_FALSE(inside(TriangleTree{}, {0, 0, 0}));
+}
 
-RC_GTEST_PROP(distance_tree, of_a_box_is_its_closed_form, ()) {
+RC_GTEST_PROP(DistanceTree, of_a_box_is_its_closed_form, ()) {
   const TriangleTree tree(unit_box);
   const Vec3 x = *battery::point(2.0);
   const Vec3 over = x.cwiseAbs() - Vec3::Ones();
@@ -78,8 +80,8 @@ RC_GTEST_PROP(distance_tree, of_a_box_is_its_closed_form, ()) {
   RC_ASSERT(!is_near(tree, x, expected - 1e-9) || expected < 1e-9);
 }
 
-/// No facet gets lost: the nearest of all, asked one by one.
-RC_GTEST_PROP(distance_tree, is_the_least_over_all_facets, ()) {
+/// No facet is missed: the nearest of all facets, one by one.
+RC_GTEST_PROP(DistanceTree, is_the_least_over_all_facets, ()) {
   const TriangleTree tree(*battery::star_shape());
   const Vec3 x = *battery::point(2.0);
   double least = 1e300;

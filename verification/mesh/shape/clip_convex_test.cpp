@@ -58,19 +58,19 @@ bool is_convex(const TriangleMesh& m) {
   return true;
 }
 
-TEST(clip_convex, cuts_a_slab_and_a_corner_off_a_box) {
+TEST(ClipConvex, cuts_a_slab_and_a_corner_off_a_box) {
   EXPECT_NEAR(enclosed_volume(clipped_convex(unit_box(), Vec3::UnitX(), 0.25)), 0.25, 1e-16);
   const Vec3 n = Vec3::Constant(std::sqrt(1.0 / 3.0));
   EXPECT_NEAR(enclosed_volume(clipped_convex(unit_box(), n, 0.6 * n.x())), 0.216 / 6, 1e-16);
 }
 
-TEST(clip_convex, leaves_all_or_nothing_when_the_plane_misses) {
+TEST(ClipConvex, leaves_all_or_nothing_when_the_plane_misses) {
   EXPECT_EQ(clipped_convex(unit_box(), Vec3::UnitX(), 1.0).positions, unit_box().positions);
   EXPECT_TRUE(clipped_convex(unit_box(), Vec3::UnitX(), 0.0).triangles.empty());
   EXPECT_TRUE(clipped_convex(unit_box(), Vec3::UnitX(), -1.0).triangles.empty());
 }
 
-TEST(clip_convex, passes_through_vertices_without_slivers) {
+TEST(ClipConvex, passes_through_vertices_without_slivers) {
   const Vec3 n(std::sqrt(0.5), -std::sqrt(0.5), 0.0);
   const TriangleMesh half = clipped_convex(unit_box(), n, 0.0);
   EXPECT_NEAR(enclosed_volume(half), 0.5, 1e-16);
@@ -80,7 +80,7 @@ TEST(clip_convex, passes_through_vertices_without_slivers) {
               0.1);
 }
 
-RC_GTEST_PROP(clip_convex, makes_two_closed_convex_pieces_of_the_whole, ()) {
+RC_GTEST_PROP(ClipConvex, makes_two_closed_convex_pieces_of_the_whole, ()) {
   const TriangleMesh m = any_double_pyramid();
   const Vec3 n = Vec3(number(-1, 1), number(-1, 1), number(0.1, 1)).normalized();
   const double b = number(-0.5, 0.5);

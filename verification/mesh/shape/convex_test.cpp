@@ -41,7 +41,7 @@ double dent(const TriangleMesh& m) {
   return farthest / size_of(m);
 }
 
-RC_GTEST_PROP(convex_solid, holds_every_vertex_behind_unit_planes_that_touch, ()) {
+RC_GTEST_PROP(ConvexSolid, holds_every_vertex_behind_unit_planes_that_touch, ()) {
   const TriangleMesh m = battery::placed(*battery::pose(2.0), *battery::convex_polyhedron());
   const auto solid = convex_solid(m);
   RC_ASSERT(solid.has_value());
@@ -59,7 +59,7 @@ RC_GTEST_PROP(convex_solid, holds_every_vertex_behind_unit_planes_that_touch, ()
 }
 
 /// Points nearer to the surface than the tolerance may be on either side.
-RC_GTEST_PROP(convex_solid, inside_equals_the_winding_number, ()) {
+RC_GTEST_PROP(ConvexSolid, inside_equals_the_winding_number, ()) {
   const TriangleMesh m = *battery::convex_polyhedron();
   const auto solid = convex_solid(m);
   const Vec3 x = *battery::point(1.1);
@@ -69,14 +69,14 @@ RC_GTEST_PROP(convex_solid, inside_equals_the_winding_number, ()) {
   RC_ASSERT(reference::inside(m, x) == (d > 0.0));
 }
 
-TEST(convex_solid, joins_coplanar_triangles) {
+TEST(ConvexSolid, joins_coplanar_triangles) {
   EXPECT_EQ(convex_solid(battery::box({-1, -2, -3}, {1, 2, 3}))->planes, 6U);
   EXPECT_EQ(convex_solid(battery::cylinder(6.7e-3, 13e-3, 32))->planes, 34U);
   EXPECT_EQ(convex_solid(battery::sphere(1.0, 2))->planes, 320U);
 }
 
 /// As a binary STL file holds it.
-RC_GTEST_PROP(convex_solid, survives_single_precision, ()) {
+RC_GTEST_PROP(ConvexSolid, survives_single_precision, ()) {
   TriangleMesh m = battery::placed(*battery::pose(0.0), battery::cylinder(6.7e-3, 2e-3, 32));
   for (Vec3& x : m.positions) x = x.cast<float>().cast<double>();
   const auto solid = convex_solid(m);
@@ -84,7 +84,7 @@ RC_GTEST_PROP(convex_solid, survives_single_precision, ()) {
   RC_ASSERT(solid->planes == 34U);
 }
 
-RC_GTEST_PROP(convex_solid, refuses_dents_and_only_dents, ()) {
+RC_GTEST_PROP(ConvexSolid, refuses_dents_and_only_dents, ()) {
   const TriangleMesh m = *rc::gen::oneOf(battery::star_shape(), battery::convex_polyhedron());
   const double d = dent(m);
   RC_PRE(d < 0.9 * tolerance::convex || d > 2.0 * tolerance::convex);
@@ -92,8 +92,8 @@ RC_GTEST_PROP(convex_solid, refuses_dents_and_only_dents, ()) {
   RC_ASSERT(convex_solid(m).has_value() == (d < tolerance::convex));
 }
 
-/// The middle of a box's face goes in by a part of the box's size.
-TEST(convex_solid, draws_the_line_at_its_tolerance) {
+/// The middle of a box's face is pushed in by a fraction of the box's size.
+TEST(ConvexSolid, accepts_up_to_its_tolerance) {
   const auto pressed = [](double part) {
     TriangleMesh m = battery::cylinder(1.0, 1.0, 8);
     m.positions.back().z() -= part * size_of(m);

@@ -1,30 +1,26 @@
-#include "mesh/check/check_edges.hpp"
+#include "mesh/check/topology.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace tdbd::mesh {
 namespace {
 
-/// Number of the corner of triangle `t` at vertex `v`.
-int corner(const TriangleMesh& m, int t, int v) {
-  const Triangle& tri = m.triangles[at(t)];
-  return 3 * t + (tri[0] == v ? 0 : tri[1] == v ? 1 : 2);
-}
-
-/// Corners of one vertex whose triangles share an edge at it belong to one fan.
+/// Corners of a vertex whose triangles share an edge at it belong to one fan.
 DisjointSets fans_of_corners(const TriangleMesh& m, const std::vector<Side>& sides) {
   DisjointSets fans(3 * m.triangles.size());
   for_each_edge(sides, [&](const Side* first, const Side* last) {
     for (const Side* s = first + 1; s < last; ++s)
       for (const int v : {s->lo, s->hi})
-        fans.join(corner(m, first->triangle, v), corner(m, s->triangle, v));
+        fans.join(corner_at(m.triangles, first->triangle, v),
+                  corner_at(m.triangles, s->triangle, v));
   });
   return fans;
 }
 
-/// Number of sets, counting those alone whose members `use` picks.
+/// The number of sets among the members that `use` picks.
 template <class Use>
 int count_sets(DisjointSets& sets, int n, Use use) {
   int count = 0;
@@ -33,20 +29,6 @@ int count_sets(DisjointSets& sets, int n, Use use) {
 }
 
 }  // namespace
-
-std::vector<Side> sorted_sides(const TriangleMesh& m) {
-  std::vector<Side> sides;
-  sides.reserve(3 * m.triangles.size());
-  for (std::size_t t = 0; t < m.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int from = m.triangles[t][k], to = m.triangles[t][(k + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), static_cast<int>(t), from < to});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.lo, a.hi, a.triangle) < std::tie(b.lo, b.hi, b.triangle);
-  });
-  return sides;
-}
 
 DisjointSets::DisjointSets(std::size_t n) : parent_(n) {
   std::iota(parent_.begin(), parent_.end(), 0);
@@ -61,6 +43,19 @@ int DisjointSets::find(int i) {
 void DisjointSets::join(int i, int j) {
   const auto [lo, hi] = std::minmax({find(i), find(j)});
   parent_[at(hi)] = lo;
+}
+
+std::vector<std::vector<int>> connected_pieces(const std::vector<Triangle>& triangles) {
+  DisjointSets sets(triangles.size());
+  for_each_edge(sorted_sides(triangles), [&](const Side* first, const Side* last) {
+    for (const Side* s = first; s < last; ++s) sets.join(first->triangle, s->triangle);
+  });
+  std::map<int, std::vector<int>> of_set;
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) of_set[sets.find(t)].push_back(t);
+  std::vector<std::vector<int>> pieces;
+  pieces.reserve(of_set.size());
+  for (auto& [first, piece] : of_set) pieces.push_back(std::move(piece));
+  return pieces;
 }
 
 std::vector<int> fan_counts(const TriangleMesh& m, const std::vector<Side>& sides) {
