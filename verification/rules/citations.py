@@ -18,8 +18,8 @@ PARAGRAPH = re.compile(rf"(?:\*\*)?({NUMBER})(?=\W|$)")
 ITEM = re.compile(rf"\s*(?:[-*+] |\d+\. )(?:\*\*)?({NUMBER})(?=\W|$)")
 ROW = re.compile(rf"\|\s*({NUMBER})\s*\|")
 AT_END = re.compile(rf"({NUMBER})\W*$")
-# An undefined noun with a number was the way to cite a paper that is not in the repository.
-OUTSIDE = re.compile(r"\bformulations?'?s?\s+\d", re.IGNORECASE)
+# How documents that are not in the repository were cited: by a section's number, or as what was asked for.
+OUTSIDE = re.compile(r"\bformulations?'?s?\s+\d|\b(?:the|this|first)\s+issue\b", re.IGNORECASE)
 THIS_RULE = "verification/rules/citations.py"  # its self-test holds wrong citations on purpose
 
 
@@ -105,9 +105,10 @@ def self_test():
     assert check_pages({"src/rock/README.md": page, "src/rock/cut/MORE.md": "    a   (3)\n"})[1]
     good = [("a.cpp", "// see rock (1), (2) and (3)"), ("a.cpp", "/// by rock\n/// (4) to (5)."), ("a.md", "`rock` (5)"),
             ("a.cpp", 'f("rock (99)");'), ("a.cpp", "int rock (99);"), ("a.md", "a rocky (99)"), ("a.md", "another formulation:"),
-            ("a.md", "two formulations, 3 tests"), ("a.py", "# rock (7a)")]
+            ("a.md", "two formulations, 3 tests"), ("a.md", "Report an issue"), ("a.py", "# rock (7a)")]
     bad = [("a.cpp", "// rock (9)"), ("a.cpp", "// rock (1) and\n// (9)"), ("a.cpp", "/* mesh (1) */"), ("a.md", "rock (7)"),
-           ("a.cpp", "/// formulation 4"), ("a.cpp", "/// (Formulation\n/// 2.6)"), ("a.toml", "# formulation 3, M1")]
+           ("a.cpp", "/// formulation 4"), ("a.cpp", "/// (Formulation\n/// 2.6)"), ("a.toml", "# formulation 3, M1"),
+           ("a.cpp", "// the issue's number")]
     for path, text in good:
         assert not check_text(path, text, rooms), (path, text)
     for path, text in bad:
