@@ -3,7 +3,7 @@
 add_library(tdbd_flags INTERFACE)
 target_compile_features(tdbd_flags INTERFACE cxx_std_20)
 target_include_directories(tdbd_flags INTERFACE "${PROJECT_SOURCE_DIR}/src")
-# Contraction off: the same bytes with and without fused multiply-add (CONTRIBUTING.md, determinism).
+# Contraction off: the same bytes with and without fused multiply-add (design: determinism).
 target_compile_options(tdbd_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off -fno-fast-math)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
