@@ -21,6 +21,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 
 import result
+from figures import rock_data
 
 MM = 1e3
 COLOURS = plt.get_cmap("Spectral")
@@ -33,9 +34,7 @@ plt.rcParams.update({"font.size": 9, "axes.titlesize": 10, "savefig.dpi": 200})
 
 def normals(surface, eye):
     """Unit normals of triangles, turned towards the eye."""
-    c = surface.corners()
-    n = np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0])
-    n /= np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-300)
+    n = surface.normals
     return np.where((n @ eye)[:, None] < 0.0, -n, n)
 
 
@@ -53,7 +52,7 @@ def relief(surface, view):
 
 def shaded_colours(surface, norm, view):
     """Depth in colour, darker in the shade and paler in the light."""
-    colours = COLOURS(norm(MM * surface.triangle_depth()))
+    colours = COLOURS(norm(MM * surface.of_triangles("depth_m")))
     shade = relief(surface, view)[:, None]
     rgb = colours[:, :3]
     dark, pale = rgb * (0.35 + 1.3 * shade), rgb + (1.0 - rgb) * (shade - 0.5)
@@ -63,7 +62,7 @@ def shaded_colours(surface, norm, view):
 
 def depth_scale(surface):
     """Colours span the depths of the bottom; the wall above has the end colour."""
-    depth = MM * surface.triangle_depth()[on_bottom(surface)]
+    depth = MM * surface.of_triangles("depth_m")[on_bottom(surface)]
     return Normalize(*np.percentile(depth, [0.5, 100.0]))
 
 
@@ -100,9 +99,9 @@ def bottom_hole(surface, summary, path):
     """The pattern seen from above the hole along +z: x to the right, hence y down the page."""
     figure, ax = plt.subplots(figsize=(8.0, 6.8), constrained_layout=True)
     norm = depth_scale(surface)
-    polygons = MM * surface.corners()[:, :, :2]
+    polygons = MM * surface.corners[:, :, :2]
     colours = shaded_colours(surface, norm, ABOVE)
-    draw_triangles(ax, polygons, colours, order=np.argsort(-surface.triangle_depth()))
+    draw_triangles(ax, polygons, colours, order=np.argsort(-surface.of_triangles("depth_m")))
     radius = 1.03 * MM * np.abs(surface.points[:, :2]).max()
     ax.set(xlim=(-radius, radius), ylim=(radius, -radius), aspect="equal",
            xlabel="x (mm)", ylabel="y (mm)",
@@ -113,12 +112,12 @@ def bottom_hole(surface, summary, path):
 
 def mesh_detail(ax, surface, norm):
     """Some 20 triangles' width of the mesh from above, half way out along -y."""
-    corners = MM * surface.corners()
+    corners = MM * surface.corners
     bottom = on_bottom(surface)
     edge = np.median(np.linalg.norm(corners[bottom, 1] - corners[bottom, 0], axis=1))
     y = -0.5 * np.abs(corners[:, :, 1]).max()
     draw_triangles(ax, corners[:, :, :2], shaded_colours(surface, norm, ABOVE),
-                   np.argsort(-surface.triangle_depth()), edge=(0, 0, 0, 0.8), width=0.4)
+                   np.argsort(-surface.of_triangles("depth_m")), edge=(0, 0, 0, 0.8), width=0.4)
     half = 10.0 * edge
     ax.set(xlim=(-half, half), ylim=(y + half, y - half), aspect="equal", xlabel="x (mm)",
            ylabel="y (mm)", title="Mesh from above")
@@ -126,13 +125,13 @@ def mesh_detail(ax, surface, norm):
 
 def side_view(surface, summary, path):
     """The half y < 0, seen along -y from the cut: x to the right, z down; and the mesh of a detail."""
-    keep = surface.corners()[:, :, 1].max(axis=1) <= 1e-9
-    half = result.Surface(surface.points, surface.triangles[keep], surface.depth)
+    keep = surface.corners[:, :, 1].max(axis=1) <= 1e-9
+    half = rock_data.Mesh(surface.points, surface.triangles[keep], surface.point_values)
     figure, (ax, detail) = plt.subplots(1, 2, figsize=(11.0, 4.6), constrained_layout=True,
                                         gridspec_kw={"width_ratios": [2.0, 1.0]})
     norm = depth_scale(surface)
-    order = np.argsort(half.corners()[:, :, 1].mean(axis=1))
-    draw_triangles(ax, MM * half.corners()[:, :, [0, 2]], shaded_colours(half, norm, CUT), order,
+    order = np.argsort(half.corners[:, :, 1].mean(axis=1))
+    draw_triangles(ax, MM * half.corners[:, :, [0, 2]], shaded_colours(half, norm, CUT), order,
                    edge=(0, 0, 0, 0.35), width=0.12)
     ax.set(aspect="equal", xlabel="x (mm)", ylabel="z (mm)",
            title=f"Half of the hole, cut at y = 0\n{caption(summary)}")

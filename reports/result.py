@@ -5,25 +5,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-
-@dataclass
-class Surface:
-    """Triangles of the rock in space, z down."""
-
-    points: np.ndarray  # (n, 3), m
-    triangles: np.ndarray  # (k, 3), indices of points
-    depth: np.ndarray  # (n,), m
-
-    def corners(self):
-        """(k, 3, 3): triangle, corner, coordinate; m."""
-        return self.points[self.triangles]
-
-    def triangle_depth(self):
-        """Mean depth of each triangle, m."""
-        return self.depth[self.triangles].mean(axis=1)
+from figures import rock_data
 
 
 @dataclass
@@ -38,19 +21,13 @@ class Cutter:
 
 
 def read_surface(path):
-    """The surface in a .vtp file; depth is z where the file has no depth_m."""
-    if not path.is_file():
-        raise SystemExit(f"{path}: no such file")
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    mesh = reader.GetOutput()
-    if mesh.GetNumberOfPolys() == 0:
-        raise SystemExit(f"{path}: no triangles")
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    depth = mesh.GetPointData().GetArray("depth_m")
-    return Surface(points, triangles, points[:, 2] if depth is None else vtk_to_numpy(depth))
+    """The rock's surface in a .vtp file, with depth_m: z where the file has none."""
+    try:
+        surface = rock_data.read(path)
+    except ValueError as error:
+        raise SystemExit(str(error)) from error
+    surface.point_values.setdefault("depth_m", surface.points[:, 2])
+    return surface
 
 
 def read_json(path):

@@ -33,7 +33,7 @@ def draw(inputs):
         draw_change(all_drifts, run, drift)
         if drift != "lie-midpoint":
             draw_change(without, run, drift)
-    all_drifts.set(ylabel="change of the energy (%)", title="all drifts, and where they end")
+    all_drifts.set(ylabel="change of the energy (%)", title="all drifts, with their final change")
     without.set(ylabel="change of the energy (%)", xlabel="time (s)",
                 title="without the Lie midpoint, enlarged: mean and range")
     all_drifts.margins(x=0.0)

@@ -24,12 +24,12 @@ def draw(inputs):
     axes.plot(tau, t, color=style.BLACK, linewidth=2.2)
     top = np.argmax(t)
     axes.plot(tau[top], MM * exit_row["t"], "o", color=style.RED, markersize=7, zorder=5)
-    axes.annotate("the exit, which the search found", (tau[top], MM * exit_row["t"]), xytext=(0, 14),
+    axes.annotate("exit found by the search", (tau[top], MM * exit_row["t"]), xytext=(0, 14),
                   textcoords="offset points", ha="center", color=style.RED, bbox={"color": "white", "pad": 1.5})
     axes.axvspan(exit_row["from"], exit_row["to"], ymax=0.02, color=style.GOLD)
     axes.plot([], [], color=style.GOLD, linewidth=4, label="when the vertex itself is inside")
     axes.plot([], [], color=style.BLUE, label="planes that bound the exit"), axes.plot([], [], color="0.8", label="other planes")
     axes.plot([], [], color=style.BLACK, linewidth=2.2, label="where the ray at that time leaves the part")
-    axes.set(xlim=(0, 1), ylim=(0, 1.6 * t.max()), xlabel="part of the step, tau", ylabel="way along the update direction, t (mm)")
+    axes.set(xlim=(0, 1), ylim=(0, 1.6 * t.max()), xlabel="fraction of the step, tau", ylabel="distance along the update direction, t (mm)")
     axes.legend(loc="center", bbox_to_anchor=(0.5, 0.3), ncol=1)
     return figure

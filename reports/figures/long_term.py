@@ -22,7 +22,7 @@ def draw_run(frames, folder, colour):
     run = results.summary(folder)
     turns, worst, low, _ = over_frames(folder)
     frames[0].plot(turns, worst, "o-", color=colour, label=f"{run['title']}: worst")
-    frames[0].plot(turns, low, "--", color=colour, label=f"{run['title']}: 1 % are worse")
+    frames[0].plot(turns, low, "--", color=colour, label=f"{run['title']}: 1 % quantile")
     angle, triangles = results.history(folder, "rotation_angle", "rock_triangles")
     frames[1].plot(np.abs(angle) / (2 * np.pi), triangles / run["rock_triangles_start"], color=colour, label=run["title"])
     volumes = np.array(run["removed_volume_by_revolution_m3"])[:int(run["revolutions"] + 1e-9)]

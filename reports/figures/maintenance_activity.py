@@ -23,6 +23,6 @@ def draw(inputs):
             axes.annotate(str(count), (max(count, 1), place), xytext=(3, 0), textcoords="offset points", va="center", fontsize=7)
     axes.set_yticks(np.arange(len(keys)), [in_words(k) for k in keys])
     axes.invert_yaxis()
-    axes.set(xscale="log", xlabel="how often, over the whole run", xlim=(0.8, 4 * max(max(r["maintenance"].values()) for r in runs)))
+    axes.set(xscale="log", xlabel="count over the whole run", xlim=(0.8, 4 * max(max(r["maintenance"].values()) for r in runs)))
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=len(runs))
     return figure

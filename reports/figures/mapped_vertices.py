@@ -22,11 +22,11 @@ def draw(inputs):
     name_planes(above, section)
     frame_around(above, xy(np.concatenate([start, end])), 3.0)
     frame_around(section, rz(np.concatenate([start, end])), 3.0)
-    section.text(0.02, 0.02, f"turned back by their azimuths\nall directions agree to {spread(start, direction):.0e} rad",
+    section.text(0.02, 0.02, f"turned back by their azimuths\nall directions then agree to {spread(start, direction):.0e} rad",
                  transform=section.transAxes, va="bottom", fontsize=8)
     handles = [above.scatter([], [], s=20, color=style.RED, label="swept vertex before"),
                above.scatter([], [], s=20, color=style.BLUE, label="the same, moved to the exit"),
-               *above.plot([], [], color=MAGENTA, label="its way, along the mapped update direction")]
+               *above.plot([], [], color=MAGENTA, label="its path along the mapped update direction")]
     legend_below(figure, handles)
     return figure
 

@@ -36,6 +36,6 @@ def draw(inputs):
     path.set(aspect="equal", xlim=(-1.02, 1.02), ylim=(-1.02, 1.02), xlabel="$(R\\,e_3)_x$", ylabel="$(R\\,e_3)_y$",
              title=f"path of the axis, h = {step:g} s")
     path.legend(loc="lower right", fontsize=7)
-    distance.set(xlabel="time (s)", ylabel="distance of $R\\,e_3$ from the reference", title="how far it is off")
+    distance.set(xlabel="time (s)", ylabel="distance of $R\\,e_3$ from the reference", title="error of the axis")
     distance.legend(loc="lower right")
     return figure

@@ -30,8 +30,8 @@ def draw(inputs):
     ramp = results.summary(run)["duration_s"] / results.summary(run)["revolutions"]
     figure, axes = style.panels(1, 1, (5.2, 5.0))
     early = time <= ramp
-    axes.plot(*(1e3 * place[early, :2].T), color=style.SKY, label="first revolution, in which the whirl grows")
-    axes.plot(*(1e3 * place[~early, :2].T), color=style.BLUE, label="after it")
+    axes.plot(*(1e3 * place[early, :2].T), color=style.SKY, label="first revolution, while the whirl grows")
+    axes.plot(*(1e3 * place[~early, :2].T), color=style.BLUE, label="later revolutions")
     axes.plot(*(1e3 * place[0, :2]), "o", color=style.RED, label="start")
     reach = 1.35e3 * np.abs(place[:, :2]).max()
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal", xlabel="x (mm)", ylabel="y (mm)")

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// How far an observed order may lie from the method's (the numbers).
+/// How far an observed order may lie from the method's, as required.
 constexpr double of_order_2 = 0.05, of_order_4 = 0.1;
 
 Json orders_of(const RotateFolder& c, std::vector<std::string> more) {

@@ -1,7 +1,6 @@
 """bit_page_test.py PROGRAM ROOT: the page of a bit from a design, of a cone bit and of a bit of meshes; bad folders."""
 
 import dataclasses
-import html.parser
 import json
 import pathlib
 import re
@@ -11,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import balance
 import numpy as np
 
 PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
@@ -33,21 +33,6 @@ def report(bit, folder):
 def draw(*arguments):
     return subprocess.run([sys.executable, "-B", ROOT / "reports/bit_page.py", *arguments], capture_output=True, text=True,
                           check=False)
-
-
-class Balance(html.parser.HTMLParser):
-    """Every tag that opens closes, in order."""
-
-    def __init__(self):
-        super().__init__()
-        self.open_tags = []
-
-    def handle_starttag(self, tag, attrs):
-        if tag not in ("meta", "img", "br", "wbr"):
-            self.open_tags.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open_tags.pop() == tag, f"{tag} at {self.getpos()}"
 
 
 class BitPage(unittest.TestCase):
@@ -76,9 +61,7 @@ class BitPage(unittest.TestCase):
         self.assertEqual(len(re.findall(IMAGE, page)), page.count("<img "))
         self.assertIsNone(re.search(r"(src|href)=.https?:", page), "the page fetches something")
         self.assertIsNone(re.search(r">\s*(nan|None|inf)\s*<", page))
-        balance = Balance()
-        balance.feed(page)
-        self.assertEqual(balance.open_tags, [])
+        balance.check(page)
         return page
 
     def test_of_a_bit_from_a_design(self):

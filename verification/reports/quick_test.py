@@ -4,11 +4,12 @@ Every claim has a row with a verdict, every figure is embedded and points to wha
 call makes nothing.
 """
 
-import html.parser
 import pathlib
 import re
 import subprocess
 import sys
+
+import balance
 
 root, build = map(pathlib.Path, sys.argv[1:])
 sys.path.insert(0, str(root / "reports"))
@@ -22,19 +23,6 @@ PICTURE = r'<img alt="[^"]+" width="[0-9]+" src="data:image/png;base64,[A-Za-z0-
 def make():
     command = [sys.executable, "-B", root / "reports/make.py", "--quick", "--build", build]
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
-
-
-class Balance(html.parser.HTMLParser):
-    """Every tag that opens closes, in order."""
-
-    open_tags = []
-
-    def handle_starttag(self, tag, attrs):
-        if tag not in ("meta", "img", "br", "hr", "wbr"):
-            self.open_tags.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open_tags.pop() == tag, f"{tag} at {self.getpos()}"
 
 
 make()
@@ -61,7 +49,5 @@ for name in wanted.bit_pages:
     assert f'href="bits/{name}.html"' in page and (build / f"report-quick/bits/{name}.html").is_file(), name
 assert "Class diagrams of appendix B" in page and "<code>part_pose</code>" in page
 assert not re.search(r"(src|href)=.https?:", page), "the page fetches something"
-balance = Balance()
-balance.feed(page)
-assert not balance.open_tags, balance.open_tags
+balance.check(page)
 print(f"{len(wanted.claims)} claims, {len(wanted.figures)} figures, {len(shown)} studies")

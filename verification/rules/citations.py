@@ -1,7 +1,7 @@
 """Equations are cited by room and number, "rock (7)", and every such number stands in a page of that room.
 
 An equation or a contract is numbered in src/ROOM/*.md, once: "(7)" at the end of its line in a code block, or at
-the start of a paragraph, a list item or a table row. A document outside the repository is not cited at all.
+the start of a paragraph or a list item, or alone in the first cell of a table row. A document outside the repository is not cited at all.
 """
 
 import re
@@ -14,10 +14,12 @@ FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "report
 CODE, TEXT = (".hpp", ".cpp"), (".md", ".py", ".toml", ".txt", ".j2", ".cmake")
 NUMBER = r"\(\d+[a-z]?\)"
 CITED = re.compile(rf"\b({'|'.join(ROOMS)})`?\s+({NUMBER}(?:\s*(?:,|and|to|or)\s*{NUMBER})*)")
-AT_START = re.compile(rf"^\s*(?:[-*+] |\d+\. |\| *)?(?:\*\*)?({NUMBER})(?=\W|$)")
+PARAGRAPH = re.compile(rf"(?:\*\*)?({NUMBER})(?=\W|$)")
+ITEM = re.compile(rf"\s*(?:[-*+] |\d+\. )(?:\*\*)?({NUMBER})(?=\W|$)")
+ROW = re.compile(rf"\|\s*({NUMBER})\s*\|")
 AT_END = re.compile(rf"({NUMBER})\W*$")
-# An undefined noun with a number was the way to cite a paper that is not in the repository.
-OUTSIDE = re.compile(r"\bformulations?'?s?\s+\d", re.IGNORECASE)
+# How documents that are not in the repository were cited: by a section's number, or as what was asked for.
+OUTSIDE = re.compile(r"\bformulations?'?s?\s+\d|\b(?:the|this|first)\s+issue\b", re.IGNORECASE)
 THIS_RULE = "verification/rules/citations.py"  # its self-test holds wrong citations on purpose
 
 
@@ -43,15 +45,18 @@ def prose(path, text):
 
 def numbered(text):
     """Numbers of equations and contracts in a page, in their order."""
-    found, fenced = [], False
+    found, fenced, before = [], False, ""
     for line in text.split("\n"):
         if line.lstrip().startswith("```"):
             fenced = not fenced
             continue
-        is_code = fenced or line.startswith("    ")
-        start, end = AT_START.match(line), AT_END.search(line) if is_code else None
-        if match := (end or start):
+        if fenced or line.startswith("    "):
+            match = AT_END.search(line) or ITEM.match(line)
+        else:
+            match = ITEM.match(line) or ROW.match(line) or (not before.strip() and PARAGRAPH.match(line))
+        if match:
             found.append(match.group(1))
+        before = line
     return found
 
 
@@ -92,17 +97,18 @@ def check_all():
 
 def self_test():
     page = "# Rock\n\n    V = A h   (1)\n\n```\nx = y,  (2)\n```\n\n- (3) Contract.\n- **(4)** Another.\n\n(5) A paragraph.\n" \
-           "| (6) | a row |\n\nProse that ends with rock (9)\nA list (10) of things.\n"
+           "(6) goes on with the paragraph.\n\n| (6) | a row |\n| (8), a claim | a test |\n\nProse that ends with rock (9)\nA list (10) of things.\n"
     assert numbered(page) == ["(1)", "(2)", "(3)", "(4)", "(5)", "(6)"], numbered(page)
     rooms, problems = check_pages({"src/rock/README.md": page, "src/rock/cut/MORE.md": "    a   (7a)\n",
                                    "src/README.md": "(8) of no room\n"})
     assert not problems and "(7a)" in rooms["rock"] and "(8)" not in rooms["rock"]
     assert check_pages({"src/rock/README.md": page, "src/rock/cut/MORE.md": "    a   (3)\n"})[1]
-    good = [("a.cpp", "// see rock (1), (2) and (3)"), ("a.cpp", "/// by rock\n/// (4) to (6)."), ("a.md", "`rock` (5)"),
+    good = [("a.cpp", "// see rock (1), (2) and (3)"), ("a.cpp", "/// by rock\n/// (4) to (5)."), ("a.md", "`rock` (5)"),
             ("a.cpp", 'f("rock (99)");'), ("a.cpp", "int rock (99);"), ("a.md", "a rocky (99)"), ("a.md", "another formulation:"),
-            ("a.md", "two formulations, 3 tests"), ("a.py", "# rock (7a)")]
+            ("a.md", "two formulations, 3 tests"), ("a.md", "Report an issue"), ("a.py", "# rock (7a)")]
     bad = [("a.cpp", "// rock (9)"), ("a.cpp", "// rock (1) and\n// (9)"), ("a.cpp", "/* mesh (1) */"), ("a.md", "rock (7)"),
-           ("a.cpp", "/// formulation 4"), ("a.cpp", "/// (Formulation\n/// 2.6)"), ("a.toml", "# formulation 3, M1")]
+           ("a.cpp", "/// formulation 4"), ("a.cpp", "/// (Formulation\n/// 2.6)"), ("a.toml", "# formulation 3, M1"),
+           ("a.cpp", "// the issue's number")]
     for path, text in good:
         assert not check_text(path, text, rooms), (path, text)
     for path, text in bad:

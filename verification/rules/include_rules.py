@@ -16,14 +16,15 @@ ALLOWED = {
     "forces": FORCES, "dynamics": DYNAMICS, "simulation": SIMULATION, "calibration": CALIBRATION,
     "app": CALIBRATION | {"app"},
 }
-# The sub-folders of each room, from the lowest to the highest; "." are the files of the room itself.
+# The sub-folders of each room, from the lowest to the highest; "." are the files of the room itself, but for
+# those that stand here by name.
 SUB_FOLDERS = {
     "core": (".", "config"),
     "rotation": (".",),
     "mesh": (".", "shape", "search", "check", "files", "repair", "grade"),
     "bit": (".", "cutter", "cone", "profile", "body", "pdc", "report", "files"),
     "rock": ("index", ".", "start", "cut", "section", "maintain"),
-    "forces": ("rock", "part", "laws", "."),
+    "forces": ("named.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),
     "simulation": ("case", "start", "step", "result", "rotate", "study"),
     "calibration": (".",),
@@ -42,8 +43,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 def sub_folder(path):
     """Of a path below src: "cut" of rock/cut/prism.hpp, "." of rock/rock.hpp."""
-    parts = path.split("/")
-    return parts[1] if len(parts) > 2 else "."
+    room, *rest = path.split("/")
+    return rest[0] if len(rest) > 1 or rest[0] in SUB_FOLDERS[room] else "."
 
 
 def check_sub_folder(path, target):
@@ -148,7 +149,8 @@ def self_test():
            ("reference/dynamics/top.cpp", '#include "dynamics/momenta.hpp"')]
     good += [("src/rock/cut/cut_rock.cpp", '#include "rock/rock.hpp"'), ("src/rock/rock.hpp", '#include "rock/index/near_list.hpp"'),
              ("src/simulation/study/convergence.cpp", '#include "simulation/case/case.hpp"'),
-             ("src/forces/law.hpp", '#include "forces/laws/friction.hpp"')]
+             ("src/forces/law.hpp", '#include "forces/laws/friction.hpp"'),
+             ("src/forces/rock/rock_material.cpp", '#include "forces/named.hpp"')]
     bad += [("src/rock/index/near_list.cpp", '#include "rock/rock.hpp"'),
             ("src/rock/rock.hpp", '#include "rock/cut/cut_rock.hpp"'),
             ("src/simulation/case/case.cpp", '#include "simulation/step/simulation.hpp"'),

@@ -146,7 +146,7 @@ TEST(Wall, friction_rolls_the_bit_backward_at_the_kinematic_frequency) {
   const double rate = orbit(s, h, 20'000, d) / 1.0;
   const double kinematic = -omega * s.wall.ring_radius / s.wall.clearance;
   const double deviation = std::abs(rate / kinematic - 1.0);
-  EXPECT_LE(deviation, 0.02);  // the number
+  EXPECT_LE(deviation, 0.02);  // required
   battery::record({"ours/rolling-whirl",
                    "whirl frequency of a rolling bit against omega R/(Rh - R): relative deviation",
                    deviation, "1", "<= 0.02",

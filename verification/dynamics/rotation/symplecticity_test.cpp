@@ -16,7 +16,7 @@ namespace {
 /// The derivative by dual numbers is exact to rounding: entries of J up to about ten, some hundred
 /// operations each, 12 x 12 products.
 constexpr double rounding = 1e-13;
-constexpr double closed_form = 0.05;  ///< relative; the closed form is exact, this is the issue's
+constexpr double closed_form = 0.05;  ///< relative, required; the closed form is exact
 constexpr double third_order = 0.1;
 
 /// A system for the question: free and heavy, symmetric and not, with and without cones.

@@ -21,7 +21,7 @@ TEST(Memory, counts_what_is_held_and_the_most_of_it) {
 /// The rock, its index and all room that steps keep, over the rock's triangles. The bit, which does
 /// not grow with the rock, is not counted.
 TEST(Memory, a_rock_takes_at_most_250_bytes_a_triangle) {
-  constexpr double bytes_a_triangle = 250.0;  // the number
+  constexpr double bytes_a_triangle = 250.0;  // required
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/standard-workload.toml", {});
   const rock::CuttingBit bit = rock::prepare_cutting_bit(c.bit);
   const long before = counted_memory().held;

@@ -25,7 +25,7 @@ double advance(const Case& c) {
   return c.motion.rate_of_penetration * 2.0 * std::numbers::pi / c.motion.rotary_speed;
 }
 
-/// Bit B from its first whole revolution on; the mesh of the first issue's numbers.
+/// Bit B from its first whole revolution on, on the mesh for which limits are given.
 class SteadyBitB : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -52,7 +52,7 @@ class SteadyBitB : public testing::Test {
 };
 
 TEST_F(SteadyBitB, removes_the_gage_circle_times_the_advance) {
-  constexpr double within = 0.003;  // of the whole, the number
+  constexpr double within = 0.003;  // of the whole, required
   const double r = case_->bit.gage_radius;
   const double expected = std::numbers::pi * r * r * advance(*case_);
   for (std::size_t k = 1; k < 3; ++k) {
