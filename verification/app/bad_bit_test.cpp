@@ -5,7 +5,7 @@
 namespace tdbd::app {
 namespace {
 
-TEST(bad_bit, a_cutter_outside_the_bit) {
+TEST(BadBit, a_cutter_outside_the_bit) {
   const SmallCase c;
   c.edit("bit.csv", "16,34,190", "16,84,190");
   const auto o = c.check();
@@ -22,13 +22,13 @@ TEST(bad_bit, a_cutter_outside_the_bit) {
   EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
 }
 
-TEST(bad_bit, a_cutter_without_bound_when_no_gage_is_given) {
+TEST(BadBit, a_cutter_without_bound_when_no_gage_is_given) {
   const SmallCase c;
   c.edit("bit.toml", "gage_diameter = \"100 mm\"\n", "");
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
 }
 
-TEST(bad_bit, identical_rows) {
+TEST(BadBit, identical_rows) {
   const SmallCase c;
   c.edit("bit.csv", "S,4,2,nose,16,34,190,1.5,15,15,0", "S,3,1,nose,16,25,10,1,0,15,0");
   expect_refused(c, "bit.csv:5: cutter: found 3, as in line 4, expected a number of its own\n" +
@@ -37,13 +37,13 @@ TEST(bad_bit, identical_rows) {
                         "of its own");
 }
 
-TEST(bad_bit, a_number_that_is_none) {
+TEST(BadBit, a_number_that_is_none) {
   const SmallCase c;
   c.edit("bit.csv", "16,34,190", "16,nan,190");
   expect_refused(c, "bit.csv:5: r_tip_mm: found 'nan', expected a number");
 }
 
-TEST(bad_bit, a_missing_table) {
+TEST(BadBit, a_missing_table) {
   const SmallCase c;
   std::filesystem::remove(c.path("bit.csv"));
   expect_refused(c, "bit.toml:2: table: found \"bit.csv\" (there is no " +
@@ -51,7 +51,7 @@ TEST(bad_bit, a_missing_table) {
                         "), expected the path of an existing file, from the case file's folder");
 }
 
-TEST(bad_bit, tdbd_bit_says_the_same) {
+TEST(BadBit, tdbd_bit_says_the_same) {
   const SmallCase c;
   c.edit("bit.csv", "16,34,190", "16,nan,190");
   const auto o = battery::run_tdbd({"bit", c.path("bit.toml"), "-o", c.path("out")});

@@ -6,7 +6,7 @@
 namespace tdbd::app {
 namespace {
 
-TEST(bad_case, that_the_small_case_is_right) {
+TEST(BadCase, that_the_small_case_is_right) {
   const SmallCase c;
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
@@ -52,7 +52,7 @@ const Mistake mistakes[] = {
 INSTANTIATE_TEST_SUITE_P(One, BadCase, ::testing::ValuesIn(mistakes),
                          [](const auto& m) { return std::string(m.param.name); });
 
-TEST(bad_case, a_step_that_is_negative_or_zero) {
+TEST(BadCase, a_step_that_is_negative_or_zero) {
   for (const std::string step : {"-2 ms", "0 ms"}) {
     const SmallCase c;
     c.edit("case.toml", "2 ms", step);
@@ -60,13 +60,13 @@ TEST(bad_case, a_step_that_is_negative_or_zero) {
   }
 }
 
-TEST(bad_case, a_missing_case_file) {
+TEST(BadCase, a_missing_case_file) {
   const SmallCase c;
   std::filesystem::remove(c.path("case.toml"));
   expect_refused(c, "case.toml: found no such file, expected a TOML file");
 }
 
-TEST(bad_case, a_missing_bit_file) {
+TEST(BadCase, a_missing_bit_file) {
   const SmallCase c;
   std::filesystem::remove(c.path("bit.toml"));
   expect_refused(c, "case.toml:2: bit.file: found \"bit.toml\" (there is no " +
@@ -74,7 +74,7 @@ TEST(bad_case, a_missing_bit_file) {
                         "), expected the path of an existing file, from the case file's folder");
 }
 
-TEST(bad_case, a_wrong_override_is_named_as_such) {
+TEST(BadCase, a_wrong_override_is_named_as_such) {
   const SmallCase c;
   const auto o = c.run({"--set", "time.step=-1"});
   EXPECT_EQ(o.exit_code, 2);
@@ -82,7 +82,7 @@ TEST(bad_case, a_wrong_override_is_named_as_such) {
 }
 
 /// It says how much it would need before it takes any of it, and what would do.
-TEST(bad_case, a_rock_beyond_memory) {
+TEST(BadCase, a_rock_beyond_memory) {
   const SmallCase c;
   c.edit("case.toml", "20 mm", "1e5 km");
   const auto o = c.run();
@@ -92,7 +92,7 @@ TEST(bad_case, a_rock_beyond_memory) {
     EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
 }
 
-TEST(bad_case, a_motion_beyond_memory) {
+TEST(BadCase, a_motion_beyond_memory) {
   const SmallCase c;
   c.edit("case.toml", "40 ms", "1e7 s");
   const auto o = c.run();
@@ -107,19 +107,19 @@ SmallCase moving(const std::string& lines) {
   return c;
 }
 
-TEST(bad_case, legs) {
+TEST(BadCase, legs) {
   expect_refused(moving("kind = \"legs\""),
                  "case.toml:6: motion.legs: found none, expected one [[motion.legs]] or more");
   expect_refused(moving("kind = \"legs\"\n[[motion.legs]]\nduration = 0"),
                  "case.toml:9: motion.legs[0].duration: found 0, expected time in s, > 0");
 }
 
-TEST(bad_case, a_tilt_beyond_half_a_radian) {
+TEST(BadCase, a_tilt_beyond_half_a_radian) {
   expect_refused(moving("rotary_speed = 1\nrate_of_penetration = 0\n[motion.tilt]\nangle = 1"),
                  "case.toml:10: motion.tilt.angle: found 1, expected angle in rad, in [0, 0.5]");
 }
 
-TEST(bad_case, a_profile_off_the_axis_or_of_one_point) {
+TEST(BadCase, a_profile_off_the_axis_or_of_one_point) {
   const std::string expected =
       ", expected two points or more, [radius, depth], the first on the axis, the others beside it";
   const std::vector<std::pair<std::string, std::string>> wrong = {
@@ -134,7 +134,7 @@ TEST(bad_case, a_profile_off_the_axis_or_of_one_point) {
   }
 }
 
-TEST(bad_case, a_profile_that_crosses_itself) {
+TEST(BadCase, a_profile_that_crosses_itself) {
   const SmallCase c;
   c.edit("case.toml", "wall = \"20 mm\"",
          "shape = \"profile\"\n"
@@ -146,7 +146,7 @@ TEST(bad_case, a_profile_that_crosses_itself) {
       << o.err;
 }
 
-TEST(bad_case, a_roughness_finer_than_the_mesh) {
+TEST(BadCase, a_roughness_finer_than_the_mesh) {
   const SmallCase c;
   c.edit("case.toml", "wall = \"20 mm\"",
          "shape = \"rough\"\namplitude = \"1 mm\"\ncorrelation_length = \"5 mm\"");
@@ -156,7 +156,7 @@ TEST(bad_case, a_roughness_finer_than_the_mesh) {
 }
 
 /// Every mistake of a case, its bit file and its tables at once, in the order of the lines.
-TEST(bad_case, all_mistakes_at_once) {
+TEST(BadCase, all_mistakes_at_once) {
   const SmallCase c;
   c.edit("case.toml", "4 mm", "4 furlogs");
   c.edit("case.toml", "wall =", "wal =");
@@ -176,7 +176,7 @@ TEST(bad_case, all_mistakes_at_once) {
                 "bit.csv:4: cutter: found 2, as in line 3, expected a number of its own\n");
 }
 
-TEST(bad_case, a_wrong_command_line) {
+TEST(BadCase, a_wrong_command_line) {
   using Arguments = std::vector<std::string>;
   for (const Arguments& arguments :
        {Arguments{}, {"drill"}, {"run"}, {"run", "a.toml", "--colour"}}) {

@@ -13,7 +13,7 @@ void expect_output_refused(const battery::Outcome& o, const fs::path& folder,
   EXPECT_EQ(o.err, "tdbd: output folder " + folder.string() + ": " + reason + "\n");
 }
 
-TEST(bad_output, an_existing_result_is_kept_without_force) {
+TEST(BadOutput, an_existing_result_is_kept_without_force) {
   const SmallCase c;
   ASSERT_EQ(c.run().exit_code, 0);
   const std::string before = read(c.path("out/summary.json"));
@@ -24,7 +24,7 @@ TEST(bad_output, an_existing_result_is_kept_without_force) {
   EXPECT_NE(read(c.path("out/summary.json")), before);
 }
 
-TEST(bad_output, a_wrong_case_keeps_the_old_result_even_with_force) {
+TEST(BadOutput, a_wrong_case_keeps_the_old_result_even_with_force) {
   const SmallCase c;
   ASSERT_EQ(c.run().exit_code, 0);
   const std::string before = read(c.path("out/summary.json"));
@@ -32,7 +32,7 @@ TEST(bad_output, a_wrong_case_keeps_the_old_result_even_with_force) {
   EXPECT_EQ(read(c.path("out/summary.json")), before);
 }
 
-TEST(bad_output, force_leaves_no_old_frame_and_deletes_nothing_foreign) {
+TEST(BadOutput, force_leaves_no_old_frame_and_deletes_nothing_foreign) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--set", "output.frames_every=1"}).exit_code, 0);
   for (const char* foreign : {"out/notes.txt", "out/frames/mine.vtp", "out/frames/rock.vtp"})
@@ -43,7 +43,7 @@ TEST(bad_output, force_leaves_no_old_frame_and_deletes_nothing_foreign) {
   EXPECT_FALSE(fs::exists(c.path("out/frames/rock-000001.vtp")));
 }
 
-TEST(bad_output, a_case_that_a_user_wrote_is_not_replaced) {
+TEST(BadOutput, a_case_that_a_user_wrote_is_not_replaced) {
   const SmallCase c;
   const std::string own = read(c.path("case.toml"));
   expect_output_refused(c.run({"--force"}, "."), c.path("."),
@@ -53,7 +53,7 @@ TEST(bad_output, a_case_that_a_user_wrote_is_not_replaced) {
             (std::vector<std::string>{"bit.csv", "bit.toml", "case.toml"}));
 }
 
-TEST(bad_output, an_input_is_not_replaced) {
+TEST(BadOutput, an_input_is_not_replaced) {
   const SmallCase c;
   ASSERT_EQ(c.run().exit_code, 0);
   const fs::path resolved = c.path("out/case.toml");
@@ -64,7 +64,7 @@ TEST(bad_output, an_input_is_not_replaced) {
   EXPECT_EQ(read(resolved), before);
 }
 
-TEST(bad_output, a_file_in_place_of_a_folder) {
+TEST(BadOutput, a_file_in_place_of_a_folder) {
   const SmallCase c;
   c.write("out", "mine");
   expect_output_refused(c.run({"--force"}), c.path("out"), "is a file");
@@ -76,13 +76,13 @@ TEST(bad_output, a_file_in_place_of_a_folder) {
 }
 
 /// Permissions do not bind a superuser; nobody makes a folder in /proc.
-TEST(bad_output, a_read_only_folder) {
+TEST(BadOutput, a_read_only_folder) {
   const SmallCase c;
   const auto o = battery::run_tdbd({"run", c.path("case.toml"), "-o", "/proc/tdbd"});
   expect_output_refused(o, "/proc/tdbd", "No such file or directory");
 }
 
-TEST(bad_output, a_full_disk_leaves_no_summary) {
+TEST(BadOutput, a_full_disk_leaves_no_summary) {
   for (const long bytes : {300L, 3000L, 20000L, 60000L}) {
     const SmallCase c;
     const auto o = c.run({}, "out", {.largest_file = bytes});
@@ -95,7 +95,7 @@ TEST(bad_output, a_full_disk_leaves_no_summary) {
   }
 }
 
-TEST(bad_output, a_full_standard_output) {
+TEST(BadOutput, a_full_standard_output) {
   const SmallCase c;
   const auto o = c.run({}, "out", {.standard_output = "/dev/full"});
   EXPECT_EQ(o.exit_code, 1);

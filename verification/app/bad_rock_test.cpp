@@ -70,57 +70,57 @@ void expect_wrong(const SmallCase& c, const std::string& file, const std::string
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
 }
 
-TEST(bad_rock, that_the_net_is_right) {
+TEST(BadRock, that_the_net_is_right) {
   const auto o = case_on({}).run();
   EXPECT_EQ(o.exit_code, 0) << o.err;
 }
 
-TEST(bad_rock, holes) { expect_wrong(case_on({.left_out = 500}), "rock.off", "boundary"); }
+TEST(BadRock, holes) { expect_wrong(case_on({.left_out = 500}), "rock.off", "boundary"); }
 
-TEST(bad_rock, a_flipped_facet) { expect_wrong(case_on({.flipped = 500}), "rock.off", "flipped"); }
+TEST(BadRock, a_flipped_facet) { expect_wrong(case_on({.flipped = 500}), "rock.off", "flipped"); }
 
-TEST(bad_rock, all_facets_flipped) {
+TEST(BadRock, all_facets_flipped) {
   expect_wrong(case_on({.all_flipped = true}), "rock.off", "found all facets flipped");
 }
 
-TEST(bad_rock, degenerate_facets) {
+TEST(BadRock, degenerate_facets) {
   expect_wrong(case_on({.degenerate = true}), "rock.off", "degenerate");
 }
 
-TEST(bad_rock, an_edge_of_three_facets) {
+TEST(BadRock, an_edge_of_three_facets) {
   expect_wrong(case_on({.fin = true}), "rock.off", "edge of more than two triangles");
 }
 
-TEST(bad_rock, two_pieces) {
+TEST(BadRock, two_pieces) {
   expect_wrong(case_on({.island = true}), "rock.off", "not one connected surface: 2 pieces");
 }
 
 /// Asked once, at reading; a case may waive the question.
-TEST(bad_rock, a_surface_that_intersects_itself) {
+TEST(BadRock, a_surface_that_intersects_itself) {
   const SmallCase c = case_on({.pierced = true});
   expect_wrong(c, "rock.off", "pairs of triangles that intersect, the first triangle ");
   EXPECT_EQ(c.check({"--set", "rock.intersection_check=off"}).exit_code, 0);
 }
 
-TEST(bad_rock, a_wrong_unit) {
+TEST(BadRock, a_wrong_unit) {
   const SmallCase c = case_on({});
   c.edit("case.toml", "shape =", "unit = 1\nshape =");
   expect_wrong(c, "rock.off", "found edges of about 4.3e+03 mm with rock.unit = 1 m");
 }
 
-TEST(bad_rock, no_mesh_at_all) {
+TEST(BadRock, no_mesh_at_all) {
   const SmallCase c = case_on({});
   c.write("rock.off", "a poem\n");
   expect_wrong(c, "rock.off", "not a valid .off file");
 }
 
-TEST(bad_rock, a_bit_that_starts_inside_it) {
+TEST(BadRock, a_bit_that_starts_inside_it) {
   expect_wrong(case_on({.depth = -12.0}), "case.toml:7: motion",
                "found the middle of cutter-2/face ");
   EXPECT_EQ(case_on({.depth = -3.0}).check().exit_code, 0);
 }
 
-TEST(bad_rock, a_bit_that_starts_wholly_below_its_surface) {
+TEST(BadRock, a_bit_that_starts_wholly_below_its_surface) {
   expect_wrong(case_on({.depth = -200.0}), "case.toml:7: motion",
                "below the rock's surface at the start");
 }

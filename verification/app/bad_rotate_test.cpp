@@ -137,7 +137,7 @@ std::string mesh_case(const std::string& file) {
   return "[body]\nmesh = \"" + file + "\"\ndensity = 2\nunit = 1\n[time]\nstep = 1\nduration = 1\n";
 }
 
-TEST(bad_rotate, a_mesh_that_bounds_no_solid_is_refused_at_its_key) {
+TEST(BadRotate, a_mesh_that_bounds_no_solid_is_refused_at_its_key) {
   const RotateFolder c;
   const std::string box = read(c.path("box.off"));
   c.write("open.off", "OFF\n8 11 0" + box.substr(10, box.rfind("3 3 4 7") - 10));
@@ -156,7 +156,7 @@ TEST(bad_rotate, a_mesh_that_bounds_no_solid_is_refused_at_its_key) {
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
 }
 
-TEST(bad_rotate, a_file_that_is_no_mesh_is_refused_at_its_key) {
+TEST(BadRotate, a_file_that_is_no_mesh_is_refused_at_its_key) {
   const RotateFolder c;
   c.write("case.toml", mesh_case("torque.csv"));
   expect_refusal(c.rotate(), c.path("case.toml").string() + ":2: body.mesh: found " +
@@ -165,15 +165,15 @@ TEST(bad_rotate, a_file_that_is_no_mesh_is_refused_at_its_key) {
                                  "expected a mesh that can be read");
 }
 
-TEST(bad_rotate, that_the_case_with_all_keys_is_right) {
+TEST(BadRotate, that_the_case_with_all_keys_is_right) {
   const RotateFolder c;
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
   EXPECT_EQ(c.check().out, c.path("case.toml").string() +
-                               ": right; 2 cones, 200 steps of 0.01 s, energy 13.6347 J\n");
+                               ": valid; 2 cones, 200 steps of 0.01 s, energy 13.6347 J\n");
   EXPECT_EQ(c.rotate().exit_code, 0);
 }
 
-TEST(bad_rotate, an_inertia_that_no_body_has_passes_with_the_check_off) {
+TEST(BadRotate, an_inertia_that_no_body_has_passes_with_the_check_off) {
   const RotateFolder c;
   c.edit("case.toml", "[0, 0, 3]]", "[0, 0, 50]]\ncheck = \"off\"");
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
@@ -182,7 +182,7 @@ TEST(bad_rotate, an_inertia_that_no_body_has_passes_with_the_check_off) {
   EXPECT_NE(c.check().err.find("expected a positive definite inertia"), std::string::npos);
 }
 
-TEST(bad_rotate, a_flat_body_is_a_body) {
+TEST(BadRotate, a_flat_body_is_a_body) {
   const RotateFolder c;
   c.write("case.toml",
           "[body]\ninertia = [[1, 0, 0], [0, 2, 0], [0, 0, 3]]\n[time]\nstep = 1\n"
@@ -190,7 +190,7 @@ TEST(bad_rotate, a_flat_body_is_a_body) {
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
 }
 
-TEST(bad_rotate, samples_are_refused_with_their_line) {
+TEST(BadRotate, samples_are_refused_with_their_line) {
   const RotateFolder c;
   const std::string file = c.path("torque.csv").string();
   c.write("torque.csv", "time_s,x,y,z\n0,0,0,0\n1,0,0,0\n1,0,0,0\n");
@@ -210,7 +210,7 @@ void expect_missing(const RotateFolder& c, const std::string& place, const std::
                                  "folder");
 }
 
-TEST(bad_rotate, missing_files) {
+TEST(BadRotate, missing_files) {
   const RotateFolder c;
   c.edit("case.toml", "torque.csv", "absent.csv");
   expect_missing(c, ":30: load.samples[0].file", "absent.csv");
@@ -219,14 +219,14 @@ TEST(bad_rotate, missing_files) {
   expect_missing(c, ":3: body.mesh", "absent.stl");
 }
 
-TEST(bad_rotate, two_inertias) {
+TEST(BadRotate, two_inertias) {
   const RotateFolder c;
   c.edit("case.toml", "inertia =", "density = 1000\nunit = 1\nmesh = \"box.off\"\ninertia =");
   expect_refusal(c.rotate(), c.path("case.toml").string() +
                                  ":6: body.inertia: found mesh as well, expected one of the two");
 }
 
-TEST(bad_rotate, all_mistakes_at_once) {
+TEST(BadRotate, all_mistakes_at_once) {
   const RotateFolder c;
   c.edit("case.toml", "[0, 0, 3]]", "[0, 0, nan]]");
   c.edit("case.toml", "axis = [0.8, 0, 0.6]", "axis = [0, 0, 0]");
@@ -243,7 +243,7 @@ TEST(bad_rotate, all_mistakes_at_once) {
           c.path("torque.csv").string() + ":2: y: found \"zero\", expected a finite number");
 }
 
-TEST(bad_rotate, numbers_whose_energy_is_beyond_all_numbers) {
+TEST(BadRotate, numbers_whose_energy_is_beyond_all_numbers) {
   const RotateFolder c;
   c.edit("case.toml", "angular_velocity = [0.5,", "angular_velocity = [1e200,");
   const auto o = c.rotate();
@@ -254,7 +254,7 @@ TEST(bad_rotate, numbers_whose_energy_is_beyond_all_numbers) {
       << o.err;
 }
 
-TEST(bad_rotate, a_run_case_to_rotate) {
+TEST(BadRotate, a_run_case_to_rotate) {
   const RotateFolder c;
   c.write("case.toml", "[bit]\nfile = \"bit.toml\"\n[time]\nstep = 1\nduration = 1\n");
   const auto o = c.rotate();

@@ -28,7 +28,7 @@ void expect_order(const Json& study, const std::string& variable, double order, 
   EXPECT_GE(v["used"], 3) << variable;
 }
 
-TEST(converge, the_case_with_all_loads_has_order_2_in_every_variable) {
+TEST(Converge, the_case_with_all_loads_has_order_2_in_every_variable) {
   const RotateFolder c;
   for (const char* drift : {"split", "three-axis", "lie-midpoint", "lie-mean"}) {
     const Json study =
@@ -41,7 +41,7 @@ TEST(converge, the_case_with_all_loads_has_order_2_in_every_variable) {
   }
 }
 
-TEST(converge, the_composition_has_order_4) {
+TEST(Converge, the_composition_has_order_4) {
   RotateFolder c;
   c.write("case.toml", free_body_text);
   const Json study =
@@ -51,7 +51,7 @@ TEST(converge, the_composition_has_order_4) {
   EXPECT_EQ(study["nominal_order"], 4.0);
 }
 
-TEST(converge, what_is_conserved_is_exact_and_has_no_order) {
+TEST(Converge, what_is_conserved_is_exact_and_has_no_order) {
   RotateFolder c;
   c.write("case.toml", free_body_text);
   const Json study = orders_of(c, {"--levels", "5"});
@@ -62,7 +62,7 @@ TEST(converge, what_is_conserved_is_exact_and_has_no_order) {
   }
 }
 
-TEST(converge, fewer_than_three_differences_give_no_order_but_words) {
+TEST(Converge, fewer_than_three_differences_give_no_order_but_words) {
   const RotateFolder c;
   const Json v = orders_of(c, {"--levels", "3"})["variables"]["attitude"];
   EXPECT_EQ(v["verdict"], "too few");
@@ -71,7 +71,7 @@ TEST(converge, fewer_than_three_differences_give_no_order_but_words) {
             "no order: 2 differences above the floor of rounding, at least 3 are needed");
 }
 
-TEST(converge, against_a_reference_every_level_has_an_error) {
+TEST(Converge, against_a_reference_every_level_has_an_error) {
   const RotateFolder c;
   ASSERT_EQ(c.rotate({"--set", "integrator.order=6", "--quiet"}, "fine").exit_code, 0);
   for (const char* reference : {"fine", "fine/summary.json"}) {
@@ -83,7 +83,7 @@ TEST(converge, against_a_reference_every_level_has_an_error) {
   }
 }
 
-TEST(converge, prints_a_table_and_writes_three_files) {
+TEST(Converge, prints_a_table_and_writes_three_files) {
   const RotateFolder c;
   const auto o = c.converge({"--over", "time.step", "--levels", "4"});
   EXPECT_EQ(o.exit_code, 0) << o.err;
@@ -103,7 +103,7 @@ TEST(converge, prints_a_table_and_writes_three_files) {
   EXPECT_EQ(read(c.path("orders/convergence.csv")).rfind("time.step,steps,attitude [rad],", 0), 0u);
 }
 
-TEST(converge, the_same_study_gives_the_same_bytes) {
+TEST(Converge, the_same_study_gives_the_same_bytes) {
   const RotateFolder c;
   const std::vector<std::string> study{"--over", "time.step", "--levels", "4", "--quiet"};
   ASSERT_EQ(c.converge(study, "first").exit_code, 0);
@@ -111,7 +111,7 @@ TEST(converge, the_same_study_gives_the_same_bytes) {
   expect_same_results(c.path("first"), c.path("second"), 3);
 }
 
-TEST(converge, steps_that_do_not_divide_the_duration_count_as_they_are) {
+TEST(Converge, steps_that_do_not_divide_the_duration_count_as_they_are) {
   RotateFolder c;
   c.write("case.toml", free_body_text);
   const Json study = orders_of(c, {"--levels", "5", "--factor", "1.7"});
@@ -121,7 +121,7 @@ TEST(converge, steps_that_do_not_divide_the_duration_count_as_they_are) {
   expect_order(study, "attitude", 2.0, of_order_2);
 }
 
-TEST(converge, any_quantity_of_the_case_can_be_divided) {
+TEST(Converge, any_quantity_of_the_case_can_be_divided) {
   RotateFolder c;
   c.write("case.toml", free_body_text);
   const auto o = c.converge({"--over", "cones[1].axial_inertia", "--levels", "4"});
@@ -131,7 +131,7 @@ TEST(converge, any_quantity_of_the_case_can_be_divided) {
   EXPECT_TRUE(study["nominal_order"].is_null());
 }
 
-TEST(converge, drills_a_run_case_over_its_step) {
+TEST(Converge, drills_a_run_case_over_its_step) {
   const SmallCase c;
   const auto o = battery::run_tdbd({"converge", c.path("case.toml"), "--over", "time.step",
                                     "--levels", "3", "-o", c.path("orders"), "--quiet"});
@@ -144,7 +144,7 @@ TEST(converge, drills_a_run_case_over_its_step) {
   EXPECT_EQ(study["title"], "small");
 }
 
-TEST(converge, an_interrupted_study_keeps_the_levels_that_were_done) {
+TEST(Converge, an_interrupted_study_keeps_the_levels_that_were_done) {
   const RotateFolder c;
   const auto o = battery::run_tdbd({"converge", c.path("case.toml"), "--over", "time.step",
                                     "--levels", "40", "-o", c.path("orders"), "--quiet"},
@@ -163,7 +163,7 @@ void expect_study_refused(const RotateFolder& c, std::vector<std::string> more,
   EXPECT_FALSE(std::filesystem::exists(c.path("orders")));
 }
 
-TEST(converge, a_wrong_study_is_refused) {
+TEST(Converge, a_wrong_study_is_refused) {
   const RotateFolder c;
   const std::vector<std::string> levels{"--levels", "4"};
   const auto with = [&](std::vector<std::string> more) {
@@ -184,7 +184,7 @@ TEST(converge, a_wrong_study_is_refused) {
                        "result");
 }
 
-TEST(converge, levels_that_end_at_different_times_are_refused) {
+TEST(Converge, levels_that_end_at_different_times_are_refused) {
   const RotateFolder c;
   const auto o = c.converge({"--over", "time.duration", "--levels", "4"});
   EXPECT_EQ(o.exit_code, 2);
@@ -195,7 +195,7 @@ TEST(converge, levels_that_end_at_different_times_are_refused) {
   EXPECT_FALSE(std::filesystem::exists(c.path("orders")));
 }
 
-TEST(converge, a_last_level_that_is_no_right_case_is_refused_before_the_first_runs) {
+TEST(Converge, a_last_level_that_is_no_right_case_is_refused_before_the_first_runs) {
   const RotateFolder c;
   expect_study_refused(
       c, {"--over", "time.step", "--levels", "60"},
@@ -204,14 +204,14 @@ TEST(converge, a_last_level_that_is_no_right_case_is_refused_before_the_first_ru
       "1000000000000000 steps");
 }
 
-TEST(converge, neighbours_with_the_same_steps_are_refused) {
+TEST(Converge, neighbours_with_the_same_steps_are_refused) {
   const RotateFolder c;
   expect_study_refused(c, {"--over", "time.step", "--levels", "3", "--factor", "1.0001", "--quiet"},
                        "--factor: level 3: found 201 steps, as at level 2, expected more: take a "
                        "larger factor");
 }
 
-TEST(converge, a_reference_of_another_kind_is_refused) {
+TEST(Converge, a_reference_of_another_kind_is_refused) {
   const RotateFolder c;
   c.write("summary.json", "{\"command\": \"bit\", \"duration_s\": 1}");
   const auto other =
@@ -228,7 +228,7 @@ TEST(converge, a_reference_of_another_kind_is_refused) {
       << shorter.err;
 }
 
-TEST(converge, wrong_numbers_of_levels_are_refused_by_the_command_line) {
+TEST(Converge, wrong_numbers_of_levels_are_refused_by_the_command_line) {
   const RotateFolder c;
   for (const char* levels : {"1", "0", "-3", "1000", "many"})
     EXPECT_EQ(c.converge({"--over", "time.step", "--levels", levels}).exit_code, 2) << levels;

@@ -27,7 +27,7 @@ double step_that_would(const std::string& failure) {
   return step;
 }
 
-TEST(failing_rotate, a_drift_that_does_not_converge_names_the_step_that_would) {
+TEST(FailingRotate, a_drift_that_does_not_converge_names_the_step_that_would) {
   for (const char* drift : {"lie-midpoint", "lie-mean"}) {
     const RotateFolder c = fast_body(drift);
     const auto o = c.rotate({"--quiet"});
@@ -48,7 +48,7 @@ TEST(failing_rotate, a_drift_that_does_not_converge_names_the_step_that_would) {
 }
 
 /// A torque spins the body up until a step turns it too far.
-TEST(failing_rotate, the_history_ends_with_the_last_good_state) {
+TEST(FailingRotate, the_history_ends_with_the_last_good_state) {
   RotateFolder c;
   c.write("case.toml", free_body_text);
   c.edit("case.toml", "[time]",
@@ -68,7 +68,7 @@ TEST(failing_rotate, the_history_ends_with_the_last_good_state) {
   EXPECT_GT(step_that_would(failure), 0.0) << failure;
 }
 
-TEST(failing_rotate, a_study_names_the_level) {
+TEST(FailingRotate, a_study_names_the_level) {
   const RotateFolder c = fast_body("lie-mean");
   const auto o = c.converge({"--over", "time.step", "--levels", "4", "--quiet"});
   EXPECT_EQ(o.exit_code, 1);
@@ -77,12 +77,12 @@ TEST(failing_rotate, a_study_names_the_level) {
   EXPECT_FALSE(fs::exists(c.path("orders/convergence.json")));
 }
 
-TEST(failing_rotate, the_explicit_drifts_take_any_step) {
+TEST(FailingRotate, the_explicit_drifts_take_any_step) {
   for (const char* drift : {"split", "three-axis"})
     EXPECT_EQ(fast_body(drift).rotate().exit_code, 0);
 }
 
-TEST(failing_rotate, a_full_disk_leaves_no_summary) {
+TEST(FailingRotate, a_full_disk_leaves_no_summary) {
   for (const long bytes : {300L, 3000L, 20000L}) {
     const RotateFolder c;
     const auto o = c.rotate({}, "out", {.largest_file = bytes});
@@ -92,7 +92,7 @@ TEST(failing_rotate, a_full_disk_leaves_no_summary) {
   }
 }
 
-TEST(failing_rotate, an_interrupted_run_keeps_everything_and_says_so) {
+TEST(FailingRotate, an_interrupted_run_keeps_everything_and_says_so) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const RotateFolder c;
     const auto o = c.rotate({"--set", "time.duration=1e7"}, "out",
@@ -109,7 +109,7 @@ TEST(failing_rotate, an_interrupted_run_keeps_everything_and_says_so) {
 
 /// Stopping early changes nothing of what was done: the last row of the history is the state at the
 /// end of a shorter run.
-TEST(failing_rotate, an_interrupted_run_is_the_first_part_of_the_whole_one) {
+TEST(FailingRotate, an_interrupted_run_is_the_first_part_of_the_whole_one) {
   const RotateFolder c;
   ASSERT_EQ(
       c.rotate({"--set", "time.duration=1e7", "--quiet"}, "stopped", {.signal_after_seconds = 0.3})

@@ -21,7 +21,7 @@ SmallCase sideways() {
   return c;
 }
 
-TEST(failing_run, keeps_what_is_recorded_and_is_no_result) {
+TEST(FailingRun, keeps_what_is_recorded_and_is_no_result) {
   const SmallCase c = sideways();
   const auto o = c.run({"--set", "output.frames_every=1"});
   EXPECT_EQ(o.exit_code, 1);
@@ -42,7 +42,7 @@ TEST(failing_run, keeps_what_is_recorded_and_is_no_result) {
 
 /// A bound on passes that is hit names place and parts. What is kept can be looked at and is rock
 /// that another run reads.
-TEST(failing_run, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_back) {
+TEST(FailingRun, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_back) {
   const SmallCase c;
   const auto o = c.run({"--set", "update.most_passes=1"});
   EXPECT_EQ(o.exit_code, 1);
@@ -60,14 +60,14 @@ TEST(failing_run, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
-TEST(failing_run, forced_again_and_well_leaves_no_trace_of_the_failure) {
+TEST(FailingRun, forced_again_and_well_leaves_no_trace_of_the_failure) {
   const SmallCase c = sideways();
   ASSERT_EQ(c.run().exit_code, 1);
   ASSERT_EQ(c.run({"--force", "--set", "time.duration=0.002"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(c.path("out/failure.txt")));
 }
 
-TEST(interrupted_run, keeps_everything_and_says_so) {
+TEST(InterruptedRun, keeps_everything_and_says_so) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const SmallCase c;
     const auto o = c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10"}, "out",
@@ -87,7 +87,7 @@ TEST(interrupted_run, keeps_everything_and_says_so) {
 }
 
 /// Stopping early changes nothing of what was done.
-TEST(interrupted_run, is_the_first_part_of_the_whole_one) {
+TEST(InterruptedRun, is_the_first_part_of_the_whole_one) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10", "--quiet"},
                   "stopped", {.signal_after = c.path("stopped/frames/rock-000010.vtp")})

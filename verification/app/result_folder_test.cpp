@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(result_folder, holds_every_file_of_the_design) {
+TEST(ResultFolder, holds_every_file_of_the_design) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--set", "output.frames_every=10"}).exit_code, 0);
   EXPECT_EQ(files_below(c.path("out")),
@@ -20,7 +20,7 @@ TEST(result_folder, holds_every_file_of_the_design) {
                 "rock.pvd", "rock_final.ply", "summary.json", "timing.json"}));
 }
 
-TEST(result_folder, a_collection_has_one_frame_for_one_time) {
+TEST(ResultFolder, a_collection_has_one_frame_for_one_time) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--set", "output.frames_every=10"}).exit_code, 0);
   const std::string rock = read(c.path("out/rock.pvd"));
@@ -29,7 +29,7 @@ TEST(result_folder, a_collection_has_one_frame_for_one_time) {
   EXPECT_EQ(rock.find("rock-000020.vtp"), std::string::npos);
 }
 
-TEST(result_folder, the_summary_holds_the_names_that_scripts_rely_on) {
+TEST(ResultFolder, the_summary_holds_the_names_that_scripts_rely_on) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--threads", "2"}).exit_code, 0);
   const Json s = Json::parse(read(c.path("out/summary.json")));
@@ -49,7 +49,7 @@ TEST(result_folder, the_summary_holds_the_names_that_scripts_rely_on) {
   EXPECT_FALSE(s.contains("wall_seconds"));
 }
 
-TEST(result_folder, timing_holds_what_depends_on_the_machine) {
+TEST(ResultFolder, timing_holds_what_depends_on_the_machine) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--threads", "2"}).exit_code, 0);
   const Json t = Json::parse(read(c.path("out/timing.json")));
@@ -58,7 +58,7 @@ TEST(result_folder, timing_holds_what_depends_on_the_machine) {
     EXPECT_GT(t[key].get<double>(), 0.0) << key;
 }
 
-TEST(progress, is_a_line_where_there_is_no_terminal) {
+TEST(Progress, is_a_line_where_there_is_no_terminal) {
   const SmallCase c;
   const auto o = c.run();
   EXPECT_EQ(o.err.rfind("100 %  step 20 of 20  0.0 s left  ", 0), 0u) << o.err;
@@ -67,7 +67,7 @@ TEST(progress, is_a_line_where_there_is_no_terminal) {
   EXPECT_EQ(o.out.rfind("done: 20 steps, 0.080 revolutions, ", 0), 0u) << o.out;
 }
 
-TEST(progress, comes_every_few_seconds) {
+TEST(Progress, comes_every_few_seconds) {
   const SmallCase c;
   const auto o = c.run({"--set", "time.duration=1e5", "--set", "motion.rate_of_penetration=1e-9"},
                        "out", {.signal_after_seconds = 5.0});
@@ -76,15 +76,15 @@ TEST(progress, comes_every_few_seconds) {
   EXPECT_NE(o.err.find(" of 50000000  "), std::string::npos) << o.err;
 }
 
-TEST(progress, quiet_says_nothing) {
+TEST(Progress, quiet_says_nothing) {
   const SmallCase c;
   const auto o = c.run({"--quiet"});
   EXPECT_EQ(o.exit_code, 0);
   EXPECT_EQ(o.out + o.err, "");
 }
 
-TEST(help, every_command_has_one_with_an_example) {
-  for (const std::string command : {"run", "rotate", "converge", "check", "bit"}) {
+TEST(Help, every_command_has_one_with_an_example) {
+  for (const std::string command : {"run", "rotate", "converge", "check", "keys", "mesh", "bit"}) {
     const auto o = battery::run_tdbd({command, "--help"});
     EXPECT_EQ(o.exit_code, 0);
     EXPECT_NE(o.out.find("Example: tdbd " + command + " "), std::string::npos) << o.out;

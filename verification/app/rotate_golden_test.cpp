@@ -80,7 +80,7 @@ Json summary_of(const RotateFolder& c, std::vector<std::string> more) {
   return Json::parse(read(c.path("out/summary.json")));
 }
 
-TEST(rotate_golden, order_6_agrees_with_every_golden_case) {
+TEST(RotateGolden, order_6_agrees_with_every_golden_case) {
   const RotateFolder c;
   for (const std::string& name : battery::golden_names()) {
     const Json g = golden(name);
@@ -92,7 +92,7 @@ TEST(rotate_golden, order_6_agrees_with_every_golden_case) {
   }
 }
 
-TEST(rotate_golden, order_2_agrees_to_the_square_of_the_step) {
+TEST(RotateGolden, order_2_agrees_to_the_square_of_the_step) {
   const RotateFolder c;
   for (const std::string name : {"slow_top", "heavy_gyro_phys", "body_torque_3"}) {
     const Json g = golden(name);
@@ -104,7 +104,7 @@ TEST(rotate_golden, order_2_agrees_to_the_square_of_the_step) {
   }
 }
 
-TEST(rotate_golden, the_start_is_the_golden_one) {
+TEST(RotateGolden, the_start_is_the_golden_one) {
   const RotateFolder c;
   for (const std::string& name : battery::golden_names()) {
     const Json g = golden(name);
@@ -116,7 +116,7 @@ TEST(rotate_golden, the_start_is_the_golden_one) {
 }
 
 /// The shipped cases are the golden ones where they say so.
-TEST(rotate_golden, the_slow_top_and_its_kin_are_shipped) {
+TEST(RotateGolden, the_slow_top_and_its_kin_are_shipped) {
   const std::pair<const char*, const char*> shipped[] = {{"slow-top", "slow_top"},
                                                          {"heavy-gyrostat", "heavy_gyro_phys"},
                                                          {"free-rotation", "gyro_free_asym_phys"}};

@@ -22,7 +22,7 @@ RotateFolder free_body() {
   return c;
 }
 
-TEST(rotate_result, holds_its_files_and_no_frames) {
+TEST(RotateResult, holds_its_files_and_no_frames) {
   const RotateFolder c;
   summary_of(c);
   EXPECT_EQ(files_below(c.path("out")),
@@ -31,7 +31,7 @@ TEST(rotate_result, holds_its_files_and_no_frames) {
   EXPECT_FALSE(std::filesystem::exists(c.path("out/frames")));
 }
 
-TEST(rotate_result, the_summary_holds_the_names_that_scripts_rely_on) {
+TEST(RotateResult, the_summary_holds_the_names_that_scripts_rely_on) {
   const RotateFolder c;
   const Json s = summary_of(c);
   for (const char* key : {"schema",
@@ -76,7 +76,7 @@ TEST(rotate_result, the_summary_holds_the_names_that_scripts_rely_on) {
     EXPECT_GT(t[key].get<double>(), 0.0) << key;
 }
 
-TEST(rotate_result, a_free_body_keeps_its_momenta_to_the_bit) {
+TEST(RotateResult, a_free_body_keeps_its_momenta_to_the_bit) {
   const RotateFolder c = free_body();
   for (const char* order : {"2", "4", "6", "8"}) {
     const Json s = summary_of(c, {"--force", "--set", std::string("integrator.order=") + order,
@@ -90,7 +90,7 @@ TEST(rotate_result, a_free_body_keeps_its_momenta_to_the_bit) {
   }
 }
 
-TEST(rotate_result, drifts_are_seen_between_the_rows_of_the_history) {
+TEST(RotateResult, drifts_are_seen_between_the_rows_of_the_history) {
   const RotateFolder c = free_body();
   c.edit("case.toml", "[time]", "[load]\ngravity_moment = 3\n[time]");
   const Json every = summary_of(c);
@@ -102,7 +102,7 @@ TEST(rotate_result, drifts_are_seen_between_the_rows_of_the_history) {
   EXPECT_EQ(every["vertical_momentum_drift_max"], 0.0);
 }
 
-TEST(rotate_result, a_duration_between_steps_takes_shorter_ones) {
+TEST(RotateResult, a_duration_between_steps_takes_shorter_ones) {
   const RotateFolder c = free_body();
   const Json s = summary_of(c, {"--set", "time.step=0.3"});
   EXPECT_EQ(s["steps"], 7);
@@ -113,7 +113,7 @@ TEST(rotate_result, a_duration_between_steps_takes_shorter_ones) {
   EXPECT_EQ(whole["step_s"], 0.1);
 }
 
-TEST(rotate_result, a_long_history_has_about_ten_thousand_rows) {
+TEST(RotateResult, a_long_history_has_about_ten_thousand_rows) {
   const RotateFolder c = free_body();
   summary_of(c, {"--set", "time.duration=600"});
   const long rows = lines_of(c.path("out/history.csv")) - 1;
@@ -121,7 +121,7 @@ TEST(rotate_result, a_long_history_has_about_ten_thousand_rows) {
   EXPECT_TRUE(history_opens(c.path("out/history.nc"), rows));
 }
 
-TEST(rotate_result, a_history_ends_with_the_end) {
+TEST(RotateResult, a_history_ends_with_the_end) {
   const RotateFolder c = free_body();
   summary_of(c, {"--set", "output.history_every=30"});
   const std::string csv = read(c.path("out/history.csv"));
@@ -131,7 +131,7 @@ TEST(rotate_result, a_history_ends_with_the_end) {
 }
 
 /// The case, the case again, and the resolved case from its new place.
-TEST(rotate_result, the_same_case_gives_the_same_bytes) {
+TEST(RotateResult, the_same_case_gives_the_same_bytes) {
   const RotateFolder c;
   ASSERT_EQ(c.rotate({"--quiet"}, "first").exit_code, 0);
   ASSERT_EQ(c.rotate({"--quiet"}, "second").exit_code, 0);
@@ -142,7 +142,7 @@ TEST(rotate_result, the_same_case_gives_the_same_bytes) {
   expect_same_results(c.path("first"), c.path("resolved"), 5);
 }
 
-TEST(rotate_result, an_attitude_matrix_is_the_rotation_vector) {
+TEST(RotateResult, an_attitude_matrix_is_the_rotation_vector) {
   const RotateFolder c = free_body();
   const Json a = summary_of(c, {"--set", "body.rotation_vector=[0,0,1.5707963267948966]"});
   const Json b = summary_of(c, {"--force", "--set", "body.attitude=[[0,-1,0],[1,0,0],[0,0,1]]"});
@@ -152,7 +152,7 @@ TEST(rotate_result, an_attitude_matrix_is_the_rotation_vector) {
 }
 
 /// The box of 1 m x 2 m x 3 m: m/12 (b^2 + c^2) about its centre, wherever that lies.
-TEST(rotate_result, a_mesh_gives_the_inertia_about_its_centre_of_mass) {
+TEST(RotateResult, a_mesh_gives_the_inertia_about_its_centre_of_mass) {
   const RotateFolder c;
   c.write("case.toml",
           "[body]\nmesh = \"box.off\"\nunit = \"1 m\"\ndensity = 2\n"
@@ -163,7 +163,7 @@ TEST(rotate_result, a_mesh_gives_the_inertia_about_its_centre_of_mass) {
     EXPECT_NEAR(s["space_momentum_start"][i].get<double>(), expected[i], 1e-12);
 }
 
-TEST(rotate_result, progress_and_quiet) {
+TEST(RotateResult, progress_and_quiet) {
   const RotateFolder c;
   const auto o = c.rotate();
   EXPECT_EQ(o.err, "100 %  step 200 of 200  0.0 s left\n");
@@ -172,7 +172,7 @@ TEST(rotate_result, progress_and_quiet) {
   EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
-TEST(rotate_result, an_existing_result_is_kept_without_force) {
+TEST(RotateResult, an_existing_result_is_kept_without_force) {
   const RotateFolder c;
   summary_of(c);
   expect_refusal(c.rotate(),

@@ -30,9 +30,9 @@ void move_along(const SmallCase& c, const std::string& motion) {
   c.edit("case.toml", "rotary_speed = \"120 rpm\"\nrate_of_penetration = \"30 m/h\"\n", motion);
 }
 
-TEST(same_bytes, steady_from_a_conforming_start) { expect_same_bytes(SmallCase{}); }
+TEST(SameBytes, steady_from_a_conforming_start) { expect_same_bytes(SmallCase{}); }
 
-TEST(same_bytes, whirl_from_a_flat_start) {
+TEST(SameBytes, whirl_from_a_flat_start) {
   const SmallCase c;
   c.edit("case.toml", "wall = \"20 mm\"", "shape = \"flat\"\nradius = \"60 mm\"");
   move_along(c, R"(kind = "whirl"
@@ -43,7 +43,7 @@ whirl = {radius = "1 mm", frequency = "90 rad/s", sense = "backward"}
   expect_same_bytes(c);
 }
 
-TEST(same_bytes, a_path_from_the_end_of_another_run) {
+TEST(SameBytes, a_path_from_the_end_of_another_run) {
   const SmallCase c;
   ASSERT_EQ(c.run({}, "before").exit_code, 0);
   c.edit("case.toml", "wall = \"20 mm\"",
@@ -59,7 +59,7 @@ TEST(same_bytes, a_path_from_the_end_of_another_run) {
 }
 
 /// The rock at the end of a run is the rock at the start of the next, to the bit.
-TEST(same_bytes, a_rock_read_back_is_the_rock_written) {
+TEST(SameBytes, a_rock_read_back_is_the_rock_written) {
   const SmallCase c;
   ASSERT_EQ(c.run({}, "before").exit_code, 0);
   c.edit("case.toml", "wall = \"20 mm\"",
@@ -74,7 +74,7 @@ rate_of_penetration = "-1 m/h"
 }
 
 /// The hash names what is read, not where it lies.
-TEST(same_bytes, the_hash_of_a_case_is_that_of_its_content) {
+TEST(SameBytes, the_hash_of_a_case_is_that_of_its_content) {
   const SmallCase c;
   ASSERT_EQ(c.run().exit_code, 0);
   const auto hash = [&](const std::string& folder) {

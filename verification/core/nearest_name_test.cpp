@@ -8,14 +8,14 @@
 namespace tdbd {
 namespace {
 
-TEST(nearest_name, distance_counts_the_textbook_examples) {
+TEST(NearestName, distance_counts_the_textbook_examples) {
   EXPECT_EQ(edit_distance("", ""), 0u);
   EXPECT_EQ(edit_distance("abc", ""), 3u);
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
   EXPECT_EQ(edit_distance("flaw", "lawn"), 2u);
 }
 
-TEST(nearest_name, finds_a_misspelt_name_and_nothing_for_a_strange_one) {
+TEST(NearestName, finds_a_misspelt_name_and_nothing_for_a_strange_one) {
   const std::vector<std::string> names{"radius", "azimuth", "rpm"};
   EXPECT_EQ(nearest_name("raduis", names), "radius");
   EXPECT_EQ(nearest_name("rpn", names), "rpm");
@@ -23,11 +23,11 @@ TEST(nearest_name, finds_a_misspelt_name_and_nothing_for_a_strange_one) {
   EXPECT_EQ(nearest_name("radius", {}), std::nullopt);
 }
 
-TEST(nearest_name, takes_the_first_of_equally_near_names) {
+TEST(NearestName, takes_the_first_of_equally_near_names) {
   EXPECT_EQ(nearest_name("rod", {"rad", "red"}), "rad");
 }
 
-RC_GTEST_PROP(nearest_name, distance_is_a_metric,
+RC_GTEST_PROP(NearestName, distance_is_a_metric,
               (const std::string& a, const std::string& b, const std::string& c)) {
   RC_ASSERT(edit_distance(a, a) == 0u);
   RC_ASSERT((edit_distance(a, b) == 0u) == (a == b));

@@ -27,7 +27,7 @@ ObservedOrder observe(const Study& s, double scale = 1.0) {
   return observed_order(s.steps, s.errors, scale);
 }
 
-TEST(observed_order, a_power_has_its_own_order) {
+TEST(ObservedOrder, a_power_has_its_own_order) {
   for (const double p : {1.0, 2.0, 4.0}) {
     const ObservedOrder o = observe(study(5, [&](double h) { return 3.0 * std::pow(h, p); }));
     EXPECT_EQ(o.verdict, OrderVerdict::order);
@@ -39,7 +39,7 @@ TEST(observed_order, a_power_has_its_own_order) {
   }
 }
 
-TEST(observed_order, coarse_steps_before_the_asymptotic_range_are_left_out) {
+TEST(ObservedOrder, coarse_steps_before_the_asymptotic_range_are_left_out) {
   const ObservedOrder o =
       observe(study(8, [](double h) { return h * h / (1.0 + 2000.0 * h * h); }));
   EXPECT_EQ(o.verdict, OrderVerdict::order);
@@ -48,7 +48,7 @@ TEST(observed_order, coarse_steps_before_the_asymptotic_range_are_left_out) {
   EXPECT_LT(o.order_of_all, 1.8);
 }
 
-TEST(observed_order, rounding_at_fine_steps_is_left_out) {
+TEST(ObservedOrder, rounding_at_fine_steps_is_left_out) {
   const ObservedOrder o = observe(study(12, [](double h) { return std::pow(h, 4) + 1e-13; }));
   EXPECT_EQ(o.verdict, OrderVerdict::order);
   EXPECT_NEAR(o.order, 4.0, 0.02);
@@ -57,7 +57,7 @@ TEST(observed_order, rounding_at_fine_steps_is_left_out) {
   EXPECT_TRUE(std::isnan(o.local_orders.back()));
 }
 
-TEST(observed_order, rounding_alone_is_exact_and_no_order) {
+TEST(ObservedOrder, rounding_alone_is_exact_and_no_order) {
   EXPECT_EQ(observe(study(6, [](double) { return 0.0; })).verdict, OrderVerdict::exact);
   const ObservedOrder o = observe(study(6, [](double h) { return 1e-13 * h; }));
   EXPECT_EQ(o.verdict, OrderVerdict::exact);
@@ -65,7 +65,7 @@ TEST(observed_order, rounding_alone_is_exact_and_no_order) {
   EXPECT_EQ(in_words(o, "errors"), "exact: all errors are rounding");
 }
 
-TEST(observed_order, the_scale_tells_what_rounding_is) {
+TEST(ObservedOrder, the_scale_tells_what_rounding_is) {
   const Study s = study(5, [](double h) { return h * h; });
   EXPECT_EQ(observe(s, 1.0).verdict, OrderVerdict::order);
   EXPECT_EQ(observe(s, 1e12).verdict, OrderVerdict::exact);
@@ -73,7 +73,7 @@ TEST(observed_order, the_scale_tells_what_rounding_is) {
 }
 
 /// A long run rounds more: its small errors are no longer taken for convergence.
-TEST(observed_order, the_floor_rises_with_the_number_of_time_steps) {
+TEST(ObservedOrder, the_floor_rises_with_the_number_of_time_steps) {
   Study s = study(8, [](double h) { return 1e-6 * h * h; });
   for (std::size_t i = 3; i < 8; ++i) s.errors[i] = (i % 2 == 0 ? 2e-10 : 3e-10);
   const std::vector<long> counts(8, 1'000'000);
@@ -84,7 +84,7 @@ TEST(observed_order, the_floor_rises_with_the_number_of_time_steps) {
             OrderVerdict::exact);
 }
 
-TEST(observed_order, two_errors_give_none) {
+TEST(ObservedOrder, two_errors_give_none) {
   const ObservedOrder o = observe(study(2, [](double h) { return h * h; }));
   EXPECT_EQ(o.verdict, OrderVerdict::too_few);
   EXPECT_EQ(o.order, 0.0);
@@ -95,7 +95,7 @@ TEST(observed_order, two_errors_give_none) {
 }
 
 /// An error below the floor in between (a change of sign) breaks the range.
-TEST(observed_order, a_gap_ends_the_range) {
+TEST(ObservedOrder, a_gap_ends_the_range) {
   Study s = study(7, [](double h) { return h * h; });
   s.errors[2] = 0.0;
   const ObservedOrder o = observe(s);
@@ -104,7 +104,7 @@ TEST(observed_order, a_gap_ends_the_range) {
   EXPECT_EQ(o.used, 4);
 }
 
-TEST(observed_order, errors_that_wander_have_not_settled) {
+TEST(ObservedOrder, errors_that_wander_have_not_settled) {
   Study s = study(6, [](double h) { return h * h; });
   for (std::size_t i = 0; i < s.errors.size(); i += 2) s.errors[i] *= 1.5;
   const ObservedOrder o = observe(s);
@@ -113,13 +113,13 @@ TEST(observed_order, errors_that_wander_have_not_settled) {
   EXPECT_EQ(in_words(o, "errors").rfind("no order: not settled", 0), 0u) << in_words(o, "errors");
 }
 
-TEST(observed_order, words_say_how_many_were_used) {
+TEST(ObservedOrder, words_say_how_many_were_used) {
   const ObservedOrder o = observe(study(4, [](double h) { return h * h; }));
   EXPECT_EQ(in_words(o, "errors"), "2.000 (4 of 4 errors)");
 }
 
 /// Any power, factor and size, with an error of the next order.
-RC_GTEST_PROP(observed_order, is_found_in_the_asymptotic_range, ()) {
+RC_GTEST_PROP(ObservedOrder, is_found_in_the_asymptotic_range, ()) {
   const double p = static_cast<double>(*rc::gen::inRange(1, 5));
   const double c = std::pow(10.0, *rc::gen::inRange(-3, 4));
   const double next = 0.01 * *rc::gen::inRange(-100, 101);
@@ -130,7 +130,7 @@ RC_GTEST_PROP(observed_order, is_found_in_the_asymptotic_range, ()) {
 }
 
 /// The slope does not depend on the units of step and error.
-RC_GTEST_PROP(least_squares_order, does_not_depend_on_units, ()) {
+RC_GTEST_PROP(LeastSquaresOrder, does_not_depend_on_units, ()) {
   const auto errors = *rc::gen::container<std::vector<int>>(6, rc::gen::inRange(1, 1000));
   Study s = study(6, [](double) { return 1.0; });
   for (std::size_t i = 0; i < 6; ++i) s.errors[i] = static_cast<double>(errors[i]);

@@ -8,7 +8,7 @@ namespace tdbd {
 namespace {
 
 // The published test values of SplitMix64 for seed 1234567 (Rosetta Code; Vigna's splitmix64.c).
-TEST(random, gives_the_published_sequence) {
+TEST(Random, gives_the_published_sequence) {
   Random random{1234567};
   EXPECT_EQ(random.next(), 6457827717110365317u);
   EXPECT_EQ(random.next(), 3203168211198807973u);
@@ -17,7 +17,7 @@ TEST(random, gives_the_published_sequence) {
   EXPECT_EQ(random.next(), 16408922859458223821u);
 }
 
-TEST(random, uniform_fills_its_interval_evenly) {
+TEST(Random, uniform_fills_its_interval_evenly) {
   Random random{1};
   double sum = 0.0, squares = 0.0;
   constexpr int n = 100000;

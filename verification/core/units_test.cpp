@@ -34,7 +34,7 @@ void expect_refusal(const std::string& text, const std::string& si_unit,
 
 // The factors are the definitions: the inch of 25.4 mm, the pound of 0.45359237 kg, standard
 // gravity of 9.80665 m/s2.
-TEST(units, converts_what_drillers_write) {
+TEST(Units, converts_what_drillers_write) {
   EXPECT_DOUBLE_EQ(to_si("8.5 in", "m"), 8.5 * 0.0254);
   EXPECT_DOUBLE_EQ(to_si("8.5in", "m"), 8.5 * 0.0254);
   EXPECT_DOUBLE_EQ(to_si("13 mm", "m"), 0.013);
@@ -57,7 +57,7 @@ TEST(units, converts_what_drillers_write) {
   EXPECT_DOUBLE_EQ(to_si("2 1/s", "1/s"), 2);
 }
 
-TEST(units, knows_the_dimension_of_an_angle) {
+TEST(Units, knows_the_dimension_of_an_angle) {
   EXPECT_DOUBLE_EQ(to_si("1 revolution/s", "rad/s"), 2 * pi);
   EXPECT_DOUBLE_EQ(to_si("360 deg/s", "rad/s"), 2 * pi);
   expect_refusal("2 Hz", "rad/s", {"Hz", "frequency", "angular speed"});
@@ -67,7 +67,7 @@ TEST(units, knows_the_dimension_of_an_angle) {
   expect_refusal("12 percent", "rad", {"plain number", "angle"});
 }
 
-TEST(units, refuses_a_wrong_dimension_naming_both) {
+TEST(Units, refuses_a_wrong_dimension_naming_both) {
   expect_refusal("8.5 kg", "m", {"8.5 kg", "mass", "length"});
   expect_refusal("20 klb", "N", {"mass", "force"});
   expect_refusal("3 A", "m", {"dimension A", "length"});
@@ -77,7 +77,7 @@ TEST(units, refuses_a_wrong_dimension_naming_both) {
   expect_refusal("3 dBZ", "m", {"length"});
 }
 
-TEST(units, refuses_what_is_no_number) {
+TEST(Units, refuses_what_is_no_number) {
   expect_refusal("", "m", {"number"});
   expect_refusal("in", "m", {"number"});
   expect_refusal("abc", "m", {"abc", "number"});
@@ -88,7 +88,7 @@ TEST(units, refuses_what_is_no_number) {
   expect_refusal("1e308 km", "m", {"range"});
 }
 
-TEST(units, refuses_what_is_no_unit) {
+TEST(Units, refuses_what_is_no_unit) {
   expect_refusal("8.5", "m", {"no unit", "length"});
   expect_refusal("8.5 inn", "m", {"unknown unit inn", "length"});
   expect_refusal("8,5 in", "m", {"second number"});
@@ -99,12 +99,12 @@ TEST(units, refuses_what_is_no_unit) {
   EXPECT_DOUBLE_EQ(to_si("2 m s-1", "m/s"), to_si("2 m.s^-1", "m/s"));
 }
 
-TEST(units, the_program_itself_must_ask_for_a_unit) {
+TEST(Units, the_program_itself_must_ask_for_a_unit) {
   EXPECT_THROW(to_si("1 m", "metres per fortnigth"), RunError);
   EXPECT_THROW(describe_unit("inn"), RunError);
 }
 
-RC_GTEST_PROP(units, any_text_is_a_finite_value_or_an_error, (const std::string& tail)) {
+RC_GTEST_PROP(Units, any_text_is_a_finite_value_or_an_error, (const std::string& tail)) {
   for (const std::string& text : {tail, "1 " + tail, "1 m" + tail}) {
     try {
       RC_ASSERT(std::isfinite(to_si(text, "m")));
@@ -114,7 +114,7 @@ RC_GTEST_PROP(units, any_text_is_a_finite_value_or_an_error, (const std::string&
   }
 }
 
-RC_GTEST_PROP(units, conversion_is_proportional, (int thousandths)) {
+RC_GTEST_PROP(Units, conversion_is_proportional, (int thousandths)) {
   const double x = thousandths / 1000.0;
   RC_ASSERT(std::abs(to_si(fmt::format("{} in", x), "m") - x * 0.0254) <= 1e-15 * std::abs(x));
 }
