@@ -4,7 +4,7 @@ namespace tdbd::tolerance {
 
 /// Every tolerance of the program, each with its scale. None is loosened to make a test pass.
 
-/// No rock vertex deeper than this inside a cutting part; scale: bit diameter (formulation 2.1).
+/// No rock vertex deeper than this inside a cutting part; scale: bit diameter.
 inline constexpr double inside = 1e-9;
 
 /// A vertex counts as swept only when it lies deeper than this inside the part; scale: part size.
@@ -16,7 +16,7 @@ inline constexpr double swept = 1e-12;
 /// Single-precision STL files round coordinates by 6e-8.
 inline constexpr double convex = 5e-7;
 
-/// The volume ledger closes to this; scale: the largest volume in it (formulation 2.5).
+/// The volume ledger closes to this; scale: the largest volume in it.
 inline constexpr double ledger = 1e-12;
 
 /// Symmetry of an inertia, and the triangle inequality of its principal values (equality is a flat

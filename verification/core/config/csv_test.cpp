@@ -80,5 +80,23 @@ RC_GTEST_PROP(Csv, numbers_with_17_digits_come_back, (const std::vector<double>&
   for (std::size_t i = 0; i < values.size(); ++i) RC_ASSERT(table.rows[i][0] == values[i]);
 }
 
+TEST(CsvRows, keep_empty_cells_and_trim_the_others) {
+  const auto rows = read_csv_rows(write_temporary(".csv", "a, b ,,\td\n,x,\n"));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"a", "b", "", "d"}));
+  EXPECT_EQ(rows[1].cells, (std::vector<std::string>{"", "x", ""}));
+}
+
+TEST(CsvRows, count_the_lines_that_are_left_out) {
+  const auto rows = read_csv_rows(write_temporary(".csv", "# note\r\n\n  \na\nb"));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].line, 4);
+  EXPECT_EQ(rows[1].line, 5);
+}
+
+TEST(CsvRows, of_a_missing_file_are_an_error) {
+  EXPECT_THROW(read_csv_rows(temporary_folder() + "no-such-file.csv"), InputError);
+}
+
 }  // namespace
 }  // namespace tdbd
