@@ -169,7 +169,7 @@ TEST(BadRotate, that_the_case_with_all_keys_is_right) {
   const RotateFolder c;
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
   EXPECT_EQ(c.check().out, c.path("case.toml").string() +
-                               ": right; 2 cones, 200 steps of 0.01 s, energy 13.6347 J\n");
+                               ": valid; 2 cones, 200 steps of 0.01 s, energy 13.6347 J\n");
   EXPECT_EQ(c.rotate().exit_code, 0);
 }
 

@@ -84,7 +84,7 @@ TEST(Progress, quiet_says_nothing) {
 }
 
 TEST(Help, every_command_has_one_with_an_example) {
-  for (const std::string command : {"run", "rotate", "converge", "check", "bit"}) {
+  for (const std::string command : {"run", "rotate", "converge", "check", "keys", "mesh", "bit"}) {
     const auto o = battery::run_tdbd({command, "--help"});
     EXPECT_EQ(o.exit_code, 0);
     EXPECT_NE(o.out.find("Example: tdbd " + command + " "), std::string::npos) << o.out;

@@ -128,11 +128,11 @@ std::string keys_as_text(std::span<const KeyTable> tables) {
       kind = std::max(kind, r.kind.size());
       fallback = std::max(fallback, r.fallback.size());
     }
-    out += fmt::format("{}{} ({}): {}\n", out.empty() ? "" : "\n", header_of(table), table.command,
-                       table.meaning);
+    out += fmt::format("{}{} of tdbd {}: {}\n", out.empty() ? "" : "\n", header_of(table),
+                       table.command, table.meaning);
     for (const KeyRow& r : table.rows)
-      out += fmt::format("  {:<{}}  {:<{}}  {:<{}}  {}{}{}\n", r.name, name, r.kind, kind,
-                         r.fallback, fallback, r.meaning, r.allowed.empty() ? "" : "; ", r.allowed);
+      out += fmt::format("  {:<{}}  {:<{}}  {:<{}}  {}{}\n", r.name, name, r.kind, kind, r.fallback,
+                         fallback, r.meaning, r.allowed.empty() ? "" : " (" + r.allowed + ")");
   }
   return out;
 }
@@ -141,7 +141,7 @@ std::string keys_as_markdown(std::span<const KeyTable> tables) {
   std::string out;
   for (const KeyTable& table : tables) {
     out += fmt::format(
-        "{}## `{}` of `{}`: {}\n\n| key | kind | default | allowed | meaning |\n"
+        "{}## `{}` of `tdbd {}`: {}\n\n| key | kind | default | allowed | meaning |\n"
         "|---|---|---|---|---|\n",
         out.empty() ? "" : "\n", header_of(table), table.command, table.meaning);
     for (const KeyRow& r : table.rows)

@@ -41,20 +41,20 @@ inline constexpr VectorKey start{.name = "start",
 inline constexpr QuantityKey rotary_speed{
     .name = "rotary_speed",
     .unit = "rad/s",
+    .usual = "required, except legs and table",
     .range = Range::non_negative(),
-    .meaning = "of the bit; drilling: of the top, or a table over time. Not for legs and table"};
+    .meaning = "of the bit; drilling: of the top, or a table over time"};
 inline constexpr QuantityKey rate_of_penetration{
     .name = "rate_of_penetration",
     .unit = "m/s",
-    .meaning =
-        "of the bit; drilling: the top is lowered at this rate, or by a table over time. Not "
-        "for legs and table"};
+    .usual = "required, except legs and table",
+    .meaning = "of the bit; drilling: the top is lowered at this rate, or by a table over time"};
 inline constexpr QuantityKey weight_on_bit{
     .name = "weight_on_bit",
     .unit = "N",
-    .usual = "required if drilling without rate_of_penetration",
+    .usual = "in place of rate_of_penetration",
     .range = Range::non_negative(),
-    .meaning = "drilling: load of the top, or a table over time, in place of rate_of_penetration"};
+    .meaning = "drilling: load of the top, or a table over time"};
 inline constexpr QuantityKey expected_rate{
     .name = "expected_rate",
     .unit = "m/s",

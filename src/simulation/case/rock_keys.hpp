@@ -39,7 +39,8 @@ inline constexpr QuantityKey trim{
     .fallback = 0.0,
     .range = Range::non_negative(),
     .meaning = "wall higher than this above the bit's lowest point is removed; 0: none is"};
-inline constexpr PathKey file{.name = "file", .meaning = "shape file: the mesh"};
+inline constexpr PathKey file{
+    .name = "file", .usual = "required with shape file", .meaning = "the mesh"};
 inline constexpr QuantityKey unit{.name = "unit",
                                   .unit = "m",
                                   .fallback = 1e-3,
@@ -48,7 +49,8 @@ inline constexpr QuantityKey unit{.name = "unit",
 inline constexpr PairsKey profile{
     .name = "profile",
     .unit = "m",
-    .meaning = "shape profile: [[radius, depth], ...] from the axis to the boundary"};
+    .usual = "required with shape profile",
+    .meaning = "[[radius, depth], ...] from the axis to the boundary"};
 inline constexpr ChoiceKey<IntersectionCheck> intersection_check{
     .name = "intersection_check",
     .values = {{{"on", IntersectionCheck::full}, {"off", IntersectionCheck::none}}},
@@ -68,13 +70,15 @@ inline constexpr QuantityKey radius{
     .meaning = "shapes flat, rough: radius of the bottom; 0: the bit's gage radius"};
 inline constexpr QuantityKey amplitude{.name = "amplitude",
                                        .unit = "m",
+                                       .usual = "required with shape rough",
                                        .range = Range::non_negative(),
-                                       .meaning = "shape rough: root mean square of the roughness"};
+                                       .meaning = "root mean square of the roughness"};
 inline constexpr QuantityKey correlation_length{
     .name = "correlation_length",
     .unit = "m",
+    .usual = "required with shape rough",
     .range = Range::positive(),
-    .meaning = "shape rough: correlation length of the roughness, two edges or more"};
+    .meaning = "correlation length of the roughness, two edges or more"};
 inline constexpr IntegerKey seed{
     .name = "seed", .fallback = 1, .meaning = "shape rough: seed of the random roughness"};
 

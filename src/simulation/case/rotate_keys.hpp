@@ -29,8 +29,11 @@ inline constexpr PathKey mesh{
     .meaning =
         "a closed mesh of one density: its inertia about its centre of mass, along the axes "
         "of its file"};
-inline constexpr QuantityKey density{
-    .name = "density", .unit = "kg/m3", .range = Range::positive(), .meaning = "with mesh"};
+inline constexpr QuantityKey density{.name = "density",
+                                     .unit = "kg/m3",
+                                     .usual = "required with mesh",
+                                     .range = Range::positive(),
+                                     .meaning = "of the body"};
 inline constexpr QuantityKey unit{.name = "unit",
                                   .unit = "m",
                                   .fallback = 1e-3,

@@ -51,7 +51,7 @@ std::string read_failure(const std::string& path) {
   return "no error";
 }
 
-TEST(config_errors, quantity) {
+TEST(ConfigErrors, quantity) {
   const auto read = [](Config& c) { c.quantity("a.d", "m", {}, Range::positive()); };
   expect_message({"[a]\nd = \"8 kg\"\n", read,
                   "FILE:2: a.d: found \"8 kg\" (kg is mass), expected length in m or another unit "
@@ -69,7 +69,7 @@ TEST(config_errors, quantity) {
                   "FILE:2: a.d: found nothing, expected length in m, > 0 (the key is required)"});
 }
 
-TEST(config_errors, vector) {
+TEST(ConfigErrors, vector) {
   const auto read = [](Config& c) { c.vector("v", "m", {}); };
   expect_message({"v = [1, 2]\n", read,
                   "FILE:1: v: found an array of 2, expected an array of three: length in m"});
@@ -78,7 +78,7 @@ TEST(config_errors, vector) {
        "FILE:1: v: found \"3 s\" (s is time), expected length in m or another unit of it"});
 }
 
-TEST(config_errors, list) {
+TEST(ConfigErrors, list) {
   const auto read = [](Config& c) { c.list("l", "m", {}); };
   expect_message({"l = 1\n", read, "FILE:1: l: found 1, expected an array: length in m"});
   expect_message({"l = [1, \"3 s\"]\n", read,
@@ -89,7 +89,7 @@ TEST(config_errors, list) {
        "FILE:1: l: found nothing, expected an array: length in m (the key is required)"});
 }
 
-TEST(config_errors, pairs) {
+TEST(ConfigErrors, pairs) {
   const auto read = [](Config& c) { c.pairs("p", "m", {}); };
   expect_message({"p = \"1 mm\"\n", read,
                   "FILE:1: p: found \"1 mm\", expected an array of pairs: length in m"});
@@ -99,7 +99,7 @@ TEST(config_errors, pairs) {
                   "FILE:1: p: found true, expected length in m, or a text with a unit"});
 }
 
-TEST(config_errors, matrix) {
+TEST(ConfigErrors, matrix) {
   const auto read = [](Config& c) { c.matrix("m", "1", {}); };
   expect_message({"m = [[1, 2, 3]]\n", read,
                   "FILE:1: m: found an array of 1, expected three rows of three: a plain number"});
@@ -107,7 +107,7 @@ TEST(config_errors, matrix) {
                   "FILE:1: m: found an array of 2, expected three rows of three: a plain number"});
 }
 
-TEST(config_errors, integer) {
+TEST(ConfigErrors, integer) {
   const auto read = [](Config& c) { c.integer("n", {}, 1, 9); };
   expect_message({"n = 10\n", read, "FILE:1: n: found 10, expected a whole number from 1 to 9"});
   expect_message({"n = 2.0\n", read, "FILE:1: n: found 2.0, expected a whole number from 1 to 9"});
@@ -115,7 +115,7 @@ TEST(config_errors, integer) {
       {"n = \"2\"\n", read, "FILE:1: n: found \"2\", expected a whole number from 1 to 9"});
 }
 
-TEST(config_errors, flag_text_and_path) {
+TEST(ConfigErrors, flag_text_and_path) {
   expect_message({"f = \"yes\"\n", [](Config& c) { c.flag("f", {}); },
                   "FILE:1: f: found \"yes\", expected true, false, \"on\" or \"off\""});
   expect_message({"t = 3\n", [](Config& c) { c.text("t", {}); },
@@ -125,7 +125,7 @@ TEST(config_errors, flag_text_and_path) {
                   "of an existing file, from the case file's folder"});
 }
 
-TEST(config_errors, choice) {
+TEST(ConfigErrors, choice) {
   const auto read = [](Config& c) { c.choice<Motion>("kind", motions, {}); };
   expect_message(
       {"kind = \"wirl\"\n", read,
@@ -135,7 +135,7 @@ TEST(config_errors, choice) {
   expect_message({"kind = 1\n", read, "FILE:1: kind: found 1, expected one of axial, whirl"});
 }
 
-TEST(config_errors, tables) {
+TEST(ConfigErrors, tables) {
   expect_message(
       {"a = 1\n", [](Config& c) { c.table("a"); }, "FILE:1: a: found 1, expected a table"});
   expect_message({"a = [1, {}]\n", [](Config& c) { c.tables("a"); },
@@ -146,7 +146,7 @@ TEST(config_errors, tables) {
                   "FILE:1: a: found a table, expected an array of tables, [[a]]"});
 }
 
-TEST(config_errors, a_table_that_nobody_knows_names_those_that_are_known) {
+TEST(ConfigErrors, a_table_that_nobody_knows_names_those_that_are_known) {
   const auto read = [](Config& c) { c.quantity("bit.mass", "kg", 1.0); };
   expect_message({"[rock]\nedge = 1\n", read,
                   "FILE:2: rock.edge: found an unknown key, expected one of bit in place of rock"});
@@ -155,7 +155,7 @@ TEST(config_errors, a_table_that_nobody_knows_names_those_that_are_known) {
                   "cones"});
 }
 
-TEST(config_errors, unknown_keys_name_the_nearest) {
+TEST(ConfigErrors, unknown_keys_name_the_nearest) {
   expect_message({"[a]\nradius = 1\nraduis = 2\n",
                   [](Config& c) { c.quantity("a.radius", "m", {}); },
                   "FILE:3: a.raduis: found an unknown key, expected radius"});
@@ -168,12 +168,12 @@ TEST(config_errors, unknown_keys_name_the_nearest) {
                   "FILE:4: l[1].y: found an unknown key, expected x"});
 }
 
-TEST(config_errors, a_name_with_a_dot_is_no_path) {
+TEST(ConfigErrors, a_name_with_a_dot_is_no_path) {
   expect_message({"\"a.b\" = 1\n", [](Config& c) { c.quantity("a.b", "m", 0.0); },
                   "FILE:1: a.b: found an unknown key, expected b"});
 }
 
-TEST(config_errors, what_an_override_brings_along_is_named_as_such) {
+TEST(ConfigErrors, what_an_override_brings_along_is_named_as_such) {
   const auto read = [](Config& c) {
     for (Config l : c.tables("l")) l.quantity("x", "m", {});
   };
@@ -184,7 +184,7 @@ TEST(config_errors, what_an_override_brings_along_is_named_as_such) {
                   {"l=[{x=1}, {x='s'}]"}});
 }
 
-TEST(config_errors, a_wrong_value_leaves_the_caller_a_harmless_one) {
+TEST(ConfigErrors, a_wrong_value_leaves_the_caller_a_harmless_one) {
   Config config = Config::read_file(write_temporary(".toml", "a = 'x'\n"), {});
   EXPECT_GT(config.quantity("a", "m", {}, Range::positive()), 0.0);
   EXPECT_EQ(config.quantity("b", "m", {}, Range::within(2, 3)), 2.0);
@@ -193,7 +193,7 @@ TEST(config_errors, a_wrong_value_leaves_the_caller_a_harmless_one) {
   EXPECT_THROW(config.finish(), InputError);
 }
 
-TEST(config_errors, overrides_are_named_as_such) {
+TEST(ConfigErrors, overrides_are_named_as_such) {
   const auto read = [](Config& c) { c.quantity("a.d", "m", 1.0); };
   expect_message({"", read, "--set: a.e: found an unknown key, expected d", {"a.e=1"}});
   expect_message({"",
@@ -209,7 +209,7 @@ TEST(config_errors, overrides_are_named_as_such) {
        {"b.c=1"}});
 }
 
-TEST(config_errors, the_callers_own_checks_are_located) {
+TEST(ConfigErrors, the_callers_own_checks_are_located) {
   expect_message({"[a]\n\nb = 1\n",
                   [](Config& c) {
                     Config a = c.table("a");
@@ -219,7 +219,7 @@ TEST(config_errors, the_callers_own_checks_are_located) {
                   "FILE:3: a.b: found a pad outside the hole, expected a pad inside it"});
 }
 
-TEST(config_errors, all_mistakes_of_a_file_come_together_sorted_by_line) {
+TEST(ConfigErrors, all_mistakes_of_a_file_come_together_sorted_by_line) {
   const std::string path = write_temporary(".toml", "z = 1\nb = \"x\"\na = \"1 s\"\n");
   Config config = Config::read_file(path, {});
   EXPECT_EQ(config.quantity("a", "m", 5.0), 5.0);
@@ -234,7 +234,7 @@ TEST(config_errors, all_mistakes_of_a_file_come_together_sorted_by_line) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
-TEST(config_errors, files_that_are_missing_or_no_toml) {
+TEST(ConfigErrors, files_that_are_missing_or_no_toml) {
   EXPECT_EQ(read_failure("/no/such.toml"),
             "/no/such.toml: found no such file, expected a TOML file");
   EXPECT_EQ(read_failure(tdbd::temporary_folder()),
@@ -247,7 +247,7 @@ TEST(config_errors, files_that_are_missing_or_no_toml) {
   EXPECT_EQ(read_failure(twice).rfind(twice + ":2:", 0), 0u) << read_failure(twice);
 }
 
-RC_GTEST_PROP(config_errors, any_bytes_are_a_file_or_an_input_error, (const std::string& bytes)) {
+RC_GTEST_PROP(ConfigErrors, any_bytes_are_a_file_or_an_input_error, (const std::string& bytes)) {
   const std::string path = tdbd::temporary_folder() + "config_errors_bytes.toml";
   std::ofstream(path) << "a = 1\n" << bytes;
   try {

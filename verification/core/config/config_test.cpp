@@ -70,7 +70,7 @@ Sample read_sample(Config& config) {
   return s;
 }
 
-TEST(config, reads_every_kind_of_value) {
+TEST(Config, reads_every_kind_of_value) {
   const std::string csv = tdbd::temporary_folder() + "cutters.csv";
   std::ofstream(csv) << "x\n";
   Config config = Config::read_file(write_temporary(".toml", sample), {});
@@ -90,7 +90,7 @@ TEST(config, reads_every_kind_of_value) {
   EXPECT_EQ(s.layers, layers);
 }
 
-TEST(config, the_resolved_file_reads_the_same_and_resolves_to_itself) {
+TEST(Config, the_resolved_file_reads_the_same_and_resolves_to_itself) {
   std::ofstream(tdbd::temporary_folder() + "cutters.csv") << "x\n";
   Config config = Config::read_file(write_temporary(".toml", sample), {"motion.rpm=7 rpm"});
   const Sample first = read_sample(config);
@@ -103,14 +103,14 @@ TEST(config, the_resolved_file_reads_the_same_and_resolves_to_itself) {
   EXPECT_EQ(again.resolved(), config.resolved());
 }
 
-TEST(config, the_resolved_file_names_units_and_defaults) {
+TEST(Config, the_resolved_file_names_units_and_defaults) {
   Config config = Config::read_file(write_temporary(".toml", "d = \"0.1 m\"\n"), {});
   config.quantity("d", "m", {});
   config.quantity("hole.depth", "m", 0.5);
   EXPECT_EQ(config.resolved(), "d = 0.1  # m\n\n[hole]\ndepth = 0.5  # m\n");
 }
 
-TEST(config, overrides_replace_values_and_make_tables) {
+TEST(Config, overrides_replace_values_and_make_tables) {
   const std::vector<std::string> overrides{"d=2 in", "new.sub.flag=true", "list[1].x=5", "s=a b",
                                            "n=1\nm=2"};
   const std::string toml = "d = \"1 in\"\n[[list]]\nx = 1\n[[list]]\nx = 2\n";
@@ -125,7 +125,7 @@ TEST(config, overrides_replace_values_and_make_tables) {
   EXPECT_NO_THROW(config.finish());
 }
 
-TEST(config, reads_a_matrix_row_by_row) {
+TEST(Config, reads_a_matrix_row_by_row) {
   const std::string toml = "I = [[1, 2, \"30 kg cm2\"], [4, 5, 6], [7, 8, 9]]\n";
   Config config = Config::read_file(write_temporary(".toml", toml), {});
   const Mat3 m = config.matrix("I", "kg m2", {});
@@ -137,7 +137,7 @@ TEST(config, reads_a_matrix_row_by_row) {
             "J = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]  # 1\n");
 }
 
-TEST(config, reads_lists_and_pairs_of_any_length) {
+TEST(Config, reads_lists_and_pairs_of_any_length) {
   const std::string toml =
       "l = [\"1 mm\", 2, 0.5]\nnone = []\np = [[\"1 mm\", \"2 mm\"], [3, 4]]\n";
   Config config = Config::read_file(write_temporary(".toml", toml), {});
@@ -153,7 +153,7 @@ TEST(config, reads_lists_and_pairs_of_any_length) {
             "p = [[0.001, 0.002], [3, 4]]  # m\nq = [[1, 2]]  # 1\n");
 }
 
-TEST(config, tells_texts_from_other_values) {
+TEST(Config, tells_texts_from_other_values) {
   Config config =
       Config::read_file(write_temporary(".toml", "t = \"a\"\nn = 1\nl = [\"a\"]\n"), {});
   EXPECT_TRUE(config.is_text("t"));
@@ -161,7 +161,7 @@ TEST(config, tells_texts_from_other_values) {
   EXPECT_ANY_THROW(config.finish());  // it does not count as reading
 }
 
-TEST(config, tells_the_quantities_that_were_read) {
+TEST(Config, tells_the_quantities_that_were_read) {
   const std::string toml = "a = \"2 mm\"\nn = 3\n[[t]]\nb = 4\n";
   Config config = Config::read_file(write_temporary(".toml", toml), {});
   config.quantity("a", "m", {});
@@ -172,7 +172,7 @@ TEST(config, tells_the_quantities_that_were_read) {
   EXPECT_EQ(config.quantities(), (std::map<std::string, double>{{"a", 0.002}, {"t[0].b", 4.0}}));
 }
 
-TEST(config, counts_the_mistakes_so_far) {
+TEST(Config, counts_the_mistakes_so_far) {
   Config config = Config::read_file(write_temporary(".toml", "a = 1\n"), {});
   EXPECT_EQ(config.problem_count(), 0u);
   config.matrix("a", "m", {});
@@ -181,7 +181,7 @@ TEST(config, counts_the_mistakes_so_far) {
   EXPECT_EQ(config.problem_count(), 2u);
 }
 
-TEST(config, has_looks_without_reading) {
+TEST(Config, has_looks_without_reading) {
   Config config = Config::read_file(write_temporary(".toml", "[a]\nb = 1\n"), {});
   EXPECT_TRUE(config.has("a"));
   EXPECT_TRUE(config.has("a.b"));
@@ -190,7 +190,7 @@ TEST(config, has_looks_without_reading) {
   EXPECT_THROW(config.finish(), InputError);
 }
 
-RC_GTEST_PROP(config, every_double_survives_the_resolved_file, (double x)) {
+RC_GTEST_PROP(Config, every_double_survives_the_resolved_file, (double x)) {
   RC_PRE(std::isfinite(x));
   const std::string path = tdbd::temporary_folder() + "config_double.toml";
   std::ofstream(path) << fmt::format("x = {:.17e}\n", x);
@@ -201,7 +201,7 @@ RC_GTEST_PROP(config, every_double_survives_the_resolved_file, (double x)) {
   RC_ASSERT(Config::read_file(path, {}).quantity("x", "m", {}) == x);
 }
 
-RC_GTEST_PROP(config, every_text_survives_the_resolved_file, (const std::string& text)) {
+RC_GTEST_PROP(Config, every_text_survives_the_resolved_file, (const std::string& text)) {
   const std::string path = tdbd::temporary_folder() + "config_text.toml";
   std::ofstream(path) << "";
   Config config = Config::read_file(path, {});

@@ -24,7 +24,7 @@ const L& law(const Case& c, PartKind kind) {
   return std::get<L>(law_of(c.forces, kind));
 }
 
-TEST(read_forces, gives_the_law_to_the_kinds_that_it_knows) {
+TEST(ReadForces, gives_the_law_to_the_kinds_that_it_knows) {
   const Case c = shale({});
   EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::face).A1, 1.0);
   EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::chamfer).A5, 1.0);
@@ -32,14 +32,14 @@ TEST(read_forces, gives_the_law_to_the_kinds_that_it_knows) {
   law<forces::NoForce>(c, PartKind::gage_pad);
 }
 
-TEST(read_forces, lets_a_kind_have_its_own) {
+TEST(ReadForces, lets_a_kind_have_its_own) {
   const Case c = shale({"forces.gage_pad.law=friction", "forces.gage_pad.mu=0.25",
                         "forces.gage_pad.stress='20 MPa'", "forces.cutter_body.law=none"});
   EXPECT_EQ(law<forces::Friction>(c, PartKind::gage_pad).stress, 20e6);
   law<forces::NoForce>(c, PartKind::cutter_body);
 }
 
-TEST(read_forces, takes_coefficients_by_name_and_changes_them) {
+TEST(ReadForces, takes_coefficients_by_name_and_changes_them) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml",
                            {"rock.edge_length='4 mm'", "rock.material='berea-sandstone'",
                             "forces.coefficients='detournay-berea'", "forces.zeta=0.5"});
@@ -50,14 +50,14 @@ TEST(read_forces, takes_coefficients_by_name_and_changes_them) {
 }
 
 /// Mancos shale under 3000 psi: 16.5 ksi.
-TEST(read_formation, confines_the_rock) {
+TEST(ReadFormation, confines_the_rock) {
   const Case c = shale({});
   ASSERT_EQ(c.forces.rock.strengths.size(), 1u);
   constexpr double psi = 6894.757293168361;  // Pa
   EXPECT_NEAR(c.forces.rock.strengths.front().confined / psi, 16.5e3, 50.0);
 }
 
-TEST(read_formation, has_layers_that_dip) {
+TEST(ReadFormation, has_layers_that_dip) {
   const Case c = shale({"rock.layers=[{top='10 mm', material='berea-sandstone'}]",
                         "rock.dip='30 deg'", "rock.dip_azimuth='90 deg'"});
   const forces::Formation& rock = c.forces.rock;
@@ -69,7 +69,7 @@ TEST(read_formation, has_layers_that_dip) {
   EXPECT_EQ(forces::strength_at(rock, Vec3(0.0, -0.03, 0.0)).unconfined, sandstone);
 }
 
-TEST(read_formation, refuses_layers_out_of_order) {
+TEST(ReadFormation, refuses_layers_out_of_order) {
   EXPECT_THROW(shale({"rock.layers=[{top='10 mm', material='berea-sandstone'}, {top='5 mm', "
                       "material='mancos-shale'}]"}),
                InputError);

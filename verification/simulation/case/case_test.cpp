@@ -23,7 +23,7 @@ Case case_with(const std::vector<std::string>& overrides) {
   return read_case(write_temporary(".toml", least()), overrides);
 }
 
-TEST(read_case, gives_si_and_the_defaults) {
+TEST(ReadCase, gives_si_and_the_defaults) {
   const Case c = case_with({});
   EXPECT_EQ(c.bit.name, "bit-b");
   EXPECT_EQ(c.rock.shape, RockShape::conforming);
@@ -39,7 +39,7 @@ TEST(read_case, gives_si_and_the_defaults) {
   EXPECT_EQ(c.output.frames_every, 0);
 }
 
-TEST(read_case, whirl_is_backward_and_grows_over_one_turn_unless_told) {
+TEST(ReadCase, whirl_is_backward_and_grows_over_one_turn_unless_told) {
   const Case c = case_with(
       {"motion.kind=whirl", "motion.whirl.radius=1 mm", "motion.whirl.frequency=10 rad/s"});
   EXPECT_EQ(c.motion.whirl.sense, WhirlSense::backward);
@@ -51,7 +51,7 @@ TEST(read_case, whirl_is_backward_and_grows_over_one_turn_unless_told) {
   EXPECT_EQ(forward.motion.whirl.ramp, 0.0);
 }
 
-TEST(read_case, the_resolved_text_is_the_same_case) {
+TEST(ReadCase, the_resolved_text_is_the_same_case) {
   const Case c = case_with(
       {"motion.kind=whirl", "motion.whirl.radius=1 mm", "motion.whirl.frequency=10 rad/s"});
   const Case again = read_case(write_temporary("_resolved.toml", c.resolved), {});
@@ -61,7 +61,7 @@ TEST(read_case, the_resolved_text_is_the_same_case) {
   EXPECT_EQ(again.time.steps, c.time.steps);
 }
 
-TEST(read_case, the_resolved_text_writes_every_default_out) {
+TEST(ReadCase, the_resolved_text_writes_every_default_out) {
   const std::string text = case_with({}).resolved;
   for (const char* line :
        {"wall = 0.03  # m\n", "kind = \"steady\"\n", "edge_length = 0.002  # m\n",
@@ -69,21 +69,21 @@ TEST(read_case, the_resolved_text_writes_every_default_out) {
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 
-TEST(read_case, the_hash_follows_every_value) {
+TEST(ReadCase, the_hash_follows_every_value) {
   const std::string hash = case_with({}).hash;
   EXPECT_EQ(case_with({"rock.edge_length=0.002"}).hash, hash);
   EXPECT_NE(case_with({"rock.edge_length=0.0021"}).hash, hash);
   EXPECT_NE(case_with({"output.history_every=2"}).hash, hash);
 }
 
-TEST(read_case, knows_all_files_that_it_read) {
+TEST(ReadCase, knows_all_files_that_it_read) {
   const Case c = case_with({});
   ASSERT_EQ(c.files.size(), 4u);  // the case, the bit, and the bit with its table
   EXPECT_EQ(c.files[0], c.path);
   EXPECT_NE(c.files.back().find("bit-b.csv"), std::string::npos);
 }
 
-TEST(read_case, revolutions_need_a_turning_bit) {
+TEST(ReadCase, revolutions_need_a_turning_bit) {
   try {
     case_with({"motion.rotary_speed=0"});
     FAIL() << "not refused";

@@ -43,7 +43,7 @@ Mat3 turn_about_z(double angle) {
   return R;
 }
 
-TEST(motion, steady_pose_is_the_closed_form) {
+TEST(Motion, steady_pose_is_the_closed_form) {
   for (const double t : {0.0, 0.001, 0.1, 0.7, 12.3}) {
     const Pose X_WB = pose_at(steady(), t);
     EXPECT_LE((X_WB.R - turn_about_z(4.0 * pi * t)).norm(), rounding * (1.0 + 4.0 * pi * t));
@@ -52,7 +52,7 @@ TEST(motion, steady_pose_is_the_closed_form) {
   }
 }
 
-TEST(motion, whirl_circles_at_its_radius_frequency_and_sense) {
+TEST(Motion, whirl_circles_at_its_radius_frequency_and_sense) {
   for (const WhirlSense sense : {WhirlSense::forward, WhirlSense::backward}) {
     const Motion m = whirling(sense);
     const double sign = sense == WhirlSense::forward ? 1.0 : -1.0;
@@ -66,7 +66,7 @@ TEST(motion, whirl_circles_at_its_radius_frequency_and_sense) {
 }
 
 /// The orbit shifts the bit; turning and drilling are those of the steady motion.
-TEST(motion, whirl_adds_nothing_but_the_orbit) {
+TEST(Motion, whirl_adds_nothing_but_the_orbit) {
   const Motion m = whirling(WhirlSense::backward);
   for (const double t : {0.0, 0.3, 2.2}) {
     EXPECT_EQ(pose_at(m, t).R, pose_at(steady(), t).R);
@@ -75,7 +75,7 @@ TEST(motion, whirl_adds_nothing_but_the_orbit) {
   }
 }
 
-TEST(motion, whirl_grows_linearly_over_its_ramp) {
+TEST(Motion, whirl_grows_linearly_over_its_ramp) {
   const Motion m = whirling(WhirlSense::forward);
   for (const double part : {0.0, 0.25, 0.5, 1.0})
     EXPECT_NEAR(pose_at(m, 0.5 * part).p.head<2>().norm(), 0.002 * part, 1e-17);
@@ -90,7 +90,7 @@ Vec3 arbitrary(const std::uint64_t seed, double size) {
          Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
 }
 
-RC_GTEST_PROP(motion, a_path_passes_through_its_rows, (std::uint64_t seed)) {
+RC_GTEST_PROP(Motion, a_path_passes_through_its_rows, (std::uint64_t seed)) {
   std::vector<PathPoint> path;
   for (std::uint64_t i = 0; i < 5; ++i)
     path.push_back({0.3 * static_cast<double>(i), arbitrary(seed + i, 1.0),
@@ -103,7 +103,7 @@ RC_GTEST_PROP(motion, a_path_passes_through_its_rows, (std::uint64_t seed)) {
   }
 }
 
-RC_GTEST_PROP(motion, a_path_moves_the_bit_rigidly, (std::uint64_t seed)) {
+RC_GTEST_PROP(Motion, a_path_moves_the_bit_rigidly, (std::uint64_t seed)) {
   const Motion m = along({{0.0, arbitrary(seed, 1.0), arbitrary(seed + 1, 1.8), 0.0},
                           {1.0, arbitrary(seed + 2, 1.0), arbitrary(seed + 3, 1.8), 0.0}});
   for (const double t : {-1.0, 0.1, 0.37, 0.99, 2.0}) {
@@ -114,7 +114,7 @@ RC_GTEST_PROP(motion, a_path_moves_the_bit_rigidly, (std::uint64_t seed)) {
 }
 
 /// Equal times turn the bit by equal rotations, and move its origin by equal steps.
-RC_GTEST_PROP(motion, a_path_turns_at_a_constant_rate_between_rows, (std::uint64_t seed)) {
+RC_GTEST_PROP(Motion, a_path_turns_at_a_constant_rate_between_rows, (std::uint64_t seed)) {
   const Motion m = along({{0.0, arbitrary(seed, 1.0), arbitrary(seed + 1, 1.0), 0.0},
                           {1.0, arbitrary(seed + 2, 1.0), arbitrary(seed + 3, 1.0), 0.0}});
   const auto step = [&](double t) {
@@ -127,7 +127,7 @@ RC_GTEST_PROP(motion, a_path_turns_at_a_constant_rate_between_rows, (std::uint64
   }
 }
 
-TEST(motion, a_path_about_z_is_the_closed_form) {
+TEST(Motion, a_path_about_z_is_the_closed_form) {
   const Motion m = along({{0.0, Vec3::Zero(), Vec3::Zero(), 0.0},
                           {1.0, Vec3(0, 0, 1), Vec3(0, 0, 2.0), 0.0},
                           {2.0, Vec3(0, 0, 1), Vec3(0, 0, 4.0 - 2.0 * pi), 0.0}});
@@ -138,7 +138,7 @@ TEST(motion, a_path_about_z_is_the_closed_form) {
   EXPECT_NEAR(angle_turned(m, 2.0), 4.0, 4 * rounding);
 }
 
-TEST(motion, a_path_rests_before_its_first_and_after_its_last_row) {
+TEST(Motion, a_path_rests_before_its_first_and_after_its_last_row) {
   const Motion m = along(
       {{1.0, Vec3(1, 2, 3), Vec3(0, 0, 0.1), 0.0}, {2.0, Vec3(4, 5, 6), Vec3(0, 0, 0.2), 0.0}});
   EXPECT_EQ(pose_at(m, 0.0).p, Vec3(1, 2, 3));
@@ -147,7 +147,7 @@ TEST(motion, a_path_rests_before_its_first_and_after_its_last_row) {
   EXPECT_NEAR(angle_turned(m, 9.0), 0.1, rounding);
 }
 
-TEST(motion, a_tilted_axis_leans_by_its_angle_towards_its_azimuth) {
+TEST(Motion, a_tilted_axis_leans_by_its_angle_towards_its_azimuth) {
   Motion m = steady();
   m.tilt = {0.1, 0.3, 5.0, WhirlSense::backward, 0.5};
   for (const double t : {0.0, 0.25, 0.5, 2.0}) {
@@ -161,7 +161,7 @@ TEST(motion, a_tilted_axis_leans_by_its_angle_towards_its_azimuth) {
 }
 
 /// About its leaning axis the bit turns as an upright one does: seen along the axis, x has gone on.
-TEST(motion, a_tilted_bit_turns_about_its_axis) {
+TEST(Motion, a_tilted_bit_turns_about_its_axis) {
   Motion m = steady();
   m.tilt = {0.2, 0.0, 0.0, WhirlSense::forward, 0.0};
   const Mat3 lean = pose_at(m, 0.0).R;
@@ -170,7 +170,7 @@ TEST(motion, a_tilted_bit_turns_about_its_axis) {
               100.0 * rounding);
 }
 
-TEST(motion, legs_are_the_closed_form) {
+TEST(Motion, legs_are_the_closed_form) {
   const Vec3 start(0.1, 0.2, 0.3), down(0, 0, 0.004), aside(0.003, -0.001, 0);
   Motion m;
   m.kind = MotionKind::legs;

@@ -17,7 +17,7 @@ std::string refusal(const std::string& file) {
   return "not refused";
 }
 
-TEST(path_table, columns_are_found_by_name_in_any_order) {
+TEST(PathTable, columns_are_found_by_name_in_any_order) {
   const std::string file =
       write_temporary(".csv",
                       "z_m,time_s,x_m,y_m,note,rz_rad,rx_rad,ry_rad\n"
@@ -31,7 +31,7 @@ TEST(path_table, columns_are_found_by_name_in_any_order) {
   EXPECT_EQ(path[1].p_WB, Vec3(4, 5, 6));
 }
 
-TEST(path_table, turns_are_summed) {
+TEST(PathTable, turns_are_summed) {
   const std::string file = write_temporary(
       ".csv",
       "time_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad\n0,0,0,0,0,0,0\n1,0,0,0,0,0,3\n2,0,0,0,0,0,6\n");
@@ -40,14 +40,14 @@ TEST(path_table, turns_are_summed) {
   EXPECT_NEAR(path[2].turned, 6.0, 1e-14);
 }
 
-TEST(path_table, a_remark_does_not_shift_the_lines_of_messages) {
+TEST(PathTable, a_remark_does_not_shift_the_lines_of_messages) {
   const std::string file = write_temporary(
       ".csv",
       "# a path\ntime_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad\n0,0,0,0,0,0,0\n\n0,0,0,0,0,0,1\n");
   EXPECT_EQ(refusal(file), file + ":5: time_s: found 0 after 0, expected rising times");
 }
 
-TEST(path_table, a_missing_file_is_named) {
+TEST(PathTable, a_missing_file_is_named) {
   EXPECT_EQ(refusal("/no/path.csv"), "/no/path.csv: found no such file, expected a CSV table");
 }
 

@@ -63,7 +63,7 @@ RotateCase read(const std::string& text, const std::vector<std::string>& overrid
   return read_rotate_case(path, overrides);
 }
 
-TEST(rotate_case, reads_the_body_and_how_it_starts) {
+TEST(RotateCase, reads_the_body_and_how_it_starts) {
   const RotateCase c = read(all_keys);
   EXPECT_EQ(c.title, "every key");
   EXPECT_EQ(c.body.inertia_B(1, 1), 2.6);
@@ -77,7 +77,7 @@ TEST(rotate_case, reads_the_body_and_how_it_starts) {
   EXPECT_LT((angular_velocity(c.body, c.start) - Vec3(0.5, -0.4, 2.0)).norm(), 1e-14);
 }
 
-TEST(rotate_case, reads_the_loads) {
+TEST(RotateCase, reads_the_loads) {
   const Loads l = read(all_keys).loads;
   EXPECT_EQ(l.body_torque_B, Vec3(1, 2, 3));
   EXPECT_EQ(l.space_torque_W, Vec3(4, 5, 6));
@@ -91,7 +91,7 @@ TEST(rotate_case, reads_the_loads) {
   EXPECT_EQ(l.cones[0].damping, 0.03);
 }
 
-TEST(rotate_case, reads_torques_that_depend_on_time) {
+TEST(RotateCase, reads_torques_that_depend_on_time) {
   const Loads l = read(all_keys).loads;
   ASSERT_EQ(l.harmonics.size(), 2u);
   EXPECT_EQ(l.harmonics[0].frame, TorqueFrame::body);
@@ -105,7 +105,7 @@ TEST(rotate_case, reads_torques_that_depend_on_time) {
   EXPECT_EQ(l.samples[0].torques[1], Vec3(4, 5, 6));
 }
 
-TEST(rotate_case, reads_the_integrator) {
+TEST(RotateCase, reads_the_integrator) {
   const RotateCase c = read(all_keys);
   EXPECT_EQ(c.integrator.drift, Drift::lie_mean);
   EXPECT_EQ(c.integrator.drifts_per_step, 2);
@@ -115,7 +115,7 @@ TEST(rotate_case, reads_the_integrator) {
   EXPECT_EQ(drift_name(c.integrator.drift), "lie-mean");
 }
 
-TEST(rotate_case, only_order_2_predicts_by_default) {
+TEST(RotateCase, only_order_2_predicts_by_default) {
   for (const char* order : {"2", "4", "6", "8"}) {
     const RotateCase c = read(all_keys, {std::string("integrator.order=") + order});
     EXPECT_EQ(c.integrator.velocity_torque,
@@ -123,7 +123,7 @@ TEST(rotate_case, only_order_2_predicts_by_default) {
   }
 }
 
-TEST(rotate_case, the_resolved_case_is_the_same_case) {
+TEST(RotateCase, the_resolved_case_is_the_same_case) {
   const RotateCase first = read(all_keys);
   const RotateCase again = read(first.resolved);
   EXPECT_EQ(again.resolved, first.resolved);
@@ -132,14 +132,14 @@ TEST(rotate_case, the_resolved_case_is_the_same_case) {
   EXPECT_EQ(again.start.momentum_W, first.start.momentum_W);
 }
 
-TEST(rotate_case, knows_its_quantities) {
+TEST(RotateCase, knows_its_quantities) {
   const RotateCase c = read(all_keys);
   EXPECT_EQ(c.quantities.at("time.step"), 0.1);
   EXPECT_EQ(c.quantities.at("cones[0].axial_inertia"), 0.1);
   EXPECT_EQ(c.quantities.count("body.inertia"), 0u);
 }
 
-TEST(rotate_case, a_history_has_ten_thousand_rows_by_default) {
+TEST(RotateCase, a_history_has_ten_thousand_rows_by_default) {
   const std::string text =
       "[body]\ninertia = [[1,0,0],[0,1,0],[0,0,1]]\n[time]\nstep = 1\nduration = ";
   const std::pair<const char*, long> expected[] = {
@@ -148,7 +148,7 @@ TEST(rotate_case, a_history_has_ten_thousand_rows_by_default) {
     EXPECT_EQ(read(text + duration).history_every, every) << duration;
 }
 
-TEST(rotate_case, steps_fit_the_duration) {
+TEST(RotateCase, steps_fit_the_duration) {
   const std::string text =
       "[body]\ninertia = [[1,0,0],[0,1,0],[0,0,1]]\n[time]\nduration = 1\nstep = ";
   EXPECT_EQ(read(text + "0.1").time.step, 0.1);
@@ -160,7 +160,7 @@ TEST(rotate_case, steps_fit_the_duration) {
   EXPECT_EQ(read(text + "1e-7").time.steps, 10'000'000);
 }
 
-TEST(rotate_case, is_told_from_a_run) {
+TEST(RotateCase, is_told_from_a_run) {
   const std::string path = tdbd::temporary_folder() + "rotate_or_run.toml";
   std::ofstream(path) << "[bit]\nfile = \"x\"\n";
   EXPECT_FALSE(is_rotate_case(path));

@@ -58,7 +58,7 @@ void check_with_cones(int cones) {
   EXPECT_EQ(std::system(command.c_str()), 0) << cones << " cones";
 }
 
-TEST(rotate_history, holds_what_belongs_together) {
+TEST(RotateHistory, holds_what_belongs_together) {
   for (const int cones : {0, 1, 3}) check_with_cones(cones);
 }
 

@@ -92,7 +92,7 @@ void expect_near(const Json& found, double expected) {
   EXPECT_NEAR(found.get<double>(), expected, rounding);
 }
 
-TEST(rotate_summary, tells_the_attitude_and_the_momenta_of_the_end_in_their_frames) {
+TEST(RotateSummary, tells_the_attitude_and_the_momenta_of_the_end_in_their_frames) {
   const RotationState& first = the_run().states.front();
   const RotationState& last = the_run().states.back();
   const Json j = summary();
@@ -109,7 +109,7 @@ TEST(rotate_summary, tells_the_attitude_and_the_momenta_of_the_end_in_their_fram
 }
 
 /// Pi = It W + sum_k pi_k s_k and pi_k = Ic_k (phi_k' + s_k . W).
-TEST(rotate_summary, tells_velocities_that_belong_to_the_momenta) {
+TEST(RotateSummary, tells_velocities_that_belong_to_the_momenta) {
   const dynamics::Gyrostat& g = the_run().c.body;
   const Json j = summary();
   const Vec3 w_B = vector_of(j["angular_velocity"]);
@@ -122,7 +122,7 @@ TEST(rotate_summary, tells_velocities_that_belong_to_the_momenta) {
   EXPECT_LE((momentum_B - vector_of(j["body_momentum"])).norm(), rounding);
 }
 
-TEST(rotate_summary, tells_energies_and_their_changes_over_the_scale) {
+TEST(RotateSummary, tells_energies_and_their_changes_over_the_scale) {
   const Course& r = the_run();
   const auto energy = [&](const RotationState& s) {
     return dynamics::kinetic_energy(r.c.body, s) + dynamics::potential_energy(r.c.loads, s);
@@ -140,7 +140,7 @@ TEST(rotate_summary, tells_energies_and_their_changes_over_the_scale) {
               }));
 }
 
-TEST(rotate_summary, tells_the_largest_changes_of_the_momenta) {
+TEST(RotateSummary, tells_the_largest_changes_of_the_momenta) {
   const RotationState& first = the_run().states.front();
   const auto change = [&](const RotationState& s) { return Vec3(s.momentum_W - first.momentum_W); };
   const Json j = summary();
@@ -155,7 +155,7 @@ TEST(rotate_summary, tells_the_largest_changes_of_the_momenta) {
             largest([](const RotationState& s) { return std::abs(s.q_WB.squaredNorm() - 1.0); }));
 }
 
-TEST(rotate_summary, tells_the_steps_and_how_they_were_made) {
+TEST(RotateSummary, tells_the_steps_and_how_they_were_made) {
   const Json j = summary();
   EXPECT_EQ(j["steps"], 200);
   EXPECT_EQ(j["step_s"], 0.02);
@@ -165,7 +165,7 @@ TEST(rotate_summary, tells_the_steps_and_how_they_were_made) {
 }
 
 /// What does not move has no energy to compare with.
-TEST(rotate_summary, a_body_at_rest_has_an_energy_scale_of_one) {
+TEST(RotateSummary, a_body_at_rest_has_an_energy_scale_of_one) {
   const std::string path = tdbd::temporary_folder() + "rotate_summary_rest.toml";
   std::ofstream(path) << "[body]\ninertia = [[1,0,0],[0,1,0],[0,0,1]]\n"
                          "[time]\nstep = 1\nduration = 1\n";

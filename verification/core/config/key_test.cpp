@@ -1,0 +1,140 @@
+#include "core/config/key.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/config/config.hpp"
+#include "core/config/key_table.hpp"
+#include "core/error.hpp"
+#include "core/temporary_file.hpp"
+
+namespace tdbd {
+namespace {
+
+enum class Shape { round, square };
+
+constexpr TableKey table{"drill.chuck", "a made-up table", Repeats::no};
+constexpr QuantityKey length{.name = "length",
+                             .unit = "m",
+                             .fallback = 0.5,
+                             .range = Range::positive(),
+                             .meaning = "of the chuck",
+                             .former = {"size", "extent"}};
+constexpr QuantityKey mass{.name = "mass", .unit = "kg", .meaning = "of it", .former = {"weight"}};
+constexpr QuantityKey ramp{
+    .name = "ramp", .unit = "s", .usual = "one turn", .meaning = "until full"};
+constexpr VectorKey place{.name = "place", .unit = "m", .fallback = {{0.0, 0.0, 1.0}}};
+constexpr ListKey angles{.name = "angles", .unit = "rad", .usual = "none"};
+constexpr IntegerKey teeth{.name = "teeth", .fallback = 3, .lo = 1, .hi = 9, .meaning = "how many"};
+constexpr FlagKey open{.name = "open", .fallback = false, .meaning = "whether it is"};
+constexpr TextKey label{.name = "label", .fallback = "none", .meaning = "for the report"};
+constexpr ChoiceKey<Shape> shape{.name = "shape",
+                                 .values = {{{"round", Shape::round}, {"square", Shape::square}}},
+                                 .fallback = Shape::square,
+                                 .meaning = "of the jaws"};
+
+std::vector<std::string_view> steel_names() { return {"mild", "hard"}; }
+constexpr NameKey steel{.name = "steel", .names = &steel_names, .meaning = "what it is made of"};
+
+Config config_of(const std::string& toml) {
+  return Config::read_file(write_temporary(".toml", toml), {});
+}
+
+std::string problems_of(const Config& config) {
+  try {
+    config.finish();
+  } catch (const InputError& e) {
+    const std::string text = e.what();
+    return text.substr(text.find(".toml:") + 6);
+  }
+  return "";
+}
+
+TEST(Key, reads_what_the_file_gives) {
+  Config file = config_of(
+      "[drill.chuck]\nlength = \"20 cm\"\nmass = 3\nramp = 2\nplace = [1, 2, 3]\nangles = [1, 2]\n"
+      "teeth = 5\nopen = true\nlabel = \"a\"\nshape = \"round\"\nsteel = \"hard\"\n");
+  Config c = file.table("drill").table(table);
+  EXPECT_DOUBLE_EQ(c.read(length), 0.2);
+  EXPECT_EQ(c.read(mass), 3.0);
+  EXPECT_EQ(c.read(ramp, 7.0), 2.0);
+  EXPECT_EQ(c.read(place), Vec3(1, 2, 3));
+  EXPECT_EQ(c.read(angles), (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(c.read(teeth), 5);
+  EXPECT_TRUE(c.read(open));
+  EXPECT_EQ(c.read(label), "a");
+  EXPECT_EQ(c.read(shape), Shape::round);
+  EXPECT_EQ(c.read(steel), "hard");
+  EXPECT_EQ(problems_of(file), "");
+}
+
+TEST(Key, has_the_default_of_its_declaration) {
+  Config c = config_of("");
+  EXPECT_EQ(c.read(length), 0.5);
+  EXPECT_EQ(c.read(ramp, 7.0), 7.0);
+  EXPECT_EQ(c.read(place), Vec3::UnitZ());
+  EXPECT_EQ(c.read(teeth), 3);
+  EXPECT_FALSE(c.read(open));
+  EXPECT_EQ(c.read(label), "none");
+  EXPECT_EQ(c.read(shape), Shape::square);
+  EXPECT_EQ(problems_of(c), "");
+  EXPECT_EQ(c.resolved(),
+            "label = \"none\"\nlength = 0.5  # m\nopen = false\nplace = [0, 0, 1]  # m\n"
+            "ramp = 7  # s\nshape = \"square\"\nteeth = 3\n");
+}
+
+TEST(Key, is_required_without_a_default) {
+  Config c = config_of("");
+  c.read(mass);
+  EXPECT_EQ(problems_of(c), "1: mass: found nothing, expected mass in kg (the key is required)");
+  Config other = config_of("");
+  other.read(steel);
+  EXPECT_EQ(problems_of(other),
+            "1: steel: found nothing, expected one of mild, hard (the key is required)");
+}
+
+TEST(Key, tells_a_former_name_the_new_one) {
+  Config c = config_of("[chuck]\nweight = 3\n");
+  c.table("chuck").read(mass);
+  EXPECT_EQ(problems_of(c), "2: chuck.weight: found \"weight\", expected its new name \"mass\"");
+  Config other = config_of("extent = 2\n");
+  other.read(length);
+  EXPECT_EQ(problems_of(other), "1: extent: found \"extent\", expected its new name \"length\"");
+}
+
+TEST(Key, is_described_in_words) {
+  const auto words = [](const KeyRow& r) {
+    return r.name + "|" + r.kind + "|" + r.fallback + "|" + r.allowed + "|" + r.meaning;
+  };
+  EXPECT_EQ(words(row(length)), "length|m|0.5 m|> 0|of the chuck");
+  EXPECT_EQ(words(row(mass)), "mass|kg|required||of it");
+  EXPECT_EQ(words(row(ramp)), "ramp|s|one turn||until full");
+  EXPECT_EQ(words(row(place)), "place|three m|[0, 0, 1]||");
+  EXPECT_EQ(words(row(angles)), "angles|list of rad|none||");
+  EXPECT_EQ(words(row(teeth)), "teeth|whole number|3|1 to 9|how many");
+  EXPECT_EQ(words(row(open)), "open|on or off|off||whether it is");
+  EXPECT_EQ(words(row(label)), "label|text|\"none\"||for the report");
+  EXPECT_EQ(words(row(shape)), "shape|one of|\"square\"|round, square|of the jaws");
+  EXPECT_EQ(words(row(steel)), "steel|one of|required|mild, hard|what it is made of");
+}
+
+TEST(Key, stands_in_its_table) {
+  const std::vector<KeyTable> all{key_table("run", table, {row(teeth)}),
+                                  key_table("run", {"drill", "the drill"}, {row(mass)})};
+  EXPECT_EQ(keys_as_text(all),
+            "[drill.chuck] of tdbd run: a made-up table\n"
+            "  teeth  whole number  3  how many (1 to 9)\n"
+            "\n"
+            "[drill] of tdbd run: the drill\n"
+            "  mass  kg  required  of it\n");
+  EXPECT_EQ(tables_named(all, "drill").size(), 2u);
+  EXPECT_EQ(tables_named(all, "drill.chuck").size(), 1u);
+  try {
+    tables_named(all, "dril");
+    FAIL() << "not refused";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "TABLE: found \"dril\", expected drill");
+  }
+}
+
+}  // namespace
+}  // namespace tdbd

@@ -1,0 +1,289 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/temporary_file.hpp"
+#include "simulation/case/case.hpp"
+#include "simulation/case/force_keys.hpp"
+#include "simulation/case/key_tables.hpp"
+#include "simulation/rotate/rotate_case.hpp"
+
+/// The declared keys against the cases that are read with them.
+namespace tdbd::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> part_kinds{"face",     "chamfer",  "cse",  "cutter_body",
+                                          "gage_pad", "bit_body", "cone", "tooth"};
+
+/// One line of a resolved file: the table as it is declared, and its place in the file.
+struct Resolved {
+  std::string table, place, key, value, unit;
+};
+
+/// Where tables of a file stand, line for line: the second [[legs]] at "legs[1]", [legs.grading]
+/// after it at "legs[1].grading".
+class Places {
+ public:
+  std::string of(const std::string& header) {
+    const bool repeats = header.starts_with("[[");
+    const std::string table = header.substr(repeats ? 2 : 1, header.find(']') - (repeats ? 2 : 1));
+    if (repeats) ++count_[table];
+    for (const auto& [name, count] : count_)
+      if (table == name || table.starts_with(name + "."))
+        return name + "[" + std::to_string(count - 1) + "]" + table.substr(name.size());
+    return table;
+  }
+
+ private:
+  std::map<std::string, int> count_;
+};
+
+/// Every key of a resolved file.
+std::vector<Resolved> lines_of(const std::string& resolved) {
+  std::vector<Resolved> lines;
+  std::istringstream in(resolved);
+  Places places;
+  std::string table, place;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    if (line.front() == '[') {
+      const std::size_t first = line.find_first_not_of('[');
+      table = line.substr(first, line.find(']') - first);
+      place = places.of(line);
+      continue;
+    }
+    const std::size_t equals = line.find(" = "), unit = line.rfind("  # ");
+    lines.push_back({table, place, line.substr(0, equals),
+                     line.substr(equals + 3, unit == std::string::npos ? unit : unit - equals - 3),
+                     unit == std::string::npos ? "" : line.substr(unit + 4)});
+  }
+  return lines;
+}
+
+/// The tables in which a table of a file is declared.
+std::vector<std::string> declared_as(const std::string& table) {
+  if (table == "rock.layers.material") return {"rock.material"};
+  for (const std::string& kind : part_kinds)
+    if (table == "forces." + kind) return {"forces.KIND", "forces"};
+  for (const char* key : {"rotary_speed", "rate_of_penetration", "weight_on_bit"})
+    if (table == std::string("motion.") + key) return {"motion.KEY"};
+  return {table};
+}
+
+/// The declarations of a line's key: of one in several force laws there are several.
+std::vector<KeyRow> rows_of(const std::string& command, const Resolved& line) {
+  std::vector<KeyRow> rows;
+  const std::vector<std::string> names = declared_as(line.table);
+  for (const KeyTable& table : all_tables())
+    if (table.command == command && std::ranges::count(names, table.name) > 0)
+      for (const KeyRow& row : table.rows)
+        if (row.name == line.key) rows.push_back(row);
+  return rows;
+}
+
+bool has_unit(const KeyRow& row, const std::string& unit) {
+  if (unit.empty() || row.kind.ends_with("KEY's unit")) return true;
+  return row.kind.ends_with(unit == "1" ? "number" : unit);
+}
+
+/// A case that was read, and what it says by itself.
+struct ReadCase {
+  std::string command, path, resolved;
+};
+
+/// Every key is declared, with its unit and, where the case leaves it out, with its default.
+void expect_declared(const ReadCase& c) {
+  const Config file = Config::read_file(c.path, {});
+  for (const Resolved& line : lines_of(c.resolved)) {
+    const std::string key = line.place.empty() ? line.key : line.place + "." + line.key;
+    const bool given = file.has(key) || file.has(line.place + ".coefficients");
+    const auto agrees = [&](const KeyRow& row) {
+      return has_unit(row, line.unit) && (given || row.toml.empty() || row.toml == line.value);
+    };
+    EXPECT_TRUE(std::ranges::any_of(rows_of(c.command, line), agrees))
+        << c.path << ": " << key << " = " << line.value << " # " << line.unit;
+  }
+}
+
+/// The resolved file gives every key, each with its default or its given value: it must be the same
+/// case.
+std::string read_again(const ReadCase& c) {
+  const std::string path = write_temporary("_again.toml", c.resolved);
+  return c.command == "run" ? read_case(path, {}).resolved : read_rotate_case(path, {}).resolved;
+}
+
+std::vector<fs::path> shipped() {
+  std::vector<fs::path> paths;
+  for (const char* folder : {"/cases", "/cases/free-rotation"})
+    for (const auto& entry : fs::directory_iterator(std::string(TDBD_SOURCE_DIR) + folder))
+      if (entry.path().extension() == ".toml") paths.push_back(entry.path());
+  std::ranges::sort(paths);
+  return paths;
+}
+
+ReadCase read_shipped(const fs::path& path) {
+  if (is_rotate_case(path)) return {"rotate", path, read_rotate_case(path, {}).resolved};
+  return {"run", path, read_case(path, {}).resolved};
+}
+
+TEST(Keys, of_every_shipped_case_are_declared) {
+  const std::vector<fs::path> paths = shipped();
+  ASSERT_GT(paths.size(), 30u);
+  for (const fs::path& path : paths) expect_declared(read_shipped(path));
+}
+
+std::string write(const std::string& name, const std::string& text) {
+  const std::string path = temporary_folder() + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+/// A small bit, so that many cases read fast.
+std::string small_bit() {
+  write("keys_bit.csv",
+        "bit,cutter,blade,zone,dia_mm,r_tip_mm,phi_deg,h_tip_mm,profile_angle_deg,back_rake_deg,"
+        "side_rake_deg\nS,1,1,cone,16,5,0,6,-15,15,0\nS,2,2,nose,16,25,10,1,0,15,0\n"
+        "S,3,2,shoulder,16,47,200,11,70,15,0\n");
+  return write("keys_bit.toml",
+               "name = \"small\"\ntable = \"keys_bit.csv\"\n[mesh]\nrim_segments = 24\n");
+}
+
+/// A run of the small bit; `more` follows its tables.
+ReadCase small_run(const std::string& motion, const std::string& more,
+                   const std::vector<std::string>& settings) {
+  const std::string text = "[bit]\nfile = \"" + small_bit() +
+                           "\"\n[rock]\nedge_length = \"4 mm\"\n[time]\nstep = \"0.1 ms\"\n" +
+                           (motion.find("table") == std::string::npos ? "duration = 0.1\n" : "") +
+                           "[motion]\n" + motion + more;
+  const std::string path = write_temporary(".toml", text);
+  return {"run", path, read_case(path, settings).resolved};
+}
+
+constexpr const char* steady = "rotary_speed = 1\nrate_of_penetration = 0.001\n";
+
+std::vector<ReadCase> motions_and_rocks() {
+  const std::string path = write(
+      "keys_path.csv", "time_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad\n0,0,0,0,0,0,0\n1,0,0,0,0,0,1\n");
+  const std::string layers =
+      "[forces]\nlaw = \"detournay\"\nepsilon = 3e7\n[rock.material]\nunconfined_strength = 3e7\n"
+      "friction_angle = 0.5\n[[rock.layers]]\ntop = 0.1\nmaterial = \"berea-sandstone\"\n";
+  return {small_run(steady, "[motion.tilt]\nangle = 0.1\n", {"rock.shape=flat"}),
+          small_run("kind = \"whirl\"\n" + std::string(steady),
+                    "[motion.whirl]\nradius = 0.001\nfrequency = 1\n",
+                    {"rock.shape=rough", "rock.amplitude=0.001", "rock.correlation_length=0.01"}),
+          small_run("kind = \"legs\"\n[[motion.legs]]\nduration = 0.2\n", "",
+                    {"rock.shape=profile", "rock.profile=[[0, 0], [0.07, 0]]"}),
+          small_run("kind = \"table\"\nfile = \"" + path + "\"\n", "",
+                    {"rock.shape=file", "rock.file=" + path}),
+          small_run(steady, layers, {})};
+}
+
+/// The small bit on a string, everything moving; times given.
+ReadCase drilling() {
+  return small_run(
+      "kind = \"drilling\"\nweight_at_start = 10\ntorque_at_start = 1\n"
+      "[motion.rotary_speed]\ntimes = [0, 1]\nvalues = [1, 2]\n"
+      "[motion.weight_on_bit]\ntimes = [0, 1]\nvalues = [10, 20]\nbetween = \"linear\"\n",
+      "[forces]\nlaw = \"detournay\"\nepsilon = 3e7\n[string]\nmass = 1000\ntorsional_inertia = "
+      "10\n"
+      "bending_inertia = 100\naxial_stiffness = 1e5\ntorsional_stiffness = 100\n"
+      "[wall]\nstiffness = 1e6\nclearance = 0.001\n[rock_mount]\nmass = 1000\n",
+      {"rock.material=berea-sandstone"});
+}
+
+/// A value that the range allows.
+double some_value(const forces::LawField& field) {
+  for (const double x : {field.fallback.value_or(1.0), 1.0, 0.5 * field.range.hi, field.range.lo})
+    if (std::isfinite(x) && field.range.contains(x)) return x;
+  return 0.0;
+}
+
+/// Each force law, given to the first kind of part that it knows.
+std::vector<ReadCase> laws() {
+  std::vector<ReadCase> cases;
+  for (const std::string_view name : forces::law_names()) {
+    forces::Law law = forces::law_named(name);
+    for (const std::string& kind : part_kinds) {
+      std::vector<std::string> settings{"forces.law=detournay", "forces.epsilon=3e7",
+                                        "rock.material=berea-sandstone",
+                                        "forces." + kind + ".law=" + std::string(name)};
+      for (const forces::LawField& field : forces::law_fields(law))
+        settings.push_back("forces." + kind + "." + std::string(field.key) + "=" +
+                           std::to_string(some_value(field)));
+      try {
+        cases.push_back(small_run(steady, "", settings));
+        break;
+      } catch (const InputError&) {  // a kind that the law does not know
+      }
+    }
+  }
+  return cases;
+}
+
+std::vector<ReadCase> fits() {
+  const std::string name(force_keys::fit_names().front());
+  return {small_run(steady, "", {"forces.coefficients=" + name, "rock.material=berea-sandstone"})};
+}
+
+ReadCase rotation(const std::string& body) {
+  write("keys_torque.csv", "time_s,x,y,z\n0,1,2,3\n1,4,5,6\n");
+  const std::string path = write_temporary(
+      ".toml", "[body]\n" + body +
+                   "[[cones]]\naxis = [0, 0, 1]\naxial_inertia = 0.1\n"
+                   "[[load.harmonics]]\namplitude = [0, 1, 0]\n"
+                   "[[load.samples]]\nfile = \"" +
+                   temporary_folder() + "keys_torque.csv\"\n[time]\nstep = 0.1\nduration = 1\n");
+  return {"rotate", path, read_rotate_case(path, {}).resolved};
+}
+
+std::vector<ReadCase> rotations() {
+  const std::string box = write("keys_box.off",
+                                "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n"
+                                "3 1 2 3\n3 0 3 2\n");
+  return {rotation("inertia = [[2, 0, 0], [0, 2.6, 0], [0, 0, 3]]\n"),
+          rotation("mesh = \"" + box +
+                   "\"\ndensity = 7800\nunit = 1\n"
+                   "attitude = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n")};
+}
+
+TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
+  std::vector<ReadCase> cases{drilling()};
+  for (const auto& more : {motions_and_rocks(), laws(), fits(), rotations()})
+    cases.insert(cases.end(), more.begin(), more.end());
+  for (const char* name : {"bit-r-rolling", "bit-r-steady", "drill-bit-r", "laboratory"})
+    cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/" + name + ".toml"));
+  cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/drill-bit-b.toml"));
+  std::set<std::string> read;
+  for (const ReadCase& c : cases) {
+    for (const Resolved& line : lines_of(c.resolved))
+      for (const std::string& table : declared_as(line.table))
+        read.insert(c.command + " " + table + " " + line.key);
+    EXPECT_EQ(read_again(c), c.resolved);
+  }
+  for (const KeyTable& table : all_tables())
+    for (const KeyRow& row : table.rows)
+      EXPECT_TRUE(read.contains(table.command + " " + table.name + " " + row.name))
+          << table.command << " " << table.name << " " << row.name;
+}
+
+TEST(Keys, stand_once_in_their_table) {
+  std::set<std::string> seen;
+  for (const KeyTable& table : all_tables())
+    for (const KeyRow& row : table.rows) {
+      EXPECT_FALSE(row.meaning.empty()) << table.name << " " << row.name;
+      EXPECT_TRUE(
+          seen.insert(table.command + table.name + table.meaning + row.name + row.kind).second)
+          << table.name << " " << row.name;
+    }
+}
+
+}  // namespace
+}  // namespace tdbd::simulation
