@@ -5,7 +5,6 @@
 
 #include "app/commands.hpp"
 #include "bit/files/bit_export.hpp"
-#include "bit/files/bit_export_solids.hpp"
 #include "bit/files/bit_file.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/mass_properties.hpp"
@@ -93,7 +92,7 @@ int inspect(const Choices& choices) {
   const double bit_speed = positive("--speed", choices.speed, "rad/s", "a rotary speed");
   const bit::BitFile read =
       bit::read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
-                    choices.report ? bit::Densities::demanded : bit::Densities::as_given);
+                    choices.report ? bit::Densities::required : bit::Densities::as_given);
   const bit::Bit& b = read.bit;
   const bit::ReportOptions options{advance, bit_speed, choices.cone_speeds};
   const bit::ConeOperation operation = bit::cone_operation(b, choices.cone_speeds, advance);
@@ -101,7 +100,8 @@ int inspect(const Choices& choices) {
     print_bit(read);
     fmt::print("{}{}{}", bit::assumptions_text(b, bit_speed),
                bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
-    if (choices.report) fmt::print("{}{}", bit::tracking_text(b, operation), bit::body_text(b, advance));
+    if (choices.report)
+      fmt::print("{}{}", bit::tracking_text(b, operation), bit::body_text(b, advance));
   }
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");

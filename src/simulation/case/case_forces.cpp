@@ -18,7 +18,6 @@ enum class FollowsRun { yes, no };
 
 struct KindKey {
   PartKind kind;
-  const char* key;
   FollowsRun follows;
 };
 
@@ -38,14 +37,14 @@ forces::Law bearing_of_a_body() {
 
 /// Kinds in the order of PartKind.
 constexpr std::array<KindKey, bit::part_kinds.size()> kinds{
-    {{PartKind::face, "face", FollowsRun::yes},
-     {PartKind::chamfer, "chamfer", FollowsRun::yes},
-     {PartKind::cse, "cse", FollowsRun::yes},
-     {PartKind::cutter_body, "cutter_body", FollowsRun::no},
-     {PartKind::gage_pad, "gage_pad", FollowsRun::no},
-     {PartKind::bit_body, "bit_body", FollowsRun::no},
-     {PartKind::cone, "cone", FollowsRun::yes},
-     {PartKind::tooth, "tooth", FollowsRun::yes}}};
+    {{PartKind::face, FollowsRun::yes},
+     {PartKind::chamfer, FollowsRun::yes},
+     {PartKind::cse, FollowsRun::yes},
+     {PartKind::cutter_body, FollowsRun::no},
+     {PartKind::gage_pad, FollowsRun::no},
+     {PartKind::bit_body, FollowsRun::no},
+     {PartKind::cone, FollowsRun::yes},
+     {PartKind::tooth, FollowsRun::yes}}};
 
 std::vector<std::pair<std::string, std::string>> names_of(
     const std::vector<std::string_view>& all) {
@@ -97,8 +96,9 @@ void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const b
   law = follows                           ? common
         : k.kind == PartKind::cutter_body ? bearing_of_a_body()
                                           : forces::Law(forces::NoForce{});
-  if (!c.has(k.key)) return;
-  Config table = c.table(k.key);
+  const std::string key = bit::kind_key(k.kind);
+  if (!c.has(key)) return;
+  Config table = c.table(key);
   law = read_law(table, std::string(forces::law_name(law)));
   const std::string wrong = forces::law_problem(law, k.kind, cutter_diameter(bit));
   if (!wrong.empty()) table.problem("law", std::string(forces::law_name(law)), wrong);

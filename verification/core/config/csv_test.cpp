@@ -22,6 +22,27 @@ std::string failure(const std::string& path) {
   return "no error";
 }
 
+TEST(CsvRows, keep_empty_cells_and_trim_the_others) {
+  const auto rows = read_csv_rows(write_temporary(".csv", "a, b ,,\td\n,x,\n"));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"a", "b", "", "d"}));
+  EXPECT_EQ(rows[1].cells, (std::vector<std::string>{"", "x", ""}));
+}
+
+TEST(CsvRows, count_the_lines_that_they_skip) {
+  const auto rows = read_csv_rows(write_temporary(".csv", "# note\r\n\n  \na\n"));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].line, 4);
+}
+
+TEST(CsvRows, include_a_last_line_without_its_end) {
+  EXPECT_EQ(read_csv_rows(write_temporary(".csv", "a\nb")).size(), 2u);
+}
+
+TEST(CsvRows, of_a_missing_file_are_an_error) {
+  EXPECT_THROW(read_csv_rows("/no/such.csv"), InputError);
+}
+
 TEST(csv, reads_numbers_under_a_header) {
   const CsvTable table = read_csv(
       write_temporary(".csv", "\xef\xbb\xbf# path\r\n t , x\r\n\r\n0, -1.5e-3\r\n1,2\r\n"));
