@@ -13,9 +13,10 @@ struct EstimatedMass {
   Mat3 inertia = Mat3::Zero(), inertia_error = Mat3::Zero();  ///< about the origin, m5
 };
 
-/// By points spread at random over the bounding box (core/random, from the seed): each weighs the
-/// box's volume over their number if a ray along +x leaves the closed mesh an odd number of times.
-/// Knows nothing of tetrahedra or normals. Errors fall with the root of the number of points.
+/// Estimated from points spread at random over the bounding box (core/random, from the seed): each
+/// counts for the box's volume over their number if a ray along +x crosses the closed mesh an odd
+/// number of times. Uses neither tetrahedra nor normals. Errors fall with the root of the number of
+/// points.
 EstimatedMass monte_carlo_mass(const mesh::TriangleMesh& m, long points, std::uint64_t seed);
 
 }  // namespace tdbd::reference

@@ -26,8 +26,8 @@ struct RadialColumns {
 };
 
 /// What each cutter of a bit leaves at each radius when the bit turns about +z and advances along
-/// +z by `advance` (m) a revolution. From all mesh edges of the cutters' cutting parts, sampled at
-/// half of radial_spacing (m), linear in between, evaluated at the columns' centres.
+/// +z by `advance` (m) per revolution. From all mesh edges of the cutters' cutting parts, sampled
+/// at half of radial_spacing (m), linear in between, evaluated at the columns' centres.
 RadialColumns radial_columns(const bit::Bit& bit, double advance, double radial_spacing);
 
 }  // namespace tdbd::reference

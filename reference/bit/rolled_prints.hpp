@@ -6,9 +6,9 @@
 
 namespace tdbd::reference {
 
-/// A row of a cone that rolls: the tips of its teeth in the cone's frame, that frame in the bit's
-/// at angle 0, the cone's speed over the bit's, and within what distance (m) a print falls into
-/// another.
+/// A row of a rolling cone: the tips of its teeth in the cone's frame, that frame in the bit frame
+/// at angle 0, the cone's speed over the bit's, and the distance (m) within which one print falls
+/// into another.
 struct RolledRow {
   Pose X_BK;
   std::vector<Vec3> tips_K;
@@ -16,19 +16,20 @@ struct RolledRow {
   double near = 0.0;
 };
 
+/// One touchdown of a tip.
 struct RolledPrint {
   double turned = 0.0;        ///< rad, of the bit
   Vec3 place = Vec3::Zero();  ///< m, in the hole, at z = 0
 };
 
-/// Where tips pass their lowest place while the bit turns, from `from` to `to` (rad): the bit and
-/// its cone are turned in small steps, every tip's height is watched, and a low place between two
-/// steps is closed in on by thirds.
+/// Where tips pass their lowest point while the bit turns from `from` to `to` (rad): the bit and
+/// its cone are turned in small steps, every tip's height is followed, and a minimum between two
+/// steps is narrowed down by thirds.
 std::vector<RolledPrint> rolled_prints(const RolledRow& row, double from, double to);
 
 /// Share of the prints of rows[own] within `revolutions` turns that lie near any print of any row
-/// made in the revolution before, and in so much more as `near` is on the ring: every print is
-/// compared with every other one.
+/// made in the revolution before, extended by `near` along the ring. Every print is compared with
+/// every other.
 double share_near_earlier(const std::vector<RolledRow>& rows, std::size_t own, int revolutions);
 
 /// Mean number of tips within `penetration` (m) of their lowest place over one turn of the cone.

@@ -6,7 +6,6 @@
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "bit/files/bit_export.hpp"
-#include "bit/files/bit_export_solids.hpp"
 #include "bit/files/bit_file.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/mass_properties.hpp"
@@ -82,7 +81,7 @@ int inspect_bit(const BitChoices& choices) {
       option_quantity("--speed", choices.speed, "rad/s", Range::positive(), "a rotary speed");
   const bit::BitFile read =
       bit::read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
-                    choices.report ? bit::Densities::demanded : bit::Densities::as_given);
+                    choices.report ? bit::Densities::required : bit::Densities::as_given);
   const bit::Bit& b = read.bit;
   const bit::ReportOptions options{advance, bit_speed, choices.cone_speeds};
   const bit::ConeOperation operation = bit::cone_operation(b, choices.cone_speeds, advance);

@@ -16,27 +16,28 @@ struct Segment {
   Vec3 from, to;  ///< m
 };
 
-/// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P.
-/// Parts of one cutter share that cutter's frame. Thesis: 3.1.
+/// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P. The parts
+/// of one cutter share that cutter's frame. Thesis: 3.1.
 struct Part {
   std::string name;  ///< "cutter-12/face", "gage-pad-3", "bit-body"
   PartKind kind = PartKind::bit_body;
   Cutting cutting = Cutting::cuts;
-  Pose X_BP;                  ///< part frame in bit frame
+  Pose X_BP;                  ///< part frame in the bit frame
   mesh::TriangleMesh mesh_P;  ///< m, part frame
-  /// Convex solids that touch and whose union the mesh encloses; none: not known.
+  /// Touching convex solids whose union the mesh encloses; empty: not known.
   std::vector<mesh::TriangleMesh> pieces_P;
-  Vec3 update_direction_B = Vec3(0, 0, 1);  ///< unit, in the bit's X-Z plane (azimuth 0); eq. 4.2
+  /// Direction in which the part moves rock: unit, in the bit's X-Z plane (azimuth 0); bit (8).
+  Vec3 update_direction_B = Vec3(0, 0, 1);
   int group = -1;        ///< parts with the same group share X_BP and are processed together
   int cutter = -1;       ///< index into Bit::cutters, or -1
   double density = 0.0;  ///< kg/m3; 0: this part's volume is counted elsewhere
   /// If given, rock moves along the normal about this segment instead (rock::mapped_direction_W).
   std::optional<Segment> core_P;
   int cone = -1;  ///< index into Bit::cones, or -1; X_BP holds at the cone's angle 0
-  int row = -1;   ///< of a tooth: index into its cone's rows
+  int row = -1;   ///< for a tooth: index into its cone's rows
 };
 
-/// One row of the cutter table, SI. Thesis: 3.2.2, app. A; formulation 1.
+/// One row of the cutter table, SI. Thesis: 3.2.2, app. A.
 struct Cutter {
   int id = 0;  ///< number in the table, as in "cutter-12"
   int blade = 0;
@@ -45,19 +46,19 @@ struct Cutter {
   double tip_radius = 0.0;     ///< m, from the bit's axis
   double azimuth = 0.0;        ///< rad, about +z
   double tip_height = 0.0;     ///< m, above the nose tip (against +z)
-  double profile_angle = 0.0;  ///< rad; normal into the rock n = (sin, cos) in (r, z)
+  double profile_angle = 0.0;  ///< rad; the normal into the rock is n = (sin, cos) in (r, z)
   double back_rake = 0.0;      ///< rad
   double side_rake = 0.0;      ///< rad
   double chamfer = 0.0;        ///< m, width along the face, 0 for a sharp edge
-  double chamfer_angle = 0.0;  ///< rad, from the cutter's axis direction; 45 deg is usual
+  double chamfer_angle = 0.0;  ///< rad, from the direction of the cutter's axis; usually 45 deg
   double land = 0.0;           ///< m, width of a second, flatter chamfer inside the first; 0: none
-  double land_angle = 0.0;     ///< rad, from the cutter's axis direction
+  double land_angle = 0.0;     ///< rad, from the direction of the cutter's axis
   double length = 0.0;         ///< m, of the whole cutter
   double table_thickness = 0.0;  ///< m, of the diamond table
-  double wear = 0.0;             ///< m, height of the wear flat: lost along the profile's normal
-  double under_exposure = 0.0;   ///< m, from the profile into the bit; a label: the tip tells it
-  int line = 0;                  ///< line of the table's file, for messages
-  Pose X_BC;                     ///< cutter frame in bit frame (formulation 1)
+  double wear = 0.0;             ///< m, height of the wear flat, lost along the profile's normal
+  double under_exposure = 0.0;   ///< m, from the profile into the bit; a label: the tip includes it
+  int line = 0;                  ///< line in the table's file, for messages
+  Pose X_BC;                     ///< cutter frame in the bit frame, bit (1)
 };
 
 /// A designer's numbers of a body with blades (blade_body.hpp).
@@ -67,8 +68,8 @@ struct BladeFigures {
   double junk_slot_area = 0.0;  ///< m2, across the gage
 };
 
-/// A bit: parts in the bit frame B. B's origin is the nose tip on the axis, z down (drilling
-/// direction); the centre of mass is reported separately by mass_properties.
+/// A bit: parts in the bit frame B. B's origin is the nose tip on the axis, its z points down, in
+/// the direction of drilling; mass_properties gives the centre of mass.
 struct Bit {
   std::string name;
   std::vector<Part> parts;
@@ -78,5 +79,12 @@ struct Bit {
   Shank shank;  ///< of a bit with cones
   std::optional<BladeFigures> blades = std::nullopt;
 };
+
+/// A part's mesh in the bit frame (cones at angle 0), m.
+mesh::TriangleMesh mesh_B(const Part& part);
+
+/// Largest distance (m) from the bit's axis of a vertex of a cutting part, in its place; 0 if no
+/// part cuts. Cones do not turn.
+double largest_radius(const std::vector<Part>& parts);
 
 }  // namespace tdbd::bit

@@ -4,7 +4,7 @@
 
 namespace tdbd::bit {
 
-/// Mass, centre of mass and inertia tensor of a solid, in one frame; the tensor is about the centre
+/// Mass, centre of mass and inertia tensor of a solid, in one frame. The tensor is about the centre
 /// of mass, along that frame's axes.
 struct MassProperties {
   double mass = 0.0;            ///< kg
@@ -12,17 +12,19 @@ struct MassProperties {
   Mat3 inertia = Mat3::Zero();  ///< kg m2
 };
 
-/// Of the solid inside a closed mesh, by exact integration over signed tetrahedra, in the mesh's
-/// frame. Needs outward normals and a non-zero volume.
+/// The mass properties of the solid inside a closed mesh, in the mesh's frame, by exact integration
+/// over signed tetrahedra. `density` in kg/m3. Needs outward normals and a non-zero volume. Ours.
 MassProperties mass_properties(const mesh::TriangleMesh& m, double density);
 
-/// The same body, seen from frame A.
+/// The same body in frame A.
 MassProperties transformed(const MassProperties& body_P, const Pose& X_AP);
 
-/// Two bodies in one frame taken together, by the parallel axis theorem. A massless one is neutral.
+/// Two bodies in one frame taken together, by the parallel-axis theorem. A massless body is
+/// neutral.
 MassProperties combined(const MassProperties& a, const MassProperties& b);
 
-/// Of a bit, in the bit frame: the sum over its parts with density > 0. Overlaps count twice.
+/// The mass properties of a bit, in the bit frame: the sum over its parts with density > 0.
+/// Overlaps count twice.
 MassProperties mass_properties(const Bit& bit);
 
 }  // namespace tdbd::bit

@@ -1,8 +1,18 @@
 #include "bit/part_kind.hpp"
 
-namespace tdbd::bit {
+#include <algorithm>
 
-std::string kind_name(PartKind kind) {
+namespace tdbd::bit {
+namespace {
+
+std::string joined_by(char sign, std::string words) {
+  std::ranges::replace(words, ' ', sign);
+  return words;
+}
+
+}  // namespace
+
+std::string_view kind_words(PartKind kind) {
   switch (kind) {
     case PartKind::face:
       return "face";
@@ -11,11 +21,11 @@ std::string kind_name(PartKind kind) {
     case PartKind::cse:
       return "cse";
     case PartKind::cutter_body:
-      return "cutter-body";
+      return "cutter body";
     case PartKind::gage_pad:
-      return "gage-pad";
+      return "gage pad";
     case PartKind::bit_body:
-      return "bit-body";
+      return "bit body";
     case PartKind::cone:
       return "cone";
     case PartKind::tooth:
@@ -24,10 +34,9 @@ std::string kind_name(PartKind kind) {
   return "unknown";
 }
 
-bool belongs_to_a_cutter(PartKind kind) {
-  return kind == PartKind::face || kind == PartKind::chamfer || kind == PartKind::cse ||
-         kind == PartKind::cutter_body;
-}
+std::string kind_name(PartKind kind) { return joined_by('-', std::string(kind_words(kind))); }
+
+std::string kind_key(PartKind kind) { return joined_by('_', std::string(kind_words(kind))); }
 
 std::string cutting_name(Cutting cutting) {
   switch (cutting) {

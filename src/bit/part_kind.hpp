@@ -2,24 +2,36 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace tdbd::bit {
 
-/// What a part is; the kind selects data (name, colour, force law), not a class. Thesis: 3.1.
+/// What a part is. The kind selects data (name, colour, force law), not a class. Thesis: 3.1.
 enum class PartKind { face, chamfer, cse, cutter_body, gage_pad, bit_body, cone, tooth };
 
-inline constexpr std::array part_kinds{PartKind::face,        PartKind::chamfer,  PartKind::cse,
-                                       PartKind::cutter_body, PartKind::gage_pad, PartKind::bit_body,
-                                       PartKind::cone,        PartKind::tooth};
+/// Every kind, in the order of the enumeration.
+inline constexpr std::array part_kinds{
+    PartKind::face,     PartKind::chamfer,  PartKind::cse,  PartKind::cutter_body,
+    PartKind::gage_pad, PartKind::bit_body, PartKind::cone, PartKind::tooth};
 
-/// The name of a kind in results and bit files: "face", "cutter-body", "gage-pad", ...
+/// A kind in words, for messages: "face", "cutter body", "gage pad", ... The other two spellings
+/// follow from it.
+std::string_view kind_words(PartKind kind);
+
+/// A kind's name in results and bit files: "face", "cutter-body", "gage-pad", ...
 std::string kind_name(PartKind kind);
 
-/// Whether cutters are made of parts of this kind.
-bool belongs_to_a_cutter(PartKind kind);
+/// A kind's key in a case: "face", "cutter_body", "gage_pad", ...
+std::string kind_key(PartKind kind);
 
-/// A part's say in whether it removes rock. Thesis: 3.1. A part that rubs leaves the rock as it is;
-/// how near it comes to the rock that the cutters leave is measured (body/rubbing.hpp).
+/// Whether cutters are made of parts of this kind.
+constexpr bool belongs_to_a_cutter(PartKind kind) {
+  return kind == PartKind::face || kind == PartKind::chamfer || kind == PartKind::cse ||
+         kind == PartKind::cutter_body;
+}
+
+/// Whether a part removes rock. Thesis: 3.1. A part that rubs leaves the rock as it is; its
+/// clearance from the rock that the cutters leave is measured (body/rubbing.hpp).
 enum class Cutting { cuts, rubs, never };
 
 /// "yes", "rubs" or "no".

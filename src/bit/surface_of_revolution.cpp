@@ -1,14 +1,15 @@
 #include "bit/surface_of_revolution.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
 
 Vec3 ring_point(const Ring& ring, int k) {
   if (ring.count == 1) return {ring.x, 0.0, 0.0};
-  const double angle = 2.0 * std::numbers::pi * k / ring.count;
+  const double angle = full_turn * k / ring.count;
   return {ring.x, ring.radius * std::sin(angle), -ring.radius * std::cos(angle)};
 }
 

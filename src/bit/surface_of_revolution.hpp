@@ -14,10 +14,10 @@ struct Ring {
   int count = 1;
 };
 
-/// Closed mesh that stitches each ring to the next. The rings follow the meridian from the solid's
-/// +X end, on the axis, round to its other end, on the axis; so the normals point outwards. Rings
-/// with different counts are stitched by always advancing the smaller angle. The polygons are
-/// inscribed; every ring has a point at exactly -Z. Thesis: 3.3.
+/// Closed mesh that joins each ring to the next. The rings follow the meridian from the solid's +X
+/// end, on the axis, to its other end, on the axis, so that the normals point outwards. Rings with
+/// different counts are joined by always advancing the smaller angle. The polygons are inscribed;
+/// every ring has a point at exactly -Z. Thesis: 3.3.
 mesh::TriangleMesh surface_of_revolution(const std::vector<Ring>& rings);
 
 }  // namespace tdbd::bit

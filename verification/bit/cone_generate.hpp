@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bit/cone/cone_spacing.hpp"
+#include "bit/cone/cone_parts.hpp"
 #include "bit/generate.hpp"
 
 namespace tdbd::bit {

@@ -5,18 +5,15 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "bit/cutter/cutter_frame.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/pdc/pdc_bit.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
-
-inline constexpr double pi = std::numbers::pi;
-inline constexpr double degree = pi / 180.0;
 
 /// A number in [lo, hi], in 10 000 steps, so that shrinking finds round values.
 inline double number(double lo, double hi) {
@@ -42,9 +39,17 @@ inline Cutter any_cutter() {
   return c;
 }
 
+/// What the tables in cases/bits leave open, in these tests.
+inline CutterDefaults chamfered() {
+  CutterDefaults d;
+  d.chamfer = 0.4e-3;
+  return d;
+}
+
 /// One of the tables in cases/bits: 'a', 'b' or 'c'.
 inline std::vector<Cutter> table(char letter) {
-  return read_cutter_table(fmt::format(TDBD_SOURCE_DIR "/cases/bits/bit-{}.csv", letter), {});
+  return read_cutter_table(fmt::format(TDBD_SOURCE_DIR "/cases/bits/bit-{}.csv", letter),
+                           chamfered());
 }
 
 inline Bit example_bit(char letter, const PdcOptions& options = {}) {

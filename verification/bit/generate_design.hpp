@@ -72,6 +72,7 @@ inline PdcDesign plain_design() {
   d.profile = {107.95e-3, 18 * degree, 66e-3, 38e-3, 35 * degree, 50e-3};
   for (int k = 0; k < 6; ++k) d.blades.push_back({k * pi / 3, k % 2 * 30e-3, Backups::none});
   d.first_radius = 4e-3;
+  d.shape = chamfered();
   d.diameter = {13.44e-3, 13.44e-3, 13.44e-3, 13.44e-3};
   d.overlap = {0.55, 0.66, 0.72, 0.72};
   d.back_rake = {15 * degree, 17 * degree, 20 * degree, 25 * degree};

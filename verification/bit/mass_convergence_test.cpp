@@ -56,13 +56,13 @@ void expect_exact(const mesh::TriangleMesh& m, const MassProperties& body, doubl
   RC_ASSERT((found.inertia - expected.inertia).norm() < exact * scale);
 }
 
-RC_GTEST_PROP(mass_properties, of_a_frustum_of_polygons_are_exact, ()) {
+RC_GTEST_PROP(MassProperties, of_a_frustum_of_polygons_are_exact, ()) {
   const double a = number(0.2, 1), b = number(0.2, 1), h = number(0.2, 2);
   const int n = *rc::gen::inRange(3, 40);
   expect_exact(frustum(a, b, h, n), frustum_of_polygons(a, b, h, n), 2.0);
 }
 
-RC_GTEST_PROP(mass_properties, of_a_cylinder_polygon_are_exact, ()) {
+RC_GTEST_PROP(MassProperties, of_a_cylinder_polygon_are_exact, ()) {
   const double a = number(0.2, 1), h = number(0.2, 2);
   const int n = *rc::gen::inRange(3, 40);
   expect_exact(frustum(a, a, h, n), frustum_of_polygons(a, a, h, n), 2.0);
@@ -167,7 +167,7 @@ void expect_order_2(const char* name, const Smooth& smooth) {
 
 /// Mass, centre and every entry of the inertia, five levels, in a placement without symmetry: order
 /// 2, or exact where the polygons have the body's symmetry.
-TEST(mass_properties, of_meshes_converge_to_the_smooth_body_with_order_2) {
+TEST(MassProperties, of_meshes_converge_to_the_smooth_body_with_order_2) {
   expect_order_2("sphere", sphere());
   expect_order_2("hemisphere", hemisphere());
   expect_order_2("torus", ring());

@@ -36,7 +36,7 @@ Pose any_pose() {
   return {q.normalized().toRotationMatrix(), {number(-3, 3), number(-3, 3), number(-3, 3)}};
 }
 
-RC_GTEST_PROP(mass_properties, of_a_box_are_exact, ()) {
+RC_GTEST_PROP(MassProperties, of_a_box_are_exact, ()) {
   const Vec3 lo(number(-5, 5), number(-5, 5), number(-5, 5));
   const Vec3 size(number(0.1, 2), number(0.1, 2), number(0.1, 2));
   const MassProperties p = mass_properties(box(lo, size), 2.0);
@@ -51,7 +51,7 @@ RC_GTEST_PROP(mass_properties, of_a_box_are_exact, ()) {
 
 /// A tetrahedron at the origin with edges a, b, c along the axes: mass abc/6, centre a quarter of
 /// each edge, Ixx = m (b^2 + c^2) 3/80 about the centre, Ixy = m ab / 80.
-RC_GTEST_PROP(mass_properties, of_a_tetrahedron_are_exact, ()) {
+RC_GTEST_PROP(MassProperties, of_a_tetrahedron_are_exact, ()) {
   const Vec3 e(number(0.1, 2), number(0.1, 2), number(0.1, 2));
   mesh::TriangleMesh m;
   m.positions = {Vec3::Zero(), {e.x(), 0, 0}, {0, e.y(), 0}, {0, 0, e.z()}};
@@ -67,7 +67,7 @@ RC_GTEST_PROP(mass_properties, of_a_tetrahedron_are_exact, ()) {
 
 /// The polygon prism of n corners has the axial inertia m r^2 (2 + cos(2 pi/n)) / 6 exactly; the
 /// cylinder's, m r^2 / 2, is approached with the square of the edge.
-TEST(mass_properties, of_a_cylinder_are_those_of_its_prism_and_converge_with_order_2) {
+TEST(MassProperties, of_a_cylinder_are_those_of_its_prism_and_converge_with_order_2) {
   const auto of_prism = [](int n) {
     return mass_properties(
         surface_of_revolution({{0, 1, 1}, {0.5, 1, n}, {0.5, -1, n}, {0, -1, 1}}), 1.0);
@@ -98,7 +98,7 @@ void expect_monte_carlo(const mesh::TriangleMesh& m, std::uint64_t seed) {
   }
 }
 
-TEST(mass_properties, are_those_that_monte_carlo_finds) {
+TEST(MassProperties, are_those_that_monte_carlo_finds) {
   expect_monte_carlo(moved(sphere(6), {Mat3::Identity(), {0.1, -0.2, 1}}), 1);
   expect_monte_carlo(example_bit('b').parts.back().mesh_P, 2);
   Cutter worn = table('a').front();
@@ -107,7 +107,7 @@ TEST(mass_properties, are_those_that_monte_carlo_finds) {
 }
 
 /// Inscribed polyhedra approach the sphere with the square of the edge: halving it divides by 4.
-TEST(mass_properties, of_a_sphere_converge_with_order_2) {
+TEST(MassProperties, of_a_sphere_converge_with_order_2) {
   const auto error = [](int n) {
     const MassProperties p = mass_properties(sphere(n), 1.0);
     EXPECT_LT(p.centre.norm(), 1e-12);
@@ -116,7 +116,7 @@ TEST(mass_properties, of_a_sphere_converge_with_order_2) {
   for (const int n : {16, 32, 64}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.02);
 }
 
-RC_GTEST_PROP(mass_properties, move_with_the_body, ()) {
+RC_GTEST_PROP(MassProperties, move_with_the_body, ()) {
   const Pose X = any_pose();
   const mesh::TriangleMesh m = box({-1, 0, 2}, {1, 2, 0.5});
   const MassProperties a = transformed(mass_properties(m, 3.0), X);
@@ -126,7 +126,7 @@ RC_GTEST_PROP(mass_properties, move_with_the_body, ()) {
   RC_ASSERT((a.inertia - b.inertia).norm() < 1e-12);
 }
 
-RC_GTEST_PROP(mass_properties, of_two_halves_are_those_of_the_whole, ()) {
+RC_GTEST_PROP(MassProperties, of_two_halves_are_those_of_the_whole, ()) {
   const double cut = number(0.1, 0.9);
   const MassProperties whole = mass_properties(box({0, 0, 0}, {1, 2, 3}), 1.0);
   const MassProperties sum = combined(mass_properties(box({0, 0, 0}, {cut, 2, 3}), 1.0),
@@ -135,7 +135,7 @@ RC_GTEST_PROP(mass_properties, of_two_halves_are_those_of_the_whole, ()) {
   RC_ASSERT((sum.inertia - whole.inertia).norm() < 1e-12);
 }
 
-TEST(mass_properties, of_the_example_bits_are_those_of_bits) {
+TEST(MassProperties, of_the_example_bits_are_those_of_bits) {
   for (const char letter : {'a', 'b', 'c'}) {
     const MassProperties p = mass_properties(example_bit(letter));
     EXPECT_GT(p.mass, 20.0);

@@ -9,7 +9,7 @@ namespace tdbd::bit {
 namespace {
 
 /// A solid of revolution with any number of points on each of its rings.
-RC_GTEST_PROP(surface_of_revolution, is_closed_and_oriented_for_any_counts, ()) {
+RC_GTEST_PROP(SurfaceOfRevolution, is_closed_and_oriented_for_any_counts, ()) {
   std::vector<Ring> rings{{0.0, 1.0, 1}};
   const int n = *rc::gen::inRange(1, 6);
   for (int k = 0; k < n; ++k)
@@ -21,7 +21,7 @@ RC_GTEST_PROP(surface_of_revolution, is_closed_and_oriented_for_any_counts, ()) 
 }
 
 /// Two polygons of n points with their plane of symmetry: a double cone's volume is closed-form.
-RC_GTEST_PROP(surface_of_revolution, of_two_cones_has_their_volume, ()) {
+RC_GTEST_PROP(SurfaceOfRevolution, of_two_cones_has_their_volume, ()) {
   const int n = *rc::gen::inRange(3, 100);
   const double r = number(0.1, 2.0), h = number(0.1, 2.0);
   const mesh::TriangleMesh m = surface_of_revolution({{0, h, 1}, {r, 0, n}, {0, -h, 1}});
@@ -29,7 +29,7 @@ RC_GTEST_PROP(surface_of_revolution, of_two_cones_has_their_volume, ()) {
   RC_ASSERT(std::abs(mesh::enclosed_volume(m) - 2.0 * base * h / 3.0) < 1e-14 * base * h + 1e-16);
 }
 
-TEST(surface_of_revolution, starts_every_ring_at_minus_z) {
+TEST(SurfaceOfRevolution, starts_every_ring_at_minus_z) {
   const mesh::TriangleMesh m = surface_of_revolution({{0, 1, 1}, {2, 0.5, 7}, {0, 0, 1}});
   EXPECT_EQ(m.positions[1], Vec3(0.5, 0.0, -2.0));
   EXPECT_GT(m.positions[2].y(), 0.0);

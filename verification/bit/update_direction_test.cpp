@@ -21,14 +21,14 @@ Cutter any_cutter_off_the_axis() {
   return c;
 }
 
-RC_GTEST_PROP(update_direction, is_a_unit_vector_in_the_xz_plane, ()) {
+RC_GTEST_PROP(UpdateDirection, is_a_unit_vector_in_the_xz_plane, ()) {
   const Vec3 u = update_direction(any_cutter_off_the_axis().X_BC, *rc::gen::elementOf(rules),
                                   *rc::gen::elementOf(inside_rules));
   RC_ASSERT(u.y() == 0.0);
   RC_ASSERT(std::abs(u.norm() - 1.0) < 1e-15);
 }
 
-RC_GTEST_PROP(update_direction, does_not_depend_on_the_azimuth, ()) {
+RC_GTEST_PROP(UpdateDirection, does_not_depend_on_the_azimuth, ()) {
   Cutter c = any_cutter_off_the_axis();
   const DirectionRule rule = *rc::gen::elementOf(rules);
   const Vec3 before = update_direction(c.X_BC, rule, InsideRule::down);
@@ -38,7 +38,7 @@ RC_GTEST_PROP(update_direction, does_not_depend_on_the_azimuth, ()) {
 }
 
 /// Without back rake -Z is the profile's normal, and a sharp face's centre is at its tip's azimuth.
-RC_GTEST_PROP(update_direction, without_back_rake_is_the_profile_normal, ()) {
+RC_GTEST_PROP(UpdateDirection, without_back_rake_is_the_profile_normal, ()) {
   Cutter c = any_cutter_off_the_axis();
   c.back_rake = c.chamfer = 0.0;
   const Vec3 u = update_direction(cutter_pose(c), DirectionRule::along_profile, InsideRule::down);
@@ -46,7 +46,7 @@ RC_GTEST_PROP(update_direction, without_back_rake_is_the_profile_normal, ()) {
   RC_ASSERT((u - n).norm() < 1e-13);
 }
 
-TEST(update_direction, of_inside_cutters_follows_the_reading) {
+TEST(UpdateDirection, of_inside_cutters_follows_the_reading) {
   const Pose X_BC = table('b').at(2).X_BC;  // profile angle -15 deg
   const auto inside = [&](InsideRule rule) {
     return update_direction(X_BC, DirectionRule::hybrid, rule);
@@ -57,7 +57,7 @@ TEST(update_direction, of_inside_cutters_follows_the_reading) {
   EXPECT_LT(update_direction(X_BC, DirectionRule::along_profile, InsideRule::down).x(), 0.0);
 }
 
-TEST(update_direction, of_outside_cutters_is_along_the_profile_unless_all_go_down) {
+TEST(UpdateDirection, of_outside_cutters_is_along_the_profile_unless_all_go_down) {
   const Pose X_BC = table('b').at(20).X_BC;  // profile angle 76 deg
   const Vec3 along = update_direction(X_BC, DirectionRule::along_profile, InsideRule::down);
   for (const InsideRule rule : inside_rules) {
@@ -67,7 +67,7 @@ TEST(update_direction, of_outside_cutters_is_along_the_profile_unless_all_go_dow
   EXPECT_GT(along.x(), 0.9);
 }
 
-TEST(update_direction, on_the_axis_counts_as_azimuth_zero) {
+TEST(UpdateDirection, on_the_axis_counts_as_azimuth_zero) {
   Pose X_BC;
   X_BC.R = Eigen::AngleAxisd(pi, Vec3::UnitX()).toRotationMatrix();
   EXPECT_EQ(update_direction(X_BC, DirectionRule::along_profile, InsideRule::down), Vec3(0, 0, 1));

@@ -77,11 +77,7 @@ TEST(Units, refuses_a_wrong_dimension_naming_both) {
   expect_refusal("3 dBZ", "m", {"length"});
 }
 
-<<<<<<< HEAD
 TEST(Units, refuses_what_is_not_a_number) {
-=======
-TEST(Units, refuses_what_is_no_number) {
->>>>>>> c81610fb3cdccb95c57b817505b6f87e0dfc6b0f
   expect_refusal("", "m", {"number"});
   expect_refusal("in", "m", {"number"});
   expect_refusal("abc", "m", {"abc", "number"});
@@ -92,11 +88,7 @@ TEST(Units, refuses_what_is_no_number) {
   expect_refusal("1e308 km", "m", {"range"});
 }
 
-<<<<<<< HEAD
 TEST(Units, refuses_what_is_not_a_unit) {
-=======
-TEST(Units, refuses_what_is_no_unit) {
->>>>>>> c81610fb3cdccb95c57b817505b6f87e0dfc6b0f
   expect_refusal("8.5", "m", {"no unit", "length"});
   expect_refusal("8.5 inn", "m", {"unknown unit inn", "length"});
   expect_refusal("8,5 in", "m", {"second number"});
@@ -107,11 +99,7 @@ TEST(Units, refuses_what_is_no_unit) {
   EXPECT_DOUBLE_EQ(to_si("2 m s-1", "m/s"), to_si("2 m.s^-1", "m/s"));
 }
 
-<<<<<<< HEAD
 TEST(Units, the_program_itself_must_request_a_unit) {
-=======
-TEST(Units, the_program_itself_must_ask_for_a_unit) {
->>>>>>> c81610fb3cdccb95c57b817505b6f87e0dfc6b0f
   EXPECT_THROW(to_si("1 m", "metres per fortnigth"), RunError);
   EXPECT_THROW(describe_unit("inn"), RunError);
 }

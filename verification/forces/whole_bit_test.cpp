@@ -12,7 +12,7 @@ namespace {
 constexpr double advance = 3e-3;    // m per revolution
 constexpr double column = 0.01e-3;  // m
 
-/// Rock K of literature.md: 100 MPa, 0.8, sharp.
+/// A rock of 100 MPa, 0.8, sharp.
 Detournay rock_k() { return {.eps = 100 * MPa, .zeta = 0.8, .slip_speed = 0.0}; }
 
 struct BitLoad {
@@ -36,8 +36,10 @@ PartCut cut_of(const bit::Cutter& c, double area, double volume) {
 }
 
 std::vector<bit::Cutter> cutters_of(char letter) {
+  bit::CutterDefaults chamfered;
+  chamfered.chamfer = 0.4e-3;
   return bit::read_cutter_table(std::string(TDBD_SOURCE_DIR "/cases/bits/bit-") + letter + ".csv",
-                                {});
+                                chamfered);
 }
 
 /// Sum over the cutters of what cuts in the radial plane (areas and volumes) make them feel.
@@ -60,9 +62,9 @@ struct Row {
   double weight, torque, imbalance;  // N, N m, % of the weight
 };
 
-/// literature.md 1, at 3 mm a revolution, with its tolerances: 0.05 %, of the imbalance 0.05 % of
-/// the weight.
-TEST(whole_bit, of_sharp_cutters_has_the_loads_of_warren_and_sinors_model) {
+/// The planar model of Warren and Sinor, at 3 mm per revolution, with its tolerances: 0.05 %, of
+/// the imbalance 0.05 % of the weight.
+TEST(WholeBit, of_sharp_cutters_has_the_loads_of_warren_and_sinors_model) {
   for (const Row& r : {Row{'a', 22779.2, 1747.98, 0.85},
                        {'b', 22414.8, 1747.98, 7.94},
                        {'c', 22589.3, 1747.98, 2.54}}) {
@@ -76,7 +78,7 @@ TEST(whole_bit, of_sharp_cutters_has_the_loads_of_warren_and_sinors_model) {
 
 /// With outlines turned about the axis, which the bit's room has, a core stays and cutter 1 carries
 /// less: 0.59, 0.50 and 0.78 % of the weight, nothing of the torque.
-TEST(whole_bit, with_its_core_carries_a_little_less_weight) {
+TEST(WholeBit, with_its_core_carries_a_little_less_weight) {
   for (const char letter : {'a', 'b', 'c'}) {
     const auto cutters = cutters_of(letter);
     const BitLoad plane = load_of(cutters, reference::planar_cut(cutters, advance, column));
@@ -88,7 +90,7 @@ TEST(whole_bit, with_its_core_carries_a_little_less_weight) {
 }
 
 /// The torque does the work of cutting, whatever the layout: T = eps V/(2 pi), eps R^2 d/2 in all.
-TEST(whole_bit, of_sharp_cutters_has_the_torque_of_its_volume) {
+TEST(WholeBit, of_sharp_cutters_has_the_torque_of_its_volume) {
   for (const char letter : {'a', 'b', 'c'}) {
     const auto cutters = cutters_of(letter);
     const BitLoad b = load_of(cutters, bit::engagement(cutters, advance, column));

@@ -9,11 +9,11 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr int segments = 48;
-constexpr double gage_length = 0.06;  ///< m, of full body above the highest tip
-constexpr double shank_radius = 0.7;  ///< of the gage radius
-constexpr double shank_length = 1.0;  ///< of the gage radius
-constexpr double closest = 1e-3;      ///< m, between two points of the meridian
+constexpr int body_segments = 48;
+constexpr double gage_length = 0.06;     ///< m, of full body above the highest tip
+constexpr double shank_radius = 0.7;     ///< of the gage radius
+constexpr double shank_length = 1.0;     ///< of the gage radius
+constexpr double least_ring_gap = 1e-3;  ///< m, between two points of the meridian
 
 /// Cutters of the profile, without back-ups, in the order from the axis to the gage.
 std::vector<Cutter> along_profile(std::vector<Cutter> cutters) {
@@ -24,11 +24,11 @@ std::vector<Cutter> along_profile(std::vector<Cutter> cutters) {
   return cutters;
 }
 
-/// Ring of the bit's axis: x of a Ring is z of the bit.
+/// A ring about the bit's axis: x of a Ring is z of the bit.
 Ring set_back(const Cutter& c, double setback) {
   const double depth = setback * c.diameter;
   return {c.tip_radius - depth * std::sin(c.profile_angle),
-          -c.tip_height - depth * std::cos(c.profile_angle), segments};
+          -c.tip_height - depth * std::cos(c.profile_angle), body_segments};
 }
 
 /// The meridian under the cutters. On a flat stretch at the axis it keeps the first cutter's slope.
@@ -38,7 +38,7 @@ std::vector<Ring> face_meridian(const std::vector<Cutter>& ordered, double setba
   std::vector<Ring> rings{{0.0, first.x + slope * first.radius, 1}};
   for (const Cutter& c : ordered) {
     const Ring next = set_back(c, setback);
-    if (std::hypot(next.radius - rings.back().radius, next.x - rings.back().x) > closest &&
+    if (std::hypot(next.radius - rings.back().radius, next.x - rings.back().x) > least_ring_gap &&
         next.radius >= rings.back().radius)
       rings.push_back(next);
   }
@@ -59,9 +59,9 @@ Part bit_body(const std::vector<Cutter>& cutters, double setback, double density
   const double highest_tip = std::ranges::max(cutters, {}, &Cutter::tip_height).tip_height;
   const double shoulder = -highest_tip - gage_length;
   const double end = shoulder - shank_length * gage_radius;
-  rings.push_back({rings.back().radius, shoulder, segments});
-  rings.push_back({shank_radius * gage_radius, shoulder, segments});
-  rings.push_back({shank_radius * gage_radius, end, segments});
+  rings.push_back({rings.back().radius, shoulder, body_segments});
+  rings.push_back({shank_radius * gage_radius, shoulder, body_segments});
+  rings.push_back({shank_radius * gage_radius, end, body_segments});
   rings.push_back({0.0, end, 1});
   Part body;
   body.name = "bit-body";

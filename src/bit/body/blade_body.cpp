@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// Near the axis a blade's front wall, back edge and back wall take at most these shares of the
 /// angle to the next blade's front, so that the columns of the mesh keep their order.
@@ -36,7 +35,7 @@ Cell cell_at(const BladeShape& shape, std::size_t k, const MeridianNode& at) {
   const double r = at.top.r;
   Cell cell;
   cell.front = front_at(blade, at.s);
-  cell.next_front = front_at(next, at.s) + (k + 1 == shape.blades.size() ? turn : 0.0);
+  cell.next_front = front_at(next, at.s) + (k + 1 == shape.blades.size() ? full_turn : 0.0);
   const double gap = cell.next_front - cell.front;
   cell.foot = cell.front + std::min(angle_across(shape.wall, r), front_wall_share * gap);
   cell.next_edge = cell.next_front - std::min(angle_across(next.width, r), back_edge_share * gap);
@@ -63,7 +62,7 @@ void add_steps(double from, double to, int steps, std::vector<double>& azimuths)
     azimuths.push_back(std::lerp(from, to, static_cast<double>(i) / steps));
 }
 
-/// Azimuths of a ring's vertices, rising; as many at every ring.
+/// Azimuths of a ring's vertices, rising; every ring has the same number.
 std::vector<double> ring_azimuths(const BladeShape& shape, const std::vector<CellSteps>& steps,
                                   const MeridianNode& at) {
   std::vector<double> azimuths;
@@ -77,7 +76,7 @@ std::vector<double> ring_azimuths(const BladeShape& shape, const std::vector<Cel
   return azimuths;
 }
 
-/// Places of the rings, without the axis: every node, and steps of at most `edge` between them.
+/// Where the rings stand, the axis left out: at every node, and in steps of at most `edge` between.
 std::vector<double> ring_places(const BladeShape& shape, double edge) {
   std::vector<double> places;
   for (std::size_t i = 1; i < shape.meridian.size(); ++i) {
@@ -156,7 +155,7 @@ double junk_slot_area(const BladeShape& shape, const BladeOptions& options, doub
     const Vec3 b = surface_point_B(shape, gage, azimuths[(j + 1) % azimuths.size()]);
     doubled += a.x() * b.y() - a.y() * b.x();
   }
-  return std::numbers::pi * gage_radius * gage_radius - 0.5 * doubled;
+  return pi * gage_radius * gage_radius - 0.5 * doubled;
 }
 
 }  // namespace tdbd::bit

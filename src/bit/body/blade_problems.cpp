@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bit/body/blade_body.hpp"
+#include "bit/text.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double least_core = 0.3;  ///< of the gage radius: room for the bore and steel about it
 
-std::string mm(double x) { return fmt::format("{:.6g} mm", 1e3 * x); }
-
 std::string named(const Cutter& c) {
-  return fmt::format("cutter {} (blade {}, radius {})", c.id, c.blade, mm(c.tip_radius));
+  return fmt::format("cutter {} (blade {}, radius {})", c.id, c.blade, mm_text(c.tip_radius));
 }
 
 void check_exposure(const std::vector<Cutter>& cutters, double exposure,
@@ -23,15 +21,16 @@ void check_exposure(const std::vector<Cutter>& cutters, double exposure,
   for (const Cutter& c : cutters) {
     const double bare = exposure - c.under_exposure, all = c.diameter * std::cos(c.back_rake);
     if (bare >= all)
-      problems.push_back({"exposure", mm(exposure) + ", which lifts " + named(c) + " off its blade",
-                          "less than " + mm(all + c.under_exposure)});
+      problems.push_back({"exposure",
+                          mm_text(exposure) + ", which lifts " + named(c) + " off its blade",
+                          "less than " + mm_text(all + c.under_exposure)});
     if (bare <= c.wear)
       problems.push_back(
           {"exposure",
            fmt::format("{}, which leaves nothing of {} outside the blade: wear {}, under-exposure "
                        "{}",
-                       mm(exposure), named(c), mm(c.wear), mm(c.under_exposure)),
-           "more than " + mm(c.wear + c.under_exposure)});
+                       mm_text(exposure), named(c), mm_text(c.wear), mm_text(c.under_exposure)),
+           "more than " + mm_text(c.wear + c.under_exposure)});
     if (!problems.empty()) return;
   }
 }
@@ -74,13 +73,13 @@ void check_slots(const std::vector<Cutter>& cutters, const BladeShape& shape,
   const MeridianNode* place = fold(shape);
   if (!place && has_core(shape, gage_radius)) return;
   const std::string what =
-      place ? fmt::format("a floor that folds at radius {}, height {}", mm(place->top.r),
-                          mm(-place->top.z))
+      place ? fmt::format("a floor that folds at radius {}, height {}", mm_text(place->top.r),
+                          mm_text(-place->top.z))
             : fmt::format("slots that leave no core: a floor at radius {} on the gage",
-                          mm(shape.meridian.back().floor.r));
+                          mm_text(shape.meridian.back().floor.r));
   const double most = deepest_slot(cutters, options, gage_radius);
-  problems.push_back({"slot_depth", mm(options.slot_depth) + ", " + what,
-                      "at most " + mm(std::floor(1e5 * most) / 1e5)});
+  problems.push_back({"slot_depth", mm_text(options.slot_depth) + ", " + what,
+                      "at most " + mm_text(std::floor(1e5 * most) / 1e5)});
 }
 
 void check_width(const std::vector<Cutter>& cutters, const BladeShape& shape,
@@ -90,8 +89,8 @@ void check_width(const std::vector<Cutter>& cutters, const BladeShape& shape,
       const double s = place_of(shape, c);
       const double needed = trail_of(blade, c, s) - 0.5 * c.length;
       if (blade.blade != c.blade || needed <= blade.width) continue;
-      problems.push_back({"width", mm(blade.width) + ", a blade that ends before " + named(c),
-                          "at least " + mm(needed)});
+      problems.push_back({"width", mm_text(blade.width) + ", a blade that ends before " + named(c),
+                          "at least " + mm_text(needed)});
       return;
     }
 }
@@ -101,17 +100,17 @@ void check_neighbours(const BladeShape& shape, std::vector<BladeProblem>& proble
   for (std::size_t k = 0; k < n; ++k) {
     const BladeStrip &a = shape.blades[k], &b = shape.blades[(k + 1) % n];
     for (const MeridianNode& at : shape.meridian) {
-      const double gap = front_at(b, at.s) + (k + 1 == n ? turn : 0.0) - front_at(a, at.s);
+      const double gap = front_at(b, at.s) + (k + 1 == n ? full_turn : 0.0) - front_at(a, at.s);
       const bool at_gage = &at == &shape.meridian.back();
       const double taken = at_gage ? b.width + 2.0 * shape.wall : 0.0;
       if (gap * at.top.r > taken || (at.top.r == 0.0 && gap > 0.0)) continue;
       problems.push_back(
           {"width",
            fmt::format("blades {} and {} that {} at radius {}: {} from front to front", a.blade,
-                       b.blade, at_gage ? "close the slot between them" : "cross", mm(at.top.r),
-                       mm(gap * at.top.r)),
-           at_gage ? fmt::format("more than the width {} and two walls of {}", mm(b.width),
-                                 mm(shape.wall))
+                       b.blade, at_gage ? "close the slot between them" : "cross",
+                       mm_text(at.top.r), mm_text(gap * at.top.r)),
+           at_gage ? fmt::format("more than the width {} and two walls of {}", mm_text(b.width),
+                                 mm_text(shape.wall))
                    : "blades one behind the other"});
       break;
     }

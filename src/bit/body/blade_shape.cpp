@@ -4,17 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <tuple>
+
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double closest = 1e-3;  ///< m, between two nodes of the meridian
-constexpr double margin = 2e-3;   ///< m, of a blade behind its cutters
-constexpr double before = 0.75;   ///< diameters of a blade before its first cutter's tip
-constexpr double steepest = 0.8;  ///< rad, of the profile that is drawn on to the axis
+constexpr double least_spacing = 1e-3;    ///< m, between two nodes of the meridian
+constexpr double margin = 2e-3;           ///< m, of a blade behind its cutters
+constexpr double lead_diameters = 0.75;   ///< diameters of a blade before its first cutter's tip
+constexpr double steepest_to_axis = 0.8;  ///< rad, of the profile that is drawn on to the axis
 
 HalfPlanePoint minus(const HalfPlanePoint& p, double depth, double angle) {
   return {p.r - depth * std::sin(angle), p.z - depth * std::cos(angle)};
@@ -43,7 +43,7 @@ std::vector<Cutter> face_cutters(std::vector<Cutter> cutters) {
 
 /// On a flat stretch at the axis the meridian keeps the first cutter's slope.
 MeridianNode on_axis(const MeridianNode& first, const Cutter& c, const BladeOptions& options) {
-  const double slope = std::tan(std::clamp(c.profile_angle, -steepest, 0.0));
+  const double slope = std::tan(std::clamp(c.profile_angle, -steepest_to_axis, 0.0));
   const double z = first.top.z + slope * first.top.r;
   return {0.0, {0.0, z}, {0.0, z - options.slot_depth}};
 }
@@ -56,7 +56,7 @@ void add_meridian(const std::vector<Cutter>& face, const BladeOptions& options, 
                             minus(top, options.slot_depth, c.profile_angle)};
     if (shape.meridian.empty()) shape.meridian.push_back(on_axis(node, c, options));
     const HalfPlanePoint& last = shape.meridian.back().top;
-    if (distance(last, top) > closest && top.r >= last.r) shape.meridian.push_back(node);
+    if (distance(last, top) > least_spacing && top.r >= last.r) shape.meridian.push_back(node);
   }
   MeridianNode end = shape.meridian.back();
   const double rise = options.gage_length + shape.tips.back().first - end.s;
@@ -74,13 +74,14 @@ std::vector<std::pair<double, double>> front_line(const BladeShape& shape,
   for (const Cutter& c : cutters) line.emplace_back(place_of(shape, c), c.azimuth);
   std::ranges::sort(line);
   for (std::size_t k = 1; k < line.size(); ++k)
-    line[k].second = line[k - 1].second + std::remainder(line[k].second - line[k - 1].second, turn);
-  const double whole_turns = turn * std::floor(line.back().second / turn);
+    line[k].second =
+        line[k - 1].second + std::remainder(line[k].second - line[k - 1].second, full_turn);
+  const double whole_turns = full_turn * std::floor(line.back().second / full_turn);
   for (auto& point : line) point.second -= whole_turns;
   return line;
 }
 
-/// Coordinate along a blade's front of a cutter's tip.
+/// Coordinate of a cutter's tip along its blade's front.
 double along_front(const BladeStrip& blade, const Cutter& c, double s) {
   return c.tip_radius * std::cos(c.azimuth - front_at(blade, s));
 }
@@ -92,15 +93,15 @@ BladeStrip strip_of(const BladeShape& shape, int number, const std::vector<Cutte
   BladeStrip blade{number, front_line(shape, leading), options.width,
                    std::numeric_limits<double>::infinity()};
   for (const Cutter& c : leading)
-    blade.start =
-        std::min(blade.start, along_front(blade, c, place_of(shape, c)) - before * c.diameter);
+    blade.start = std::min(blade.start,
+                           along_front(blade, c, place_of(shape, c)) - lead_diameters * c.diameter);
   if (options.width > 0.0) return blade;
   for (const Cutter& c : all)
     blade.width = std::max(blade.width, trail_of(blade, c, place_of(shape, c)) + margin);
   return blade;
 }
 
-/// Distance from a strip in runs of a wall: 0 on it, 1 a wall's run beside it.
+/// Distance from a strip over a wall's run: 0 on the strip, 1 where the wall ends.
 double beside(const BladeStrip& blade, double wall, double r, double ahead) {
   const double x = r * std::cos(ahead), y = r * std::sin(ahead);
   return std::max({y, -blade.width - y, blade.start - x, 0.0}) / wall;
@@ -114,7 +115,7 @@ BladeShape blade_shape(const std::vector<Cutter>& cutters, const BladeOptions& o
   std::vector<Cutter> face = face_cutters(cutters);
   if (face.empty()) face = cutters;
   double s = face.front().tip_radius /
-             std::cos(std::clamp(face.front().profile_angle, -steepest, steepest));
+             std::cos(std::clamp(face.front().profile_angle, -steepest_to_axis, steepest_to_axis));
   for (const Cutter& c : face) {
     const HalfPlanePoint tip = exposed_tip(c);
     if (!shape.tips.empty()) s += distance(shape.tips.back().second, tip);

@@ -9,14 +9,14 @@ namespace tdbd::bit {
 
 /// What a designer decides about blades and the junk slots between them. Lengths in m.
 struct BladeOptions {
-  double exposure = 5e-3;     ///< of a face cutter's tip over its blade, along the profile's normal
+  double exposure = 5e-3;     ///< of a face cutter's tip above its blade, along the normal
   double slot_depth = 18e-3;  ///< from the blade's top to the slot's floor, along the normal
-  double width = 0.0;         ///< of a blade's top; 0: as wide as its own cutters need
+  double width = 0.0;         ///< of a blade's top; 0: as wide as its cutters need
   double wall = 4e-3;         ///< run of a slot's wall, from top to floor
   double gage_length = 0.05;  ///< of the blades above the last face cutter
-  double neck = 0.02;         ///< height over which the gage goes over into the shank
-  double shank_radius = 0.7;  ///< of the gage radius
-  double shank_length = 1.0;  ///< of the gage radius
+  double neck = 0.02;         ///< height of the transition from gage to shank
+  double shank_radius = 0.7;  ///< share of the gage radius
+  double shank_length = 1.0;  ///< share of the gage radius
   double edge = 4e-3;         ///< longest step of the mesh along the profile and across a blade
   double density = 7850.0;    ///< kg/m3
   Cutting cutting = Cutting::rubs;
@@ -34,9 +34,9 @@ struct MeridianNode {
   HalfPlanePoint top, floor;
 };
 
-/// A blade: a strip behind the line of its cutters' tips. At the place s its front stands at the
-/// azimuth of that line; with x along that azimuth and y ahead of it, the top is
-/// -width <= y <= 0, x >= start.
+/// A blade: a strip behind the line of its cutters' tips, bit (6). At the place s its front stands
+/// at the azimuth of that line; with x along that azimuth and y ahead of it, the top is -width <= y
+/// <= 0, x >= start.
 struct BladeStrip {
   int blade = 0;                                 ///< its number in the table
   std::vector<std::pair<double, double>> front;  ///< (s, azimuth in rad, unwrapped), s rising
@@ -44,10 +44,10 @@ struct BladeStrip {
   double start = 0.0;                            ///< m
 };
 
-/// The smooth body: in the half-plane at an azimuth its surface is
+/// The smooth body, bit (6). In the half-plane at an azimuth its surface is
 ///   x(s) = top(s) + f(s, azimuth) (floor(s) - top(s)),   f in [0, 1],
-/// f = 0 on every blade and 1 on a slot's floor, linear in the distance from a strip over a wall's
-/// run. Where strips meet, near the axis, blades merge.
+/// with f = 0 on every blade and 1 on a slot's floor, and linear in the distance from a strip
+/// across a wall. Where strips meet, near the axis, blades merge.
 struct BladeShape {
   std::vector<MeridianNode> meridian;  ///< from the axis to the upper end of the gage
   std::vector<std::pair<double, HalfPlanePoint>> tips;  ///< (s, tip) of the face cutters, s rising
@@ -55,29 +55,29 @@ struct BladeShape {
   double wall = 0.0;                                    ///< m
 };
 
-/// Of the cutters of a table: tops pass `exposure` behind the tips of the face cutters (those
-/// without under-exposure), linear between them; floors slot_depth behind the tops. Needs a cutter.
-/// Thesis: 3.1 (bit body); its form is ours.
+/// The shape for the cutters of a table: tops pass `exposure` behind the tips of the face cutters
+/// (those without under-exposure), linearly between them; floors pass slot_depth behind the tops.
+/// Needs a cutter. Thesis: 3.1 (bit body); the form is ours.
 BladeShape blade_shape(const std::vector<Cutter>& cutters, const BladeOptions& options);
 
-/// Linear between the nodes.
+/// The meridian at s (m), linear between the nodes.
 MeridianNode meridian_at(const BladeShape& shape, double s);
 
 /// Azimuth (rad) of a blade's front at s; constant before its first and after its last cutter.
 double front_at(const BladeStrip& blade, double s);
 
-/// The share f of the slot's depth by which the surface lies behind the blades' tops.
+/// The share f of bit (6): how far into the slot the surface lies, 0 on a blade's top.
 double sunk_share(const BladeShape& shape, const MeridianNode& at, double azimuth);
 
-/// The surface at a place of the meridian and an azimuth (rad), bit frame, m.
+/// The surface at a point of the meridian and an azimuth (rad), bit frame, m.
 Vec3 surface_point_B(const BladeShape& shape, const MeridianNode& at, double azimuth);
 
-/// How far a cutter's body ends behind the tip of the blade's front at its place, m, across the
-/// blade: what the blade's width has to be for it.
+/// How far behind the blade's front a cutter's body ends, m, across the blade: the width that the
+/// blade needs for it.
 double trail_of(const BladeStrip& blade, const Cutter& c, double s);
 
-/// Where a cutter stands along the meridian, m: the place nearest to its tip without its
-/// under-exposure.
+/// Where a cutter stands along the meridian, m: the point nearest to its tip, its under-exposure
+/// taken off.
 double place_of(const BladeShape& shape, const Cutter& c);
 
 }  // namespace tdbd::bit

@@ -39,12 +39,6 @@ double volume_above(mesh::TriangleMesh m, const Corners& t, const Vec3& n) {
   return m.triangles.empty() ? 0.0 : mesh::enclosed_volume(m);
 }
 
-mesh::TriangleMesh in_bit_frame(const Part& part) {
-  mesh::TriangleMesh m = part.mesh_P;
-  for (Vec3& x : m.positions) x = part.X_BP * x;
-  return m;
-}
-
 }  // namespace
 
 double common_volume(const mesh::TriangleMesh& convex, const mesh::TriangleMesh& closed) {
@@ -65,10 +59,9 @@ double cutters_in_body(const Bit& bit) {
   double volume = 0.0;
   for (const Part& body : bit.parts) {
     if (body.kind != PartKind::bit_body || body.density <= 0.0) continue;
-    const mesh::TriangleMesh body_B = in_bit_frame(body);
+    const mesh::TriangleMesh solid_B = mesh_B(body);
     for (const Part& part : bit.parts)
-      if (part.cutter >= 0 && part.density > 0.0)
-        volume += common_volume(in_bit_frame(part), body_B);
+      if (part.cutter >= 0 && part.density > 0.0) volume += common_volume(mesh_B(part), solid_B);
   }
   return volume;
 }

@@ -9,12 +9,6 @@
 namespace tdbd::bit {
 namespace {
 
-mesh::TriangleMesh in_bit_frame(const Part& part) {
-  mesh::TriangleMesh m = part.mesh_P;
-  for (Vec3& x : m.positions) x = part.X_BP * x;
-  return m;
-}
-
 bool encloses(const mesh::Box& outer, const mesh::Box& inner) {
   return outer.contains(inner.lo) && outer.contains(inner.hi);
 }
@@ -25,7 +19,7 @@ std::vector<std::pair<int, int>> enclosed_parts(const Bit& bit) {
   std::vector<mesh::TriangleMesh> meshes;
   std::vector<mesh::Box> boxes;
   for (const Part& part : bit.parts) {
-    meshes.push_back(in_bit_frame(part));
+    meshes.push_back(mesh_B(part));
     boxes.push_back(mesh::bounding_box(meshes.back()));
   }
   std::vector<std::optional<mesh::TriangleTree>> trees(meshes.size());

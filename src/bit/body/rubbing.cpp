@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "bit/cutter/rim_reach.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A rim at any radius, between the columns' middles; not reached where a neighbour is not.
-Reach reach_at(const std::vector<Reach>& columns, double width, double r) {
+/// A rim at any radius, interpolated between the columns' centres; not reached where a neighbouring
+/// column is not.
+RimReach reach_at(const std::vector<RimReach>& columns, double width, double r) {
   const double place = std::max(0.0, r / width - 0.5);
   const auto i = static_cast<std::size_t>(place);
   if (i + 1 >= columns.size() || !columns[i].reached() || !columns[i + 1].reached()) return {};
@@ -23,7 +23,7 @@ Reach reach_at(const std::vector<Reach>& columns, double width, double r) {
           std::lerp(columns[i].azimuth, columns[i + 1].azimuth, w)};
 }
 
-/// What one vertex has over it.
+/// The rock that one vertex of the body faces.
 struct Above {
   double rock = -infinity;      ///< m, depth at which the rock stands
   double touching = -infinity;  ///< m per revolution
@@ -32,10 +32,10 @@ struct Above {
 Above above(const RimReaches& rims, const Vec3& x_B, double advance) {
   const double r = x_B.head<2>().norm(), azimuth = std::atan2(x_B.y(), x_B.x());
   Above a;
-  for (const std::vector<Reach>& columns : rims.of_cutter) {
-    const Reach c = reach_at(columns, rims.width, r);
+  for (const std::vector<RimReach>& columns : rims.of_cutter) {
+    const RimReach c = reach_at(columns, rims.width, r);
     if (!c.reached()) continue;
-    const double share = (c.azimuth - azimuth) / turn, before = share - std::floor(share);
+    const double share = (c.azimuth - azimuth) / full_turn, before = share - std::floor(share);
     a.rock = std::max(a.rock, c.z - before * advance);
     const double gap = c.z - x_B.z();
     if (before > 0.0)

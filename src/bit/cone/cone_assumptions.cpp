@@ -1,9 +1,9 @@
 #include "bit/cone/cone_assumptions.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "bit/cone/cone_measures.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -37,7 +37,7 @@ ConeAssumptions cone_assumptions(const Bit& bit, int cone, double bit_speed, dou
   a.gravity_torque = mass * standard_gravity * e;
   a.modulation_once = over(once, about_bit_axis(whole));
   a.modulation_twice = over(twice, about_bit_axis(whole));
-  a.frequency = std::abs(a.cone_speed) / (2.0 * std::numbers::pi);
+  a.frequency = std::abs(a.cone_speed) / full_turn;
   a.torque_error = bit_speed * bit_speed * (0.5 * once + twice);
   a.torque_share = over(a.torque_error, c.axial_inertia * a.cone_speed * a.cone_speed);
   return a;

@@ -21,12 +21,12 @@ bool has_gage_row(const ConeLayout& cone) {
 }
 
 /// What all rows of a cone reach.
-Reach rows_reach(const ConeLayout& cone) {
+ConeReach rows_reach(const ConeLayout& cone) {
   const Pose X_BK = cone_pose(cone, 0.0);
-  Reach all;
+  ConeReach all;
   all.depth = -1e300;
   for (const ToothRow& row : cone.rows) {
-    const Reach one = reach_of(X_BK, row_meridian(cone, row));
+    const ConeReach one = reach_of(X_BK, row_meridian(cone, row));
     all.radius = std::max(all.radius, one.radius);
     all.depth = std::max(all.depth, one.depth);
   }
@@ -35,10 +35,10 @@ Reach rows_reach(const ConeLayout& cone) {
 
 /// Moves the cones down to the bit's origin and returns the gage radius.
 double settle(std::vector<ConeLayout>& cones, const std::string& name) {
-  Reach all;
+  ConeReach all;
   all.depth = -1e300;
   for (const ConeLayout& cone : cones) {
-    const Reach one = rows_reach(cone);
+    const ConeReach one = rows_reach(cone);
     all.radius = std::max(all.radius, one.radius);
     all.depth = std::max(all.depth, one.depth);
   }
@@ -47,7 +47,7 @@ double settle(std::vector<ConeLayout>& cones, const std::string& name) {
   return all.radius;
 }
 
-void demand_inside(const Cone& cone, std::size_t index, double gage_radius) {
+void require_body_inside_gage(const Cone& cone, std::size_t index, double gage_radius) {
   const double radius = reach_of(cone.X_BK, shell_meridian(cone.layout.shell)).radius;
   if (radius > gage_radius)
     throw ConeBitError(
@@ -101,7 +101,7 @@ Bit cone_bit(std::string name, std::vector<ConeLayout> cones, std::optional<doub
     const int index = static_cast<int>(bit.cones.size());
     const Pose X_BK = cone_pose(layout, 0.0);
     bit.cones.push_back({fmt::format("cone-{}", index + 1), std::move(layout), X_BK});
-    demand_inside(bit.cones.back(), bit.cones.size() - 1, bit.gage_radius);
+    require_body_inside_gage(bit.cones.back(), bit.cones.size() - 1, bit.gage_radius);
     for (Part& part : cone_parts(bit.cones.back(), index)) bit.parts.push_back(std::move(part));
   }
   direct_teeth(bit, GageRule::normal);

@@ -9,7 +9,7 @@
 
 namespace tdbd::bit {
 
-/// What keeps drawn cones from making a bit, at one of them: key, found, expected.
+/// Why drawn cones do not make a bit: which cone, which key, what was found and expected.
 struct ConeBitError : InputError {
   ConeBitError(std::size_t of_cone, std::string of_key, std::string was, std::string wanted);
 
@@ -18,12 +18,12 @@ struct ConeBitError : InputError {
   std::string found, expected;
 };
 
-/// A roller cone bit from its drawn cones: their parts (cone_parts), cone after cone, then the
-/// shank. With `gage_radius` every cone that has a row at the gage is moved along its journal until
+/// A roller cone bit from its drawn cones: their parts (cone_parts), cone by cone, then the shank.
+/// With `gage_radius` (m), every cone that has a row at the gage is moved along its journal until
 /// that row reaches it (apex_for_gage). Then all cones are moved along z until the deepest reach of
-/// their teeth is z = 0, the bit's origin. Any number of cones in any arrangement; cone_faults are
-/// the caller's to ask for. Throws InputError without cones or teeth, ConeBitError when a row
-/// cannot reach the gage or a cone's body stands out beyond it. Thesis: 1.2, 3.1, fig. 3.5.
+/// their teeth is z = 0, the bit's origin. Takes any number of cones in any arrangement; the caller
+/// checks cone_faults first. Throws InputError without cones or teeth, ConeBitError when a row
+/// cannot reach the gage or a cone's body extends beyond it. Thesis: 1.2, 3.1, fig. 3.5.
 Bit cone_bit(std::string name, std::vector<ConeLayout> cones, std::optional<double> gage_radius,
              const Shank& shank);
 

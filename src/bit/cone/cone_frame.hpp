@@ -4,16 +4,16 @@
 
 namespace tdbd::bit {
 
-/// Frame K of a cone in the bit's frame at the cone's angle phi (rad, about K's Z). Z runs along
-/// the journal from the bit's outside to its axis and down; at azimuth 0, without skew, it is
+/// Frame K of a cone in the bit frame at the cone's angle phi (rad, about K's Z). Z runs along the
+/// journal, from the bit's outside towards its axis and down; at azimuth 0, without skew, it is
 /// (-cos J, 0, sin J) with J the journal angle. Z meets the bit's axis at the foot if there is no
 /// offset. Chain, from the bit to the cone:
 ///   Rz(azimuth)  offset along Y, foot  Rz(skew)  Ry(J - pi/2)  apex along Z  Rz(phi)
-/// A bit that turns about +z rolls its cones with a negative phi'. Formulation 4: a cone's point is
-/// r0 + S s + Rot(s, phi) d0, with s = K's Z.
+/// A bit that turns about +z rolls its cones with a negative phi'. A cone's point is that of bit
+/// (2), with s = K's Z.
 Pose cone_pose(const ConeLayout& cone, double phi);
 
-/// The same from the frame at angle 0.
+/// The same for a cone of a bit, from its frame at angle 0.
 Pose cone_pose(const Cone& cone, double phi);
 
 }  // namespace tdbd::bit

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone/meridian_gap.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// What turns with a cone: its shell, or a row with its first tooth.
 struct Turning {
@@ -32,8 +30,8 @@ std::vector<Turning> turning_parts(const Cone& cone) {
 }
 
 double within_turn(double angle) {
-  const double two_pi = 2.0 * std::numbers::pi, turned = std::fmod(angle, two_pi);
-  return turned < 0.0 ? turned + two_pi : turned;
+  const double turned = std::fmod(angle, full_turn);
+  return turned < 0.0 ? turned + full_turn : turned;
 }
 
 Clearance described(const Gap& gap, const Cone& a, const Turning& of_a, const Cone& b,

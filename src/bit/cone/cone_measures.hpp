@@ -5,8 +5,8 @@
 
 namespace tdbd::bit {
 
-/// The assumptions of formulation 5 (thesis: 5.1) made into numbers: a cone's mass and how far it
-/// is from dynamically symmetric about its axis.
+/// A cone's mass, and how far it is from what the integrator assumes (thesis: 5.1): dynamically
+/// symmetric about its axis, its centre of mass on it.
 struct ConeMass {
   MassProperties body_K;         ///< of shell and teeth, in K at angle 0
   double axial_inertia = 0.0;    ///< kg m2, Ic, about the journal's axis
@@ -14,9 +14,10 @@ struct ConeMass {
   double centre_off_axis = 0.0;  ///< m
 };
 
+/// The mass of one cone, shell and teeth. `cone`: index into Bit::cones.
 ConeMass cone_mass(const Bit& bit, int cone);
 
-/// Where a row works.
+/// Where a row of teeth works.
 struct RowMeasures {
   double radius = 0.0;         ///< m, of the tip from the journal's axis
   double bit_radius = 0.0;     ///< m, of the tip from the bit's axis where it is deepest
@@ -25,6 +26,7 @@ struct RowMeasures {
   double rolling_ratio = 0.0;  ///< bit_radius / radius: cone's speed over the bit's; 0 on the axis
 };
 
+/// The measures of a row of a cone.
 RowMeasures row_measures(const Cone& cone, const ToothRow& row);
 
 }  // namespace tdbd::bit

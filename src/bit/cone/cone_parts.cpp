@@ -7,6 +7,7 @@
 
 #include "bit/cone/cone_shell.hpp"
 #include "bit/cone/tooth_mesh.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -58,6 +59,25 @@ std::vector<Part> cone_parts(const Cone& cone, int index) {
 
 Meridian row_meridian(const ConeLayout& cone, const ToothRow& row) {
   return swept_meridian(tooth_mesh(row.shape, cone.facets), tooth_pose(cone, row, 0.0));
+}
+
+std::vector<double> spaced_angles(int teeth, double first_angle,
+                                  const std::vector<double>& pattern) {
+  const auto ratio = [&](int i) {
+    return pattern.empty() ? 1.0 : pattern[static_cast<std::size_t>(i) % pattern.size()];
+  };
+  double sum = 0.0;
+  for (int i = 0; i < teeth; ++i) sum += ratio(i);
+  std::vector<double> angles;
+  double passed = 0.0;
+  for (int i = 0; i < teeth; ++i) {
+    const double angle = first_angle + full_turn * passed / sum;
+    const double turned = angle - full_turn * std::floor(angle / full_turn);
+    angles.push_back(turned < full_turn ? turned : 0.0);
+    passed += ratio(i);
+  }
+  std::ranges::sort(angles);
+  return angles;
 }
 
 }  // namespace tdbd::bit

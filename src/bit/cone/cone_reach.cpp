@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_parts.hpp"
+#include "core/angles.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 Vec3 on_circle(const Pose& X_BK, const ShellPoint& p, double angle) {
   return X_BK * Vec3(p.r * std::cos(angle), p.r * std::sin(angle), -p.s);
@@ -45,28 +43,28 @@ double gage_reach(const ConeLayout& cone) {
 
 }  // namespace
 
-Reach reach_of(const Pose& X_BK, const ShellPoint& p) {
+ConeReach reach_of(const Pose& X_BK, const ShellPoint& p) {
   constexpr int samples = 72;  // a trigonometric polynomial of degree 2 has at most two tops
-  Reach best;
+  ConeReach best;
   int at = 0;
   for (int k = 0; k < samples; ++k) {
-    const double radius = on_circle(X_BK, p, two_pi * k / samples).head<2>().norm();
+    const double radius = on_circle(X_BK, p, full_turn * k / samples).head<2>().norm();
     if (radius > best.radius) {
       best.radius = radius;
       at = k;
     }
   }
-  best.angle = top_between(X_BK, p, two_pi * (at - 1) / samples, two_pi * (at + 1) / samples);
+  best.angle = top_between(X_BK, p, full_turn * (at - 1) / samples, full_turn * (at + 1) / samples);
   best.radius = on_circle(X_BK, p, best.angle).head<2>().norm();
   const Vec3 z_B = X_BK.R.col(2);
   best.depth = X_BK.p.z() - p.s * z_B.z() + p.r * z_B.head<2>().norm();
   return best;
 }
 
-Reach reach_of(const Pose& X_BK, const Meridian& m) {
-  Reach all = reach_of(X_BK, m.front());
+ConeReach reach_of(const Pose& X_BK, const Meridian& m) {
+  ConeReach all = reach_of(X_BK, m.front());
   for (const ShellPoint& p : m) {
-    const Reach one = reach_of(X_BK, p);
+    const ConeReach one = reach_of(X_BK, p);
     const double depth = std::max(all.depth, one.depth);
     if (one.radius > all.radius) all = one;
     all.depth = depth;

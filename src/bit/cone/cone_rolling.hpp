@@ -7,34 +7,32 @@
 
 namespace tdbd::bit {
 
-/// Where a tooth of a cone meets rock, and how much this place resists slip.
+/// Where a tooth of a cone meets rock, and how strongly the rock resists slip there.
 struct ConeContact {
   Vec3 x_B = Vec3::Zero();
   double weight = 0.0;  ///< any unit; removed volume in a run
 };
 
-/// What the contacts of a cone ask of its speed: phi' = -moment / inertia. Sums may be added and
-/// scaled.
+/// What the contacts of a cone require of its speed: phi' = -moment / inertia. Balances may be
+/// added and scaled.
 struct SlipBalance {
-  double moment = 0.0;   ///< sum w s . (r x v), v the contact's velocity when the cone rests
+  double moment = 0.0;   ///< sum w s . (r x v), v the contact's velocity on a cone at rest
   double inertia = 0.0;  ///< sum w |s x r|^2
 };
 
-/// Resistance opposite to slip and linear in it: the contact i is pushed by -w_i (v_i + phi' s x
-/// r_i) with s the cone's Z, r_i from a point of the journal, v_i what the bit's twist gives it.
-/// The torque about the journal vanishes, and sum w_i |v_i + phi' s x r_i|^2 is least, for
-///   phi' = - sum w_i s . (r_i x v_i) / sum w_i |s x r_i|^2                       [R]
-/// X_BK may stand at any cone angle.
+/// The balance of a cone's contacts: at the speed of bit (13) the torque of a resistance linear in
+/// slip vanishes about the journal. The contact i is pushed by -w_i (v_i + phi' s x r_i), with s
+/// the cone's Z, r_i from a point of the journal, v_i from the bit's twist. X_BK may stand at any
+/// cone angle. Reconstructed.
 SlipBalance slip_balance(const Pose& X_BK, const rotation::Twist& bit,
                          const std::vector<ConeContact>& contacts);
 
-/// The point of a tooth that is farthest along its Z, in its frame T: on the axis, at the height of
-/// its mesh.
+/// The tip of a tooth in its frame T, m: on its axis, at the height of its mesh.
 Vec3 tooth_tip_P(const Part& tooth);
 
-/// Speed over the bit's at which the cone's row at the gage rolls on the bottom without slip
-/// (RowMeasures::rolling_ratio); of several rows, or of a cone without one, the row that is
-/// farthest from the bit's axis. Usual: 1.2 to 1.5 (remembered, without a source).
+/// The cone's speed over the bit's at which its gage row rolls on the bottom without slip
+/// (RowMeasures::rolling_ratio). Among several gage rows, or without any, the row farthest from the
+/// bit's axis counts. Usual values: 1.2 to 1.5 (from memory, without a source).
 double rolling_ratio_of_gage_row(const Cone& cone);
 
 }  // namespace tdbd::bit

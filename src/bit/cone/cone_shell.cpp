@@ -9,8 +9,8 @@
 namespace tdbd::bit {
 namespace {
 
-/// Of a pitch from a to b, out of the cone.
-ShellPoint pitch_normal(const ShellPoint& a, const ShellPoint& b) {
+/// The normal, out of the cone, of the piece of the profile from a to b.
+ShellPoint piece_normal(const ShellPoint& a, const ShellPoint& b) {
   const double length = std::hypot(b.s - a.s, b.r - a.r);
   return {-(b.r - a.r) / length, (b.s - a.s) / length};
 }
@@ -37,9 +37,9 @@ ShellPlace shell_place(const std::vector<ShellPoint>& shell, double s) {
   while (i + 1 < shell.size() && shell[i].s < s) ++i;
   const ShellPoint &a = shell[i - 1], &b = shell[i];
   const double t = (s - a.s) / (b.s - a.s);
-  ShellPlace place{{s, a.r + t * (b.r - a.r)}, pitch_normal(a, b)};
+  ShellPlace place{{s, a.r + t * (b.r - a.r)}, piece_normal(a, b)};
   if (s == b.s && i + 1 < shell.size())
-    place.normal = halfway(place.normal, pitch_normal(b, shell[i + 1]));
+    place.normal = halfway(place.normal, piece_normal(b, shell[i + 1]));
   return place;
 }
 

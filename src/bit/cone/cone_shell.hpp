@@ -5,21 +5,21 @@
 
 namespace tdbd::bit {
 
-/// A place on the meridian and the shell's outward normal there, as (s, r) components; at a corner
-/// of the profile the normal halves the angle, and at a nose on the axis it is the axis.
+/// A point on the shell's meridian and the outward normal there, as (s, r) components. At a corner
+/// of the profile the normal halves the angle; at a nose on the axis it lies along the axis.
 struct ShellPlace {
   ShellPoint point;
   ShellPoint normal;
 };
 
-/// The shell at s, which lies between its ends.
+/// The shell at s (m), which must lie between its ends.
 ShellPlace shell_place(const std::vector<ShellPoint>& shell, double s);
 
 /// Closed mesh of the cone's body in K: the shell turned about the journal, inscribed, with flat
 /// ends. Thesis: 3.1.
 mesh::TriangleMesh shell_mesh(const ConeLayout& cone);
 
-/// The same solid as a stack of frustums, one for each pitch.
+/// The same solid as a stack of convex frustums, one for each piece of the profile.
 std::vector<mesh::TriangleMesh> shell_pieces(const ConeLayout& cone);
 
 }  // namespace tdbd::bit

@@ -11,16 +11,16 @@ namespace tdbd::bit {
 /// A side along the axis is no surface.
 using Meridian = std::vector<ShellPoint>;
 
-/// Signed distance (m) of a place (s, r) from a solid of revolution: negative inside. The distance
-/// in space of any point that comes to (s, r) is the same.
+/// Signed distance (m) of the point (s, r) from a solid of revolution, negative inside. It is also
+/// the distance in space of any point at (s, r).
 double signed_distance(const Meridian& solid, const ShellPoint& p);
 
-/// Of a shell: its profile, closed to the axis at both ends.
+/// The meridian of a shell: its profile, closed to the axis at both ends.
 Meridian shell_meridian(const std::vector<ShellPoint>& shell);
 
-/// Of what a convex part sweeps in a full turn of its cone: a convex polygon that contains it. Its
-/// corners are reached by corners of the mesh, or lie straight below them towards the axis; so the
-/// outer side is exact and the inner one at most y^2/(2 r) too low.
+/// A convex polygon that contains what a convex part sweeps in a full turn of its cone. Each of its
+/// corners is reached by a corner of the mesh or lies straight below one, towards the axis; so its
+/// outer side is exact, and its inner one too low by at most y^2/(2 r).
 Meridian swept_meridian(const mesh::TriangleMesh& convex_P, const Pose& X_KP);
 
 }  // namespace tdbd::bit

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <queue>
 #include <tuple>
 #include <vector>
+
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -66,8 +67,7 @@ Gap smallest_gap(const Meridian& a, const Pose& X_BA, const Meridian& b, const P
     search.measure(p);
     patches.push(p);
   };
-  for (std::size_t side = 0; side < a.size(); ++side)
-    add({side, 0.5, 0.5, std::numbers::pi, std::numbers::pi, 0.0});
+  for (std::size_t side = 0; side < a.size(); ++side) add({side, 0.5, 0.5, pi, pi, 0.0});
   while (!patches.empty()) {
     const Patch p = patches.top();
     patches.pop();

@@ -11,10 +11,10 @@ struct Gap {
   double angle_a = 0.0;   ///< rad about the first one's axis
 };
 
-/// Between the surface of solid A (frame X_BA) and solid B. Branch and bound over A's meridian and
-/// angle: the signed distance changes by no more than the place moves, so that the distance is the
-/// smallest of all places to `tolerance` (m). It stops early when no gap below `enough` exists, and
-/// then returns one at least as large. A solid that lies wholly inside A is not seen.
+/// The gap between the surface of solid A (frame X_BA) and solid B (frame X_BB), the smallest of
+/// all to `tolerance` (m). Branch and bound over A's meridian and angle: the signed distance
+/// changes by no more than the point moves. Stops early when no gap below `enough` (m) exists, and
+/// then returns one at least that large. A solid that lies wholly inside A is not detected.
 Gap smallest_gap(const Meridian& a, const Pose& X_BA, const Meridian& b, const Pose& X_BB,
                  double tolerance, double enough);
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "bit/cone/cone_parts.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -14,7 +14,7 @@ mesh::TriangleMesh turned_about_journal(const Meridian& m, int segments) {
   mesh::TriangleMesh ring;
   const int sides = static_cast<int>(m.size());
   for (int k = 0; k < segments; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / segments;
+    const double angle = full_turn * k / segments;
     for (const ShellPoint& p : m)
       ring.positions.emplace_back(p.r * std::cos(angle), p.r * std::sin(angle), -p.s);
   }

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/angles.hpp"
+
 namespace tdbd::bit {
 namespace {
 
@@ -13,7 +15,7 @@ struct Outline {
 };
 
 Vec3 corner(const Outline& o, int k, int n) {
-  const double angle = 2.0 * std::numbers::pi * (k + 0.5) / n;
+  const double angle = full_turn * (k + 0.5) / n;
   const double c = std::cos(angle), s = std::sin(angle);
   return {(c > 0.0 ? o.half : -o.half) + o.radius * c, o.radius * s, o.z};
 }
@@ -68,14 +70,12 @@ Outline rectangle(double z, double length, double width) {
 
 std::vector<Outline> hemispherical(const ToothShape& t, int facets) {
   std::vector<Outline> outlines{{-t.embedding, 0.0, 0.5 * t.diameter}};
-  add_ball(outlines, t.protrusion - 0.5 * t.diameter, 0.5 * t.diameter, 0.5 * std::numbers::pi,
-           facets);
+  add_ball(outlines, t.protrusion - 0.5 * t.diameter, 0.5 * t.diameter, right_angle, facets);
   return outlines;
 }
 
 std::vector<Outline> conical(const ToothShape& t, int facets) {
-  const double tangent = 0.5 * std::numbers::pi - t.half_angle,
-               centre = t.protrusion - t.tip_radius;
+  const double tangent = right_angle - t.half_angle, centre = t.protrusion - t.tip_radius;
   const double at_tangent = t.tip_radius * std::sin(tangent);
   const double shoulder = centre + t.tip_radius * std::cos(tangent) -
                           (0.5 * t.diameter - at_tangent) / std::tan(t.half_angle);
@@ -88,7 +88,7 @@ std::vector<Outline> conical(const ToothShape& t, int facets) {
 /// The crest is shortened as the facets shorten the shank: one as long as the diameter would jut
 /// out of the inscribed shank.
 std::vector<Outline> chisel(const ToothShape& t, int facets) {
-  const double half = 0.5 * (t.crest_length - t.crest_width) * std::cos(std::numbers::pi / facets);
+  const double half = 0.5 * (t.crest_length - t.crest_width) * std::cos(pi / facets);
   return {{-t.embedding, 0.0, 0.5 * t.diameter},
           {0.0, 0.0, 0.5 * t.diameter},
           {t.protrusion, half, 0.5 * t.crest_width}};

@@ -21,15 +21,14 @@ Vec3 tip_B(const Cutter& c);
 /// n = sin(theta) e_r + cos(theta) e_z, with e_r radial at the cutter's azimuth and e_z down.
 Vec3 profile_normal_B(const Cutter& c);
 
-/// Places a cutter in the bit frame. Origin: centre of the face. With t the direction of motion,
-/// n the profile's normal, b the back rake:
-///   X = cos(b) t + sin(b) n,   Z = sin(b) t - cos(b) n,   Y = Z x X;
-/// then the side rake turns X and Y about Z. X is the face's outward normal, -Z the exposure
-/// direction. The face leans over the rock ahead of it, so the body clears the rock behind the
-/// edge. The tip lands on its place in the table exactly. With side rake s the rim's point farthest
-/// along n is not quite the tip: it reaches (D/2) (sqrt(cos^2 b + sin^2 s sin^2 b) - cos b)
-/// farther, 3 micrometres on a usual bit. Reads every field but X_BC. Thesis: 3.2.2; the signs of X
-/// and Y are reconstructed.
+/// Places a cutter in the bit frame, bit (1). Origin: centre of the face. X is the face's outward
+/// normal; -Z lies in the face and points from the bit to the rock. The face leans over the rock
+/// ahead of it, so the body clears the rock behind the edge. The tip lands exactly on its place in
+/// the table. With side rake s the point of the rim farthest along the profile's normal is not
+/// quite the tip: it reaches (D/2) (sqrt(cos^2 b + sin^2 s sin^2 b) - cos b) farther, 3 micrometres
+/// on a usual bit, with b the back rake and D the diameter. Reads every field but X_BC. Thesis:
+/// 3.2.2 (origin) and 4.1.2.1 (the negative of Z is what is projected); X and Y are reconstructed,
+/// page 23 is missing.
 Pose cutter_pose(const Cutter& c);
 
 }  // namespace tdbd::bit

@@ -13,16 +13,15 @@ constexpr double least_share = 1e-9;  ///< of a part's volume: less is rounding
 
 /// A part of a cutter in the bit frame.
 struct Piece {
-  mesh::TriangleMesh mesh_B;
-  mesh::ConvexSolid solid_B;
+  mesh::TriangleMesh surface;
+  mesh::ConvexSolid solid;
 };
 
 std::vector<std::vector<Piece>> pieces_of(const Bit& bit) {
   std::vector<std::vector<Piece>> pieces(bit.cutters.size());
   for (const Part& part : bit.parts) {
     if (part.cutter < 0 || part.density <= 0.0) continue;
-    mesh::TriangleMesh m = part.mesh_P;
-    for (Vec3& x : m.positions) x = part.X_BP * x;
+    mesh::TriangleMesh m = mesh_B(part);
     if (const auto solid = mesh::convex_solid(m))
       pieces[static_cast<std::size_t>(part.cutter)].push_back({std::move(m), *solid});
   }
@@ -30,13 +29,13 @@ std::vector<std::vector<Piece>> pieces_of(const Bit& bit) {
 }
 
 double common_volume(const Piece& a, const Piece& b) {
-  if (!mesh::bounding_box(a.mesh_B).overlaps(mesh::bounding_box(b.mesh_B))) return 0.0;
-  mesh::TriangleMesh m = a.mesh_B;
-  for (std::size_t i = 0; i < b.solid_B.planes && !m.triangles.empty(); ++i)
-    m = mesh::clipped_convex(m, mesh::normal(b.solid_B, i), b.solid_B.b[i]);
+  if (!mesh::bounding_box(a.surface).overlaps(mesh::bounding_box(b.surface))) return 0.0;
+  mesh::TriangleMesh m = a.surface;
+  for (std::size_t i = 0; i < b.solid.planes && !m.triangles.empty(); ++i)
+    m = mesh::clipped_convex(m, mesh::normal(b.solid, i), b.solid.b[i]);
   if (m.triangles.empty()) return 0.0;
   const double volume = mesh::enclosed_volume(m);
-  return volume > least_share * mesh::enclosed_volume(a.mesh_B) ? volume : 0.0;
+  return volume > least_share * mesh::enclosed_volume(a.surface) ? volume : 0.0;
 }
 
 }  // namespace

@@ -6,16 +6,16 @@
 
 namespace tdbd::bit {
 
-/// Two cutters whose solids share volume: it counts twice in the mass.
+/// Two cutters whose solids share volume, which counts twice in the mass.
 struct CutterOverlap {
   int a = 0, b = 0;     ///< indices into Bit::cutters, a < b
   double volume = 0.0;  ///< m3
 };
 
 /// Every pair of cutters that overlap, by index. A cutter's solid is the union of its parts that
-/// have a density: convex, with nothing in common; so the volume is a sum over pairs of parts, each
+/// have a density; they are convex and disjoint. So the volume is a sum over pairs of parts, each
 /// part clipped by the planes of the other (mesh/shape/clip_convex.hpp). Exact for the meshes,
-/// which are inscribed. Solids that only touch are no overlap.
+/// which are inscribed. Solids that only touch do not overlap.
 std::vector<CutterOverlap> cutter_overlaps(const Bit& bit);
 
 }  // namespace tdbd::bit

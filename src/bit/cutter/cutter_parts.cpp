@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bit/cutter/cutter_frame.hpp"
 #include "bit/surface_of_revolution.hpp"
+#include "core/angles.hpp"
 #include "mesh/shape/clip_convex.hpp"
 
 namespace tdbd::bit {
@@ -17,8 +17,7 @@ constexpr int fewest_segments = 8;
 constexpr double radial_to_rim_edge = 1.2;  ///< depth of a ring of triangles over their base
 
 int segments_for(double radius, double edge) {
-  return std::max(fewest_segments,
-                  static_cast<int>(std::lround(2.0 * std::numbers::pi * radius / edge)));
+  return std::max(fewest_segments, static_cast<int>(std::lround(full_turn * radius / edge)));
 }
 
 int rim_count(const Cutter& c, const CutterMeshing& m) {
@@ -26,11 +25,11 @@ int rim_count(const Cutter& c, const CutterMeshing& m) {
                                       : segments_for(0.5 * c.diameter, m.uniform_edge);
 }
 
-/// Rings of a disc from its rim to its centre that halve their count as long as that is possible.
+/// Rings of a disc from its rim to its centre; their counts halve as long as possible.
 std::vector<Ring> graded_disc(const Ring& rim) {
   std::vector<Ring> rings{rim};
   for (Ring next = rim; next.count % 2 == 0 && next.count / 2 >= fewest_segments;) {
-    next.radius *= 1.0 - radial_to_rim_edge * 2.0 * std::numbers::pi / next.count;
+    next.radius *= 1.0 - radial_to_rim_edge * full_turn / next.count;
     next.count /= 2;
     rings.push_back(next);
   }

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bit/cutter/cutter_frame.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
-constexpr int rim_points = 1440;
 
 double widest(const std::vector<std::vector<Vec3>>& outlines) {
   double r = 0.0;
@@ -20,8 +17,8 @@ double widest(const std::vector<std::vector<Vec3>>& outlines) {
 }
 
 /// The deepest points of a closed outline at the columns' centres.
-std::vector<Reach> reaches(const std::vector<Vec3>& outline, std::size_t columns, double width) {
-  std::vector<Reach> deepest(columns);
+std::vector<RimReach> reaches(const std::vector<Vec3>& outline, std::size_t columns, double width) {
+  std::vector<RimReach> deepest(columns);
   for (std::size_t k = 0; k < outline.size(); ++k) {
     Vec3 a = outline[k], b = outline[(k + 1) % outline.size()];
     if (a.x() > b.x()) std::swap(a, b);
@@ -42,11 +39,11 @@ std::vector<Vec3> turned_outline(const Cutter& c, int points) {
   const Vec3 tip = tip_C(c), n_B = profile_normal_B(c);
   std::vector<Vec3> outline;
   for (int k = 0; k < points; ++k) {
-    const double a = turn * k / points;
+    const double a = full_turn * k / points;
     Vec3 x_B = c.X_BC * Vec3(tip.x(), tip.z() * std::sin(a), tip.z() * std::cos(a));
     const double beyond = n_B.dot(x_B - tip_B(c)) + c.wear;
     if (beyond > 0.0) x_B -= beyond * n_B;
-    const double azimuth = std::remainder(std::atan2(x_B.y(), x_B.x()) - c.azimuth, turn);
+    const double azimuth = std::remainder(std::atan2(x_B.y(), x_B.x()) - c.azimuth, full_turn);
     outline.emplace_back(std::hypot(x_B.x(), x_B.y()), c.azimuth + azimuth, x_B.z());
   }
   return outline;

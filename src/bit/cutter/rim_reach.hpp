@@ -7,23 +7,28 @@
 
 namespace tdbd::bit {
 
+/// Points of a turned outline where its accuracy matters.
+inline constexpr int rim_points = 1440;
+
 /// The rim of a cutter turned into one half-plane about the bit's axis, m: x is the radius, y the
-/// azimuth (rad, within half a turn of the cutter's), z the bit's z. `points` points from the tip
-/// on. Where the cutter is worn the rim is set back along the profile's normal to its flat.
+/// azimuth (rad, within half a turn of the cutter's), z the bit's z. `points` points, starting at
+/// the tip. Where the cutter is worn, the rim is set back along the profile's normal to its flat.
 std::vector<Vec3> turned_outline(const Cutter& c, int points);
 
 /// Where a cutter's rim is deepest at one radius.
-struct Reach {
+struct RimReach {
   double z = -std::numeric_limits<double>::infinity();  ///< m, bit frame
   double azimuth = 0.0;                                 ///< rad
 
+  /// Whether the rim extends over this radius at all.
   bool reached() const { return z != -std::numeric_limits<double>::infinity(); }
 };
 
-/// Of every cutter, at the middles of equal columns of radii from the axis to the widest rim.
+/// The reach of every cutter, at the centres of equal columns of radius from the axis to the widest
+/// rim.
 struct RimReaches {
-  std::vector<std::vector<Reach>> of_cutter;
-  double width = 0.0;  ///< m; column k is centred at (k + 1/2) width
+  std::vector<std::vector<RimReach>> of_cutter;  ///< [cutter][column]
+  double width = 0.0;                            ///< m; column k is centred at (k + 1/2) width
 };
 
 /// Columns are at most `column_width` (m) wide. Chamfers lie inside the rim.

@@ -2,17 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "bit/cone/swept_parts.hpp"
-#include "bit/cutter/cutter_table_text.hpp"
-#include "bit/files/cone_export.hpp"
+#include "bit/cutter/cutter_table.hpp"
+#include "bit/files/cone_file.hpp"
+#include "bit/files/solid_cones.hpp"
 #include "bit/part_kind.hpp"
 #include "bit/profile/exposure_profile.hpp"
+#include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/whole_file.hpp"
 #include "mesh/files/files.hpp"
+#include "mesh/files/solids.hpp"
 #include "rotation/rotation_vector.hpp"
 
 namespace tdbd::bit {
@@ -21,12 +24,12 @@ namespace {
 std::string part_text(const Part& part, const std::string& file) {
   std::string text = fmt::format(
       "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n{}"
-      "density = {:.17g}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
-      quoted(part.name), quoted(kind_name(part.kind)), quoted(file), part.cutting == Cutting::cuts,
-      part.cutting == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group,
-      vector_text(part.X_BP.p), vector_text(rotation::log(part.X_BP.R)));
+      "density = {}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
+      toml_string(part.name), toml_string(kind_name(part.kind)), toml_string(file),
+      part.cutting == Cutting::cuts, part.cutting == Cutting::rubs ? "rubs = true\n" : "",
+      part.density, part.group, toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
   if (part.cutter < 0)
-    text += fmt::format("update_direction = {}\n", vector_text(part.update_direction_B));
+    text += fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
   return text;
 }
 
@@ -36,17 +39,23 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw RunError(fmt::format("{}: {}", folder.string(), error.message()));
 }
 
-}  // namespace
-
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
-
-std::string vector_text(const Vec3& v) {
-  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
+std::string rule_text(const Part& part, const std::string& match) {
+  std::string text = fmt::format(
+      "\n[[solids.rules]]\nmatch = {}\nname = {}\nkind = {}\ncutting = {}\ndensity = {}  # "
+      "kg/m3\ngroup = {}\n",
+      toml_string(match), toml_string(part.name), toml_string(kind_name(part.kind)),
+      part.cutting == Cutting::cuts, part.density, part.group);
+  if (part.cutter < 0)
+    return text + fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
+  return text + fmt::format("cutter_position = {}  # m\ncutter_rotation_vector = {}  # rad\n",
+                            toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
 }
+
+}  // namespace
 
 void export_bit(const std::filesystem::path& folder, const Bit& bit, const std::string& format) {
   std::string toml =
-      fmt::format("# A bit as the meshes of its parts.\nname = {}\n", quoted(bit.name));
+      fmt::format("# A bit as the meshes of its parts.\nname = {}\n", toml_string(bit.name));
   for (const Part& part : bit.parts) {
     const std::string file = fmt::format("parts/{}.{}", part.name, format);
     make_folder((folder / file).parent_path());
@@ -68,6 +77,23 @@ void write_profile(const std::filesystem::path& folder, const Bit& bit) {
   for (const ProfilePoint& p : exposure_profile(swept_parts(bit), spacing))
     csv += fmt::format("{:.9g},{:.9g}\n", p.r, p.z);
   write_text(folder / "profile.csv", csv);
+}
+
+void export_solids(const std::filesystem::path& folder, const Bit& bit, const std::string& format) {
+  const bool has_names = format == "stl" || format == "obj";
+  std::vector<mesh::Solid> solids;
+  solids.reserve(bit.parts.size());
+  std::string toml = fmt::format(
+      "# A bit whose parts are in one mesh file.\nname = {}\n\n[solids]\nfile = \"bit.{}\"\nunit = "
+      "\"1 m\"\n",
+      toml_string(bit.name), format);
+  for (const Part& part : bit.parts) {
+    solids.push_back({part.name, mesh_B(part)});
+    toml += rule_text(part, has_names ? part.name : fmt::format("solid-{}", solids.size()));
+  }
+  for (const Cone& cone : bit.cones) toml += cone_text_of(cone);
+  mesh::write_solids(folder / ("bit." + format), solids);
+  write_text(folder / "solids.toml", toml);
 }
 
 }  // namespace tdbd::bit

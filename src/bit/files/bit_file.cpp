@@ -20,9 +20,9 @@
 namespace tdbd::bit {
 namespace {
 
-CutterDefaults read_defaults(Config c) {
+CutterDefaults read_cutter_defaults(Config c) {
   CutterDefaults d;
-  d.chamfer = c.quantity("chamfer", "m", 0.0, Range::non_negative());
+  d.chamfer = c.quantity("chamfer", "m", d.chamfer, Range::non_negative());
   d.chamfer_angle = c.quantity("chamfer_angle", "rad", d.chamfer_angle, Range::within(0.05, 1.5));
   d.length = c.quantity("length", "m", d.length, Range::positive());
   d.table_thickness = c.quantity("table_thickness", "m", d.table_thickness, Range::positive());
@@ -70,9 +70,9 @@ double reach(const Bit& bit, int cutter) {
   return radius;
 }
 
-/// No cutter reaches past the gage that the bit file names.
-void demand_inside(const Bit& bit, double gage_radius, const std::string& file) {
-  constexpr double slack = 5e-5;  // m: what tables round and bits are made to
+/// No cutter may reach beyond the gage that the bit file gives.
+void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::string& file) {
+  constexpr double slack = 5e-5;  // m: rounding of tables and tolerance of bits
   std::string lines;
   for (std::size_t i = 0; i < bit.cutters.size(); ++i)
     if (const double r = reach(bit, static_cast<int>(i)); r > gage_radius + slack)
@@ -84,7 +84,7 @@ void demand_inside(const Bit& bit, double gage_radius, const std::string& file) 
   if (!lines.empty()) throw InputError(lines);
 }
 
-/// A design needs its gage; a table may do without.
+/// A design needs its gage diameter; a table does not.
 std::optional<double> any_gage(bool designed) {
   if (designed) return {};
   return std::numeric_limits<double>::infinity();
@@ -94,7 +94,7 @@ BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule direction
                      InsideRule inside) {
   const bool designed = c.has("design");
   const std::string table = designed ? "" : c.path("table", std::nullopt);
-  const CutterDefaults defaults = read_defaults(c.table("cutters"));
+  const CutterDefaults defaults = read_cutter_defaults(c.table("cutters"));
   PdcOptions options;
   options.meshing = read_meshing(c.table("mesh"));
   options.pads = read_pads(c.table("gage_pads"));
@@ -109,7 +109,7 @@ BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule direction
   if (options.blades) check_blades(c, cutters, *options.blades);
   c.finish();
   BitFile file{pdc_bit(name, cutters, options), c.files(), c.fingerprint()};
-  demand_inside(file.bit, gage_radius, designed ? c.files().front() : table);
+  require_cutters_inside_gage(file.bit, gage_radius, designed ? c.files().front() : table);
   return file;
 }
 
@@ -127,11 +127,11 @@ BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directio
   return {std::move(bit), c.files(), c.fingerprint(), std::move(read.without_density)};
 }
 
-/// A bit has one source. A table beside another one leaves the rest of the file readable; what
-/// designs, parts and cones together mean cannot be told.
-void demand_one_source(Config& c) {
+/// A bit has one source. A table beside another source leaves the rest of the file readable;
+/// designs, parts and cones together have no meaning.
+void require_one_source(Config& c) {
   if (c.has("table") && !c.has("cones") && (c.has("parts") || c.has("design"))) {
-    c.text("table", std::nullopt);  // read, so that it is no unknown key as well
+    c.text("table", std::nullopt);  // read, so that it does not count as an unknown key too
     c.problem("table", c.has("parts") ? "parts as well" : "design as well", "one of the two");
   }
   if (c.has("design") && c.has("parts")) {
@@ -154,7 +154,7 @@ BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule i
                  Densities densities) {
   Config c = Config::read_file(path, {});
   const std::string name = c.text("name", std::nullopt);
-  demand_one_source(c);
+  require_one_source(c);
   if (c.has("cones")) {
     Bit bit = read_cone_bit(c, name);
     return {std::move(bit), c.files(), c.fingerprint()};

@@ -9,19 +9,20 @@
 
 namespace tdbd::bit {
 
-/// A bit, and what it was read from.
+/// A bit and what it was read from.
 struct BitFile {
   Bit bit;
   std::vector<std::string> files;                 ///< the bit file and those that it names
-  std::string fingerprint;                        ///< of their content
-  std::vector<std::string> without_density = {};  ///< parts of meshes whose mass is not known
+  std::string fingerprint;                        ///< of their contents
+  std::vector<std::string> without_density = {};  ///< parts from meshes whose mass is unknown
 };
 
 /// Builds a bit from its file: a cutter table or a design (design_file.hpp) with defaults, meshing,
-/// gage pads (3.1, app. A) and blades (blade_file.hpp); the meshes of its parts (bit_parts.hpp) or
-/// of the whole bit (solids_file.hpp); or roller cones (cone_file.hpp). Where densities are
-/// demanded, parts of meshes without one are a mistake. Throws InputError that lists every mistake
-/// of the file and of its table, or the cutters that reach past the gage_diameter of the file.
+/// gage pads (thesis 3.1, app. A) and blades (blade_file.hpp); the meshes of its parts
+/// (bit_parts.hpp) or of the whole bit (solids_file.hpp); or roller cones (cone_file.hpp). Where
+/// densities are required, parts from meshes without one are a mistake. Throws InputError that
+/// lists every mistake in the file and its table, or the cutters that reach beyond the file's
+/// gage_diameter.
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
                  Densities densities = Densities::as_given);
 

@@ -81,7 +81,7 @@ void compare_last_with_earlier(Config& c, const PartsFromFiles& read) {
   }
 }
 
-/// The part itself, and those of its group.
+/// The parts of a part's group; the part alone if it has none.
 std::vector<Part> group_of(const std::vector<Part>& parts, const Part& part) {
   if (part.group < 0) return {part};
   std::vector<Part> group;
@@ -90,8 +90,9 @@ std::vector<Part> group_of(const std::vector<Part>& parts, const Part& part) {
   return group;
 }
 
-/// A file that weighs one part weighs them all: a forgotten density would be a wrong mass.
-void demand_every_density(std::vector<Config>& configs, const PartsFromFiles& read) {
+/// A file that gives one part a density must give every part one: a forgotten density would make
+/// the mass wrong.
+void require_every_density(std::vector<Config>& configs, const PartsFromFiles& read) {
   if (std::ranges::none_of(configs, [](const Config& c) { return c.has("density"); })) return;
   for (std::size_t i = 0; i < configs.size(); ++i)
     if (!configs[i].has("density"))
@@ -113,14 +114,14 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
     read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
     if (!c.has("density")) read.without_density.push_back(part.name);
-    if (!c.has("density") && densities == Densities::demanded)
+    if (!c.has("density") && densities == Densities::required)
       c.problem("density", "none of " + part.name, density_wanted);
     unit = c.quantity("unit", "m", 1e-3, Range::positive());
     if (ask) ask_for_unit(c, "unit", part.mesh_P, unit, part_along);
     any_cuts = any_cuts || part.cutting == Cutting::cuts;
     compare_last_with_earlier(c, read);
   }
-  demand_every_density(configs, read);
+  require_every_density(configs, read);
   if (ask) ask_for_unit(file, "parts", read.parts, unit);
   if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
   return read;

@@ -3,23 +3,21 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_faults.hpp"
 #include "bit/cone/cone_interference.hpp"
-#include "bit/cone/cone_spacing.hpp"
+#include "bit/cone/cone_parts.hpp"
+#include "core/angles.hpp"
+#include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::bit {
 namespace {
 
-
 enum class Interference { refuse, report };
-
-constexpr double right_angle = 0.5 * std::numbers::pi;
 
 ToothShape read_shape(Config& c, ToothShape t) {
   t.kind = c.choice<ToothKind>("kind", tooth_kinds(), t.kind);
@@ -38,7 +36,7 @@ ToothShape read_shape(Config& c, ToothShape t) {
   return t;
 }
 
-/// Angles from a list, or from a number of teeth and the pattern of their spaces.
+/// Angles from a list, or from a number of teeth and the pattern of the gaps between them.
 std::vector<double> read_angles(Config& c) {
   if (c.has("angles")) return c.list("angles", "rad", std::nullopt);
   const int teeth = static_cast<int>(c.integer("teeth", std::nullopt, 1, 1000));
@@ -77,7 +75,7 @@ void note(std::vector<Config>& rows, Config& cone, const ConeFault& fault) {
   at.problem(fault.key, fault.found, fault.expected);
 }
 
-/// One cone; its geometry is judged when all that it is made of could be read.
+/// One cone; its geometry is checked if everything about it could be read.
 ConeLayout read_cone(Config& c, ConeLayout cone, const ToothShape& usual) {
   const std::size_t before = c.problem_count();
   cone.azimuth = c.quantity("azimuth", "rad", std::nullopt);
@@ -92,7 +90,7 @@ ConeLayout read_cone(Config& c, ConeLayout cone, const ToothShape& usual) {
   return cone;
 }
 
-ConeLayout read_defaults(Config& file) {
+ConeLayout read_cone_defaults(Config& file) {
   ConeLayout cone;
   Config journal = file.table("journal");
   read_journal(journal, "angle", cone);
@@ -120,7 +118,7 @@ std::string key_of(const std::string& part) {
   return fmt::format("rows[{}]", std::stoi(part.substr(at + 5)) - 1);
 }
 
-/// Every overlap, at the line of that of the two rows or shells which stands first.
+/// Notes every overlap, at the line of whichever of the two rows or shells comes first in the file.
 void note_overlaps(const Bit& bit, std::vector<Config>& cones) {
   for (const Clearance& c : cone_clearances(bit.cones))
     for (std::size_t k = 0; k < cones.size(); ++k)
@@ -128,7 +126,7 @@ void note_overlaps(const Bit& bit, std::vector<Config>& cones) {
         cones[k].problem(key_of(c.part_a), clearance_text(c), "a gap");
 }
 
-/// Builds the bit; what stands against it is noted at its line.
+/// Builds the bit; whatever prevents it is noted at its line.
 Bit build(std::vector<ConeLayout> layouts, std::optional<double> gage_radius, const Shank& shank,
           const std::string& name, std::vector<Config>& cones) {
   try {
@@ -137,6 +135,46 @@ Bit build(std::vector<ConeLayout> layouts, std::optional<double> gage_radius, co
     cones[e.cone].problem(e.key, e.found, e.expected);
     return {};
   }
+}
+
+/// The shortest digits that read back to the bit.
+std::string list_text(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double x : numbers) text += fmt::format("{}{}", text.empty() ? "" : ", ", x);
+  return "[" + text + "]";
+}
+
+std::string shell_text(const std::vector<ShellPoint>& shell) {
+  std::string text;
+  for (const ShellPoint& p : shell) text += (text.empty() ? "" : ", ") + list_text({p.s, p.r});
+  return "[" + text + "]";
+}
+
+std::string kind_text(ToothKind kind) {
+  for (const auto& [name, named] : tooth_kinds())
+    if (named == kind) return name;
+  return "unknown";
+}
+
+std::string row_text(const ToothRow& row) {
+  const ToothShape& t = row.shape;
+  return fmt::format(
+      "\n[[cones.rows]]\ns = {}\nsink = {}\nlean = {}\ngage = {}\nangles = {}\nkind = \"{}\"\n"
+      "diameter = {}\nwidth = {}\nprotrusion = {}\ncrest_length = {}\ncrest_width = {}\n"
+      "tip_radius = {}\nhalf_angle = {}\nembedding = {}\ndensity = {}\n",
+      row.s, row.sink, row.lean, row.place == RowPlace::gage, list_text(row.angles),
+      kind_text(t.kind), t.diameter, t.width, t.protrusion, t.crest_length, t.crest_width,
+      t.tip_radius, t.half_angle, t.embedding, t.density);
+}
+
+std::string cone_text(const ConeLayout& c) {
+  std::string text = fmt::format(
+      "\n[[cones]]\nazimuth = {}\njournal_angle = {}\noffset = {}\nskew = {}\napex = {}\n"
+      "foot_height = {}\nbody_cuts = {}\ndensity = {}\nshell = {}\n",
+      c.azimuth, c.journal_angle, c.offset, c.skew, c.apex, c.foot_height, c.body == Cutting::cuts,
+      c.density, shell_text(c.shell));
+  for (const ToothRow& row : c.rows) text += row_text(row);
+  return text;
 }
 
 }  // namespace
@@ -154,7 +192,7 @@ Bit read_cone_bit(Config& file, const std::string& name) {
   const auto interference = file.choice<Interference>(
       "interference", {{"refuse", Interference::refuse}, {"report", Interference::report}},
       Interference::refuse);
-  const ConeLayout usual_cone = read_defaults(file);
+  const ConeLayout usual_cone = read_cone_defaults(file);
   Config teeth = file.table("teeth");
   const ToothShape usual_tooth = read_shape(teeth, {});
   std::vector<Config> cones = file.tables("cones");
@@ -174,6 +212,19 @@ Bit read_cone_bit(Config& file, const std::string& name) {
     if (file.problem_count() > 0) throw;
     throw InputError(fmt::format("{}: {}", file.files().front(), e.what()));
   }
+}
+
+std::string cone_bit_text(const Bit& bit) {
+  const ConeLayout& first = bit.cones.front().layout;
+  std::string text = fmt::format(
+      "# A roller cone bit as built, in SI (m, rad, kg/m3).\nname = {}\n"
+      "interference = \"report\"\n\n[mesh]\nsegments = {}\nfacets = {}\n",
+      toml_string(bit.name), first.segments, first.facets);
+  if (bit.shank.radius > 0.0)
+    text += fmt::format("\n[shank]\nradius = {}\nlength = {}\nheight = {}\ndensity = {}\n",
+                        bit.shank.radius, bit.shank.length, bit.shank.height, bit.shank.density);
+  for (const Cone& cone : bit.cones) text += cone_text(cone.layout);
+  return text;
 }
 
 }  // namespace tdbd::bit

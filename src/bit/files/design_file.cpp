@@ -39,7 +39,7 @@ ProfileDesign read_profile(Config c, double gage_radius) {
   return p;
 }
 
-/// Each value is that of the one before unless it is given.
+/// A value that is not given is the same as the one before it.
 RegionLaw read_law(Config c, const char* unit, std::optional<double> fallback) {
   RegionLaw law;
   law.axis = c.quantity("axis", unit, fallback);
@@ -58,7 +58,7 @@ RegionChoice read_choice(Config c) {
   return choice;
 }
 
-std::vector<BladeDesign> read_blades(Config& c) {
+std::vector<BladeDesign> read_blade_designs(Config& c) {
   std::vector<BladeDesign> blades;
   for (Config& blade : c.tables("blades")) {
     BladeDesign b;
@@ -93,7 +93,7 @@ std::vector<Cutter> read_design(Config c, double gage_radius, const CutterDefaul
   PdcDesign d;
   d.shape = shape;
   d.profile = read_profile(c.table("profile"), gage_radius);
-  d.blades = read_blades(c);
+  d.blades = read_blade_designs(c);
   d.first_radius = c.quantity("first_radius", "m", std::nullopt, Range::non_negative());
   d.spiral = c.quantity("spiral", "rad", 0.0);
   d.clearance = c.quantity("clearance", "m", d.clearance, Range::positive());

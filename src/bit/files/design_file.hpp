@@ -9,8 +9,9 @@
 namespace tdbd::bit {
 
 /// The cutters that the [design] table of a bit file lays out (pdc_generator.hpp). `c` is that
-/// table; the gage radius (m) and the cutters' shape stand elsewhere in the file. Mistakes, those
-/// of an impossible design included, are noted in c with their keys; then there are no cutters.
+/// table; the gage radius (m) and the cutters' shape come from elsewhere in the file. Mistakes,
+/// including those of an impossible design, are noted in c at their keys; then there are no
+/// cutters.
 std::vector<Cutter> read_design(Config c, double gage_radius, const CutterDefaults& shape);
 
 }  // namespace tdbd::bit

@@ -10,23 +10,24 @@
 
 namespace tdbd::bit {
 
-/// Every kind of part with its name.
+/// Every kind of part with its name in bit files.
 std::vector<std::pair<std::string, PartKind>> named_part_kinds();
 
-/// Letters, digits, - and _, in folders by /: names become paths of files and keys of results.
+/// Whether a name has only letters, digits, - and _, with / between: names become paths of files
+/// and keys of results.
 bool is_part_name(const std::string& name);
 
-/// The key update_direction, (x, 0, z) at azimuth 0 made unit; a mistake is noted.
+/// The key update_direction, (x, 0, z) at azimuth 0, made a unit vector. Notes a mistake.
 Vec3 read_direction(Config& c, const Vec3& fallback);
 
-/// "a, b, c", and how many more there are than ten.
+/// "a, b, c"; of more than ten names the first ten and how many more there are.
 std::string listed(const std::vector<std::string>& names);
 
+/// What a missing density should be, for messages.
 inline constexpr const char* density_wanted =
     "a density, or 0 for what is counted elsewhere: mass properties are asked for";
 
-/// Notes what is wrong with the solids of a mesh file, and what repairs it, at the key that names
-/// the file.
+/// Notes, at the key that names a mesh file, what is wrong with its solids and how to repair them.
 void note_mesh_faults(Config& c, const std::string& key, const std::string& file,
                       const std::vector<mesh::Solid>& solids, const std::string& expected);
 

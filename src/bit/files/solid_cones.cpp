@@ -7,8 +7,7 @@
 
 #include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_reach.hpp"
-#include "bit/files/bit_export.hpp"
-#include "bit/largest_radius.hpp"
+#include "core/config/toml_text.hpp"
 
 namespace tdbd::bit {
 
@@ -55,7 +54,7 @@ std::string cone_text_of(const Cone& cone) {
   return fmt::format(
       "\n[[solids.cones]]\nname = {}\nazimuth = {}  # rad\njournal_angle = {}  # rad\noffset = {}  "
       "# m\nskew = {}  # rad\napex = {}  # m\nfoot_height = {}  # m\n",
-      quoted(cone.name), c.azimuth, c.journal_angle, c.offset, c.skew, c.apex, c.foot_height);
+      toml_string(cone.name), c.azimuth, c.journal_angle, c.offset, c.skew, c.apex, c.foot_height);
 }
 
 }  // namespace tdbd::bit

@@ -11,10 +11,10 @@ namespace tdbd::bit {
 /// The journals of cones whose solids are drawn in a file at the cone angle 0: [[solids.cones]].
 ///   name       "cone-1"; the solids cone-1/... turn with it
 ///   azimuth, journal_angle, offset, skew, apex, foot_height    as in ConeLayout
-/// Their shells and rows are the solids themselves, so gaps between cones are not looked for.
+/// Their shells and rows are the solids themselves, so gaps between cones are not checked.
 std::vector<Cone> read_solid_cones(Config& solids);
 
-/// Index of the cone that a part belongs to by its name, or -1.
+/// Index of the cone to which a part belongs by its name, or -1.
 int cone_of(const std::vector<Cone>& cones, const std::string& part);
 
 /// Largest distance (m) from the bit's axis that a cutting part's vertex reaches as its cone turns.

@@ -10,10 +10,11 @@
 
 namespace tdbd::bit {
 
-/// Whether a name fits a pattern in which * stands for any text, ? for any character.
+/// Whether a name matches a pattern in which * stands for any text and ? for any character.
 bool fits(std::string_view pattern, std::string_view name);
 
-/// What a bit file says of a solid: a [[solids.rules]], or all of them that fit it taken together.
+/// What a bit file says about a solid: one of its [[solids.rules]], or all that match taken
+/// together.
 struct SolidRule {
   std::string match;
   std::optional<std::string> name;
@@ -28,11 +29,12 @@ struct SolidRule {
 /// The rules of [solids], in the order of the file. Mistakes are noted in `solids`.
 std::vector<SolidRule> read_rules(Config& solids);
 
-/// All rules that fit `name`, a later one over the earlier ones, key by key.
+/// All rules that match `name`, later ones overriding earlier ones key by key.
 SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name);
 
-/// The kind that a name of the designs' own tells: cutter-3/face, /land, /chamfer, /cse, /body;
-/// gage-pad-2; bit-body; cone-1/body; cone-1/row-2/tooth-3. Nothing for any other name.
+/// The kind that follows from a name like those of designed bits: cutter-3/face, /land, /chamfer,
+/// /cse, /body; gage-pad-2; bit-body; cone-1/body; cone-1/row-2/tooth-3. Nothing for any other
+/// name.
 std::optional<PartKind> kind_of_name(const std::string& name);
 
 }  // namespace tdbd::bit

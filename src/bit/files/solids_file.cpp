@@ -17,7 +17,7 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr const char* wanted = "closed meshes with outward normals (STL, OBJ, PLY or OFF)";
+constexpr const char* solids_wanted = "closed meshes with outward normals (STL, OBJ, PLY or OFF)";
 
 std::vector<mesh::Solid> read_file(Config& c) {
   const std::string file = c.path("file", std::nullopt);
@@ -25,10 +25,10 @@ std::vector<mesh::Solid> read_file(Config& c) {
   if (file.empty()) return {};
   try {
     std::vector<mesh::Solid> solids = mesh::read_solids(file, unit);
-    note_mesh_faults(c, "file", file, solids, wanted);
+    note_mesh_faults(c, "file", file, solids, solids_wanted);
     return solids;
   } catch (const InputError& e) {
-    c.problem("file", e.what(), wanted);
+    c.problem("file", e.what(), solids_wanted);
     return {};
   }
 }
@@ -40,9 +40,9 @@ std::vector<std::string> names_of(const std::vector<mesh::Solid>& solids) {
   return names;
 }
 
-/// A rule that fits nothing is a misspelt one.
-void demand_use(Config& c, const std::vector<SolidRule>& rules,
-                const std::vector<std::string>& names) {
+/// A rule that matches nothing is probably misspelt.
+void require_matches(Config& c, const std::vector<SolidRule>& rules,
+                     const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < rules.size(); ++i) {
     const auto is_fit = [&](const std::string& name) { return fits(rules[i].match, name); };
     if (names.empty() || std::any_of(names.begin(), names.end(), is_fit)) continue;
@@ -68,7 +68,7 @@ Vec3 direction_of(const SolidRule& rule, const Part& part, DirectionRule directi
   return update_direction(*rule.X_BC, directions, inside);
 }
 
-/// What the rules and the name make of a solid.
+/// The part that the rules and its name make of a solid.
 Part part_of(const SolidRule& rule, mesh::Solid solid, PartKind kind) {
   Part part;
   part.name = rule.name.value_or(solid.name);
@@ -80,7 +80,7 @@ Part part_of(const SolidRule& rule, mesh::Solid solid, PartKind kind) {
   return part;
 }
 
-/// Notes what is wrong with the parts taken together.
+/// Notes what is wrong with the parts as a whole.
 void check_parts(Config& file, const std::vector<Part>& parts) {
   std::map<std::string, int> count;
   for (const Part& part : parts) {
@@ -103,7 +103,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
   Config c = file.table("solids");
   std::vector<mesh::Solid> solids = read_file(c);
   const std::vector<SolidRule> rules = read_rules(c);
-  demand_use(c, rules, names_of(solids));
+  require_matches(c, rules, names_of(solids));
   PartsFromFiles read;
   read.cones = read_solid_cones(c);
   std::map<std::string, int> groups;
@@ -111,7 +111,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     const SolidRule rule = rule_for(rules, solid.name);
     const auto kind = rule.kind ? rule.kind : kind_of_name(rule.name.value_or(solid.name));
     if (!kind)
-      c.problem("file", fmt::format("a solid \"{}\" whose name tells no kind", solid.name),
+      c.problem("file", fmt::format("a solid \"{}\" whose name does not say its kind", solid.name),
                 "a name like cutter-1/face, gage-pad-1, bit-body or cone-1/row-1/tooth-1, or a "
                 "rule [[solids.rules]] that fits it and gives its kind");
     Part part = part_of(rule, std::move(solid), kind.value_or(PartKind::bit_body));
@@ -128,7 +128,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
   check_parts(file, read.parts);
   if (checks_units(file))
     ask_for_unit(c, "unit", read.parts, c.quantity("unit", "m", 1e-3, Range::positive()));
-  if (densities == Densities::demanded && !read.without_density.empty())
+  if (densities == Densities::required && !read.without_density.empty())
     c.problem("rules", "no density of " + listed(read.without_density), density_wanted);
   return read;
 }

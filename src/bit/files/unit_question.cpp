@@ -10,7 +10,7 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr const char* expected = "a unit that fits (unit_check = \"off\" admits any size)";
+constexpr const char* unit_wanted = "a unit that fits (unit_check = \"off\" admits any size)";
 
 double across(const std::vector<Part>& parts) {
   double radius = 0.0;
@@ -41,14 +41,14 @@ bool checks_units(Config& c) { return c.flag("unit_check", true); }
 void ask_for_unit(Config& c, const std::string& key, const std::vector<Part>& parts, double unit) {
   if (parts.empty()) return;
   const std::string question = unit_question(across(parts), unit, bit_across);
-  if (!question.empty()) c.problem(key, question, expected);
+  if (!question.empty()) c.problem(key, question, unit_wanted);
 }
 
 void ask_for_unit(Config& c, const std::string& key, const mesh::TriangleMesh& m, double unit,
                   const SizeRange& usual) {
   if (m.triangles.empty()) return;
   const std::string question = unit_question(mesh::bounding_box(m).size().maxCoeff(), unit, usual);
-  if (!question.empty()) c.problem(key, question, expected);
+  if (!question.empty()) c.problem(key, question, unit_wanted);
 }
 
 }  // namespace tdbd::bit

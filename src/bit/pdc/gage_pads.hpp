@@ -12,14 +12,15 @@ struct GagePads {
   int count = 0;
   double length = 0.05;          ///< m, along the axis
   double width = 0.03;           ///< m, along the circumference
-  double under_gage = 0.4e-3;    ///< m, by how much they stay inside the gage radius
+  double under_gage = 0.4e-3;    ///< m, distance inside the gage radius
   double thickness = 0.01;       ///< m, radial, at the middle
   std::optional<double> height;  ///< m, lower end above the nose tip; default: highest cutter's top
 };
 
-/// gage-pad-1, gage-pad-2, ...: closed convex boxes whose outer side is bent to the cylinder of
-/// radius gage_radius - under_gage (inscribed) and whose inner side is flat. A pad's frame is the
-/// bit's, turned to the pad's azimuth. They cut along their X axis, outwards. Thesis: 3.1.
+/// The parts gage-pad-1, gage-pad-2, ...: closed convex boxes whose outer side follows the cylinder
+/// of radius gage_radius - under_gage (inscribed) and whose inner side is flat. A pad's frame is
+/// the bit's, turned to the pad's azimuth. Pads move rock along their X axis, outwards. Thesis:
+/// 3.1.
 std::vector<Part> gage_pads(const GagePads& pads, const std::vector<Cutter>& cutters,
                             double gage_radius);
 

@@ -8,7 +8,6 @@
 #include "bit/body/bit_body.hpp"
 #include "bit/body/blade_body.hpp"
 #include "bit/cutter/cutter_frame.hpp"
-#include "bit/largest_radius.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::bit {

@@ -4,54 +4,55 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "bit/text.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double steepest = 89.0 * degree;  ///< of the cone and at the shoulder's start
+constexpr double steepest_profile = 89.0 * degree;  ///< of the cone and at the shoulder's start
 constexpr double largest_rake = 60.0 * degree, largest_side_rake = 45.0 * degree;
 
-/// Notes what is wrong with one value after the other.
+/// Collects what is wrong.
 struct Check {
   std::vector<DesignProblem> problems;
 
-  void demand(bool fine, const char* key, const std::string& found, const std::string& expected) {
+  void require(bool fine, const char* key, const std::string& found, const std::string& expected) {
     if (!fine) problems.push_back({key, found, expected});
   }
 };
 
-std::string mm(double x) { return fmt::format("{:.6g} mm", 1e3 * x); }
-std::string deg(double x) { return fmt::format("{:.6g} deg", x / degree); }
-
 void check_profile(const ProfileDesign& p, Check& check) {
-  check.demand(p.gage_radius > 0.0, "gage_radius", mm(p.gage_radius), "a positive radius");
-  check.demand(p.nose_radius > 0.0, "profile.nose_radius", mm(p.nose_radius), "a positive radius");
-  check.demand(p.gage_length >= 0.0, "profile.gage_length", mm(p.gage_length), "a length >= 0");
-  check.demand(p.cone_angle >= 0.0 && p.cone_angle <= steepest, "profile.cone_angle",
-               deg(p.cone_angle), "an angle in 0..89 deg");
-  check.demand(p.shoulder_angle >= 0.0 && p.shoulder_angle <= steepest, "profile.shoulder_angle",
-               deg(p.shoulder_angle), "an angle in 0..89 deg");
-  check.demand(p.nose_place > 0.0 && p.nose_place < p.gage_radius, "profile.nose_place",
-               mm(p.nose_place) + " from the axis",
-               "a nose between the axis and the gage at " + mm(p.gage_radius));
+  check.require(p.gage_radius > 0.0, "gage_radius", mm_text(p.gage_radius), "a positive radius");
+  check.require(p.nose_radius > 0.0, "profile.nose_radius", mm_text(p.nose_radius),
+                "a positive radius");
+  check.require(p.gage_length >= 0.0, "profile.gage_length", mm_text(p.gage_length),
+                "a length >= 0");
+  check.require(p.cone_angle >= 0.0 && p.cone_angle <= steepest_profile, "profile.cone_angle",
+                degree_text(p.cone_angle), "an angle in 0..89 deg");
+  check.require(p.shoulder_angle >= 0.0 && p.shoulder_angle <= steepest_profile,
+                "profile.shoulder_angle", degree_text(p.shoulder_angle), "an angle in 0..89 deg");
+  check.require(p.nose_place > 0.0 && p.nose_place < p.gage_radius, "profile.nose_place",
+                mm_text(p.nose_place) + " from the axis",
+                "a nose between the axis and the gage at " + mm_text(p.gage_radius));
 }
 
 /// Whether the regions follow one another without turning back.
 void check_folds(const ProfileDesign& p, Check& check) {
   const double cone = p.nose_place - p.nose_radius * std::sin(p.cone_angle);
-  check.demand(cone >= 0.0, "profile.nose_radius",
-               fmt::format("{}, a nose that begins at radius {}, across the axis",
-                           mm(p.nose_radius), mm(cone)),
-               "at most " + mm(p.nose_place / std::sin(p.cone_angle)));
+  check.require(cone >= 0.0, "profile.nose_radius",
+                fmt::format("{}, a nose that begins at radius {}, across the axis",
+                            mm_text(p.nose_radius), mm_text(cone)),
+                "at most " + mm_text(p.nose_place / std::sin(p.cone_angle)));
   const double shoulder = shoulder_radius(p);
-  check.demand(
+  check.require(
       shoulder > 0.0, "profile.shoulder_angle",
       fmt::format("{}, a profile that folds: the nose's arc ends at radius {}, outside the "
                   "gage at {}",
-                  deg(p.shoulder_angle),
-                  mm(p.nose_place + p.nose_radius * std::sin(p.shoulder_angle)), mm(p.gage_radius)),
+                  degree_text(p.shoulder_angle),
+                  mm_text(p.nose_place + p.nose_radius * std::sin(p.shoulder_angle)),
+                  mm_text(p.gage_radius)),
       "a smaller angle, a smaller nose_radius or a smaller nose_place");
 }
 
@@ -59,17 +60,17 @@ void check_law(const RegionLaw& law, const char* key, double lo, double hi, doub
                const char* expected, Check& check) {
   for (const auto& [at, value] : {std::pair("axis", law.axis), std::pair("nose", law.nose),
                                   std::pair("shoulder", law.shoulder), std::pair("gage", law.gage)})
-    check.demand(value >= lo && value <= hi, fmt::format("{}.{}", key, at).c_str(),
-                 fmt::format("{:.6g}", value / unit), expected);
+    check.require(value >= lo && value <= hi, fmt::format("{}.{}", key, at).c_str(),
+                  fmt::format("{:.6g}", value / unit), expected);
 }
 
 void check_cutters(const PdcDesign& d, Check& check) {
   const auto& [cone, nose, shoulder, gage] = d.diameter;
   for (const auto& [at, value] : {std::pair("cone", cone), std::pair("nose", nose),
                                   std::pair("shoulder", shoulder), std::pair("gage", gage)})
-    check.demand(value > 2.0 * (d.shape.chamfer + d.shape.land),
-                 fmt::format("diameter.{}", at).c_str(), mm(value),
-                 "a positive diameter, more than twice the chamfers' width");
+    check.require(value > 2.0 * (d.shape.chamfer + d.shape.land),
+                  fmt::format("diameter.{}", at).c_str(), mm_text(value),
+                  "a positive diameter, more than twice the chamfers' width");
   check_law(d.overlap, "overlap", 0.0, 0.95, 1.0, "a share in 0..0.95", check);
   check_law(d.back_rake, "back_rake", -5.0 * degree, largest_rake, degree, "an angle in -5..60 deg",
             check);
@@ -81,16 +82,18 @@ void check_cutters(const PdcDesign& d, Check& check) {
 }
 
 void check_layout(const PdcDesign& d, Check& check) {
-  check.demand(!d.blades.empty(), "blades", "none", "at least one blade");
-  check.demand(d.clearance > 0.0, "clearance", mm(d.clearance), "a positive gap");
-  check.demand(d.backups.under_exposure >= 0.0, "backup.under_exposure",
-               mm(d.backups.under_exposure), "a depth >= 0");
-  check.demand(d.backups.behind > 0.0, "backup.behind", mm(d.backups.behind), "a distance > 0");
-  check.demand(d.gage.cutters >= 0, "gage.cutters", fmt::format("{}", d.gage.cutters),
-               "at least 0");
+  check.require(!d.blades.empty(), "blades", "none", "at least one blade");
+  check.require(d.clearance > 0.0, "clearance", mm_text(d.clearance), "a positive gap");
+  check.require(d.backups.under_exposure >= 0.0, "backup.under_exposure",
+                mm_text(d.backups.under_exposure), "a depth >= 0");
+  check.require(d.backups.behind > 0.0, "backup.behind", mm_text(d.backups.behind),
+                "a distance > 0");
+  check.require(d.gage.cutters >= 0, "gage.cutters", fmt::format("{}", d.gage.cutters),
+                "at least 0");
   const double cone = d.profile.nose_place - d.profile.nose_radius * std::sin(d.profile.cone_angle);
-  check.demand(d.first_radius >= 0.0 && d.first_radius <= cone, "first_radius", mm(d.first_radius),
-               "a radius from the axis to the cone's end at " + mm(cone));
+  check.require(d.first_radius >= 0.0 && d.first_radius <= cone, "first_radius",
+                mm_text(d.first_radius),
+                "a radius from the axis to the cone's end at " + mm_text(cone));
 }
 
 }  // namespace

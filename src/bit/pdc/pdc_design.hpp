@@ -9,7 +9,7 @@
 namespace tdbd::bit {
 
 /// A quantity that varies along the profile: its values on the axis and where nose, shoulder and
-/// gage begin, linear in arc length between them and constant along the gage.
+/// gage begin; linear in arc length between them and constant along the gage.
 struct RegionLaw {
   double axis = 0.0;
   double nose = 0.0;
@@ -25,16 +25,18 @@ struct RegionChoice {
   double gage = 0.0;
 };
 
+/// Whether a blade carries back-up cutters.
 enum class Backups { none, behind_face_cutters };
 
+/// What a designer decides about one blade.
 struct BladeDesign {
   double azimuth = 0.0;  ///< rad, on the bit's axis
   double start = 0.0;    ///< m, radius from which the blade carries cutters
   Backups backups = Backups::none;
 };
 
-/// Cutters behind the face cutters of a blade, at the same place of the profile but set back from
-/// it.
+/// Back-up cutters: behind the face cutters of a blade, at the same place of the profile but set
+/// back from it.
 struct BackupRow {
   double from = 0.0;               ///< m, radii of the face cutters that get one
   double to = 1e3;                 ///< m
@@ -42,11 +44,11 @@ struct BackupRow {
   double behind = 20e-3;           ///< m, from face to face along the circle about the axis
 };
 
-/// Cutters on every blade's gage.
+/// The cutters on the gage of every blade.
 struct GageRow {
   int cutters = 1;       ///< on each blade
-  double start = 1.1;    ///< of a diameter, from the gage's lower end to the first
-  double spacing = 1.1;  ///< of a diameter
+  double start = 1.1;    ///< diameters, from the gage's lower end to the first cutter
+  double spacing = 1.1;  ///< diameters
 };
 
 /// What a designer decides about a PDC bit. SI. Thesis: 3.2.2, app. A; the rules are ours.
@@ -66,19 +68,21 @@ struct PdcDesign {
   CutterDefaults shape;  ///< chamfer, length and table of every cutter
 };
 
-/// A mistake of a design: the key in the bit file, what it holds, what would do.
+/// A mistake of a design: the key in the bit file, what it holds, what would be right.
 struct DesignProblem {
   std::string key;
   std::string found;
   std::string expected;
 };
 
-/// What is impossible about a design before any cutter is placed: sizes that are not positive, a
+/// What makes a design impossible before any cutter is placed: sizes that are not positive, a
 /// profile that folds, a nose outside the gage, overlaps that leave no spacing.
 std::vector<DesignProblem> design_problems(const PdcDesign& d);
 
-/// Values of a law and of a choice at an arc length of the profile.
+/// The value of a law at the arc length s (m) of a profile.
 double law_at(const RegionLaw& law, const ProfileDesign& p, double s);
+
+/// The value of a choice in a region.
 double choice_in(const RegionChoice& choice, Region region);
 
 }  // namespace tdbd::bit

@@ -3,19 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
-#include "bit/cutter/cutter_columns.hpp"
 #include "bit/cutter/cutter_frame.hpp"
 #include "bit/cutter/cutter_gap.hpp"
-#include "bit/pdc/face_places.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 const char* zone_name(Region region) {
   switch (region) {
@@ -33,13 +30,12 @@ const char* zone_name(Region region) {
 
 double azimuth_of(const PdcDesign& d, int blade, double r) {
   const double azimuth = d.blades[blade].azimuth - d.spiral * r / d.profile.gage_radius;
-  return azimuth - turn * std::floor(azimuth / turn);
+  return azimuth - full_turn * std::floor(azimuth / full_turn);
 }
 
-/// The cutter with values that the table can hold, and its pose.
+/// The cutter with values that a table can hold, and its pose.
 Cutter finished(Cutter c) {
-  for (const NumberColumn& column : number_columns())
-    c.*column.member = c.*column.member / column.unit * column.unit;
+  round_to_table(c);
   c.X_BC = cutter_pose(c);
   return c;
 }
@@ -67,7 +63,7 @@ Cutter backup_of(const Cutter& face, const BackupRow& row) {
   c.tip_radius -= row.under_exposure * std::sin(c.profile_angle);
   c.tip_height += row.under_exposure * std::cos(c.profile_angle);
   c.azimuth -= row.behind / c.tip_radius;
-  c.azimuth -= turn * std::floor(c.azimuth / turn);
+  c.azimuth -= full_turn * std::floor(c.azimuth / full_turn);
   return finished(c);
 }
 
@@ -76,7 +72,7 @@ std::string described(const Cutter& c) {
                      1e3 * c.tip_radius);
 }
 
-/// Puts a cutter among the others; tells which one is in its way otherwise.
+/// Places a cutter among the others, or returns the one that is in its way.
 std::optional<Cutter> place(Cutter c, double clearance, std::vector<Cutter>& placed) {
   for (const Cutter& other : placed)
     if (closer_than(c, other, clearance)) return other;
@@ -85,7 +81,7 @@ std::optional<Cutter> place(Cutter c, double clearance, std::vector<Cutter>& pla
   return {};
 }
 
-void place_or_complain(Cutter c, const char* key, double clearance, Layout& layout) {
+void place_or_report(Cutter c, const char* key, double clearance, Layout& layout) {
   const std::optional<Cutter> other = place(c, clearance, layout.cutters);
   if (!other) return;
   c.id = static_cast<int>(layout.cutters.size()) + 1;
@@ -93,17 +89,17 @@ void place_or_complain(Cutter c, const char* key, double clearance, Layout& layo
                              fmt::format("{:g} mm of clearance", 1e3 * clearance)});
 }
 
-/// The next blade in order, after `turn_of`, that has room at s.
+/// Places a cutter on the next blade in order, from `next_turn` on, that has room at s.
 bool place_on_some_blade(const PdcDesign& d, double s, const std::vector<int>& order,
-                         std::size_t& turn_of, Layout& layout) {
+                         std::size_t& next_turn, Layout& layout) {
   const double r = spot_at(d.profile, s).r;
   std::string ways;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const int blade = order[(turn_of + k) % order.size()];
+    const int blade = order[(next_turn + k) % order.size()];
     if (r < d.blades[blade].start) continue;
     const auto other = place(finished(unplaced(d, s, blade)), d.clearance, layout.cutters);
     if (!other) {
-      turn_of += k + 1;
+      next_turn += k + 1;
       return true;
     }
     ways += fmt::format("; on blade {} {} is in its way", blade + 1, described(*other));
@@ -115,11 +111,60 @@ bool place_on_some_blade(const PdcDesign& d, double s, const std::vector<int>& o
   return false;
 }
 
+/// A stretch of the profile on which the spacing varies linearly.
+struct Stretch {
+  double start, length;  ///< m
+  double spacing;        ///< m, at the start
+  double slope;          ///< of the spacing
+
+  /// Integral of 1 / spacing over the first x metres.
+  double count(double x) const {
+    return slope == 0.0 ? x / spacing : std::log1p(slope * x / spacing) / slope;
+  }
+  /// Its inverse.
+  double place(double n) const {
+    return start + (slope == 0.0 ? n * spacing : spacing * std::expm1(slope * n) / slope);
+  }
+};
+
+Stretch stretch(const PdcDesign& d, Region region, double start, double end,
+                double overlap_at_end) {
+  const double diameter = choice_in(d.diameter, region), length = std::max(0.0, end - start);
+  const double first = diameter * (1.0 - law_at(d.overlap, d.profile, start));
+  const double last = diameter * (1.0 - overlap_at_end);
+  return {start, length, first, length > 0.0 ? (last - first) / length : 0.0};
+}
+
+/// Arc lengths (m) of the face cutters' tips, from first_radius to the end of the shoulder, where
+/// the gage radius is reached: bit (5), raised to the next whole number of cutters, so that
+/// neighbours overlap at least as much as asked.
+std::vector<double> face_places(const PdcDesign& d) {
+  const auto [cone, nose, shoulder, gage] = region_ends(d.profile);
+  const double first = d.first_radius / std::cos(d.profile.cone_angle);
+  const std::array<Stretch, 3> stretches{
+      stretch(d, Region::cone, first, cone, d.overlap.nose),
+      stretch(d, Region::nose, cone, nose, d.overlap.shoulder),
+      stretch(d, Region::shoulder, nose, shoulder, d.overlap.gage)};
+  double total = 0.0;
+  for (const Stretch& part : stretches) total += part.count(part.length);
+  const int gaps = std::max(1, static_cast<int>(std::ceil(total)));
+  std::vector<double> places;
+  for (int k = 0; k < gaps; ++k) {
+    double n = total * k / gaps;
+    std::size_t i = 0;
+    for (; i + 1 < stretches.size() && n > stretches[i].count(stretches[i].length); ++i)
+      n -= stretches[i].count(stretches[i].length);
+    places.push_back(stretches[i].place(n));
+  }
+  places.push_back(shoulder);
+  return places;
+}
+
 void place_face(const PdcDesign& d, Layout& layout) {
   const std::vector<int> order = blade_order(static_cast<int>(d.blades.size()));
-  std::size_t turn_of = 0;
+  std::size_t next_turn = 0;
   for (const double s : face_places(d))
-    if (!place_on_some_blade(d, s, order, turn_of, layout)) return;
+    if (!place_on_some_blade(d, s, order, next_turn, layout)) return;
 }
 
 void place_gage(const PdcDesign& d, Layout& layout) {
@@ -137,7 +182,7 @@ void place_gage(const PdcDesign& d, Layout& layout) {
     for (int blade = 0; blade < static_cast<int>(d.blades.size()); ++blade) {
       Cutter c = unplaced(d, s, blade);
       c.zone = zone_name(Region::gage);
-      place_or_complain(finished(c), "gage.start", d.clearance, layout);
+      place_or_report(finished(c), "gage.start", d.clearance, layout);
     }
   }
 }
@@ -147,11 +192,11 @@ void place_backups(const PdcDesign& d, std::size_t face_count, Layout& layout) {
     const Cutter face = layout.cutters[i];
     const bool wanted = d.blades[face.blade - 1].backups == Backups::behind_face_cutters;
     if (wanted && face.tip_radius >= d.backups.from && face.tip_radius <= d.backups.to)
-      place_or_complain(backup_of(face, d.backups), "backup.behind", d.clearance, layout);
+      place_or_report(backup_of(face, d.backups), "backup.behind", d.clearance, layout);
   }
 }
 
-void demand_cutters_on_every_blade(const PdcDesign& d, Layout& layout) {
+void require_cutters_on_every_blade(const PdcDesign& d, Layout& layout) {
   for (int blade = 0; blade < static_cast<int>(d.blades.size()); ++blade)
     if (std::ranges::count(layout.cutters, blade + 1, &Cutter::blade) == 0)
       layout.problems.push_back({fmt::format("blades[{}]", blade),
@@ -174,7 +219,7 @@ Layout lay_out(const PdcDesign& d) {
   if (!layout.problems.empty()) return layout;
   place_face(d, layout);
   if (!layout.problems.empty()) return layout;
-  demand_cutters_on_every_blade(d, layout);
+  require_cutters_on_every_blade(d, layout);
   const std::size_t face_count = layout.cutters.size();
   place_gage(d, layout);
   place_backups(d, face_count, layout);

@@ -1,12 +1,11 @@
 #include "bit/pdc/profile_design.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double right_angle = std::numbers::pi / 2.0;
 
 double cone_end_radius(const ProfileDesign& p) {
   return p.nose_place - p.nose_radius * std::sin(p.cone_angle);

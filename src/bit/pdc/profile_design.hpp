@@ -4,12 +4,11 @@
 
 namespace tdbd::bit {
 
-/// A bit's profile as a designer draws it: a straight cone, the nose's arc, the shoulder's arc that
-/// is tangent to the nose and to the gage, and the gage. SI. Formulation 1; closed form of two
-/// arcs.
+/// A bit's profile as a designer draws it: a straight cone, the nose's arc, the shoulder's arc,
+/// tangent to the nose and to the gage, and the gage; bit (3) and (4). SI. Ours.
 struct ProfileDesign {
   double gage_radius = 0.0;
-  double cone_angle = 0.0;      ///< rad, of the cone's line over the horizontal
+  double cone_angle = 0.0;      ///< rad, of the cone's line above the horizontal
   double nose_place = 0.0;      ///< m, radius at which the profile is lowest
   double nose_radius = 0.0;     ///< m, of the nose's arc
   double shoulder_angle = 0.0;  ///< rad, profile angle at which the shoulder's arc begins
@@ -27,18 +26,18 @@ struct ProfileSpot {
   Region region = Region::cone;
 };
 
-/// Radius of the shoulder's arc, m, from its tangency to nose and gage; <= 0 when the profile
-/// folds.
+/// Radius of the shoulder's arc, m, which is tangent to nose and gage, bit (3); <= 0 when the
+/// profile folds.
 double shoulder_radius(const ProfileDesign& p);
 
-/// The shoulder_angle whose shoulder has this radius, rad: the other way to describe a profile. Not
-/// a number when there is none.
+/// The shoulder_angle (rad) whose shoulder has this radius (m): the other way to describe a
+/// profile. NaN when there is none.
 double shoulder_angle_for(const ProfileDesign& p, double radius);
 
 /// Arc lengths, m, from the axis to the end of each region.
 std::array<double, 4> region_ends(const ProfileDesign& p);
 
-/// The point at the arc length s (m) from the axis, 0 <= s <= the gage's end.
+/// The point at the arc length s (m) from the axis, 0 <= s <= the end of the gage; bit (4).
 ProfileSpot spot_at(const ProfileDesign& p, double s);
 
 }  // namespace tdbd::bit

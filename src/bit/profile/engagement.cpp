@@ -2,27 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bit/cutter/rim_reach.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
-
-/// By which share of a revolution `earlier` passes before `c`; the bit turns about +z, so larger
-/// azimuths pass first. Those at one azimuth pass in the order of the table.
-double share_before(const Reach& earlier, const Reach& c, bool is_listed_before) {
-  const double share = (earlier.azimuth - c.azimuth) / turn;
+/// The share of a revolution by which `earlier` passes before `c`. The bit turns about +z, so
+/// larger azimuths pass first; cutters at one azimuth pass in the order of the table.
+double share_before(const RimReach& earlier, const RimReach& c, bool is_listed_before) {
+  const double share = (earlier.azimuth - c.azimuth) / full_turn;
   const double fraction = share - std::floor(share);
   return fraction == 0.0 && !is_listed_before ? 1.0 : fraction;
 }
 
 /// Height that cutter c removes in column i.
-double height(const std::vector<std::vector<Reach>>& reach, std::size_t c, std::size_t i,
+double height(const std::vector<std::vector<RimReach>>& reach, std::size_t c, std::size_t i,
               double advance) {
-  const Reach& own = reach[c][i];
+  const RimReach& own = reach[c][i];
   if (!own.reached()) return 0.0;
   double h = advance;
   for (std::size_t k = 0; k < reach.size() && h > 0.0; ++k)
@@ -45,7 +43,7 @@ Engagement engagement(const std::vector<Cutter>& cutters, double advance, double
     for (std::size_t c = 0; c < cutters.size(); ++c) {
       const double h = height(reach, c, i, advance);
       e.area[c] += h * width;
-      e.volume[c] += h * width * turn * (static_cast<double>(i) + 0.5) * width;
+      e.volume[c] += h * width * full_turn * (static_cast<double>(i) + 0.5) * width;
       e.cutting[i] += h > 0.0;
     }
   return e;

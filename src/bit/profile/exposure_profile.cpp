@@ -100,7 +100,7 @@ void add_part(const Part& part, Fan& fan) {
   }
 }
 
-/// From the axis to the gage, without the empty rays, r monotone.
+/// The profile from the axis to the gage, empty rays left out, r monotone.
 std::vector<ProfilePoint> outline(const Fan& fan) {
   std::vector<ProfilePoint> points;
   for (const Ray& ray : fan.rays) {
@@ -115,7 +115,7 @@ double distance(const ProfilePoint& a, const ProfilePoint& b) {
   return std::hypot(b.r - a.r, b.z - a.z);
 }
 
-/// Points at equal arc lengths along a polyline, both its ends among them.
+/// Points at equal arc lengths along a polyline, both ends included.
 std::vector<ProfilePoint> resampled(const std::vector<ProfilePoint>& line, double spacing) {
   std::vector<double> arc{0.0};
   for (std::size_t k = 1; k < line.size(); ++k)

@@ -12,13 +12,13 @@ struct ProfilePoint {
   double z = 0.0;
 };
 
-/// Exposure profile (thesis: fig. 3.8): what the cutting parts touch when every one is turned about
-/// the bit's axis into one half-plane, from the axis (r = 0) to the gage, points about `spacing`
-/// (m) apart. Found along rays from the axis at the height of the topmost cutting part's centre,
-/// from straight down to horizontal: on each the farthest point of the parts' triangles, followed
-/// to a few micrometres. Where no part reaches the profile is straight, and flat at the axis. r
-/// never decreases towards the gage: above a widest place the wall goes straight up, as the bit
-/// leaves it. Throws InputError when no part cuts.
+/// The exposure profile: what the cutting parts touch when all are turned about the bit's axis into
+/// one half-plane, from the axis (r = 0) to the gage, with points about `spacing` (m) apart. Found
+/// along rays from the axis, at the height of the topmost cutting part's centre, from straight down
+/// to horizontal: on each, the farthest point of the parts' triangles, to a few micrometres. Where
+/// no part reaches, the profile is straight, and flat at the axis. r never decreases towards the
+/// gage: above the widest place the wall goes straight up, as the bit leaves it. Throws InputError
+/// when no part cuts. Thesis: fig. 3.8 (its title is all that we hold); the construction is ours.
 std::vector<ProfilePoint> exposure_profile(const std::vector<Part>& parts, double spacing);
 
 }  // namespace tdbd::bit

@@ -9,6 +9,8 @@
 
 namespace tdbd::bit {
 
+nlohmann::ordered_json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
 void write_bit_files(const std::filesystem::path& folder, const Bit& bit) {
   nlohmann::ordered_json cutters = nlohmann::ordered_json::array();
   for (const Cutter& c : bit.cutters)

@@ -1,20 +1,26 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "bit/bit.hpp"
 
 namespace tdbd::bit {
 
-/// bit.json: the cutters and cones as placed, for figures. SI, units in the keys.
+/// A vector as a JSON array, [x, y, z].
+nlohmann::ordered_json vector_json(const Vec3& v);
+
+/// Writes bit.json: the cutters and cones as placed, for figures. SI, units in the keys. Throws
+/// RunError when it cannot be written.
 void write_bit_files(const std::filesystem::path& folder, const Bit& bit);
 
-/// All parts in space at a pose, with part number, kind and cutter as cell data, and the cone if
-/// the bit has any.
+/// Writes all parts in space at a pose as a VTK file, with part number, kind and cutter as cell
+/// data, and the cone if the bit has any. Throws RunError when it cannot be written.
 void write_bit_vtp(const std::filesystem::path& path, const Bit& bit, const Pose& X_WB);
 
-/// All parts in the bit frame as one mesh; part_of_triangle (if given) receives part numbers.
+/// All parts in space at a pose as one mesh; part_of_triangle (if given) receives part numbers.
 mesh::TriangleMesh merged_mesh(const Bit& bit, const Pose& X_WB,
                                std::vector<int>* part_of_triangle);
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "bit/body/rubbing.hpp"
+#include "bit/profile/engagement.hpp"
+#include "bit/report/bit_output.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double column_width = 0.1e-3;  ///< m
 
 /// The body of a bit with blades.
 const Part& body_of(const Bit& bit) {
@@ -18,15 +18,13 @@ const Part& body_of(const Bit& bit) {
 }
 
 Rubbing body_rubbing(const Bit& bit, double advance) {
-  return rubbing(bit.cutters, body_of(bit), advance, column_width);
+  return rubbing(bit.cutters, body_of(bit), advance, report_column_width);
 }
 
 std::string place_text(const Vec3& x_B) {
   return fmt::format("radius {:.2f} mm, height {:.2f} mm", 1e3 * x_B.head<2>().norm(),
                      -1e3 * x_B.z());
 }
-
-nlohmann::ordered_json place_json(const Vec3& x_B) { return {x_B.x(), x_B.y(), x_B.z()}; }
 
 }  // namespace
 
@@ -39,9 +37,9 @@ nlohmann::ordered_json body_json(const Bit& bit, double advance) {
           {"cuts", cutting == Cutting::cuts},
           {"rubs", cutting == Cutting::rubs},
           {"least_axial_clearance_m", r.clearance},
-          {"least_axial_clearance_at_m", place_json(r.clearance_at_B)},
+          {"least_axial_clearance_at_m", vector_json(r.clearance_at_B)},
           {"touches_at_m_per_rev", r.touching_advance},
-          {"touches_first_at_m", place_json(r.touching_at_B)},
+          {"touches_first_at_m", vector_json(r.touching_at_B)},
           {"vertices_measured", r.vertices},
           {"vertices_over_uncut_rock", r.over_uncut}};
 }

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
+
+#include "bit/report/bit_output.hpp"
+#include "core/angles.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::string cone_text(const Bit& bit, int index) {
   const Cone& cone = bit.cones[static_cast<std::size_t>(index)];
@@ -70,8 +70,8 @@ nlohmann::ordered_json cones_json(const Bit& bit) {
                      {"offset_m", cone.layout.offset},
                      {"skew_rad", cone.layout.skew},
                      {"apex_m", cone.layout.apex},
-                     {"axis", {z_B.x(), z_B.y(), z_B.z()}},
-                     {"origin_m", {cone.X_BK.p.x(), cone.X_BK.p.y(), cone.X_BK.p.z()}},
+                     {"axis", vector_json(z_B)},
+                     {"origin_m", vector_json(cone.X_BK.p)},
                      {"mass_kg", m.body_K.mass},
                      {"axial_inertia_kg_m2", m.axial_inertia},
                      {"asymmetry", m.asymmetry},

@@ -19,7 +19,7 @@ constexpr int sweep_revolutions = 5;
 constexpr double sweep_from = 1.0, sweep_step = 0.005;
 constexpr int sweep_points = 161;
 
-/// A row of the bit with what was found of its prints; no prints when its teeth never let go.
+/// A row of the bit and its tracking; no prints when its teeth never let go of the bottom.
 struct RowFigures {
   const Cone* cone = nullptr;
   const ToothRow* row = nullptr;
@@ -59,7 +59,7 @@ std::vector<RowFigures> figures_of(const Bit& bit, const ConeOperation& o) {
   return figures;
 }
 
-/// Of the rows of one cone, or of all.
+/// The share of the rows of one cone, or of all rows.
 TrackingShare together(const std::vector<RowFigures>& figures, const Cone* cone) {
   std::vector<TrackingShare> shares;
   for (const RowFigures& f : figures)

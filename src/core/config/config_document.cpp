@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 
@@ -201,14 +202,6 @@ std::string joined(const std::vector<std::string>& names) {
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   return all;
-}
-
-std::string toml_string(std::string_view text) {
-  std::ostringstream out;
-  out << toml::toml_formatter{toml::array{text}, toml::format_flags::none};
-  const std::string array = out.str();  // [ "text" ]
-  const std::size_t first = array.find('"');
-  return array.substr(first, array.rfind('"') + 1 - first);
 }
 
 std::string describe(const toml::node* node) {

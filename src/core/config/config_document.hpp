@@ -68,7 +68,4 @@ std::string last_key(const std::string& key);
 /// "a, b, c".
 std::string joined(const std::vector<std::string>& names);
 
-/// Text as a TOML string.
-std::string toml_string(std::string_view text);
-
 }  // namespace tdbd

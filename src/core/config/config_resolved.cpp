@@ -6,6 +6,7 @@
 
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
+#include "core/config/toml_text.hpp"
 #include "core/hash.hpp"
 
 namespace tdbd {

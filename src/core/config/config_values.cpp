@@ -10,6 +10,7 @@
 
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
+#include "core/config/toml_text.hpp"
 #include "core/nearest_name.hpp"
 #include "core/units.hpp"
 
@@ -18,11 +19,6 @@ namespace {
 
 /// The shortest digits that read back to the bit.
 std::string number_text(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
-
-std::string vector_text(const Vec3& v) {
-  if (!v.allFinite()) return "";
-  return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
-}
 
 /// "[a, b, c]" of texts; empty if one of them is.
 std::string bracketed(const std::vector<std::string>& texts) {
@@ -50,8 +46,8 @@ std::string pairs_text(const std::vector<std::pair<double, double>>& pairs) {
 
 std::string matrix_text(const Mat3& m) {
   if (!m.allFinite()) return "";
-  return fmt::format("[{}, {}, {}]", vector_text(m.row(0)), vector_text(m.row(1)),
-                     vector_text(m.row(2)));
+  return fmt::format("[{}, {}, {}]", toml_vector(m.row(0)), toml_vector(m.row(1)),
+                     toml_vector(m.row(2)));
 }
 
 /// A number in SI, or a text with a unit. Throws UnitError.
@@ -142,7 +138,7 @@ Vec3 Config::vector(std::string_view key, const std::string& si_unit,
   const std::string expected = fmt::format("an array of three: {}", describe_unit(si_unit));
   const auto convert = [&](const toml::node& node) { return read_three(node, si_unit, expected); };
   return read_value<Vec3>(*document_, full(key), fallback,
-                          {expected, si_unit, Vec3::UnitZ(), convert, vector_text});
+                          {expected, si_unit, Vec3::UnitZ(), convert, toml_vector});
 }
 
 std::vector<double> Config::list(std::string_view key, const std::string& si_unit,

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
@@ -16,7 +13,7 @@
 namespace tdbd {
 namespace {
 
-std::vector<std::string> split_cells(std::string_view line) {
+std::vector<std::string> split(std::string_view line) {
   std::vector<std::string> cells;
   std::size_t comma = 0;
   while ((comma = line.find(',')) != std::string_view::npos) {
@@ -27,53 +24,31 @@ std::vector<std::string> split_cells(std::string_view line) {
   return cells;
 }
 
-/// A finite number that fills the whole cell.
-std::optional<double> finite_number(const std::string& cell) {
-  double value = 0.0;
-  const char* end = cell.data() + cell.size();
-  const auto [rest, error] = std::from_chars(cell.data(), end, value);
-  if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-/// Collects the mistakes of one file.
-struct Problems {
-  std::string file;
-  std::string text;
-
-  void add(long line, const std::string& column, const std::string& found,
-           const std::string& expected) {
-    if (!text.empty()) text += '\n';
-    text += fmt::format("{}:{}: {}: found {}, expected {}", file, line, column, found, expected);
-  }
-};
-
-void add_header(CsvTable& table, const CsvRow& row, Problems& problems) {
+void check_header(const CsvRow& row, CsvMistakes& mistakes) {
   for (const std::string& name : row.cells) {
-    if (name.empty() || finite_number(name))
-      problems.add(row.line, "header", fmt::format("\"{}\"", name), "the name of a column");
+    if (name.empty() || csv_number<double>(name))
+      mistakes.add(row.line, "header", fmt::format("\"{}\"", name), "the name of a column");
     if (std::count(row.cells.begin(), row.cells.end(), name) > 1)
-      problems.add(row.line, "header", fmt::format("\"{}\" twice", name), "different names");
+      mistakes.add(row.line, "header", fmt::format("\"{}\" twice", name), "different names");
   }
-  table.header = row.cells;
 }
 
-void add_row(CsvTable& table, const CsvRow& row, Problems& problems) {
-  if (row.cells.size() != table.header.size()) {
-    problems.add(row.line, "row", fmt::format("{} values", row.cells.size()),
+void add_row(CsvTable& table, const CsvRow& text, CsvMistakes& mistakes) {
+  if (text.cells.size() != table.header.size()) {
+    mistakes.add(text.line, "row", fmt::format("{} values", text.cells.size()),
                  fmt::format("{}, as in the header", table.header.size()));
     return;
   }
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < row.cells.size(); ++i) {
-    const std::optional<double> value = finite_number(row.cells[i]);
+  std::vector<double> row;
+  for (std::size_t i = 0; i < text.cells.size(); ++i) {
+    const std::optional<double> value = csv_number<double>(text.cells[i]);
     if (!value)
-      problems.add(row.line, table.header[i], fmt::format("\"{}\"", row.cells[i]),
+      mistakes.add(text.line, table.header[i], fmt::format("\"{}\"", text.cells[i]),
                    "a finite number");
-    numbers.push_back(value.value_or(0.0));
+    row.push_back(value.value_or(0.0));
   }
-  table.rows.push_back(std::move(numbers));
-  table.lines.push_back(row.line);
+  table.rows.push_back(std::move(row));
+  table.lines.push_back(text.line);
 }
 
 }  // namespace
@@ -84,32 +59,44 @@ std::vector<CsvRow> read_csv_rows(const std::string& path) {
     throw InputError(fmt::format("{}: found no such file, expected a CSV table", path));
   std::vector<CsvRow> rows;
   std::string text;
-  for (int line = 1; std::getline(in, text); ++line) {
+  for (long line = 1; std::getline(in, text); ++line) {
     std::string_view body = text;
     if (line == 1 && body.substr(0, 3) == "\xef\xbb\xbf") body.remove_prefix(3);
     body = trimmed(body);
-    if (!body.empty() && body.front() != '#') rows.push_back({line, split_cells(body)});
+    if (!body.empty() && body.front() != '#') rows.push_back({line, split(body)});
   }
   return rows;
 }
 
+void CsvMistakes::add(long line, std::string_view column, std::string_view found,
+                      std::string_view expected) {
+  lines.push_back(
+      fmt::format("{}:{}: {}: found {}, expected {}", file, line, column, found, expected));
+}
+
+void CsvMistakes::throw_if_any() const {
+  if (!lines.empty()) throw InputError(fmt::format("{}", fmt::join(lines, "\n")));
+}
+
 CsvTable read_csv(const std::string& path) {
   CsvTable table{path, {}, {}, {}};
-  Problems problems{path, ""};
+  CsvMistakes mistakes{path};
   for (const CsvRow& row : read_csv_rows(path)) {
-    if (table.header.empty())
-      add_header(table, row, problems);
-    else
-      add_row(table, row, problems);
+    if (!table.header.empty()) {
+      add_row(table, row, mistakes);
+      continue;
+    }
+    check_header(row, mistakes);
+    table.header = row.cells;
   }
-  if (table.header.empty()) problems.add(1, "header", "nothing", "the names of the columns");
-  if (!problems.text.empty()) throw InputError(problems.text);
+  if (table.header.empty()) mistakes.add(1, "header", "nothing", "the names of the columns");
+  mistakes.throw_if_any();
   return table;
 }
 
 std::size_t csv_column(const CsvTable& table, std::string_view name) {
-  const auto at = std::find(table.header.begin(), table.header.end(), name);
-  if (at != table.header.end()) return static_cast<std::size_t>(at - table.header.begin());
+  const auto place = std::find(table.header.begin(), table.header.end(), name);
+  if (place != table.header.end()) return static_cast<std::size_t>(place - table.header.begin());
   const auto near = nearest_name(name, table.header);
   const std::string found = near ? fmt::format("the column {}", *near) : "no such column";
   throw InputError(

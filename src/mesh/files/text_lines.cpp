@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace tdbd::mesh {
 
@@ -27,8 +28,7 @@ bool TextLines::next() {
 std::string TextLines::rest() const {
   if (words_.size() < 2) return "";
   const std::size_t first = line_.find(words_[0]) + words_[0].size();
-  const std::size_t begin = line_.find_first_not_of(" \t", first);
-  return line_.substr(begin, line_.find_last_not_of(" \t\r") + 1 - begin);
+  return std::string(trimmed(std::string_view(line_).substr(first)));
 }
 
 Vec3 TextLines::point(std::size_t first) const {

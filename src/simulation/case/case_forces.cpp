@@ -19,7 +19,6 @@ enum class FollowsRun { yes, no };
 
 struct KindKey {
   PartKind kind;
-  const char* key;
   FollowsRun follows;
 };
 
@@ -39,14 +38,14 @@ forces::Law cutter_body_bearing() {
 
 /// Kinds in the order of PartKind.
 constexpr std::array<KindKey, bit::part_kinds.size()> kinds{
-    {{PartKind::face, "face", FollowsRun::yes},
-     {PartKind::chamfer, "chamfer", FollowsRun::yes},
-     {PartKind::cse, "cse", FollowsRun::yes},
-     {PartKind::cutter_body, "cutter_body", FollowsRun::no},
-     {PartKind::gage_pad, "gage_pad", FollowsRun::no},
-     {PartKind::bit_body, "bit_body", FollowsRun::no},
-     {PartKind::cone, "cone", FollowsRun::yes},
-     {PartKind::tooth, "tooth", FollowsRun::yes}}};
+    {{PartKind::face, FollowsRun::yes},
+     {PartKind::chamfer, FollowsRun::yes},
+     {PartKind::cse, FollowsRun::yes},
+     {PartKind::cutter_body, FollowsRun::no},
+     {PartKind::gage_pad, FollowsRun::no},
+     {PartKind::bit_body, FollowsRun::no},
+     {PartKind::cone, FollowsRun::yes},
+     {PartKind::tooth, FollowsRun::yes}}};
 
 /// A law with coefficients from the literature, which the keys beside it change.
 std::optional<forces::Law> read_fit(Config& c) {
@@ -87,8 +86,9 @@ void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const b
   law = follows                           ? common
         : k.kind == PartKind::cutter_body ? cutter_body_bearing()
                                           : forces::Law(forces::NoForce{});
-  if (!c.has(k.key)) return;
-  Config table = c.table(k.key);
+  const std::string key = bit::kind_key(k.kind);
+  if (!c.has(key)) return;
+  Config table = c.table(key);
   law = read_law(table, std::string(forces::law_name(law)));
   const std::string wrong = forces::law_problem(law, k.kind, cutter_diameter(bit));
   if (!wrong.empty()) table.problem(force_keys::law, std::string(forces::law_name(law)), wrong);

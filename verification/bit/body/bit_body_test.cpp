@@ -10,7 +10,7 @@ namespace {
 
 constexpr double gage = 107.95e-3;
 
-TEST(bit_body, is_a_closed_solid_that_never_cuts) {
+TEST(BitBody, is_a_closed_solid_that_never_cuts) {
   for (const char letter : {'a', 'b', 'c'}) {
     const Part body = bit_body(table(letter), 0.4, 7850.0, gage);
     EXPECT_TRUE(is_closed_and_oriented(body.mesh_P));
@@ -20,7 +20,7 @@ TEST(bit_body, is_a_closed_solid_that_never_cuts) {
   }
 }
 
-TEST(bit_body, stays_inside_the_gage_by_the_setback) {
+TEST(BitBody, stays_inside_the_gage_by_the_setback) {
   const Part body = bit_body(table('b'), 0.4, 7850.0, gage);
   double widest = 0.0;
   for (const Vec3& x : body.mesh_P.positions) widest = std::max(widest, x.head<2>().norm());
@@ -28,7 +28,7 @@ TEST(bit_body, stays_inside_the_gage_by_the_setback) {
 }
 
 /// More setback, less body.
-TEST(bit_body, shrinks_with_the_setback) {
+TEST(BitBody, shrinks_with_the_setback) {
   const auto volume = [](double setback) {
     return mesh::enclosed_volume(bit_body(table('c'), setback, 1.0, gage).mesh_P);
   };
@@ -37,7 +37,7 @@ TEST(bit_body, shrinks_with_the_setback) {
 }
 
 /// The order of the table's rows says nothing about the bit.
-TEST(bit_body, does_not_depend_on_the_order_of_the_table) {
+TEST(BitBody, does_not_depend_on_the_order_of_the_table) {
   std::vector<Cutter> cutters = table('a');
   const Part forwards = bit_body(cutters, 0.4, 1.0, gage);
   std::ranges::reverse(cutters);

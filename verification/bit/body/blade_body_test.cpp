@@ -47,14 +47,14 @@ Part body_of(const Bladed& b) { return blade_body(b.cutters, b.options, b.gage_r
 
 Bladed plain() { return {lay_out(plain_design()).cutters, {}, 107.95e-3}; }
 
-RC_GTEST_PROP(blade_body, is_closed_oriented_and_does_not_intersect_itself, ()) {
+RC_GTEST_PROP(BladeBody, is_closed_oriented_and_does_not_intersect_itself, ()) {
   const mesh::TriangleMesh m = body_of(any_bladed()).mesh_P;
   const auto defects = mesh::check_closed(m);
   if (!defects.empty()) RC_FAIL(mesh::describe(defects, 3));
   RC_ASSERT(reference::self_intersecting_pairs(m) == 0u);
 }
 
-TEST(blade_body, of_the_example_bits_is_a_solid) {
+TEST(BladeBody, of_the_example_bits_is_a_solid) {
   for (const char letter : {'a', 'b', 'c'}) {
     BladeOptions o;
     o.slot_depth = 15e-3;
@@ -70,7 +70,7 @@ TEST(blade_body, of_the_example_bits_is_a_solid) {
 
 /// A tip stands outside its blade by the exposure less its under-exposure; a point of the cutter's
 /// body behind it and under the blade's top is inside.
-RC_GTEST_PROP(blade_body, carries_every_cutter, ()) {
+RC_GTEST_PROP(BladeBody, carries_every_cutter, ()) {
   const Bladed b = any_bladed();
   const mesh::TriangleTree tree(body_of(b).mesh_P);
   for (const Cutter& c : b.cutters) {
@@ -124,7 +124,7 @@ void expect_order_2(const Bladed& b) {
   EXPECT_NEAR(order, 2.0, 0.1);
 }
 
-TEST(blade_body, has_a_volume_that_converges_with_order_2) {
+TEST(BladeBody, has_a_volume_that_converges_with_order_2) {
   expect_order_2(plain());
   Bladed spiral = plain();
   PdcDesign d = plain_design();
@@ -134,7 +134,7 @@ TEST(blade_body, has_a_volume_that_converges_with_order_2) {
 }
 
 /// One cutter repeated on n blades at equal angles: the body is the same after a turn by 2 pi / n.
-TEST(blade_body, of_equal_blades_has_their_symmetry) {
+TEST(BladeBody, of_equal_blades_has_their_symmetry) {
   for (const int n : {3, 5}) {
     std::vector<Cutter> cutters;
     for (int k = 0; k < n; ++k)
@@ -160,7 +160,7 @@ TEST(blade_body, of_equal_blades_has_their_symmetry) {
 
 /// Between the blades' tops at radius a and the slots' floor at b a slot is a sector, but for its
 /// walls; the free ring outside the tops is all round.
-TEST(blade_body, has_the_junk_slot_area_of_its_sectors) {
+TEST(BladeBody, has_the_junk_slot_area_of_its_sectors) {
   Bladed b = plain();
   b.options.wall = 1e-7;
   b.options.edge = 0.25e-3;
@@ -178,7 +178,7 @@ std::string problem_of(const Bladed& b) {
   return problems.empty() ? "" : problems[0].key + ": " + problems[0].found;
 }
 
-TEST(blade_body, says_what_is_impossible_and_where) {
+TEST(BladeBody, says_what_is_impossible_and_where) {
   Bladed b = plain();
   EXPECT_EQ(problem_of(b), "");
   b.options.slot_depth = 80e-3;
@@ -200,7 +200,7 @@ TEST(blade_body, says_what_is_impossible_and_where) {
 }
 
 /// The deepest slot that a message allows is allowed, and a little more is not.
-TEST(blade_body, tells_the_deepest_slot) {
+TEST(BladeBody, says_the_deepest_slot) {
   Bladed b = plain();
   b.options.slot_depth = 80e-3;
   const std::string most = blade_problems(b.cutters, b.options, b.gage_radius)[0].expected;

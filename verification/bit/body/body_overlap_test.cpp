@@ -29,7 +29,7 @@ Pose any_pose() {
 }
 
 /// Two convex solids: clipping one by the other's planes is another way to the same volume.
-RC_GTEST_PROP(body_overlap, of_convex_solids_is_what_their_planes_leave, ()) {
+RC_GTEST_PROP(BodyOverlap, of_convex_solids_is_what_their_planes_leave, ()) {
   const mesh::TriangleMesh a = placed_cylinder(any_pose()), b = placed_cylinder(any_pose());
   const auto planes = mesh::convex_solid(b);
   RC_ASSERT(planes.has_value());
@@ -42,7 +42,7 @@ RC_GTEST_PROP(body_overlap, of_convex_solids_is_what_their_planes_leave, ()) {
 }
 
 /// A cutter's body and blades: the share of a grid of its points that lies inside.
-TEST(body_overlap, of_cutters_in_blades_is_what_a_grid_of_points_finds) {
+TEST(BodyOverlap, of_cutters_in_blades_is_what_a_grid_of_points_finds) {
   const Bit bit = [] {
     PdcOptions options;
     options.blades = BladeOptions{};

@@ -17,7 +17,7 @@ Part cylinder(double radius, double from, double to) {
 }
 
 /// One in the other, whatever their frames; half out, or without a density, is not.
-RC_GTEST_PROP(enclosed_parts, are_found_in_any_frame, ()) {
+RC_GTEST_PROP(EnclosedParts, are_found_in_any_frame, ()) {
   const Eigen::Quaterniond q(number(0.1, 1), number(-1, 1), number(-1, 1), number(-1, 1));
   const Pose X_BP{q.normalized().toRotationMatrix(), {number(-1, 1), number(-1, 1), number(-1, 1)}};
   Bit bit;
@@ -28,7 +28,7 @@ RC_GTEST_PROP(enclosed_parts, are_found_in_any_frame, ()) {
   RC_ASSERT(enclosed_parts(bit).empty());
 }
 
-TEST(enclosed_parts, of_the_example_bits_are_none) {
+TEST(EnclosedParts, of_the_example_bits_are_none) {
   for (const char letter : {'a', 'b', 'c'})
     EXPECT_TRUE(enclosed_parts(example_bit(letter)).empty());
 }

@@ -32,7 +32,7 @@ Part points(const std::vector<Vec3>& places_B) {
 
 /// One cutter and a point a quarter of a turn behind it, 2 mm above its groove: at an advance d it
 /// clears the rock by 2 mm - d / 4, and touches it at 8 mm a revolution.
-TEST(rubbing, of_a_point_behind_one_cutter_is_that_of_the_helix) {
+TEST(Rubbing, of_a_point_behind_one_cutter_is_that_of_the_helix) {
   const Part p = points({{0.0, -50e-3, -2e-3}});
   const Rubbing r = rubbing({flat_cutter(50e-3)}, p, 3e-3, column);
   EXPECT_EQ(r.vertices, 1u);
@@ -41,7 +41,7 @@ TEST(rubbing, of_a_point_behind_one_cutter_is_that_of_the_helix) {
 }
 
 /// A second cutter half a turn on halves the share that the bit sinks in between.
-TEST(rubbing, depends_on_the_cutter_that_passed_last) {
+TEST(Rubbing, depends_on_the_cutter_that_passed_last) {
   Cutter second = flat_cutter(50e-3);
   second.azimuth = pi;
   second.X_BC = cutter_pose(second);
@@ -51,14 +51,14 @@ TEST(rubbing, depends_on_the_cutter_that_passed_last) {
               sagitta);
 }
 
-TEST(rubbing, leaves_out_what_lies_over_uncut_rock) {
+TEST(Rubbing, leaves_out_what_lies_over_uncut_rock) {
   const Rubbing r = rubbing({flat_cutter(50e-3)}, points({{0.0, 10e-3, -2e-3}}), 4e-3, column);
   EXPECT_EQ(r.vertices, 0u);
   EXPECT_EQ(r.over_uncut, 1u);
 }
 
 /// At the advance at which a body touches, and at no smaller one, its least clearance is 0.
-RC_GTEST_PROP(rubbing, of_blades_begins_where_the_clearance_ends, ()) {
+RC_GTEST_PROP(Rubbing, of_blades_begins_where_the_clearance_ends, ()) {
   const PdcDesign d = any_design();
   const std::vector<Cutter> cutters = laid_out(d);
   BladeOptions o;
@@ -92,7 +92,7 @@ double swept_clearance(const std::vector<Cutter>& cutters, const Vec3& x_B, doub
   return rock - x_B.z();
 }
 
-TEST(rubbing, is_what_points_of_turning_rims_leave) {
+TEST(Rubbing, is_what_points_of_turning_rims_leave) {
   const std::vector<Cutter> cutters = lay_out(plain_design()).cutters;
   for (const double r : {20e-3, 45e-3, 66e-3, 80e-3})
     for (const double azimuth : {0.3, 1.9, 4.0}) {

@@ -37,7 +37,7 @@ Vec3 turned_in_bit(const Part& part, const Pose& X_BK, double phi, const Vec3& x
   return Eigen::AngleAxisd(phi, s).toRotationMatrix() * (part.X_BP * x_P - X_BK.p) + X_BK.p;
 }
 
-RC_GTEST_PROP(cone_bit, has_closed_parts_named_by_cone_row_and_tooth, ()) {
+RC_GTEST_PROP(ConeBit, has_closed_parts_named_by_cone_row_and_tooth, ()) {
   const Bit bit = cone_bit("any", {toothed_cone()}, std::nullopt, {});
   RC_ASSERT(bit.parts.size() == 21u);
   RC_ASSERT(bit.parts[0].name == "cone-1/body");
@@ -50,7 +50,7 @@ RC_GTEST_PROP(cone_bit, has_closed_parts_named_by_cone_row_and_tooth, ()) {
 }
 
 /// The teeth at the gage come to the gage radius, exactly and no farther, as their cone turns.
-RC_GTEST_PROP(cone_bit, reaches_the_gage_radius_in_a_turn, ()) {
+RC_GTEST_PROP(ConeBit, reaches_the_gage_radius_in_a_turn, ()) {
   const double gage = number(0.09, 0.13);
   const ConeLayout layout = toothed_cone();
   const Bit bit = cone_bit("any", {layout}, gage, {});
@@ -79,7 +79,7 @@ RC_GTEST_PROP(cone_bit, reaches_the_gage_radius_in_a_turn, ()) {
 
 /// A cylinder of steel about the journal: closed forms of mass and axial inertia with order 2, no
 /// asymmetry, the centre on the axis.
-TEST(cone_bit, has_the_mass_properties_of_a_cylinder) {
+TEST(ConeBit, has_the_mass_properties_of_a_cylinder) {
   const auto error = [](int segments) {
     ConeLayout c;
     c.shell = {{0.02, 0.05}, {0.08, 0.05}};
@@ -102,7 +102,7 @@ TEST(cone_bit, has_the_mass_properties_of_a_cylinder) {
 }
 
 /// A cone whose shell meets the axis: mass and Ic = 3/10 m r^2 of a solid cone, order 2.
-TEST(cone_bit, has_the_mass_properties_of_a_solid_cone) {
+TEST(ConeBit, has_the_mass_properties_of_a_solid_cone) {
   const auto error = [](int segments) {
     ConeLayout c;
     c.shell = {{0.0, 0.0}, {0.08, 0.06}};
@@ -116,7 +116,7 @@ TEST(cone_bit, has_the_mass_properties_of_a_solid_cone) {
 }
 
 /// Equal teeth of unequal spacing throw the centre off the axis; equal spacing does not.
-TEST(cone_bit, measures_the_asymmetry_of_unequal_spacing) {
+TEST(ConeBit, measures_the_asymmetry_of_unequal_spacing) {
   ConeLayout c = toothed_symmetric();
   const double equal = cone_mass(cone_bit("a", {c}, std::nullopt, {}), 0).centre_off_axis;
   c.rows[0].angles = spaced_angles(8, 0.0, {1, 1, 1, 1, 1.4, 1.4, 1, 1});
@@ -127,7 +127,7 @@ TEST(cone_bit, measures_the_asymmetry_of_unequal_spacing) {
 }
 
 /// Two opposite teeth: the difference of the transverse principal inertias, whatever their azimuth.
-TEST(cone_bit, measures_the_difference_of_the_transverse_inertias) {
+TEST(ConeBit, measures_the_difference_of_the_transverse_inertias) {
   ConeLayout c = toothed_symmetric();
   c.rows.erase(c.rows.begin());
   const auto measured = [&](double first) {
@@ -152,7 +152,7 @@ std::string complaint(const std::vector<ConeLayout>& cones, double gage) {
   return "";
 }
 
-TEST(cone_bit, refuses_what_cannot_reach_its_gage) {
+TEST(ConeBit, refuses_what_cannot_reach_its_gage) {
   ConeLayout c = toothed_symmetric();
   EXPECT_EQ(complaint({c}, 0.1), "");
   EXPECT_NE(complaint({c}, 0.02).find("cone-1: offset: found no place along the journal"),
@@ -163,7 +163,7 @@ TEST(cone_bit, refuses_what_cannot_reach_its_gage) {
   EXPECT_NE(complaint({}, 0.1).find("found no tooth"), std::string::npos);
 }
 
-TEST(cone_bit, refuses_a_body_beyond_its_teeth) {
+TEST(ConeBit, refuses_a_body_beyond_its_teeth) {
   ConeLayout c = toothed_symmetric();
   c.shell.back() = {0.12, 0.06};
   c.rows.pop_back();
@@ -173,7 +173,7 @@ TEST(cone_bit, refuses_a_body_beyond_its_teeth) {
 
 /// Two pointed cones nose to nose on one line: the gap is that of the noses; pushed into one
 /// another by d, each nose is d sin(half angle) deep in the other.
-TEST(cone_bit, knows_gap_and_overlap_of_two_cones) {
+TEST(ConeBit, knows_gap_and_overlap_of_two_cones) {
   const auto cones = [](double apex) {
     ConeLayout a;
     a.shell = {{0.01, 0.0}, {0.05, 0.02}};

@@ -27,9 +27,9 @@ void expect_fault(const ConeLayout& c, int row, const std::string& key, const st
   EXPECT_NE(faults[0].found.find(found), std::string::npos) << faults[0].found;
 }
 
-TEST(cone_faults, are_none_for_a_sound_cone) { EXPECT_TRUE(cone_faults(sound_cone()).empty()); }
+TEST(ConeFaults, are_none_for_a_sound_cone) { EXPECT_TRUE(cone_faults(sound_cone()).empty()); }
 
-TEST(cone_faults, tell_a_profile_that_folds) {
+TEST(ConeFaults, tell_a_profile_that_folds) {
   ConeLayout c = sound_cone();
   c.shell[2].s = 0.03;
   expect_fault(c, -1, "shell",
@@ -42,13 +42,13 @@ TEST(cone_faults, tell_a_profile_that_folds) {
   expect_fault(c, -1, "shell", "point 1");
 }
 
-TEST(cone_faults, tell_a_row_off_the_shell) {
+TEST(ConeFaults, tell_a_row_off_the_shell) {
   ConeLayout c = sound_cone();
   c.rows[1].s = 0.0901;
   expect_fault(c, 1, "s", "90.1 mm");
 }
 
-TEST(cone_faults, tell_angles_that_do_not_rise) {
+TEST(ConeFaults, tell_angles_that_do_not_rise) {
   ConeLayout c = sound_cone();
   c.rows[0].angles = {0.1, 0.1};
   expect_fault(c, 0, "angles", "0.1 rad for tooth 2");
@@ -58,25 +58,25 @@ TEST(cone_faults, tell_angles_that_do_not_rise) {
   expect_fault(c, 0, "angles", "no tooth");
 }
 
-TEST(cone_faults, tell_a_negative_size) {
+TEST(ConeFaults, tell_a_negative_size) {
   ConeLayout c = sound_cone();
   c.rows[1].shape.diameter = -0.01;
   expect_fault(c, 1, "diameter", "-10 mm");
 }
 
-TEST(cone_faults, tell_a_tooth_inside_the_cone) {
+TEST(ConeFaults, tell_a_tooth_inside_the_cone) {
   ConeLayout c = sound_cone();
   c.rows[0].sink = 0.008;
   expect_fault(c, 0, "protrusion", "mm inside the cone");
 }
 
-TEST(cone_faults, tell_a_base_off_the_cone) {
+TEST(ConeFaults, tell_a_base_off_the_cone) {
   ConeLayout c = sound_cone();
   c.rows[1].sink = -0.01;
   expect_fault(c, 1, "embedding", "a base that stands");
 }
 
-TEST(cone_faults, tell_rows_that_collide) {
+TEST(ConeFaults, tell_rows_that_collide) {
   ConeLayout c = sound_cone();
   c.rows[1].s = 0.045;
   expect_fault(c, 1, "s", "tooth 1 at 0 deg in tooth 1 of row 1");
@@ -86,7 +86,7 @@ TEST(cone_faults, tell_rows_that_collide) {
 }
 
 /// Rows at one place whose teeth stand in each other's gaps do not collide.
-TEST(cone_faults, allow_rows_that_interlock) {
+TEST(ConeFaults, allow_rows_that_interlock) {
   ConeLayout c = sound_cone();
   c.rows[0].angles = spaced_angles(4, 0.0, {});
   c.rows[1] = c.rows[0];

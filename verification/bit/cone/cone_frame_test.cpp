@@ -22,7 +22,7 @@ Vec3 journal(const ConeLayout& c) {
           std::sin(c.journal_angle)};
 }
 
-RC_GTEST_PROP(cone_frame, has_its_axis_along_the_journal_inwards_and_down, ()) {
+RC_GTEST_PROP(ConeFrame, has_its_axis_along_the_journal_inwards_and_down, ()) {
   const ConeLayout c = any_cone();
   const Pose X_BK = cone_pose(c, number(-pi, pi));
   RC_ASSERT((X_BK.R.col(2) - journal(c)).norm() < rounding);
@@ -31,8 +31,8 @@ RC_GTEST_PROP(cone_frame, has_its_axis_along_the_journal_inwards_and_down, ()) {
   RC_ASSERT(X_BK.R.col(2).z() >= 0.0);
 }
 
-/// Formulation 4: p = r0 + S s + D Rot(s, phi) d0, in vectors.
-RC_GTEST_PROP(cone_frame, places_points_as_an_independent_chain_does, ()) {
+/// bit (2), p = r0 + S s + D Rot(s, phi) d0, in vectors.
+RC_GTEST_PROP(ConeFrame, places_points_as_an_independent_chain_does, ()) {
   const ConeLayout c = any_cone();
   const double phi = number(-2 * pi, 2 * pi);
   const Vec3 x_K(number(-0.1, 0.1), number(-0.1, 0.1), number(-0.1, 0.1));
@@ -45,7 +45,7 @@ RC_GTEST_PROP(cone_frame, places_points_as_an_independent_chain_does, ()) {
 }
 
 /// The journal passes the bit's axis at the offset, up to the cosine of the skew.
-RC_GTEST_PROP(cone_frame, passes_the_bits_axis_at_the_offset, ()) {
+RC_GTEST_PROP(ConeFrame, passes_the_bits_axis_at_the_offset, ()) {
   ConeLayout c = any_cone();
   const Pose X_BK = cone_pose(c, 0.0);
   const Vec3 s = X_BK.R.col(2), across = s.cross(Vec3::UnitZ()).normalized();
@@ -54,7 +54,7 @@ RC_GTEST_PROP(cone_frame, passes_the_bits_axis_at_the_offset, ()) {
 }
 
 /// A point of a cone that rolls on the bottom has no velocity: the bit turns about +z, phi' < 0.
-TEST(cone_frame, rolls_with_a_negative_rate) {
+TEST(ConeFrame, rolls_with_a_negative_rate) {
   ConeLayout c;
   c.journal_angle = 36 * degree;
   const double radius = 0.06, ahead = 1e-6;
@@ -67,7 +67,7 @@ TEST(cone_frame, rolls_with_a_negative_rate) {
   EXPECT_LT((at(ahead, ratio) - at(0.0, ratio)).norm(), 1e-3 * ahead * radius);
 }
 
-TEST(cone_frame, of_a_cone_at_an_angle_is_that_of_its_layout) {
+TEST(ConeFrame, of_a_cone_at_an_angle_is_that_of_its_layout) {
   ConeLayout c;
   c.journal_angle = 0.6;
   c.apex = 0.01;

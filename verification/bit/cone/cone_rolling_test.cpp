@@ -10,6 +10,8 @@
 namespace tdbd::bit {
 namespace {
 
+using rotation::Twist;
+
 constexpr double rounding = 1e-12;  ///< of sums of a few products; scale: the largest term
 
 Vec3 any_vector(double size) {
@@ -29,11 +31,11 @@ std::vector<ConeContact> any_contacts() {
 double balanced(const SlipBalance& b) { return -b.moment / b.inertia; }
 
 Vec3 slip(const Pose& X_BK, const Twist& bit, const Vec3& x_B, double speed) {
-  return bit(x_B) + speed * X_BK.R.col(2).cross(x_B - X_BK.p);
+  return rotation::velocity_B(bit, x_B) + speed * X_BK.R.col(2).cross(x_B - X_BK.p);
 }
 
 /// One row without offset or skew, its contact straight below the journal: the exact ratio R/rho.
-RC_GTEST_PROP(cone_rolling, a_single_row_on_a_flat_bottom_rolls_at_R_over_rho, ()) {
+RC_GTEST_PROP(ConeRolling, a_single_row_on_a_flat_bottom_rolls_at_R_over_rho, ()) {
   ConeLayout c = any_cone();
   c.offset = c.skew = 0.0;
   const Pose X_BK = cone_pose(c, 0.0);
@@ -48,7 +50,7 @@ RC_GTEST_PROP(cone_rolling, a_single_row_on_a_flat_bottom_rolls_at_R_over_rho, (
 }
 
 /// Ahead of the lowest place and behind it alike, by psi: R/rho cos psi (journal level).
-TEST(cone_rolling, contacts_before_the_lowest_place_slow_the_cone) {
+TEST(ConeRolling, contacts_before_the_lowest_place_slow_the_cone) {
   const ConeLayout c;
   const double R = 0.08, rho = 0.05, psi = 0.3;
   std::vector<ConeContact> contacts;
@@ -59,7 +61,7 @@ TEST(cone_rolling, contacts_before_the_lowest_place_slow_the_cone) {
 }
 
 /// No torque is left about the journal, and no other speed slips less.
-RC_GTEST_PROP(cone_rolling, balances_the_torque_at_the_least_slip, ()) {
+RC_GTEST_PROP(ConeRolling, balances_the_torque_at_the_least_slip, ()) {
   const Pose X_BK = cone_pose(any_cone(), number(-pi, pi));
   const Twist bit = any_twist();
   const std::vector<ConeContact> contacts = any_contacts();
@@ -83,13 +85,13 @@ RC_GTEST_PROP(cone_rolling, balances_the_torque_at_the_least_slip, ()) {
 }
 
 /// A bit turned about z rolls its cones alike, and so does one whose contacts all weigh more.
-RC_GTEST_PROP(cone_rolling, does_not_hang_on_azimuth_or_weight, ()) {
+RC_GTEST_PROP(ConeRolling, does_not_depend_on_azimuth_or_weight, ()) {
   const ConeLayout cone = any_cone();
   ConeLayout turned_cone = cone;
   const double angle = number(-pi, pi), factor = number(0.1, 10.0);
   turned_cone.azimuth += angle;
   const Mat3 turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
-  const Twist bit = any_twist(), turned_bit{turn * bit.w_B, turn * bit.v_B};
+  const Twist bit = any_twist(), turned_bit{turn * bit.angular_B, turn * bit.linear_B};
   std::vector<ConeContact> contacts = any_contacts();
   const double speed = balanced(slip_balance(cone_pose(cone, 0.0), bit, contacts));
   for (ConeContact& c : contacts) c = {turn * c.x_B, factor * c.weight};
@@ -98,7 +100,7 @@ RC_GTEST_PROP(cone_rolling, does_not_hang_on_azimuth_or_weight, ()) {
 }
 
 /// A tooth's tip is as far from the journal as its row says, at every angle.
-RC_GTEST_PROP(cone_rolling, finds_the_tips_of_teeth, ()) {
+RC_GTEST_PROP(ConeRolling, finds_the_tips_of_teeth, ()) {
   ConeLayout layout = toothed_cone();
   for (ToothRow& row : layout.rows) row.shape = any_tooth();
   const Cone cone{"cone-1", layout, cone_pose(layout, 0.0)};
@@ -112,7 +114,7 @@ RC_GTEST_PROP(cone_rolling, finds_the_tips_of_teeth, ()) {
     }
 }
 
-TEST(cone_rolling, takes_the_ratio_of_the_gage_row) {
+TEST(ConeRolling, takes_the_ratio_of_the_gage_row) {
   ConeLayout layout;
   layout.shell = {{0.01, 0.01}, {0.04, 0.03}, {0.07, 0.05}, {0.09, 0.035}};
   ToothRow inner, gage;

@@ -23,7 +23,7 @@ ConeLayout any_shell() {
   return c;
 }
 
-RC_GTEST_PROP(shell_pieces, are_convex_and_fill_the_shell, ()) {
+RC_GTEST_PROP(ShellPieces, are_convex_and_fill_the_shell, ()) {
   const ConeLayout cone = any_shell();
   double sum = 0.0;
   for (const mesh::TriangleMesh& piece : shell_pieces(cone)) {

@@ -25,7 +25,7 @@ Pose any_pose(double distance) {
   return {q.normalized().toRotationMatrix(), distance * to.normalized()};
 }
 
-RC_GTEST_PROP(meridian, knows_the_distance_from_a_cylinder, ()) {
+RC_GTEST_PROP(Meridian, knows_the_distance_from_a_cylinder, ()) {
   const Meridian cylinder = shell_meridian({{0.0, 1.0}, {4.0, 1.0}});
   const double r = number(0.0, 0.9), s = number(1.0, 3.0), out = number(0.1, 2.0);
   RC_ASSERT(std::abs(signed_distance(cylinder, {s, r}) - (r - 1.0)) < 1e-15);
@@ -36,7 +36,7 @@ RC_GTEST_PROP(meridian, knows_the_distance_from_a_cylinder, ()) {
 }
 
 /// Nothing of a tooth that turns with its cone comes out of its meridian.
-RC_GTEST_PROP(meridian, of_a_row_contains_what_its_teeth_sweep, ()) {
+RC_GTEST_PROP(Meridian, of_a_row_contains_what_its_teeth_sweep, ()) {
   const ToothShape t = any_tooth();
   const mesh::TriangleMesh m = tooth_mesh(t, 12);
   const Pose X_KT{Eigen::AngleAxisd(number(-pi, pi), Vec3::UnitY()).toRotationMatrix(),
@@ -55,7 +55,7 @@ constexpr int sides = 48;
 const double sagitta = 1.0 - std::cos(pi / sides / 2);  ///< of the polygon's sides
 
 /// Two balls at a known distance, their axes anywhere: gap and depth of overlap.
-RC_GTEST_PROP(meridian_gap, of_two_balls_is_known_to_the_resolution, ()) {
+RC_GTEST_PROP(MeridianGap, of_two_balls_is_known_to_the_resolution, ()) {
   const double distance = number(1.2, 4.0);
   const Meridian m = ball(sides);
   const Gap gap = smallest_gap(m, any_pose(0.0), m, any_pose(distance), resolution, INFINITY);
@@ -63,7 +63,7 @@ RC_GTEST_PROP(meridian_gap, of_two_balls_is_known_to_the_resolution, ()) {
 }
 
 /// A sampled twin: no sample of A's surface is nearer to B than the gap says.
-RC_GTEST_PROP(meridian_gap, is_below_every_sample, ()) {
+RC_GTEST_PROP(MeridianGap, is_below_every_sample, ()) {
   const Meridian a = shell_meridian({{0.0, 0.2}, {1.0, 0.9}, {1.4, 0.5}}), b = ball(12);
   const Pose X_BA = any_pose(0.0), X_BB = any_pose(number(1.0, 2.5));
   const Gap gap = smallest_gap(a, X_BA, b, X_BB, resolution, INFINITY);
@@ -79,7 +79,7 @@ RC_GTEST_PROP(meridian_gap, is_below_every_sample, ()) {
   RC_ASSERT(nearest >= gap.distance - resolution);
 }
 
-TEST(meridian_gap, stops_where_a_gap_is_large_enough) {
+TEST(MeridianGap, stops_where_a_gap_is_large_enough) {
   const Meridian m = ball(sides);
   const Pose X_BA, X_BB{Mat3::Identity(), Vec3(0, 0, 5)};
   EXPECT_GE(smallest_gap(m, X_BA, m, X_BB, resolution, 1.0).distance, 1.0);

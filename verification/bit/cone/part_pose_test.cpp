@@ -17,7 +17,7 @@ Vec3 turned_about_journal(const Cone& cone, const Vec3& x_B, double angle) {
          (1 - std::cos(angle)) * s.dot(d) * s;
 }
 
-RC_GTEST_PROP(part_pose, turns_every_part_of_a_cone_about_its_journal, ()) {
+RC_GTEST_PROP(PartPose, turns_every_part_of_a_cone_about_its_journal, ()) {
   const Bit bit = cone_bit("any", {toothed_cone(), toothed_cone()}, std::nullopt, {0.05, 0.1});
   const std::vector<double> angles{number(-50, 50), number(-50, 50)};
   const Bit there = turned(bit, angles);

@@ -44,7 +44,7 @@ double beyond(const std::vector<ProfilePoint>& profile, const Vec3& x_B) {
 }
 
 /// No cutting part of a cone that turns comes out of the profile, and one comes to its end.
-RC_GTEST_PROP(swept_parts, the_profile_holds_every_cutting_part_at_every_angle, ()) {
+RC_GTEST_PROP(SweptParts, the_profile_holds_every_cutting_part_at_every_angle, ()) {
   const Bit bit = any_cone_bit();
   constexpr double spacing = 2e-4, slack = 4e-4;  // m: corners that rays and points cut off
   const auto profile = exposure_profile(swept_parts(bit, segments), spacing);
@@ -60,7 +60,7 @@ RC_GTEST_PROP(swept_parts, the_profile_holds_every_cutting_part_at_every_angle, 
   RC_ASSERT(farthest < slack);
 }
 
-TEST(swept_parts, names_rows_and_keeps_their_reach) {
+TEST(SweptParts, names_rows_and_keeps_their_reach) {
   ConeLayout layout;
   layout.journal_angle = 36 * degree;
   layout.shell = {{0.01, 0.01}, {0.04, 0.03}, {0.07, 0.05}, {0.09, 0.035}};
@@ -80,7 +80,7 @@ TEST(swept_parts, names_rows_and_keeps_their_reach) {
   EXPECT_NEAR(deepest, 0.0, 1e-6);
 }
 
-TEST(swept_parts, are_the_cutting_parts_of_a_bit_without_cones) {
+TEST(SweptParts, are_the_cutting_parts_of_a_bit_without_cones) {
   const Bit bit = example_bit('b');
   const auto profile = exposure_profile(bit.parts, 1e-3),
              swept = exposure_profile(swept_parts(bit), 1e-3);

@@ -8,7 +8,7 @@
 namespace tdbd::bit {
 namespace {
 
-RC_GTEST_PROP(direct_teeth, moves_rock_straight_down_under_inner_rows, ()) {
+RC_GTEST_PROP(DirectTeeth, moves_rock_straight_down_under_inner_rows, ()) {
   Bit bit = cone_bit("any", {toothed_cone()}, std::nullopt, {});
   const auto rule =
       *rc::gen::element(GageRule::normal, GageRule::row, GageRule::down, GageRule::horizontal);
@@ -20,7 +20,7 @@ RC_GTEST_PROP(direct_teeth, moves_rock_straight_down_under_inner_rows, ()) {
     }
 }
 
-RC_GTEST_PROP(direct_teeth, knows_four_rules_at_the_gage, ()) {
+RC_GTEST_PROP(DirectTeeth, knows_four_rules_at_the_gage, ()) {
   Bit bit = cone_bit("any", {toothed_cone()}, std::nullopt, {});
   const auto gage_tooth = [&](GageRule rule) {
     direct_teeth(bit, rule);
@@ -37,7 +37,7 @@ RC_GTEST_PROP(direct_teeth, knows_four_rules_at_the_gage, ()) {
 
 /// The round end of an insert with a half-ball is its own: the core ends at the ball's centre, from
 /// which every corner of the cap is half a diameter away.
-RC_GTEST_PROP(direct_teeth, centres_the_core_in_the_half_ball, ()) {
+RC_GTEST_PROP(DirectTeeth, centres_the_core_in_the_half_ball, ()) {
   ConeLayout cone = toothed_cone();
   cone.rows[1].shape = ToothShape{};
   const Bit bit = cone_bit("any", {cone}, std::nullopt, {});

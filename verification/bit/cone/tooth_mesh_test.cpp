@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bit/cone/tooth_faults.hpp"
+#include "bit/cone/cone_faults.hpp"
 #include "bit/cone_generate.hpp"
 #include "bit/mass_properties.hpp"
 #include "mesh/check/check.hpp"
@@ -12,7 +12,7 @@
 namespace tdbd::bit {
 namespace {
 
-RC_GTEST_PROP(tooth_mesh, is_closed_convex_and_as_high_as_told, ()) {
+RC_GTEST_PROP(ToothMesh, is_closed_convex_and_as_high_as_told, ()) {
   const ToothShape t = any_tooth();
   RC_PRE(tooth_faults(t).empty());
   const mesh::TriangleMesh m = tooth_mesh(t, 4 * *rc::gen::inRange(2, 9));
@@ -24,7 +24,7 @@ RC_GTEST_PROP(tooth_mesh, is_closed_convex_and_as_high_as_told, ()) {
 }
 
 /// The longest crest that a tooth may have, on the coarsest mesh.
-TEST(tooth_mesh, with_a_crest_as_long_as_the_shank_is_convex) {
+TEST(ToothMesh, with_a_crest_as_long_as_the_shank_is_convex) {
   ToothShape t;
   t.kind = ToothKind::chisel;
   t.crest_length = t.diameter;
@@ -35,7 +35,7 @@ TEST(tooth_mesh, with_a_crest_as_long_as_the_shank_is_convex) {
 
 /// Volume and axial inertia of a cylinder with a half-ball on top approach their closed forms with
 /// the square of the edge.
-TEST(tooth_mesh, of_a_half_ball_converges_with_order_2) {
+TEST(ToothMesh, of_a_half_ball_converges_with_order_2) {
   ToothShape t;
   t.diameter = 2.0;
   t.protrusion = 1.0;
@@ -52,7 +52,7 @@ TEST(tooth_mesh, of_a_half_ball_converges_with_order_2) {
 }
 
 /// Wedge on a box: prismoids have a closed volume.
-TEST(tooth_mesh, of_a_milled_tooth_has_the_volume_of_its_prismoid) {
+TEST(ToothMesh, of_a_milled_tooth_has_the_volume_of_its_prismoid) {
   ToothShape t;
   t.kind = ToothKind::milled_chisel;
   const auto area = [&](double up) {
@@ -68,7 +68,7 @@ std::string first_fault(const ToothShape& t) {
   return faults.empty() ? "" : faults.front().key;
 }
 
-TEST(tooth_mesh, has_faults_for_what_no_tooth_can_be) {
+TEST(ToothMesh, has_faults_for_what_no_tooth_can_be) {
   ToothShape t;
   EXPECT_EQ(first_fault(t), "");
   t.diameter = -1e-3;

@@ -28,7 +28,7 @@ double mean(const std::vector<double>& x) {
 }
 
 /// N i prints fit into a revolution: with whole N i every tooth falls into an earlier print.
-TEST(tracking, is_complete_where_a_whole_number_of_prints_fits_into_a_revolution) {
+TEST(Tracking, is_complete_where_a_whole_number_of_prints_fits_into_a_revolution) {
   const double radius = 0.1, width = 0.01;
   for (const double prints_per_revolution : {13.0, 17.0, 20.0}) {
     const TrackingShare t =
@@ -40,14 +40,14 @@ TEST(tracking, is_complete_where_a_whole_number_of_prints_fits_into_a_revolution
 }
 
 /// Half a pitch out: no tooth in the last revolution's prints, all in those of the one before it.
-TEST(tracking, is_nothing_at_half_a_pitch_and_complete_two_revolutions_back) {
+TEST(Tracking, is_nothing_at_half_a_pitch_and_complete_two_revolutions_back) {
   const TrackingShare t = tracking({ring_of(12, 0.1, 0.01)}, {16.5 / 12}, {.lags = 4})[0];
   EXPECT_EQ(t.share, (std::vector<double>{0.0, 1.0, 0.0, 1.0}));
 }
 
 /// By the golden ratio the phases of the revolutions spread evenly over the pitch (Weyl), so that
 /// over many of them the share is that of a random phase, 2 near / pitch, to the discrepancy.
-TEST(tracking, is_that_of_a_random_phase_by_the_golden_ratio) {
+TEST(Tracking, is_that_of_a_random_phase_by_the_golden_ratio) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0), radius = 0.1, width = 0.02;
   const double per_revolution = 16 + golden;
   constexpr int lags = 987;  // a Fibonacci number
@@ -59,7 +59,7 @@ TEST(tracking, is_that_of_a_random_phase_by_the_golden_ratio) {
 }
 
 /// A ring far from another has nothing to do with it; one beside it has.
-TEST(tracking, joins_rings_that_lie_side_by_side) {
+TEST(Tracking, joins_rings_that_lie_side_by_side) {
   const PrintRing a = ring_of(12, 0.1, 0.01);
   PrintRing b = ring_of(12, 0.101, 0.01);
   b.azimuth_B += 2 * pi / 3;
@@ -86,7 +86,7 @@ reference::RolledRow rolled(const Cone& cone, const ToothRow& row, double speed,
 }
 
 /// Every touch-down is where a cone turned in small steps has it.
-RC_GTEST_PROP(tracking, prints_where_a_cone_in_small_steps_does, ()) {
+RC_GTEST_PROP(Tracking, prints_where_a_cone_in_small_steps_does, ()) {
   const Cone cone = any_rows();
   const double speed = number(1.0, 1.8), to = number(2.0, 9.0);
   for (const ToothRow& row : cone.layout.rows) {
@@ -105,7 +105,7 @@ RC_GTEST_PROP(tracking, prints_where_a_cone_in_small_steps_does, ()) {
 
 /// Shares of two rows against every pair of prints; between those for distances a little less and a
 /// little more, since regular prints may all lie right at the border.
-RC_GTEST_PROP(tracking, counts_as_comparing_every_pair_does, ()) {
+RC_GTEST_PROP(Tracking, counts_as_comparing_every_pair_does, ()) {
   constexpr double border = 1e-5;
   const Cone cone = any_rows();
   const double speed = number(1.0, 1.8);
@@ -129,7 +129,7 @@ RC_GTEST_PROP(tracking, counts_as_comparing_every_pair_does, ()) {
 }
 
 /// N acos(1 - h/A) / pi, whatever the spacing.
-RC_GTEST_PROP(tracking, contact_ratio_is_the_mean_number_of_teeth_on_the_bottom, ()) {
+RC_GTEST_PROP(Tracking, contact_ratio_is_the_mean_number_of_teeth_on_the_bottom, ()) {
   const Cone cone = any_rows();
   const double depth = number(1e-3, 20e-3);
   for (const ToothRow& row : cone.layout.rows)
@@ -138,7 +138,7 @@ RC_GTEST_PROP(tracking, contact_ratio_is_the_mean_number_of_teeth_on_the_bottom,
 }
 
 /// A hemisphere that stands upright leaves a print of its chord.
-TEST(tracking, a_print_is_as_wide_as_the_tooth_at_its_depth) {
+TEST(Tracking, a_print_is_as_wide_as_the_tooth_at_its_depth) {
   ConeLayout layout;
   layout.apex = -0.06;
   layout.shell = {{-0.01, 0.03}, {0.01, 0.03}};

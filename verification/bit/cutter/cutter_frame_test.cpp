@@ -12,13 +12,13 @@ Vec3 motion_B(const Cutter& c) {
   return Vec3::UnitZ().cross(Vec3(std::cos(c.azimuth), std::sin(c.azimuth), 0.0));
 }
 
-RC_GTEST_PROP(cutter_frame, is_right_handed_and_orthonormal, ()) {
+RC_GTEST_PROP(CutterFrame, is_right_handed_and_orthonormal, ()) {
   const Mat3 R = any_cutter().X_BC.R;
   RC_ASSERT((R.transpose() * R - Mat3::Identity()).norm() < 1e-14);
   RC_ASSERT(std::abs(R.determinant() - 1.0) < 1e-14);
 }
 
-RC_GTEST_PROP(cutter_frame, puts_the_tip_where_the_table_says, ()) {
+RC_GTEST_PROP(CutterFrame, puts_the_tip_where_the_table_says, ()) {
   const Cutter c = any_cutter();
   const Vec3 expected(c.tip_radius * std::cos(c.azimuth), c.tip_radius * std::sin(c.azimuth),
                       -c.tip_height);
@@ -26,7 +26,7 @@ RC_GTEST_PROP(cutter_frame, puts_the_tip_where_the_table_says, ()) {
 }
 
 /// A steep chamfer (a small angle from the axis) is deep, a flat one shallow.
-TEST(cutter_frame, measures_the_chamfer_from_the_axis) {
+TEST(CutterFrame, measures_the_chamfer_from_the_axis) {
   Cutter c;
   c.chamfer = 1e-3;
   c.chamfer_angle = 60 * degree;
@@ -34,14 +34,14 @@ TEST(cutter_frame, measures_the_chamfer_from_the_axis) {
 }
 
 /// -Z is tilted from n by the back rake, backwards, whatever the side rake.
-RC_GTEST_PROP(cutter_frame, leans_over_the_rock_by_the_back_rake, ()) {
+RC_GTEST_PROP(CutterFrame, leans_over_the_rock_by_the_back_rake, ()) {
   const Cutter c = any_cutter();
   const Vec3 exposure_B = -c.X_BC.R.col(2);
   RC_ASSERT(std::abs(exposure_B.dot(profile_normal_B(c)) - std::cos(c.back_rake)) < 1e-15);
   RC_ASSERT(std::abs(exposure_B.dot(motion_B(c)) + std::sin(c.back_rake)) < 1e-15);
 }
 
-RC_GTEST_PROP(cutter_frame, turns_the_face_by_the_side_rake, ()) {
+RC_GTEST_PROP(CutterFrame, turns_the_face_by_the_side_rake, ()) {
   Cutter c = any_cutter();
   const Vec3 x_B = c.X_BC.R.col(0);
   const double side_rake = std::exchange(c.side_rake, 0.0);
@@ -53,7 +53,7 @@ RC_GTEST_PROP(cutter_frame, turns_the_face_by_the_side_rake, ()) {
 
 /// The rim, followed finely: nothing on it reaches farther along n than the tip, but for the
 /// documented excess that a side rake makes.
-RC_GTEST_PROP(cutter_frame, tip_is_the_farthest_point_of_the_edge, ()) {
+RC_GTEST_PROP(CutterFrame, tip_is_the_farthest_point_of_the_edge, ()) {
   const Cutter c = any_cutter();
   const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
   const double ss = std::sin(c.side_rake), sb = std::sin(c.back_rake), cb = std::cos(c.back_rake);

@@ -23,27 +23,27 @@ void expect_gap(const Cutter& a, const Cutter& b, double gap) {
   EXPECT_FALSE(closer_than(b, a, gap - near));
 }
 
-TEST(cutter_gap, of_parallel_cylinders_is_known) {
+TEST(CutterGap, of_parallel_cylinders_is_known) {
   const Cutter c = standing(Vec3::Zero());
   expect_gap(c, standing({0, 0.009, 0.012}), 0.005);  // side by side
   expect_gap(c, standing({0.012, 0, 0}), 0.002);      // one behind the other
   expect_gap(c, standing({0.013, 0.014, 0}), 0.005);  // edge to edge
 }
 
-TEST(cutter_gap, of_crossed_cylinders_is_known) {
+TEST(CutterGap, of_crossed_cylinders_is_known) {
   Mat3 R;
   R << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // axis along y
   expect_gap(standing(Vec3::Zero()), standing({-0.005, 0.005, 0.012}, R), 0.002);
 }
 
-TEST(cutter_gap, of_overlapping_cylinders_is_none) {
+TEST(CutterGap, of_overlapping_cylinders_is_none) {
   EXPECT_TRUE(closer_than(standing({0, 0, 0}), standing({0.009, 0.002, 0}), near));
   EXPECT_TRUE(closer_than(standing({0, 0, 0}), standing({0, 0.0099, 0}), near));
   EXPECT_FALSE(closer_than(standing({0, 0, 0}), standing({0, 0.0101, 0}), near));
 }
 
 /// Moved together the gap stays, to the micrometre that the header allows.
-RC_GTEST_PROP(cutter_gap, does_not_depend_on_the_frame, ()) {
+RC_GTEST_PROP(CutterGap, does_not_depend_on_the_frame, ()) {
   const Cutter a = any_cutter();
   Cutter b = any_cutter();
   b.X_BC.p = a.X_BC.p + Vec3(number(-0.03, 0.03), number(-0.03, 0.03), number(-0.03, 0.03));

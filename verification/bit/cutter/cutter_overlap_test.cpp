@@ -32,7 +32,7 @@ Cutter cutter_at(int id, double radius, double height) {
 
 /// Two sharp cylinders side by side share a lens times their length: with rims inscribed in n
 /// corners less by about (2 pi / n)^2 / 6 of it.
-TEST(cutter_overlap, of_parallel_cylinders_is_a_lens) {
+TEST(CutterOverlap, of_parallel_cylinders_is_a_lens) {
   Cutter a = cutter_at(1, 50e-3, 0.0), b = cutter_at(2, 60e-3, 0.0);
   for (Cutter* c : {&a, &b}) c->chamfer = c->land = 0.0, c->X_BC = cutter_pose(*c);
   PdcOptions options;
@@ -45,7 +45,7 @@ TEST(cutter_overlap, of_parallel_cylinders_is_a_lens) {
 }
 
 /// A cutter at the place of another shares all of it: the sum over its parts.
-TEST(cutter_overlap, of_a_cutter_with_itself_is_its_volume) {
+TEST(CutterOverlap, of_a_cutter_with_itself_is_its_volume) {
   const Bit bit = bit_of({cutter_at(1, 50e-3, 0.0), cutter_at(2, 50e-3, 0.0)});
   double volume = 0.0;
   for (const Part& part : bit.parts)
@@ -55,12 +55,12 @@ TEST(cutter_overlap, of_a_cutter_with_itself_is_its_volume) {
   EXPECT_NEAR(overlaps[0].volume, volume, 1e-6 * volume);
 }
 
-TEST(cutter_overlap, of_cutters_that_are_clear_is_nothing) {
+TEST(CutterOverlap, of_cutters_that_are_clear_is_nothing) {
   EXPECT_TRUE(
       cutter_overlaps(bit_of({cutter_at(1, 50e-3, 0.0), cutter_at(2, 67e-3, 0.0)})).empty());
 }
 
-RC_GTEST_PROP(cutter_overlap, of_a_generated_bit_is_nothing, ()) {
+RC_GTEST_PROP(CutterOverlap, of_a_generated_bit_is_nothing, ()) {
   RC_ASSERT(cutter_overlaps(bit_of(laid_out(any_design()))).empty());
 }
 
@@ -71,7 +71,7 @@ bool inside_cylinder(const Cutter& c, const Vec3& x_B) {
 
 /// Points thrown into the first cylinder: the share that lies in the second, to five standard
 /// errors and what the polygons lose.
-RC_GTEST_PROP(cutter_overlap, is_what_monte_carlo_finds, ()) {
+RC_GTEST_PROP(CutterOverlap, is_what_monte_carlo_finds, ()) {
   Cutter a = cutter_at(1, 50e-3, 0.0), b = cutter_at(2, number(50e-3, 62e-3), number(0.0, 6e-3));
   b.azimuth = number(-0.15, 0.15);
   b.back_rake = number(0.0, 0.5);

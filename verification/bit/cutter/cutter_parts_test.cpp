@@ -26,12 +26,12 @@ double frustum_volume(int n, double a, double b, double h) {
   return polygon(n) * h * (a * a + a * b + b * b) / 3.0;
 }
 
-RC_GTEST_PROP(cutter_parts, are_closed_and_oriented, ()) {
+RC_GTEST_PROP(CutterParts, are_closed_and_oriented, ()) {
   for (const Part& part : cutter_parts(any_cutter(), any_meshing()))
     RC_ASSERT(is_closed_and_oriented(part.mesh_P));
 }
 
-RC_GTEST_PROP(cutter_parts, are_convex, ()) {
+RC_GTEST_PROP(CutterParts, are_convex, ()) {
   const Cutter c = any_cutter();
   for (const Part& part : cutter_parts(c, any_meshing()))
     for (const mesh::Triangle& t : part.mesh_P.triangles) {
@@ -42,7 +42,7 @@ RC_GTEST_PROP(cutter_parts, are_convex, ()) {
     }
 }
 
-RC_GTEST_PROP(cutter_parts, have_the_volume_of_polygon_prisms_and_frusta, ()) {
+RC_GTEST_PROP(CutterParts, have_the_volume_of_polygon_prisms_and_frusta, ()) {
   const Cutter c = any_cutter();
   CutterMeshing m;
   m.rim_segments = *rc::gen::inRange(8, 130);
@@ -60,7 +60,7 @@ RC_GTEST_PROP(cutter_parts, have_the_volume_of_polygon_prisms_and_frusta, ()) {
   RC_ASSERT(has_volume(parts.back(), frustum_volume(n, outer, outer, c.length - f)));
 }
 
-RC_GTEST_PROP(cutter_parts, hold_the_tip_and_nothing_beyond_it, ()) {
+RC_GTEST_PROP(CutterParts, hold_the_tip_and_nothing_beyond_it, ()) {
   Cutter c = any_cutter();
   c.side_rake = 0.0;
   c.back_rake = std::abs(c.back_rake);
@@ -76,7 +76,7 @@ RC_GTEST_PROP(cutter_parts, hold_the_tip_and_nothing_beyond_it, ()) {
   RC_ASSERT(std::abs(farthest) < 1e-12);
 }
 
-TEST(cutter_parts, count_the_diamond_table_once) {
+TEST(CutterParts, count_the_diamond_table_once) {
   Cutter c = table('b').front();
   const std::vector<Part> chamfered = cutter_parts(c, {});
   EXPECT_EQ(chamfered[0].density, 0.0);
@@ -85,7 +85,7 @@ TEST(cutter_parts, count_the_diamond_table_once) {
   EXPECT_EQ(cutter_parts(c, {})[0].density, table_density);
 }
 
-TEST(cutter_parts, share_their_rim_points) {
+TEST(CutterParts, share_their_rim_points) {
   const std::vector<Part> parts = cutter_parts(table('b').front(), {});
   const auto rim = [](const Part& part, double radius) {
     std::set<std::array<double, 3>> points;
@@ -101,7 +101,7 @@ TEST(cutter_parts, share_their_rim_points) {
   EXPECT_TRUE(std::ranges::includes(of_face, front_of_chamfer));
 }
 
-TEST(cutter_parts, are_fine_at_the_rim_and_coarse_at_the_centre_or_even) {
+TEST(CutterParts, are_fine_at_the_rim_and_coarse_at_the_centre_or_even) {
   Cutter c = table('b').front();
   const auto ratio_of_edges = [&](const CutterMeshing& m) {
     const mesh::TriangleMesh face = cutter_parts(c, m).front().mesh_P;

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
-#include "bit/generate.hpp"
+#include "bit/generate_design.hpp"
 #include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
 
@@ -127,10 +128,51 @@ TEST_F(CutterTable, must_exist) {
   EXPECT_THROW(read_cutter_table(path + ".missing", {}), InputError);
 }
 
-TEST(cutter_table, of_the_example_bits_have_their_counts) {
+TEST(ExampleTables, have_their_counts) {
   EXPECT_EQ(table('a').size(), 36u);
   EXPECT_EQ(table('b').size(), 28u);
   EXPECT_EQ(table('c').size(), 58u);
+}
+
+std::vector<Cutter> written_and_read(const std::vector<Cutter>& cutters) {
+  const std::string path = tdbd::temporary_folder() + "tdbd-cutter-table-text.csv";
+  std::ofstream(path) << cutter_table_text("bit", cutters);
+  std::vector<Cutter> again = read_cutter_table(path, {});
+  std::filesystem::remove(path);
+  return again;
+}
+
+/// Every number of a cutter that a table holds.
+constexpr std::array numbers{
+    &Cutter::diameter,      &Cutter::tip_radius,      &Cutter::azimuth,       &Cutter::tip_height,
+    &Cutter::profile_angle, &Cutter::back_rake,       &Cutter::side_rake,     &Cutter::chamfer,
+    &Cutter::chamfer_angle, &Cutter::length,          &Cutter::land,          &Cutter::land_angle,
+    &Cutter::wear,          &Cutter::table_thickness, &Cutter::under_exposure};
+
+/// To the last bit: labels, sizes and poses.
+bool same(const Cutter& a, const Cutter& b) {
+  for (const auto number : numbers)
+    if (a.*number != b.*number) return false;
+  return a.id == b.id && a.blade == b.blade && a.zone == b.zone && a.X_BC.p == b.X_BC.p &&
+         a.X_BC.R == b.X_BC.R;
+}
+
+RC_GTEST_PROP(CutterTableText, keeps_every_bit_of_a_generated_table, ()) {
+  const std::vector<Cutter> cutters = laid_out(any_design());
+  const std::vector<Cutter> again = written_and_read(cutters);
+  RC_ASSERT(cutters.size() == again.size());
+  for (std::size_t k = 0; k < cutters.size(); ++k) RC_ASSERT(same(cutters[k], again[k]));
+}
+
+/// Their lengths come from a default that no number of millimetres gives; the first table rounds
+/// it.
+TEST(CutterTableText, keeps_every_bit_of_the_example_tables_once_written) {
+  for (const char letter : {'a', 'b', 'c'}) {
+    const std::vector<Cutter> cutters = written_and_read(table(letter));
+    const std::vector<Cutter> again = written_and_read(cutters);
+    ASSERT_EQ(cutters.size(), again.size());
+    for (std::size_t k = 0; k < cutters.size(); ++k) EXPECT_TRUE(same(cutters[k], again[k])) << k;
+  }
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ double volume_of(const std::vector<Part>& parts) {
   return volume;
 }
 
-RC_GTEST_PROP(worn_cutter, has_closed_convex_parts, ()) {
+RC_GTEST_PROP(WornCutter, has_closed_convex_parts, ()) {
   const Cutter c = any_worn_cutter();
   for (const Part& part : cutter_parts(c, {})) {
     RC_ASSERT(is_closed_and_oriented(part.mesh_P));
@@ -41,7 +41,7 @@ RC_GTEST_PROP(worn_cutter, has_closed_convex_parts, ()) {
 }
 
 /// Nothing lies beyond the plane along the path, and the flat reaches it.
-RC_GTEST_PROP(worn_cutter, ends_in_the_plane_of_its_wear, ()) {
+RC_GTEST_PROP(WornCutter, ends_in_the_plane_of_its_wear, ()) {
   const Cutter c = any_worn_cutter();
   double farthest = -1.0;
   for (const Part& part : cutter_parts(c, {}))
@@ -52,7 +52,7 @@ RC_GTEST_PROP(worn_cutter, ends_in_the_plane_of_its_wear, ()) {
 
 /// Without rakes the flat cuts a circular segment off a sharp cylinder; inscribed polygons
 /// approach it with the square of the edge.
-TEST(worn_cutter, loses_a_circular_segment_with_order_2) {
+TEST(WornCutter, loses_a_circular_segment_with_order_2) {
   Cutter c = table('b').front();
   c.chamfer = c.back_rake = c.side_rake = 0.0;
   c.wear = 3e-3;
@@ -66,14 +66,14 @@ TEST(worn_cutter, loses_a_circular_segment_with_order_2) {
   EXPECT_LT(error(1024), 1e-5 * kept * c.length);
 }
 
-TEST(worn_cutter, is_the_new_one_without_wear) {
+TEST(WornCutter, is_the_new_one_without_wear) {
   Cutter c = table('b').front();
   const std::vector<Part> fresh = cutter_parts(c, {});
   c.wear = 1e-9;
   EXPECT_NEAR(volume_of(cutter_parts(c, {})), volume_of(fresh), 1e-15);
 }
 
-TEST(worn_cutter, keeps_its_tips_place_in_the_table) {
+TEST(WornCutter, keeps_its_tips_place_in_the_table) {
   Cutter c = table('b').front();
   const Vec3 origin = c.X_BC.p;
   c.wear = 1e-3;
@@ -81,7 +81,7 @@ TEST(worn_cutter, keeps_its_tips_place_in_the_table) {
 }
 
 /// 16 mm, chamfer 0.5 mm at 45 deg and land 1 mm at 60 deg from the axis: by hand.
-TEST(two_chamfers, follow_one_another) {
+TEST(TwoChamfers, follow_one_another) {
   Cutter c = table('a').front();
   c.chamfer = 0.5e-3;
   c.chamfer_angle = 45 * degree;

@@ -42,7 +42,7 @@ void expect_same_but_for_rounding(const Bit& a, const Bit& b, double rounding) {
   }
 }
 
-TEST(bit_export, reads_back_with_every_bit_of_the_coordinates) {
+TEST(BitExport, reads_back_with_every_bit_of_the_coordinates) {
   const Bit original = read(bit_b);
   for (const char* format : {"ply", "off", "obj"}) {
     const Bit again = read(exported(test_folder(), format));
@@ -52,11 +52,11 @@ TEST(bit_export, reads_back_with_every_bit_of_the_coordinates) {
   }
 }
 
-TEST(bit_export, reads_back_from_single_precision) {
+TEST(BitExport, reads_back_from_single_precision) {
   expect_same_but_for_rounding(read(bit_b), read(exported(test_folder(), "stl")), 1e-8);
 }
 
-TEST(bit_export, reads_back_with_cones_that_turn) {
+TEST(BitExport, reads_back_with_cones_that_turn) {
   const Bit original = read(bit_r), again = read(exported(test_folder(), "stl", bit_r));
   ASSERT_EQ(again.cones.size(), 3u);
   const std::vector<double> angles{0.3, -20.0, 1e-3};
@@ -67,7 +67,7 @@ TEST(bit_export, reads_back_with_cones_that_turn) {
   }
 }
 
-TEST(bit_export, writes_the_exposure_profile) {
+TEST(BitExport, writes_the_exposure_profile) {
   const fs::path folder = test_folder();
   write_profile(folder, read(bit_b));
   std::ifstream in(folder / "profile.csv");

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 const mesh::TriangleMesh box = battery::box({-5, -10, -15}, {5, 10, 15});
 
-TEST(bit_parts, takes_what_the_table_says) {
+TEST(BitParts, takes_what_the_table_says) {
   const fs::path folder = test_folder();
   const Bit b = read(
       write_one_part_bit(folder, box,
@@ -36,7 +36,7 @@ TEST(bit_parts, takes_what_the_table_says) {
   EXPECT_EQ(p.mesh_P.triangles.size(), box.triangles.size());
 }
 
-TEST(bit_parts, is_in_millimetres_and_in_the_bit_frame_by_default) {
+TEST(BitParts, is_in_millimetres_and_in_the_bit_frame_by_default) {
   const Bit b = read(write_one_part_bit(test_folder(), box, "kind = \"gage-pad\"\n"));
   EXPECT_EQ(b.parts[0].X_BP.R, Mat3(Mat3::Identity()));
   EXPECT_EQ(b.parts[0].update_direction_B, Vec3(1, 0, 0));
@@ -45,7 +45,7 @@ TEST(bit_parts, is_in_millimetres_and_in_the_bit_frame_by_default) {
 }
 
 /// The direction of a cutter's part follows from its frame, by the rule that the case chooses.
-TEST(bit_parts, derives_a_cutters_direction_from_its_frame) {
+TEST(BitParts, derives_a_cutters_direction_from_its_frame) {
   const std::string file = write_one_part_bit(
       test_folder(), box,
       "kind = \"face\"\nposition = [\"50 mm\", 0, 0]\nrotation_vector = [0, \"-120 deg\", 0]\n");
@@ -55,7 +55,7 @@ TEST(bit_parts, derives_a_cutters_direction_from_its_frame) {
 }
 
 /// A cylinder has a flat profile below and a wall beside it.
-TEST(bit_parts, takes_a_cutters_direction_from_the_profile_without_a_frame) {
+TEST(BitParts, takes_a_cutters_direction_from_the_profile_without_a_frame) {
   const fs::path folder = test_folder();
   mesh::write_mesh(folder / "cylinder.off", battery::cylinder(50, 40, 64));
   mesh::write_mesh(folder / "side.off", battery::box({49, -1, 8}, {51, 1, 12}));
@@ -78,7 +78,7 @@ file = "side.off"
   EXPECT_EQ(direction("update_direction = [0, 0, 2]\n"), Vec3(0, 0, 1));
 }
 
-TEST(bit_parts, lets_a_bit_body_cut_only_when_told) {
+TEST(BitParts, lets_a_bit_body_cut_only_when_told) {
   const fs::path folder = test_folder();
   expect_words(complaint(write_one_part_bit(folder, box, "kind = \"bit-body\"\n")),
                {"parts: found no part that cuts"});
@@ -86,49 +86,49 @@ TEST(bit_parts, lets_a_bit_body_cut_only_when_told) {
             "");
 }
 
-TEST(bit_parts, names_the_missing_file) {
+TEST(BitParts, names_the_missing_file) {
   const fs::path folder = test_folder();
   const std::string file = write_one_part_bit(folder, box, "kind = \"tooth\"\n");
   fs::remove(folder / "part.ply");
   expect_words(complaint(file), {"bit.toml:4: parts[0].file:", "there is no", "part.ply"});
 }
 
-TEST(bit_parts, refuses_what_is_no_mesh) {
+TEST(BitParts, refuses_what_is_no_mesh) {
   const fs::path folder = test_folder();
   const std::string file = write_one_part_bit(folder, box, "kind = \"tooth\"\n");
   write_file(folder / "part.ply", "this is no mesh");
   expect_words(complaint(file), {"bit.toml:4: parts[0].file:", "part.ply", "closed mesh"});
 }
 
-TEST(bit_parts, refuses_a_hole) {
+TEST(BitParts, refuses_a_hole) {
   mesh::TriangleMesh open = box;
   open.triangles.pop_back();
   expect_words(complaint(write_one_part_bit(test_folder(), open, "kind = \"tooth\"\n")),
                {"bit.toml:4: parts[0].file:", "part.ply", "hole"});
 }
 
-TEST(bit_parts, refuses_a_flipped_facet) {
+TEST(BitParts, refuses_a_flipped_facet) {
   mesh::TriangleMesh flipped = box;
   std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
   expect_words(complaint(write_one_part_bit(test_folder(), flipped, "kind = \"tooth\"\n")),
                {"bit.toml:4: parts[0].file:", "part.ply", "flipped triangle"});
 }
 
-TEST(bit_parts, refuses_a_mesh_that_is_inside_out) {
+TEST(BitParts, refuses_a_mesh_that_is_inside_out) {
   mesh::TriangleMesh inverted = box;
   for (mesh::Triangle& t : inverted.triangles) std::swap(t[0], t[1]);
   expect_words(complaint(write_one_part_bit(test_folder(), inverted, "kind = \"tooth\"\n")),
                {"bit.toml:4: parts[0].file:", "inside out"});
 }
 
-TEST(bit_parts, refuses_an_edge_of_four_facets) {
+TEST(BitParts, refuses_an_edge_of_four_facets) {
   mesh::TriangleMesh twice = box;
   twice.triangles.insert(twice.triangles.end(), box.triangles.begin(), box.triangles.end());
   expect_words(complaint(write_one_part_bit(test_folder(), twice, "kind = \"tooth\"\n")),
                {"bit.toml:4: parts[0].file:", "edge of more than two triangles"});
 }
 
-TEST(bit_parts, lists_every_mistake_at_its_line) {
+TEST(BitParts, lists_every_mistake_at_its_line) {
   const fs::path folder = test_folder();
   mesh::write_mesh(folder / "box.off", box);
   const std::string message = complaint(write_file(folder / "bit.toml", R"(name = "many"

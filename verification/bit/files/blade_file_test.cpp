@@ -36,7 +36,7 @@ std::string message_of(const std::string& blades) {
   return "";
 }
 
-TEST(blade_file, gives_a_table_bit_blades_that_rub) {
+TEST(BladeFile, gives_a_table_bit_blades_that_rub) {
   const Bit b = read(write_bit(plain));
   const Part& body = b.parts.back();
   EXPECT_EQ(body.name, "bit-body");
@@ -52,13 +52,13 @@ TEST(blade_file, gives_a_table_bit_blades_that_rub) {
 }
 
 /// A body that rubs is none of the parts that cut: gage and profile are those of the cutters.
-TEST(blade_file, does_not_change_what_cuts) {
+TEST(BladeFile, does_not_change_what_cuts) {
   const Bit with = read(write_bit(plain));
   const Bit without = read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
   EXPECT_EQ(with.gage_radius, without.gage_radius);
 }
 
-TEST(blade_file, says_what_is_impossible_at_its_line) {
+TEST(BladeFile, says_what_is_impossible_at_its_line) {
   EXPECT_EQ(message_of("slot_depth = \"16 mm\""),
             "bit.toml:5: blades.exposure: found nothing, expected length in m, > 0 (the key is "
             "required)");
@@ -74,7 +74,7 @@ TEST(blade_file, says_what_is_impossible_at_its_line) {
 }
 
 /// Two sources of a bit: one message, and nothing about keys of the other source.
-TEST(blade_file, two_sources_give_one_message) {
+TEST(BladeFile, two_sources_give_one_message) {
   const auto folder = test_folder();
   const auto message = [&](const std::string& text) {
     try {
@@ -92,7 +92,7 @@ TEST(blade_file, two_sources_give_one_message) {
 }
 
 /// A file that weighs one part weighs them all.
-TEST(blade_file, a_forgotten_density_is_named) {
+TEST(BladeFile, a_forgotten_density_is_named) {
   const auto folder = test_folder();
   export_bit(folder, read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), "ply");
   std::ifstream in(folder / "bit.toml");
@@ -109,14 +109,14 @@ TEST(blade_file, a_forgotten_density_is_named) {
   }
 }
 
-TEST(blade_file, written_out_still_rubs) {
+TEST(BladeFile, written_out_still_rubs) {
   const auto folder = test_folder() / "out";
   const Bit b = read(write_bit(plain));
   export_bit(folder, b, "ply");
   EXPECT_EQ(read(folder / "bit.toml").parts.back().cutting, Cutting::rubs);
 }
 
-TEST(blade_file, is_reported_with_units) {
+TEST(BladeFile, is_reported_with_units) {
   const Bit b = read(write_bit(plain));
   const auto json = body_json(b, 5e-3);
   EXPECT_EQ(json["exposure_m"], 5e-3);

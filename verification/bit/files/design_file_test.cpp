@@ -39,7 +39,7 @@ std::string message_after(const std::string& from, const std::string& to) {
   return "";
 }
 
-TEST(design_file, gives_a_bit_of_its_gage) {
+TEST(DesignFile, gives_a_bit_of_its_gage) {
   const Bit b = read(generated);
   EXPECT_EQ(b.cutters.size(), 61u);
   EXPECT_NEAR(b.gage_radius, 107.95e-3, 5e-5);
@@ -47,7 +47,7 @@ TEST(design_file, gives_a_bit_of_its_gage) {
 }
 
 /// The same cutters and the same meshes, to the last bit, from the table that was written.
-TEST(design_file, writes_a_table_that_gives_the_same_bit) {
+TEST(DesignFile, writes_a_table_that_gives_the_same_bit) {
   const fs::path folder = test_folder();
   const Bit original = read(generated);
   write_cutter_table(folder, original);
@@ -65,7 +65,7 @@ TEST(design_file, writes_a_table_that_gives_the_same_bit) {
   }
 }
 
-TEST(design_file, takes_the_shoulders_radius_instead_of_its_angle) {
+TEST(DesignFile, takes_the_shoulders_radius_instead_of_its_angle) {
   const std::string radius = "shoulder_radius = \"47.3 mm\"";
   EXPECT_EQ(message_after("shoulder_angle = \"35 deg\"", radius), "");
   EXPECT_EQ(message_after("shoulder_angle = \"35 deg\"", "shoulder_radius = \"40 mm\""),
@@ -76,7 +76,7 @@ TEST(design_file, takes_the_shoulders_radius_instead_of_its_angle) {
       "design.profile.shoulder_angle: found shoulder_radius as well, expected one of the two");
 }
 
-TEST(design_file, names_key_value_and_place_of_what_is_impossible) {
+TEST(DesignFile, names_key_value_and_place_of_what_is_impossible) {
   EXPECT_EQ(message_after("nose_place = \"66 mm\"", "nose_place = \"166 mm\""),
             "design.profile.nose_place: found 166 mm from the axis, expected a nose between the "
             "axis and the gage at 107.95 mm");
@@ -91,7 +91,7 @@ TEST(design_file, names_key_value_and_place_of_what_is_impossible) {
             "table: found design as well, expected one of the two");
 }
 
-TEST(design_file, refuses_a_key_that_means_nothing) {
+TEST(DesignFile, refuses_a_key_that_means_nothing) {
   const std::string message = message_after("spiral = ", "spirale = ");
   EXPECT_EQ(message.rfind("design.spirale: ", 0), 0u) << message;
 }

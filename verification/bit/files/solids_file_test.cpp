@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "bit/files/bit_export_solids.hpp"
-#include "bit/files/solid_rules.hpp"
+#include "bit/files/bit_export.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
+#include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
 #include "mesh/files/solids.hpp"
 #include "verification/battery/shapes.hpp"
@@ -73,7 +73,7 @@ TEST_P(WholeBit, keeps_its_cones) {
   EXPECT_NEAR(again.gage_radius, original.gage_radius, 1e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(formats, WholeBit, ::testing::Values("stl", "obj", "ply", "off"));
+INSTANTIATE_TEST_SUITE_P(Formats, WholeBit, ::testing::Values("stl", "obj", "ply", "off"));
 
 /// A body, a cutter and a pad, in mm; what a drawing program might write.
 std::vector<mesh::Solid> drawn() {
@@ -92,7 +92,7 @@ std::string write_drawn(const std::string& rules,
                     "name = \"drawn\"\n[solids]\nfile = \"bit.stl\"\n" + rules);
 }
 
-TEST(solids_file, takes_kinds_and_groups_from_names) {
+TEST(SolidsFile, takes_kinds_and_groups_from_names) {
   const Bit b = read(write_drawn(""));
   ASSERT_EQ(b.parts.size(), 4u);
   EXPECT_EQ(b.parts[0].kind, PartKind::face);
@@ -108,7 +108,7 @@ TEST(solids_file, takes_kinds_and_groups_from_names) {
   EXPECT_DOUBLE_EQ(b.parts[0].mesh_P.positions[0].z(), 1e-3);
 }
 
-TEST(solids_file, lays_later_rules_over_earlier_ones) {
+TEST(SolidsFile, lays_later_rules_over_earlier_ones) {
   const Bit b = read(write_drawn(R"([[solids.rules]]
 match = "*"
 density = "7.8 g/cm3"
@@ -128,7 +128,7 @@ cutter_rotation_vector = [0, "-120 deg", 0]
   EXPECT_EQ(b.parts[0].update_direction_B, Vec3(0, 0, 1));
 }
 
-TEST(solids_file, takes_a_direction_from_a_cutters_frame) {
+TEST(SolidsFile, takes_a_direction_from_a_cutters_frame) {
   const Bit b = read(
       write_drawn("[[solids.rules]]\nmatch = \"cutter-1/*\"\ncutter_position = [\"40 mm\", 0, 0]\n"
                   "cutter_rotation_vector = [0, \"-120 deg\", 0]\n"));
@@ -137,25 +137,25 @@ TEST(solids_file, takes_a_direction_from_a_cutters_frame) {
   EXPECT_DOUBLE_EQ(b.parts[0].mesh_P.positions[0].z(), 1e-3);
 }
 
-TEST(solids_file, names_every_mistake_at_its_line) {
+TEST(SolidsFile, names_every_mistake_at_its_line) {
   auto solids = drawn();
   solids[0].name = "face no 1";
   solids[1].name = "gage-pad-1";
   expect_words(
       complaint(write_drawn("[[solids.rules]]\nmatch = \"bitbody\"\nkind = \"bodi\"\n", solids)),
-      {"bit.toml:3: solids.file: found a solid \"face no 1\" whose name tells no kind",
+      {"bit.toml:3: solids.file: found a solid \"face no 1\" whose name does not say its kind",
        "bit.toml:5: solids.rules[0].match: found \"bitbody\", no solid's", "did you mean bit-body?",
        "bit.toml:6: solids.rules[0].kind: found \"bodi\""});
 }
 
-TEST(solids_file, refuses_a_second_solid_of_a_name) {
+TEST(SolidsFile, refuses_a_second_solid_of_a_name) {
   auto solids = drawn();
   solids[1].name = "cutter-1/face";
   expect_words(complaint(write_drawn("", solids)),
                {"bit.toml:3: solids.file: found a second solid \"cutter-1/face\""});
 }
 
-TEST(solids_file, tells_the_command_that_repairs) {
+TEST(SolidsFile, names_the_command_that_repairs) {
   auto solids = drawn();
   solids[2].mesh.triangles.pop_back();
   const std::string message = complaint(write_drawn("", solids));
@@ -164,12 +164,12 @@ TEST(solids_file, tells_the_command_that_repairs) {
                          "to repair: tdbd mesh ", "bit.stl --repair -o ", "bit-repaired.stl"});
 }
 
-TEST(solids_file, refuses_parts_beside_solids) {
+TEST(SolidsFile, refuses_parts_beside_solids) {
   expect_words(complaint(write_drawn("[[parts]]\nname = \"a\"\n")),
                {"solids: found parts, a table or a design as well"});
 }
 
-TEST(solid_rules, patterns_fit_as_they_say) {
+TEST(SolidRules, patterns_fit_as_they_say) {
   EXPECT_TRUE(fits("*", ""));
   EXPECT_TRUE(fits("cutter-*/face", "cutter-12/face"));
   EXPECT_TRUE(fits("c?t*e", "cutter-12/face"));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double gage = 0.1;
 
-RC_GTEST_PROP(gage_pads, stay_under_gage_and_reach_it, ()) {
+RC_GTEST_PROP(GagePads, stay_under_gage_and_reach_it, ()) {
   GagePads pads;
   pads.count = *rc::gen::inRange(1, 9);
   pads.width = number(0.01, 0.03);
@@ -25,7 +25,7 @@ RC_GTEST_PROP(gage_pads, stay_under_gage_and_reach_it, ()) {
 }
 
 /// Inscribed arc of 8 chords, less the flat back: the volume is closed-form.
-TEST(gage_pads, have_the_volume_of_their_prism) {
+TEST(GagePads, have_the_volume_of_their_prism) {
   GagePads pads;
   pads.count = 1;
   const Part pad = gage_pads(pads, table('b'), gage).front();
@@ -37,7 +37,7 @@ TEST(gage_pads, have_the_volume_of_their_prism) {
   EXPECT_NEAR(mesh::enclosed_volume(pad.mesh_P), pads.length * (fan - triangle + back), 1e-18);
 }
 
-TEST(gage_pads, start_above_the_highest_cutter_unless_told) {
+TEST(GagePads, start_above_the_highest_cutter_unless_told) {
   GagePads pads;
   pads.count = 2;
   const auto lower_end = [&] {
@@ -48,7 +48,7 @@ TEST(gage_pads, start_above_the_highest_cutter_unless_told) {
   EXPECT_EQ(lower_end(), -0.08);
 }
 
-TEST(gage_pads, cut_outwards_and_can_be_left_out) {
+TEST(GagePads, cut_outwards_and_can_be_left_out) {
   GagePads pads;
   EXPECT_TRUE(gage_pads(pads, table('b'), gage).empty());
   pads.count = 6;

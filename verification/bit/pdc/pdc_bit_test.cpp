@@ -11,12 +11,12 @@ namespace {
 
 constexpr double gage = 107.95e-3;
 
-TEST(pdc_bit, reaches_its_gage_exactly) {
+TEST(PdcBit, reaches_its_gage_exactly) {
   for (const char letter : {'a', 'b', 'c'})
     EXPECT_NEAR(example_bit(letter).gage_radius, gage, 1e-15);
 }
 
-TEST(pdc_bit, keeps_the_order_of_the_table) {
+TEST(PdcBit, keeps_the_order_of_the_table) {
   const Bit bit = example_bit('b');
   ASSERT_EQ(bit.parts.size(), 3 * 28u + 1u);
   for (int i = 0; i < 28; ++i) {
@@ -30,7 +30,7 @@ TEST(pdc_bit, keeps_the_order_of_the_table) {
   EXPECT_EQ(bit.parts.back().cutting, Cutting::never);
 }
 
-TEST(pdc_bit, has_closed_parts_with_outward_normals) {
+TEST(PdcBit, has_closed_parts_with_outward_normals) {
   PdcOptions options;
   options.pads.count = 5;
   for (const char letter : {'a', 'b', 'c'})
@@ -41,7 +41,7 @@ TEST(pdc_bit, has_closed_parts_with_outward_normals) {
 }
 
 /// No vertex of the body reaches the groove of any cutter near it: the body stays behind the tips.
-TEST(pdc_bit, sets_its_body_back_behind_the_cutters) {
+TEST(PdcBit, sets_its_body_back_behind_the_cutters) {
   for (const char letter : {'a', 'b', 'c'}) {
     const Bit bit = example_bit(letter);
     for (const Vec3& x : bit.parts.back().mesh_P.positions)
@@ -55,7 +55,7 @@ TEST(pdc_bit, sets_its_body_back_behind_the_cutters) {
   }
 }
 
-TEST(pdc_bit, without_cutters_is_an_error) { EXPECT_THROW(pdc_bit("none", {}, {}), InputError); }
+TEST(PdcBit, without_cutters_is_an_error) { EXPECT_THROW(pdc_bit("none", {}, {}), InputError); }
 
 }  // namespace
 }  // namespace tdbd::bit

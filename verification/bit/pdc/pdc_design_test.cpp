@@ -18,11 +18,11 @@ std::string problem_after(Change change) {
   return p.key + ": " + p.found + ", " + p.expected;
 }
 
-TEST(pdc_design, has_no_problem_at_first) {
+TEST(PdcDesign, has_no_problem_at_first) {
   EXPECT_EQ(problem_after([](PdcDesign&) {}), "");
 }
 
-TEST(pdc_design, may_not_fold) {
+TEST(PdcDesign, may_not_fold) {
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.profile.nose_place = 0.09; }),
             "profile.shoulder_angle: 35 deg, a profile that folds: the nose's arc ends at radius "
             "111.796 mm, outside the gage at 107.95 mm, a smaller angle, a smaller nose_radius or "
@@ -32,13 +32,13 @@ TEST(pdc_design, may_not_fold) {
             "axis, at most 32.3607 mm");
 }
 
-TEST(pdc_design, may_not_have_its_nose_outside_the_gage) {
+TEST(PdcDesign, may_not_have_its_nose_outside_the_gage) {
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.profile.nose_place = 0.12; }),
             "profile.nose_place: 120 mm from the axis, a nose between the axis and the gage at "
             "107.95 mm");
 }
 
-TEST(pdc_design, may_not_have_sizes_that_are_no_sizes) {
+TEST(PdcDesign, may_not_have_sizes_that_are_no_sizes) {
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.diameter.shoulder = -0.01; }),
             "diameter.shoulder: -10 mm, a positive diameter, more than twice the chamfers' width");
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.profile.nose_radius = 0.0; }),
@@ -51,7 +51,7 @@ TEST(pdc_design, may_not_have_sizes_that_are_no_sizes) {
             "back_rake.axis: 61, an angle in -5..60 deg");
 }
 
-TEST(pdc_design, needs_blades_and_cutters_for_each) {
+TEST(PdcDesign, needs_blades_and_cutters_for_each) {
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.blades.clear(); }),
             "blades: none, at least one blade");
   EXPECT_EQ(problem_after([](PdcDesign& d) {
@@ -61,7 +61,7 @@ TEST(pdc_design, needs_blades_and_cutters_for_each) {
             "blades[6]: blade 7 without any cutter, fewer blades, more overlap or smaller cutters");
 }
 
-TEST(pdc_design, tells_which_cutters_are_in_the_way) {
+TEST(PdcDesign, says_which_cutters_are_in_the_way) {
   const std::string message = problem_after([](PdcDesign& d) { d.overlap.axis = 0.8; });
   EXPECT_EQ(message.rfind("overlap: no blade with room for cutter ", 0), 0u) << message;
   EXPECT_NE(message.find("on blade 3 cutter "), std::string::npos) << message;

@@ -6,7 +6,7 @@
 
 #include "bit/body/blade_body.hpp"
 #include "bit/generate_design.hpp"
-#include "bit/profile/relief.hpp"
+#include "reference/bit/heel_drag.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -35,7 +35,7 @@ ProfileSpot exposed_tip(const Cutter& c) {
           c.tip_height - c.under_exposure * std::cos(c.profile_angle), c.profile_angle};
 }
 
-RC_GTEST_PROP(pdc_generator, puts_every_tip_on_the_profile, ()) {
+RC_GTEST_PROP(PdcGenerator, puts_every_tip_on_the_profile, ()) {
   const PdcDesign d = any_design();
   for (const Cutter& c : laid_out(d)) {
     const ProfileSpot tip = exposed_tip(c);
@@ -66,7 +66,7 @@ bool pokes_into(const Cutter& a, const Cutter& b) {
   return false;
 }
 
-RC_GTEST_PROP(pdc_generator, lets_no_two_cutters_overlap, ()) {
+RC_GTEST_PROP(PdcGenerator, lets_no_two_cutters_overlap, ()) {
   const std::vector<Cutter> cutters = laid_out(any_design());
   for (const Cutter& a : cutters)
     for (const Cutter& b : cutters)
@@ -85,7 +85,7 @@ double uncut(const Cutter& c, const ProfileSpot& spot) {
 }
 
 /// Neighbours that overlap by a fifth leave cusps of a fifth of a diameter.
-RC_GTEST_PROP(pdc_generator, covers_every_radius_from_the_centre_to_the_gage, ()) {
+RC_GTEST_PROP(PdcGenerator, covers_every_radius_from_the_centre_to_the_gage, ()) {
   const PdcDesign d = any_design();
   const std::vector<Cutter> cutters = laid_out(d);
   const double cusp = 0.5 - std::sqrt(0.25 - 0.25 * (1 - least_overlap) * (1 - least_overlap));
@@ -98,7 +98,7 @@ RC_GTEST_PROP(pdc_generator, covers_every_radius_from_the_centre_to_the_gage, ()
   }
 }
 
-RC_GTEST_PROP(pdc_generator, spaces_neighbours_no_wider_than_asked, ()) {
+RC_GTEST_PROP(PdcGenerator, spaces_neighbours_no_wider_than_asked, ()) {
   const PdcDesign d = any_design();
   const std::vector<Cutter> cutters = laid_out(d);
   const auto last = std::ranges::find(cutters, true, [&](const Cutter& c) {
@@ -113,7 +113,7 @@ RC_GTEST_PROP(pdc_generator, spaces_neighbours_no_wider_than_asked, ()) {
   RC_ASSERT(std::abs(last->tip_radius - d.profile.gage_radius) < on_profile);
 }
 
-RC_GTEST_PROP(pdc_generator, gives_the_rakes_wear_and_sizes_that_were_asked, ()) {
+RC_GTEST_PROP(PdcGenerator, gives_the_rakes_wear_and_sizes_that_were_asked, ()) {
   const PdcDesign d = any_design();
   const double cone_end =
       d.profile.nose_place - d.profile.nose_radius * std::sin(d.profile.cone_angle);
@@ -139,7 +139,7 @@ RC_GTEST_PROP(pdc_generator, gives_the_rakes_wear_and_sizes_that_were_asked, ())
   }
 }
 
-RC_GTEST_PROP(pdc_generator, puts_backups_behind_face_cutters_of_their_blade, ()) {
+RC_GTEST_PROP(PdcGenerator, puts_backups_behind_face_cutters_of_their_blade, ()) {
   PdcDesign d = any_design();
   for (BladeDesign& b : d.blades) b.backups = Backups::behind_face_cutters;
   d.backups.from = 0.6 * d.profile.gage_radius;
@@ -184,7 +184,7 @@ double reach_of(const Part& part) {
 
 /// Pads stay under the gage by what was asked, the blades by their exposure; wear takes nothing
 /// from the radius at which pads are set but what it takes from the gage cutters.
-RC_GTEST_PROP(pdc_generator, keeps_pads_and_blades_under_the_gage, ()) {
+RC_GTEST_PROP(PdcGenerator, keeps_pads_and_blades_under_the_gage, ()) {
   const PdcDesign d = any_design();
   const Bit bit = whole_bit(d);
   const double under = 0.01 * d.profile.gage_radius;
@@ -201,7 +201,7 @@ RC_GTEST_PROP(pdc_generator, keeps_pads_and_blades_under_the_gage, ()) {
 
 /// The blades follow the spiral: at the place of every face cutter its blade's front has the
 /// cutter's azimuth.
-RC_GTEST_PROP(pdc_generator, lets_blades_follow_their_cutters, ()) {
+RC_GTEST_PROP(PdcGenerator, lets_blades_follow_their_cutters, ()) {
   const PdcDesign d = any_design();
   const std::vector<Cutter> cutters = laid_out(d);
   const BladeShape shape = blade_shape(cutters, {});
@@ -214,7 +214,7 @@ RC_GTEST_PROP(pdc_generator, lets_blades_follow_their_cutters, ()) {
   }
 }
 
-TEST(pdc_generator, spreads_neighbours_over_the_blades) {
+TEST(PdcGenerator, spreads_neighbours_over_the_blades) {
   EXPECT_EQ(blade_order(6), (std::vector{0, 3, 1, 4, 2, 5}));
   EXPECT_EQ(blade_order(5), (std::vector{0, 2, 4, 1, 3}));
   EXPECT_EQ(blade_order(1), std::vector{0});
@@ -225,7 +225,7 @@ TEST(pdc_generator, spreads_neighbours_over_the_blades) {
   }
 }
 
-TEST(pdc_generator, starts_and_ends_where_it_should) {
+TEST(PdcGenerator, starts_and_ends_where_it_should) {
   const Layout layout = lay_out(plain_design());
   ASSERT_TRUE(layout.problems.empty()) << layout.problems[0].found;
   EXPECT_EQ(layout.cutters.size(), 38u);
@@ -236,9 +236,9 @@ TEST(pdc_generator, starts_and_ends_where_it_should) {
 }
 
 /// Near the axis no cutter of any bit is relieved: there the path bends too much.
-TEST(pdc_generator, relieves_every_cutter_away_from_the_axis) {
+TEST(PdcGenerator, relieves_every_cutter_away_from_the_axis) {
   const Bit bit = pdc_bit("plain", lay_out(plain_design()).cutters, {});
-  const std::vector<double> drag = heel_drag(bit, 2e-3);
+  const std::vector<double> drag = reference::heel_drag(bit, 2e-3);
   for (std::size_t k = 0; k < drag.size(); ++k)
     EXPECT_TRUE(bit.cutters[k].tip_radius < 0.01 || drag[k] < 0.0) << k + 1 << ": " << drag[k];
 }

@@ -8,7 +8,7 @@ namespace tdbd::bit {
 namespace {
 
 /// The three profiles of cases/bits: their shoulders and heights in mm, to the tenth that is known.
-TEST(profile_design, of_the_example_bits_has_their_shoulders_and_heights) {
+TEST(ProfileDesign, of_the_example_bits_has_their_shoulders_and_heights) {
   const auto check = [](double cone, double place, double nose, double start, double shoulder,
                         double height) {
     const ProfileDesign p{107.95e-3,   cone * degree,  place * 1e-3,
@@ -23,7 +23,7 @@ TEST(profile_design, of_the_example_bits_has_their_shoulders_and_heights) {
 }
 
 /// A design whose every length is a round number: a flat cone and quarter arcs.
-TEST(profile_design, of_quarter_arcs_is_computed_by_hand) {
+TEST(ProfileDesign, of_quarter_arcs_is_computed_by_hand) {
   const ProfileDesign p{0.1, 0.0, 0.04, 0.02, 0.0, 0.03};
   EXPECT_NEAR(shoulder_radius(p), 0.06, 1e-16);
   const auto ends = region_ends(p);
@@ -39,7 +39,7 @@ TEST(profile_design, of_quarter_arcs_is_computed_by_hand) {
 
 /// Central differences over ds: the curve's tangent is the one that the angle tells, and s is its
 /// arc length. Error (ds/radius)^2 / 6 at most; across the regions' ends ds/radius.
-RC_GTEST_PROP(profile_design, is_a_smooth_curve_in_arc_length, ()) {
+RC_GTEST_PROP(ProfileDesign, is_a_smooth_curve_in_arc_length, ()) {
   const ProfileDesign p = any_profile();
   const double ds = 1e-6 * p.gage_radius, end = region_ends(p)[3];
   const double s = number(0.001, 0.999) * end;
@@ -48,7 +48,7 @@ RC_GTEST_PROP(profile_design, is_a_smooth_curve_in_arc_length, ()) {
   RC_ASSERT(std::abs((b.h - a.h) / (2 * ds) - std::sin(here.angle)) < 1e-5);
 }
 
-RC_GTEST_PROP(profile_design, starts_on_the_axis_touches_zero_and_reaches_the_gage, ()) {
+RC_GTEST_PROP(ProfileDesign, starts_on_the_axis_touches_zero_and_reaches_the_gage, ()) {
   const ProfileDesign p = any_profile();
   const auto ends = region_ends(p);
   RC_ASSERT(spot_at(p, 0.0).r == 0.0);

@@ -30,21 +30,21 @@ double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.e
 
 /// One cutter removes the advance over its whole width, but for the bend of radii across its face:
 /// sqrt(50^2 + y^2) hardly differs, as the face stands in the half-plane.
-TEST(engagement, of_one_cutter_is_its_width_times_the_advance) {
+TEST(Engagement, of_one_cutter_is_its_width_times_the_advance) {
   const Engagement e = engagement({flat_cutter(0.3)}, advance, width);
   EXPECT_NEAR(e.area[0], 0.02 * advance, 2 * width * advance);
   EXPECT_NEAR(e.volume[0], 2 * pi * 0.05 * 0.02 * advance, 4 * pi * 0.06 * width * advance);
 }
 
 /// A cutter a quarter turn behind another takes a quarter of the advance, the other the rest.
-TEST(engagement, of_two_equal_cutters_is_shared_by_the_angle_before_them) {
+TEST(Engagement, of_two_equal_cutters_is_shared_by_the_angle_before_them) {
   const Engagement e = engagement({flat_cutter(0.0), flat_cutter(pi / 2)}, advance, width);
   EXPECT_NEAR(e.area[0] / e.area[1], 1.0 / 3.0, 1e-12);
   EXPECT_NEAR(mean_redundancy(e.cutting), 2.0 * (0.06 * 0.06 - 0.04 * 0.04) / (0.06 * 0.06), 0.02);
 }
 
 /// Half a turn behind, a back-up joins once half the advance exceeds its under-exposure.
-TEST(engagement, of_a_backup_begins_at_its_under_exposure) {
+TEST(Engagement, of_a_backup_begins_at_its_under_exposure) {
   const auto areas = [](double under) {
     return engagement({flat_cutter(0.0), flat_cutter(pi, under)}, advance, width).area;
   };
@@ -52,13 +52,13 @@ TEST(engagement, of_a_backup_begins_at_its_under_exposure) {
   EXPECT_NEAR(areas(0.3 * advance)[1] / areas(0.3 * advance)[0], 0.2 / 0.8, 0.01);
 }
 
-TEST(engagement, of_no_cutters_has_no_columns) {
+TEST(Engagement, of_no_cutters_has_no_columns) {
   const Engagement e = engagement({}, advance, width);
   EXPECT_TRUE(e.area.empty() && e.cutting.empty());
   EXPECT_EQ(mean_redundancy(e.cutting), 0.0);
 }
 
-RC_GTEST_PROP(engagement, adds_up_to_the_whole_hole, ()) {
+RC_GTEST_PROP(Engagement, adds_up_to_the_whole_hole, ()) {
   const PdcDesign d = any_design();
   const Engagement e = engagement(laid_out(d), advance, width);
   const double reach = e.column_width * static_cast<double>(e.cutting.size());
@@ -73,7 +73,7 @@ RC_GTEST_PROP(engagement, adds_up_to_the_whole_hole, ()) {
 /// The twin simulates passes of all mesh edges, here the rims pass in closed form: 0.5 % of the
 /// mean cutter's volume, and the hole to the columns' width over the radius. The twin's rims have
 /// 512 corners: with 64 they miss 10 micrometres, much for a cutter that cuts 0.3 mm at the gage.
-TEST(engagement, is_what_the_twin_finds) {
+TEST(Engagement, is_what_the_twin_finds) {
   for (const char letter : {'a', 'b', 'c'}) {
     PdcOptions options;
     options.meshing.rim_segments = 512;
@@ -87,7 +87,7 @@ TEST(engagement, is_what_the_twin_finds) {
   }
 }
 
-TEST(engagement, of_a_worn_cutter_is_cut_short) {
+TEST(Engagement, of_a_worn_cutter_is_cut_short) {
   Cutter c = flat_cutter(0.0);
   c.wear = 2e-3;
   double deepest = -1.0;
@@ -95,7 +95,7 @@ TEST(engagement, of_a_worn_cutter_is_cut_short) {
   EXPECT_NEAR(deepest, -2e-3, 1e-15);
 }
 
-TEST(bit_analysis, of_small_bits_is_computed_by_hand) {
+TEST(BitAnalysis, of_small_bits_is_computed_by_hand) {
   Cutter a = flat_cutter(0.0), b = flat_cutter(pi / 2);
   a.profile_angle = b.profile_angle = pi / 2;
   EXPECT_NEAR(imbalance({a}, {2.0}), 1.0, 1e-15);

@@ -23,14 +23,14 @@ double distance_to_line(const ProfilePoint& p, const std::vector<ProfilePoint>& 
   return nearest;
 }
 
-TEST(exposure_profile, of_bit_b_passes_through_every_tip) {
+TEST(ExposureProfile, of_bit_b_passes_through_every_tip) {
   const Bit bit = example_bit('b');
   const auto profile = exposure_profile(bit.parts, 2e-4);
   for (const Cutter& c : bit.cutters)
     EXPECT_LT(distance_to_line({c.tip_radius, -c.tip_height}, profile), 2e-5) << c.id;
 }
 
-TEST(exposure_profile, runs_from_the_axis_to_the_gage_and_never_back) {
+TEST(ExposureProfile, runs_from_the_axis_to_the_gage_and_never_back) {
   for (const char letter : {'a', 'b', 'c'}) {
     const Bit bit = example_bit(letter);
     const auto profile = exposure_profile(bit.parts, 5e-4);
@@ -40,7 +40,7 @@ TEST(exposure_profile, runs_from_the_axis_to_the_gage_and_never_back) {
   }
 }
 
-TEST(exposure_profile, has_points_about_the_spacing_apart) {
+TEST(ExposureProfile, has_points_about_the_spacing_apart) {
   const auto profile = exposure_profile(example_bit('b').parts, 1e-3);
   for (std::size_t k = 1; k < profile.size(); ++k) {
     const ProfilePoint &a = profile[k - 1], &b = profile[k];
@@ -57,7 +57,7 @@ bool is_outside(const ProfilePoint& p, const std::vector<ProfilePoint>& profile)
 }
 
 /// No point of a cutting part, on its vertices or inside its triangles, lies outside the profile.
-TEST(exposure_profile, encloses_every_cutting_part) {
+TEST(ExposureProfile, encloses_every_cutting_part) {
   for (const char letter : {'a', 'b'}) {
     const Bit bit = example_bit(letter);
     const auto profile = exposure_profile(bit.parts, 2e-4);
@@ -76,7 +76,7 @@ TEST(exposure_profile, encloses_every_cutting_part) {
 
 /// The first cutter of bit B reaches over the axis; its rim crosses it where the circle does, to
 /// within what rake and chamfer change.
-TEST(exposure_profile, has_no_slit_at_the_axis) {
+TEST(ExposureProfile, has_no_slit_at_the_axis) {
   const Bit bit = example_bit('b');
   const Cutter& c = bit.cutters.front();
   const double radius = 0.5 * c.diameter;
@@ -86,7 +86,7 @@ TEST(exposure_profile, has_no_slit_at_the_axis) {
 }
 
 /// A thin disc in the half-plane: its meridian is its own rim, from where the rays first touch it.
-TEST(exposure_profile, of_a_sharp_cutter_without_rake_is_its_rim) {
+TEST(ExposureProfile, of_a_sharp_cutter_without_rake_is_its_rim) {
   Cutter c = table('b').at(8);
   c.tip_radius = 0.03;
   c.profile_angle = c.back_rake = c.side_rake = c.chamfer = 0.0;

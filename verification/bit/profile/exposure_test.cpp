@@ -24,7 +24,7 @@ Cutter flat_cutter(double tip_radius, double height, double angle = 0.0) {
   return c;
 }
 
-RC_GTEST_PROP(exposure, of_two_equal_cutters_side_by_side_is_the_height_between_circles, ()) {
+RC_GTEST_PROP(Exposure, of_two_equal_cutters_side_by_side_is_the_height_between_circles, ()) {
   const double apart = number(0.01, 0.95) * radius, angle = number(-0.5, 1.2);
   const double r = 0.05 + apart * std::cos(angle), h = apart * std::sin(angle);
   const auto found = exposures({flat_cutter(0.05, 0.0, angle), flat_cutter(r, h, angle)});
@@ -34,13 +34,13 @@ RC_GTEST_PROP(exposure, of_two_equal_cutters_side_by_side_is_the_height_between_
     RC_ASSERT(std::abs(e - expected) < of_chords * (1.0 + steepness * steepness));
 }
 
-TEST(exposure, of_a_backup_behind_its_cutter_is_its_under_exposure) {
+TEST(Exposure, of_a_backup_behind_its_cutter_is_its_under_exposure) {
   const auto found = exposures({flat_cutter(0.05, 0.0), flat_cutter(0.05, 1e-3)});
   EXPECT_NEAR(found[0], 1e-3, of_chords);
   EXPECT_NEAR(found[1], -1e-3, of_chords);
 }
 
-TEST(exposure, is_not_told_where_no_other_rim_is_near) {
+TEST(Exposure, is_not_told_where_no_other_rim_is_near) {
   EXPECT_TRUE(std::isnan(exposures({flat_cutter(0.05, 0.0)})[0]));
   const auto far = exposures({flat_cutter(0.05, 0.0), flat_cutter(0.05 + 2.01 * radius, 0.0)});
   EXPECT_TRUE(std::isnan(far[0]) && std::isnan(far[1]));

@@ -16,7 +16,7 @@ std::vector<Part> parts_of_cutter(const Bit& bit, int cutter) {
 
 /// Where the frame is known, both ways lead along the profile: a few degrees apart where the
 /// profile bends or ends.
-TEST(profile_direction, is_nearly_that_of_the_cutters_frame) {
+TEST(ProfileDirection, is_nearly_that_of_the_cutters_frame) {
   for (const char letter : {'a', 'b', 'c'}) {
     const Bit bit = example_bit(letter);
     const auto profile = exposure_profile(bit.parts, 0.5e-3);
@@ -38,7 +38,7 @@ Part ball() {
   return part;
 }
 
-TEST(profile_direction, is_the_normal_of_a_straight_profile) {
+TEST(ProfileDirection, is_the_normal_of_a_straight_profile) {
   const auto along = [](const ProfilePoint& from, const ProfilePoint& to) {
     std::vector<ProfilePoint> line;
     for (int k = 0; k <= 100; ++k)
@@ -52,7 +52,7 @@ TEST(profile_direction, is_the_normal_of_a_straight_profile) {
 }
 
 /// Saw teeth of 45 degrees, 2 mm apart, on a flat profile: their own normals are far from down.
-TEST(profile_direction, averages_scallops_out) {
+TEST(ProfileDirection, averages_scallops_out) {
   std::vector<ProfilePoint> line;
   for (int k = 0; k <= 400; ++k) line.push_back({k * 0.25e-3, 0.01 + 0.25e-3 * (k % 8)});
   const Vec3 u = profile_direction(line, {ball()}, DirectionRule::along_profile, InsideRule::down);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/temporary_file.hpp"
+#include "temporary_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd {
@@ -22,7 +22,28 @@ std::string failure(const std::string& path) {
   return "no error";
 }
 
-TEST(Csv, reads_numbers_under_a_header) {
+TEST(CsvRows, keep_empty_cells_and_trim_the_others) {
+  const auto rows = read_csv_rows(write_temporary(".csv", "a, b ,,\td\n,x,\n"));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"a", "b", "", "d"}));
+  EXPECT_EQ(rows[1].cells, (std::vector<std::string>{"", "x", ""}));
+}
+
+TEST(CsvRows, count_the_lines_that_they_skip) {
+  const auto rows = read_csv_rows(write_temporary(".csv", "# note\r\n\n  \na\n"));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].line, 4);
+}
+
+TEST(CsvRows, include_a_last_line_without_its_end) {
+  EXPECT_EQ(read_csv_rows(write_temporary(".csv", "a\nb")).size(), 2u);
+}
+
+TEST(CsvRows, of_a_missing_file_are_an_error) {
+  EXPECT_THROW(read_csv_rows("/no/such.csv"), InputError);
+}
+
+TEST(csv, reads_numbers_under_a_header) {
   const CsvTable table = read_csv(
       write_temporary(".csv", "\xef\xbb\xbf# path\r\n t , x\r\n\r\n0, -1.5e-3\r\n1,2\r\n"));
   EXPECT_EQ(table.header, (std::vector<std::string>{"t", "x"}));
@@ -31,7 +52,7 @@ TEST(Csv, reads_numbers_under_a_header) {
   EXPECT_EQ(csv_column(table, "x"), 1u);
 }
 
-TEST(Csv, reports_all_mistakes_with_line_and_column) {
+TEST(csv, reports_all_mistakes_with_line_and_column) {
   const std::string path = write_temporary(".csv", "t,x\n0,nan\n1\n2,1e3m\n,inf\n");
   std::string expected =
       "FILE:2: x: found \"nan\", expected a finite number\n"
@@ -44,7 +65,7 @@ TEST(Csv, reports_all_mistakes_with_line_and_column) {
   EXPECT_EQ(failure(path), expected);
 }
 
-TEST(Csv, refuses_a_bad_header) {
+TEST(csv, refuses_a_bad_header) {
   const std::string twice = write_temporary("_twice.csv", "t,t\n");
   EXPECT_EQ(failure(twice).rfind(twice + ":1: header: found \"t\" twice, expected different", 0),
             0u);
@@ -54,7 +75,7 @@ TEST(Csv, refuses_a_bad_header) {
   EXPECT_EQ(failure(empty), empty + ":1: header: found nothing, expected the names of the columns");
 }
 
-TEST(Csv, refuses_a_missing_file_and_a_missing_column) {
+TEST(csv, refuses_a_missing_file_and_a_missing_column) {
   EXPECT_EQ(failure("/no/such.csv"), "/no/such.csv: found no such file, expected a CSV table");
   EXPECT_NE(failure(tdbd::temporary_folder()).find("expected a CSV table"), std::string::npos);
   const CsvTable table{"f.csv", {"time", "depth"}, {}, {}};
@@ -67,7 +88,7 @@ TEST(Csv, refuses_a_missing_file_and_a_missing_column) {
   }
 }
 
-RC_GTEST_PROP(Csv, numbers_with_17_digits_come_back, (const std::vector<double>& values)) {
+RC_GTEST_PROP(csv, numbers_with_17_digits_come_back, (const std::vector<double>& values)) {
   std::string text = "v\n";
   for (const double v : values) {
     RC_PRE(std::isfinite(v));
@@ -78,24 +99,6 @@ RC_GTEST_PROP(Csv, numbers_with_17_digits_come_back, (const std::vector<double>&
   const CsvTable table = read_csv(path);
   RC_ASSERT(table.rows.size() == values.size());
   for (std::size_t i = 0; i < values.size(); ++i) RC_ASSERT(table.rows[i][0] == values[i]);
-}
-
-TEST(CsvRows, keep_empty_cells_and_trim_the_others) {
-  const auto rows = read_csv_rows(write_temporary(".csv", "a, b ,,\td\n,x,\n"));
-  ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"a", "b", "", "d"}));
-  EXPECT_EQ(rows[1].cells, (std::vector<std::string>{"", "x", ""}));
-}
-
-TEST(CsvRows, count_the_lines_that_are_left_out) {
-  const auto rows = read_csv_rows(write_temporary(".csv", "# note\r\n\n  \na\nb"));
-  ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0].line, 4);
-  EXPECT_EQ(rows[1].line, 5);
-}
-
-TEST(CsvRows, of_a_missing_file_are_an_error) {
-  EXPECT_THROW(read_csv_rows(temporary_folder() + "no-such-file.csv"), InputError);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "bit/files/bit_export.hpp"
-#include "bit/files/bit_export_solids.hpp"
 #include "core/tolerance.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/step/simulation.hpp"
@@ -95,10 +94,9 @@ TEST(ExportedBit, drills_the_same_hole_from_one_file) {
 TEST(BladesThatCut, a_body_that_cuts_removes_rock_and_the_ledger_closes) {
   const fs::path folder = test_folder();
   const std::string file =
-      write_file(folder / "bit.toml",
-                 "name = \"b\"\ntable = \"" TDBD_SOURCE_DIR
-                 "/cases/bits/bit-b.csv\"\n[blades]\nexposure = \"1.5 mm\"\n"
-                 "slot_depth = \"16 mm\"\nedge = \"8 mm\"\ncuts = true\n");
+      write_file(folder / "bit.toml", "name = \"b\"\ntable = \"" TDBD_SOURCE_DIR
+                                      "/cases/bits/bit-b.csv\"\n[blades]\nexposure = \"1.5 mm\"\n"
+                                      "slot_depth = \"16 mm\"\nedge = \"8 mm\"\ncuts = true\n");
   const Case c = read_case(
       write_case(folder, file, "shape = \"conforming\"\nwall = \"15 mm\"\nedge_length = \"4 mm\"",
                  "step = \"2 ms\"\nduration = \"160 ms\""),

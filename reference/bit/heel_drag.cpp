@@ -1,17 +1,30 @@
-#include "bit/profile/relief.hpp"
+#include "reference/bit/heel_drag.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "core/angles.hpp"
 
-namespace tdbd::bit {
+namespace tdbd::reference {
 namespace {
+
+using bit::Cutter;
 
 constexpr int steps_of_edge = 128;   ///< half a rim
 constexpr int steps_of_length = 64;  ///< from the edge to the back of the body
+
+/// The tip in the cutter's frame: on the rim, behind the face by the chamfers' depth.
+Vec3 tip_C(const Cutter& c) {
+  const double chamfer = c.chamfer / std::tan(c.chamfer_angle);
+  const double land = c.land > 0.0 ? c.land / std::tan(c.land_angle) : 0.0;
+  return {c.chamfer > 0.0 ? -(chamfer + land) : 0.0, 0.0, -0.5 * c.diameter};
+}
+
+/// (r, z) in the half-plane at the cutter's azimuth, in space.
+Vec3 in_space(const Cutter& c, double r, double z) {
+  return {r * std::cos(c.azimuth), r * std::sin(c.azimuth), z};
+}
 
 /// A point, set back to the wear flat, in the half-plane at its azimuth: u along the profile, v
 /// along its normal, both from the tip, and the angle by which it trails the tip.
@@ -21,12 +34,11 @@ struct ProfilePlace {
 
 ProfilePlace place(const Cutter& c, const Vec3& x_C) {
   Vec3 x_B = c.X_BC * x_C;
-  const Vec3 n_B = profile_normal_B(c);
-  x_B -= std::max(0.0, n_B.dot(x_B - tip_B(c)) + c.wear) * n_B;
+  const Vec3 n_B = in_space(c, std::sin(c.profile_angle), std::cos(c.profile_angle));
+  x_B -= std::max(0.0, n_B.dot(x_B - in_space(c, c.tip_radius, -c.tip_height)) + c.wear) * n_B;
   const double r = std::hypot(x_B.x(), x_B.y()) - c.tip_radius, z = x_B.z() + c.tip_height;
   const double st = std::sin(c.profile_angle), ct = std::cos(c.profile_angle);
-  const double ahead =
-      std::remainder(std::atan2(x_B.y(), x_B.x()) - c.azimuth, 2.0 * std::numbers::pi);
+  const double ahead = std::remainder(std::atan2(x_B.y(), x_B.x()) - c.azimuth, full_turn);
   return {ct * r - st * z, st * r + ct * z, -ahead};
 }
 
@@ -36,9 +48,7 @@ Vec3 rim_C(const Cutter& c, double a, double behind) {
   return {tip.x() - behind, tip.z() * std::sin(a), tip.z() * std::cos(a)};
 }
 
-double rim_angle(int k) {
-  return std::numbers::pi * (static_cast<double>(k) / steps_of_edge - 0.5);
-}
+double rim_angle(int k) { return pi * (static_cast<double>(k) / steps_of_edge - 0.5); }
 
 /// The cutting edge down to `depth` behind its lowest line along the normal, by increasing u.
 std::vector<ProfilePlace> cutting_edge(const Cutter& c, double depth) {
@@ -60,7 +70,7 @@ double height_over_groove(const std::vector<ProfilePlace>& edge, const ProfilePl
   const double w = (p.u - before->u) / (after->u - before->u);
   const double v = std::lerp(before->v, after->v, w);
   const double trail = p.trail - std::lerp(before->trail, after->trail, w);
-  return p.v - v + advance_along_n * trail / (2.0 * std::numbers::pi);
+  return p.v - v + advance_along_n * trail / full_turn;
 }
 
 double drag_of(const Cutter& c, double advance_per_rev) {
@@ -78,10 +88,10 @@ double drag_of(const Cutter& c, double advance_per_rev) {
 
 }  // namespace
 
-std::vector<double> heel_drag(const Bit& bit, double advance_per_rev) {
+std::vector<double> heel_drag(const bit::Bit& bit, double advance_per_rev) {
   std::vector<double> drag;
   for (const Cutter& c : bit.cutters) drag.push_back(drag_of(c, advance_per_rev));
   return drag;
 }
 
-}  // namespace tdbd::bit
+}  // namespace tdbd::reference

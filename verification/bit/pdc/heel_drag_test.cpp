@@ -1,4 +1,4 @@
-#include "bit/profile/relief.hpp"
+#include "reference/bit/heel_drag.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,11 @@
 namespace tdbd::bit {
 namespace {
 
+using reference::heel_drag;
+
 constexpr double advance = 2e-3;  // m per revolution
 
-TEST(relief, every_cutter_of_the_example_bits_away_from_the_axis_is_relieved) {
+TEST(HeelDrag, every_cutter_of_the_example_bits_away_from_the_axis_is_relieved) {
   for (const char letter : {'a', 'b', 'c'}) {
     const Bit bit = example_bit(letter);
     const std::vector<double> drag = heel_drag(bit, advance);
@@ -22,7 +24,7 @@ TEST(relief, every_cutter_of_the_example_bits_away_from_the_axis_is_relieved) {
 }
 
 /// The mistake that shows only in a picture: with the other sign of back rake the heel drags.
-TEST(relief, a_cutter_that_leans_the_other_way_drags_its_heel) {
+TEST(HeelDrag, a_cutter_that_leans_the_other_way_drags_its_heel) {
   Bit bit = example_bit('b');
   for (Cutter& c : bit.cutters) {
     c.back_rake = -c.back_rake;
@@ -33,7 +35,7 @@ TEST(relief, a_cutter_that_leans_the_other_way_drags_its_heel) {
 
 /// Far from the axis the groove is straight and the heel's height is closed-form: after a length s
 /// the body stands s sin b clear of the edge, less the advance along the helix.
-TEST(relief, far_from_the_axis_is_that_of_a_plane) {
+TEST(HeelDrag, far_from_the_axis_is_that_of_a_plane) {
   Cutter c = table('b').at(8);
   c.tip_radius = 1e3;
   c.profile_angle = c.side_rake = 0.0;
@@ -43,7 +45,7 @@ TEST(relief, far_from_the_axis_is_that_of_a_plane) {
               -s * std::sin(c.back_rake), 1e-7);
 }
 
-TEST(relief, is_used_up_by_a_fast_enough_advance) {
+TEST(HeelDrag, is_used_up_by_a_fast_enough_advance) {
   const Bit bit = example_bit('a');
   EXPECT_GT(heel_drag(bit, 0.1)[2], heel_drag(bit, advance)[2] + 1e-4);
 }
@@ -65,7 +67,7 @@ double drag_of(const Cutter& c, double advance_per_rev) {
 
 /// Behind the tip the flat is as long as it takes the body to rise by the wear: e = wear / tan b.
 /// The heel is sampled in 64 steps of the body's length.
-TEST(relief, a_wear_flat_at_the_nose_drags_by_the_helix_over_its_length) {
+TEST(HeelDrag, a_wear_flat_at_the_nose_drags_by_the_helix_over_its_length) {
   const double r = 0.09, step = 13e-3 / 64;
   const Cutter c = worn_cutter(r, 0.0, 1e-3);
   const double e = c.wear / std::tan(c.back_rake);
@@ -73,7 +75,7 @@ TEST(relief, a_wear_flat_at_the_nose_drags_by_the_helix_over_its_length) {
   EXPECT_LT(drag_of(worn_cutter(r, 0.0, 0.0), 5e-3), 0.0);
 }
 
-TEST(relief, a_wear_flat_at_the_gage_drags_by_the_bend_of_its_path) {
+TEST(HeelDrag, a_wear_flat_at_the_gage_drags_by_the_bend_of_its_path) {
   const double r = 0.10795, step = 13e-3 / 64;
   const Cutter c = worn_cutter(r, pi / 2, 1e-3);
   const double e = c.wear / std::tan(c.back_rake);
@@ -81,7 +83,7 @@ TEST(relief, a_wear_flat_at_the_gage_drags_by_the_bend_of_its_path) {
 }
 
 /// A cutter that is not worn is measured as before; more wear never drags less.
-RC_GTEST_PROP(relief, wear_never_relieves, ()) {
+RC_GTEST_PROP(HeelDrag, wear_never_relieves, ()) {
   const double angle = number(0.0, 90 * degree), wear = number(1e-4, 2e-3);
   const double fresh = drag_of(worn_cutter(0.1, angle, 0.0), advance);
   const double worn = drag_of(worn_cutter(0.1, angle, wear), advance);

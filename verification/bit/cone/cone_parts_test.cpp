@@ -1,4 +1,4 @@
-#include "bit/cone/cone_spacing.hpp"
+#include "bit/cone/cone_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace tdbd::bit {
 namespace {
 
-RC_GTEST_PROP(cone_spacing, sums_to_a_turn_in_the_ratios_of_the_pattern, ()) {
+RC_GTEST_PROP(ConeSpacing, sums_to_a_turn_in_the_ratios_of_the_pattern, ()) {
   const int teeth = *rc::gen::inRange(2, 30);
   std::vector<double> pattern;
   for (int i = 0; i < *rc::gen::inRange(1, 6); ++i) pattern.push_back(number(0.5, 2.0));
@@ -23,7 +23,7 @@ RC_GTEST_PROP(cone_spacing, sums_to_a_turn_in_the_ratios_of_the_pattern, ()) {
   RC_ASSERT(std::abs(sum - 2 * pi) < 1e-14);
 }
 
-RC_GTEST_PROP(cone_spacing, rises_within_one_turn_from_any_first_angle, ()) {
+RC_GTEST_PROP(ConeSpacing, rises_within_one_turn_from_any_first_angle, ()) {
   const std::vector<double> a = spaced_angles(*rc::gen::inRange(1, 30), number(-20, 20), {1, 2});
   for (std::size_t i = 0; i < a.size(); ++i) {
     RC_ASSERT(a[i] >= 0.0 && a[i] < 2 * pi);

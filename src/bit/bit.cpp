@@ -1,9 +1,15 @@
-#include "bit/largest_radius.hpp"
+#include "bit/bit.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tdbd::bit {
+
+mesh::TriangleMesh mesh_B(const Part& part) {
+  mesh::TriangleMesh m = part.mesh_P;
+  for (Vec3& x : m.positions) x = part.X_BP * x;
+  return m;
+}
 
 double largest_radius(const std::vector<Part>& parts) {
   double radius = 0.0;
