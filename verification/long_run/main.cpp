@@ -70,7 +70,7 @@ struct Times {
 /// CPU time of this process, s: other programs on the machine do not count.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Steps up to `end`; the maintenance that ends them is asked about its promises.
+/// Steps up to `end`; the promises of the maintenance that ends them are checked.
 std::string drill(const Case& c, Simulation& s, long end, Times& times) {
   const long touched_before = s.maintenance.touched_triangles;
   while (s.steps_done < end - 1) {
@@ -89,7 +89,7 @@ std::string drill(const Case& c, Simulation& s, long end, Times& times) {
   tdbd::rock::MaintenanceReport alone;
   tdbd::rock::maintain(s.rock, s.limits, s.maintenance_work, alone);
   const auto found =
-      tdbd::rock::check_maintenance(before, s.rock, s.limits, alone, s.maintenance_work.strays);
+      tdbd::rock::check_maintenance(before, s.rock, s.limits, alone, s.maintenance_work.drift);
   tdbd::rock::add(alone, s.maintenance);
   return tdbd::rock::describe(found, 3);
 }
@@ -117,7 +117,7 @@ void print_counts(const Simulation& s) {
   fmt::print("ledger defect {:.1e}\n", tdbd::simulation::ledger_defect(s));
 }
 
-/// The worst triangles that are left, and what the guards say of their shortest edge's collapse.
+/// The worst triangles that are left, and the guards' verdict on the collapse of each edge.
 void print_worst(const Simulation& s) {
   const Surface& m = s.rock.surface;
   std::vector<std::pair<double, int>> bad;

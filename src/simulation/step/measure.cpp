@@ -92,7 +92,7 @@ Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan) {
   return m;
 }
 
-rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length) {
+rock::NearListMargins foresight_of(const MeasurePlan& plan, double edge_length) {
   if (plan.section == SectionMeasure::off) return {};
   constexpr double strip = 1.5;  // what a strip of a face comes ahead, over the least (face_strips)
   return {reach * edge_length, (strip * plan.section_lead + reach) * edge_length};

@@ -45,7 +45,7 @@ struct Measures {
 Measures start_measures(const bit::Bit& bit, const MeasurePlan& plan);
 
 /// How far the lists of vertices near the bit must reach for these measures.
-rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length);
+rock::NearListMargins foresight_of(const MeasurePlan& plan, double edge_length);
 
 /// What is measured where the bit has come to in a step from pose 0 to pose 1.
 struct MeasuredStep {

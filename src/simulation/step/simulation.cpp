@@ -78,7 +78,7 @@ Simulation start(const Case& c) {
   if (c.forces.forces == Forces::on) reserve(s.trace, c.time.steps);
   s.bit = rock::prepare_cutting_bit(c.bit, c.update.cutting);
   s.cut_work.most_passes = c.update.most_passes;
-  s.cut_work.foresight = foresight_of(c.measure, c.rock.edge_length);
+  s.cut_work.list_margins = foresight_of(c.measure, c.rock.edge_length);
   if (c.measure.contact == ContactMeasure::on)
     s.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   s.cones = start_cones(c);

@@ -56,7 +56,7 @@ std::string broken_promises(Simulation& s) {
   rock::MaintenanceReport report;
   rock::maintain(s.rock, s.limits, s.maintenance_work, report);
   const auto found =
-      rock::check_maintenance(before, s.rock, s.limits, report, s.maintenance_work.strays);
+      rock::check_maintenance(before, s.rock, s.limits, report, s.maintenance_work.drift);
   rock::add(report, s.maintenance);
   return rock::describe(found);
 }
