@@ -22,7 +22,7 @@ Drilling after_one_revolution(const std::string& name, double edge_length,
 /// The pose of the bit `steps` (or a part of one) after what is drilled.
 Pose pose_after(const Drilling& d, double steps);
 
-/// Drills so many steps, with ledger and maintenance.
+/// Drills this many steps, with ledger and maintenance.
 void drill(Drilling& d, long steps);
 
 /// CPU time of this process, s: does not count what other programs take.

@@ -30,9 +30,9 @@ void force_of(benchmark::State& state, forces::Law law) {
                                      : tooth ? bit::PartKind::tooth
                                              : bit::PartKind::gage_pad);
   for (auto _ : state) {
-    forces::PartCut asked = cut;
-    benchmark::DoNotOptimize(asked);
-    benchmark::DoNotOptimize(forces::force(law, asked));
+    forces::PartCut loaded = cut;
+    benchmark::DoNotOptimize(loaded);
+    benchmark::DoNotOptimize(forces::force(law, loaded));
   }
 }
 

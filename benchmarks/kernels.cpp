@@ -27,8 +27,7 @@ std::vector<rock::GroupMotion> next_motions(const Drilling& d) {
 
 rock::RelativePath path_of(const rock::CuttingGroup& g, const rock::GroupMotion& m,
                            const Vec3& x_W) {
-  const Vec3 u_W = rock::mapped_direction_W(g, m, x_W);
-  return {m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W};
+  return rock::relative_path(m.X_PW0, m.X_PW1, x_W, rock::mapped_direction_W(g, m, x_W));
 }
 
 /// A vertex that the next step sweeps, as the part that sweeps it sees it.
@@ -82,7 +81,7 @@ void exit_mesh(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
 }
 
-/// The same, by walks over neighbouring facets (formulation 2.4).
+/// The same, by walks over neighbouring facets (rock (6)).
 void exit_walk(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<Query> queries = queries_of_next_step(d);

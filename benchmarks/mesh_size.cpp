@@ -1,5 +1,5 @@
-// The same cutting in ever larger rock, and ever finer cutting: what a step costs and what of it
-// follows the rock, what the vertices that it touches.
+// The same cutting in ever larger rock, and ever finer cutting: what a step costs, and which part of
+// that grows with the rock or with the vertices that it touches.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -24,14 +24,14 @@ void drill_and_report(benchmark::State& state, Drilling& d) {
   state.counters["ns_a_move"] = 1e9 * seconds / static_cast<double>(moved);
 }
 
-/// The standard workload at 1.6 mm edges under a wall of so many millimetres.
+/// The standard workload at 1.6 mm edges under a wall of this many millimetres.
 void wall(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", 1.6 * mm,
                                     {fmt::format("rock.wall={} mm", state.range(0))});
   drill_and_report(state, d);
 }
 
-/// The standard workload at edges of so many tenths of a millimetre.
+/// The standard workload at edges of this many tenths of a millimetre.
 void edges(benchmark::State& state) {
   Drilling d =
       after_one_revolution("standard-workload", 0.1 * mm * static_cast<double>(state.range(0)));

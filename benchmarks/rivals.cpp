@@ -17,7 +17,7 @@ namespace {
 constexpr double mm = 1e-3;
 constexpr const char* workload = "standard-workload";
 
-/// A height field and spokes know volumes only; the case asks for sections and contact areas, too.
+/// A height field and spokes measure volumes only; the case has sections and contact areas, too.
 enum class Measured { volumes, all };
 
 /// Drilled once for all repetitions, which go on from where the one before stopped.

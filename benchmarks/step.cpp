@@ -42,7 +42,7 @@ std::vector<Vec3> disc_corners_C(const Drilling& d, int cutter) {
   return corners;
 }
 
-/// Corners of every cutter at both ends of the step that comes after so many more. The hull begins
+/// Corners of every cutter at both ends of the step that comes after this many more. The hull begins
 /// a twentieth of a step early, so that it does not share faces with the rock that was left.
 std::vector<std::vector<Vec3>> swept_corners_W(const Drilling& d, long steps) {
   constexpr double overlap = 0.05;
@@ -79,7 +79,7 @@ void add(const BooleanCut& cut, Side& cgal) {
   ++cgal.steps;
 }
 
-/// Drills so many steps. A multiple of the maintenance's period counts its fair share.
+/// Drills this many steps. A multiple of the maintenance's period includes its fair share.
 void add_steps(long steps, Drilling& d, Side& tdbd) {
   const double removed_before = d.run.state.ledger.removed.value();
   const double start = cpu_seconds();
@@ -111,7 +111,7 @@ void corefinement_of_our_rock(benchmark::State& state) {
   report(state, cgal, tdbd);
 }
 
-/// Side by side: CGAL starts from our rock and goes on with what it left, step after step, as a
+/// Side by side: CGAL starts from our rock and continues with its own result, step after step, as a
 /// program that drills with it would. One iteration: CGAL's steps up to the next maintenance, then
 /// ours. The time that is reported is CGAL's.
 void corefinement_carried_on(benchmark::State& state) {

@@ -30,7 +30,7 @@ Vec3 gravity_torque_B(const dynamics::Loads& loads, const Eigen::Quaterniond& q_
   return -loads.gravity_moment * loads.gravity_arm_B.cross(up_B);
 }
 
-/// q' = q (0, W) / 2, Pi' = Pi x W + T, phi' = pi_k / Ic_k - s_k . W (formulation 4).
+/// q' = q (0, W) / 2, Pi' = Pi x W + T, phi' = pi_k / Ic_k - s_k . W: dynamics (3).
 int derivative(double, const double y[], double dy[], void* parameters) {
   Equations& e = *static_cast<Equations*>(parameters);
   const dynamics::Gyrostat& g = e.c->body;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double step_size = 0.01;  // s
 constexpr double tolerance = 1e-9;  // of rivals that choose their own step
-constexpr long batch = 100;         // steps between two looks at the clock
+constexpr long batch = 100;         // steps between two readings of the clock
 
 /// One iteration is one step.
 void step(benchmark::State& state, const RotationCase& c, const Method& method) {

@@ -22,7 +22,7 @@ struct WorkPrecision {
   std::vector<std::optional<WorkPoint>> at_target;  ///< empty: not reached within the bounds
 };
 
-/// Attitude errors that a table asks for, rad.
+/// Target errors of the attitude in a table, rad.
 inline constexpr double attitude_targets[] = {1e-3, 1e-6, 1e-9};
 
 /// Halves the setting bit by bit until the error is at rounding or a run takes too long. A target

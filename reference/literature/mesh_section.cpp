@@ -13,13 +13,13 @@ namespace {
 
 using Edge = std::pair<int, int>;  // corners, the lesser first
 
-/// Where the plane comes into a triangle, and where it leaves.
+/// Where the plane enters a triangle, and where it leaves.
 struct Passage {
   Edge out;
   Vec2 x_in, x_out;
 };
 
-/// By the edge where it comes in: over that from the plane's lower side to its upper.
+/// By the edge of entry, crossed from the plane's lower side to its upper.
 std::map<Edge, Passage> passages(const mesh::TriangleMesh& rock_W, const SpokePlane& plane) {
   std::map<Edge, Passage> all;
   for (const mesh::Triangle& t : rock_W.triangles) {
@@ -49,7 +49,7 @@ Outline line_through(const mesh::TriangleMesh& rock_W, const SpokePlane& plane) 
   Outline line;
   for (const auto& [first, p] : all) {
     if (left.contains(first)) continue;
-    if (!line.empty()) break;  // a second line: the count below tells
+    if (!line.empty()) break;  // a second line: detected by the count below
     line.push_back(p.x_in);
     for (auto at = all.find(first); at != all.end(); at = all.find(at->second.out))
       line.push_back(at->second.x_out);

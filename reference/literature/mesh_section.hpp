@@ -8,8 +8,8 @@ namespace tdbd::reference {
 
 /// The rock below a sheet (an oriented disc, normal out of the rock) in the half-plane of a spoke:
 /// the line in which the plane cuts the sheet, from its rim outwards level, within the frame. All z
-/// of one radius are kept. Throws std::invalid_argument when the plane meets the sheet in more or
-/// less than one line from rim to rim.
+/// of one radius are kept. Throws std::invalid_argument unless the plane meets the sheet in exactly
+/// one line from rim to rim.
 PlanarRegion rock_section(const mesh::TriangleMesh& rock_W, const SpokePlane& plane,
                           const SpokeFrame& frame);
 

@@ -9,16 +9,15 @@ struct SpokeFrame {
   double radius = 0.0, floor = 0.0;  ///< m
 };
 
-/// The longest edge of the surface over the spacing asked for.
+/// The longest edge of the surface over the requested spacing.
 inline constexpr double widest_spacing = 1.5;
 
-/// Nodes of the surface about equally spaced again; points of the frame's own edges are only its
-/// corners. First nodes go, always the one that changes the area least, wherever two edges that
-/// meet are together no longer than the longest edge; then longer edges are parted evenly. So two
-/// edges that meet are together longer than half the longest edge, and a surface of length L has
-/// at most 3 L / (widest_spacing spacing) nodes, up to one for each of its ends. Cavities that
-/// shrink below a triangle vanish. Reconstructed: our excerpt tells that the number of nodes
-/// varies, not how.
+/// Respaces the nodes of the surface about equally; the frame's own edges keep only their corners.
+/// First nodes are removed, always the one that changes the area least, wherever two edges that
+/// meet are together no longer than the longest edge; then longer edges are divided evenly. So two
+/// edges that meet are together longer than half the longest edge, and a surface of length L has at
+/// most 3 L / (widest_spacing spacing) nodes, plus one at each end. Cavities that shrink below a
+/// triangle vanish. Reconstructed: our excerpt says that the number of nodes varies, not how.
 PlanarFace respaced(const PlanarFace& face, const SpokeFrame& frame, double spacing);
 
 }  // namespace tdbd::reference

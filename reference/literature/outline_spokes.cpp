@@ -17,9 +17,9 @@ SpokeFrame rounded(const SpokeFrame& frame) {
   return {corner.x(), corner.y()};
 }
 
-/// Does the line from a to b come deeper than least_depth into the convex outline?
+/// Whether the line from a to b enters the convex outline deeper than least_depth.
 bool enters(const Outline& tool, const Vec2& a, const Vec2& b) {
-  double from = 0.0, to = 1.0;  // of the way
+  double from = 0.0, to = 1.0;  // share of the line
   for (std::size_t i = 0; i < tool.size(); ++i) {
     const Vec2 edge = (tool[(i + 1) % tool.size()] - tool[i]).normalized(),
                inwards(-edge.y(), edge.x());
@@ -38,7 +38,8 @@ bool meets(const Outline& tool, const Outline& surface) {
   return false;
 }
 
-/// Is there rock in the convex outline? If no line of the rock enters it, one point tells.
+/// Whether there is rock in the convex outline. If no line of the rock enters it, one point
+/// decides.
 bool meets(const Outline& tool, const PlanarFace& rock) {
   const Vec2 middle = (tool[0] + tool[1] + tool[2]) / 3.0;
   return meets(tool, rock.border) || encloses(rock, middle) ||

@@ -8,13 +8,13 @@ namespace tdbd::reference {
 
 /// The spoke-and-node rock surface of Hanson and Hansen (1995), the baseline that the triangulated
 /// rock replaces. Thesis: 2.1, fig. 2.1: any number of spokes, any number of nodes on each, and in
-/// the plane of a spoke a surface of general shape, with several z for one radius. So upright walls
-/// and rock that hangs over are held, which Langeveld's spokes (Spokes) cannot do.
+/// the plane of a spoke a surface of general shape, with several z for one radius. So it represents
+/// upright walls and overhanging rock, which Langeveld's spokes (Spokes) cannot.
 ///
-/// Reconstructed: our excerpt tells what the surface can hold, neither how it is cut nor where its
-/// nodes are. Here each spoke holds the outline of the rock in its plane; a step takes away, by a
-/// regularised boolean (planar_boolean), what lies in the outline of each cutter's swept body in
-/// that plane (section), and respaces the nodes (respaced).
+/// Reconstructed: our excerpt says what the surface can represent, but neither how it is cut nor
+/// where its nodes are. Here each spoke holds the outline of the rock in its plane; a step removes,
+/// by a regularised boolean (planar_boolean), what lies in the outline of each cutter's swept body
+/// in that plane (section), and respaces the nodes (respaced).
 struct OutlineSpokes {
   SpokeFrame frame;
   double spacing = 0.0;          ///< of nodes along the surface, m
@@ -36,19 +36,19 @@ OutlineSpokes flat_outline_spokes(const SpokeFrame& frame, double top, int spoke
 OutlineSpokes outline_spokes_of(const mesh::TriangleMesh& rock_W, const SpokeFrame& frame,
                                 int spokes, double spacing);
 
-/// Takes an outline out of one spoke. Pieces without the frame's outer lower corner come loose:
-/// what holds them in other planes, a spoke cannot know. A tool that reaches less than two grid
+/// Cuts an outline out of one spoke. Pieces without the frame's outer lower corner come loose: a
+/// spoke cannot know what holds them in other planes. A tool that reaches less than two grid
 /// lengths into the rock cuts nothing.
 OutlineCut cut_spoke(OutlineSpokes& rock, int spoke, const Outline& tool);
 
-/// What tools cut out of the plane of each spoke: outlines, as long as they are not taken away.
+/// What tools cut out of the plane of each spoke: outlines not yet removed from the rock.
 using SpokeSections = std::vector<std::vector<Outline>>;
 
 /// Adds those sections of one step's bodies that meet rock; X_WB: the bit at the step's end.
 void add_sections(SpokeSections& sections, const OutlineSpokes& rock,
                   const std::vector<SweptBody>& bodies, const Pose& X_WB);
 
-/// Takes them all away, and leaves none: in whatever order, the rock that is left is the same but
+/// Removes all of them and clears the list. The remaining rock does not depend on the order, except
 /// for the places of nodes. Many steps at once cost less than one by one.
 OutlineCut cut_sections(OutlineSpokes& rock, SpokeSections& sections);
 
@@ -58,10 +58,10 @@ OutlineCut cut_sweep(OutlineSpokes& rock, const std::vector<SweptBody>& bodies, 
 /// Volume of all sectors, m3.
 double volume(const OutlineSpokes& rock);
 
-/// Nodes at less than a radius, those on the bottom of the rock left out.
+/// The number of nodes within a radius, without those on the bottom of the rock.
 long nodes_within(const OutlineSpokes& rock, double radius);
 
-/// The deepest surface at each of so many nodes of each spoke: what a height field sees.
+/// The deepest surface at each of this many nodes of each spoke, as in a height field.
 Spokes deepest(const OutlineSpokes& rock, double radius, int nodes);
 
 }  // namespace tdbd::reference

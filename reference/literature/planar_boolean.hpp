@@ -5,9 +5,9 @@
 namespace tdbd::reference {
 
 /// Regularised booleans in the plane, by Boost.Polygon: exact on the points of a grid of 1 nm, to
-/// which all coordinates are rounded before and after. So an edge moves by up to 1 nm, and what
-/// rounding makes of an outline (crossings, folds, coinciding edges) is put right by the next
-/// boolean. |coordinates| below 2 m; throws std::invalid_argument beyond.
+/// which all coordinates are rounded before and after. So an edge moves by up to 1 nm, and
+/// crossings, folds and coinciding edges that rounding causes are resolved by the next boolean.
+/// |coordinates| below 2 m; throws std::invalid_argument beyond.
 inline constexpr double planar_grid = 1e-9;  ///< m
 
 /// The nearest point of the grid.
@@ -17,7 +17,7 @@ Vec2 on_grid(const Vec2& x);
 PlanarRegion without(const PlanarRegion& region, const Outline& tool);
 PlanarRegion without_all(const PlanarRegion& region, const std::vector<Outline>& tools);
 
-/// What of the region the outline encloses.
+/// The part of the region that the outline encloses.
 PlanarRegion within(const PlanarRegion& region, const Outline& window);
 
 }  // namespace tdbd::reference

@@ -12,7 +12,7 @@ using Vec2 = Eigen::Vector2d;
 /// A closed chain of straight edges; the last point joins the first.
 using Outline = std::vector<Vec2>;
 
-/// One piece of the plane: what its border encloses, less its cavities.
+/// One piece of the plane: the region inside its border, less its cavities.
 struct PlanarFace {
   Outline border;
   std::vector<Outline> cavities;
@@ -31,7 +31,7 @@ double signed_moment(const Outline& outline);
 double area(const PlanarRegion& region);
 double moment(const PlanarRegion& region);
 
-/// Is the point enclosed? Points on an outline may go either way.
+/// Whether the point is enclosed; arbitrary for points on an outline.
 bool encloses(const Outline& outline, const Vec2& x);
 bool encloses(const PlanarFace& face, const Vec2& x);
 

@@ -17,7 +17,7 @@ struct SpokePlane {
   Vec2 foot(const Vec3& x) const { return {cosine * x.x() + sine * x.y(), x.z()}; }
 };
 
-/// Azimuth of a spoke of so many, rad.
+/// Azimuth of a spoke, of this many in all, rad.
 double spoke_azimuth(int spoke, int spokes);
 
 /// Its plane.

@@ -13,9 +13,9 @@ namespace tdbd::reference {
 /// angles (SpokePlane); each carries nodes at equal radial distances with one depth each: Langeveld
 /// had 120 spokes of 500 nodes.
 ///
-/// Reconstructed: our excerpt tells the layout, not the update. With one depth for each node a wall
-/// that is steeper than one node's spacing allows, and rock that hangs over, cannot be held: Hanson
-/// and Hansen's surface (OutlineSpokes) holds them.
+/// Reconstructed: our excerpt gives the layout, not the update. One depth for each node cannot
+/// represent a wall steeper than the nodes' spacing allows, nor overhanging rock; Hanson and
+/// Hansen's surface (OutlineSpokes) can.
 struct Spokes {
   double radius = 0.0;  ///< m, to which spokes reach
   int spokes = 0, nodes = 0;
@@ -37,7 +37,7 @@ Spokes flat_spokes(double radius, double z, int spokes, int nodes);
 /// least z where it has none.
 Spokes spokes_of(const mesh::TriangleMesh& rock_W, double radius, int spokes, int nodes);
 
-/// Facets that face down (as in SweepTool) take every node above them down to their depth. In the
+/// Facets that face down (as in SweepTool) lower every node above them to their depth. In the
 /// plane of a spoke this is the two-dimensional problem to which the layout reduces cutting.
 /// Returns the removed volume, m3: each node stands for its share of ring and of sector.
 double cut_sweep(Spokes& rock, const mesh::TriangleMesh& lower_B, const Pose& X_WB);

@@ -6,7 +6,7 @@
 namespace tdbd::reference {
 
 /// A bit that turns and advances evenly in steps, for rocks that are cut by sweep tools: ZMap,
-/// Spokes. Space and the bit's frame agree before the first step.
+/// Spokes. The spatial frame and the bit's frame agree before the first step.
 struct SteadyDrilling {
   double turn = 0.0;     ///< rad a step, about +z
   double advance = 0.0;  ///< m a step, along +z
@@ -15,13 +15,13 @@ struct SteadyDrilling {
   double removed = 0.0;  ///< m3
 };
 
-/// X_WB after so many steps.
+/// X_WB after this many steps.
 Pose pose_after(const SteadyDrilling& d, long steps);
 
 /// A bit's drilling from its first step on. `reach` as for sweep_tools, m.
 SteadyDrilling steady_drilling(const bit::Bit& bit, double turn, double advance, double reach);
 
-/// Drills on for so many steps.
+/// Drills on for this many steps.
 template <class Rock>
 void drill(SteadyDrilling& d, Rock& rock, long steps) {
   for (long i = 0; i < steps; ++i)

@@ -10,9 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-double centre(const ZMap& map, int i) { return (i + 0.5) * map.cell() - map.half; }
-
-/// The ring of a radius: index of the last of `radii` at or below it; -1 outside of all.
+/// The ring of a radius: index of the last of `radii` at or below it; -1 outside all.
 int ring_of(const std::vector<double>& radii, double r) {
   if (r < radii.front() || r >= radii.back()) return -1;
   return static_cast<int>(std::upper_bound(radii.begin(), radii.end(), r) - radii.begin()) - 1;
@@ -77,7 +75,7 @@ std::vector<SurfaceError> surface_errors(const ZMap& reference, const ZMap& surf
   std::vector<double> volume(radii.size() - 1, 0.0);
   for (int row = 0; row < reference.cells; ++row)
     for (int column = 0; column < reference.cells; ++column) {
-      const double r = std::hypot(centre(reference, column), centre(reference, row));
+      const double r = std::hypot(reference.centre(column), reference.centre(row));
       const int ring = ring_of(radii, r);
       if (ring < 0) continue;
       const auto cell = static_cast<std::size_t>(row) * reference.cells + column;
@@ -100,7 +98,7 @@ ZMap resampled(const ZMap& coarse, const ZMap& cells_of) {
   for (int row = 0; row < fine.cells; ++row)
     for (int column = 0; column < fine.cells; ++column)
       fine.height[static_cast<std::size_t>(row) * fine.cells + column] =
-          height_at(coarse, centre(fine, column), centre(fine, row));
+          height_at(coarse, fine.centre(column), fine.centre(row));
   return fine;
 }
 

@@ -17,8 +17,8 @@ struct SurfaceError {
   long samples = 0;
 };
 
-/// Cosine of the profile's angle over the radius, from the tips of a bit's cutters: how much of a
-/// difference in depth is a distance along the normal.
+/// Cosine of the profile's angle over the radius, from the tips of a bit's cutters: the share of a
+/// difference in depth that is distance along the normal.
 struct ProfileCosine {
   std::vector<double> radius, angle;  ///< m, rising; rad
   double at(double r) const;
@@ -26,9 +26,9 @@ struct ProfileCosine {
 ProfileCosine profile_cosine(const bit::Bit& bit);
 
 /// Errors of `surface` against `reference` (height fields of the same cells), one for each ring
-/// between neighbours of `radii` (m, rising), from all cells whose centres it holds. Steps between
-/// grooves keep the profile's normal: on their flanks this counts more than the nearest distance
-/// does. Throws std::invalid_argument if the cells differ.
+/// between neighbours of `radii` (m, rising), from all cells whose centres it contains. The
+/// profile's normal is used on the steps between grooves, too: on their flanks this exceeds the
+/// nearest distance. Throws std::invalid_argument if the cells differ.
 std::vector<SurfaceError> surface_errors(const ZMap& reference, const ZMap& surface,
                                          const ProfileCosine& cosine,
                                          const std::vector<double>& radii);

@@ -23,7 +23,7 @@ double doubled_plan_area(const mesh::TriangleMesh& m, const mesh::Triangle& t) {
   return (b - a).cross(c - a).z();
 }
 
-/// The cutter's Z of a point of its sweep: the less of what it had at both ends of the step.
+/// The cutter's Z of a point of its sweep: the lesser of those at both ends of the step.
 struct Depth {
   Pose X_CB, X_CB0;  ///< from the frame of the step's end: as if placed at the end, at the start
   double operator()(const Vec3& x_B) const { return std::min((X_CB * x_B).z(), (X_CB0 * x_B).z()); }
@@ -65,7 +65,7 @@ std::vector<SweepTool> ruled_tools(const std::vector<CutterHull>& cutters, const
     for (const mesh::Triangle& t : c.hull_B.triangles)
       for (int i = 0; i < 3; ++i) {
         const int a = t[i], b = t[(i + 1) % 3];
-        if (a > b) continue;  // its other triangle brings it
+        if (a > b) continue;  // its other triangle adds it
         m.triangles.push_back({a, b, b + n});
         m.triangles.push_back({a, b + n, a + n});
       }

@@ -6,8 +6,8 @@
 
 namespace tdbd::reference {
 
-/// What one cutter sweeps in one step, as a height field or a spoke sees it: those facets of the
-/// convex hull of its cutting parts at both ends of the step that face down. In the bit's frame at
+/// What one cutter sweeps in one step, for a height field or a spoke: those facets of the convex
+/// hull of its cutting parts at both ends of the step that face down. In the bit's frame at
 /// the step's end. In a steady motion every step is the same screw about the bit's axis, so the
 /// hull is made once and only placed anew.
 struct SweepTool {
@@ -18,7 +18,7 @@ struct SweepTool {
 /// The least z of a surface's points, m.
 double top_of(const mesh::TriangleMesh& rock_W);
 
-/// A cutter as its sweeps need it: the convex hull of its cutting parts.
+/// A cutter prepared for its sweeps: the convex hull of its cutting parts.
 struct CutterHull {
   int cutter = -1;
   Pose X_BC;
@@ -36,8 +36,7 @@ std::vector<SweepTool> ruled_tools(const std::vector<CutterHull>& cutters, const
 /// One tool for every cutter. X_B1B0: the bit at the step's start in its frame at the step's end.
 /// Of a facet some corner must be nearer than `reach` (m) to the cutter's tip, along the cutter's Z
 /// (its tip is at the least Z): facets farther up cut nothing while no cut is deeper than that, and
-/// a rival that looked at them would be slowed for nothing. For upright motions: facets that face
-/// down go on to do so.
+/// would only slow a rival down. For upright motions: facets that face down keep doing so.
 std::vector<SweepTool> sweep_tools(const std::vector<CutterHull>& cutters, const Pose& X_B1B0,
                                    double reach);
 

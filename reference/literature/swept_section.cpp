@@ -13,7 +13,7 @@ SweptBody swept_body(const mesh::TriangleMesh& convex_B, const Pose& X_B1B0) {
   for (const mesh::Triangle& t : convex_B.triangles)
     for (int i = 0; i < 3; ++i) {
       const int a = t[i], b = t[(i + 1) % 3];
-      if (a > b) continue;  // its other triangle brings it
+      if (a > b) continue;  // its other triangle adds it
       body.edges.push_back({a, b});
       body.edges.push_back({a + n, b + n});
     }

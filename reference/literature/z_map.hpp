@@ -16,6 +16,8 @@ struct ZMap {
   std::vector<double> height;  ///< m, at the cells' centres; [row * cells + column], x along a row
 
   double cell() const { return 2.0 * half / cells; }
+  /// Where column or row i has its centre, m.
+  double centre(int i) const { return (i + 0.5) * cell() - half; }
 };
 
 /// Flat rock at height z.

@@ -12,7 +12,7 @@ using Facet = std::array<Vec3, 3>;
 
 /// Where a facet begins and ends along a line y: x, and z there. Depths between these never leave
 /// the facet's own, however steep it is.
-struct Span {
+struct RowSpan {
   double x_lo, x_hi, z_lo, z_hi;
 };
 
@@ -23,14 +23,14 @@ Facet facet(Vec3 a, Vec3 b, Vec3 c) {
   return {a, b, c};
 }
 
-/// The edge from `a` up to `b` at the line y; b.y() > a.y(). Clamped: a row is found by rounding,
-/// and beside an almost level edge that little is a long way.
+/// The edge from `a` up to `b` at the line y; b.y() > a.y(). Clamped: rows are found by rounding,
+/// and beside an almost level edge a rounding error is a long distance.
 Vec3 at(const Vec3& a, const Vec3& b, double y) {
   return a + std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) * (b - a);
 }
 
 /// The facet along the line y, which passes between its lowest and highest corner.
-Span extent(const Facet& f, double y) {
+RowSpan extent(const Facet& f, double y) {
   const auto& [a, b, c] = f;
   const bool below_middle = y < b.y() || b.y() == c.y();
   const Vec3 far = at(a, c, y), near = below_middle ? at(a, b, y) : at(b, c, y);
@@ -69,7 +69,7 @@ double cut_facet(const Grid& grid, std::vector<double>& height, const Facet& f) 
   double change = 0.0;
   const int last_row = grid.last(high);
   for (int row = grid.first(low); row <= last_row; ++row) {
-    const Span s = extent(f, grid.centre(row));
+    const RowSpan s = extent(f, grid.centre(row));
     const int first = grid.first(s.x_lo), count = grid.last(s.x_hi) - first + 1;
     if (count <= 0) continue;
     const double slope = s.x_hi > s.x_lo ? (s.z_hi - s.z_lo) / (s.x_hi - s.x_lo) : 0.0;

@@ -5,11 +5,11 @@
 
 namespace tdbd::reference {
 
-/// z_map's cut as those write it who drill with height fields: facets row by row, each row's cells
-/// at once, depths stepped along the row. Lowers every cell whose centre a facet covers to the
-/// facet's depth there. `lower_B` as in SweepTool, X_WB its frame in space; corners that no facet
-/// uses are not looked at. Returns the removed volume, m3. Equal to `cut` of the same facets but
-/// for rounding. Cost: cells under the facets.
+/// The cut of z_map as a fast height-field program does it: facet by facet and row by row, all
+/// cells of a row at once, depths stepped along the row. Lowers every cell whose centre a facet
+/// covers to the facet's depth there. `lower_B` as in SweepTool, X_WB its frame in space; corners
+/// that no facet uses are ignored. Returns the removed volume, m3. Equal to `cut` of the same
+/// facets up to rounding. Cost: cells under the facets.
 double cut_sweep(ZMap& rock, const mesh::TriangleMesh& lower_B, const Pose& X_WB);
 
 /// One step of all tools; X_WB: the bit at the step's end. Returns the removed volume, m3.

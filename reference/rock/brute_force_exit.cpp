@@ -21,7 +21,7 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// The t at which the line q + t u crosses triangle (a, b, c); none if it misses or is parallel.
-/// A hit on the rim counts (with room for rounding): a crossing found twice does no harm below.
+/// A hit on the rim counts (with slack for rounding): finding a crossing twice is harmless below.
 std::optional<double> crossing(const Vec3& q, const Vec3& u, const Vec3& a, const Vec3& b,
                                const Vec3& c) {
   constexpr double rim = 1e-9;
@@ -46,7 +46,7 @@ std::vector<double> crossings(const mesh::TriangleMesh& m, const Vec3& q, const 
 }
 
 /// The intervals of t >= 0 in which q + t u is inside. Between two consecutive crossings the state
-/// does not change: ask at the middle.
+/// does not change: test the middle.
 std::vector<Interval> inside_intervals(const mesh::TriangleMesh& m, const Vec3& q, const Vec3& u) {
   const std::vector<double> ts = crossings(m, q, u);
   std::vector<Interval> intervals;

@@ -8,8 +8,8 @@ namespace tdbd::reference {
 /// and a flat bottom `depth` below the boundary (m; z points down). Normals point out of the rock,
 /// as the surface's own (towards -z). The bottom is a fan about the boundary's mean, so the
 /// boundary must be one loop at one z, star-shaped about its mean, and the surface must stay inside
-/// it and above the bottom. Throws RunError if the loop is not one, or not level, or the bottom too
-/// high.
+/// it and above the bottom. Throws RunError if there is not exactly one loop, if it is not level or
+/// if the bottom is too high.
 mesh::TriangleMesh close_surface(const mesh::TriangleMesh& open, double depth);
 
 }  // namespace tdbd::reference

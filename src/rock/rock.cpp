@@ -18,26 +18,29 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
 }
 
 void touch(Rock& rock, int v) {
-  std::uint8_t& mark = rock.touched[static_cast<std::size_t>(v)];
+  std::uint8_t& mark = rock.touched[at(v)];
   const bool is_listed = mark != 0;
   mark = touched_mark;
   if (is_listed) return;
   rock.touched_list.push_back(v);
 }
 
-void place_vertex(Rock& rock, int v, const Vec3& x_W) {
-  rock.surface.positions[static_cast<std::size_t>(v)] = x_W;
-  rock.grid.move(v, x_W);
-  touch(rock, v);
+void touch_neighbours(Rock& rock, int v) {
   mesh::visit_corners(rock.surface, v,
                       [&](int c) { touch(rock, rock.surface.vertex(mesh::next_corner(c))); });
 }
 
+void place_vertex(Rock& rock, int v, const Vec3& x_W) {
+  rock.surface.positions[at(v)] = x_W;
+  rock.grid.move(v, x_W);
+  touch(rock, v);
+}
+
 void register_vertex(Rock& rock, int v, int last_part) {
-  const auto n = static_cast<std::size_t>(rock.surface.vertex_slots());
+  const std::size_t n = at(rock.surface.vertex_slots());
   rock.last_part.resize(n, -1);
   rock.touched.resize(n, 0);
-  rock.last_part[static_cast<std::size_t>(v)] = last_part;
+  rock.last_part[at(v)] = last_part;
   rock.grid.insert(v, rock.surface.position(v));
 }
 

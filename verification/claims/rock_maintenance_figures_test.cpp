@@ -6,6 +6,7 @@
 #include "mesh/check/check.hpp"
 #include "mesh/edit.hpp"
 #include "rock/maintain/collapse.hpp"
+#include "rock/maintain/maintain.hpp"
 #include "rock/maintain/smooth.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 

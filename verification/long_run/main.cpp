@@ -75,7 +75,7 @@ std::string drill(const Case& c, Simulation& s, long end, Times& times) {
   tdbd::rock::MaintenanceReport alone;
   tdbd::rock::maintain(s.state.rock, s.work.limits, s.work.maintenance_work, alone);
   const auto found = tdbd::rock::check_maintenance(before, s.state.rock, s.work.limits, alone,
-                                                   s.work.maintenance_work.strays);
+                                                   s.work.maintenance_work.drift);
   tdbd::rock::add(alone, s.state.maintenance);
   return tdbd::rock::describe(found, 3);
 }

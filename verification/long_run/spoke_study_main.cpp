@@ -6,7 +6,7 @@
 #include "claims/spoke_runs.hpp"
 
 /// Errors of both kinds of spokes and of our mesh after one revolution of the standard workload,
-/// steady and in whirl, at equal numbers of points: benchmarks/README.md, "Spokes". No arguments;
+/// steady and in whirl, at equal numbers of points: reports/studies/spokes. No arguments;
 /// some minutes.
 namespace tdbd::claims {
 namespace {

@@ -6,13 +6,15 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "core/sort_unique.hpp"
 #include "rock/cut/mapped_direction.hpp"
 #include "rock/cut/prism.hpp"
 
 namespace tdbd::rock {
 namespace {
 
-void move_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const CuttingPart& part) {
+/// Moves a vertex that the part sweeps and notes who moved it, from where.
+void take_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const CuttingPart& part) {
   if (rock.surface.is_boundary(v))
     throw RunError(fmt::format(
         "{} swept the rock's boundary at ({:.3f}, {:.3f}, {:.3f}) mm: the wall is too low or "
@@ -21,10 +23,8 @@ void move_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const Cutt
   w.step_of_move[at(v)] = w.step;
   w.move_of[at(v)] = static_cast<int>(w.moves.size());
   w.moves.push_back({v, rock.surface.positions[at(v)]});
-  rock.surface.positions[at(v)] = x_W;
-  rock.grid.move(v, x_W);
   rock.last_part[at(v)] = part.part;
-  touch(rock, v);
+  place_vertex(rock, v, x_W);
 }
 
 /// Where vertex v was before the part at work.
@@ -34,7 +34,7 @@ const Vec3& place_before(const Rock& rock, const CutWorkspace& w, int v) {
 }
 
 /// The triangles around the vertices that the part at work moved, each once, in the order of their
-/// numbers: a sum over them does not hang on the order of the index.
+/// numbers: a sum over them does not depend on the order of the index.
 void find_moved_triangles(const Rock& rock, CutWorkspace& w) {
   const mesh::Surface& s = rock.surface;
   for (const MovedVertex& m : w.moves) {
@@ -45,8 +45,7 @@ void find_moved_triangles(const Rock& rock, CutWorkspace& w) {
   w.triangles.clear();
   for (const MovedVertex& m : w.moves)
     mesh::visit_corners(s, m.v, [&](int c) { w.triangles.push_back(c / 3); });
-  std::ranges::sort(w.triangles);
-  w.triangles.erase(std::unique(w.triangles.begin(), w.triangles.end()), w.triangles.end());
+  sort_unique(w.triangles);
 }
 
 /// Prism volumes of the triangles around the vertices that this part moved (4.3).
@@ -84,10 +83,9 @@ void note_exit(Clear& clear, std::size_t part, bool convex) {
 void find_paths(const Rock& rock, const GroupMotion& m, const std::vector<int>& candidates,
                 CutWorkspace& w) {
   w.paths.clear();
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Vec3 &x_W = rock.surface.position(candidates[i]), &u_W = w.directions_W[i];
-    w.paths.push_back({m.X_PW0 * x_W, m.X_PW1 * x_W, m.X_PW0.R * u_W, m.X_PW1.R * u_W});
-  }
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    w.paths.push_back(
+        relative_path(m.X_PW0, m.X_PW1, rock.surface.position(candidates[i]), w.directions_W[i]));
 }
 
 void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const GroupMotion& m,
@@ -103,7 +101,7 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
       continue;
     }
     const Vec3 x_W = rock.surface.position(candidates[i]) + *t * w.directions_W[i];
-    move_vertex(rock, w, candidates[i], x_W, part);
+    take_vertex(rock, w, candidates[i], x_W, part);
     w.paths[i].q0_P = m.X_PW0 * x_W;
     w.paths[i].q1_P = m.X_PW1 * x_W;
     note_exit(w.clear[i], which, !part.tree_P);
@@ -116,7 +114,7 @@ void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const Gr
   for (const MovedVertex& moved : w.moves) moved_by_group.push_back(moved.v);
 }
 
-/// First pass: every group looks at the rock as the step found it, so groups look at once.
+/// First pass: every group searches the rock as the step found it, so groups search in parallel.
 void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
     const CuttingGroup& g = bit.groups[at(i)];
@@ -127,7 +125,7 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
     near.places.clear();
     w.knows_touching[at(i)] = 0;
     if (is_out_of_reach(rock.grid, m)) return;
-    bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.foresight, list);
+    bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.list_margins, list);
     find_candidates(g, m, rock.surface.positions, list, gaps_around_hull * w.contact_gap, near);
     w.knows_touching[at(i)] =
         w.contact_gap >= 0.0 && covers(list, rock.grid, widened(m.region_W, w.contact_gap)) ? 1 : 0;
@@ -135,12 +133,7 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   });
 }
 
-void sort_unique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
-
-/// The candidates that a part of their own group may still sweep.
+/// Keeps the candidates that a part of their own group may still sweep.
 void keep_unclear(const CuttingGroup& g, const std::vector<int>& candidates,
                   const std::vector<Clear>& clear, std::vector<int>& unclear) {
   const std::uint64_t all = (std::uint64_t{2} << (g.parts.size() - 1)) - 1;
@@ -148,8 +141,8 @@ void keep_unclear(const CuttingGroup& g, const std::vector<int>& candidates,
     if (clear[i].now != all) unclear.push_back(candidates[i]);
 }
 
-/// Later passes: only what moved can have come into a part, and it stands on the group that moved
-/// it, so that only groups near that one can sweep it.
+/// Later passes: only what moved can have entered a part, and it lies on the group that moved it,
+/// so only groups near that one can sweep it.
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     w.candidates[i].clear();
@@ -183,7 +176,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
 }
 
-/// Asks for what the next group will read of its candidates, while this one is at work.
+/// Prefetches what the next group will read of its candidates, while this one is at work.
 void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
   if (group >= w.candidates.size()) return;
   for (const int v : w.candidates[group]) {
@@ -221,8 +214,8 @@ bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& 
   return any;
 }
 
-/// Keeps the lists in step with what moved. A group's first candidates are in its list; what it
-/// moved later had been moved by another group, whose turn it was.
+/// Updates the lists with what moved. A group's first candidates are in its list; what it moved
+/// in later passes had been moved by another group before.
 void note_moves(Rock& rock, CutWorkspace& w) {
   for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
     NearList& list = rock.near_lists[i];

@@ -9,18 +9,19 @@
 namespace tdbd::rock {
 namespace {
 
-constexpr std::size_t sides = 6;  // of a box
+constexpr std::size_t sides_of_box = 6;
 
 /// At most `most` of the planes: the first six, then always the one whose normal is farthest from
-/// those chosen. Few planes then bound the solid as tightly as so few can, and what is outside of
-/// the solid is outside of one of the first.
+/// those chosen. So few planes bound the solid tightly, and most of what is outside the solid is
+/// outside one of the first.
 mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t most) {
   mesh::ConvexSolid chosen;
   std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest chosen
   for (std::size_t k = 0; k < std::min(most, planes.planes); ++k) {
     const std::size_t next =
-        k < sides ? k
-                  : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
+        k < sides_of_box
+            ? k
+            : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
     const Vec3 n = mesh::normal(planes, next);
     mesh::add_plane(chosen, n, planes.b[next]);
     for (std::size_t i = 0; i < planes.planes; ++i)
@@ -40,7 +41,7 @@ CuttingPart prepare_solid(const bit::Part& part, const mesh::TriangleMesh& mesh_
   return prepared;
 }
 
-/// A part is one solid or, if it is known to be so made, several convex ones.
+/// A part is one solid or, where its pieces are known, several convex ones.
 void add_part(CuttingGroup& group, const bit::Part& part, int index) {
   if (part.pieces_P.empty()) group.parts.push_back(prepare_solid(part, part.mesh_P, index));
   for (const mesh::TriangleMesh& piece_P : part.pieces_P)
@@ -52,12 +53,12 @@ constexpr std::size_t most_solids = 63;
 
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
   return part.group >= 0 && group.parts.size() + part.pieces_P.size() < most_solids &&
-         bit.parts[static_cast<std::size_t>(group.parts.front().part)].group == part.group;
+         bit.parts[at(group.parts.front().part)].group == part.group;
 }
 
-/// No turn of the part's cone takes x farther from the bit's origin.
+/// The largest distance of x from the bit's origin over all turns of the part's cone.
 double largest_distance(const bit::Bit& bit, const bit::Part& part, const Vec3& x_P) {
-  const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
+  const Pose& X_BK = bit.cones[at(part.cone)].X_BK;
   return X_BK.p.norm() + (part.X_BP * x_P - X_BK.p).norm();
 }
 
@@ -74,20 +75,20 @@ mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
       const Vec3 n = mesh::normal(part.solid_P, i);
       double support = part.solid_P.b[i];
       for (const CuttingPart& other : g.parts)
-        for (const Vec3& x_P : bit.parts[static_cast<std::size_t>(other.part)].mesh_P.positions)
+        for (const Vec3& x_P : bit.parts[at(other.part)].mesh_P.positions)
           support = std::max(support, n.dot(x_P));
       if (support <= part.solid_P.b[i] + slack) mesh::add_plane(planes, n, support);
     }
   return planes;
 }
 
-/// The box's sides come last: whoever asks the planes has asked the box before.
+/// The box's sides come last: the box is tested before the planes.
 SingleSolid in_single(const mesh::ConvexSolid& planes) {
   SingleSolid single;
   single.planes = planes.planes;
   single.b.fill(std::numeric_limits<Single>::infinity());
   for (std::size_t i = 0; i < planes.planes; ++i) {
-    const std::size_t k = (i + sides) % planes.planes;
+    const std::size_t k = (i + sides_of_box) % planes.planes;
     single.nx[i] = static_cast<Single>(planes.nx[k]);
     single.ny[i] = static_cast<Single>(planes.ny[k]);
     single.nz[i] = static_cast<Single>(planes.nz[k]);
@@ -103,7 +104,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
   cutting.part_count = static_cast<int>(bit.parts.size());
   mesh::Box box_B;
   for (int i = 0; i < cutting.part_count; ++i) {
-    const bit::Part& part = bit.parts[static_cast<std::size_t>(i)];
+    const bit::Part& part = bit.parts[at(i)];
     if (part.cutting != bit::Cutting::cuts) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
       cutting.groups.push_back(
@@ -134,7 +135,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
 void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<double>& from,
                 const std::vector<double>& to) {
   for (CuttingGroup& group : cutting.groups) {
-    const bit::Part& part = bit.parts[static_cast<std::size_t>(group.parts.front().part)];
+    const bit::Part& part = bit.parts[at(group.parts.front().part)];
     if (part.cone < 0) continue;
     group.X_BP = bit::part_pose(bit, part, from);
     group.X_BP1 = bit::part_pose(bit, part, to);

@@ -14,40 +14,40 @@
 
 namespace tdbd::rock {
 
-/// A part, or a convex piece of one, prepared for swept queries: by its planes if it is convex and
-/// has few, by a tree over its facets if not.
+/// A part, or a convex piece of one, prepared for swept queries: by its planes if it is convex,
+/// otherwise by a tree over its facets.
 struct CuttingPart {
   int part = -1;  ///< index into Bit::parts
   std::string name;
   mesh::ConvexSolid solid_P;                 ///< no planes if there is a tree
   std::optional<mesh::TriangleTree> tree_P;  ///< only without planes
-  FacetNeighbours across;                    ///< of the tree's facets; none: exits without walks
+  FacetNeighbours across;                    ///< of the tree's facets; empty: exits without walks
   double depth = 0.0;  ///< m: shallower than this is not swept (tolerance::swept times part size)
 };
 
-/// Which axis the update directions turn about (4.1.2.3) when the bit leans: the hole's, so that
-/// rock goes down the hole, or the bit's own, as the thesis has it for a bit that does not lean.
+/// The axis about which update directions turn (thesis 4.1.2.3) when the bit leans: the hole's, so
+/// that rock goes down the hole, or the bit's own, as in the thesis, where the bit does not lean.
 enum class DirectionFrame { upright, bit };
 
-/// Planes of a solid in single precision, padded to whole runs with planes that are nowhere.
+/// Planes of a solid in single precision, padded to whole runs with planes at infinity.
 struct SingleSolid {
   static constexpr std::size_t most = 40, run = 8;
   std::size_t planes = 0;
   std::array<Single, most> nx{}, ny{}, nz{}, b{};
 };
 
-/// Parts that share a frame and an update direction: found together, processed one after another.
+/// Parts that share a frame and an update direction: searched for together, processed one by one.
 struct CuttingGroup {
   Pose X_BP;
   mesh::Box box_P;
-  mesh::ConvexSolid hull_P;  ///< a few planes around all parts, box_P's included
+  mesh::ConvexSolid hull_P;  ///< a few planes around all parts, including those of box_P
   SingleSolid single_hull_P;
   double reach = 0.0;     ///< m, farthest from the bit's axis
   double distance = 0.0;  ///< m, farthest from the bit's origin
   Vec3 update_direction_B;
   std::vector<CuttingPart> parts;
   std::optional<bit::Segment> core_P;  ///< bit::Part::core_P
-  Pose X_BP1;  ///< at the end of the step; X_BP is at its start. They differ where a cone turns
+  Pose X_BP1;  ///< at the end of the step (X_BP: at its start); they differ where a cone turns
   DirectionFrame directions = DirectionFrame::bit;
 };
 
@@ -58,7 +58,7 @@ struct CuttingBit {
   double size = 0.0;   ///< m, diameter over the cutting parts: scale of tolerance::inside
 };
 
-/// How exits from parts that are not convex are found (swept_mesh.hpp); both find the same.
+/// How exits from parts that are not convex are found (swept_mesh.hpp); both give the same.
 enum class ExitSearch { tree, walk };
 
 struct CuttingOptions {
@@ -66,10 +66,10 @@ struct CuttingOptions {
   DirectionFrame directions = DirectionFrame::bit;
 };
 
-/// Every part that cuts, from its closed mesh (bit::Part).
+/// Prepares every part that cuts, from its closed mesh (bit::Part).
 CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& options = {});
 
-/// Turns the cones of a step: from these angles to those (rad, one for each cone). Formulation 4.
+/// Turns the cones in a step: from the first angles to the second (rad, one for each cone).
 void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<double>& from,
                 const std::vector<double>& to);
 

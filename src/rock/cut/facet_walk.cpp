@@ -8,7 +8,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// One side of a facet, its ends in an order that does not hang on the facet's.
+/// One side of a facet, its ends in an order that does not depend on the facet's.
 struct Side {
   std::array<double, 6> ends;
   int facet, edge;
@@ -23,7 +23,7 @@ Side side_of(const mesh::Facet& f, int facet, std::size_t edge) {
   return {{p->x(), p->y(), p->z(), q->x(), q->y(), q->z()}, facet, static_cast<int>(edge)};
 }
 
-/// The line between t = 0 and `reach` against a box, with a little room.
+/// Whether the line between t = 0 and `reach` meets a box, with slack for rounding.
 bool meets(const mesh::Box& box, const Vec3& x, const Vec3& u, double reach) {
   double enter = 0.0, leave = reach;
   for (int i = 0; i < 3; ++i) {
@@ -54,9 +54,7 @@ FacetNeighbours neighbours_of(const mesh::TriangleTree& tree) {
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t last = i + 1;
     while (last < sides.size() && sides[last].ends == sides[i].ends) ++last;
-    const auto set = [&](const Side& s, int facet) {
-      across[static_cast<std::size_t>(s.facet)][static_cast<std::size_t>(s.edge)] = facet;
-    };
+    const auto set = [&](const Side& s, int facet) { across[at(s.facet)][at(s.edge)] = facet; };
     if (last == i + 2) {
       set(sides[i], sides[i + 1].facet);
       set(sides[i + 1], sides[i].facet);
@@ -69,19 +67,18 @@ FacetNeighbours neighbours_of(const mesh::TriangleTree& tree) {
 std::optional<double> walk_to_exit(const mesh::TriangleTree& tree, const FacetNeighbours& across,
                                    const Vec3& x, const Vec3& u, int& start) {
   constexpr int most_steps = 48;
-  constexpr double parallel = 1e-12;  // a way this flat over a facet is left to the search
-  int at = start;
-  for (int steps = 0; steps < most_steps && at >= 0; ++steps) {
-    const auto hit = mesh::cross_plane(tree.facets()[static_cast<std::size_t>(at)], x, u, parallel);
+  constexpr double parallel = 1e-12;  // flatter crossings are left to the search
+  int facet = start;
+  for (int steps = 0; steps < most_steps && facet >= 0; ++steps) {
+    const auto hit = mesh::cross_plane(tree.facets()[at(facet)], x, u, parallel);
     if (!hit) return std::nullopt;
     const auto least = std::ranges::min_element(hit->beside);
     if (*least >= 0.0) {
       if (hit->out <= 0.0 || hit->s <= 0.0) return std::nullopt;
-      start = at;
+      start = facet;
       return hit->s;
     }
-    at =
-        across[static_cast<std::size_t>(at)][static_cast<std::size_t>(least - hit->beside.begin())];
+    facet = across[at(facet)][static_cast<std::size_t>(least - hit->beside.begin())];
   }
   return std::nullopt;
 }

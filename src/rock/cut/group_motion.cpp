@@ -31,9 +31,9 @@ Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) 
   return r;
 }
 
-/// The chord of a turn comes nearer to the axis than its ends, by the cosine of half the turn; a
-/// tilted axis leans at most by the tilt times the distance, counted for the part and for the rock
-/// beside it.
+/// The chord of a turn is nearer to the axis than its ends by the cosine of half the turn; a tilted
+/// axis leans by at most the tilt times the distance, counted for the part and for the rock beside
+/// it.
 double reach(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
   const double cosine = 0.5 * ((X_WB0.R.transpose() * X_WB1.R).trace() - 1.0);
   const double half_turn = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "rock/cut/hull_sieve.hpp"
-#include "rock/cut/wide_planes.hpp"
+#include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -26,22 +26,22 @@ TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q
   return h.b.size();
 }
 
-/// Moves those places of the pack at `from`, which have a bit set, to the run's end.
+/// Moves those places of the pack at `from` whose bit is set to the run's end.
 void keep(unsigned bits, std::size_t from, Run& r) {
   for (; bits != 0; bits &= bits - 1U, ++r.count) {
     const auto i = from + static_cast<std::size_t>(std::countr_zero(bits));
-    for (auto* column : {&r.x0, &r.y0, &r.z0, &r.x1, &r.y1, &r.z1})
-      (*column)[r.count] = (*column)[i];
+    for (auto* frame : {&r.start, &r.end})
+      for (auto& column : *frame) column[r.count] = column[i];
     r.place[r.count] = r.place[i];
   }
 }
 
-/// Bits: those of eight places, from i on, that are before the end.
+/// Bits: which of eight places from i on come before the end.
 unsigned filled(std::size_t i, std::size_t end) {
   return (1U << std::min(end - i, single_lanes)) - 1U;
 }
 
-/// Drops what the first planes of the hull tell already, most of it.
+/// Drops what the first planes of the hull reject, which is most of it.
 void drop_outer(const Sieve& sieve, Run& r) {
   const std::size_t end = std::exchange(r.count, 0);
   for (std::size_t i = 0; i < end; i += single_lanes) {
@@ -51,8 +51,8 @@ void drop_outer(const Sieve& sieve, Run& r) {
   }
 }
 
-/// Calls visit_swept(place in the list) and visit_touched for what of the run is let through, and
-/// empties it.
+/// Calls visit_swept(place in the list) and visit_touched for the places of the run that pass, and
+/// empties the run.
 template <class Swept, class Touched>
 void sift_run(const Sieve& sieve, Run& r, Swept& visit_swept, Touched& visit_touched) {
   drop_outer(sieve, r);
@@ -67,7 +67,7 @@ void sift_run(const Sieve& sieve, Run& r, Swept& visit_swept, Touched& visit_tou
   r.count = 0;
 }
 
-/// The same for what of the list is let through.
+/// The same for a whole list.
 template <class Swept, class Touched>
 void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched&& visit_touched) {
   Run run;

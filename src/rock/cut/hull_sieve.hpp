@@ -8,7 +8,7 @@
 
 namespace tdbd::rock {
 
-/// From places about a list's origin to a frame, in single precision.
+/// Maps places about a list's origin into a frame, in single precision.
 struct SingleFrame {
   std::array<Single, 9> R{};  ///< by rows
   std::array<Single, 3> p{};
@@ -19,10 +19,9 @@ struct SingleBox {
   std::array<Single, 3> lo{}, hi{};
 };
 
-/// What tells what a group may sweep on its way from one pose to the other, and what it may touch
-/// at the end; nothing if that slack is negative. Swept: no side of the box and no plane of the
-/// hull has the vertex outside by its slack at both poses. Touched: none has it outside by the
-/// other slack at the end.
+/// Selects what a group may sweep between its two poses, and what it may touch at the end (nothing
+/// if that slack is negative). Swept: no side of the box and no plane of the hull has the vertex
+/// outside by swept_slack at both poses. Touched: none has it outside by touched_slack at the end.
 struct Sieve {
   SingleFrame start, end;
   SingleBox touched, either;  ///< widened by its slack; by either
@@ -30,32 +29,33 @@ struct Sieve {
   const SingleSolid& hull_P;
 };
 
-/// Of a group's motion, for a list that covers it. Swept has twice the slack of rounding: what this
-/// turns away, keeps_outside would, so that the list has no say. `gap`: m, of what is touched.
+/// For a list that covers the group's motion. swept_slack is twice the bound of rounding: whatever
+/// the sieve rejects, keeps_outside would reject too, so the result does not depend on the list.
+/// `gap`: m, of what is touched.
 Sieve make_sieve(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap);
 
-/// Places in the group's frame at the two poses of a sieve, side by side, for whole packs.
+/// Places in the group's frame at the two poses of a sieve, side by side, in whole packs.
 struct Run {
   static constexpr std::size_t most = 256;
-  std::array<Single, most> x0, y0, z0, x1, y1, z1;
-  std::array<int, most> place;  ///< in the list
+  std::array<std::array<Single, most>, 3> start, end;  ///< by x, y, z
+  std::array<int, most> place;                         ///< in the list
   std::size_t count = 0;
 };
 
-/// Bit l: whether the ball l of eight may hold something that is inside of the group's box and of
-/// the first planes of its hull at either pose.
+/// Bit l: whether ball l of eight may reach inside the group's box and the first planes of its hull
+/// at either pose.
 unsigned balls_near(const Balls& balls, std::size_t i, const Sieve& s);
 
-/// Puts the places of the list from i on into the run's room for a pack. Bit l: whether the place l
-/// of eight is in the box at either pose.
+/// Writes the eight places of the list from i on behind the run's end. Bit l: whether place l is in
+/// the box at either pose.
 unsigned put_into_frames(const NearList& list, std::size_t i, const Sieve& s, Run& run);
 
-/// Bits: those of eight places that are left.
+/// Bits: which of eight places pass.
 struct Sieved {
   unsigned swept, touched;
 };
 
-/// Eight places of the run, from i on, by so many of the planes.
+/// Tests eight places of the run, from i on, against the first `planes` planes.
 void sieve_pack(const Run& r, std::size_t i, const Sieve& s, std::size_t planes, Sieved& sieved);
 
 }  // namespace tdbd::rock

@@ -1,22 +1,23 @@
 #include "rock/cut/near_planes.hpp"
 
-#include "rock/cut/wide_planes.hpp"
+#include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
 namespace {
 
-/// A box by its middle and half its size.
-struct Middle {
+/// A box by its centre and half its size.
+struct CentredBox {
   Vec3 centre, half;
 };
 
-Middle middle_of(const mesh::Box& box) { return {0.5 * (box.lo + box.hi), 0.5 * box.size()}; }
+CentredBox centred(const mesh::Box& box) { return {0.5 * (box.lo + box.hi), 0.5 * box.size()}; }
 
-/// Copies the planes that x + t u may meet, with x in a box, u in another and 0 <= t <= t_max: n .
-/// x goes as far as `least` beyond b. `near` has room for all and one more. Returns how many they
-/// are.
-TDBD_WIDE std::size_t copy_near(const mesh::ConvexSolid& s, const Middle& q, const Middle& u,
-                                double t_max, double least, mesh::ConvexSolid& near) {
+/// Copies the planes that x + t u may meet, with x in a box, u in another and 0 <= t <= t_max:
+/// those where n . x - b reaches `least`. `near` must have room for all and one more. Returns how
+/// many.
+TDBD_WIDE std::size_t copy_near(const mesh::ConvexSolid& s, const CentredBox& q,
+                                const CentredBox& u, double t_max, double least,
+                                mesh::ConvexSolid& near) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < s.b.size(); i += lanes) {
     WidePlanes planes;
@@ -52,7 +53,7 @@ void find_near_planes(const mesh::ConvexSolid& solid, const std::vector<Relative
     u.add(p.u0_P);
     u.add(p.u1_P);
   }
-  const Middle q_box = middle_of(q), u_box = middle_of(u);
+  const CentredBox q_box = centred(q), u_box = centred(u);
   near.t_max = t_max;
   resize(near.solid_P, solid.b.size() + 1);
   resize(near.solid_P, copy_near(solid, q_box, u_box, t_max, -2.0 * depth, near.solid_P));

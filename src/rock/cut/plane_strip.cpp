@@ -4,18 +4,16 @@
 #include <array>
 #include <limits>
 
-#include "rock/cut/wide_planes.hpp"
-
 namespace tdbd::rock {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Cosine below which a plane is parallel to a way but for rounding, and does not block it.
+/// Cosine below which a plane is parallel to a way up to rounding, and does not block it.
 constexpr double grazing = 1e-14;
 using Lanes = std::array<double, lanes>;
 
-/// Bounds of tau, lane by lane, until none is left. A plane that q runs along excludes all or
-/// nothing.
+/// Bounds of tau, lane by lane, until the interval is empty. A plane parallel to the path excludes
+/// all or nothing.
 TDBD_WIDE void bound_tau(const mesh::ConvexSolid& s, const RelativePath& p, double depth, Lanes& lo,
                          Lanes& hi) {
   const Vec3 q = p.q0_P, d = p.q1_P - p.q0_P;
@@ -56,22 +54,32 @@ TDBD_WIDE void fill(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStri
   }
 }
 
-/// The least of some numbers in each lane, and the plane that it belongs to, the first of equals.
+/// Four planes as a strip sees them.
+struct WideStrip {
+  Wide rest, along, up, twist;
+};
+
+inline void load(const PlaneStrip& w, std::size_t i, WideStrip& four) {
+  TDBD_LOAD(four.rest, &w.rest[i]);
+  TDBD_LOAD(four.along, &w.along[i]);
+  TDBD_LOAD(four.up, &w.up[i]);
+  TDBD_LOAD(four.twist, &w.twist[i]);
+}
+
+/// The least number in each lane and its plane, the first of equals.
 struct Least {
   Lanes value, plane;
 };
 
-/// Where the ray at tau leaves the planes first, infinite if it does not, and the last of where it
-/// enters them, by lanes.
+/// Where the ray at tau first leaves a plane (infinite if it does not) and where it last enters
+/// one, by lanes.
 TDBD_WIDE void cross_planes(const PlaneStrip& w, double tau, Least& exit, Lanes& entry) {
   Wide first_exit = Wide{} + infinity, last_entry = Wide{} - infinity;
   Wide plane = {0.0, 1.0, 2.0, 3.0}, first_plane = plane;
   for (std::size_t i = 0; i < w.rest.size(); i += lanes, plane += 4.0) {
-    Wide rest, along, up, twist;
-    TDBD_LOAD(rest, &w.rest[i]);
-    TDBD_LOAD(along, &w.along[i]);
-    TDBD_LOAD(up, &w.up[i]);
-    TDBD_LOAD(twist, &w.twist[i]);
+    WideStrip four;
+    load(w, i, four);
+    const auto& [rest, along, up, twist] = four;
     const Wide c = up + tau * twist;
     const Wide t = (rest - tau * along) / ((c > grazing) | (c < -grazing) ? c : Wide{} + 1.0);
     const Wide leaves = c > grazing ? t : Wide{} + infinity;
@@ -85,17 +93,14 @@ TDBD_WIDE void cross_planes(const PlaneStrip& w, double tau, Least& exit, Lanes&
   TDBD_STORE(last_entry, entry.data());
 }
 
-/// How far along the way the planes other than `on` are met, infinite if they are not; the least by
-/// lanes.
+/// The least distance along the way to a plane other than `on`, infinite if none is met, by lanes.
 TDBD_WIDE void block(const PlaneStrip& w, const Way& way, std::size_t on, Least& least) {
   Wide smallest = Wide{} + infinity, plane = {0.0, 1.0, 2.0, 3.0}, first_plane = plane;
   const Wide underfoot = Wide{} + static_cast<double>(on);
   for (std::size_t i = 0; i < w.rest.size(); i += lanes, plane += 4.0) {
-    Wide rest, along, up, twist;
-    TDBD_LOAD(rest, &w.rest[i]);
-    TDBD_LOAD(along, &w.along[i]);
-    TDBD_LOAD(up, &w.up[i]);
-    TDBD_LOAD(twist, &w.twist[i]);
+    WideStrip four;
+    load(w, i, four);
+    const auto& [rest, along, up, twist] = four;
     const Wide a = along + way.t0 * twist, c = up + way.tau0 * twist;
     const Wide speed = a * way.side + c * way.climb;
     const Wide left = rest + (way.tau0 * way.t0) * twist - a * way.tau - c * way.t;
@@ -109,7 +114,7 @@ TDBD_WIDE void block(const PlaneStrip& w, const Way& way, std::size_t on, Least&
   TDBD_STORE(first_plane, least.plane.data());
 }
 
-/// The lane of the least, and of equals the one with the first plane.
+/// The lane of the least value; of equals the one with the first plane.
 std::size_t first_lane(const Least& least) {
   std::size_t first = 0;
   for (std::size_t l = 1; l < lanes; ++l)

@@ -7,9 +7,9 @@
 namespace tdbd::rock {
 namespace {
 
-/// Room for rounding at a facet's rim and at the strip's sides: a crossing found twice does no
-/// harm, one lost between two facets would.
-constexpr double rim = 1e-11;
+/// Slack for rounding at a facet's rim and at the strip's sides: finding a crossing twice is
+/// harmless, losing one between two facets is not.
+constexpr double rim_slack = 1e-11;
 
 struct Roots {
   std::array<double, 2> x{};
@@ -23,11 +23,11 @@ Roots quadratic_roots(double a, double b, double c) {
   const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
   Roots roots;
   if (a != 0.0) roots.x[0] = q / a, roots.count = 1;
-  if (q != 0.0) roots.x[static_cast<std::size_t>(roots.count++)] = c / q;
+  if (q != 0.0) roots.x[at(roots.count++)] = c / q;
   return roots;
 }
 
-/// Shortest vector on the way from u to u + du.
+/// Length of the shortest vector between u and u + du.
 double shortest(const Vec3& u, const Vec3& du) {
   const double length2 = du.squaredNorm();
   const double tau = length2 > 0.0 ? std::clamp(-u.dot(du) / length2, 0.0, 1.0) : 0.0;
@@ -71,7 +71,7 @@ bool Strip::meets(const mesh::Box& box) const {
 
 void Strip::add_side(const mesh::Facet& f, double tau, std::vector<double>& ends) const {
   const auto hit = mesh::meet(f, q_ + tau * dq_, u_ + tau * du_);
-  if (hit && hit->margin >= -rim) ends.push_back(hit->s);
+  if (hit && hit->margin >= -rim_slack) ends.push_back(hit->s);
 }
 
 /// a + s e = q(tau) + t u(tau): without s and t, (u(tau) x e) . (a - q(tau)) = 0.
@@ -80,19 +80,19 @@ void Strip::add_edge(const Vec3& a, const Vec3& b, std::vector<double>& ends) co
   const Roots roots =
       quadratic_roots(-du_x_e.dot(dq_), du_x_e.dot(r) - u_x_e.dot(dq_), u_x_e.dot(r));
   for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
-    if (!(roots.x[k] >= -rim && roots.x[k] <= 1.0 + rim)) continue;
+    if (!(roots.x[k] >= -rim_slack && roots.x[k] <= 1.0 + rim_slack)) continue;
     const double tau = std::clamp(roots.x[k], 0.0, 1.0);
     const Vec3 u = u_ + tau * du_, n = u_x_e + tau * du_x_e, to_a = r - tau * dq_;
     const double n2 = n.squaredNorm();
     if (n2 == 0.0) continue;
     const double s = to_a.cross(u).dot(n) / n2;
-    if (s >= -rim && s <= 1.0 + rim) ends.push_back(to_a.cross(e).dot(n) / n2);
+    if (s >= -rim_slack && s <= 1.0 + rim_slack) ends.push_back(to_a.cross(e).dot(n) / n2);
   }
 }
 
 bool Strip::level_meets(const mesh::Facet& f, double t) const {
   const auto hit = mesh::meet(f, at(0.0, t), dq_ + t * du_);
-  return hit && hit->margin >= -rim && hit->s >= -rim && hit->s <= 1.0 + rim;
+  return hit && hit->margin >= -rim_slack && hit->s >= -rim_slack && hit->s <= 1.0 + rim_slack;
 }
 
 void Strip::levels_that_meet(const mesh::Facet& f, double same, std::vector<double>& ends,

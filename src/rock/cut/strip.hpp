@@ -14,11 +14,11 @@ struct Levels {
 };
 
 /// The surface x(tau, t) = q(tau) + t u(tau), tau in [0, 1], 0 <= t <= t_max, that a vertex and its
-/// update direction sweep in a part's frame. At a fixed t it is a straight segment (a "level").
-/// Formulation 2.1.
+/// update direction sweep in a part's frame, rock (3). At a fixed t it is a straight segment, a
+/// "level".
 class Strip {
  public:
-  /// Reaches beyond `box`, the part's. u must not vanish on the way from u0 to u1.
+  /// The strip reaches beyond `box`, the part's. u must not vanish between u0 and u1.
   Strip(const RelativePath& path, const mesh::Box& box);
 
   Vec3 at(double tau, double t) const { return q_ + tau * dq_ + t * (u_ + tau * du_); }
@@ -26,13 +26,13 @@ class Strip {
   /// The strip up to t.
   Strip up_to(double t) const;
 
-  /// May the strip meet the box? Never a wrong no.
+  /// Whether the strip may meet the box; never false if it does.
   bool meets(const mesh::Box& box) const;
 
   /// Adds the intervals of t whose levels meet the facet. Their ends are where the strip's sides
   /// tau = 0 and tau = 1 meet the facet and where its edges meet the strip; in between t is a
-  /// monotonic function of tau on the facet (a Moebius map). Ends nearer than `same` (m) are one;
-  /// `ends` is room for them.
+  /// monotonic function of tau on the facet (a Moebius map). Ends closer than `same` (m) are
+  /// merged; `ends` is a buffer for them.
   void levels_that_meet(const mesh::Facet& f, double same, std::vector<double>& ends,
                         std::vector<Levels>& intervals) const;
 

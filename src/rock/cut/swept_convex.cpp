@@ -6,8 +6,8 @@
 namespace tdbd::rock {
 namespace {
 
-/// Near `tau`, where the planes k and l meet on the strip: both give the same t. One step of
-/// Newton's method on a quadratic.
+/// A better estimate than `tau` of where planes k and l meet on the strip, with the same t: one
+/// step of Newton's method on a quadratic.
 double towards_meeting(const PlaneStrip& w, std::size_t k, std::size_t l, double tau) {
   const double room_k = w.rest[k] - w.along[k] * tau, c_k = w.up[k] + w.twist[k] * tau;
   const double room_l = w.rest[l] - w.along[l] * tau, c_l = w.up[l] + w.twist[l] * tau;
@@ -16,8 +16,8 @@ double towards_meeting(const PlaneStrip& w, std::size_t k, std::size_t l, double
   return slope == 0.0 ? tau : tau - (room_k * c_l - room_l * c_k) / slope;
 }
 
-/// Follows the surface from x the way t grows, with the planes linearised at x (the product tau t
-/// of the turning direction), over as many planes as it takes. Returns where t is largest: where
+/// Climbs along the solid's surface from x, with the planes linearised at x (the product tau t of
+/// the turning direction), over as many planes as it takes. Returns the tau of the largest t: where
 /// the last two planes meet, not linearised.
 double highest_from(const PlaneStrip& w, const Exit& x) {
   const auto a = [&](std::size_t i) { return w.along[i] + x.t * w.twist[i]; };
@@ -46,9 +46,9 @@ bool meets_solid(const Exit& x) {
   return x.entry <= x.t + touching;
 }
 
-/// The exit at tau, or, where the ray at tau misses the solid (the linearised way overshoots the
-/// solid's end), at that end: where the planes meet that the ray leaves too soon and enters too
-/// late.
+/// The exit at tau. Where the ray at tau misses the solid, because the linearised way overshoots
+/// the solid's end: the exit at that end, where the plane that the ray leaves too soon meets the
+/// one it enters too late.
 Exit leave_towards(const PlaneStrip& w, const Exit& in, double tau) {
   Exit x = leave_at(w, tau);
   constexpr int newton_steps = 8;

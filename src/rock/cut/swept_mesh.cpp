@@ -22,7 +22,7 @@ void find_crossings(const mesh::TriangleTree& solid, const RelativePath& p,
   taus.assign({0.0, 1.0});
   solid.visit([&](const mesh::Box& box) { return box.overlaps(reach); },
               [&](const mesh::Facet& f) {
-                constexpr double rim = 1e-11;  // a crossing found twice does no harm
+                constexpr double rim = 1e-11;  // finding a crossing twice is harmless
                 const auto hit = mesh::meet(f, p.q0_P, d);
                 if (hit && hit->margin >= -rim && hit->s > 0.0 && hit->s < 1.0)
                   taus.push_back(hit->s);
@@ -79,7 +79,7 @@ struct Ray {
 
 Ray middle_ray(const RelativePath& p) { return {0.5 * (p.q0_P + p.q1_P), 0.5 * (p.u0_P + p.u1_P)}; }
 
-/// Where the ray leaves the solid: by a walk from the last place, else at the first facet of the
+/// Where the ray leaves the solid: by a walk from the last place, else at the first facet by the
 /// tree. 0: nowhere.
 double way_out(const mesh::TriangleTree& solid, const FacetNeighbours& across, const Ray& ray,
                WalkMemory& memory) {
@@ -98,7 +98,7 @@ double way_out(const mesh::TriangleTree& solid, const FacetNeighbours& across, c
   return first->t;
 }
 
-/// What the ray meets first and last among facets, if that is not too near a rim to be sure.
+/// The first and last facets that the ray meets; nothing if it passes too near a rim to be sure.
 struct Ends {
   double first = 0.0, last = 0.0;
   bool first_leaves = false, last_leaves = false;
@@ -138,8 +138,8 @@ bool crosses_any(const std::vector<const mesh::Facet*>& facets, const RelativePa
   });
 }
 
-/// The answer of exit_distance, from the facets near the strip below `most` alone; nothing if they
-/// do not tell.
+/// The answer of exit_distance from the facets near the strip below `most` alone; nothing if they
+/// do not decide it.
 struct Answer {
   std::optional<double> exit;
 };

@@ -21,7 +21,7 @@ std::optional<double> exit_distance(const CuttingPart& part, const RelativePath&
 void prepare_exits(const CuttingPart& part, const std::vector<RelativePath>& paths,
                    SweptScratch& scratch) {
   if (part.tree_P) return;
-  constexpr double usual_exit = 0.1;  // of the part's size; farther exits ask the whole part
+  constexpr double usual_exit = 0.1;  // of the part's size; farther exits use the whole part
   find_near_planes(part.solid_P, paths, part.depth, usual_exit * part.depth / tolerance::swept,
                    scratch.near);
 }

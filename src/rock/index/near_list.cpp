@@ -13,20 +13,6 @@ namespace {
 
 constexpr int most_steps = 8;
 
-/// A box by its middle and half its size along orthogonal axes.
-struct Middle {
-  Vec3 centre_W, half;
-};
-
-Middle middle_of(const std::array<Slab, 3>& slabs) {
-  Middle m{Vec3::Zero(), Vec3::Zero()};
-  for (std::size_t k = 0; k < slabs.size(); ++k) {
-    m.centre_W += 0.5 * (slabs[k].lo + slabs[k].hi) * slabs[k].n;
-    m.half[static_cast<int>(k)] = 0.5 * (slabs[k].hi - slabs[k].lo);
-  }
-  return m;
-}
-
 /// Half of how far a box with these axes reaches along n.
 double spread(const Vec3& n, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& half) {
   return std::abs(n.dot(a)) * half.x() + std::abs(n.dot(b)) * half.y() +
@@ -45,29 +31,21 @@ void add_box(const mesh::Box& box_P, const Pose& X_WP, std::array<Slab, 3>& slab
 }
 
 void add_region(const Region& region_W, std::array<Slab, 3>& slabs) {
-  const Middle m = middle_of(region_W.slabs);
+  const SlabBox m = slab_box(region_W.slabs);
   for (Slab& s : slabs)
     add(s, s.n.dot(m.centre_W),
         spread(s.n, region_W.slabs[0].n, region_W.slabs[1].n, region_W.slabs[2].n, m.half));
 }
 
-mesh::Box box_around(const std::array<Slab, 3>& slabs) {
-  const Middle m = middle_of(slabs);
-  Vec3 half = Vec3::Zero();
-  for (std::size_t k = 0; k < slabs.size(); ++k)
-    half += m.half[static_cast<int>(k)] * slabs[k].n.cwiseAbs();
-  return {m.centre_W - half, m.centre_W + half};
-}
-
-/// The region of the group from now on, for `steps` steps and then ahead, if it goes on as in this
-/// step; never for more than half a radian.
-Region region_ahead(const GroupStep& step, const Foresight& foresight, int steps) {
+/// The region of the group for the next `steps` steps and `margins.ahead` beyond, if its motion
+/// continues as in this step; never for more than half a radian.
+Region region_ahead(const GroupStep& step, const NearListMargins& margins, int steps) {
   constexpr double largest_turn = 0.5, sideways = 1e-3;  // rad; of the box
   const rotation::Twist twist = rotation::twist_from(step.X_WP0, step.X_WP1, 1.0);
   const double speed = rotation::velocity_B(twist, 0.5 * (step.box_P.lo + step.box_P.hi)).norm(),
                turn = twist.angular_B.norm();
   double end = steps;
-  if (speed > 0.0) end += foresight.ahead / speed;
+  if (speed > 0.0) end += margins.ahead / speed;
   if (turn > 0.0) end = std::min(end, largest_turn / turn);
   const Pose middle = step.X_WP0 * rotation::carried(twist, 0.5 * end);
   Region r;
@@ -76,7 +54,7 @@ Region region_ahead(const GroupStep& step, const Foresight& foresight, int steps
   for (const Pose& X_WP : {step.X_WP0, middle, Pose(step.X_WP0 * rotation::carried(twist, end))})
     add_box(step.box_P, X_WP, r.slabs);
   add_region(step.region_W, r.slabs);
-  const double margin = foresight.margin + sideways * step.box_P.size().norm();
+  const double margin = margins.margin + sideways * step.box_P.size().norm();
   for (Slab& s : r.slabs) {
     s.lo -= margin;
     s.hi += margin;
@@ -100,7 +78,7 @@ void write(NearList& list, std::size_t i, const Vec3& x_W) {
   list.z[i] = static_cast<Single>(x_W.z() - list.origin_W.z());
 }
 
-/// Room for one more pack, and for its ball.
+/// Makes room for one more pack and its ball.
 void add_pack(NearList& list) {
   const std::size_t begin = list.x.size(), pack = begin / single_lanes;
   for (auto* column : {&list.x, &list.y, &list.z}) column->resize(begin + single_lanes, nowhere);
@@ -118,15 +96,15 @@ Single squared_distance(const NearList& list, std::size_t i) {
   return dx * dx + dy * dy + dz * dz;
 }
 
-constexpr Single rounding = 1.001F;  // of a ball's radius
+constexpr Single ball_rounding = 1.001F;  // of a radius
 
 /// Widens the ball of the place's pack until it holds the place.
 void widen_ball(NearList& list, std::size_t i) {
   Single& radius = list.balls.radius[i / single_lanes];
-  radius = std::max(radius, rounding * std::sqrt(squared_distance(list, i)));
+  radius = std::max(radius, ball_rounding * std::sqrt(squared_distance(list, i)));
 }
 
-/// The ball of its pack is not asked. Returns the place's number.
+/// Appends without updating the ball of the pack. Returns the place's number.
 std::size_t append(NearList& list, int v, const Vec3& x_W) {
   const std::size_t i = list.v.size();
   list.v.push_back(v);
@@ -150,7 +128,7 @@ void make_balls(NearList& list) {
     Single farthest2 = 0;
     for (std::size_t i = begin; i < end; ++i)
       farthest2 = std::max(farthest2, squared_distance(list, i));
-    b.radius[pack] = rounding * std::sqrt(farthest2);
+    b.radius[pack] = ball_rounding * std::sqrt(farthest2);
   }
 }
 
@@ -172,22 +150,19 @@ SingleSlabs about(const Vec3& origin_W, const std::array<Slab, 3>& slabs, double
   return single;
 }
 
-/// Bit l: whether a point of the ball l of eight lies between all slabs, but for rounding.
+/// Bit l: whether a point of ball l of eight may lie between all slabs.
 TDBD_WIDE unsigned balls_between(const Balls& balls, std::size_t i, const SingleSlabs& s) {
-  WideSingle x, y, z, r;
-  TDBD_LOAD(x, &balls.x[i]);
-  TDBD_LOAD(y, &balls.y[i]);
-  TDBD_LOAD(z, &balls.z[i]);
-  TDBD_LOAD(r, &balls.radius[i]);
+  WideBalls b;
+  load(balls, i, b);
   WideFlags in = WideFlags{} - 1;
   for (std::size_t k = 0; k < 3; ++k) {
-    const WideSingle along = s.nx[k] * x + s.ny[k] * y + s.nz[k] * z;
-    in &= (along + r >= s.lo[k]) & (along - r <= s.hi[k]);
+    const WideSingle along = s.nx[k] * b.x + s.ny[k] * b.y + s.nz[k] * b.z;
+    in &= (along + b.radius >= s.lo[k]) & (along - b.radius <= s.hi[k]);
   }
   return bits_of(in);
 }
 
-/// Bit l: whether the place l of eight lies between all slabs.
+/// Bit l: whether place l of eight lies between all slabs.
 TDBD_WIDE unsigned between(const Single* px, const Single* py, const Single* pz,
                            const SingleSlabs& s) {
   WideSingle x, y, z;
@@ -205,7 +180,7 @@ TDBD_WIDE unsigned between(const Single* px, const Single* py, const Single* pz,
 void gather(const VertexGrid& grid, NearList& list) {
   clear(list);
   const double slack = single_slack(list.region_W.box);
-  list.origin_W = middle_of(list.region_W.slabs).centre_W;
+  list.origin_W = slab_box(list.region_W.slabs).centre_W;
   const SingleSlabs slabs = about(Vec3::Zero(), list.region_W.slabs, slack);
   grid.visit(list.region_W, list.chains, [&](const VertexGrid::Block& block) {
     std::array<Single, single_lanes> x{}, y{}, z{};
@@ -226,7 +201,7 @@ void gather(const VertexGrid& grid, NearList& list) {
 
 bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W) {
   if (list.changes != grid.changes()) return false;
-  const Middle m = middle_of(region_W.slabs);
+  const SlabBox m = slab_box(region_W.slabs);
   return std::ranges::all_of(list.region_W.slabs, [&](const Slab& s) {
     const double at = s.n.dot(m.centre_W);
     const double half =
@@ -235,12 +210,12 @@ bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W
   });
 }
 
-void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const Foresight& foresight,
+void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list) {
   const bool has_changed = list.changes != grid.changes();
   if (has_changed || !covers(list, grid, step.region_W)) {
     list.window = std::clamp(has_changed ? list.since_change : list.window + 1, 1, most_steps);
-    list.region_W = region_ahead(step, foresight, list.window);
+    list.region_W = region_ahead(step, margins, list.window);
     gather(grid, list);
     list.changes = grid.changes();
   }

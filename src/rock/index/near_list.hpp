@@ -4,40 +4,54 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "core/wide.hpp"
 #include "rock/index/vertex_grid.hpp"
 
 namespace tdbd::rock {
 
-/// Balls around places, m, in columns that are padded to whole packs with balls that are nowhere.
+/// Balls around places, m, in columns padded to whole packs with balls that are nowhere (NaN).
 struct Balls {
   std::vector<Single> x, y, z, radius;
 };
 
+/// Eight balls side by side.
+struct WideBalls {
+  WideSingle x, y, z, radius;
+};
+
+/// The balls from i on. For loops that are TDBD_WIDE.
+inline void load(const Balls& balls, std::size_t i, WideBalls& wide) {
+  TDBD_LOAD(wide.x, &balls.x[i]);
+  TDBD_LOAD(wide.y, &balls.y[i]);
+  TDBD_LOAD(wide.z, &balls.z[i]);
+  TDBD_LOAD(wide.radius, &balls.radius[i]);
+}
+
 /// The rock vertices of a region side by side in memory, for the steps in which a group of parts
-/// stays there: the index is asked once in several steps, and everything near the group is then
-/// looked for in this short list (a Verlet list of molecular dynamics, ours). Places are rounded to
-/// single precision: they serve to turn vertices away. A place may be out of date where a vertex
-/// has left the region; whoever takes a vertex from here asks the surface where it is. Eight places
-/// are a pack, and a ball around each pack tells first which packs need a look.
+/// stays there: the index is queried once in several steps, and later searches near the group read
+/// only this short list (a Verlet list of molecular dynamics, ours). Places are rounded to single
+/// precision: they serve to reject vertices. A place may be out of date where a vertex has left the
+/// region; take the position of a vertex from the surface. Eight places are a pack, and a ball
+/// around each pack tells which packs to read.
 struct NearList {
-  Region region_W;               ///< all vertices between its slabs are here; they are orthogonal
+  Region region_W;  ///< all vertices between its slabs, which are orthogonal, are in the list
   Vec3 origin_W = Vec3::Zero();  ///< of the places
   std::vector<Single> x, y, z;   ///< m; padded to whole packs with places that are nowhere
   std::vector<int> v;            ///< each vertex once
   Balls balls;                   ///< of the packs
   std::vector<int> chains;
-  long changes = -1;     ///< of the index, that the list knows of
+  long changes = -1;     ///< count of the index's changes that the list includes
   int window = 0;        ///< steps for which the region was made
-  int since_change = 0;  ///< steps since the index was changed by others than the step
+  int since_change = 0;  ///< steps since anything but a step changed the index
 };
 
-/// How far the lists reach beyond what the steps need, for those who ask after them. Lengths in m.
-struct Foresight {
+/// How far the lists reach beyond what the steps need, for later queries. Lengths in m.
+struct NearListMargins {
   double margin = 0.0;  ///< all around the group
-  double ahead = 0.0;   ///< along the group's way
+  double ahead = 0.0;   ///< along the group's path
 };
 
-/// What a group does in a step: its box, its poses at begin and end, and the region that it needs.
+/// The motion of a group in a step: its box, its poses at the start and end, the region it needs.
 struct GroupStep {
   const mesh::Box& box_P;
   const Pose &X_WP0, &X_WP1;
@@ -48,9 +62,9 @@ struct GroupStep {
 /// orthogonal.
 bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W);
 
-/// Makes the list cover the step; asks the index only if it does not yet. Then it looks ahead along
-/// the screw motion of the step, as many steps as were possible last time.
-void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const Foresight& foresight,
+/// Makes the list cover the step. If it does not yet, it is rebuilt from the index for a region
+/// ahead along the screw motion of the step, for as many steps as the last list served.
+void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list);
 
 inline bool is_between(const std::array<Slab, 3>& slabs, const Vec3& x_W) {
@@ -60,11 +74,11 @@ inline bool is_between(const std::array<Slab, 3>& slabs, const Vec3& x_W) {
   });
 }
 
-/// The list's vertex number i has come to this place.
+/// The list's vertex number i has moved to x_W.
 void set_place(NearList& list, std::size_t i, const Vec3& x_W);
 
-/// A vertex has come to this place between the list's slabs, known to it or not. Then the list's
-/// `changes` may be set to the index's.
+/// Vertex v, in the list or not, has moved to x_W between the list's slabs. Once all such moves are
+/// noted, the list's `changes` may be set to the index's.
 void note_moved(NearList& list, int v, const Vec3& x_W);
 
 /// Appends the vertices between the slabs of the region widened by `slack` (m), in the order of

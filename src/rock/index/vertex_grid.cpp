@@ -7,7 +7,7 @@ namespace tdbd::rock {
 namespace {
 
 constexpr int tile_edge = 4;
-/// Makes a radius that was rounded to single precision smaller than it was.
+/// Keeps a radius that was rounded to single precision below its true value.
 constexpr double short_of_rounding = 1.0 - 1e-6;
 
 int tiles_over(int cells) { return (cells + tile_edge - 1) / tile_edge; }
@@ -16,7 +16,7 @@ std::uint64_t bit_of(int cell) { return std::uint64_t{1} << (cell % 64); }
 
 /// The cells of a tile with lo <= number <= hi in one direction, whose cells lie `stride` bits
 /// apart; `first` is the tile's first number in it.
-std::uint64_t between(int lo, int hi, int first, int stride) {
+std::uint64_t cells_between(int lo, int hi, int first, int stride) {
   constexpr std::array<std::uint64_t, 3> planes{0x1111111111111111U, 0x000F000F000F000FU, 0xFFFFU};
   const std::uint64_t plane = planes[stride == 1 ? 0 : (stride == tile_edge ? 1 : 2)];
   std::uint64_t cells = 0;
@@ -26,6 +26,23 @@ std::uint64_t between(int lo, int hi, int first, int stride) {
 }
 
 }  // namespace
+
+SlabBox slab_box(const std::array<Slab, 3>& slabs) {
+  SlabBox box{Vec3::Zero(), Vec3::Zero()};
+  for (std::size_t k = 0; k < slabs.size(); ++k) {
+    box.centre_W += 0.5 * (slabs[k].lo + slabs[k].hi) * slabs[k].n;
+    box.half[static_cast<int>(k)] = 0.5 * (slabs[k].hi - slabs[k].lo);
+  }
+  return box;
+}
+
+mesh::Box box_around(const std::array<Slab, 3>& slabs) {
+  const SlabBox box = slab_box(slabs);
+  Vec3 half = Vec3::Zero();
+  for (std::size_t k = 0; k < slabs.size(); ++k)
+    half += box.half[static_cast<int>(k)] * slabs[k].n.cwiseAbs();
+  return {box.centre_W - half, box.centre_W + half};
+}
 
 VertexGrid::VertexGrid(const mesh::Box& box_W, double cell)
     : lo_(box_W.lo), cell_(cell), inverse_cell_(1.0 / cell) {
@@ -61,7 +78,7 @@ VertexGrid::CellOffsets VertexGrid::cell_offsets(const Region& region_W) const {
     const Vec3 step = cell_ * slab.n;
     for (int bit = 0; bit < 64; ++bit) {
       const Cell c = cell_of_bit({0, 0, 0}, bit);
-      offsets.along[s][static_cast<std::size_t>(bit)] = Vec3(c.i, c.j, c.k).dot(step);
+      offsets.along[s][at(bit)] = Vec3(c.i, c.j, c.k).dot(step);
     }
     offsets.lo[s] = slab.lo - 0.5 * step.lpNorm<1>();
     offsets.hi[s] = slab.hi + 0.5 * step.lpNorm<1>();
@@ -83,8 +100,7 @@ void VertexGrid::gather_tile(const Tile& tile, std::uint64_t cells, const Region
       meets = meets && at >= offsets.lo[s] && at <= offsets.hi[s];
     }
     if (!meets && !on_border(cell_of_bit(tile.first, number))) continue;
-    const char* block =
-        reinterpret_cast<const char*>(&blocks_[static_cast<std::size_t>(tile.head[bit])]);
+    const char* block = reinterpret_cast<const char*>(&blocks_[at(tile.head[bit])]);
     __builtin_prefetch(block);
     __builtin_prefetch(block + 64);
     chains.push_back(tile.head[bit]);
@@ -101,19 +117,17 @@ void VertexGrid::gather(const Region& region_W, std::vector<int>& chains) const 
         const Cell first{tile_edge * ti, tile_edge * tj, tile_edge * tk};
         const int number = tile_at_[tile_place(ti, tj, tk)];
         if (number < 0 || !tile_may_meet(region_W, first)) continue;
-        const std::uint64_t cells = between(lo.i, hi.i, first.i, 1) &
-                                    between(lo.j, hi.j, first.j, 4) &
-                                    between(lo.k, hi.k, first.k, 16);
-        gather_tile(tiles_[static_cast<std::size_t>(number)], cells, region_W, offsets, chains);
+        const std::uint64_t cells = cells_between(lo.i, hi.i, first.i, 1) &
+                                    cells_between(lo.j, hi.j, first.j, 4) &
+                                    cells_between(lo.k, hi.k, first.k, 16);
+        gather_tile(tiles_[at(number)], cells, region_W, offsets, chains);
       }
 }
 
-int VertexGrid::layer_of(int cell) const {
-  return tiles_[static_cast<std::size_t>(cell / 64)].first.k + cell % 64 / 16;
-}
+int VertexGrid::layer_of(int cell) const { return tiles_[at(cell / 64)].first.k + cell % 64 / 16; }
 
 void VertexGrid::note_radius(int layer, const Vec3& x_W) {
-  double& nearest = nearest_radius2_[static_cast<std::size_t>(layer)];
+  double& nearest = nearest_radius2_[at(layer)];
   nearest = std::min(nearest, x_W.head<2>().squaredNorm());
 }
 
@@ -124,9 +138,8 @@ double VertexGrid::nearest_to_axis(double z_lo, double z_hi) const {
 
 void VertexGrid::note_radii(const Tile& tile, std::uint64_t cells, int layer) {
   for (; cells != 0; cells &= cells - 1)
-    for (int b = tile.head[static_cast<std::size_t>(std::countr_zero(cells))]; b >= 0;
-         b = blocks_[static_cast<std::size_t>(b)].next) {
-      const Block& block = blocks_[static_cast<std::size_t>(b)];
+    for (int b = tile.head[at(std::countr_zero(cells))]; b >= 0; b = blocks_[at(b)].next) {
+      const Block& block = blocks_[at(b)];
       for (std::size_t s = 0; s < static_cast<std::size_t>(block.count); ++s)
         note_radius(layer, short_of_rounding * Vec3(block.x[s], block.y[s], block.z[s]));
     }
@@ -135,12 +148,12 @@ void VertexGrid::note_radii(const Tile& tile, std::uint64_t cells, int layer) {
 void VertexGrid::refresh_one_layer() {
   const int k = next_layer_;
   next_layer_ = (next_layer_ + 1) % nz_;
-  nearest_radius2_[static_cast<std::size_t>(k)] = INFINITY;
+  nearest_radius2_[at(k)] = INFINITY;
   for (std::size_t place = tile_place(0, 0, k / tile_edge);
        place < tile_place(0, 0, k / tile_edge + 1); ++place) {
     if (tile_at_[place] < 0) continue;
-    const Tile& tile = tiles_[static_cast<std::size_t>(tile_at_[place])];
-    note_radii(tile, tile.occupied & between(k, k, tile.first.k, 16), k);
+    const Tile& tile = tiles_[at(tile_at_[place])];
+    note_radii(tile, tile.occupied & cells_between(k, k, tile.first.k, 16), k);
   }
 }
 
@@ -165,13 +178,13 @@ int VertexGrid::new_block(int next) {
     b = free_blocks_.back();
     free_blocks_.pop_back();
   }
-  blocks_[static_cast<std::size_t>(b)].count = 0;
-  blocks_[static_cast<std::size_t>(b)].next = next;
+  blocks_[at(b)].count = 0;
+  blocks_[at(b)].next = next;
   return b;
 }
 
 void VertexGrid::write(const Place& place, int v, const Vec3& x_W) {
-  Block& b = blocks_[static_cast<std::size_t>(place.block)];
+  Block& b = blocks_[at(place.block)];
   const auto s = static_cast<std::size_t>(place.slot);
   b.x[s] = static_cast<Single>(x_W.x());
   b.y[s] = static_cast<Single>(x_W.y());
@@ -180,13 +193,12 @@ void VertexGrid::write(const Place& place, int v, const Vec3& x_W) {
 }
 
 void VertexGrid::put(int v, const Vec3& x_W, int cell) {
-  Tile& tile = tiles_[static_cast<std::size_t>(cell / 64)];
-  int& head = tile.head[static_cast<std::size_t>(cell % 64)];
+  Tile& tile = tiles_[at(cell / 64)];
+  int& head = tile.head[at(cell % 64)];
   tile.occupied |= bit_of(cell);
-  if (head < 0 || blocks_[static_cast<std::size_t>(head)].count == block_size)
-    head = new_block(head);
-  Place& place = places_[static_cast<std::size_t>(v)];
-  place = {cell, head, blocks_[static_cast<std::size_t>(head)].count++};
+  if (head < 0 || blocks_[at(head)].count == block_size) head = new_block(head);
+  Place& place = places_[at(v)];
+  place = {cell, head, blocks_[at(head)].count++};
   write(place, v, x_W);
   note_radius(layer_of(cell), x_W);
 }
@@ -200,7 +212,7 @@ void VertexGrid::insert(int v, const Vec3& x_W) {
 
 void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<int> vertices) {
   const auto order_of = [&](int v) {
-    const Cell c = cell_at(positions_W[static_cast<std::size_t>(v)]);
+    const Cell c = cell_at(positions_W[at(v)]);
     const std::size_t tile = tile_place(c.i / tile_edge, c.j / tile_edge, c.k / tile_edge);
     return std::tuple(tile, c.k, c.j, c.i, v);
   };
@@ -208,22 +220,22 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
   places_.resize(positions_W.size());
   changes_ += static_cast<long>(vertices.size());
   for (const int v : vertices) {
-    const Vec3& x_W = positions_W[static_cast<std::size_t>(v)];
+    const Vec3& x_W = positions_W[at(v)];
     put(v, x_W, open_cell(cell_at(x_W)));
   }
 }
 
 void VertexGrid::remove(int v) {
   ++changes_;
-  const Place place = places_[static_cast<std::size_t>(v)];
-  Tile& tile = tiles_[static_cast<std::size_t>(place.cell / 64)];
-  int& head = tile.head[static_cast<std::size_t>(place.cell % 64)];
-  Block& first = blocks_[static_cast<std::size_t>(head)];
+  const Place place = places_[at(v)];
+  Tile& tile = tiles_[at(place.cell / 64)];
+  int& head = tile.head[at(place.cell % 64)];
+  Block& first = blocks_[at(head)];
   const auto last = static_cast<std::size_t>(--first.count);
   const int moved = first.v[last];
   write(place, moved, Vec3(first.x[last], first.y[last], first.z[last]));
-  places_[static_cast<std::size_t>(moved)] = place;
-  places_[static_cast<std::size_t>(v)] = {};
+  places_[at(moved)] = place;
+  places_[at(v)] = {};
   if (first.count > 0) return;
   free_blocks_.push_back(head);
   head = first.next;
@@ -232,7 +244,7 @@ void VertexGrid::remove(int v) {
 
 void VertexGrid::move(int v, const Vec3& x_W) {
   ++changes_;
-  const Place place = places_[static_cast<std::size_t>(v)];
+  const Place place = places_[at(v)];
   const int cell = open_cell(cell_at(x_W));
   if (cell == place.cell) {
     write(place, v, x_W);

@@ -24,7 +24,17 @@ struct Region {
   std::array<Slab, 3> slabs{};
 };
 
-/// The region and all that is nearer than `by` (m) to each of its slabs and sides.
+/// The box between three orthogonal slabs, by its centre and half its size along their normals, m.
+struct SlabBox {
+  Vec3 centre_W, half;
+};
+
+SlabBox slab_box(const std::array<Slab, 3>& slabs);
+
+/// The axis-aligned box around three orthogonal slabs.
+mesh::Box box_around(const std::array<Slab, 3>& slabs);
+
+/// The region with its slabs and sides moved outwards by `by` (m).
 inline Region widened(Region r, double by) {
   r.box.lo.array() -= by;
   r.box.hi.array() += by;
@@ -35,17 +45,18 @@ inline Region widened(Region r, double by) {
   return r;
 }
 
-/// Room for rounding, m: n . x of a vertex in the box, with the single coordinates of the index and
-/// of a unit normal, is nearer to the truth. A few roundings of 6e-8 of the largest coordinate.
+/// Bound of rounding, m: n . x of a vertex in the box, with the index's single coordinates and
+/// those of a unit normal, is off by less. A few roundings of 6e-8 of the largest coordinate.
 inline double single_slack(const mesh::Box& box_W) {
   return 1e-6 * box_W.lo.cwiseAbs().cwiseMax(box_W.hi.cwiseAbs()).maxCoeff();
 }
 
-/// Uniform grid over the rock's vertices: the spatial index of section 4.1.1. Cells stand in tiles
-/// of 4 x 4 x 4, so that one word tells which of a tile's cells hold vertices and empty space costs
-/// a number per tile. A cell is a chain of small blocks that hold its vertices' numbers and places
-/// side by side. A vertex outside the grid's box lives in the nearest border cell, so no query
-/// misses it. Moving a vertex costs a few writes; a query costs its tiles, cells and vertices.
+/// Uniform grid over the rock's vertices: the spatial index of thesis 4.1.1. Cells are grouped in
+/// tiles of 4 x 4 x 4, so that one word tells which of a tile's cells hold vertices and empty space
+/// costs one number per tile. A cell is a chain of small blocks that hold its vertices' numbers and
+/// places side by side. A vertex outside the grid's box belongs to the nearest border cell, so no
+/// query misses it. Moving a vertex costs a few writes; a query costs its tiles, cells and
+/// vertices.
 class VertexGrid {
  public:
   VertexGrid() = default;
@@ -57,22 +68,22 @@ class VertexGrid {
   void remove(int v);
   void move(int v, const Vec3& x_W);
 
-  /// Asks for the memory that move() will need.
-  void prefetch(int v) const { __builtin_prefetch(&places_[static_cast<std::size_t>(v)]); }
+  /// Prefetches the memory that move() needs.
+  void prefetch(int v) const { __builtin_prefetch(&places_[at(v)]); }
 
   /// How often a vertex was inserted, removed or moved.
   long changes() const { return changes_; }
 
   /// No vertex between the heights z_lo and z_hi (m) is nearer to the z axis of space than this, m:
-  /// what turns inside a borehole without reaching its wall need not look at the wall. A bound: a
-  /// layer of cells remembers its nearest vertex after that has left.
+  /// what turns inside a borehole without reaching its wall need not search the wall. Only a bound:
+  /// a layer of cells remembers its nearest vertex after that has left.
   double nearest_to_axis(double z_lo, double z_hi) const;
 
-  /// Looks one layer of cells through for its nearest vertex, the next at the next call.
+  /// Finds the nearest vertex of one layer of cells anew; the next call takes the next layer.
   void refresh_one_layer();
 
   /// A run of a cell's vertices in two cache lines. Places are rounded to single precision: they
-  /// serve to turn vertices away, not to compute with.
+  /// serve to reject vertices, not to compute with.
   static constexpr int block_size = 7;
   using Column = std::array<Single, block_size>;
   struct alignas(64) Block {
@@ -82,14 +93,13 @@ class VertexGrid {
   };
 
   /// Calls visit(block) for every block of every cell that the region may meet: a superset of the
-  /// vertices inside. `chains` is room to gather the cells in first, so that memory is asked for
-  /// many blocks at once and not waited for one by one.
+  /// vertices inside. `chains` is a buffer: the cells are gathered there first, so that many blocks
+  /// can be prefetched at once.
   template <class Visit>
   void visit(const Region& region_W, std::vector<int>& chains, Visit&& visit) const {
     gather(region_W, chains);
     for (int b : chains)
-      for (; b >= 0; b = blocks_[static_cast<std::size_t>(b)].next)
-        visit(blocks_[static_cast<std::size_t>(b)]);
+      for (; b >= 0; b = blocks_[at(b)].next) visit(blocks_[at(b)]);
   }
 
  private:
@@ -124,7 +134,7 @@ class VertexGrid {
   static Cell cell_of_bit(const Cell& first, int bit) {
     return {first.i + bit % 4, first.j + bit / 4 % 4, first.k + bit / 16};
   }
-  /// Border cells hold what lies outside of the grid: nothing bounds where.
+  /// Border cells also hold the vertices outside the grid, however far.
   bool on_border(const Cell& c) const {
     return c.i == 0 || c.j == 0 || c.k == 0 || c.i == nx_ - 1 || c.j == ny_ - 1 || c.k == nz_ - 1;
   }

@@ -10,21 +10,21 @@ bool bisect_edge(Rock& rock, int a, int b, const MaintenanceLimits& limits, std:
   mesh::Surface& s = rock.surface;
   const int c = mesh::corner_facing(s, a, b);
   if (c < 0 || s.opposite_of(c) < 0) {
-    note_refused(report, Operation::bisection, Refusal::boundary);
+    count_refused(report, Operation::bisection, Refusal::boundary);
     return false;
   }
   if ((s.position(b) - s.position(a)).norm() <= limits.longest_edge) return false;
   const int o = s.opposite_of(c);
   const int p = s.vertex(c), q = s.vertex(o);
-  const int last_part = rock.last_part[static_cast<std::size_t>(a)];
+  const int last_part = rock.last_part[at(a)];
   LocalState before;
   if constexpr (check_every_operation) before = local_state(s, {a, b, p, q});
   const int m = mesh::split_edge(s, c, 0.5 * (s.position(a) + s.position(b)));
   register_vertex(rock, m, last_part);
   ring.assign({a, b, p, q, m});
   for (const int v : ring) touch(rock, v);
-  note_done(report, Operation::bisection, 0.0);
-  if constexpr (check_every_operation) demand_around(rock, before, 0.0, "bisections");
+  count_done(report, Operation::bisection, 0.0);
+  if constexpr (check_every_operation) require_promises_around(rock, before, 0.0, "bisections");
   return true;
 }
 

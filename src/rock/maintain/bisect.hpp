@@ -1,11 +1,14 @@
 #pragma once
 
-#include "rock/maintain/maintain.hpp"
+#include <vector>
+
+#include "rock/maintain/limits.hpp"
+#include "rock/rock.hpp"
 
 namespace tdbd::rock {
 
 /// Bisects the edge (a, b) at its midpoint if it still exists and is still too long. The new vertex
-/// lies on the edge, so no volume changes (formulation 3). Boundary edges are refused. `ring`
+/// lies on the edge, so no volume changes. Boundary edges are refused. `ring`
 /// receives the vertices whose triangles changed. Returns whether it was carried out.
 /// Thesis: 4.2.2.
 bool bisect_edge(Rock& rock, int a, int b, const MaintenanceLimits& limits, std::vector<int>& ring,

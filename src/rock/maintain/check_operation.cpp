@@ -20,7 +20,7 @@ double volume_around(const Surface& s, const std::vector<int>& vertices, const V
     if (s.is_alive(v)) mesh::visit_corners(s, v, [&](int c) { triangles.insert(c / 3); });
   double six = 0.0;
   for (const int t : triangles) {
-    const auto& [a, b, c] = s.triangles[static_cast<std::size_t>(t)];
+    const auto& [a, b, c] = s.triangles[at(t)];
     six +=
         (s.position(a) - origin_W).dot((s.position(b) - origin_W).cross(s.position(c) - origin_W));
   }
@@ -40,7 +40,7 @@ bool agrees_with_opposite(const Surface& s, int c) {
 std::string defect_at(const Surface& s, int v) {
   constexpr int most_neighbours = 100'000;
   std::set<int> neighbours;
-  const int first = s.corner_of[static_cast<std::size_t>(v)];
+  const int first = s.corner_of[at(v)];
   int c = first, count = 0;
   do {
     if (!s.triangle_is_alive(c / 3) || s.vertex(c) != v) return "a corner of another vertex";
@@ -107,8 +107,8 @@ std::vector<Violation> check_around(const Rock& rock, const LocalState& before,
   return found;
 }
 
-void demand_around(const Rock& rock, const LocalState& before, double volume_change,
-                   const char* what) {
+void require_promises_around(const Rock& rock, const LocalState& before, double volume_change,
+                             const char* what) {
   const std::vector<Violation> found = check_around(rock, before, volume_change);
   if (!found.empty())
     throw RunError(fmt::format("one of the {} broke a promise of the rock's surface:\n{}", what,

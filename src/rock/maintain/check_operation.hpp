@@ -6,15 +6,15 @@
 
 namespace tdbd::rock {
 
-/// Debug builds ask the promises of M1 and M5 around every operation of maintenance, at a cost that
-/// follows the operation, not the rock.
+/// Debug builds check promises M1 and M5 around every operation of maintenance, at a cost that
+/// depends on the operation, not on the size of the rock.
 #ifdef TDBD_CHECK_EVERY_OPERATION
 inline constexpr bool check_every_operation = true;
 #else
 inline constexpr bool check_every_operation = false;
 #endif
 
-/// What the triangles at some vertices say before an operation among them.
+/// The triangles at some vertices before an operation that involves them.
 struct LocalState {
   std::vector<int> vertices;
   Vec3 origin_W = Vec3::Zero();
@@ -22,16 +22,17 @@ struct LocalState {
   double size = 0.0;    ///< m, their farthest distance from the origin
 };
 
-/// Of these vertices, all whose triangles the operation may change among them.
+/// `vertices` must include all whose triangles the operation may change.
 LocalState local_state(const mesh::Surface& s, std::vector<int> vertices);
 
-/// M1 around the state's vertices that live: corners and their opposites agree, no neighbour comes
-/// twice, the index has the vertex in its place. M5: their volume has changed by `volume_change`.
+/// M1 around those of the state's vertices that are alive: corners and their opposites agree, no
+/// neighbour appears twice, the index has the vertex in its place. M5: their volume has changed by
+/// `volume_change` (m3).
 std::vector<Violation> check_around(const Rock& rock, const LocalState& before,
                                     double volume_change);
 
 /// Throws RunError with the first violations, if there are any. `what`: the operation's name.
-void demand_around(const Rock& rock, const LocalState& before, double volume_change,
-                   const char* what);
+void require_promises_around(const Rock& rock, const LocalState& before, double volume_change,
+                             const char* what);
 
 }  // namespace tdbd::rock

@@ -23,7 +23,7 @@ double star_volume(const mesh::Surface& s, int a, int b, const Vec3& xa, const V
   const auto place = [&](int v) -> Vec3 { return (v == a ? xa : v == b ? xb : s.position(v)) - o; };
   double six = 0.0;
   const auto add = [&](int c, int other) {
-    const mesh::Triangle& t = s.triangles[static_cast<std::size_t>(c / 3)];
+    const mesh::Triangle& t = s.triangles[at(c / 3)];
     if (t[0] == other || t[1] == other || t[2] == other) return;
     six += place(t[0]).dot(place(t[1]).cross(place(t[2])));
   };
@@ -83,7 +83,7 @@ void visit_kept(const mesh::Surface& s, int a, int b, Visit&& visit) {
     });
 }
 
-/// How far a place is from the triangles that take those around a and b over, m.
+/// How far a place is from the triangles that replace those around a and b, m.
 double distance_to_new(const mesh::Surface& s, int a, int b, const Vec3& x_W, const Vec3& from_W) {
   double least = (x_W - from_W).squaredNorm();
   visit_kept(s, a, b, [&](int c) {
@@ -113,31 +113,24 @@ double farthest_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
   return farthest;
 }
 
-double farthest_strayed(const mesh::Surface& s, int a, int b, const Strays& strays) {
-  double worst = std::max(strays.of(a), strays.of(b));
-  for (const int end : {a, b})
-    mesh::visit_corners(
-        s, end, [&](int c) { worst = std::max(worst, strays.of(s.vertex(mesh::next_corner(c)))); });
-  return worst;
-}
-
 /// The guards on distance, once the others agree: of the dropped vertices to the new surface, and
 /// of the new edges to the old one.
 std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, const Vec3& x_W,
-                                      const MaintenanceLimits& limits, const Strays& strays,
-                                      double& stray) {
+                                      const MaintenanceLimits& limits, const SurfaceDrift& drift,
+                                      double& drifted) {
   double farthest = farthest_middle(s, a, b, x_W);
   for (const int v : {a, b}) {
     const double d = distance_to_new(s, a, b, x_W, s.position(v));
     if (d > limits.ridge_cut && is_on_ridge(s, v, limits)) return Refusal::ridge;
     farthest = std::max(farthest, d);
   }
-  stray = farthest + farthest_strayed(s, a, b, strays);
-  if (stray > limits.farthest) return Refusal::distance;
+  drifted =
+      farthest + std::max(largest_drift_around(s, a, drift), largest_drift_around(s, b, drift));
+  if (drifted > limits.farthest) return Refusal::distance;
   return std::nullopt;
 }
 
-/// The questions that do not hang on the place; nothing refused: the edge is there, or no longer.
+/// The guards that do not depend on the place. Not refused: the edge exists, or no longer does.
 CollapseVerdict judge_edge(const mesh::Surface& s, int a, int b) {
   CollapseVerdict v;
   if (s.is_boundary(a) || s.is_boundary(b)) {
@@ -153,11 +146,11 @@ double quality_floor(const mesh::Surface& s, int a, int b) {
   return std::min(0.3, std::min(worst_quality(s, a), worst_quality(s, b)));
 }
 
-/// The guards about one place, the last answer in v.
+/// The guards on one place.
 void judge_place(const mesh::Surface& s, int a, int b, const Trial& t, double floor,
-                 const MaintenanceLimits& limits, const Strays& strays, CollapseVerdict& v) {
+                 const MaintenanceLimits& limits, const SurfaceDrift& drift, CollapseVerdict& v) {
   v.refused = judge_trial(s, a, b, t, floor, limits);
-  if (!v.refused) v.refused = judge_distance(s, a, b, t.x_W, limits, strays, v.stray);
+  if (!v.refused) v.refused = judge_distance(s, a, b, t.x_W, limits, drift, v.drift);
   v.x_W = t.x_W;
   v.volume = t.volume;
 }
@@ -165,13 +158,13 @@ void judge_place(const mesh::Surface& s, int a, int b, const Trial& t, double fl
 }  // namespace
 
 CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
-                               const MaintenanceLimits& limits, const Strays& strays) {
+                               const MaintenanceLimits& limits, const SurfaceDrift& drift) {
   CollapseVerdict v = judge_edge(s, a, b);
   if (v.corner < 0 || v.refused) return v;
   const double floor = quality_floor(s, a, b);
   std::optional<Refusal> first;
   for (const Trial& t : trials(s, a, b)) {
-    judge_place(s, a, b, t, floor, limits, strays, v);
+    judge_place(s, a, b, t, floor, limits, drift, v);
     if (!v.refused) return v;
     if (!first) first = v.refused;
   }
@@ -181,19 +174,18 @@ CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
 
 std::array<CollapseVerdict, 3> judge_collapses(const mesh::Surface& s, int a, int b,
                                                const MaintenanceLimits& limits,
-                                               const Strays& strays) {
+                                               const SurfaceDrift& drift) {
   std::array<CollapseVerdict, 3> all;
   all.fill(judge_edge(s, a, b));
   if (all[0].corner < 0 || all[0].refused) return all;
   const double floor = quality_floor(s, a, b);
   const std::array<Trial, 3> places = trials(s, a, b);
-  for (std::size_t i = 0; i < 3; ++i)
-    judge_place(s, a, b, places[i], floor, limits, strays, all[i]);
+  for (std::size_t i = 0; i < 3; ++i) judge_place(s, a, b, places[i], floor, limits, drift, all[i]);
   return all;
 }
 
 void collapse(Rock& rock, const CollapseVerdict& verdict, Operation what, std::vector<int>& ring,
-              Strays& strays, MaintenanceReport& report) {
+              SurfaceDrift& drift, MaintenanceReport& report) {
   mesh::Surface& s = rock.surface;
   const int c = verdict.corner;
   const int keep = s.vertex(mesh::next_corner(c)), gone = s.vertex(mesh::previous_corner(c));
@@ -207,17 +199,18 @@ void collapse(Rock& rock, const CollapseVerdict& verdict, Operation what, std::v
   rock.grid.move(keep, verdict.x_W);
   for (const int v : ring)
     if (v != gone) touch(rock, v);
-  strays.note(keep, verdict.stray);
-  note_done(report, what, verdict.volume);
-  if constexpr (check_every_operation) demand_around(rock, before, verdict.volume, name_of(what));
+  drift.note(keep, verdict.drift);
+  count_done(report, what, verdict.volume);
+  if constexpr (check_every_operation)
+    require_promises_around(rock, before, verdict.volume, name_of(what));
 }
 
 bool try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std::vector<int>& ring,
-                  Strays& strays, MaintenanceReport& report) {
-  const CollapseVerdict v = judge_collapse(rock.surface, a, b, limits, strays);
-  if (v.refused) note_refused(report, Operation::collapse, *v.refused);
+                  SurfaceDrift& drift, MaintenanceReport& report) {
+  const CollapseVerdict v = judge_collapse(rock.surface, a, b, limits, drift);
+  if (v.refused) count_refused(report, Operation::collapse, *v.refused);
   if (!is_accepted(v)) return false;  // or an earlier collapse took the edge
-  collapse(rock, v, Operation::collapse, ring, strays, report);
+  collapse(rock, v, Operation::collapse, ring, drift, report);
   return true;
 }
 

@@ -23,20 +23,20 @@ Diagonals diagonals(const mesh::Surface& s, int c) {
 }
 
 /// The four vertices of the two triangles beside the edge that faces c.
-std::array<int, 4> around(const mesh::Surface& s, int c) {
+std::array<int, 4> corners_around(const mesh::Surface& s, int c) {
   return {s.vertex(c), s.vertex(mesh::next_corner(c)), s.vertex(mesh::previous_corner(c)),
           s.vertex(s.opposite_of(c))};
 }
 
-double farthest_strayed(const mesh::Surface& s, int c, const Strays& strays) {
-  double worst = 0.0;
-  for (const int v : around(s, c)) worst = std::max(worst, strays.of(v));
-  return worst;
+double largest_drift_of(const mesh::Surface& s, int c, const SurfaceDrift& drift) {
+  double largest = 0.0;
+  for (const int v : corners_around(s, c)) largest = std::max(largest, drift.of(v));
+  return largest;
 }
 
 double worse_quality(const Facet& f, const Facet& g) { return std::min(quality(f), quality(g)); }
 
-/// The better the triangles are, the less volume may a flip change: nothing at `flip_quality`.
+/// The better the triangles, the less volume a flip may change: none at `flip_quality`.
 double most_volume(const Diagonals& d, const MaintenanceLimits& limits) {
   const double q = worse_quality({d.p, d.a, d.b}, {d.q, d.b, d.a});
   return limits.volume_per_operation *
@@ -47,7 +47,7 @@ double most_volume(const Diagonals& d, const MaintenanceLimits& limits) {
 std::optional<Refusal> judge_shape(const Diagonals& d, const MaintenanceLimits& limits) {
   const std::array<Facet, 2> before{{{d.p, d.a, d.b}, {d.q, d.b, d.a}}},
       after{{{d.p, d.a, d.q}, {d.q, d.b, d.p}}};
-  constexpr double least_gain = 1.1;  // of quality: not to and fro for a rounding
+  constexpr double least_gain = 1.1;  // of quality: no to-and-fro over rounding
   if (worse_quality(after[0], after[1]) <= least_gain * worse_quality(before[0], before[1]))
     return Refusal::quality;
   for (const Facet& f : before)
@@ -60,9 +60,9 @@ std::optional<Refusal> judge_shape(const Diagonals& d, const MaintenanceLimits& 
 
 }  // namespace
 
-FlipVerdict judge_flip(const mesh::Surface& s, int c, const MaintenanceLimits& limits,
-                       const Strays& strays) {
-  FlipVerdict v;
+Verdict judge_flip(const mesh::Surface& s, int c, const MaintenanceLimits& limits,
+                   const SurfaceDrift& drift) {
+  Verdict v;
   if (s.opposite_of(c) < 0) {
     v.refused = Refusal::boundary;
     return v;
@@ -74,35 +74,35 @@ FlipVerdict judge_flip(const mesh::Surface& s, int c, const MaintenanceLimits& l
   const double six_volumes = (d.p - d.a).dot(across);
   const double distance = std::abs(six_volumes) / std::max(across.norm(), 1e-300);
   v.volume = six_volumes / 6.0;
-  v.stray = distance + farthest_strayed(s, c, strays);
+  v.drift = distance + largest_drift_of(s, c, drift);
   if (!mesh::flip_keeps_topology(s, c))
     v.refused = Refusal::topology;
   else if (std::abs(v.volume) > most_volume(d, limits))
     v.refused = Refusal::volume;
   else if (distance > limits.ridge_cut && is_sharp(s, c, limits))
     v.refused = Refusal::ridge;
-  else if (v.stray > limits.farthest)
+  else if (v.drift > limits.farthest)
     v.refused = Refusal::distance;
   return v;
 }
 
-bool try_flip(Rock& rock, int c, const MaintenanceLimits& limits, Strays& strays,
+bool try_flip(Rock& rock, int c, const MaintenanceLimits& limits, SurfaceDrift& drift,
               MaintenanceReport& report) {
   mesh::Surface& s = rock.surface;
-  const FlipVerdict v = judge_flip(s, c, limits, strays);
+  const Verdict v = judge_flip(s, c, limits, drift);
   if (v.refused) {
-    note_refused(report, Operation::flip, *v.refused);
+    count_refused(report, Operation::flip, *v.refused);
     return false;
   }
-  const auto corners = around(s, c);
+  const auto corners = corners_around(s, c);
   for (const int w : corners) touch(rock, w);
   LocalState before;
   if constexpr (check_every_operation) before = local_state(s, {corners.begin(), corners.end()});
   mesh::flip_edge(s, c);
-  strays.note(s.vertex(c), v.stray);
-  strays.note(s.vertex(mesh::previous_corner(c)), v.stray);
-  note_done(report, Operation::flip, v.volume);
-  if constexpr (check_every_operation) demand_around(rock, before, v.volume, "flips");
+  drift.note(s.vertex(c), v.drift);
+  drift.note(s.vertex(mesh::previous_corner(c)), v.drift);
+  count_done(report, Operation::flip, v.volume);
+  if constexpr (check_every_operation) require_promises_around(rock, before, v.volume, "flips");
   return true;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rock/maintain/star.hpp"
+#include "core/sort_unique.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -20,11 +20,6 @@ bool has(const mesh::Triangle& t, int v) { return t[0] == v || t[1] == v || t[2]
 void clear(Patch& patch) {
   patch.facets.clear();
   patch.replaced.clear();
-}
-
-void sort_unique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
 }
 
 /// The facet with one corner named and placed anew.

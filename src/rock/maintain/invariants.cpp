@@ -38,7 +38,7 @@ void append(Violations& to, Violations from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// How often the index holds every vertex, and that it does so in the right place.
+/// Whether the index holds every living vertex once, in the right place.
 Violations check_index(const Rock& rock) {
   const Surface& s = rock.surface;
   Violations found;
@@ -71,18 +71,19 @@ std::string at_edge(const Surface& s, int a, int b) {
                      in_mm(0.5 * (s.position(a) + s.position(b))));
 }
 
-void check_edge(const Surface& s, int c, const MaintenanceLimits& limits, const Strays& strays,
-                bool ask_long, Violations& found) {
+RepairScope wider(RepairScope a, RepairScope b) { return a == RepairScope::all ? a : b; }
+
+void check_edge(const Surface& s, int c, const MaintenanceLimits& limits, const SurfaceDrift& drift,
+                RepairScope scope, Violations& found) {
   const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
-  if (ask_long && length(s, a, b) > limits.longest_edge && s.opposite_of(c) >= 0)
+  if (scope == RepairScope::all && length(s, a, b) > limits.longest_edge && s.opposite_of(c) >= 0)
     found.push_back({Invariant::edges, at_edge(s, a, b) + " is too long"});
-  if (length(s, a, b) < limits.shortest_edge &&
-      is_accepted(judge_collapse(s, a, b, limits, strays)))
+  if (length(s, a, b) < limits.shortest_edge && is_accepted(judge_collapse(s, a, b, limits, drift)))
     found.push_back({Invariant::edges, at_edge(s, a, b) + " is too short and would collapse"});
 }
 
-void check_shape(const Surface& s, int t, const MaintenanceLimits& limits, const Strays& strays,
-                 Violations& found) {
+void check_shape(const Surface& s, int t, const MaintenanceLimits& limits,
+                 const SurfaceDrift& drift, Violations& found) {
   const mesh::Facet f = facet_at(s, 3 * t);
   const double q = quality(f);
   const std::array<double, 3> edges{(f.b - f.c).squaredNorm(), (f.c - f.a).squaredNorm(),
@@ -97,9 +98,9 @@ void check_shape(const Surface& s, int t, const MaintenanceLimits& limits, const
                      fmt::format("{} has quality {:.4f} and its {}", at_triangle(s, t), q, what)});
   };
   if (q < limits.worst_quality &&
-      is_accepted(judge_collapse(s, std::min(a, b), std::max(a, b), limits, strays)))
+      is_accepted(judge_collapse(s, std::min(a, b), std::max(a, b), limits, drift)))
     note("shortest edge would collapse");
-  if (q < limits.flip_quality && !judge_flip(s, longest, limits, strays).refused)
+  if (q < limits.flip_quality && !judge_flip(s, longest, limits, drift).refused)
     note("longest edge would flip");
 }
 
@@ -107,7 +108,7 @@ bool in_both(const Surface& s, const Surface& o, int t) {
   return t < o.triangle_slots() && s.triangle_is_alive(t) && o.triangle_is_alive(t);
 }
 
-/// Whether the triangle in a living slot of s is not the same bits in o.
+/// Whether the triangle in a living slot of s differs in any bit from that in o.
 bool is_changed(const Surface& s, const Surface& o, int t) {
   if (!in_both(s, o, t) || s.triangles[at(t)] != o.triangles[at(t)]) return true;
   return std::ranges::any_of(s.triangles[at(t)],
@@ -138,16 +139,17 @@ std::array<Vec3, 7> samples(const Surface& s, int t) {
   return {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0};
 }
 
-/// What maintenance had to look at, as check_repairs is asked: bisections come before collapses, so
-/// that long edges beside what a collapse changed are not its business.
-std::vector<std::uint8_t> looked_at(const Rock& before, const Surface& after) {
-  std::vector<std::uint8_t> asked = before.touched;
-  asked.resize(after.positions.size(), 1);
+/// What maintenance had to examine: everything at touched and new vertices, all but bisections
+/// beside what it changed.
+std::vector<RepairScope> scope_of(const Rock& before, const Surface& after) {
+  std::vector<RepairScope> scope(after.positions.size(), RepairScope::all);
+  for (std::size_t v = 0; v < before.touched.size(); ++v)
+    if (before.touched[v] == 0) scope[v] = RepairScope::none;
   for (int t = 0; t < after.triangle_slots(); ++t)
     if (after.triangle_is_alive(t) && is_changed(after, before.surface, t))
       for (const int v : after.triangles[at(t)])
-        if (asked[at(v)] == 0) asked[at(v)] = 2;
-  return asked;
+        if (scope[at(v)] == RepairScope::none) scope[at(v)] = RepairScope::no_bisections;
+  return scope;
 }
 
 }  // namespace
@@ -171,19 +173,19 @@ Violations check_disc(const Rock& rock) {
   return found;
 }
 
-Violations check_repairs(const Surface& s, const std::vector<std::uint8_t>& asked,
-                         const MaintenanceLimits& limits, const Strays& strays) {
+Violations check_repairs(const Surface& s, const std::vector<RepairScope>& scope,
+                         const MaintenanceLimits& limits, const SurfaceDrift& drift) {
   Violations found;
   for (int t = 0; t < s.triangle_slots(); ++t) {
     if (!s.triangle_is_alive(t)) continue;
-    if (std::ranges::none_of(s.triangles[at(t)], [&](int v) { return asked[at(v)] != 0; }))
-      continue;
-    check_shape(s, t, limits, strays, found);
+    const auto in_scope = [&](int v) { return scope[at(v)] != RepairScope::none; };
+    if (std::ranges::none_of(s.triangles[at(t)], in_scope)) continue;
+    check_shape(s, t, limits, drift, found);
     for (int c = 3 * t; c < 3 * t + 3; ++c) {
       const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
-      if (!asked[at(a)] && !asked[at(b)]) continue;
+      if (!in_scope(a) && !in_scope(b)) continue;
       if (a < b || s.opposite_of(c) < 0)
-        check_edge(s, c, limits, strays, asked[at(a)] == 1 || asked[at(b)] == 1, found);
+        check_edge(s, c, limits, drift, wider(scope[at(a)], scope[at(b)]), found);
     }
   }
   return found;
@@ -267,11 +269,11 @@ Violations check_locality(const Rock& before, const Surface& after) {
 }
 
 Violations check_maintenance(const Rock& before, const Rock& after, const MaintenanceLimits& limits,
-                             const MaintenanceReport& report, const Strays& strays) {
+                             const MaintenanceReport& report, const SurfaceDrift& drift) {
   Violations found = check_disc(after);
   if (!found.empty()) return found;  // the others walk around vertices
   const Surface &s = before.surface, &now = after.surface;
-  append(found, check_repairs(now, looked_at(before, now), limits, strays));
+  append(found, check_repairs(now, scope_of(before, now), limits, drift));
   append(found, check_ledger(s, now, report.volume_change));
   append(found, check_distance(s, now, limits, report));
   append(found, check_locality(before, now));

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/error.hpp"
+#include "core/sort_unique.hpp"
 #include "rock/maintain/bisect.hpp"
 #include "rock/maintain/blunt.hpp"
 #include "rock/maintain/collapse.hpp"
@@ -18,30 +18,8 @@ namespace tdbd::rock {
 namespace {
 
 using Work = MaintenanceWorkspace;
-using Candidate = Work::Candidate;
 
-/// Smallest key first, then by vertices: an order that hangs on no address.
-bool is_before(const Candidate& x, const Candidate& y) {
-  return std::tie(x.key, x.a, x.b) < std::tie(y.key, y.a, y.b);
-}
-
-void sort_unique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
-
-void sort_unique(std::vector<Candidate>& edges) {
-  std::sort(edges.begin(), edges.end(), is_before);
-  const auto same = [](const Candidate& x, const Candidate& y) { return x.a == y.a && x.b == y.b; };
-  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
-}
-
-Candidate edge_facing(const mesh::Surface& s, int c, double key) {
-  const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
-  return {key, std::min(a, b), std::max(a, b)};
-}
-
-/// After one more round with `left` to do: stops the run if there were too many.
+/// Counts a round with `left` still to do; stops the run if there were too many.
 void count_round(const Rock& rock, const std::vector<int>& left, const MaintenanceLimits& limits,
                  int& rounds) {
   if (left.empty() || ++rounds < limits.most_rounds) return;
@@ -52,7 +30,7 @@ void count_round(const Rock& rock, const std::vector<int>& left, const Maintenan
       rounds, x_W.x(), x_W.y(), x_W.z()));
 }
 
-/// Every living triangle at the given vertices once, with its shape.
+/// Visits every triangle at the given vertices once, with its shape.
 template <class Visit>
 void visit_triangles(const mesh::Surface& s, const std::vector<int>& vertices, Work& work,
                      Visit&& visit) {
@@ -68,8 +46,8 @@ void visit_triangles(const mesh::Surface& s, const std::vector<int>& vertices, W
       });
 }
 
-/// Those of the touched triangles that an operation wanted at the first look, and all that have
-/// changed since, with their shapes; a triangle may come twice.
+/// Visits the touched triangles that were classified for an operation and all that changed since,
+/// with their shapes; a triangle may come twice.
 template <class Visit>
 void visit_touched(const Rock& rock, const std::vector<int>& wanted, Work& work, Visit&& visit) {
   for (const int t : wanted)
@@ -78,7 +56,7 @@ void visit_touched(const Rock& rock, const std::vector<int>& wanted, Work& work,
   visit_triangles(rock.surface, work.touched.changed, work, visit);
 }
 
-/// Where an operation is looked for: at what is touched, the first time; or at the vertices of
+/// Where an operation searches: the first time in what is touched, then at the vertices of
 /// Work::region.
 enum class Where { touched, region };
 
@@ -91,8 +69,8 @@ void visit_triangles(const Rock& rock, Where where, const std::vector<int>& want
     visit_triangles(rock.surface, work.region, work, visit);
 }
 
-/// Lowers the tips of spikes among the vertices of touched triangles. A tip below another is looked
-/// at in the next maintenance.
+/// Lowers the tips of spikes among the vertices of touched triangles. A tip below another waits for
+/// the next maintenance.
 void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
                   MaintenanceReport& report) {
   const mesh::Surface& s = rock.surface;
@@ -104,10 +82,10 @@ void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
     work.changed.push_back(*std::min_element(v.begin(), v.end(), higher));
   }
   sort_unique(work.changed);
-  for (const int v : work.changed) try_blunt(rock, v, limits, work.strays, report);
+  for (const int v : work.changed) try_blunt(rock, v, limits, work.drift, report);
 }
 
-/// Rounds of bisection: a round's new edges are looked at in the next. Each halves the longest.
+/// Rounds of bisection: each halves the longest edges, the next examines the new ones.
 void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
                        MaintenanceReport& report) {
   const double longest2 = limits.longest_edge * limits.longest_edge;
@@ -119,14 +97,14 @@ void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
                     [&](int t, const Shape& shape) {
                       for (int i = 0; i < 3; ++i)
                         if (const double l2 = shape.edge2[at(i)]; l2 > longest2) {
-                          const Candidate e = edge_facing(rock.surface, 3 * t + i, -l2);
+                          const EdgeCandidate e = edge_facing(rock.surface, 3 * t + i, -l2);
                           if (rock.touched[at(e.a)] || rock.touched[at(e.b)])
                             work.edges.push_back(e);
                         }
                     });
-    sort_unique(work.edges);
+    sort_edges(work.edges);
     work.region.clear();
-    for (const Candidate& e : work.edges)
+    for (const EdgeCandidate& e : work.edges)
       if (bisect_edge(rock, e.a, e.b, limits, work.ring, report))
         work.region.insert(work.region.end(), work.ring.begin(), work.ring.end());
     if (work.region.empty()) return;
@@ -135,7 +113,7 @@ void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
   }
 }
 
-/// Calls visit(neighbour) for every triangle on which this one lies back to back. Rock that is
+/// Calls visit(neighbour) for every triangle that lies back to back with this one. Rock that is
 /// moved along an upright wall can pass its neighbours there.
 template <class Visit>
 void visit_folds(const mesh::Surface& s, int t, const Shape& shape, Visit&& visit) {
@@ -145,12 +123,13 @@ void visit_folds(const mesh::Surface& s, int t, const Shape& shape, Visit&& visi
       visit(o / 3);
 }
 
-void add_edges(const mesh::Surface& s, int t, const Shape& shape, std::vector<Candidate>& edges) {
+void add_edges(const mesh::Surface& s, int t, const Shape& shape,
+               std::vector<EdgeCandidate>& edges) {
   for (int i = 0; i < 3; ++i) edges.push_back(edge_facing(s, 3 * t + i, shape.edge2[at(i)]));
 }
 
 /// Short edges, the shortest edge of every badly shaped triangle, and the edges of folds (4.2.1,
-/// 4.2.4.4). What has changed may have folded a touched triangle that has not.
+/// 4.2.4.4). A change may have folded an unchanged touched triangle.
 void find_collapses(const Rock& rock, const MaintenanceLimits& limits, Where where, Work& work) {
   const mesh::Surface& s = rock.surface;
   const double shortest2 = limits.shortest_edge * limits.shortest_edge;
@@ -171,15 +150,15 @@ void find_collapses(const Rock& rock, const MaintenanceLimits& limits, Where whe
       if (const double l2 = shape.edge2[at(i)]; l2 < shortest2 || (is_bad && l2 == least2))
         work.edges.push_back(edge_facing(s, 3 * t + i, l2));
   });
-  sort_unique(work.edges);
+  sort_edges(work.edges);
 }
 
 void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
                           MaintenanceReport& report) {
   find_collapses(rock, limits, where, work);
-  for (const Candidate& e : work.edges) {
+  for (const EdgeCandidate& e : work.edges) {
     if (!rock.surface.is_alive(e.a) || !rock.surface.is_alive(e.b)) continue;
-    if (try_collapse(rock, e.a, e.b, limits, work.ring, work.strays, report))
+    if (try_collapse(rock, e.a, e.b, limits, work.ring, work.drift, report))
       work.changed.insert(work.changed.end(), work.ring.begin(), work.ring.end());
   }
 }
@@ -197,20 +176,20 @@ void flip_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& 
     const int c = 3 * t + static_cast<int>(longest - shape.edge2.begin());
     work.edges.push_back(edge_facing(s, c, shape.quality2));
   });
-  sort_unique(work.edges);
-  for (const Candidate& e : work.edges) {
+  sort_edges(work.edges);
+  for (const EdgeCandidate& e : work.edges) {
     const int c = mesh::corner_facing(s, e.a, e.b);
     if (c < 0) continue;
     const int p = s.vertex(c);
-    if (try_flip(rock, c, limits, work.strays, report))
+    if (try_flip(rock, c, limits, work.drift, report))
       work.changed.insert(work.changed.end(), {e.a, e.b, p, s.vertex(mesh::previous_corner(c))});
   }
 }
 
-/// Rounds of collapses and flips until one carries out none: an operation may make
-/// another necessary beside it, or remove what one was refused for. What was refused is asked again
-/// only where the surface changed. Collapses leave fewer vertices, flips better triangles, so
-/// rounds end.
+/// Rounds of collapses and flips until one carries out none: an operation may make another
+/// necessary beside it, or remove the reason of a refusal. What was refused is tried again only
+/// where the surface changed. Collapses leave fewer vertices, flips better triangles, so the rounds
+/// end.
 void repair(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
             MaintenanceReport& report) {
   for (int rounds = 0; where == Where::touched || !work.region.empty();
@@ -224,7 +203,7 @@ void repair(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work
   }
 }
 
-/// Smooths once every vertex of the touched triangles that want it; `work.region` receives what
+/// Smooths every vertex of the touched triangles that need it, once; `work.region` receives what
 /// changed.
 void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
                      MaintenanceReport& report) {
@@ -238,7 +217,7 @@ void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
   });
   sort_unique(work.changed);
   for (const int v : work.changed) {
-    if (!try_smooth(rock, v, limits, work.strays, report)) continue;
+    if (!try_smooth(rock, v, limits, work.drift, report)) continue;
     work.region.push_back(v);
     mesh::visit_corners(s, v,
                         [&](int c) { work.region.push_back(s.vertex(mesh::next_corner(c))); });
@@ -248,29 +227,17 @@ void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
 
 }  // namespace
 
-MaintenanceLimits limits_for(double edge_length) {
-  MaintenanceLimits l;
-  l.shortest_edge = 0.4 * edge_length;
-  l.longest_edge = 1.6 * edge_length;
-  l.volume_per_operation = 0.01 * edge_length * edge_length * edge_length;
-  l.farthest = 0.5 * l.shortest_edge;
-  l.ridge_cut = 0.05 * edge_length;
-  l.untangle_volume = 20.0 * l.volume_per_operation;
-  l.untangle_farthest = 2.0 * l.shortest_edge;
-  return l;
-}
-
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
-  work.strays.clear();
-  look_through(rock, limits, work.touched);
+  work.drift.clear();
+  classify_touched_triangles(rock, limits, work.touched);
   const std::vector<int> folded = folded_places(rock, limits, work.touched);
   blunt_spikes(rock, limits, work, report);
   bisect_long_edges(rock, limits, work, report);
   repair(rock, limits, Where::touched, work, report);
   smooth_vertices(rock, limits, work, report);
   repair(rock, limits, Where::region, work, report);
-  constexpr int most_untanglings = 5;  // what is left is looked at when it is touched again
+  constexpr int most_untanglings = 5;  // what is left waits until it is touched again
   for (int k = 0; k < most_untanglings && untangle(rock, folded, limits, work, report); ++k)
     repair(rock, limits, Where::region, work, report);
   rock.grid.refresh_one_layer();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rock/maintain/check_operation.hpp"
 #include "rock/maintain/star.hpp"
 
 namespace tdbd::rock {
@@ -11,22 +10,18 @@ namespace {
 
 using mesh::Facet;
 
-/// What the triangles around an interior vertex say together.
-struct Ring {
+/// The triangles around an interior vertex, taken together.
+struct VertexRing {
   Vec3 mean_W = Vec3::Zero();  ///< of the neighbours
   Vec3 area = Vec3::Zero();    ///< sum of the area vectors, m2
-  double stray = 0.0;          ///< m, largest
 };
 
-Ring ring_of(const mesh::Surface& s, int v, const Strays& strays) {
-  Ring r;
-  r.stray = strays.of(v);
+VertexRing ring_of(const mesh::Surface& s, int v) {
+  VertexRing r;
   int neighbours = 0;
   mesh::visit_corners(s, v, [&](int c) {
-    const int w = s.vertex(mesh::next_corner(c));
-    r.mean_W += s.position(w);
+    r.mean_W += s.position(s.vertex(mesh::next_corner(c)));
     r.area += area_vector(facet_at(s, c));
-    r.stray = std::max(r.stray, strays.of(w));
     ++neighbours;
   });
   r.mean_W /= neighbours;
@@ -39,10 +34,10 @@ std::optional<Refusal> judge_length(double length, const MaintenanceLimits& limi
   return std::nullopt;
 }
 
-/// The guards that look at one triangle after the other.
+/// The guards on each triangle around v.
 std::optional<Refusal> judge_triangles(const mesh::Surface& s, int v, const Vec3& x_W,
                                        const MaintenanceLimits& limits) {
-  constexpr double least_gain = 1.02;  // not to and fro for a rounding
+  constexpr double least_gain = 1.02;  // no to-and-fro over rounding
   const double floor = least_gain * worst_quality(s, v);
   double swept = 0.0;  // m3
   std::optional<Refusal> why;
@@ -59,7 +54,7 @@ std::optional<Refusal> judge_triangles(const mesh::Surface& s, int v, const Vec3
 }
 
 /// How far the old place is from the new triangles, or the new place from the old ones.
-double distance(const mesh::Surface& s, int v, const Vec3& x_W) {
+double distance_moved(const mesh::Surface& s, int v, const Vec3& x_W) {
   double old_to_new = 1e300, new_to_old = 1e300;
   mesh::visit_corners(s, v, [&](int c) {
     const Facet before = facet_at(s, c);
@@ -72,7 +67,7 @@ double distance(const mesh::Surface& s, int v, const Vec3& x_W) {
 }  // namespace
 
 SmoothVerdict judge_smooth(const mesh::Surface& s, int v, const MaintenanceLimits& limits,
-                           const Strays& strays) {
+                           const SurfaceDrift& drift) {
   SmoothVerdict verdict;
   if (s.is_boundary(v)) {
     verdict.refused = Refusal::boundary;
@@ -82,31 +77,21 @@ SmoothVerdict judge_smooth(const mesh::Surface& s, int v, const MaintenanceLimit
     verdict.refused = Refusal::ridge;
     return verdict;
   }
-  const Ring ring = ring_of(s, v, strays);
+  const VertexRing ring = ring_of(s, v);
   const Vec3 n = ring.area.normalized(), way = ring.mean_W - s.position(v);
   verdict.x_W = s.position(v) + (way - n.dot(way) * n);
   verdict.volume = -ring.area.dot(verdict.x_W - s.position(v)) / 3.0;
   verdict.refused = judge_triangles(s, v, verdict.x_W, limits);
   if (verdict.refused) return verdict;
-  verdict.stray = ring.stray + distance(s, v, verdict.x_W);
-  if (verdict.stray > limits.farthest) verdict.refused = Refusal::distance;
+  verdict.drift = largest_drift_around(s, v, drift) + distance_moved(s, v, verdict.x_W);
+  if (verdict.drift > limits.farthest) verdict.refused = Refusal::distance;
   return verdict;
 }
 
-bool try_smooth(Rock& rock, int v, const MaintenanceLimits& limits, Strays& strays,
+bool try_smooth(Rock& rock, int v, const MaintenanceLimits& limits, SurfaceDrift& drift,
                 MaintenanceReport& report) {
-  const SmoothVerdict verdict = judge_smooth(rock.surface, v, limits, strays);
-  if (verdict.refused) {
-    note_refused(report, Operation::smoothing, *verdict.refused);
-    return false;
-  }
-  LocalState before;
-  if constexpr (check_every_operation) before = local_state(rock.surface, {v});
-  place_vertex(rock, v, verdict.x_W);
-  strays.note(v, verdict.stray);
-  note_done(report, Operation::smoothing, verdict.volume);
-  if constexpr (check_every_operation) demand_around(rock, before, verdict.volume, "smoothings");
-  return true;
+  const SmoothVerdict verdict = judge_smooth(rock.surface, v, limits, drift);
+  return move_if_accepted(rock, v, verdict.x_W, Operation::smoothing, verdict, drift, report);
 }
 
 }  // namespace tdbd::rock

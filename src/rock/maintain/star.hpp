@@ -6,14 +6,14 @@
 #include "mesh/facet.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/surface.hpp"
-#include "rock/maintain/maintain.hpp"
+#include "rock/maintain/limits.hpp"
 
 namespace tdbd::rock {
 
-/// What the guards of every operation ask about the triangles around a vertex (thesis: 4.2,
-/// reconstructed; formulation 3).
+/// Measures and guards of the triangles around a vertex, shared by the operations of maintenance.
+/// Thesis: 4.2 (reconstructed).
 
-/// The corners of the triangle of corner c, from its vertex on.
+/// The corners of the triangle of corner c, beginning with its vertex.
 inline mesh::Facet facet_at(const mesh::Surface& s, int c) {
   return {s.position(s.vertex(c)), s.position(s.vertex(mesh::next_corner(c))),
           s.position(s.vertex(mesh::previous_corner(c)))};
@@ -26,10 +26,10 @@ inline Vec3 area_vector(const mesh::Facet& f) { return mesh::area_vector(f.a, f.
 /// Worst quality of the triangles at v.
 double worst_quality(const mesh::Surface& s, int v);
 
-/// Whether a normal turns farther than the limit, or a triangle comes to overhang. Rock moved
-/// straight down is a height field, and this keeps it one, but for walls that stand upright: what
-/// is as steep as `steepest_overhang` either way may lean over by that much. The facets of a round
-/// core's wall do by their shape.
+/// Refuses a normal that turns farther than the limit and a triangle that would overhang. Rock
+/// moved straight down is a height field, and this keeps it one, except for upright walls: a
+/// triangle within `steepest_overhang` of upright may lean over by that much, as the facets of a
+/// round core's wall do by their shape.
 std::optional<Refusal> judge_turn(const Vec3& before, const Vec3& after,
                                   const MaintenanceLimits& limits);
 

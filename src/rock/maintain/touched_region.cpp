@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "rock/maintain/maintain.hpp"
 #include "rock/maintain/star.hpp"
 
 namespace tdbd::rock {
@@ -16,8 +15,7 @@ void clear(TouchedRegion& r) {
   r.wants_collapse.clear();
 }
 
-void sort_by_wants(const mesh::Surface& s, const MaintenanceLimits& limits, int t,
-                   TouchedRegion& r) {
+void classify(const mesh::Surface& s, const MaintenanceLimits& limits, int t, TouchedRegion& r) {
   const Shape shape = shape_of(s, t);
   const auto [least2, greatest2] = std::ranges::minmax(shape.edge2);
   const double short2 = limits.shortest_edge * limits.shortest_edge;
@@ -31,18 +29,18 @@ void sort_by_wants(const mesh::Surface& s, const MaintenanceLimits& limits, int 
   if (is_below(shape, limits.smooth_quality)) r.to_smooth.push_back(t);
 }
 
-/// Asks for what look_at will want of vertices some places on in the list.
+/// Prefetches what `classify` reads of vertices farther on in the list.
 void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::size_t i) {
-  constexpr std::size_t far = 16, near = 8;
-  if (i + far < vertices.size()) __builtin_prefetch(&s.corner_of[at(vertices[i + far])]);
-  if (i + near >= vertices.size()) return;
-  const int c = s.corner_of[at(vertices[i + near])];
+  constexpr std::size_t farther = 16, nearer = 8;
+  if (i + farther < vertices.size()) __builtin_prefetch(&s.corner_of[at(vertices[i + farther])]);
+  if (i + nearer >= vertices.size()) return;
+  const int c = s.corner_of[at(vertices[i + nearer])];
   if (c < 0) return;
   __builtin_prefetch(&s.triangles[at(c / 3)]);
   __builtin_prefetch(&s.opposite[at(c)]);
 }
 
-/// Marks both triangles of every pair that lies back to back; each pair is asked once.
+/// Marks both triangles of every pair that lies back to back; each pair is tested once.
 void find_folds(const mesh::Surface& s, TouchedRegion& r) {
   for (std::size_t k = 0; k < r.triangles.size(); ++k) {
     const int t = r.triangles[k];
@@ -70,17 +68,18 @@ Shape shape_of(const mesh::Surface& s, int t) {
   return shape;
 }
 
-void look_through(Rock& rock, const MaintenanceLimits& limits, TouchedRegion& region) {
+void classify_touched_triangles(Rock& rock, const MaintenanceLimits& limits,
+                                TouchedRegion& region) {
   const mesh::Surface& s = rock.surface;
   region.place.resize(s.triangles.size(), 0);
   clear(region);
   for (std::size_t i = 0; i < rock.touched_list.size(); ++i) {
     const int v = rock.touched_list[i];
     prefetch(s, rock.touched_list, i);
-    rock.touched[at(v)] = looked_at_mark;
+    rock.touched[at(v)] = classified_mark;
     if (!s.is_alive(v)) continue;
     mesh::visit_corners(s, v, [&](int c) {
-      if (place_of(region, c / 3) < 0) sort_by_wants(s, limits, c / 3, region);
+      if (place_of(region, c / 3) < 0) classify(s, limits, c / 3, region);
     });
   }
   if (limits.worst_quality > 0.0) find_folds(s, region);

@@ -9,7 +9,7 @@ namespace tdbd::rock {
 namespace {
 
 bool is_above(const mesh::Surface& s, int t, double z_W) {
-  const mesh::Triangle& v = s.triangles[static_cast<std::size_t>(t)];
+  const mesh::Triangle& v = s.triangles[at(t)];
   return std::ranges::all_of(v, [&](int i) { return s.position(i).z() < z_W; });
 }
 
@@ -21,7 +21,7 @@ void find_first(const Rock& rock, double from_z_W, double z_W, TrimWorkspace& wo
   work.vertices.clear();
   rock.grid.visit(slab_W, work.chains, [&](const VertexGrid::Block& block) {
     for (int i = 0; i < block.count; ++i) {
-      const int v = block.v[static_cast<std::size_t>(i)];
+      const int v = block.v[at(i)];
       if (rock.surface.is_boundary(v) && rock.surface.position(v).z() < z_W)
         work.vertices.push_back(v);
     }
@@ -33,13 +33,13 @@ void find_first(const Rock& rock, double from_z_W, double z_W, TrimWorkspace& wo
 }
 
 double six_hole_volumes(const mesh::Surface& s, int t) {
-  const mesh::Triangle& v = s.triangles[static_cast<std::size_t>(t)];
+  const mesh::Triangle& v = s.triangles[at(t)];
   return -s.position(v[0]).dot(s.position(v[1]).cross(s.position(v[2])));
 }
 
 /// Removes one triangle and queues those at its corners.
 void remove(Rock& rock, int t, TrimWorkspace& work) {
-  const mesh::Triangle corners = rock.surface.triangles[static_cast<std::size_t>(t)];
+  const mesh::Triangle corners = rock.surface.triangles[at(t)];
   const int gone = mesh::remove_triangle(rock.surface, t);
   if (gone >= 0) rock.grid.remove(gone);
   for (const int v : corners)

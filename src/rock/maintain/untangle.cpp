@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
+#include "core/sort_unique.hpp"
 #include "mesh/edit.hpp"
 #include "rock/maintain/collapse.hpp"
 #include "rock/maintain/star.hpp"
@@ -12,28 +12,13 @@ namespace tdbd::rock {
 namespace {
 
 using Work = MaintenanceWorkspace;
-using Candidate = Work::Candidate;
 
 constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
-
-void sort_unique(std::vector<int>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
-
-/// Shortest first, each edge once: equal edges have equal lengths.
-void sort_unique(std::vector<Candidate>& edges) {
-  const auto key = [](const Candidate& e) { return std::tie(e.key, e.a, e.b); };
-  const auto before = [&](const Candidate& x, const Candidate& y) { return key(x) < key(y); };
-  const auto same = [&](const Candidate& x, const Candidate& y) { return key(x) == key(y); };
-  std::sort(edges.begin(), edges.end(), before);
-  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
-}
 
 /// Whether a triangle at a corner of t is turned by more than 90 degrees against t.
 bool is_turned_against_neighbour(const mesh::Surface& s, int t, const Vec3& area) {
   bool found = false;
-  for (const int v : s.triangles[static_cast<std::size_t>(t)])
+  for (const int v : s.triangles[at(t)])
     if (!found)
       mesh::visit_corners(
           s, v, [&](int c) { found = found || area.dot(doubled_area(facet_at(s, c))) < 0.0; });
@@ -46,12 +31,12 @@ bool is_suspect(const mesh::Surface& s, const MaintenanceLimits& limits, int t) 
          is_turned_against_neighbour(s, t, area);
 }
 
-/// As for folds over an edge: who calls no triangle bad wants no collapse but of short edges.
-bool is_asked_for(const MaintenanceLimits& limits) {
+/// As for folds over an edge: without a limit on quality only short edges collapse.
+bool untangling_enabled(const MaintenanceLimits& limits) {
   return limits.untangle_farthest > 0.0 && limits.worst_quality > 0.0;
 }
 
-/// What untangling may do that other collapses may not.
+/// The limits of collapses that untangle.
 MaintenanceLimits loosened(MaintenanceLimits l) {
   constexpr double any_normal = -1.0, any_overhang = 2.0;
   l.volume_per_operation = l.untangle_volume;
@@ -62,14 +47,15 @@ MaintenanceLimits loosened(MaintenanceLimits l) {
   return l;
 }
 
-void add_edges(const mesh::Surface& s, const mesh::Triangle& v, std::vector<Candidate>& edges) {
+void add_edges_of(const mesh::Surface& s, const mesh::Triangle& v,
+                  std::vector<EdgeCandidate>& edges) {
   for (std::size_t i = 0; i < 3; ++i) {
     const int a = std::min(v[i], v[(i + 1) % 3]), b = std::max(v[i], v[(i + 1) % 3]);
     edges.push_back({(s.position(a) - s.position(b)).squaredNorm(), a, b});
   }
 }
 
-/// The edges of both triangles of every pair in which a suspect is.
+/// The edges of both triangles of every intersecting pair that includes a suspect.
 void find_edges(const Rock& rock, const MaintenanceLimits& limits, Work& work) {
   const mesh::Surface& s = rock.surface;
   work.edges.clear();
@@ -78,21 +64,21 @@ void find_edges(const Rock& rock, const MaintenanceLimits& limits, Work& work) {
     take_triangle(s, t, work.patch);
     find_intersections(rock, work.patch, limits.longest_edge, all_pairs, work.intersections);
     for (const auto& [one, other] : work.intersections.met) {
-      add_edges(s, one, work.edges);
-      add_edges(s, other, work.edges);
+      add_edges_of(s, one, work.edges);
+      add_edges_of(s, other, work.edges);
     }
   }
-  sort_unique(work.edges);
+  sort_edges(work.edges);
 }
 
-/// Pairs of the patch, no more than `most`.
+/// Intersecting pairs of the patch, at most `most`.
 std::size_t count_pairs(const Rock& rock, const MaintenanceLimits& limits, std::size_t most,
                         Work& work) {
   find_intersections(rock, work.patch, limits.longest_edge, most, work.intersections);
   return work.intersections.met.size();
 }
 
-/// Collapses the edge to the first of its three places where fewer pairs are left.
+/// Collapses the edge to the first of its three places that leaves fewer pairs.
 bool try_untangle(Rock& rock, int a, int b, const MaintenanceLimits& loose, Work& work,
                   MaintenanceReport& report) {
   const mesh::Surface& s = rock.surface;
@@ -100,23 +86,23 @@ bool try_untangle(Rock& rock, int a, int b, const MaintenanceLimits& loose, Work
   const std::size_t pairs = count_pairs(rock, loose, all_pairs, work);
   if (pairs == 0) return false;  // another collapse has parted them
   std::optional<Refusal> why;
-  for (const CollapseVerdict& v : judge_collapses(s, a, b, loose, work.strays)) {
+  for (const CollapseVerdict& v : judge_collapses(s, a, b, loose, work.drift)) {
     if (v.corner < 0) return false;
     if (!why) why = v.refused;
     if (v.refused) continue;
     const int keep = s.vertex(mesh::next_corner(v.corner));
     take_collapsed(s, keep, keep == a ? b : a, v.x_W, work.patch);
     if (count_pairs(rock, loose, pairs, work) < pairs) {
-      collapse(rock, v, Operation::untangling, work.ring, work.strays, report);
+      collapse(rock, v, Operation::untangling, work.ring, work.drift, report);
       return true;
     }
     why = Refusal::intersection;
   }
-  note_refused(report, Operation::untangling, why.value_or(Refusal::intersection));
+  count_refused(report, Operation::untangling, why.value_or(Refusal::intersection));
   return false;
 }
 
-/// The triangles around what changed may pass through others now.
+/// The triangles around what changed may now pass through others.
 void add_suspects(const mesh::Surface& s, const std::vector<int>& vertices, Work& work) {
   for (const int v : vertices)
     if (s.is_alive(v)) mesh::visit_corners(s, v, [&](int c) { work.suspects.push_back(c / 3); });
@@ -129,10 +115,10 @@ std::vector<int> folded_places(const Rock& rock, const MaintenanceLimits& limits
                                const TouchedRegion& touched) {
   const mesh::Surface& s = rock.surface;
   std::vector<int> folded;
-  if (!is_asked_for(limits)) return folded;
+  if (!untangling_enabled(limits)) return folded;
   for (const int t : touched.steep)
     if (is_suspect(s, limits, t)) {
-      const mesh::Triangle& v = s.triangles[static_cast<std::size_t>(t)];
+      const mesh::Triangle& v = s.triangles[at(t)];
       folded.insert(folded.end(), v.begin(), v.end());
     }
   sort_unique(folded);
@@ -143,14 +129,14 @@ void find_suspects(const Rock& rock, const std::vector<int>& folded,
                    const MaintenanceLimits& limits, Work& work) {
   const mesh::Surface& s = rock.surface;
   work.suspects.clear();
-  const auto look_at = [&](int t) {
+  const auto examine = [&](int t) {
     if (is_suspect(s, limits, t)) work.suspects.push_back(t);
   };
   for (const int t : work.touched.steep)
-    if (s.triangle_is_alive(t)) look_at(t);
+    if (s.triangle_is_alive(t)) examine(t);
   find_changed(rock, work.touched);
   for (const int v : work.touched.changed)
-    if (s.is_alive(v)) mesh::visit_corners(s, v, [&](int c) { look_at(c / 3); });
+    if (s.is_alive(v)) mesh::visit_corners(s, v, [&](int c) { examine(c / 3); });
   add_suspects(s, folded, work);
 }
 
@@ -158,13 +144,13 @@ bool untangle(Rock& rock, const std::vector<int>& folded, const MaintenanceLimit
               Work& work, MaintenanceReport& report) {
   constexpr int most_rounds = 20;  // each leaves fewer pairs
   work.region.clear();
-  if (!is_asked_for(limits)) return false;
+  if (!untangling_enabled(limits)) return false;
   const MaintenanceLimits loose = loosened(limits);
   find_suspects(rock, folded, limits, work);
   for (int rounds = 0; rounds < most_rounds; ++rounds) {
     find_edges(rock, limits, work);
     const std::size_t done_before = work.region.size();
-    for (const Candidate& e : work.edges)
+    for (const EdgeCandidate& e : work.edges)
       if (rock.surface.is_alive(e.a) && rock.surface.is_alive(e.b) &&
           try_untangle(rock, e.a, e.b, loose, work, report))
         work.region.insert(work.region.end(), work.ring.begin(), work.ring.end());

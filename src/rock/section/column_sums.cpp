@@ -15,7 +15,7 @@ struct Piece {
   double y0, y1;
 };
 
-double at(const Piece& p, const Linear& f, double y) {
+double value_at(const Piece& p, const Linear& f, double y) {
   return f.at0 + (f.at1 - f.at0) * ((y - p.y0) / (p.y1 - p.y0));
 }
 
@@ -46,10 +46,10 @@ Split split(const Piece& p, const Linear& f) {
 }
 
 Linear restricted(const Piece& p, const Linear& f, const Piece& part) {
-  return {at(p, f, part.y0), at(p, f, part.y1)};
+  return {value_at(p, f, part.y0), value_at(p, f, part.y1)};
 }
 
-/// Segment above the lower edge all along the piece.
+/// Where the segment is above the lower edge all along the piece.
 void add_above_lower(const FaceColumn& c, const Piece& p, const Linear& lower, const Linear& h,
                      double sign, std::int64_t* engaged, std::size_t count, ColumnSums& sums) {
   engaged[0] += units(sums.per_length * sign * c.lower_length * (p.y1 - p.y0));
@@ -81,7 +81,7 @@ void add_piece(const FaceColumn& c, const Piece& p, const Linear& segment, doubl
                     count, sums);
 }
 
-/// What of an upright edge at y lies below a segment that passes there.
+/// The part of an upright edge at y that lies below a segment that passes there.
 void add_end(const FaceColumn& c, double y, const OutlineSegment& s, double sign,
              std::int64_t& engaged, const ColumnSums& sums) {
   if ((s.from.x() <= y) == (s.to.x() <= y)) return;

@@ -13,19 +13,19 @@ struct OutlineSegment {
   Vec2 from, to;
 };
 
-/// Sums over segments in whole multiples of a small unit: whole numbers add up to the same in any
-/// order. One unit is 2^-50 of the outline's box (its area, area times size, size), rounding below
-/// that of a double; there is room for 4096 boxes.
+/// Sums over segments in whole multiples of a small unit: integers add up to the same in any order.
+/// One unit is 2^-50 of the outline's box (its area, area times size, size), finer than a double's
+/// rounding; the range is 4096 boxes.
 struct ColumnSums {
   std::int64_t area = 0, moment_y = 0, moment_z = 0;
   std::vector<std::int64_t> engaged;  ///< lower edges, upper edges of all columns; left, right end
   double per_area = 0.0, per_moment = 0.0, per_length = 0.0;  ///< units per m2, m3, m
 };
 
-/// Nothing yet.
+/// Resets the sums and sets their units.
 void begin_sums(const FaceColumns& face, ColumnSums& sums);
 
-/// Adds what of the columns first to before end lies beside the segment, on its -Z side, with the
+/// Adds the part of columns [first, end) that lies beside the segment, on its -Z side, with the
 /// sign of y_from - y_to: its area, first moments, and the lengths of the outline's edge in it.
 void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
                  const OutlineSegment& s, ColumnSums& sums);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mesh/search/inside.hpp"
-#include "rock/cut/wide_planes.hpp"
+#include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -17,8 +17,8 @@ bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
   return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
 }
 
-/// What may be in the box of the group at the step's end: what the step saw there, and what other
-/// groups brought there since; or what the index has.
+/// What may be in the box of the group at the end of the step: what the step found there, and what
+/// other groups moved there since; or, if that is not known, what the index has.
 void find_around(const Rock& rock, const CutWorkspace& cut, std::size_t i, double gap,
                  ContactWork& w) {
   const GroupMotion& m = cut.motions[i];
@@ -37,8 +37,7 @@ void find_around(const Rock& rock, const CutWorkspace& cut, std::size_t i, doubl
   });
 }
 
-/// What the step moved, and what is in the box of the group at the step's end. A vertex may be
-/// there twice.
+/// What the step moved, and what is in the box of the group at its end. A vertex may appear twice.
 void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
                double gap, ContactWork& w) {
   const CuttingGroup& g = bit.groups[i];
@@ -66,7 +65,7 @@ TDBD_WIDE std::size_t plane_between(const mesh::ConvexSolid& s, const Vec3& x_P,
   return s.b.size();
 }
 
-/// Asks first the plane that kept the last one away.
+/// Tests first the plane that rejected the last vertex.
 bool touches(const mesh::ConvexSolid& solid, const Vec3& x_P, double gap, std::size_t& plane) {
   if (plane < solid.planes && mesh::normal(solid, plane).dot(x_P) - solid.b[plane] > gap)
     return false;
@@ -81,8 +80,7 @@ bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& 
   return mesh::inside(*part.tree_P, x_P) || mesh::distance(*part.tree_P, x_P) <= gap;
 }
 
-/// Marks what the part of the group moved or touches; a part in several solids comes here for each
-/// of them.
+/// Marks what a solid of the part moved or touches; called for each solid of a part.
 void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, const CutWorkspace& cut,
           double gap, ContactWork& w) {
   std::size_t plane = 0;
@@ -98,7 +96,7 @@ void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, cons
   }
 }
 
-/// In the order of the triangles' slots, so that the sums do not hang on the index's order.
+/// Sums in the order of the triangles' slots, so that they do not depend on the index's order.
 PartContact contact_of_held(const Rock& rock, ContactWork& w) {
   const mesh::Surface& s = rock.surface;
   w.triangles.clear();

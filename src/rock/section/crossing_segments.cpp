@@ -5,7 +5,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// A vertex as the plane sees it.
+/// A vertex and its distance ahead of the plane.
 struct Seen {
   int v;
   Vec3 x_W;
@@ -57,9 +57,9 @@ bool OutlineSearch::is_in_zone(const Vec2& x_F) const {
   return below <= f_.reach * c.lower_rise;
 }
 
-/// The first corner of a vertex, from which turning left comes to all others.
+/// The corner of a vertex from which turning left reaches all others.
 int first_corner(const mesh::Surface& s, int v) {
-  const int start = s.corner_of[static_cast<std::size_t>(v)];
+  const int start = s.corner_of[at(v)];
   if (!s.is_boundary(v)) return start;
   int c = start;
   for (int right = mesh::turn_right(s, c); right >= 0; right = mesh::turn_right(s, c)) c = right;
@@ -82,8 +82,8 @@ void OutlineSearch::around(int v) {
   } while (c >= 0 && c != first);
 }
 
-/// The triangle with this corner at v; follows the outline on either side where the vertex ahead is
-/// none to start from. What comes before may be known to be around v, too.
+/// The triangle with this corner at v. Follows the outline on either side where the vertex ahead is
+/// none to start from; the side before may be known to be around v, too.
 void OutlineSearch::triangle(int c, const Seen& v, const Seen& next, const Seen& last,
                              bool ask_before) {
   const Vec2 from = crossing(v, next);
@@ -96,8 +96,8 @@ void OutlineSearch::triangle(int c, const Seen& v, const Seen& next, const Seen&
   if (u.ahead >= 0.0 && !is_start(u)) follow_back(mesh::previous_corner(c), v.v, next.v, from);
 }
 
-/// On over the edge that this corner faces, until the outline leaves the zone or comes to a vertex
-/// to start from.
+/// Follows the outline over the edge that this corner faces, until it leaves the zone or reaches a
+/// vertex to start from.
 void OutlineSearch::follow(int facing, int ahead, int behind, Vec2 from) {
   while (is_in_zone(from)) {
     const int o = s_.opposite_of(facing);
@@ -113,8 +113,8 @@ void OutlineSearch::follow(int facing, int ahead, int behind, Vec2 from) {
   }
 }
 
-/// Back over the edge that this corner faces. What comes from a vertex to start from is found from
-/// there; the rest is kept.
+/// Follows the outline back over the edge that this corner faces. What leads back to a vertex to
+/// start from is found from there; otherwise it is kept.
 void OutlineSearch::follow_back(int facing, int ahead, int behind, Vec2 to) {
   w_.run.clear();
   while (is_in_zone(to)) {
@@ -132,21 +132,21 @@ void OutlineSearch::follow_back(int facing, int ahead, int behind, Vec2 to) {
   w_.segments.insert(w_.segments.end(), w_.run.begin(), w_.run.end());
 }
 
-/// Asks for the first triangles of many vertices at once, so that none is waited for one by one.
+/// Prefetches the first triangles of all these vertices.
 void prefetch(const mesh::Surface& s, const std::vector<int>& near) {
-  for (const int v : near) __builtin_prefetch(&s.corner_of[static_cast<std::size_t>(v)]);
+  for (const int v : near) __builtin_prefetch(&s.corner_of[at(v)]);
   for (const int v : near) {
-    const auto c = static_cast<std::size_t>(s.corner_of[static_cast<std::size_t>(v)]);
+    const auto c = static_cast<std::size_t>(s.corner_of[at(v)]);
     __builtin_prefetch(&s.triangles[c / 3]);
     __builtin_prefetch(&s.opposite[c]);
   }
   for (const int v : near) {
-    const int c = s.corner_of[static_cast<std::size_t>(v)];
+    const int c = s.corner_of[at(v)];
     for (const int o :
          {s.opposite_of(mesh::next_corner(c)), s.opposite_of(mesh::previous_corner(c))}) {
       if (o < 0) continue;
-      __builtin_prefetch(&s.triangles[static_cast<std::size_t>(o / 3)]);
-      __builtin_prefetch(&s.opposite[static_cast<std::size_t>(o)]);
+      __builtin_prefetch(&s.triangles[at(o / 3)]);
+      __builtin_prefetch(&s.opposite[at(o)]);
     }
   }
 }
@@ -158,18 +158,12 @@ Region region_of(const FacePlane& f) {
   region.slabs[0] = {f.n_W, f.n0 - rounding, f.n0 + reach};
   region.slabs[1] = {f.y_W, f.y0 + f.left - reach, f.y0 + f.right + reach};
   region.slabs[2] = {f.z_W, f.z0 + f.face.lo_F.y() - reach, f.z0 + f.top + rounding};
-  Vec3 middle = Vec3::Zero(), half = Vec3::Zero();
-  for (const Slab& s : region.slabs) {
-    middle += 0.5 * (s.lo + s.hi) * s.n;
-    half += 0.5 * (s.hi - s.lo) * s.n.cwiseAbs();
-  }
-  region.box.lo = middle - half;
-  region.box.hi = middle + half;
+  region.box = box_around(region.slabs);
   return region;
 }
 
-/// Vertices ahead of the plane by at most its reach, and those that single precision cannot tell
-/// from them.
+/// Vertices ahead of the plane by at most its reach, and those that single precision cannot
+/// distinguish from them.
 void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   const Region region = region_of(plane);
   const double slack = single_slack(region.box);
@@ -184,7 +178,7 @@ void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
     work.near.resize(found + VertexGrid::block_size);
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.count); ++e) {
       const double along = plane.n_W.dot(Vec3(block.x[e], block.y[e], block.z[e]));
-      work.near[found] = block.v[e];  // no branch: chance decides, half and half
+      work.near[found] = block.v[e];  // branch-free: the outcome is unpredictable
       found +=
           static_cast<std::size_t>(static_cast<int>(along >= from) & static_cast<int>(along <= to));
     }

@@ -7,14 +7,14 @@
 namespace tdbd::rock {
 namespace {
 
-constexpr double far = std::numeric_limits<double>::max();
+constexpr double farthest = std::numeric_limits<double>::max();
 
-/// Corners whose y differ by less, over the outline's width, share a column's end.
+/// Corners whose y differ by less, relative to the outline's width, share a column's end.
 constexpr double same_y = 1e-12;
 
 void find_box(const ConvexPolygon& outline_F, FaceColumns& c) {
-  c.lo_F = Vec2::Constant(far);
-  c.hi_F = Vec2::Constant(-far);
+  c.lo_F = Vec2::Constant(farthest);
+  c.hi_F = Vec2::Constant(-farthest);
   for (const Vec2& x_F : outline_F) {
     c.lo_F = c.lo_F.cwiseMin(x_F);
     c.hi_F = c.hi_F.cwiseMax(x_F);
@@ -22,7 +22,7 @@ void find_box(const ConvexPolygon& outline_F, FaceColumns& c) {
 }
 
 /// Empty columns between the corners' y.
-void divide(const ConvexPolygon& outline_F, FaceColumns& c) {
+void divide_at_corners(const ConvexPolygon& outline_F, FaceColumns& c) {
   c.columns.clear();
   c.columns.reserve(outline_F.size());
   for (const Vec2& x_F : outline_F) c.columns.push_back({x_F.x(), 0, 0, 0, 0, 0, 0, 0, 1});
@@ -41,8 +41,8 @@ bool lies_on(const HalfPlane& h, const Vec2& p, const Vec2& q, double size) {
   return std::abs(h.n.dot(p) - h.b) <= slack && std::abs(h.n.dot(q) - h.b) <= slack;
 }
 
-/// Enters the edge p q, lower if it runs to the right, into the columns that it spans.
-void enter(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns& c) {
+/// Writes the edge p q, a lower one if it runs to the right, into the columns that it spans.
+void add_edge_to_columns(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns& c) {
   const bool lower = p.x() < q.x();
   const Vec2 &left = lower ? p : q, &right = lower ? q : p;
   const double slope = (right.y() - left.y()) / (right.x() - left.x());
@@ -58,7 +58,7 @@ void enter(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns& c) {
   }
 }
 
-void index(FaceColumns& c) {
+void index_columns(FaceColumns& c) {
   c.parts_per_metre = static_cast<double>(c.first_of.size()) / (c.hi_F.x() - c.lo_F.x());
   std::size_t i = 0;
   for (std::size_t k = 0; k < c.first_of.size(); ++k) {
@@ -76,17 +76,17 @@ void make_columns(const ConvexPolygon& outline_F, const HalfPlane* cut, FaceColu
   find_box(outline_F, made);
   const Vec2 size = made.hi_F - made.lo_F;
   if (!(size.minCoeff() > 0.0)) return;
-  divide(outline_F, made);
+  divide_at_corners(outline_F, made);
   made.left_is_rim = made.right_is_rim = true;
   for (std::size_t i = 0; i < outline_F.size(); ++i) {
     const Vec2 &p = outline_F[i], &q = outline_F[i + 1 < outline_F.size() ? i + 1 : 0];
     const bool is_rim = cut == nullptr || !lies_on(*cut, p, q, size.norm());
     if (std::abs(p.x() - q.x()) > same_y * size.x())
-      enter(p, q, is_rim, made);
+      add_edge_to_columns(p, q, is_rim, made);
     else
       (p.y() > q.y() ? made.left_is_rim : made.right_is_rim) = is_rim;
   }
-  index(made);
+  index_columns(made);
 }
 
 }  // namespace tdbd::rock

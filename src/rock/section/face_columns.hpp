@@ -23,12 +23,12 @@ struct FaceColumns {
   std::vector<FaceColumn> columns;  ///< from the least y on; none: an empty outline
   Vec2 lo_F, hi_F;                  ///< m, its box
   bool left_is_rim, right_is_rim;   ///< of the upright edges at the ends, if there are any
-  /// Where to begin to look for a y: columns[first_of[k]] holds the begin of the k-th of 64 equal
-  /// parts of the width.
+  /// Where to begin the search for a y: columns[first_of[k]] holds the start of the k-th of 64
+  /// equal parts of the width.
   std::array<std::uint16_t, 64> first_of;
   double parts_per_metre = 0.0;
 
-  /// A column at most as far right as y, which lies in the outline's width, or near it.
+  /// A column that begins no farther right than y, a y in or near the outline's width.
   std::size_t near(double y) const {
     const double part = (y - lo_F.x()) * parts_per_metre;
     return first_of[part < 63.0 ? static_cast<std::size_t>(part) : 63];
@@ -36,7 +36,7 @@ struct FaceColumns {
 };
 
 /// The columns of a convex outline, counter-clockwise. Edges along the line `cut` (n . x = b), if
-/// one is given, are not the rim's. Keeps the room of `made`.
+/// given, do not count as rim. Reuses the memory of `made`.
 void make_columns(const ConvexPolygon& outline_F, const HalfPlane* cut, FaceColumns& made);
 
 }  // namespace tdbd::rock

@@ -23,14 +23,14 @@ struct FaceStrip {
   double ahead;  ///< s, for how long
 };
 
-/// A face in strips, for each of which the least speeds X . v of its columns are within a factor of
-/// 1.5. A strip is carried for lead / (its least speed), so that every point of it comes at least
-/// `lead` (m) ahead, but never for longer than the bit takes to turn by largest_turn (rad). No
-/// point of the face may go backwards, and one at least must go forwards.
+/// Divides a face into strips such that the least speeds X . v of a strip's columns are within a
+/// factor of 1.5. A strip is carried for lead / (its least speed), so that every point of it comes
+/// at least `lead` (m) ahead, but never for longer than `longest_time` (s). No point of the face
+/// may go backwards, and at least one must go forwards.
 void face_strips(const FaceColumns& face, const ForwardSpeed& v, double lead, double longest_time,
                  std::vector<FaceStrip>& strips);
 
-/// How long the bit takes to turn by so much (rad), s; infinite if it does not turn.
+/// The time in which the bit turns by `turn` (rad), s; infinite if it does not turn.
 double time_of_turn(const rotation::Twist& twist, double turn);
 
 }  // namespace tdbd::rock

@@ -12,7 +12,8 @@ double angle_of_attack(const Pose& X_BF, const rotation::Twist& twist, const Vec
   return std::asin(std::clamp(X_BF.R.col(0).dot(v_B) / v_B.norm(), -1.0, 1.0));
 }
 
-/// The columns of what goes forwards, in the work's room if that is not all; none if nothing does.
+/// The columns of the part that goes forwards, in the work's buffer if that is not all; null if
+/// nothing does.
 const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& v, SectionWork& w) {
   double slowest = INFINITY, fastest = -INFINITY;
   for (const Vec2& x_F : face.outline.rim_F) {
@@ -27,7 +28,7 @@ const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& 
   return w.forward.columns.empty() ? nullptr : &w.forward;
 }
 
-/// Whether the outline goes on above the zone where it is looked for.
+/// Whether the outline continues above the zone that is searched.
 bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
   const double top = f.face.hi_F.y() + 0.25 * f.reach;
   const auto is_over = [&](const Vec2& x_F) {
@@ -36,7 +37,7 @@ bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
   return is_over(s.from) || is_over(s.to);
 }
 
-/// Whether something of the columns may lie beside the segment, or below it.
+/// Whether part of the columns may lie beside the segment, or below it.
 bool concerns(const OutlineSegment& s, const FacePlane& f) {
   return std::max(s.from.y(), s.to.y()) > f.face.lo_F.y() &&
          std::max(s.from.x(), s.to.x()) > f.left && std::min(s.from.x(), s.to.x()) < f.right;
@@ -47,8 +48,8 @@ bool is_seen(const FacePlane& plane, const OutlineWork& outline) {
                              [&](const OutlineSegment& s) { return concerns(s, plane); });
 }
 
-/// Rock meets a face at its lower half first; only if nothing is seen there, all around the face is
-/// looked through, twice as far.
+/// Rock meets a face at its lower half first. Only if nothing is found there, the search goes all
+/// around the face, twice as far.
 bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
   find_outline(rock, plane, outline);
   if (is_seen(plane, outline)) return true;

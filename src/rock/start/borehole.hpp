@@ -14,7 +14,7 @@ struct MeridianPoint {
 /// Rock surface of revolution about the z axis: the meridian curve runs from the axis (r = 0) along
 /// the bottom and up the wall; rings of points at arc spacing 0.866 edge_length, about
 /// 2 pi r / edge_length points a ring. The normal points out of the rock (up, and towards the axis
-/// on the wall). One boundary loop: the last ring. Formulation 2; thesis: 4.4.1 (reconstructed).
+/// on the wall). One boundary loop: the last ring. Thesis: 4.4.1 (reconstructed).
 mesh::TriangleMesh borehole(const std::vector<MeridianPoint>& curve, double edge_length);
 
 /// The bottom curve continued by a vertical wall of the given height above its last point.

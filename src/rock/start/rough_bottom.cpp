@@ -10,8 +10,6 @@
 namespace tdbd::rock {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
-
 struct Depths {
   double top, bottom;
 };
@@ -26,12 +24,13 @@ Depths depths_of(const mesh::TriangleMesh& m) {
 
 std::vector<Wave> rough_waves(const Roughness& r) {
   constexpr std::size_t count = 200;
+  constexpr double full_turn = 2.0 * std::numbers::pi;
   Random random{r.seed};
   std::vector<Wave> waves(count);
   for (Wave& w : waves) {
     const double k = std::sqrt(-2.0 * std::log(1.0 - random.uniform())) / r.correlation_length;
-    const double azimuth = two_pi * random.uniform();
-    w = {k * std::cos(azimuth), k * std::sin(azimuth), two_pi * random.uniform()};
+    const double azimuth = full_turn * random.uniform();
+    w = {k * std::cos(azimuth), k * std::sin(azimuth), full_turn * random.uniform()};
   }
   return waves;
 }

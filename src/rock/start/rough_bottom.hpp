@@ -30,9 +30,9 @@ std::vector<Wave> rough_waves(const Roughness& r);
 double roughness_at(const Roughness& r, const std::vector<Wave>& waves, double x, double y);
 
 /// Makes the flat bottom of a borehole (flat_bottom) rough: every vertex moves down by how far the
-/// surface at its (x, y) lies below the surface's highest place at any vertex, on the wall in
-/// proportion to its height above the bottom, so that the highest place stays where the bottom was
-/// and the boundary of a wall rests.
+/// surface at its (x, y) lies below its highest value at any vertex; on the wall by a share that
+/// falls to zero at the top, so that the highest place stays where the bottom was and the boundary
+/// of a wall does not move.
 void roughen_bottom(mesh::TriangleMesh& borehole, const Roughness& r);
 
 }  // namespace tdbd::rock

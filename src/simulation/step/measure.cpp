@@ -82,7 +82,7 @@ MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cuttin
   return m;
 }
 
-rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length) {
+rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length) {
   if (plan.section == SectionMeasure::off) return {};
   constexpr double strip = 1.5;  // what a strip of a face comes ahead, over the least (face_strips)
   return {section_reach * edge_length, (strip * plan.section_lead + section_reach) * edge_length};

@@ -23,7 +23,7 @@ MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cuttin
                              const MeasurePlan& plan);
 
 /// How far the lists of vertices near the bit must reach for these measures.
-rock::Foresight foresight_of(const MeasurePlan& plan, double edge_length);
+rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length);
 
 /// What a step is measured on.
 struct MeasuredStep {

@@ -51,7 +51,7 @@ Work start_work(const Case& c, const State& state) {
   w.cutting = rock::prepare_cutting_bit(c.bit, c.update.cutting);
   rock::turn_cones(w.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
   w.cut_work.most_passes = c.update.most_passes;
-  w.cut_work.foresight = foresight_of(c.measure, c.rock.edge_length);
+  w.cut_work.list_margins = list_margins_for(c.measure, c.rock.edge_length);
   if (c.measure.contact == ContactMeasure::on)
     w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   w.faces = measured_faces(c.bit, w.cutting, c.measure);

@@ -10,9 +10,9 @@
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
 #include "reference/rock/brute_force_exit.hpp"
-#include "rock/cut/cutting_scene.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/rock/cut/cutting_scene.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -64,7 +64,7 @@ double resolution(const bit::Part& p, const Scene& s, const Vec3& x_W) {
 /// Scale of the ledger: the cube over the rock's square.
 constexpr double scale = 27.0;
 
-RC_GTEST_PROP(cut_rock, closes_the_ledger, ()) {
+RC_GTEST_PROP(CutRock, closes_the_ledger, ()) {
   const Cut c = cut(*scene());
   const double gained = mesh::hole_volume(c.after.surface, Vec3::Zero()) -
                         mesh::hole_volume(c.before.surface, Vec3::Zero());
@@ -75,7 +75,7 @@ RC_GTEST_PROP(cut_rock, closes_the_ledger, ()) {
   RC_ASSERT(std::abs(sum - c.report.removed) < tolerance::ledger * scale);
 }
 
-RC_GTEST_PROP(cut_rock, leaves_no_vertex_inside_a_part_at_the_end, ()) {
+RC_GTEST_PROP(CutRock, leaves_no_vertex_inside_a_part_at_the_end, ()) {
   const Scene s = *scene();
   const Cut c = cut(s);
   RC_TAG(c.report.passes);
@@ -86,7 +86,7 @@ RC_GTEST_PROP(cut_rock, leaves_no_vertex_inside_a_part_at_the_end, ()) {
     }
 }
 
-RC_GTEST_PROP(cut_rock, moves_nothing_but_what_was_swept, ()) {
+RC_GTEST_PROP(CutRock, moves_nothing_but_what_was_swept, ()) {
   const Scene s = *scene();
   const Cut c = cut(s);
   for (int v = 0; v < c.before.surface.vertex_slots(); ++v) {
@@ -98,7 +98,7 @@ RC_GTEST_PROP(cut_rock, moves_nothing_but_what_was_swept, ()) {
   }
 }
 
-RC_GTEST_PROP(cut_rock, moves_all_that_the_twin_finds_swept, ()) {
+RC_GTEST_PROP(CutRock, moves_all_that_the_twin_finds_swept, ()) {
   const Scene s = *scene();
   const Cut c = cut(s);
   for (int v = 0; v < c.before.surface.vertex_slots(); ++v)
@@ -111,7 +111,7 @@ RC_GTEST_PROP(cut_rock, moves_all_that_the_twin_finds_swept, ()) {
     }
 }
 
-RC_GTEST_PROP(cut_rock, keeps_connectivity_and_boundary_and_notes_who_cut, ()) {
+RC_GTEST_PROP(CutRock, keeps_connectivity_and_boundary_and_notes_who_cut, ()) {
   const Scene s = *scene();
   const Cut c = cut(s);
   RC_ASSERT(c.after.surface.triangles == c.before.surface.triangles);
@@ -132,7 +132,7 @@ Vec3 mapped_W(const bit::Part& p, const Scene& s, const Vec3& x_W) {
   return s.X_WB1.R * turn * p.update_direction_B;
 }
 
-RC_GTEST_PROP(cut_rock, moves_along_the_mapped_direction_to_the_twins_exit, ()) {
+RC_GTEST_PROP(CutRock, moves_along_the_mapped_direction_to_the_twins_exit, ()) {
   const Scene s = *scene({.most_parts = 1});
   const Cut c = cut(s);
   const bit::Part& p = s.bit.parts.front();
@@ -153,7 +153,7 @@ RC_GTEST_PROP(cut_rock, moves_along_the_mapped_direction_to_the_twins_exit, ()) 
 
 /// Several parts and passes: every move is along a mapped direction, so all lie in the half-plane
 /// through the bit's axis that the vertex is in, and none goes up or towards the axis.
-RC_GTEST_PROP(cut_rock, never_moves_up_or_inwards, ()) {
+RC_GTEST_PROP(CutRock, never_moves_up_or_inwards, ()) {
   const Scene s = *scene();
   const Cut c = cut(s);
   for (int v = 0; v < c.before.surface.vertex_slots(); ++v) {
@@ -169,7 +169,7 @@ RC_GTEST_PROP(cut_rock, never_moves_up_or_inwards, ()) {
 }
 
 /// Straight down over rock that is the graph of a function: no part can add any.
-RC_GTEST_PROP(cut_rock, straight_down_adds_no_rock_in_any_part, ()) {
+RC_GTEST_PROP(CutRock, straight_down_adds_no_rock_in_any_part, ()) {
   const Cut c = cut(*scene({.tilt = 0.0, .outwards = 0.0}));
   for (const double removed : c.report.removed_by_part)
     RC_ASSERT(removed >= -tolerance::ledger * scale);
@@ -179,7 +179,7 @@ bool same_bits(const Rock& a, const Rock& b) {
   return a.surface.positions == b.surface.positions && a.last_part == b.last_part;
 }
 
-RC_GTEST_PROP(cut_rock, twice_gives_the_same_bits_also_in_a_used_workspace, ()) {
+RC_GTEST_PROP(CutRock, twice_gives_the_same_bits_also_in_a_used_workspace, ()) {
   const Scene s = *scene(), other = *scene();
   const Cut once = cut(s);
   CutWorkspace used;
@@ -193,9 +193,9 @@ RC_GTEST_PROP(cut_rock, twice_gives_the_same_bits_also_in_a_used_workspace, ()) 
   RC_ASSERT(report.removed == once.report.removed);
 }
 
-/// A vertex's way depends on the vertex alone: renumbered rock goes to the same places, bit for
+/// A vertex's path depends on the vertex alone: renumbered rock goes to the same places, bit for
 /// bit; only the order of the volumes' sums changes.
-RC_GTEST_PROP(cut_rock, does_not_hang_on_the_numbering_of_the_rock, ()) {
+RC_GTEST_PROP(CutRock, does_not_depend_on_the_numbering_of_the_rock, ()) {
   Scene s = *scene();
   const Cut c = cut(s);
   const int n = static_cast<int>(s.rock_W.positions.size());
@@ -213,7 +213,7 @@ RC_GTEST_PROP(cut_rock, does_not_hang_on_the_numbering_of_the_rock, ()) {
 }
 
 /// The size of the index's cells decides in which order vertices are found, and nothing else.
-RC_GTEST_PROP(cut_rock, does_not_hang_on_the_index, ()) {
+RC_GTEST_PROP(CutRock, does_not_depend_on_the_index, ()) {
   const Scene s = *scene();
   const Cut c = cut(s);
   Rock rock = make_rock(mesh::make_surface(s.rock_W), *battery::number(0.05, 3.0), {});
@@ -224,8 +224,8 @@ RC_GTEST_PROP(cut_rock, does_not_hang_on_the_index, ()) {
   RC_ASSERT(report.removed_by_part == c.report.removed_by_part);
 }
 
-/// A second look at the same step: everything is out already.
-RC_GTEST_PROP(cut_rock, of_a_bit_that_rests_finds_nothing_left, ()) {
+/// The same step again: everything is outside already.
+RC_GTEST_PROP(CutRock, of_a_bit_that_rests_finds_nothing_left, ()) {
   const Scene s = *scene();
   Cut c = cut(s);
   CutWorkspace work;
@@ -248,7 +248,7 @@ Scene plate_over(double x) {
   return s;
 }
 
-TEST(cut_rock, that_sweeps_the_boundary_is_an_error_with_the_parts_name) {
+TEST(CutRock, that_sweeps_the_boundary_is_an_error_with_the_parts_name) {
   EXPECT_NO_THROW(cut(plate_over(0.7)));
   try {
     cut(plate_over(0.9));
@@ -269,7 +269,7 @@ bit::Part block_behind(const Vec3& normal, const Vec3& x, const Vec3& direction)
 
 /// Two blocks overlap; each pushes rock vertices back into the other, by 0.77 times the way of the
 /// push before: a zigzag into the corner between them, about 100 moves to the tolerance.
-TEST(cut_rock, follows_a_zigzag_between_two_parts_to_its_end) {
+TEST(CutRock, follows_a_zigzag_between_two_parts_to_its_end) {
   Scene s;
   const Vec3 corner(0.5, 0, 0.1);
   const Vec3 outwards = Vec3(std::sin(1.4), 0, std::cos(1.4));
@@ -284,7 +284,7 @@ TEST(cut_rock, follows_a_zigzag_between_two_parts_to_its_end) {
                 tolerance::inside * c.bit.size);
 }
 
-TEST(cut_rock, skips_parts_that_never_cut) {
+TEST(CutRock, skips_parts_that_never_cut) {
   Scene s = plate_over(0.0);
   s.bit.parts.front().cutting = bit::Cutting::never;
   s.bit.parts.push_back(s.bit.parts.front());

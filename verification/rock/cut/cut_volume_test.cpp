@@ -60,7 +60,7 @@ double twin() {
 /// The rock's mesh resolves a groove's upright walls to an edge length, so the order is 1 or
 /// better; the mean over places on the mesh falls faster, because what is missed at one wall is
 /// taken at another.
-TEST(cut_rock, removes_what_the_exact_boolean_does_as_edges_shrink) {
+TEST(CutRock, removes_what_the_exact_boolean_does_as_edges_shrink) {
   const double exact = twin();
   constexpr int places = 40;
   double before = 0.0, first = 0.0;

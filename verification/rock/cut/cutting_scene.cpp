@@ -1,4 +1,4 @@
-#include "rock/cut/cutting_scene.hpp"
+#include "verification/rock/cut/cutting_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

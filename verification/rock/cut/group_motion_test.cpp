@@ -43,11 +43,11 @@ bool is_swept_by(const CuttingBit& bit, const GroupMotion& m, const Vec3& x_W) {
 
 std::vector<int> candidates_in(const VertexGrid& grid, const std::vector<Vec3>& positions_W,
                                const CuttingGroup& g, const GroupMotion& m,
-                               const Foresight& foresight = {}) {
+                               const NearListMargins& margins = {}) {
   NearList list;
   NearGroup near;
   if (is_out_of_reach(grid, m)) return {};
-  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, foresight, list);
+  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, margins, list);
   find_candidates(g, m, positions_W, list, -1.0, near);
   for (int& v : near.places) v = list.v[static_cast<std::size_t>(v)];
   return near.places;
@@ -63,7 +63,7 @@ std::vector<Vec3> points_near(const GroupMotion& m) {
 }
 
 /// Neither region, nor hull, nor reach drops a vertex that is swept.
-RC_GTEST_PROP(find_candidates, finds_all_that_is_swept, ()) {
+RC_GTEST_PROP(FindCandidates, finds_all_that_is_swept, ()) {
   const CuttingBit bit = prepare_cutting_bit(bit_of(
       *rc::gen::oneOf(battery::convex_polyhedron(), battery::star_shape()), *battery::pose(2.0)));
   const Move move = *rc::gen::exec(any_move);
@@ -79,7 +79,7 @@ RC_GTEST_PROP(find_candidates, finds_all_that_is_swept, ()) {
 
 /// Neither region, nor ball, nor hull drops a vertex that a plane of the hull keeps away by less
 /// than the gap at the end.
-RC_GTEST_PROP(find_candidates, finds_all_that_is_touched, ()) {
+RC_GTEST_PROP(FindCandidates, finds_all_that_is_touched, ()) {
   const CuttingBit bit = prepare_cutting_bit(bit_of(*battery::convex_polyhedron(), {}));
   const Move move = *rc::gen::exec(any_move);
   const CuttingGroup& g = bit.groups[0];
@@ -99,8 +99,8 @@ RC_GTEST_PROP(find_candidates, finds_all_that_is_touched, ()) {
 }
 
 /// A run that begins anew makes other lists than the run that it continues. Half of the points lie
-/// as far outside of a plane of the hull as lists keep room for their rounding.
-RC_GTEST_PROP(find_candidates, finds_the_same_from_any_list, ()) {
+/// outside a plane of the hull by about the slack that lists keep for rounding.
+RC_GTEST_PROP(FindCandidates, finds_the_same_from_any_list, ()) {
   const CuttingBit bit = prepare_cutting_bit(bit_of(*battery::convex_polyhedron(), {}));
   const Move move = *rc::gen::exec(any_move);
   const CuttingGroup& g = bit.groups[0];
@@ -123,8 +123,8 @@ RC_GTEST_PROP(find_candidates, finds_the_same_from_any_list, ()) {
   RC_ASSERT(tight == wide);
 }
 
-/// What reaches less far from the axis than the rock of its heights looks at none of it.
-TEST(find_candidates, leaves_a_wall_alone_that_is_out_of_reach) {
+/// A group that stays nearer to the axis than the rock at its heights searches none of it.
+TEST(FindCandidates, leaves_a_wall_alone_that_is_out_of_reach) {
   const CuttingBit bit =
       prepare_cutting_bit(bit_of(battery::box({0.9, -0.1, -0.1}, {1.0, 0.1, 0.1}), Pose{}));
   const double reach = std::hypot(1.0, 0.1);

@@ -36,7 +36,7 @@ Vec3 cylindrical(const Pose& X_WB1, const Vec3& x_W, const Vec3& u_W) {
   return {u_B.dot(out), u_B.dot(Vec3::UnitZ().cross(out)), u_B.z()};
 }
 
-RC_GTEST_PROP(mapped_direction_W, lies_in_the_half_plane_outwards_and_down, ()) {
+RC_GTEST_PROP(MappedDirectionW, lies_in_the_half_plane_outwards_and_down, ()) {
   const Cored c = any_cored();
   const CuttingBit cutting = prepare_cutting_bit(c.bit);
   const GroupMotion m = group_motion(cutting.groups[0], c.X_WB0, c.X_WB1);
@@ -48,7 +48,7 @@ RC_GTEST_PROP(mapped_direction_W, lies_in_the_half_plane_outwards_and_down, ()) 
 }
 
 /// The twin: the nearest of many points of the core, in space, halfway through the step.
-RC_GTEST_PROP(mapped_direction_W, is_the_normal_about_the_core_where_that_points_out_and_down, ()) {
+RC_GTEST_PROP(MappedDirectionW, is_the_normal_about_the_core_where_that_points_out_and_down, ()) {
   Cored c = any_cored();
   c.X_WB1 = c.X_WB0;  // at rest: halfway is here
   const bit::Part& part = c.bit.parts[0];
@@ -72,7 +72,7 @@ RC_GTEST_PROP(mapped_direction_W, is_the_normal_about_the_core_where_that_points
   RC_ASSERT((u - expected).norm() < 2.0 * spacing);
 }
 
-TEST(mapped_direction_W, is_the_groups_own_where_the_normal_points_up_and_in) {
+TEST(MappedDirectionW, is_the_groups_own_where_the_normal_points_up_and_in) {
   bit::Bit bit;
   bit::Part& part = bit.parts.emplace_back();
   part.mesh_P = battery::box(Vec3::Constant(-0.1), Vec3::Constant(0.1));

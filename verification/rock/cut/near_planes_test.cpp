@@ -31,7 +31,7 @@ std::vector<RelativePath> bundle() {
 }
 
 /// Bit for bit where the order of planes does not decide; rounding where it does.
-RC_GTEST_PROP(near_planes, give_the_exits_of_the_whole_part, ()) {
+RC_GTEST_PROP(NearPlanes, give_the_exits_of_the_whole_part, ()) {
   const CuttingPart part = part_of(
       *rc::gen::oneOf(battery::convex_polyhedron(), rc::gen::just(battery::cylinder(1, 0.5, 64))));
   const std::vector<RelativePath> paths = *rc::gen::exec(bundle);
@@ -46,7 +46,7 @@ RC_GTEST_PROP(near_planes, give_the_exits_of_the_whole_part, ()) {
 }
 
 /// A few candidates at a cutter's tip see a fraction of its planes.
-TEST(near_planes, are_few_at_a_cutters_tip) {
+TEST(NearPlanes, are_few_at_a_cutters_tip) {
   const CuttingPart disc = part_of(battery::cylinder(1.0, 0.5, 64));
   const Vec3 tip(-0.99, 0.0, 0.1), way(0.0, 0.0, 0.05), u(-1.0, 0.0, 0.0);
   NearPlanes near;

@@ -39,7 +39,7 @@ double sum_of_prisms(const TriangleMesh& from, const TriangleMesh& to) {
   return sum;
 }
 
-TEST(prism_volume, of_a_straight_push_is_area_times_depth) {
+TEST(PrismVolume, of_a_straight_push_is_area_times_depth) {
   const Corners top{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 0)};  // normal along -z, as the rock's
   Corners bottom = top;
   for (Vec3& x : bottom) x.z() += 0.25;
@@ -47,7 +47,7 @@ TEST(prism_volume, of_a_straight_push_is_area_times_depth) {
 }
 
 /// One corner goes: a tetrahedron.
-TEST(prism_volume, of_one_moved_corner_is_a_tetrahedron) {
+TEST(PrismVolume, of_one_moved_corner_is_a_tetrahedron) {
   const Corners top{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 0)};
   Corners bottom = top;
   bottom[1] += Vec3(0.3, -7.0, 0.6);
@@ -55,14 +55,14 @@ TEST(prism_volume, of_one_moved_corner_is_a_tetrahedron) {
 }
 
 /// det J has degree 2 in zeta: two Gauss points are exact, one would not be.
-RC_GTEST_PROP(prism_volume, equals_the_exact_integral, ()) {
+RC_GTEST_PROP(PrismVolume, equals_the_exact_integral, ()) {
   const Corners from = *corners(1.0), to = *corners(1.0);
   const double exact = reference::removed_volume_exact(as_mesh(from), as_mesh(to));
   RC_ASSERT(std::abs(prism_volume(from, to) - exact) < rounding);
 }
 
 /// The same by many thin slabs, each a straight prism between its middle's triangles.
-RC_GTEST_PROP(prism_volume, is_the_limit_of_thin_slabs, ()) {
+RC_GTEST_PROP(PrismVolume, is_the_limit_of_thin_slabs, ()) {
   const Corners from = *corners(1.0), to = *corners(1.0);
   const auto by_slabs = [&](int slabs) {
     double sum = 0.0;
@@ -79,7 +79,7 @@ RC_GTEST_PROP(prism_volume, is_the_limit_of_thin_slabs, ()) {
   RC_ASSERT(std::abs(fine - coarse / 4.0) < rounding);  // the middle rule on a quadratic
 }
 
-RC_GTEST_PROP(prism_volume, changes_sign_with_time_and_with_the_normal, ()) {
+RC_GTEST_PROP(PrismVolume, changes_sign_with_time_and_with_the_normal, ()) {
   const Corners a = *corners(1.0), b = *corners(1.0);
   const double V = prism_volume(a, b);
   RC_ASSERT(std::abs(prism_volume(b, a) + V) < rounding);
@@ -87,7 +87,7 @@ RC_GTEST_PROP(prism_volume, changes_sign_with_time_and_with_the_normal, ()) {
   RC_ASSERT(std::abs(prism_volume({a[1], a[2], a[0]}, {b[1], b[2], b[0]}) - V) < rounding);
 }
 
-RC_GTEST_PROP(prism_volume, of_two_halves_of_a_way_adds_up, ()) {
+RC_GTEST_PROP(PrismVolume, of_two_halves_of_a_way_adds_up, ()) {
   const Corners a = *corners(1.0), c = *corners(1.0);
   const double part = *battery::number(0.0, 1.0);
   Corners b;
@@ -95,7 +95,7 @@ RC_GTEST_PROP(prism_volume, of_two_halves_of_a_way_adds_up, ()) {
   RC_ASSERT(std::abs(prism_volume(a, b) + prism_volume(b, c) - prism_volume(a, c)) < rounding);
 }
 
-RC_GTEST_PROP(prism_volume, does_not_depend_on_the_frame, ()) {
+RC_GTEST_PROP(PrismVolume, does_not_depend_on_the_frame, ()) {
   const Corners a = *corners(1.0), b = *corners(1.0);
   const Pose X = *battery::pose(1.0);
   const double there = prism_volume({X * a[0], X * a[1], X * a[2]}, {X * b[0], X * b[1], X * b[2]});
@@ -103,7 +103,7 @@ RC_GTEST_PROP(prism_volume, does_not_depend_on_the_frame, ()) {
 }
 
 /// Neighbours share their ruled sides, however every vertex moves. Scale: the cube of side 2.
-RC_GTEST_PROP(prism_volume, summed_over_a_closed_surface_is_the_change_of_its_volume, ()) {
+RC_GTEST_PROP(PrismVolume, summed_over_a_closed_surface_is_the_change_of_its_volume, ()) {
   const TriangleMesh before = *battery::star_shape();
   TriangleMesh after = before;
   for (Vec3& x : after.positions) x += *battery::point(0.5);

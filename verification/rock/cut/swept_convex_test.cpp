@@ -114,7 +114,7 @@ double resolution(const Pass& p, int substeps) {
   return 0.5 * (p.path.q1_P - p.path.q0_P).norm() / substeps;
 }
 
-RC_GTEST_PROP(is_swept, equals_the_twin_beyond_its_resolution, ()) {
+RC_GTEST_PROP(IsSwept, equals_the_twin_beyond_its_resolution, ()) {
   const Pass p = *pass(0.0);
   const Answer a = answer(p);
   constexpr int substeps = 32;
@@ -127,7 +127,7 @@ RC_GTEST_PROP(is_swept, equals_the_twin_beyond_its_resolution, ()) {
   if (depth > resolution(p, substeps)) RC_ASSERT(twin(p, substeps).swept && a.swept);
 }
 
-RC_GTEST_PROP(depth_inside, is_positive_inside_alone, ()) {
+RC_GTEST_PROP(DepthInside, is_positive_inside_alone, ()) {
   const TriangleMesh part = *convex_part();
   const Vec3 x = *battery::point(1.2);
   const double depth = depth_inside(*mesh::convex_solid(part), x);
@@ -139,7 +139,7 @@ RC_GTEST_PROP(depth_inside, is_positive_inside_alone, ()) {
 
 /// For a direction that rests the twin converges from below, and at the exact exit the strip still
 /// touches the solid: both bounds are sharp, so the exit is exact.
-RC_GTEST_PROP(exit_distance, is_where_the_last_ray_leaves_the_solid, ()) {
+RC_GTEST_PROP(ExitDistance, is_where_the_last_ray_leaves_the_solid, ()) {
   const Pass p = *pass(0.0);
   const Answer a = answer(p);
   RC_PRE(a.swept);
@@ -149,7 +149,7 @@ RC_GTEST_PROP(exit_distance, is_where_the_last_ray_leaves_the_solid, ()) {
 }
 
 /// After the move nothing is left inside, wherever the part is in its step.
-RC_GTEST_PROP(exit_distance, leaves_no_vertex_inside, ()) {
+RC_GTEST_PROP(ExitDistance, leaves_no_vertex_inside, ()) {
   const Pass p = *pass(0.0);
   const Answer a = answer(p);
   RC_PRE(a.swept);
@@ -165,7 +165,7 @@ RC_GTEST_PROP(exit_distance, leaves_no_vertex_inside, ()) {
 
 /// A bit that turns by 0.1 rad in a step (a hundred times what drilling does): the strip is
 /// bilinear. Nothing that the twin finds may be left out.
-RC_GTEST_PROP(exit_distance, follows_a_direction_that_turns, ()) {
+RC_GTEST_PROP(ExitDistance, follows_a_direction_that_turns, ()) {
   const Pass p = *pass(0.1);
   const Answer a = answer(p);
   RC_PRE(a.swept);
@@ -176,7 +176,7 @@ RC_GTEST_PROP(exit_distance, follows_a_direction_that_turns, ()) {
 
 /// The same passes again and again with more sub-poses: the twin's error falls at first order.
 /// Passes so shallow that four sub-poses may miss them are left out.
-TEST(exit_distance, is_the_limit_of_the_twin) {
+TEST(ExitDistance, is_the_limit_of_the_twin) {
   Random random{20};
   const auto any = [&](double half) {
     return Vec3(random.uniform(-half, half), random.uniform(-half, half),
@@ -209,7 +209,7 @@ TEST(exit_distance, is_the_limit_of_the_twin) {
 }
 
 /// A plate of a thousandth, crossed in one step: no tunnelling.
-TEST(is_swept, finds_a_thin_part_between_two_far_poses) {
+TEST(IsSwept, finds_a_thin_part_between_two_far_poses) {
   const Pass p{battery::box({-1, -1, -5e-4}, {1, 1, 5e-4}),
                {Vec3(0.2, 0.1, 3), Vec3(-0.3, 0.2, -4), Vec3::UnitX(), Vec3::UnitX()}};
   const Answer a = answer(p);
@@ -219,7 +219,7 @@ TEST(is_swept, finds_a_thin_part_between_two_far_poses) {
 
 /// The direction lies in the plane of the box's upper face but for rounding, and the last ray to
 /// leave the solid is the one that grazes that face: it must not count as the end of the ray.
-TEST(exit_distance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
+TEST(ExitDistance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
   for (const double rounding : {-1e-16, 0.0, 1e-16, 1e-15}) {
     const Vec3 u(0, 1, rounding);
     const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}), {Vec3(0, 0, 1.5), Vec3(0, 0.5, 0.5), u, u}};
@@ -227,7 +227,7 @@ TEST(exit_distance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
   }
 }
 
-TEST(is_swept, leaves_alone_what_slides_along_a_face) {
+TEST(IsSwept, leaves_alone_what_slides_along_a_face) {
   const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}),
                {Vec3(-0.5, 0, 1), Vec3(0.5, 0, 1), Vec3::UnitZ(), Vec3::UnitZ()}};
   EXPECT_FALSE(answer(p).swept);

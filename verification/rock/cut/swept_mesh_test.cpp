@@ -58,12 +58,12 @@ std::optional<std::pair<double, double>> both_exits(const TriangleMesh& part,
   return t ? std::optional(std::pair(*t, *expected)) : std::nullopt;
 }
 
-RC_GTEST_PROP(swept_mesh, equals_swept_convex_along_a_constant_direction, ()) {
+RC_GTEST_PROP(SweptMesh, equals_swept_convex_along_a_constant_direction, ()) {
   const auto exits = both_exits(*battery::convex_polyhedron(), any_path(0.5, 0.0));
   if (exits) RC_ASSERT(std::abs(exits->first - exits->second) < 1e-12);
 }
 
-RC_GTEST_PROP(swept_mesh, equals_swept_convex_along_a_turning_direction, ()) {
+RC_GTEST_PROP(SweptMesh, equals_swept_convex_along_a_turning_direction, ()) {
   const auto exits = both_exits(*battery::convex_polyhedron(), any_path(0.3, 0.05));
   if (exits) RC_ASSERT(std::abs(exits->first - exits->second) < 1e-8);
 }
@@ -82,7 +82,7 @@ bool twin_sees(const TriangleMesh& m, const TriangleTree& tree, const RelativePa
   return false;
 }
 
-/// What the exit means, asked of the twin's own predicate: no sub-pose reaches the level just above
+/// The meaning of the exit by the twin's own predicate: no sub-pose reaches the level just above
 /// the exit, and every level below it is reached at or between sub-poses.
 void expect_exit_by_twin(const TriangleMesh& part, const RelativePath& p) {
   const TriangleTree tree(part);
@@ -98,11 +98,11 @@ void expect_exit_by_twin(const TriangleMesh& part, const RelativePath& p) {
   for (int k = 1; k < 20; ++k) RC_ASSERT(twin_sees(part, tree, p, *t * k / 20, true));
 }
 
-RC_GTEST_PROP(swept_mesh, exit_is_the_twins_on_prisms, ()) {
+RC_GTEST_PROP(SweptMesh, exit_is_the_twins_on_prisms, ()) {
   expect_exit_by_twin(*battery::nonconvex_prism(), any_path(0.3, 0.2));
 }
 
-RC_GTEST_PROP(swept_mesh, exit_is_the_twins_on_stars, ()) {
+RC_GTEST_PROP(SweptMesh, exit_is_the_twins_on_stars, ()) {
   expect_exit_by_twin(*battery::star_shape(), any_path(0.3, 0.2));
 }
 
@@ -119,7 +119,7 @@ TriangleMesh seeded_prism(Random& random, int k) {
 
 /// The twin's exit is lower by at most half the way between two sub-poses times the slope of the
 /// face that is left. From a seed, because a face nearly parallel to u has any slope.
-TEST(swept_mesh, is_the_limit_of_the_twin) {
+TEST(SweptMesh, is_the_limit_of_the_twin) {
   Random random{20240607};
   const auto any = [&](double half) {
     return Vec3(random.uniform(-half, half), random.uniform(-half, half),
@@ -156,16 +156,16 @@ void expect_walk_finds_the_same(const TriangleMesh& part, double way, double tur
   }
 }
 
-RC_GTEST_PROP(swept_mesh, a_walk_finds_the_same_on_prisms, ()) {
+RC_GTEST_PROP(SweptMesh, a_walk_finds_the_same_on_prisms, ()) {
   expect_walk_finds_the_same(*battery::nonconvex_prism(), 0.1, 0.05);
 }
 
-RC_GTEST_PROP(swept_mesh, a_walk_finds_the_same_on_stars, ()) {
+RC_GTEST_PROP(SweptMesh, a_walk_finds_the_same_on_stars, ()) {
   expect_walk_finds_the_same(*battery::star_shape(), 0.1, 0.05);
 }
 
 /// Neighbouring vertices on a torus, as rock meets it: small steps, a direction that rests.
-TEST(swept_mesh, a_walk_mostly_finds_the_exit_from_a_torus) {
+TEST(SweptMesh, a_walk_mostly_finds_the_exit_from_a_torus) {
   const TriangleMesh part = battery::torus(1.0, 0.3, 64, 32);
   const TriangleTree tree(part);
   const FacetNeighbours across = neighbours_of(tree);
@@ -192,33 +192,33 @@ TEST(swept_mesh, a_walk_mostly_finds_the_exit_from_a_torus) {
 const Vec3 up_y(0, 1, 0), to_x(1, 0, 0);
 const TriangleMesh u_prism = battery::prism(battery::u_outline(2.0, 0.5), -1.0, 1.0);
 
-TEST(swept_mesh, leaves_the_first_arm_of_a_u_at_its_slot) {
+TEST(SweptMesh, leaves_the_first_arm_of_a_u_at_its_slot) {
   EXPECT_NEAR(*exit_of(u_prism, {{-0.9, 0, 0}, {-0.8, 0, 0}, to_x, to_x}), 0.4, 1e-14);
 }
 
 /// The part moves on by more than the slot's width: the second arm comes before the first has left.
-TEST(swept_mesh, goes_through_both_arms_of_a_u_that_moves_far_enough) {
+TEST(SweptMesh, goes_through_both_arms_of_a_u_that_moves_far_enough) {
   EXPECT_NEAR(*exit_of(u_prism, {{-0.9, 0, 0}, {-2.0, 0, 0}, to_x, to_x}), 3.0, 1e-14);
 }
 
-TEST(swept_mesh, stays_in_the_slot_of_a_u) {
+TEST(SweptMesh, stays_in_the_slot_of_a_u) {
   EXPECT_FALSE(exit_of(u_prism, {{-0.4, 0, 0}, {0.4, 0.1, 0}, up_y, up_y}));
 }
 
 /// Along the arm, from its root: the whole band up to the end is inside, without a crossing.
-TEST(swept_mesh, follows_an_arm_to_its_end) {
+TEST(SweptMesh, follows_an_arm_to_its_end) {
   EXPECT_NEAR(*exit_of(u_prism, {{-0.8, -0.8, 0}, {-0.7, -0.8, 0}, up_y, up_y}), 1.8, 1e-14);
   EXPECT_NEAR(*exit_of(u_prism, {{0.2, -0.8, 0}, {0.3, -0.8, 0}, up_y, up_y}), 0.3, 1e-14);
 }
 
-TEST(swept_mesh, no_plate_is_too_thin_for_a_step) {
+TEST(SweptMesh, no_plate_is_too_thin_for_a_step) {
   const TriangleMesh plate = battery::box({-1, -1, -1e-6}, {1, 1, 1e-6});
   const Vec3 down(0, 0, 1);
   EXPECT_NEAR(*exit_of(plate, {{0.1, 0.2, 1}, {0.3, 0.1, -1}, down, down}), 1.0 + 1e-6, 1e-14);
 }
 
 /// Set down by an earlier step: on the surface or deeper by less than `depth`.
-TEST(swept_mesh, does_not_pick_up_a_vertex_on_its_surface) {
+TEST(SweptMesh, does_not_pick_up_a_vertex_on_its_surface) {
   for (const double off : {-0.5 * depth, 0.0, 0.5 * depth})
     for (const Vec3& way : {Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0, 0, 0.1), Vec3(0, 0.1, 0)})
       EXPECT_FALSE(

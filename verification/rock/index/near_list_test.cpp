@@ -19,7 +19,7 @@ struct Indexed {
   VertexGrid grid{{Vec3::Constant(-1.0), Vec3::Constant(1.0)}, 0.2};
   std::map<int, Vec3> points;
   NearList list;
-  Foresight foresight{*battery::number(0.0, 0.2), *battery::number(0.0, 0.5)};
+  NearListMargins margins{*battery::number(0.0, 0.2), *battery::number(0.0, 0.5)};
 
   Indexed() {
     for (int v = 0; v < 300; ++v) {
@@ -70,7 +70,7 @@ void change_something(Indexed& x) {
   x.list.changes = x.grid.changes();
 }
 
-RC_GTEST_PROP(near_list, holds_all_that_a_step_needs_whatever_moves, ()) {
+RC_GTEST_PROP(NearList, holds_all_that_a_step_needs_whatever_moves, ()) {
   Indexed x;
   Pose X_WP = *battery::pose(0.5);
   const Pose step{rotation::exp(*battery::number(0.0, 0.2) * *battery::direction()),
@@ -78,7 +78,7 @@ RC_GTEST_PROP(near_list, holds_all_that_a_step_needs_whatever_moves, ()) {
   for (int k = 0; k < 12; ++k) {
     const Pose next = *battery::integer(0, 5) == 0 ? *battery::pose(0.5) : X_WP * step;
     const Region r = region_of(X_WP, next);
-    bring_up_to_date(x.grid, {part_P, X_WP, next, r}, x.foresight, x.list);
+    bring_up_to_date(x.grid, {part_P, X_WP, next, r}, x.margins, x.list);
     RC_ASSERT(covers(x.list, x.grid, r));
     check_list(x, r);
     if (*battery::integer(0, 2) == 0) change_something(x);
@@ -86,9 +86,9 @@ RC_GTEST_PROP(near_list, holds_all_that_a_step_needs_whatever_moves, ()) {
   }
 }
 
-/// A steady turn: after some steps the index is asked once in eight; less often where others change
-/// it meanwhile.
-TEST(near_list, is_made_once_in_several_steps) {
+/// A steady turn: after some steps the index is queried once in eight; more often where others
+/// change it meanwhile.
+TEST(NearList, is_made_once_in_several_steps) {
   VertexGrid grid({Vec3::Constant(-1.0), Vec3::Constant(1.0)}, 0.2);
   grid.insert(0, Vec3::Zero());
   NearList list;

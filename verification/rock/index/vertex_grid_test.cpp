@@ -9,7 +9,7 @@
 #include <set>
 
 #include "verification/battery/generators.hpp"
-#include "verification/rock/grid_query.hpp"
+#include "verification/rock/index/grid_query.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -60,7 +60,7 @@ void change(Indexed& x, int v, const Vec3& p, bool remove) {
   x.points[v] = p;
 }
 
-RC_GTEST_PROP(vertex_grid, offers_all_vertices_in_a_box_after_any_changes, ()) {
+RC_GTEST_PROP(VertexGrid, offers_all_vertices_in_a_box_after_any_changes, ()) {
   Indexed x{VertexGrid(unit_box, *battery::number(0.05, 3.0)), {}};
   const auto changes = *rc::gen::container<std::vector<std::tuple<int, Vec3, bool>>>(
       rc::gen::tuple(rc::gen::inRange(0, 30), battery::point(2.0), rc::gen::arbitrary<bool>()));
@@ -97,7 +97,7 @@ Region any_region() {
   return r;
 }
 
-RC_GTEST_PROP(vertex_grid, offers_all_vertices_between_slabs, ()) {
+RC_GTEST_PROP(VertexGrid, offers_all_vertices_between_slabs, ()) {
   Indexed x{VertexGrid(unit_box, *battery::number(0.05, 1.0)), {}};
   std::vector<Vec3> positions;
   for (int v = 0; v < 200; ++v) positions.push_back(*battery::point(2.0));
@@ -120,8 +120,8 @@ double true_nearest(const Indexed& x, double z_lo, double z_hi) {
 }
 
 /// Whatever moved, left or came: never farther than the truth, and as far as that, but for single
-/// precision, once every layer was looked through.
-RC_GTEST_PROP(vertex_grid, bounds_the_distance_to_the_axis, ()) {
+/// precision, once every layer was refreshed.
+RC_GTEST_PROP(VertexGrid, bounds_the_distance_to_the_axis, ()) {
   Indexed x{VertexGrid(unit_box, *battery::number(0.05, 3.0)), {}};
   const auto changes = *rc::gen::container<std::vector<std::tuple<int, Vec3, bool>>>(
       rc::gen::tuple(rc::gen::inRange(0, 30), battery::point(2.0), rc::gen::arbitrary<bool>()));
@@ -136,8 +136,8 @@ RC_GTEST_PROP(vertex_grid, bounds_the_distance_to_the_axis, ()) {
   RC_ASSERT(all == INFINITY || x.grid.nearest_to_axis(-9, 9) >= (1.0 - single) * all);
 }
 
-/// Cells are looked at, not the whole grid: a small box far from all vertices offers none.
-TEST(vertex_grid, offers_nothing_from_far_cells) {
+/// A query reads cells, not the whole grid: a small box far from all vertices offers none.
+TEST(VertexGrid, offers_nothing_from_far_cells) {
   VertexGrid grid(unit_box, 0.1);
   for (int v = 0; v < 100; ++v) grid.insert(v, Vec3(-0.9, -0.9, -0.9 + 0.001 * v));
   int offered = 0;
@@ -145,7 +145,7 @@ TEST(vertex_grid, offers_nothing_from_far_cells) {
   EXPECT_EQ(offered, 0);
 }
 
-TEST(vertex_grid, holds_vertices_on_its_own_faces_and_beyond) {
+TEST(VertexGrid, holds_vertices_on_its_own_faces_and_beyond) {
   VertexGrid grid(unit_box, 0.3);
   grid.insert(0, Vec3(1, 1, 1));
   grid.insert(1, Vec3(-1, -1, -1));

@@ -26,40 +26,39 @@ Rock spiked(double height, double bump = 0.0) {
 MaintenanceLimits limits() { return limits_for(2.0); }
 
 /// Every maintenance may lower it by L_min / 2; in the end the tip is no spike any more.
-RC_GTEST_PROP(blunt, lowers_a_spike_straight_down_and_accounts_for_it, ()) {
+RC_GTEST_PROP(Blunt, lowers_a_spike_straight_down_and_accounts_for_it, ()) {
   Rock rock = spiked(*battery::number(0.5, 3.0), 0.2);
   RC_ASSERT(judge_blunt(rock.surface, tip, limits()).is_spike);
   for (int k = 0; k < 20 && judge_blunt(rock.surface, tip, limits()).is_spike; ++k) {
     const Rock before = rock;
-    Strays strays;
+    SurfaceDrift drift;
     MaintenanceReport report;
-    RC_ASSERT(try_blunt(rock, tip, limits(), strays, report));
+    RC_ASSERT(try_blunt(rock, tip, limits(), drift, report));
     const Vec3 way = rock.surface.position(tip) - before.surface.position(tip);
     RC_ASSERT(way.x() == 0.0 && way.y() == 0.0 && way.z() > 0.0);
     RC_ASSERT(way.z() <= limits().farthest * (1.0 + 1e-12));
     RC_ASSERT(report.volume_change > 0.0);
     RC_ASSERT(describe(check_ledger(before.surface, rock.surface, report.volume_change)) == "");
     RC_ASSERT(describe(check_normals(before.surface, rock.surface)) == "");
-    RC_ASSERT(!try_blunt(rock, tip, limits(), strays, report) ||
-              strays.of(tip) <= limits().farthest);
+    RC_ASSERT(!try_blunt(rock, tip, limits(), drift, report) || drift.of(tip) <= limits().farthest);
   }
   RC_ASSERT(!judge_blunt(rock.surface, tip, limits()).is_spike);
 }
 
-TEST(blunt, leaves_alone_what_is_low_or_wide_or_no_tip) {
+TEST(Blunt, leaves_alone_what_is_low_or_wide_or_no_tip) {
   EXPECT_FALSE(judge_blunt(spiked(0.39).surface, tip, limits()).is_spike);
   EXPECT_FALSE(judge_blunt(spiked(2.0).surface, tip, limits_for(1.0)).is_spike);
   EXPECT_FALSE(judge_blunt(spiked(2.0).surface, tip + 1, limits()).is_spike);
 }
 
-TEST(blunt, is_refused_by_name) {
+TEST(Blunt, is_refused_by_name) {
   const Rock rock = spiked(2.0);
   MaintenanceLimits l = limits();
   l.volume_per_operation = 1e-6;
   EXPECT_EQ(judge_blunt(rock.surface, tip, l).refused, Refusal::volume);
-  Strays strays;
-  strays.note(tip, limits().farthest);
-  EXPECT_EQ(judge_blunt(rock.surface, tip, limits(), strays).refused, Refusal::distance);
+  SurfaceDrift drift;
+  drift.note(tip, limits().farthest);
+  EXPECT_EQ(judge_blunt(rock.surface, tip, limits(), drift).refused, Refusal::distance);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Rock sheet() {
   return make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
 }
 
-TEST(check_operation, finds_nothing_wrong_with_a_bisection) {
+TEST(CheckOperation, finds_nothing_wrong_with_a_bisection) {
   Rock rock = sheet();
   const int c = rock.surface.corner_of[inner];
   const int a = rock.surface.vertex(mesh::next_corner(c)),
@@ -28,20 +28,20 @@ TEST(check_operation, finds_nothing_wrong_with_a_bisection) {
                                  0.5 * (rock.surface.position(a) + rock.surface.position(b)));
   register_vertex(rock, m, -1);
   EXPECT_EQ(describe(check_around(rock, before, 0.0)), "");
-  EXPECT_NO_THROW(demand_around(rock, before, 0.0, "bisections"));
+  EXPECT_NO_THROW(require_promises_around(rock, before, 0.0, "bisections"));
 }
 
-TEST(check_operation, notices_volume_that_was_not_reported) {
+TEST(CheckOperation, notices_volume_that_was_not_reported) {
   Rock rock = sheet();
   const LocalState before = local_state(rock.surface, {inner});
   Vec3& x_W = rock.surface.positions[inner];
   x_W.z() += 1e-6;
   rock.grid.move(inner, x_W);
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M5"), std::string::npos);
-  EXPECT_THROW(demand_around(rock, before, 0.0, "smoothings"), RunError);
+  EXPECT_THROW(require_promises_around(rock, before, 0.0, "smoothings"), RunError);
 }
 
-TEST(check_operation, notices_wrong_adjacency_and_an_index_out_of_step) {
+TEST(CheckOperation, notices_wrong_adjacency_and_an_index_out_of_step) {
   Rock rock = sheet();
   const LocalState before = local_state(rock.surface, {inner});
   const int c = rock.surface.corner_of[inner];

@@ -8,6 +8,7 @@
 
 #include "mesh/measures.hpp"
 #include "rock/maintain/invariants.hpp"
+#include "rock/maintain/maintain.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock {
@@ -45,7 +46,7 @@ Thinned thinned(const Rock& before, const MaintenanceLimits& l) {
 }
 
 /// Slopes thin out, and the ridge along itself; but it stays where it is.
-RC_GTEST_PROP(collapse, keeps_a_sharp_ridge, ()) {
+RC_GTEST_PROP(Collapse, keeps_a_sharp_ridge, ()) {
   const Rock before = roof();
   const Thinned t = thinned(before, limits());
   RC_ASSERT(t.report.carried_out(Operation::collapse) > 10);
@@ -53,7 +54,7 @@ RC_GTEST_PROP(collapse, keeps_a_sharp_ridge, ()) {
 }
 
 /// Ridges and valleys side by side: whichever end of an edge between them stays, one is cut.
-TEST(collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
+TEST(Collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
   mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.0, 7);
   for (Vec3& x : m.positions) x.z() = std::lround(x.y() / 0.3) % 2 == 0 ? 0.0 : 0.16;
   const mesh::Surface s = mesh::make_surface(m);

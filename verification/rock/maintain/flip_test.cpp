@@ -25,15 +25,15 @@ double worse_quality(const mesh::Surface& s, int c) {
 }
 
 /// Every flip raises the worse of the two qualities, keeps M1, M4, M5, M6 and M7.
-RC_GTEST_PROP(flip, raises_the_worse_quality_and_keeps_the_promises, ()) {
+RC_GTEST_PROP(Flip, raises_the_worse_quality_and_keeps_the_promises, ()) {
   Rock rock = rock_of(any_sheet(0.4));
   const MaintenanceLimits l = limits();
   int flips = 0;
   for (int c = 0; c < 3 * rock.surface.triangle_slots(); ++c) {
     Rock before = rock;
-    Strays strays;
+    SurfaceDrift drift;
     MaintenanceReport report;
-    if (!try_flip(rock, c, l, strays, report)) continue;
+    if (!try_flip(rock, c, l, drift, report)) continue;
     ++flips;
     before.touched = rock.touched;
     RC_ASSERT(worse_quality(rock.surface, mesh::next_corner(c)) > worse_quality(before.surface, c));
@@ -69,17 +69,17 @@ std::optional<Refusal> refused(const Kite& k, const MaintenanceLimits& l) {
   return judge_flip(r.surface, Kite::diagonal(r), l).refused;
 }
 
-TEST(flip, of_a_flat_kite_is_accepted) { EXPECT_EQ(refused(kite(0.0), limits()), std::nullopt); }
+TEST(Flip, of_a_flat_kite_is_accepted) { EXPECT_EQ(refused(kite(0.0), limits()), std::nullopt); }
 
-TEST(flip, of_the_better_diagonal_is_refused) {
+TEST(Flip, of_the_better_diagonal_is_refused) {
   Rock r = kite(0.0).rock();
-  Strays strays;
+  SurfaceDrift drift;
   MaintenanceReport report;
-  ASSERT_TRUE(try_flip(r, Kite::diagonal(r), limits(), strays, report));
+  ASSERT_TRUE(try_flip(r, Kite::diagonal(r), limits(), drift, report));
   EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits()).refused, Refusal::quality);
 }
 
-TEST(flip, that_cuts_a_ridge_or_changes_too_much_is_refused_by_name) {
+TEST(Flip, that_cuts_a_ridge_or_changes_too_much_is_refused_by_name) {
   MaintenanceLimits l = limits();
   l.volume_per_operation = 1.0;
   l.sharp_cosine = 0.95;  // the kite's sides meet at 28 degrees for a lift of 0.03
@@ -100,14 +100,14 @@ TEST(flip, that_cuts_a_ridge_or_changes_too_much_is_refused_by_name) {
   EXPECT_EQ(refused(kite(0.03), l), Refusal::normal);
 }
 
-TEST(flip, is_refused_once_the_maintenance_has_moved_the_surface_far) {
+TEST(Flip, is_refused_once_the_maintenance_has_moved_the_surface_far) {
   const Rock r = kite(0.005).rock();
-  Strays strays;
-  EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), strays).refused, std::nullopt);
-  strays.note(2, 0.99 * limits().farthest);
-  EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), strays).refused, Refusal::distance);
-  strays.clear();
-  EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), strays).refused, std::nullopt);
+  SurfaceDrift drift;
+  EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), drift).refused, std::nullopt);
+  drift.note(2, 0.99 * limits().farthest);
+  EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), drift).refused, Refusal::distance);
+  drift.clear();
+  EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), drift).refused, std::nullopt);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ ByCorners pairs_of(const Rock& rock, const Patch& patch) {
 }
 
 /// Triangle by triangle: what CGAL finds in the whole mesh.
-RC_GTEST_PROP(intersections, are_those_of_cgal, ()) {
+RC_GTEST_PROP(Intersections, are_those_of_cgal, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.3, 1.2)));
   const mesh::Surface& s = rock.surface;
   ByCorners found;
@@ -61,7 +61,7 @@ RC_GTEST_PROP(intersections, are_those_of_cgal, ()) {
 }
 
 /// The pairs in which a triangle of the stars is.
-RC_GTEST_PROP(intersections, of_stars_are_those_of_their_triangles, ()) {
+RC_GTEST_PROP(Intersections, of_stars_are_those_of_their_triangles, ()) {
   const Rock rock = rock_of(any_sheet(1.0));
   const mesh::Surface& s = rock.surface;
   const std::vector<int> vertices{*battery::integer(0, s.vertex_slots() - 1),

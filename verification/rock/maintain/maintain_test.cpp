@@ -12,11 +12,11 @@
 #include "core/tolerance.hpp"
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
-#include "rock/cut/cutting_scene.hpp"
 #include "rock/maintain/invariants.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
-#include "verification/rock/grid_query.hpp"
+#include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/index/grid_query.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -90,14 +90,14 @@ std::string topological_defects(const Surface& s) {
 }
 
 /// M1.
-RC_GTEST_PROP(maintain, leaves_a_disc, ()) {
+RC_GTEST_PROP(Maintain, leaves_a_disc, ()) {
   const Worked w = worked();
   RC_ASSERT(topological_defects(w.after.surface) == "");
   RC_ASSERT(mesh::adjacency_is_consistent(w.after.surface));
 }
 
 /// M5.
-RC_GTEST_PROP(maintain, reports_the_volume_that_it_changes, ()) {
+RC_GTEST_PROP(Maintain, reports_the_volume_that_it_changes, ()) {
   const Worked w = worked();
   RC_ASSERT(std::abs(gained(w.cut, w.after) - w.report.volume_change) < tolerance::ledger * scale);
   RC_ASSERT(std::abs(w.report.volume_change) <= w.report.volume_disturbed);
@@ -105,7 +105,7 @@ RC_GTEST_PROP(maintain, reports_the_volume_that_it_changes, ()) {
             static_cast<double>(operations(w.report)) * w.limits.volume_per_operation);
 }
 
-RC_GTEST_PROP(maintain, by_bisection_alone_changes_no_volume, ()) {
+RC_GTEST_PROP(Maintain, by_bisection_alone_changes_no_volume, ()) {
   Rock rock = cut_in_steps(*scene(), 2);
   const Rock cut = rock;
   MaintenanceLimits limits = limits_for(mean_edge(rock.surface));
@@ -134,7 +134,7 @@ std::vector<bool> near_touched(const Rock& rock, int edges) {
 
 /// M7, on rock that needs no repair of its own. Repairs at touched vertices reach their neighbours,
 /// and the repairs of those theirs.
-RC_GTEST_PROP(maintain, leaves_boundary_and_untouched_rock_alone, ()) {
+RC_GTEST_PROP(Maintain, leaves_boundary_and_untouched_rock_alone, ()) {
   const Worked w = worked({.bump = 0.04});
   const Surface &before = w.cut.surface, &after = w.after.surface;
   const std::vector<bool> near = near_touched(w.cut, 3);
@@ -161,7 +161,7 @@ void visit_interior_edges(const Surface& s, Visit&& visit) {
 }
 
 /// M3, the upper bound: what was touched has no long edge.
-RC_GTEST_PROP(maintain, leaves_no_long_edge_where_rock_was_touched, ()) {
+RC_GTEST_PROP(Maintain, leaves_no_long_edge_where_rock_was_touched, ()) {
   const Worked w = worked();
   const int slots = w.cut.surface.vertex_slots();
   visit_interior_edges(w.after.surface, [&](int a, int b, double length) {
@@ -185,7 +185,7 @@ MaintenanceReport settle(Rock& rock, const MaintenanceLimits& limits) {
   RC_FAIL("repairs do not end");
 }
 
-/// Limits that ask for much coarser rock at times: many collapses, and many that must be refused.
+/// Limits that sometimes require much coarser rock: many collapses, and many that must be refused.
 MaintenanceLimits any_limits(double edge_length) {
   MaintenanceLimits l = with_any_options(limits_for(edge_length));
   l.shortest_edge *= *battery::number(0.5, 6.0);
@@ -197,7 +197,7 @@ MaintenanceLimits any_limits(double edge_length) {
 
 /// M1, M2 and M3 with their proviso, on the whole rock: once no repair is left, every short edge
 /// that remains was refused, and counted; the boundary is where it was.
-RC_GTEST_PROP(maintain, comes_to_rest_and_counts_every_refusal, ()) {
+RC_GTEST_PROP(Maintain, comes_to_rest_and_counts_every_refusal, ()) {
   Worked w = worked();
   const MaintenanceLimits limits = any_limits(mean_edge(w.cut.surface));
   const MaintenanceReport last = settle(w.after, limits);
@@ -218,7 +218,7 @@ RC_GTEST_PROP(maintain, comes_to_rest_and_counts_every_refusal, ()) {
 
 /// Rock that was moved straight down only is a height field, steep walls of craters and all. No
 /// repair makes more of an overhang of it than an upright wall may lean.
-RC_GTEST_PROP(maintain, keeps_a_height_field_but_for_upright_walls, ()) {
+RC_GTEST_PROP(Maintain, keeps_a_height_field_but_for_upright_walls, ()) {
   Wildness straight_down;
   straight_down.tilt = straight_down.outwards = 0.0;
   Worked w = worked(straight_down);
@@ -233,8 +233,8 @@ RC_GTEST_PROP(maintain, keeps_a_height_field_but_for_upright_walls, ()) {
   }
 }
 
-/// Edges that are to be an eighth of what they are take several rounds.
-TEST(maintain, that_does_not_end_stops_and_names_the_place) {
+/// Edges that must shrink to an eighth take several rounds.
+TEST(Maintain, that_does_not_end_stops_and_names_the_place) {
   Rock rock = make_rock(mesh::make_surface(battery::bumpy_rock(1.0, 4, 0.1, 1)), 0.5,
                         {Vec3::Constant(-1.0), Vec3::Constant(1.0)});
   for (int v = 0; v < rock.surface.vertex_slots(); ++v) touch(rock, v);
@@ -253,7 +253,7 @@ TEST(maintain, that_does_not_end_stops_and_names_the_place) {
   EXPECT_EQ(describe(check_disc(rock)), "");
 }
 
-RC_GTEST_PROP(maintain, without_touch_does_nothing, ()) {
+RC_GTEST_PROP(Maintain, without_touch_does_nothing, ()) {
   Worked w = worked();
   const Rock before = w.after;
   MaintenanceWorkspace work;
@@ -266,7 +266,7 @@ RC_GTEST_PROP(maintain, without_touch_does_nothing, ()) {
 }
 
 /// The arrays and the index know every vertex, the dead ones none.
-RC_GTEST_PROP(maintain, keeps_arrays_and_index_in_step, ()) {
+RC_GTEST_PROP(Maintain, keeps_arrays_and_index_in_step, ()) {
   const Worked w = worked();
   const Surface& s = w.after.surface;
   RC_ASSERT(w.after.last_part.size() == s.positions.size());
@@ -284,7 +284,7 @@ RC_GTEST_PROP(maintain, keeps_arrays_and_index_in_step, ()) {
   }
 }
 
-RC_GTEST_PROP(maintain, twice_gives_the_same_bits, ()) {
+RC_GTEST_PROP(Maintain, twice_gives_the_same_bits, ()) {
   const Worked w = worked();
   Rock again = w.cut;
   MaintenanceWorkspace work;

@@ -7,18 +7,19 @@
 
 #include "mesh/files/files.hpp"
 #include "reference/mesh/self_intersections.hpp"
-#include "rock/cut/cutting_scene.hpp"
 #include "rock/maintain/bisect.hpp"
 #include "rock/maintain/collapse.hpp"
 #include "rock/maintain/flip.hpp"
 #include "rock/maintain/invariants.hpp"
+#include "rock/maintain/maintain.hpp"
 #include "rock/maintain/smooth.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/core/temporary_folder.hpp"
+#include "verification/rock/cut/cutting_scene.hpp"
 
-/// Lists of commands on one rock, whose promises are asked after each. A list that breaks one
+/// Lists of commands on one rock, whose promises are checked after each. A list that breaks one
 /// shrinks to the shortest that does, and is printed.
 namespace tdbd::rock {
 namespace {
@@ -144,14 +145,14 @@ void operate(Run& run, const Command& c) {
   const int a = run.rock.surface.vertex(mesh::next_corner(at)),
             b = run.rock.surface.vertex(mesh::previous_corner(at));
   std::vector<int> ring;
-  Strays strays;
+  SurfaceDrift drift;
   MaintenanceReport report;
   MaintenanceLimits limits = limits_of(c);
   limits.longest_edge *= c.kind == Kind::bisect ? 0.25 : 1.0;
   if (c.kind == Kind::bisect) bisect_edge(run.rock, a, b, limits, ring, report);
-  if (c.kind == Kind::collapse) try_collapse(run.rock, a, b, limits, ring, strays, report);
-  if (c.kind == Kind::flip) try_flip(run.rock, at, limits, strays, report);
-  if (c.kind == Kind::smooth) try_smooth(run.rock, a, limits, strays, report);
+  if (c.kind == Kind::collapse) try_collapse(run.rock, a, b, limits, ring, drift, report);
+  if (c.kind == Kind::flip) try_flip(run.rock, at, limits, drift, report);
+  if (c.kind == Kind::smooth) try_smooth(run.rock, a, limits, drift, report);
   run.change += report.volume_change;
   before.touched.assign(before.touched.size(), 0);
   before.touched[a] = before.touched[b] = 1;
@@ -211,10 +212,10 @@ void check(double outwards, Folds folds) {
   }
 }
 
-RC_GTEST_PROP(sequences, keep_disc_ledger_and_untouched_rock, ()) { check(1.2, Folds::allowed); }
+RC_GTEST_PROP(Sequences, keep_disc_ledger_and_untouched_rock, ()) { check(1.2, Folds::allowed); }
 
 /// Rock that is moved straight down stays a height field, which has no folds (M4).
-RC_GTEST_PROP(sequences, straight_down_never_fold_the_rock, ()) { check(0.0, Folds::refused); }
+RC_GTEST_PROP(Sequences, straight_down_never_fold_the_rock, ()) { check(0.0, Folds::refused); }
 
 }  // namespace
 }  // namespace tdbd::rock

@@ -43,7 +43,7 @@ long triangles_above(const Surface& s, double z) {
 double volume(const Rock& rock) { return mesh::hole_volume(rock.surface, Vec3::Zero()); }
 
 /// M1, with one boundary loop; what is not above the plane has the same bits.
-RC_GTEST_PROP(trim, leaves_a_disc_and_the_rest_alone, ()) {
+RC_GTEST_PROP(Trim, leaves_a_disc_and_the_rest_alone, ()) {
   Rock rock = hole(0.03);
   const Surface before = rock.surface;
   const double z = *battery::number(-1.1, 0.1);
@@ -64,7 +64,7 @@ RC_GTEST_PROP(trim, leaves_a_disc_and_the_rest_alone, ()) {
 }
 
 /// All of a plain wall above the plane goes.
-RC_GTEST_PROP(trim, takes_all_that_is_above_the_plane, ()) {
+RC_GTEST_PROP(Trim, takes_all_that_is_above_the_plane, ()) {
   Rock rock = hole(0.0);
   const double z = *battery::number(-0.95, -0.05);
   TrimWorkspace work;
@@ -74,7 +74,7 @@ RC_GTEST_PROP(trim, takes_all_that_is_above_the_plane, ()) {
   RC_ASSERT(triangles_above(rock.surface, z) == 0);
 }
 
-RC_GTEST_PROP(trim, accounts_for_the_volume, ()) {
+RC_GTEST_PROP(Trim, accounts_for_the_volume, ()) {
   Rock rock = hole(0.03);
   const double before = volume(rock);
   TrimWorkspace work;
@@ -84,7 +84,7 @@ RC_GTEST_PROP(trim, accounts_for_the_volume, ()) {
 }
 
 /// Step by step, looking at the last two edge lengths only, ends where one trim ends.
-RC_GTEST_PROP(trim, may_go_on_from_the_last, ()) {
+RC_GTEST_PROP(Trim, may_go_on_from_the_last, ()) {
   Rock once = hole(0.0), often = once;
   TrimWorkspace work;
   TrimReport report_once, report_often;
@@ -99,7 +99,7 @@ RC_GTEST_PROP(trim, may_go_on_from_the_last, ()) {
 }
 
 /// The slots of what went serve the next bisections.
-TEST(trim, gives_its_slots_back) {
+TEST(Trim, gives_its_slots_back) {
   const mesh::TriangleMesh m = borehole(flat_bottom(1.0, 0.0, 1.0), 0.2);
   Rock rock = make_rock(mesh::make_surface(m), 0.3, mesh::bounding_box(m));
   TrimWorkspace work;

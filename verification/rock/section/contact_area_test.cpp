@@ -47,7 +47,7 @@ struct Scene {
 constexpr double rounding = 1e-12;  // of 0.24 m2
 
 /// Of the block's 0.7 x 0.5 the vertices in 0.6 x 0.4.
-TEST(contact_area, of_a_plane_pressed_into_a_plane_is_that_of_the_cells_below_it) {
+TEST(ContactArea, of_a_plane_pressed_into_a_plane_is_that_of_the_cells_below_it) {
   Scene s({0.0});
   s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
   ASSERT_EQ(s.contacts.size(), 1U);
@@ -58,7 +58,7 @@ TEST(contact_area, of_a_plane_pressed_into_a_plane_is_that_of_the_cells_below_it
 
 /// Its ridge at x = 0 lies on edges of the rock, which so becomes the roof itself: of slope 1/2 to
 /// x = -0.4 and 3/4 to x = 0.2, over |y| <= 0.2.
-TEST(contact_area, of_a_roof_has_the_normals_and_the_centroid_of_both_its_sides) {
+TEST(ContactArea, of_a_roof_has_the_normals_and_the_centroid_of_both_its_sides) {
   std::vector<Vec3> corners;
   for (const double y : {-0.25, 0.25})
     for (const Vec3& x : {Vec3(-0.44, y, 0.22), Vec3(0.3, y, 0.225), Vec3(-0.44, y, 1.0),
@@ -75,14 +75,14 @@ TEST(contact_area, of_a_roof_has_the_normals_and_the_centroid_of_both_its_sides)
   EXPECT_LT((c.centroid_W - centroid_W).norm(), rounding);
 }
 
-TEST(contact_area, stays_when_the_plane_slides_and_moves_nothing) {
+TEST(ContactArea, stays_when_the_plane_slides_and_moves_nothing) {
   Scene s({0.0});
   s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
   s.move(at_place(0.0, 0.02), at_place(0.02, 0.02));
   EXPECT_NEAR(s.contacts[0].area, 0.24, rounding);
 }
 
-TEST(contact_area, is_none_before_and_after) {
+TEST(ContactArea, is_none_before_and_after) {
   Scene s({0.0});
   s.move(at_place(0.0, -0.05), at_place(0.0, -0.01));
   EXPECT_EQ(s.contacts[0].area, 0.0);
@@ -93,7 +93,7 @@ TEST(contact_area, is_none_before_and_after) {
 }
 
 /// On the way down 0.06 and up again: the vertices are moved, and touched no more at the end.
-TEST(contact_area, counts_what_a_step_moved_even_if_the_part_is_gone) {
+TEST(ContactArea, counts_what_a_step_moved_even_if_the_part_is_gone) {
   Scene s({0.0});
   Pose X_WB0 = at_place(0.0, 0.01), X_WB1 = at_place(0.45, -0.02);
   s.move(X_WB0, X_WB1);
@@ -101,7 +101,7 @@ TEST(contact_area, counts_what_a_step_moved_even_if_the_part_is_gone) {
 }
 
 /// Cells between the blocks belong to neither; what both touch counts for both.
-TEST(contact_area, is_that_of_each_part) {
+TEST(ContactArea, is_that_of_each_part) {
   Scene s({-0.4, 0.4});
   s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
   EXPECT_NEAR(s.contacts[0].area, 0.24, rounding);

@@ -44,7 +44,7 @@ bit::Bit small_bit() {
 
 Pose pose_after(long step) {
   const double time = static_cast<double>(step) / steps;
-  return carried({Vec3(0, 0, turn), Vec3(0, 0, advance)}, time);
+  return rotation::carried({Vec3(0, 0, turn), Vec3(0, 0, advance)}, time);
 }
 
 Rock conforming_rock(const bit::Bit& bit, double edge_length) {
@@ -61,7 +61,7 @@ Rock conforming_rock(const bit::Bit& bit, double edge_length) {
 std::vector<double> swept_by_sections(const bit::Bit& bit, double edge_length) {
   Rock rock = conforming_rock(bit, edge_length);
   const CuttingBit cutting = prepare_cutting_bit(bit);
-  const Twist twist{Vec3(0, 0, turn), Vec3(0, 0, advance)};
+  const rotation::Twist twist{Vec3(0, 0, turn), Vec3(0, 0, advance)};
   CutWorkspace cut_work;
   CutReport cut;
   MaintenanceWorkspace maintain_work;
@@ -88,7 +88,7 @@ std::vector<double> swept_by_sections(const bit::Bit& bit, double edge_length) {
 /// The first and the last cutter are left out. Beside the axis the side of the disc behind the face
 /// takes a part (section_noise_test). On the wall cusps should stay between
 /// the passes of the last one, which columns of radii count as removed: its section is 3 % lower.
-TEST(steady_section, comes_to_what_the_radial_plane_gives_with_the_edge_length) {
+TEST(SteadySection, comes_to_what_the_radial_plane_gives_with_the_edge_length) {
   const bit::Bit bit = small_bit();
   const auto expected = reference::radial_plane_engagement(bit, advance, 0.02 * mm);
   const std::vector<double> edges{2.4 * mm, 1.7 * mm, 1.2 * mm, 0.85 * mm, 0.6 * mm};

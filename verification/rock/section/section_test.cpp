@@ -26,8 +26,8 @@ Rock rock_of(const mesh::TriangleMesh& m, double cell) {
   return make_rock(mesh::make_surface(m), cell, mesh::bounding_box(m));
 }
 
-Section section_of(const Rock& rock, const FaceOutline& face, const Pose& X_WB, const Twist& twist,
-                   const SectionPlace& place) {
+Section section_of(const Rock& rock, const FaceOutline& face, const Pose& X_WB,
+                   const rotation::Twist& twist, const SectionPlace& place) {
   SectionWork work;
   return section(rock, section_face(face), X_WB, twist, place, work);
 }
@@ -51,7 +51,7 @@ double segment_area(double radius, double height) {
 }
 
 constexpr double radius = 0.3, deepest = 0.1, rake = 0.3;
-const Twist along_x{Vec3::Zero(), Vec3(2.0, 0.0, 0.0)};
+const rotation::Twist along_x{Vec3::Zero(), Vec3(2.0, 0.0, 0.0)};
 
 /// A disc of depth 0.1 below flat rock, moving straight.
 Section of_flat_rock(int points) {
@@ -60,7 +60,7 @@ Section of_flat_rock(int points) {
   return section_of(rock, face_along_x(radius, points, rake), X_WB, along_x, {0.12, 0.15});
 }
 
-TEST(section, of_flat_rock_on_a_straight_path_is_a_circular_segment) {
+TEST(Section, of_flat_rock_on_a_straight_path_is_a_circular_segment) {
   const double height = deepest / std::cos(rake);  // along the leaning face
   std::vector<double> spacings, errors, edge_errors;
   for (int points = 64; points <= 1024; points *= 2) {
@@ -78,7 +78,7 @@ TEST(section, of_flat_rock_on_a_straight_path_is_a_circular_segment) {
   EXPECT_LT(edge_errors.back(), 2e-5);  // of the arc
 }
 
-TEST(section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
+TEST(Section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
   const Section s = of_flat_rock(2048);
   const double height = deepest / std::cos(rake), half = std::acos(1.0 - height / radius);
   const double below_centre =
@@ -89,7 +89,7 @@ TEST(section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
   EXPECT_NEAR(s.volume_rate, s.area * 2.0 * std::cos(rake), 1e-12 * s.volume_rate);
 }
 
-TEST(section, has_its_edge_centroid_where_an_arc_has_it) {
+TEST(Section, has_its_edge_centroid_where_an_arc_has_it) {
   const double half = std::acos(1.0 - deepest / std::cos(rake) / radius);
   const Vec3 arc_F(0.0, 0.0, -radius * std::sin(half) / half);
   const Section s = of_flat_rock(1024);
@@ -97,7 +97,7 @@ TEST(section, has_its_edge_centroid_where_an_arc_has_it) {
             2e-5 * radius);
 }
 
-TEST(section, is_nothing_above_the_rock_and_behind_its_edge) {
+TEST(Section, is_nothing_above_the_rock_and_behind_its_edge) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const FaceOutline face = face_along_x(radius, 32, rake);
   for (const Vec3& p : {Vec3(0, 0, -0.5), Vec3(-3, 0, 0), Vec3(0, 0, -0.301)}) {
@@ -109,7 +109,7 @@ TEST(section, is_nothing_above_the_rock_and_behind_its_edge) {
 }
 
 /// A face that goes backwards cuts nothing.
-TEST(section, is_nothing_for_a_face_that_goes_backwards) {
+TEST(Section, is_nothing_for_a_face_that_goes_backwards) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const Section s = section_of(rock, face_along_x(radius, 32, rake), {},
                                {Vec3::Zero(), Vec3(-1.0, 0.0, 0.0)}, {0.12, 0.15});
@@ -121,7 +121,7 @@ struct AnySection {
   mesh::TriangleMesh rock_W;
   FaceOutline face;
   Pose X_WB;
-  Twist twist;
+  rotation::Twist twist;
 };
 
 AnySection any_section() {
@@ -150,7 +150,7 @@ double longest_edge(const mesh::TriangleMesh& m) {
 }
 
 /// The twin cuts columns of the carried face by every triangle of the rock.
-RC_GTEST_PROP(section, is_what_columns_of_the_carried_face_find_in_the_rock, ()) {
+RC_GTEST_PROP(Section, is_what_columns_of_the_carried_face_find_in_the_rock, ()) {
   const AnySection a = any_section();
   const double lead = *battery::number(0.0, 0.2);
   const Section s =
@@ -169,7 +169,7 @@ RC_GTEST_PROP(section, is_what_columns_of_the_carried_face_find_in_the_rock, ())
 
 /// Cells as large as the rock offer every triangle; small ones must find all that count. The turn
 /// and the axis within the face make strips.
-RC_GTEST_PROP(section, from_the_grid_is_that_from_all_triangles, ()) {
+RC_GTEST_PROP(Section, from_the_grid_is_that_from_all_triangles, ()) {
   AnySection a = any_section();
   a.twist.angular_B = Vec3(0.0, 0.0, *battery::number(-6.0, 6.0));
   const SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
@@ -182,7 +182,7 @@ RC_GTEST_PROP(section, from_the_grid_is_that_from_all_triangles, ()) {
 }
 
 /// A list of near vertices stands in for the index, wherever its places are rounded about.
-RC_GTEST_PROP(section, from_a_list_of_near_vertices_is_that_from_the_grid, ()) {
+RC_GTEST_PROP(Section, from_a_list_of_near_vertices_is_that_from_the_grid, ()) {
   const AnySection a = any_section();
   Rock rock = rock_of(a.rock_W, 0.07);
   SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
@@ -201,7 +201,7 @@ RC_GTEST_PROP(section, from_a_list_of_near_vertices_is_that_from_the_grid, ()) {
 }
 
 /// Sums are whole numbers, so that neither order nor numbering has a part in them.
-RC_GTEST_PROP(section, has_the_same_bits_however_the_rock_is_numbered, ()) {
+RC_GTEST_PROP(Section, has_the_same_bits_however_the_rock_is_numbered, ()) {
   const AnySection a = any_section();
   const mesh::TriangleMesh& m = a.rock_W;
   Random random(*rc::gen::arbitrary<std::uint64_t>());
@@ -228,7 +228,7 @@ RC_GTEST_PROP(section, has_the_same_bits_however_the_rock_is_numbered, ()) {
 }
 
 /// From vertices near the plane the outline is followed over edges that are far longer.
-RC_GTEST_PROP(section, follows_the_outline_past_long_edges, ()) {
+RC_GTEST_PROP(Section, follows_the_outline_past_long_edges, ()) {
   AnySection a = any_section();
   for (Vec3& x_W : a.rock_W.positions) x_W.z() *= 0.2;  // hills too flat for islands in the plane
   const double whole = longest_edge(a.rock_W), lead = *battery::number(0.0, 0.2);
@@ -241,12 +241,12 @@ RC_GTEST_PROP(section, follows_the_outline_past_long_edges, ()) {
 }
 
 /// Rock and bit turned together about z give the section of the unturned ones.
-RC_GTEST_PROP(section, turns_with_rock_and_bit, ()) {
+RC_GTEST_PROP(Section, turns_with_rock_and_bit, ()) {
   AnySection a = any_section();
   a.twist.angular_B = *battery::point(2.0);
   const SectionPlace place{*battery::number(0.0, 0.2), longest_edge(a.rock_W)};
   const Section s = section_of(rock_of(a.rock_W, 0.1), a.face, a.X_WB, a.twist, place);
-  const Pose turn = carried({Vec3(0, 0, *battery::number(-3.0, 3.0)), Vec3::Zero()}, 1.0);
+  const Pose turn = rotation::carried({Vec3(0, 0, *battery::number(-3.0, 3.0)), Vec3::Zero()}, 1.0);
   for (Vec3& x_W : a.rock_W.positions) x_W = turn * x_W;
   const Section t = section_of(rock_of(a.rock_W, 0.1), a.face, turn * a.X_WB, a.twist, place);
   RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
@@ -255,20 +255,20 @@ RC_GTEST_PROP(section, turns_with_rock_and_bit, ()) {
 }
 
 /// A section knows no step: twice the speed on the same path sweeps twice the volume.
-RC_GTEST_PROP(section, depends_on_the_path_and_not_on_the_speed_along_it, ()) {
+RC_GTEST_PROP(Section, depends_on_the_path_and_not_on_the_speed_along_it, ()) {
   AnySection a = any_section();
   a.twist.angular_B = *battery::point(2.0);
   const SectionPlace place{0.1, longest_edge(a.rock_W)};
   const Rock rock = rock_of(a.rock_W, 0.1);
   const Section s = section_of(rock, a.face, a.X_WB, a.twist, place);
-  const Twist twice{2.0 * a.twist.angular_B, 2.0 * a.twist.linear_B};
+  const rotation::Twist twice{2.0 * a.twist.angular_B, 2.0 * a.twist.linear_B};
   const Section t = section_of(rock, a.face, a.X_WB, twice, place);
   RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
   RC_ASSERT(std::abs(2.0 * s.volume_rate - t.volume_rate) <= 1e-12);
   RC_ASSERT(std::abs(s.angle_of_attack - t.angle_of_attack) <= 1e-9);
 }
 
-TEST(section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {
+TEST(Section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const FaceOutline face = face_along_x(radius, 32, rake);
   const auto sight_at = [&](double z) {

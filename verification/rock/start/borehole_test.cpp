@@ -41,14 +41,14 @@ TriangleMesh bit_like(double edge_length) {
   return borehole(with_wall(cone_and_nose(cone_depth), wall), edge_length);
 }
 
-RC_GTEST_PROP(borehole, is_a_disc_whatever_its_curve, ()) {
+RC_GTEST_PROP(Borehole, is_a_disc_whatever_its_curve, ()) {
   const double depth = *battery::number(0.0, 0.05), height = *battery::number(0.0, 0.05);
   const double edge_length = *battery::number(0.003, 0.03);
   const TriangleMesh m = borehole(with_wall(cone_and_nose(depth), height), edge_length);
   RC_ASSERT(mesh::describe(mesh::check_surface(m)) == "");
 }
 
-RC_GTEST_PROP(borehole, has_its_boundary_on_the_last_ring_alone, ()) {
+RC_GTEST_PROP(Borehole, has_its_boundary_on_the_last_ring_alone, ()) {
   const double edge_length = *battery::number(0.003, 0.03);
   const TriangleMesh m = bit_like(edge_length);
   const mesh::Surface s = mesh::make_surface(m);
@@ -58,7 +58,7 @@ RC_GTEST_PROP(borehole, has_its_boundary_on_the_last_ring_alone, ()) {
 
 /// Edges run along rings (a round number of them, from 6) and between rings. Fewest: 0.6 lengths;
 /// longest, across a quadrilateral: 1.6, the limits within which nothing needs maintenance.
-RC_GTEST_PROP(borehole, has_edges_near_the_length_asked_for, ()) {
+RC_GTEST_PROP(Borehole, has_edges_near_the_length_asked_for, ()) {
   const double h = *battery::number(0.002, 0.01);
   const TriangleMesh m = bit_like(h);
   for (const mesh::Triangle& t : m.triangles)
@@ -70,7 +70,7 @@ RC_GTEST_PROP(borehole, has_edges_near_the_length_asked_for, ()) {
 }
 
 /// Up on the bottom, towards the axis on the wall: away from the rock everywhere.
-TEST(borehole, has_normals_that_point_out_of_the_rock) {
+TEST(Borehole, has_normals_that_point_out_of_the_rock) {
   const TriangleMesh m = bit_like(3e-3);
   for (const mesh::Triangle& t : m.triangles) {
     const Vec3 &a = m.positions[t[0]], &b = m.positions[t[1]], &c = m.positions[t[2]];
@@ -85,7 +85,7 @@ TEST(borehole, has_normals_that_point_out_of_the_rock) {
 
 /// Chords of rings and of the curve: second order in the edge length. A ring's number of vertices
 /// is round, so the observed order wavers; its least-squares slope over five levels does not.
-TEST(borehole, encloses_the_volume_of_revolution_to_second_order) {
+TEST(Borehole, encloses_the_volume_of_revolution_to_second_order) {
   constexpr int levels = 5;
   double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
   for (int k = 0; k < levels; ++k) {
@@ -103,7 +103,7 @@ TEST(borehole, encloses_the_volume_of_revolution_to_second_order) {
   EXPECT_LT(order, 2.5);
 }
 
-TEST(borehole, flat_bottom_is_a_cylinder) {
+TEST(Borehole, flat_bottom_is_a_cylinder) {
   const mesh::Surface s = mesh::make_surface(borehole(flat_bottom(radius, 0.2, wall), 1e-3));
   const double volume = mesh::hole_volume(s, Vec3(0, 0, 0.2 - wall));
   EXPECT_NEAR(volume / (pi * radius * radius * wall), 1.0, 1e-3);

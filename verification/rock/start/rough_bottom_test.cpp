@@ -29,19 +29,19 @@ double correlation(double d, int n) {
 }
 
 /// Of n independent products the mean strays by sqrt((1 + rho^2) / n), n = 4000: 0.022.
-TEST(rough_bottom, has_its_amplitude_and_correlation) {
+TEST(RoughBottom, has_its_amplitude_and_correlation) {
   for (const double over : {0.0, 0.5, 1.0, 2.0})
     EXPECT_NEAR(correlation(over * rough.correlation_length, 4000), std::exp(-0.5 * over * over),
                 0.07)
         << over;
 }
 
-TEST(rough_bottom, is_the_same_for_the_same_seed) {
+TEST(RoughBottom, is_the_same_for_the_same_seed) {
   EXPECT_TRUE(bottom(rough).positions == bottom(rough).positions);
   EXPECT_FALSE(bottom(rough).positions == bottom({2e-3, 10e-3, 12}).positions);
 }
 
-TEST(rough_bottom, goes_down_from_the_flat_one_and_leaves_the_rim) {
+TEST(RoughBottom, goes_down_from_the_flat_one_and_leaves_the_rim) {
   const mesh::TriangleMesh flat = borehole(flat_bottom(0.1, 0.02, 0.03), 0.005), m = bottom(rough);
   double least = 1.0, most = 0.0;
   for (std::size_t v = 0; v < m.positions.size(); ++v) {

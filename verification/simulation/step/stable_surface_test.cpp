@@ -47,7 +47,7 @@ std::string broken_promises(Simulation& s) {
   rock::MaintenanceReport report;
   rock::maintain(s.state.rock, s.work.limits, s.work.maintenance_work, report);
   const auto found = rock::check_maintenance(before, s.state.rock, s.work.limits, report,
-                                             s.work.maintenance_work.strays);
+                                             s.work.maintenance_work.drift);
   rock::add(report, s.state.maintenance);
   return rock::describe(found);
 }

@@ -1,26 +1,30 @@
+#include "rock/maintain/limits.hpp"
+
 #include <cmath>
 #include <numeric>
 
-#include "rock/maintain/maintain.hpp"
-
 namespace tdbd::rock {
-namespace {
 
-template <class Enumerator>
-constexpr std::size_t at(Enumerator e) {
-  return static_cast<std::size_t>(e);
+MaintenanceLimits limits_for(double edge_length) {
+  MaintenanceLimits l;
+  l.shortest_edge = 0.4 * edge_length;
+  l.longest_edge = 1.6 * edge_length;
+  l.volume_per_operation = 0.01 * edge_length * edge_length * edge_length;
+  l.farthest = 0.5 * l.shortest_edge;
+  l.ridge_cut = 0.05 * edge_length;
+  l.untangle_volume = 20.0 * l.volume_per_operation;
+  l.untangle_farthest = 2.0 * l.shortest_edge;
+  return l;
 }
 
-}  // namespace
-
-void note_done(MaintenanceReport& report, Operation what, double volume) {
-  ++report.done[at(what)];
+void count_done(MaintenanceReport& report, Operation what, double volume) {
+  ++report.done[static_cast<std::size_t>(what)];
   report.volume_change += volume;
   report.volume_disturbed += std::abs(volume);
 }
 
-void note_refused(MaintenanceReport& report, Operation what, Refusal why) {
-  ++report.refused[at(what)][at(why)];
+void count_refused(MaintenanceReport& report, Operation what, Refusal why) {
+  ++report.refused[static_cast<std::size_t>(what)][static_cast<std::size_t>(why)];
 }
 
 long refusals(const MaintenanceReport& report) {

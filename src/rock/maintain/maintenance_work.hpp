@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "rock/maintain/intersections.hpp"
+#include "rock/maintain/touched_region.hpp"
+#include "rock/maintain/verdict.hpp"
+
+namespace tdbd::rock {
+
+/// An edge that an operation may repair; smaller keys first.
+struct EdgeCandidate {
+  double key;
+  int a, b;  ///< vertices, a < b
+};
+
+/// The edge that faces corner c.
+EdgeCandidate edge_facing(const mesh::Surface& s, int c, double key);
+
+/// Smallest key first, then by vertices; neighbours that are the same edge once. The order depends
+/// on no address.
+void sort_edges(std::vector<EdgeCandidate>& edges);
+
+/// Buffers of maintain(), kept between calls so that none allocates once warm.
+struct MaintenanceWorkspace {
+  TouchedRegion touched;
+  std::vector<int> ring, changed, region;
+  std::vector<EdgeCandidate> edges;
+  std::vector<int> seen;  ///< per triangle: stamp of the last visit
+  int stamp = 0;
+  SurfaceDrift drift;         ///< of the last maintenance
+  std::vector<int> suspects;  ///< triangles that may pass through others
+  Patch patch;
+  IntersectionWork intersections;
+};
+
+}  // namespace tdbd::rock
