@@ -24,7 +24,7 @@ TEST(Measures, volume_of_a_tetrahedron_far_from_the_origin_is_exact) {
 }
 
 /// A fan of thinner and thinner triangles about the origin.
-TEST(measures, quality_figures_are_the_worst_and_the_one_that_99_percent_exceed) {
+TEST(Measures, quality_figures_are_the_worst_and_the_one_that_99_percent_exceed) {
   TriangleMesh m;
   m.positions.push_back(Vec3::Zero());
   double angle = 0.0;

@@ -43,7 +43,7 @@ TEST(CsvRows, of_a_missing_file_are_an_error) {
   EXPECT_THROW(read_csv_rows("/no/such.csv"), InputError);
 }
 
-TEST(csv, reads_numbers_under_a_header) {
+TEST(Csv, reads_numbers_under_a_header) {
   const CsvTable table = read_csv(
       write_temporary(".csv", "\xef\xbb\xbf# path\r\n t , x\r\n\r\n0, -1.5e-3\r\n1,2\r\n"));
   EXPECT_EQ(table.header, (std::vector<std::string>{"t", "x"}));
@@ -52,7 +52,7 @@ TEST(csv, reads_numbers_under_a_header) {
   EXPECT_EQ(csv_column(table, "x"), 1u);
 }
 
-TEST(csv, reports_all_mistakes_with_line_and_column) {
+TEST(Csv, reports_all_mistakes_with_line_and_column) {
   const std::string path = write_temporary(".csv", "t,x\n0,nan\n1\n2,1e3m\n,inf\n");
   std::string expected =
       "FILE:2: x: found \"nan\", expected a finite number\n"
@@ -65,7 +65,7 @@ TEST(csv, reports_all_mistakes_with_line_and_column) {
   EXPECT_EQ(failure(path), expected);
 }
 
-TEST(csv, refuses_a_bad_header) {
+TEST(Csv, refuses_a_bad_header) {
   const std::string twice = write_temporary("_twice.csv", "t,t\n");
   EXPECT_EQ(failure(twice).rfind(twice + ":1: header: found \"t\" twice, expected different", 0),
             0u);
@@ -75,7 +75,7 @@ TEST(csv, refuses_a_bad_header) {
   EXPECT_EQ(failure(empty), empty + ":1: header: found nothing, expected the names of the columns");
 }
 
-TEST(csv, refuses_a_missing_file_and_a_missing_column) {
+TEST(Csv, refuses_a_missing_file_and_a_missing_column) {
   EXPECT_EQ(failure("/no/such.csv"), "/no/such.csv: found no such file, expected a CSV table");
   EXPECT_NE(failure(tdbd::temporary_folder()).find("expected a CSV table"), std::string::npos);
   const CsvTable table{"f.csv", {"time", "depth"}, {}, {}};
@@ -88,7 +88,7 @@ TEST(csv, refuses_a_missing_file_and_a_missing_column) {
   }
 }
 
-RC_GTEST_PROP(csv, numbers_with_17_digits_come_back, (const std::vector<double>& values)) {
+RC_GTEST_PROP(Csv, numbers_with_17_digits_come_back, (const std::vector<double>& values)) {
   std::string text = "v\n";
   for (const double v : values) {
     RC_PRE(std::isfinite(v));
