@@ -18,7 +18,8 @@ TEST(Draw, figures_of_a_result_are_pictures_and_not_blank) {
       write_synthetic_result(tdbd::temporary_folder() + "tdbd_draw_result", 60, 180);
   const std::string path = folder.path.string();
   ASSERT_EQ(run(python + source + "/reports/draw.py " + path), 0);
-  const std::string check = python + source + "/verification/simulation/check_picture.py " + path;
+  const std::string check =
+      python + source + "/verification/simulation/result/check_picture.py " + path;
   EXPECT_EQ(run(check + "/bottom_hole.png 1000 1000 5000"), 0);
   EXPECT_EQ(run(check + "/side_view.png 1500 800 5000"), 0);
   EXPECT_EQ(run(check + "/cutters.png 1000 1000 50"), 0);

@@ -61,8 +61,8 @@ fs::path write_history(const fs::path& where, long rows) {
 
 int check_by_xarray(const fs::path& file, long rows) {
   const std::string command = std::string("/usr/bin/python3 ") + TDBD_SOURCE_DIR +
-                              "/verification/simulation/check_history.py " + file.string() + " " +
-                              std::to_string(rows);
+                              "/verification/simulation/result/check_history.py " + file.string() +
+                              " " + std::to_string(rows);
   return std::system(command.c_str());
 }
 
