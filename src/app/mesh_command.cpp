@@ -7,6 +7,7 @@
 #include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "mesh/files/solids.hpp"
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/inspect.hpp"
 #include "mesh/repair/repair.hpp"
