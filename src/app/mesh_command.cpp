@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
+#include "mesh/files/solids.hpp"
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/inspect.hpp"
 #include "mesh/repair/repair.hpp"

@@ -30,7 +30,7 @@ std::string text_of(const fs::path& path) {
 std::string read_by_vtk(const fs::path& path) {
   const fs::path out = path.string() + ".txt";
   const std::string command = std::string("/usr/bin/python3 ") + TDBD_SOURCE_DIR +
-                              "/verification/mesh/read_vtp.py " + path.string() + " " +
+                              "/verification/mesh/files/read_vtp.py " + path.string() + " " +
                               out.string();
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   return text_of(out);

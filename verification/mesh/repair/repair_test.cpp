@@ -11,6 +11,7 @@
 #include "mesh/check/check.hpp"
 #include "mesh/check/divide.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/files/solids.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/inspect.hpp"
 #include "reference/mesh/self_intersections.hpp"
