@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bit/files/mesh_keys.hpp"
 #include "bit/part_kind.hpp"
 #include "mesh/repair/repair.hpp"
 
@@ -25,9 +26,9 @@ bool is_part_name(const std::string& name) {
 }
 
 Vec3 read_direction(Config& c, const Vec3& fallback) {
-  const Vec3 u = c.vector("update_direction", "1", fallback);
+  const Vec3 u = c.read(part_file_keys::update_direction, fallback);
   if (u.y() == 0.0 && u.norm() > 0.0) return u.normalized();
-  c.problem("update_direction", fmt::format("({}, {}, {})", u.x(), u.y(), u.z()),
+  c.problem(part_file_keys::update_direction, fmt::format("({}, {}, {})", u.x(), u.y(), u.z()),
             "a direction at azimuth 0, (x, 0, z)");
   return Vec3::UnitZ();
 }

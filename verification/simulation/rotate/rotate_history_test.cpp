@@ -27,7 +27,7 @@ step = 0.01
 duration = 6
 )";
 
-std::string bit::cones_text(int count) {
+std::string cones_text(int count) {
   std::string text;
   for (int k = 0; k < count; ++k)
     text += "[[cones]]\naxis = [" + std::to_string(k) +
@@ -41,7 +41,7 @@ void check_with_cones(int cones) {
   const fs::path where = tdbd::temporary_folder() + "tdbd_rotate_history_" + std::to_string(cones);
   fs::remove_all(where);
   fs::create_directories(where);
-  std::ofstream(where / "case.toml") << body_text << bit::cones_text(cones) << rest_text;
+  std::ofstream(where / "case.toml") << body_text << cones_text(cones) << rest_text;
   const RotateCase c = read_rotate_case(where / "case.toml", {});
   RotateSimulation s = start(c);
   RotateHistory history(where / "history.nc", c);
