@@ -187,7 +187,8 @@ std::vector<ReadCase> motions_and_rocks() {
   const std::string path = write(
       "keys_path.csv", "time_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad\n0,0,0,0,0,0,0\n1,0,0,0,0,0,1\n");
   const std::string layers =
-      "[forces]\nlaw = \"detournay\"\nepsilon = 3e7\n[rock.material]\nunconfined_strength = 3e7\n"
+      "[forces]\nlaw = \"detournay\"\neps = 3e7\nzeta = 0.6\n[rock.material]\nunconfined_strength "
+      "= 3e7\n"
       "friction_angle = 0.5\n[[rock.layers]]\ntop = 0.1\nmaterial = \"berea-sandstone\"\n";
   return {small_run(steady, "[motion.tilt]\nangle = 0.1\n", {"rock.shape=flat"}),
           small_run("kind = \"whirl\"\n" + std::string(steady),
@@ -206,7 +207,8 @@ ReadCase drilling() {
       "kind = \"drilling\"\nweight_at_start = 10\ntorque_at_start = 1\n"
       "[motion.rotary_speed]\ntimes = [0, 1]\nvalues = [1, 2]\n"
       "[motion.weight_on_bit]\ntimes = [0, 1]\nvalues = [10, 20]\nbetween = \"linear\"\n",
-      "[forces]\nlaw = \"detournay\"\nepsilon = 3e7\n[string]\nmass = 1000\ntorsional_inertia = "
+      "[forces]\nlaw = \"detournay\"\neps = 3e7\nzeta = 0.6\n[string]\nmass = "
+      "1000\ntorsional_inertia = "
       "10\n"
       "bending_inertia = 100\naxial_stiffness = 1e5\ntorsional_stiffness = 100\n"
       "[wall]\nstiffness = 1e6\nclearance = 0.001\n[rock_mount]\nmass = 1000\n",
@@ -220,31 +222,42 @@ double some_value(const forces::LawField& field) {
   return 0.0;
 }
 
-/// Each force law, given to the first kind of part that it knows.
+/// The settings that give a force law, its coefficients beside it, to a table.
+std::vector<std::string> law_in(const std::string& table, std::string_view name) {
+  forces::Law law = forces::law_named(name);
+  std::vector<std::string> settings{table + ".law=" + std::string(name)};
+  for (const forces::LawField& field : forces::law_fields(law))
+    settings.push_back(table + "." + std::string(field.key) + "=" +
+                       std::to_string(some_value(field)));
+  return settings;
+}
+
+/// Each force law, for the whole bit or else for the first kind of part that it knows.
 std::vector<ReadCase> laws() {
+  std::vector<std::string> tables{"forces"};
+  for (const std::string& kind : part_kinds) tables.push_back("forces." + kind);
   std::vector<ReadCase> cases;
-  for (const std::string_view name : forces::law_names()) {
-    forces::Law law = forces::law_named(name);
-    for (const std::string& kind : part_kinds) {
-      std::vector<std::string> settings{"forces.law=detournay", "forces.epsilon=3e7",
-                                        "rock.material=berea-sandstone",
-                                        "forces." + kind + ".law=" + std::string(name)};
-      for (const forces::LawField& field : forces::law_fields(law))
-        settings.push_back("forces." + kind + "." + std::string(field.key) + "=" +
-                           std::to_string(some_value(field)));
+  for (const std::string_view name : forces::law_names())
+    for (const std::string& table : tables) {
+      std::vector<std::string> settings = law_in(table, name);
+      settings.emplace_back("rock.material=berea-sandstone");
+      if (table != "forces")
+        for (const char* common : {"forces.law=detournay", "forces.eps=3e7", "forces.zeta=0.6"})
+          settings.emplace_back(common);
       try {
         cases.push_back(small_run(steady, "", settings));
         break;
-      } catch (const InputError&) {  // a kind that the law does not know
+      } catch (const InputError&) {  // a law that knows no such part
       }
     }
-  }
   return cases;
 }
 
 std::vector<ReadCase> fits() {
   const std::string name(force_keys::fit_names().front());
-  return {small_run(steady, "", {"forces.coefficients=" + name, "rock.material=berea-sandstone"})};
+  return {small_run(steady, "",
+                    {"forces.coefficients=" + name, "forces.face.coefficients=" + name,
+                     "rock.material=berea-sandstone"})};
 }
 
 ReadCase rotation(const std::string& body) {
