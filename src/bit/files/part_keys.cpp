@@ -10,12 +10,6 @@
 
 namespace tdbd::bit {
 
-std::vector<std::pair<std::string, PartKind>> named_part_kinds() {
-  std::vector<std::pair<std::string, PartKind>> names;
-  for (const PartKind kind : part_kinds) names.emplace_back(kind_name(kind), kind);
-  return names;
-}
-
 bool is_part_name(const std::string& name) {
   const auto is_word = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||

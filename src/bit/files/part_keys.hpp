@@ -10,9 +10,6 @@
 
 namespace tdbd::bit {
 
-/// Every kind of part with its name.
-std::vector<std::pair<std::string, PartKind>> named_part_kinds();
-
 /// Letters, digits, - and _, in folders by /: names become paths of files and keys of results.
 bool is_part_name(const std::string& name);
 
