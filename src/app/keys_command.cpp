@@ -9,7 +9,7 @@ namespace tdbd::app {
 namespace {
 
 constexpr const char* markdown_head =
-    "# The keys of a case file\n"
+    "# The keys of cases and bit files\n"
     "\n"
     "`tdbd keys --markdown` writes this file from the declarations (`*_keys.hpp`); do not edit it. "
     "A quantity is a number\n"
@@ -30,8 +30,8 @@ int print_keys(const std::string& table, bool markdown) {
 }  // namespace
 
 void add_keys(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("keys", "List the keys of a case file: units, defaults, ranges, meanings");
+  auto* command = app.add_subcommand(
+      "keys", "List the keys of cases and bit files: units, defaults, ranges, meanings");
   auto table = std::make_shared<std::string>();
   auto markdown = std::make_shared<bool>(false);
   command->add_option("table", *table, "a table, with those inside it: motion; default: all");

@@ -11,6 +11,8 @@
 #include "bit/files/blade_file.hpp"
 #include "bit/files/cone_file.hpp"
 #include "bit/files/design_file.hpp"
+#include "bit/files/design_keys.hpp"
+#include "bit/files/pdc_keys.hpp"
 #include "bit/files/solid_cones.hpp"
 #include "bit/files/solids_file.hpp"
 #include "bit/pdc/pdc_bit.hpp"
@@ -22,31 +24,30 @@ namespace {
 
 CutterDefaults read_cutter_defaults(Config c) {
   CutterDefaults d;
-  d.chamfer = c.quantity("chamfer", "m", d.chamfer, Range::non_negative());
-  d.chamfer_angle = c.quantity("chamfer_angle", "rad", d.chamfer_angle, Range::within(0.05, 1.5));
-  d.length = c.quantity("length", "m", d.length, Range::positive());
-  d.table_thickness = c.quantity("table_thickness", "m", d.table_thickness, Range::positive());
-  d.land = c.quantity("land", "m", d.land, Range::non_negative());
-  d.land_angle = c.quantity("land_angle", "rad", d.land_angle, Range::within(0.05, 1.5));
+  d.chamfer = c.read(cutter_keys::chamfer);
+  d.chamfer_angle = c.read(cutter_keys::chamfer_angle);
+  d.length = c.read(cutter_keys::length);
+  d.table_thickness = c.read(cutter_keys::table_thickness);
+  d.land = c.read(cutter_keys::land);
+  d.land_angle = c.read(cutter_keys::land_angle);
   return d;
 }
 
 CutterMeshing read_meshing(Config c) {
   CutterMeshing m;
-  m.grading = c.choice<Grading>(
-      "grading", {{"graded", Grading::graded}, {"uniform", Grading::uniform}}, m.grading);
-  m.rim_segments = static_cast<int>(c.integer("rim_segments", m.rim_segments, 8, 4096));
-  m.uniform_edge = c.quantity("uniform_edge", "m", m.uniform_edge, Range::positive());
+  m.grading = c.read(cutter_mesh_keys::grading);
+  m.rim_segments = static_cast<int>(c.read(cutter_mesh_keys::rim_segments));
+  m.uniform_edge = c.read(cutter_mesh_keys::uniform_edge);
   return m;
 }
 
 GagePads read_pads(Config c) {
   GagePads p;
-  p.count = static_cast<int>(c.integer("count", 0, 0, 64));
-  p.length = c.quantity("length", "m", p.length, Range::positive());
-  p.width = c.quantity("width", "m", p.width, Range::positive());
-  p.under_gage = c.quantity("under_gage", "m", p.under_gage, Range::non_negative());
-  p.thickness = c.quantity("thickness", "m", p.thickness, Range::positive());
+  p.count = static_cast<int>(c.read(gage_pad_keys::count));
+  p.length = c.read(gage_pad_keys::length);
+  p.width = c.read(gage_pad_keys::width);
+  p.under_gage = c.read(gage_pad_keys::under_gage);
+  p.thickness = c.read(gage_pad_keys::thickness);
   return p;
 }
 
@@ -93,19 +94,18 @@ std::optional<double> any_gage(bool designed) {
 BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule directions,
                      InsideRule inside) {
   const bool designed = c.has("design");
-  const std::string table = designed ? "" : c.path("table", std::nullopt);
-  const CutterDefaults defaults = read_cutter_defaults(c.table("cutters"));
+  const std::string table = designed ? "" : c.read(bit_file_keys::cutter_table);
+  const CutterDefaults defaults = read_cutter_defaults(c.table(cutter_keys::table));
   PdcOptions options;
-  options.meshing = read_meshing(c.table("mesh"));
-  options.pads = read_pads(c.table("gage_pads"));
+  options.meshing = read_meshing(c.table(cutter_mesh_keys::table));
+  options.pads = read_pads(c.table(gage_pad_keys::table));
   options.blades = read_blades(c);
   options.directions = directions;
   options.inside = inside;
-  const double gage_radius =
-      0.5 * c.quantity("gage_diameter", "m", any_gage(designed), Range::positive());
-  const std::vector<Cutter> cutters = designed
-                                          ? read_design(c.table("design"), gage_radius, defaults)
-                                          : read_table(c, table, defaults);
+  const double gage_radius = 0.5 * c.read(bit_file_keys::gage_diameter, any_gage(designed));
+  const std::vector<Cutter> cutters =
+      designed ? read_design(c.table(design_keys::table), gage_radius, defaults)
+               : read_table(c, table, defaults);
   if (options.blades) check_blades(c, cutters, *options.blades);
   c.finish();
   BitFile file{pdc_bit(name, cutters, options), c.files(), c.fingerprint()};
@@ -153,7 +153,7 @@ void require_one_source(Config& c) {
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
                  Densities densities) {
   Config c = Config::read_file(path, {});
-  const std::string name = c.text("name", std::nullopt);
+  const std::string name = c.read(bit_file_keys::name);
   require_one_source(c);
   if (c.has("cones")) {
     Bit bit = read_cone_bit(c, name);

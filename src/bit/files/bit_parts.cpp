@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "bit/files/mesh_keys.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/files/unit_question.hpp"
 #include "bit/profile/exposure_profile.hpp"
@@ -18,8 +19,8 @@ namespace tdbd::bit {
 namespace {
 
 mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
-  const std::string file = c.path("file", std::nullopt);
-  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  const std::string file = c.read(part_file_keys::file);
+  const double unit = c.read(part_file_keys::unit);
   if (file.empty()) return {};
   const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
   try {
@@ -27,12 +28,14 @@ mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
     note_mesh_faults(c, "file", file, {{name, m}}, expected);
     return m;
   } catch (const InputError& e) {
-    c.problem("file", e.what(), expected);
+    c.problem(part_file_keys::file, e.what(), expected);
     return {};
   }
 }
 
-bool has_frame(const Config& c) { return c.has("position") && c.has("rotation_vector"); }
+bool has_frame(const Config& c) {
+  return c.has(part_file_keys::position) && c.has(part_file_keys::rotation_vector);
+}
 
 /// The direction that follows from kind and frame.
 Vec3 derived_direction(const Config& c, const Part& part, DirectionRule directions,
@@ -44,19 +47,20 @@ Vec3 derived_direction(const Config& c, const Part& part, DirectionRule directio
 
 Part read_part(Config& c, DirectionRule directions, InsideRule inside) {
   Part part;
-  part.name = c.text("name", std::nullopt);
-  if (c.has("name") && !is_part_name(part.name))
-    c.problem("name", '"' + part.name + '"', "letters, digits, - and _, with / between");
-  part.kind = c.choice<PartKind>("kind", named_part_kinds(), std::nullopt);
+  part.name = c.read(part_file_keys::name);
+  if (c.has(part_file_keys::name) && !is_part_name(part.name))
+    c.problem(part_file_keys::name, '"' + part.name + '"',
+              "letters, digits, - and _, with / between");
+  part.kind = part_kind_named(c.read(part_file_keys::kind));
   part.mesh_P = read_part_mesh(c, part.name);
-  part.cutting =
-      c.flag("cutting", part.kind != PartKind::bit_body) ? Cutting::cuts : Cutting::never;
-  const bool rubs = c.flag("rubs", false);
+  part.cutting = c.read(part_file_keys::cutting, part.kind != PartKind::bit_body) ? Cutting::cuts
+                                                                                  : Cutting::never;
+  const bool rubs = c.read(part_file_keys::rubs);
   if (rubs && part.cutting == Cutting::never) part.cutting = Cutting::rubs;
-  part.density = c.quantity("density", "kg/m3", 0.0, Range::non_negative());
-  part.group = static_cast<int>(c.integer("group", -1, -1, std::numeric_limits<int>::max()));
-  part.X_BP.p = c.vector("position", "m", Vec3(Vec3::Zero()));
-  part.X_BP.R = rotation::exp(c.vector("rotation_vector", "rad", Vec3(Vec3::Zero())));
+  part.density = c.read(part_file_keys::density);
+  part.group = static_cast<int>(c.read(part_file_keys::group));
+  part.X_BP.p = c.read(part_file_keys::position);
+  part.X_BP.R = rotation::exp(c.read(part_file_keys::rotation_vector));
   part.update_direction_B = read_direction(c, derived_direction(c, part, directions, inside));
   return part;
 }
@@ -108,15 +112,15 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
   bool any_cuts = false;
   const bool ask = checks_units(file);
   double unit = 1.0;
-  std::vector<Config> configs = file.tables("parts");
+  std::vector<Config> configs = file.tables(part_file_keys::table);
   for (Config& c : configs) {
     const Part& part = read.parts.emplace_back(read_part(c, directions, inside));
-    read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
+    read.has_direction.push_back(c.has(part_file_keys::update_direction) || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
-    if (!c.has("density")) read.without_density.push_back(part.name);
-    if (!c.has("density") && densities == Densities::required)
-      c.problem("density", "none of " + part.name, density_wanted);
-    unit = c.quantity("unit", "m", 1e-3, Range::positive());
+    if (!c.has(part_file_keys::density)) read.without_density.push_back(part.name);
+    if (!c.has(part_file_keys::density) && densities == Densities::required)
+      c.problem(part_file_keys::density, "none of " + part.name, density_wanted);
+    unit = c.read(part_file_keys::unit);
     if (ask) ask_for_unit(c, "unit", part.mesh_P, unit, part_along);
     any_cuts = any_cuts || part.cutting == Cutting::cuts;
     compare_last_with_earlier(c, read);

@@ -10,6 +10,8 @@
 #include "bit/cone/cone_faults.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
+#include "bit/files/cone_keys.hpp"
+#include "bit/files/pdc_keys.hpp"
 #include "core/angles.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
@@ -17,34 +19,32 @@
 namespace tdbd::bit {
 namespace {
 
-enum class Interference { refuse, report };
+using cone_bit_keys::Interference;
 
 ToothShape read_shape(Config& c, ToothShape t) {
-  t.kind = c.choice<ToothKind>("kind", tooth_kinds(), t.kind);
-  const auto length = [&](const char* key, double& value) {
-    value = c.quantity(key, "m", value, Range::positive());
-  };
-  length("diameter", t.diameter);
-  length("width", t.width);
-  length("protrusion", t.protrusion);
-  length("crest_length", t.crest_length);
-  length("crest_width", t.crest_width);
-  length("tip_radius", t.tip_radius);
-  length("embedding", t.embedding);
-  t.half_angle = c.quantity("half_angle", "rad", t.half_angle, Range::within(0.05, 1.5));
-  t.density = c.quantity("density", "kg/m3", t.density, Range::non_negative());
+  t.kind = c.read(tooth_keys::kind, std::optional(t.kind));
+  const auto length = [&](const QuantityKey& key, double& value) { value = c.read(key, value); };
+  length(tooth_keys::diameter, t.diameter);
+  length(tooth_keys::width, t.width);
+  length(tooth_keys::protrusion, t.protrusion);
+  length(tooth_keys::crest_length, t.crest_length);
+  length(tooth_keys::crest_width, t.crest_width);
+  length(tooth_keys::tip_radius, t.tip_radius);
+  length(tooth_keys::embedding, t.embedding);
+  t.half_angle = c.read(tooth_keys::half_angle, t.half_angle);
+  t.density = c.read(tooth_keys::density, t.density);
   return t;
 }
 
 /// Angles from a list, or from a number of teeth and the pattern of the gaps between them.
 std::vector<double> read_angles(Config& c) {
-  if (c.has("angles")) return c.list("angles", "rad", std::nullopt);
-  const int teeth = static_cast<int>(c.integer("teeth", std::nullopt, 1, 1000));
-  const double first = c.quantity("first_angle", "rad", 0.0);
-  const std::vector<double> spacing = c.list("spacing", "1", std::vector<double>{});
+  if (c.has(tooth_row_keys::angles)) return c.read(tooth_row_keys::angles);
+  const int teeth = static_cast<int>(c.read(tooth_row_keys::teeth));
+  const double first = c.read(tooth_row_keys::first_angle);
+  const std::vector<double> spacing = c.read(tooth_row_keys::spacing, std::vector<double>{});
   for (const double ratio : spacing)
     if (!(ratio > 0.0)) {
-      c.problem("spacing", fmt::format("{}", ratio), "ratios above 0");
+      c.problem(tooth_row_keys::spacing, fmt::format("{}", ratio), "ratios above 0");
       return {};
     }
   return spaced_angles(teeth, first, spacing);
@@ -52,22 +52,21 @@ std::vector<double> read_angles(Config& c) {
 
 ToothRow read_row(Config& c, const ToothShape& usual) {
   ToothRow row;
-  row.s = c.quantity("s", "m", std::nullopt);
-  row.sink = c.quantity("sink", "m", 0.0);
-  row.lean = c.quantity("lean", "rad", 0.0, Range::within(-right_angle, right_angle));
-  row.place = c.flag("gage", false) ? RowPlace::gage : RowPlace::inner;
+  row.s = c.read(tooth_row_keys::s);
+  row.sink = c.read(tooth_row_keys::sink);
+  row.lean = c.read(tooth_row_keys::lean);
+  row.place = c.read(tooth_row_keys::gage) ? RowPlace::gage : RowPlace::inner;
   row.angles = read_angles(c);
   row.shape = read_shape(c, usual);
   return row;
 }
 
-void read_journal(Config& c, const char* angle, ConeLayout& cone) {
-  cone.journal_angle =
-      c.quantity(angle, "rad", cone.journal_angle, Range::within(0.0, right_angle));
-  cone.offset = c.quantity("offset", "m", cone.offset);
-  cone.skew = c.quantity("skew", "rad", cone.skew, Range::within(-right_angle, right_angle));
-  cone.apex = c.quantity("apex", "m", cone.apex);
-  cone.foot_height = c.quantity("foot_height", "m", cone.foot_height);
+void read_journal(Config& c, const QuantityKey& angle, ConeLayout& cone) {
+  cone.journal_angle = c.read(angle, cone.journal_angle);
+  cone.offset = c.read(journal_keys::offset, cone.offset);
+  cone.skew = c.read(journal_keys::skew, cone.skew);
+  cone.apex = c.read(journal_keys::apex, cone.apex);
+  cone.foot_height = c.read(journal_keys::foot_height, cone.foot_height);
 }
 
 void note(std::vector<Config>& rows, Config& cone, const ConeFault& fault) {
@@ -78,12 +77,12 @@ void note(std::vector<Config>& rows, Config& cone, const ConeFault& fault) {
 /// One cone; its geometry is checked if everything about it could be read.
 ConeLayout read_cone(Config& c, ConeLayout cone, const ToothShape& usual) {
   const std::size_t before = c.problem_count();
-  cone.azimuth = c.quantity("azimuth", "rad", std::nullopt);
-  read_journal(c, "journal_angle", cone);
-  cone.density = c.quantity("density", "kg/m3", cone.density, Range::non_negative());
-  cone.body = c.flag("body_cuts", false) ? Cutting::cuts : Cutting::never;
-  for (const auto& [s, r] : c.pairs("shell", "m", std::nullopt)) cone.shell.push_back({s, r});
-  std::vector<Config> rows = c.tables("rows");
+  cone.azimuth = c.read(bit_cone_keys::azimuth);
+  read_journal(c, bit_cone_keys::journal_angle, cone);
+  cone.density = c.read(bit_cone_keys::density);
+  cone.body = c.read(bit_cone_keys::body_cuts) ? Cutting::cuts : Cutting::never;
+  for (const auto& [s, r] : c.read(bit_cone_keys::shell)) cone.shell.push_back({s, r});
+  std::vector<Config> rows = c.tables(tooth_row_keys::table);
   for (Config& row : rows) cone.rows.push_back(read_row(row, usual));
   if (c.problem_count() == before)
     for (const ConeFault& fault : cone_faults(cone)) note(rows, c, fault);
@@ -92,22 +91,22 @@ ConeLayout read_cone(Config& c, ConeLayout cone, const ToothShape& usual) {
 
 ConeLayout read_cone_defaults(Config& file) {
   ConeLayout cone;
-  Config journal = file.table("journal");
-  read_journal(journal, "angle", cone);
-  Config mesh = file.table("mesh");
-  cone.segments = static_cast<int>(mesh.integer("segments", cone.segments, 8, 4096));
-  cone.facets = static_cast<int>(mesh.integer("facets", cone.facets, 8, 128));
+  Config journal = file.table(journal_keys::table);
+  read_journal(journal, journal_keys::angle, cone);
+  Config mesh = file.table(cone_mesh_keys::table);
+  cone.segments = static_cast<int>(mesh.read(cone_mesh_keys::segments));
+  cone.facets = static_cast<int>(mesh.read(cone_mesh_keys::facets));
   if (cone.facets % 4 != 0)
-    mesh.problem("facets", fmt::format("{}", cone.facets), "a multiple of 4");
+    mesh.problem(cone_mesh_keys::facets, fmt::format("{}", cone.facets), "a multiple of 4");
   return cone;
 }
 
 Shank read_shank(Config c) {
   Shank shank;
-  shank.radius = c.quantity("radius", "m", 0.0, Range::non_negative());
-  shank.length = c.quantity("length", "m", 0.1, Range::positive());
-  shank.height = c.quantity("height", "m", 0.1);
-  shank.density = c.quantity("density", "kg/m3", shank.density, Range::non_negative());
+  shank.radius = c.read(shank_keys::radius);
+  shank.length = c.read(shank_keys::length);
+  shank.height = c.read(shank_keys::height);
+  shank.density = c.read(shank_keys::density);
   return shank;
 }
 
@@ -180,26 +179,24 @@ std::string cone_text(const ConeLayout& c) {
 }  // namespace
 
 std::vector<std::pair<std::string, ToothKind>> tooth_kinds() {
-  return {{"milled-chisel", ToothKind::milled_chisel},
-          {"hemispherical", ToothKind::hemispherical},
-          {"conical", ToothKind::conical},
-          {"chisel", ToothKind::chisel}};
+  std::vector<std::pair<std::string, ToothKind>> kinds;
+  for (const auto& named : tooth_keys::kind.values)
+    if (!named.name.empty()) kinds.emplace_back(std::string(named.name), named.value);
+  return kinds;
 }
 
 Bit read_cone_bit(Config& file, const std::string& name) {
-  const double gage = file.quantity("gage_diameter", "m", std::numeric_limits<double>::infinity(),
-                                    Range::positive());
-  const auto interference = file.choice<Interference>(
-      "interference", {{"refuse", Interference::refuse}, {"report", Interference::report}},
-      Interference::refuse);
+  const double gage =
+      file.read(bit_file_keys::gage_diameter, std::numeric_limits<double>::infinity());
+  const auto interference = file.read(cone_bit_keys::interference);
   const ConeLayout usual_cone = read_cone_defaults(file);
-  Config teeth = file.table("teeth");
+  Config teeth = file.table(tooth_keys::table);
   const ToothShape usual_tooth = read_shape(teeth, {});
-  std::vector<Config> cones = file.tables("cones");
+  std::vector<Config> cones = file.tables(bit_cone_keys::table);
   std::vector<ConeLayout> layouts;
   layouts.reserve(cones.size());
   for (Config& c : cones) layouts.push_back(read_cone(c, usual_cone, usual_tooth));
-  const Shank shank = read_shank(file.table("shank"));
+  const Shank shank = read_shank(file.table(shank_keys::table));
   file.finish();
   std::optional<double> gage_radius;
   if (gage < std::numeric_limits<double>::infinity()) gage_radius = 0.5 * gage;

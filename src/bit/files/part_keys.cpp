@@ -4,16 +4,11 @@
 
 #include <algorithm>
 
+#include "bit/files/mesh_keys.hpp"
 #include "bit/part_kind.hpp"
 #include "mesh/repair/repair.hpp"
 
 namespace tdbd::bit {
-
-std::vector<std::pair<std::string, PartKind>> named_part_kinds() {
-  std::vector<std::pair<std::string, PartKind>> names;
-  for (const PartKind kind : part_kinds) names.emplace_back(kind_name(kind), kind);
-  return names;
-}
 
 bool is_part_name(const std::string& name) {
   const auto is_word = [](char c) {
@@ -25,9 +20,9 @@ bool is_part_name(const std::string& name) {
 }
 
 Vec3 read_direction(Config& c, const Vec3& fallback) {
-  const Vec3 u = c.vector("update_direction", "1", fallback);
+  const Vec3 u = c.read(part_file_keys::update_direction, fallback);
   if (u.y() == 0.0 && u.norm() > 0.0) return u.normalized();
-  c.problem("update_direction", fmt::format("({}, {}, {})", u.x(), u.y(), u.z()),
+  c.problem(part_file_keys::update_direction, fmt::format("({}, {}, {})", u.x(), u.y(), u.z()),
             "a direction at azimuth 0, (x, 0, z)");
   return Vec3::UnitZ();
 }

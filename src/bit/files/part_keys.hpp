@@ -10,9 +10,6 @@
 
 namespace tdbd::bit {
 
-/// Every kind of part with its name in bit files.
-std::vector<std::pair<std::string, PartKind>> named_part_kinds();
-
 /// Whether a name has only letters, digits, - and _, with / between: names become paths of files
 /// and keys of results.
 bool is_part_name(const std::string& name);

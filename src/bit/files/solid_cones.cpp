@@ -7,22 +7,22 @@
 
 #include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_reach.hpp"
+#include "bit/files/mesh_keys.hpp"
 #include "core/config/toml_text.hpp"
 
 namespace tdbd::bit {
 
 std::vector<Cone> read_solid_cones(Config& solids) {
   std::vector<Cone> cones;
-  for (Config& c : solids.tables("cones")) {
+  for (Config& c : solids.tables(solid_cone_keys::table)) {
     Cone cone;
-    cone.name = c.text("name", std::nullopt);
-    cone.layout.azimuth = c.quantity("azimuth", "rad", std::nullopt);
-    cone.layout.journal_angle =
-        c.quantity("journal_angle", "rad", std::nullopt, Range::within(-1.5, 1.5));
-    cone.layout.offset = c.quantity("offset", "m", 0.0);
-    cone.layout.skew = c.quantity("skew", "rad", 0.0);
-    cone.layout.apex = c.quantity("apex", "m", 0.0);
-    cone.layout.foot_height = c.quantity("foot_height", "m", 0.0);
+    cone.name = c.read(solid_cone_keys::name);
+    cone.layout.azimuth = c.read(solid_cone_keys::azimuth);
+    cone.layout.journal_angle = c.read(solid_cone_keys::journal_angle);
+    cone.layout.offset = c.read(solid_cone_keys::offset);
+    cone.layout.skew = c.read(solid_cone_keys::skew);
+    cone.layout.apex = c.read(solid_cone_keys::apex);
+    cone.layout.foot_height = c.read(solid_cone_keys::foot_height);
     cone.X_BK = cone_pose(cone.layout, 0.0);
     cones.push_back(cone);
   }

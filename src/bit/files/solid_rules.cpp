@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "bit/files/mesh_keys.hpp"
 #include "bit/files/part_keys.hpp"
 #include "rotation/rotation_vector.hpp"
 
@@ -10,29 +11,29 @@ namespace tdbd::bit {
 namespace {
 
 std::optional<Pose> read_frame(Config& c) {
-  if (!c.has("cutter_position") && !c.has("cutter_rotation_vector")) return {};
+  if (!c.has(solid_rule_keys::cutter_position) && !c.has(solid_rule_keys::cutter_rotation_vector))
+    return {};
   Pose X_BC;
-  X_BC.p = c.vector("cutter_position", "m", std::nullopt);
-  X_BC.R = rotation::exp(c.vector("cutter_rotation_vector", "rad", std::nullopt));
+  X_BC.p = c.read(solid_rule_keys::cutter_position);
+  X_BC.R = rotation::exp(c.read(solid_rule_keys::cutter_rotation_vector));
   return X_BC;
 }
 
 SolidRule read_rule(Config& c) {
   SolidRule rule;
-  rule.match = c.text("match", std::nullopt);
-  if (c.has("name")) rule.name = c.text("name", std::nullopt);
+  rule.match = c.read(solid_rule_keys::match);
+  if (c.has(solid_rule_keys::name)) rule.name = c.read(solid_rule_keys::name);
   if (rule.name && !is_part_name(*rule.name))
-    c.problem("name", '"' + *rule.name + '"', "letters, digits, - and _, with / between");
-  if (c.has("kind")) rule.kind = c.choice<PartKind>("kind", named_part_kinds(), std::nullopt);
-  if (c.has("cutting"))
-    rule.cutting = c.flag("cutting", std::nullopt) ? Cutting::cuts : Cutting::never;
-  if (c.has("density"))
-    rule.density = c.quantity("density", "kg/m3", std::nullopt, Range::non_negative());
-  if (c.has("group"))
-    rule.group =
-        static_cast<int>(c.integer("group", std::nullopt, -1, std::numeric_limits<int>::max()));
+    c.problem(solid_rule_keys::name, '"' + *rule.name + '"',
+              "letters, digits, - and _, with / between");
+  if (c.has(solid_rule_keys::kind)) rule.kind = part_kind_named(c.read(solid_rule_keys::kind));
+  if (c.has(solid_rule_keys::cutting))
+    rule.cutting = c.read(solid_rule_keys::cutting) ? Cutting::cuts : Cutting::never;
+  if (c.has(solid_rule_keys::density)) rule.density = c.read(solid_rule_keys::density);
+  if (c.has(solid_rule_keys::group)) rule.group = static_cast<int>(c.read(solid_rule_keys::group));
   rule.X_BC = read_frame(c);
-  if (c.has("update_direction")) rule.update_direction_B = read_direction(c, Vec3::UnitZ());
+  if (c.has(solid_rule_keys::update_direction))
+    rule.update_direction_B = read_direction(c, Vec3::UnitZ());
   return rule;
 }
 
@@ -53,7 +54,7 @@ bool fits(std::string_view pattern, std::string_view name) {
 
 std::vector<SolidRule> read_rules(Config& solids) {
   std::vector<SolidRule> rules;
-  std::vector<Config> tables = solids.tables("rules");
+  std::vector<Config> tables = solids.tables(solid_rule_keys::table);
   rules.reserve(tables.size());
   for (Config& c : tables) rules.push_back(read_rule(c));
   return rules;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "bit/files/mesh_keys.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/files/solid_cones.hpp"
 #include "bit/files/solid_rules.hpp"
@@ -20,15 +21,15 @@ namespace {
 constexpr const char* solids_wanted = "closed meshes with outward normals (STL, OBJ, PLY or OFF)";
 
 std::vector<mesh::Solid> read_file(Config& c) {
-  const std::string file = c.path("file", std::nullopt);
-  const double unit = c.quantity("unit", "m", 1e-3, Range::positive());
+  const std::string file = c.read(solids_keys::file);
+  const double unit = c.read(solids_keys::unit);
   if (file.empty()) return {};
   try {
     std::vector<mesh::Solid> solids = mesh::read_solids(file, unit);
     note_mesh_faults(c, "file", file, solids, solids_wanted);
     return solids;
   } catch (const InputError& e) {
-    c.problem("file", e.what(), solids_wanted);
+    c.problem(solids_keys::file, e.what(), solids_wanted);
     return {};
   }
 }
@@ -100,7 +101,7 @@ void check_parts(Config& file, const std::vector<Part>& parts) {
 
 PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRule inside,
                                 Densities densities) {
-  Config c = file.table("solids");
+  Config c = file.table(solids_keys::table);
   std::vector<mesh::Solid> solids = read_file(c);
   const std::vector<SolidRule> rules = read_rules(c);
   require_matches(c, rules, names_of(solids));
@@ -111,7 +112,8 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     const SolidRule rule = rule_for(rules, solid.name);
     const auto kind = rule.kind ? rule.kind : kind_of_name(rule.name.value_or(solid.name));
     if (!kind)
-      c.problem("file", fmt::format("a solid \"{}\" whose name does not say its kind", solid.name),
+      c.problem(solids_keys::file,
+                fmt::format("a solid \"{}\" whose name does not say its kind", solid.name),
                 "a name like cutter-1/face, gage-pad-1, bit-body or cone-1/row-1/tooth-1, or a "
                 "rule [[solids.rules]] that fits it and gives its kind");
     Part part = part_of(rule, std::move(solid), kind.value_or(PartKind::bit_body));
@@ -126,8 +128,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     read.parts.push_back(std::move(part));
   }
   check_parts(file, read.parts);
-  if (checks_units(file))
-    ask_for_unit(c, "unit", read.parts, c.quantity("unit", "m", 1e-3, Range::positive()));
+  if (checks_units(file)) ask_for_unit(c, "unit", read.parts, c.read(solids_keys::unit));
   if (densities == Densities::required && !read.without_density.empty())
     c.problem("rules", "no density of " + listed(read.without_density), density_wanted);
   return read;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bit/files/pdc_keys.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit {
@@ -36,7 +37,7 @@ std::string unit_question(double size, double unit, const SizeRange& usual) {
                      guesses.empty() ? "in what unit is it?" : "is it " + guesses + "?");
 }
 
-bool checks_units(Config& c) { return c.flag("unit_check", true); }
+bool checks_units(Config& c) { return c.read(bit_file_keys::unit_check); }
 
 void ask_for_unit(Config& c, const std::string& key, const std::vector<Part>& parts, double unit) {
   if (parts.empty()) return;

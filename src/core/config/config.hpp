@@ -39,7 +39,7 @@ class Config {
     return read(key, std::optional<T>());
   }
   long read(const IntegerKey& key) { return read(key, key.fallback); }
-  bool read(const FlagKey& key);
+  bool read(const FlagKey& key) { return read(key, key.fallback); }
   std::string read(const TextKey& key);
   std::string read(const PathKey& key);
   template <class E>
@@ -56,6 +56,7 @@ class Config {
       const PairsKey& key, std::optional<std::vector<std::pair<double, double>>> fallback);
   Mat3 read(const MatrixKey& key, const std::optional<Mat3>& fallback);
   long read(const IntegerKey& key, std::optional<long> fallback);
+  bool read(const FlagKey& key, std::optional<bool> fallback);
   template <class E>
   E read(const ChoiceKey<E>& key, std::optional<E> fallback) {
     note_former_names(key, key.former);

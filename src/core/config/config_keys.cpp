@@ -59,9 +59,9 @@ long Config::read(const IntegerKey& key, std::optional<long> fallback) {
   return integer(key, fallback, key.lo, key.hi);
 }
 
-bool Config::read(const FlagKey& key) {
+bool Config::read(const FlagKey& key, std::optional<bool> fallback) {
   note_former_names(key, key.former);
-  return flag(key, key.fallback);
+  return flag(key, fallback);
 }
 
 std::string Config::read(const TextKey& key) {

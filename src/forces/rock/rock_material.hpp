@@ -15,9 +15,9 @@ inline constexpr double usual_porosity = 0.2;
 /// A rock as a material.
 struct RockMaterial {
   std::string name;
-  double unconfined = 0.0;      ///< Pa, compressive strength at no confinement (UCS), > 0
-  double friction_angle = 0.0;  ///< rad, of Mohr and Coulomb, in [0, 60 degrees]
-  double porosity = usual_porosity;        ///< 1, effective; used by by_porosity only
+  double unconfined = 0.0;           ///< Pa, compressive strength at no confinement (UCS), > 0
+  double friction_angle = 0.0;       ///< rad, of Mohr and Coulomb, in [0, 60 degrees]
+  double porosity = usual_porosity;  ///< 1, effective; used by by_porosity only
 };
 
 /// The pressures at the bottom of the hole.

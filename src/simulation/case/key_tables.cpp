@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bit/files/bit_tables.hpp"
 #include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/motion_keys.hpp"
@@ -176,6 +177,7 @@ std::vector<KeyTable> all_tables() {
   add({body_table(), cone_table()});
   add(load_tables());
   add(rotate_tables());
+  add(bit::bit_tables());
   return all;
 }
 

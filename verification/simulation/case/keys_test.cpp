@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "bit/files/bit_file.hpp"
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
 #include "simulation/case/case.hpp"
@@ -71,6 +72,7 @@ std::vector<Resolved> lines_of(const std::string& resolved) {
 /// The tables in which a table of a file is declared.
 std::vector<std::string> declared_as(const std::string& table) {
   if (table == "rock.layers.material") return {"rock.material"};
+  if (table == "cones.rows") return {"cones.rows", "teeth"};
   for (const std::string& kind : part_kinds)
     if (table == "forces." + kind) return {"forces.KIND", "forces"};
   for (const char* key : {"rotary_speed", "rate_of_penetration", "weight_on_bit"})
@@ -104,7 +106,9 @@ void expect_declared(const ReadCase& c) {
   const Config file = Config::read_file(c.path, {});
   for (const Resolved& line : lines_of(c.resolved)) {
     const std::string key = line.place.empty() ? line.key : line.place + "." + line.key;
-    const bool given = file.has(key) || file.has(line.place + ".coefficients");
+    // Cones and their rows have the values of [journal] and [teeth] unless they give their own.
+    const bool given = file.has(key) || file.has(line.place + ".coefficients") ||
+                       (c.command == "bit" && line.table.starts_with("cones"));
     const auto agrees = [&](const KeyRow& row) {
       return has_unit(row, line.unit) && (given || row.toml.empty() || row.toml == line.value);
     };
@@ -140,6 +144,16 @@ TEST(Keys, of_every_shipped_case_are_declared) {
   for (const fs::path& path : paths) expect_declared(read_shipped(path));
 }
 
+TEST(Keys, of_every_shipped_bit_are_declared) {
+  for (const auto& entry : fs::directory_iterator(TDBD_SOURCE_DIR "/cases/bits")) {
+    const fs::path& path = entry.path();
+    if (path.extension() != ".toml") continue;
+    const bit::BitFile file =
+        bit::read_bit(path, bit::DirectionRule::hybrid, bit::InsideRule::down);
+    expect_declared({"bit", path, file.fingerprint});
+  }
+}
+
 std::string write(const std::string& name, const std::string& text) {
   const std::string path = temporary_folder() + name;
   std::ofstream(path) << text;
@@ -173,7 +187,8 @@ std::vector<ReadCase> motions_and_rocks() {
   const std::string path = write(
       "keys_path.csv", "time_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad\n0,0,0,0,0,0,0\n1,0,0,0,0,0,1\n");
   const std::string layers =
-      "[forces]\nlaw = \"detournay\"\nepsilon = 3e7\n[rock.material]\nunconfined_strength = 3e7\n"
+      "[forces]\nlaw = \"detournay\"\neps = 3e7\nzeta = 0.6\n[rock.material]\nunconfined_strength "
+      "= 3e7\n"
       "friction_angle = 0.5\n[[rock.layers]]\ntop = 0.1\nmaterial = \"berea-sandstone\"\n";
   return {small_run(steady, "[motion.tilt]\nangle = 0.1\n", {"rock.shape=flat"}),
           small_run("kind = \"whirl\"\n" + std::string(steady),
@@ -192,7 +207,8 @@ ReadCase drilling() {
       "kind = \"drilling\"\nweight_at_start = 10\ntorque_at_start = 1\n"
       "[motion.rotary_speed]\ntimes = [0, 1]\nvalues = [1, 2]\n"
       "[motion.weight_on_bit]\ntimes = [0, 1]\nvalues = [10, 20]\nbetween = \"linear\"\n",
-      "[forces]\nlaw = \"detournay\"\nepsilon = 3e7\n[string]\nmass = 1000\ntorsional_inertia = "
+      "[forces]\nlaw = \"detournay\"\neps = 3e7\nzeta = 0.6\n[string]\nmass = "
+      "1000\ntorsional_inertia = "
       "10\n"
       "bending_inertia = 100\naxial_stiffness = 1e5\ntorsional_stiffness = 100\n"
       "[wall]\nstiffness = 1e6\nclearance = 0.001\n[rock_mount]\nmass = 1000\n",
@@ -206,31 +222,42 @@ double some_value(const forces::LawField& field) {
   return 0.0;
 }
 
-/// Each force law, given to the first kind of part that it knows.
+/// The settings that give a force law, its coefficients beside it, to a table.
+std::vector<std::string> law_in(const std::string& table, std::string_view name) {
+  forces::Law law = forces::law_named(name);
+  std::vector<std::string> settings{table + ".law=" + std::string(name)};
+  for (const forces::LawField& field : forces::law_fields(law))
+    settings.push_back(table + "." + std::string(field.key) + "=" +
+                       std::to_string(some_value(field)));
+  return settings;
+}
+
+/// Each force law, for the whole bit or else for the first kind of part that it knows.
 std::vector<ReadCase> laws() {
+  std::vector<std::string> tables{"forces"};
+  for (const std::string& kind : part_kinds) tables.push_back("forces." + kind);
   std::vector<ReadCase> cases;
-  for (const std::string_view name : forces::law_names()) {
-    forces::Law law = forces::law_named(name);
-    for (const std::string& kind : part_kinds) {
-      std::vector<std::string> settings{"forces.law=detournay", "forces.epsilon=3e7",
-                                        "rock.material=berea-sandstone",
-                                        "forces." + kind + ".law=" + std::string(name)};
-      for (const forces::LawField& field : forces::law_fields(law))
-        settings.push_back("forces." + kind + "." + std::string(field.key) + "=" +
-                           std::to_string(some_value(field)));
+  for (const std::string_view name : forces::law_names())
+    for (const std::string& table : tables) {
+      std::vector<std::string> settings = law_in(table, name);
+      settings.emplace_back("rock.material=berea-sandstone");
+      if (table != "forces")
+        for (const char* common : {"forces.law=detournay", "forces.eps=3e7", "forces.zeta=0.6"})
+          settings.emplace_back(common);
       try {
         cases.push_back(small_run(steady, "", settings));
         break;
-      } catch (const InputError&) {  // a kind that the law does not know
+      } catch (const InputError&) {  // a law that knows no such part
       }
     }
-  }
   return cases;
 }
 
 std::vector<ReadCase> fits() {
   const std::string name(force_keys::fit_names().front());
-  return {small_run(steady, "", {"forces.coefficients=" + name, "rock.material=berea-sandstone"})};
+  return {small_run(steady, "",
+                    {"forces.coefficients=" + name, "forces.face.coefficients=" + name,
+                     "rock.material=berea-sandstone"})};
 }
 
 ReadCase rotation(const std::string& body) {
@@ -270,7 +297,8 @@ TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
   }
   for (const KeyTable& table : all_tables())
     for (const KeyRow& row : table.rows)
-      EXPECT_TRUE(read.contains(table.command + " " + table.name + " " + row.name))
+      EXPECT_TRUE(table.command == "bit" ||
+                  read.contains(table.command + " " + table.name + " " + row.name))
           << table.command << " " << table.name << " " << row.name;
 }
 

@@ -53,8 +53,8 @@ void check_with_cones(int cones) {
   }
   history.close();
   const std::string command = std::string("/usr/bin/python3 -B ") + TDBD_SOURCE_DIR +
-                              "/verification/simulation/check_rotate_history.py " + where.string() +
-                              " 601 " + std::to_string(cones);
+                              "/verification/simulation/rotate/check_rotate_history.py " +
+                              where.string() + " 601 " + std::to_string(cones);
   EXPECT_EQ(std::system(command.c_str()), 0) << cones << " cones";
 }
 

@@ -1,0 +1,219 @@
+#pragma once
+
+#include <numbers>
+
+#include "bit/cone.hpp"
+#include "core/config/key.hpp"
+
+/// The keys of a roller cone bit. Defaults are those of the structs that the keys fill.
+namespace tdbd::bit {
+
+namespace journal_keys {
+
+inline constexpr TableKey table{"journal",
+                                "the journals of all cones; a cone may have its own values"};
+
+inline constexpr QuantityKey angle{
+    .name = "angle",
+    .unit = "rad",
+    .fallback = 0.0,
+    .range = Range::within(0.0, 0.5 * std::numbers::pi),
+    .meaning = "of the journal below the plane normal to the bit's axis"};
+inline constexpr QuantityKey offset{
+    .name = "offset",
+    .unit = "m",
+    .fallback = 0.0,
+    .meaning = "of the journal's axis, in the sense of the bit's rotation"};
+inline constexpr QuantityKey skew{
+    .name = "skew",
+    .unit = "rad",
+    .fallback = 0.0,
+    .range = Range::within(-0.5 * std::numbers::pi, 0.5 * std::numbers::pi),
+    .meaning = "of the journal's outer end, in the same sense"};
+inline constexpr QuantityKey apex{.name = "apex",
+                                  .unit = "m",
+                                  .fallback = 0.0,
+                                  .meaning = "from the journal's foot to the cone's origin"};
+inline constexpr QuantityKey foot_height{.name = "foot_height",
+                                         .unit = "m",
+                                         .fallback = 0.0,
+                                         .meaning = "of the journal's foot above the bit's origin"};
+
+}  // namespace journal_keys
+
+namespace tooth_keys {
+
+inline constexpr TableKey table{"teeth", "the teeth of all rows; a row may have its own values"};
+
+inline constexpr ChoiceKey<ToothKind> kind{.name = "kind",
+                                           .values = {{{"milled-chisel", ToothKind::milled_chisel},
+                                                       {"hemispherical", ToothKind::hemispherical},
+                                                       {"conical", ToothKind::conical},
+                                                       {"chisel", ToothKind::chisel}}},
+                                           .fallback = ToothShape{}.kind,
+                                           .meaning = "the form of the teeth"};
+inline constexpr QuantityKey diameter{
+    .name = "diameter",
+    .unit = "m",
+    .fallback = ToothShape{}.diameter,
+    .range = Range::positive(),
+    .meaning = "of an insert's shank; a milled tooth's length at the shell"};
+inline constexpr QuantityKey width{.name = "width",
+                                   .unit = "m",
+                                   .fallback = ToothShape{}.width,
+                                   .range = Range::positive(),
+                                   .meaning = "milled: along the circumference, at the shell"};
+inline constexpr QuantityKey protrusion{.name = "protrusion",
+                                        .unit = "m",
+                                        .fallback = ToothShape{}.protrusion,
+                                        .range = Range::positive(),
+                                        .meaning = "of the tip above the shell"};
+inline constexpr QuantityKey crest_length{.name = "crest_length",
+                                          .unit = "m",
+                                          .fallback = ToothShape{}.crest_length,
+                                          .range = Range::positive(),
+                                          .meaning = "chisels: of the crest"};
+inline constexpr QuantityKey crest_width{.name = "crest_width",
+                                         .unit = "m",
+                                         .fallback = ToothShape{}.crest_width,
+                                         .range = Range::positive(),
+                                         .meaning = "chisels: of the crest"};
+inline constexpr QuantityKey tip_radius{.name = "tip_radius",
+                                        .unit = "m",
+                                        .fallback = ToothShape{}.tip_radius,
+                                        .range = Range::positive(),
+                                        .meaning = "conical: of the tip"};
+inline constexpr QuantityKey embedding{.name = "embedding",
+                                       .unit = "m",
+                                       .fallback = ToothShape{}.embedding,
+                                       .range = Range::positive(),
+                                       .meaning = "depth of the tooth below the shell"};
+inline constexpr QuantityKey half_angle{.name = "half_angle",
+                                        .unit = "rad",
+                                        .fallback = ToothShape{}.half_angle,
+                                        .range = Range::within(0.05, 1.5),
+                                        .meaning = "conical: of the cone"};
+inline constexpr QuantityKey density{.name = "density",
+                                     .unit = "kg/m3",
+                                     .fallback = ToothShape{}.density,
+                                     .range = Range::non_negative(),
+                                     .meaning = "of the teeth"};
+
+}  // namespace tooth_keys
+
+namespace cone_mesh_keys {
+
+inline constexpr TableKey table{"mesh", "the meshes of cones and teeth"};
+
+inline constexpr IntegerKey segments{.name = "segments",
+                                     .fallback = ConeLayout{}.segments,
+                                     .lo = 8,
+                                     .hi = 4096,
+                                     .meaning = "around the shell's mesh"};
+inline constexpr IntegerKey facets{.name = "facets",
+                                   .fallback = ConeLayout{}.facets,
+                                   .lo = 8,
+                                   .hi = 128,
+                                   .meaning = "around an insert's mesh, a multiple of 4"};
+
+}  // namespace cone_mesh_keys
+
+namespace bit_cone_keys {
+
+inline constexpr TableKey table{"cones", "a cone with its rows of teeth", Repeats::yes};
+
+inline constexpr QuantityKey azimuth{
+    .name = "azimuth", .unit = "rad", .meaning = "of the journal about the bit's axis"};
+inline constexpr QuantityKey density{.name = "density",
+                                     .unit = "kg/m3",
+                                     .fallback = ConeLayout{}.density,
+                                     .range = Range::non_negative(),
+                                     .meaning = "of the shell"};
+inline constexpr FlagKey body_cuts{
+    .name = "body_cuts",
+    .fallback = false,
+    .meaning = "whether the shell crushes rock that stands between the prints of teeth"};
+inline constexpr PairsKey shell{
+    .name = "shell", .unit = "m", .meaning = "[[s, radius], ...] from the nose to the base"};
+inline constexpr QuantityKey journal_angle{.name = "journal_angle",
+                                           .unit = "rad",
+                                           .usual = "that of [journal]",
+                                           .range = journal_keys::angle.range,
+                                           .meaning = journal_keys::angle.meaning};
+
+}  // namespace bit_cone_keys
+
+namespace tooth_row_keys {
+
+inline constexpr TableKey table{"cones.rows", "a row of equal teeth; also any key of [teeth]",
+                                Repeats::yes};
+
+inline constexpr QuantityKey s{
+    .name = "s", .unit = "m", .meaning = "place of the row on the shell"};
+inline constexpr QuantityKey sink{.name = "sink",
+                                  .unit = "m",
+                                  .fallback = 0.0,
+                                  .meaning = "how far the teeth's origins lie below the shell"};
+inline constexpr QuantityKey lean{
+    .name = "lean",
+    .unit = "rad",
+    .fallback = 0.0,
+    .range = Range::within(-0.5 * std::numbers::pi, 0.5 * std::numbers::pi),
+    .meaning = "of the teeth from the shell's normal"};
+inline constexpr FlagKey gage{
+    .name = "gage", .fallback = false, .meaning = "whether it is a gage row"};
+inline constexpr ListKey angles{.name = "angles",
+                                .unit = "rad",
+                                .usual = "in place of teeth",
+                                .meaning = "of the teeth about the journal"};
+inline constexpr IntegerKey teeth{.name = "teeth",
+                                  .usual = "required without angles",
+                                  .lo = 1,
+                                  .hi = 1000,
+                                  .meaning = "how many"};
+inline constexpr QuantityKey first_angle{
+    .name = "first_angle", .unit = "rad", .fallback = 0.0, .meaning = "of the first tooth"};
+inline constexpr ListKey spacing{.name = "spacing",
+                                 .usual = "equal spaces",
+                                 .meaning = "ratios of the spaces between teeth, repeated"};
+
+}  // namespace tooth_row_keys
+
+namespace shank_keys {
+
+inline constexpr TableKey table{"shank", "the steel above the cones, a cylinder that never cuts"};
+
+inline constexpr QuantityKey radius{.name = "radius",
+                                    .unit = "m",
+                                    .fallback = 0.0,
+                                    .range = Range::non_negative(),
+                                    .meaning = "0: none"};
+inline constexpr QuantityKey length{.name = "length",
+                                    .unit = "m",
+                                    .fallback = 0.1,
+                                    .range = Range::positive(),
+                                    .meaning = "along the axis"};
+inline constexpr QuantityKey height{.name = "height",
+                                    .unit = "m",
+                                    .fallback = 0.1,
+                                    .meaning = "of its lower end above the bit's origin"};
+inline constexpr QuantityKey density{.name = "density",
+                                     .unit = "kg/m3",
+                                     .fallback = Shank{}.density,
+                                     .range = Range::non_negative(),
+                                     .meaning = "of the steel"};
+
+}  // namespace shank_keys
+
+namespace cone_bit_keys {
+
+enum class Interference { refuse, report };
+inline constexpr ChoiceKey<Interference> interference{
+    .name = "interference",
+    .values = {{{"refuse", Interference::refuse}, {"report", Interference::report}}},
+    .fallback = Interference::refuse,
+    .meaning = "whether cones may overlap"};
+
+}  // namespace cone_bit_keys
+
+}  // namespace tdbd::bit
