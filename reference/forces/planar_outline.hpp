@@ -12,10 +12,10 @@ struct PlanarCut {
   std::vector<double> volume;  ///< m3 per revolution
 };
 
-/// The model of Warren and Sinor (1986) as literature.md 1 has it: each cutter's rim is drawn in
-/// the (r, z) half-plane as the ellipse that it shows along the motion (not turned about the axis),
-/// and passes of six revolutions, in order of time, remove what lies between them and the bottom.
-/// The last revolution is told. advance: m per revolution; column: m, of radius.
+/// The planar model of Warren and Sinor (1986): each cutter's rim is drawn in the (r, z) half-plane
+/// as the ellipse that it shows along the motion (not turned about the axis), and the passes of six
+/// revolutions, in order of time, remove what lies between them and the bottom. The last revolution
+/// is reported. `advance`: m per revolution; `column`: m, of radius.
 PlanarCut planar_cut(const std::vector<bit::Cutter>& cutters, double advance, double column);
 
 }  // namespace tdbd::reference

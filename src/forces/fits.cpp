@@ -1,18 +1,13 @@
 #include "forces/fits.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
-#include <numbers>
 
-#include "core/error.hpp"
+#include "core/angles.hpp"
+#include "forces/named.hpp"
 
 namespace tdbd::forces {
 namespace {
-
-constexpr double MPa = 1e6;
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// C d^n, as fitted in lbf and inch.
 struct PowerLaw {
@@ -29,25 +24,27 @@ Glowka glowka(const PowerLaw& normal, const PowerLaw& drag) {
   return {.Cn = at_reference(normal), .nn = normal.n, .Cd = at_reference(drag), .nd = drag.n};
 }
 
-/// The reconstruction with A1 and A3 given, chamfers and other surfaces as domain.md 1.0 starts.
+/// The reconstruction with A1 and A3 given; chamfers and other surfaces get assumed starting
+/// values.
 HansonHansen hanson_hansen(double A1, double A3) {
   return {.A1 = A1, .A3 = A3, .A5 = 1.34, .A6 = 0.6, .A7 = 0.5, .A8 = 0.3};
 }
 
-constexpr std::string_view rows =
+constexpr std::string_view sandia_rows =
     "fits to single-cutter rows of Sandia, 20 degrees of back rake, 0.053 m/s (github "
     "Atashnezhad/PhD_Dissertation)";
 
-const std::array<Fit, 11>& table() {
+const std::array<Fit, 11>& fit_table() {
   static const std::array<Fit, 11> fits{{
-      {"glowka-berea-0.5in", glowka({5925, 1.50}, {5863, 1.43}), Evidence::derived, rows},
-      {"glowka-berea-0.75in", glowka({3537, 1.36}, {5281, 1.40}), Evidence::derived, rows},
-      {"glowka-sierra-white-0.5in", glowka({25473, 1.64}, {47713, 1.88}), Evidence::derived, rows},
+      {"glowka-berea-0.5in", glowka({5925, 1.50}, {5863, 1.43}), Evidence::derived, sandia_rows},
+      {"glowka-berea-0.75in", glowka({3537, 1.36}, {5281, 1.40}), Evidence::derived, sandia_rows},
+      {"glowka-sierra-white-0.5in", glowka({25473, 1.64}, {47713, 1.88}), Evidence::derived,
+       sandia_rows},
       {"glowka-sierra-white-0.75in-blunt", glowka({2067, 0.33}, {2346, 0.48}), Evidence::derived,
-       rows},
-      {"detournay-berea", Detournay{.eps = 45 * MPa, .zeta = 0.79}, Evidence::derived, rows},
+       sandia_rows},
+      {"detournay-berea", Detournay{.eps = 45 * MPa, .zeta = 0.79}, Evidence::derived, sandia_rows},
       {"detournay-sierra-white", Detournay{.eps = 108 * MPa, .zeta = 1.11}, Evidence::derived,
-       rows},
+       sandia_rows},
       {"detournay-drill-string",
        Detournay{.eps = 60 * MPa, .zeta = 0.6, .sigma = 60 * MPa, .mu = 0.6}, Evidence::seen,
        "github ulfjakob/AxialTorsionalDrillString"},
@@ -55,7 +52,7 @@ const std::array<Fit, 11>& table() {
        Detournay{
            .eps = 171 * MPa, .zeta = 0.7, .sigma = 60 * MPa, .mu = 0.3, .l = 2e-3, .kappa = 5},
        Evidence::seen, "\"formation 1 hard\" of a code citing Detournay et al. 2008"},
-      {"hanson-hansen-sharp", hanson_hansen(0.9, 20 * degree), Evidence::derived, rows},
+      {"hanson-hansen-sharp", hanson_hansen(0.9, 20 * degree), Evidence::derived, sandia_rows},
       {"hanson-hansen-shale-thin", hanson_hansen(3.7, 19 * degree), Evidence::derived,
        "Zijsling 1987 by Miedema's formula, 3000 to 6000 psi, cuts of 0.15 to 0.30 mm"},
       {"hanson-hansen-shale", hanson_hansen(1.5, 19 * degree), Evidence::recall,
@@ -66,15 +63,10 @@ const std::array<Fit, 11>& table() {
 
 }  // namespace
 
-std::span<const Fit> known_fits() { return table(); }
+std::span<const Fit> known_fits() { return fit_table(); }
 
 const Fit& fit_named(std::string_view name) {
-  std::string all;
-  for (const Fit& fit : table()) {
-    if (fit.name == name) return fit;
-    all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", fit.name);
-  }
-  throw InputError(fmt::format("found the coefficients \"{}\", expected one of {}", name, all));
+  return item_named("coefficients", name, known_fits(), [](const Fit& fit) { return fit.name; });
 }
 
 }  // namespace tdbd::forces

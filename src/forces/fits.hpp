@@ -8,7 +8,7 @@
 
 namespace tdbd::forces {
 
-/// Coefficients of a law from the literature, for one rock and tool.
+/// Coefficients of a law from the literature, for one rock and one tool.
 struct Fit {
   std::string_view name;  ///< "glowka-berea-0.5in"
   Law law;
@@ -16,10 +16,10 @@ struct Fit {
   std::string_view source;
 };
 
-/// All of them. Laws at atmospheric pressure unless told.
+/// All fits. At atmospheric pressure unless the source says otherwise.
 std::span<const Fit> known_fits();
 
-/// The fit of this name. InputError: there is none; tells those that there are.
+/// The fit of this name. Throws InputError, with the names that there are, when there is none.
 const Fit& fit_named(std::string_view name);
 
 }  // namespace tdbd::forces

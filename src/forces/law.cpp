@@ -6,23 +6,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/error.hpp"
+#include "forces/named.hpp"
 
 namespace tdbd::forces {
 namespace {
 
 using bit::PartKind;
-
-constexpr std::array<std::pair<PartKind, std::string_view>, 8> kinds{{
-    {PartKind::face, "face"},
-    {PartKind::chamfer, "chamfer"},
-    {PartKind::cse, "cse"},
-    {PartKind::cutter_body, "cutter body"},
-    {PartKind::gage_pad, "gage pad"},
-    {PartKind::bit_body, "bit body"},
-    {PartKind::cone, "cone"},
-    {PartKind::tooth, "tooth"},
-}};
 
 bool knows(const Law& law, PartKind kind) {
   return std::visit([kind](const auto& l) { return l.knows(kind); }, law);
@@ -34,12 +23,6 @@ bool needs_diameter(const Law& law) {
         return requires { l.needs_diameter; };
       },
       law);
-}
-
-std::string_view name_of(PartKind kind) {
-  for (const auto& [each, name] : kinds)
-    if (each == kind) return name;
-  return "part";
 }
 
 /// Every law with its usual coefficients, in the order of the variant.
@@ -84,25 +67,22 @@ std::vector<std::string_view> law_names() {
 }
 
 Law law_named(std::string_view name) {
-  std::string all;
-  for (const Law& law : every_law()) {
-    if (law_name(law) == name) return law;
-    all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", law_name(law));
-  }
-  throw InputError(fmt::format("found the force law \"{}\", expected one of {}", name, all));
+  const auto all = every_law();
+  return item_named("force law", name, all, law_name);
 }
 
 std::string law_problem(const Law& law, bit::PartKind kind, double diameter) {
   if (knows(law, kind)) {
     if (!needs_diameter(law) || diameter > 0.0) return {};
     return fmt::format("the law \"{}\" needs the cutter's diameter, which this {} has not",
-                       law_name(law), name_of(kind));
+                       law_name(law), bit::kind_words(kind));
   }
   std::string known;
-  for (const auto& [each, name] : kinds)
-    if (knows(law, each)) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
-  return fmt::format("the law \"{}\" knows no {}; it knows: {}", law_name(law), name_of(kind),
-                     known);
+  for (const PartKind each : bit::part_kinds)
+    if (knows(law, each))
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", bit::kind_words(each));
+  return fmt::format("the law \"{}\" knows no {}; it knows: {}", law_name(law),
+                     bit::kind_words(kind), known);
 }
 
 }  // namespace tdbd::forces

@@ -19,17 +19,19 @@ namespace tdbd::forces {
 
 /// The force laws: plain structs of coefficients. A law is one header with such a struct, its
 /// `name`, `knows` (which kinds of part), `coefficients` and `law_force`, and `needs_diameter` if
-/// it asks for the cutter's; here it needs no more than its place in this list.
+/// it needs the cutter's. Here it only needs its place in this list; README.md gives the five
+/// steps.
 using Law = std::variant<NoForce, HansonHansen, Detournay, DepthOfCut, Glowka, ThinCut, Friction,
                          Indentation>;
 
-/// The force of the rock on a part, N. Pure: may be asked again at another velocity. A part of a
-/// kind that the law does not know feels nothing (law_problem tells beforehand). Finite for finite
-/// numbers, at rest as well. It never pulls the bit into the rock (force . normal <= 0) and never
-/// does positive work on it (force . velocity <= 0). Cost: no allocation. Thesis: app. C.
+/// The force of the rock on a part, N. A pure function, so it may be evaluated again at another
+/// velocity. A part of a kind that the law does not know gets no force (law_problem warns
+/// beforehand). Finite for finite numbers, also at rest. It never pulls the bit into the rock
+/// (force . normal <= 0) and never does positive work on it (force . velocity <= 0). Does not
+/// allocate. Thesis: app. C.
 PartForce force(const Law& law, const PartCut& cut);
 
-/// A coefficient of a law, to be read into `value`.
+/// A coefficient of a given law, to be read into `value`.
 struct LawField {
   std::string_view key;
   std::string_view unit;           ///< SI, as UDUNITS-2 writes it
@@ -39,7 +41,7 @@ struct LawField {
   double* value = nullptr;  ///< in the law
 };
 
-/// The coefficients of a law, to be read from a case or to be fitted; they point into `law`.
+/// The coefficients of a law, to be read from a case or fitted; they point into `law`.
 std::vector<LawField> law_fields(Law& law);
 
 /// The names of all laws: "none", "hanson-hansen", ...
@@ -48,12 +50,12 @@ std::vector<std::string_view> law_names();
 /// The name of a law.
 std::string_view law_name(const Law& law);
 
-/// The law of this name with its usual coefficients (0 where there are none). InputError: no such
-/// law.
+/// The law of this name with its default coefficients (0 where there are none). Throws InputError
+/// when there is no such law.
 Law law_named(std::string_view name);
 
-/// What keeps a law from being asked for a part of this kind, with the kinds that it knows; empty:
-/// nothing. diameter: of the part's cutter, m, 0 if there is none.
+/// Why a law cannot be used for a part of this kind, with the kinds that it knows; empty if it can.
+/// `diameter`: of the part's cutter, m, 0 if there is none.
 std::string law_problem(const Law& law, bit::PartKind kind, double diameter);
 
 }  // namespace tdbd::forces

@@ -10,7 +10,7 @@
 namespace tdbd::forces {
 namespace {
 
-TEST(known_fits, lie_in_the_ranges_of_their_laws_and_have_a_source) {
+TEST(KnownFits, lie_in_the_ranges_of_their_laws_and_have_a_source) {
   std::set<std::string_view> names;
   for (const Fit& fit : known_fits()) {
     EXPECT_TRUE(names.insert(fit.name).second) << fit.name;
@@ -21,13 +21,13 @@ TEST(known_fits, lie_in_the_ranges_of_their_laws_and_have_a_source) {
   }
 }
 
-TEST(fit_named, tells_the_fits_that_there_are) {
+TEST(FitNamed, names_the_fits_that_there_are) {
   EXPECT_EQ(law_name(fit_named("glowka-berea-0.5in").law), "glowka");
   EXPECT_THROW(fit_named("glowka"), InputError);
 }
 
-/// The mean drag over normal force of the fits, against domain.md 1.1, over depths of 0.5 to 2 mm.
-TEST(known_fits, of_power_laws_have_the_ratios_of_their_tests) {
+/// The mean drag over normal force of the fits against the tests, for depths of 0.5 to 2 mm.
+TEST(KnownFits, of_power_laws_have_the_ratios_of_their_tests) {
   for (const auto& [name, ratio] : {std::pair{"glowka-berea-0.5in", 1.22},
                                     {"glowka-berea-0.75in", 1.33},
                                     {"glowka-sierra-white-0.5in", 0.79},

@@ -3,15 +3,12 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "core/angles.hpp"
 #include "forces/law.hpp"
+#include "forces/rock/quoted.hpp"
 
 namespace tdbd::forces {
-
-inline constexpr double pi = std::numbers::pi;
-inline constexpr double degree = pi / 180.0;
-inline constexpr double MPa = 1e6;
 
 /// A few roundings of a sum of terms of this size.
 inline double rounding(double scale) { return 64 * 0x1p-53 * std::abs(scale); }

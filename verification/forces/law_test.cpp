@@ -11,19 +11,19 @@
 namespace tdbd::forces {
 namespace {
 
-RC_GTEST_PROP(force, does_no_positive_work_on_the_bit, ()) {
+RC_GTEST_PROP(Force, does_no_positive_work_on_the_bit, ()) {
   const PartCut c = any_cut();
   const PartForce f = force(any_law(), c);
   RC_ASSERT(f.force.dot(c.velocity) <= rounding(size(f) * c.velocity.norm()));
 }
 
-RC_GTEST_PROP(force, never_pulls_the_bit_into_the_rock, ()) {
+RC_GTEST_PROP(Force, never_pulls_the_bit_into_the_rock, ()) {
   const PartCut c = any_cut();
   const PartForce f = force(any_law(), c);
   RC_ASSERT(f.force.dot(c.normal) <= rounding(size(f)));
 }
 
-RC_GTEST_PROP(force, is_finite_and_acts_at_the_contact, ()) {
+RC_GTEST_PROP(Force, is_finite_and_acts_at_the_contact, ()) {
   const PartCut c = any_cut();
   const PartForce f = force(any_law(), c);
   RC_ASSERT(f.force.allFinite());
@@ -31,7 +31,7 @@ RC_GTEST_PROP(force, is_finite_and_acts_at_the_contact, ()) {
   RC_ASSERT(f.point == c.point);
 }
 
-RC_GTEST_PROP(force, at_rest_is_none, ()) {
+RC_GTEST_PROP(Force, at_rest_is_none, ()) {
   PartCut c = any_cut();
   c.velocity = Vec3::Zero();
   RC_ASSERT(force(any_law(), c).force == Vec3::Zero());
@@ -50,7 +50,7 @@ double largest_force(const Law& law, PartCut c) {
 /// With a slip speed the force is continuous in the velocity, at rest, in a plunge and in
 /// withdrawal: its slope is at most a few times force over slip speed. Measured on 3e6 cuts: 2.1;
 /// of friction, whose stress may rise over 0.5 rad, 9.6.
-RC_GTEST_PROP(force, is_continuous_in_the_velocity, ()) {
+RC_GTEST_PROP(Force, is_continuous_in_the_velocity, ()) {
   Law law = any_law();
   double slip_speed = 0.0;
   for (const LawField& f : law_fields(law)) {
@@ -70,7 +70,7 @@ RC_GTEST_PROP(force, is_continuous_in_the_velocity, ()) {
 }
 
 /// Turning the whole problem turns the force.
-RC_GTEST_PROP(force, turns_with_the_problem, ()) {
+RC_GTEST_PROP(Force, turns_with_the_problem, ()) {
   const Law law = any_law();
   const PartCut c = any_cut();
   const Mat3 R = any_rotation();
@@ -85,20 +85,20 @@ RC_GTEST_PROP(force, turns_with_the_problem, ()) {
   RC_ASSERT((R * f.force - g.force).norm() <= 1e-8 * size(f));
 }
 
-RC_GTEST_PROP(force, of_a_part_that_touches_nothing_is_none, ()) {
+RC_GTEST_PROP(Force, of_a_part_that_touches_nothing_is_none, ()) {
   PartCut c = any_cut();
   c.cut_area = c.contact_area = c.engaged_edge = c.depth = 0.0;
   RC_ASSERT(force(any_law(), c).force == Vec3::Zero());
 }
 
-RC_GTEST_PROP(force, of_a_kind_that_the_law_does_not_know_is_none, ()) {
+RC_GTEST_PROP(Force, of_a_kind_that_the_law_does_not_know_is_none, ()) {
   const Law law = any_law();
   const PartCut c = any_cut();
   if (!law_problem(law, c.kind, c.diameter).empty()) RC_ASSERT(force(law, c).force == Vec3::Zero());
 }
 
 /// Two parts, each with a share of a part's areas and edge: their forces add up to the part's.
-RC_GTEST_PROP(force, of_laws_linear_in_area_adds_up, ()) {
+RC_GTEST_PROP(Force, of_laws_linear_in_area_adds_up, ()) {
   const Law law = any_law({"hanson-hansen", "detournay", "friction"});
   PartCut whole = any_cut(), part = whole, rest = whole;
   const double share = number(0.0, 1.0);
@@ -123,7 +123,7 @@ double in_units(std::string_view unit, double length, double force, double speed
 
 /// Twice as large a bit, or harder rock: what scales, scales. Glowka's law alone has a length of
 /// its own, the depth at which its forces are told.
-RC_GTEST_PROP(force, does_not_depend_on_the_units, ()) {
+RC_GTEST_PROP(Force, does_not_depend_on_the_units, ()) {
   Law law = any_law(
       {"hanson-hansen", "detournay", "depth-of-cut", "thin-cut", "friction", "indentation"});
   PartCut c = any_cut(), d = c;
@@ -140,14 +140,14 @@ RC_GTEST_PROP(force, does_not_depend_on_the_units, ()) {
   RC_ASSERT((g * newton - f.force).norm() <= 1e-9 * size(f));
 }
 
-TEST(swept_area, of_a_cut_does_not_depend_on_the_step) {
+TEST(SweptArea, of_a_cut_does_not_depend_on_the_step) {
   const double width = 10e-3, depth = 1e-3, speed = 0.5;  // m, m, m/s
   for (const double step : {1e-4, 1e-3, 1e-2})
     EXPECT_NEAR(swept_area(width * depth * speed * step, speed * step), 1e-5, 1e-20) << step;
   EXPECT_EQ(swept_area(0.0, 0.0), 0.0);
 }
 
-TEST(force, of_every_law_allocates_nothing) {
+TEST(Force, of_every_law_allocates_nothing) {
   for (const std::string_view name : law_names()) {
     const Law law = law_named(name);
     battery::reset_peak();
@@ -157,7 +157,7 @@ TEST(force, of_every_law_allocates_nothing) {
   }
 }
 
-TEST(law_fields, reach_every_coefficient_by_name_unit_and_range) {
+TEST(LawFields, reach_every_coefficient_by_name_unit_and_range) {
   Law law = law_named("detournay");
   for (const LawField& f : law_fields(law))
     if (f.key == "eps") {
@@ -170,7 +170,7 @@ TEST(law_fields, reach_every_coefficient_by_name_unit_and_range) {
 }
 
 /// What a law starts with is what its table promises, lies in its range, and no key comes twice.
-TEST(law_fields, of_a_new_law_hold_their_fallbacks) {
+TEST(LawFields, of_a_new_law_hold_their_fallbacks) {
   for (const std::string_view name : law_names()) {
     Law law = law_named(name);
     EXPECT_EQ(law_name(law), name);
@@ -184,7 +184,7 @@ TEST(law_fields, of_a_new_law_hold_their_fallbacks) {
   }
 }
 
-TEST(law_named, tells_the_laws_that_there_are) {
+TEST(LawNamed, names_the_laws_that_there_are) {
   try {
     law_named("hanson");
     FAIL();
@@ -194,7 +194,7 @@ TEST(law_named, tells_the_laws_that_there_are) {
   }
 }
 
-TEST(law_problem, names_the_law_the_part_and_the_parts_that_it_knows) {
+TEST(LawProblem, names_the_law_the_part_and_the_parts_that_it_knows) {
   EXPECT_EQ(law_problem(law_named("detournay"), bit::PartKind::tooth, 0.0),
             "the law \"detournay\" knows no tooth; it knows: face, chamfer, cse, cutter body");
   EXPECT_EQ(law_problem(law_named("detournay"), bit::PartKind::face, 16e-3), "");

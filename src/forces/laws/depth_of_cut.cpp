@@ -7,16 +7,22 @@
 namespace tdbd::forces {
 namespace {
 
-const std::array<Coefficient<DepthOfCut>, 3> table{{
-    {"kn", "Pa", &DepthOfCut::kn, {}, Range::non_negative(), "normal force a width and depth"},
-    {"kt", "Pa", &DepthOfCut::kt, {}, Range::non_negative(), "tangential force a width and depth"},
-    {"slip_speed", "m/s", &DepthOfCut::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which the force fades"},
+const std::array<Coefficient<DepthOfCut>, 3> depth_of_cut_coefficients{{
+    {"kn", "Pa", &DepthOfCut::kn, {}, Range::non_negative(), "normal force per width and depth"},
+    {"kt",
+     "Pa",
+     &DepthOfCut::kt,
+     {},
+     Range::non_negative(),
+     "tangential force per width and depth"},
+    slip_speed_of<DepthOfCut>(),
 }};
 
 }  // namespace
 
-std::span<const Coefficient<DepthOfCut>> DepthOfCut::coefficients() { return table; }
+std::span<const Coefficient<DepthOfCut>> DepthOfCut::coefficients() {
+  return depth_of_cut_coefficients;
+}
 
 PartForce law_force(const DepthOfCut& law, const PartCut& cut) {
   const double section = cut.engaged_edge * cut.depth;

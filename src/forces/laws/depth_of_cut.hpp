@@ -8,13 +8,13 @@
 
 namespace tdbd::forces {
 
-/// Force by width and depth of cut, as in the model of Langeveld (1992):
+/// Force by width and depth of cut, as in the model of Langeveld (1992), forces (8):
 ///   Ft = kt De depth,  Fn = kn De depth
-/// RECONSTRUCTED: its description says "very simple" and no more. Of a square-ended cutter De depth
-/// is its cut area; of a round one more. Thesis: 2.1 (the earlier models).
+/// RECONSTRUCTED: its description says "very simple" and no more. For a square-ended cutter De
+/// depth is the cut area; for a round one it is more. Thesis: 2.1 (the earlier models).
 struct DepthOfCut {
-  double kn = 0.0;                       ///< Pa, normal force a width and depth
-  double kt = 0.0;                       ///< Pa, tangential force a width and depth
+  double kn = 0.0;                       ///< Pa, normal force per width and depth
+  double kt = 0.0;                       ///< Pa, tangential force per width and depth
   double slip_speed = usual_slip_speed;  ///< m/s, slip_share
 
   static constexpr std::string_view name = "depth-of-cut";

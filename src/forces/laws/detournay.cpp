@@ -8,7 +8,7 @@
 namespace tdbd::forces {
 namespace {
 
-const std::array<Coefficient<Detournay>, 9> table{{
+const std::array<Coefficient<Detournay>, 9> detournay_coefficients{{
     {"eps", "Pa", &Detournay::eps, {}, Range::positive(), "intrinsic specific energy"},
     {"zeta",
      "1",
@@ -22,17 +22,14 @@ const std::array<Coefficient<Detournay>, 9> table{{
      "length of the wear flat along the motion, where the mesh has none"},
     {"kappa", "1", &Detournay::kappa, 5.0, Range::non_negative(),
      "growth of the contact's length with the depth of cut"},
-    {"weakening", "1", &Detournay::weakening, 0.0, Range::within(0.0, 1.0),
-     "share of mu that is lost at high speed"},
-    {"weakening_speed", "m/s", &Detournay::weakening_speed, 1.0, Range::positive(),
-     "speed at which most of that is lost"},
-    {"slip_speed", "m/s", &Detournay::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which the force fades"},
+    weakening_of<Detournay>(),
+    weakening_speed_of<Detournay>(),
+    slip_speed_of<Detournay>(),
 }};
 
 }  // namespace
 
-std::span<const Coefficient<Detournay>> Detournay::coefficients() { return table; }
+std::span<const Coefficient<Detournay>> Detournay::coefficients() { return detournay_coefficients; }
 
 PartForce law_force(const Detournay& law, const PartCut& cut) {
   const bool is_face = cut.kind == bit::PartKind::face;
@@ -40,7 +37,7 @@ PartForce law_force(const Detournay& law, const PartCut& cut) {
       is_face ? cut.engaged_edge * std::min(law.kappa * cut.depth, law.l) : cut.contact_area;
   const double cutting = is_face ? law.eps * cut.cut_area : 0.0;
   const double rubbing = law.sigma * flat;
-  const double mu = friction_at({law.mu, law.weakening, law.weakening_speed}, cut.velocity.norm());
+  const double mu = friction_at(sliding_of(law), cut.velocity.norm());
   return cutting_force(cut, cutting + mu * rubbing, law.zeta * cutting + rubbing, law.slip_speed);
 }
 

@@ -8,14 +8,14 @@
 
 namespace tdbd::forces {
 
-/// Cutting and friction of Detournay and Defourny (1992), with the growing contact of Detournay,
-/// Richard and Shepherd (2008) on wear flats that are not in the mesh:
+/// Cutting and friction of Detournay and Defourny (1992), forces (7), with the growing contact of
+/// Detournay, Richard and Shepherd (2008) on wear flats that are not in the mesh:
 ///   face:    Ft = eps Acut + mu Ff,  Fn = zeta eps Acut + Ff,  Ff = sigma De min(kappa depth, l)
 ///   other surfaces of a cutter: Fn = sigma A,  Ft = mu Fn      A: contact area, of worn meshes
 /// mu may fall with speed (friction_at).
 /// Summed over a bit: T = eps R^2 d/2, W = zeta eps R d, and the friction line E = E0 + mu S of
 /// specific energy over drilling strength, E0 = (1 - mu zeta) eps (gamma = 1 for even wear).
-/// Strengths are the rock's as it was drilled: pressure enters through eps and sigma only.
+/// The strengths are those of the rock as drilled: pressure enters through eps and sigma only.
 struct Detournay {
   double eps = 0.0;        ///< Pa, intrinsic specific energy
   double zeta = 0.0;       ///< 1, normal over tangential force of a sharp face
@@ -28,10 +28,7 @@ struct Detournay {
   double slip_speed = usual_slip_speed;  ///< m/s, slip_share
 
   static constexpr std::string_view name = "detournay";
-  static constexpr bool knows(bit::PartKind kind) {
-    return kind == bit::PartKind::face || kind == bit::PartKind::chamfer ||
-           kind == bit::PartKind::cse || kind == bit::PartKind::cutter_body;
-  }
+  static constexpr bool knows(bit::PartKind kind) { return bit::belongs_to_a_cutter(kind); }
   static std::span<const Coefficient<Detournay>> coefficients();
 };
 

@@ -9,19 +9,16 @@
 namespace tdbd::forces {
 namespace {
 
-const std::array<Coefficient<Friction>, 7> table{{
+const std::array<Coefficient<Friction>, 7> friction_coefficients{{
     {"stress", "Pa", &Friction::stress, {}, Range::non_negative(), "contact stress"},
     {"mu", "1", &Friction::mu, {}, Range::non_negative(), "coefficient of friction"},
     {"cap", "1", &Friction::cap, 1.5, Range::non_negative(),
      "largest contact stress over the confined strength"},
     {"full_angle", "rad", &Friction::full_angle, 0.01, Range::within(0.0, 1.0),
      "angle of motion into the rock at which the contact stress is whole"},
-    {"weakening", "1", &Friction::weakening, 0.0, Range::within(0.0, 1.0),
-     "share of mu that is lost at high speed"},
-    {"weakening_speed", "m/s", &Friction::weakening_speed, 1.0, Range::positive(),
-     "speed at which most of that is lost"},
-    {"slip_speed", "m/s", &Friction::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which the force fades"},
+    weakening_of<Friction>(),
+    weakening_speed_of<Friction>(),
+    slip_speed_of<Friction>(),
 }};
 
 /// Share of the contact stress that acts.
@@ -36,12 +33,12 @@ double pressed_share(const Friction& law, const PartCut& cut) {
 
 }  // namespace
 
-std::span<const Coefficient<Friction>> Friction::coefficients() { return table; }
+std::span<const Coefficient<Friction>> Friction::coefficients() { return friction_coefficients; }
 
 PartForce law_force(const Friction& law, const PartCut& cut) {
   const double stress = std::min(law.stress, law.cap * cut.strength.confined);
-  return pressing_force(cut, stress * cut.contact_area * pressed_share(law, cut),
-                        {law.mu, law.weakening, law.weakening_speed}, law.slip_speed);
+  return pressing_force(cut, stress * cut.contact_area * pressed_share(law, cut), sliding_of(law),
+                        law.slip_speed);
 }
 
 }  // namespace tdbd::forces

@@ -8,12 +8,13 @@
 
 namespace tdbd::forces {
 
-/// Rubbing of gage pads, the body and a cutter's blunt sides: a contact stress on the contact area,
-/// never above what the rock carries, and Coulomb's friction (Ours; formulation 7):
+/// Rubbing of gage pads, the body and a cutter's blunt sides, forces (11): a contact stress on the
+/// contact area, never above what the rock carries, and Coulomb friction. Ours.
 ///   Fn = min(stress, cap Scc) A s,  Ft = mu Fn,  s = min(1, tan b / tan full_angle), 0 for b < 0
 /// b is the angle between the surface and its motion into the rock. A pad that only slides along
-/// the wall carries nothing (s = 0); pressed into it, it soon carries all. At full_angle 0, as of a
-/// wear flat, s = 1. mu may fall with speed (friction_at). Directions: pressing_force.
+/// the wall carries nothing (s = 0); moving into it, it soon carries the full stress. With
+/// full_angle 0, for a wear flat, s = 1. mu may fall with speed (friction_at). Directions:
+/// pressing_force.
 struct Friction {
   double stress = 0.0;           ///< Pa, contact stress
   double mu = 0.0;               ///< 1, coefficient of friction

@@ -9,7 +9,7 @@
 namespace tdbd::forces {
 namespace {
 
-const std::array<Coefficient<Glowka>, 5> table{{
+const std::array<Coefficient<Glowka>, 5> glowka_coefficients{{
     {"Cn", "N", &Glowka::Cn, {}, Range::non_negative(), "normal force at 1 mm of depth"},
     {"nn",
      "1",
@@ -24,13 +24,12 @@ const std::array<Coefficient<Glowka>, 5> table{{
      {},
      Range{.lo = 0.0, .hi = 4.0, .ends = Range::Ends::open_lo},
      "power of the drag in the depth"},
-    {"slip_speed", "m/s", &Glowka::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which the force fades"},
+    slip_speed_of<Glowka>(),
 }};
 
 }  // namespace
 
-std::span<const Coefficient<Glowka>> Glowka::coefficients() { return table; }
+std::span<const Coefficient<Glowka>> Glowka::coefficients() { return glowka_coefficients; }
 
 PartForce law_force(const Glowka& law, const PartCut& cut) {
   if (cut.diameter <= 0.0 || cut.cut_area <= 0.0) return cutting_force(cut, 0.0, 0.0, 0.0);

@@ -8,12 +8,13 @@
 
 namespace tdbd::forces {
 
-/// Power laws in the depth of cut, Glowka (1989):
+/// Power laws in the depth of cut, Glowka (1989), forces (9):
 ///   Fn = Cn (de/d0)^nn,  Fd = Cd (de/d0)^nd,  d0 = 1 mm
-/// de is the depth of a groove in flat rock with the cut area that the cutter has in the rock as it
-/// is (virgin_groove.hpp). From tests of one cutter at one speed and rake, chamfer and wear flat
-/// included, so that other parts of the cutter should have no law beside it. The effective depth is
-/// from memory of his work (RECONSTRUCTED). Coefficients of tests: fits.hpp. Needs the diameter.
+/// de is the depth of a groove in flat rock whose cut has the same area as the cutter's cut in the
+/// rock as it is (virgin_groove.hpp). The coefficients come from tests of one cutter at one speed
+/// and rake, chamfer and wear flat included, so other parts of the cutter should have no law of
+/// their own. The effective depth is from memory of his work (RECONSTRUCTED). Fitted coefficients:
+/// fits.hpp. Needs the diameter.
 struct Glowka {
   double Cn = 0.0;                       ///< N, normal force at 1 mm
   double nn = 0.0;                       ///< 1, its power

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "forces/part/directions.hpp"
 
@@ -12,9 +11,7 @@ namespace {
 using bit::PartKind;
 using Terms = std::array<double, hanson_hansen_terms>;
 
-constexpr double steepest = 80.0 * std::numbers::pi / 180.0;
-
-const std::array<Coefficient<HansonHansen>, 11> table{{
+const std::array<Coefficient<HansonHansen>, 11> hanson_hansen_coefficients{{
     {"A1",
      "1",
      &HansonHansen::A1,
@@ -34,8 +31,7 @@ const std::array<Coefficient<HansonHansen>, 11> table{{
     {"A8", "1", &HansonHansen::A8, 0.0, Range::non_negative(), "friction of other surfaces"},
     {"pressure_share", "1", &HansonHansen::pressure_share, 1.0, Range::within(0.0, 2.0),
      "share of the strength's growth with pressure that counts"},
-    {"slip_speed", "m/s", &HansonHansen::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which the force fades"},
+    slip_speed_of<HansonHansen>(),
 }};
 
 double strength(const HansonHansen& law, const Strength& s) {
@@ -43,7 +39,9 @@ double strength(const HansonHansen& law, const Strength& s) {
 }
 
 /// tan of an angle held within 80 degrees of 0.
-double bounded_tan(double angle) { return std::tan(std::clamp(angle, -steepest, steepest)); }
+double bounded_tan(double angle) {
+  return std::tan(std::clamp(angle, -steepest_rake, steepest_rake));
+}
 
 /// B2: normal over tangential force of a face.
 double face_ratio(const HansonHansen& law, const PartCut& cut) {
@@ -79,7 +77,9 @@ double sum_of(const Terms& factors, const Terms& terms) {
 
 }  // namespace
 
-std::span<const Coefficient<HansonHansen>> HansonHansen::coefficients() { return table; }
+std::span<const Coefficient<HansonHansen>> HansonHansen::coefficients() {
+  return hanson_hansen_coefficients;
+}
 
 Terms linear_coefficients(const HansonHansen& law) {
   return {law.A1, law.A1 * law.A2, law.A4, law.A5, law.A5 * law.A6, law.A7, law.A7 * law.A8};

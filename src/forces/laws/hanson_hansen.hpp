@@ -10,15 +10,16 @@
 namespace tdbd::forces {
 
 /// A law with the ingredients of Hanson and Hansen (1995), which the thesis calibrates in chapter
-/// 6. RECONSTRUCTED: of app. C we hold the names of its quantities and not its equations. Ours:
+/// 6, forces (6). RECONSTRUCTED: of app. C we hold the names of its quantities, not its equations.
+/// Ours:
 ///   Scc  = unconfined + pressure_share (confined - unconfined)
 ///   B1   = A1 (1 + A2 tan Ebr),  B2 = tan(Ebr + A3), not below 0
 ///   face:    Ft = Scc (B1 Acut + A4 te De),  Fn = B2 Ft
 ///   chamfer: Fn = A5 Scc A,  Ft = A6 Fn      A: contact area
 ///   other surfaces of a cutter (cse, cutter_body):  Fn = A7 Scc A,  Ft = A8 Fn
 ///   F    = -Ft E1 - Fn E2                    directions.hpp
-/// The thesis's Rs is taken as the slope of Scc over the pressure: pressure_share times the rock's.
-/// Ebr + A3 is held within 80 degrees. Thesis: app. C.1 to C.4; formulation 7.
+/// The thesis's Rs is taken as the slope of Scc over pressure: pressure_share times the rock's. Ebr
+/// + A3 is held within 80 degrees of 0. Thesis: app. C.1 to C.4.
 struct HansonHansen {
   double A1 = 0.0;                       ///< 1, tangential stress over Scc at no back rake
   double A2 = 0.0;                       ///< 1, growth of it with tan Ebr
@@ -33,10 +34,7 @@ struct HansonHansen {
   double slip_speed = usual_slip_speed;  ///< m/s, slip_share
 
   static constexpr std::string_view name = "hanson-hansen";
-  static constexpr bool knows(bit::PartKind kind) {
-    return kind == bit::PartKind::face || kind == bit::PartKind::chamfer ||
-           kind == bit::PartKind::cse || kind == bit::PartKind::cutter_body;
-  }
+  static constexpr bool knows(bit::PartKind kind) { return bit::belongs_to_a_cutter(kind); }
   static std::span<const Coefficient<HansonHansen>> coefficients();
 };
 
@@ -51,7 +49,7 @@ std::array<double, hanson_hansen_terms> linear_coefficients(const HansonHansen& 
 
 /// The force of each term with factor 1 (N per unit of the factor): the force of the law is the sum
 /// of linear_coefficients times these, for any values of the factors; A3, te, pressure_share and
-/// slip_speed are the law's. What makes a calibration linear least squares.
+/// slip_speed are the law's. This makes a calibration linear least squares.
 std::array<Vec3, hanson_hansen_terms> force_basis(const HansonHansen& law, const PartCut& cut);
 
 }  // namespace tdbd::forces

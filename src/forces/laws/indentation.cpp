@@ -7,25 +7,24 @@
 namespace tdbd::forces {
 namespace {
 
-const std::array<Coefficient<Indentation>, 5> table{{
+const std::array<Coefficient<Indentation>, 5> indentation_coefficients{{
     {"ratio", "1", &Indentation::ratio, 1.0, Range::positive(),
      "crushing pressure over the confined strength"},
     {"mu", "1", &Indentation::mu, 0.3, Range::non_negative(), "friction between tooth and rock"},
-    {"weakening", "1", &Indentation::weakening, 0.0, Range::within(0.0, 1.0),
-     "share of mu that is lost at high speed"},
-    {"weakening_speed", "m/s", &Indentation::weakening_speed, 1.0, Range::positive(),
-     "speed at which most of that is lost"},
-    {"slip_speed", "m/s", &Indentation::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which the force fades"},
+    weakening_of<Indentation>(),
+    weakening_speed_of<Indentation>(),
+    slip_speed_of<Indentation>(),
 }};
 
 }  // namespace
 
-std::span<const Coefficient<Indentation>> Indentation::coefficients() { return table; }
+std::span<const Coefficient<Indentation>> Indentation::coefficients() {
+  return indentation_coefficients;
+}
 
 PartForce law_force(const Indentation& law, const PartCut& cut) {
-  return pressing_force(cut, law.ratio * cut.strength.confined * cut.contact_area,
-                        {law.mu, law.weakening, law.weakening_speed}, law.slip_speed);
+  return pressing_force(cut, law.ratio * cut.strength.confined * cut.contact_area, sliding_of(law),
+                        law.slip_speed);
 }
 
 }  // namespace tdbd::forces

@@ -8,12 +8,14 @@
 
 namespace tdbd::forces {
 
-/// A tooth of a roller cone, or the cone's shell, pressed into the rock: a crushing pressure on the
-/// contact, and Coulomb's friction along the slip, which turns the cones (Ours; the form is that of
-/// element laws in the literature, from memory):
+/// A tooth of a roller cone, or the cone's shell, pressed into the rock, forces (12): a crushing
+/// pressure on the contact, and Coulomb friction along the slip, which turns the cones. Ours; the
+/// form is that of element laws in the literature, from memory.
+///
 ///   Fn = ratio Scc A,  Ft = mu Fn          A: contact area seen along `normal`; pressing_force
-/// The growth of force with penetration is the contact's: linear for a wedge, near linear for a
-/// sphere, squared for a cone. Nothing springs back: a tooth that leaves the rock is let go.
+/// How the force grows with penetration follows from the contact: linear for a wedge, nearly linear
+/// for a sphere, quadratic for a cone. Nothing springs back: a tooth that leaves the rock is
+/// released.
 struct Indentation {
   double ratio = 1.0;                    ///< 1, crushing pressure over the confined strength
   double mu = 0.3;                       ///< 1, friction between tooth and rock

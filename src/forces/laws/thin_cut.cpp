@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "core/angles.hpp"
 #include "forces/part/directions.hpp"
 
 namespace tdbd::forces {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double largest_sum = 170.0 * pi / 180.0;
 constexpr double smallest_blade_angle = 10.0 * pi / 180.0;
 
-const std::array<Coefficient<ThinCut>, 6> table{{
+const std::array<Coefficient<ThinCut>, 6> thin_cut_coefficients{{
     {"shear_angle", "rad", &ThinCut::shear_angle, ThinCut{}.shear_angle, Range::within(0.05, 0.8),
      "angle of the shear plane"},
     {"blade_height", "1", &ThinCut::blade_height, ThinCut{}.blade_height, Range::non_negative(),
@@ -25,8 +24,7 @@ const std::array<Coefficient<ThinCut>, 6> table{{
      "cohesion over that of the unconfined strength"},
     {"largest_back_rake", "rad", &ThinCut::largest_back_rake, ThinCut{}.largest_back_rake,
      Range::within(0.0, 1.0), "back rake beyond which dead rock builds up before the face"},
-    {"slip_speed", "m/s", &ThinCut::slip_speed, usual_slip_speed, Range::non_negative(),
-     "speed below which the force fades"},
+    slip_speed_of<ThinCut>(),
 }};
 
 struct Angles {
@@ -49,7 +47,7 @@ double cohesion(const Strength& s) {
 
 }  // namespace
 
-std::span<const Coefficient<ThinCut>> ThinCut::coefficients() { return table; }
+std::span<const Coefficient<ThinCut>> ThinCut::coefficients() { return thin_cut_coefficients; }
 
 PartForce law_force(const ThinCut& law, const PartCut& cut) {
   const auto [al, b, phi, delta] = angles(law, cut);

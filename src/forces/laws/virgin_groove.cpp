@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/angles.hpp"
+#include "forces/part/part_cut.hpp"
 
 namespace tdbd::forces {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double steepest = 80.0 * pi / 180.0;
 constexpr int most_iterations = 50;
 /// The error after a Newton step is below the square of the step, both relative to t.
 constexpr double converged = 1e-8;
 
 double cosine(const GrooveCutter& c) {
-  return std::cos(std::clamp(c.back_rake, -steepest, steepest));
+  return std::cos(std::clamp(c.back_rake, -steepest_rake, steepest_rake));
 }
 
 /// t - sin t cos t, by its series where the difference would lose digits.

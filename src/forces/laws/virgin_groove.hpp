@@ -8,15 +8,15 @@ struct GrooveCutter {
   double back_rake = 0.0;  ///< rad, within 80 degrees of 0
 };
 
-/// Depth of a groove and the Newton steps that it took.
+/// The depth of a groove, and the Newton steps that finding it took.
 struct GrooveDepth {
   double depth = 0.0;  ///< m
   int iterations = 0;
 };
 
-/// Area of the cut, normal to the motion, of a groove of this depth (m): a segment of the face,
-/// A = a^2 (t - sin t cos t) cos b with depth = a (1 - cos t) cos b, a = diameter/2, b = back rake.
-/// All of the face beyond the depth 2 a cos b. Glowka (1989), his virgin groove.
+/// Area of the cut, normal to the motion, of a groove of this depth (m): a segment of the face, A =
+/// a^2 (t - sin t cos t) cos b with depth = a (1 - cos t) cos b, a = diameter/2, b = back rake.
+/// From the depth 2 a cos b on, all of the face. Glowka (1989), "virgin groove".
 double groove_area(const GrooveCutter& cutter, double depth);
 
 /// The inverse: the depth of the groove in flat rock whose cut has this area (m2, >= 0), Glowka's

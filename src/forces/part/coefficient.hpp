@@ -15,11 +15,35 @@ struct Coefficient {
   double L::*member;               ///< where it goes
   std::optional<double> fallback;  ///< SI; none: required
   Range range;                     ///< SI
-  std::string_view meaning;        ///< a line for a reader
+  std::string_view meaning;        ///< one line for a reader
 };
 
-/// Speed below which forces fade (m/s), for want of a better one. Ours: a thousandth of the
-/// speed at a bit's gage.
+/// Default speed below which forces fade (m/s). Ours: a thousandth of the speed at a bit's gage.
 inline constexpr double usual_slip_speed = 1e-3;
+
+/// The coefficient that every law has (slip_share).
+template <class L>
+Coefficient<L> slip_speed_of() {
+  return {"slip_speed",          "m/s",
+          &L::slip_speed,        usual_slip_speed,
+          Range::non_negative(), "speed below which the force fades"};
+}
+
+/// The two coefficients of laws whose friction falls with speed (friction_at).
+template <class L>
+Coefficient<L> weakening_of() {
+  return {"weakening",
+          "1",
+          &L::weakening,
+          0.0,
+          Range::within(0.0, 1.0),
+          "share of mu that is lost at high speed"};
+}
+template <class L>
+Coefficient<L> weakening_speed_of() {
+  return {"weakening_speed",   "m/s",
+          &L::weakening_speed, 1.0,
+          Range::positive(),   "speed at which most of that is lost"};
+}
 
 }  // namespace tdbd::forces

@@ -4,12 +4,14 @@
 
 namespace tdbd::forces {
 
-/// How well a number is known.
+inline constexpr double MPa = 1e6;  ///< Pa
+
+/// How a number is known.
 enum class Evidence {
   seen,     ///< read in a source
   derived,  ///< computed from numbers that were read
   recall,   ///< from memory, no source at hand
-  assumed,  ///< ours, for want of any
+  assumed,  ///< ours, for lack of any source
 };
 
 /// "seen", "derived", "recall", "assumed".
@@ -20,7 +22,7 @@ constexpr std::string_view evidence_name(Evidence e) {
                                   : "assumed";
 }
 
-/// A number with how it is known; in SI.
+/// A number (SI) and how it is known.
 struct Quoted {
   double value = 0.0;
   Evidence evidence = Evidence::assumed;

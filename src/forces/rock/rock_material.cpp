@@ -1,20 +1,16 @@
 #include "forces/rock/rock_material.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
-#include "core/error.hpp"
+#include "core/angles.hpp"
+#include "forces/named.hpp"
 
 namespace tdbd::forces {
 namespace {
 
 constexpr double psi = 6894.757293168361;  // Pa
-constexpr double MPa = 1e6;
-constexpr double degree = std::numbers::pi / 180.0;
 
 constexpr Quoted seen(double value) { return {value, Evidence::seen}; }
 constexpr Quoted derived(double value) { return {value, Evidence::derived}; }
@@ -24,7 +20,7 @@ constexpr Quoted assumed(double value) { return {value, Evidence::assumed}; }
 constexpr std::string_view single_cutters =
     "strength: single-cutter rows of Sandia, github Atashnezhad/PhD_Dissertation";
 
-constexpr std::array<KnownRock, 9> table{{
+constexpr std::array<KnownRock, 9> rock_table{{
     {"berea-sandstone", seen(7100 * psi), recall(35 * degree), single_cutters},
     {"sierra-white-granite", seen(21500 * psi), assumed(45 * degree), single_cutters},
     {"mancos-shale", seen(65 * MPa), seen(23.8 * degree),
@@ -62,16 +58,12 @@ Strength strength_of(const RockMaterial& rock, const BottomHole& hole, Confineme
           .pressure = hole.pressure};
 }
 
-std::span<const KnownRock> known_rocks() { return table; }
+std::span<const KnownRock> known_rocks() { return rock_table; }
 
 RockMaterial rock_named(std::string_view name) {
-  std::string all;
-  for (const KnownRock& rock : table) {
-    if (rock.name == name)
-      return {std::string(name), rock.unconfined.value, rock.friction_angle.value};
-    all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", rock.name);
-  }
-  throw InputError(fmt::format("found the rock \"{}\", expected one of {}", name, all));
+  const KnownRock& rock =
+      item_named("rock", name, known_rocks(), [](const KnownRock& known) { return known.name; });
+  return {std::string(name), rock.unconfined.value, rock.friction_angle.value};
 }
 
 }  // namespace tdbd::forces

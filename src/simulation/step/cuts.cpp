@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bit/cutter/cutter_frame.hpp"
+#include "forces/part/directions.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -107,7 +108,7 @@ void set_velocity(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& moti
   const double ahead =
       speed > 0.0 ? std::clamp(c.forward_W.dot(c.cut.velocity) / speed, 0.0, 1.0) : 1.0;
   c.cut.cut_area = c.face_area * ahead;
-  c.cut.back_rake = std::acos(ahead);
+  c.cut.back_rake = forces::effective_back_rake(c.forward_W, c.cut.velocity, c.cut.normal);
   c.cut.depth = c.cut.engaged_edge > 0.0 ? c.cut.cut_area / c.cut.engaged_edge : 0.0;
 }
 

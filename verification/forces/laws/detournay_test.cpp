@@ -54,7 +54,7 @@ BitLoad flat_bit(const Detournay& law, double d) {
 }
 
 /// T = eps R^2 d/2 and W = zeta eps R d, to rounding.
-TEST(detournay, summed_over_a_sharp_bit_is_its_law_of_the_whole_bit) {
+TEST(Detournay, summed_over_a_sharp_bit_is_its_law_of_the_whole_bit) {
   const double d = 2e-3;
   const BitLoad b = flat_bit(sharp(), d);
   EXPECT_NEAR(b.torque, 100 * MPa * R * R * d / 2, rounding(b.torque));
@@ -62,7 +62,7 @@ TEST(detournay, summed_over_a_sharp_bit_is_its_law_of_the_whole_bit) {
 }
 
 /// E = E0 + mu S with E0 = (1 - mu zeta) eps, at any depth, contact growing or whole.
-TEST(detournay, of_a_blunt_bit_lies_on_the_friction_line) {
+TEST(Detournay, of_a_blunt_bit_lies_on_the_friction_line) {
   const Detournay law = blunt();
   for (const double d : {0.1e-3, 0.3e-3, 0.5e-3, 1e-3, 3e-3}) {
     const BitLoad b = flat_bit(law, d);
@@ -73,7 +73,7 @@ TEST(detournay, of_a_blunt_bit_lies_on_the_friction_line) {
 
 /// Phase I: the contact grows with the depth, S* = zeta eps + kappa sigma; phase II: it is whole
 /// and the load grows by zeta eps alone.
-TEST(detournay, of_a_blunt_bit_has_two_phases) {
+TEST(Detournay, of_a_blunt_bit_has_two_phases) {
   const Detournay law = blunt();
   const double whole = law.l / law.kappa;  // m, depth at which the contact is whole: 0.4 mm
   const double S1 = law.zeta * law.eps + law.kappa * law.sigma;
@@ -82,7 +82,7 @@ TEST(detournay, of_a_blunt_bit_has_two_phases) {
   EXPECT_NEAR(beyond - at, law.zeta * law.eps * R * 2 * whole, 1e-9);
 }
 
-TEST(detournay, of_a_sharp_cutter_doubles_with_the_depth_of_cut) {
+TEST(Detournay, of_a_sharp_cutter_doubles_with_the_depth_of_cut) {
   PartCut c = plain_cut(PartKind::face);
   const Vec3 once = law_force(sharp(), c).force;
   c.cut_area *= 2;
@@ -91,7 +91,7 @@ TEST(detournay, of_a_sharp_cutter_doubles_with_the_depth_of_cut) {
 
 /// Whatever way it goes into the rock, its power is eps times the rate of volume: the specific
 /// energy.
-RC_GTEST_PROP(detournay, of_a_sharp_cutter_spends_eps_on_every_volume, ()) {
+RC_GTEST_PROP(Detournay, of_a_sharp_cutter_spends_eps_on_every_volume, ()) {
   PartCut c = plain_cut(PartKind::face);
   c.velocity = number(0.01, 2.0) * any_direction();
   if (c.velocity.dot(c.normal) < 0.0) c.normal = -c.normal;
@@ -101,7 +101,7 @@ RC_GTEST_PROP(detournay, of_a_sharp_cutter_spends_eps_on_every_volume, ()) {
 }
 
 /// A wear flat that the mesh has: contact stress on its area, friction, nothing cut.
-TEST(detournay, of_a_wear_flat_in_the_mesh_is_friction) {
+TEST(Detournay, of_a_wear_flat_in_the_mesh_is_friction) {
   const PartForce f = law_force(blunt(), plain_cut(PartKind::cutter_body));
   EXPECT_NEAR(f.normal, 60e6 * 4e-6, 1e-12);
   EXPECT_NEAR(f.tangential, 0.6 * 60e6 * 4e-6, 1e-12);

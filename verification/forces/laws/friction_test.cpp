@@ -15,12 +15,12 @@ Friction pad() {
   return f;
 }
 
-TEST(friction, of_a_pad_that_slides_along_the_wall_is_none) {
+TEST(Friction, of_a_pad_that_slides_along_the_wall_is_none) {
   EXPECT_EQ(law_force(pad(), plain_cut(bit::PartKind::gage_pad)).force, Vec3::Zero());
 }
 
 /// 4 mm2 at 50 MPa: 200 N; half of it at half the slope.
-TEST(friction, grows_with_the_angle_into_the_rock_until_the_stress_is_whole) {
+TEST(Friction, grows_with_the_angle_into_the_rock_until_the_stress_is_whole) {
   PartCut c = plain_cut(bit::PartKind::gage_pad);
   for (const auto& [angle, share] : {std::pair{0.5, 0.5}, {1.0, 1.0}, {3.0, 1.0}}) {
     c.velocity = Vec3(1.0, 0.0, angle * std::tan(0.01));
@@ -31,13 +31,13 @@ TEST(friction, grows_with_the_angle_into_the_rock_until_the_stress_is_whole) {
   }
 }
 
-TEST(friction, of_a_flat_without_an_angle_is_whole_while_it_slides) {
+TEST(Friction, of_a_flat_without_an_angle_is_whole_while_it_slides) {
   Friction f = pad();
   f.full_angle = 0.0;
   EXPECT_NEAR(law_force(f, plain_cut(bit::PartKind::bit_body)).normal, 200.0, 1e-11);
 }
 
-TEST(friction, is_capped_by_what_the_rock_carries) {
+TEST(Friction, is_capped_by_what_the_rock_carries) {
   Friction f = pad();
   f.full_angle = 0.0;
   PartCut c = plain_cut(bit::PartKind::gage_pad);
@@ -45,7 +45,7 @@ TEST(friction, is_capped_by_what_the_rock_carries) {
   EXPECT_NEAR(law_force(f, c).normal, 1.5 * 20e6 * 4e-6, 1e-11);
 }
 
-TEST(friction, of_a_pad_pulled_out_is_none) {
+TEST(Friction, of_a_pad_pulled_out_is_none) {
   PartCut c = plain_cut(bit::PartKind::gage_pad);
   c.velocity = Vec3(0.0, 0.0, -1.0);
   EXPECT_EQ(law_force(pad(), c).force, Vec3::Zero());

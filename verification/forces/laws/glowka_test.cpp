@@ -11,7 +11,7 @@ namespace {
 
 constexpr double inch = 25.4e-3, lbf = 4.4482216152605;
 
-/// The 0.5 in cutter in Berea sandstone of literature.md 3.
+/// The 0.5 in cutter in Berea sandstone (Glowka 1989).
 PartCut cutter_j(double area) {
   PartCut c = plain_cut(bit::PartKind::face);
   c.diameter = 0.5 * inch;
@@ -30,7 +30,7 @@ struct Row {
 };
 
 /// Whole, half and quarter of the groove of 0.06 in; printed to five digits.
-TEST(glowka, on_the_effective_depth_is_that_of_the_literature) {
+TEST(Glowka, on_the_effective_depth_is_that_of_the_literature) {
   const double whole = groove_area({0.5 * inch, 20 * degree}, 0.06 * inch);
   EXPECT_NEAR(whole, 0.01373336 * inch * inch, 1e-8 * inch * inch);
   for (const Row& r : {Row{1.0, 0.06, 87.079, 104.924},
@@ -46,7 +46,7 @@ TEST(glowka, on_the_effective_depth_is_that_of_the_literature) {
 }
 
 /// Twice the depth of a groove: 2^1.5 times the normal force, 2^1.43 the drag.
-TEST(glowka, grows_with_its_powers_of_the_depth) {
+TEST(Glowka, grows_with_its_powers_of_the_depth) {
   const GrooveCutter cutter{0.5 * inch, 20 * degree};
   const PartForce once = law_force(berea(), cutter_j(groove_area(cutter, 1e-3)));
   const PartForce twice = law_force(berea(), cutter_j(groove_area(cutter, 2e-3)));
@@ -55,7 +55,7 @@ TEST(glowka, grows_with_its_powers_of_the_depth) {
   EXPECT_NEAR(twice.tangential, std::pow(2.0, 1.43) * once.tangential, 1e-12 * twice.tangential);
 }
 
-TEST(glowka, needs_the_diameter_and_says_so) {
+TEST(Glowka, needs_the_diameter_and_says_so) {
   EXPECT_EQ(law_problem(Glowka{}, bit::PartKind::face, 0.0),
             "the law \"glowka\" needs the cutter's diameter, which this face has not");
   EXPECT_EQ(law_problem(Glowka{}, bit::PartKind::face, 13e-3), "");

@@ -25,7 +25,7 @@ HansonHansen example() {
 
 /// By hand, 100 MPa: Ft = 100e6 (0.9 (1 + 0.5 tan 20) 10e-6 + 0.7 1e-4 10e-3) = 1133.7865 N,
 /// Fn = tan 40 Ft.
-TEST(hanson_hansen, of_a_face_is_the_reconstruction_by_hand) {
+TEST(HansonHansen, of_a_face_is_the_reconstruction_by_hand) {
   const PartForce f = law_force(example(), plain_cut(PartKind::face));
   const double Ft = 100e6 * (0.9 * (1.0 + 0.5 * 0.36397023426620236) * 10e-6 + 0.7 * 1e-4 * 10e-3);
   EXPECT_NEAR(f.tangential, Ft, rounding(Ft));
@@ -33,13 +33,13 @@ TEST(hanson_hansen, of_a_face_is_the_reconstruction_by_hand) {
   EXPECT_LT((f.force - Vec3(-f.tangential, 0, -f.normal)).norm(), rounding(Ft));
 }
 
-TEST(hanson_hansen, of_a_chamfer_presses_with_a_share_of_the_strength) {
+TEST(HansonHansen, of_a_chamfer_presses_with_a_share_of_the_strength) {
   const PartForce f = law_force(example(), plain_cut(PartKind::chamfer));
   EXPECT_NEAR(f.normal, 1.3 * 100e6 * 4e-6, 1e-10);
   EXPECT_NEAR(f.tangential, 0.6 * f.normal, 1e-10);
 }
 
-TEST(hanson_hansen, of_other_surfaces_has_their_own_coefficients) {
+TEST(HansonHansen, of_other_surfaces_has_their_own_coefficients) {
   for (const PartKind kind : {PartKind::cse, PartKind::cutter_body}) {
     const PartForce f = law_force(example(), plain_cut(kind));
     EXPECT_NEAR(f.normal, 0.5 * 100e6 * 4e-6, 1e-10);
@@ -47,8 +47,8 @@ TEST(hanson_hansen, of_other_surfaces_has_their_own_coefficients) {
   }
 }
 
-/// domain.md 1.9: 4 mm2 of chamfer at 1.34 times 114 MPa is 610 N.
-TEST(hanson_hansen, of_an_engaged_chamfer_is_that_of_the_literature) {
+/// 4 mm2 of chamfer at 1.34 times 114 MPa is 610 N.
+TEST(HansonHansen, of_an_engaged_chamfer_is_that_of_the_literature) {
   HansonHansen h = example();
   h.A5 = 1.34;
   PartCut c = plain_cut(PartKind::chamfer);
@@ -57,7 +57,7 @@ TEST(hanson_hansen, of_an_engaged_chamfer_is_that_of_the_literature) {
 }
 
 /// A share of 0 leaves the strength without pressure, of 1 the rock's.
-TEST(hanson_hansen, takes_its_share_of_the_pressure) {
+TEST(HansonHansen, takes_its_share_of_the_pressure) {
   HansonHansen h = example();
   const PartCut c = plain_cut(PartKind::face);  // 60 MPa, confined 100 MPa
   const double whole = law_force(h, c).tangential;
@@ -68,7 +68,7 @@ TEST(hanson_hansen, takes_its_share_of_the_pressure) {
 }
 
 /// Any coefficients and cut: the sum of the basis is the force.
-RC_GTEST_PROP(hanson_hansen, is_the_sum_of_coefficients_times_its_basis, ()) {
+RC_GTEST_PROP(HansonHansen, is_the_sum_of_coefficients_times_its_basis, ()) {
   Law law = HansonHansen{};
   for (const LawField& f : law_fields(law))
     *f.value = number(std::max(f.range.lo, 0.0), std::min(f.range.hi, 5.0));
@@ -84,7 +84,7 @@ RC_GTEST_PROP(hanson_hansen, is_the_sum_of_coefficients_times_its_basis, ()) {
 }
 
 /// Linear least squares on the basis finds the coefficients behind forces again.
-TEST(hanson_hansen, is_recovered_from_forces_by_linear_least_squares) {
+TEST(HansonHansen, is_recovered_from_forces_by_linear_least_squares) {
   const HansonHansen h = example();
   Eigen::MatrixXd rows(3 * 60, hanson_hansen_terms);
   Eigen::VectorXd forces(3 * 60);

@@ -21,14 +21,14 @@ PartCut pressed(double area) {
   return c;
 }
 
-/// literature.md 5: 34.55752 mm2 at 1 mm; 1.2 times 100 MPa on it.
-TEST(indentation, of_a_sphere_is_the_pressure_on_its_disc) {
+/// By hand: 34.55752 mm2 at 1 mm; 1.2 times 100 MPa on it.
+TEST(Indentation, of_a_sphere_is_the_pressure_on_its_disc) {
   EXPECT_NEAR(disc(1e-3), 34.55752e-6, 1e-11);
   EXPECT_NEAR(law_force(smooth(), pressed(disc(1e-3))).force.z(), -120e6 * disc(1e-3), 1e-9);
 }
 
 /// The law asked for one contact, or for many patches of it with their own normals: the same force.
-TEST(indentation, adds_up_over_patches_of_a_curved_contact) {
+TEST(Indentation, adds_up_over_patches_of_a_curved_contact) {
   const double s = 1.5e-3, edge = std::acos(1.0 - s / a);
   constexpr int rings = 400, turns = 60;
   Vec3 sum = Vec3::Zero();
@@ -45,9 +45,9 @@ TEST(indentation, adds_up_over_patches_of_a_curved_contact) {
   EXPECT_LT((sum - whole).norm(), 2e-6 * whole.norm());
 }
 
-/// literature.md 6: a smooth wedge of 30 degrees to its side, 10 mm long, 2 mm deep, flanks under
+/// By hand: a smooth wedge of 30 degrees to its side, 10 mm long, 2 mm deep, flanks under
 /// 153.884 MPa: 3553.8 N, and linear in its depth.
-TEST(indentation, of_a_wedge_is_the_pressure_on_its_flanks) {
+TEST(Indentation, of_a_wedge_is_the_pressure_on_its_flanks) {
   const double half = 30 * degree, length = 10e-3;
   for (const double depth : {1e-3, 2e-3}) {
     double weight = 0.0;
@@ -61,7 +61,7 @@ TEST(indentation, of_a_wedge_is_the_pressure_on_its_flanks) {
   }
 }
 
-TEST(indentation, drags_against_the_slip) {
+TEST(Indentation, drags_against_the_slip) {
   Indentation law = smooth();
   law.mu = 0.3;
   PartCut c = pressed(10e-6);
@@ -69,7 +69,7 @@ TEST(indentation, drags_against_the_slip) {
   EXPECT_LT((law_force(law, c).force - Vec3(0.0, 360.0, -1200.0)).norm(), 1e-9);
 }
 
-TEST(indentation, lets_a_tooth_go_that_leaves_the_rock) {
+TEST(Indentation, lets_a_tooth_go_that_leaves_the_rock) {
   PartCut c = pressed(10e-6);
   c.velocity = Vec3(0.0, 0.0, -0.1);
   EXPECT_LT(law_force(smooth(), c).force.norm(), 1e-9);

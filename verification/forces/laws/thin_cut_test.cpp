@@ -32,8 +32,8 @@ struct Row {
   double pressure, energy, ratio;  // MPa, MPa, 1
 };
 
-/// domain.md 1.7, printed to 1 MPa and 0.01.
-TEST(thin_cut, gives_specific_energies_under_pressure_of_the_literature) {
+/// Miedema's table, printed to 1 MPa and 0.01.
+TEST(ThinCut, gives_specific_energies_under_pressure_of_the_literature) {
   for (const Row& r : {Row{0.1, 282, 0.72},
                        {10, 353, 0.76},
                        {20.7, 430, 0.79},
@@ -49,7 +49,7 @@ TEST(thin_cut, gives_specific_energies_under_pressure_of_the_literature) {
 }
 
 /// From 3000 to 6000 psi forces rise 1.35 times, the strength of Mohr and Coulomb 1.43 times.
-TEST(thin_cut, rises_with_pressure_a_little_less_than_the_strength_does) {
+TEST(ThinCut, rises_with_pressure_a_little_less_than_the_strength_does) {
   const double low = 20.684 * MPa, high = 41.369 * MPa;
   const double forces = law_force(zijsling(), mancos(high, 0.3e-3)).tangential /
                         law_force(zijsling(), mancos(low, 0.3e-3)).tangential;
@@ -62,7 +62,7 @@ TEST(thin_cut, rises_with_pressure_a_little_less_than_the_strength_does) {
 }
 
 /// The closed form against the chip's equilibrium, where chip and blade push on each other.
-RC_GTEST_PROP(thin_cut, is_the_equilibrium_of_the_chip, ()) {
+RC_GTEST_PROP(ThinCut, is_the_equilibrium_of_the_chip, ()) {
   ThinCut law = zijsling();
   law.shear_angle = number(0.1, 0.5);
   law.blade_height = number(1.0, 6.0);
@@ -90,7 +90,7 @@ RC_GTEST_PROP(thin_cut, is_the_equilibrium_of_the_chip, ()) {
 }
 
 /// Beyond the largest back rake dead rock stands before the face: nothing changes any more.
-TEST(thin_cut, has_a_largest_back_rake) {
+TEST(ThinCut, has_a_largest_back_rake) {
   ThinCut law = zijsling();
   law.largest_back_rake = 15 * degree;
   PartCut c = mancos(20 * MPa, 0.3e-3);
@@ -103,7 +103,7 @@ TEST(thin_cut, has_a_largest_back_rake) {
 }
 
 /// Near the formula's pole the sum of angles is held at 170 degrees: here from 28.3 degrees on.
-TEST(thin_cut, stays_below_its_pole) {
+TEST(ThinCut, stays_below_its_pole) {
   ThinCut law = zijsling();
   law.largest_back_rake = 1.0;
   PartCut c = mancos(20 * MPa, 0.3e-3);

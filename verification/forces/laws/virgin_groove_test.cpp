@@ -8,8 +8,8 @@
 namespace tdbd::forces {
 namespace {
 
-/// literature.md 3: a 16 mm face cut at 0.5, 1, 2 mm in its plane; printed to seven digits.
-TEST(groove_area, is_that_of_the_literature) {
+/// By hand: a 16 mm face cut at 0.5, 1, 2 mm in its plane; printed to seven digits.
+TEST(GrooveArea, is_that_of_the_literature) {
   const GrooveCutter c{.diameter = 16e-3, .back_rake = 20 * degree};
   const double lean = std::cos(c.back_rake);
   for (const auto& [y, segment] : {std::pair{0.5, 1.867841}, {1.0, 5.232189}, {2.0, 14.505976}})
@@ -17,7 +17,7 @@ TEST(groove_area, is_that_of_the_literature) {
 }
 
 /// Strips of a half circle's end are off by their width to the power 1.5: 1e-5 of the face here.
-RC_GTEST_PROP(groove_area, is_that_of_strips, ()) {
+RC_GTEST_PROP(GrooveArea, is_that_of_strips, ()) {
   const GrooveCutter c{.diameter = number(8e-3, 25e-3), .back_rake = number(-0.3, 0.7)};
   const double depth = number(0.0, 1.2) * c.diameter;
   const double strips = reference::groove_area_by_strips(c.diameter, c.back_rake, depth, 2000);
@@ -25,7 +25,7 @@ RC_GTEST_PROP(groove_area, is_that_of_strips, ()) {
 }
 
 /// Down to cuts of a billionth of the face, and up to all of it.
-RC_GTEST_PROP(groove_depth, is_the_inverse_of_the_area, ()) {
+RC_GTEST_PROP(GrooveDepth, is_the_inverse_of_the_area, ()) {
   const GrooveCutter c{.diameter = number(8e-3, 25e-3), .back_rake = number(-0.3, 0.7)};
   const double face = pi / 4 * c.diameter * c.diameter * std::cos(c.back_rake);
   const double area = face * (index(2) == 0 ? number(0.0, 1.0) : std::pow(10.0, -number(0.0, 9.0)));
@@ -36,7 +36,7 @@ RC_GTEST_PROP(groove_depth, is_the_inverse_of_the_area, ()) {
   RC_ASSERT(g.iterations <= 5);
 }
 
-TEST(groove_depth, of_nothing_is_none_and_of_too_much_the_whole_face) {
+TEST(GrooveDepth, of_nothing_is_none_and_of_too_much_the_whole_face) {
   const GrooveCutter c{.diameter = 16e-3, .back_rake = 20 * degree};
   EXPECT_EQ(groove_depth(c, 0.0).depth, 0.0);
   EXPECT_NEAR(groove_depth(c, 1.0).depth, 16e-3 * std::cos(c.back_rake), 1e-17);

@@ -9,7 +9,7 @@ namespace {
 
 /// Where a part drills, the frame is the literature's: unit vectors, perpendicular, n in their
 /// plane.
-RC_GTEST_PROP(cut_frame, is_orthonormal_and_holds_the_normal_where_a_part_drills, ()) {
+RC_GTEST_PROP(CutFrame, is_orthonormal_and_holds_the_normal_where_a_part_drills, ()) {
   const Vec3 n = any_direction();
   const Vec3 along = n.cross(any_direction());
   RC_PRE(along.norm() > 1e-3);
@@ -24,7 +24,7 @@ RC_GTEST_PROP(cut_frame, is_orthonormal_and_holds_the_normal_where_a_part_drills
 }
 
 /// No jump anywhere but at rest: a small change of velocity changes the frame little.
-RC_GTEST_PROP(cut_frame, is_continuous_in_the_velocity, ()) {
+RC_GTEST_PROP(CutFrame, is_continuous_in_the_velocity, ()) {
   const Vec3 n = any_direction(), v = any_direction();
   const CutFrame a = cut_frame(v, n), b = cut_frame(v + 1e-7 * any_direction(), n);
   // Slopes: of e1 1/|v| and of its removed part; of e2 at most 1/(0.5) of the same.
@@ -32,20 +32,20 @@ RC_GTEST_PROP(cut_frame, is_continuous_in_the_velocity, ()) {
   RC_ASSERT((a.e2 - b.e2).norm() < 8e-7);
 }
 
-TEST(cut_frame, at_rest_is_the_normal_alone) {
+TEST(CutFrame, at_rest_is_the_normal_alone) {
   const CutFrame f = cut_frame(Vec3::Zero(), Vec3(0, 0, 1));
   EXPECT_EQ(f.e1, Vec3::Zero());
   EXPECT_EQ(f.e2, Vec3(0, 0, 1));
 }
 
-TEST(cut_frame, of_a_plunge_pushes_back_alone) {
+TEST(CutFrame, of_a_plunge_pushes_back_alone) {
   const CutFrame f = cut_frame(Vec3(0, 0, 0.3), Vec3(0, 0, 1));
   EXPECT_EQ(f.e1, Vec3(0, 0, 1));
   EXPECT_EQ(f.e2, Vec3::Zero());
 }
 
 /// A part that leaves along the normal is let go; one that leaves askew feels no pull.
-TEST(cut_frame, of_a_part_that_leaves_the_rock_holds_nothing_along_the_normal) {
+TEST(CutFrame, of_a_part_that_leaves_the_rock_holds_nothing_along_the_normal) {
   const CutFrame straight = cut_frame(Vec3(0, 0, -0.3), Vec3(0, 0, 1));
   EXPECT_EQ(straight.e1, Vec3::Zero());
   EXPECT_EQ(straight.e2, Vec3::Zero());
@@ -54,7 +54,56 @@ TEST(cut_frame, of_a_part_that_leaves_the_rock_holds_nothing_along_the_normal) {
   EXPECT_NEAR(askew.e1.x(), std::sqrt(0.5), 1e-15);
 }
 
-TEST(slip_share, rises_from_none_at_rest_to_all) {
+/// A face with this back and side rake that moves along t; n is the normal into the rock.
+struct LeaningFace {
+  Vec3 t, n, face_normal;
+};
+
+LeaningFace leaning_face(double back_rake, double side_rake) {
+  LeaningFace f;
+  f.n = any_direction();
+  f.t = f.n.cross(any_direction()).normalized();
+  const Vec3 x = std::cos(back_rake) * f.t + std::sin(back_rake) * f.n;
+  const Vec3 z = std::sin(back_rake) * f.t - std::cos(back_rake) * f.n;
+  f.face_normal = std::cos(side_rake) * x + std::sin(side_rake) * z.cross(x);
+  return f;
+}
+
+/// Without side rake it is the table's, of either sign.
+RC_GTEST_PROP(EffectiveBackRake, is_that_of_the_table_with_its_sign, ()) {
+  const double rake = number(-60 * degree, 60 * degree);
+  RC_PRE(std::abs(rake) > 1 * degree);
+  const LeaningFace f = leaning_face(rake, 0.0);
+  const double speed = number(1e-3, 2.0);
+  RC_ASSERT(std::abs(effective_back_rake(f.face_normal, speed * f.t, f.n) - rake) < 1e-12);
+}
+
+/// A motion into the rock by an angle takes it off the rake, past zero as well.
+RC_GTEST_PROP(EffectiveBackRake, falls_by_the_angle_of_the_motion_into_the_rock, ()) {
+  const double rake = number(0.0, 40 * degree), helix = number(0.0, 40 * degree);
+  RC_PRE(std::abs(rake - helix) > 1 * degree);
+  const LeaningFace f = leaning_face(rake, 0.0);
+  const Vec3 v = std::cos(helix) * f.t + std::sin(helix) * f.n;
+  RC_ASSERT(std::abs(effective_back_rake(f.face_normal, v, f.n) - (rake - helix)) < 1e-12);
+}
+
+/// With side rake its size is the angle between face normal and velocity, as before it had a sign.
+RC_GTEST_PROP(EffectiveBackRake, counts_side_rake_in_its_size, ()) {
+  const double rake = number(2 * degree, 40 * degree), side = number(-20 * degree, 20 * degree);
+  const LeaningFace f = leaning_face(rake, side);
+  const double angle = std::acos(f.face_normal.dot(f.t));
+  RC_ASSERT(std::abs(effective_back_rake(f.face_normal, f.t, f.n) - angle) < 1e-12);
+  const LeaningFace back = leaning_face(-rake, side);
+  RC_ASSERT(effective_back_rake(back.face_normal, back.t, back.n) < 0.0);
+}
+
+TEST(EffectiveBackRake, at_rest_is_none_and_backwards_a_right_angle) {
+  const Vec3 t(1, 0, 0), n(0, 0, 1);
+  EXPECT_EQ(effective_back_rake(t, Vec3::Zero(), n), 0.0);
+  EXPECT_DOUBLE_EQ(effective_back_rake(t, -t, n), right_angle);
+}
+
+TEST(SlipShare, rises_from_none_at_rest_to_all) {
   EXPECT_EQ(slip_share(0.0, 0.0), 0.0);
   EXPECT_EQ(slip_share(0.0, 1e-3), 0.0);
   EXPECT_NEAR(slip_share(1e-3, 1e-3), std::sqrt(0.5), 1e-15);
@@ -62,7 +111,7 @@ TEST(slip_share, rises_from_none_at_rest_to_all) {
   EXPECT_NEAR(slip_share(0.5, 1e-3), 1.0 - 2e-6, 1e-11);
 }
 
-TEST(friction_at, falls_from_its_value_at_rest_to_what_is_left_at_high_speed) {
+TEST(FrictionAt, falls_from_its_value_at_rest_to_what_is_left_at_high_speed) {
   const Sliding s{.mu = 0.5, .weakening = 0.4, .weakening_speed = 0.2};
   EXPECT_EQ(friction_at(s, 0.0), 0.5);
   EXPECT_NEAR(friction_at(s, 0.2), 0.5 * (1.0 - 0.4 * (1.0 - std::exp(-1.0))), 1e-15);
@@ -70,7 +119,7 @@ TEST(friction_at, falls_from_its_value_at_rest_to_what_is_left_at_high_speed) {
 }
 
 /// Pressed into the rock the force is the stress alone; sliding along it Coulomb's; leaving, none.
-TEST(pressing_force, pushes_along_the_normal_and_drags_against_the_slip) {
+TEST(PressingForce, pushes_along_the_normal_and_drags_against_the_slip) {
   PartCut c = plain_cut(bit::PartKind::gage_pad);
   c.velocity = Vec3(0, 0, 0.1);
   EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3(0, 0, -100));
@@ -88,7 +137,7 @@ TEST(pressing_force, pushes_along_the_normal_and_drags_against_the_slip) {
 
 /// Along the normal, in any direction, rounding leaves some slip: no force may act along it, the
 /// sharp law of slip_speed 0 least of all.
-RC_GTEST_PROP(pressing_force, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
+RC_GTEST_PROP(PressingForce, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
   PartCut c = plain_cut(bit::PartKind::tooth);
   c.normal = any_direction();
   const double speed = number(-2.0, 2.0), beside = std::pow(10.0, -number(8.0, 18.0));

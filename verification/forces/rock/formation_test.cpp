@@ -19,7 +19,7 @@ Formation beds() {
 
 double at(const Formation& f, const Vec3& x_W) { return strength_at(f, x_W).confined / MPa; }
 
-TEST(formation, of_level_beds_is_told_by_depth) {
+TEST(Formation, of_level_beds_is_told_by_depth) {
   EXPECT_EQ(at(beds(), Vec3(1, 2, -1e-9)), 10);
   EXPECT_EQ(at(beds(), Vec3(1, 2, 0.0)), 20);
   EXPECT_EQ(at(beds(), Vec3(-3, 0, 0.0999)), 20);
@@ -29,7 +29,7 @@ TEST(formation, of_level_beds_is_told_by_depth) {
 
 /// Beds that dip by 30 degrees to +x lie tan 30 deeper a metre on; along the strike nothing
 /// changes.
-TEST(formation, of_dipping_beds_lies_deeper_to_the_side_of_the_dip) {
+TEST(Formation, of_dipping_beds_lies_deeper_to_the_side_of_the_dip) {
   Formation f = beds();
   f.normal_W = bedding_normal(30 * degree, 0.0);
   const double deeper = std::tan(30 * degree);
@@ -42,7 +42,7 @@ TEST(formation, of_dipping_beds_lies_deeper_to_the_side_of_the_dip) {
 }
 
 /// The slow twin: count the planes that are passed.
-RC_GTEST_PROP(layer_at, counts_the_planes_above_a_point, ()) {
+RC_GTEST_PROP(LayerAt, counts_the_planes_above_a_point, ()) {
   Formation f;
   f.normal_W = bedding_normal(number(0.0, 90 * degree), number(0.0, 2 * pi));
   double top = number(-1.0, 0.0);
@@ -57,7 +57,7 @@ RC_GTEST_PROP(layer_at, counts_the_planes_above_a_point, ()) {
   RC_ASSERT(layer_at(f, x) == passed);
 }
 
-TEST(formation_problem, tells_what_is_wrong) {
+TEST(FormationProblem, says_what_is_wrong) {
   EXPECT_EQ(formation_problem(beds()), "");
   Formation f = beds();
   f.tops = {0.1, 0.1};

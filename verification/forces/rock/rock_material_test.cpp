@@ -30,8 +30,8 @@ struct Row {
   double at_3000, at_6000;  // psi
 };
 
-/// domain.md 1.8, in thousands of psi to three digits.
-TEST(strength_of, rocks_under_pressure_is_that_of_the_literature) {
+/// Published values, in thousands of psi to three digits.
+TEST(StrengthOf, rocks_under_pressure_is_that_of_the_literature) {
   for (const Row& r : {Row{"mancos-shale", 16.5, 23.5},
                        {"berea-sandstone", 18.2, 29.2},
                        {"carthage-marble", 27.1, 38.1},
@@ -45,14 +45,14 @@ TEST(strength_of, rocks_under_pressure_is_that_of_the_literature) {
   }
 }
 
-TEST(strengthening, is_that_of_the_literature) {
+TEST(Strengthening, is_that_of_the_literature) {
   EXPECT_NEAR(strengthening(23.8 * degree), 2.35, 0.005);
   EXPECT_NEAR(strengthening(35 * degree), 3.69, 0.005);
   EXPECT_EQ(strengthening(0.0), 1.0);
 }
 
 /// On Mohr's circle of (dp, Scc) the rock's line of cohesion and friction is a tangent.
-RC_GTEST_PROP(strength_of, puts_mohrs_circle_on_the_line_of_coulomb, ()) {
+RC_GTEST_PROP(StrengthOf, puts_mohrs_circle_on_the_line_of_coulomb, ()) {
   const RockMaterial rock = any_rock();
   const BottomHole hole = any_hole();
   const double phi = rock.friction_angle;
@@ -64,7 +64,7 @@ RC_GTEST_PROP(strength_of, puts_mohrs_circle_on_the_line_of_coulomb, ()) {
   RC_ASSERT(std::abs(distance - radius) < 1e-12 * Scc);
 }
 
-TEST(confining_pressure, of_tight_rock_is_relieved_by_the_hole) {
+TEST(ConfiningPressure, of_tight_rock_is_relieved_by_the_hole) {
   const BottomHole hole{.pressure = 30 * MPa, .pore_pressure = 25 * MPa, .overburden = 60 * MPa};
   EXPECT_NEAR(confining_pressure(hole, Confinement::permeable, 0.1), 5 * MPa, 1e-6);
   EXPECT_NEAR(confining_pressure(hole, Confinement::impermeable, 0.1), 15 * MPa, 1e-6);
@@ -73,14 +73,14 @@ TEST(confining_pressure, of_tight_rock_is_relieved_by_the_hole) {
   EXPECT_NEAR(confining_pressure(hole, Confinement::by_porosity, 0.30), 5 * MPa, 1e-6);
 }
 
-RC_GTEST_PROP(strength_of, is_never_below_the_unconfined_strength, ()) {
+RC_GTEST_PROP(StrengthOf, is_never_below_the_unconfined_strength, ()) {
   const RockMaterial rock = any_rock();
   for (const Confinement c :
        {Confinement::permeable, Confinement::impermeable, Confinement::by_porosity})
     RC_ASSERT(strength_of(rock, any_hole(), c).confined >= rock.unconfined);
 }
 
-TEST(rock_named, finds_every_rock_of_the_table_and_tells_them) {
+TEST(RockNamed, finds_every_rock_of_the_table_and_names_them) {
   std::set<std::string_view> names;
   for (const KnownRock& rock : known_rocks()) {
     EXPECT_TRUE(names.insert(rock.name).second) << rock.name;
@@ -94,7 +94,7 @@ TEST(rock_named, finds_every_rock_of_the_table_and_tells_them) {
 }
 
 /// Uniaxial strength from cohesion and angle, as the table has it of the granitoid.
-TEST(known_rocks, derive_the_granitoids_strength_from_its_cohesion) {
+TEST(KnownRocks, derive_the_granitoids_strength_from_its_cohesion) {
   const double phi = 38.66 * degree, derived = 2 * 44.8 * MPa * std::cos(phi) / (1 - std::sin(phi));
   EXPECT_NEAR(rock_named("forge-granitoid").unconfined, derived, 0.05 * MPa);
 }

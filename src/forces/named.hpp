@@ -1,0 +1,26 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace tdbd::forces {
+
+/// The item of this name. InputError: there is none; the message lists the names that there are.
+/// `what`: what is named, as in "found the WHAT \"NAME\", expected one of ...". `name_of`: an
+/// item's name.
+template <class Items, class NameOf>
+const auto& item_named(std::string_view what, std::string_view name, const Items& items,
+                       NameOf name_of) {
+  std::string all;
+  for (const auto& item : items) {
+    if (name_of(item) == name) return item;
+    all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", name_of(item));
+  }
+  throw InputError(fmt::format("found the {} \"{}\", expected one of {}", what, name, all));
+}
+
+}  // namespace tdbd::forces
