@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <string_view>
 
 namespace tdbd {
 
-/// A text without the blanks, tabs and carriage returns at its ends.
+/// The text without white space at its ends.
 constexpr std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
+  constexpr std::string_view blanks = " \t\n\v\f\r";
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
