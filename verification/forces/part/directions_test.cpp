@@ -62,7 +62,9 @@ struct LeaningFace {
 LeaningFace leaning_face(double back_rake, double side_rake) {
   LeaningFace f;
   f.n = any_direction();
-  f.t = f.n.cross(any_direction()).normalized();
+  const Vec3 across = f.n.cross(any_direction());
+  RC_PRE(across.norm() > 1e-3);
+  f.t = across.normalized();
   const Vec3 x = std::cos(back_rake) * f.t + std::sin(back_rake) * f.n;
   const Vec3 z = std::sin(back_rake) * f.t - std::cos(back_rake) * f.n;
   f.face_normal = std::cos(side_rake) * x + std::sin(side_rake) * z.cross(x);
