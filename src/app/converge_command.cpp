@@ -61,7 +61,8 @@ int converge(ConvergeArguments a) {
     if (!a.quiet) {
       progress.finish();
       const std::string name = folder.path.string();
-      fmt::print("{}results in {}; to draw them: reports/draw.py {}\n", sim::table_text(c), name, name);
+      fmt::print("{}results in {}; to draw them: reports/draw.py {}\n", sim::table_text(c), name,
+                 name);
     }
     return c.status == sim::RunStatus::completed ? 0 : interrupted_code;
   } catch (const InputError&) {

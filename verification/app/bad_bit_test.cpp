@@ -2,8 +2,7 @@
 
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::bad_bit_test {
 
 TEST(BadBit, a_cutter_outside_the_bit) {
   const SmallCase c;
@@ -61,5 +60,4 @@ TEST(BadBit, tdbd_bit_says_the_same) {
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::bad_bit_test

@@ -3,8 +3,7 @@
 #include "app/mistake.hpp"
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::bad_case_test {
 
 TEST(BadCase, that_the_small_case_is_right) {
   const SmallCase c;
@@ -189,5 +188,4 @@ TEST(BadCase, a_wrong_command_line) {
   EXPECT_NE(o.err.find("--threads"), std::string::npos) << o.err;
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::bad_case_test

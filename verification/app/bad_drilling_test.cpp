@@ -2,8 +2,7 @@
 
 #include "app/case_folder.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::bad_drilling_test {
 
 /// One wrong setting of a shipped case, and what the program says of it.
 struct Wrong {
@@ -100,5 +99,4 @@ const Wrong wrongs[] = {
 INSTANTIATE_TEST_SUITE_P(One, BadDrilling, ::testing::ValuesIn(wrongs),
                          [](const auto& w) { return std::string(w.param.name); });
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::bad_drilling_test

@@ -2,8 +2,7 @@
 
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::bad_output_test {
 
 namespace fs = std::filesystem;
 
@@ -102,5 +101,4 @@ TEST(BadOutput, a_full_standard_output) {
   EXPECT_NE(o.err.find("tdbd: cannot write to standard output\n"), std::string::npos) << o.err;
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::bad_output_test

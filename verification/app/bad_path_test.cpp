@@ -2,8 +2,7 @@
 
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::bad_path_test {
 
 constexpr const char* head = "time_s,x_m,y_m,z_m,rx_rad,ry_rad,rz_rad\n";
 
@@ -63,5 +62,4 @@ TEST(BadPath, a_turn_too_far_for_a_step) {
                  "rad");
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::bad_path_test

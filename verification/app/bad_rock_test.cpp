@@ -3,8 +3,7 @@
 
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::bad_rock_test {
 
 /// A square net over a plane at a depth, facets up, as text (OFF, mm). A facet is left out (a hole)
 /// or turned over.
@@ -125,5 +124,4 @@ TEST(BadRock, a_bit_that_starts_wholly_below_its_surface) {
                "below the rock's surface at the start");
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::bad_rock_test

@@ -3,8 +3,7 @@
 #include "app/mistake.hpp"
 #include "app/rotate_folder.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::bad_rotate_test {
 
 class BadRotate : public ::testing::TestWithParam<Mistake> {};
 
@@ -262,5 +261,4 @@ TEST(BadRotate, a_run_case_to_rotate) {
   EXPECT_NE(o.err.find("case.toml:1: body.inertia: found nothing"), std::string::npos) << o.err;
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::bad_rotate_test

@@ -5,8 +5,7 @@
 #include "app/rotate_folder.hpp"
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::converge_test {
 
 using Json = nlohmann::json;
 
@@ -230,5 +229,4 @@ TEST(Converge, wrong_numbers_of_levels_are_refused_by_the_command_line) {
     EXPECT_EQ(c.converge({"--over", "time.step", "--levels", levels}).exit_code, 2) << levels;
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::converge_test

@@ -5,8 +5,7 @@
 
 #include "app/rotate_folder.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::failing_rotate_test {
 
 namespace fs = std::filesystem;
 
@@ -125,5 +124,4 @@ TEST(FailingRotate, an_interrupted_run_is_the_first_part_of_the_whole_one) {
     EXPECT_EQ(stopped[key], whole[key]) << key;
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::failing_rotate_test

@@ -5,8 +5,7 @@
 
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::failing_run_test {
 
 namespace fs = std::filesystem;
 
@@ -103,5 +102,4 @@ TEST(InterruptedRun, is_the_first_part_of_the_whole_one) {
     EXPECT_EQ(read(c.path("stopped") / file), read(c.path("whole") / file)) << file;
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::failing_run_test

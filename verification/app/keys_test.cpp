@@ -2,8 +2,7 @@
 
 #include "app/case_folder.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::keys_test {
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -43,5 +42,4 @@ TEST(KeysCommand, made_the_tables_of_the_documentation) {
   EXPECT_EQ(o.out, read(TDBD_SOURCE_DIR "/src/simulation/case/KEYS.md"));
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::keys_test

@@ -4,8 +4,7 @@
 
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::result_folder_test {
 
 using Json = nlohmann::json;
 
@@ -91,5 +90,4 @@ TEST(Help, every_command_has_one_with_an_example) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::result_folder_test

@@ -8,8 +8,7 @@
 #include "app/rotate_folder.hpp"
 #include "battery/golden.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::rotate_golden_test {
 
 using Json = nlohmann::json;
 
@@ -128,5 +127,4 @@ TEST(RotateGolden, the_slow_top_and_its_kin_are_shipped) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::rotate_golden_test

@@ -5,8 +5,7 @@
 
 #include "app/rotate_folder.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::rotate_result_test {
 
 using Json = nlohmann::json;
 
@@ -179,5 +178,4 @@ TEST(RotateResult, an_existing_result_is_kept_without_force) {
                  "output folder " + c.path("out").string() + ": exists; --force overwrites");
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::rotate_result_test

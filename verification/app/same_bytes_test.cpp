@@ -4,8 +4,7 @@
 
 #include "app/small_case.hpp"
 
-namespace tdbd::app {
-namespace {
+namespace tdbd::app::same_bytes_test {
 
 /// Runs the case, the case again, the resolved case from its new place, and with more threads.
 void expect_same_bytes(const SmallCase& c) {
@@ -94,5 +93,4 @@ TEST(SameBytes, the_hash_of_a_case_is_that_of_its_content) {
   EXPECT_NE(hash("moved/out"), hash("out"));
 }
 
-}  // namespace
-}  // namespace tdbd::app
+}  // namespace tdbd::app::same_bytes_test

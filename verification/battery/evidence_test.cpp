@@ -13,8 +13,7 @@
 
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::evidence_test {
 
 namespace fs = std::filesystem;
 
@@ -102,5 +101,4 @@ TEST_F(EvidenceFile, is_an_error_when_it_cannot_be_written) {
   EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);  // nothing half-written stays
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::evidence_test

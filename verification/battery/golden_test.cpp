@@ -6,8 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::golden_test {
 
 /// The files have 17 digits and momenta of at most 60 N m s, energies of at most 1300 J.
 constexpr double rounding = 1e-13;  // of the largest term
@@ -68,5 +67,4 @@ TEST(Golden, steps_name_every_drift_and_how_many) {
 
 TEST(Golden, a_missing_file_is_named) { EXPECT_THROW(read_golden_case("no_such_top"), InputError); }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::golden_test

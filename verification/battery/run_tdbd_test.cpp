@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::run_tdbd_test {
 
 TEST(RunTdbd, captures_both_streams_and_the_exit_code) {
   const Outcome help = run_tdbd({"--help"});
@@ -20,5 +19,4 @@ TEST(RunTdbd, arguments_keep_their_spaces) {
   EXPECT_EQ(o.err, "tdbd: no such file.toml: found no such file, expected a TOML file\n");
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::run_tdbd_test

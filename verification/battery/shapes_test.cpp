@@ -12,8 +12,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::shapes_test {
 
 using mesh::TriangleMesh;
 using reference::enclosed_volume_exact;
@@ -107,5 +106,4 @@ RC_GTEST_PROP(Generators, star_shapes_see_all_faces_from_the_origin, ()) {
     RC_ASSERT(m.positions[a].dot(m.positions[b].cross(m.positions[c])) > 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::shapes_test

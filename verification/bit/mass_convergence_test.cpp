@@ -10,8 +10,7 @@
 #include "bit/surface_of_revolution.hpp"
 #include "core/observed_order.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::mass_convergence_test {
 
 constexpr double exact = 1e-13;  ///< rounding; scale: the body's mass times powers of its size
 constexpr double density = 3.0;
@@ -175,5 +174,4 @@ TEST(MassProperties, of_meshes_converge_to_the_smooth_body_with_order_2) {
   expect_order_2("cone", cone());
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::mass_convergence_test

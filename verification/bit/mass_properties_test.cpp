@@ -7,8 +7,7 @@
 #include "mesh/measures.hpp"
 #include "reference/bit/monte_carlo_mass.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::mass_properties_test {
 
 mesh::TriangleMesh box(const Vec3& lo, const Vec3& size) {
   mesh::TriangleMesh m;
@@ -145,5 +144,4 @@ TEST(MassProperties, of_the_example_bits_are_those_of_bits) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::mass_properties_test

@@ -4,8 +4,7 @@
 
 #include <set>
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::part_kind_test {
 
 TEST(PartKinds, have_one_name_in_three_spellings) {
   EXPECT_EQ(kind_words(PartKind::cutter_body), "cutter body");
@@ -24,5 +23,4 @@ TEST(PartKinds, are_all_in_the_list_in_order_under_names_of_their_own) {
   EXPECT_FALSE(names.contains("unknown"));
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::part_kind_test

@@ -5,8 +5,7 @@
 #include "bit/generate.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::surface_of_revolution_test {
 
 /// A solid of revolution with any number of points on each of its rings.
 RC_GTEST_PROP(SurfaceOfRevolution, is_closed_and_oriented_for_any_counts, ()) {
@@ -35,5 +34,4 @@ TEST(SurfaceOfRevolution, starts_every_ring_at_minus_z) {
   EXPECT_GT(m.positions[2].y(), 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::surface_of_revolution_test

@@ -4,8 +4,7 @@
 
 #include "bit/generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::update_direction_test {
 
 const std::vector<InsideRule> inside_rules{InsideRule::down, InsideRule::plus_x,
                                            InsideRule::minus_x};
@@ -73,5 +72,4 @@ TEST(UpdateDirection, on_the_axis_counts_as_azimuth_zero) {
   EXPECT_EQ(update_direction(X_BC, DirectionRule::along_profile, InsideRule::down), Vec3(0, 0, 1));
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::update_direction_test

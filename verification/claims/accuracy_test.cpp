@@ -8,8 +8,7 @@
 #include "claims/carry.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
 
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::accuracy_test {
 
 using battery::Verdict;
 
@@ -71,5 +70,4 @@ TEST(Accuracy, of_the_thesis_drift_against_others_at_equal_cost) {
   say("our split drift", median(to_split));
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::accuracy_test

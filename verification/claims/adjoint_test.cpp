@@ -7,8 +7,7 @@
 #include "battery/evidence.hpp"
 #include "claims/carry.hpp"
 
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::adjoint_test {
 
 /// Rounding of 200 steps; scale: 1 rad, 1 N m s (momenta here are below 20).
 constexpr double reversible = 1e-12;
@@ -60,5 +59,4 @@ TEST(AdjointComposition, is_not_found_in_a_step_of_first_order) {
   EXPECT_GT(distance(r.state, c.initial), 1e6 * reversible);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::adjoint_test

@@ -17,8 +17,7 @@
 #include "mesh/measures.hpp"
 
 /// Our claims of chapter 3: numbers of bits against closed forms.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::bit_numbers_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr int trials = 200;
@@ -178,5 +177,4 @@ TEST(BitNumbers, the_gage_is_reached_and_not_passed) {
                  std::abs(example(name).gage_radius - gage), "m", 1e-12);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::bit_numbers_test

@@ -14,8 +14,7 @@
 #include "simulation/case/motion.hpp"
 
 /// Claims of chapter 3 of the thesis, on the bits of cases/bits.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::bit_test {
 
 constexpr double rounding = 1e-14;  ///< of a few products of poses; scale: 1 and 1 m
 
@@ -230,5 +229,4 @@ TEST(BitModel, a_cone_adds_its_turn_before_the_motion_reaches_its_teeth) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::bit_test

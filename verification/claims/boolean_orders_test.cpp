@@ -14,8 +14,7 @@
 
 /// Moving vertices against the exact boolean (CGAL, exact kernel) on flat rock, which both
 /// represent exactly: volume and Hausdorff distance over the edge length and over the time step.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::boolean_orders_test {
 
 constexpr double half = 0.8, window = 0.7;  ///< m, of the rock; of what is compared
 
@@ -224,5 +223,4 @@ TEST(BooleanOrders, vertex_motion_is_of_second_order_in_the_time_step) {
   EXPECT_GE(o.distance, 1.8);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::boolean_orders_test

@@ -6,8 +6,7 @@
 #include "simulation/result/drive_figures.hpp"
 
 /// Claims of chapter 2's equations on a bit that drills by itself.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::drilling_test {
 
 /// Where bit B is after 48 ms, and how it moves, with steps of this length.
 struct End {
@@ -113,5 +112,4 @@ TEST(Drilling, sticks_and_slips_near_the_frequency_of_its_string) {
                simulation::ledger_defect(s), "1", tolerance::ledger);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::drilling_test

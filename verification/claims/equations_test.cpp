@@ -9,8 +9,7 @@
 #include "claims/carry.hpp"
 #include "reference/dynamics/jointed_bodies.hpp"
 
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::equations_test {
 
 using battery::Verdict;
 
@@ -94,5 +93,4 @@ TEST(EquationsOfMotion, hold_for_any_number_of_cones) {
   for (const std::size_t cones : {0u, 1u, 2u, 5u, 7u}) check("chapter5/any-number-of-cones", cones);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::equations_test

@@ -4,8 +4,7 @@
 #include "battery/evidence.hpp"
 #include "claims/carry.hpp"
 
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::explicit_test {
 
 constexpr double h = 0.01;  // s
 constexpr long steps = 1000;
@@ -55,5 +54,4 @@ TEST(Explicitness, does_not_reach_the_drift_which_solves) {
        too_long < longest ? battery::Verdict::holds_with_limits : battery::Verdict::holds});
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::explicit_test

@@ -7,8 +7,7 @@
 #include "reference/bit/radial_plane_engagement.hpp"
 
 /// Claims of chapter 2, chapter 6 and appendix C on forces, of bit B at a given rate.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::forces_test {
 
 constexpr double eps = 100e6, zeta = 0.8;  ///< Pa and 1: the literature's common rock
 constexpr double two_pi = 2.0 * std::numbers::pi;
@@ -144,5 +143,4 @@ TEST(Forces, grow_with_pressure_as_the_confined_strength_does) {
               0.01);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::forces_test

@@ -8,8 +8,7 @@
 
 /// Claims of chapter 4 on every bit of cases/ beside B, which the other tests drill with: short
 /// holes on coarse meshes.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_bits_test {
 
 /// How a bit drills, and how near its last revolutions come to the gage circle's volume.
 struct Short {
@@ -95,5 +94,4 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_bits_test

@@ -10,8 +10,7 @@
 
 /// Claims of chapter 4 on a long hole: 75 mm (3 in) by bit B, 9 revolutions of 8.3 mm on a mesh of
 /// 3 mm edges.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_drilling_test {
 
 class LongHole : public testing::Test {
  protected:
@@ -152,5 +151,4 @@ TEST_F(LongHole, has_the_pattern_that_the_cutters_make) {
                errors[errors.size() / 2], "1", 0.02);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_drilling_test

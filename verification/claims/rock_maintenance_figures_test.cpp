@@ -12,8 +12,7 @@
 
 /// Tables that figures of section 4.2 are drawn of: what maintenance did to small sheets of rock
 /// (reports/figures).
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_maintenance_figures_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -240,5 +239,4 @@ TEST(RockFigures, show_smoothing) {
   battery::record_table("smoothing", rows);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_maintenance_figures_test

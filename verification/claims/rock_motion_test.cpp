@@ -8,8 +8,7 @@
 #include "reference/mesh/self_intersections.hpp"
 
 /// Claims of chapter 4 on motions: whatever the bit does, the rock follows.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_motion_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -111,5 +110,4 @@ TEST(RockMotion, follows_a_bit_that_comes_back_and_reams) {
                drilled(c));
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_motion_test

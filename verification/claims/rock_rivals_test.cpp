@@ -13,8 +13,7 @@
 
 /// The standard workload after one revolution: our mesh and height fields against a fine height
 /// field; and the volume of later revolutions against the closed form.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_rivals_test {
 
 using reference::SurfaceError;
 using reference::ZMap;
@@ -160,5 +159,4 @@ TEST(RockRivals, volume_of_a_revolution_converges_to_that_within_the_scalloped_w
   EXPECT_LE(errors.back(), 2e-3);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_rivals_test

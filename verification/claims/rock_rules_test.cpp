@@ -13,8 +13,7 @@
 #include "verification/battery/shapes.hpp"
 
 /// Claims of chapter 4 on its rules: update directions, the search for the exit, resolution.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_rules_test {
 
 /// Operations that maintenance needs under a rule, over the moves of vertices: the thesis's, and
 /// with ours.
@@ -157,5 +156,4 @@ TEST(RockRules, a_finer_mesh_approximates_any_shape_better) {
                errors.back(), "1", 0.02);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_rules_test

@@ -11,8 +11,7 @@
 
 /// Figure 2.1 of the thesis in numbers: 120 spokes, Langeveld's and Hanson and Hansen's, with as
 /// many nodes as our mesh has points, all against a fine height field, after one revolution.
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_spokes_test {
 
 constexpr double mm = 1e-3, edge_length = 1.4 * mm, fine_cell = 0.3 * mm;
 constexpr int spoke_count = 120;
@@ -100,5 +99,4 @@ TEST(Spokes, remove_in_a_revolution_what_lies_within_the_scalloped_wall) {
   EXPECT_LT(revolution.removed, cylinder);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_spokes_test

@@ -12,8 +12,7 @@
 
 /// Tables for the figures of sections 4.1 and 4.3: what the running code found, mapped, moved and
 /// measured (reports/figures).
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::rock_update_figures_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -221,5 +220,4 @@ TEST(RockFigures, show_the_search_for_an_exit) {
   battery::record_table("search", rows);
 }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::rock_update_figures_test

@@ -5,8 +5,7 @@
 #include "claims/carry.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
 
-namespace tdbd::claims {
-namespace {
+namespace tdbd::claims::work_test {
 
 using battery::Verdict;
 
@@ -58,5 +57,4 @@ TEST(Work, the_fourth_order_reaches_a_millionth_in_500_evaluations) { check(4, 1
 
 TEST(Work, the_eighth_order_reaches_a_billionth_in_1100_evaluations) { check(8, 1e-9, 1100); }
 
-}  // namespace
-}  // namespace tdbd::claims
+}  // namespace tdbd::claims::work_test

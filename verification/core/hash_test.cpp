@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tdbd {
-namespace {
+namespace tdbd::hash_test {
 
 // The published test values (Fowler, Noll and Vo; draft-eastlake-fnv).
 TEST(Hash, gives_the_published_values) {
@@ -17,5 +16,4 @@ TEST(Hash, bytes_above_127_count_as_positive_numbers) {
   EXPECT_EQ(fnv1a("\xff"), (0xcbf29ce484222325u ^ 0xffu) * 0x100000001b3u);
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::hash_test

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace tdbd {
-namespace {
+namespace tdbd::nearest_name_test {
 
 TEST(NearestName, distance_counts_the_textbook_examples) {
   EXPECT_EQ(edit_distance("", ""), 0u);
@@ -36,5 +35,4 @@ RC_GTEST_PROP(NearestName, distance_is_a_metric,
   RC_ASSERT(edit_distance(a, b) <= std::max(a.size(), b.size()));
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::nearest_name_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace tdbd {
-namespace {
+namespace tdbd::observed_order_test {
 
 /// Steps 0.1, 0.05, ... and an error for each.
 struct Study {
@@ -140,5 +139,4 @@ RC_GTEST_PROP(LeastSquaresOrder, does_not_depend_on_units, ()) {
   RC_ASSERT(std::abs(least_squares_order(s.steps, s.errors) - order) < 1e-10);
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::observed_order_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace tdbd {
-namespace {
+namespace tdbd::random_test {
 
 // The published test values of SplitMix64 for seed 1234567 (Rosetta Code; Vigna's splitmix64.c).
 TEST(Random, gives_the_published_sequence) {
@@ -33,5 +32,4 @@ TEST(Random, uniform_fills_its_interval_evenly) {
   EXPECT_NEAR(squares / n - mean * mean, 16.0 / 12, 0.02);
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::random_test

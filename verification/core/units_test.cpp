@@ -9,8 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace tdbd {
-namespace {
+namespace tdbd::units_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -119,5 +118,4 @@ RC_GTEST_PROP(Units, conversion_is_proportional, (int thousandths)) {
   RC_ASSERT(std::abs(to_si(fmt::format("{} in", x), "m") - x * 0.0254) <= 1e-15 * std::abs(x));
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::units_test

@@ -6,8 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::gyrostat_test {
 
 constexpr double rounding = 1e-14;  // inertias of order one
 
@@ -79,5 +78,4 @@ TEST(MakeGyrostat, throws_with_the_reason) {
   EXPECT_THROW(make_gyrostat(diagonal(1, 2, 4), {}), InputError);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::gyrostat_test

@@ -6,8 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::integrator_test {
 
 constexpr double rounding = 1e-14;
 
@@ -44,5 +43,4 @@ TEST(Composition, refuses_other_orders) {
   for (const int order : {0, 1, 3, 5, 10}) EXPECT_THROW(composition(order), RunError) << order;
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::integrator_test

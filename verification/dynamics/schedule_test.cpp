@@ -8,8 +8,7 @@
 #include "core/error.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::schedule_test {
 
 TEST(Schedule, empty_is_zero_and_a_constant_holds_for_ever) {
   EXPECT_EQ(value_at({}, 3.0), 0.0);
@@ -63,5 +62,4 @@ TEST(Schedule, refuses_what_is_none) {
   EXPECT_THROW(make_schedule(Interpolation::linear, {1.0, 0.0}, {0.0, 0.0}), InputError);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::schedule_test

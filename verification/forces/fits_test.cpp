@@ -7,8 +7,7 @@
 #include "core/error.hpp"
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::fits_test {
 
 TEST(KnownFits, lie_in_the_ranges_of_their_laws_and_have_a_source) {
   std::set<std::string_view> names;
@@ -37,5 +36,4 @@ TEST(KnownFits, of_power_laws_have_the_ratios_of_their_tests) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::fits_test

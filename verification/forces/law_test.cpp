@@ -8,8 +8,7 @@
 #include "core/error.hpp"
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::law_test {
 
 RC_GTEST_PROP(Force, does_no_positive_work_on_the_bit, ()) {
   const PartCut c = any_cut();
@@ -200,5 +199,4 @@ TEST(LawProblem, names_the_law_the_part_and_the_parts_that_it_knows) {
   EXPECT_EQ(law_problem(law_named("detournay"), bit::PartKind::face, 16e-3), "");
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::law_test

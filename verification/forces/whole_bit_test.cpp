@@ -6,8 +6,7 @@
 #include "forces/laws/detournay.hpp"
 #include "reference/forces/planar_outline.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::whole_bit_test {
 
 constexpr double advance = 3e-3;    // m per revolution
 constexpr double column = 0.01e-3;  // m
@@ -98,5 +97,4 @@ TEST(WholeBit, of_sharp_cutters_has_the_torque_of_its_volume) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::whole_bit_test

@@ -12,8 +12,7 @@
 #include "reference/mesh/exact_rational.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::edit_test {
 
 Surface random_sheet() {
   const int n = *rc::gen::inRange(2, 6);
@@ -220,5 +219,4 @@ TEST(FlipKeepsTopology, refuses_a_boundary_edge) {
     }
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::edit_test

@@ -6,8 +6,7 @@
 
 #include "mesh/surface.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::measures_test {
 
 TEST(Measures, quality_is_one_for_equilateral_and_zero_for_degenerate) {
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(0.5, std::sqrt(0.75), 0);
@@ -44,5 +43,4 @@ TEST(Measures, quality_figures_are_the_worst_and_the_one_that_99_percent_exceed)
   EXPECT_EQ(quality_figures(TriangleMesh{}).least, 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::measures_test

@@ -11,8 +11,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::surface_test {
 
 /// Open or closed, smooth or rough: every kind of surface that adjacency must handle.
 rc::Gen<TriangleMesh> any_surface() {
@@ -149,5 +148,4 @@ RC_GTEST_PROP(AdjacencyIsConsistent, notices_any_wrong_entry, ()) {
   RC_ASSERT(!adjacency_is_consistent(wrong));
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::surface_test

@@ -5,8 +5,7 @@
 
 #include "rotation/rotation_vector.hpp"
 
-namespace tdbd::rotation {
-namespace {
+namespace tdbd::rotation::quaternion_test {
 
 constexpr double rounding = 3e-15;
 
@@ -32,5 +31,4 @@ TEST(Renormalise, makes_a_defect_its_square) {
   EXPECT_NEAR(q.norm(), 1.0, rounding);
 }
 
-}  // namespace
-}  // namespace tdbd::rotation
+}  // namespace tdbd::rotation::quaternion_test

@@ -9,8 +9,7 @@
 
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::rotation {
-namespace {
+namespace tdbd::rotation::rotation_vector_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-15;  // of the entries of a rotation, some units in the last place
@@ -125,5 +124,4 @@ RC_GTEST_PROP(Exp, does_not_jump_where_its_formula_changes, ()) {
   RC_ASSERT(distance(step, (above - below) * skew(u)) < 1e-15);
 }
 
-}  // namespace
-}  // namespace tdbd::rotation
+}  // namespace tdbd::rotation::rotation_vector_test

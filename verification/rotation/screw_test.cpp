@@ -9,8 +9,7 @@
 #include "rotation/rotation_vector.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::rotation {
-namespace {
+namespace tdbd::rotation::screw_test {
 
 using Mat4 = Eigen::Matrix4d;
 constexpr double pi = std::numbers::pi;
@@ -109,5 +108,4 @@ TEST(Screw, translation_has_no_turn) {
   EXPECT_EQ(carried(v, 2.0).p, p);
 }
 
-}  // namespace
-}  // namespace tdbd::rotation
+}  // namespace tdbd::rotation::screw_test

@@ -5,8 +5,7 @@
 
 #include "verification/battery/dual.hpp"
 
-namespace tdbd::rotation {
-namespace {
+namespace tdbd::rotation::stumpff_test {
 
 constexpr double rounding = 4e-16;   // values of order one
 constexpr double cancelled = 2e-13;  // c_4, c_5 by upward recurrence just above the series' end
@@ -69,5 +68,4 @@ TEST(Stumpff, carry_derivatives_on_both_sides_of_the_series_end) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::rotation
+}  // namespace tdbd::rotation::stumpff_test

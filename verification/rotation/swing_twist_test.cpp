@@ -6,8 +6,7 @@
 #include "rotation/quaternion.hpp"
 #include "verification/battery/dual.hpp"
 
-namespace tdbd::rotation {
-namespace {
+namespace tdbd::rotation::swing_twist_test {
 
 using Jet3 = battery::Dual<3>;
 
@@ -98,5 +97,4 @@ TEST(SwingTwist, counts_turns_forward_and_backward) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::rotation
+}  // namespace tdbd::rotation::swing_twist_test

@@ -5,8 +5,7 @@
 #include "bit/generate.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::bit_body_test {
 
 constexpr double gage = 107.95e-3;
 
@@ -45,5 +44,4 @@ TEST(BitBody, does_not_depend_on_the_order_of_the_table) {
   EXPECT_EQ(mesh::enclosed_volume(forwards.mesh_P), mesh::enclosed_volume(backwards.mesh_P));
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::bit_body_test

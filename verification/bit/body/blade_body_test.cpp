@@ -13,8 +13,7 @@
 #include "mesh/search/inside.hpp"
 #include "reference/mesh/self_intersections.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::blade_body_test {
 
 constexpr double chord = 0.35e-3;  ///< m: what a mesh of 6 mm edges stays inside the smooth body
 
@@ -211,5 +210,4 @@ TEST(BladeBody, says_the_deepest_slot) {
   EXPECT_NE(problem_of(b), "");
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::blade_body_test

@@ -10,8 +10,7 @@
 #include "mesh/shape/clip_convex.hpp"
 #include "mesh/shape/convex.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::body_overlap_test {
 
 constexpr double rounding = 1e-12;  ///< m3; scale: the sizes below, about 1 m
 
@@ -73,5 +72,4 @@ TEST(BodyOverlap, of_cutters_in_blades_is_what_a_grid_of_points_finds) {
   EXPECT_NEAR(common_volume(body, bit.parts.back().mesh_P) / whole, share, 5e-3);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::body_overlap_test

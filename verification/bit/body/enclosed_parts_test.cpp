@@ -5,8 +5,7 @@
 #include "bit/generate.hpp"
 #include "bit/surface_of_revolution.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::enclosed_parts_test {
 
 Part cylinder(double radius, double from, double to) {
   Part p;
@@ -33,5 +32,4 @@ TEST(EnclosedParts, of_the_example_bits_are_none) {
     EXPECT_TRUE(enclosed_parts(example_bit(letter)).empty());
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::enclosed_parts_test

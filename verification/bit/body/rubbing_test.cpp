@@ -6,8 +6,7 @@
 #include "bit/cutter/rim_reach.hpp"
 #include "bit/generate_design.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::rubbing_test {
 
 constexpr double column = 0.02e-3;  // m
 /// m: sagitta of a rim of 1440 chords, 8 mm (2 pi/1440)^2 / 8, and of a column.
@@ -103,5 +102,4 @@ TEST(Rubbing, is_what_points_of_turning_rims_leave) {
     }
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::rubbing_test

@@ -13,8 +13,7 @@
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cone_bit_test {
 
 /// A fixed cone of two rows with equal spaces.
 ConeLayout toothed_symmetric() {
@@ -190,5 +189,4 @@ TEST(ConeBit, knows_gap_and_overlap_of_two_cones) {
   EXPECT_LE(std::abs(c.place_B.x()), 0.003 + 1e-9);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cone_bit_test

@@ -4,8 +4,7 @@
 
 #include "bit/cone_generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cone_faults_test {
 
 ConeLayout sound_cone() {
   ConeLayout c;
@@ -95,5 +94,4 @@ TEST(ConeFaults, allow_rows_that_interlock) {
   EXPECT_TRUE(cone_faults(c).empty());
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cone_faults_test

@@ -4,8 +4,7 @@
 
 #include "bit/cone_generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cone_frame_test {
 
 constexpr double rounding = 1e-15;  ///< of a product of few rotations; scale: 1 and 1 m
 
@@ -75,5 +74,4 @@ TEST(ConeFrame, of_a_cone_at_an_angle_is_that_of_its_layout) {
   EXPECT_LT((cone_pose(cone, 0.7).R - cone_pose(c, 0.7).R).norm(), rounding);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cone_frame_test

@@ -4,8 +4,7 @@
 
 #include "bit/cone_generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cone_parts_test {
 
 RC_GTEST_PROP(ConeSpacing, sums_to_a_turn_in_the_ratios_of_the_pattern, ()) {
   const int teeth = *rc::gen::inRange(2, 30);
@@ -31,5 +30,4 @@ RC_GTEST_PROP(ConeSpacing, rises_within_one_turn_from_any_first_angle, ()) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cone_parts_test

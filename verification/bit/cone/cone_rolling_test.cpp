@@ -7,8 +7,7 @@
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone_generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cone_rolling_test {
 
 using rotation::Twist;
 
@@ -139,5 +138,4 @@ TEST(ConeRolling, takes_the_ratio_of_the_gage_row) {
   EXPECT_EQ(ratio(), outermost);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cone_rolling_test

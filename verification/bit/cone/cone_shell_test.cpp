@@ -7,8 +7,7 @@
 #include "mesh/measures.hpp"
 #include "mesh/shape/convex.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cone_shell_test {
 
 /// A shell of one to six pitches that rises and falls at random.
 ConeLayout any_shell() {
@@ -35,5 +34,4 @@ RC_GTEST_PROP(ShellPieces, are_convex_and_fill_the_shell, ()) {
   RC_ASSERT(std::abs(sum - whole) < 1e-13 * whole);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cone_shell_test

@@ -6,8 +6,7 @@
 #include "bit/cone/tooth_mesh.hpp"
 #include "bit/cone_generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::meridian_test {
 
 /// A ball of radius 1 as a meridian of many sides, its centre at s = 0.
 Meridian ball(int sides) {
@@ -85,5 +84,4 @@ TEST(MeridianGap, stops_where_a_gap_is_large_enough) {
   EXPECT_GE(smallest_gap(m, X_BA, m, X_BB, resolution, 1.0).distance, 1.0);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::meridian_test

@@ -5,8 +5,7 @@
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone_generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::part_pose_test {
 
 constexpr double rounding = 1e-14;  ///< of a few products of poses; scale: 1 and 1 m
 
@@ -36,5 +35,4 @@ RC_GTEST_PROP(PartPose, turns_every_part_of_a_cone_about_its_journal, ()) {
   RC_ASSERT(farthest < rounding);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::part_pose_test

@@ -10,8 +10,7 @@
 #include "bit/profile/exposure_profile.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::swept_parts_test {
 
 constexpr int segments = 180;
 
@@ -91,5 +90,4 @@ TEST(SweptParts, are_the_cutting_parts_of_a_bit_without_cones) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::swept_parts_test

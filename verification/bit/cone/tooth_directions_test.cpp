@@ -5,8 +5,7 @@
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone_generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::tooth_directions_test {
 
 RC_GTEST_PROP(DirectTeeth, moves_rock_straight_down_under_inner_rows, ()) {
   Bit bit = cone_bit("any", {toothed_cone()}, std::nullopt, {});
@@ -49,5 +48,4 @@ RC_GTEST_PROP(DirectTeeth, centres_the_core_in_the_half_ball, ()) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::tooth_directions_test

@@ -9,8 +9,7 @@
 #include "mesh/measures.hpp"
 #include "mesh/shape/convex.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::tooth_mesh_test {
 
 RC_GTEST_PROP(ToothMesh, is_closed_convex_and_as_high_as_told, ()) {
   const ToothShape t = any_tooth();
@@ -90,5 +89,4 @@ TEST(ToothMesh, has_faults_for_what_no_tooth_can_be) {
   EXPECT_EQ(first_fault(t), "half_angle");
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::tooth_mesh_test

@@ -10,8 +10,7 @@
 #include "bit/cone_generate.hpp"
 #include "reference/bit/rolled_prints.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::tracking_test {
 
 constexpr double penetration = 3e-3;  // m
 
@@ -154,5 +153,4 @@ TEST(Tracking, a_print_is_as_wide_as_the_tooth_at_its_depth) {
   EXPECT_NEAR(print_ring(cone, row, penetration).radius, 0.06, 1e-15);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::tracking_test

@@ -4,8 +4,7 @@
 
 #include "bit/generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cutter_frame_test {
 
 /// Direction of motion at the cutter's azimuth: the bit turns about +z.
 Vec3 motion_B(const Cutter& c) {
@@ -68,5 +67,4 @@ RC_GTEST_PROP(CutterFrame, tip_is_the_farthest_point_of_the_edge, ()) {
   RC_ASSERT(farthest >= excess - 1e-8);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cutter_frame_test

@@ -4,8 +4,7 @@
 
 #include "bit/generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cutter_gap_test {
 
 constexpr double near = 1e-9;  ///< m, that the clearance is off the gap
 
@@ -59,5 +58,4 @@ RC_GTEST_PROP(CutterGap, does_not_depend_on_the_frame, ()) {
   RC_ASSERT(lo < slack || !closer_than(d, c, lo - slack));
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cutter_gap_test

@@ -6,8 +6,7 @@
 #include "core/random.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cutter_overlap_test {
 
 /// A bit of cutters at these poses.
 Bit bit_of(const std::vector<Cutter>& cutters, const PdcOptions& options = {}) {
@@ -94,5 +93,4 @@ RC_GTEST_PROP(CutterOverlap, is_what_monte_carlo_finds, ()) {
   RC_ASSERT(std::abs(volume / whole - share) < error);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cutter_overlap_test

@@ -7,8 +7,7 @@
 #include "bit/generate.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cutter_parts_test {
 
 CutterMeshing any_meshing() {
   CutterMeshing m;
@@ -119,5 +118,4 @@ TEST(CutterParts, are_fine_at_the_rim_and_coarse_at_the_centre_or_even) {
   EXPECT_LT(ratio_of_edges({Grading::uniform, 0, 1e-3}), 2.5);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cutter_parts_test

@@ -10,8 +10,7 @@
 #include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::cutter_table_test {
 
 constexpr const char* header =
     "bit,cutter,blade,zone,dia_mm,r_tip_mm,phi_deg,h_tip_mm,profile_angle_deg,back_rake_deg,"
@@ -175,5 +174,4 @@ TEST(CutterTableText, keeps_every_bit_of_the_example_tables_once_written) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::cutter_table_test

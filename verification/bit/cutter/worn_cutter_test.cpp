@@ -6,8 +6,7 @@
 #include "bit/generate.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::worn_cutter_test {
 
 /// A worn cutter, perhaps with two chamfers.
 Cutter any_worn_cutter() {
@@ -105,5 +104,4 @@ TEST(TwoChamfers, follow_one_another) {
   EXPECT_LT((c.X_BC * tip_C(c) - tip_B(c)).norm(), 1e-16);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::worn_cutter_test

@@ -9,8 +9,7 @@
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::bit_export_test {
 
 namespace fs = std::filesystem;
 
@@ -78,5 +77,4 @@ TEST(BitExport, writes_the_exposure_profile) {
   EXPECT_NEAR(std::stod(last), read(bit_b).gage_radius, 1e-5);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::bit_export_test

@@ -9,8 +9,7 @@
 #include "core/error.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::bit_parts_test {
 
 namespace fs = std::filesystem;
 
@@ -160,5 +159,4 @@ position = [0, 0, 1]
                          "bit.toml:18: parts[2].group: found another frame"});
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::bit_parts_test

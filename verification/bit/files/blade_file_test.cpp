@@ -13,8 +13,7 @@
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::blade_file_test {
 
 constexpr const char* plain = "exposure = \"5 mm\"\nslot_depth = \"16 mm\"\n";
 
@@ -124,5 +123,4 @@ TEST(BladeFile, is_reported_with_units) {
   EXPECT_NE(body_text(b, 5e-3).find("they touch it from"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::blade_file_test

@@ -9,8 +9,7 @@
 #include "bit/files/mesh_bit.hpp"
 #include "core/error.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::design_file_test {
 
 namespace fs = std::filesystem;
 
@@ -96,5 +95,4 @@ TEST(DesignFile, refuses_a_key_that_means_nothing) {
   EXPECT_EQ(message.rfind("design.spirale: ", 0), 0u) << message;
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::design_file_test

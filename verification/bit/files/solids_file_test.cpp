@@ -12,8 +12,7 @@
 #include "mesh/files/solids.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::solids_file_test {
 
 namespace fs = std::filesystem;
 
@@ -181,5 +180,4 @@ TEST(SolidRules, patterns_fit_as_they_say) {
   EXPECT_EQ(kind_of_name("blade"), std::nullopt);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::solids_file_test

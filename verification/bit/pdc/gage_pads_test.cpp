@@ -5,8 +5,7 @@
 #include "bit/generate.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::gage_pads_test {
 
 constexpr double gage = 0.1;
 
@@ -59,5 +58,4 @@ TEST(GagePads, cut_outwards_and_can_be_left_out) {
   EXPECT_EQ(parts[5].update_direction_B, Vec3(1, 0, 0));
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::gage_pads_test

@@ -4,8 +4,7 @@
 
 #include "bit/generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::heel_drag_test {
 
 using reference::heel_drag;
 
@@ -91,5 +90,4 @@ RC_GTEST_PROP(HeelDrag, wear_never_relieves, ()) {
   RC_ASSERT(drag_of(worn_cutter(0.1, angle, 1.5 * wear), advance) >= worn);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::heel_drag_test

@@ -6,8 +6,7 @@
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::pdc_bit_test {
 
 constexpr double gage = 107.95e-3;
 
@@ -57,5 +56,4 @@ TEST(PdcBit, sets_its_body_back_behind_the_cutters) {
 
 TEST(PdcBit, without_cutters_is_an_error) { EXPECT_THROW(pdc_bit("none", {}, {}), InputError); }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::pdc_bit_test

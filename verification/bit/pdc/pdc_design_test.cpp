@@ -4,8 +4,7 @@
 
 #include "bit/generate_design.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::pdc_design_test {
 
 /// The first problem of the plain design after a change: "key: found, expected".
 template <class Change>
@@ -73,5 +72,4 @@ TEST(PdcDesign, says_which_cutters_are_in_the_way) {
             "length, 50 mm");
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::pdc_design_test

@@ -8,8 +8,7 @@
 #include "bit/generate_design.hpp"
 #include "reference/bit/heel_drag.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::pdc_generator_test {
 
 constexpr double on_profile = 1e-12;  ///< of the gage radius: rounding of a chain of arcs
 
@@ -243,5 +242,4 @@ TEST(PdcGenerator, relieves_every_cutter_away_from_the_axis) {
     EXPECT_TRUE(bit.cutters[k].tip_radius < 0.01 || drag[k] < 0.0) << k + 1 << ": " << drag[k];
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::pdc_generator_test

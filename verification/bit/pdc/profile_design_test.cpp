@@ -4,8 +4,7 @@
 
 #include "bit/generate_design.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::profile_design_test {
 
 /// The three profiles of cases/bits: their shoulders and heights in mm, to the tenth that is known.
 TEST(ProfileDesign, of_the_example_bits_has_their_shoulders_and_heights) {
@@ -59,5 +58,4 @@ RC_GTEST_PROP(ProfileDesign, starts_on_the_axis_touches_zero_and_reaches_the_gag
   RC_ASSERT(spot_at(p, ends[3]).r == p.gage_radius);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::profile_design_test

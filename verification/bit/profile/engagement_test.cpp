@@ -9,8 +9,7 @@
 #include "bit/profile/bit_analysis.hpp"
 #include "reference/bit/radial_plane_engagement.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::engagement_test {
 
 constexpr double advance = 5e-3, width = 0.05e-3;
 
@@ -117,5 +116,4 @@ TEST(BitAnalysis, of_small_bits_is_computed_by_hand) {
   EXPECT_NEAR(mean_redundancy({1, 3}), (1.0 + 3 * 3.0) / 4.0, 1e-15);
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::engagement_test

@@ -6,8 +6,7 @@
 
 #include "bit/generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::exposure_profile_test {
 
 double distance_to_segment(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {
   const double dr = b.r - a.r, dz = b.z - a.z, length2 = dr * dr + dz * dz;
@@ -100,5 +99,4 @@ TEST(ExposureProfile, of_a_sharp_cutter_without_rake_is_its_rim) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::exposure_profile_test

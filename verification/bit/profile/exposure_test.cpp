@@ -5,8 +5,7 @@
 #include "bit/cutter/cutter_frame.hpp"
 #include "bit/generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::exposure_test {
 
 constexpr double radius = 0.01;     ///< m
 constexpr double of_chords = 3e-8;  ///< m: sagitta of the rim's chords, radius (pi/1440)^2 / 2
@@ -47,5 +46,4 @@ TEST(Exposure, is_not_told_where_no_other_rim_is_near) {
   EXPECT_TRUE(exposures({}).empty());
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::exposure_test

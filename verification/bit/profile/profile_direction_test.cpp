@@ -4,8 +4,7 @@
 
 #include "bit/generate.hpp"
 
-namespace tdbd::bit {
-namespace {
+namespace tdbd::bit::profile_direction_test {
 
 std::vector<Part> parts_of_cutter(const Bit& bit, int cutter) {
   std::vector<Part> parts;
@@ -59,5 +58,4 @@ TEST(ProfileDirection, averages_scallops_out) {
   EXPECT_GT(u.z(), std::cos(12.0 * degree));
 }
 
-}  // namespace
-}  // namespace tdbd::bit
+}  // namespace tdbd::bit::profile_direction_test

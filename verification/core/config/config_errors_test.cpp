@@ -8,8 +8,7 @@
 #include "core/temporary_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd {
-namespace {
+namespace tdbd::config_errors_test {
 
 enum class Motion { axial, whirl };
 const std::vector<std::pair<std::string, Motion>> motions{{"axial", Motion::axial},
@@ -259,5 +258,4 @@ RC_GTEST_PROP(ConfigErrors, any_bytes_are_a_file_or_an_input_error, (const std::
   }
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::config_errors_test

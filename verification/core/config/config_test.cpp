@@ -10,8 +10,7 @@
 #include "core/temporary_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd {
-namespace {
+namespace tdbd::config_test {
 
 enum class Motion { axial, whirl };
 const std::vector<std::pair<std::string, Motion>> motions{{"axial", Motion::axial},
@@ -212,5 +211,4 @@ RC_GTEST_PROP(Config, every_text_survives_the_resolved_file, (const std::string&
   RC_ASSERT(Config::read_file(path, {}).text("t", {}) == ascii);
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::config_test

@@ -10,8 +10,7 @@
 #include "temporary_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd {
-namespace {
+namespace tdbd::csv_test {
 
 std::string failure(const std::string& path) {
   try {
@@ -101,5 +100,4 @@ RC_GTEST_PROP(Csv, numbers_with_17_digits_come_back, (const std::vector<double>&
   for (std::size_t i = 0; i < values.size(); ++i) RC_ASSERT(table.rows[i][0] == values[i]);
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::csv_test

@@ -7,8 +7,7 @@
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
 
-namespace tdbd {
-namespace {
+namespace tdbd::key_test {
 
 enum class Shape { round, square };
 
@@ -136,5 +135,4 @@ TEST(Key, stands_in_its_table) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd
+}  // namespace tdbd::key_test

@@ -6,8 +6,7 @@
 
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::divergence_test {
 
 TEST(Divergence, a_sound_run_has_none) {
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
@@ -58,5 +57,4 @@ TEST(Divergence, sees_energy_from_nowhere) {
             "translation at t = 0.001 s");
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::divergence_test

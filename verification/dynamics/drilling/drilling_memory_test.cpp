@@ -4,8 +4,7 @@
 #include "verification/battery/counted_memory.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::drilling_memory_test {
 
 /// Everything at once, cones included: a thousand steps allocate nothing.
 TEST(DrillingMemory, a_warm_step_allocates_nothing) {
@@ -29,5 +28,4 @@ TEST(DrillingMemory, a_warm_step_allocates_nothing) {
   EXPECT_TRUE(sound);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::drilling_memory_test

@@ -7,8 +7,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::drilling_order_test {
 
 constexpr double end = 0.8;  ///< s
 
@@ -91,5 +90,4 @@ TEST(DrillingOrder, is_one_where_the_law_sees_the_momenta_after_the_drift) {
     EXPECT_NEAR(found[v], 1.0, 0.1) << variables[v];
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::drilling_order_test

@@ -7,8 +7,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::drilling_symmetry_test {
 
 /// Largest difference of two states, each quantity by its size in these problems.
 double difference(const DrillingState& a, const DrillingState& b) {
@@ -157,5 +156,4 @@ TEST(DrillingSymmetry, a_bit_that_touches_nothing_feels_nothing) {
   EXPECT_EQ(residual(s, d), 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::drilling_symmetry_test

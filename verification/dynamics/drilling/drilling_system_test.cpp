@@ -6,8 +6,7 @@
 #include "core/error.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::drilling_system_test {
 
 std::string problem(const std::function<void(DrillingSystem&)>& spoil) {
   DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
@@ -65,5 +64,4 @@ TEST(DrillingSystem, string_hung_by_the_bits_weight_is_at_rest) {
   EXPECT_LT(d.state.c_W.norm(), 1e-15);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::drilling_system_test

@@ -3,8 +3,7 @@
 #include "reference/dynamics/lumped_drilling.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::drilling_twin_test {
 
 /// Bouncing in a hole of 1 mm with loss and friction, cones and string on. Forces jump where the
 /// bit turns back, and no step control gets over a bit that stays there: the twin takes small equal
@@ -34,5 +33,4 @@ TEST(DrillingTwin, impacts_on_the_wall_are_followed) {
               2e-3 * exact.energy.wall_friction);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::drilling_twin_test

@@ -7,8 +7,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::energy_ledger_test {
 
 constexpr std::array names{"top",      "gravity",    "cut, bit", "cut, rock",    "string",
                            "bearings", "rock mount", "wall",     "wall friction"};
@@ -146,5 +145,4 @@ TEST(EnergyLedger, counts_cone_impulses_at_the_end_of_a_step) {
   EXPECT_LT(std::abs(residual(s, d)), 1e-2 * std::abs(d.ledger.start));
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::energy_ledger_test

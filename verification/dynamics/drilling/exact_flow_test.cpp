@@ -8,8 +8,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::exact_flow_test {
 
 constexpr double rounding = 1e-12;  ///< of the energies or speeds involved
 
@@ -128,5 +127,4 @@ RC_GTEST_PROP(ExactFlow, friction_of_two_half_times_is_that_of_the_whole, ()) {
             rounding * (1.0 + std::abs(both)));
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::exact_flow_test

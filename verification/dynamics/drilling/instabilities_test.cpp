@@ -8,8 +8,7 @@
 #include "verification/dynamics/drilling/drilling_run.hpp"
 
 /// The instabilities of section 1.3 on lumped models with a known onset. Whirl is in wall_test.
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::instabilities_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -216,5 +215,4 @@ TEST(BitBounce, starting_up_follows_the_worked_example) {
   EXPECT_GT(regenerate(r, false, 7.0, 8.0).lost, 0);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::instabilities_test

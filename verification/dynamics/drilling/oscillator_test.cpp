@@ -7,8 +7,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::oscillator_test {
 
 using Coordinate = std::function<double(const DrillingSystem&, const DrillingState&)>;
 
@@ -149,5 +148,4 @@ TEST(Oscillator, forced_and_damped_motion_is_the_closed_form_with_order_two) {
   EXPECT_LT(errors.back(), 1e-4 * F / K);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::oscillator_test

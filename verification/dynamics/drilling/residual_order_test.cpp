@@ -4,8 +4,7 @@
 
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::residual_order_test {
 
 /// The window on a lumped problem: 24 steps of h from its start, as a run has them.
 Window lumped_window(const DrillingSystem& s, const LumpedLaw& law, const DrillingState& from,
@@ -59,5 +58,4 @@ TEST(ResidualOrder, is_not_told_of_rounding) {
   EXPECT_NE(found.reason.find("is at rounding"), std::string::npos) << found.reason;
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::residual_order_test

@@ -5,8 +5,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::rock_mount_test {
 
 constexpr double contact = 8.6e6;  ///< N/m
 
@@ -54,5 +53,4 @@ TEST(RockMount, held_rock_does_not_move) {
   EXPECT_NEAR(d.state.momentum_W.z(), -50.0, 1e-4);  // it bounces back
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::rock_mount_test

@@ -7,8 +7,7 @@
 #include "rotation/swing_twist.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::stability_test {
 
 /// Springs at the slopes that the limit was computed for.
 LumpedLaw linear_law(const ContactSlopes& c) {
@@ -126,5 +125,4 @@ TEST(Stability, nothing_limits_a_free_bit) {
   EXPECT_EQ(stability_problem(make_drilling_system(plain_bit()), {}, 1e9), "");
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::stability_test

@@ -5,8 +5,7 @@
 #include "rotation/swing_twist.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::top_drive_test {
 
 constexpr double h = 1e-3;  ///< s
 
@@ -103,5 +102,4 @@ TEST(TopDrive, ramp_of_speeds_is_followed) {
   EXPECT_NEAR(lag, 2.0 / 938.0, 1e-6);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::top_drive_test

@@ -7,8 +7,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::wall_test {
 
 constexpr double clearance = 1e-3;  ///< m
 
@@ -183,5 +182,4 @@ TEST(Wall, friction_creates_no_energy) {
   EXPECT_LT(residuals.front(), 2e-3 * 293.0);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::wall_test

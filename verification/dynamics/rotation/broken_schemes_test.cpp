@@ -7,8 +7,7 @@
 
 /// Each check of the battery finds the schemes whose mistake it claims to find. The limits are
 /// those of the tests that the program's own drifts pass.
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::broken_schemes_test {
 
 GoldenCase generic() { return read_golden_case("heavy_gyro_phys"); }
 
@@ -63,5 +62,4 @@ TEST(BrokenSchemes, spin_first_is_found_by_the_cones_momenta) {
   EXPECT_GT(conservation_defects(spin_first(), generic(), 0.01, 10'000).cone_momenta, 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::broken_schemes_test

@@ -4,8 +4,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/rotation_checks.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::conservation_test {
 
 constexpr double step = 0.01;  ///< s
 constexpr long many = 100'000, most = 10'000'000;
@@ -97,5 +96,4 @@ TEST(Reversibility, a_step_with_minus_h_undoes_the_step) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::conservation_test

@@ -5,8 +5,7 @@
 
 #include "verification/battery/dual.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::drift_lie_test {
 
 using Jet3 = battery::Dual<3>;
 
@@ -77,5 +76,4 @@ TEST(SolveLie, carries_derivatives_that_solve_the_equation_too) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::drift_lie_test

@@ -6,8 +6,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/rotation_checks.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::energy_test {
 
 /// A body that can be built, three unequal cones, gravity: T = 5e4 s.
 constexpr double step = 0.04;  ///< s
@@ -71,5 +70,4 @@ TEST(LongEnergy, of_the_slow_top_is_bounded_for_all_drifts) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::energy_test

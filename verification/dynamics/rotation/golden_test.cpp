@@ -6,8 +6,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/rotation_checks.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::golden_test {
 
 using dynamics::Drift;
 using dynamics::Integrator;
@@ -87,5 +86,4 @@ TEST(GoldenStates, compositions_of_order_6_reach_1e_11) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::golden_test

@@ -4,8 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::kick_test {
 
 constexpr double rounding = 1e-14;
 
@@ -54,5 +53,4 @@ TEST(MomentumDifference, watches_the_cones_too) {
   EXPECT_GT(momentum_difference(d.r.state, other), 1e-9);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::kick_test

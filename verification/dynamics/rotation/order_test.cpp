@@ -6,8 +6,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/rotation_orders.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::order_test {
 
 /// How far a slope may be from the order; the asymptotic range is that of observed_orders.
 double tolerance_of(int order) { return order == 2 ? 0.05 : order == 4 ? 0.1 : 0.2; }
@@ -57,5 +56,4 @@ TEST(ObservedOrders, kahan_li_compositions_are_of_order_6_in_every_variable) {
     check_and_record(scheme, "ours/compositions");
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::order_test

@@ -10,8 +10,7 @@
 /// What holds for every gyrostat: any inertia that a body can have, up to three cones about any
 /// axes with any spin, any attitude and velocity, steps up to one radian of what turns fastest
 /// (enough for the Lie drifts; the others take any step).
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::properties_test {
 
 using dynamics::Gyrostat;
 using dynamics::RotationState;
@@ -174,5 +173,4 @@ RC_GTEST_PROP(EveryGyrostat, moves_alike_in_another_space, ()) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::properties_test

@@ -9,8 +9,7 @@
 #include "core/error.hpp"
 #include "verification/battery/golden.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::step_test {
 
 const battery::GoldenCase& top() {
   static const battery::GoldenCase c = battery::read_golden_case("slow_top");
@@ -144,5 +143,4 @@ TEST(Step, closes_with_the_torque_at_its_end) {
   EXPECT_LE((r.state.momentum_W - before - Vec3(0.5, 0.0, 1.0)).norm(), 1e-15);
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::step_test

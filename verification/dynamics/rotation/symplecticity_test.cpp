@@ -10,8 +10,7 @@
 #include "verification/battery/rotation_checks.hpp"
 #include "verification/battery/symplectic_defect.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::symplecticity_test {
 
 /// The derivative by dual numbers is exact to rounding: entries of J up to about ten, some hundred
 /// operations each, 12 x 12 products.
@@ -159,5 +158,4 @@ TEST(Symplecticity, leaves_a_table_of_defects_against_steps) {
   record_table("symplectic-defect", rows);
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::symplecticity_test

@@ -5,8 +5,7 @@
 #include "rotation/quaternion.hpp"
 #include "verification/battery/dual.hpp"
 
-namespace tdbd::dynamics {
-namespace {
+namespace tdbd::dynamics::torque_test {
 
 using Jet3 = battery::Dual<3>;
 
@@ -161,5 +160,4 @@ TEST(SampledTorque, is_linear_between_samples_and_held_outside) {
   EXPECT_EQ(sampled_torque(samples, 9.0), Vec3(4.0, 2.0, 0.0));
 }
 
-}  // namespace
-}  // namespace tdbd::dynamics
+}  // namespace tdbd::dynamics::torque_test

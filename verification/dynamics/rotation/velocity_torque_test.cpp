@@ -8,8 +8,7 @@
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/rotation_checks.hpp"
 
-namespace tdbd::battery {
-namespace {
+namespace tdbd::battery::velocity_torque_test {
 
 using dynamics::Drift;
 using dynamics::Integrator;
@@ -88,5 +87,4 @@ TEST(VelocityTorque, symmetric_closing_torque_composes_to_order_4) {
   for (const double order : orders(scheme, 8)) EXPECT_NEAR(order, 4.0, 0.1);
 }
 
-}  // namespace
-}  // namespace tdbd::battery
+}  // namespace tdbd::battery::velocity_torque_test

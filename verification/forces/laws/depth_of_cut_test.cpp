@@ -5,8 +5,7 @@
 #include "forces/generate.hpp"
 #include "forces/laws/detournay.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::depth_of_cut_test {
 
 /// 10 mm wide, 1 mm deep.
 TEST(DepthOfCut, is_width_times_depth_and_doubles_with_the_depth) {
@@ -25,5 +24,4 @@ TEST(DepthOfCut, of_a_square_cutter_is_that_of_a_sharp_one) {
   EXPECT_LT((law_force(law, c).force - law_force(sharp, c).force).norm(), 1e-9);
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::depth_of_cut_test

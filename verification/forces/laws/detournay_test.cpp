@@ -4,8 +4,7 @@
 
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::detournay_test {
 
 using bit::PartKind;
 
@@ -107,5 +106,4 @@ TEST(Detournay, of_a_wear_flat_in_the_mesh_is_friction) {
   EXPECT_NEAR(f.tangential, 0.6 * 60e6 * 4e-6, 1e-12);
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::detournay_test

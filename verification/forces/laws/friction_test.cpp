@@ -4,8 +4,7 @@
 
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::friction_test {
 
 Friction pad() {
   Friction f;
@@ -51,5 +50,4 @@ TEST(Friction, of_a_pad_pulled_out_is_none) {
   EXPECT_EQ(law_force(pad(), c).force, Vec3::Zero());
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::friction_test

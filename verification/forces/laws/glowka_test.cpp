@@ -6,8 +6,7 @@
 #include "forces/generate.hpp"
 #include "forces/laws/virgin_groove.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::glowka_test {
 
 constexpr double inch = 25.4e-3, lbf = 4.4482216152605;
 
@@ -64,5 +63,4 @@ TEST(Glowka, needs_the_diameter_and_says_so) {
   EXPECT_EQ(law_force(berea(), c).force, Vec3::Zero());
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::glowka_test

@@ -4,8 +4,7 @@
 
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::hanson_hansen_test {
 
 using bit::PartKind;
 
@@ -102,5 +101,4 @@ TEST(HansonHansen, is_recovered_from_forces_by_linear_least_squares) {
   for (int j = 0; j < hanson_hansen_terms; ++j) EXPECT_NEAR(found[j], factors[j], 1e-11);
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::hanson_hansen_test

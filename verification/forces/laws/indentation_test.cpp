@@ -4,8 +4,7 @@
 
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::indentation_test {
 
 constexpr double a = 6e-3;  // m, radius of a spherical tooth
 
@@ -75,5 +74,4 @@ TEST(Indentation, lets_a_tooth_go_that_leaves_the_rock) {
   EXPECT_LT(law_force(smooth(), c).force.norm(), 1e-9);
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::indentation_test

@@ -6,8 +6,7 @@
 #include "forces/rock/rock_material.hpp"
 #include "reference/forces/chip_balance.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::thin_cut_test {
 
 /// Zijsling's tests as Miedema has them: cohesion 24.82 MPa, 23.8 and 15.87 degrees, 20 degrees of
 /// back rake, 10 mm wide.
@@ -115,5 +114,4 @@ TEST(ThinCut, stays_below_its_pole) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::thin_cut_test

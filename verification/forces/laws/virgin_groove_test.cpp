@@ -5,8 +5,7 @@
 #include "forces/generate.hpp"
 #include "reference/forces/groove_by_strips.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::virgin_groove_test {
 
 /// By hand: a 16 mm face cut at 0.5, 1, 2 mm in its plane; printed to seven digits.
 TEST(GrooveArea, is_that_of_the_literature) {
@@ -42,5 +41,4 @@ TEST(GrooveDepth, of_nothing_is_none_and_of_too_much_the_whole_face) {
   EXPECT_NEAR(groove_depth(c, 1.0).depth, 16e-3 * std::cos(c.back_rake), 1e-17);
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::virgin_groove_test

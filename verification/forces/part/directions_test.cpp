@@ -4,8 +4,7 @@
 
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::directions_test {
 
 /// Where a part drills, the frame is the literature's: unit vectors, perpendicular, n in their
 /// plane.
@@ -149,5 +148,4 @@ RC_GTEST_PROP(PressingForce, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
   if (beside < 1e-15) RC_ASSERT(f.tangential == 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::directions_test

@@ -4,8 +4,7 @@
 
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::formation_test {
 
 Strength strong(double confined) { return {.unconfined = 10 * MPa, .confined = confined}; }
 
@@ -73,5 +72,4 @@ TEST(FormationProblem, says_what_is_wrong) {
   EXPECT_EQ(formation_problem(f), "a strength of 10000000 Pa, confined 0 Pa, expected > 0");
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::formation_test

@@ -7,8 +7,7 @@
 #include "core/error.hpp"
 #include "forces/generate.hpp"
 
-namespace tdbd::forces {
-namespace {
+namespace tdbd::forces::rock_material_test {
 
 constexpr double psi = 6894.757293168361;
 
@@ -99,5 +98,4 @@ TEST(KnownRocks, derive_the_granitoids_strength_from_its_cohesion) {
   EXPECT_NEAR(rock_named("forge-granitoid").unconfined, derived, 0.05 * MPa);
 }
 
-}  // namespace
-}  // namespace tdbd::forces
+}  // namespace tdbd::forces::rock_material_test

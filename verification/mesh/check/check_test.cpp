@@ -8,8 +8,7 @@
 
 #include "mesh/example_meshes.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::check_test {
 
 using Kind = Defect::Kind;
 
@@ -99,5 +98,4 @@ TEST(Check, a_description_lists_the_first_and_counts_the_rest) {
   EXPECT_EQ(describe({}, 2), "");
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::check_test

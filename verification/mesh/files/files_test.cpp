@@ -13,8 +13,7 @@
 #include "mesh/example_meshes.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::files_test {
 
 namespace fs = std::filesystem;
 
@@ -170,5 +169,4 @@ TEST(Files, a_full_disk_leaves_no_partial_file_and_keeps_the_old_one) {
   EXPECT_EQ(read_mesh(path, 1.0).triangles.size(), 4u);
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::files_test

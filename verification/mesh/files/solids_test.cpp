@@ -18,8 +18,7 @@
 #include "verification/battery/shapes.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::solids_test {
 
 namespace fs = std::filesystem;
 
@@ -171,5 +170,4 @@ TEST(Solids, a_binary_stl_that_is_cut_short_tells_its_size) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::solids_test

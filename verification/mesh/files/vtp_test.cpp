@@ -12,8 +12,7 @@
 #include "mesh/example_meshes.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::vtp_test {
 
 namespace fs = std::filesystem;
 
@@ -91,5 +90,4 @@ TEST(Vtp, a_collection_names_times_and_files) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::vtp_test

@@ -16,8 +16,7 @@
 #include "mesh/sides.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::grade_test {
 
 /// Rounding of coordinates of a few metres, after some tens of edits.
 constexpr double rounding = 1e-13;
@@ -148,5 +147,4 @@ RC_GTEST_PROP(Grade, gives_a_solid_within_its_bounds, ()) {
   RC_ASSERT(inspect(g.mesh).pieces == inspect(m).pieces);
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::grade_test

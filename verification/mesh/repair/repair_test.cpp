@@ -17,8 +17,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::repair_test {
 
 const TriangleMesh unit_box = battery::box({0, 0, 0}, {1, 1, 1});
 
@@ -265,5 +264,4 @@ TEST(MeshFaults, tell_what_where_how_many_and_the_command) {
             "a b/c.stl: to repair: tdbd mesh 'a b/c.stl' --repair -o 'a b/c-repaired.stl'");
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::repair_test

@@ -10,8 +10,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::inside_test {
 
 const TriangleMesh unit_box = battery::box({-1, -1, -1}, {1, 1, 1});
 
@@ -90,5 +89,4 @@ RC_GTEST_PROP(DistanceTree, is_the_least_over_all_facets, ()) {
   RC_ASSERT(std::abs(distance(tree, x) - std::sqrt(least)) < 1e-14);
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::inside_test

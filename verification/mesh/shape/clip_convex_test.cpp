@@ -8,8 +8,7 @@
 
 #include "mesh/measures.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::clip_convex_test {
 
 double number(double lo, double hi) {
   return lo + (hi - lo) * *rc::gen::inRange(0, 10001) / 10000.0;
@@ -95,5 +94,4 @@ RC_GTEST_PROP(ClipConvex, makes_two_closed_convex_pieces_of_the_whole, ()) {
   RC_ASSERT(std::abs(volume - enclosed_volume(m)) < 1e-14);
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::clip_convex_test

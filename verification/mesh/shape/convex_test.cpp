@@ -13,8 +13,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::mesh {
-namespace {
+namespace tdbd::mesh::convex_test {
 
 constexpr double rounding = 1e-15;  // of a length, over the size of the mesh
 
@@ -104,5 +103,4 @@ TEST(ConvexSolid, accepts_up_to_its_tolerance) {
   EXPECT_FALSE(convex_solid(battery::torus(3.0, 1.0, 12, 8)));
 }
 
-}  // namespace
-}  // namespace tdbd::mesh
+}  // namespace tdbd::mesh::convex_test

@@ -10,8 +10,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::radial_plane_engagement_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double spacing = 2e-5;  // m
@@ -128,5 +127,4 @@ RC_GTEST_PROP(RadialPlaneEngagement, does_not_depend_on_where_azimuth_starts, ()
     RC_ASSERT(std::abs(a.volume_per_revolution[c] - b.volume_per_revolution[c]) < 1e-3 * a.total);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::radial_plane_engagement_test

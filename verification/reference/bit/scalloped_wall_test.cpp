@@ -8,8 +8,7 @@
 
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::scalloped_wall_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double a = 8e-3, middle = 0.05, advance = 2e-3;  // m
@@ -54,5 +53,4 @@ TEST(ScallopedWall, of_discs_is_their_arcs_side_by_side) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::scalloped_wall_test

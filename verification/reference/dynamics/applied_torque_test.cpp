@@ -7,8 +7,7 @@
 
 #include "battery/generators.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::applied_torque_test {
 
 using Eigen::AngleAxisd;
 
@@ -106,5 +105,4 @@ TEST(AppliedTorque, each_load_acts_in_its_own_frame) {
   EXPECT_EQ(torque_B(l), Vec3(4, 0, 2));
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::applied_torque_test

@@ -10,8 +10,7 @@
 #include "battery/golden.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::closed_forms_test {
 
 /// Rounding of a Runge-Kutta run, up to 100 rad; scale: 1 + rates.
 constexpr double agreement = 1e-11;
@@ -166,5 +165,4 @@ TEST(ClosedForms, constant_torque_about_an_axis_agrees_with_the_twin) {
   EXPECT_NEAR(0.5 * (end.rate + end.cone_rate), -2.45 - 3.0, 1e-13);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::closed_forms_test

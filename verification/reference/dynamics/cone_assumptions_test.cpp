@@ -12,8 +12,7 @@
 #include "core/observed_order.hpp"
 #include "reference/dynamics/jointed_bodies.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::cone_assumptions_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double bit_speed = 4.0 * pi;  ///< rad/s
@@ -151,5 +150,4 @@ TEST(ConeAssumptions, are_forces_and_shares_in_closed_form) {
   EXPECT_LT(a.modulation_twice, 0.1 * a.modulation_once);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::cone_assumptions_test

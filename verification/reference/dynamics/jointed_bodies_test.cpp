@@ -11,8 +11,7 @@
 #include "battery/generators.hpp"
 #include "reference/dynamics/runge_kutta.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::jointed_bodies_test {
 
 /// Two formulations, each with its rounding after 10 s; scale: 1 + momentum, angles in rad.
 constexpr double agreement = 1e-11;
@@ -206,5 +205,4 @@ TEST(JointedBodies, equivalent_inertia_follows_steiner) {
   EXPECT_EQ(equivalent(b).loads.gravity_arm_B, Vec3(0, 0, 1));
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::jointed_bodies_test

@@ -7,8 +7,7 @@
 
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::lumped_drilling_test {
 
 using dynamics::AxialMode;
 using dynamics::DamperEnd;
@@ -111,5 +110,4 @@ TEST(LumpedDrilling, a_stair_of_load_is_met_at_its_edge) {
   EXPECT_NEAR(end.c_W.z(), 0.5 * 0.7 * 0.7 * 1e3 / 500.0, 1e-12);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::lumped_drilling_test

@@ -6,8 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::ode_test {
 
 /// x'' = -x, as (x, x').
 const RightHandSide oscillator = [](double, std::span<const double> y, std::span<double> dydt) {
@@ -86,5 +85,4 @@ TEST(Ode, a_singularity_is_an_error) {
   EXPECT_THROW(integrate(explosion, OdeMethod::rk8pd, {}, 0.0, 2.0, y), RunError);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::ode_test

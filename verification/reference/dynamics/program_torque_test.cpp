@@ -11,8 +11,7 @@
 #include "reference/dynamics/runge_kutta.hpp"
 
 /// The program's torques against the twin's, loads of every kind at once.
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::program_torque_test {
 
 using dynamics::TorqueFrame;
 
@@ -118,5 +117,4 @@ RC_GTEST_PROP(ProgramTorque, moves_the_bit_as_the_twin_does, ()) {
   RC_ASSERT(difference < agreement * (1.0 + expected.body_momentum_B.norm()));
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::program_torque_test

@@ -9,8 +9,7 @@
 #include "battery/evidence.hpp"
 #include "battery/golden.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::runge_kutta_test {
 
 using dynamics::Loads;
 
@@ -196,5 +195,4 @@ TEST(RungeKutta, looser_tolerances_cost_fewer_evaluations) {
   EXPECT_LT(1e3 * error(tight), error(loose));
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::runge_kutta_test

@@ -11,8 +11,7 @@
 #include "battery/golden.hpp"
 #include "core/error.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::work_precision_test {
 
 const std::map<std::string, Rival> rivals{
     {"rk8pd", Rival::rk8pd}, {"rkf45", Rival::rkf45}, {"rk4", Rival::rk4}};
@@ -73,5 +72,4 @@ TEST(WorkPrecision, refuses_what_it_cannot_run) {
   EXPECT_THROW(work_precision({}, sampled, {}, 1.0, Rival::rk4, {10.0}), InputError);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::work_precision_test

@@ -9,8 +9,7 @@
 
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::outline_nodes_test {
 
 constexpr SpokeFrame frame{0.1, 0.1};
 
@@ -100,5 +99,4 @@ RC_GTEST_PROP(OutlineNodes, stand_about_equally_far_apart, ()) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::outline_nodes_test

@@ -12,8 +12,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::outline_spokes_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -265,5 +264,4 @@ RC_GTEST_PROP(OutlineSpokes, keep_their_nodes_few, ()) {
   RC_ASSERT(std::abs(before - sum.removed + sum.respaced - volume(rock)) <= 1e-12 * before);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::outline_spokes_test

@@ -9,8 +9,7 @@
 
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::planar_boolean_test {
 
 const Outline square{{0, 0}, {0.4, 0}, {0.4, 0.4}, {0, 0.4}};
 
@@ -83,5 +82,4 @@ RC_GTEST_PROP(PlanarBoolean, parts_what_it_cuts, ()) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::planar_boolean_test

@@ -9,8 +9,7 @@
 #include "reference/literature/z_map_sweep.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::spokes_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double a = 3e-3, centre_radius = 10e-3;  // m, of the disc
@@ -147,5 +146,4 @@ TEST(Spokes, one_depth_for_each_node_takes_the_rock_above_an_undercut) {
   EXPECT_NEAR(area / (pi * r * r / 2.0), 5.25, 0.02);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::spokes_test

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::surface_error_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -52,5 +51,4 @@ TEST(SurfaceError, refuses_other_cells) {
                std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::surface_error_test

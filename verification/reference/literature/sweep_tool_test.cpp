@@ -8,8 +8,7 @@
 #include "reference/literature/z_map_sweep.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::sweep_tool_test {
 
 /// A disc of 6 mm, 0.1 mm thick, 10 mm from the axis; faces along its path, tip straight down.
 bit::Bit one_disc() {
@@ -94,5 +93,4 @@ TEST(SweepTool, ruled_tools_sweep_a_turn_like_the_hull_to_second_order) {
   EXPECT_LE(difference(0.02), 10e-3 * 0.02 * 0.02);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::sweep_tool_test

@@ -10,8 +10,7 @@
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::z_map_sweep_test {
 
 double most_apart(const ZMap& a, const ZMap& b) {
   double most = 0.0;
@@ -59,5 +58,4 @@ TEST(ZMapSweep, height_between_cells_converges_with_order_two) {
   EXPECT_NEAR(std::log2(error(32) / error(64)), 2.0, 0.1);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::z_map_sweep_test

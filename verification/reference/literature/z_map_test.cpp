@@ -10,8 +10,7 @@
 #include "reference/bit/radial_plane_engagement.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::z_map_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -79,5 +78,4 @@ TEST(ZMap, removes_by_cutter_what_the_radial_plane_predicts) {
     EXPECT_NEAR(removed[c], e.volume_per_revolution[c], 0.01 * e.total) << "cutter " << c;
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::z_map_test

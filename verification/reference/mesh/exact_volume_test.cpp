@@ -8,8 +8,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::exact_volume_test {
 
 using mesh::TriangleMesh;
 
@@ -81,5 +80,4 @@ RC_GTEST_PROP(PrismVolume, adds_up_over_steps_exactly, ()) {
             prism_volume_rational(flat, last));
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::exact_volume_test

@@ -9,8 +9,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::hausdorff_test {
 
 /// Many points of the triangle, the nearest of them.
 RC_GTEST_PROP(Hausdorff, distance_to_a_triangle_is_that_to_its_nearest_point, ()) {
@@ -46,5 +45,4 @@ TEST(Hausdorff, of_equal_planes_in_other_triangles_is_nothing) {
       1e-15);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::hausdorff_test

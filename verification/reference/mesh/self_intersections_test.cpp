@@ -7,8 +7,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::self_intersections_test {
 
 using mesh::TriangleMesh;
 using Pairs = std::vector<std::pair<int, int>>;
@@ -46,5 +45,4 @@ RC_GTEST_PROP(SelfIntersections, star_shapes_have_none, ()) {
   RC_ASSERT(self_intersecting_pairs(*battery::star_shape()) == 0u);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::self_intersections_test

@@ -9,8 +9,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::brute_force_exit_test {
 
 using mesh::TriangleMesh;
 
@@ -144,5 +143,4 @@ RC_GTEST_PROP(BruteForceExit, does_not_depend_on_the_frame, ()) {
   RC_ASSERT(std::abs(here.t - there.t) < 1e-9);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::brute_force_exit_test

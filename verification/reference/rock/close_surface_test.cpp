@@ -7,8 +7,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::close_surface_test {
 
 using mesh::TriangleMesh;
 
@@ -43,5 +42,4 @@ TEST(CloseSurface, refuses_closed_surfaces_and_holes) {
   EXPECT_THROW(close_surface(pierced, 1.0), RunError);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::close_surface_test

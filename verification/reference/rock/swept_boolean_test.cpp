@@ -11,8 +11,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::reference {
-namespace {
+namespace tdbd::reference::swept_boolean_test {
 
 using mesh::TriangleMesh;
 
@@ -62,5 +61,4 @@ RC_GTEST_PROP(SweptBoolean, of_a_buried_part_at_rest_is_the_part, ()) {
   RC_ASSERT(std::abs(removed - enclosed_volume_exact(part)) < 1e-12);
 }
 
-}  // namespace
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::swept_boolean_test

@@ -14,8 +14,7 @@
 #include "verification/battery/shapes.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::cut_rock_test {
 
 /// The rock before and after one step.
 struct Cut {
@@ -295,5 +294,4 @@ TEST(CutRock, skips_parts_that_never_cut) {
   EXPECT_GT(c.report.removed_by_part[1], 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::cut_rock_test

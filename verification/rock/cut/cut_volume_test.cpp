@@ -11,8 +11,7 @@
 #include "rock/cut/cut_rock.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::cut_volume_test {
 
 constexpr double depth = 0.15, advance = 0.317;         // m
 const Vec3 heading(std::cos(0.4), std::sin(0.4), 0.0);  // oblique to the rock's rows
@@ -86,5 +85,4 @@ TEST(CutRock, removes_what_the_exact_boolean_does_as_edges_shrink) {
   EXPECT_LT(before, 0.02);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::cut_volume_test

@@ -9,8 +9,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::group_motion_test {
 
 bit::Bit bit_of(const mesh::TriangleMesh& m, const Pose& X_BP) {
   bit::Bit bit;
@@ -145,5 +144,4 @@ TEST(FindCandidates, leaves_a_wall_alone_that_is_out_of_reach) {
   EXPECT_GT(candidates_at(reach - 0.02), 0U);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::group_motion_test

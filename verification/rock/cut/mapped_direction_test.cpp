@@ -8,8 +8,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::mapped_direction_test {
 
 /// One part with a core, in a bit that makes any small move.
 struct Cored {
@@ -86,5 +85,4 @@ TEST(MappedDirectionW, is_the_groups_own_where_the_normal_points_up_and_in) {
   EXPECT_EQ(mapped_direction_W(cutting.groups[0], m, Vec3(0.95, 0.0, 0.05)), Vec3(0, 0, 1));
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::mapped_direction_test

@@ -8,8 +8,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::near_planes_test {
 
 CuttingPart part_of(const mesh::TriangleMesh& m) {
   bit::Bit bit;
@@ -55,5 +54,4 @@ TEST(NearPlanes, are_few_at_a_cutters_tip) {
   EXPECT_LT(near.solid_P.planes, 24U);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::near_planes_test

@@ -9,8 +9,7 @@
 #include "reference/mesh/exact_volume.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::prism_test {
 
 using mesh::TriangleMesh;
 
@@ -112,5 +111,4 @@ RC_GTEST_PROP(PrismVolume, summed_over_a_closed_surface_is_the_change_of_its_vol
   RC_ASSERT(std::abs(sum_of_prisms(before, after) - lost) < 1e-12 * 8.0);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::prism_test

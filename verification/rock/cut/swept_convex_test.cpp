@@ -16,8 +16,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::swept_convex_test {
 
 using mesh::TriangleMesh;
 using reference::brute_force_exit;
@@ -233,5 +232,4 @@ TEST(IsSwept, leaves_alone_what_slides_along_a_face) {
   EXPECT_FALSE(answer(p).swept);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::swept_convex_test

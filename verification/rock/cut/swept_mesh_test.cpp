@@ -16,8 +16,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::swept_mesh_test {
 
 using mesh::TriangleMesh;
 using mesh::TriangleTree;
@@ -226,5 +225,4 @@ TEST(SweptMesh, does_not_pick_up_a_vertex_on_its_surface) {
           << off << " " << way.transpose();
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::swept_mesh_test

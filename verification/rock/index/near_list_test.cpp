@@ -9,8 +9,7 @@
 #include "rotation/rotation_vector.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::near_list_test {
 
 const mesh::Box part_P{Vec3(-0.3, -0.1, -0.2), Vec3(0.3, 0.1, 0.2)};
 
@@ -112,5 +111,4 @@ TEST(NearList, is_made_once_in_several_steps) {
   EXPECT_EQ(times_made(50, 5), 10);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::near_list_test

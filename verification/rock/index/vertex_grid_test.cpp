@@ -11,8 +11,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/rock/index/grid_query.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::vertex_grid_test {
 
 using mesh::Box;
 
@@ -160,5 +159,4 @@ TEST(VertexGrid, holds_vertices_on_its_own_faces_and_beyond) {
   EXPECT_TRUE(offers(2, {1e6, -1e6, 0}));
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::vertex_grid_test

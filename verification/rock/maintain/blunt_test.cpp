@@ -10,8 +10,7 @@
 #include "rock/maintain/invariants.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::blunt_test {
 
 constexpr int tip = 60;  // the middle of 11 x 11 vertices
 
@@ -61,5 +60,4 @@ TEST(Blunt, is_refused_by_name) {
   EXPECT_EQ(judge_blunt(rock.surface, tip, limits(), drift).refused, Refusal::distance);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::blunt_test

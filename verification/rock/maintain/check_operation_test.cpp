@@ -8,8 +8,7 @@
 #include "mesh/edit.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::check_operation_test {
 
 constexpr int inner = 60;  // the middle of 11 x 11 vertices
 
@@ -53,5 +52,4 @@ TEST(CheckOperation, notices_wrong_adjacency_and_an_index_out_of_step) {
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("index"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::check_operation_test

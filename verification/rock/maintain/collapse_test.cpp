@@ -11,8 +11,7 @@
 #include "rock/maintain/maintain.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::collapse_test {
 
 constexpr double h = 0.9;  // limits for rock three times as coarse as the roof's edges
 
@@ -73,5 +72,4 @@ TEST(Collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
   EXPECT_GT(accepted, 10);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::collapse_test

@@ -11,8 +11,7 @@
 #include "rock/maintain/star.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::flip_test {
 
 MaintenanceLimits limits() {
   MaintenanceLimits l = limits_for(0.35);
@@ -110,5 +109,4 @@ TEST(Flip, is_refused_once_the_maintenance_has_moved_the_surface_far) {
   EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), drift).refused, std::nullopt);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::flip_test

@@ -9,8 +9,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::intersections_test {
 
 using Pairs = std::vector<std::pair<int, int>>;
 
@@ -77,5 +76,4 @@ RC_GTEST_PROP(Intersections, of_stars_are_those_of_their_triangles, ()) {
   RC_ASSERT(pairs_of(rock, patch) == expected);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::intersections_test

@@ -11,8 +11,7 @@
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::invariants_test {
 
 /// Rock before and after one maintenance that a random cut made necessary.
 struct Maintained {
@@ -152,5 +151,4 @@ TEST(Invariants, notice_untouched_rock_and_boundary_that_changed) {
   EXPECT_TRUE(names(check_locality(before, after), Invariant::locality));
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::invariants_test

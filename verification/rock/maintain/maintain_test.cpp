@@ -18,8 +18,7 @@
 #include "verification/rock/cut/cutting_scene.hpp"
 #include "verification/rock/index/grid_query.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::maintain_test {
 
 using mesh::Surface;
 
@@ -295,5 +294,4 @@ RC_GTEST_PROP(Maintain, twice_gives_the_same_bits, ()) {
   RC_ASSERT(report.volume_change == w.report.volume_change);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::maintain_test

@@ -21,8 +21,7 @@
 
 /// Lists of commands on one rock, whose promises are checked after each. A list that breaks one
 /// shrinks to the shortest that does, and is printed.
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::sequences_test {
 
 enum class Kind { cut, maintain, collapse, bisect, flip, smooth, reload, count };
 
@@ -217,5 +216,4 @@ RC_GTEST_PROP(Sequences, keep_disc_ledger_and_untouched_rock, ()) { check(1.2, F
 /// Rock that is moved straight down stays a height field, which has no folds (M4).
 RC_GTEST_PROP(Sequences, straight_down_never_fold_the_rock, ()) { check(0.0, Folds::refused); }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::sequences_test

@@ -11,8 +11,7 @@
 #include "rock/maintain/star.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::smooth_test {
 
 MaintenanceLimits limits() { return limits_for(0.35); }
 
@@ -103,5 +102,4 @@ TEST(Smooth, refuses_the_boundary) {
     }
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::smooth_test

@@ -13,8 +13,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::trim_test {
 
 using mesh::Surface;
 
@@ -117,5 +116,4 @@ TEST(Trim, gives_its_slots_back) {
   EXPECT_EQ(rock.surface.vertex_slots(), vertices);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::trim_test

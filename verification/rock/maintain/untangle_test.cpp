@@ -10,8 +10,7 @@
 #include "rock/maintain/maintain.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::untangle_test {
 
 constexpr double edge = 0.3;
 
@@ -76,5 +75,4 @@ TEST(Untangle, parts_layers_that_pass_through_each_other) {
   EXPECT_EQ(on.broken, "");
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::untangle_test

@@ -8,8 +8,7 @@
 #include "reference/mesh/convex_hull.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::contact_area_test {
 
 Pose at_place(double x, double z) { return {Mat3::Identity(), Vec3(x, 0.0, z)}; }
 
@@ -114,5 +113,4 @@ TEST(ContactArea, is_that_of_each_part) {
   EXPECT_NEAR(twice.contacts[1].area, 0.24, rounding);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::contact_area_test

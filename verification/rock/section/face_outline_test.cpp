@@ -10,8 +10,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/bit/generate.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::face_outline_test {
 
 /// Scale of the tolerances: a cutter's place, below a metre.
 constexpr double rounding = 1e-14;
@@ -41,5 +40,4 @@ TEST(FaceOutline, is_empty_without_parts) {
   EXPECT_TRUE(face_outline(bit::Cutter{}, 0, {}).rim_F.empty());
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::face_outline_test

@@ -14,8 +14,7 @@
 #include "rock/section/section.hpp"
 #include "rock/start/borehole.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::section_steady_test {
 
 constexpr double turn = 2.0 * std::numbers::pi, mm = 1e-3;
 constexpr double advance = 4.0 * mm;  // a revolution, which takes a second
@@ -111,5 +110,4 @@ TEST(SteadySection, comes_to_what_the_radial_plane_gives_with_the_edge_length) {
   EXPECT_LT(errors.back(), 0.005);  // of the volume
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::section_steady_test

@@ -15,8 +15,7 @@
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::section_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -280,5 +279,4 @@ TEST(Section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {
   EXPECT_EQ(sight_at(0.9), Sight::none);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::section_test

@@ -11,8 +11,7 @@
 #include "mesh/surface.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::borehole_test {
 
 using mesh::TriangleMesh;
 constexpr double pi = std::numbers::pi;
@@ -109,5 +108,4 @@ TEST(Borehole, flat_bottom_is_a_cylinder) {
   EXPECT_NEAR(volume / (pi * radius * radius * wall), 1.0, 1e-3);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::borehole_test

@@ -6,8 +6,7 @@
 
 #include "rock/start/borehole.hpp"
 
-namespace tdbd::rock {
-namespace {
+namespace tdbd::rock::rough_bottom_test {
 
 const Roughness rough{2e-3, 10e-3, 11};
 
@@ -58,5 +57,4 @@ TEST(RoughBottom, goes_down_from_the_flat_one_and_leaves_the_rim) {
   EXPECT_GT(most, 4.0 * rough.amplitude);
 }
 
-}  // namespace
-}  // namespace tdbd::rock
+}  // namespace tdbd::rock::rough_bottom_test

@@ -9,8 +9,7 @@
 #include "forces/rock/rock_material.hpp"
 #include "simulation/case/case.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::case_forces_test {
 
 using bit::PartKind;
 
@@ -75,5 +74,4 @@ TEST(ReadFormation, refuses_layers_out_of_order) {
                InputError);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::case_forces_test

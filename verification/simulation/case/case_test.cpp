@@ -7,8 +7,7 @@
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::case_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -94,5 +93,4 @@ TEST(ReadCase, revolutions_need_a_turning_bit) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::case_test

@@ -16,8 +16,7 @@
 #include "simulation/rotate/rotate_case.hpp"
 
 /// The declared keys against the cases that are read with them.
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::keys_test {
 
 namespace fs = std::filesystem;
 
@@ -313,5 +312,4 @@ TEST(Keys, stand_once_in_their_table) {
     }
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::keys_test

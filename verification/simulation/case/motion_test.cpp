@@ -9,8 +9,7 @@
 #include "core/random.hpp"
 #include "rotation/rotation_vector.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::motion_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-14;  ///< some ulps of numbers of size one
@@ -187,5 +186,4 @@ TEST(Motion, legs_are_the_closed_form) {
   expect_at(9.0, start + 1.0 * down + 0.5 * aside, 6.0 * pi);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::motion_test

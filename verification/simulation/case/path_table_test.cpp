@@ -5,8 +5,7 @@
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::path_table_test {
 
 std::string refusal(const std::string& file) {
   try {
@@ -51,5 +50,4 @@ TEST(PathTable, a_missing_file_is_named) {
   EXPECT_EQ(refusal("/no/path.csv"), "/no/path.csv: found no such file, expected a CSV table");
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::path_table_test

@@ -5,8 +5,7 @@
 #include "simulation/synthetic_result.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::draw_test {
 
 int run(const std::string& command) { return std::system(command.c_str()); }
 
@@ -32,5 +31,4 @@ TEST(Draw, a_folder_without_a_surface_is_an_error) {
   EXPECT_NE(run(python + source + "/reports/draw.py " + folder.path.string() + " 2>/dev/null"), 0);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::draw_test

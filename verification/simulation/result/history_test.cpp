@@ -14,8 +14,7 @@
 #include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::history_test {
 
 namespace fs = std::filesystem;
 
@@ -159,5 +158,4 @@ TEST(History, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond)
   EXPECT_LT(spent.count() / 2048, 1e-4);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::history_test

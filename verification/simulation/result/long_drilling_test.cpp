@@ -11,8 +11,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::long_drilling_test {
 
 constexpr double revolutions = 20;
 
@@ -115,5 +114,4 @@ TEST_F(TwentyRevolutions, remove_the_same_in_every_revolution_but_the_first) {
   EXPECT_LT(worst, 0.01);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::long_drilling_test

@@ -7,8 +7,7 @@
 #include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::output_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -69,5 +68,4 @@ TEST(OutputFolder, that_is_a_file_or_cannot_be_made_is_refused) {
   EXPECT_NE(refusal("/proc/tdbd"), "not refused");
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::output_folder_test

@@ -11,8 +11,7 @@
 #include "core/whole_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::summary_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -98,5 +97,4 @@ TEST(Summary, is_written_whole) {
   EXPECT_THROW(write_text("/proc/no/summary.json", "{}"), RunError);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::summary_test

@@ -9,8 +9,7 @@
 #include "dynamics/momenta.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::rotate_case_test {
 
 using namespace dynamics;
 
@@ -169,5 +168,4 @@ TEST(RotateCase, is_told_from_a_run) {
   EXPECT_THROW(is_rotate_case("/absent.toml"), InputError);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::rotate_case_test

@@ -8,8 +8,7 @@
 #include "simulation/rotate/rotate_case.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::rotate_history_test {
 
 namespace fs = std::filesystem;
 
@@ -62,5 +61,4 @@ TEST(RotateHistory, holds_what_belongs_together) {
   for (const int cones : {0, 1, 3}) check_with_cones(cones);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::rotate_history_test

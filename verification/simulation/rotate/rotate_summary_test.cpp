@@ -10,8 +10,7 @@
 #include "rotation/swing_twist.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::rotate_summary_test {
 
 using Json = nlohmann::json;
 using dynamics::RotationState;
@@ -177,5 +176,4 @@ TEST(RotateSummary, a_body_at_rest_has_an_energy_scale_of_one) {
   EXPECT_EQ(j["energy_drift_max"], 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::rotate_summary_test

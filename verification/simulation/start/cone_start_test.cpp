@@ -5,8 +5,7 @@
 #include "simulation/step/simulation.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::cone_start_test {
 
 /// Bit R on a bottom that conforms to it.
 Case conforming(const std::string& time) {
@@ -56,5 +55,4 @@ TEST(ConeStart, a_bit_that_turns_in_its_conforming_hole_takes_almost_nothing) {
   EXPECT_LE(ledger_defect(s), 1e-12);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::cone_start_test

@@ -4,8 +4,7 @@
 
 #include "rock/start/borehole.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::start_check_test {
 
 /// A bowl: flat bottom of radius 0.1 at depth 0.05, wall up to depth 0.02.
 mesh::Surface bowl() {
@@ -37,5 +36,4 @@ TEST(CoverAbove, knows_a_ledge_from_the_open_below_it) {
   EXPECT_EQ(cover_above(hollow, Vec3(0.0, 0.0, 0.06)), 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::start_check_test

@@ -10,8 +10,7 @@
 #include "verification/bit/files/bit_reading.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::bit_files_test {
 
 namespace fs = std::filesystem;
 
@@ -111,5 +110,4 @@ TEST(BladesThatCut, a_body_that_cuts_removes_rock_and_the_ledger_closes) {
   EXPECT_LE(ledger_defect(s), tolerance::ledger);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::bit_files_test

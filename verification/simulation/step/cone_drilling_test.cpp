@@ -11,8 +11,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::cone_drilling_test {
 
 /// Bit R on a coarse mesh.
 Case bit_r(std::vector<std::string> settings) {
@@ -118,5 +117,4 @@ TEST(BodyCuts, do_not_depend_on_how_the_body_is_searched) {
               tolerance::inside * size);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::cone_drilling_test

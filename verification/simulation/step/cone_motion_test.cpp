@@ -12,8 +12,7 @@
 #include "verification/bit/cone_generate.hpp"
 #include "verification/simulation/wheel_bit.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::cone_motion_test {
 
 using bit::number;
 
@@ -167,5 +166,4 @@ TEST(ConeMotion, the_mean_speed_does_not_hang_on_the_step) {
   EXPECT_LT(order, 2.5) << coarse << ' ' << middle << ' ' << fine;
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::cone_motion_test

@@ -6,8 +6,7 @@
 #include <functional>
 #include <numbers>
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::diagnosis_test {
 
 constexpr double two_pi = 2.0 * std::numbers::pi, dt = 1e-3;
 constexpr double speed = 10.0;  // rad/s, of the bit
@@ -112,5 +111,4 @@ TEST(StrongestFrequency, is_found_between_lines) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::diagnosis_test

@@ -14,8 +14,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::directions_test {
 
 /// What one reading of eq. 4.2 makes of the same rock.
 struct Outcome {
@@ -187,5 +186,4 @@ TEST(Directions, of_inside_cutters_only_down_holds) {
   for (const Outcome& o : {down, plus_x, minus_x}) EXPECT_LT(o.ledger, tolerance::ledger);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::directions_test

@@ -9,8 +9,7 @@
 #include "core/tolerance.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::drive_test {
 
 /// Bit B (or R) on a string, 4 mm edges, with what a test sets beside.
 Case drilling(std::vector<std::string> settings, const std::string& name = "drill-bit-b") {
@@ -142,5 +141,4 @@ TEST(Drive, turns_cones_by_the_forces_on_their_teeth) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::drive_test

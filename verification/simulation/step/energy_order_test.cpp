@@ -10,8 +10,7 @@
 #include "simulation/result/run.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::energy_order_test {
 
 using Json = nlohmann::json;
 
@@ -118,5 +117,4 @@ TEST(EnergyOrder, leaves_the_bytes_of_the_run_and_does_not_know_threads) {
   EXPECT_EQ(a, b);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::energy_order_test

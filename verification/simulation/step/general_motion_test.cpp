@@ -10,8 +10,7 @@
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/sound_rock.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::general_motion_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -327,5 +326,4 @@ TEST(RoughStart, is_forgotten) {
   EXPECT_NEAR(rough / flat, 1.0, 0.005);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::general_motion_test

@@ -11,8 +11,7 @@
 #include "simulation/case/case.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::loads_test {
 
 constexpr double rounding = 1e-12;  // of the forces' and moments' size
 
@@ -135,5 +134,4 @@ TEST(Loads, see_a_chamfer_along_the_normal) {
   EXPECT_NEAR(chamfer_width(c, c.back_rake), (across - n.dot(across) * n).norm(), rounding);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::loads_test

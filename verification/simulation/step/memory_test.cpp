@@ -4,8 +4,7 @@
 #include "battery/counted_memory.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::memory_test {
 
 using battery::counted_memory;
 
@@ -60,5 +59,4 @@ TEST(Memory, a_step_with_forces_allocates_nothing_once_warm) {
   EXPECT_EQ(taken_by_a_step("drill-bit-b"), 0);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::memory_test

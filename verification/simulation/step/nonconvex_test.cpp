@@ -10,8 +10,7 @@
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/penetration.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::nonconvex_test {
 
 /// Drills 120 ms into a flat rock of 40 mm radius; after every cut no vertex is inside, and the
 /// ledger closes at the end. Returns the volume that is gone, m3.
@@ -69,5 +68,4 @@ TEST(Nonconvex, a_star_cuts) {
   EXPECT_GT(drill(battery::prism(battery::star_outline(30.0, 10.0, 6), -5.0, 5.0)), 0.0);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::nonconvex_test

@@ -8,8 +8,7 @@
 #include "simulation/start/rock_memory.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::restart_test {
 
 /// A case of the repository, short and coarse.
 Case short_case(const std::string& name, std::vector<std::string> settings) {
@@ -134,5 +133,4 @@ INSTANTIATE_TEST_SUITE_P(
                        "motion.rate_of_penetration='100 m/h'"}}),
     [](const auto& instance) { return instance.param.name; });
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::restart_test

@@ -8,8 +8,7 @@
 #include "bit/pdc/pdc_bit.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::section_noise_test {
 
 /// The figures of the second revolution of the standard workload.
 std::vector<FaceFigures> second_revolution(const Case& c) {
@@ -71,5 +70,4 @@ TEST(SectionNoise, beside_the_axis_the_side_behind_the_face_takes_what_is_missin
   EXPECT_NEAR(thin, 1.0, 0.01);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::section_noise_test

@@ -15,8 +15,7 @@
 #include "simulation/step/simulation.hpp"
 
 /// Short versions of the long runs in src/rock/README.md: whatever drills, the surface stays sound.
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::stable_surface_test {
 
 struct Run {
   const char* name;
@@ -113,5 +112,4 @@ TEST(TrimmedWall, is_refused_below_what_cuts) {
   }
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::stable_surface_test

@@ -10,8 +10,7 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "simulation/step/simulation.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::steady_drilling_test {
 
 constexpr double micron = 1e-6;
 
@@ -89,5 +88,4 @@ TEST_F(SteadyBitB, leaves_a_bottom_without_self_intersections) {
   EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(simulation_->state.rock.surface)), 0U);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::steady_drilling_test

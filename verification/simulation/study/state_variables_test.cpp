@@ -9,8 +9,7 @@
 #include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
 
-namespace tdbd::simulation {
-namespace {
+namespace tdbd::simulation::state_variables_test {
 
 std::string rotation_by(double angle) {
   const std::string c = std::to_string(std::cos(angle)), s = std::to_string(std::sin(angle));
@@ -88,5 +87,4 @@ TEST(StateVariables, are_found_in_a_folder_or_a_file) {
   EXPECT_THROW(read_end_state_file(folder / "absent.json"), InputError);
 }
 
-}  // namespace
-}  // namespace tdbd::simulation
+}  // namespace tdbd::simulation::state_variables_test
