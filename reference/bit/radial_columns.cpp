@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/angles.hpp"
 
 namespace tdbd::reference {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// A point as the fixed half-plane sees it.
 struct Passing {
@@ -29,9 +28,9 @@ double largest_radius(const bit::Bit& bit) {
 
 /// Azimuth unwrapped to within half a turn of the cutter's own, which is taken in [0, 2 pi).
 Passing passing(const Vec3& x_B, double cutter_azimuth, double advance) {
-  const double own = cutter_azimuth - turn * std::floor(cutter_azimuth / turn);
-  const double phi = own + std::remainder(std::atan2(x_B[1], x_B[0]) - own, turn);
-  return {x_B.head<2>().norm(), phi, x_B[2] - advance * phi / turn};
+  const double own = cutter_azimuth - full_turn * std::floor(cutter_azimuth / full_turn);
+  const double phi = own + std::remainder(std::atan2(x_B[1], x_B[0]) - own, full_turn);
+  return {x_B.head<2>().norm(), phi, x_B[2] - advance * phi / full_turn};
 }
 
 /// Offer the straight piece between two passings to all columns whose centre it covers.

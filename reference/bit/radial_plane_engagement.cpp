@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angles.hpp"
 #include "core/error.hpp"
 #include "reference/bit/radial_columns.hpp"
 
 namespace tdbd::reference {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int revolutions = 5;
 
 /// One cutter's pass through the half-plane in one revolution.
@@ -27,7 +26,7 @@ std::vector<Pass> passes(const std::vector<Deepest>& column, double advance) {
   for (std::size_t c = 0; c < column.size(); ++c)
     if (column[c].depth != Deepest::never)
       for (int k = 0; k < revolutions; ++k)
-        all.push_back({turn * k - column[c].phi, column[c].depth + advance * k, c, k});
+        all.push_back({full_turn * k - column[c].phi, column[c].depth + advance * k, c, k});
   std::sort(all.begin(), all.end(), [](const Pass& a, const Pass& b) { return a.theta < b.theta; });
   return all;
 }
@@ -64,8 +63,8 @@ Engagement radial_plane_engagement(const bit::Bit& bit, double advance, double r
     for (std::size_t c = 0; c < cutters; ++c) {
       const double area = thickness[c] * columns.width;
       e.mean_area[c] += area;
-      e.volume_per_revolution[c] += turn * columns.centre(i) * area;
-      e.total += turn * columns.centre(i) * area;
+      e.volume_per_revolution[c] += full_turn * columns.centre(i) * area;
+      e.total += full_turn * columns.centre(i) * area;
     }
   }
   return e;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/angles.hpp"
 
 namespace tdbd::reference {
 namespace {
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 Mat3 about_z(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(); }
 
@@ -36,7 +35,7 @@ double farthest_azimuth(const Vec3& a, const Vec3& b, double near) {
 }  // namespace
 
 std::vector<RolledPrint> rolled_prints(const RolledRow& row, double from, double to) {
-  const double step = two_pi / (300.0 * row.speed);
+  const double step = full_turn / (300.0 * row.speed);
   std::vector<RolledPrint> prints;
   for (const Vec3& tip_K : row.tips_K)
     for (double t = from - 2 * step; t < to + 2 * step; t += step) {
@@ -54,16 +53,16 @@ std::vector<RolledPrint> rolled_prints(const RolledRow& row, double from, double
 double share_near_earlier(const std::vector<RolledRow>& rows, std::size_t own, int revolutions) {
   std::vector<RolledPrint> all;
   for (const RolledRow& row : rows)
-    for (const RolledPrint& p : rolled_prints(row, -1.5 * two_pi, two_pi * revolutions))
+    for (const RolledPrint& p : rolled_prints(row, -1.5 * full_turn, full_turn * revolutions))
       all.push_back(p);
   constexpr double itself = 1e-5;  // rad: a lowest place is found to 1e-7
   long judged = 0, hits = 0;
   const double near = rows[own].near;
-  for (const RolledPrint& p : rolled_prints(rows[own], 0.0, two_pi * revolutions)) {
+  for (const RolledPrint& p : rolled_prints(rows[own], 0.0, full_turn * revolutions)) {
     ++judged;
     hits += std::ranges::any_of(all, [&](const RolledPrint& q) {
       const double age = p.turned - q.turned;
-      return age > itself && age <= two_pi + farthest_azimuth(p.place, q.place, near) &&
+      return age > itself && age <= full_turn + farthest_azimuth(p.place, q.place, near) &&
              (p.place - q.place).norm() < near;
     });
   }
@@ -74,12 +73,12 @@ double mean_tips_in_contact(const RolledRow& row, double penetration) {
   constexpr int samples = 20000;
   double lowest = -1e300;
   for (int i = 0; i < samples; ++i)
-    lowest = std::max(lowest, (row.X_BK * (about_z(two_pi * i / samples) * row.tips_K[0])).z());
+    lowest = std::max(lowest, (row.X_BK * (about_z(full_turn * i / samples) * row.tips_K[0])).z());
   long in_contact = 0;
   for (int i = 0; i < samples; ++i)
     for (const Vec3& tip_K : row.tips_K)
       in_contact +=
-          (row.X_BK * (about_z(two_pi * i / samples) * tip_K)).z() >= lowest - penetration;
+          (row.X_BK * (about_z(full_turn * i / samples) * tip_K)).z() >= lowest - penetration;
   return static_cast<double>(in_contact) / samples;
 }
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angles.hpp"
+
 namespace tdbd::reference {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
-
 /// The row of one advance that a point of the bit passes in the half-plane.
 std::size_t row_of(const Vec3& x_B, double advance, std::size_t rows) {
-  const double turns = x_B.z() / advance - std::atan2(x_B.y(), x_B.x()) / turn;
+  const double turns = x_B.z() / advance - std::atan2(x_B.y(), x_B.x()) / full_turn;
   const double share = turns - std::floor(turns);
   return std::min(static_cast<std::size_t>(share * static_cast<double>(rows)), rows - 1);
 }
@@ -19,7 +19,7 @@ std::size_t row_of(const Vec3& x_B, double advance, std::size_t rows) {
 /// Samples along an edge: two for each row that it may pass, as the height turns with the azimuth.
 int samples(const Vec3& a, const Vec3& b, double advance, std::size_t rows) {
   const double around = (b - a).norm() / std::max(a.head<2>().norm(), 1e-9);
-  const double advances = std::abs(b.z() - a.z()) / advance + around / turn;
+  const double advances = std::abs(b.z() - a.z()) / advance + around / full_turn;
   return 2 + static_cast<int>(2.0 * advances * static_cast<double>(rows));
 }
 

@@ -84,7 +84,7 @@ double angle_between(const Mat3& A, const Mat3& B, const Vec3& axis, double abou
   return wrapped + turn * std::round((about - wrapped) / turn);
 }
 
-JointedState state_of(const JointedBit& bit, const Assembly& a) {
+JointedState bit_state_of(const JointedBit& bit, const Assembly& a) {
   const std::vector<RigidBody> all = bodies(bit);
   JointedState s;
   s.R_WB = attitude(a.motions[0]);
@@ -149,7 +149,7 @@ JointedRun jointed_run(const JointedBit& bit, const JointedState& start, double 
   JointedRun run;
   run.evaluations = integrate(jointed_equations(bit), OdeMethod::rk8pd, tolerance, 0.0, t_end, y);
   const Assembly end = assembly_of(y, bit.cones.size());
-  run.state = state_of(bit, end);
+  run.state = bit_state_of(bit, end);
   measure_drift(bit, end, run);
   return run;
 }

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "reference/dynamics/cross_matrix.hpp"
+
 namespace tdbd::reference {
 namespace {
 
@@ -13,12 +15,6 @@ using Eigen::VectorXd;
 /// Accelerations of body i stand at 6 i (centre) and 6 i + 3 (angular).
 Index centre_at(std::size_t i) { return 6 * static_cast<Index>(i); }
 Index turn_at(std::size_t i) { return centre_at(i) + 3; }
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 A;
-  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return A;
-}
 
 /// The linear system M a = f, G a = gamma while it is being filled.
 struct System {

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/dynamics/cross_matrix.hpp"
+
 namespace tdbd::reference {
 namespace {
 
 using dynamics::DrillingSystem;
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 A;
-  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return A;
-}
 
 /// A state, or its rate, with the energies: what the Runge-Kutta methods see.
 struct Motion {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "reference/dynamics/applied_torque.hpp"
+#include "reference/dynamics/cross_matrix.hpp"
 
 namespace tdbd::reference {
 namespace {
@@ -14,12 +15,6 @@ Mat3 inertia_without_cones(const dynamics::Gyrostat& g) {
   Mat3 It = g.inertia_B;
   for (const dynamics::Cone& c : g.cones) It -= c.axial_inertia * c.axis_B * c.axis_B.transpose();
   return It;
-}
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 A;
-  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return A;
 }
 
 /// Rate of the twist of R = Swing Twist about space z: (w_z + w . n) / (1 + n_z), n = R ez.

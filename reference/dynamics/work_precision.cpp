@@ -11,13 +11,13 @@ namespace tdbd::reference {
 namespace {
 
 /// Steps beyond which rk4 would run for minutes.
-constexpr double most_steps = 1e7;
+constexpr double most_fixed_steps = 1e7;
 
 RungeKuttaRun fixed_steps(const dynamics::Gyrostat& g, const dynamics::Loads& loads,
                           const GyrostatState& start, double t_end, double steps) {
-  if (!(steps >= 1.0 && steps <= most_steps && steps == std::floor(steps)))
+  if (!(steps >= 1.0 && steps <= most_fixed_steps && steps == std::floor(steps)))
     throw InputError(fmt::format("rk4: found {} steps, expected a whole number from 1 to {}", steps,
-                                 most_steps));
+                                 most_fixed_steps));
   std::vector<double> y = unknowns(start, loads);
   const long evaluations =
       integrate_rk4(gyrostat_equations(g, loads), static_cast<int>(steps), start.time, t_end, y);

@@ -3,7 +3,7 @@
 namespace tdbd::app {
 namespace {
 
-constexpr const char* case_text = R"(title = "all keys"
+constexpr const char* rotate_case_text = R"(title = "all keys"
 [body]
 inertia = [[2, 0, 0], [0, "2.6 kg m2", 0], [0, 0, 3]]
 rotation_vector = ["20 deg", 0.1, 0]
@@ -84,7 +84,7 @@ duration = 2
 )";
 
 RotateFolder::RotateFolder() {
-  write("case.toml", case_text);
+  write("case.toml", rotate_case_text);
   write("box.off", box_text);
   write("torque.csv", "time_s,x,y,z\n0,0,0,0\n1,0.1,0,0.2\n3,0,0,0\n");
 }

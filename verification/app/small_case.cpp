@@ -5,7 +5,7 @@
 namespace tdbd::app {
 namespace {
 
-constexpr const char* case_text = R"([bit]
+constexpr const char* small_case_text = R"([bit]
 file = "bit.toml"
 [rock]
 edge_length = "4 mm"
@@ -38,7 +38,7 @@ S,6,2,shoulder,16,47,200,11,70,15,0
 }  // namespace
 
 SmallCase::SmallCase() {
-  write("case.toml", case_text);
+  write("case.toml", small_case_text);
   write("bit.toml", bit_text);
   write("bit.csv", table_text);
 }

@@ -44,7 +44,8 @@ double expected_volume() {
 }
 
 mesh::TriangleMesh rock_at_start() {
-  static const mesh::TriangleMesh rock = mesh::compact(simulation::start(plan()).rock.surface);
+  static const mesh::TriangleMesh rock =
+      mesh::compact(simulation::start(plan()).state.rock.surface);
   return rock;
 }
 

@@ -80,7 +80,7 @@ TEST(Spokes, lose_a_whirling_bits_pattern_at_the_gage_that_the_mesh_shows) {
 /// wall and less than pi R^2 d. What respacing cuts off the cusps is not removed by the bit.
 TEST(Spokes, remove_in_a_revolution_what_lies_within_the_scalloped_wall) {
   const simulation::Case plan = spoke_plan(edge_length, {});
-  const mesh::TriangleMesh start_W = mesh::compact(simulation::start(plan).rock.surface);
+  const mesh::TriangleMesh start_W = mesh::compact(simulation::start(plan).state.rock.surface);
   constexpr int few = 12;
   constexpr double spacing = 1.0 * mm;
   reference::OutlineSpokes rock = hanson_of(start_W, plan.bit, few, spacing);

@@ -96,13 +96,13 @@ KeyTable shank() {
 KeyTable parts() {
   using namespace part_file_keys;
   return bit_table(table, name, kind, file, unit, cutting, rubs, density, group, position,
-                   rotation_vector, update_direction);
+                   rotation_vector, part_file_keys::update_direction);
 }
 
 KeyTable solid_rules() {
   using namespace solid_rule_keys;
   return bit_table(table, match, name, kind, cutting, density, group, cutter_position,
-                   cutter_rotation_vector, update_direction);
+                   cutter_rotation_vector, solid_rule_keys::update_direction);
 }
 
 KeyTable solid_cones() {

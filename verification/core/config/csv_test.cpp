@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "temporary_file.hpp"
+#include "core/temporary_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::csv_test {

@@ -38,10 +38,10 @@ Drilled drill(const fs::path& folder, const std::string& bit_file,
                            "step = \"1 ms\"\nduration = \"150 ms\""),
                 overrides);
   Simulation s = start(c);
-  while (s.steps_done < c.time.steps) step(c, s);
+  while (s.state.steps_done < c.time.steps) step(c, s);
   Drilled d;
-  d.all = s.ledger.removed.value();
-  for (const auto& sum : s.ledger.removed_by_part) d.by_part.push_back(sum.value());
+  d.all = s.state.ledger.removed.value();
+  for (const auto& sum : s.state.ledger.removed_by_part) d.by_part.push_back(sum.value());
   return d;
 }
 
@@ -101,12 +101,12 @@ TEST(BladesThatCut, a_body_that_cuts_removes_rock_and_the_ledger_closes) {
                  "step = \"2 ms\"\nduration = \"160 ms\""),
       {});
   Simulation s = start(c);
-  ASSERT_FALSE(s.bit.groups.empty());
-  ASSERT_EQ(s.bit.groups.back().parts[0].name, "bit-body");
-  EXPECT_TRUE(s.bit.groups.back().parts[0].tree_P.has_value());
-  const auto body = static_cast<std::size_t>(s.bit.groups.back().parts[0].part);
-  while (s.steps_done < c.time.steps) step(c, s);
-  EXPECT_GT(s.ledger.removed_by_part[body].value(), 1e-9);
+  ASSERT_FALSE(s.work.cutting.groups.empty());
+  ASSERT_EQ(s.work.cutting.groups.back().parts[0].name, "bit-body");
+  EXPECT_TRUE(s.work.cutting.groups.back().parts[0].tree_P.has_value());
+  const auto body = static_cast<std::size_t>(s.work.cutting.groups.back().parts[0].part);
+  while (s.state.steps_done < c.time.steps) step(c, s);
+  EXPECT_GT(s.state.ledger.removed_by_part[body].value(), 1e-9);
   EXPECT_LE(ledger_defect(s), tolerance::ledger);
 }
 
