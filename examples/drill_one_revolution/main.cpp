@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
     settings.push_back("time.revolutions=1");
     const Case c = read_case(argv[1], settings);
     auto simulation = start(c);
-    while (simulation.steps_done < c.time.steps) step(c, simulation);
+    while (simulation.state.steps_done < c.time.steps) step(c, simulation);
     const RunSummary s = summary_of(c, simulation, RunStatus::completed);
     std::printf("steps %ld\nrevolutions %.17g\nremoved_volume_m3 %.17g\n", s.steps, s.revolutions,
                 s.removed_volume);

@@ -7,6 +7,7 @@
 
 namespace tdbd::dynamics {
 
+/// @file
 /// The inertia relations, dynamics (2) (thesis: 5.2.1, 5.3):
 ///   Pi = It W + sum_k pi_k s_k,   pi_k = Ic_k (phi_k' + s_k . W).
 

@@ -4,6 +4,7 @@
 
 namespace tdbd::dynamics {
 
+/// @file
 /// What resists motion in one direction, integrated exactly while everything else stands still,
 /// dynamics (14): it never adds energy, whatever the time. An impulse j along the direction changes
 /// the momenta by j times it and the speed along it by j times its mobility.

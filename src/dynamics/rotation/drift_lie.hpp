@@ -6,6 +6,7 @@
 
 namespace tdbd::dynamics {
 
+/// @file
 /// Implicit drifts, dynamics (5) and (6), solve for the rotation vector T of the whole drift:
 ///   T = h It^-1 (m(T) - sigma),   R <- R exp(T),   phi_k <- phi_k + h pi_k / Ic_k - s_k . T.
 /// Any T at all conserves the spatial momentum; the solution makes the drift second order.

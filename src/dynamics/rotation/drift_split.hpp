@@ -4,6 +4,7 @@
 
 namespace tdbd::dynamics {
 
+/// @file
 /// Explicit drifts: the kinetic energy is split into parts whose flows are rotations, composed
 /// symmetrically. Each flow is exact, so the drift is symplectic, and the spatial momentum is not
 /// touched at all.

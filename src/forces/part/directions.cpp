@@ -20,13 +20,9 @@ Vec3 slip_of(const Vec3& velocity, const Vec3& normal) {
 
 }  // namespace
 
-double effective_back_rake(const Vec3& face_normal, const Vec3& velocity, const Vec3& normal) {
+double effective_back_rake(const Vec3& face_normal, const Vec3& velocity) {
   const double speed = velocity.norm();
-  if (speed == 0.0) return 0.0;
-  const double ahead = face_normal.dot(velocity) / speed;
-  const double over_rock = face_normal.dot(normal) - ahead * normal.dot(velocity) / speed;
-  const double angle = std::acos(std::clamp(ahead, 0.0, 1.0));
-  return over_rock < 0.0 ? -angle : angle;
+  return speed > 0.0 ? std::acos(std::clamp(face_normal.dot(velocity) / speed, 0.0, 1.0)) : 0.0;
 }
 
 CutFrame cut_frame(const Vec3& velocity, const Vec3& normal) {

@@ -4,14 +4,13 @@
 
 namespace tdbd::forces {
 
-/// Effective back rake of a face (rad), forces (2): the angle between its outward normal X and its
-/// velocity v, positive when the face leans over the rock ahead of it, negative when it leans back,
-/// which is seen from the side n (the unit normal into the rock). The size counts side rake too, so
-/// a face with side rake jumps from one sign to the other where its back rake vanishes. 0 at rest;
-/// a right angle when the face moves backwards. Thesis: nomenclature, Ebr ("effective back rake of
-/// cutter, angle of attack"). The section's angle of attack (rock/section) is the complement: a
-/// right angle less the rake.
-double effective_back_rake(const Vec3& face_normal, const Vec3& velocity, const Vec3& normal);
+/// Effective back rake of a face (rad, 0 to a right angle), forces (2): the angle between its
+/// outward normal X and its velocity v. It has no sign: a face that leans over the rock ahead of it
+/// and one that leans back as much read the same, and side rake counts. 0 at rest; a right angle
+/// for a face that moves backwards. Thesis: nomenclature, Ebr ("effective back rake of cutter,
+/// angle of attack"). The section's angle of attack (rock/section) is the complement: a right angle
+/// less the rake.
+double effective_back_rake(const Vec3& face_normal, const Vec3& velocity);
 
 /// The directions of a force on a cut: F = -Ft e1 - Fn e2. Thesis: app. C, E1 and E2;
 /// reconstructed.

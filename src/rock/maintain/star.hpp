@@ -10,6 +10,7 @@
 
 namespace tdbd::rock {
 
+/// @file
 /// Measures and guards of the triangles around a vertex, shared by the operations of maintenance.
 /// Thesis: 4.2 (reconstructed).
 

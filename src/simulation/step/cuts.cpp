@@ -102,7 +102,7 @@ forces::PartCut cut_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity&
   const double ahead =
       speed > 0.0 ? std::clamp(c.forward_W.dot(cut.velocity) / speed, 0.0, 1.0) : 1.0;
   cut.cut_area = c.face_area * ahead;
-  cut.back_rake = forces::effective_back_rake(c.forward_W, cut.velocity, cut.normal);
+  cut.back_rake = forces::effective_back_rake(c.forward_W, cut.velocity);
   cut.depth = cut.engaged_edge > 0.0 ? cut.cut_area / cut.engaged_edge : 0.0;
   return cut;
 }

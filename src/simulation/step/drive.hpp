@@ -8,6 +8,7 @@
 
 namespace tdbd::simulation {
 
+/// @file
 /// How the simulation turns the equations of motion (src/dynamics) into places of the bit over the
 /// rock, and loads on its parts into impulses.
 
