@@ -12,6 +12,7 @@ namespace tdbd::bit {
 inline std::vector<std::string_view> part_kind_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(part_kinds.size());
     for (const PartKind kind : part_kinds) all.push_back(kind_name(kind));
     return all;
   }();
