@@ -15,7 +15,7 @@ reference::SteadyDrilling drilling_of(const simulation::Case& plan) {
 }
 
 mesh::TriangleMesh rock_at_start(const simulation::Case& plan) {
-  return mesh::compact(simulation::start(plan).rock.surface);
+  return mesh::compact(simulation::start(plan).state.rock.surface);
 }
 
 }  // namespace
