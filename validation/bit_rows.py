@@ -67,7 +67,7 @@ def floors(rows):
     found = []
     for blades in ("4", "5"):
         r = ratios(rows, blades)
-        found.append({"floor": f"nov{blades}", "load": "wob", "readings": len(r), "mean": f"{sum(r) / len(r):.4f}",
+        found.append({"floor": f"nov{blades}", "load": "wob", "mean": f"{abs(sum(r)) / len(r):.4f}",
                       "rms": f"{math.sqrt(sum(x * x for x in r) / len(r)):.4f}",
-                      "of": "2020 over 2019 at the same depth of cut and speed, less 1"})
+                      "of": f"{len(r)} rows of 2020 over 2019 at the same depth of cut and speed, less 1"})
     return found

@@ -60,15 +60,26 @@ def scatter(groups, column):
     return sum(map(len, groups)), math.sqrt(squares / freedom)
 
 
+def about_own_curve(rows, column):
+    """Standard deviation of the logarithm about a power law of the depth that is fitted to these very rows."""
+    x = [math.log(float(r["doc_in"])) for r in rows]
+    y = [math.log(float(r[column])) for r in rows]
+    mx, my = sum(x) / len(x), sum(y) / len(y)
+    slope = sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx) ** 2 for a in x)
+    left = sum((b - my - slope * (a - mx)) ** 2 for a, b in zip(x, y))
+    return math.sqrt(left / (len(x) - 2))
+
+
 def floors(rows):
-    """For each series and load, how far repeats at one listed depth scatter; then for all series together."""
-    groups = repeats(rows)
-    series = {f"{cutter} in {rock}": [g for key, g in groups.items() if key[:2] == (cutter, rock)]
-              for cutter, rock in SERIES.values()}
+    """For each series and load: no law that is fitted to other rows has a smaller rms than a curve through these
+    rows; no mean is known better than repeats of a reading are."""
     found = []
-    for name, of_series in (series | {"all cutters": list(groups.values())}).items():
+    for cutter, rock in SERIES.values():
+        series = [r for r in rows if series_of(r) == (cutter, rock)]
         for load, column in LOADS.items():
-            readings, deviation = scatter(of_series, column)
-            found.append({"floor": name, "load": load, "readings": readings, "mean": "", "rms": f"{deviation:.4f}",
-                          "of": "repeats at one listed depth, about their mean"})
+            readings, repeated = scatter(repeats(rows).values(), column)
+            found.append({"floor": f"{cutter} in {rock}", "load": load, "mean": f"{repeated:.4f}",
+                          "rms": f"{about_own_curve(series, column):.4f}",
+                          "of": f"mean: scatter of {readings} repeats at one listed depth, all series; "
+                                f"rms: {len(series)} rows about a power law of their own"})
     return found
