@@ -5,11 +5,8 @@ find_package(CLI11 QUIET)
 
 # Runge-Kutta and elliptic functions of the twins.
 if(TDBD_VERIFICATION OR TDBD_BENCHMARKS)
-  pkg_check_modules(GSL REQUIRED gsl)
   add_library(tdbd_gsl INTERFACE)
-  target_include_directories(tdbd_gsl SYSTEM INTERFACE ${GSL_INCLUDE_DIRS})
-  target_link_directories(tdbd_gsl INTERFACE ${GSL_LIBRARY_DIRS})
-  target_link_libraries(tdbd_gsl INTERFACE ${GSL_LIBRARIES})
+  target_link_libraries(tdbd_gsl INTERFACE PkgConfig::GSL)
 endif()
 
 if(TDBD_VERIFICATION)

@@ -8,6 +8,7 @@ find_package(tomlplusplus REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
+pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
 pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET hdf5 hdf5-serial)
 
 # Headers of libraries are not ours to warn about: SYSTEM.

@@ -12,9 +12,11 @@ namespace tdbd::app {
 void add_run(CLI::App& app, int& exit_code);
 void add_rotate(CLI::App& app, int& exit_code);
 void add_converge(CLI::App& app, int& exit_code);
+void add_calibrate(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_keys(CLI::App& app, int& exit_code);
 void add_bit(CLI::App& app, int& exit_code);
+void add_laboratory(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 
 /// Runs a command's body and returns its exit code: 2 after an InputError, 1 after any other failure,

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "calibration/case/calibration_tables.hpp"
+#include "calibration/laboratory/laboratory_tables.hpp"
 #include "simulation/case/key_tables.hpp"
 
 namespace tdbd::app {
@@ -19,6 +21,8 @@ constexpr const char* markdown_head =
 
 int print_keys(const std::string& table, bool markdown) {
   std::vector<KeyTable> tables = simulation::all_tables();
+  for (const auto& more : {calibration::calibration_tables(), calibration::laboratory_tables()})
+    tables.insert(tables.end(), more.begin(), more.end());
   if (!table.empty()) tables = tables_named(tables, table);
   if (markdown)
     fmt::print("{}{}", markdown_head, keys_as_markdown(tables));

@@ -37,9 +37,11 @@ int main(int argc, char** argv) {
   tdbd::app::add_run(app, exit_code);
   tdbd::app::add_rotate(app, exit_code);
   tdbd::app::add_converge(app, exit_code);
+  tdbd::app::add_calibrate(app, exit_code);
   tdbd::app::add_check(app, exit_code);
   tdbd::app::add_keys(app, exit_code);
   tdbd::app::add_bit(app, exit_code);
+  tdbd::app::add_laboratory(app, exit_code);
   tdbd::app::add_mesh(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -27,7 +27,7 @@ SUB_FOLDERS = {
     "forces": ("named.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),
     "simulation": ("case", "start", "step", "result", "rotate", "study"),
-    "calibration": (".",),
+    "calibration": ("record", "case", "cuts", "fit", "predict", "result", "laboratory"),
     "app": (".",),
 }
 # A slow twin may use plain data of src, never the function it is the twin of.

@@ -45,6 +45,19 @@ Config Config::read_file(const std::string& path, const std::vector<std::string>
   return {std::move(document), ""};
 }
 
+Config Config::read_text(const std::string& text, const std::string& path) {
+  return {std::make_shared<ConfigDocument>(parse_document(text, path)), ""};
+}
+
+std::vector<std::string> Config::given() const {
+  const toml::node* node = prefix_.empty() ? &document_->root : document_->find(prefix_);
+  std::vector<std::string> names;
+  if (node == nullptr || !node->is_table()) return names;
+  for (const auto& [name, value] : *node->as_table()) names.emplace_back(name.str());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string Config::full(std::string_view key) const {
   if (key.empty()) return prefix_;
   return prefix_.empty() ? std::string(key) : fmt::format("{}.{}", prefix_, key);

@@ -24,6 +24,10 @@ class Config {
   /// Throws InputError when the file cannot be read or is no TOML (file:line:column).
   static Config read_file(const std::string& path, const std::vector<std::string>& overrides);
 
+  /// Parses a text as if it stood in a file of this path: messages name that, and paths in the text
+  /// are relative to its folder. Throws InputError.
+  static Config read_text(const std::string& text, const std::string& path);
+
   /// Whether the key is given. Does not count as reading it.
   bool has(std::string_view key) const;
 
@@ -47,6 +51,9 @@ class Config {
     return read(key, key.fallback);
   }
   std::string read(const NameKey& key) { return read(key, std::optional<std::string>()); }
+  std::vector<std::string> read(const TextsKey& key) {
+    return read(key, std::optional<std::vector<std::string>>());
+  }
 
   /// Reads a key whose fallback is computed (`usual`); none: the key is required here.
   double read(const QuantityKey& key, std::optional<double> fallback);
@@ -55,6 +62,8 @@ class Config {
   std::vector<std::pair<double, double>> read(
       const PairsKey& key, std::optional<std::vector<std::pair<double, double>>> fallback);
   Mat3 read(const MatrixKey& key, const std::optional<Mat3>& fallback);
+  std::vector<std::string> read(const TextsKey& key,
+                                const std::optional<std::vector<std::string>>& fallback);
   long read(const IntegerKey& key, std::optional<long> fallback);
   bool read(const FlagKey& key, std::optional<bool> fallback);
   template <class E>
@@ -66,6 +75,9 @@ class Config {
     return choice<E>(key.name, names, fallback);
   }
   std::string read(const NameKey& key, const std::optional<std::string>& fallback);
+
+  /// The keys and tables that the file gives in this table, sorted. Does not count as reading them.
+  std::vector<std::string> given() const;
 
   /// The table, given or not, and the tables of an array of tables, named by the last part of the
   /// key's name.
@@ -84,6 +96,9 @@ class Config {
   /// Any number of quantities.
   std::vector<double> list(std::string_view key, const std::string& si_unit,
                            std::optional<std::vector<double>> fallback);
+  /// Any number of texts.
+  std::vector<std::string> texts(std::string_view key,
+                                 const std::optional<std::vector<std::string>>& fallback);
   /// Any number of pairs of quantities: [[a, b], [c, d], ...].
   std::vector<std::pair<double, double>> pairs(
       std::string_view key, const std::string& si_unit,

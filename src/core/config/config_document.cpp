@@ -167,19 +167,26 @@ void demand_readable(const std::string& path) {
 
 }  // namespace
 
-ConfigDocument read_document(const std::string& path) {
+ConfigDocument parse_document(const std::string& text, const std::string& path) {
   ConfigDocument document;
-  demand_readable(path);
   document.file = path;
   document.folder = std::filesystem::absolute(path).parent_path().string();
   try {
-    document.root = toml::parse_file(path);
+    document.root = toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     throw InputError(fmt::format("{}:{}:{}: found a syntax error, expected TOML: {}", path, at.line,
                                  at.column, error.description()));
   }
   return document;
+}
+
+ConfigDocument read_document(const std::string& path) {
+  demand_readable(path);
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return parse_document(text.str(), path);
 }
 
 void apply_override(ConfigDocument& document, const std::string& assignment) {

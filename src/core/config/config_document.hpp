@@ -52,6 +52,10 @@ struct ConfigDocument {
 /// Parses the file. Throws InputError.
 ConfigDocument read_document(const std::string& path);
 
+/// Parses a text that stands for a file of this path: messages name it, and paths in the text are
+/// relative to its folder. Throws InputError.
+ConfigDocument parse_document(const std::string& text, const std::string& path);
+
 /// Sets one "key=value" in the tree; a malformed one becomes a problem.
 void apply_override(ConfigDocument& document, const std::string& assignment);
 

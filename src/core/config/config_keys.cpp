@@ -54,6 +54,12 @@ Mat3 Config::read(const MatrixKey& key, const std::optional<Mat3>& fallback) {
   return matrix(key, text_of(key.unit), fallback);
 }
 
+std::vector<std::string> Config::read(const TextsKey& key,
+                                      const std::optional<std::vector<std::string>>& fallback) {
+  note_former_names(key, key.former);
+  return texts(key, fallback);
+}
+
 long Config::read(const IntegerKey& key, std::optional<long> fallback) {
   note_former_names(key, key.former);
   return integer(key, fallback, key.lo, key.hi);

@@ -155,6 +155,23 @@ std::vector<double> Config::list(std::string_view key, const std::string& si_uni
                                          {expected, si_unit, {}, convert, list_text});
 }
 
+std::vector<std::string> Config::texts(std::string_view key,
+                                       const std::optional<std::vector<std::string>>& fallback) {
+  const std::string expected = "an array of texts";
+  const auto convert = [&](const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr) throw UnitError(describe(&node), expected);
+    std::vector<std::string> list;
+    for (const toml::node& element : *array) {
+      if (!element.is_string()) throw UnitError(describe(&element), expected);
+      list.push_back(element.as_string()->get());
+    }
+    return list;
+  };
+  return read_value<std::vector<std::string>>(*document_, full(key), fallback,
+                                              {expected, "", {}, convert, toml_texts});
+}
+
 std::vector<std::pair<double, double>> Config::pairs(
     std::string_view key, const std::string& si_unit,
     std::optional<std::vector<std::pair<double, double>>> fallback) {

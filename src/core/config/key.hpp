@@ -78,6 +78,15 @@ using ListKey = ArrayKey<std::vector<double>>;
 using PairsKey = ArrayKey<std::vector<std::pair<double, double>>>;  ///< [[a, b], [c, d], ...]
 using MatrixKey = ArrayKey<Mat3>;                                   ///< 3 x 3, row by row
 
+/// Texts in an array: ["A", "B"].
+struct TextsKey {
+  std::string_view name;
+  std::string_view usual = {};
+  std::string_view meaning = {};
+  FormerNames former = {};
+  constexpr operator std::string_view() const { return name; }
+};
+
 /// A whole number from lo to hi, ends included.
 struct IntegerKey {
   std::string_view name;

@@ -68,6 +68,10 @@ KeyRow row(const ListKey& key) {
   return array_row(key.name, "list of " + in_unit(key.unit), key.usual, key.meaning);
 }
 
+KeyRow row(const TextsKey& key) {
+  return array_row(key.name, "list of texts", key.usual, key.meaning);
+}
+
 KeyRow row(const PairsKey& key) {
   return array_row(key.name, "pairs of " + in_unit(key.unit), key.usual, key.meaning);
 }

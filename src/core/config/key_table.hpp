@@ -40,6 +40,7 @@ KeyRow row(const FlagKey& key);
 KeyRow row(const TextKey& key);
 KeyRow row(const PathKey& key);
 KeyRow row(const NameKey& key);
+KeyRow row(const TextsKey& key);
 
 /// A choice with its names; `fallback` is the name of the fallback, or empty.
 KeyRow choice_row(std::string_view name, const std::vector<std::string_view>& names,
@@ -55,6 +56,12 @@ KeyRow row(const ChoiceKey<E>& key) {
     if (key.fallback && *key.fallback == named.value) fallback = named.name;
   }
   return choice_row(key.name, names, fallback, key.usual, key.meaning);
+}
+
+/// The rows of keys of any types.
+template <class... Keys>
+std::vector<KeyRow> rows(const Keys&... keys) {
+  return {row(keys)...};
 }
 
 /// "[motion.whirl]", "[[rock.layers]]", "top of the file".

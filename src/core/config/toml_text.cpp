@@ -15,6 +15,12 @@ std::string toml_string(std::string_view text) {
   return array.substr(first, array.rfind('"') + 1 - first);
 }
 
+std::string toml_texts(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + toml_string(text);
+  return "[" + list + "]";
+}
+
 std::string toml_vector(const Vec3& v) {
   if (!v.allFinite()) return "";
   return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/types.hpp"
 
@@ -9,6 +10,9 @@ namespace tdbd {
 
 /// A text as a TOML string, quoted and escaped.
 std::string toml_string(std::string_view text);
+
+/// Texts as a TOML array.
+std::string toml_texts(const std::vector<std::string>& texts);
 
 /// A vector as a TOML array: the shortest digits that read back to the same bits. Empty if a
 /// component is not finite.

@@ -183,7 +183,10 @@ bit::BitFile read_tables(Config& c, Case& read) {
 }  // namespace
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  Config c = Config::read_file(path, overrides);
+  return read_case(Config::read_file(path, overrides), path);
+}
+
+Case read_case(Config c, const std::string& path) {
   Case result;
   result.path = path;
   const bit::BitFile bit = read_tables(c, result);

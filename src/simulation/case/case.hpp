@@ -96,4 +96,7 @@ struct Case {
 /// Reads and checks everything, runs nothing. Throws InputError that lists every mistake.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides);
 
+/// The same of a file or text that is parsed already; `path` names it.
+Case read_case(Config config, const std::string& path);
+
 }  // namespace tdbd::simulation

@@ -83,9 +83,7 @@ void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const b
   forces::Law& law = plan.laws[static_cast<std::size_t>(k.kind)];
   const bool follows = k.follows == FollowsRun::yes &&
                        forces::law_problem(common, k.kind, cutter_diameter(bit)).empty();
-  law = follows                           ? common
-        : k.kind == PartKind::cutter_body ? cutter_body_bearing()
-                                          : forces::Law(forces::NoForce{});
+  law = follows ? common : own_law_of(k.kind);
   const std::string key = bit::kind_key(k.kind);
   if (!c.has(key)) return;
   Config table = c.table(key);
@@ -129,6 +127,15 @@ void require_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure
 }
 
 }  // namespace
+
+forces::Law own_law_of(PartKind kind) {
+  if (kind == PartKind::cutter_body) return cutter_body_bearing();
+  return forces::NoForce{};
+}
+
+bool follows_the_run(PartKind kind) {
+  return kinds[static_cast<std::size_t>(kind)].follows == FollowsRun::yes;
+}
 
 ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& measure) {
   ForcePlan plan;

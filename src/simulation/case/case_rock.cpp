@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "forces/rock/rock_material.hpp"
 #include "simulation/case/rock_keys.hpp"
 
 namespace tdbd::simulation {
@@ -50,12 +49,14 @@ Surroundings read_surroundings(Config& c) {
   return s;
 }
 
-/// By name from the table of rocks, or by its numbers.
-forces::RockMaterial read_material(Config& c) {
+forces::Strength read_strength(Config& c, const Surroundings& s) {
+  return forces::strength_of(read_material(c), s.hole, s.confinement);
+}
+
+}  // namespace
+
+forces::RockMaterial read_material_table(Config table) {
   using namespace formation_keys;
-  if (!c.has(fmt::format("{}.{}", material.name, unconfined_strength.name)))
-    return forces::rock_named(c.read(material));
-  Config table = c.table(material_table);
   forces::RockMaterial m;
   m.name = table.read(name);
   m.unconfined = table.read(unconfined_strength);
@@ -64,11 +65,12 @@ forces::RockMaterial read_material(Config& c) {
   return m;
 }
 
-forces::Strength read_strength(Config& c, const Surroundings& s) {
-  return forces::strength_of(read_material(c), s.hole, s.confinement);
+forces::RockMaterial read_material(Config& c) {
+  using namespace formation_keys;
+  if (!c.has(fmt::format("{}.{}", material.name, unconfined_strength.name)))
+    return forces::rock_named(c.read(material));
+  return read_material_table(c.table(material_table));
 }
-
-}  // namespace
 
 RockStart read_rock(Config c) {
   RockStart r;

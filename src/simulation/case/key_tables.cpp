@@ -13,12 +13,6 @@
 namespace tdbd::simulation {
 namespace {
 
-/// The rows of keys of any types.
-template <class... Keys>
-std::vector<KeyRow> rows(const Keys&... keys) {
-  return {row(keys)...};
-}
-
 std::vector<KeyTable> rock_tables() {
   using namespace rock_keys;
   using namespace formation_keys;

@@ -1,0 +1,93 @@
+#include "calibration/case/calibration_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "calibration/case/case_checks.hpp"
+#include "calibration/case/read_setup.hpp"
+#include "calibration/case/read_unknowns.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/nearest_name.hpp"
+
+namespace tdbd::calibration {
+namespace {
+
+using namespace calibration_keys;
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+Intervals read_intervals(Config c) {
+  return {.level = c.read(level),
+          .bootstrap = c.read(bootstrap),
+          .seed = static_cast<std::uint64_t>(c.read(seed))};
+}
+
+/// The records, or none after mistakes that join those of the case.
+Records read_records_of(Config& c, const std::string& file) {
+  try {
+    if (!file.empty()) return read_records(file);
+  } catch (const InputError& e) {
+    c.other_file(e.what());
+  }
+  return {};
+}
+
+}  // namespace
+
+forces::Strength strength_of(const TestRock& rock, const Record& record) {
+  forces::BottomHole hole = rock.around;
+  hole.pressure = record.pressure;
+  return forces::strength_of(rock.materials.at(record.rock), hole, rock.confinement);
+}
+
+const Tool& tool_named(const CalibrationCase& c, const std::string& name) {
+  return *std::ranges::find(c.tools, name, &Tool::name);
+}
+
+std::vector<Record> records_of(const CalibrationCase& c, const std::vector<std::string>& names) {
+  std::vector<Record> chosen;
+  for (const Record& r : c.records.rows)
+    if (std::ranges::find(names, r.tool) != names.end()) chosen.push_back(r);
+  return chosen;
+}
+
+CalibrationCase read_calibration(const std::string& path,
+                                 const std::vector<std::string>& overrides) {
+  Config c = Config::read_file(path, overrides);
+  CalibrationCase result;
+  result.path = path;
+  Config top = c.table(table);
+  result.law = forces::law_named(top.read(calibration_keys::law));
+  const std::string file = top.read(calibration_keys::records);
+  result.fit = top.read(fit_bits);
+  result.predict = top.read(predict_bits, std::vector<std::string>{});
+  const auto out = top.read(leave_out, std::vector<std::string>{});
+  result.pressures = top.read(pressures);
+  result.tools = read_tools(c);
+  result.unknowns = read_unknowns(c, result.law);
+  result.rock = read_test_rock(c);
+  result.grid = read_grid(c);
+  result.noise = read_noise(c.table(noise));
+  result.intervals = read_intervals(c.table(intervals));
+  result.records = read_records_of(c, file);
+  check_names(top, result);
+  choose_records(top, out, result);
+  c.finish();
+  check_calibration(result);
+  result.files = c.files();
+  result.resolved = c.resolved();
+  result.hash = fnv1a_hex(c.fingerprint());
+  result.records_hash = fnv1a_hex(bytes_of(file));
+  return result;
+}
+
+}  // namespace tdbd::calibration

@@ -1,0 +1,27 @@
+#include "calibration/case/calibration_tables.hpp"
+
+#include "calibration/case/calibration_keys.hpp"
+#include "simulation/case/rock_keys.hpp"
+
+namespace tdbd::calibration {
+
+std::vector<KeyTable> calibration_tables() {
+  using namespace calibration_keys;
+  using namespace simulation::formation_keys;
+  const std::string command = "calibrate";
+  return {
+      key_table(command, calibration_keys::table,
+                rows(law, records, fit_bits, predict_bits, leave_out, calibration_keys::pressures)),
+      key_table(command, bits, {}),
+      key_table(command, cutter, rows(diameter, back_rake, wear_flat, chamfer)),
+      key_table(command, calibration_keys::rock,
+                rows(material, edge_length, confinement, pore_pressure, overburden)),
+      key_table(command, rocks, rows(name, unconfined_strength, friction_angle, porosity)),
+      key_table(command, calibration_keys::time, rows(revolutions, steps_per_revolution)),
+      key_table(command, noise, rows(reading, test, rop)),
+      key_table(command, unknown, rows(start, prior_sd, range)),
+      key_table(command, fixed, {}),
+      key_table(command, intervals, rows(level, bootstrap, seed))};
+}
+
+}  // namespace tdbd::calibration

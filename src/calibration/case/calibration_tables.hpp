@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "core/config/key_table.hpp"
+
+namespace tdbd::calibration {
+
+/// The tables of a calibration, for `tdbd keys`.
+std::vector<KeyTable> calibration_tables();
+
+}  // namespace tdbd::calibration

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "calibration/case/calibration_case.hpp"
+#include "core/config/config.hpp"
+
+namespace tdbd::calibration {
+
+/// Reads [unknowns.KEY] and [fixed] of a law, and sets its coefficients. A coefficient in neither
+/// has its default; one without a default must be in one of them. Mistakes are noted.
+std::vector<Unknown> read_unknowns(Config& c, forces::Law& law);
+
+}  // namespace tdbd::calibration

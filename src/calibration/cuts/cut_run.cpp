@@ -1,0 +1,116 @@
+#include "calibration/cuts/cut_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/config/toml_text.hpp"
+#include "core/error.hpp"
+#include "simulation/step/simulation.hpp"
+
+namespace tdbd::calibration {
+namespace {
+
+using simulation::CutOfPart;
+
+constexpr double turns_per_second = 2.0;
+
+/// Any law serves that knows the parts of a cutter: only their cuts are kept.
+constexpr const char* cut_case_text = R"([bit]
+file = {file}
+[rock]
+shape = "conforming"
+edge_length = {edge}
+wall = 0.03
+material = "mancos-shale"
+[motion]
+kind = "steady"
+rotary_speed = {speed}
+rate_of_penetration = {rate}
+[time]
+step = {step}
+revolutions = {turns}
+[forces]
+law = "hanson-hansen"
+A1 = 1.0
+A3 = 0.3
+[output]
+means_from = 0.0
+)";
+
+/// What a part's mean is made of, summed over steps.
+struct Sum {
+  CutOfPart mean;       ///< sums of areas, lengths and volumes
+  double weight = 0.0;  ///< of directions and points
+};
+
+void add(const CutOfPart& cut, const Pose& X_BW, Sum& s) {
+  const double weight = cut.face_area > 0.0 ? cut.face_area : cut.cut.contact_area;
+  CutOfPart& m = s.mean;
+  m.part = cut.part;
+  m.cut.kind = cut.cut.kind;
+  m.cut.diameter = cut.cut.diameter;
+  m.face_area += cut.face_area;
+  m.cut.removed_volume += cut.cut.removed_volume;
+  m.cut.contact_area += cut.cut.contact_area;
+  m.cut.engaged_edge += cut.cut.engaged_edge;
+  m.cut.point += weight * (X_BW * cut.cut.point);
+  m.cut.normal += weight * (X_BW.R * cut.cut.normal);
+  m.forward_W += weight * (X_BW.R * cut.forward_W);
+  s.weight += weight;
+}
+
+CutOfPart mean_of(const Sum& s, double steps) {
+  CutOfPart m = s.mean;
+  m.face_area /= steps;
+  m.cut.removed_volume /= steps;
+  m.cut.contact_area /= steps;
+  m.cut.engaged_edge /= steps;
+  m.cut.point /= s.weight;
+  m.cut.normal.normalize();
+  if (m.face_area > 0.0) m.forward_W.normalize();
+  return m;
+}
+
+}  // namespace
+
+double depth_of_run(const Record& record) {
+  constexpr double picometres = 1e12;
+  return std::round(record.depth * picometres) / picometres;
+}
+
+simulation::Case cut_case(const CalibrationCase& c, const Tool& bit, double depth) {
+  const std::string text = fmt::format(
+      cut_case_text, fmt::arg("file", toml_string(bit.bit_file)),
+      fmt::arg("edge", c.grid.edge_length),
+      fmt::arg("speed", 2.0 * std::numbers::pi * turns_per_second),
+      fmt::arg("rate", depth * turns_per_second),
+      fmt::arg("step", 1.0 / (turns_per_second * static_cast<double>(c.grid.steps_per_revolution))),
+      fmt::arg("turns", static_cast<double>(c.grid.revolutions)));
+  simulation::Case run = simulation::read_case(Config::read_text(text, c.path), c.path);
+  if (!run.bit.cones.empty())
+    throw InputError(
+        fmt::format("{}: bits.{}: found a bit with cones, expected fixed cutters: the "
+                    "cuts of teeth have no mean place on the bit",
+                    c.path, bit.name));
+  return run;
+}
+
+CutRun make_cut_run(const simulation::Case& c, double depth, long steps_per_revolution) {
+  simulation::Simulation s = simulation::start(c);
+  std::vector<Sum> sums(c.bit.parts.size());
+  for (long step = 0; step < c.time.steps; ++step) {
+    simulation::step(c, s);
+    if (step < c.time.steps - steps_per_revolution) continue;
+    const Pose X_BW = inverse(s.state.place.X_WB);
+    for (const CutOfPart& cut : s.work.cuts) add(cut, X_BW, sums[at(cut.part)]);
+  }
+  CutRun run{depth, {}};
+  for (const Sum& sum : sums)
+    if (sum.weight > 0.0)
+      run.cuts.push_back(mean_of(sum, static_cast<double>(steps_per_revolution)));
+  return run;
+}
+
+}  // namespace tdbd::calibration

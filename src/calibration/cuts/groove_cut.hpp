@@ -1,0 +1,14 @@
+#pragma once
+
+#include "calibration/case/calibration_case.hpp"
+#include "calibration/cuts/cut_run.hpp"
+
+namespace tdbd::calibration {
+
+/// The cut of a single cutter that moves along flat rock in a groove of this depth (m), by geometry
+/// (calibration (2)). Frame: x along the motion, z into the rock. The cutter sits on an arm of 1 m
+/// along -y, so that the torque about z is its drag: a cutter test is evaluated as a bit's is. A
+/// wear flat and a chamfer press on the rock as one part of kind chamfer.
+CutRun groove_cut(const SingleCutter& cutter, double depth);
+
+}  // namespace tdbd::calibration

@@ -1,0 +1,150 @@
+#include "calibration/fit/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tdbd::calibration {
+namespace {
+
+/// Names of the tests in the order in which they come.
+std::vector<std::string> tests_of(const std::vector<Record>& records) {
+  std::vector<std::string> tests;
+  for (const Record& r : records)
+    if (std::ranges::find(tests, r.test) == tests.end()) tests.push_back(r.test);
+  return tests;
+}
+
+double own_deviation(const Noise& noise, const Reading& reading) {
+  return reading.deviation ? *reading.deviation / *reading.value : noise.reading;
+}
+
+/// Covariance of the readings at rows first and later.
+Eigen::MatrixXd covariance_of(const Problem& p, const Noise& noise, std::size_t first,
+                              const std::vector<Loads>& slopes) {
+  const auto n = static_cast<Eigen::Index>(p.places.size() - first);
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(n, n, noise.test * noise.test);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ReadingPlace& a = p.places[first + static_cast<std::size_t>(i)];
+    const double own = own_deviation(noise, p.records[a.sample].readings[a.load]);
+    covariance(i, i) += own * own;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const ReadingPlace& b = p.places[first + static_cast<std::size_t>(j)];
+      if (a.sample == b.sample)
+        covariance(i, j) +=
+            noise.rop * noise.rop * slopes[a.sample][a.load] * slopes[b.sample][b.load];
+    }
+  }
+  return covariance;
+}
+
+void add_test(const std::string& test, const Noise& noise, const std::vector<Loads>& slopes,
+              Problem& p) {
+  const std::size_t first = p.places.size();
+  for (std::size_t i = 0; i < p.records.size(); ++i)
+    for (const std::size_t load : {axial, turning})
+      if (p.records[i].test == test && p.records[i].readings[load].value)
+        p.places.push_back({i, load});
+  if (p.places.size() == first) return;
+  p.blocks.push_back(
+      {static_cast<Eigen::Index>(first), covariance_of(p, noise, first, slopes).llt().matrixL()});
+}
+
+/// Step of a difference: small beside the value, and beside the way to the ends of its range.
+double difference_step(const Unknown& u, double value) {
+  constexpr double relative = 1e-5;
+  const double to_ends = std::min(value - u.range.lo, u.range.hi - value);
+  return std::min(relative * std::max(std::abs(value), 1e-3 * std::abs(u.start)), 0.5 * to_ends);
+}
+
+}  // namespace
+
+Eigen::Index Problem::rows() const {
+  const auto priors =
+      std::ranges::count_if(unknowns, [](const Unknown& u) { return u.prior_sd.has_value(); });
+  return static_cast<Eigen::Index>(places.size()) + priors;
+}
+
+double reading_variance(const Noise& noise, const Reading& reading, double slope) {
+  const double own = reading.value ? own_deviation(noise, reading) : noise.reading;
+  return own * own + noise.test * noise.test + slope * slope * noise.rop * noise.rop;
+}
+
+Problem problem_of(const CalibrationCase& c, const CutStore& cuts,
+                   const std::vector<Record>& records) {
+  Problem p{c.law, c.unknowns, {}, records, {}, {}};
+  std::vector<Loads> slopes;
+  for (const Record& r : records) {
+    p.samples.push_back(sample_of(cut_run_of(cuts, r), r, strength_of(c.rock, r), c.law));
+    slopes.push_back(depth_slopes(c.law, p.samples.back()));
+  }
+  for (const std::string& test : tests_of(records)) add_test(test, c.noise, slopes, p);
+  return p;
+}
+
+Data data_of(const Problem& p) {
+  Data d{Eigen::VectorXd(static_cast<Eigen::Index>(p.readings())),
+         Eigen::VectorXd(static_cast<Eigen::Index>(p.unknowns.size()))};
+  for (std::size_t i = 0; i < p.readings(); ++i)
+    d.log_loads[static_cast<Eigen::Index>(i)] =
+        std::log(*p.records[p.places[i].sample].readings[p.places[i].load].value);
+  for (std::size_t k = 0; k < p.unknowns.size(); ++k)
+    d.prior_centres[static_cast<Eigen::Index>(k)] = p.unknowns[k].start;
+  return d;
+}
+
+forces::Law law_at(const Problem& p, const Eigen::VectorXd& values) {
+  forces::Law law = p.law;
+  for (const forces::LawField& f : forces::law_fields(law))
+    for (std::size_t k = 0; k < p.unknowns.size(); ++k)
+      if (p.unknowns[k].key == f.key) *f.value = values[static_cast<Eigen::Index>(k)];
+  return law;
+}
+
+Eigen::VectorXd log_loads(const Problem& p, const forces::Law& law) {
+  constexpr double least = 1e-300;
+  std::vector<Loads> loads;
+  loads.reserve(p.samples.size());
+  for (const Sample& s : p.samples) loads.push_back(mean_loads(law, s));
+  Eigen::VectorXd logs(static_cast<Eigen::Index>(p.readings()));
+  for (std::size_t i = 0; i < p.readings(); ++i)
+    logs[static_cast<Eigen::Index>(i)] =
+        std::log(std::max(least, loads[p.places[i].sample][p.places[i].load]));
+  return logs;
+}
+
+void whiten(const Problem& p, Eigen::Ref<Eigen::VectorXd> residuals) {
+  for (const TestBlock& b : p.blocks)
+    b.factor.triangularView<Eigen::Lower>().solveInPlace(
+        residuals.segment(b.first, b.factor.rows()));
+}
+
+Eigen::VectorXd residuals_at(const Problem& p, const Data& data, const Eigen::VectorXd& values) {
+  const auto n = static_cast<Eigen::Index>(p.readings());
+  Eigen::VectorXd r(p.rows());
+  r.head(n) = log_loads(p, law_at(p, values)) - data.log_loads;
+  whiten(p, r.head(n));
+  Eigen::Index row = n;
+  for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (const auto& sd = p.unknowns[k].prior_sd)
+      r[row++] = (values[i] - data.prior_centres[i]) / *sd;
+  }
+  return r;
+}
+
+Eigen::MatrixXd jacobian_at(const Problem& p, const Eigen::VectorXd& values) {
+  const Data nothing{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.readings())),
+                     Eigen::VectorXd::Zero(values.size())};
+  Eigen::MatrixXd J(p.rows(), values.size());
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    const double h = difference_step(p.unknowns[static_cast<std::size_t>(k)], values[k]);
+    Eigen::VectorXd more = values, less = values;
+    more[k] += h;
+    less[k] -= h;
+    J.col(k) =
+        (residuals_at(p, nothing, more) - residuals_at(p, nothing, less)) / (more[k] - less[k]);
+  }
+  return J;
+}
+
+}  // namespace tdbd::calibration

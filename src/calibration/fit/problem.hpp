@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "calibration/case/calibration_case.hpp"
+#include "calibration/cuts/cut_store.hpp"
+#include "calibration/fit/sample.hpp"
+
+namespace tdbd::calibration {
+
+/// Which load of which sample a residual belongs to.
+struct ReadingPlace {
+  std::size_t sample = 0, load = axial;
+};
+
+/// Readings of one test, whose errors belong together: rows first to first + size of the factor.
+struct TestBlock {
+  Eigen::Index first = 0;
+  Eigen::MatrixXd factor;  ///< lower Cholesky factor of their covariance
+};
+
+/// A least-squares problem, calibration (3): residuals are logarithms of measured over computed
+/// loads, whitened test by test, and one row for each prior.
+struct Problem {
+  forces::Law law;                ///< its fixed coefficients
+  std::vector<Unknown> unknowns;  ///< what is free
+  std::vector<Sample> samples;    ///< one per record
+  std::vector<Record> records;
+  std::vector<ReadingPlace> places;  ///< in the order of the residuals, test by test
+  std::vector<TestBlock> blocks;
+
+  std::size_t readings() const { return places.size(); }
+  Eigen::Index rows() const;  ///< readings and priors
+};
+
+/// What is fitted: another one for each replicate of a bootstrap.
+struct Data {
+  Eigen::VectorXd log_loads;      ///< of the readings
+  Eigen::VectorXd prior_centres;  ///< of all unknowns; those without a prior do not count
+};
+
+/// The problem of these records. The errors of a reading, relative: its own (Noise::reading, or the
+/// deviation of its row), the rate's times the slope of the load over the depth, shared by the loads
+/// of a record, and a factor shared by a test. Slopes are those at the starts.
+Problem problem_of(const CalibrationCase& c, const CutStore& cuts,
+                   const std::vector<Record>& records);
+
+/// The readings themselves.
+Data data_of(const Problem& problem);
+
+/// The law with these values of the unknowns.
+forces::Law law_at(const Problem& problem, const Eigen::VectorXd& values);
+
+/// Logarithms of the computed loads, in the order of the readings. Loads that are not positive
+/// count as 1e-300.
+Eigen::VectorXd log_loads(const Problem& problem, const forces::Law& law);
+
+/// Whitens residuals of the readings in place.
+void whiten(const Problem& problem, Eigen::Ref<Eigen::VectorXd> residuals);
+
+/// All rows, whitened readings first, then (value - centre)/prior_sd of each prior.
+Eigen::VectorXd residuals_at(const Problem& problem, const Data& data,
+                             const Eigen::VectorXd& values);
+
+/// Their derivatives with respect to the values, by central differences inside the ranges.
+Eigen::MatrixXd jacobian_at(const Problem& problem, const Eigen::VectorXd& values);
+
+/// Relative variance of a reading: own, rate's and test's.
+double reading_variance(const Noise& noise, const Reading& reading, double slope);
+
+}  // namespace tdbd::calibration

@@ -1,0 +1,76 @@
+#include "calibration/fit/sample.hpp"
+
+#include <cmath>
+
+#include "core/pose.hpp"
+#include "simulation/case/case_forces.hpp"
+
+namespace tdbd::calibration {
+namespace {
+
+/// A bit turns about z and goes down it; a cutter moves along x, its arm does not turn.
+simulation::BitVelocity velocity_of(const Record& record) {
+  simulation::BitVelocity v;
+  if (record.rate > 0.0) {
+    v.v_W = record.rate * Vec3::UnitZ();
+    v.w_W = record.speed * Vec3::UnitZ();
+  } else {
+    v.v_W = record.speed * Vec3::UnitX();
+  }
+  return v;
+}
+
+/// Adds the loads of a force on the tool: against z, and against the turning about z.
+void add(const forces::PartForce& f, Loads& loads) {
+  loads[axial] -= f.force.z();
+  loads[turning] -= f.point.x() * f.force.y() - f.point.y() * f.force.x();
+}
+
+bool follows(const forces::Law& law, const forces::PartCut& cut) {
+  return simulation::follows_the_run(cut.kind) &&
+         forces::law_problem(law, cut.kind, cut.diameter).empty();
+}
+
+}  // namespace
+
+Sample sample_of(const CutRun& run, const Record& record, const forces::Strength& strength,
+                 const forces::Law& law) {
+  static const bit::Bit without_cones;
+  constexpr double instant = 1.0;  // s; only PartCut::path depends on it
+  const simulation::BitVelocity motion = velocity_of(record);
+  Sample sample;
+  for (const simulation::CutOfPart& mean : run.cuts) {
+    forces::PartCut cut = simulation::cut_at(without_cones, Pose{}, motion, instant, mean);
+    cut.strength = strength;
+    if (follows(law, cut))
+      sample.cuts.push_back(cut);
+    else
+      add(forces::force(simulation::own_law_of(cut.kind), cut), sample.others);
+  }
+  return sample;
+}
+
+Loads mean_loads(const forces::Law& law, const Sample& sample) {
+  Loads loads = sample.others;
+  for (const forces::PartCut& cut : sample.cuts) add(forces::force(law, cut), loads);
+  return loads;
+}
+
+Loads depth_slopes(const forces::Law& law, const Sample& sample) {
+  constexpr double step = 1e-4;
+  const auto scaled = [&](double factor) {
+    Sample s = sample;
+    for (forces::PartCut& cut : s.cuts) {
+      cut.cut_area *= factor;
+      cut.depth *= factor;
+    }
+    return mean_loads(law, s);
+  };
+  const Loads more = scaled(1.0 + step), less = scaled(1.0 - step);
+  Loads slopes{};
+  for (const std::size_t k : {axial, turning})
+    if (more[k] > 0.0 && less[k] > 0.0) slopes[k] = std::log(more[k] / less[k]) / (2.0 * step);
+  return slopes;
+}
+
+}  // namespace tdbd::calibration

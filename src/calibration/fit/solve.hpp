@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <string>
+
+#include "calibration/fit/problem.hpp"
+
+namespace tdbd::calibration {
+
+/// Where a search ended.
+struct Solution {
+  Eigen::VectorXd values;  ///< of the unknowns
+  double chi2 = 0.0;       ///< sum of all squared rows
+  bool converged = false;
+  long evaluations = 0;  ///< of all residuals
+  std::string reason;    ///< why it did not converge
+};
+
+/// How far a search goes. full: central differences, to a gradient of 1e-11. replicate: one-sided
+/// differences, to 1e-6: a thousandth of a standard error.
+enum class Precision { full, replicate };
+
+/// Least squares from these values: GSL's trust region with a double dogleg and singular value
+/// decomposition, over the free variables of bounded_map.hpp. At most `most_iterations`.
+inline constexpr int most_iterations = 200;
+Solution solve(const Problem& problem, const Data& data, const Eigen::VectorXd& start,
+               Precision precision = Precision::full);
+
+/// From the starts of the case; where that does not converge, from up to `further_starts` values
+/// drawn around them. Throws RunError when none converges.
+inline constexpr int further_starts = 20;
+Solution solve_from_starts(const Problem& problem, const Data& data, std::uint64_t seed);
+
+/// Values drawn for another start: uniform in the inner half of a range with two ends, within a
+/// factor of 2 of the start elsewhere.
+Eigen::VectorXd drawn_start(const Problem& problem, std::uint64_t seed);
+
+}  // namespace tdbd::calibration

@@ -1,0 +1,124 @@
+#include "calibration/laboratory/laboratory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "calibration/case/read_setup.hpp"
+#include "calibration/fit/problem.hpp"
+#include "calibration/laboratory/laboratory_keys.hpp"
+#include "calibration/predict/normal.hpp"
+#include "simulation/case/force_keys.hpp"
+
+namespace tdbd::calibration {
+namespace {
+
+using namespace laboratory_keys;
+
+forces::Law read_truth(Config& c, const std::string& name) {
+  forces::Law law = forces::law_named(name);
+  Config given = c.table(truth);
+  for (const forces::LawField& f : forces::law_fields(law))
+    *f.value = given.read(simulation::force_keys::key_of(f), f.fallback);
+  return law;
+}
+
+std::vector<double> read_list(Config& top, const ListKey& key, Range range) {
+  const std::vector<double> values = top.read(key);
+  if (values.empty()) top.problem(key, "none", "one at least");
+  for (const double v : values)
+    if (!range.contains(v))
+      top.problem(key, fmt::format("{:.6g}", v), fmt::format("values{}", range.text()));
+  return values;
+}
+
+/// One test a bit and pressure, a reading a rate.
+std::vector<Record> plan(const std::vector<std::string>& names,
+                         const std::vector<double>& all_pressures,
+                         const std::vector<double>& all_rates, double speed) {
+  std::vector<Record> records;
+  for (const std::string& name : names)
+    for (const double p : all_pressures)
+      for (const double rate : all_rates) {
+        Record r;
+        r.test = fmt::format("{}-{:.4g}MPa", name, p / forces::MPa);
+        r.tool = name;
+        r.pressure = p;
+        r.speed = speed;
+        r.rate = rate;
+        r.depth = rate * 2.0 * std::numbers::pi / speed;
+        records.push_back(r);
+      }
+  return records;
+}
+
+std::vector<std::string> names_of(const std::vector<Tool>& tools) {
+  std::vector<std::string> names;
+  for (const Tool& t : tools) names.push_back(t.name);
+  return names;
+}
+
+void require_known(Config& top, const std::vector<std::string>& chosen,
+                   const std::vector<std::string>& known) {
+  for (const std::string& name : chosen)
+    if (std::ranges::find(known, name) == known.end())
+      top.problem(laboratory_keys::bits, fmt::format("'{}'", name),
+                  fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+LaboratoryCase read_laboratory(const std::string& path, const std::vector<std::string>& overrides) {
+  Config c = Config::read_file(path, overrides);
+  LaboratoryCase result;
+  CalibrationCase& setup = result.setup;
+  setup.path = path;
+  Config top = c.table(table);
+  setup.law = read_truth(c, top.read(law));
+  setup.tools = read_tools(c);
+  setup.rock = read_test_rock(c);
+  setup.grid = read_grid(c);
+  setup.noise = read_noise(c.table(calibration_keys::noise));
+  const auto known = names_of(setup.tools);
+  setup.fit = top.read(laboratory_keys::bits, known);
+  require_known(top, setup.fit, known);
+  const auto all_pressures = read_list(top, pressures, Range::non_negative());
+  const auto all_rates = read_list(top, rates, Range::positive());
+  setup.records.rows = plan(setup.fit, all_pressures, all_rates, top.read(rotary_speed));
+  result.seed = static_cast<std::uint64_t>(top.read(seed));
+  c.finish();
+  return result;
+}
+
+std::vector<Record> drill(const LaboratoryCase& c, const CutStore& cuts) {
+  Random random{c.seed};
+  const CalibrationCase& setup = c.setup;
+  std::vector<Record> records = setup.records.rows;
+  std::map<std::string, double> factors;
+  for (Record& r : records) {
+    if (!factors.contains(r.test)) factors[r.test] = setup.noise.test * normal(random);
+    const Sample sample = sample_of(cut_run_of(cuts, r), r, strength_of(setup.rock, r), setup.law);
+    const Loads loads = mean_loads(setup.law, sample), slopes = depth_slopes(setup.law, sample);
+    const double rate_error = setup.noise.rop * normal(random);
+    for (const std::size_t k : {axial, turning}) {
+      const double noise =
+          factors[r.test] + slopes[k] * rate_error + setup.noise.reading * normal(random);
+      r.readings[k].value = loads[k] * std::exp(noise);
+    }
+  }
+  return records;
+}
+
+std::string records_csv(const std::vector<Record>& records) {
+  std::string text =
+      "test,bit,pressure [Pa],rotary_speed [rad/s],rate_of_penetration [m/s],wob [N],tob [N m]\n";
+  for (const Record& r : records)
+    text += fmt::format("{},{},{},{},{},{},{}\n", r.test, r.tool, r.pressure, r.speed, r.rate,
+                        *r.readings[axial].value, *r.readings[turning].value);
+  return text;
+}
+
+}  // namespace tdbd::calibration

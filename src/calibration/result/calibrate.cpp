@@ -1,0 +1,97 @@
+#include "calibration/result/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.hpp"
+
+namespace tdbd::calibration {
+namespace {
+
+/// Nothing for all pressures together, or each pressure of the fitted records.
+std::vector<std::optional<double>> pressures_of(const CalibrationCase& c) {
+  if (c.pressures == Pressures::combined) return {std::nullopt};
+  std::set<double> pressures;
+  for (const Record& r : records_of(c, c.fit)) pressures.insert(r.pressure);
+  return {pressures.begin(), pressures.end()};
+}
+
+std::vector<Record> at_pressure(const std::vector<Record>& records,
+                                const std::optional<double>& pressure) {
+  std::vector<Record> chosen;
+  for (const Record& r : records)
+    if (!pressure || r.pressure == *pressure) chosen.push_back(r);
+  return chosen;
+}
+
+FittedSet fit_set(const CalibrationCase& c, const CutStore& cuts,
+                  const std::optional<double>& pressure) {
+  const std::vector<Record> records = at_pressure(records_of(c, c.fit), pressure);
+  const Problem problem = problem_of(c, cuts, records);
+  require_identifiable(problem);
+  FittedSet set{pressure, fit(problem, c.intervals), {}, {}, {}};
+  set.identifiability = identifiability_at(set.fit.problem, set.fit.values);
+  set.discrepancy = leave_one_tool_out(c, cuts, records);
+  set.replicates = bootstrap(set.fit, c.intervals);
+  return set;
+}
+
+/// The set for a record: its pressure's, or where that was not fitted, the nearest one.
+const FittedSet& set_for(const std::vector<FittedSet>& sets, const Record& record) {
+  return *std::ranges::min_element(sets, {}, [&](const FittedSet& s) {
+    return s.pressure ? std::abs(*s.pressure - record.pressure) : 0.0;
+  });
+}
+
+std::vector<Sample> samples_of(const CalibrationCase& c, const CutStore& cuts,
+                               const std::vector<Record>& records) {
+  std::vector<Sample> samples;
+  for (const Record& r : records)
+    samples.push_back(sample_of(cut_run_of(cuts, r), r, strength_of(c.rock, r), c.law));
+  return samples;
+}
+
+std::vector<Prediction> predictions_of(const CalibrationCase& c, const CutStore& cuts,
+                                       const std::vector<FittedSet>& sets,
+                                       const std::vector<Record>& records) {
+  const std::vector<Sample> samples = samples_of(c, cuts, records);
+  std::vector<Prediction> all;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const FittedSet& set = set_for(sets, records[i]);
+    all.push_back(
+        predict(set.fit, samples[i], records[i], c.noise, set.discrepancy, c.intervals.level));
+  }
+  return all;
+}
+
+void warn(const FittedSet& set, std::vector<std::string>& warnings) {
+  for (std::size_t k = 0; k < set.fit.coefficients.size(); ++k) {
+    const FittedCoefficient& f = set.fit.coefficients[k];
+    if (f.at_bound)
+      warnings.push_back(fmt::format("{}: {:.4g} is an end of its range: no interval",
+                                     set.fit.problem.unknowns[k].place, f.value));
+  }
+  if (!set.discrepancy.reason.empty())
+    warnings.push_back("the law's discrepancy is unknown, intervals hold noise alone: " +
+                       set.discrepancy.reason);
+  if (set.replicates.failed > 0)
+    warnings.push_back(fmt::format("{} of {} replicates of the bootstrap did not converge",
+                                   set.replicates.failed, set.replicates.replicates));
+}
+
+}  // namespace
+
+Calibration calibrate(const CalibrationCase& c, const CutStore& cuts) {
+  Calibration result;
+  for (const auto& pressure : pressures_of(c)) result.sets.push_back(fit_set(c, cuts, pressure));
+  const std::vector<Record> fitted = records_of(c, c.fit), withheld = records_of(c, c.predict);
+  result.fitted = predictions_of(c, cuts, result.sets, fitted);
+  result.predictions = predictions_of(c, cuts, result.sets, withheld);
+  result.extrapolates = extrapolations(samples_of(c, cuts, fitted), samples_of(c, cuts, withheld));
+  for (const FittedSet& set : result.sets) warn(set, result.warnings);
+  return result;
+}
+
+}  // namespace tdbd::calibration

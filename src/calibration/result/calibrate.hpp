@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "calibration/case/calibration_case.hpp"
+#include "calibration/cuts/cut_store.hpp"
+#include "calibration/fit/fit.hpp"
+#include "calibration/fit/identifiability.hpp"
+#include "calibration/predict/bootstrap.hpp"
+#include "calibration/predict/prediction.hpp"
+
+namespace tdbd::calibration {
+
+/// One set of coefficients with all that is known of it.
+struct FittedSet {
+  std::optional<double> pressure;  ///< Pa, of separate fits; nothing: all pressures together
+  Fit fit;
+  Identifiability identifiability;
+  Discrepancy discrepancy;
+  Bootstrap replicates;
+};
+
+/// What a calibration finds.
+struct Calibration {
+  std::vector<FittedSet> sets;            ///< one, or one for each pressure
+  std::vector<Prediction> fitted;         ///< of the records of fit_bits
+  std::vector<Prediction> predictions;    ///< of those of predict_bits
+  std::vector<std::string> extrapolates;  ///< why predictions leave what was fitted; empty: inside
+  std::vector<std::string> warnings;
+};
+
+/// Fits, judges and predicts (thesis ch. 6). Drills nothing: the cuts are there. Throws InputError
+/// where the records do not identify the unknowns, RunError where no start converges.
+Calibration calibrate(const CalibrationCase& c, const CutStore& cuts);
+
+}  // namespace tdbd::calibration

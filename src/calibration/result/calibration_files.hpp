@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "calibration/result/calibrate.hpp"
+#include "simulation/result/output_folder.hpp"
+
+namespace tdbd::calibration {
+
+/// Makes the result folder. With `force`, files of an older calibration go; others stay. Throws
+/// InputError, and changes nothing, when it is not empty and `overwrite` is no.
+void prepare_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);
+
+/// Writes calibration.json, law.toml (one for each pressure of separate fits), residuals.csv,
+/// predictions.csv, case.toml and copies of the cut runs; calibration.json last. Throws RunError.
+void write_calibration(const std::filesystem::path& folder, const CalibrationCase& c,
+                       const CutStore& cuts, const Calibration& found);
+
+/// calibration.json.
+std::string to_json(const CalibrationCase& c, const Calibration& found);
+
+/// law.toml: a table [forces] for a case, all coefficients in SI.
+std::string law_toml(const forces::Law& law);
+
+/// predictions.csv or residuals.csv: the records' columns in SI, then mean, interval and measured
+/// load of each kind.
+std::string predictions_csv(ToolKind kind, const std::vector<Prediction>& predictions);
+
+}  // namespace tdbd::calibration
