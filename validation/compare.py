@@ -10,6 +10,7 @@ from pathlib import Path
 
 import comparison
 import figures
+import pressures
 
 COLUMNS = ("name", "kind", "law", "load", "n", "mean_error", "mean_floor", "rms_error", "rms_floor", "inside_interval", "extrapolates",
            "verdict", "why")
@@ -55,9 +56,9 @@ def markdown(compared):
 
 def short_table(compared):
     """For the terminal."""
-    lines = [f"{'comparison':24} {'law':28} {'kind':21} {'mean %':>9} {'floor':>6} {'rms %':>8} {'floor':>7}  verdict"]
+    lines = [f"{'comparison':24} {'law':36} {'kind':21} {'mean %':>9} {'floor':>6} {'rms %':>8} {'floor':>7}  verdict"]
     for c in compared:
-        lines.append(f"{c.name:24} {c.law:28} {c.kind:21} {percent(x.mean() for x in c.loads):>9} "
+        lines.append(f"{c.name:24} {c.law:36} {c.kind:21} {percent(x.mean() for x in c.loads):>9} "
                      f"{percent((x.floor.mean for x in c.loads), '{:.0f}'):>6} "
                      f"{percent((x.rms() for x in c.loads), '{:.0f}'):>8} "
                      f"{percent((x.floor.rms for x in c.loads), '{:.0f}'):>7}  {c.verdict()}")
@@ -71,10 +72,12 @@ def surprises(compared):
 
 def compare(results, split=None):
     """Reads, writes the tables and figures, and returns what was compared."""
-    compared = comparison.read_all(comparison.read_split() if split is None else split, results, comparison.floors())
+    split = comparison.read_split() if split is None else split
+    compared = comparison.read_all(split, results, comparison.floors())
     write_csv(results / "comparisons.csv", compared)
     (results / "comparisons.md").write_text(markdown(compared), encoding="utf-8")
     figures.draw_all(results, compared)
+    pressures.draw_all(results, split)
     return compared
 
 

@@ -10,6 +10,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "reports" / "figures")
 import style  # noqa: E402 (found through the line above)
 
 LABELS = {"wob": "WOB", "tob": "TOB", "normal": "force into the rock", "drag": "drag"}
+TRUTH = {"measured": "measured", "published model": "published model", "synthetic laboratory": "laboratory (synthetic)"}
 UNITS = {"N": (1e3, "kN"), "N m": (1.0, "N m")}
 LOOKS = ((style.BLUE, "o"), (style.RED, "^"), (style.GREEN, "s"), (style.PURPLE, "D"))
 
@@ -37,9 +38,9 @@ def draw_load(axes, group, k):
         axes.plot([v / scale for v in load.predicted], [v / scale for v in load.measured], marker, color=colour,
                   markerfacecolor="none", label=f"{c.law}: {100 * load.mean():+.0f} %, rms {100 * load.rms():.0f} %")
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends, aspect="equal",
-             xlabel=f"{LABELS[first.name]} predicted ({unit})", ylabel=f"measured ({unit})")
+             xlabel=f"{LABELS[first.name]} predicted ({unit})", ylabel=f"{TRUTH[group[0].kind]} ({unit})")
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 3, 5, 7)))
+        axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 1.5, 2, 3, 5, 7)))
         axis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
         axis.set_minor_locator(matplotlib.ticker.NullLocator())
     axes.legend(loc="upper left", fontsize=7)
@@ -47,7 +48,7 @@ def draw_load(axes, group, k):
 
 def draw_one(group):
     columns = len(group[0].loads)
-    figure, axes = style.panels(1, columns, (4.2 * columns + 0.4, 4.6), squeeze=False)
+    figure, axes = style.panels(1, columns, (4.2 * columns + 0.4, 4.9), squeeze=False)
     for k in range(columns):
         draw_load(axes[0][k], group, k)
     first = group[0]
@@ -66,7 +67,7 @@ def draw_errors(compared):
     axes.set(xscale="log", xlabel="mean or rms error of the worst load over its floor", ylim=(-0.6, len(ordered) - 0.4))
     for x in (1, 2):
         axes.axvline(x, color=style.BLACK, linewidth=0.8)
-    axes.xaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 3, 5, 7)))
+    axes.xaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 1.5, 2, 3, 5, 7)))
     axes.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
     axes.grid(False, axis="y")
     axes.set_title("green: within the floor; gold: within 2 floors; red: fails")

@@ -52,11 +52,11 @@ def starts(results, case, before):
     return options
 
 
-def calibrate(program, case, results, before):
+def calibrate(program, case, results, before, options=()):
     """Runs one case; its messages only when it fails."""
     file = HERE / "cases" / f"{case}.toml"
     command = [str(program), "calibrate", str(file), "-o", str(results / case), "--force", "--quiet", "--threads",
-               str(os.cpu_count()), *starts(results, file, before)]
+               str(os.cpu_count()), *starts(results, file, before), *options]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         raise comparison.Problem(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
@@ -72,14 +72,14 @@ def validate(program, results, names):
     return code
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def main(act=validate, what=__doc__):
+    parser = argparse.ArgumentParser(description=what, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "results" / "validation", metavar="DIR")
     parser.add_argument("--program", type=Path, default=ROOT / "build" / "release" / "tdbd")
     parser.add_argument("names", nargs="*", metavar="NAME")
     a = parser.parse_args()
     try:
-        return validate(a.program, a.output, a.names)
+        return act(a.program, a.output.resolve(), a.names)
     except comparison.Problem as problem:
         print(f"validate: {problem}", file=sys.stderr)
         return 2

@@ -47,6 +47,7 @@ class Quick(unittest.TestCase):
             errors = [float(r["rms_error"]) for r in csv.DictReader(file) if r["law"] == "thin-cut"]
         self.assertEqual(len(errors), 2)
         self.assertLess(max(errors), 0.003)
+        self.assertTrue((self.folder / "pressures.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_same_bytes_twice(self):
         kept = {f: f.read_bytes() for f in self.folder.glob("comparisons.*")}
