@@ -45,7 +45,7 @@ TEST(Noise, of_volumes_falls_with_the_rocks_edge_as_its_power_of_three_halves) {
         fmt::format("bit A, cutters {}: power of the rock's edge (4 to 1 mm) that the torque's "
                     "noise follows, forces from volumes",
                     cutter_meshes[mesh].name),
-        least_squares_order(rock_edges, all), 1.5, 0.2);
+        least_squares_order(rock_edges, all), 1.5, 0.15);
     for (std::size_t i = 1; i < all.size(); ++i) EXPECT_LT(all[i], 0.8 * all[i - 1]) << mesh;
   }
 }
