@@ -119,19 +119,6 @@ TEST(Forces, do_not_depend_on_the_step) {
                std::abs(half.tob.mean / whole.tob.mean - 1.0), "1", 5e-3);
 }
 
-/// The noise that the dissertation blames on coarse cutters is the rock mesh's, too.
-TEST(Forces, from_sections_have_the_means_of_volumes_and_little_of_their_noise) {
-  const auto section = sharp_loads({}), volume = sharp_loads({"forces.cut=volume"});
-  record_bound("chapter6/noise",
-               "bit B: mean torque of sections over that of volumes, distance from 1",
-               std::abs(section.tob.mean / volume.tob.mean - 1.0), "1", 0.01);
-  record_bound("chapter6/noise", "bit B, steps of 1 ms: rms noise of the torque from sections",
-               section.tob.deviation / section.tob.mean, "1", 0.02);
-  record_bound("chapter6/noise",
-               "bit B, steps of 1 ms: noise from sections over noise from volumes",
-               section.tob.deviation / volume.tob.deviation, "1", 0.5);
-}
-
 /// Two pressures: the tangential forces of the reconstructed law grow with the confined strength.
 TEST(Forces, grow_with_pressure_as_the_confined_strength_does) {
   const auto at = [](const char* name) {
