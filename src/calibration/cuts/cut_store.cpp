@@ -36,6 +36,7 @@ std::vector<Key> keys_of(const CalibrationCase& c) {
   std::map<Key, int> keys;
   for (const Record& r : c.records.rows) keys[{r.tool, depth_of_run(r)}] = 0;
   std::vector<Key> list;
+  list.reserve(keys.size());
   for (const auto& [key, unused] : keys) list.push_back(key);
   return list;
 }
