@@ -28,6 +28,7 @@ std::filesystem::path cuts_folder(const CalibrateArguments& a,
 void print_set(const calibration::CalibrationCase& c, const calibration::FittedSet& set) {
   const auto names = calibration::load_names(c.records.kind);
   if (set.pressure) fmt::print("at {:.2f} MPa:\n", 1e-6 * *set.pressure);
+  if (c.unknowns.empty()) return;
   fmt::print("{:<16}{:>12}{:>12}   {:.0f} % interval\n", "coefficient", "start", "value",
              100.0 * c.intervals.level);
   for (const calibration::FittedCoefficient& f : set.fit.coefficients)

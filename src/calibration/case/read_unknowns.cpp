@@ -78,8 +78,6 @@ std::vector<Unknown> read_unknowns(Config& c, forces::Law& law) {
       *f.value = fixed.read(simulation::force_keys::key_of(f), f.fallback);
     }
   }
-  if (read.empty())
-    c.problem("unknowns", "none", "a table [unknowns.KEY] for each coefficient to fit");
   return read;
 }
 

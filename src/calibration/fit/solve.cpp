@@ -122,6 +122,7 @@ Solution search_from(const Problem& p, const Data& data, const Eigen::VectorXd& 
 
 Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
                Precision precision) {
+  if (p.unknowns.empty()) return {start, residuals_at(p, data, start).squaredNorm(), true, 1, ""};
   Solution rough = search_from(p, data, start, Precision::replicate);
   if (precision == Precision::replicate) return rough;
   Solution s = search_from(p, data, rough.values, Precision::full);
