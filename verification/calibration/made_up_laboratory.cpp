@@ -72,9 +72,9 @@ void add_tests(const std::string& bit, CalibrationCase& c) {
 }  // namespace
 
 const std::vector<MadeUpBit>& made_up_bits() {
-  static const std::vector<MadeUpBit> bits{{"A", 10, 16e-3, 10 * degree, 20 * degree, 0.4e-3},
-                                           {"B", 8, 19e-3, 5 * degree, 15 * degree, 0.25e-3},
-                                           {"C", 12, 13e-3, 15 * degree, 30 * degree, 0.5e-3}};
+  static const std::vector<MadeUpBit> bits{{"A", 6, 16e-3, 10 * degree, 20 * degree, 0.4e-3},
+                                           {"B", 5, 19e-3, 5 * degree, 15 * degree, 0.25e-3},
+                                           {"C", 7, 13e-3, 15 * degree, 30 * degree, 0.5e-3}};
   return bits;
 }
 
@@ -159,6 +159,18 @@ void read_loads(CalibrationCase& c, const CutStore& cuts, const forces::Law& law
       r.readings[k].value =
           loads[k] * std::exp(factor[r.test] + noise.reading * normal_number(random));
   }
+}
+
+forces::Law drawn_from_priors(const CalibrationCase& c, Random& random) {
+  forces::Law law = c.law;
+  for (const forces::LawField& f : forces::law_fields(law))
+    for (const Unknown& u : c.unknowns) {
+      if (u.key != f.key) continue;
+      do {
+        *f.value = u.start + *u.prior_sd * normal_number(random);
+      } while (!u.range.contains(*f.value));
+    }
+  return law;
 }
 
 Problem fitted_problem(const CalibrationCase& c, const CutStore& cuts) {

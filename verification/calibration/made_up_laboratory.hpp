@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "calibration/fit/fit.hpp"
+#include "core/random.hpp"
 #include "forces/laws/hanson_hansen.hpp"
 
 /// A laboratory that drills nothing: cut runs of three bits are made up by formulas, so that a test
@@ -48,6 +49,9 @@ struct LaboratoryNoise {
 /// Gives every record its loads under a law, with noise.
 void read_loads(CalibrationCase& c, const CutStore& cuts, const forces::Law& law,
                 const LaboratoryNoise& noise = {}, std::uint64_t seed = 1);
+
+/// The case's law with coefficients drawn from the priors, within their ranges.
+forces::Law drawn_from_priors(const CalibrationCase& c, Random& random);
 
 /// The problem of the records of fit_bits.
 Problem fitted_problem(const CalibrationCase& c, const CutStore& cuts);
