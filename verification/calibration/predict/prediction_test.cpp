@@ -53,7 +53,7 @@ Coverage coverage(CalibrationCase c, const LaboratoryNoise& noise) {
   return mean;
 }
 
-/// The band about 0.95.
+/// 400 laboratories tell a share to 0.01.
 void expect_good(const Coverage& seen) {
   EXPECT_TRUE(is_inside(0.91, seen.coefficients, 0.985)) << seen.coefficients;
   EXPECT_TRUE(is_inside(0.91, seen.loads, 0.985)) << seen.loads;
