@@ -80,6 +80,7 @@ int calibrate(const CalibrateArguments& a) {
   const ThreadLimit limit(a.threads);
   const std::filesystem::path folder = result_folder(a);
   const auto c = calibration::read_calibration(a.case_file, a.overrides);
+  calibration::check_folder(folder, overwrite_of(a.force));
   const calibration::CutStore cuts = cuts_for(c, a, folder);
   const double cut_seconds = seconds();
   const calibration::Calibration found = calibration::calibrate(c, cuts);

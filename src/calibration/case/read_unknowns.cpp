@@ -27,7 +27,7 @@ Range read_range(Config& table, const LawField& field) {
   if (given.size() == 2 && given[0] < given[1] && given[0] >= field.range.lo &&
       given[1] <= field.range.hi)
     return Range::within(given[0], given[1]);
-  table.problem(calibration_keys::range, fmt::format("{} numbers", given.size()),
+  table.problem(calibration_keys::range, fmt::format("[{:.6g}]", fmt::join(given, ", ")),
                 fmt::format("[lowest, highest], rising, within {:.6g} and {:.6g}", field.range.lo,
                             field.range.hi));
   return field.range;
