@@ -69,10 +69,10 @@ gsl_multifit_nlinear_parameters parameters() {
 }
 
 /// Not moving any more is converged; so is a search that cannot go lower from where the gradient
-/// is rounding.
+/// is rounding (GSL's driver says that in `info` when it comes with the first step).
 bool is_converged(int status, int info, gsl_multifit_nlinear_workspace* w) {
   if (status == GSL_SUCCESS) return info == 1 || info == 2;
-  if (status != GSL_ENOPROG) return false;
+  if (status != GSL_ENOPROG && info != GSL_ENOPROG) return false;
   constexpr double rounding = 1e-5;
   double largest = 0.0, norm = 0.0;
   const gsl_vector* f = gsl_multifit_nlinear_residual(w);

@@ -98,9 +98,10 @@ TEST(Identifiability, a_prior_for_one_of_them_helps) {
 TEST(Identifiability, a_coefficient_that_no_part_uses_is_refused) {
   CalibrationCase c = read_case(made_up_case());
   c.unknowns.push_back({"A7", 1.0, {}, Range::non_negative(), "case.toml:8: unknowns.A7"});
-  EXPECT_EQ(refusal(c),
-            "case.toml:8: unknowns.A7: found a coefficient that acts on no part of the fitted "
-            "bits, expected it in [fixed]");
+  EXPECT_EQ(
+      refusal(c),
+      "case.toml:8: unknowns.A7: found a coefficient that acts on no part of the fitted bits (it "
+      "acts on cse or cutter body), expected it in [fixed]");
 }
 
 TEST(Identifiability, what_would_help_is_told) {
