@@ -10,18 +10,9 @@
 namespace tdbd::calibration {
 namespace {
 
-std::vector<Eigen::Index> inside(const Problem& p, const Eigen::VectorXd& values) {
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index k = 0; k < values.size(); ++k) {
-    const Unknown& u = p.unknowns[static_cast<std::size_t>(k)];
-    if (!is_at_bound(u.range, values[k], u.start)) free.push_back(k);
-  }
-  return free;
-}
-
 /// (J^T J)^-1 of the coefficients that are not at a bound, by singular values of J.
 Eigen::MatrixXd covariance_at(const Problem& p, const Eigen::VectorXd& values) {
-  const std::vector<Eigen::Index> free = inside(p, values);
+  const std::vector<Eigen::Index> free = off_bounds(p, values);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(values.size(), values.size());
   if (free.empty()) return covariance;
   const Eigen::MatrixXd J = jacobian_at(p, values)(Eigen::all, free);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <string>
+#include <vector>
 
 #include "calibration/fit/problem.hpp"
 
@@ -16,7 +17,8 @@ struct Solution {
   std::string reason;    ///< why it did not converge
 };
 
-/// How far a search goes. full: central differences, to a gradient of 1e-11. replicate: one-sided
+/// How far a search goes. full: central differences, to a gradient of 1e-11, and
+/// then by gradients alone to ten digits. replicate: one-sided
 /// differences, to 1e-6: a thousandth of a standard error.
 enum class Precision { full, replicate };
 
@@ -30,6 +32,9 @@ Solution solve(const Problem& problem, const Data& data, const Eigen::VectorXd& 
 /// drawn around them. Throws RunError when none converges.
 inline constexpr int further_starts = 20;
 Solution solve_from_starts(const Problem& problem, const Data& data, std::uint64_t seed);
+
+/// The unknowns that are not at an end of their range.
+std::vector<Eigen::Index> off_bounds(const Problem& problem, const Eigen::VectorXd& values);
 
 /// Values drawn for another start: uniform in the inner half of a range with two ends, within a
 /// factor of 2 of the start elsewhere.
