@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bit/files/bit_file.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "simulation/step/simulation.hpp"
@@ -73,6 +74,16 @@ CutOfPart mean_of(const Sum& s, double steps) {
   return m;
 }
 
+/// A bit that no cut run can be made of; the mistakes of a case that no user wrote tell nothing.
+void refuse_cones(const CalibrationCase& c, const Tool& tool) {
+  const bit::BitFile file = bit::read_bit(tool.bit_file, {}, {});
+  if (!file.bit.cones.empty())
+    throw InputError(
+        fmt::format("{}: bits.{}: found a bit with cones, expected fixed cutters: the "
+                    "cuts of teeth have no mean place on the bit",
+                    c.path, tool.name));
+}
+
 }  // namespace
 
 double depth_of_run(const Record& record) {
@@ -88,13 +99,12 @@ simulation::Case cut_case(const CalibrationCase& c, const Tool& bit, double dept
       fmt::arg("rate", depth * turns_per_second),
       fmt::arg("step", 1.0 / (turns_per_second * static_cast<double>(c.grid.steps_per_revolution))),
       fmt::arg("turns", static_cast<double>(c.grid.revolutions)));
-  simulation::Case run = simulation::read_case(Config::read_text(text, c.path), c.path);
-  if (!run.bit.cones.empty())
-    throw InputError(
-        fmt::format("{}: bits.{}: found a bit with cones, expected fixed cutters: the "
-                    "cuts of teeth have no mean place on the bit",
-                    c.path, bit.name));
-  return run;
+  try {
+    return simulation::read_case(Config::read_text(text, c.path), c.path);
+  } catch (const InputError&) {
+    refuse_cones(c, bit);
+    throw;
+  }
 }
 
 CutRun make_cut_run(const simulation::Case& c, double depth, long steps_per_revolution) {

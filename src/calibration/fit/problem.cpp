@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tdbd::calibration {
 namespace {
@@ -49,11 +50,14 @@ void add_test(const std::string& test, const Noise& noise, const std::vector<Loa
       {static_cast<Eigen::Index>(first), covariance_of(p, noise, first, slopes).llt().matrixL()});
 }
 
-/// Step of a difference: small beside the value, and beside the way to the ends of its range.
-double difference_step(const Unknown& u, double value) {
+/// Two values of an unknown between which its difference is taken: around its value, or, near an
+/// end of its range, from there inwards.
+std::pair<double, double> around(const Unknown& u, double value, Difference difference) {
   constexpr double relative = 1e-5;
-  const double to_ends = std::min(value - u.range.lo, u.range.hi - value);
-  return std::min(relative * std::max(std::abs(value), 1e-3 * std::abs(u.start)), 0.5 * to_ends);
+  const double h = relative * std::max(std::abs(value), 1e-3 * std::abs(u.start));
+  if (value + h > u.range.hi) return {value - h, value};
+  if (value - h < u.range.lo || difference == Difference::one_sided) return {value, value + h};
+  return {value - h, value + h};
 }
 
 }  // namespace
@@ -140,13 +144,14 @@ Eigen::MatrixXd jacobian_at(const Problem& p, const Eigen::VectorXd& values,
   Eigen::VectorXd here;
   if (difference == Difference::one_sided) here = residuals_at(p, nothing, values);
   for (Eigen::Index k = 0; k < values.size(); ++k) {
-    const double h = difference_step(p.unknowns[static_cast<std::size_t>(k)], values[k]);
-    Eigen::VectorXd more = values, less = values;
-    more[k] += h;
-    if (difference == Difference::central) less[k] -= h;
-    const Eigen::VectorXd below =
-        difference == Difference::central ? residuals_at(p, nothing, less) : here;
-    J.col(k) = (residuals_at(p, nothing, more) - below) / (more[k] - less[k]);
+    const auto [lo, hi] = around(p.unknowns[static_cast<std::size_t>(k)], values[k], difference);
+    const auto residuals_with = [&](double value) {
+      if (value == values[k] && here.size() > 0) return here;
+      Eigen::VectorXd changed = values;
+      changed[k] = value;
+      return residuals_at(p, nothing, changed);
+    };
+    J.col(k) = (residuals_with(hi) - residuals_with(lo)) / (hi - lo);
   }
   return J;
 }

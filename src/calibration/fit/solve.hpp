@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <string>
 
-#include "calibration/fit/problem.hpp"
+#include "calibration/fit/trust_region.hpp"
 
 namespace tdbd::calibration {
 
@@ -16,14 +16,8 @@ struct Solution {
   std::string reason;    ///< why it did not converge
 };
 
-/// How far a search goes. replicate: one-sided differences, to a gradient of 1e-5: far below a
-/// standard error. full: on from there with central differences, to 1e-7, and one step more, which
-/// reaches rounding.
-enum class Precision { full, replicate };
-
-/// Least squares from these values: GSL's trust region with a double dogleg and singular value
-/// decomposition, over the free variables of bounded_map.hpp. At most `most_iterations`.
-inline constexpr int most_iterations = 200;
+/// Least squares from these values. An unknown that is driven to an end of its range stays there
+/// while the others are searched; the result counts if the objective still falls beyond.
 Solution solve(const Problem& problem, const Data& data, const Eigen::VectorXd& start,
                Precision precision = Precision::full);
 

@@ -29,6 +29,17 @@ BootstrapFigures figures_of(std::vector<double> values, double level) {
   return f;
 }
 
+/// Where replicates start: at the fit, but off the ends of ranges, where a search cannot move.
+Eigen::VectorXd off_ends(const Fit& f) {
+  constexpr double share = 0.01;
+  Eigen::VectorXd values = f.values;
+  for (std::size_t k = 0; k < f.coefficients.size(); ++k)
+    if (f.coefficients[k].at_bound)
+      values[static_cast<Eigen::Index>(k)] +=
+          share * (f.coefficients[k].start - f.coefficients[k].value);
+  return values;
+}
+
 }  // namespace
 
 Data drawn_data(const Problem& p, const Eigen::VectorXd& values, std::uint64_t seed) {
@@ -51,9 +62,10 @@ Data drawn_data(const Problem& p, const Eigen::VectorXd& values, std::uint64_t s
 Bootstrap bootstrap(const Fit& f, const Intervals& intervals) {
   Bootstrap b{intervals.bootstrap, 0, {}};
   std::vector<std::vector<double>> values(f.problem.unknowns.size());
+  const Eigen::VectorXd start = off_ends(f);
   Random seeds{intervals.seed};
   for (long i = 0; i < intervals.bootstrap; ++i) {
-    const Solution s = solve(f.problem, drawn_data(f.problem, f.values, seeds.next()), f.values,
+    const Solution s = solve(f.problem, drawn_data(f.problem, f.values, seeds.next()), start,
                              Precision::replicate);
     if (!s.converged) {
       ++b.failed;

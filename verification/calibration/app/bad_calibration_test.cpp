@@ -30,7 +30,8 @@ const Mistake mistakes[] = {
     {"bit_twice", "[\"c13\", \"c19\"]", "[\"c13\", \"c13\"]",
      "4: calibration.fit_bits: found 'c13' twice, expected each name once"},
     {"no_bit", "[\"c13\", \"c19\"]", "[]",
-     "4: calibration.fit_bits: found none, expected at least one bit or cutter"},
+     "4: calibration.fit_bits: found none, expected at least one bit or cutter: there are "
+     "unknowns"},
     {"unknown_test", "[cutters.c13]", "leave_out = [\"c13-300\"]\n[cutters.c13]",
      "6: calibration.leave_out: found 'c13-300', a test without records, expected c13-3000?"},
 
@@ -69,8 +70,8 @@ const Mistake mistakes[] = {
      "33: unknowns.te: found a direction that the records do not see: te up 100 % with A4 down 100 "
      "% changes no load; expected a prior_sd for one of them, or one of them in [fixed]"},
     {"coefficient_of_no_part", "[fixed]", "[unknowns.A7]\nstart = 1\n[fixed]",
-     "33: unknowns.A7: found a coefficient that acts on no part of the fitted bits, expected it in "
-     "[fixed]"},
+     "33: unknowns.A7: found a coefficient that acts on no part of the fitted bits (it acts on cse "
+     "or cutter body), expected it in [fixed]"},
     {"noise_of_zero", "reading = 0.03", "reading = 0",
      "21: noise.reading: found 0, expected a plain number, > 0"},
     {"unknown_rock", "mancos-shale", "mancos-shail",

@@ -114,9 +114,14 @@ TEST(CutRun, a_depth_is_known_to_a_picometre) {
 
 TEST(CutRun, of_a_bit_with_cones_is_refused) {
   const CalibrationCase c = made_up_case();
-  EXPECT_THROW(
-      cut_case(c, {"R", ToolKind::bit, TDBD_SOURCE_DIR "/cases/bits/bit-r.toml", {}}, depth),
-      InputError);
+  try {
+    cut_case(c, {"R", ToolKind::bit, TDBD_SOURCE_DIR "/cases/bits/bit-r.toml", {}}, depth);
+    FAIL() << "expected a refusal";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "case.toml: bits.R: found a bit with cones, expected fixed cutters: the cuts of "
+                 "teeth have no mean place on the bit");
+  }
 }
 
 }  // namespace
