@@ -40,6 +40,16 @@ Eigen::VectorXd off_ends(const Fit& f) {
   return values;
 }
 
+/// From the fit, then from a few drawn starts: near an end of a range a search may not get on.
+Solution solve_replicate(const Problem& p, const Data& data, const Eigen::VectorXd& start,
+                         std::uint64_t seed) {
+  constexpr std::uint64_t more_starts = 3;
+  Solution s = solve(p, data, start, Precision::replicate);
+  for (std::uint64_t i = 1; i <= more_starts && !s.converged; ++i)
+    s = solve(p, data, drawn_start(p, seed + i), Precision::replicate);
+  return s;
+}
+
 }  // namespace
 
 Data drawn_data(const Problem& p, const Eigen::VectorXd& values, std::uint64_t seed) {
@@ -65,8 +75,9 @@ Bootstrap bootstrap(const Fit& f, const Intervals& intervals) {
   const Eigen::VectorXd start = off_ends(f);
   Random seeds{intervals.seed};
   for (long i = 0; i < intervals.bootstrap; ++i) {
-    const Solution s = solve(f.problem, drawn_data(f.problem, f.values, seeds.next()), start,
-                             Precision::replicate);
+    const std::uint64_t seed = seeds.next();
+    const Solution s =
+        solve_replicate(f.problem, drawn_data(f.problem, f.values, seed), start, seed);
     if (!s.converged) {
       ++b.failed;
       continue;
