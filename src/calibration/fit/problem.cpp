@@ -132,17 +132,21 @@ Eigen::VectorXd residuals_at(const Problem& p, const Data& data, const Eigen::Ve
   return r;
 }
 
-Eigen::MatrixXd jacobian_at(const Problem& p, const Eigen::VectorXd& values) {
+Eigen::MatrixXd jacobian_at(const Problem& p, const Eigen::VectorXd& values,
+                            Difference difference) {
   const Data nothing{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.readings())),
                      Eigen::VectorXd::Zero(values.size())};
   Eigen::MatrixXd J(p.rows(), values.size());
+  Eigen::VectorXd here;
+  if (difference == Difference::one_sided) here = residuals_at(p, nothing, values);
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     const double h = difference_step(p.unknowns[static_cast<std::size_t>(k)], values[k]);
     Eigen::VectorXd more = values, less = values;
     more[k] += h;
-    less[k] -= h;
-    J.col(k) =
-        (residuals_at(p, nothing, more) - residuals_at(p, nothing, less)) / (more[k] - less[k]);
+    if (difference == Difference::central) less[k] -= h;
+    const Eigen::VectorXd below =
+        difference == Difference::central ? residuals_at(p, nothing, less) : here;
+    J.col(k) = (residuals_at(p, nothing, more) - below) / (more[k] - less[k]);
   }
   return J;
 }

@@ -63,8 +63,12 @@ void whiten(const Problem& problem, Eigen::Ref<Eigen::VectorXd> residuals);
 Eigen::VectorXd residuals_at(const Problem& problem, const Data& data,
                              const Eigen::VectorXd& values);
 
-/// Their derivatives with respect to the values, by central differences inside the ranges.
-Eigen::MatrixXd jacobian_at(const Problem& problem, const Eigen::VectorXd& values);
+/// Central differences, or one-sided ones for half the price and half the digits.
+enum class Difference { central, one_sided };
+
+/// Their derivatives with respect to the values, by differences inside the ranges.
+Eigen::MatrixXd jacobian_at(const Problem& problem, const Eigen::VectorXd& values,
+                            Difference difference = Difference::central);
 
 /// Relative variance of a reading: own, rate's and test's.
 double reading_variance(const Noise& noise, const Reading& reading, double slope);

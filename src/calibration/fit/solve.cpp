@@ -18,6 +18,7 @@ namespace {
 struct Search {
   const Problem& problem;
   const Data& data;
+  Difference difference = Difference::central;
   long evaluations = 0;
 };
 
@@ -37,6 +38,22 @@ int residuals(const gsl_vector* u, void* search, gsl_vector* f) {
   return GSL_SUCCESS;
 }
 
+/// GSL's own differences scale their steps by |u|, which has no meaning here and may be 0.
+int derivatives(const gsl_vector* u, void* search, gsl_matrix* J) {
+  auto& s = *static_cast<Search*>(search);
+  const Eigen::VectorXd values = values_of(s.problem, u);
+  const Eigen::MatrixXd by_values = jacobian_at(s.problem, values, s.difference);
+  s.evaluations += (s.difference == Difference::central ? 2 : 1) * values.size();
+  if (!by_values.allFinite()) return GSL_EDOM;
+  for (std::size_t i = 0; i < J->size1; ++i)
+    for (std::size_t k = 0; k < J->size2; ++k) {
+      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(k);
+      gsl_matrix_set(
+          J, i, k, by_values(row, column) * slope_at(s.problem.unknowns[k].range, values[column]));
+    }
+  return GSL_SUCCESS;
+}
+
 struct FreeWorkspace {
   void operator()(gsl_multifit_nlinear_workspace* w) const { gsl_multifit_nlinear_free(w); }
 };
@@ -44,14 +61,10 @@ struct FreeVector {
   void operator()(gsl_vector* v) const { gsl_vector_free(v); }
 };
 
-gsl_multifit_nlinear_parameters parameters(Precision precision) {
+gsl_multifit_nlinear_parameters parameters() {
   gsl_multifit_nlinear_parameters p = gsl_multifit_nlinear_default_parameters();
   p.trs = gsl_multifit_nlinear_trs_ddogleg;
   p.solver = gsl_multifit_nlinear_solver_svd;
-  p.fdtype =
-      precision == Precision::full ? GSL_MULTIFIT_NLINEAR_CTRDIFF : GSL_MULTIFIT_NLINEAR_FWDIFF;
-  constexpr double step = 1e-6;
-  p.h_df = step;
   return p;
 }
 
@@ -69,20 +82,20 @@ bool is_converged(int status, int info, gsl_multifit_nlinear_workspace* w) {
   return largest <= rounding * std::max(1.0, norm);
 }
 
-}  // namespace
-
-Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
-               Precision precision) {
-  const double tolerance = precision == Precision::full ? 1e-11 : 1e-6;
+Solution search_from(const Problem& p, const Data& data, const Eigen::VectorXd& start,
+                     Precision precision) {
+  const double tolerance = precision == Precision::full ? 1e-7 : 1e-5;
   gsl_set_error_handler_off();
-  Search search{p, data};
+  Search search{p, data,
+                precision == Precision::full ? Difference::central : Difference::one_sided};
   const std::size_t n = static_cast<std::size_t>(p.rows()), k = p.unknowns.size();
   gsl_multifit_nlinear_fdf fdf{};
   fdf.f = residuals;
+  fdf.df = derivatives;
   fdf.n = n;
   fdf.p = k;
   fdf.params = &search;
-  const auto options = parameters(precision);
+  const auto options = parameters();
   const std::unique_ptr<gsl_multifit_nlinear_workspace, FreeWorkspace> w(
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, n, k));
   const std::unique_ptr<gsl_vector, FreeVector> u(gsl_vector_alloc(k));
@@ -94,12 +107,25 @@ Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
   if (status == GSL_SUCCESS)
     status = gsl_multifit_nlinear_driver(most_iterations, tolerance, tolerance, 0.0, nullptr,
                                          nullptr, &info, w.get());
+  const bool converged = is_converged(status, info, w.get());
+  if (converged && precision == Precision::full) gsl_multifit_nlinear_iterate(w.get());
   Solution s;
   s.values = values_of(p, gsl_multifit_nlinear_position(w.get()));
   s.chi2 = residuals_at(p, data, s.values).squaredNorm();
   s.evaluations = search.evaluations;
-  s.converged = std::isfinite(s.chi2) && is_converged(status, info, w.get());
+  s.converged = std::isfinite(s.chi2) && converged;
   if (!s.converged) s.reason = gsl_strerror(status);
+  return s;
+}
+
+}  // namespace
+
+Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
+               Precision precision) {
+  Solution rough = search_from(p, data, start, Precision::replicate);
+  if (precision == Precision::replicate) return rough;
+  Solution s = search_from(p, data, rough.values, Precision::full);
+  s.evaluations += rough.evaluations;
   return s;
 }
 

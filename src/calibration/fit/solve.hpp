@@ -16,8 +16,9 @@ struct Solution {
   std::string reason;    ///< why it did not converge
 };
 
-/// How far a search goes. full: central differences, to a gradient of 1e-11. replicate: one-sided
-/// differences, to 1e-6: a thousandth of a standard error.
+/// How far a search goes. replicate: one-sided differences, to a gradient of 1e-5: far below a
+/// standard error. full: on from there with central differences, to 1e-7, and one step more, which
+/// reaches rounding.
 enum class Precision { full, replicate };
 
 /// Least squares from these values: GSL's trust region with a double dogleg and singular value
