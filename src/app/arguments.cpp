@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -38,6 +40,11 @@ fs::path result_folder(const ResultArguments& a, const std::string& suffix) {
 
 simulation::Overwrite overwrite_of(bool force) {
   return force ? simulation::Overwrite::force : simulation::Overwrite::no;
+}
+
+void print_warnings(const std::vector<simulation::CaseWarning>& warnings) {
+  for (const simulation::CaseWarning& w : warnings)
+    fmt::print(stderr, "tdbd: warning: {}\n", simulation::with_place(w));
 }
 
 double option_quantity(const std::string& option, const std::string& text,

@@ -7,6 +7,7 @@
 
 #include "app/interrupts.hpp"
 #include "core/config/key.hpp"
+#include "simulation/case/case_warning.hpp"
 #include "simulation/result/output_folder.hpp"
 
 namespace tdbd::app {
@@ -41,6 +42,9 @@ std::filesystem::path result_folder(const ResultArguments& a, const std::string&
 
 /// What --force means.
 simulation::Overwrite overwrite_of(bool force);
+
+/// A line on standard error for each: "tdbd: warning: FILE:LINE: KEY: TEXT".
+void print_warnings(const std::vector<simulation::CaseWarning>& warnings);
 
 /// RunOptions or RotateOptions with what their commands have in common: the folder, whether to
 /// replace it, and the flag that Ctrl-C sets.

@@ -13,6 +13,7 @@ namespace {
 void check_run(const std::string& file, const std::vector<std::string>& overrides) {
   const simulation::Case c = simulation::read_case(file, overrides);
   const simulation::Simulation s = simulation::start(c);
+  print_warnings(c.warnings);
   fmt::print("{}: valid; {} parts, {} triangles of rock, {} steps of {} s\n", file,
              c.bit.parts.size(), s.state.start_triangles, c.time.steps, c.time.step);
 }

@@ -45,6 +45,7 @@ int run(const RunArguments& a) {
   auto options = options_for<simulation::RunOptions>(a);
   options.threads = a.threads;
   const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
+  if (!a.quiet) print_warnings(c.warnings);
   Progress progress;
   if (!a.quiet)
     options.progress = [&](const simulation::Simulation& s, long total) {

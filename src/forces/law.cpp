@@ -13,10 +13,6 @@ namespace {
 
 using bit::PartKind;
 
-bool knows(const Law& law, PartKind kind) {
-  return std::visit([kind](const auto& l) { return l.knows(kind); }, law);
-}
-
 bool needs_diameter(const Law& law) {
   return std::visit(
       [](const auto& l) {
@@ -49,7 +45,8 @@ std::vector<LawField> law_fields(Law& law) {
         std::vector<LawField> fields;
         fields.reserve(coefficients.size());
         for (const auto& c : coefficients)
-          fields.push_back({c.key, c.unit, c.fallback, c.range, c.meaning, &(l.*c.member)});
+          fields.push_back(
+              {c.key, c.unit, c.fallback, c.range, c.meaning, c.where, &(l.*c.member)});
         return fields;
       },
       law);
@@ -69,6 +66,10 @@ std::vector<std::string_view> law_names() {
 Law law_named(std::string_view name) {
   const auto all = every_law();
   return item_named("force law", name, all, law_name);
+}
+
+bool knows(const Law& law, PartKind kind) {
+  return std::visit([kind](const auto& l) { return l.knows(kind); }, law);
 }
 
 std::string law_problem(const Law& law, bit::PartKind kind, double diameter) {

@@ -38,11 +38,16 @@ struct LawField {
   std::optional<double> fallback;  ///< SI; none: required
   Range range;                     ///< SI
   std::string_view meaning;
-  double* value = nullptr;  ///< in the law
+  bool (*where)(bit::PartKind) = nullptr;  ///< Coefficient::where
+  double* value = nullptr;                 ///< in the law
 };
 
 /// The coefficients of a law, to be read from a case or fitted; they point into `law`.
 std::vector<LawField> law_fields(Law& law);
+
+/// Whether a coefficient may change the force on parts of this kind. On all others the force is the
+/// same to the bit whatever its value.
+inline bool acts_on(const LawField& field, bit::PartKind kind) { return field.where(kind); }
 
 /// The names of all laws: "none", "hanson-hansen", ...
 std::vector<std::string_view> law_names();
@@ -53,6 +58,9 @@ std::string_view law_name(const Law& law);
 /// The law of this name with its default coefficients (0 where there are none). Throws InputError
 /// when there is no such law.
 Law law_named(std::string_view name);
+
+/// Whether a law has a force for parts of this kind.
+bool knows(const Law& law, bit::PartKind kind);
 
 /// Why a law cannot be used for a part of this kind, with the kinds that it knows; empty if it can.
 /// `diameter`: of the part's cutter, m, 0 if there is none.

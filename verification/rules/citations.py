@@ -9,7 +9,7 @@ import re
 import sources
 
 ROOMS = ("core", "rotation", "mesh", "bit", "rock", "forces", "dynamics", "simulation")
-FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "cmake", "scripts", "README.md",
+FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "validation", "cmake", "scripts", "README.md",
            "CONTRIBUTING.md", "CHANGELOG.md", "CMakeLists.txt")
 CODE, TEXT = (".hpp", ".cpp"), (".md", ".py", ".toml", ".txt", ".j2", ".cmake")
 NUMBER = r"\(\d+[a-z]?\)"

@@ -49,6 +49,7 @@ Unknown read_unknown(Config table, const LawField& field) {
 /// Every name given in a table must be a coefficient.
 void refuse_strangers(Config& table, const std::vector<LawField>& fields, std::string_view law) {
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const LawField& f : fields) names.emplace_back(f.key);
   for (const std::string& given : table.given()) {
     if (std::ranges::find(names, given) != names.end()) continue;

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/provenance.hpp"
 #include "core/whole_file.hpp"
 
 namespace tdbd::calibration {
@@ -84,6 +85,8 @@ void write_rows(const Nc& nc, CutRun run, const std::vector<std::string>& names)
   nc.require(nc_def_dim(nc.id, "part", run.cuts.size(), &part));
   nc.require(nc_def_dim(nc.id, "xyz", 3, &xyz));
   nc.require(nc_put_att_double(nc.id, NC_GLOBAL, "depth_m", NC_DOUBLE, 1, &run.depth));
+  const std::string commit = provenance().commit;
+  nc.require(nc_put_att_text(nc.id, NC_GLOBAL, "commit", commit.size(), commit.c_str()));
   const int name = define(nc, "part_name", NC_STRING, {part});
   const int index = define(nc, "part_index", NC_INT, {part});
   const int kind = define(nc, "part_kind", NC_INT, {part});
@@ -117,6 +120,22 @@ bool read_all(const Nc& nc, const char* name, std::size_t count, std::vector<T>&
   values.assign(count, T{});
   return nc_inq_varid(nc.id, name, &variable) == NC_NOERR &&
          get(nc.id, variable, values.data()) == NC_NOERR;
+}
+
+bool is_of_this_commit(const Nc& nc) {
+  std::size_t length = 0;
+  if (nc_inq_attlen(nc.id, NC_GLOBAL, "commit", &length) != NC_NOERR) return false;
+  std::string commit(length, ' ');
+  return nc_get_att_text(nc.id, NC_GLOBAL, "commit", commit.data()) == NC_NOERR &&
+         commit == provenance().commit;
+}
+
+/// A program that was built after the file may cut otherwise. Where the program's file is unknown,
+/// the commit alone decides.
+bool is_newer_than_the_program(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto built = std::filesystem::last_write_time("/proc/self/exe", error);
+  return error || std::filesystem::last_write_time(file) >= built;
 }
 
 bool read_rows(const Nc& nc, CutRun& run) {
@@ -161,11 +180,11 @@ void write_cut_run(const std::filesystem::path& file, const CutRun& run,
 }
 
 std::optional<CutRun> read_cut_run(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return std::nullopt;
+  if (!std::filesystem::exists(file) || !is_newer_than_the_program(file)) return std::nullopt;
   Nc nc{file};
   if (nc_open(file.c_str(), NC_NOWRITE, &nc.id) != NC_NOERR) return std::nullopt;
   CutRun run;
-  if (!read_rows(nc, run)) return std::nullopt;
+  if (!is_of_this_commit(nc) || !read_rows(nc, run)) return std::nullopt;
   return run;
 }
 

@@ -12,7 +12,8 @@ namespace tdbd::calibration {
 void write_cut_run(const std::filesystem::path& file, const CutRun& run,
                    const std::vector<std::string>& names);
 
-/// Reads it back to the bit; nothing when there is no such file, or not a whole one.
+/// Reads it back to the bit; nothing when there is no such file or not a whole one, when another
+/// commit wrote it, or when the program was built after it.
 std::optional<CutRun> read_cut_run(const std::filesystem::path& file);
 
 }  // namespace tdbd::calibration

@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/parallel.hpp"
-#include "core/provenance.hpp"
 
 namespace tdbd::calibration {
 namespace {
@@ -36,13 +35,14 @@ std::vector<Key> keys_of(const CalibrationCase& c) {
   std::map<Key, int> keys;
   for (const Record& r : c.records.rows) keys[{r.tool, depth_of_run(r)}] = 0;
   std::vector<Key> list;
+  list.reserve(keys.size());
   for (const auto& [key, unused] : keys) list.push_back(key);
   return list;
 }
 
 Job job_of(const CalibrationCase& c, const Key& key, const std::string& hash,
            const fs::path& folder) {
-  const std::string content = fmt::format("{} {} {}", hash, key.second, provenance().commit);
+  const std::string content = fmt::format("{} {}", hash, key.second);
   Job job{key, folder / fmt::format("cuts-{}.nc", fnv1a_hex(content)), {}, {}};
   job.cuts = read_cut_run(job.file);
   if (!job.cuts) job.run = cut_case(c, tool_named(c, key.first), key.second);

@@ -21,9 +21,9 @@ struct CutStore {
 const CutRun& cut_run_of(const CutStore& store, const Record& record);
 
 /// All cut runs that the records of a case need. Those of bits lie in `folder` as cuts-HASH.nc, HASH
-/// being that of the cut run's case and of the program's commit; what is missing is made there, on
-/// as many threads as ThreadLimit allows. `progress` hears how many of how many are made. Throws
-/// InputError and RunError.
+/// being that of the bit, the grid and the depth; what is missing or of another program is made
+/// there, on as many threads as ThreadLimit allows. `progress` hears how many of how many are made.
+/// Throws InputError and RunError.
 CutStore find_cuts(const CalibrationCase& c, const std::filesystem::path& folder,
                    const std::function<void(long, long)>& progress = {});
 

@@ -59,6 +59,16 @@ std::string help(const Problem& p) {
   return text + "a prior_sd for one of them, or one of them in [fixed]";
 }
 
+/// "cse", "chamfer or cse": the kinds of part on which a coefficient acts.
+std::string kinds_of(forces::Law law, const std::string& key) {
+  std::string kinds;
+  for (const forces::LawField& f : forces::law_fields(law))
+    for (const bit::PartKind kind : bit::part_kinds)
+      if (f.key == key && forces::acts_on(f, kind))
+        kinds += (kinds.empty() ? "" : " or ") + std::string(bit::kind_words(kind));
+  return kinds;
+}
+
 void refuse_dead_knobs(const Problem& p, const Eigen::MatrixXd& J) {
   std::string lines;
   for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
@@ -66,9 +76,9 @@ void refuse_dead_knobs(const Problem& p, const Eigen::MatrixXd& J) {
         J.col(static_cast<Eigen::Index>(k)).head(static_cast<Eigen::Index>(p.readings()));
     if (column.norm() > 0.0) continue;
     lines += fmt::format(
-        "{}{}: found a coefficient that acts on no part of the fitted bits, "
-        "expected it in [fixed]",
-        lines.empty() ? "" : "\n", p.unknowns[k].place);
+        "{}{}: found a coefficient that acts on no part of the fitted bits (it "
+        "acts on {}), expected it in [fixed]",
+        lines.empty() ? "" : "\n", p.unknowns[k].place, kinds_of(p.law, p.unknowns[k].key));
   }
   if (!lines.empty()) throw InputError(lines);
 }

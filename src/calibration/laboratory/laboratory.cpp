@@ -57,6 +57,7 @@ std::vector<Record> plan(const std::vector<std::string>& names,
 
 std::vector<std::string> names_of(const std::vector<Tool>& tools) {
   std::vector<std::string> names;
+  names.reserve(tools.size());
   for (const Tool& t : tools) names.push_back(t.name);
   return names;
 }

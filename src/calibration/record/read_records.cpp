@@ -76,6 +76,7 @@ void check_unit(const Column& column, const std::string& unit, long line, CsvMis
 Places read_header(const CsvRow& header, const std::vector<Column>& columns,
                    CsvMistakes& mistakes) {
   std::vector<std::string> known;
+  known.reserve(columns.size());
   for (const Column& c : columns) known.push_back(c.name);
   Places places;
   for (std::size_t i = 0; i < header.cells.size(); ++i) {

@@ -11,24 +11,41 @@ namespace {
 using bit::PartKind;
 using Terms = std::array<double, hanson_hansen_terms>;
 
+constexpr bool on_chamfer(PartKind kind) { return kind == PartKind::chamfer; }
+
+/// Other surfaces of a cutter.
+constexpr bool on_others(PartKind kind) {
+  return HansonHansen::knows(kind) && !on_face(kind) && !on_chamfer(kind);
+}
+
 const std::array<Coefficient<HansonHansen>, 11> hanson_hansen_coefficients{{
     {"A1",
      "1",
      &HansonHansen::A1,
      {},
      Range::non_negative(),
-     "tangential stress of a face over the confined strength"},
-    {"A2", "1", &HansonHansen::A2, 0.0, Range::non_negative(), "its growth with tan(back rake)"},
-    {"A3", "rad", &HansonHansen::A3, {}, Range::within(0.0, 1.0), "friction angle of a face"},
+     "tangential stress of a face over the confined strength",
+     on_face},
+    {"A2", "1", &HansonHansen::A2, 0.0, Range::non_negative(), "its growth with tan(back rake)",
+     on_face},
+    {"A3",
+     "rad",
+     &HansonHansen::A3,
+     {},
+     Range::within(0.0, 1.0),
+     "friction angle of a face",
+     on_face},
     {"A4", "1", &HansonHansen::A4, 0.0, Range::non_negative(),
-     "stress along the edge over the confined strength"},
-    {"te", "m", &HansonHansen::te, 1e-4, Range::non_negative(), "width of the edge"},
+     "stress along the edge over the confined strength: only te A4 acts", on_face},
+    {"te", "m", &HansonHansen::te, 1e-4, Range::non_negative(),
+     "length scale of A4: only their product acts; keep it fixed", on_face},
     {"A5", "1", &HansonHansen::A5, 0.0, Range::non_negative(),
-     "contact stress of a chamfer over the confined strength"},
-    {"A6", "1", &HansonHansen::A6, 0.0, Range::non_negative(), "friction of a chamfer"},
+     "contact stress of a chamfer over the confined strength", on_chamfer},
+    {"A6", "1", &HansonHansen::A6, 0.0, Range::non_negative(), "friction of a chamfer", on_chamfer},
     {"A7", "1", &HansonHansen::A7, 0.0, Range::non_negative(),
-     "contact stress of other surfaces of a cutter over the confined strength"},
-    {"A8", "1", &HansonHansen::A8, 0.0, Range::non_negative(), "friction of other surfaces"},
+     "contact stress of other surfaces of a cutter over the confined strength", on_others},
+    {"A8", "1", &HansonHansen::A8, 0.0, Range::non_negative(), "friction of other surfaces",
+     on_others},
     {"pressure_share", "1", &HansonHansen::pressure_share, 1.0, Range::within(0.0, 2.0),
      "share of the strength's growth with pressure that counts"},
     slip_speed_of<HansonHansen>(),

@@ -19,13 +19,14 @@ namespace tdbd::forces {
 ///   other surfaces of a cutter (cse, cutter_body):  Fn = A7 Scc A,  Ft = A8 Fn
 ///   F    = -Ft E1 - Fn E2                    directions.hpp
 /// The thesis's Rs is taken as the slope of Scc over pressure: pressure_share times the rock's. Ebr
-/// + A3 is held within 80 degrees of 0. Thesis: app. C.1 to C.4.
+/// + A3 is held within 80 degrees of 0. A7 and A8 act on no part of a bit without cse, unless the
+/// law is given to cutter bodies by name. Thesis: app. C.1 to C.4.
 struct HansonHansen {
   double A1 = 0.0;                       ///< 1, tangential stress over Scc at no back rake
   double A2 = 0.0;                       ///< 1, growth of it with tan Ebr
   double A3 = 0.0;                       ///< rad, friction between face and rock
   double A4 = 0.0;                       ///< 1, stress along the edge over Scc
-  double te = 1e-4;                      ///< m, width of the edge
+  double te = 1e-4;                      ///< m, length scale of A4: only te A4 acts
   double A5 = 0.0;                       ///< 1, contact stress of a chamfer over Scc
   double A6 = 0.0;                       ///< 1, friction of a chamfer
   double A7 = 0.0;                       ///< 1, contact stress of other surfaces over Scc

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "bit/part_kind.hpp"
 #include "core/config/config.hpp"
 
 namespace tdbd::forces {
@@ -16,7 +17,12 @@ struct Coefficient {
   std::optional<double> fallback;  ///< SI; none: required
   Range range;                     ///< SI
   std::string_view meaning;        ///< one line for a reader
+  /// The kinds of part whose force it may change: all that the law knows, or fewer.
+  bool (*where)(bit::PartKind) = &L::knows;
 };
+
+/// Coefficients of faces alone.
+constexpr bool on_face(bit::PartKind kind) { return kind == bit::PartKind::face; }
 
 /// Default speed below which forces fade (m/s). Ours: a thousandth of the speed at a bit's gage.
 inline constexpr double usual_slip_speed = 1e-3;

@@ -172,7 +172,7 @@ bit::BitFile read_tables(Config& c, Case& read) {
   read.measure = read_measure(c.table(measure_keys::table));
   read.output = read_output(c.table(output_keys::table), read.time, read.motion.kind);
   check_continued_cones(c.table(time_keys::table), read);
-  read.forces = read_forces(c, read.bit, read.measure);
+  read.forces = read_forces(c, read.bit, read.measure, read.warnings);
   if (read.motion.kind == MotionKind::drilling)
     read.drilling = read_drilling(c, read.bit, read.motion);
   check_drilling_case(c, read);

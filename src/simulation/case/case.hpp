@@ -10,6 +10,7 @@
 #include "rock/maintain/maintain.hpp"
 #include "rock/start/borehole.hpp"
 #include "rock/start/rough_bottom.hpp"
+#include "simulation/case/case_warning.hpp"
 #include "simulation/case/motion.hpp"
 #include "simulation/case/plans.hpp"
 #include "simulation/case/rock_keys.hpp"
@@ -88,6 +89,7 @@ struct Case {
   ForcePlan forces;
   DrillingPlan drilling;  ///< of a motion that is drilling
   OutputPlan output;
+  std::vector<CaseWarning> warnings;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
   std::string hash;      ///< of the resolved values and the content of all files
   std::map<std::string, double> quantities;  ///< of the case file, by dotted key, in SI

@@ -8,6 +8,7 @@
 #include "forces/fits.hpp"
 #include "simulation/case/case_rock.hpp"
 #include "simulation/case/force_keys.hpp"
+#include "simulation/case/idle_coefficients.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -37,7 +38,7 @@ forces::Law cutter_body_bearing() {
 }
 
 /// Kinds in the order of PartKind.
-constexpr std::array<KindKey, bit::part_kinds.size()> kinds{
+constexpr std::array<KindKey, bit::part_kinds.size()> kind_keys{
     {{PartKind::face, FollowsRun::yes},
      {PartKind::chamfer, FollowsRun::yes},
      {PartKind::cse, FollowsRun::yes},
@@ -92,6 +93,29 @@ void read_law_of(Config& c, const KindKey& k, const forces::Law& common, const b
   if (!wrong.empty()) table.problem(force_keys::law, std::string(forces::law_name(law)), wrong);
 }
 
+/// The kinds that follow the run's law, where it knows them.
+std::vector<PartKind> followers(const Config& c) {
+  std::vector<PartKind> kinds;
+  for (const KindKey& k : kind_keys)
+    if (k.follows == FollowsRun::yes && !c.has(bit::kind_key(k.kind))) kinds.push_back(k.kind);
+  return kinds;
+}
+
+/// What the tables say in vain.
+void warn_of_idle(Config& c, const bit::Bit& bit, const forces::Law& common, const ForcePlan& plan,
+                  std::vector<CaseWarning>& warnings) {
+  if (bit.parts.empty()) return;  // its own mistakes are told
+  const std::string name(force_keys::table.name);
+  warnings = idle_coefficients(c, {name, common, read_fit(c), followers(c)}, bit);
+  for (const KindKey& k : kind_keys) {
+    const std::string key = bit::kind_key(k.kind);
+    if (!c.has(key)) continue;
+    Config table = c.table(key);
+    const LawTable own{name + "." + key, law_of(plan, k.kind), read_fit(table), {k.kind}};
+    std::ranges::copy(idle_coefficients(table, own, bit), std::back_inserter(warnings));
+  }
+}
+
 bool has_force(const ForcePlan& plan, PartKind kind) {
   return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
 }
@@ -134,10 +158,11 @@ forces::Law own_law_of(PartKind kind) {
 }
 
 bool follows_the_run(PartKind kind) {
-  return kinds[static_cast<std::size_t>(kind)].follows == FollowsRun::yes;
+  return kind_keys[static_cast<std::size_t>(kind)].follows == FollowsRun::yes;
 }
 
-ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& measure) {
+ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& measure,
+                      std::vector<CaseWarning>& warnings) {
   ForcePlan plan;
   if (!whole.has(force_keys::table)) return plan;
   Config c = whole.table(force_keys::table);
@@ -145,9 +170,10 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
   plan.cut = c.read(force_keys::cut);
   plan.chamfer = c.read(force_keys::chamfer_contact);
   const forces::Law common = read_law(c, "");
-  for (const KindKey& k : kinds) read_law_of(c, k, common, bit, plan);
+  for (const KindKey& k : kind_keys) read_law_of(c, k, common, bit, plan);
   require_parts(c, bit, common, plan);
   require_measures(c, bit, measure);
+  if (c.problem_count() == 0) warn_of_idle(c, bit, common, plan, warnings);
   plan.rock = read_formation(whole.table(rock_keys::table));
   return plan;
 }

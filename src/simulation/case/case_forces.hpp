@@ -1,13 +1,16 @@
 #pragma once
 
 #include "core/config/config.hpp"
+#include "simulation/case/case_warning.hpp"
 #include "simulation/case/plans.hpp"
 
 namespace tdbd::simulation {
 
 /// Reads [forces] (force_keys) and the material of [rock] (read_formation); a run without [forces]
-/// computes no forces. Mistakes are noted in the Config.
-ForcePlan read_forces(Config& c, const bit::Bit& bit, const MeasurePlan& measure);
+/// computes no forces. Mistakes are noted in the Config, coefficients that no part feels in
+/// `warnings`.
+ForcePlan read_forces(Config& c, const bit::Bit& bit, const MeasurePlan& measure,
+                      std::vector<CaseWarning>& warnings);
 
 /// The law of a kind of part where that of the whole run does not hold: what a cutter's body bears
 /// (ours), and none for all others.

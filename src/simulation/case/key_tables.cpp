@@ -85,6 +85,19 @@ KeyTable output_table() {
       rows(history_every, frames_every, means_from, energy_order, energy_order_window));
 }
 
+/// The kinds of part on which a coefficient acts, where these are not all that its law knows.
+std::string where_it_acts(const forces::Law& law, const forces::LawField& field) {
+  std::string kinds;
+  bool on_all = true;
+  for (const bit::PartKind kind : bit::part_kinds) {
+    if (forces::acts_on(field, kind))
+      kinds += fmt::format("{}{}", kinds.empty() ? "; acts on: " : ", ", bit::kind_words(kind));
+    else if (forces::knows(law, kind))
+      on_all = false;
+  }
+  return on_all ? "" : kinds;
+}
+
 /// [forces], and the coefficients of every law that has any.
 std::vector<KeyTable> force_tables() {
   using namespace force_keys;
@@ -94,8 +107,10 @@ std::vector<KeyTable> force_tables() {
   for (const std::string_view name : forces::law_names()) {
     forces::Law each = forces::law_named(name);
     std::vector<KeyRow> fields;
-    for (const forces::LawField& field : forces::law_fields(each))
+    for (const forces::LawField& field : forces::law_fields(each)) {
       fields.push_back(row(key_of(field)));
+      fields.back().meaning += where_it_acts(each, field);
+    }
     const std::string meaning = fmt::format("coefficients of the law \"{}\"", name);
     if (!fields.empty())
       tables.push_back(key_table("run", {.name = "forces", .meaning = meaning}, std::move(fields)));

@@ -41,7 +41,7 @@ constexpr std::array history_columns = {
                          [](const HistoryRow& r) { return static_cast<double>(r.rock_triangles); }},
 };
 
-/// Of rock::Section, in its order; a cutter that is not in rock has 0 everywhere.
+/// Of rock::Section; a cutter that is not in rock has 0 everywhere.
 constexpr std::array section_columns = {
     ColumnOf<rock::Section>{"section_area", "m2", "uncut rock in the plane of the cutter's face",
                             [](const rock::Section& s) { return s.area; }},
@@ -61,6 +61,18 @@ constexpr std::array section_columns = {
                             [](const rock::Section& s) { return s.angle_of_attack; }},
     ColumnOf<rock::Section>{"section_volume_rate", "m3 s-1", "volume that the section sweeps",
                             [](const rock::Section& s) { return s.volume_rate; }},
+    ColumnOf<rock::Section>{"section_edge_centroid_x", "m",
+                            "centroid of the engaged edge in the bit's frame, x: where the "
+                            "force of the chamfer acts",
+                            [](const rock::Section& s) { return s.edge_centroid_B.x(); }},
+    ColumnOf<rock::Section>{"section_edge_centroid_y", "m",
+                            "centroid of the engaged edge in the bit's frame, y: where the "
+                            "force of the chamfer acts",
+                            [](const rock::Section& s) { return s.edge_centroid_B.y(); }},
+    ColumnOf<rock::Section>{"section_edge_centroid_z", "m",
+                            "centroid of the engaged edge in the bit's frame, z: where the "
+                            "force of the chamfer acts",
+                            [](const rock::Section& s) { return s.edge_centroid_B.z(); }},
 };
 
 /// Sums over the cutters, for the csv too.

@@ -166,6 +166,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.title = c.bit.name;
   r.status = status;
   r.case_hash = c.hash;
+  for (const CaseWarning& w : c.warnings) r.warnings.push_back(without_place(w));
   const double from = time_at(c.time, c.time.first), to = time_at(c.time, s.state.steps_done);
   r.steps = s.state.steps_done - c.time.first;
   r.duration = to - from;

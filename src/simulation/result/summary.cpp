@@ -81,6 +81,7 @@ Json summary_head(const std::string& command, const std::string& title, RunStatu
 
 std::string to_json(const RunSummary& s) {
   Json json = summary_head(s.command, s.title, s.status, s.case_hash, s.seed);
+  if (!s.warnings.empty()) json["warnings"] = s.warnings;
   json.update(Json{{"steps", s.steps},
                    {"revolutions", s.revolutions},
                    {"duration_s", s.duration},

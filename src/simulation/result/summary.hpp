@@ -35,6 +35,7 @@ struct RunSummary {
   RunStatus status = RunStatus::completed;
   std::string case_hash;
   std::uint64_t seed = 0;
+  std::vector<std::string> warnings;  ///< without_place
   long steps = 0;
   double revolutions = 0.0;
   double duration = 0.0;                             ///< s, simulated

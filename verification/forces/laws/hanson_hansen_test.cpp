@@ -46,6 +46,17 @@ TEST(HansonHansen, of_other_surfaces_has_their_own_coefficients) {
   }
 }
 
+/// te is the length scale of A4 and no coefficient beside it.
+RC_GTEST_PROP(HansonHansen, feels_an_edge_by_one_product_alone, ()) {
+  Law law = any_law({"hanson-hansen"});
+  const PartCut c = any_cut();
+  auto twice = std::get<HansonHansen>(law);
+  twice.te *= 2.0;
+  twice.A4 *= 0.5;
+  const PartForce f = force(law, c);
+  RC_ASSERT((force(twice, c).force - f.force).norm() <= 1e-13 * size(f));
+}
+
 /// 4 mm2 of chamfer at 1.34 times 114 MPa is 610 N.
 TEST(HansonHansen, of_an_engaged_chamfer_is_that_of_the_literature) {
   HansonHansen h = example();

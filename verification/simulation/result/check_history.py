@@ -18,6 +18,8 @@ if rows == -1:
         "section_centroid_x": [[0.1, unknown]], "section_centroid_y": [[0.2, unknown]],
         "section_centroid_z": [[0.3, unknown]], "section_engaged_edge": [[4e-3, unknown]],
         "section_angle_of_attack": [[0.5, unknown]], "section_volume_rate": [[6e-7, unknown]],
+        "section_edge_centroid_x": [[0.7, unknown]], "section_edge_centroid_y": [[0.8, unknown]],
+        "section_edge_centroid_z": [[0.9, unknown]],
     }
     for name, values in measures.items():
         np.testing.assert_array_equal(history[name].values, values, err_msg=name)

@@ -1,0 +1,89 @@
+"""validate.py [-o DIR] [NAME ...]: runs the cases of split.toml with `tdbd calibrate`, then compare.py.
+
+DIR: results/validation. Each case has its folder in DIR; cut runs are kept in DIR/cuts and made once. NAME: only these
+comparisons. --program: another tdbd."""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import compare
+import comparison
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+
+
+def chosen(split, names):
+    """The comparisons of these names; all of them without names."""
+    known = [c["name"] for c in split]
+    for name in names:
+        if name not in known:
+            raise comparison.Problem(f"found no comparison '{name}', expected one of {', '.join(known)}")
+    return [c for c in split if not names or c["name"] in names]
+
+
+def runs(split):
+    """[(case, case whose coefficients it starts from or None)] in an order in which each finds what it needs."""
+    order = {}
+    for c in split:
+        for law in c["law"].values():
+            before = law.get("coefficients_from")
+            if before:
+                order.setdefault(before)
+            order[law["case"]] = before
+    return list(order.items())
+
+
+def starts(results, case, before):
+    """Options that give a case the coefficients found by another one: starts of what it fits, else fixed."""
+    if before is None:
+        return []
+    found = json.loads((results / before / "calibration.json").read_text(encoding="utf-8"))["coefficients"]
+    unknowns = tomllib.loads(case.read_text(encoding="utf-8"))["unknowns"]
+    options = []
+    for key, c in found.items():
+        place = f"unknowns.{key}.start" if key in unknowns else f"fixed.{key}"
+        options += ["--set", f"{place}={c['value']!r}" + ("" if c["unit"] == "1" else f" {c['unit']}")]
+    return options
+
+
+def calibrate(program, case, results, before, options=()):
+    """Runs one case; its messages only when it fails."""
+    file = HERE / "cases" / f"{case}.toml"
+    command = [str(program), "calibrate", str(file), "-o", str(results / case), "--force", "--quiet", "--threads",
+               str(os.cpu_count()), *starts(results, file, before), *options]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise comparison.Problem(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stderr.strip()}")
+
+
+def validate(program, results, names):
+    split = chosen(comparison.read_split(), names)
+    results.mkdir(parents=True, exist_ok=True)
+    for case, before in runs(split):
+        calibrate(program, case, results, before)
+    code = compare.report(compare.compare(results, split))
+    print(f"tables and figures: {results / 'comparisons.md'}, {results / 'comparison-*.png'}")
+    return code
+
+
+def main(act=validate, what=__doc__):
+    parser = argparse.ArgumentParser(description=what, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-o", "--output", type=Path, default=ROOT / "results" / "validation", metavar="DIR")
+    parser.add_argument("--program", type=Path, default=ROOT / "build" / "release" / "tdbd")
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    a = parser.parse_args()
+    try:
+        return act(a.program, a.output.resolve(), a.names)
+    except comparison.Problem as problem:
+        print(f"validate: {problem}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/small_case.hpp"
+
+/// A coefficient that no part feels is told, and the run goes on.
+namespace tdbd::app::case_warning_test {
+
+const std::string idle = "forces.A7: acts on no part of small (it has no cse); leave it out";
+
+/// The small case with forces whose law has a coefficient for cse, which the bit has not; more
+/// lines follow those of [forces].
+SmallCase with_A7(const std::string& more = "") {
+  SmallCase c;
+  c.edit("case.toml", "wall = \"20 mm\"", "wall = \"20 mm\"\nmaterial = \"mancos-shale\"");
+  c.edit("case.toml", "duration = \"40 ms\"",
+         "duration = \"40 ms\"\n[forces]\nlaw = \"hanson-hansen\"\nA1 = 1\nA3 = 0.3\nA7 = 0.5\n" +
+             more);
+  return c;
+}
+
+std::string warning(const SmallCase& c, const std::string& text, int line) {
+  return "tdbd: warning: " + c.path("case.toml").string() + ":" + std::to_string(line) + ": " +
+         text + "\n";
+}
+
+nlohmann::json summary(const SmallCase& c, const std::string& out) {
+  return nlohmann::json::parse(read(c.path(out + "/summary.json")));
+}
+
+TEST(CaseWarning, tells_a_coefficient_that_acts_on_no_part) {
+  const SmallCase c = with_A7();
+  const auto o = c.check();
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_EQ(o.err, warning(c, idle, 17));
+}
+
+TEST(CaseWarning, of_a_run_is_told_before_its_progress_and_kept_in_its_summary) {
+  const SmallCase c = with_A7();
+  const auto o = c.run();
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_TRUE(o.err.starts_with(warning(c, idle, 17))) << o.err;
+  EXPECT_EQ(summary(c, "out").at("warnings"), nlohmann::json::array({idle}));
+}
+
+TEST(CaseWarning, is_not_told_to_whoever_wants_quiet) {
+  const SmallCase c = with_A7();
+  EXPECT_EQ(c.run({"--quiet"}).err, "");
+  EXPECT_TRUE(summary(c, "out").contains("warnings"));
+}
+
+TEST(CaseWarning, names_an_override_as_such) {
+  const SmallCase c = with_A7();
+  c.edit("case.toml", "A7 = 0.5\n", "");
+  EXPECT_EQ(c.check({"--set", "forces.A7=1"}).err, "tdbd: warning: --set: " + idle + "\n");
+}
+
+/// A kind of part that has a table of its own does not feel the run's coefficients.
+TEST(CaseWarning, tells_coefficients_of_kinds_that_follow_another_law) {
+  const SmallCase c = with_A7(
+      "A8 = 0.1\n[forces.cse]\nlaw = \"none\"\n[forces.gage_pad]\n"
+      "law = \"friction\"\nstress = 1e6\nmu = 0.3\ncap = 2\n");
+  const std::string leave = "; leave it out";
+  const std::string other = ": acts on no part of small (another law for cse, cutter body)" + leave;
+  EXPECT_EQ(
+      c.check().err,
+      warning(c, "forces.A7" + other, 17) + warning(c, "forces.A8" + other, 18) +
+          warning(c, "forces.gage_pad.cap: acts on no part of small (it has no gage pad)" + leave,
+                  25));
+}
+
+/// What acts, what is usual anyway and what the law requires is not told.
+TEST(CaseWarning, is_rare) {
+  const SmallCase c = with_A7(
+      "[forces.cutter_body]\nlaw = \"hanson-hansen\"\nA1 = 2\nA3 = 0.2\n"
+      "A7 = 0.5\nA8 = 0.5\n");
+  c.edit("case.toml", "A7 = 0.5\n[", "A7 = 0\nA4 = 0.5\n[");
+  EXPECT_EQ(c.check().err, "");
+  EXPECT_EQ(c.run({"--quiet"}).exit_code, 0);
+  EXPECT_FALSE(summary(c, "out").contains("warnings"));
+}
+
+/// The resolved case says everything, and is told no more than the case was.
+TEST(CaseWarning, of_the_resolved_case_is_the_same) {
+  const SmallCase c = with_A7();
+  ASSERT_EQ(c.run({"--quiet"}).exit_code, 0);
+  const auto again = battery::run_tdbd(
+      {"run", c.path("out/case.toml").string(), "-o", c.path("again").string(), "--quiet"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(summary(c, "again").at("warnings"), summary(c, "out").at("warnings"));
+}
+
+}  // namespace tdbd::app::case_warning_test
