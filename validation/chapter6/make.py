@@ -23,6 +23,10 @@ import lab_tables  # noqa: E402
 from study_tools import markdown_table  # noqa: E402
 
 DPI = 200
+# The thesis's order, ours after it. A table and a figure of one name stand together.
+ORDER = ("sample-record", "starts", "fit-bc", "coefficients-combined", "prediction-a", "fit-bc-separate", "coefficients-separate",
+         "prediction-a-separate", "objectives", "coefficients-ac", "fit-ac", "coefficients-ab", "fit-ab", "prediction-b", "prediction-c",
+         "identified", "thin-cut", "two-laws", "blind")
 COARSE = ("rock.edge_length=4 mm", "time.revolutions=2", "time.steps_per_revolution=60")  # --quick
 
 
@@ -83,6 +87,7 @@ def make(chosen):
         write_table(out / "tables", table)
     figures = [] if chosen.quick else draw(results, records, exact, blind_rows, out / "figures")
     items = [item("table", t) for t in tables] + [item("figure", f) for f in figures]
+    items.sort(key=lambda i: ORDER.index(i["name"]))
     (out / "chapter6.json").write_text(json.dumps(items, indent=1) + "\n", encoding="utf-8")
     told(f"{len(tables)} tables, {len(figures)} figures in {out}")
 
