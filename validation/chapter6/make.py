@@ -27,7 +27,7 @@ DPI = 200
 ORDER = ("sample-record", "starts", "fit-bc", "coefficients-combined", "prediction-a", "fit-bc-separate", "coefficients-separate",
          "prediction-a-separate", "objectives", "coefficients-ac", "fit-ac", "coefficients-ab", "fit-ab", "prediction-b", "prediction-c",
          "identified", "thin-cut", "two-laws", "blind")
-COARSE = ("rock.edge_length=4 mm", "time.revolutions=2", "time.steps_per_revolution=60")  # --quick
+COARSE = ("rock.edge_length=3 mm", "time.revolutions=2", "time.steps_per_revolution=100")  # --quick
 
 
 def parse(arguments):
