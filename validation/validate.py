@@ -44,7 +44,7 @@ def starts(results, case, before):
     if before is None:
         return []
     found = json.loads((results / before / "calibration.json").read_text(encoding="utf-8"))["coefficients"]
-    unknowns = tomllib.loads(case.read_text(encoding="utf-8"))["unknowns"]
+    unknowns = tomllib.loads(case.read_text(encoding="utf-8")).get("unknowns", {})
     options = []
     for key, c in found.items():
         place = f"unknowns.{key}.start" if key in unknowns else f"fixed.{key}"

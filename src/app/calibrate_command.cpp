@@ -28,6 +28,7 @@ std::filesystem::path cuts_folder(const CalibrateArguments& a,
 void print_set(const calibration::CalibrationCase& c, const calibration::FittedSet& set) {
   const auto names = calibration::load_names(c.records.kind);
   if (set.pressure) fmt::print("at {:.2f} MPa:\n", 1e-6 * *set.pressure);
+  if (c.unknowns.empty()) return;
   fmt::print("{:<16}{:>12}{:>12}   {:.0f} % interval\n", "coefficient", "start", "value",
              100.0 * c.intervals.level);
   for (const calibration::FittedCoefficient& f : set.fit.coefficients)
@@ -79,6 +80,7 @@ int calibrate(const CalibrateArguments& a) {
   const ThreadLimit limit(a.threads);
   const std::filesystem::path folder = result_folder(a);
   const auto c = calibration::read_calibration(a.case_file, a.overrides);
+  calibration::check_folder(folder, overwrite_of(a.force));
   const calibration::CutStore cuts = cuts_for(c, a, folder);
   const double cut_seconds = seconds();
   const calibration::Calibration found = calibration::calibrate(c, cuts);

@@ -1,59 +1,13 @@
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "claims/example_bits.hpp"
-#include "claims/rock_runs.hpp"
-#include "reference/bit/radial_plane_engagement.hpp"
+#include "claims/force_runs.hpp"
 
-/// Claims of chapter 2, chapter 6, appendix C and the literature on forces, at a given rate. Each
+/// Claims of chapter 6, appendix C and the literature on forces, at a given rate. Each
 /// names the law that it is about: appendix C has that of Hanson and Hansen, reconstructed.
 namespace tdbd::claims::forces_test {
 
-constexpr double eps = 100e6, zeta = 0.8;  ///< Pa and 1: the literature's common rock
-constexpr double two_pi = 2.0 * std::numbers::pi;
-
-/// A sharp bit in the sense of Detournay and Defourny: faces that cut, and no friction anywhere.
-/// Means of the second revolution.
-std::vector<std::string> sharp(std::vector<std::string> more) {
-  std::vector<std::string> all = {"rock.material='mancos-shale'",
-                                  "forces.law=detournay",
-                                  "forces.eps='100 MPa'",
-                                  "forces.zeta=0.8",
-                                  "forces.sigma=0",
-                                  "forces.mu=0",
-                                  "forces.l=0",
-                                  "forces.cutter_body.law=none",
-                                  "time.revolutions=2",
-                                  "output.means_from='0.5 s'"};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
-/// The law that is reconstructed from appendix C, as cases/bit-b-3000psi has it. Means of the
-/// second revolution.
-std::vector<std::string> reconstructed(std::vector<std::string> more) {
-  more.insert(more.end(), {"time.revolutions=2", "output.means_from='0.5 s'"});
-  return more;
-}
-
-simulation::LoadFigures loads_of(const simulation::Case& c) {
-  const simulation::Simulation s = drilled(c);
-  return simulation::figures_of(c.bit, s.statistics.loads,
-                                c.time.step * static_cast<double>(s.state.steps_done));
-}
-
-simulation::LoadFigures sharp_loads(const std::vector<std::string>& more) {
-  return loads_of(rock_case("bit-b-steady", sharp(more)));
-}
-
-simulation::LoadFigures reconstructed_loads(const std::vector<std::string>& more) {
-  return loads_of(rock_case("bit-b-3000psi", reconstructed(more)));
-}
-
-double depth_of_cut(const simulation::Case& c) {
-  return c.motion.rate_of_penetration * two_pi / c.motion.rotary_speed;
-}
+constexpr double eps = sharp_eps;
 
 /// w T + v W = eps pi R^2 v: exact of a sharp bit, whatever its layout.
 TEST(Forces, of_a_sharp_bit_have_the_power_of_its_volume) {
@@ -109,66 +63,6 @@ TEST(Forces, of_faces_have_the_torque_of_the_identity_whatever_the_layout) {
       "literature/detournay-torque",
       "bit-b, edges of 2 mm, zeta 0.8, so with the helix: T over eps R^2 d/2, distance from 1",
       torque_error("bit-b", {"rock.edge_length='2 mm'"}), "1", 0.01);
-}
-
-/// Warren and Sinor's plane under the same law.
-struct PlaneWeight {
-  double normals = 0.0;   ///< N, sum of zeta eps A_i cos theta_i: the plane's weight
-  double but_axis = 0.0;  ///< N, the same without the cutter nearest to the axis
-  double helix = 0.0;     ///< N, sum of eps A_i d/(2 pi r_i), which the plane does not know
-};
-
-PlaneWeight plane_weight(const simulation::Case& c) {
-  const reference::Engagement plane =
-      reference::radial_plane_engagement(c.bit, depth_of_cut(c), 0.05e-3);
-  PlaneWeight w;
-  for (std::size_t i = 0; i < c.bit.cutters.size(); ++i) {
-    const double Ft = eps * plane.mean_area[i];
-    const double normal = zeta * Ft * std::cos(c.bit.cutters[i].profile_angle);
-    w.normals += normal;
-    if (i > 0) w.but_axis += normal;
-    if (Ft > 0.0)
-      w.helix += Ft * depth_of_cut(c) * plane.mean_area[i] / plane.volume_per_revolution[i];
-  }
-  return w;
-}
-
-/// What the normal forces of faces carry of the weight, but for the first cutter, beside the axis.
-double normals_but_axis(const simulation::Case& c, const simulation::LoadFigures& f) {
-  double sum = 0.0;
-  for (const simulation::PartLoadFigures& part : f.parts)
-    for (std::size_t i = 1; i < c.bit.cutters.size(); ++i)
-      if (part.name == simulation::cutter_name(c.bit.cutters[i]) + "/face")
-        sum += part.normal.mean * std::cos(c.bit.cutters[i].profile_angle);
-  return sum;
-}
-
-/// Two things part the models: the weight that tangential forces carry on a helix, and the face
-/// beside the axis, which goes backwards in part. At 2 mm a revolution they cancel.
-TEST(Forces, carry_the_weight_of_the_radial_plane) {
-  const std::string claim = "chapter2/radial-plane";
-  double worst = 0.0;
-  for (const auto& [rate, limit] : std::vector<std::pair<double, double>>{
-           {3.75, 0.02}, {7.5, 0.01}, {15.0, 5e-3}, {30.0, 5e-3}}) {
-    const simulation::Case c = rock_case(
-        "bit-b-steady",
-        sharp({"time.step='2 ms'", fmt::format("motion.rate_of_penetration='{} m/h'", rate)}));
-    const PlaneWeight plane = plane_weight(c);
-    const simulation::LoadFigures f = loads_of(c);
-    const std::string at = fmt::format(
-        "Detournay's law, bit B, edges of 1 mm, {:.3g} mm a revolution: ", 1e3 * depth_of_cut(c));
-    worst = std::max(worst, std::abs(f.wob.mean / plane.normals - 1.0));
-    record_bound(claim, at + "weight over the plane's with the helix added, distance from 1",
-                 std::abs(f.wob.mean / (plane.normals + plane.helix) - 1.0), "1", 0.025);
-    record_bound(claim,
-                 at + "normal forces of all cutters but that beside the axis over the plane's, "
-                      "distance from 1",
-                 std::abs(normals_but_axis(c, f) / plane.but_axis - 1.0), "1", limit);
-  }
-  record_bound(claim,
-               "the same, 0.521 to 4.17 mm a revolution: weight over the plane's, largest distance "
-               "from 1",
-               worst, "1", 0.04);
 }
 
 /// The tangential forces of a helix carry weight, too: about d ln(R/r) / (2 pi zeta R) of it, 1 %

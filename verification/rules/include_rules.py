@@ -31,7 +31,7 @@ SUB_FOLDERS = {
     "app": (".",),
 }
 # A slow twin may use plain data of src, never the function it is the twin of.
-PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|"
+PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forces/part/part_cut\.hpp|"
                         r"dynamics/(gyrostat|loads|rotation_state|schedule|drilling/drilling_system)\.hpp|reference/.+")
 # A program around the twins reads its input and describes it by src's means.
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")

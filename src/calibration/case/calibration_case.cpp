@@ -68,7 +68,7 @@ CalibrationCase read_calibration(const std::string& path,
   Config top = c.table(table);
   result.law = forces::law_named(top.read(calibration_keys::law));
   const std::string file = top.read(calibration_keys::records);
-  result.fit = top.read(fit_bits);
+  result.fit = top.read(fit_bits, std::vector<std::string>{});
   result.predict = top.read(predict_bits, std::vector<std::string>{});
   const auto out = top.read(leave_out, std::vector<std::string>{});
   result.pressures = top.read(pressures);

@@ -20,7 +20,7 @@ inline constexpr PathKey records{.name = "records",
                                  .usual = "required",
                                  .meaning = "the readings, csv with units in the header"};
 inline constexpr TextsKey fit_bits{
-    .name = "fit_bits", .usual = "required", .meaning = "bits or cutters whose records are fitted"};
+    .name = "fit_bits", .usual = "none", .meaning = "bits or cutters whose records are fitted"};
 inline constexpr TextsKey predict_bits{.name = "predict_bits",
                                        .usual = "none",
                                        .meaning = "bits or cutters whose records are predicted"};

@@ -101,7 +101,10 @@ void check_torque(const CalibrationCase& c, const std::vector<Record>& rows,
 void check_names(Config& top, const CalibrationCase& c) {
   check_list(top, fit_bits, c.fit, c);
   check_list(top, predict_bits, c.predict, c);
-  if (c.fit.empty()) top.problem(fit_bits, "none", "at least one bit or cutter");
+  if (c.fit.empty() && !c.unknowns.empty())
+    top.problem(fit_bits, "none", "at least one bit or cutter: there are unknowns");
+  if (c.fit.empty() && c.predict.empty())
+    top.problem(predict_bits, "none", "bits or cutters to fit or to predict");
   for (const std::string& name : c.predict)
     if (holds(c.fit, name))
       top.problem(predict_bits, fmt::format("'{}', which is fitted", name),

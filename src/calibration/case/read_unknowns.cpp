@@ -27,7 +27,7 @@ Range read_range(Config& table, const LawField& field) {
   if (given.size() == 2 && given[0] < given[1] && given[0] >= field.range.lo &&
       given[1] <= field.range.hi)
     return Range::within(given[0], given[1]);
-  table.problem(calibration_keys::range, fmt::format("{} numbers", given.size()),
+  table.problem(calibration_keys::range, fmt::format("[{:.6g}]", fmt::join(given, ", ")),
                 fmt::format("[lowest, highest], rising, within {:.6g} and {:.6g}", field.range.lo,
                             field.range.hi));
   return field.range;
@@ -78,8 +78,6 @@ std::vector<Unknown> read_unknowns(Config& c, forces::Law& law) {
       *f.value = fixed.read(simulation::force_keys::key_of(f), f.fallback);
     }
   }
-  if (read.empty())
-    c.problem("unknowns", "none", "a table [unknowns.KEY] for each coefficient to fit");
   return read;
 }
 

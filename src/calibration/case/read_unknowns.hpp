@@ -8,7 +8,8 @@
 namespace tdbd::calibration {
 
 /// Reads [unknowns.KEY] and [fixed] of a law, and sets its coefficients. A coefficient in neither
-/// has its default; one without a default must be in one of them. Mistakes are noted.
+/// has its default; one without a default must be in one of them. No unknown: a law as it stands is
+/// held against the records. Mistakes are noted.
 std::vector<Unknown> read_unknowns(Config& c, forces::Law& law);
 
 }  // namespace tdbd::calibration

@@ -86,6 +86,7 @@ void refuse_dead_knobs(const Problem& p, const Eigen::MatrixXd& J) {
 }  // namespace
 
 Identifiability identifiability_at(const Problem& p, const Eigen::VectorXd& values) {
+  if (p.unknowns.empty()) return {};
   const Eigen::MatrixXd J =
       relative(p, jacobian_at(p, values), values).topRows(static_cast<Eigen::Index>(p.readings()));
   const auto svd = decomposed(J);
@@ -102,6 +103,7 @@ Identifiability identifiability_at(const Problem& p, const Eigen::VectorXd& valu
 }
 
 std::string in_words(const Problem& p, const Identifiability& found) {
+  if (p.unknowns.empty()) return "nothing was fitted";
   const auto n = static_cast<Eigen::Index>(found.weakest_direction.size());
   const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(found.weakest_direction.data(), n);
   return fmt::format("{} moves the readings by {:.2g} of their noise", direction_in_words(p, v),
@@ -109,6 +111,7 @@ std::string in_words(const Problem& p, const Identifiability& found) {
 }
 
 void require_identifiable(const Problem& p) {
+  if (p.unknowns.empty()) return;
   const Eigen::VectorXd values = starts(p);
   const Eigen::MatrixXd J = relative(p, jacobian_at(p, values), values);
   refuse_dead_knobs(p, J);

@@ -71,9 +71,9 @@ bool is_driven_out(const Unknown& u, double value, double gradient) {
   return is_nearer_to_lower_end(u.range, value) ? gradient >= 0.0 : gradient <= 0.0;
 }
 
-/// Where a coefficient stays that is driven out: at its end, as far as differences can be taken.
+/// Where a coefficient stays that is driven out: at its end, but for the room of a difference.
 double end_of(const Unknown& u, double value) {
-  constexpr double share = 1e-2 * at_bound_share;
+  constexpr double share = 1e-6 * at_bound_share;
   const Range& r = u.range;
   if (!std::isfinite(r.hi)) return r.lo + share * (u.start - r.lo);
   const double room = share * (r.hi - r.lo);
@@ -198,6 +198,7 @@ bool still_held(const Search& s, const std::vector<bool>& out) {
 
 Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
                Precision precision) {
+  if (p.unknowns.empty()) return {start, residuals_at(p, data, start).squaredNorm(), true, 1, ""};
   gsl_set_error_handler_off();
   Search search{p, data, Difference::central, start, {}};
   for (Eigen::Index k = 0; k < start.size(); ++k) search.free.push_back(k);

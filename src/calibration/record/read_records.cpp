@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <regex>
 
 #include "core/config/csv.hpp"
 #include "core/config/key.hpp"
@@ -68,7 +69,9 @@ void check_unit(const Column& column, const std::string& unit, long line, CsvMis
   try {
     to_si("1 " + unit, column.si_unit);
   } catch (const UnitError& e) {
-    mistakes.add(line, column.name, unit.empty() ? "no unit" : e.found,
+    // What is found stands in the file: the unit alone.
+    const std::string found = std::regex_replace(e.found, std::regex("^\"1 "), "\"");
+    mistakes.add(line, column.name, unit.empty() ? "no unit" : found,
                  fmt::format("{} [unit], {}", column.name, e.expected));
   }
 }

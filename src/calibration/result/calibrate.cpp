@@ -12,7 +12,7 @@ namespace {
 
 /// Nothing for all pressures together, or each pressure of the fitted records.
 std::vector<std::optional<double>> pressures_of(const CalibrationCase& c) {
-  if (c.pressures == Pressures::combined) return {std::nullopt};
+  if (c.pressures == Pressures::combined || c.unknowns.empty()) return {std::nullopt};
   std::set<double> pressures;
   for (const Record& r : records_of(c, c.fit)) pressures.insert(r.pressure);
   return {pressures.begin(), pressures.end()};

@@ -59,11 +59,19 @@ std::string row(ToolKind kind, const Prediction& p) {
 
 }  // namespace
 
+void check_folder(const fs::path& folder, simulation::Overwrite overwrite) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) refuse(folder, "is a file");
+  const bool empty = fs::is_empty(folder, error);
+  if (error) refuse(folder, error.message());
+  if (!empty && overwrite == simulation::Overwrite::no)
+    refuse(folder, "exists; --force overwrites");
+}
+
 void prepare_folder(const fs::path& folder, simulation::Overwrite overwrite) {
+  check_folder(folder, overwrite);
   try {
-    if (fs::exists(folder) && !fs::is_directory(folder)) refuse(folder, "is a file");
-    if (fs::exists(folder) && !fs::is_empty(folder) && overwrite == simulation::Overwrite::no)
-      refuse(folder, "exists; --force overwrites");
     fs::create_directories(folder);
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(folder))

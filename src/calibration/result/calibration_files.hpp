@@ -8,6 +8,9 @@
 
 namespace tdbd::calibration {
 
+/// Throws InputError when the folder is not empty and `overwrite` is no, or is a file: before the work.
+void check_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);
+
 /// Makes the result folder. With `force`, files of an older calibration go; others stay. Throws
 /// InputError, and changes nothing, when it is not empty and `overwrite` is no.
 void prepare_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);

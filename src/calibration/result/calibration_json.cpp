@@ -98,7 +98,7 @@ std::string to_json(const CalibrationCase& c, const Calibration& found) {
             {"pressures", c.pressures == Pressures::combined ? "combined" : "separate"},
             {"fit_bits", c.fit},
             {"predict_bits", c.predict}};
-  if (c.pressures == Pressures::combined) {
+  if (!found.sets.front().pressure) {
     json.update(set_json(found.sets.front(), names));
   } else {
     add_sums(found, names, json);

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "calibration/app/calibration_folder.hpp"
+
+namespace tdbd::app::calibrate_test {
+namespace {
+
+using nlohmann::json;
+
+json calibration_of(const CaseFolder& c, const std::string& out = "out") {
+  return json::parse(read(c.path(out) / "calibration.json"));
+}
+
+TEST(Calibrate, leaves_its_files_and_finds_the_truth_within_its_intervals) {
+  const CalibrationFolder c;
+  const auto o = c.calibrate();
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_EQ(files_below(c.path("out")),
+            (std::vector<std::string>{"calibration.json", "case.toml", "law.toml",
+                                      "predictions.csv", "residuals.csv", "timing.json"}));
+  const json found = calibration_of(c);
+  const json& k = found["coefficients"];
+  EXPECT_LT(k["A1"]["low"], 1.4);
+  EXPECT_GT(k["A1"]["high"], 1.4);
+  EXPECT_EQ(k["A1"]["unit"], "1");
+  EXPECT_LT(k["A3"]["low"], 0.384);
+  EXPECT_GT(k["A3"]["high"], 0.384);
+  EXPECT_GT(k["A6"]["bootstrap"]["se"], 0.0);
+  EXPECT_EQ(found["degrees_of_freedom"], 24 - 5);
+  EXPECT_LT(found["withheld_bit_error_normal_rms"], 0.1);
+  EXPECT_EQ(found["singular_values"].size(), 5u);
+  EXPECT_EQ(lines_of(c.path("out/predictions.csv")), 1 + 6);
+  EXPECT_EQ(lines_of(c.path("out/residuals.csv")), 1 + 12);
+  EXPECT_NE(o.out.find("seen least: "), std::string::npos);
+}
+
+TEST(Calibrate, leaves_the_same_bytes_again_and_with_more_threads) {
+  const BitFolder c;
+  ASSERT_EQ(c.laboratory({"--cuts", c.path("lab-cuts")}).exit_code, 0);
+  ASSERT_EQ(c.calibrate({"--quiet"}, "first").exit_code, 0);
+  ASSERT_EQ(c.calibrate({"--quiet"}, "second").exit_code, 0);
+  expect_same_results(c.path("first"), c.path("second"), 10);
+  ASSERT_EQ(
+      c.calibrate({"--quiet", "--threads", "3", "--cuts", c.path("other-cuts")}, "third").exit_code,
+      0);
+  expect_same_results(c.path("first"), c.path("third"), 10);
+  ASSERT_EQ(c.laboratory({"--threads", "2", "--cuts", c.path("cuts")}, "again.csv").exit_code, 0);
+  EXPECT_EQ(read(c.path("lab.csv")), read(c.path("again.csv")));
+}
+
+/// All cut runs of a folder.
+std::vector<std::filesystem::path> cut_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry);
+  return files;
+}
+
+TEST(Calibrate, makes_a_torn_cut_run_anew_and_no_other) {
+  const BitFolder c;
+  ASSERT_EQ(c.laboratory().exit_code, 0);
+  ASSERT_EQ(c.calibrate({}, "before").exit_code, 0);
+  EXPECT_EQ(json::parse(read(c.path("before/timing.json")))["cut_runs_made"], 0);
+  const auto files = cut_files(c.path("cuts"));
+  ASSERT_EQ(files.size(), 4u);
+  const std::string whole = read(files[1]);
+  std::filesystem::resize_file(files[1], whole.size() / 2);
+  ASSERT_EQ(c.calibrate({}, "after").exit_code, 0);
+  const json timing = json::parse(read(c.path("after/timing.json")));
+  EXPECT_EQ(timing["cut_runs_made"], 1);
+  EXPECT_EQ(timing["cut_runs_found"], 3);
+  EXPECT_EQ(read(files[1]), whole);
+  expect_same_results(c.path("before"), c.path("after"), 10);
+}
+
+TEST(Calibrate, another_pressure_speed_or_coefficient_makes_no_cut_run) {
+  const BitFolder c;
+  ASSERT_EQ(c.laboratory().exit_code, 0);
+  c.edit("laboratory.toml", "120 rpm", "60 rpm");
+  c.edit("laboratory.toml", "\"10 m/h\", \"20 m/h\"", "\"5 m/h\", \"10 m/h\"");
+  c.edit("laboratory.toml", "A1 = 1.3", "A1 = 0.7");
+  c.edit("laboratory.toml", "6000 psi", "9000 psi");
+  ASSERT_EQ(c.laboratory({"--force"}).exit_code, 0);
+  EXPECT_EQ(cut_files(c.path("cuts")).size(), 4u);
+  c.edit("s.csv", "15,0", "16,0");
+  ASSERT_EQ(c.laboratory({"--force"}).exit_code, 0);
+  EXPECT_EQ(cut_files(c.path("cuts")).size(), 6u);
+}
+
+TEST(Calibrate, warns_of_a_coefficient_at_its_bound) {
+  const CalibrationFolder c;
+  c.edit("case.toml", "[\"0 deg\", \"45 deg\"]", "[\"0 deg\", \"19 deg\"]");
+  const auto o = c.calibrate();
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_EQ(o.err, "warning: " + c.path("case.toml").string() +
+                       ":24: unknowns.A3: 0.3316 is an end of its range: no interval\n");
+  const json A3 = calibration_of(c)["coefficients"]["A3"];
+  EXPECT_TRUE(A3["at_bound"]);
+  EXPECT_TRUE(A3["se"].is_null());
+  EXPECT_TRUE(A3["low"].is_null());
+  EXPECT_NE(o.out.find("at an end of its range"), std::string::npos);
+}
+
+TEST(Calibrate, fits_each_pressure_alone) {
+  const CalibrationFolder c;
+  c.edit("case.toml", "[cutters.c13]", "pressures = \"separate\"\n[cutters.c13]");
+  c.edit("case.toml", "[unknowns.pressure_share]\nstart = 1.0\n", "");
+  const auto o = c.calibrate();
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_TRUE(std::filesystem::exists(c.path("out/law-20.684MPa.toml")));
+  EXPECT_TRUE(std::filesystem::exists(c.path("out/law-41.369MPa.toml")));
+  const json found = calibration_of(c);
+  ASSERT_EQ(found["by_pressure"].size(), 2u);
+  double sum = 0.0;
+  for (const json& set : found["by_pressure"]) sum += set["objective_normal"].get<double>();
+  EXPECT_DOUBLE_EQ(found["objective_normal"], sum);
+}
+
+/// The resolved case stands elsewhere and gives the same numbers.
+TEST(Calibrate, the_resolved_case_is_the_case) {
+  const CalibrationFolder c;
+  ASSERT_EQ(c.calibrate().exit_code, 0);
+  const auto o =
+      battery::run_tdbd({"calibrate", c.path("out/case.toml"), "-o", c.path("resolved")});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  expect_same_results(c.path("out"), c.path("resolved"), 6);
+}
+
+TEST(Calibrate, the_law_that_it_writes_runs) {
+  const BitFolder c;
+  ASSERT_EQ(c.laboratory().exit_code, 0);
+  ASSERT_EQ(c.calibrate().exit_code, 0);
+  c.write("case.toml",
+          "[bit]\nfile = \"s.toml\"\n[rock]\nedge_length = \"4 mm\"\nwall = \"20 mm\"\nmaterial = "
+          "\"mancos-shale\"\npressure = \"3000 psi\"\n[motion]\nrotary_speed = \"120 "
+          "rpm\"\nrate_of_penetration = \"20 m/h\"\n[time]\nstep = \"10 ms\"\nduration = \"40 "
+          "ms\"\n" +
+              read(c.path("out/law.toml")));
+  EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
+}
+
+}  // namespace
+}  // namespace tdbd::app::calibrate_test

@@ -1,0 +1,63 @@
+#include "calibration/cuts/cut_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/made_up_laboratory.hpp"
+#include "verification/core/temporary_file.hpp"
+
+namespace tdbd::calibration::cut_file_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path written(const CutRun& run) {
+  const fs::path file = write_temporary(".nc", "");
+  write_cut_run(file, run, std::vector<std::string>(64, "part"));
+  return file;
+}
+
+void expect_same(const CutRun& a, const CutRun& b) {
+  EXPECT_EQ(a.depth, b.depth);
+  ASSERT_EQ(a.cuts.size(), b.cuts.size());
+  for (std::size_t i = 0; i < a.cuts.size(); ++i) {
+    const simulation::CutOfPart &x = a.cuts[i], &y = b.cuts[i];
+    EXPECT_EQ(x.part, y.part);
+    EXPECT_EQ(x.cut.kind, y.cut.kind);
+    EXPECT_EQ(x.face_area, y.face_area);
+    EXPECT_EQ(x.forward_W, y.forward_W);
+    EXPECT_EQ(x.cut.contact_area, y.cut.contact_area);
+    EXPECT_EQ(x.cut.engaged_edge, y.cut.engaged_edge);
+    EXPECT_EQ(x.cut.removed_volume, y.cut.removed_volume);
+    EXPECT_EQ(x.cut.diameter, y.cut.diameter);
+    EXPECT_EQ(x.cut.point, y.cut.point);
+    EXPECT_EQ(x.cut.normal, y.cut.normal);
+  }
+}
+
+TEST(CutFile, is_read_back_to_the_bit) {
+  const CutRun run = made_up_run(made_up_bits()[2], 1.0 / 3.0e3);
+  const auto read = read_cut_run(written(run));
+  ASSERT_TRUE(read);
+  expect_same(run, *read);
+}
+
+TEST(CutFile, that_is_torn_is_none) {
+  const fs::path file = written(made_up_run(made_up_bits()[0], 1e-3));
+  const auto whole = fs::file_size(file);
+  for (const double share : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+    fs::resize_file(file, static_cast<std::uintmax_t>(share * static_cast<double>(whole)));
+    EXPECT_FALSE(read_cut_run(file)) << share;
+    write_cut_run(file, made_up_run(made_up_bits()[0], 1e-3), std::vector<std::string>(64, "part"));
+  }
+}
+
+TEST(CutFile, that_is_not_there_is_none) {
+  EXPECT_FALSE(read_cut_run(temporary_folder() + "absent.nc"));
+}
+
+TEST(CutFile, of_another_kind_is_none) {
+  EXPECT_FALSE(read_cut_run(write_temporary(".nc", "a text, not a cut run\n")));
+}
+
+}  // namespace
+}  // namespace tdbd::calibration::cut_file_test

@@ -1,0 +1,127 @@
+#include "calibration/fit/identifiability.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/made_up_laboratory.hpp"
+#include "core/error.hpp"
+
+namespace tdbd::calibration::identifiability_test {
+namespace {
+
+CalibrationCase read_case(CalibrationCase c) {
+  read_loads(c, made_up_cuts(c), hidden_law(), {0.03, 0.0}, 3);
+  return c;
+}
+
+/// Whitened derivatives with respect to relative changes, straight from the loads.
+Eigen::MatrixXd relative_derivatives(const Problem& p, const Eigen::VectorXd& values,
+                                     double reading) {
+  Eigen::MatrixXd J(static_cast<Eigen::Index>(p.readings()), values.size());
+  constexpr double step = 1e-5;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    Eigen::VectorXd more = values, less = values;
+    more[k] *= 1.0 + step;
+    less[k] *= 1.0 - step;
+    J.col(k) =
+        (log_loads(p, law_at(p, more)) - log_loads(p, law_at(p, less))) / (2 * step * reading);
+  }
+  return J;
+}
+
+/// The least of |J v| over unit v, by going down the inverse of J^T J again and again.
+double least_stretch(const Eigen::MatrixXd& J) {
+  const Eigen::MatrixXd N = J.transpose() * J;
+  Eigen::VectorXd v = Eigen::VectorXd::Ones(N.cols());
+  for (int i = 0; i < 200; ++i) v = N.fullPivLu().solve(v).normalized().eval();
+  return (J * v).norm();
+}
+
+TEST(Identifiability, the_weakest_direction_stretches_least) {
+  const CalibrationCase c = read_case(made_up_case());
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const Eigen::VectorXd values = truth_of(p, hidden_law());
+  const Identifiability found = identifiability_at(p, values);
+  const Eigen::MatrixXd J = relative_derivatives(p, values, c.noise.reading);
+  constexpr double squared_condition = 1e-6;
+  EXPECT_NEAR(found.singular_values.back() / least_stretch(J), 1.0, squared_condition);
+  const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(found.weakest_direction.data(), 7);
+  EXPECT_NEAR((J * v).norm() / found.singular_values.back(), 1.0, squared_condition);
+  EXPECT_NEAR(v.norm(), 1.0, 1e-14);
+  for (std::size_t k = 1; k < 7; ++k)
+    EXPECT_LE(found.singular_values[k], found.singular_values[k - 1]);
+}
+
+TEST(Identifiability, squares_of_singular_values_sum_up_to_those_of_the_derivatives) {
+  const CalibrationCase c = read_case(made_up_case());
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const Eigen::VectorXd values = truth_of(p, hidden_law());
+  double sum = 0.0;
+  for (const double s : identifiability_at(p, values).singular_values) sum += s * s;
+  const double all = relative_derivatives(p, values, c.noise.reading).squaredNorm();
+  constexpr double differences = 1e-8;
+  EXPECT_NEAR(sum / all, 1.0, differences);
+}
+
+std::string refusal(const CalibrationCase& c) {
+  try {
+    require_identifiable(fitted_problem(c, made_up_cuts(c)));
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// Unknown te beside A4.
+CalibrationCase with_both_of_the_edge() {
+  CalibrationCase c = read_case(made_up_case());
+  c.unknowns.push_back({"te", 1e-4, {}, Range::non_negative(), "case.toml:8: unknowns.te"});
+  return c;
+}
+
+TEST(Identifiability, the_edges_width_and_its_stress_are_refused_by_name) {
+  const std::string message = refusal(with_both_of_the_edge());
+  EXPECT_NE(message.find("te"), std::string::npos) << message;
+  EXPECT_NE(message.find("A4"), std::string::npos) << message;
+  EXPECT_NE(message.find("found a direction that the records do not see"), std::string::npos)
+      << message;
+  EXPECT_NE(message.find("expected a prior_sd for one of them, or one of them in [fixed]"),
+            std::string::npos)
+      << message;
+}
+
+TEST(Identifiability, a_prior_for_one_of_them_helps) {
+  CalibrationCase c = with_both_of_the_edge();
+  unknown(c, "te")->prior_sd = 1e-5;
+  EXPECT_EQ(refusal(c), "");
+}
+
+TEST(Identifiability, a_coefficient_that_no_part_uses_is_refused) {
+  CalibrationCase c = read_case(made_up_case());
+  c.unknowns.push_back({"A7", 1.0, {}, Range::non_negative(), "case.toml:8: unknowns.A7"});
+  EXPECT_EQ(
+      refusal(c),
+      "case.toml:8: unknowns.A7: found a coefficient that acts on no part of the fitted bits (it "
+      "acts on cse or cutter body), expected it in [fixed]");
+}
+
+TEST(Identifiability, what_would_help_is_told) {
+  CalibrationCase c = read_case(made_up_case());
+  std::erase_if(c.records.rows, [](const Record& r) { return r.pressure > 30e6; });
+  for (Record& r : c.records.rows) r.readings[turning].value.reset();
+  const std::string message = refusal(c);
+  EXPECT_NE(message.find("a torque (or drag) reading, a test at another pressure, a prior_sd"),
+            std::string::npos)
+      << message;
+}
+
+TEST(Identifiability, seven_coefficients_are_seen) {
+  const CalibrationCase c = read_case(made_up_case());
+  EXPECT_EQ(refusal(c), "");
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const auto values = truth_of(p, hidden_law());
+  const std::string words = in_words(p, identifiability_at(p, values));
+  EXPECT_NE(words.find(" up 100 % with "), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace tdbd::calibration::identifiability_test

@@ -1,0 +1,74 @@
+#include "calibration/fit/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/made_up_laboratory.hpp"
+#include "calibration/twin_readings.hpp"
+#include "core/angles.hpp"
+#include "core/random.hpp"
+
+namespace tdbd::calibration::solve_test {
+namespace {
+
+/// Of each coefficient, relative; seen 4.3e-14.
+constexpr double recovery = 1.3e-13;
+
+TEST(Recovery, of_seven_coefficients_from_twenty_starts) {
+  CalibrationCase c = made_up_case();
+  const CutStore cuts = made_up_cuts(c);
+  read_loads(c, cuts, hidden_law());
+  const Problem p = fitted_problem(c, cuts);
+  const Eigen::VectorXd truth = truth_of(p, hidden_law());
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Solution s = solve(p, data_of(p), drawn_start(p, seed));
+    EXPECT_TRUE(s.converged) << seed << ": " << s.reason;
+    EXPECT_LT(relative_difference(s.values, truth), recovery) << seed;
+  }
+}
+
+/// A law within its usual values.
+forces::HansonHansen drawn_law(Random& random) {
+  forces::HansonHansen law;
+  law.A1 = random.uniform(0.5, 2.0);
+  law.A2 = random.uniform(0.0, 1.0);
+  law.A3 = random.uniform(10 * degree, 35 * degree);
+  law.A4 = random.uniform(0.0, 1.5);
+  law.A5 = random.uniform(0.5, 2.0);
+  law.A6 = random.uniform(0.2, 0.8);
+  law.pressure_share = random.uniform(0.5, 1.2);
+  return law;
+}
+
+/// Share of the objective; seen 8.4e-10, where golden sections of the twin end.
+constexpr double same_objective = 2.5e-9;
+
+void expect_the_twins_objective(CalibrationCase c, std::uint64_t seed,
+                                const reference::SevenPriors& priors = {}) {
+  Random random{seed};
+  const forces::HansonHansen law = drawn_law(random);
+  c.noise = {.reading = 0.03, .test = 0.02, .rop = 0.02};
+  const CutStore cuts = made_up_cuts(c);
+  read_loads(c, cuts, law, {0.03, 0.02}, random.next());
+  const Problem p = fitted_problem(c, cuts);
+  const Solution s = solve_from_starts(p, data_of(p), 1);
+  const auto twin = reference::variable_projection(
+      twin_readings(p, c.noise), twin_coefficients(p.law), {0.0, 45 * degree, 0.0, 2.0}, priors);
+  EXPECT_NEAR(s.chi2, twin.objective, same_objective * twin.objective) << seed;
+}
+
+TEST(Solve, finds_the_objective_of_variable_projection) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) expect_the_twins_objective(made_up_case(), seed);
+}
+
+TEST(Solve, finds_it_with_priors) {
+  CalibrationCase c = made_up_case();
+  reference::SevenPriors priors;
+  for (std::size_t k = 0; k < priors.size(); ++k) {
+    c.unknowns[k].prior_sd = 0.6 * c.unknowns[k].start;
+    priors[k] = {c.unknowns[k].start, c.unknowns[k].prior_sd};
+  }
+  for (std::uint64_t seed = 11; seed <= 14; ++seed) expect_the_twins_objective(c, seed, priors);
+}
+
+}  // namespace
+}  // namespace tdbd::calibration::solve_test

@@ -1,0 +1,64 @@
+#include "calibration/predict/bootstrap.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/made_up_laboratory.hpp"
+
+namespace tdbd::calibration::bootstrap_test {
+namespace {
+
+Fit good_fit() {
+  CalibrationCase c = well_conditioned_case();
+  c.noise = {.reading = 0.02, .test = 0.02};
+  const CutStore cuts = made_up_cuts(c);
+  read_loads(c, cuts, hidden_law(), {0.02, 0.02}, 8);
+  return fit(fitted_problem(c, cuts), c.intervals);
+}
+
+TEST(Bootstrap, the_same_seed_gives_the_same_numbers) {
+  const Fit f = good_fit();
+  const Bootstrap a = bootstrap(f, {0.95, 20, 7}), b = bootstrap(f, {0.95, 20, 7}),
+                  other = bootstrap(f, {0.95, 20, 8});
+  for (std::size_t k = 0; k < a.coefficients.size(); ++k) {
+    EXPECT_EQ(a.coefficients[k].mean, b.coefficients[k].mean);
+    EXPECT_EQ(a.coefficients[k].low, b.coefficients[k].low);
+    EXPECT_NE(a.coefficients[k].mean, other.coefficients[k].mean);
+  }
+}
+
+/// 400 replicates tell a standard error to 3.5 %.
+TEST(Bootstrap, its_standard_errors_are_those_of_the_derivatives) {
+  const Fit f = good_fit();
+  const Bootstrap b = bootstrap(f, {0.95, 400, 1});
+  EXPECT_EQ(b.failed, 0);
+  constexpr double same_se = 0.15;
+  for (std::size_t k = 0; k < b.coefficients.size(); ++k) {
+    EXPECT_NEAR(b.coefficients[k].se / f.coefficients[k].se, 1.0, same_se) << f.coefficients[k].key;
+    EXPECT_NEAR(b.coefficients[k].mean, f.coefficients[k].value, 0.3 * f.coefficients[k].se);
+    EXPECT_LT(b.coefficients[k].low, b.coefficients[k].mean);
+    EXPECT_GT(b.coefficients[k].high, b.coefficients[k].mean);
+  }
+}
+
+TEST(Bootstrap, of_no_replicates_is_not_made) {
+  EXPECT_TRUE(bootstrap(good_fit(), {0.95, 0, 1}).coefficients.empty());
+}
+
+TEST(Bootstrap, drawn_readings_have_the_problems_covariance) {
+  const Fit f = good_fit();
+  const auto n = static_cast<Eigen::Index>(f.problem.readings());
+  const Eigen::VectorXd means = log_loads(f.problem, f.law);
+  constexpr int draws = 4000;
+  double whitened = 0.0, common = 0.0;
+  for (std::uint64_t seed = 1; seed <= draws; ++seed) {
+    Eigen::VectorXd noise = drawn_data(f.problem, f.values, seed).log_loads - means;
+    common += noise[0] * noise[1] / draws;  // two loads of one test
+    whiten(f.problem, noise);
+    whitened += noise.squaredNorm() / static_cast<double>(n) / draws;
+  }
+  EXPECT_NEAR(whitened, 1.0, 0.02);
+  EXPECT_NEAR(common, 0.02 * 0.02, 0.1 * 0.02 * 0.02);
+}
+
+}  // namespace
+}  // namespace tdbd::calibration::bootstrap_test
