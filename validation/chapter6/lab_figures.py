@@ -10,7 +10,6 @@ sys.path.insert(0, str(lab_runs.VALIDATION.parent / "reports"))
 from figures import style  # noqa: E402
 
 PRESSURE_COLOURS = (style.BLUE, style.RED)
-BIT_COLOURS = {"A": style.GREEN, "B": style.BLUE, "C": style.PURPLE}
 LAW_COLOURS = {"hanson-hansen": style.BLUE, "size-effect": style.GREEN, "thin-cut": style.RED, "detournay": style.GOLD}
 LOADS = {"wob": ("WOB [kN]", 1e3), "tob": ("TOB [kN m]", 1e3)}  # heading, SI in one of its units
 METRES_PER_HOUR = 1 / 3600  # m/s
@@ -217,8 +216,8 @@ def figures(results, records, exact, blind_rows):
         prediction_figure(results, "prediction-b", "figure D.3", second, "combined", "bits A and C"),
         prediction_figure(results, "prediction-c", "figure D.4", third, "combined", "bits A and B"),
         Figure("two-laws", "", "The withheld bit by two laws",
-               "Hanson-Hansen made the records and follows them. The thin-cut law has no chamfers: too little weight at low rates, too much at "
-               f"high ones. That says nothing of real rock. {SYNTHETIC}", two_laws(results)),
+               "Hanson-Hansen made the records and follows them. The thin-cut law has no chamfers: its weight grows too steeply with the "
+               f"rate. That says nothing of real rock. {SYNTHETIC}", two_laws(results)),
         Figure("blind", "", "Blind test: hidden laws against a Hanson-Hansen fit",
                "Errors against the hidden law's loads without noise; coverage of readings with noise. "
                f"{SYNTHETIC}", blind(blind_rows))]

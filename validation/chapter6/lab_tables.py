@@ -154,7 +154,7 @@ def objectives(results):
     return Table("objectives", "table 6.4", "WOB and TOB objectives for separate and combined pressures, and the withheld bit",
                  "Sum of squared residuals of each load, in units of their noise, and beside it what decides: the error of the bit that "
                  "the fit has not seen, against its readings with their noise of 3 % each and 3 % a test (%, root mean square and 95th "
-                 "percentile). Coefficients for each pressure lower the sum of the objectives whatever the truth, which here is one set for both: "
+                 "percentile). Coefficients for each pressure lower the sum of the objectives also where, as here, one set for both is the truth: "
                  "judge on the withheld bit. "
                  + verdict(results) + " " + SYNTHETIC + " " + NOT_THEIRS,
                  ["law", "pairing", "fit", "WOB objective", "TOB objective", "degrees of freedom", "fitted bits, WOB rms %", "TOB rms %",
