@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import bit_pages
+import calibrations
 import evidence
 import manifest as manifests
 import page
@@ -56,10 +57,10 @@ def stale(manifest, data, drawing, pages):
                       + [(p.demand_current, r) for p in pages for r in p.runs()]))
 
 
-def sources(manifest, drawing, made, evidence_folder):
-    """Files that the page shows: pictures, measurements, what the studies made."""
+def sources(manifest, drawing, made, calibrated, evidence_folder):
+    """Files that the page shows: pictures, measurements, what studies and calibrations made."""
     return ([drawing.picture(f) for f in manifest.figures] + list(evidence_folder.rglob("*.json"))
-            + [p for study in made.runs() for p in made.products(study)])
+            + [p for m in (made, calibrated) for run in m.runs() for p in m.products(run)])
 
 
 def stale_page(html, shown):
@@ -101,15 +102,16 @@ def report(chosen):
     pages = [bit_pages.BitPages(manifest, data, chosen.output / "bits"),
              bit_pages.Animations(manifest, data, chosen.output / "moving")]
     pages.append(made := studies.Studies(chosen.root, chosen.output / "studies"))
+    pages.append(calibrated := calibrations.Calibrations(chosen.root, chosen.build, chosen.output / "validation", chosen.quick))
     html = chosen.output / "index.html"
     if chosen.check:
-        problems = stale(manifest, data, drawing, pages) or stale_page(html, sources(manifest, drawing, made, folder))
+        problems = stale(manifest, data, drawing, pages) or stale_page(html, sources(manifest, drawing, made, calibrated, folder))
         return problems + unproved
     html.unlink(missing_ok=True)
     problems = update(manifest, data, drawing, pages) or stale(manifest, data, drawing, pages)
     problems += unproved
     if not problems:
-        page.write(html, manifest, data, drawing, made, found.by_claim, chosen.quick)
+        page.write(html, manifest, data, drawing, made, calibrated, found.by_claim, chosen.quick)
         print(f"report: look at {html}")
     return problems
 

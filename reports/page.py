@@ -11,6 +11,7 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup, escape
 
+import calibrations
 import class_table
 import evidence
 import studies
@@ -60,6 +61,15 @@ def shown_studies(made):
             for s in made.runs()]
 
 
+def shown_calibrations(calibrated):
+    """What the page shows of each set: title, what it is, its tables and figures."""
+    return [{"set": s, "is_made": calibrated.is_made(s),
+             "items": [{**i, "table": i["table"] and studies.as_html(calibrations.table_text(i)),
+                        "width": i["picture"] and shown_width(i["picture"]), "picture": i["picture"] and embedded(i["picture"])}
+                       for i in calibrated.items(s)]}
+            for s in calibrated.found()]
+
+
 def program(manifest, data):
     """(what, which) of the programs that made the results, from the results themselves: one that did
     not change may be of an earlier commit."""
@@ -79,7 +89,7 @@ def provenance(manifest, data):
     return program(manifest, data) + [("python", platform.python_version())] + drawn
 
 
-def write(path, manifest, data, drawing, made, found, is_quick):
+def write(path, manifest, data, drawing, made, calibrated, found, is_quick):
     """Writes the page, whole or not at all."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
@@ -87,6 +97,7 @@ def write(path, manifest, data, drawing, made, found, is_quick):
     environment.filters["breakable"] = breakable
     html = environment.get_template("page.html.j2").render(
         rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
+        calibrations=shown_calibrations(calibrated),
         bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")

@@ -1,7 +1,7 @@
-"""validate.py [-o DIR] [NAME ...]: runs the cases of split.toml with `tdbd calibrate`, then compare.py.
+"""validate.py [-o DIR] [--chapter6] [NAME ...]: runs the cases of split.toml with `tdbd calibrate`, then compare.py.
 
 DIR: results/validation. Each case has its folder in DIR; cut runs are kept in DIR/cuts and made once. NAME: only these
-comparisons. --program: another tdbd."""
+comparisons. --chapter6: also what chapter6/make.py makes, in DIR/chapter6, unless there is a NAME. --program: another tdbd."""
 
 import argparse
 import json
@@ -72,14 +72,25 @@ def validate(program, results, names):
     return code
 
 
+def chapter6(program, results):
+    """Chapter 6 and appendix D in the synthetic laboratory."""
+    folder = results / "chapter6"
+    code = subprocess.run([sys.executable, "-B", HERE / "chapter6/make.py", program, folder], check=False).returncode
+    if code == 0:
+        print(f"chapter 6 and appendix D, synthetic laboratory: {folder / 'tables'}, {folder / 'figures'}")
+    return code
+
+
 def main(act=validate, what=__doc__):
     parser = argparse.ArgumentParser(description=what, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "results" / "validation", metavar="DIR")
     parser.add_argument("--program", type=Path, default=ROOT / "build" / "release" / "tdbd")
+    parser.add_argument("--chapter6", action="store_true")
     parser.add_argument("names", nargs="*", metavar="NAME")
     a = parser.parse_args()
     try:
-        return act(a.program, a.output.resolve(), a.names)
+        code = act(a.program, a.output.resolve(), a.names)
+        return chapter6(a.program, a.output.resolve()) or code if a.chapter6 and not a.names else code
     except comparison.Problem as problem:
         print(f"validate: {problem}", file=sys.stderr)
         return 2

@@ -1,0 +1,107 @@
+"""calibrations_test.py ROOT: what validation/ makes is shown, made once, made again when it changed, and no report without it."""
+
+import pathlib
+import sys
+import unittest
+import tempfile
+
+from small_project import PROGRAM, Project
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "reports"))
+from calibrations import CHAPTER_6, MEASURED  # noqa: E402
+
+CHAPTER = """
+import json, pathlib, sys
+from matplotlib.figure import Figure
+own, out = pathlib.Path(__file__).parent, pathlib.Path(sys.argv[2])
+for folder in ("tables", "figures"):
+    (out / folder).mkdir(parents=True, exist_ok=True)
+n = (own.parent / "cases/lab-bc-a.toml").read_text()
+(out / "tables/starts.md").write_text(f"## Starts\\n\\nA caption.\\n\\n| n |\\n|---|\\n| {n} |\\n")
+Figure(figsize=(2, 2)).savefig(out / "figures/fit.png", dpi=200)
+items = [("table", "starts", "table 6.1"), ("figure", "fit", "figure 6.3")]
+(out / "chapter6.json").write_text(json.dumps(
+    [{"kind": k, "name": n, "counterpart": c, "title": f"The <{n}>", "caption": "Synthetic laboratory."} for k, n, c in items]))
+"""
+COMPARE = """
+import pathlib, sys
+out = pathlib.Path(sys.argv[sys.argv.index("-o") + 1])
+(out / "comparisons.md").write_text("## One\\n\\nmeasured\\n\\n| law |\\n|---|\\n| glowka |\\n")
+"""
+
+
+class Made(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.project = Project(folder.name)
+        self.project.write("validation/chapter6/make.py", CHAPTER)
+        self.project.write("validation/validate.py", COMPARE)
+        self.project.write("validation/cases/lab-bc-a.toml", "17")
+
+    def make(self, *words, arguments=()):
+        """The names of what was made; complaints hold these words."""
+        code, made, complaints = self.project.make(*arguments)
+        self.assertNotIn("Traceback", complaints)
+        self.assertEqual(code, 1 if words else 0, complaints)
+        for word in words:
+            self.assertIn(word, complaints)
+        return [name for name in ("chapter6", "measured") if f"made {name}\n" in made]
+
+    def page(self, folder=None):
+        return ((folder or self.project.out) / "index.html").read_text(encoding="utf-8")
+
+    def section(self, place):
+        return self.page().split(f'<section id="calibration-{place}">')[1].split("</section>")[0]
+
+    def test_is_made_once_and_shown(self):
+        self.assertEqual(self.make(), ["chapter6", "measured"])
+        self.assertEqual(self.make(), [])
+        self.assertEqual(self.make(arguments=("--check",)), [])
+        table, figure = self.section("chapter6-table-starts"), self.section("chapter6-figure-fit")
+        for words in ("Counterpart of table 6.1: The &lt;starts&gt;", "<p>Synthetic laboratory.</p>", "<td>17</td>"):
+            self.assertIn(words, table)
+        self.assertNotIn("A caption", table)  # the page has its own
+        self.assertIn("Counterpart of figure 6.3", figure)
+        self.assertIn('src="data:image/png;base64,', figure)
+        self.assertIn("<td>glowka</td>", self.section("measured-table-comparisons"))
+
+    def test_is_made_again_when_a_case_a_bit_or_the_program_changed(self):
+        self.make()
+        for file, text in (("validation/cases/lab-bc-a.toml", "18"), ("cases/bits/bit-a.toml", "[bit]\n"),
+                           ("build/release/tdbd", PROGRAM + "# another\n")):
+            with self.subTest(file):
+                self.project.write(file, text)
+                if file.startswith("validation"):
+                    self.make("chapter6: the program, a case, a record or a script changed", arguments=("--check",))
+                self.assertIn("chapter6", self.make())
+                self.assertEqual(self.make(), [])
+        self.assertIn("<td>18</td>", self.section("chapter6-table-starts"))
+
+    def test_is_made_again_when_its_table_went_or_was_changed(self):
+        for change in (lambda file: file.unlink(), lambda file: file.write_text("## H\n\nc\n\n| 19 |\n")):
+            self.make()
+            change(self.project.out / "validation/chapter6/tables/starts.md")
+            self.make("chapter6: a table or figure was changed or removed", arguments=("--check",))
+            self.assertEqual(self.make(), ["chapter6"])
+
+    def test_that_fails_leaves_no_report(self):
+        self.project.write("validation/validate.py", "raise SystemExit('validate: a verdict is another')\n")
+        self.make("measured: exit code 1", "a verdict is another")
+        self.assertFalse((self.project.out / "index.html").exists())
+
+    def test_a_quick_run_says_that_it_was_not_made(self):
+        self.assertEqual(self.make(arguments=("--quick",)), [])
+        self.assertEqual(self.page(self.project.build / "report-quick").count("Not made in this run"), 2)
+
+    def test_knows_every_file_behind_a_set(self):
+        for made, file in ((CHAPTER_6, "blind/blind.py"), (CHAPTER_6, "chapter6/records.csv"), (CHAPTER_6, "cases/lab-bc-a.toml"),
+                           (CHAPTER_6, "cases/laboratory.toml"), (MEASURED, "split.toml"), (MEASURED, "records/single-cutters.csv")):
+            with self.subTest(file):
+                found = {f for pattern in made.own for f in (ROOT / "validation").glob(pattern)}
+                self.assertIn(ROOT / "validation" / file, found)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
