@@ -57,7 +57,7 @@ inline constexpr TableKey rock{"rock", "the rock, and its mesh in the cut runs"}
 inline constexpr QuantityKey edge_length{.name = "edge_length",
                                          .unit = "m",
                                          .fallback = 2e-3,
-                                         .range = Range::positive(),
+                                         .range = Range::within(1e-5, 0.1),
                                          .meaning = "of the rock's triangles in the cut runs"};
 inline constexpr TableKey time{"time", "the cut runs: one for each bit and depth of cut"};
 inline constexpr IntegerKey revolutions{.name = "revolutions",

@@ -5,25 +5,21 @@
 namespace tdbd::calibration {
 namespace {
 
-/// Residuals where the free unknowns have these free variables.
-Eigen::VectorXd residuals_of(Search& s, const Eigen::VectorXd& u) {
-  ++s.evaluations;
-  Eigen::VectorXd values = s.values;
-  for (std::size_t i = 0; i < s.free.size(); ++i)
-    values[s.free[i]] = value_of(s.unknown(i).range, u[static_cast<Eigen::Index>(i)]);
-  return residuals_at(s.problem, s.data, values);
-}
-
-/// Differences of fourth order in a wide step: a narrow one loses what is sought.
+/// Derivatives by the free variables u of the free unknowns: differences of fourth order in a wide
+/// step, since a narrow one loses what is sought.
 Eigen::MatrixXd wide_derivatives(Search& s, const Eigen::VectorXd& u) {
   constexpr double h = 1e-3;
+  constexpr int evaluations = 4;
+  OneMoves moves(s.problem, s.values);
   Eigen::MatrixXd J(s.problem.rows(), u.size());
   for (Eigen::Index k = 0; k < u.size(); ++k) {
-    const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(u.size(), k);
-    J.col(k) = (8.0 * (residuals_of(s, u + step) - residuals_of(s, u - step)) -
-                (residuals_of(s, u + 2.0 * step) - residuals_of(s, u - 2.0 * step))) /
-               (12.0 * h);
+    const auto i = static_cast<std::size_t>(k);
+    const auto at = [&](double step) {
+      return moves.residuals(s.free[i], value_of(s.unknown(i).range, u[k] + step));
+    };
+    J.col(k) = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
   }
+  s.evaluations += evaluations * u.size();
   return J;
 }
 
@@ -37,8 +33,8 @@ void polish(Search& s) {
   for (std::size_t i = 0; i < s.free.size(); ++i)
     u[static_cast<Eigen::Index>(i)] = free_variable(s.unknown(i).range, s.values[s.free[i]]);
   for (int i = 0; i < steps; ++i) {
-    const Eigen::VectorXd step =
-        wide_derivatives(s, u).colPivHouseholderQr().solve(-residuals_of(s, u));
+    const Eigen::VectorXd rows = residuals_at(s.problem, s.data, s.values);
+    const Eigen::VectorXd step = wide_derivatives(s, u).colPivHouseholderQr().solve(-rows);
     if (!(step.cwiseAbs().maxCoeff() < most)) return;
     u += step;
     for (std::size_t k = 0; k < s.free.size(); ++k)

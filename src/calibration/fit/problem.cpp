@@ -60,6 +60,39 @@ std::pair<double, double> around(const Unknown& u, double value, Difference diff
   return {value - h, value + h};
 }
 
+/// Of the readings' loads, in their order.
+Eigen::VectorXd logarithms(const Problem& p, const std::vector<Loads>& loads) {
+  constexpr double least = 1e-300;
+  Eigen::VectorXd logs(static_cast<Eigen::Index>(p.readings()));
+  for (std::size_t i = 0; i < p.readings(); ++i)
+    logs[static_cast<Eigen::Index>(i)] =
+        std::log(std::max(least, loads[p.places[i].sample][p.places[i].load]));
+  return logs;
+}
+
+/// Whitens the rows of the readings, and adds those of the priors.
+Eigen::VectorXd all_rows(const Problem& p, const Eigen::VectorXd& errors,
+                         const Eigen::VectorXd& from_centres) {
+  const auto n = static_cast<Eigen::Index>(p.readings());
+  Eigen::VectorXd rows(p.rows());
+  rows.head(n) = errors;
+  whiten(p, rows.head(n));
+  Eigen::Index row = n;
+  for (std::size_t k = 0; k < p.unknowns.size(); ++k)
+    if (const auto& sd = p.unknowns[k].prior_sd)
+      rows[row++] = from_centres[static_cast<Eigen::Index>(k)] / *sd;
+  return rows;
+}
+
+/// The kinds of part on which a coefficient of the law acts.
+Kinds kinds_felt(forces::Law law, const std::string& key) {
+  Kinds kinds{};
+  for (const forces::LawField& f : forces::law_fields(law))
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      if (f.key == key) kinds[i] = forces::acts_on(f, static_cast<bit::PartKind>(i));
+  return kinds;
+}
+
 }  // namespace
 
 Eigen::Index Problem::rows() const {
@@ -105,15 +138,10 @@ forces::Law law_at(const Problem& p, const Eigen::VectorXd& values) {
 }
 
 Eigen::VectorXd log_loads(const Problem& p, const forces::Law& law) {
-  constexpr double least = 1e-300;
   std::vector<Loads> loads;
   loads.reserve(p.samples.size());
   for (const Sample& s : p.samples) loads.push_back(mean_loads(law, s));
-  Eigen::VectorXd logs(static_cast<Eigen::Index>(p.readings()));
-  for (std::size_t i = 0; i < p.readings(); ++i)
-    logs[static_cast<Eigen::Index>(i)] =
-        std::log(std::max(least, loads[p.places[i].sample][p.places[i].load]));
-  return logs;
+  return logarithms(p, loads);
 }
 
 void whiten(const Problem& p, Eigen::Ref<Eigen::VectorXd> residuals) {
@@ -123,35 +151,53 @@ void whiten(const Problem& p, Eigen::Ref<Eigen::VectorXd> residuals) {
 }
 
 Eigen::VectorXd residuals_at(const Problem& p, const Data& data, const Eigen::VectorXd& values) {
-  const auto n = static_cast<Eigen::Index>(p.readings());
-  Eigen::VectorXd r(p.rows());
-  r.head(n) = log_loads(p, law_at(p, values)) - data.log_loads;
-  whiten(p, r.head(n));
-  Eigen::Index row = n;
-  for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (const auto& sd = p.unknowns[k].prior_sd)
-      r[row++] = (values[i] - data.prior_centres[i]) / *sd;
+  return all_rows(p, log_loads(p, law_at(p, values)) - data.log_loads, values - data.prior_centres);
+}
+
+OneMoves::OneMoves(const Problem& problem, const Eigen::VectorXd& values)
+    : problem_(problem), values_(values) {
+  for (const Unknown& u : problem.unknowns) kinds_.push_back(kinds_felt(problem.law, u.key));
+}
+
+const std::vector<Loads>& OneMoves::rest_of(const Kinds& moved) {
+  std::vector<Loads>& rest = rests_[moved];
+  if (!rest.empty()) return rest;
+  Kinds others{};
+  for (std::size_t i = 0; i < others.size(); ++i) others[i] = !moved[i];
+  const forces::Law law = law_at(problem_, values_);
+  for (const Sample& s : problem_.samples) {
+    rest.push_back(loads_of(law, s, others));
+    for (const std::size_t load : {axial, turning}) rest.back()[load] += s.others[load];
   }
-  return r;
+  return rest;
+}
+
+Eigen::VectorXd OneMoves::residuals(Eigen::Index k, double value) {
+  const Kinds& kinds = kinds_[static_cast<std::size_t>(k)];
+  std::vector<Loads> loads = rest_of(kinds);
+  Eigen::VectorXd values = values_;
+  values[k] = value;
+  const forces::Law law = law_at(problem_, values);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const Loads moved = loads_of(law, problem_.samples[i], kinds);
+    for (const std::size_t load : {axial, turning}) loads[i][load] += moved[load];
+  }
+  return all_rows(problem_, logarithms(problem_, loads), values);
 }
 
 Eigen::MatrixXd jacobian_at(const Problem& p, const Eigen::VectorXd& values,
                             Difference difference) {
-  const Data nothing{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.readings())),
-                     Eigen::VectorXd::Zero(values.size())};
-  Eigen::MatrixXd J(p.rows(), values.size());
+  OneMoves moves(p, values);
   Eigen::VectorXd here;
-  if (difference == Difference::one_sided) here = residuals_at(p, nothing, values);
+  const auto rows_at = [&](Eigen::Index k, double value) {
+    if (value != values[k]) return moves.residuals(k, value);
+    if (here.size() == 0) here = moves.residuals(k, value);
+    return here;
+  };
+  Eigen::MatrixXd J(p.rows(), values.size());
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     const auto [lo, hi] = around(p.unknowns[static_cast<std::size_t>(k)], values[k], difference);
-    const auto residuals_with = [&](double value) {
-      if (value == values[k] && here.size() > 0) return here;
-      Eigen::VectorXd changed = values;
-      changed[k] = value;
-      return residuals_at(p, nothing, changed);
-    };
-    J.col(k) = (residuals_with(hi) - residuals_with(lo)) / (hi - lo);
+    J.col(k) = (rows_at(k, hi) - rows_at(k, lo)) / (hi - lo);
   }
   return J;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <map>
 #include <vector>
 
 #include "calibration/case/calibration_case.hpp"
@@ -62,6 +63,23 @@ void whiten(const Problem& problem, Eigen::Ref<Eigen::VectorXd> residuals);
 /// All rows, whitened readings first, then (value - centre)/prior_sd of each prior.
 Eigen::VectorXd residuals_at(const Problem& problem, const Data& data,
                              const Eigen::VectorXd& values);
+
+/// Residuals where one unknown moves and the others stay. Parts on which it does not act are
+/// evaluated once, so that a derivative costs what the coefficient acts on.
+class OneMoves {
+ public:
+  OneMoves(const Problem& problem, const Eigen::VectorXd& values);
+  /// Rows without data (logarithms of the loads, whitened), with this value of unknown k.
+  Eigen::VectorXd residuals(Eigen::Index k, double value);
+
+ private:
+  const std::vector<Loads>& rest_of(const Kinds& moved);
+
+  const Problem& problem_;
+  Eigen::VectorXd values_;
+  std::vector<Kinds> kinds_;                   ///< on which each unknown acts
+  std::map<Kinds, std::vector<Loads>> rests_;  ///< loads of the samples without those kinds
+};
 
 /// Central differences, or one-sided ones for half the price and half the digits.
 enum class Difference { central, one_sided };

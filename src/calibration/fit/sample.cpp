@@ -56,6 +56,13 @@ Loads mean_loads(const forces::Law& law, const Sample& sample) {
   return loads;
 }
 
+Loads loads_of(const forces::Law& law, const Sample& sample, const Kinds& kinds) {
+  Loads loads{};
+  for (const forces::PartCut& cut : sample.cuts)
+    if (kinds[static_cast<std::size_t>(cut.kind)]) add(forces::force(law, cut), loads);
+  return loads;
+}
+
 Loads depth_slopes(const forces::Law& law, const Sample& sample) {
   constexpr double step = 1e-4;
   const auto scaled = [&](double factor) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "calibration/cuts/cut_run.hpp"
@@ -21,6 +22,12 @@ Sample sample_of(const CutRun& run, const Record& record, const forces::Strength
 /// Mean loads, calibration (1): the law is evaluated once on each part's mean cut. Does not
 /// allocate.
 Loads mean_loads(const forces::Law& law, const Sample& sample);
+
+/// Kinds of part, by PartKind.
+using Kinds = std::array<bool, bit::part_kinds.size()>;
+
+/// What the parts of some kinds under the law add to the mean loads.
+Loads loads_of(const forces::Law& law, const Sample& sample, const Kinds& kinds);
 
 /// d log load / d log depth of each load: areas grow with the depth, edges and contacts stay.
 /// 0 where there is no load.
