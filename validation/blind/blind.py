@@ -17,7 +17,7 @@ from lab_runs import PAIRINGS
 HERE = Path(__file__).resolve().parent
 LAWS = ("hanson-hansen", "size-effect", "thin-cut", "detournay")
 LOADS = ("wob", "tob")
-DRAWS = 3
+DRAWS = 2
 EXACT = ("noise.reading=1e-12", "noise.test=0", "noise.rop=0")
 
 

@@ -66,7 +66,9 @@ CalibrationCase read_calibration(const std::string& path,
   CalibrationCase result;
   result.path = path;
   Config top = c.table(table);
-  result.law = forces::law_named(top.read(calibration_keys::law));
+  const std::string name = top.read(calibration_keys::law);
+  c.stop_at_problems();  // without its law no coefficient means anything
+  result.law = forces::law_named(name);
   const std::string file = top.read(calibration_keys::records);
   result.fit = top.read(fit_bits, std::vector<std::string>{});
   result.predict = top.read(predict_bits, std::vector<std::string>{});

@@ -26,17 +26,19 @@ Eigen::MatrixXd wide_derivatives(Search& s, const Eigen::VectorXd& u) {
 }  // namespace
 
 void polish(Search& s) {
-  constexpr int steps = 2;
-  constexpr double most = 1e-5;
+  constexpr int steps = 6;
+  constexpr double most = 1e-3, least = 1e-9;
   if (s.free.empty()) return;
   Eigen::VectorXd u(static_cast<Eigen::Index>(s.free.size()));
   for (std::size_t i = 0; i < s.free.size(); ++i)
     u[static_cast<Eigen::Index>(i)] = free_variable(s.unknown(i).range, s.values[s.free[i]]);
-  for (int i = 0; i < steps; ++i) {
+  bool last = false;
+  for (int i = 0; i < steps && !last; ++i) {
     const Eigen::VectorXd rows = residuals_at(s.problem, s.data, s.values);
     const Eigen::VectorXd step = wide_derivatives(s, u).colPivHouseholderQr().solve(-rows);
     if (!(step.cwiseAbs().maxCoeff() < most)) return;
     u += step;
+    last = step.cwiseAbs().maxCoeff() < least;
     for (std::size_t k = 0; k < s.free.size(); ++k)
       s.values[s.free[k]] = value_of(s.unknown(k).range, u[static_cast<Eigen::Index>(k)]);
   }

@@ -47,12 +47,12 @@ Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
                Precision precision) {
   if (p.unknowns.empty()) return {start, residuals_at(p, data, start).squaredNorm(), true, 1, ""};
   gsl_set_error_handler_off();
-  Search search{p, data, Difference::central, start, {}};
+  Search search{p, data, start, {}};
   for (Eigen::Index k = 0; k < start.size(); ++k) search.free.push_back(k);
   int status = GSL_SUCCESS;
   std::vector<bool> out;
   do {
-    status = search_from_values(search, precision);
+    status = search_from_values(search);
     out = driven_out(search);
   } while (hold(search, out));
   const bool settled = status == GSL_SUCCESS && still_held(search, out);

@@ -16,6 +16,10 @@ struct Solution {
   std::string reason;    ///< why it did not converge
 };
 
+/// How far a search goes. replicate: to a small share of a standard error (trust_region.hpp); full:
+/// on from there to ten digits (polish.hpp).
+enum class Precision { full, replicate };
+
 /// Least squares from these values. An unknown that is driven to an end of its range stays there
 /// while the others are searched; the result counts if the objective still falls beyond.
 Solution solve(const Problem& problem, const Data& data, const Eigen::VectorXd& start,

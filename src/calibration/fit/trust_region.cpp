@@ -32,8 +32,8 @@ int residuals(const gsl_vector* u, void* search, gsl_vector* f) {
 int derivatives(const gsl_vector* u, void* search, gsl_matrix* J) {
   auto& s = *static_cast<Search*>(search);
   const Eigen::VectorXd values = values_of(s, u);
-  const Eigen::MatrixXd by_values = jacobian_at(s.problem, values, s.difference);
-  s.evaluations += (s.difference == Difference::central ? 2 : 1) * values.size();
+  const Eigen::MatrixXd by_values = jacobian_at(s.problem, values, Difference::one_sided);
+  s.evaluations += values.size() + 1;
   if (!by_values.allFinite()) return GSL_EDOM;
   for (std::size_t i = 0; i < J->size1; ++i)
     for (std::size_t k = 0; k < J->size2; ++k)
@@ -91,34 +91,6 @@ int iterate(const Search& s, double tolerance, gsl_multifit_nlinear_workspace* w
   return status == GSL_CONTINUE ? GSL_EMAXITER : status;
 }
 
-struct Ended {
-  Eigen::VectorXd values;
-  int status = GSL_SUCCESS;
-};
-
-Ended search_in(Search& search, Precision precision) {
-  const double tolerance = precision == Precision::full ? 1e-7 : 1e-5;
-  search.difference = precision == Precision::full ? Difference::central : Difference::one_sided;
-  const auto n = static_cast<std::size_t>(search.problem.rows()), k = search.free.size();
-  gsl_multifit_nlinear_fdf fdf{};
-  fdf.f = residuals;
-  fdf.df = derivatives;
-  fdf.n = n;
-  fdf.p = k;
-  fdf.params = &search;
-  const auto options = parameters();
-  const std::unique_ptr<gsl_multifit_nlinear_workspace, FreeWorkspace> w(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, n, k));
-  const std::unique_ptr<gsl_vector, FreeVector> u(gsl_vector_alloc(k));
-  for (std::size_t i = 0; i < k; ++i)
-    gsl_vector_set(u.get(), i,
-                   free_variable(search.unknown(i).range, search.values[search.free[i]]));
-  int status = gsl_multifit_nlinear_init(u.get(), &fdf, w.get());
-  if (status == GSL_SUCCESS) status = iterate(search, tolerance, w.get());
-  if (status == GSL_SUCCESS && precision == Precision::full) gsl_multifit_nlinear_iterate(w.get());
-  return {values_of(search, gsl_multifit_nlinear_position(w.get())), status};
-}
-
 bool is_nearer_to_lower_end(const Range& r, double value) {
   return !(std::isfinite(r.hi) && r.hi - value < value - r.lo);
 }
@@ -138,14 +110,27 @@ double end_of(const Unknown& u, double value) {
   return is_nearer_to_lower_end(r, value) ? r.lo + room : r.hi - room;
 }
 
-int search_from_values(Search& search, Precision precision) {
+int search_from_values(Search& search) {
+  constexpr double tolerance = 1e-5;
   if (search.free.empty()) return GSL_SUCCESS;
-  Ended ended = search_in(search, Precision::replicate);
-  search.values = ended.values;
-  if (precision == Precision::replicate || ended.status == GSL_CONTINUE) return ended.status;
-  ended = search_in(search, Precision::full);
-  search.values = ended.values;
-  return ended.status;
+  const auto n = static_cast<std::size_t>(search.problem.rows()), k = search.free.size();
+  gsl_multifit_nlinear_fdf fdf{};
+  fdf.f = residuals;
+  fdf.df = derivatives;
+  fdf.n = n;
+  fdf.p = k;
+  fdf.params = &search;
+  const auto options = parameters();
+  const std::unique_ptr<gsl_multifit_nlinear_workspace, FreeWorkspace> w(
+      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, n, k));
+  const std::unique_ptr<gsl_vector, FreeVector> u(gsl_vector_alloc(k));
+  for (std::size_t i = 0; i < k; ++i)
+    gsl_vector_set(u.get(), i,
+                   free_variable(search.unknown(i).range, search.values[search.free[i]]));
+  int status = gsl_multifit_nlinear_init(u.get(), &fdf, w.get());
+  if (status == GSL_SUCCESS) status = iterate(search, tolerance, w.get());
+  search.values = values_of(search, gsl_multifit_nlinear_position(w.get()));
+  return status;
 }
 
 }  // namespace tdbd::calibration

@@ -7,19 +7,14 @@
 
 namespace tdbd::calibration {
 
-/// How far a search goes. replicate: one-sided differences, to a gradient of 1e-5: far below a
-/// standard error. full: on from there with central differences, to 1e-7, one step more, and
-/// polish().
-enum class Precision { full, replicate };
-
 inline constexpr int most_iterations = 200;
 
 /// A search with GSL's trust region (double dogleg, singular value decomposition): it moves the
-/// unknowns `free` over their free variables (bounded_map.hpp), the others stay.
+/// unknowns `free` over their free variables (bounded_map.hpp), the others stay. One-sided
+/// differences, to a gradient of 1e-5: far below a standard error.
 struct Search {
   const Problem& problem;
   const Data& data;
-  Difference difference = Difference::central;
   Eigen::VectorXd values;
   std::vector<Eigen::Index> free;
   long evaluations = 0;
@@ -31,7 +26,7 @@ struct Search {
 
 /// Moves the values. Returns GSL's status; GSL_CONTINUE where an unknown was driven to an end of its
 /// range, where its free variable has none and takes the whole trust region.
-int search_from_values(Search& search, Precision precision);
+int search_from_values(Search& search);
 
 /// Whether a value is on an end of its range and the objective falls beyond it, by the gradient's
 /// sign.
