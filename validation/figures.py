@@ -67,8 +67,9 @@ def draw_errors(compared):
     axes.set(xscale="log", xlabel="mean or rms error of the worst load over its floor", ylim=(-0.6, len(ordered) - 0.4))
     for x in (1, 2):
         axes.axvline(x, color=style.BLACK, linewidth=0.8)
-    axes.xaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 1.5, 2, 3, 5, 7)))
+    axes.xaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 3, 5, 7)))
     axes.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    axes.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
     axes.grid(False, axis="y")
     axes.set_title("green: within the floor; gold: within 2 floors; red: fails")
     return figure

@@ -88,8 +88,9 @@ int calibrate(const CalibrateArguments& a) {
   calibration::prepare_folder(folder, overwrite_of(a.force));
   write_timing(folder, cuts, cut_seconds, fit_seconds);
   calibration::write_calibration(folder, c, cuts, found);
-  for (const std::string& warning : found.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (a.quiet) return 0;
+  for (const std::string& warning : found.warnings)
+    fmt::print(stderr, "tdbd: warning: {}\n", warning);
   for (const calibration::FittedSet& set : found.sets) print_set(c, set);
   print_errors(c, found);
   fmt::print("results in {}\n", folder.string());

@@ -93,7 +93,7 @@ TEST(Calibrate, warns_of_a_coefficient_at_its_bound) {
   c.edit("case.toml", "[\"0 deg\", \"45 deg\"]", "[\"0 deg\", \"19 deg\"]");
   const auto o = c.calibrate();
   EXPECT_EQ(o.exit_code, 0);
-  EXPECT_EQ(o.err, "warning: " + c.path("case.toml").string() +
+  EXPECT_EQ(o.err, "tdbd: warning: " + c.path("case.toml").string() +
                        ":24: unknowns.A3: 0.3316 is an end of its range: no interval\n");
   const json A3 = calibration_of(c)["coefficients"]["A3"];
   EXPECT_TRUE(A3["at_bound"]);
