@@ -46,7 +46,7 @@ double share_missed(const std::vector<Calibration>& draws,
     for (const auto& f : draw.sets.front().fit.coefficients) {
       if (f.at_bound) continue;
       const double true_value = truth.at(f.key);
-      outside += true_value < f.low || true_value > f.high ? 1.0 : 0.0;
+      if (true_value < f.low || f.high < true_value) outside += 1.0;
       all += 1.0;
     }
   return outside / all;

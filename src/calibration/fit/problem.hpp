@@ -21,7 +21,7 @@ struct TestBlock {
   Eigen::MatrixXd factor;  ///< lower Cholesky factor of their covariance
 };
 
-/// A least-squares problem, calibration (3): residuals are logarithms of measured over computed
+/// A least-squares problem, calibration (3): residuals are logarithms of computed over measured
 /// loads, whitened test by test, and one row for each prior.
 struct Problem {
   forces::Law law;                ///< its fixed coefficients
