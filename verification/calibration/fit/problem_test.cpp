@@ -21,7 +21,25 @@ Fit fit_of(const CalibrationCase& c) {
   return fit(fitted_problem(c, made_up_cuts(c)), c.intervals);
 }
 
-/// Relative, of the twin's objective and whitening;.
+/// Parts with laws of their own count, and priors.
+TEST(Problem, has_the_rows_of_all_parts_where_one_unknown_moves) {
+  CalibrationCase c = noisy_case();
+  c.unknowns.front().prior_sd = 0.5;
+  Problem p = fitted_problem(c, made_up_cuts(c));
+  for (Sample& s : p.samples) s.others = {900.0, 40.0};
+  const Eigen::VectorXd values = truth_of(p, hidden_law());
+  const Data nothing{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.readings())),
+                     Eigen::VectorXd::Zero(values.size())};
+  constexpr double rounding = 1e-15;  // of the rows' norm
+  OneMoves moves(p, values);
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    Eigen::VectorXd moved = values;
+    moved[k] *= 1.1;
+    const Eigen::VectorXd all = residuals_at(p, nothing, moved);
+    EXPECT_LT((moves.residuals(k, moved[k]) - all).norm(), rounding * all.norm()) << k;
+  }
+}
+
 TEST(Problem, its_blocks_are_the_covariance_of_all_readings_in_one) {
   CalibrationCase c = noisy_case();
   for (Record& r : c.records.rows)

@@ -39,6 +39,28 @@ double share_of_loads(const Fit& f, const CalibrationCase& c, const CutStore& cu
   return inside / all;
 }
 
+/// (6): the interval of log load widens by the discrepancy of its own load.
+TEST(Prediction, has_the_discrepancy_in_its_interval) {
+  CalibrationCase c = well_conditioned_case();
+  const CutStore cuts = made_up_cuts(c);
+  read_loads(c, cuts, hidden_law(), {0.03, 0.0}, 7);
+  const Fit f = fit(fitted_problem(c, cuts), c.intervals);
+  const Record r = records_of(c, c.predict).front();
+  const Sample s = sample_of(cut_run_of(cuts, r), r, strength_of(c.rock, r), c.law);
+  const Discrepancy wrong{{0.1, 0.25}, ""};
+  const Prediction without = predict(f, s, r, c.noise, {}, c.intervals.level);
+  const Prediction with = predict(f, s, r, c.noise, wrong, c.intervals.level);
+  const double z = two_sided_quantile(c.intervals.level);
+  constexpr double rounding = 1e-15;  // of a variance of 0.01
+  for (const std::size_t k : {axial, turning}) {
+    const auto variance = [&](const Prediction& p) {
+      return std::pow(std::log(p.loads[k].high / p.loads[k].mean) / z, 2);
+    };
+    EXPECT_NEAR(variance(with) - variance(without), wrong.value[k] * wrong.value[k], rounding);
+    EXPECT_EQ(with.loads[k].se, without.loads[k].se);
+  }
+}
+
 /// Over many laboratories with one noise, fitted by a case that knows of it or not.
 Coverage coverage(CalibrationCase c, const LaboratoryNoise& noise) {
   const CutStore cuts = made_up_cuts(c);
