@@ -1,8 +1,8 @@
 #pragma once
 
-#include "reference/literature/spokes.hpp"
-#include "reference/literature/steady_drilling.hpp"
-#include "reference/literature/z_map_sweep.hpp"
+#include "reference/literature/surface/spokes.hpp"
+#include "reference/literature/surface/steady_drilling.hpp"
+#include "reference/literature/surface/z_map_sweep.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::bench {

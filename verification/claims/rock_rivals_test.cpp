@@ -6,9 +6,9 @@
 #include "claims/example_bits.hpp"
 #include "core/observed_order.hpp"
 #include "reference/bit/scalloped_wall.hpp"
-#include "reference/literature/steady_drilling.hpp"
-#include "reference/literature/surface_error.hpp"
-#include "reference/literature/z_map_sweep.hpp"
+#include "reference/literature/surface/steady_drilling.hpp"
+#include "reference/literature/surface/surface_error.hpp"
+#include "reference/literature/surface/z_map_sweep.hpp"
 #include "simulation/step/simulation.hpp"
 
 /// The standard workload after one revolution: our mesh and height fields against a fine height

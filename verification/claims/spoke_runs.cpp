@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/literature/z_map_sweep.hpp"
+#include "reference/literature/surface/z_map_sweep.hpp"
 
 namespace tdbd::claims {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/literature/outline_spokes.hpp"
-#include "reference/literature/surface_error.hpp"
+#include "reference/literature/surface/outline_spokes.hpp"
+#include "reference/literature/surface/surface_error.hpp"
 #include "simulation/step/simulation.hpp"
 
 /// Figure 2.1 of the thesis in numbers: spokes with as many nodes as our mesh has points, beside

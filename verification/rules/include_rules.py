@@ -35,9 +35,11 @@ PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forces/pa
                         r"dynamics/(gyrostat|loads|rotation_state|schedule|drilling/drilling_system)\.hpp|reference/.+")
 # A program around the twins reads its input and describes it by src's means.
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
+# The comparison runs the models of chapter 2 beside the program itself.
+COMPARE_DATA = re.compile(PLAIN_DATA.pattern + r"|(core|bit|forces|simulation)/.+")
 CGAL_ALLOWED = re.compile(
     r"src/mesh/(files/files|repair/repair_cgal|check/self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
-BOOST_ALLOWED = "reference/literature/planar_boolean.cpp"
+BOOST_ALLOWED = "reference/literature/surface/planar_boolean.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -69,7 +71,8 @@ def check_include(path, bracket, target):
         return f"Boost belongs in {BOOST_ALLOWED}"
     if bracket == "<":
         return None
-    allowed = TOOL_DATA if path.startswith("reference/tools/") else PLAIN_DATA
+    allowed = next((data for folder, data in (("reference/tools/", TOOL_DATA), ("reference/compare/", COMPARE_DATA))
+                    if path.startswith(folder)), PLAIN_DATA)
     if parts[0] == "reference" and not allowed.fullmatch(target):
         return f'a slow twin may not use "{target}"'
     if parts[0] == "src":
@@ -131,7 +134,8 @@ def self_test():
             ("reference/tools/show.cpp", '#include "mesh/files/files.hpp"'),
             ("reference/tools/show.cpp", '#include "simulation/rotate/rotate_case.hpp"'),
             ("reference/rock/cut.cpp", '#include "mesh/triangle_mesh.hpp"'),
-            ("reference/literature/planar_boolean.cpp", "#include <boost/polygon/polygon.hpp>"),
+            ("reference/compare/ours.cpp", '#include "simulation/step/simulation.hpp"'),
+            ("reference/literature/surface/planar_boolean.cpp", "#include <boost/polygon/polygon.hpp>"),
             ("reference/dynamics/top.cpp", '#include "dynamics/loads.hpp"')]
     bad = [("src/core/config/csv.cpp", '#include "mesh/measures.hpp"'),
            ("src/mesh/files/files.cpp", '#include "bit/bit.hpp"'),

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/pose.hpp"
+#include "reference/literature/surface/sweep_tool.hpp"
+
+namespace tdbd::reference {
+
+/// A bit that turns and advances evenly in steps, for rocks that are cut by sweep tools: ZMap,
+/// Spokes. The spatial frame and the bit's frame agree before the first step.
+struct SteadyDrilling {
+  double turn = 0.0;     ///< rad a step, about +z
+  double advance = 0.0;  ///< m a step, along +z
+  std::vector<SweepTool> tools;
+  long steps_done = 0;
+  double removed = 0.0;  ///< m3
+};
+
+/// X_WB after this many steps.
+Pose pose_after(const SteadyDrilling& d, long steps);
+
+/// A bit's drilling from its first step on. `reach` as for sweep_tools, m.
+SteadyDrilling steady_drilling(const bit::Bit& bit, double turn, double advance, double reach);
+
+/// Drills on for this many steps.
+template <class Rock>
+void drill(SteadyDrilling& d, Rock& rock, long steps) {
+  for (long i = 0; i < steps; ++i)
+    d.removed += cut_sweep(rock, d.tools, pose_after(d, ++d.steps_done));
+}
+
+}  // namespace tdbd::reference

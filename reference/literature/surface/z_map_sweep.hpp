@@ -1,0 +1,25 @@
+#pragma once
+
+#include "reference/literature/surface/sweep_tool.hpp"
+#include "reference/literature/surface/z_map.hpp"
+
+namespace tdbd::reference {
+
+/// The cut of z_map as a fast height-field program does it: facet by facet and row by row, all
+/// cells of a row at once, depths stepped along the row. Lowers every cell whose centre a facet
+/// covers to the facet's depth there. `lower_B` as in SweepTool, X_WB its frame in space; corners
+/// that no facet uses are ignored. Returns the removed volume, m3. Equal to `cut` of the same
+/// facets up to rounding. Cost: cells under the facets.
+double cut_sweep(ZMap& rock, const mesh::TriangleMesh& lower_B, const Pose& X_WB);
+
+/// One step of all tools; X_WB: the bit at the step's end. Returns the removed volume, m3.
+double cut_sweep(ZMap& rock, const std::vector<SweepTool>& tools, const Pose& X_WB);
+
+/// The height field of a rock surface: the deepest of its points at each cell's centre, its least z
+/// where it has none. m.
+ZMap z_map_of(const mesh::TriangleMesh& rock_W, double half, int cells);
+
+/// Height at a point of the map, bilinear between the centres of the four cells around it, m.
+double height_at(const ZMap& rock, double x, double y);
+
+}  // namespace tdbd::reference
