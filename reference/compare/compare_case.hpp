@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/literature/drag/drag_rock.hpp"
+#include "simulation/case/case.hpp"
+
+namespace tdbd::reference {
+
+/// How the models are asked ([compare]).
+struct CompareOptions {
+  std::vector<std::string> models;  ///< "all", or names
+  double counted_revolutions = 1.0;
+  std::optional<double> weight_on_bit;  ///< N
+  double circle = 0.0;                  ///< m
+  int circle_samples = 0;
+  int planes = 0, plane_nodes = 0;
+  int spokes = 0, spoke_nodes = 0;
+  double spoke_spacing = 0.0;  ///< m
+};
+
+/// One bit, one rock, one schedule: a case of tdbd run with the table [compare].
+struct CompareCase {
+  simulation::Case ours;
+  CompareOptions options;
+  std::optional<DragRock> rock;  ///< none: the faces' law is not linear in the area
+  double advance = 0.0;          ///< m a revolution
+  std::string resolved;          ///< TOML
+};
+
+/// Reads and checks everything, runs nothing. The motion is steady or whirl: prescribed, with a
+/// rotary speed. Throws InputError that lists every mistake.
+CompareCase read_compare_case(const std::string& path, const std::vector<std::string>& overrides);
+
+/// Steps of ours that count.
+long counted_steps(const CompareCase& c);
+
+}  // namespace tdbd::reference

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reference/compare/model.hpp"
+
+namespace tdbd::reference {
+
+/// One model and what it said.
+struct Answer {
+  const Model* model = nullptr;
+  Findings findings;
+};
+
+/// What all chosen models say about one case, in the order of models().
+struct Comparison {
+  std::vector<Answer> answers;
+  double weight = 0.0;                 ///< N, the reference weight; 0: none was found
+  std::string weight_from;             ///< the case, or the model that gave it
+  std::vector<std::string> not_asked;  ///< why other models have nothing to say
+};
+
+/// Asks the models, one after the other, each measured by the CPU time of this process. The first
+/// that says a weight gives the reference weight, unless the case does.
+/// `progress` is told each model's title before it runs. Throws RunError naming a model that leaves
+/// a quantity without a number and without a reason.
+Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen,
+                   const std::function<void(const Model&)>& progress);
+
+}  // namespace tdbd::reference

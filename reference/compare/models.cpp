@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+#include "reference/compare/model.hpp"
+#include "reference/compare/models/answers.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+constexpr std::array all_models{
+    Model{"tdbd", "TDBD", "this program", "ours", Knows::both, answer_of_tdbd},
+};
+
+const Model* find(const std::string& name) {
+  const auto found = std::find_if(all_models.begin(), all_models.end(),
+                                  [&](const Model& m) { return m.name == name; });
+  return found == all_models.end() ? nullptr : &*found;
+}
+
+std::string names_of_all() {
+  std::string text;
+  for (const Model& m : all_models) text += fmt::format("{}{}", text.empty() ? "" : ", ", m.name);
+  return text;
+}
+
+}  // namespace
+
+std::span<const Model> models() { return all_models; }
+
+std::string why_not(const Model& model, const CompareCase& c) {
+  const bool cones = !c.ours.bit.cones.empty();
+  if (model.knows == Knows::drag_bits && cones)
+    return fmt::format("{}: found a bit with cones, needs a bit with fixed cutters", model.title);
+  if (model.knows == Knows::drag_bits && c.ours.bit.cutters.empty())
+    return fmt::format("{}: found a bit without cutters, needs a table of cutters", model.title);
+  if (model.knows == Knows::drag_bits && !c.rock)
+    return fmt::format(
+        "{}: found faces whose law is not linear in the area, needs forces.law = \"detournay\"",
+        model.title);
+  if (model.knows == Knows::roller_bits && !cones)
+    return fmt::format("{}: found a bit without cones, needs a roller cone bit", model.title);
+  return {};
+}
+
+std::vector<const Model*> chosen_models(const CompareCase& c,
+                                        const std::vector<std::string>& names) {
+  std::vector<const Model*> chosen;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const Model& m : all_models)
+        if (why_not(m, c).empty()) chosen.push_back(&m);
+      continue;
+    }
+    const Model* model = find(name);
+    if (model == nullptr)
+      throw InputError(fmt::format("compare.models: found '{}', expected all or some of: {}", name,
+                                   names_of_all()));
+    if (const std::string why = why_not(*model, c); !why.empty()) throw InputError(why);
+    chosen.push_back(model);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+}  // namespace tdbd::reference

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "reference/compare/model.hpp"
+
+/// What each model says about a case: one function a model, in a file of its name.
+namespace tdbd::reference {
+
+Findings answer_of_tdbd(const Question& q);
+
+}  // namespace tdbd::reference
