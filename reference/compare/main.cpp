@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   app.add_flag("--force", a.force, "replace the results in the folder");
   app.add_flag("--quiet", a.quiet, "no table");
   app.add_flag("--keys", a.keys, "list the keys of [compare], as Markdown");
-  app.footer("Example: tdbd-compare cases/compare-b.toml -o out/b --models all");
+  app.footer("Example: tdbd-compare cases/compare/bit-b.toml -o out/b --models all");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
