@@ -41,33 +41,40 @@ std::optional<DragRock> rock_of(const simulation::ForcePlan& forces) {
   return DragRock{law->eps, law->zeta, law->sigma, law->mu};
 }
 
-void check(const std::string& path, const CompareCase& c) {
-  const simulation::Motion& m = c.ours.motion;
-  const bool prescribed =
-      m.kind == simulation::MotionKind::steady || m.kind == simulation::MotionKind::whirl;
-  if (!prescribed)
-    throw InputError(
-        fmt::format("{}: motion.kind: found another kind, expected steady or whirl: the models are "
-                    "compared on one given motion",
-                    c.ours.places.motion.empty() ? path : c.ours.places.motion));
+/// Where the file gives what only all of it shows to be wrong.
+struct Places {
+  std::string motion, forces, counted, circle;
+};
+
+Places places_of(const Config& c) {
+  return {c.place("motion"), c.place("forces"), c.place("compare.counted_revolutions"),
+          c.place("compare.circle")};
+}
+
+void check_motion(const Places& at, const simulation::Motion& m) {
+  if (m.kind != simulation::MotionKind::steady && m.kind != simulation::MotionKind::whirl)
+    throw InputError(at.motion +
+                     ": found a kind that is neither steady nor whirl, expected one of them: the "
+                     "models are compared on one given motion");
   if (!(m.rotary_speed > 0.0 && m.rate_of_penetration > 0.0))
-    throw InputError(path +
-                     ": motion: found a bit that does not turn or does not advance, expected "
-                     "a rotary_speed and a rate_of_penetration above 0");
+    throw InputError(at.motion +
+                     ": found a bit that does not turn or does not advance, expected "
+                     "rotary_speed and rate_of_penetration above 0");
+}
+
+void check(const Places& at, const CompareCase& c) {
+  check_motion(at, c.ours.motion);
   if (c.ours.forces.forces == simulation::Forces::off)
-    throw InputError(path +
-                     ": forces: found no table [forces], expected force laws: weight and "
-                     "torque are what the models differ in");
-  if (c.ours.time.steps < counted_steps(c))
-    throw InputError(
-        fmt::format("{}: compare.counted_revolutions: found {:g}, expected no more revolutions "
-                    "than the run has",
-                    path, c.options.counted_revolutions));
+    throw InputError(at.forces +
+                     ": found no such table, expected force laws: weight and torque "
+                     "are what models differ in");
+  if (c.ours.time.steps - c.ours.time.first < counted_steps(c))
+    throw InputError(fmt::format("{}: found {:g}, expected no more revolutions than the run has",
+                                 at.counted, c.options.counted_revolutions));
   if (c.options.circle > 0.999 * c.ours.bit.gage_radius)
     throw InputError(
-        fmt::format("{}: compare.circle: found {:g} m, expected less than the bit's "
-                    "gage radius, {:g} m",
-                    path, c.options.circle, c.ours.bit.gage_radius));
+        fmt::format("{}: found {:g} m, expected less than the bit's gage radius, {:g} m", at.circle,
+                    c.options.circle, c.ours.bit.gage_radius));
 }
 
 }  // namespace
@@ -76,13 +83,14 @@ CompareCase read_compare_case(const std::string& path, const std::vector<std::st
   Config config = Config::read_file(path, overrides);
   CompareCase c;
   c.options = read_options(config.table(compare_keys::table));
+  const Places places = places_of(config);
   c.ours = simulation::read_case(config, path);
   if (c.options.spoke_spacing == 0.0) c.options.spoke_spacing = c.ours.rock.edge_length;
   const simulation::Motion& m = c.ours.motion;
   c.advance = m.rotary_speed > 0.0 ? m.rate_of_penetration * full_circle / m.rotary_speed : 0.0;
   c.rock = rock_of(c.ours.forces);
   c.resolved = c.ours.resolved;
-  check(path, c);
+  check(places, c);
   return c;
 }
 
