@@ -23,6 +23,7 @@ CompareOptions read_options(Config c) {
   if (c.has(keys::weight_on_bit)) o.weight_on_bit = c.read(keys::weight_on_bit, 0.0);
   o.circle = c.read(keys::circle);
   o.circle_samples = static_cast<int>(c.read(keys::circle_samples));
+  o.outline = c.read(keys::outline);
   Config planes = c.table("planes");
   o.planes = static_cast<int>(planes.read(keys::planes));
   o.plane_nodes = static_cast<int>(planes.read(keys::nodes));

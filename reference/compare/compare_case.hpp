@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/literature/drag/drag_rock.hpp"
+#include "reference/literature/drag/planar_outline.hpp"
 #include "simulation/case/case.hpp"
 
 namespace tdbd::reference {
@@ -16,6 +17,7 @@ struct CompareOptions {
   std::optional<double> weight_on_bit;  ///< N
   double circle = 0.0;                  ///< m
   int circle_samples = 0;
+  OutlineForm outline = OutlineForm::planar;
   int planes = 0, plane_nodes = 0;
   int spokes = 0, spoke_nodes = 0;
   double spoke_spacing = 0.0;  ///< m

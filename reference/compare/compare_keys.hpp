@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/config/key.hpp"
+#include "reference/literature/drag/planar_outline.hpp"
 
 /// The keys of [compare], which only tdbd-compare reads; the rest of the file is a case of tdbd run.
 namespace tdbd::reference::compare_keys {
@@ -28,6 +29,14 @@ inline constexpr IntegerKey circle_samples{.name = "circle_samples",
                                            .lo = 8,
                                            .hi = 100'000,
                                            .meaning = "of our bottom on that circle"};
+
+inline constexpr ChoiceKey<OutlineForm> outline{
+    .name = "outline",
+    .values = {{{"planar", OutlineForm::planar}, {"turned", OutlineForm::turned}}},
+    .fallback = OutlineForm::planar,
+    .meaning =
+        "of Warren and Sinor, and Glowka: rims drawn in one plane as they are seen along "
+        "the motion, or each point turned about the axis"};
 
 inline constexpr TableKey planes_table{"compare.planes", "Behr et al."};
 inline constexpr IntegerKey planes{.name = "planes",

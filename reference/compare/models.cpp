@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::array all_models{
     Model{"tdbd", "TDBD", "this program", "ours", Knows::both, answer_of_tdbd},
+    Model{"warren-sinor", "Warren and Sinor", "1986", "S7", Knows::drag_bits,
+          answer_of_warren_sinor},
 };
 
 const Model* find(const std::string& name) {

@@ -36,7 +36,7 @@ void say_lateral(const TdbdSums& sums, Findings& f) {
   const double steps = static_cast<double>(sums.series.weight.size());
   const Eigen::Vector2d lateral_B = sums.lateral_B / steps;
   say(f, Quantity::imbalance, lateral_B.norm() / *saying(f, Quantity::weight).value);
-  say(f, Quantity::imbalance_direction, std::atan2(lateral_B.y(), lateral_B.x()));
+  say(f, Quantity::imbalance_direction, direction_of(lateral_B));
   say(f, Quantity::side_force, sums.side / steps);
 }
 
@@ -44,10 +44,7 @@ void say_cutters(const CompareCase& c, const TdbdSums& sums, Findings& f) {
   const double cutters = static_cast<double>(c.ours.bit.cutters.size());
   const double steps = static_cast<double>(sums.series.weight.size());
   say(f, Quantity::share_moved_backwards, static_cast<double>(sums.backwards) / cutters / steps);
-  cannot_say(
-      f,
-      {Quantity::cone_speed_ratio, Quantity::teeth_in_contact, Quantity::teeth_in_contact_variance},
-      "the bit has no cones");
+  cannot_say(f, of_cones, no_cones);
 }
 
 void say_cones(const CompareCase& c, const TdbdSums& sums, const Reading& from, const Reading& to,
@@ -62,14 +59,13 @@ void say_cones(const CompareCase& c, const TdbdSums& sums, const Reading& from, 
   const Noise contacts = noise_of(sums.teeth, 1);
   say(f, Quantity::teeth_in_contact, contacts.mean);
   say(f, Quantity::teeth_in_contact_variance, std::pow(contacts.share * contacts.mean, 2));
-  cannot_say(f, Quantity::share_moved_backwards, "the bit has no cutters");
+  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
 }
 
 void say_what_it_cannot(Findings& f) {
-  cannot_say(f, {Quantity::rate_at_weight, Quantity::torque_at_weight},
+  cannot_say(f, of_weight,
              "it drills at a given rate here; motion.kind = \"drilling\" finds a weight's rate");
-  cannot_say(f, {Quantity::largest_wear_flat, Quantity::hottest_flat},
-             "its cutters do not wear while they drill");
+  cannot_say(f, flats, "its cutters do not wear while they drill");
 }
 
 }  // namespace
