@@ -11,7 +11,7 @@ struct NodeRange {
   int first, last;
 };
 
-NodeRange nodes_of(const Spokes& s, const RimEllipse& rim) {
+NodeRange nodes_of(const Spokes& s, const SpokeRim& rim) {
   const double spacing = s.node_spacing();
   const double lo = std::ceil((rim.r - rim.half_width) / spacing - 0.5),
                hi = std::floor((rim.r + rim.half_width) / spacing - 0.5);
@@ -24,7 +24,7 @@ const double* depths(const Spokes& s, int spoke) {
 
 /// What the rim meets; `lower(node, depth)` may act on what it finds.
 template <class Lower>
-CrossingCut over_nodes(const Spokes& s, int spoke, const RimEllipse& rim, CountedRock counted,
+CrossingCut over_nodes(const Spokes& s, int spoke, const SpokeRim& rim, CountedRock counted,
                        const Lower& lower) {
   const auto [first, last] = nodes_of(s, rim);
   const double* const depth = depths(s, spoke);
@@ -57,18 +57,18 @@ LangeveldRock fitting_rock(const std::vector<SpokeCutter>& cutters, double start
                            int spokes, int nodes, double radius) {
   LangeveldRock rock = flat_rock(cutters, top, spokes, nodes, radius);
   for (const SpokeCutter& c : cutters) {
-    const RimEllipse rim = placed(c, {Vec3(0.0, 0.0, start), 0.0}).rim;
+    const SpokeRim rim = placed(c, {Vec3(0.0, 0.0, start), 0.0}).rim;
     for (int k = 0; k < spokes; ++k) cut_rock(rock, k, rim);
   }
   return rock;
 }
 
-CrossingCut rim_in_rock(const LangeveldRock& rock, int spoke, const RimEllipse& rim,
+CrossingCut rim_in_rock(const LangeveldRock& rock, int spoke, const SpokeRim& rim,
                         CountedRock counted) {
   return over_nodes(rock.bottom, spoke, rim, counted, [](int, double) {});
 }
 
-CrossingCut cut_rock(LangeveldRock& rock, int spoke, const RimEllipse& rim, CountedRock counted) {
+CrossingCut cut_rock(LangeveldRock& rock, int spoke, const SpokeRim& rim, CountedRock counted) {
   double* const depth =
       rock.bottom.depth.data() + static_cast<std::ptrdiff_t>(spoke) * rock.bottom.nodes;
   const CrossingCut cut =

@@ -9,24 +9,24 @@ namespace tdbd::reference {
 namespace {
 
 /// The ellipse centre + p cos s + q sin s of conjugate half-diameters.
-RimEllipse ellipse_of(double r, double z, const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+SpokeRim ellipse_of(double r, double z, const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
   const double width = std::hypot(p.x(), q.x());
   return {r, z, width, (p.x() * p.y() + q.x() * q.y()) / (width * width),
           std::abs(p.x() * q.y() - p.y() * q.x()) / width};
 }
 
-double branch(const RimEllipse& e, double at_r, double sign) {
+double branch(const SpokeRim& e, double at_r, double sign) {
   const double x = at_r - e.r, share = x / e.half_width;
   return e.z + e.slope * x + sign * e.half_height * std::sqrt(std::max(0.0, 1.0 - share * share));
 }
 
 }  // namespace
 
-double RimEllipse::lower(double at_r) const { return branch(*this, at_r, 1.0); }
-double RimEllipse::upper(double at_r) const { return branch(*this, at_r, -1.0); }
+double SpokeRim::lower(double at_r) const { return branch(*this, at_r, 1.0); }
+double SpokeRim::upper(double at_r) const { return branch(*this, at_r, -1.0); }
 
 BitPlace between(const BitPlace& a, const BitPlace& b, double share) {
-  return {a.origin_W + share * (b.origin_W - a.origin_W), std::lerp(a.angle, b.angle, share)};
+  return {a.p_WB + share * (b.p_WB - a.p_WB), std::lerp(a.angle, b.angle, share)};
 }
 
 Vec3 turned(const Vec3& v_B, const BitPlace& place) {
@@ -66,8 +66,8 @@ PlacedCutter placed(const SpokeCutter& cutter, const BitPlace& place) {
     return Vec3(c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z());
   };
   PlacedCutter p;
-  const Vec3 tip = in_W(cutter.tip_B), centre_W = in_W(cutter.centre_B) + place.origin_W;
-  p.tip_W = tip + place.origin_W;
+  const Vec3 tip = in_W(cutter.tip_B), centre_W = in_W(cutter.centre_B) + place.p_WB;
+  p.tip_W = tip + place.p_WB;
   p.radius = std::hypot(p.tip_W.x(), p.tip_W.y());
   p.cosine = p.radius > 0.0 ? p.tip_W.x() / p.radius : 1.0;
   p.sine = p.radius > 0.0 ? p.tip_W.y() / p.radius : 0.0;
@@ -82,7 +82,7 @@ PlacedCutter placed(const SpokeCutter& cutter, const BitPlace& place) {
 double widest_reach(const std::vector<SpokeCutter>& cutters) {
   double reach = 0.0;
   for (const SpokeCutter& c : cutters) {
-    const RimEllipse rim = placed(c, {}).rim;
+    const SpokeRim rim = placed(c, {}).rim;
     reach = std::max(reach, rim.r + rim.half_width);
   }
   return reach;

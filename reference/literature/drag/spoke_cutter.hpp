@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "reference/literature/drag/bit_path.hpp"
 
 namespace tdbd::reference {
 
 /// An ellipse in the (r, z) half-plane of a spoke, as two branches over r; z down.
-struct RimEllipse {
+struct SpokeRim {
   double r = 0.0, z = 0.0;   ///< its centre, m
   double half_width = 0.0;   ///< m, along r
   double slope = 0.0;        ///< of the line through the two ends
@@ -26,12 +27,6 @@ struct SpokeCutter {
   double back_rake = 0.0, chamfer = 0.0, chamfer_angle = 0.0;
 };
 
-/// Where a bit that cannot tilt is: its origin in the hole's frame W, whose z-axis is the hole's
-/// axis and points down, and its turn about +z, rad.
-struct BitPlace {
-  Vec3 origin_W = Vec3::Zero();
-  double angle = 0.0;
-};
 BitPlace between(const BitPlace& a, const BitPlace& b, double share);
 
 /// A cutter in its place, with its rim seen along the normal of the half-plane through the hole's
@@ -40,7 +35,7 @@ struct PlacedCutter {
   Vec3 tip_W;
   double cosine = 1.0, sine = 0.0;  ///< of the tip's azimuth about the hole's axis
   double radius = 0.0;              ///< m, of the tip from the hole's axis
-  RimEllipse rim;
+  SpokeRim rim;
 };
 
 /// The faces of a table of cutters (their X_BC must be set). Throws InputError, which begins with

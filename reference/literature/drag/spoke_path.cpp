@@ -32,7 +32,7 @@ Vec3 back_turned(const Vec3& v_W, const BitPlace& place) {
 HeldLoad load_of(const CrossingCut& cut, const PlacedCutter& c, const BitPlace& place,
                  const Vec3& force_W) {
   const double r = cut.area > 0.0 ? cut.moment / cut.area : c.radius;
-  const double x = c.cosine * r - place.origin_W.x(), y = c.sine * r - place.origin_W.y();
+  const double x = c.cosine * r - place.p_WB.x(), y = c.sine * r - place.p_WB.y();
   return {back_turned(force_W, place), x * force_W.y() - y * force_W.x()};
 }
 
@@ -83,7 +83,7 @@ struct PathFollower {
 /// Velocity of a point of the bit.
 Vec3 velocity_W(const PathFollower& f, const Vec3& arm_W) {
   const double turn = f.to.angle - f.from.angle;
-  return (f.to.origin_W - f.from.origin_W + turn * Vec3(-arm_W.y(), arm_W.x(), 0.0)) / f.step_time;
+  return (f.to.p_WB - f.from.p_WB + turn * Vec3(-arm_W.y(), arm_W.x(), 0.0)) / f.step_time;
 }
 
 void count(PathFollower& f, const SpokeCrossing& x, const CrossingCut& cut, double radius) {
@@ -103,7 +103,7 @@ void pass(PathFollower& f, const SpokeCrossing& x, std::size_t step) {
   const CrossingCut cut = f.model.cut(x.cutter, x.spoke, c);
   const Vec3 force_W =
       f.model.force(x.cutter, cut, turned(cutter.normal_B, place), turned(cutter.face_B, place),
-                    velocity_W(f, c.tip_W - place.origin_W));
+                    velocity_W(f, c.tip_W - place.p_WB));
   const HeldLoad load = load_of(cut, c, place, force_W);
   const double spacing = 2.0 * std::numbers::pi / f.model.spokes,
                share = spacing / std::abs(f.to.angle - f.from.angle);
@@ -135,20 +135,6 @@ long first_counted(const BitPath& path, const PathOptions& options, long steps) 
 }
 
 }  // namespace
-
-BitPath steady_path(double rotary_speed, double advance) {
-  const double rate = advance * rotary_speed / (2.0 * std::numbers::pi);
-  return [=](double t) { return BitPlace{Vec3(0.0, 0.0, rate * t), rotary_speed * t}; };
-}
-
-BitPath rolling_whirl(double rotary_speed, double advance, double bit_radius, double orbit) {
-  const double rate = advance * rotary_speed / (2.0 * std::numbers::pi),
-               whirl = -rotary_speed * bit_radius / orbit;
-  return [=](double t) {
-    return BitPlace{Vec3(orbit * std::cos(whirl * t), orbit * std::sin(whirl * t), rate * t),
-                    rotary_speed * t};
-  };
-}
 
 Vec3 area_force(const DragRock& rock, double area, const Vec3& normal_W, const Vec3& v_W) {
   const double drag = rock.specific_energy * area, speed = std::hypot(v_W.x(), v_W.y());

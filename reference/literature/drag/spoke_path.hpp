@@ -17,16 +17,6 @@ struct CrossingCut {
   double edge = 0.0;     ///< m, of the rim's lower branch in rock, where the model needs it
 };
 
-/// A prescribed motion of a bit that cannot tilt.
-using BitPath = std::function<BitPlace(double time)>;
-
-/// Even drilling in the hole's axis: rad/s and m per revolution.
-BitPath steady_path(double rotary_speed, double advance);
-
-/// Backward whirl that rolls without slipping on a hole of that much more radius: the centre goes
-/// round against the rotation on a circle of this radius, R/orbit times as fast (the bit's radius R).
-BitPath rolling_whirl(double rotary_speed, double advance, double bit_radius, double orbit);
-
 /// How a bit is led through its spokes. The path is followed straight between the ends of a step,
 /// so a whirl needs steps well below a spoke's spacing.
 struct PathOptions {
