@@ -67,8 +67,9 @@ void say_steady_loads(Findings& f, double weight, double torque, double advance)
   say(f, Quantity::weight, weight);
   say(f, Quantity::torque, torque);
   say(f, Quantity::work_of_a_turn_torque, work_of_a_turn(weight, torque, advance));
-  cannot_say(f, {Quantity::torque_noise, Quantity::torque_noise_5ms},
-             "steady: one state for all times");
+  cannot_say(
+      f, {Quantity::torque_noise, Quantity::torque_noise_5ms, Quantity::torque_noise_by_crossing},
+      "steady: one state for all times");
 }
 
 }  // namespace tdbd::reference

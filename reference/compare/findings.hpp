@@ -35,9 +35,9 @@ struct BottomCircle {
   std::vector<double> depth;  ///< m, z down; at equal angles from azimuth 0
 };
 
-/// A refined measure of cost: CPU time of the whole model and what it simulated for that.
+/// What a model cost.
 struct Cost {
-  double cpu = 0.0;        ///< s
+  double cpu = 0.0;        ///< s, of this process; 0: still to be measured
   double simulated = 0.0;  ///< s; 0: no time in the model
   long steps = 0;
 };

@@ -14,6 +14,8 @@ constexpr std::array all_models{
     Model{"tdbd", "TDBD", "this program", "ours", Knows::both, answer_of_tdbd},
     Model{"warren-sinor", "Warren and Sinor", "1986", "S7", Knows::drag_bits,
           answer_of_warren_sinor},
+    Model{"behr", "Behr et al.", "1991", "S7", Knows::drag_bits, answer_of_behr},
+    Model{"langeveld", "Langeveld", "1992", "S6", Knows::drag_bits, answer_of_langeveld},
 };
 
 const Model* find(const std::string& name) {
@@ -38,6 +40,8 @@ std::string why_not(const Model& model, const CompareCase& c) {
     return fmt::format("{}: found a bit with cones, needs a bit with fixed cutters", model.title);
   if (model.knows == Knows::drag_bits && c.ours.bit.cutters.empty())
     return fmt::format("{}: found a bit without cutters, needs a table of cutters", model.title);
+  if (model.name != "tdbd" && c.ours.motion.tilt.angle > 0.0)
+    return fmt::format("{}: found a bit that leans, needs an upright one", model.title);
   if (model.knows == Knows::drag_bits && !c.rock)
     return fmt::format(
         "{}: found faces whose law is not linear in the area, needs forces.law = \"detournay\"",

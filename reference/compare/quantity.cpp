@@ -21,6 +21,8 @@ constexpr std::array<QuantityText, quantity_count> quantities{{
     {"teeth_in_contact_variance", "1", "variance of that number over steps"},
     {"torque_noise", "1", "rms deviation of a step's torque over its mean"},
     {"torque_noise_5ms", "1", "the same of means over 5 ms"},
+    {"torque_noise_by_crossing", "1",
+     "noise where a force acts only in the steps in which its cutter crosses a spoke"},
     {"share_moved_backwards", "1", "cutters that move backwards, share of cutters and time"},
     {"resolution_at_gage", "m", "distance of neighbouring samples of the bottom at the gage"},
     {"largest_wear_flat", "m2", "largest wear flat after the case's distance"},

@@ -21,12 +21,13 @@ enum class Quantity {
   teeth_in_contact_variance,
   torque_noise,
   torque_noise_5ms,
+  torque_noise_by_crossing,
   share_moved_backwards,
   resolution_at_gage,
   largest_wear_flat,
   hottest_flat
 };
-inline constexpr std::size_t quantity_count = 18;
+inline constexpr std::size_t quantity_count = 19;
 
 /// What it asks for of every cutter, or of every row of teeth.
 enum class PartQuantity {

@@ -7,5 +7,7 @@ namespace tdbd::reference {
 
 Findings answer_of_tdbd(const Question& q);
 Findings answer_of_warren_sinor(const Question& q);
+Findings answer_of_behr(const Question& q);
+Findings answer_of_langeveld(const Question& q);
 
 }  // namespace tdbd::reference

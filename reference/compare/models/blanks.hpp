@@ -17,6 +17,10 @@ inline const std::vector<Quantity> lateral{Quantity::imbalance, Quantity::imbala
 inline const std::vector<Quantity> noises{Quantity::torque_noise, Quantity::torque_noise_5ms};
 
 inline constexpr const char* no_cones = "the bit has no cones";
+inline constexpr const char* no_spokes = "no spokes: every cutter is felt in every step";
+inline constexpr const char* no_wear = "it has no law of wear";
+inline constexpr const char* given_rate =
+    "it is led at a given rate here; its equations of motion find the rate of a weight";
 inline constexpr const char* no_cutters = "the bit has no cutters";
 inline constexpr const char* no_weight =
     "no reference weight: neither compare.weight_on_bit nor a model that finds one";

@@ -96,6 +96,7 @@ Findings answer_of_tdbd(const Question& q) {
     say_cutters(c, sums, f);
   else
     say_cones(c, sums, from, to, f);
+  cannot_say(f, Quantity::torque_noise_by_crossing, no_spokes);
   say_what_it_cannot(f);
   f.bottom = bottom_of(c, s);
   f.cost = {0.0, static_cast<double>(total) * c.ours.time.step, total};

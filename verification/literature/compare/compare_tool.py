@@ -11,7 +11,7 @@ import xarray
 
 PROGRAM, CASES = sys.argv[1], pathlib.Path(sys.argv[2])
 COARSE = ["--set", "rock.edge_length=3 mm", "--set", "time.step=4 ms", "--set", "time.revolutions=2",
-          "--models", "tdbd"]
+          "--models", "all"]
 
 
 def run(*arguments):
