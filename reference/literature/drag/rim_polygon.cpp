@@ -114,7 +114,7 @@ RimSum over_outline(const RimPolygon& rim, const Outline& outline) {
 
 }  // namespace
 
-RimPolygon rim_polygon(const RimEllipse& rim) {
+RimPolygon rim_polygon(const SpokeRim& rim) {
   RimPolygon p;
   for (std::size_t m = 0; m <= rim_slabs; ++m) {
     const double x = rim.half_width * unit.x[m], line = rim.z + rim.slope * x,
