@@ -30,7 +30,7 @@ CompareOptions read_options(Config c) {
   Config spokes = c.table("spokes");
   o.spokes = static_cast<int>(spokes.read(keys::spokes));
   o.spoke_nodes = static_cast<int>(spokes.read(keys::spoke_nodes));
-  o.spoke_spacing = spokes.read(keys::spacing, 0.0);
+  o.spoke_spacing = spokes.read(keys::spacing);
   return o;
 }
 
@@ -86,7 +86,6 @@ CompareCase read_compare_case(const std::string& path, const std::vector<std::st
   c.options = read_options(config.table(compare_keys::table));
   const Places places = places_of(config);
   c.ours = simulation::read_case(config, path);
-  if (c.options.spoke_spacing == 0.0) c.options.spoke_spacing = c.ours.rock.edge_length;
   const simulation::Motion& m = c.ours.motion;
   c.advance = m.rotary_speed > 0.0 ? m.rate_of_penetration * full_circle / m.rotary_speed : 0.0;
   c.rock = rock_of(c.ours.forces);

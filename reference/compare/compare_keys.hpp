@@ -57,7 +57,7 @@ inline constexpr IntegerKey spoke_nodes{.name = "nodes",
                                         .meaning = "on each spoke of Langeveld"};
 inline constexpr QuantityKey spacing{.name = "spacing",
                                      .unit = "m",
-                                     .usual = "the rock's edge_length",
+                                     .fallback = 0.5e-3,
                                      .range = Range::positive(),
                                      .meaning = "of Hanson and Hansen's nodes"};
 

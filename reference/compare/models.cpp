@@ -16,6 +16,8 @@ constexpr std::array all_models{
           answer_of_warren_sinor},
     Model{"behr", "Behr et al.", "1991", "S7", Knows::drag_bits, answer_of_behr},
     Model{"langeveld", "Langeveld", "1992", "S6", Knows::drag_bits, answer_of_langeveld},
+    Model{"hanson-hansen", "Hanson and Hansen", "1995", "S5", Knows::drag_bits,
+          answer_of_hanson_hansen},
 };
 
 const Model* find(const std::string& name) {

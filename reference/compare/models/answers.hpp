@@ -9,5 +9,6 @@ Findings answer_of_tdbd(const Question& q);
 Findings answer_of_warren_sinor(const Question& q);
 Findings answer_of_behr(const Question& q);
 Findings answer_of_langeveld(const Question& q);
+Findings answer_of_hanson_hansen(const Question& q);
 
 }  // namespace tdbd::reference
