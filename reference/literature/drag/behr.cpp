@@ -22,7 +22,8 @@ void require_behr(const std::vector<bit::Cutter>& cutters, const BehrOptions& op
   require_one_each(behr_name, "areas of flats", options.flat_area.size(), cutters.size());
 }
 
-/// The deepest outline of all at each node; where there is none, the shallowest of those depths.
+/// The deepest outline of all at each node; where there is none, the shallowest of those depths; 0
+/// if all pass between the nodes.
 std::vector<double> profile(const std::vector<CutterRim>& rims, const Spokes& rock) {
   std::vector<RimEllipse> outlines;
   for (const CutterRim& rim : rims)
@@ -34,7 +35,8 @@ std::vector<double> profile(const std::vector<CutterRim>& rims, const Spokes& ro
     for (const RimEllipse& e : outlines) z = std::max(z, depth_at(e, rock.node_radius(k)));
     if (z != no_depth) shallowest = std::min(shallowest, z);
   }
-  std::replace(depth.begin(), depth.end(), no_depth, shallowest);
+  const double level = std::isfinite(shallowest) ? shallowest : 0.0;
+  std::replace(depth.begin(), depth.end(), no_depth, level);
   return depth;
 }
 
@@ -82,8 +84,11 @@ void cut_on(BehrState& state, const BehrWay& way, double dt, const DragRock& roc
   find_crossings(state, way);
   for (const BehrCrossing& crossing : state.crossings) {
     BehrCutter& own = load.cutters[crossing.cutter];
-    const BehrCut cut = cut_at(state, way, crossing, own.volume);
+    double volume = 0.0;
+    const BehrCut cut = cut_at(state, way, crossing, volume);
     own.area += cut.area;
+    own.volume += volume;
+    if (cut.is_backward) own.rubbed_volume += volume;
     ++own.crossings;
     own.backward_crossings += crossing.is_backward;
     state.last[crossing.cutter] = cut;

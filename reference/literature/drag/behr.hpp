@@ -65,10 +65,11 @@ struct BehrState {
 
 /// One cutter in one step.
 struct BehrCutter {
-  Vec3 force_W = Vec3::Zero();  ///< N, on the bit
-  double area = 0.0;            ///< m2, sum over the step's crossings
-  double volume = 0.0;          ///< m3, removed in the step
-  int crossings = 0, backward_crossings = 0;
+  Vec3 force_W = Vec3::Zero();                ///< N, on the bit
+  double area = 0.0;                          ///< m2, sum over the step's crossings
+  double volume = 0.0;                        ///< m3, removed in the step
+  double rubbed_volume = 0.0;                 ///< m3, of it by the back of the face
+  int crossings = 0, backward_crossings = 0;  ///< backward: against the hole's +azimuth
 };
 
 /// One step.

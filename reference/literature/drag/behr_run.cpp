@@ -30,6 +30,7 @@ void add_step(BehrRun& run, const BehrLoad& load) {
     sum.force_W += own.force_W;
     sum.area += own.area;
     sum.volume += own.volume;
+    sum.rubbed_volume += own.rubbed_volume;
     sum.crossings += own.crossings;
     sum.backward_crossings += own.backward_crossings;
   }
