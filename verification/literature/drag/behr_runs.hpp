@@ -10,7 +10,7 @@ namespace tdbd::reference {
 
 inline constexpr double example_speed = 4 * std::numbers::pi;  ///< rad/s, 120 rpm
 inline constexpr double example_advance = 3e-3;                ///< m per revolution
-inline constexpr int steps_a_turn = 8000;                      ///< 110 for each lobe of the whirl
+inline constexpr int steps_a_turn = 500;                       ///< of 1 ms
 
 /// Two seconds, four revolutions, and one more that is reported.
 struct FifthTurn {

@@ -182,19 +182,68 @@ RC_GTEST_PROP(Behr, crosses_each_plane_once_a_turn, ()) {
   RC_ASSERT(std::abs(other.cutters[0].crossings - forward) <= 1);
 }
 
-/// A recorded path is as good as a formula: the same bytes.
-TEST(Behr, follows_a_recorded_path_as_it_does_a_formula) {
+/// A whirl of 144 Hz in steps of 1 ms: the path's formula is followed between steps, as a dense
+/// record of it would be.
+TEST(Behr, follows_a_formula_between_steps_and_a_record_from_place_to_place) {
   const RollingWhirl whirl{example_gage, 1.5 * mm, example_speed};
   const BitPath path = whirl_path(whirl, example_advance);
   BehrOptions options = steady_options(72);
   options.radius = whirl.hole_radius();
   std::vector<BitPlace> places;
-  for (int k = 0; k <= 500; ++k) places.push_back(path(0.0 + k * 1e-4));
+  for (int k = 0; k <= 5000; ++k) places.push_back(path(k * 2e-5));
   BehrState one = behr_start(example_cutters('b'), path(0.0), options), two = one;
-  const BehrRun a = behr_run(one, path, 0.0, 1e-4, 500, rock_k(), options),
-                b = behr_run(two, places, 1e-4, rock_k(), options);
+  const BehrRun a = behr_run(one, path, 0.0, 1e-3, 100, rock_k(), options),
+                b = behr_run(two, places, 2e-5, rock_k(), options);
+  EXPECT_NEAR(a.removed(), b.removed(), 1e-3 * b.removed());
+  EXPECT_NEAR(a.backward_share(), b.backward_share(), 1e-3);
+  EXPECT_EQ(one.place.angle, two.place.angle);
+}
+
+/// Same case, same bytes.
+TEST(Behr, does_the_same_again) {
+  const BitPath path = whirl_path({example_gage, 1.5 * mm, example_speed}, example_advance);
+  BehrOptions options = steady_options(72);
+  BehrState one = behr_start(example_cutters('b'), path(0.0), options), two = one;
+  const BehrRun a = behr_run(one, path, 0.0, 1e-3, 100, rock_k(), options),
+                b = behr_run(two, path, 0.0, 1e-3, 100, rock_k(), options);
   EXPECT_EQ(a.weight, b.weight);
   EXPECT_EQ(one.bottom.depth, two.bottom.depth);
+}
+
+/// Two cutters on one radius, half a degree apart: the one ahead leaves the other half a degree's
+/// sinking, though both cross a plane in one step, and whichever the table has first.
+TEST(Behr, cuts_in_the_order_in_which_cutters_come) {
+  bit::Cutter c;
+  c.diameter = 16 * mm;
+  c.tip_radius = 50 * mm;
+  const double behind = pi / 360;
+  for (const std::size_t first : {0u, 1u}) {
+    std::vector<bit::Cutter> cutters(2, c);
+    cutters[first].azimuth = behind;
+    const BitPath path = steady_path(example_speed, example_advance);
+    BehrState state = behr_start(cutters, path(0.0), steady_options(72));
+    behr_run(state, path, 0.0, 1e-3, 1000, rock_k(), steady_options(72));
+    const BehrRun run = behr_run(state, path, 1.0, 1e-3, 500, rock_k(), steady_options(72));
+    const double all = run.mean_area(0) + run.mean_area(1);
+    EXPECT_NEAR(run.mean_area(1 - first), behind / (2 * pi) * all, 1e-9 * all) << first;
+  }
+}
+
+/// A cutter that is dragged along +y at x = 80 mm by a bit whose axis is at x = 30 mm.
+TEST(Behr, has_its_torque_about_the_bits_axis) {
+  bit::Cutter c;
+  c.diameter = 16 * mm;
+  c.tip_radius = 50 * mm;
+  const BitPath drag = [](double t) { return BitPlace{Vec3(30 * mm, 0.1 * t, 0.0), 0.0}; };
+  DragRock rock = rock_k();
+  rock.normal_ratio = 0.0;
+  BehrState state = behr_start({c}, drag(0.0), steady_options(360));
+  for (double& depth : state.bottom.depth) depth = -1 * mm;
+  const BehrRun run = behr_run(state, drag, 0.0, 1e-3, 100, rock, steady_options(360));
+  EXPECT_GT(run.torque.back(), 0.0);
+  EXPECT_NEAR(run.torque.back(), -50 * mm * run.lateral_W.back().y(),
+              1 * mm * -run.lateral_W.back().y());
+  EXPECT_NEAR(run.cutters[0].force.cutting, run.cutters[0].force_W.norm(), 1e-9);
 }
 
 /// A face that goes backwards cuts nothing: without stress on what rubs, no force at all.
@@ -241,7 +290,7 @@ TEST(Behr, does_the_work_of_cutting_in_whirl) {
   DragRock rock = rock_k();
   rock.normal_ratio = 0.0;
   BehrState state = behr_start(example_cutters('b'), path(0.0), options);
-  constexpr int steps = 16000;
+  constexpr int steps = 8000;
   const double dt = 0.5 / steps;
   const BehrRun run = behr_run(state, path, 0.0, dt, steps, rock, options);
   double work = 0.0, turning = 0.0, rubbed = 0.0;

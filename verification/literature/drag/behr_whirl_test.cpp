@@ -77,7 +77,8 @@ TEST(WhirlVolume, lies_between_those_of_bit_and_hole) {
   options.radius = Rb;
   const double still =
       fifth_turn('b', steady_path(example_speed, example_advance), options).run.removed();
-  EXPECT_NEAR(still, pi * Rb * Rb * example_advance, 1e-9 * still);
+  constexpr double crossing = 3e-5;  // one at the turn's very end may count in the next turn
+  EXPECT_NEAR(still, pi * Rb * Rb * example_advance, crossing * still);
   EXPECT_NEAR(still, 109971e-9, 0.01 * still);
   for (const int planes : {72, 120, 720}) {
     const FifthTurn turn = whirl_turn(1.5 * mm, planes);
