@@ -48,8 +48,8 @@ WeightBalance narrow_balance(WeightAt&& weight_at, WeightBracket in, double weig
   for (; in.high - in.low > tolerance; ++found.narrowings) {
     const double half = 0.5 * (in.high - in.low);
     const double room = 0.5 * tolerance * std::ldexp(1.0, most + 1 - found.narrowings) - half;
-    const double z =
-        options.search == BracketSearch::itp ? next_place(in, width, room) : 0.5 * (in.low + in.high);
+    const double z = options.search == BracketSearch::itp ? next_place(in, width, room)
+                                                          : 0.5 * (in.low + in.high);
     const double beyond = weight_at(z) - weight;
     (beyond < 0.0 ? in.low : in.high) = z;
     (beyond < 0.0 ? in.under : in.over) = beyond;
