@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "verification/battery/evidence.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::reference::sheppard_lesage_test {
@@ -144,6 +145,23 @@ RC_GTEST_PROP(SheppardLesage, power_is_that_of_the_volume, ()) {
   const double spent = b.rock.specific_energy * s.volume_rate;
   const double size = std::abs(s.weight * s.rate) + std::abs(s.torque * b.speed) + spent;
   RC_ASSERT(std::abs(s.weight * s.rate + s.torque * b.speed - spent) <= closes * size);
+}
+
+/// The claim's number: the worked bits at four advances.
+TEST(SheppardLesage, power_of_the_worked_bits_is_that_of_their_volume) {
+  double worst = 0.0;
+  for (const Worked& w : worked)
+    for (const double advance : {0.5e-3, 1e-3, 2e-3, 4e-3}) {
+      const SheppardLesage s = sheppard_lesage(three_cones(w.offset, w.rows), rock, speed, advance);
+      const double spent = rock.specific_energy * s.volume_rate;
+      worst = std::max(worst, std::abs(s.weight * s.rate + s.torque * speed - spent) / spent);
+    }
+  EXPECT_LE(worst, closes);
+  battery::record({"chapter2/power-identity",
+                   "five bits at four advances: weight rate + torque speed over specific energy "
+                   "times volume rate, distance from 1",
+                   worst, "1", "<= 1e-12",
+                   worst <= closes ? battery::Verdict::holds : battery::Verdict::refuted});
 }
 
 /// The same with cones that are driven or braked: their moments' power is part of the account.
