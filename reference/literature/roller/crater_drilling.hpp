@@ -24,12 +24,13 @@ enum class ConeWay {
 enum class AxialMotion { balance, mass };
 
 /// Where a tooth feels the bottom: at its point alone, whose depth is what a table of single-tooth tests
-/// knows, or all over its round end (round_end.hpp).
+/// knows; or all over its round end (round_end.hpp), also on ridges beside the point. Depths are vertical: on
+/// the upright walls of a groove a round end feels too much.
 enum class ToothContact { point, round_end };
 
-/// The bottom at the start: level, or as deep at every radius as the rows' lowest teeth, straight between
-/// them, so that all rows touch at once.
-enum class BottomStart { flat, conforming };
+/// The bottom at the start: level, or with a round groove for every row, as its teeth leave it in a turn
+/// without advance, so that all rows touch at once.
+enum class BottomStart { flat, grooves };
 
 struct CraterDrillingOptions {
   std::string model = "Ma, Zhou and Deng";  ///< for messages
@@ -46,7 +47,7 @@ struct CraterDrillingOptions {
   double given_revolutions = 0.0;  ///< of the bit, during which that ratio is kept
   AxialMotion axial = AxialMotion::balance;
   double mass = 5000.0;  ///< kg, for AxialMotion::mass
-  BottomStart start = BottomStart::conforming;
+  BottomStart start = BottomStart::grooves;
   double cell = 0.5e-3;  ///< m, of the bottom
 };
 

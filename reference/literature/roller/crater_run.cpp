@@ -23,41 +23,38 @@ std::size_t teeth_of(const RollerBit& bit) {
   return n;
 }
 
-/// Radius and depth, m, of a row's lowest tooth with the bit at depth 0.
+/// Radius and depth, m, of a row's lowest tooth with the bit at depth 0, and of the tooth's sphere.
 struct RowBottom {
-  double radius = 0.0, depth = 0.0;
+  double radius = 0.0, depth = 0.0, sphere = 0.0;
 };
 
-std::vector<RowBottom> row_bottoms(const RollerBit& bit) {
+std::vector<RowBottom> row_bottoms(const RollerBit& bit, double sphere) {
   std::vector<RowBottom> rows;
   for (const RollerCone& c : bit.cones)
     for (const RollerRow& r : c.rows) {
       const double cosine = std::cos(c.journal_angle), sine = std::sin(c.journal_angle);
       rows.push_back({std::hypot(r.along * cosine + r.radius * sine, c.offset),
-                      c.elevation - r.along * sine + r.radius * cosine});
+                      c.elevation - r.along * sine + r.radius * cosine, sphere});
     }
   std::ranges::sort(rows, {}, &RowBottom::radius);
   return rows;
 }
 
-double depth_between(const std::vector<RowBottom>& rows, double radius) {
-  if (radius <= rows.front().radius) return rows.front().depth;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (radius > rows[i].radius) continue;
-    const double width = rows[i].radius - rows[i - 1].radius;
-    if (width <= 0.0) return std::max(rows[i].depth, rows[i - 1].depth);
-    const double share = (radius - rows[i - 1].radius) / width;
-    return (1.0 - share) * rows[i - 1].depth + share * rows[i].depth;
+double groove_depth(const std::vector<RowBottom>& rows, double radius) {
+  double depth = rows.front().depth - rows.front().sphere;
+  for (const RowBottom& r : rows) depth = std::min(depth, r.depth - r.sphere);
+  for (const RowBottom& r : rows) {
+    const double square = r.sphere * r.sphere - (radius - r.radius) * (radius - r.radius);
+    if (square > 0.0) depth = std::max(depth, r.depth - r.sphere + std::sqrt(square));
   }
-  return rows.back().depth;
+  return depth;
 }
 
-void conform(ZMap& bottom, const RollerBit& bit) {
-  const std::vector<RowBottom> rows = row_bottoms(bit);
+void groove(ZMap& bottom, const std::vector<RowBottom>& rows) {
   for (int j = 0; j < bottom.cells; ++j)
     for (int i = 0; i < bottom.cells; ++i)
       bottom.height[at(j) * at(bottom.cells) + at(i)] =
-          depth_between(rows, std::hypot(bottom.centre(i), bottom.centre(j)));
+          groove_depth(rows, std::hypot(bottom.centre(i), bottom.centre(j)));
 }
 
 void need(bool holds, const CraterDrillingOptions& options, const std::string& what, double found) {
@@ -127,10 +124,11 @@ RollerRun empty_run(const RollerBit& bit, const RollerSchedule& schedule,
   s.evaluations.reserve(steps);
   s.cone_speeds.reserve(steps * bit.cones.size());
   s.forces_in_contact.reserve(steps * teeth);
-  const double half = row_bottoms(bit).back().radius + map_margin;
+  const std::vector<RowBottom> rows = row_bottoms(bit, options.print.sphere_radius);
+  const double half = rows.back().radius + map_margin;
   const int cells = static_cast<int>(std::ceil(2.0 * half / options.cell));
   run.bottom = flat_z_map(0.5 * cells * options.cell, 0.0, cells);
-  if (options.start == BottomStart::conforming) conform(run.bottom, bit);
+  if (options.start == BottomStart::grooves) groove(run.bottom, rows);
   return run;
 }
 

@@ -12,15 +12,16 @@ namespace tdbd::reference {
 /// tests know it, or all its way.
 enum class PrintPath { deepest, swept };
 
-/// What a tooth feels on its way up: the law at its depth, as if rock sprang back (nothing that we could
-/// read says otherwise), or nothing, since crushed rock does not.
-enum class ToothRelease { elastic, crushed };
+/// What a tooth feels on its way up: nothing, since crushed rock does not spring back and the law is that of
+/// pressing in, or the law at its depth, as "force by depth" taken at its word. Elastic teeth give back the
+/// work of pressing in: the bit then drills almost without torque.
+enum class ToothRelease { crushed, elastic };
 
 /// How craters are made. All of it is our reconstruction: thesis 2.2 has no word on the bottom's update.
 struct PrintOptions {
   PrintPath path = PrintPath::deepest;
   CraterShape shape = CraterShape::cone;
-  ToothRelease release = ToothRelease::elastic;
+  ToothRelease release = ToothRelease::crushed;
   double release_distance = 20e-6;  ///< m, over which a crushed tooth's force falls to 0
   double sphere_radius = 6e-3;      ///< m, of craters of the shape `sphere`
 };

@@ -17,8 +17,8 @@ RollerSchedule schedule(double revolutions, double step) {
   return {3.0 * std::numbers::pi, 20e3, step, revolutions, 1.0};
 }
 
-/// Depths are found to 1e-9 m, teeth are stiffer than 1e8 N/m together; scale: N.
-constexpr double of_balance = 0.1;
+/// Depths are found to 1e-9 m, and a tooth lets go of 10 kN within 20 um; scale: N.
+constexpr double of_balance = 0.5;
 
 RollerRun run(const RollerSchedule& s, const MaZhouDengOptions& options = {}) {
   return ma_zhou_deng(example::roller_bit(4e-3), example::power_tooth(), s, options);
@@ -40,10 +40,13 @@ TEST(MaZhouDeng, stands_as_deep_as_its_teeth_carry_the_weight) {
   RollerSchedule s = schedule(0.01, 1e-6);
   s.settle = 0.0;
   MaZhouDengOptions options;
-  options.drilling.contact = ToothContact::point;
+  options.drilling.start = BottomStart::flat;
   const RollerRun r = ma_zhou_deng(bit, example::power_tooth(), s, options);
+  const RollerCone& cone = bit.cones[0];
+  const double lowest =
+      -80e-3 * std::sin(cone.journal_angle) + 60e-3 * std::cos(cone.journal_angle);
   const double depth = std::pow(20.0 / 15.0, 2.0 / 3.0) * 1e-3;
-  EXPECT_NEAR(r.series.depth[0], depth, 2e-9);
+  EXPECT_NEAR(r.series.depth[0] + lowest, depth, 2e-9);
   EXPECT_EQ(r.series.contacts[0], 3);
 }
 
@@ -72,7 +75,7 @@ TEST(MaZhouDeng, drills_faster_under_more_weight) {
   for (const double weight : {10e3, 20e3, 40e3}) {
     s.weight = weight;
     const RollerRun r = run(s);
-    EXPECT_GT(r.rate, 1.3 * before) << weight;
+    EXPECT_GT(r.rate, 1.2 * before) << weight;
     before = r.rate;
   }
 }

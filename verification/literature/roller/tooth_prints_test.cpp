@@ -58,6 +58,7 @@ TEST(ToothPrints, of_crushed_rock_do_not_spring_back) {
   PrintOptions options;
   ToothPrint print;
   print.deepest = 1e-3;
+  options.release = ToothRelease::elastic;
   EXPECT_EQ(print_share(options, print, 0.5e-3), 1.0);
   options.release = ToothRelease::crushed;
   EXPECT_EQ(print_share(options, print, 1e-3), 1.0);
