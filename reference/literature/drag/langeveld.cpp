@@ -30,7 +30,8 @@ double tip_depth(const LangeveldRock& rock, int spoke, double radius, double z) 
 }
 
 CrossingCut felt(const Langeveld& m, std::size_t i, const PlacedCutter& c, int spoke) {
-  if (m.system.law == DepthLaw::outline) return rim_in_rock(m.rock, spoke, c.rim, m.system.counted);
+  if (m.system.law == LangeveldLaw::outline)
+    return rim_in_rock(m.rock, spoke, c.rim, m.system.counted);
   const double area = m.system.widths[i] * tip_depth(m.rock, spoke, c.radius, c.tip_W.z());
   return {area, area * c.radius, area};
 }
@@ -40,7 +41,7 @@ void check_system(const Langeveld& m) {
   if (!(s.mass > 0.0 && s.inertia > 0.0 && s.step > 0.0))
     throw InputError(
         "Langeveld: found a mass, inertia or step that is not above 0; needs all three");
-  if (s.law == DepthLaw::tip && s.widths.size() != m.cutters.size())
+  if (s.law == LangeveldLaw::tip && s.widths.size() != m.cutters.size())
     throw InputError("Langeveld: found " + std::to_string(s.widths.size()) +
                      " widths of cutters; the law of tips needs one for each of " +
                      std::to_string(m.cutters.size()));
@@ -82,13 +83,13 @@ std::vector<double> tip_widths(const std::vector<SpokeCutter>& cutters) {
 void langeveld_load(const Langeveld& m, const LangeveldState& y, LangeveldLoad& load) {
   const BitPlace place = langeveld_place(y);
   const Vec3 v(y[4], y[5], y[6]);
-  load.force_W = wall_force(m.rock.wall, m.system.wall, m.gage, place.origin_W, v);
+  load.force_W = wall_force(m.rock.wall, m.system.wall, m.gage, place.p_WB, v);
   load.torque = 0.0;
   load.cutter_force_W.resize(m.cutters.size());
   load.cutter_area.resize(m.cutters.size());
   for (std::size_t i = 0; i < m.cutters.size(); ++i) {
     const PlacedCutter c = placed(m.cutters[i], place);
-    const Vec3 arm = c.tip_W - place.origin_W, v_W = v + y[7] * Vec3(-arm.y(), arm.x(), 0.0);
+    const Vec3 arm = c.tip_W - place.p_WB, v_W = v + y[7] * Vec3(-arm.y(), arm.x(), 0.0);
     const CrossingCut cut = felt(m, i, c, spoke_ahead(c, v_W, m.rock.bottom.spokes));
     const Vec3 force_W =
         area_force(m.system.rock, cut.area, turned(m.cutters[i].normal_B, place), v_W);

@@ -15,7 +15,7 @@ namespace tdbd::reference {
 ///
 /// The viscous c is ours; 0 is Langeveld's string. The rock stands still during a step; what the step's motion crosses
 /// is cut after it. So the coupled motion is of first order in the step.
-enum class DepthLaw {
+enum class LangeveldLaw {
   tip,     ///< width times the depth of the tip under the spoke ahead
   outline  ///< area of the rim under the spoke ahead
 };
@@ -28,10 +28,10 @@ struct LangeveldSystem {
   double rate = 0.0, speed = 0.0;  ///< of the string's top: V, m/s; Omega, rad/s
   WallSpring wall;
   LateralMotion lateral = LateralMotion::free;
-  DepthLaw law = DepthLaw::outline;
+  LangeveldLaw law = LangeveldLaw::outline;
   CountedRock counted = CountedRock::all_above;
   DragRock rock;
-  std::vector<double> widths;  ///< m, of each cutter, for DepthLaw::tip
+  std::vector<double> widths;  ///< m, of each cutter, for LangeveldLaw::tip
   double step = 1e-3;          ///< s
 };
 

@@ -85,7 +85,7 @@ Langeveld six_blades(double damping, int spokes) {
     c.X_BC.p = {c.tip_radius * cs, c.tip_radius * sn, -c.diameter / 2};
   }
   LangeveldSystem s = string_of_the_example();
-  s.law = DepthLaw::tip;
+  s.law = LangeveldLaw::tip;
   s.axial_damping = damping;
   s.inertia = 1e12;
   s.step = 0.2e-3;
@@ -205,7 +205,7 @@ TEST(Langeveld, pushes_a_bit_back_with_the_walls_stiffness) {
 
 TEST(Langeveld, follows_the_law_of_tips) {
   LangeveldSystem s = string_of_the_example();
-  s.law = DepthLaw::tip;
+  s.law = LangeveldLaw::tip;
   s.widths = tip_widths(spoke_cutters(bit_a(), "Langeveld"));
   double sum = 0.0;
   for (const double w : s.widths) sum += w;
@@ -218,9 +218,9 @@ TEST(Langeveld, follows_the_law_of_tips) {
 
 TEST(Langeveld, says_what_it_needs) {
   LangeveldSystem s = string_of_the_example();
-  s.law = DepthLaw::tip;
+  s.law = LangeveldLaw::tip;
   EXPECT_THROW(on_fitting_rock(s), InputError);
-  s.law = DepthLaw::outline;
+  s.law = LangeveldLaw::outline;
   s.step = 0.0;
   EXPECT_THROW(on_fitting_rock(s), InputError);
 }

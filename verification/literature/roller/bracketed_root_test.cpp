@@ -40,19 +40,5 @@ TEST(BracketedRoot, says_where_it_looked) {
   }
 }
 
-/// Plain regula falsi keeps one end of a curved function's bracket, and creeps away from the other.
-TEST(BracketedRoot, needs_few_values_where_the_function_is_curved) {
-  for (const double sign : {1.0, -1.0}) {
-    int values = 0;
-    const auto f = [&](double x) {
-      ++values;
-      return sign * (std::exp(-20.0 * sign * x) - 1e-3);
-    };
-    const double low = sign > 0.0 ? 0.0 : -5.0;
-    EXPECT_NEAR(bracketed_root(f, low, low + 5.0, 1e-9).value(), sign * std::log(1e3) / 20.0, 1e-9);
-    EXPECT_LT(values, 30);
-  }
-}
-
 }  // namespace
 }  // namespace tdbd::reference::bracketed_root_test
