@@ -15,8 +15,50 @@ namespace {
 
 constexpr double full_circle = 2.0 * std::numbers::pi;
 
+namespace keys = compare_keys;
+
+std::optional<double> read_if_given(Config& c, const QuantityKey& key) {
+  if (!c.has(key)) return std::nullopt;
+  return c.read(key, 0.0);
+}
+
+GlowkaSettings read_glowka(Config c) {
+  GlowkaSettings s;
+  s.power = c.read(keys::power);
+  s.reference_depth = c.read(keys::reference_depth);
+  s.flat_stress = read_if_given(c, keys::flat_stress);
+  s.wear_coefficient = read_if_given(c, keys::wear_coefficient);
+  s.distance = c.read(keys::distance);
+  s.flat_friction = c.read(keys::flat_friction);
+  s.rock_conductivity = c.read(keys::rock_conductivity);
+  s.rock_diffusivity = c.read(keys::rock_diffusivity);
+  s.cutter_resistance = c.read(keys::cutter_resistance);
+  return s;
+}
+
+RollerSettings read_roller(Config c) {
+  RollerSettings s;
+  s.specific_energy = read_if_given(c, keys::specific_energy);
+  s.normal_ratio = c.read(keys::normal_ratio);
+  s.half_angle = c.read(keys::half_angle);
+  if (c.has(keys::tooth_table)) s.tooth_table = c.read(keys::tooth_table);
+  s.penetration = read_if_given(c, keys::penetration);
+  s.cone_ratio = read_if_given(c, keys::cone_ratio);
+  return s;
+}
+
+WintersSettings read_winters(Config c) {
+  WintersSettings s;
+  s.weights = c.read(keys::weights, std::vector<double>());
+  s.rates = c.read(keys::rates, std::vector<double>());
+  s.strength = c.read(keys::strength);
+  if (s.weights.size() != s.rates.size())
+    c.problem(keys::rates, fmt::format("{} rates", s.rates.size()),
+              fmt::format("{}, one for each weight", s.weights.size()));
+  return s;
+}
+
 CompareOptions read_options(Config c) {
-  namespace keys = compare_keys;
   CompareOptions o;
   o.models = c.read(keys::models, std::vector<std::string>{"all"});
   o.counted_revolutions = c.read(keys::counted_revolutions);
@@ -30,7 +72,10 @@ CompareOptions read_options(Config c) {
   Config spokes = c.table("spokes");
   o.spokes = static_cast<int>(spokes.read(keys::spokes));
   o.spoke_nodes = static_cast<int>(spokes.read(keys::spoke_nodes));
-  o.spoke_spacing = spokes.read(keys::spacing, 0.0);
+  o.spoke_spacing = spokes.read(keys::spacing);
+  o.glowka = read_glowka(c.table("glowka"));
+  o.roller = read_roller(c.table("roller"));
+  o.winters = read_winters(c.table("winters"));
   return o;
 }
 
@@ -86,7 +131,6 @@ CompareCase read_compare_case(const std::string& path, const std::vector<std::st
   c.options = read_options(config.table(compare_keys::table));
   const Places places = places_of(config);
   c.ours = simulation::read_case(config, path);
-  if (c.options.spoke_spacing == 0.0) c.options.spoke_spacing = c.ours.rock.edge_length;
   const simulation::Motion& m = c.ours.motion;
   c.advance = m.rotary_speed > 0.0 ? m.rate_of_penetration * full_circle / m.rotary_speed : 0.0;
   c.rock = rock_of(c.ours.forces);

@@ -10,6 +10,29 @@
 
 namespace tdbd::reference {
 
+/// What Glowka's model needs beside the rock that drag-bit models share.
+struct GlowkaSettings {
+  double power = 0.0, reference_depth = 0.0;            ///< 1, m
+  std::optional<double> flat_stress, wear_coefficient;  ///< Pa, m3/(N m)
+  double distance = 0.0;                                ///< m
+  double flat_friction = 0.0, rock_conductivity = 0.0, rock_diffusivity = 0.0,
+         cutter_resistance = 0.0;
+};
+
+/// What models of roller bits need; what is missing they take from the case (compare_keys.hpp).
+struct RollerSettings {
+  std::optional<double> specific_energy;  ///< Pa
+  double normal_ratio = 0.0, half_angle = 0.0;
+  std::string tooth_table;
+  std::optional<double> penetration, cone_ratio;  ///< m, 1
+};
+
+/// Known rates, to which the constants of Winters, Warren and Onyia are fitted.
+struct WintersSettings {
+  std::vector<double> weights, rates;  ///< N, m/s
+  double strength = 0.0;               ///< Pa
+};
+
 /// How the models are asked ([compare]).
 struct CompareOptions {
   std::vector<std::string> models;  ///< "all", or names
@@ -21,6 +44,9 @@ struct CompareOptions {
   int planes = 0, plane_nodes = 0;
   int spokes = 0, spoke_nodes = 0;
   double spoke_spacing = 0.0;  ///< m
+  GlowkaSettings glowka;
+  RollerSettings roller;
+  WintersSettings winters;
 };
 
 /// One bit, one rock, one schedule: a case of tdbd run with the table [compare].

@@ -84,7 +84,7 @@ std::string comparison_json(const CompareCase& c, const Comparison& all) {
   for (const Answer& a : all.answers)
     json["models"].push_back({{"name", a.model->name},
                               {"title", a.model->title},
-                              {"year", a.model->year},
+                              {"reference", a.model->reference},
                               {"row", a.model->row},
                               {"steps", a.findings.cost.steps},
                               {"notes", a.findings.notes},

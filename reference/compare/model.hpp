@@ -22,10 +22,10 @@ struct Question {
 
 /// A model of chapter 2, or ours.
 struct Model {
-  std::string_view name;   ///< "warren-sinor"
-  std::string_view title;  ///< "Warren and Sinor"
-  std::string_view year;
-  std::string_view row;  ///< of our list of systems: "S7"
+  std::string_view name;       ///< "warren-sinor"
+  std::string_view title;      ///< "Warren and Sinor"
+  std::string_view reference;  ///< its number in the thesis
+  std::string_view row;        ///< of our list of systems: "S7"
   Knows knows = Knows::both;
   Findings (*answer)(const Question&) = nullptr;
 };

@@ -12,10 +12,24 @@ namespace {
 
 constexpr std::array all_models{
     Model{"tdbd", "TDBD", "this program", "ours", Knows::both, answer_of_tdbd},
-    Model{"warren-sinor", "Warren and Sinor", "1986", "S7", Knows::drag_bits,
+    Model{"warren-sinor", "Warren and Sinor", "[75]", "S7", Knows::drag_bits,
           answer_of_warren_sinor},
-    Model{"behr", "Behr et al.", "1991", "S7", Knows::drag_bits, answer_of_behr},
-    Model{"langeveld", "Langeveld", "1992", "S6", Knows::drag_bits, answer_of_langeveld},
+    Model{"behr", "Behr et al.", "[6]", "S7", Knows::drag_bits, answer_of_behr},
+    Model{"glowka", "Glowka", "[28], [29], [30]", "S8", Knows::drag_bits, answer_of_glowka},
+    Model{"langeveld", "Langeveld", "[49], [50]", "S6", Knows::drag_bits, answer_of_langeveld},
+    Model{"hanson-hansen", "Hanson and Hansen", "[33], [20]", "S5", Knows::drag_bits,
+          answer_of_hanson_hansen},
+    Model{"winters", "Winters, Warren and Onyia", "[77]", "S10", Knows::roller_bits,
+          answer_of_winters},
+    Model{"ma-azar", "Ma and Azar", "[56], [54]", "S11", Knows::roller_bits, answer_of_ma_azar},
+    Model{"ma-zhou-deng", "Ma, Zhou and Deng", "[58]", "S12", Knows::roller_bits,
+          answer_of_ma_zhou_deng},
+    Model{"huang-cawthorne-1", "Huang and Cawthorne, first way", "[38]", "S13", Knows::roller_bits,
+          answer_of_huang_cawthorne_1},
+    Model{"huang-cawthorne-2", "Huang and Cawthorne, second way", "[38]", "S13", Knows::roller_bits,
+          answer_of_huang_cawthorne_2},
+    Model{"sheppard-lesage", "Sheppard and Lesage", "[72]", "S14", Knows::roller_bits,
+          answer_of_sheppard_lesage},
 };
 
 const Model* find(const std::string& name) {

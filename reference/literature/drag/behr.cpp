@@ -2,41 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "reference/literature/drag/behr_crossings.hpp"
-#include "reference/literature/drag/drag_input.hpp"
 
 namespace tdbd::reference {
 namespace {
 
-const std::string behr_name = "Behr et al.";
-
-void require_behr(const std::vector<bit::Cutter>& cutters, const BehrOptions& options) {
-  require_cutters(behr_name, cutters);
-  require_positive(behr_name, "planes", options.planes);
-  require_positive(behr_name, "nodes on a plane", options.nodes);
-  require_positive(behr_name, "radius to which planes reach (m)", options.radius);
-  require_one_each(behr_name, "normal ratios", options.normal_ratio.size(), cutters.size());
-  require_one_each(behr_name, "areas of flats", options.flat_area.size(), cutters.size());
-}
-
-/// The deepest outline of all at each node; where there is none, the shallowest of those depths.
-std::vector<double> profile(const std::vector<CutterRim>& rims, const Spokes& rock) {
-  std::vector<RimEllipse> outlines;
-  for (const CutterRim& rim : rims)
-    outlines.push_back(rim_ellipse(rim, rim.motion_B.cross(Vec3::UnitZ())));
-  std::vector<double> depth(at(rock.nodes), no_depth);
-  double shallowest = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < rock.nodes; ++k) {
-    double& z = depth[at(k)];
-    for (const RimEllipse& e : outlines) z = std::max(z, depth_at(e, rock.node_radius(k)));
-    if (z != no_depth) shallowest = std::min(shallowest, z);
-  }
-  std::replace(depth.begin(), depth.end(), no_depth, shallowest);
-  return depth;
-}
+/// Of a straight way, rad: a tip's way is then its chord, to 1e-5 of its radius.
+constexpr double widest_turn = std::numbers::pi / 180;
 
 /// What a cutter's share of the load needs to know.
 struct Contact {
@@ -63,7 +37,10 @@ void add_force(const BehrState& state, const Contact& c, const CutterForce& size
   Vec3 F_W = -size.normal * turned(c.place, state.rims[c.cutter].normal_B);
   if (v > 0.0) F_W -= size.cutting / v * c.v_W;
   F_W *= c.share;
-  load.cutters[c.cutter].force_W += F_W;
+  BehrCutter& own = load.cutters[c.cutter];
+  own.force_W += F_W;
+  own.force.cutting += c.share * size.cutting;
+  own.force.normal += c.share * size.normal;
   load.weight -= F_W.z();
   load.lateral_W += F_W.head<2>();
   load.torque -= (c.point_W - c.place.p_WB).cross(F_W).z();
@@ -77,81 +54,112 @@ double time_share(const BehrState& state, const Contact& c, const SpokePlane& pl
   return about > 0.0 ? way / (about * dt) : 0.0;
 }
 
-void cut_on(BehrState& state, const BehrWay& way, double dt, const DragRock& rock,
-            const BehrOptions& options, BehrLoad& load) {
-  find_crossings(state, way);
-  for (const BehrCrossing& crossing : state.crossings) {
-    BehrCutter& own = load.cutters[crossing.cutter];
-    const BehrCut cut = cut_at(state, way, crossing, own.volume);
+/// One step while it is made.
+struct StepInHand {
+  BehrState& state;
+  double dt;  ///< s, of the whole step
+  const DragRock& rock;
+  const BehrOptions& options;
+  BehrLoad& load;
+};
+
+void add_crossing_force(const StepInHand& s, const BehrWay& way, const BehrCrossing& crossing,
+                        const BehrCut& cut) {
+  const SpokePlane& plane = s.state.planes[at(crossing.plane)];
+  Contact c{crossing.cutter, cut, Vec3::Zero(), Vec3::Zero(), way.at(crossing.when), 0.0};
+  c.v_W = tip_velocity(way, c.place, s.state.rims[crossing.cutter]);
+  c.point_W = cut.arm * Vec3(plane.cosine, plane.sine, 0.0);
+  c.share = time_share(s.state, c, plane, s.dt);
+  add_force(s.state, c, force_of(c, s.rock, s.options), s.load);
+}
+
+void cut_on(const StepInHand& s, const BehrWay& way) {
+  find_crossings(s.state, way);
+  for (const BehrCrossing& crossing : s.state.crossings) {
+    BehrCutter& own = s.load.cutters[crossing.cutter];
+    double volume = 0.0;
+    const BehrCut cut = cut_at(s.state, way, crossing, volume);
     own.area += cut.area;
+    own.volume += volume;
+    if (cut.is_backward) own.rubbed_volume += volume;
     ++own.crossings;
     own.backward_crossings += crossing.is_backward;
-    state.last[crossing.cutter] = cut;
-    if (options.force_time == ForceTime::held) continue;
-    const SpokePlane& plane = state.planes[at(crossing.plane)];
-    Contact c{crossing.cutter, cut, Vec3::Zero(), Vec3::Zero(), way.at(crossing.when), 0.0};
-    c.v_W = tip_velocity(way, c.place, state.rims[crossing.cutter]);
-    c.point_W = cut.arm * Vec3(plane.cosine, plane.sine, 0.0);
-    c.share = time_share(state, c, plane, dt);
-    add_force(state, c, force_of(c, rock, options), load);
+    s.state.last[crossing.cutter] = cut;
+    if (s.options.force_time == ForceTime::crossing) add_crossing_force(s, way, crossing, cut);
   }
 }
 
-void add_held(const BehrState& state, const BehrWay& way, const DragRock& rock,
-              const BehrOptions& options, BehrLoad& load) {
-  for (std::size_t i = 0; i < state.rims.size(); ++i) {
-    const Vec3 v_W = tip_velocity(way, way.to, state.rims[i]);
-    Vec3 tip_W = way.to.p_WB + turned(way.to, state.rims[i].tip_B);
+/// Cuts on the straight way, in parts of at most a degree. Returns the last part.
+BehrWay cut_straight(const StepInHand& s, const BehrWay& way) {
+  const double turn = std::abs(way.to.angle - way.from.angle);
+  const int parts = std::max(1, static_cast<int>(std::ceil(turn / widest_turn)));
+  BehrWay part{way.from, way.from, way.dt / parts};
+  for (int k = 1; k <= parts; ++k) {
+    part.from = part.to;
+    part.to = k < parts ? way.at(static_cast<double>(k) / parts) : way.to;
+    cut_on(s, part);
+  }
+  return part;
+}
+
+/// Whether straight ways over the middle stay near a path that bends evenly.
+bool is_straight(const BehrWay& way, const BitPlace& middle, double nearness) {
+  const Vec3 chord = 0.5 * (way.from.p_WB + way.to.p_WB);
+  return std::abs(way.to.angle - way.from.angle) <= widest_turn &&
+         (middle.p_WB - chord).norm() <= 4.0 * nearness;
+}
+
+/// Cuts along the path from a time on, halving ways until they are straight. Returns the last part.
+BehrWay cut_along(const StepInHand& s, const BitPath& path, double from, const BehrWay& way) {
+  const double half = 0.5 * way.dt;
+  const BitPlace middle = path(from + half);
+  const BehrWay first{way.from, middle, half}, second{middle, way.to, half};
+  constexpr double shortest = 1e-6;  // of a step: a path that jumps ends there
+  if (is_straight(way, middle, s.options.nearness) || half < shortest * s.dt) {
+    cut_straight(s, first);
+    return cut_straight(s, second);
+  }
+  cut_along(s, path, from, first);
+  return cut_along(s, path, from + half, second);
+}
+
+void add_held(const StepInHand& s, const BehrWay& way) {
+  for (std::size_t i = 0; i < s.state.rims.size(); ++i) {
+    const CutterRim& rim = s.state.rims[i];
+    Vec3 tip_W = way.to.p_WB + turned(way.to, rim.tip_B);
     tip_W.z() = 0.0;
-    const Contact c{i, state.last[i], v_W, state.last[i].arm * tip_W.normalized(), way.to, 1.0};
-    add_force(state, c, force_of(c, rock, options), load);
+    const Vec3 point_W = s.state.last[i].arm * tip_W.normalized();
+    const Contact c{i, s.state.last[i], tip_velocity(way, way.to, rim), point_W, way.to, 1.0};
+    add_force(s.state, c, force_of(c, s.rock, s.options), s.load);
   }
 }
 
-void clear(BehrLoad& load, std::size_t cutters) {
+void begin(BehrLoad& load, std::size_t cutters) {
   load.weight = load.torque = load.volume = 0.0;
   load.lateral_W.setZero();
   load.cutters.assign(cutters, {});
 }
 
-}  // namespace
-
-BehrState behr_start(const std::vector<bit::Cutter>& cutters, const BitPlace& place,
-                     const BehrOptions& options) {
-  require_behr(cutters, options);
-  BehrState s;
-  for (const bit::Cutter& c : cutters) s.rims.push_back(cutter_rim(c, 0.0));
-  s.bottom = flat_spokes(options.radius, 0.0, options.planes, options.nodes);
-  const std::vector<double> depth = profile(s.rims, s.bottom);
-  for (int k = 0; k < options.planes; ++k) {
-    s.planes.push_back(spoke_plane(k, options.planes));
-    for (int j = 0; j < options.nodes; ++j)
-      s.bottom.depth[at(k * options.nodes + j)] = place.p_WB.z() + depth[at(j)];
-  }
-  s.place = place;
-  for (const CutterRim& rim : s.rims) {
-    const Vec3 tip_W = place.p_WB + turned(place, rim.tip_B);
-    s.azimuth.push_back(std::atan2(tip_W.y(), tip_W.x()));
-  }
-  s.last.resize(cutters.size());
-  return s;
+void finish(const StepInHand& s, const BehrWay& last) {
+  s.state.place = last.to;
+  if (s.options.force_time == ForceTime::held) add_held(s, last);
+  for (const BehrCutter& c : s.load.cutters) s.load.volume += c.volume;
 }
+
+}  // namespace
 
 void behr_step(BehrState& state, const BitPlace& to, double dt, const DragRock& rock,
                const BehrOptions& options, BehrLoad& load) {
-  clear(load, state.rims.size());
-  constexpr double widest_turn = std::numbers::pi / 180;
-  const BehrWay step{state.place, to, dt};
-  const double turn = std::abs(to.angle - state.place.angle);
-  const int parts = std::max(1, static_cast<int>(std::ceil(turn / widest_turn)));
-  for (int k = 0; k < parts; ++k) {
-    const double from = static_cast<double>(k) / parts, end = static_cast<double>(k + 1) / parts;
-    cut_on(state, {step.at(from), k + 1 < parts ? step.at(end) : to, dt / parts}, dt, rock, options,
-           load);
-  }
-  state.place = to;
-  if (options.force_time == ForceTime::held) add_held(state, step, rock, options, load);
-  for (const BehrCutter& c : load.cutters) load.volume += c.volume;
+  begin(load, state.rims.size());
+  const StepInHand s{state, dt, rock, options, load};
+  finish(s, cut_straight(s, {state.place, to, dt}));
+}
+
+void behr_step(BehrState& state, const BitPath& path, double from, double dt, const DragRock& rock,
+               const BehrOptions& options, BehrLoad& load) {
+  begin(load, state.rims.size());
+  const StepInHand s{state, dt, rock, options, load};
+  finish(s, cut_along(s, path, from, {state.place, path(from + dt), dt}));
 }
 
 }  // namespace tdbd::reference

@@ -34,6 +34,7 @@ struct BehrOptions {
   std::vector<double> normal_ratio;  ///< zeta of each cutter; empty: the rock's for all
   std::vector<double> flat_area;     ///< Aw of each cutter, m2; empty: none. Only where it cuts
   ForceTime force_time = ForceTime::held;
+  double nearness = 5e-6;  ///< m, of straight ways to a path that is a formula
 };
 
 /// What a cutter cut when it last crossed a plane.
@@ -65,10 +66,12 @@ struct BehrState {
 
 /// One cutter in one step.
 struct BehrCutter {
-  Vec3 force_W = Vec3::Zero();  ///< N, on the bit
-  double area = 0.0;            ///< m2, sum over the step's crossings
-  double volume = 0.0;          ///< m3, removed in the step
-  int crossings = 0, backward_crossings = 0;
+  Vec3 force_W = Vec3::Zero();                ///< N, on the bit
+  CutterForce force;                          ///< N, its two parts' sizes
+  double area = 0.0;                          ///< m2, sum over the step's crossings
+  double volume = 0.0;                        ///< m3, removed in the step
+  double rubbed_volume = 0.0;                 ///< m3, of it by the back of the face
+  int crossings = 0, backward_crossings = 0;  ///< backward: against the hole's +azimuth
 };
 
 /// One step.
@@ -84,9 +87,13 @@ struct BehrLoad {
 BehrState behr_start(const std::vector<bit::Cutter>& cutters, const BitPlace& place,
                      const BehrOptions& options);
 
-/// Moves the bit straight to `to` in `dt` (s), in sub-steps of at most a degree, and cuts. `load`
-/// keeps its arrays from step to step.
+/// Moves the bit straight to `to` in `dt` (s) and cuts. `load` keeps its arrays from step to step.
 void behr_step(BehrState& state, const BitPlace& to, double dt, const DragRock& rock,
+               const BehrOptions& options, BehrLoad& load);
+
+/// Moves the bit along a path from time `from` (s), on which it is, for `dt`: in ways so short that
+/// a whirl of any frequency is followed, however long the step.
+void behr_step(BehrState& state, const BitPath& path, double from, double dt, const DragRock& rock,
                const BehrOptions& options, BehrLoad& load);
 
 /// A run: series over the steps, sums over the cutters.
@@ -95,7 +102,7 @@ struct BehrRun {
   std::vector<double> weight, torque;      ///< N, N m, of each step
   std::vector<Eigen::Vector2d> lateral_W;  ///< N, of each step
   std::vector<double> volume;              ///< m3, of each step
-  std::vector<BehrCutter> cutters;         ///< sums; force_W: the mean of the steps
+  std::vector<BehrCutter> cutters;         ///< sums; forces: means of the steps
 
   /// Mean area over a cutter's crossings, m2.
   double mean_area(std::size_t cutter) const;

@@ -28,8 +28,11 @@ void add_step(BehrRun& run, const BehrLoad& load) {
     BehrCutter& sum = run.cutters[i];
     const BehrCutter& own = load.cutters[i];
     sum.force_W += own.force_W;
+    sum.force.cutting += own.force.cutting;
+    sum.force.normal += own.force.normal;
     sum.area += own.area;
     sum.volume += own.volume;
+    sum.rubbed_volume += own.rubbed_volume;
     sum.crossings += own.crossings;
     sum.backward_crossings += own.backward_crossings;
   }
@@ -37,7 +40,12 @@ void add_step(BehrRun& run, const BehrLoad& load) {
 
 /// Sums of forces become means.
 BehrRun finished(BehrRun run) {
-  for (BehrCutter& c : run.cutters) c.force_W /= static_cast<double>(run.weight.size());
+  const double steps = static_cast<double>(run.weight.size());
+  for (BehrCutter& c : run.cutters) {
+    c.force_W /= steps;
+    c.force.cutting /= steps;
+    c.force.normal /= steps;
+  }
   return run;
 }
 
@@ -65,7 +73,7 @@ BehrRun behr_run(BehrState& state, const BitPath& path, double from, double dt, 
   BehrRun run = empty_run(state, dt, at(steps), rock);
   BehrLoad load;
   for (int k = 1; k <= steps; ++k) {
-    behr_step(state, path(from + k * dt), dt, rock, options, load);
+    behr_step(state, path, from + (k - 1) * dt, dt, rock, options, load);
     add_step(run, load);
   }
   return finished(run);

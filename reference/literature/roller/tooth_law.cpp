@@ -18,6 +18,13 @@ double in_table(const std::vector<double>& x, const std::vector<double>& y, doub
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
+double slope_in_table(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  if (at >= x.back()) return 0.0;
+  const auto above = std::upper_bound(x.begin(), x.end(), at);
+  const auto i = static_cast<std::size_t>(above - x.begin());
+  return (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
+}
+
 struct RowFault {
   std::string column, found, expected;
 };
@@ -65,6 +72,15 @@ double tooth_force(const ToothLaw& law, double depth) {
   const auto& power = std::get<PowerTooth>(law);
   if (power.exponent == 1.5) return power.factor * depth * std::sqrt(depth);
   return power.factor * std::pow(depth, power.exponent);
+}
+
+double tooth_stiffness(const ToothLaw& law, double depth) {
+  if (depth <= 0.0) return 0.0;
+  if (const auto* table = std::get_if<ToothTable>(&law))
+    return slope_in_table(table->depth, table->force, depth);
+  const auto& power = std::get<PowerTooth>(law);
+  if (power.exponent == 1.5) return 1.5 * power.factor * std::sqrt(depth);
+  return power.exponent * power.factor * std::pow(depth, power.exponent - 1.0);
 }
 
 double crater_radius(const ToothLaw& law, double depth) {

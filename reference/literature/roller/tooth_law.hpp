@@ -33,6 +33,9 @@ using ToothLaw = std::variant<PowerTooth, ToothTable>;
 /// N; 0 above the rock.
 double tooth_force(const ToothLaw& law, double depth);
 
+/// N/m, slope of the force over the depth; 0 beyond a table.
+double tooth_stiffness(const ToothLaw& law, double depth);
+
 /// m, of the crater that a tooth of this depth leaves; 0 above the rock.
 double crater_radius(const ToothLaw& law, double depth);
 

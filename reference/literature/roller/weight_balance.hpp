@@ -8,13 +8,13 @@ namespace tdbd::reference {
 
 /// How the bracket is narrowed: by halves, or by the method of interpolation, truncation and projection
 /// (Oliveira and Takahashi 2021), which needs never more than one step beyond bisection.
-enum class RootSearch { bisection, itp };
+enum class BalanceSearch { bisection, itp };
 
 struct BalanceOptions {
   double reach = 5e-3;      ///< m, the first bracket on either side of where the bit was
   double tolerance = 1e-9;  ///< m, of its place
   int most_doublings = 10;  ///< of the reach: 5 m
-  RootSearch search = RootSearch::itp;
+  BalanceSearch search = BalanceSearch::itp;
 };
 
 /// Where the bit rests.
@@ -48,8 +48,8 @@ WeightBalance narrow_balance(WeightAt&& weight_at, WeightBracket in, double weig
   for (; in.high - in.low > tolerance; ++found.narrowings) {
     const double half = 0.5 * (in.high - in.low);
     const double room = 0.5 * tolerance * std::ldexp(1.0, most + 1 - found.narrowings) - half;
-    const double z =
-        options.search == RootSearch::itp ? next_place(in, width, room) : 0.5 * (in.low + in.high);
+    const double z = options.search == BalanceSearch::itp ? next_place(in, width, room)
+                                                          : 0.5 * (in.low + in.high);
     const double beyond = weight_at(z) - weight;
     (beyond < 0.0 ? in.low : in.high) = z;
     (beyond < 0.0 ? in.under : in.over) = beyond;

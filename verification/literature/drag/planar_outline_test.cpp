@@ -58,6 +58,7 @@ TEST(PlanarOutline, cuts_a_whole_disc_in_a_turn) {
   const double d = 3 * mm, R = example_gage;
   for (const char letter : {'a', 'b', 'c'}) {
     const PlanarCut cut = planar_cut(example_cutters(letter), d, 0.01 * mm);
+    EXPECT_EQ(cut.revolutions, 3) << letter;  // steady in the second, the third agrees
     EXPECT_NEAR(total(cut.area), R * d, 1e-11 * R * d) << letter;
     EXPECT_NEAR(total(cut.volume), std::numbers::pi * R * R * d,
                 1e-11 * std::numbers::pi * R * R * d)

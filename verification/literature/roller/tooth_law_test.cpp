@@ -13,7 +13,7 @@
 namespace tdbd::reference::tooth_law_test {
 namespace {
 
-/// The worked table of section 10's example: mm, kN, mm.
+/// A worked table: mm, kN, mm.
 ToothTable worked() {
   return {{0, 0.5e-3, 1e-3, 1.5e-3, 2e-3, 2.5e-3},
           {0, 2e3, 5e3, 9e3, 14e3, 20e3},

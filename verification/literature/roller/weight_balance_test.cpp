@@ -32,7 +32,7 @@ void expect_forces(double z, const std::array<double, 6>& expected, double toler
     EXPECT_NEAR(tooth_force(teeth.law, z - heights[i]), expected[i], tolerance) << i;
 }
 
-BalanceOptions finely(RootSearch search) {
+BalanceOptions finely(BalanceSearch search) {
   BalanceOptions options;
   options.tolerance = 1e-13;
   options.search = search;
@@ -40,7 +40,7 @@ BalanceOptions finely(RootSearch search) {
 }
 
 TEST(WeightBalance, gives_the_worked_places_and_forces) {
-  for (const RootSearch search : {RootSearch::bisection, RootSearch::itp}) {
+  for (const BalanceSearch search : {BalanceSearch::bisection, BalanceSearch::itp}) {
     const auto light = weight_balance(SixTeeth{}, 0.0, 20e3, finely(search), "test");
     EXPECT_NEAR(light.z, 1.5071192e-3, of_print);
     expect_forces(light.z, {9251.06, 5824.54, 3625.57, 1298.83, 0, 0}, of_force);
@@ -55,16 +55,16 @@ TEST(WeightBalance, takes_24_halvings_or_a_third_of_them) {
   const SixTeeth teeth;
   const WeightBracket in{0.0, 10e-3, teeth(0.0) - 20e3, teeth(10e-3) - 20e3};
   BalanceOptions options;
-  options.search = RootSearch::bisection;
+  options.search = BalanceSearch::bisection;
   EXPECT_EQ(narrow_balance(teeth, in, 20e3, options).narrowings, 24);
-  options.search = RootSearch::itp;
+  options.search = BalanceSearch::itp;
   const WeightBalance found = narrow_balance(teeth, in, 20e3, options);
   EXPECT_LE(found.narrowings, 9);
   EXPECT_NEAR(found.z, 1.5071192e-3, 1e-9);
 }
 
 RC_GTEST_PROP(WeightBalance, more_weight_goes_deeper_and_the_weight_is_carried, ()) {
-  const auto search = *rc::gen::element(RootSearch::bisection, RootSearch::itp);
+  const auto search = *rc::gen::element(BalanceSearch::bisection, BalanceSearch::itp);
   const double weight = *battery::number(0.1, 200.0) * 1e3,
                more = *battery::number(0.1, 50.0) * 1e3;
   const double start = *battery::number(-30.0, 30.0) * 1e-3;
