@@ -32,7 +32,7 @@ FIGURES = {
         "At 3 mm a revolution, over the tip's radius. All models share the law and find the same areas but at the axis and at the gage."),
     "compare_noise": (
         "Noise of the torque over cost",
-        "Bit B at 3 mm a revolution, each rock made finer from left to right: rms deviation of one step's torque over its mean, and CPU time for a simulated second. "
+        "Bit A at 3 mm a revolution, each rock made finer from left to right: rms deviation of one step's torque over its mean, and CPU time for a simulated second. "
         "A model without noise is not shown. By crossing: a force acts only in the steps in which its cutter crosses a spoke, as the literature is read; "
         "held: it keeps its value until the next crossing, which removes the noise in steady drilling. Our mesh with forces from sections, the default, and from volumes."),
     "compare_rates": ("Rate of penetration over weight", "Drag bits and the roller cone bit, each model at the protocol's rates, or at the reference weight."),
@@ -97,7 +97,7 @@ class Comparisons:
     def inputs(self):
         """Fingerprint of what decides tables and figures."""
         scripts = [SCRIPTS / f"{s}.py" for s in (*FIGURES, "style")]
-        own = [HERE / n for n in ("comparison.py", "comparison_results.py", "comparison_tables.py", "study_tools.py")]
+        own = [HERE / n for n in ("comparison.py", "comparison_results.py", "comparison_tables.py", "comparison_verdicts.py", "study_tools.py")]
         runs = [[r.name, fingerprint.read(self.data.stamp(r))] for r in self.asked]
         return fingerprint.of_value([runs, fingerprint.of_scripts(SCRIPTS, *scripts), [fingerprint.of_file(f) for f in own], version("matplotlib")])
 
