@@ -25,10 +25,6 @@ BehrOptions steady_options(int planes) {
   return options;
 }
 
-double mean(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-}
-
 /// With the centre at rest and the same nodes, planes are the single plane: to rounding.
 TEST(Behr, with_its_centre_at_rest_is_warren_and_sinors_plane) {
   const BitPath path = steady_path(example_speed, example_advance);
@@ -44,9 +40,11 @@ TEST(Behr, with_its_centre_at_rest_is_warren_and_sinors_plane) {
     for (std::size_t i = 0; i < cutters.size(); ++i)
       EXPECT_NEAR(run.mean_area(i), plane.cutters[i].area, rounding * plane.cutters[0].area)
           << letter << " " << i;
-    EXPECT_NEAR(mean(run.weight), plane.weight, rounding * plane.weight);
-    EXPECT_NEAR(mean(run.torque), plane.torque, rounding * plane.torque);
-    EXPECT_NEAR(run.lateral_W.back().norm(), plane.imbalance_B().norm(), 1e-8 * plane.weight);
+    constexpr double chord = 3e-8;  // when a tip crosses: on the chord of its way, not its arc
+    EXPECT_NEAR(mean(run.weight), plane.weight, chord * plane.weight);
+    EXPECT_NEAR(mean(run.torque), plane.torque, chord * plane.torque);
+    EXPECT_NEAR(run.lateral_W.back().norm(), plane.imbalance_B().norm(),
+                1e-6 * plane.weight);  // turns by 0.7 degrees in a step
     EXPECT_NEAR(run.removed(), plane.volume, rounding * plane.volume);
   }
 }
