@@ -63,4 +63,10 @@ struct GlowkaLoads {
 void glowka_loads(const GlowkaBit& bit, const GlowkaLaw& law, const FlatHeat& heat,
                   const std::vector<double>& worn, const GlowkaRun& run, GlowkaLoads& loads);
 
+/// The advance (m per revolution) at which the bit carries this weight (N), and its loads there. Throws
+/// InputError as glowka_loads does, or if none up to 0.1 m carries it.
+double glowka_under_weight(const GlowkaBit& bit, const GlowkaLaw& law, const FlatHeat& heat,
+                           const std::vector<double>& worn, double weight, double rotary_speed,
+                           GlowkaLoads& loads);
+
 }  // namespace tdbd::reference

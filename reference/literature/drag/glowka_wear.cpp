@@ -7,7 +7,7 @@
 namespace tdbd::reference {
 namespace {
 
-const double root_pi = std::sqrt(std::numbers::pi);
+const double wear_root_pi = std::sqrt(std::numbers::pi);
 
 /// sin t - t cos t - sin^3 t/3, whose first term is 2/15 t^5: by its series where the difference would
 /// lose digits.
@@ -40,8 +40,8 @@ double worn_volume(const GlowkaFace& face, double worn) {
 double flat_temperature(const FlatHeat& heat, double normal_force, double speed, double area,
                         double length) {
   const double flux = heat.friction * normal_force * speed / area;
-  const double rock = 4.0 / (3.0 * root_pi) * std::sqrt(heat.rock_diffusivity * length / speed) /
-                      heat.rock_conductivity;
+  const double rock = 4.0 / (3.0 * wear_root_pi) *
+                      std::sqrt(heat.rock_diffusivity * length / speed) / heat.rock_conductivity;
   const double f = heat.cutter_resistance;
   return heat.fluid_temperature + flux * f * rock / (f + rock);
 }

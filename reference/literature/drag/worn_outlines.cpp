@@ -12,15 +12,15 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double untouched = -std::numeric_limits<double>::infinity();
-constexpr double upright = 1e-12;  // cosine of a profile angle that is 90 degrees
+constexpr double no_bottom = -std::numeric_limits<double>::infinity();
+constexpr double upright_cosine = 1e-12;  // cosine of a profile angle that is 90 degrees
 
 /// Both branches of a cutter's ellipse, r and z as functions of one angle.
-struct Ellipse {
+struct CutterEllipse {
   double middle_r = 0.0, middle_z = 0.0, reach = 0.0;  // m; reach: in r
   double phase = 0.0, along = 0.0, across = 0.0;
 
-  explicit Ellipse(const bit::Cutter& c) {
+  explicit CutterEllipse(const bit::Cutter& c) {
     const double a = c.diameter / 2.0, b = a * std::cos(c.back_rake);
     const double sine = std::sin(c.profile_angle), cosine = std::cos(c.profile_angle);
     middle_r = c.tip_radius - b * sine;
@@ -34,7 +34,7 @@ struct Ellipse {
 };
 
 /// The columns whose middles the ellipse covers.
-void place_columns(WornOutlines& o, WornOutlines::Place& p, const Ellipse& e) {
+void place_worn_columns(WornOutlines& o, WornOutlines::Place& p, const CutterEllipse& e) {
   const double first = std::ceil(std::max(0.0, e.middle_r - e.reach) / o.column - 0.5);
   const double last = std::floor((e.middle_r + e.reach) / o.column - 0.5);
   p.first_column = static_cast<std::size_t>(std::max(0.0, first));
@@ -50,7 +50,7 @@ void place_columns(WornOutlines& o, WornOutlines::Place& p, const Ellipse& e) {
   o.most_columns = std::max(o.most_columns, p.first_column + p.columns);
 }
 
-WornOutlines::Place placed(const bit::Cutter& c) {
+WornOutlines::Place worn_place(const bit::Cutter& c) {
   const double turns = c.azimuth / (2.0 * std::numbers::pi);
   return {.tip_radius = c.tip_radius,
           .tip_depth = -c.tip_height,
@@ -59,17 +59,18 @@ WornOutlines::Place placed(const bit::Cutter& c) {
           .turn = turns - std::floor(turns)};
 }
 
-/// Depth of the worn outline's lower branch in a column, `untouched` where the flat took all of it.
+/// Depth of the worn outline's lower branch in a column, `no_bottom` where the flat took all of it.
 double worn_depth(const WornOutlines::Place& p, double r, double lower, double upper, double worn) {
   const double left = -worn - (r - p.tip_radius) * p.sine;  // room for (z - tip) cos below the flat
-  if (std::abs(p.cosine) < upright) return left >= 0.0 ? lower : untouched;
+  if (std::abs(p.cosine) < upright_cosine) return left >= 0.0 ? lower : no_bottom;
   const double flat = p.tip_depth + left / p.cosine;
-  if (p.cosine < 0.0) return lower >= flat ? lower : untouched;
-  return flat >= upper ? std::min(lower, flat) : untouched;
+  if (p.cosine < 0.0) return lower >= flat ? lower : no_bottom;
+  return flat >= upper ? std::min(lower, flat) : no_bottom;
 }
 
 /// One cutter's pass, which reports what it removes.
-void pass(const WornOutlines& o, std::size_t cutter, double worn, double deeper, WornCut& cut) {
+void worn_pass(const WornOutlines& o, std::size_t cutter, double worn, double deeper,
+               WornCut& cut) {
   const WornOutlines::Place& p = o.places[cutter];
   double area = 0.0, moment = 0.0;
   for (std::size_t k = 0; k < p.columns; ++k) {
@@ -97,8 +98,8 @@ WornOutlines worn_outlines(const std::vector<bit::Cutter>& cutters, double colum
     if (!(c.diameter > 0.0))
       throw InputError("Glowka: found cutter " + std::to_string(c.id) +
                        " without a diameter, expected one above 0");
-    o.places.push_back(placed(c));
-    place_columns(o, o.places.back(), Ellipse(c));
+    o.places.push_back(worn_place(c));
+    place_worn_columns(o, o.places.back(), CutterEllipse(c));
   }
   o.order.resize(cutters.size());
   std::iota(o.order.begin(), o.order.end(), 0);
@@ -112,10 +113,10 @@ void cut_worn(const WornOutlines& outlines, const std::vector<double>& worn, dou
               WornCut& cut) {
   cut.area.resize(outlines.places.size());
   cut.volume.resize(outlines.places.size());
-  cut.bottom.assign(outlines.most_columns, untouched);
+  cut.bottom.assign(outlines.most_columns, no_bottom);
   for (int revolution = 0; revolution < 2; ++revolution)
     for (const std::size_t i : outlines.order)
-      pass(outlines, i, worn[i], advance * (revolution + 1 - outlines.places[i].turn), cut);
+      worn_pass(outlines, i, worn[i], advance * (revolution + 1 - outlines.places[i].turn), cut);
 }
 
 }  // namespace tdbd::reference

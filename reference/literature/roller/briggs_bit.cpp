@@ -11,11 +11,12 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double least_penetration = 5.0;  // columns: a contact of less has no torque to weigh
-constexpr double root_tolerance = 1e-5;     // of the bracket
+constexpr double least_briggs_penetration =
+    5.0;                                   // columns: a contact of less has no torque to weigh
+constexpr double briggs_tolerance = 1e-5;  // of the bracket
 
 /// Below it no tooth undercuts, and the wheel's axle stays over the rock.
-double most_penetration(const Sprocket& wheel) {
+double most_briggs_penetration(const Sprocket& wheel) {
   constexpr double inside = 0.999;
   return inside * wheel.radius * (1.0 - std::cos(std::min(wheel.half_angle, std::numbers::pi / 3)));
 }
@@ -30,23 +31,25 @@ double roll_freely(const Sprocket& wheel, double pressure, double penetration,
 
 /// The penetration at which a figure of the freely rolling wheel, which grows with it, has a value.
 template <typename Figure>
-double penetration_for(const Sprocket& wheel, double pressure, double value, const char* what,
-                       const RollingOptions& options, const Figure& figure) {
+double briggs_penetration_for(const Sprocket& wheel, double pressure, double value,
+                              const char* what, const RollingOptions& options,
+                              const Figure& figure) {
   Rolling r;
   const auto excess = [&](double penetration) {
     roll_freely(wheel, pressure, penetration, options, r);
     return figure(r) - value;
   };
-  const double low = least_penetration * options.column, high = most_penetration(wheel);
+  const double low = least_briggs_penetration * options.column,
+               high = most_briggs_penetration(wheel);
   RootSearch search;
   search.low = low;
   search.high = high;
-  search.relative = root_tolerance;
+  search.relative = briggs_tolerance;
   search.what = "Briggs: a penetration (m) at which " + std::string(what);
   return bracketed_root(excess, search).x;
 }
 
-void require_positive_run(double rotary_speed, double value, const char* what) {
+void briggs_needs(double rotary_speed, double value, const char* what) {
   if (!(rotary_speed > 0.0))
     throw InputError("Briggs: found no rotary speed, expected one above 0");
   if (!(value > 0.0))
@@ -58,7 +61,7 @@ void require_positive_run(double rotary_speed, double value, const char* what) {
 BriggsDrilling briggs_at_penetration(const BriggsBit& bit, const CoulombRock& rock,
                                      double penetration, double rotary_speed,
                                      const RollingOptions& options) {
-  require_positive_run(rotary_speed, bit.track_radius, "radius of the wheels' track");
+  briggs_needs(rotary_speed, bit.track_radius, "radius of the wheels' track");
   BriggsDrilling d;
   d.penetration = penetration;
   d.rolling_radius = roll_freely(bit.wheel, wedge_pressure(rock, bit.wheel.half_angle), penetration,
@@ -73,20 +76,20 @@ BriggsDrilling briggs_at_penetration(const BriggsBit& bit, const CoulombRock& ro
 
 BriggsDrilling briggs_under_weight(const BriggsBit& bit, const CoulombRock& rock, double weight,
                                    double rotary_speed, const RollingOptions& options) {
-  require_positive_run(rotary_speed, weight, "weight");
-  const double penetration = penetration_for(bit.wheel, wedge_pressure(rock, bit.wheel.half_angle),
-                                             weight / bit.wheels, "its wheels carry the weight",
-                                             options, [](const Rolling& r) { return r.load; });
+  briggs_needs(rotary_speed, weight, "weight");
+  const double penetration = briggs_penetration_for(
+      bit.wheel, wedge_pressure(rock, bit.wheel.half_angle), weight / bit.wheels,
+      "its wheels carry the weight", options, [](const Rolling& r) { return r.load; });
   return briggs_at_penetration(bit, rock, penetration, rotary_speed, options);
 }
 
 double briggs_cohesion(const BriggsBit& bit, double friction_angle, double weight, double rate,
                        double rotary_speed, const RollingOptions& options) {
-  require_positive_run(rotary_speed, weight, "weight");
+  briggs_needs(rotary_speed, weight, "weight");
   const double height = rate * 2.0 * std::numbers::pi / rotary_speed / bit.wheels;
   const double penetration =
-      penetration_for(bit.wheel, 1.0, height, "the bit has the rate", options,
-                      [](const Rolling& r) { return r.removed_height(); });
+      briggs_penetration_for(bit.wheel, 1.0, height, "the bit has the rate", options,
+                             [](const Rolling& r) { return r.removed_height(); });
   Rolling r;
   roll_freely(bit.wheel, 1.0, penetration, options, r);
   return wedge_cohesion(weight / bit.wheels / r.load, friction_angle, bit.wheel.half_angle);

@@ -14,7 +14,7 @@ namespace {
 constexpr double wheel_pi = std::numbers::pi;
 
 /// What is fixed while a wheel rolls. Depths from the rock's face, ways from the start.
-struct Track {
+struct SprocketTrack {
   const Sprocket& wheel;
   double penetration = 0.0, rolling_radius = 0.0, column = 0.0;
   double pitch_angle = 0.0;    // rad
@@ -24,19 +24,19 @@ struct Track {
 };
 
 /// One flank at one moment, from the tip inwards.
-struct Flank {
+struct SprocketFlank {
   double tip_x = 0.0, tip_depth = 0.0;  // m
   double run = 0.0, rise = 0.0;         // unit vector inwards: forward, up
 };
 
-struct Contact {
+struct SprocketContact {
   double load = 0.0, drag = 0.0, torque = 0.0;  // over pressure and width: m, m, m2
   double removed = 0.0;                         // m2
 };
 
 /// Lowers the rock to a flank and adds what its columns feel. `axle`: m, the wheel's way.
-void press(const Track& track, const Flank& f, double axle, std::vector<double>& profile,
-           Contact& sum) {
+void press_flank(const SprocketTrack& track, const SprocketFlank& f, double axle,
+                 std::vector<double>& profile, SprocketContact& sum) {
   // A flank that rises inwards leaves the rock; one that does not (of a tooth in front) may enter it.
   const double in_rock = f.rise > 0.0 ? std::min(track.flank, f.tip_depth / f.rise) : track.flank;
   if (in_rock <= 0.0) return;
@@ -69,17 +69,18 @@ void press(const Track& track, const Flank& f, double axle, std::vector<double>&
 }
 
 /// All teeth near the rock, with the wheel turned by `turned` and its axle at `axle`.
-Contact press_teeth(const Track& t, double turned, double axle, std::vector<double>& profile) {
+SprocketContact press_teeth(const SprocketTrack& t, double turned, double axle,
+                            std::vector<double>& profile) {
   const double b = t.wheel.half_angle, reach = t.contact_angle + t.pitch_angle;
-  Contact sum;
+  SprocketContact sum;
   const auto first = static_cast<long>(std::ceil((turned - reach) / t.pitch_angle));
   const auto last = static_cast<long>(std::floor((turned + reach) / t.pitch_angle));
   for (long i = first; i <= last; ++i) {
     const double ahead = static_cast<double>(i) * t.pitch_angle - turned;
     const double x = axle + t.wheel.radius * std::sin(ahead);
     const double depth = t.wheel.radius * std::cos(ahead) - t.wheel.radius + t.penetration;
-    press(t, {x, depth, std::sin(b - ahead), std::cos(b - ahead)}, axle, profile, sum);
-    press(t, {x, depth, -std::sin(b + ahead), std::cos(b + ahead)}, axle, profile, sum);
+    press_flank(t, {x, depth, std::sin(b - ahead), std::cos(b - ahead)}, axle, profile, sum);
+    press_flank(t, {x, depth, -std::sin(b + ahead), std::cos(b + ahead)}, axle, profile, sum);
   }
   return sum;
 }
@@ -88,8 +89,8 @@ void refuse_wheel(bool bad, const std::string& found) {
   if (bad) throw InputError("Briggs: found " + found);
 }
 
-Track checked_track(const Sprocket& wheel, double penetration, double rolling_radius,
-                    const RollingOptions& options) {
+SprocketTrack checked_sprocket_track(const Sprocket& wheel, double penetration,
+                                     double rolling_radius, const RollingOptions& options) {
   refuse_wheel(wheel.teeth < 3,
                "a wheel of " + std::to_string(wheel.teeth) + " teeth, expected at least 3");
   refuse_wheel(!(penetration > 0.0 && penetration < wheel.radius),
@@ -97,7 +98,7 @@ Track checked_track(const Sprocket& wheel, double penetration, double rolling_ra
                    " m, expected one between 0 and the wheel's radius");
   refuse_wheel(!(rolling_radius > 0.0 && options.column > 0.0 && options.step > 0.0),
                "a rolling radius, column or step that is not above 0");
-  Track t{wheel, penetration, rolling_radius, options.column};
+  SprocketTrack t{wheel, penetration, rolling_radius, options.column};
   t.pitch_angle = 2.0 * wheel_pi / wheel.teeth;
   t.contact_angle = std::acos(1.0 - penetration / wheel.radius);
   refuse_wheel(!(wheel.half_angle > t.contact_angle),
@@ -111,7 +112,7 @@ Track checked_track(const Sprocket& wheel, double penetration, double rolling_ra
 }
 
 /// Zeros, in the arrays as they are.
-void clear(Rolling& result) {
+void clear_rolling(Rolling& result) {
   Rolling fresh;
   std::swap(fresh.loads, result.loads);
   std::swap(fresh.drags, result.drags);
@@ -121,7 +122,7 @@ void clear(Rolling& result) {
   result = std::move(fresh);
 }
 
-void add_step(const Contact& c, double pressure_width, Rolling& result) {
+void add_rolling_step(const SprocketContact& c, double pressure_width, Rolling& result) {
   result.loads.push_back(pressure_width * c.load);
   result.drags.push_back(pressure_width * c.drag);
   result.load += result.loads.back();
@@ -130,7 +131,7 @@ void add_step(const Contact& c, double pressure_width, Rolling& result) {
   result.removed_area += c.removed;
 }
 
-void take_means(Rolling& result) {
+void take_rolling_means(Rolling& result) {
   const double steps = static_cast<double>(result.loads.size());
   result.load /= steps;
   result.drag /= steps;
@@ -148,7 +149,7 @@ Sprocket smooth_wheel(double radius, int sides, double width) {
 
 void roll(const Sprocket& wheel, double pressure, double penetration, double rolling_radius,
           const RollingOptions& options, Rolling& result) {
-  const Track t = checked_track(wheel, penetration, rolling_radius, options);
+  const SprocketTrack t = checked_sprocket_track(wheel, penetration, rolling_radius, options);
   const double pitch = rolling_radius * t.pitch_angle;
   const auto pitches = [&](double way) {
     return std::max(1, static_cast<int>(std::ceil(way / pitch)));
@@ -156,17 +157,17 @@ void roll(const Sprocket& wheel, double pressure, double penetration, double rol
   const int steps = std::max(4, static_cast<int>(std::ceil(pitch / options.step)));
   const int before = pitches(2.0 * wheel.radius * std::sin(t.contact_angle)) + 1;
   const int measured = pitches(options.distance);
-  clear(result);
+  clear_rolling(result);
   const double way = (before + measured) * pitch + 2.0 * wheel.radius;
   result.profile.assign(static_cast<std::size_t>(std::ceil(way / t.column)) + 2, 0.0);
   for (int k = 0; k < (before + measured) * steps; ++k) {
     const double turned = k * t.pitch_angle / steps;
-    const Contact c = press_teeth(t, turned, rolling_radius * turned, result.profile);
-    if (k >= before * steps) add_step(c, pressure * wheel.width, result);
+    const SprocketContact c = press_teeth(t, turned, rolling_radius * turned, result.profile);
+    if (k >= before * steps) add_rolling_step(c, pressure * wheel.width, result);
   }
   result.distance = measured * pitch;
   result.angle = measured * t.pitch_angle;
-  take_means(result);
+  take_rolling_means(result);
 }
 
 double free_rolling_radius(const Sprocket& wheel, double penetration,

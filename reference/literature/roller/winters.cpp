@@ -10,38 +10,38 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double least_condition = 1e-9;  ///< smallest over largest singular value
+constexpr double least_winters_condition = 1e-9;  ///< smallest over largest singular value
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_winters(const std::string& why) {
   throw InputError("Winters, Warren and Onyia: " + why);
 }
 
-void require_positive(double value, const char* what) {
+void winters_needs(double value, const char* what) {
   if (!(value > 0.0))
-    refuse("found " + std::string(what) + " " + std::to_string(value) +
-           ", expected a positive one");
+    refuse_winters("found " + std::string(what) + " " + std::to_string(value) +
+                   ", expected a positive one");
 }
 
-void require(const WintersRun& run) {
-  require_positive(run.weight, "a weight of");
-  require_positive(run.diameter, "a diameter of");
-  require_positive(run.rotary_speed, "a rotary speed of");
+void winters_needs_run(const WintersRun& run) {
+  winters_needs(run.weight, "a weight of");
+  winters_needs(run.diameter, "a diameter of");
+  winters_needs(run.rotary_speed, "a rotary speed of");
 }
 
 /// N D, m/s: the rate of one diameter a turn.
-double speed_scale(const WintersRun& run) {
+double winters_speed(const WintersRun& run) {
   return run.rotary_speed / (2.0 * std::numbers::pi) * run.diameter;
 }
 
 /// Rows delta (1/w^2, 1/w, 1): times the constants they give 1 where the fit is exact.
-Eigen::MatrixXd scaled_rows(const std::vector<WintersPoint>& points) {
+Eigen::MatrixXd winters_rows(const std::vector<WintersPoint>& points) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 3);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const WintersPoint& p = points[static_cast<std::size_t>(i)];
-    require(p.run);
-    require_positive(p.strength, "a strength of");
-    require_positive(p.rate, "a rate of");
-    const double delta = p.rate / speed_scale(p.run), w = winters_weight(p.run, p.strength);
+    winters_needs_run(p.run);
+    winters_needs(p.strength, "a strength of");
+    winters_needs(p.rate, "a rate of");
+    const double delta = p.rate / winters_speed(p.run), w = winters_weight(p.run, p.strength);
     rows.row(i) << delta / (w * w), delta / w, delta;
   }
   return rows;
@@ -58,23 +58,26 @@ double winters_weight(const WintersRun& run, double strength) {
 }
 
 double winters_rate(const WintersConstants& constants, const WintersRun& run, double strength) {
-  require(run);
-  require_positive(strength, "a strength of");
+  winters_needs_run(run);
+  winters_needs(strength, "a strength of");
   const double sum = winters_terms(constants, winters_weight(run, strength)).sum();
-  require_positive(sum, "constants whose sum of terms is");
-  return speed_scale(run) / sum;
+  winters_needs(sum, "constants whose sum of terms is");
+  return winters_speed(run) / sum;
 }
 
 double winters_strength(const WintersConstants& constants, const WintersRun& run, double rate) {
-  require(run);
-  require_positive(rate, "a rate of");
-  const double x = speed_scale(run) / rate - constants.teeth - constants.cleaning;
+  winters_needs_run(run);
+  winters_needs(rate, "a rate of");
+  const double x = winters_speed(run) / rate - constants.teeth - constants.cleaning;
   if (!(x > 0.0))
-    refuse("found a rate of " + std::to_string(rate) + " m/s, expected less than N D/(b + c) = " +
-           std::to_string(speed_scale(run) / (constants.teeth + constants.cleaning)) + " m/s");
+    refuse_winters(
+        "found a rate of " + std::to_string(rate) + " m/s, expected less than N D/(b + c) = " +
+        std::to_string(winters_speed(run) / (constants.teeth + constants.cleaning)) + " m/s");
   // The root of q (1/w)^2 + phi/w = x without a difference of like numbers.
   const double q = constants.ductility, phi = constants.offset;
   const double reciprocal = 2.0 * x / (phi + std::sqrt(phi * phi + 4.0 * q * x));
+  if (!(reciprocal > 0.0 && std::isfinite(reciprocal)))
+    refuse_winters("found constants with which no strength gives the rate");
   return run.weight * reciprocal / (run.diameter * run.diameter);
 }
 
@@ -87,18 +90,18 @@ WintersFit fit_winters(const std::vector<WintersPoint>& points,
                        std::optional<double> teeth_and_cleaning) {
   const Eigen::Index unknowns = teeth_and_cleaning ? 2 : 3;
   if (static_cast<Eigen::Index>(points.size()) < unknowns)
-    refuse("found " + std::to_string(points.size()) + " rates, expected at least " +
-           std::to_string(unknowns));
-  const Eigen::MatrixXd rows = scaled_rows(points);
+    refuse_winters("found " + std::to_string(points.size()) + " rates, expected at least " +
+                   std::to_string(unknowns));
+  const Eigen::MatrixXd rows = winters_rows(points);
   Eigen::VectorXd right = Eigen::VectorXd::Ones(rows.rows());
   if (teeth_and_cleaning) right -= *teeth_and_cleaning * rows.col(2);
   const Eigen::VectorXd scale = rows.leftCols(unknowns).colwise().norm().transpose();
   const Eigen::MatrixXd scaled = rows.leftCols(unknowns) * scale.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const double smallest = svd.singularValues()(unknowns - 1), largest = svd.singularValues()(0);
-  if (smallest <= least_condition * largest)
-    refuse("found rates at too few different weights over strength, expected " +
-           std::to_string(unknowns) + " different W/(sigma D^2)");
+  if (smallest <= least_winters_condition * largest)
+    refuse_winters("found rates at too few different weights over strength, expected " +
+                   std::to_string(unknowns) + " different W/(sigma D^2)");
   const Eigen::VectorXd x = svd.solve(right);
   WintersFit fit{
       .condition = largest / smallest,

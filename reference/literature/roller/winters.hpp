@@ -43,7 +43,8 @@ double winters_weight(const WintersRun& run, double strength);
 double winters_rate(const WintersConstants& constants, const WintersRun& run, double strength);
 
 /// The other way: the confined strength (Pa) at which the bit drills at this rate. Throws InputError
-/// if the rate is not below that of perfect indentation, N D/(b + c).
+/// if the rate is not below that of perfect indentation, N D/(b + c), or the constants (negative ones
+/// of a fit) give no strength.
 double winters_strength(const WintersConstants& constants, const WintersRun& run, double rate);
 
 /// d ln R/d ln W at constant strength: 2 in hard ductile rock, 1 where offset or brittleness rules,

@@ -14,6 +14,8 @@
 namespace tdbd::reference::glowka_bit_test {
 namespace {
 
+using namespace glowka_laws;
+
 const GlowkaRun run{.advance = 2e-3, .rotary_speed = 4.0 * pi};
 
 /// The sums as they are written, with positions and directions of their own.
@@ -134,6 +136,21 @@ TEST(GlowkaBit, flats_add_weight_and_heat) {
     EXPECT_EQ(worn.cutters[i].temperature > granite_heat.fluid_temperature,
               worn.cutters[i].area > 0.0);
   }
+}
+
+TEST(GlowkaBit, advance_from_weight_undoes_weight_from_advance) {
+  const GlowkaBit bit = glowka_bit(cutters_of("bit-b"), 0.1e-3);
+  const std::vector<double> worn(bit.cutters.size(), 0.3e-3);
+  for (const double advance : {0.1e-3, 1e-3, 4e-3}) {
+    const double weight = loads_of(bit, in_granite, worn, {advance, 12.0}).weight;
+    GlowkaLoads loads;
+    EXPECT_NEAR(glowka_under_weight(bit, in_granite, granite_heat, worn, weight, 12.0, loads),
+                advance, 1e-12);  // m; 0.1 m halved 40 times
+    EXPECT_NEAR(loads.weight, weight, 1e-7 * weight);
+  }
+  GlowkaLoads loads;
+  EXPECT_THROW(glowka_under_weight(bit, in_granite, granite_heat, worn, 1e9, 12.0, loads),
+               InputError);
 }
 
 std::string message(const std::vector<double>& worn, const GlowkaRun& how,

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "bit/cutter/cutter_table.hpp"
-#include "reference/literature/drag/glowka_run.hpp"
+#include "reference/literature/drag/glowka_metres.hpp"
 
 /// Bits and laws that tests of Glowka's model share.
-namespace tdbd::reference {
+namespace tdbd::reference::glowka_laws {
 
 inline constexpr double inch = 25.4e-3, lbf = 4.4482216152605;  // m, N
 
@@ -38,4 +38,4 @@ inline GlowkaLoads loads_of(const GlowkaBit& bit, const GlowkaLaw& law,
   return loads;
 }
 
-}  // namespace tdbd::reference
+}  // namespace tdbd::reference::glowka_laws

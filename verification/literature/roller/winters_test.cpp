@@ -192,7 +192,10 @@ TEST(Winters, names_itself_and_what_it_needs) {
             "expected 3 different W/(sigma D^2)");
   EXPECT_EQ(message([] { winters_rate(constants, {}, strength); }),
             "Winters, Warren and Onyia: found a weight of 0.000000, expected a positive one");
-  EXPECT_NE(message([] { winters_strength(constants, run(20.0), 1.0); }), "");
+  EXPECT_EQ(message([] { winters_strength(constants, run(20.0), 1.0); }).substr(0, 56),
+            "Winters, Warren and Onyia: found a rate of 1.000000 m/s,");
+  EXPECT_EQ(message([] { winters_strength({.ductility = -1.0}, run(20.0), 1e-3); }),
+            "Winters, Warren and Onyia: found constants with which no strength gives the rate");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "reference/literature/drag/glowka_run.hpp"
+#include "reference/literature/drag/glowka_metres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct WearStepper {
 };
 
 /// dy/ds of every cutter, 1.
-void slopes(WearStepper& s, const std::vector<double>& worn, std::vector<double>& slope) {
+void wear_slopes(WearStepper& s, const std::vector<double>& worn, std::vector<double>& slope) {
   glowka_loads(s.bit, s.law, s.heat, worn, s.run, s.loads);
   slope.resize(worn.size());
   const double per_metre = s.run.advance * s.run.rotary_speed / (2.0 * std::numbers::pi);  // m/s
@@ -36,40 +36,40 @@ void slopes(WearStepper& s, const std::vector<double>& worn, std::vector<double>
 }
 
 /// Tries a step with the slopes at its start known: the largest difference between Heun and Euler.
-double try_step(WearStepper& s, double step) {
+double try_wear_step(WearStepper& s, double step) {
   for (std::size_t i = 0; i < s.worn.size(); ++i) s.ahead[i] = s.worn[i] + step * s.slope[i];
-  slopes(s, s.ahead, s.slope_ahead);
+  wear_slopes(s, s.ahead, s.slope_ahead);
   double error = 0.0;
   for (std::size_t i = 0; i < s.worn.size(); ++i)
     error = std::max(error, 0.5 * step * std::abs(s.slope_ahead[i] - s.slope[i]));
   return error;
 }
 
-void take_step(WearStepper& s, double step) {
+void take_wear_step(WearStepper& s, double step) {
   for (std::size_t i = 0; i < s.worn.size(); ++i)
     s.worn[i] += 0.5 * step * (s.slope[i] + s.slope_ahead[i]);
 }
 
-std::optional<std::size_t> worn_out(const WearStepper& s) {
+std::optional<std::size_t> worn_out_cutter(const WearStepper& s) {
   for (std::size_t i = 0; i < s.worn.size(); ++i)
     if (s.worn[i] >= s.bit.cutters[i].diameter / 2.0) return i;
   return std::nullopt;
 }
 
-void record(WearStepper& s, double distance, GlowkaWear& result) {
+void record_wear(WearStepper& s, double distance, GlowkaWear& result) {
   GlowkaWearRecord r{.distance = distance, .worn = s.worn, .loads = {}};
   glowka_loads(s.bit, s.law, s.heat, s.worn, s.run, r.loads);
   result.records.push_back(std::move(r));
 }
 
 /// Drills to a distance; false where a cutter is worn out. `step`: m, the last one tried.
-bool drill_to(WearStepper& s, double goal, double& distance, double& step,
-              const GlowkaWearOptions& options, GlowkaWear& result) {
+bool wear_to(WearStepper& s, double goal, double& distance, double& step,
+             const GlowkaWearOptions& options, GlowkaWear& result) {
   constexpr double usual_growth = 2.0, care = 0.9, least_factor = 0.2;
   while (distance < goal) {
     const double left = goal - distance, tried = std::min(step, left);
-    slopes(s, s.worn, s.slope);
-    const double error = try_step(s, tried);
+    wear_slopes(s, s.worn, s.slope);
+    const double error = try_wear_step(s, tried);
     if (result.steps + result.refused >= options.most_steps)
       throw RunError("Glowka: wear took " + std::to_string(options.most_steps) +
                      " steps and did not reach " + std::to_string(goal) + " m");
@@ -81,15 +81,15 @@ bool drill_to(WearStepper& s, double goal, double& distance, double& step,
       continue;
     }
     ++result.steps;
-    take_step(s, tried);
+    take_wear_step(s, tried);
     distance = tried == left ? goal : distance + tried;
-    if ((result.worn_out = worn_out(s))) return false;
+    if ((result.worn_out = worn_out_cutter(s))) return false;
   }
   return true;
 }
 
-void check(const GlowkaBit& bit, const GlowkaLaw& law, const WearLaw& wear,
-           const GlowkaWearOptions& options) {
+void check_wear_run(const GlowkaBit& bit, const GlowkaLaw& law, const WearLaw& wear,
+                    const GlowkaWearOptions& options) {
   const auto require = [](bool good, const std::string& found, const std::string& expected) {
     if (!good) throw InputError("Glowka: found " + found + ", expected " + expected);
   };
@@ -109,17 +109,17 @@ void check(const GlowkaBit& bit, const GlowkaLaw& law, const WearLaw& wear,
 GlowkaWear glowka_wear(const GlowkaBit& bit, const GlowkaLaw& law, const FlatHeat& heat,
                        const WearLaw& wear, const GlowkaRun& run,
                        const GlowkaWearOptions& options) {
-  check(bit, law, wear, options);
+  check_wear_run(bit, law, wear, options);
   WearStepper s{bit, law, heat, wear, run, {}, {}, {}, {}, {}};
   for (const bit::Cutter& c : bit.cutters) s.worn.push_back(c.wear / std::cos(c.back_rake));
   s.ahead.resize(s.worn.size());
   GlowkaWear result;
-  record(s, 0.0, result);
+  record_wear(s, 0.0, result);
   double distance = 0.0, step = options.distance / options.records;
   for (int i = 1; i <= options.records; ++i) {
     const bool whole =
-        drill_to(s, options.distance * i / options.records, distance, step, options, result);
-    record(s, distance, result);
+        wear_to(s, options.distance * i / options.records, distance, step, options, result);
+    record_wear(s, distance, result);
     if (!whole) break;
   }
   return result;

@@ -1,4 +1,4 @@
-#include "reference/literature/drag/glowka_run.hpp"
+#include "reference/literature/drag/glowka_metres.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,10 @@
 #include "core/error.hpp"
 #include "literature/drag/glowka_laws.hpp"
 
-namespace tdbd::reference::glowka_run_test {
+namespace tdbd::reference::glowka_metres_test {
 namespace {
+
+using namespace glowka_laws;
 
 const GlowkaRun run{.advance = 2e-3, .rotary_speed = 4.0 * pi};
 const WearLaw slow{.coefficient = 4e-16};
@@ -22,7 +24,7 @@ GlowkaWear drill(const GlowkaLaw& law, const FlatHeat& heat, const GlowkaWearOpt
 }
 
 /// Under a stress that no depth changes and without heat, dy/ds = C0 stress 2 pi r/(d cos b).
-TEST(GlowkaRun, a_constant_stress_wears_as_archard_has_it) {
+TEST(GlowkaMetres, a_constant_stress_wears_as_archard_has_it) {
   GlowkaLaw law = in_granite;
   law.flat_stress = {100e6, 1e-3, 0.0};
   const GlowkaWear wear = drill(law, FlatHeat{}, {.distance = 3.0, .records = 3});
@@ -52,7 +54,7 @@ GlowkaWear granite(double tolerance) {
 constexpr double step_error = 5e-6;  // m, of flats that lost up to 1 mm
 
 /// The error of a step goes with its square, so a quarter of the tolerance halves the steps.
-TEST(GlowkaRun, halving_the_steps_changes_no_flat_by_5_micrometres) {
+TEST(GlowkaMetres, halving_the_steps_changes_no_flat_by_5_micrometres) {
   const GlowkaWear usual = granite(1e-6), halved = granite(0.25e-6);
   EXPECT_GT(halved.steps, 1.5 * usual.steps);
   EXPECT_LT(largest_change(usual, halved), step_error);
@@ -70,7 +72,7 @@ double most_worn(const GlowkaWearRecord& record) {
 }
 
 /// Flats grow evenly while they are cool, and run away once friction heats them past the threshold.
-TEST(GlowkaRun, wear_runs_away_above_the_threshold) {
+TEST(GlowkaMetres, wear_runs_away_above_the_threshold) {
   const GlowkaWear wear = granite(1e-6);
   ASSERT_EQ(wear.records.size(), 5U);
   EXPECT_LT(hottest(wear.records[2]), slow.threshold);
@@ -80,13 +82,13 @@ TEST(GlowkaRun, wear_runs_away_above_the_threshold) {
   EXPECT_GT(most_worn(wear.records[4]) - most_worn(wear.records[3]), 3.0 * even);
 }
 
-TEST(GlowkaRun, the_weight_for_an_advance_rises_as_flats_grow) {
+TEST(GlowkaMetres, the_weight_for_an_advance_rises_as_flats_grow) {
   const GlowkaWear wear = granite(1e-6);
   for (std::size_t k = 1; k < wear.records.size(); ++k)
     EXPECT_GT(wear.records[k].loads.weight, wear.records[k - 1].loads.weight);
 }
 
-TEST(GlowkaRun, starts_from_the_wear_in_the_cutter_table_and_goes_on_as_one_run) {
+TEST(GlowkaMetres, starts_from_the_wear_in_the_cutter_table_and_goes_on_as_one_run) {
   const GlowkaWearOptions half{.distance = 10.0, .records = 1};
   const GlowkaWear first = drill(in_granite, granite_heat, half);
   auto cutters = cutters_of("bit-b");
@@ -98,7 +100,7 @@ TEST(GlowkaRun, starts_from_the_wear_in_the_cutter_table_and_goes_on_as_one_run)
   EXPECT_LT(largest_change(second, whole), step_error);
 }
 
-TEST(GlowkaRun, ends_where_a_cutter_lost_half_its_face) {
+TEST(GlowkaMetres, ends_where_a_cutter_lost_half_its_face) {
   const GlowkaWear wear = glowka_wear(bit_b(), in_granite, granite_heat, {.coefficient = 1e-14},
                                       run, {.distance = 1000.0, .height_tolerance = 1e-4});
   ASSERT_TRUE(wear.worn_out.has_value());
@@ -106,7 +108,7 @@ TEST(GlowkaRun, ends_where_a_cutter_lost_half_its_face) {
   EXPECT_GE(wear.records.back().worn[*wear.worn_out], 9.5e-3);
 }
 
-TEST(GlowkaRun, names_itself_and_what_it_needs) {
+TEST(GlowkaMetres, names_itself_and_what_it_needs) {
   const auto message = [](const GlowkaLaw& law, const WearLaw& wear, double distance,
                           int most_steps) -> std::string {
     try {
@@ -128,4 +130,4 @@ TEST(GlowkaRun, names_itself_and_what_it_needs) {
 }
 
 }  // namespace
-}  // namespace tdbd::reference::glowka_run_test
+}  // namespace tdbd::reference::glowka_metres_test
