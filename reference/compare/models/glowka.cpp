@@ -49,19 +49,13 @@ GlowkaLoads loads_at(const Asked& a, double advance) {
   return loads;
 }
 
-/// The advance of a weight by halves: the weight grows with the advance.
 void say_glowka_at_weight(const Asked& a, double weight, Findings& f) {
-  double low = 1e-6, high = 0.02;  // m per revolution
   if (weight <= 0.0) return cannot_say(f, of_weight, no_weight);
-  if (loads_at(a, low).weight > weight || loads_at(a, high).weight < weight)
-    return cannot_say(f, of_weight, "no advance up to 20 mm a revolution carries the weight");
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (loads_at(a, middle).weight < weight ? low : high) = middle;
-  }
-  const double turns_per_second = a.c.ours.motion.rotary_speed / (2.0 * std::numbers::pi);
-  say(f, Quantity::rate_at_weight, low * turns_per_second);
-  say(f, Quantity::torque_at_weight, loads_at(a, low).torque);
+  const double speed = a.c.ours.motion.rotary_speed;
+  GlowkaLoads loads;
+  const double advance = glowka_under_weight(a.bit, a.law, a.heat, a.sharp, weight, speed, loads);
+  say(f, Quantity::rate_at_weight, advance * speed / (2.0 * std::numbers::pi));
+  say(f, Quantity::torque_at_weight, loads.torque);
 }
 
 void say_loads_of_cutters(const Asked& a, const GlowkaLoads& loads, Findings& f) {
