@@ -70,7 +70,7 @@ TEST(CraterDrilling, starts_with_a_groove_for_every_row) {
     const JournalAxes axes = journal_axes(cone);
     const Vec3 lowest = -row.along * axes.s + row.radius * axes.u + Vec3(0, cone.offset, 0);
     const double radius = lowest.head<2>().norm();
-    const double a = CraterDrillingOptions{}.print.sphere_radius;
+    const double a = row.tooth_radius;
     EXPECT_NEAR(level_at(r.bottom, 0.0, radius), lowest.z(), 0.02e-3);
     EXPECT_NEAR(level_at(r.bottom, 0.0, radius + 3e-3), lowest.z() - a + std::sqrt(a * a - 9e-6),
                 0.03e-3);

@@ -117,6 +117,12 @@ TEST(MaZhouDeng, says_what_it_cannot_drill_with) {
   EXPECT_EQ(message_of(bit, law, good),
             "Ma, Zhou and Deng: inertia of cone 2 (kg m2): found 0, expected a positive number");
   bit = example::roller_bit(0.0);
+  bit.cones[2].rows[1].tooth_radius = 5e-3;
+  EXPECT_EQ(message_of(bit, law, good),
+            "Ma, Zhou and Deng: found teeth of 6 and 5 mm radius, expected one kind, that of its "
+            "law, or a "
+            "sphere radius for all");
+  bit = example::roller_bit(0.0);
   RollerSchedule idle = good;
   idle.weight = 0.0;
   EXPECT_NE(message_of(bit, law, idle).find("weight on bit (N): found 0"), std::string::npos);
