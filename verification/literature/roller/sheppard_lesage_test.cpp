@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "verification/battery/evidence.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::reference::sheppard_lesage_test {
@@ -146,6 +147,23 @@ RC_GTEST_PROP(SheppardLesage, power_is_that_of_the_volume, ()) {
   RC_ASSERT(std::abs(s.weight * s.rate + s.torque * b.speed - spent) <= closes * size);
 }
 
+/// The claim's number: the worked bits at four advances.
+TEST(SheppardLesage, power_of_the_worked_bits_is_that_of_their_volume) {
+  double worst = 0.0;
+  for (const Worked& w : worked)
+    for (const double advance : {0.5e-3, 1e-3, 2e-3, 4e-3}) {
+      const SheppardLesage s = sheppard_lesage(three_cones(w.offset, w.rows), rock, speed, advance);
+      const double spent = rock.specific_energy * s.volume_rate;
+      worst = std::max(worst, std::abs(s.weight * s.rate + s.torque * speed - spent) / spent);
+    }
+  EXPECT_LE(worst, closes);
+  battery::record({"chapter2/power-identity",
+                   "five bits at four advances: weight rate + torque speed over specific energy "
+                   "times volume rate, distance from 1",
+                   worst, "1", "<= 1e-12",
+                   worst <= closes ? battery::Verdict::holds : battery::Verdict::refuted});
+}
+
 /// The same with cones that are driven or braked: their moments' power is part of the account.
 RC_GTEST_PROP(SheppardLesage, power_of_a_driven_cone_closes_too, ()) {
   const AnyBands b = any_bands();
@@ -257,6 +275,10 @@ TEST(SheppardLesage, says_what_it_needs) {
             "Sheppard and Lesage: found a cone without rows, expected at least one");
   EXPECT_EQ(refusal([] { sheppard_lesage(three_cones(0.0, {outer}), rock, speed, -1.0); }),
             "Sheppard and Lesage: found -1 for the advance, expected a positive number");
+  RollerRow nose = outer;
+  nose.radius = 0.0;
+  EXPECT_EQ(refusal([&] { sheppard_lesage(three_cones(0.0, {nose}), rock, speed, 2e-3); }),
+            "Sheppard and Lesage: found a row on its journal, expected one around it");
   const std::string speeds = refusal([] {
     sheppard_lesage(three_cones(0.0, {outer}), rock, speed, 2e-3,
                     {.least_ratio = 0.5, .greatest_ratio = 1.0});
