@@ -44,6 +44,7 @@ RollerSettings read_roller(Config c) {
   if (c.has(keys::tooth_table)) s.tooth_table = c.read(keys::tooth_table);
   s.penetration = read_if_given(c, keys::penetration);
   s.cone_ratio = read_if_given(c, keys::cone_ratio);
+  s.tooth_half_angle = c.read(keys::tooth_half_angle);
   return s;
 }
 

@@ -25,6 +25,7 @@ struct RollerSettings {
   double normal_ratio = 0.0, half_angle = 0.0;
   std::string tooth_table;
   std::optional<double> penetration, cone_ratio;  ///< m, 1
+  double tooth_half_angle = 0.0;                  ///< rad
 };
 
 /// Known rates, to which the constants of Winters, Warren and Onyia are fitted.

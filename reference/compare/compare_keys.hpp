@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/angles.hpp"
 #include "core/config/key.hpp"
 #include "reference/literature/drag/planar_outline.hpp"
 
@@ -138,6 +139,12 @@ inline constexpr QuantityKey cone_ratio{.name = "cone_ratio",
                                         .usual = "that of the outer row without slip",
                                         .range = Range::positive(),
                                         .meaning = "Ma and Azar: of the cones' speed to the bit's"};
+
+inline constexpr QuantityKey tooth_half_angle{.name = "tooth_half_angle",
+                                              .unit = "rad",
+                                              .fallback = 30.0 * degree,
+                                              .range = Range::within(0.05, 1.5),
+                                              .meaning = "Briggs: of its wedges"};
 
 inline constexpr TableKey winters_table{"compare.winters", "Winters, Warren and Onyia"};
 inline constexpr ListKey weights{.name = "weights",

@@ -14,9 +14,9 @@ std::vector<KeyTable> compare_tables() {
       key_table("compare", glowka_table,
                 rows(power, reference_depth, flat_stress, wear_coefficient, distance, flat_friction,
                      rock_conductivity, rock_diffusivity, cutter_resistance)),
-      key_table(
-          "compare", roller_table,
-          rows(specific_energy, normal_ratio, half_angle, tooth_table, penetration, cone_ratio)),
+      key_table("compare", roller_table,
+                rows(specific_energy, normal_ratio, half_angle, tooth_table, penetration,
+                     cone_ratio, tooth_half_angle)),
       key_table("compare", winters_table, rows(weights, rates, strength))};
 }
 

@@ -32,7 +32,7 @@ void take_weight(const Answer& a, Comparison& all) {
 
 }  // namespace
 
-Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen,
+Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen, Refusal refusal,
                    const std::function<void(const Model&)>& progress) {
   Comparison all;
   if (c.options.weight_on_bit) {
@@ -41,7 +41,13 @@ Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen
   }
   for (const Model* m : chosen) {
     if (progress) progress(*m);
-    all.answers.push_back({m, timed(*m, {c, all.weight})});
+    try {
+      all.answers.push_back({m, timed(*m, {c, all.weight})});
+    } catch (const InputError& e) {
+      if (refusal == Refusal::stops) throw;
+      all.not_asked.emplace_back(e.what());
+      continue;
+    }
     check_complete(all.answers.back());
     take_weight(all.answers.back(), all);
   }

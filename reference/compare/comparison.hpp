@@ -22,11 +22,15 @@ struct Comparison {
   std::vector<std::string> not_asked;  ///< why other models have nothing to say
 };
 
+/// What becomes of a model that refuses the case: the comparison stops, or goes on without it.
+enum class Refusal { stops, is_noted };
+
 /// Asks the models, one after the other, each measured by the CPU time of this process. The first
 /// that says a weight gives the reference weight, unless the case does.
-/// `progress` is told each model's title before it runs. Throws RunError naming a model that leaves
+/// `progress` is told each model's title before it runs. A refusal is an InputError that begins with the model's name.
+/// Throws RunError naming a model that leaves
 /// a quantity without a number and without a reason.
-Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen,
+Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen, Refusal refusal,
                    const std::function<void(const Model&)>& progress);
 
 }  // namespace tdbd::reference

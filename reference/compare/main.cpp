@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <new>
 
 #include "core/error.hpp"
@@ -49,14 +50,17 @@ void print(const Comparison& all, const std::filesystem::path& folder) {
 int compare_models(const Arguments& a) {
   const tdbd::ThreadLimit limit(a.threads);
   const CompareCase c = read_compare_case(a.case_file, a.overrides);
-  const auto chosen = chosen_models(c, names_of(a, c));
+  const std::vector<std::string> names = names_of(a, c);
+  const auto chosen = chosen_models(c, names);
+  const bool any = std::find(names.begin(), names.end(), "all") != names.end();
   const std::filesystem::path folder = folder_of(a);
   const auto overwrite =
       a.force ? tdbd::simulation::Overwrite::force : tdbd::simulation::Overwrite::no;
   check_folder(folder, overwrite);
-  const Comparison all = compare(c, chosen, [&](const Model& m) {
-    if (!a.quiet) fmt::print(stderr, "{} ...\n", m.title);
-  });
+  const Comparison all =
+      compare(c, chosen, any ? Refusal::is_noted : Refusal::stops, [&](const Model& m) {
+        if (!a.quiet) fmt::print(stderr, "{} ...\n", m.title);
+      });
   write_comparison(folder, c, all);
   if (!a.quiet) print(all, folder);
   return 0;

@@ -19,6 +19,7 @@ constexpr std::array all_models{
     Model{"langeveld", "Langeveld", "[49], [50]", "S6", Knows::drag_bits, answer_of_langeveld},
     Model{"hanson-hansen", "Hanson and Hansen", "[33], [20]", "S5", Knows::drag_bits,
           answer_of_hanson_hansen},
+    Model{"briggs", "Briggs", "[13], [14]", "S9", Knows::roller_bits, answer_of_briggs},
     Model{"winters", "Winters, Warren and Onyia", "[77]", "S10", Knows::roller_bits,
           answer_of_winters},
     Model{"ma-azar", "Ma and Azar", "[56], [54]", "S11", Knows::roller_bits, answer_of_ma_azar},

@@ -49,16 +49,6 @@ double variance(const simulation::Spread& spread) {
   return std::pow(simulation::deviation(spread), 2);
 }
 
-/// Every row of every cone into a flat bottom.
-reference::ContactStatistics predicted(const reference::RollerBit& bit,
-                                       const reference::RowEntry& entry) {
-  std::vector<reference::RowContact> rows;
-  for (const reference::RollerCone& cone : bit.cones)
-    for (const reference::RollerRow& row : cone.rows)
-      rows.push_back(reference::row_contact(cone, row, entry));
-  return reference::together(rows);
-}
-
 /// The same bit with all cones' teeth on one: cones that turn in step, a third of a pitch apart.
 reference::RollerBit in_step(const reference::RollerBit& bit) {
   reference::RollerBit one{{bit.cones.front()}};
@@ -78,8 +68,9 @@ TEST(ToothContact, of_our_run_is_near_that_of_the_statistics) {
       c.motion.rate_of_penetration * 2.0 * std::numbers::pi / c.motion.rotary_speed;
   const TurnedRun run = second_revolution(c);
   const reference::RollerBit bit = reference::roller_bit_of(c.bit);
-  const reference::RowEntry entry{advance / 3.0, run.ratio, c.motion.rotary_speed};
-  const reference::ContactStatistics apart = predicted(bit, entry);
+  const double third = advance / 3.0, speed = c.motion.rotary_speed;
+  const reference::ContactStatistics apart =
+      reference::bit_contact(bit, std::vector<double>(3, run.ratio), speed, third).all;
   const std::string claim = "chapter2/contact-statistics", on = "compare-r, second revolution: ";
   record_near(claim, on + "teeth that press with over 500 N, mean over that of Ma and Azar",
               run.counts.pressing.mean / apart.mean, 1.0, 0.1);
@@ -97,7 +88,9 @@ TEST(ToothContact, of_our_run_is_near_that_of_the_statistics) {
                    "1", "1 +- 0.5 is missed: our cones turn in step",
                    battery::Verdict::holds_with_limits});
   const reference::RollerBit together = in_step(bit);
-  const double locked = variance(run.counts.pressing) / predicted(in_step(bit), entry).variance;
+  const double locked =
+      variance(run.counts.pressing) /
+      reference::bit_contact(in_step(bit), {run.ratio}, speed, third).all.variance;
   EXPECT_GE(locked, 1.0);
   EXPECT_LE(locked, 3.5);
   battery::record({claim, on + "variance over that of cones in step, a third of a pitch apart",

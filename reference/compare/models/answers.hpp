@@ -11,6 +11,7 @@ Findings answer_of_behr(const Question& q);
 Findings answer_of_langeveld(const Question& q);
 Findings answer_of_hanson_hansen(const Question& q);
 Findings answer_of_glowka(const Question& q);
+Findings answer_of_briggs(const Question& q);
 Findings answer_of_sheppard_lesage(const Question& q);
 Findings answer_of_ma_azar(const Question& q);
 Findings answer_of_ma_zhou_deng(const Question& q);

@@ -21,10 +21,11 @@ namespace tdbd::reference {
 /// helix carries no weight. Forces follow drag_law, the cutting one against v. A face that moves
 /// backwards does not cut: its back rubs, with flat_force over A.
 
-/// What a step's forces are made of.
+/// How long the force of a crossing counts. With the centre at rest the first two are one.
 enum class ForceTime {
-  held,     ///< of the cutter's last crossing, until its next one
-  crossing  ///< of the step's own crossings, each for as long as the way to the next plane takes
+  held,     ///< until the cutter's next crossing, whenever that is
+  spread,   ///< as long as the way to the next plane takes; what is left at the next crossing, then
+  crossing  ///< all of that time at once, in the step of the crossing
 };
 
 struct BehrOptions {
@@ -33,16 +34,20 @@ struct BehrOptions {
   double radius = 0.0;               ///< m, to which planes reach, > 0
   std::vector<double> normal_ratio;  ///< zeta of each cutter; empty: the rock's for all
   std::vector<double> flat_area;     ///< Aw of each cutter, m2; empty: none. Only where it cuts
-  ForceTime force_time = ForceTime::held;
+  ForceTime force_time = ForceTime::spread;
   double nearness = 5e-6;  ///< m, of straight ways to a path that is a formula
 };
 
-/// What a cutter cut when it last crossed a plane.
+/// What a cutter cut when it last crossed a plane. Its force stays as it was there, fixed in the bit.
 struct BehrCut {
-  double area = 0.0;         ///< m2, in the plane
-  double effective = 0.0;    ///< m2, of it normal to the velocity
-  double arm = 0.0;          ///< m, of its centre from the hole's axis
-  bool is_backward = false;  ///< the back of the face went first
+  double area = 0.0;            ///< m2, in the plane
+  double effective = 0.0;       ///< m2, of it normal to the velocity
+  double arm = 0.0;             ///< m, of its centre from the hole's axis
+  bool is_backward = false;     ///< the back of the face went first
+  CutterForce force;            ///< N
+  Vec3 force_B = Vec3::Zero();  ///< N, on the bit
+  double torque = 0.0;          ///< N m, about the bit's axis
+  double left = 0.0;            ///< s, for which the force will count
 };
 
 /// A tip crosses a plane.
@@ -61,6 +66,7 @@ struct BehrState {
   std::vector<CutterRim> rims;
   std::vector<double> azimuth;          ///< of each tip about the hole's axis, rad, not reduced
   std::vector<BehrCut> last;            ///< of each cutter
+  std::vector<double> since;            ///< s of the way for which each cutter's force was counted
   std::vector<BehrCrossing> crossings;  ///< of the current sub-step, in order of time
 };
 

@@ -58,6 +58,7 @@ BehrState behr_start(const std::vector<bit::Cutter>& cutters, const BitPlace& pl
     s.azimuth.push_back(std::atan2(tip_W.y(), tip_W.x()));
   }
   s.last.resize(cutters.size());
+  s.since.resize(cutters.size());
   return s;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "reference/literature/drag/langeveld_rock.hpp"
+#include "reference/literature/drag/outline_cut.hpp"
 #include "reference/literature/drag/rim_polygon.hpp"
 #include "reference/literature/surface/planar_boolean.hpp"
 
@@ -55,7 +56,8 @@ CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const SpokeRim& rim) {
   if (cut.area <= sliver) return cut;
   Outline tool;
   outline_of(polygon, tool);
-  cut_spoke(rock, spoke, tool);
+  for (Vec2& x : tool) x = on_grid(x);
+  cut_convex(rock, spoke, tool);
   return cut;
 }
 

@@ -50,7 +50,7 @@ LangeveldRock flat_rock(const std::vector<SpokeCutter>& cutters, double top, int
                         double radius) {
   const double reach = widest_reach(cutters);
   return {flat_spokes(radius > 0.0 ? radius : reach, top, spokes, nodes),
-          std::vector<double>(static_cast<std::size_t>(spokes), reach)};
+          round_wall(spokes, reach)};
 }
 
 LangeveldRock fitting_rock(const std::vector<SpokeCutter>& cutters, double start, double top,
@@ -73,7 +73,7 @@ CrossingCut cut_rock(LangeveldRock& rock, int spoke, const SpokeRim& rim, Counte
       rock.bottom.depth.data() + static_cast<std::ptrdiff_t>(spoke) * rock.bottom.nodes;
   const CrossingCut cut =
       over_nodes(rock.bottom, spoke, rim, counted, [&](int node, double z) { depth[node] = z; });
-  double& wall = rock.wall[static_cast<std::size_t>(spoke)];
+  double& wall = rock.wall.radius[static_cast<std::size_t>(spoke)];
   wall = std::max(wall, rim.r + rim.half_width);
   return cut;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/literature/drag/spoke_path.hpp"
+#include "reference/literature/drag/spoke_wall.hpp"
 #include "reference/literature/surface/spokes.hpp"
 
 namespace tdbd::reference {
@@ -8,7 +9,7 @@ namespace tdbd::reference {
 /// Langeveld's rock: one depth for each node of each spoke (Spokes), and the wall's radius at each.
 struct LangeveldRock {
   Spokes bottom;
-  std::vector<double> wall;  ///< m, of each spoke
+  SpokeWall wall;
 };
 
 /// The bottom that a bit at rest at `start` fits, turned once about its axis, so that it drills

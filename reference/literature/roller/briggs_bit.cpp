@@ -11,7 +11,7 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double least_penetration = 1e-4;  // of the wheel's radius
+constexpr double least_penetration = 5.0;  // columns: a contact of less has no torque to weigh
 constexpr double root_tolerance = 1e-5;     // of the bracket
 
 /// Below it no tooth undercuts, and the wheel's axle stays over the rock.
@@ -37,7 +37,7 @@ double penetration_for(const Sprocket& wheel, double pressure, double value, con
     roll_freely(wheel, pressure, penetration, options, r);
     return figure(r) - value;
   };
-  const double low = least_penetration * wheel.radius, high = most_penetration(wheel);
+  const double low = least_penetration * options.column, high = most_penetration(wheel);
   RootSearch search;
   search.low = low;
   search.high = high;

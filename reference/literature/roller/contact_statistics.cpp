@@ -1,5 +1,7 @@
 #include "reference/literature/roller/contact_statistics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,6 +34,8 @@ void need_an_even_row(const RollerRow& row) {
   if (!evenly_spaced(row))
     throw InputError("Ma and Azar: found a row of " + std::to_string(row.angles.size()) +
                      " teeth of several pitches, expected teeth at equal angles");
+  if (!(row.radius > 0.0))
+    throw InputError("Ma and Azar: found a row on its journal, expected one around it");
 }
 
 }  // namespace
@@ -61,6 +65,41 @@ ContactStatistics together(const std::vector<RowContact>& rows) {
     sum.variance += row.variance;
   }
   return sum;
+}
+
+BitContact bit_contact(const RollerBit& bit, const std::vector<double>& ratios, double bit_speed,
+                       double penetration) {
+  need_equal_cones(bit);
+  if (ratios.size() != bit.cones.size())
+    throw InputError(
+        fmt::format("Ma and Azar: found {} cone speeds, expected one for each of {} cones",
+                    ratios.size(), bit.cones.size()));
+  BitContact contact;
+  for (std::size_t k = 0; k < bit.cones.size(); ++k)
+    for (const RollerRow& row : bit.cones[k].rows)
+      contact.rows.push_back(row_contact(bit.cones[k], row, {penetration, ratios[k], bit_speed}));
+  contact.all = together(contact.rows);
+  return contact;
+}
+
+void need_equal_cones(const RollerBit& bit) {
+  constexpr double same_height = 1e-9;  // m
+  if (bit.cones.empty())
+    throw InputError("Ma and Azar: found a bit without cones, expected a roller cone bit");
+  const RollerCone& first = bit.cones.front();
+  const double step = 2.0 * half_turn / static_cast<double>(bit.cones.size());
+  for (std::size_t k = 1; k < bit.cones.size(); ++k) {
+    const RollerCone& cone = bit.cones[k];
+    const double off = cone.azimuth - first.azimuth - static_cast<double>(k) * step;
+    if (std::abs(std::remainder(off, 2.0 * half_turn)) > equal_spacing)
+      throw InputError(fmt::format(
+          "Ma and Azar: found cone {} {:.6g} rad off its place, expected cones at equal angles",
+          k + 1, std::remainder(off, 2.0 * half_turn)));
+    if (std::abs(cone.elevation - first.elevation) > same_height)
+      throw InputError(fmt::format(
+          "Ma and Azar: found cone {} {:.6g} m below the first, expected all at one elevation",
+          k + 1, cone.elevation - first.elevation));
+  }
 }
 
 double print_offset(double impressions, double turned, double shift) {

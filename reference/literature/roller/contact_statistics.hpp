@@ -37,6 +37,22 @@ struct ContactStatistics {
 };
 ContactStatistics together(const std::vector<RowContact>& rows);
 
+/// All rows of a bit on a bottom that every row enters by the same penetration (m), cone by cone.
+struct BitContact {
+  std::vector<RowContact> rows;
+  ContactStatistics all;
+};
+
+/// `ratios`: one for each cone, its speed over the bit's (rad/s). Throws InputError as row_contact
+/// does and where the bit is none of those that the model takes (need_equal_cones).
+BitContact bit_contact(const RollerBit& bit, const std::vector<double>& ratios, double bit_speed,
+                       double penetration);
+
+/// The model's assumptions, seen in the thesis: cones at equal angles and at the same elevation
+/// (that their teeth are evenly spaced, row_contact sees to). Throws InputError that names the
+/// first that the bit breaks.
+void need_equal_cones(const RollerBit& bit);
+
 /// How far a row's prints fall from those of the passage before over the same track, in pitches from
 /// 0 (tracking) to 1/2. `impressions` of the row per revolution; `turned`: revolutions of the bit
 /// between the two passages, 1 for the same cone, 1/3 for the next of three equal cones; `shift`:

@@ -125,7 +125,9 @@ int lower_bit(Drilling& d) {
     d.z = found.z;
     return found.evaluations;
   }
-  d.descent += step * (weight - carried(d.z)) / d.options.mass;
+  // Damping at the step's end: no step is too long for it.
+  d.descent = (d.descent + step * (weight - carried(d.z)) / d.options.mass) /
+              (1.0 + step * d.options.axial_damping / d.options.mass);
   d.z += step * d.descent;
   return 1;
 }

@@ -46,7 +46,8 @@ struct CraterDrillingOptions {
   double first_ratio = 1.5;  ///< cone speed over bit speed at the start
   double given_revolutions = 0.0;  ///< of the bit, during which that ratio is kept
   AxialMotion axial = AxialMotion::balance;
-  double mass = 5000.0;  ///< kg, for AxialMotion::mass
+  double mass = 5000.0;        ///< kg, for AxialMotion::mass
+  double axial_damping = 0.0;  ///< N s/m, against that mass
   BottomStart start = BottomStart::grooves;
   double cell = 0.5e-3;  ///< m, of the bottom
 };

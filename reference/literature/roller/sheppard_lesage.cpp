@@ -30,6 +30,10 @@ void need_rows(const RollerBit& bit) {
   for (const RollerCone& cone : bit.cones)
     if (cone.rows.empty())
       throw InputError("Sheppard and Lesage: found a cone without rows, expected at least one");
+  for (const RollerCone& cone : bit.cones)
+    for (const RollerRow& row : cone.rows)
+      if (!(row.radius > 0.0))
+        throw InputError("Sheppard and Lesage: found a row on its journal, expected one around it");
 }
 
 Vec3 turned_to(double azimuth, const Vec3& v) {

@@ -20,7 +20,7 @@ CompareCase coarse_case() {
 const Comparison& coarse() {
   static const Comparison all = [] {
     const CompareCase c = coarse_case();
-    return compare(c, chosen_models(c, {"all"}), {});
+    return compare(c, chosen_models(c, {"all"}), Refusal::stops, {});
   }();
   return all;
 }

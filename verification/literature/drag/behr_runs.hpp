@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 #include "literature/drag/example_cutters.hpp"
 #include "reference/literature/drag/behr.hpp"
@@ -27,12 +30,17 @@ inline FifthTurn fifth_turn(char bit, const BitPath& path, const BehrOptions& op
 }
 
 /// Bit B rolls backwards in a hole that is larger by `e` (m) all round.
-inline FifthTurn whirl_turn(double e, int planes) {
+inline FifthTurn whirl_turn(double e, int planes, ForceTime force_time = ForceTime::spread) {
   const RollingWhirl whirl{example_gage, e, example_speed};
   BehrOptions options;
+  options.force_time = force_time;
   options.planes = planes;
   options.radius = whirl.hole_radius();
   return fifth_turn('b', whirl_path(whirl, example_advance), options);
+}
+
+inline double mean(const std::vector<double>& x) {
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
 /// Where the whirl's pattern is looked at.

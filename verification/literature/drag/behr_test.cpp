@@ -25,10 +25,6 @@ BehrOptions steady_options(int planes) {
   return options;
 }
 
-double mean(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-}
-
 /// With the centre at rest and the same nodes, planes are the single plane: to rounding.
 TEST(Behr, with_its_centre_at_rest_is_warren_and_sinors_plane) {
   const BitPath path = steady_path(example_speed, example_advance);
@@ -44,9 +40,11 @@ TEST(Behr, with_its_centre_at_rest_is_warren_and_sinors_plane) {
     for (std::size_t i = 0; i < cutters.size(); ++i)
       EXPECT_NEAR(run.mean_area(i), plane.cutters[i].area, rounding * plane.cutters[0].area)
           << letter << " " << i;
-    EXPECT_NEAR(mean(run.weight), plane.weight, rounding * plane.weight);
-    EXPECT_NEAR(mean(run.torque), plane.torque, rounding * plane.torque);
-    EXPECT_NEAR(run.lateral_W.back().norm(), plane.imbalance_B().norm(), 1e-8 * plane.weight);
+    constexpr double chord = 3e-8;  // when a tip crosses: on the chord of its way, not its arc
+    EXPECT_NEAR(mean(run.weight), plane.weight, chord * plane.weight);
+    EXPECT_NEAR(mean(run.torque), plane.torque, chord * plane.torque);
+    EXPECT_NEAR(run.lateral_W.back().norm(), plane.imbalance_B().norm(),
+                1e-6 * plane.weight);  // turns by 0.7 degrees in a step
     EXPECT_NEAR(run.removed(), plane.volume, rounding * plane.volume);
   }
 }
@@ -199,6 +197,21 @@ TEST(Behr, follows_a_formula_between_steps_and_a_record_from_place_to_place) {
   EXPECT_EQ(one.place.angle, two.place.angle);
 }
 
+/// The bit starts on a bottom that it touches all round, wherever it is.
+TEST(Behr, starts_on_a_bottom_that_it_touches) {
+  const auto cutters = example_cutters('b');
+  BitPlace deep;
+  deep.p_WB.z() = 7.0;
+  const BehrState top = behr_start(cutters, {}, steady_options(3)),
+                  low = behr_start(cutters, deep, steady_options(3));
+  double deepest = no_depth, lowest_tip = no_depth;
+  for (const double z : top.bottom.depth) deepest = std::max(deepest, z);
+  for (const bit::Cutter& c : cutters) lowest_tip = std::max(lowest_tip, -c.tip_height);
+  EXPECT_NEAR(deepest, lowest_tip, 0.05 * mm);  // an inclined rim is deeper than its tip
+  for (std::size_t k = 0; k < top.bottom.depth.size(); ++k)
+    EXPECT_NEAR(low.bottom.depth[k], top.bottom.depth[k] + 7.0, 1e-14);
+}
+
 /// Same case, same bytes.
 TEST(Behr, does_the_same_again) {
   const BitPath path = whirl_path({example_gage, 1.5 * mm, example_speed}, example_advance);
@@ -210,13 +223,13 @@ TEST(Behr, does_the_same_again) {
   EXPECT_EQ(one.bottom.depth, two.bottom.depth);
 }
 
-/// Two cutters on one radius, half a degree apart: the one ahead leaves the other half a degree's
-/// sinking, though both cross a plane in one step, and whichever the table has first.
+/// Two cutters on one radius, a tenth of a degree apart: the one ahead leaves the other a tenth of a
+/// degree's sinking, though both cross a plane in one way, and whichever the table has first.
 TEST(Behr, cuts_in_the_order_in_which_cutters_come) {
   bit::Cutter c;
   c.diameter = 16 * mm;
   c.tip_radius = 50 * mm;
-  const double behind = pi / 360;
+  const double behind = pi / 1800;
   for (const std::size_t first : {0u, 1u}) {
     std::vector<bit::Cutter> cutters(2, c);
     cutters[first].azimuth = behind;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "battery/generators.hpp"
@@ -108,6 +109,18 @@ TEST(GlowkaBit, the_largest_cut_of_bit_b_is_the_worked_one) {
   double largest = 0.0;
   for (const GlowkaCutterLoad& l : loads.cutters) largest = std::max(largest, l.area);
   EXPECT_NEAR(largest, 26.235e-6, 5e-4 * 26.235e-6);
+}
+
+TEST(GlowkaBit, wear_on_a_face_that_leans_back_is_less_along_the_normal) {
+  std::vector<bit::Cutter> one(1);
+  one[0].diameter = 16e-3;
+  one[0].tip_radius = 40e-3;
+  one[0].back_rake = 60.0 * degree;
+  const auto deepest = [&](double worn) {
+    const GlowkaLoads loads = loads_of(glowka_bit(one), in_granite, {worn}, run);
+    return *std::max_element(loads.cut.bottom.begin(), loads.cut.bottom.end());
+  };
+  EXPECT_NEAR(deepest(0.0) - deepest(2e-3), 1e-3, 1e-7);
 }
 
 TEST(GlowkaBit, flats_add_weight_and_heat) {

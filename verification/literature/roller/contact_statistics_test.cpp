@@ -117,6 +117,49 @@ TEST(ContactStatistics, a_row_above_the_bottom_never_touches_and_a_drowned_one_a
   EXPECT_EQ(under.duration, 0.0);
 }
 
+RollerBit three_cones() {
+  RollerBit bit;
+  for (int k = 0; k < 3; ++k) {
+    bit.cones.push_back(worked_cone);
+    bit.cones.back().azimuth = 2.0 * pi * (k - 1) / 3.0;
+    bit.cones.back().rows = {even_row(15 + k), even_row(25)};
+  }
+  return bit;
+}
+
+TEST(ContactStatistics, of_a_bit_are_those_of_its_rows) {
+  const RollerBit bit = three_cones();
+  const BitContact contact = bit_contact(bit, {1.3, ratio, 1.5}, speed, 2e-3);
+  ASSERT_EQ(contact.rows.size(), 6U);
+  const RowContact third = row_contact(bit.cones[1], bit.cones[1].rows[0], {2e-3, ratio, speed});
+  EXPECT_EQ(contact.rows[2].mean, third.mean);
+  EXPECT_EQ(contact.rows[2].impressions, third.impressions);
+  EXPECT_EQ(contact.all.mean, together(contact.rows).mean);
+}
+
+std::string refusal_of(const RollerBit& bit) {
+  try {
+    bit_contact(bit, {1.0}, speed, 1e-3);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(ContactStatistics, refuse_bits_that_the_model_does_not_know) {
+  EXPECT_EQ(refusal_of({}), "Ma and Azar: found a bit without cones, expected a roller cone bit");
+  EXPECT_EQ(refusal_of(three_cones()),
+            "Ma and Azar: found 1 cone speeds, expected one for each of 3 cones");
+  RollerBit bit = three_cones();
+  bit.cones[2].azimuth += 0.125;
+  EXPECT_EQ(refusal_of(bit),
+            "Ma and Azar: found cone 3 0.125 rad off its place, expected cones at equal angles");
+  bit = three_cones();
+  bit.cones[1].elevation = 2e-3;
+  EXPECT_EQ(refusal_of(bit),
+            "Ma and Azar: found cone 2 0.002 m below the first, expected all at one elevation");
+}
+
 std::string refusal(const RollerRow& row, double depth) {
   try {
     row_contact(worked_cone, row, {depth, ratio, speed});
@@ -134,6 +177,10 @@ TEST(ContactStatistics, refuse_rows_that_the_model_does_not_know) {
             "angles");
   EXPECT_EQ(refusal(even_row(0), 1e-3),
             "Ma and Azar: found a row without teeth, expected at least one");
+  RollerRow on_the_journal = even_row(1);
+  on_the_journal.radius = 0.0;
+  EXPECT_EQ(refusal(on_the_journal, 1e-3),
+            "Ma and Azar: found a row on its journal, expected one around it");
   EXPECT_EQ(refusal(even_row(5), std::nan("")),
             "Ma and Azar: found a penetration that is not finite, expected metres");
 }

@@ -275,6 +275,10 @@ TEST(SheppardLesage, says_what_it_needs) {
             "Sheppard and Lesage: found a cone without rows, expected at least one");
   EXPECT_EQ(refusal([] { sheppard_lesage(three_cones(0.0, {outer}), rock, speed, -1.0); }),
             "Sheppard and Lesage: found -1 for the advance, expected a positive number");
+  RollerRow nose = outer;
+  nose.radius = 0.0;
+  EXPECT_EQ(refusal([&] { sheppard_lesage(three_cones(0.0, {nose}), rock, speed, 2e-3); }),
+            "Sheppard and Lesage: found a row on its journal, expected one around it");
   const std::string speeds = refusal([] {
     sheppard_lesage(three_cones(0.0, {outer}), rock, speed, 2e-3,
                     {.least_ratio = 0.5, .greatest_ratio = 1.0});
