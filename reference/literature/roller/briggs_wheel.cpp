@@ -105,6 +105,11 @@ SprocketTrack checked_sprocket_track(const Sprocket& wheel, double penetration,
                "teeth of half-angle " + std::to_string(wheel.half_angle) +
                    " rad, expected more than the arc in the rock, " +
                    std::to_string(t.contact_angle) + " rad: sharper teeth undercut");
+  const double polygon = 0.5 * (wheel_pi - t.pitch_angle), rounding = 1e-9;  // rad
+  refuse_wheel(!(wheel.half_angle <= polygon + rounding),
+               "teeth of half-angle " + std::to_string(wheel.half_angle) +
+                   " rad, expected at most that of a polygon's corners, " +
+                   std::to_string(polygon) + " rad");
   t.flank = wheel.radius * std::sin(0.5 * t.pitch_angle) /
             std::sin(wheel.half_angle + 0.5 * t.pitch_angle);
   t.start = -wheel.radius;

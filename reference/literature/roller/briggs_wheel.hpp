@@ -45,7 +45,7 @@ struct Rolling {
 /// moves into it; the rock keeps the craters. Until craters repeat nothing is measured. Reconstructed.
 /// Energy, exact for small steps: drag x distance - axle torque x angle = pressure x width x removed
 /// area. Throws InputError: fewer than 3 teeth, no penetration or one beyond the radius, teeth so
-/// sharp that they undercut (half-angle below that of the arc in the rock).
+/// sharp that they undercut (half-angle below that of the arc in the rock) or so blunt that they are none.
 void roll(const Sprocket& wheel, double pressure, double penetration, double rolling_radius,
           const RollingOptions& options, Rolling& result);
 

@@ -123,6 +123,9 @@ TEST(BriggsWheel, names_its_model_and_what_it_needs) {
   EXPECT_EQ(message(worked, 0.07),
             "Briggs: found a penetration of 0.070000 m, expected one between 0 and the wheel's "
             "radius");
+  EXPECT_EQ(message({60e-3, 12, 1.5, 1e-2}, 1e-3),
+            "Briggs: found teeth of half-angle 1.500000 rad, expected at most that of a polygon's "
+            "corners, 1.308997 rad");
   EXPECT_EQ(message({60e-3, 12, 0.2, 1e-2}, 2e-3),
             "Briggs: found teeth of half-angle 0.200000 rad, expected more than the arc in the "
             "rock, 0.258922 rad: sharper teeth undercut");
