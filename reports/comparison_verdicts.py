@@ -33,8 +33,8 @@ def named(group, result):
     return f"{group[:3]} {group[4:].upper()} at {1e3 * result.advance:.3g} mm"
 
 
-def percent(x, digits=2):
-    return f"{100.0 * x:.{digits}g} %"
+def percent(x):
+    return "below 1e-6 %" if 0.0 < x < 1e-8 else f"{100.0 * x:.2g} %" if x < 0.1 else f"{100.0 * x:.0f} %"
 
 
 def worst(found):
