@@ -11,8 +11,6 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double least_briggs_penetration =
-    5.0;                                   // columns: a contact of less has no torque to weigh
 constexpr double briggs_tolerance = 1e-5;  // of the bracket
 
 /// Below it no tooth undercuts, and the wheel's axle stays over the rock.
@@ -39,8 +37,7 @@ double briggs_penetration_for(const Sprocket& wheel, double pressure, double val
     roll_freely(wheel, pressure, penetration, options, r);
     return figure(r) - value;
   };
-  const double low = least_briggs_penetration * options.column,
-               high = most_briggs_penetration(wheel);
+  const double low = least_columns * options.column, high = most_briggs_penetration(wheel);
   RootSearch search;
   search.low = low;
   search.high = high;
@@ -57,6 +54,19 @@ void briggs_needs(double rotary_speed, double value, const char* what) {
 }
 
 }  // namespace
+
+BriggsBit briggs_bit(const RollerBit& bit, std::size_t cone, std::size_t row, double half_angle,
+                     double width) {
+  if (cone >= bit.cones.size() || row >= bit.cones[cone].rows.size())
+    throw InputError("Briggs: found " + std::to_string(bit.cones.size()) + " cones and no row " +
+                     std::to_string(row) + " on cone " + std::to_string(cone) +
+                     ", expected a row of teeth");
+  const RollerCone& c = bit.cones[cone];
+  const RollerRow& r = c.rows[row];
+  return {{r.radius, static_cast<int>(r.angles.size()), half_angle, width},
+          static_cast<int>(bit.cones.size()),
+          r.along * std::cos(c.journal_angle) + r.radius * std::sin(c.journal_angle)};
+}
 
 BriggsDrilling briggs_at_penetration(const BriggsBit& bit, const CoulombRock& rock,
                                      double penetration, double rotary_speed,

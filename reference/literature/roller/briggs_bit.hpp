@@ -2,6 +2,7 @@
 
 #include "reference/literature/roller/briggs_wedge.hpp"
 #include "reference/literature/roller/briggs_wheel.hpp"
+#include "reference/literature/roller/roller_bit.hpp"
 
 namespace tdbd::reference {
 
@@ -12,6 +13,12 @@ struct BriggsBit {
   int wheels = 3;
   double track_radius = 0.0;  ///< R_m, m, of the circle on which they roll
 };
+
+/// The sprockets that stand for one row of a bit's cones: all cones have one like it. Wedges of this
+/// half-angle and width in place of the row's teeth; their track is where its lowest tooth stands, L cos
+/// beta + rho sin beta from the bit's axis; the offset is lost. Throws InputError: no such row.
+BriggsBit briggs_bit(const RollerBit& bit, std::size_t cone, std::size_t row, double half_angle,
+                     double width);
 
 /// The bit in steady drilling.
 struct BriggsDrilling {

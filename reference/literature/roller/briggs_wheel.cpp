@@ -98,6 +98,9 @@ SprocketTrack checked_sprocket_track(const Sprocket& wheel, double penetration,
                    " m, expected one between 0 and the wheel's radius");
   refuse_wheel(!(rolling_radius > 0.0 && options.column > 0.0 && options.step > 0.0),
                "a rolling radius, column or step that is not above 0");
+  refuse_wheel(penetration < least_columns * options.column,
+               "a penetration of " + std::to_string(penetration) + " m, expected at least " +
+                   std::to_string(least_columns) + " columns of the rock's profile");
   SprocketTrack t{wheel, penetration, rolling_radius, options.column};
   t.pitch_angle = 2.0 * wheel_pi / wheel.teeth;
   t.contact_angle = std::acos(1.0 - penetration / wheel.radius);
@@ -105,6 +108,11 @@ SprocketTrack checked_sprocket_track(const Sprocket& wheel, double penetration,
                "teeth of half-angle " + std::to_string(wheel.half_angle) +
                    " rad, expected more than the arc in the rock, " +
                    std::to_string(t.contact_angle) + " rad: sharper teeth undercut");
+  const double polygon = 0.5 * (wheel_pi - t.pitch_angle), rounding = 1e-9;  // rad
+  refuse_wheel(!(wheel.half_angle <= polygon + rounding),
+               "teeth of half-angle " + std::to_string(wheel.half_angle) +
+                   " rad, expected at most that of a polygon's corners, " +
+                   std::to_string(polygon) + " rad");
   t.flank = wheel.radius * std::sin(0.5 * t.pitch_angle) /
             std::sin(wheel.half_angle + 0.5 * t.pitch_angle);
   t.start = -wheel.radius;

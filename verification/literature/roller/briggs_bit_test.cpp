@@ -12,6 +12,8 @@ namespace {
 
 const CoulombRock shale{24.82e6, 23.8 * degree};
 const BriggsBit tricone{{60e-3, 12, 30.0 * degree, 10e-3}, 3, 70e-3};
+/// Both ways meet on any columns: these are coarse.
+const RollingOptions coarse{.column = 0.02e-3, .step = 0.16e-3};
 constexpr double speed = 3.0 * pi;  // rad/s, 90 rpm
 
 constexpr double one_percent = 0.01;  // as the worked numbers of a wheel are given
@@ -39,25 +41,40 @@ TEST(BriggsBit, its_power_crushes_the_rock) {
 
 TEST(BriggsBit, penetration_from_weight_undoes_weight_from_penetration) {
   for (const double penetration : {0.5e-3, 2e-3, 4e-3}) {
-    const BriggsDrilling d = briggs_at_penetration(tricone, shale, penetration, speed);
-    const BriggsDrilling back = briggs_under_weight(tricone, shale, d.weight, speed);
+    const BriggsDrilling d = briggs_at_penetration(tricone, shale, penetration, speed, coarse);
+    const BriggsDrilling back = briggs_under_weight(tricone, shale, d.weight, speed, coarse);
     expect_near(back.penetration, penetration, of_columns);
     expect_near(back.weight, d.weight, 3.0 * of_columns);
   }
 }
 
 TEST(BriggsBit, cohesion_from_rate_undoes_rate_from_cohesion) {
-  const BriggsDrilling d = briggs_under_weight(tricone, shale, 4e3, speed);
-  const double c = briggs_cohesion(tricone, shale.friction_angle, 4e3, d.rate, speed);
+  const BriggsDrilling d = briggs_under_weight(tricone, shale, 4e3, speed, coarse);
+  const double c = briggs_cohesion(tricone, shale.friction_angle, 4e3, d.rate, speed, coarse);
   expect_near(c, shale.cohesion, of_columns);
 }
 
 TEST(BriggsBit, a_weaker_rock_drills_faster_and_turns_harder) {
   const CoulombRock weak{0.5 * shale.cohesion, shale.friction_angle};
-  const BriggsDrilling hard = briggs_under_weight(tricone, shale, 4e3, speed);
-  const BriggsDrilling soft = briggs_under_weight(tricone, weak, 4e3, speed);
+  const BriggsDrilling hard = briggs_under_weight(tricone, shale, 4e3, speed, coarse);
+  const BriggsDrilling soft = briggs_under_weight(tricone, weak, 4e3, speed, coarse);
   EXPECT_GT(soft.rate, 1.5 * hard.rate);
   EXPECT_GT(soft.torque, hard.torque);
+}
+
+/// This row rolls at 1.66647 turns a turn where nothing yields.
+TEST(BriggsBit, of_a_row_rolls_on_the_row_s_track) {
+  RollerCone cone;
+  cone.journal_angle = 36.0 * degree;
+  cone.rows = {{.along = 80e-3, .radius = 60e-3, .tooth_radius = 6e-3, .angles = {}}};
+  cone.rows[0].angles.resize(25);
+  const BriggsBit bit = briggs_bit({{cone, cone, cone}}, 0, 0, 0.7, 12e-3);
+  EXPECT_EQ(bit.wheels, 3);
+  EXPECT_EQ(bit.wheel.teeth, 25);
+  EXPECT_NEAR(bit.track_radius / bit.wheel.radius, 1.66647, 5e-6);
+  EXPECT_NEAR(briggs_at_penetration(bit, shale, 0.5e-3, speed).cone_ratio, 1.67, 0.01);
+  EXPECT_THROW(briggs_bit({}, 0, 0, 0.7, 12e-3), InputError);
+  EXPECT_THROW(briggs_bit({{cone}}, 0, 1, 0.7, 12e-3), InputError);
 }
 
 TEST(BriggsBit, names_itself_and_what_it_needs) {

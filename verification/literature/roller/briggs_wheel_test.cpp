@@ -48,6 +48,12 @@ TEST(BriggsWheel, the_work_of_four_pitches_is_the_worked_one) {
   expect_near(pressure * worked.width * r.removed_area, 14.49, one_percent);
 }
 
+TEST(BriggsWheel, the_least_penetration_still_closes_the_work_to_half_a_percent) {
+  const Rolling r = rolled(worked, 0.1e-3, 59.9e-3);
+  const double crushed = pressure * worked.width * r.removed_area;
+  expect_near(r.drag * r.distance - r.axle_torque * r.angle, crushed, 5.0 * of_columns);
+}
+
 /// Whether the wheel is free, driven or braked.
 TEST(BriggsWheel, work_at_the_axle_is_pressure_times_the_volume_of_the_craters) {
   for (const double radius : {57e-3, 59.03e-3, 61e-3}) {
@@ -123,6 +129,12 @@ TEST(BriggsWheel, names_its_model_and_what_it_needs) {
   EXPECT_EQ(message(worked, 0.07),
             "Briggs: found a penetration of 0.070000 m, expected one between 0 and the wheel's "
             "radius");
+  EXPECT_EQ(message(worked, 0.09e-3),
+            "Briggs: found a penetration of 0.000090 m, expected at least 10 columns of the rock's "
+            "profile");
+  EXPECT_EQ(message({60e-3, 12, 1.5, 1e-2}, 1e-3),
+            "Briggs: found teeth of half-angle 1.500000 rad, expected at most that of a polygon's "
+            "corners, 1.308997 rad");
   EXPECT_EQ(message({60e-3, 12, 0.2, 1e-2}, 2e-3),
             "Briggs: found teeth of half-angle 0.200000 rad, expected more than the arc in the "
             "rock, 0.258922 rad: sharper teeth undercut");
