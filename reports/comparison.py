@@ -29,7 +29,8 @@ SECTION = Set(
 FIGURES = {
     "compare_areas": (
         "Area that each cutter cuts",
-        "At 3 mm a revolution, over the tip's radius. All models share the law and find the same areas but at the axis and at the gage."),
+        "At 3 mm a revolution, over the tip's radius. Below: how each model differs from Warren and Sinor's plane, cutters above 1 mm². Beside the "
+        "axis the plane knows no core and no side of a cutter; at the gage cuts are thin."),
     "compare_noise": (
         "Noise of the torque over cost",
         "Bit A at 3 mm a revolution, each rock made finer from left to right: rms deviation of one step's torque over its mean, and CPU time for a simulated second. "

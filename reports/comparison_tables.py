@@ -39,7 +39,8 @@ def numbers_of(result):
     rows = [[f"{words(q)} ({unit})" if unit != "1" else words(q), *(number(result.value(m, q)) for m in result.titles)]
             for q, unit in result.quantities.items() if any(result.value(m, q) is not None for m in result.titles)]
     rows.append(["CPU time over simulated time", *(number(result.cost(m)) for m in result.titles)])
-    return markdown_table(["", *result.titles.values()], rows)
+    notes = "".join(f"- {m['title']}: {note}\n" for m in result.info["models"] for note in m.get("notes", []))
+    return markdown_table(["", *result.titles.values()], rows) + (f"\n{notes}" if notes else "")
 
 
 def numbers(results):

@@ -33,8 +33,8 @@ def named(group, result):
     return f"{group[:3]} {group[4:].upper()} at {1e3 * result.advance:.3g} mm"
 
 
-def percent(x, digits=2):
-    return f"{100.0 * x:.{digits}g} %"
+def percent(x):
+    return "below 1e-6 %" if 0.0 < x < 1e-8 else f"{100.0 * x:.2g} %" if x < 0.1 else f"{100.0 * x:.0f} %"
 
 
 def worst(found):
@@ -157,6 +157,18 @@ def roller_torque(results):
     return Verdict(expected, f"{percent(share)} ({where})", 0.3 <= share <= 0.6)
 
 
+def fitted(results, model, quantity, ours, expected):
+    """What a model with numbers fitted to some runs of ours says at every rate, over ours."""
+    runs = [r for _, r in results.get("bit-r", []) if r.value(model, quantity) and ours(r)]
+    found = [f"{100.0 * (r.value(model, quantity) / ours(r) - 1.0):+.2g} % at {1e3 * r.advance:.3g} mm" for r in runs]
+    return Verdict(f"roller bits: {expected} (no number was stated)", ", ".join(found) or NOT_RUN, None)
+
+
+def rate(result):
+    """m/s of the case."""
+    return result.advance * result.info["rotary_speed_rad_per_s"] / (2.0 * math.pi)
+
+
 def ours_beside_roller_models(results):
     """No expectation was stated; the number stands here because it is large."""
     for _, r in results.get("bit-r", [])[1:2]:
@@ -188,5 +200,8 @@ def verdicts(results):
         planes_show(results, "whirl-1500", 72, (1, 3, 4, 2)), planes_show(results, "whirl-1500", 720, (73, 146, 74, 219)),
         mesh_shows(results, "whirl-1500", 73),
         planes_show(results, "whirl-3000", 72, (33, 2, 31)), planes_show(results, "whirl-3000", 720, (111, 74, 36)),
-        mesh_shows(results, "whirl-3000", 37), roller_torque(results), ours_beside_roller_models(results),
+        mesh_shows(results, "whirl-3000", 37), roller_torque(results),
+        fitted(results, "sheppard-lesage", "weight", lambda r: r.value("tdbd", "weight"), "Sheppard and Lesage, fitted at 2.08 mm: weight over TDBD's"),
+        fitted(results, "winters", "rate_at_weight", rate, "Winters et al., fitted at the first three rates: rate over TDBD's"),
+        ours_beside_roller_models(results),
         Verdict("undercut wall, energy and lateral feedback tell the models apart", "not in this protocol, whose motions are prescribed", None)]

@@ -25,7 +25,7 @@ OTHER = (style.SKY, "*")
 def look(model):
     """Keywords of plot() for a model's points."""
     colour, marker = LOOKS.get(model, OTHER)
-    return {"color": colour, "marker": marker, "markersize": 6 if model == "tdbd" else 5, "fillstyle": "none" if model == "tdbd" else "full"}
+    return {"color": colour, "marker": marker, "markersize": 6 if model == "tdbd" else 4, "fillstyle": "none"}
 
 
 def title(results, model):
