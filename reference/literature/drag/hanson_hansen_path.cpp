@@ -54,7 +54,7 @@ CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const RimEllipse& rim) {
   const RimPolygon polygon = rim_polygon(rim);
   const CrossingCut cut = rim_in_face(polygon, rock.rock[at(spoke)]);
   if (cut.area <= sliver) return cut;
-  Outline tool;
+  thread_local Outline tool;  // reused from cut to cut
   outline_of(polygon, tool);
   for (Vec2& x : tool) x = on_grid(x);
   cut_convex(rock, spoke, tool);

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "reference/literature/drag/langeveld_rock.hpp"
 #include "reference/literature/drag/planar_outline.hpp"
+#include "verification/battery/evidence.hpp"
 
 namespace tdbd::reference::hanson_hansen_path_test {
 namespace {
@@ -73,6 +74,13 @@ TEST(HansonHansenPath, takes_a_half_disc_out_of_a_wall_where_a_height_field_take
   EXPECT_NEAR(section / mm2, 70.513, 0.002 * 70.513);      // a polygon of 64 corners: 0.16 % less
   EXPECT_NEAR(column / mm2, 370.257, 1e-5 * 370.257);      // nodes of 1 um
   EXPECT_NEAR(rim_in_rock(one, 0, rim).area, 0.0, 1e-12);  // it is gone
+  battery::record({"chapter2/undercut",
+                   "what a spoke of one depth for each radius loses to a half disc of 6.7 mm 50 mm "
+                   "below the top of "
+                   "a wall, over what one of several loses",
+                   column / section, "1", "5.25 +- 0.02",
+                   std::abs(column / section - 5.25) <= 0.02 ? battery::Verdict::holds
+                                                             : battery::Verdict::refuted});
 }
 
 TEST(HansonHansenPath, wants_cutters) {
