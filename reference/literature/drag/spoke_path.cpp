@@ -136,6 +136,16 @@ long first_counted(const BitPath& path, const PathOptions& options, long steps) 
 
 }  // namespace
 
+void check_drilling(const AskedDrilling& asked, const std::string& model) {
+  const auto want = [&](bool given, const char* what) {
+    if (!given) throw InputError(model + ": needs " + what);
+  };
+  want(asked.rotary_speed > 0.0, "a rotary speed above 0 rad/s");
+  want(asked.advance >= 0.0, "an advance per revolution of 0 m or more");
+  want(asked.revolutions > 0.0 && asked.step > 0.0, "revolutions and a step above 0");
+  want(asked.spokes >= 3, "three spokes or more");
+}
+
 BitPath steady_path(double rotary_speed, double advance) {
   const double rate = advance * rotary_speed / (2.0 * std::numbers::pi);
   return [=](double t) { return BitPlace{Vec3(0.0, 0.0, rate * t), rotary_speed * t}; };

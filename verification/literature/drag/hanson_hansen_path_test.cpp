@@ -70,6 +70,7 @@ TEST(HansonHansenPath, takes_a_half_disc_out_of_a_wall_where_a_height_field_take
   one.wall = round_wall(1, wall);
   for (int j = 0; j < one.bottom.nodes; ++j)
     if (one.bottom.node_radius(j) < wall) one.bottom.depth[at(j)] = 0.19;
+  EXPECT_NEAR(rim_in_rock(one, 0, rim, CountedRock::within_rim).area / mm2, 70.513, 1e-4 * 70.513);
   const double section = cut_outline(several, 0, rim).area, column = cut_rock(one, 0, rim).lowered;
   EXPECT_NEAR(section / mm2, 70.513, 0.002 * 70.513);      // a polygon of 64 corners: 0.16 % less
   EXPECT_NEAR(column / mm2, 370.257, 1e-5 * 370.257);      // nodes of 1 um
@@ -83,13 +84,43 @@ TEST(HansonHansenPath, takes_a_half_disc_out_of_a_wall_where_a_height_field_take
                                                              : battery::Verdict::refuted});
 }
 
-TEST(HansonHansenPath, wants_cutters) {
+/// Led backwards around its hole, bit B leaves a star: it removes more than its own disc and less than the hole's, or
+/// a little less than its own where cusps hang over.
+TEST(HansonHansenPath, follows_a_prescribed_whirl) {
+  const double orbit = 3e-3, disc = pi * reach * reach * advance,
+               hole = pi * (reach + orbit) * (reach + orbit) * advance;
+  const auto rims = spoke_cutters(example("b"), "Hanson and Hansen");
+  HansonHansenLayout layout;
+  layout.spokes = 72;
+  OutlineSpokes rock = fitting_outline_rock(rims, 0.02, layout);
+  const PathRun run = hanson_hansen_path(
+      rims, rock_k(), rock, rolling_whirl(turn_rate, advance, reach, orbit), {1.5, 5e-5});
+  double removed = 0.0;
+  for (const double v : run.volume) removed += v;
+  EXPECT_GT(removed, 0.98 * disc);
+  EXPECT_LT(removed, hole);
+  EXPECT_NEAR(run.backwards, 0.239, 0.005);
+}
+
+std::string complaint(const std::vector<bit::Cutter>& cutters, const HansonHansenDrilling& d) {
   try {
-    hanson_hansen_steady({}, rock_k(), drilling(12));
-    FAIL();
+    hanson_hansen_steady(cutters, rock_k(), d);
   } catch (const InputError& e) {
-    EXPECT_EQ(std::string(e.what()).rfind("Hanson and Hansen: ", 0), 0u);
+    return e.what();
   }
+  return "";
+}
+
+TEST(HansonHansenPath, says_what_it_needs) {
+  EXPECT_EQ(complaint({}, drilling(12)),
+            "Hanson and Hansen: found a bit without cutters; needs a table of PDC cutters");
+  HansonHansenDrilling still = drilling(12), deep = drilling(12);
+  still.rotary_speed = 0.0;
+  deep.revolutions = 1000.0;
+  EXPECT_EQ(complaint(example("a"), still),
+            "Hanson and Hansen: needs a rotary speed above 0 rad/s");
+  EXPECT_EQ(complaint(example("a"), deep).rfind("Hanson and Hansen: found 3.000000 m to drill", 0),
+            0u);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(LangeveldPath, sees_cutters_go_backwards_in_whirl) {
 
 TEST(LangeveldPath, wants_cutters) {
   try {
-    langeveld_steady({}, rock_k, {});
+    langeveld_steady({}, rock_k, drilling());
     FAIL();
   } catch (const InputError& e) {
     EXPECT_EQ(std::string(e.what()).rfind("Langeveld: ", 0), 0u);

@@ -215,6 +215,24 @@ TEST(Langeveld, follows_the_law_of_tips) {
   EXPECT_NEAR(m.load.cutter_area[3], 1e-3 * s.widths[3], 2e-6 * 1e-3 + 0.2 * 1e-3 * s.widths[3]);
 }
 
+/// Cutters as points: where rims overlap, a tip meets less than the depth of its rim.
+TEST(Langeveld, asks_less_weight_by_tips_than_by_rims) {
+  LangeveldSystem s = string_of_the_example();
+  const auto cutters = bit_a();
+  const auto rims = spoke_cutters(cutters, "Langeveld");
+  LangeveldRock rock = fitting_rock(rims, 0.0, -0.06, 120, 500);
+  langeveld_path(rims, rock_k, rock, steady_path(speed, 3e-3), {1.0});
+  double weight[2];
+  for (const DepthLaw law : {DepthLaw::tip, DepthLaw::outline}) {
+    s.law = law;
+    s.widths = tip_widths(rims);
+    Langeveld m = langeveld(cutters, s, rock, {0, 0, 6e-3, 0, 0, 0, 6e-3, speed});
+    langeveld_load(m, m.state, m.load);
+    weight[static_cast<int>(law)] = -m.load.force_W.z();
+  }
+  EXPECT_NEAR(weight[0] / weight[1], 0.885, 0.01);  // 0.94 and 0.72 of bits B and C
+}
+
 TEST(Langeveld, says_what_it_needs) {
   LangeveldSystem s = string_of_the_example();
   s.law = DepthLaw::tip;
