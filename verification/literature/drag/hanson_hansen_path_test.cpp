@@ -35,8 +35,8 @@ std::vector<bit::Cutter> example(const std::string& letter) {
                                 bit::CutterDefaults{});
 }
 
-/// Every spoke sees the same passes, so few of them show the means. The cutters of the gage stand beside a wall: of
-/// them a pass takes less than 2 mm2 that is all edge, and there the two surfaces differ.
+/// Every spoke sees the same passes, so few of them show the means. The cutters of the gage stand beside a wall that
+/// hangs over between their passes: there the two surfaces differ, whatever the nodes and the corners of rims.
 TEST(HansonHansenPath, cuts_what_the_radial_plane_says_when_it_cannot_move_sideways) {
   constexpr double beside_wall = 0.075e-6;  // m2; seen: 0.061e-6 (bit A, cutter 35)
   for (const char* letter : {"a", "b", "c"}) {
@@ -53,9 +53,10 @@ TEST(HansonHansenPath, cuts_what_the_radial_plane_says_when_it_cannot_move_sidew
 
 TEST(HansonHansenPath, asks_the_torque_of_the_energy_of_a_whole_disc) {
   const double torque = 100e6 * reach * reach * advance / 2.0;
-  for (const char* letter : {"a", "b"}) {
+  for (const char* letter : {"a", "b", "c"}) {
     const PathRun run = hanson_hansen_steady(example(letter), rock_k(), drilling(12));
-    EXPECT_NEAR(run.tob / torque, 1.0, 0.002) << letter;  // seen: 1.1e-3
+    EXPECT_NEAR(run.tob / torque, 1.0, 0.0015)
+        << letter;  // seen: 5.2e-4; nodes 0.5 mm apart: 2.4e-3
   }
 }
 
