@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "benchmarks/drilling.hpp"
+#include "reference/literature/surface/range_search.hpp"
 #include "rock/cut/hull_filter.hpp"
 #include "rock/cut/mapped_direction.hpp"
 #include "rock/cut/swept_part.hpp"
@@ -121,6 +122,55 @@ void grid_query(benchmark::State& state) {
   state.SetItemsProcessed(vertices);
 }
 
+/// The same by the boxes along the axes alone, which is all that the thesis asks for.
+void grid_query_box(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<rock::GroupMotion> motions = next_motions(d);
+  std::vector<int> chains;
+  long vertices = 0;
+  for (auto _ : state)
+    for (const rock::GroupMotion& m : motions)
+      d.run.state.rock.grid.visit({m.region_W.box, {}}, chains,
+                                  [&](const rock::VertexGrid::Block& b) { vertices += b.count; });
+  benchmark::DoNotOptimize(vertices);
+  state.SetItemsProcessed(vertices);
+}
+
+std::vector<Vec3> vertices_of(const mesh::Surface& surface) {
+  std::vector<Vec3> places;
+  for (int v = 0; v < surface.vertex_slots(); ++v)
+    if (surface.is_alive(v)) places.push_back(surface.position(v));
+  return places;
+}
+
+/// The same boxes to the textbook's tree over the vertices.
+void range_search(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<rock::GroupMotion> motions = next_motions(d);
+  const reference::RangeSearch search(vertices_of(d.run.state.rock.surface));
+  std::vector<int> found;
+  long vertices = 0;
+  for (auto _ : state)
+    for (const rock::GroupMotion& m : motions) {
+      search.find({m.region_W.box.lo, m.region_W.box.hi}, found);
+      vertices += static_cast<long>(found.size());
+    }
+  benchmark::DoNotOptimize(vertices);
+  state.SetItemsProcessed(vertices);
+}
+
+/// What the tree asks for besides, once vertices have moved: its boxes anew.
+void range_search_refit(benchmark::State& state) {
+  const Drilling d = bit_b();
+  const std::vector<Vec3> places = vertices_of(d.run.state.rock.surface);
+  reference::RangeSearch search(places);
+  for (auto _ : state) {
+    search.refit(places);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(places.size()));
+}
+
 /// The test of every vertex in the groups' lists against the hull of its group.
 void find_candidates(benchmark::State& state) {
   const Drilling d = bit_b();
@@ -206,6 +256,9 @@ BENCHMARK(exit_convex)->Apply(repeat);
 BENCHMARK(exit_mesh)->Apply(repeat);
 BENCHMARK(exit_walk)->Apply(repeat);
 BENCHMARK(grid_query)->Apply(repeat);
+BENCHMARK(grid_query_box)->Apply(repeat);
+BENCHMARK(range_search)->Apply(repeat);
+BENCHMARK(range_search_refit)->Apply(repeat);
 BENCHMARK(find_candidates)->Apply(repeat);
 BENCHMARK(sections)->Apply(repeat);
 BENCHMARK(contact_areas)->Apply(repeat);

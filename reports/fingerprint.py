@@ -69,8 +69,12 @@ def of_scripts(figures, *scripts):
 
 
 def objects(build, program):
-    """The compiled sources behind a program of a build folder: src, and for a twin also reference."""
-    folders = ["src"] if "/" not in program else ["src", program.split("/")[0]]
+    """The compiled sources behind a program of a build folder: src, and for a twin or the comparison also reference."""
+    folders = ["src"]
+    if program == "tdbd-compare":
+        folders.append("reference")
+    elif "/" in program:
+        folders.append(program.split("/")[0])
     return sorted(o for f in folders for o in (build / f).rglob("*.o") if "provenance" not in o.name)
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import bit_pages
 import calibrations
+import comparison
 import evidence
 import manifest as manifests
 import page
@@ -57,10 +58,10 @@ def stale(manifest, data, drawing, pages):
                       + [(p.demand_current, r) for p in pages for r in p.runs()]))
 
 
-def sources(manifest, drawing, made, calibrated, evidence_folder):
-    """Files that the page shows: pictures, measurements, what studies and calibrations made."""
+def sources(manifest, drawing, others, evidence_folder):
+    """Files that the page shows: pictures, measurements, what studies, comparisons and calibrations made."""
     return ([drawing.picture(f) for f in manifest.figures] + list(evidence_folder.rglob("*.json"))
-            + [p for m in (made, calibrated) for run in m.runs() for p in m.products(run)])
+            + [p for m in others for run in m.runs() for p in m.products(run)])
 
 
 def stale_page(html, shown):
@@ -103,15 +104,16 @@ def report(chosen):
              bit_pages.Animations(manifest, data, chosen.output / "moving")]
     pages.append(made := studies.Studies(chosen.root, chosen.output / "studies"))
     pages.append(calibrated := calibrations.Calibrations(chosen.root, chosen.build, chosen.output / "validation", chosen.quick))
+    pages.append(compared := comparison.Comparisons(chosen.root, chosen.build, chosen.output / "comparison", chosen.quick))
     html = chosen.output / "index.html"
     if chosen.check:
-        problems = stale(manifest, data, drawing, pages) or stale_page(html, sources(manifest, drawing, made, calibrated, folder))
+        problems = stale(manifest, data, drawing, pages) or stale_page(html, sources(manifest, drawing, (made, calibrated, compared), folder))
         return problems + unproved
     html.unlink(missing_ok=True)
     problems = update(manifest, data, drawing, pages) or stale(manifest, data, drawing, pages)
     problems += unproved
     if not problems:
-        page.write(html, manifest, data, drawing, made, calibrated, found.by_claim, chosen.quick)
+        page.write(html, manifest, data, drawing, made, (compared, calibrated), found.by_claim, chosen.quick)
         print(f"report: look at {html}")
     return problems
 

@@ -61,13 +61,13 @@ def shown_studies(made):
             for s in made.runs()]
 
 
-def shown_calibrations(calibrated):
-    """What the page shows of each set: title, what it is, its tables and figures."""
-    return [{"set": s, "is_made": calibrated.is_made(s),
+def shown_sets(makers):
+    """What the page shows of each set of comparisons and calibrations: title, what it is, its tables and figures."""
+    return [{"set": s, "is_made": maker.is_made(s),
              "items": [{**i, "table": i["table"] and studies.as_html(calibrations.table_text(i)),
                         "width": i["picture"] and shown_width(i["picture"]), "picture": i["picture"] and embedded(i["picture"])}
-                       for i in calibrated.items(s)]}
-            for s in calibrated.found()]
+                       for i in maker.items(s)]}
+            for maker in makers for s in maker.found()]
 
 
 def program(manifest, data):
@@ -89,7 +89,7 @@ def provenance(manifest, data):
     return program(manifest, data) + [("python", platform.python_version())] + drawn
 
 
-def write(path, manifest, data, drawing, made, calibrated, found, is_quick):
+def write(path, manifest, data, drawing, made, makers, found, is_quick):
     """Writes the page, whole or not at all."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
@@ -97,7 +97,7 @@ def write(path, manifest, data, drawing, made, calibrated, found, is_quick):
     environment.filters["breakable"] = breakable
     html = environment.get_template("page.html.j2").render(
         rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
-        calibrations=shown_calibrations(calibrated),
+        sets=shown_sets(makers),
         bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")

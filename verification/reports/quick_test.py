@@ -44,7 +44,7 @@ for study in shown:
     assert section and ("<td" in section[0] or re.search(PICTURE, section[0])), study.name
     drawn += len(re.findall(PICTURE, section[0]))
 assert len(re.findall(PICTURE, page)) == len(wanted.figures) + drawn
-for name in ("chapter6", "measured"):  # the full report makes them
+for name in ("comparison", "chapter6", "measured"):  # the full report makes them
     section = re.search(rf'<h2 id="calibration-{name}">.*?<h2', page, re.DOTALL)
     assert section and "Not made in this run" in section[0], name
 assert wanted.bit_pages

@@ -38,11 +38,12 @@ double briggs_penetration_for(const Sprocket& wheel, double pressure, double val
     return figure(r) - value;
   };
   const double low = least_columns * options.column, high = most_briggs_penetration(wheel);
-  const auto root = bracketed_root(excess, low, high, briggs_tolerance * (high - low));
-  if (!root)
-    throw InputError("Briggs: found no penetration from " + std::to_string(1e3 * low) + " to " +
-                     std::to_string(1e3 * high) + " mm at which " + what);
-  return *root;
+  RootSearch search;
+  search.low = low;
+  search.high = high;
+  search.relative = briggs_tolerance;
+  search.what = "Briggs: a penetration (m) at which " + std::string(what);
+  return bracketed_root(excess, search).x;
 }
 
 void briggs_needs(double rotary_speed, double value, const char* what) {

@@ -186,10 +186,12 @@ double free_rolling_radius(const Sprocket& wheel, double penetration,
     roll(wheel, 1.0, penetration, rolling_radius, options, r);
     return r.axle_torque;
   };
-  const double R = wheel.radius;
-  const auto root = bracketed_root(torque, least * R, most * R, tolerance * R);
-  refuse_wheel(!root, "no rolling radius from 0.9 to 1.1 of the wheel's at which it turns freely");
-  return *root;
+  RootSearch search;
+  search.low = least * wheel.radius;
+  search.high = most * wheel.radius;
+  search.relative = tolerance;
+  search.what = "Briggs: a rolling radius (m) at which the wheel turns freely";
+  return bracketed_root(torque, search).x;
 }
 
 }  // namespace tdbd::reference

@@ -4,30 +4,39 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
+
 namespace tdbd::reference::bracketed_root_test {
 namespace {
 
-TEST(BracketedRoot, finds_roots_and_says_when_there_is_none) {
-  EXPECT_NEAR(bracketed_root([](double x) { return x * x * x - 2.0; }, 0.0, 3.0, 1e-12).value(),
-              std::cbrt(2.0), 1e-11);
-  EXPECT_NEAR(
-      bracketed_root([](double x) { return std::exp(-20.0 * x) - 0.5; }, 0.0, 5.0, 1e-13).value(),
-      std::log(2.0) / 20.0, 1e-11);
-  EXPECT_FALSE(bracketed_root([](double x) { return x * x + 1.0; }, 0.0, 1.0, 1e-9).has_value());
-  EXPECT_EQ(bracketed_root([](double x) { return x - 1.0; }, 1.0, 2.0, 1e-9), 1.0);
+TEST(BracketedRoot, is_found_to_rounding_and_counted) {
+  int asked = 0;
+  const BracketedRoot root = bracketed_root(
+      [&](double x) {
+        ++asked;
+        return std::cos(x) - x;
+      },
+      {.low = 0.0, .high = 1.0, .what = "Dottie"});
+  EXPECT_NEAR(root.x, 0.7390851332151607, 2e-16);
+  EXPECT_EQ(root.evaluations, asked);
+  EXPECT_LE(asked, 14);
 }
 
-/// Plain regula falsi keeps one end of a curved function's bracket, and creeps away from the other.
-TEST(BracketedRoot, needs_few_values_where_the_function_is_curved) {
-  for (const double sign : {1.0, -1.0}) {
-    int values = 0;
-    const auto f = [&](double x) {
-      ++values;
-      return sign * (std::exp(-20.0 * sign * x) - 1e-3);
-    };
-    const double low = sign > 0.0 ? 0.0 : -5.0;
-    EXPECT_NEAR(bracketed_root(f, low, low + 5.0, 1e-9).value(), sign * std::log(1e3) / 20.0, 1e-9);
-    EXPECT_LT(values, 30);
+TEST(BracketedRoot, may_stand_at_an_end) {
+  const auto f = [](double x) { return x; };
+  EXPECT_EQ(bracketed_root(f, {.low = 0.0, .high = 1.0, .what = ""}).x, 0.0);
+  EXPECT_EQ(bracketed_root(f, {.low = -1.0, .high = 0.0, .what = ""}).x, 0.0);
+}
+
+TEST(BracketedRoot, says_where_it_looked) {
+  try {
+    bracketed_root([](double x) { return 1.0 + x * x; },
+                   {.low = -1.0, .high = 2.0, .what = "Nobody: the nothing (m)"});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "Nobody: the nothing (m): found no root, the balance is 2 at -1 and 5 at 2, "
+                 "expected a bracket at whose ends it has different signs");
   }
 }
 

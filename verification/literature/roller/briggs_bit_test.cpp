@@ -43,7 +43,7 @@ TEST(BriggsBit, penetration_from_weight_undoes_weight_from_penetration) {
   for (const double penetration : {0.5e-3, 2e-3, 4e-3}) {
     const BriggsDrilling d = briggs_at_penetration(tricone, shale, penetration, speed, coarse);
     const BriggsDrilling back = briggs_under_weight(tricone, shale, d.weight, speed, coarse);
-    expect_near(back.penetration, penetration, of_columns);
+    expect_near(back.penetration, penetration, 3.0 * of_columns);
     expect_near(back.weight, d.weight, 3.0 * of_columns);
   }
 }
@@ -88,7 +88,7 @@ TEST(BriggsBit, names_itself_and_what_it_needs) {
   };
   EXPECT_EQ(message(0.0, speed), "Briggs: found no weight, expected one above 0");
   EXPECT_EQ(message(1e3, 0.0), "Briggs: found no rotary speed, expected one above 0");
-  EXPECT_EQ(message(1e6, speed).substr(0, 34), "Briggs: found no penetration from ");
+  EXPECT_EQ(message(1e6, speed).substr(0, 34), "Briggs: a penetration (m) at which");
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "core/config/key_table.hpp"
+
+namespace tdbd::reference {
+
+/// The keys of [compare].
+std::vector<KeyTable> compare_tables();
+
+}  // namespace tdbd::reference

@@ -1,0 +1,59 @@
+#include "reference/compare/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "reference/compare/cpu_clock.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+void check_complete(const Answer& a) {
+  for (std::size_t i = 0; i < quantity_count; ++i)
+    if (const Saying& s = a.findings.says[i]; s.value.has_value() == !s.reason.empty())
+      throw RunError(fmt::format("{}: {}: neither a number nor a reason", a.model->title,
+                                 quantity_texts()[i].name));
+}
+
+Findings timed(const Model& m, const Question& q) {
+  const CpuClock clock;
+  Findings f = m.answer(q);
+  if (f.cost.cpu == 0.0) f.cost.cpu = clock.seconds();
+  return f;
+}
+
+void take_weight(const Answer& a, Comparison& all) {
+  if (all.weight > 0.0) return;
+  if (const auto& weight = saying(a.findings, Quantity::weight).value; weight && *weight > 0.0) {
+    all.weight = *weight;
+    all.weight_from = a.model->title;
+  }
+}
+
+}  // namespace
+
+Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen, Refusal refusal,
+                   const std::function<void(const Model&)>& progress) {
+  Comparison all;
+  if (c.options.weight_on_bit) {
+    all.weight = *c.options.weight_on_bit;
+    all.weight_from = "the case";
+  }
+  for (const Model* m : chosen) {
+    if (progress) progress(*m);
+    try {
+      all.answers.push_back({m, timed(*m, {c, all.weight})});
+    } catch (const InputError& e) {
+      if (refusal == Refusal::stops) throw;
+      all.not_asked.emplace_back(e.what());
+      continue;
+    }
+    check_complete(all.answers.back());
+    take_weight(all.answers.back(), all);
+  }
+  for (const Model& m : models())
+    if (const std::string why = why_not(m, c); !why.empty()) all.not_asked.push_back(why);
+  return all;
+}
+
+}  // namespace tdbd::reference

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "reference/compare/comparison_files.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+/// A column of the table: a quantity in a unit that fits.
+struct TableColumn {
+  Quantity quantity;
+  const char* head;
+  double scale;
+  const char* form;
+};
+
+constexpr std::array table_columns{
+    TableColumn{Quantity::weight, "WOB kN", 1e-3, "{:.3f}"},
+    TableColumn{Quantity::torque, "TOB N m", 1.0, "{:.2f}"},
+    TableColumn{Quantity::work_of_a_turn_torque, "work/2pi", 1.0, "{:.2f}"},
+    TableColumn{Quantity::rate_at_weight, "m/h at W", 3600.0, "{:.3f}"},
+    TableColumn{Quantity::imbalance, "imbal. %", 100.0, "{:.2f}"},
+    TableColumn{Quantity::side_force, "side kN", 1e-3, "{:.3f}"},
+    TableColumn{Quantity::removed_per_revolution, "cm3/rev", 1e6, "{:.3f}"},
+    TableColumn{Quantity::cone_speed_ratio, "cone/bit", 1.0, "{:.4f}"},
+    TableColumn{Quantity::teeth_in_contact, "teeth", 1.0, "{:.2f}"},
+    TableColumn{Quantity::torque_noise, "noise %", 100.0, "{:.2f}"},
+};
+
+std::string cell(const Saying& s, const TableColumn& column) {
+  if (!s.value) return "-";
+  return fmt::format(fmt::runtime(column.form), column.scale * *s.value);
+}
+
+/// CPU time for a second of drilling; of a steady model, which has no time, for its state.
+std::string cost_cell(const Cost& cost) {
+  if (cost.simulated > 0.0) return fmt::format("{:.3g} s/s", cost.cpu / cost.simulated);
+  return fmt::format("{:.3g} s", cost.cpu);
+}
+
+}  // namespace
+
+std::string comparison_table(const Comparison& all) {
+  std::string text = fmt::format("{:<20}", "model");
+  for (const TableColumn& c : table_columns) text += fmt::format("{:>10}", c.head);
+  text += fmt::format("{:>12}\n", "cost");
+  for (const Answer& a : all.answers) {
+    text += fmt::format("{:<20}", a.model->name);
+    for (const TableColumn& c : table_columns)
+      text += fmt::format("{:>10}", cell(saying(a.findings, c.quantity), c));
+    text += fmt::format("{:>12}\n", cost_cell(a.findings.cost));
+  }
+  return text;
+}
+
+}  // namespace tdbd::reference

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+#include "reference/compare/model.hpp"
+#include "reference/compare/models/answers.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+constexpr std::array all_models{
+    Model{"tdbd", "TDBD", "this program", "ours", Knows::both, answer_of_tdbd},
+    Model{"warren-sinor", "Warren and Sinor", "[75]", "S7", Knows::drag_bits,
+          answer_of_warren_sinor},
+    Model{"behr", "Behr et al.", "[6]", "S7", Knows::drag_bits, answer_of_behr},
+    Model{"glowka", "Glowka", "[28], [29], [30]", "S8", Knows::drag_bits, answer_of_glowka},
+    Model{"langeveld", "Langeveld", "[49], [50]", "S6", Knows::drag_bits, answer_of_langeveld},
+    Model{"hanson-hansen", "Hanson and Hansen", "[33], [20]", "S5", Knows::drag_bits,
+          answer_of_hanson_hansen},
+    Model{"briggs", "Briggs", "[13], [14]", "S9", Knows::roller_bits, answer_of_briggs},
+    Model{"winters", "Winters, Warren and Onyia", "[77]", "S10", Knows::roller_bits,
+          answer_of_winters},
+    Model{"ma-azar", "Ma and Azar", "[56], [54]", "S11", Knows::roller_bits, answer_of_ma_azar},
+    Model{"ma-zhou-deng", "Ma, Zhou and Deng", "[58]", "S12", Knows::roller_bits,
+          answer_of_ma_zhou_deng},
+    Model{"huang-cawthorne-1", "Huang and Cawthorne, first way", "[38]", "S13", Knows::roller_bits,
+          answer_of_huang_cawthorne_1},
+    Model{"huang-cawthorne-2", "Huang and Cawthorne, second way", "[38]", "S13", Knows::roller_bits,
+          answer_of_huang_cawthorne_2},
+    Model{"sheppard-lesage", "Sheppard and Lesage", "[72]", "S14", Knows::roller_bits,
+          answer_of_sheppard_lesage},
+};
+
+const Model* find(const std::string& name) {
+  const auto found = std::find_if(all_models.begin(), all_models.end(),
+                                  [&](const Model& m) { return m.name == name; });
+  return found == all_models.end() ? nullptr : &*found;
+}
+
+std::string names_of_all() {
+  std::string text;
+  for (const Model& m : all_models) text += fmt::format("{}{}", text.empty() ? "" : ", ", m.name);
+  return text;
+}
+
+}  // namespace
+
+std::span<const Model> models() { return all_models; }
+
+std::string why_not(const Model& model, const CompareCase& c) {
+  const bool cones = !c.ours.bit.cones.empty();
+  if (model.knows == Knows::drag_bits && cones)
+    return fmt::format("{}: found a bit with cones, needs a bit with fixed cutters", model.title);
+  if (model.knows == Knows::drag_bits && c.ours.bit.cutters.empty())
+    return fmt::format("{}: found a bit without cutters, needs a table of cutters", model.title);
+  if (model.name != "tdbd" && c.ours.motion.tilt.angle > 0.0)
+    return fmt::format("{}: found a bit that leans, needs an upright one", model.title);
+  if (model.knows == Knows::drag_bits && !c.rock)
+    return fmt::format(
+        "{}: found faces whose law is not linear in the area, needs forces.law = \"detournay\"",
+        model.title);
+  if (model.knows == Knows::roller_bits && !cones)
+    return fmt::format("{}: found a bit without cones, needs a roller cone bit", model.title);
+  return {};
+}
+
+std::vector<const Model*> chosen_models(const CompareCase& c,
+                                        const std::vector<std::string>& names) {
+  std::vector<const Model*> chosen;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const Model& m : all_models)
+        if (why_not(m, c).empty()) chosen.push_back(&m);
+      continue;
+    }
+    const Model* model = find(name);
+    if (model == nullptr)
+      throw InputError(fmt::format("compare.models: found '{}', expected all or some of: {}", name,
+                                   names_of_all()));
+    if (const std::string why = why_not(*model, c); !why.empty()) throw InputError(why);
+    chosen.push_back(model);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+}  // namespace tdbd::reference

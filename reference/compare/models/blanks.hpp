@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "reference/compare/model.hpp"
+
+/// Reasons and notes that several models share.
+namespace tdbd::reference {
+
+inline const std::vector<Quantity> of_cones{Quantity::cone_speed_ratio, Quantity::teeth_in_contact,
+                                            Quantity::teeth_in_contact_variance};
+inline const std::vector<Quantity> flats{Quantity::largest_wear_flat, Quantity::hottest_flat};
+inline const std::vector<Quantity> of_weight{Quantity::rate_at_weight, Quantity::torque_at_weight};
+inline const std::vector<Quantity> lateral{Quantity::imbalance, Quantity::imbalance_direction,
+                                           Quantity::side_force};
+inline const std::vector<Quantity> noises{Quantity::torque_noise, Quantity::torque_noise_5ms};
+
+inline constexpr const char* no_cones = "the bit has no cones";
+inline constexpr const char* no_spokes = "no spokes: every cutter is felt in every step";
+inline constexpr const char* no_wear = "it has no law of wear";
+inline constexpr const char* given_rate =
+    "it is led at a given rate here; its equations of motion find the rate of a weight";
+inline constexpr const char* no_cutters = "the bit has no cutters";
+inline constexpr const char* no_weight =
+    "no reference weight: neither compare.weight_on_bit nor a model that finds one";
+
+/// Azimuth of a force in the bit's frame, rad.
+inline double direction_of(const Eigen::Vector2d& force_B) {
+  return std::atan2(force_B.y(), force_B.x());
+}
+
+/// For models whose axis is fixed: what they say of a whirling bit is said of a steady one.
+inline void note_whirl(const CompareCase& c, Findings& f) {
+  if (c.ours.motion.kind == simulation::MotionKind::whirl)
+    f.notes.emplace_back("no lateral motion: the numbers are those of the bit drilling steadily");
+}
+
+}  // namespace tdbd::reference

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "reference/compare/models/answers.hpp"
+#include "reference/compare/models/roller_case.hpp"
+#include "reference/literature/roller/huang_cawthorne.hpp"
+#include "reference/literature/roller/ma_zhou_deng.hpp"
+
+/// Ma, Zhou and Deng, and both ways of Huang and Cawthorne: teeth over craters, under a weight.
+namespace tdbd::reference {
+namespace {
+
+constexpr double full_turn_of_bit = 2.0 * std::numbers::pi;
+
+RollerSchedule schedule_of(const Question& q, const std::string& model) {
+  if (q.weight <= 0.0)
+    throw InputError(model +
+                     ": found no weight, needs compare.weight_on_bit or a model beside it "
+                     "that finds one");
+  const simulation::Case& c = q.asked.ours;
+  RollerSchedule s;
+  s.bit_speed = c.motion.rotary_speed;
+  s.weight = q.weight;
+  s.step = c.time.step;
+  s.revolutions = c.time.step * static_cast<double>(c.time.steps) * s.bit_speed / full_turn_of_bit;
+  s.settle = std::max(0.0, s.revolutions - q.asked.options.counted_revolutions);
+  return s;
+}
+
+/// What all of them take from the case.
+void take_case(const CompareCase& c, const RollerBit& bit, CraterDrillingOptions& drilling) {
+  drilling.sliding.friction = tooth_friction(c, drilling.model);
+  drilling.print.sphere_radius = largest_tooth(bit);
+  drilling.first_ratio = outer_rolling_ratio(bit);
+}
+
+/// Sums over the teeth of each row, which stand cone by cone, row by row.
+void say_rows(const CompareCase& c, const RollerBit& bit, const RollerRun& run, double revolutions,
+              Findings& f) {
+  std::size_t tooth = 0;
+  for (std::size_t k = 0; k < bit.cones.size(); ++k)
+    for (std::size_t r = 0; r < bit.cones[k].rows.size(); ++r) {
+      const RollerRow& row = bit.cones[k].rows[r];
+      double force = 0.0, volume = 0.0;
+      for (std::size_t i = 0; i < row.angles.size(); ++i, ++tooth) {
+        force += run.tooth_force[tooth];
+        volume += run.tooth_volume[tooth];
+      }
+      const std::string name = row_name(c.ours.bit.cones[k].name, r);
+      const double radius = ring_radius(bit.cones[k], row);
+      f.parts.push_back({name, radius, PartQuantity::force_into_rock, force});
+      f.parts.push_back({name, radius, PartQuantity::volume_per_revolution, volume / revolutions});
+    }
+}
+
+void say_cones_of_run(const CompareCase& c, const RollerRun& run, Findings& f) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < run.cone_ratio.size(); ++k) {
+    f.parts.push_back(
+        {c.ours.bit.cones[k].name, 0.0, PartQuantity::cone_speed_ratio, -run.cone_ratio[k]});
+    sum -= run.cone_ratio[k];
+  }
+  say(f, Quantity::cone_speed_ratio, sum / static_cast<double>(run.cone_ratio.size()));
+  say(f, Quantity::teeth_in_contact, run.contacts);
+  say(f, Quantity::teeth_in_contact_variance, run.contacts_variance);
+}
+
+/// Noise of the steps that count, and the mean size of their lateral force.
+void say_steps(const CompareCase& c, const RollerRun& run, Findings& f) {
+  const RollerSeries& s = run.series;
+  const auto counted =
+      std::min<std::size_t>(static_cast<std::size_t>(counted_steps(c)), s.torque.size());
+  const auto from = static_cast<std::ptrdiff_t>(s.torque.size() - counted);
+  f.series = {c.ours.time.step,
+              {s.weight.begin() + from, s.weight.end()},
+              {s.torque.begin() + from, s.torque.end()}};
+  const double together = 5e-3 / c.ours.time.step;
+  say(f, Quantity::torque_noise, noise_of(f.series.torque, 1).share);
+  if (together >= 1.0)
+    say(f, Quantity::torque_noise_5ms,
+        noise_of(f.series.torque, static_cast<std::size_t>(std::lround(together))).share);
+  else
+    cannot_say(f, Quantity::torque_noise_5ms, "its step is longer than 5 ms");
+  double side = 0.0;
+  for (std::size_t i = s.side_x.size() - counted; i < s.side_x.size(); ++i)
+    side += std::hypot(s.side_x[i], s.side_y[i]);
+  say(f, Quantity::side_force, side / static_cast<double>(counted));
+}
+
+BottomCircle circle_of(const CompareCase& c, const ZMap& bottom) {
+  BottomCircle circle{c.options.circle, {}};
+  for (int i = 0; i < c.options.circle_samples; ++i) {
+    const double azimuth = full_turn_of_bit * i / c.options.circle_samples;
+    circle.depth.push_back(
+        level_at(bottom, circle.radius * std::cos(azimuth), circle.radius * std::sin(azimuth)));
+  }
+  return circle;
+}
+
+Findings findings_of(const Question& q, const RollerBit& bit, const RollerRun& run,
+                     const RollerSchedule& schedule) {
+  const CompareCase& c = q.asked;
+  Findings f;
+  say(f, Quantity::rate_at_weight, run.rate);
+  say(f, Quantity::torque_at_weight, run.torque);
+  say(f, Quantity::removed_per_revolution, run.volumes.dug / schedule.revolutions);
+  say(f, Quantity::resolution_at_gage, run.bottom.cell());
+  say_steps(c, run, f);
+  say_cones_of_run(c, run, f);
+  say_rows(c, bit, run, schedule.revolutions, f);
+  f.bottom = circle_of(c, run.bottom);
+  f.cost.steps = static_cast<long>(run.series.time.size());
+  f.cost.simulated = schedule.step * static_cast<double>(f.cost.steps);
+  if (run.beyond_law > 0)
+    f.notes.push_back("teeth went deeper than the table's last row in " +
+                      std::to_string(run.beyond_law) + " tooth-steps");
+  cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
+             "it finds the rate of a weight, not the weight of a rate");
+  cannot_say(f, {Quantity::imbalance, Quantity::imbalance_direction},
+             "its bit keeps to the hole's axis: what pushes it aside is not summed in its frame");
+  cannot_say(f, Quantity::torque_noise_by_crossing, no_spokes);
+  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
+  cannot_say(f, flats, no_wear);
+  return f;
+}
+
+Findings answer_of_patent(const Question& q, PatentWay way) {
+  const RollerBit bit = roller_bit_of(q.asked.ours.bit, "Huang and Cawthorne");
+  HuangCawthorneOptions options;
+  options.way = way;
+  take_case(q.asked, bit, options.drilling);
+  options.first_ratio = options.drilling.first_ratio;
+  const RollerSchedule schedule = schedule_of(q, "Huang and Cawthorne");
+  const ToothTable table = tooth_table_of(q.asked, bit, "Huang and Cawthorne");
+  return findings_of(q, bit, huang_cawthorne(bit, table, schedule, options), schedule);
+}
+
+}  // namespace
+
+Findings answer_of_ma_zhou_deng(const Question& q) {
+  const RollerBit bit = roller_bit_of(q.asked.ours.bit, "Ma, Zhou and Deng");
+  MaZhouDengOptions options;
+  take_case(q.asked, bit, options.drilling);
+  const RollerSchedule schedule = schedule_of(q, "Ma, Zhou and Deng");
+  const ToothTable table = tooth_table_of(q.asked, bit, "Ma, Zhou and Deng");
+  return findings_of(q, bit, ma_zhou_deng(bit, table, schedule, options), schedule);
+}
+
+Findings answer_of_huang_cawthorne_1(const Question& q) {
+  return answer_of_patent(q, PatentWay::first);
+}
+
+Findings answer_of_huang_cawthorne_2(const Question& q) {
+  return answer_of_patent(q, PatentWay::second);
+}
+
+}  // namespace tdbd::reference

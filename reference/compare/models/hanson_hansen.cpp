@@ -1,0 +1,41 @@
+#include <numbers>
+
+#include "reference/compare/models/answers.hpp"
+#include "reference/compare/models/led_bit.hpp"
+#include "reference/literature/drag/bottom_harmonics.hpp"
+#include "reference/literature/drag/hanson_hansen_path.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+constexpr int depth_nodes = 2000;  // where the deepest of several z is read off
+
+}  // namespace
+
+Findings answer_of_hanson_hansen(const Question& q) {
+  const CompareCase& c = q.asked;
+  const std::vector<SpokeCutter> cutters = spoke_cutters(c.ours.bit.cutters, "Hanson and Hansen");
+  HansonHansenRock law;
+  law.shared = *c.rock;
+  PathOptions options;
+  options.step = c.ours.time.step;
+  options.duration = options.step * static_cast<double>(c.ours.time.steps);
+  options.counted = options.step * static_cast<double>(counted_steps(c));
+  OutlineSpokes rock =
+      fitting_outline_rock(cutters, c.ours.motion.rate_of_penetration * options.duration,
+                           {c.options.spokes, c.options.spoke_spacing});
+  const double reach = spoke_reach(c);
+  const PathRun run = hanson_hansen_path(cutters, law, rock, path_of(c), options);
+  Findings f;
+  say_led_run(c, run, f);
+  say(f, Quantity::resolution_at_gage,
+      2.0 * std::numbers::pi * c.ours.bit.gage_radius / c.options.spokes);
+  f.bottom = BottomCircle{c.options.circle,
+                          depth_on_circle(deepest(rock, reach, depth_nodes), c.options.circle)};
+  cannot_say(f, of_weight, given_rate);
+  cannot_say(f, flats, no_wear);
+  cannot_say(f, of_cones, no_cones);
+  return f;
+}
+
+}  // namespace tdbd::reference

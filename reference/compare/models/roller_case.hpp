@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "reference/compare/model.hpp"
+#include "reference/literature/roller/roller_bit_of.hpp"
+#include "reference/literature/roller/tooth_law.hpp"
+
+/// What the models of roller cone bits take from the case.
+namespace tdbd::reference {
+
+/// "cone-1/row-2", as ours.
+std::string row_name(const std::string& cone, std::size_t row);
+
+/// Where a row is lowest, m from the bit's axis.
+double ring_radius(const RollerCone& cone, const RollerRow& row);
+
+/// The case's table of single-tooth tests; without one, that of a sphere of the bit's largest tooth
+/// pressed into flat rock under the case's law: crushing pressure times projected area.
+/// Throws InputError that begins with `model` when the teeth have another law.
+ToothTable tooth_table_of(const CompareCase& c, const RollerBit& bit, const std::string& model);
+
+/// Friction between tooth and rock, of the same law.
+double tooth_friction(const CompareCase& c, const std::string& model);
+
+/// Radius of the largest tooth, m.
+double largest_tooth(const RollerBit& bit);
+
+/// The cone/bit ratio at which the outermost row does not slip.
+double outer_rolling_ratio(const RollerBit& bit);
+
+}  // namespace tdbd::reference

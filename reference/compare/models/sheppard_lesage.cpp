@@ -1,0 +1,77 @@
+#include "reference/literature/roller/sheppard_lesage.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "core/error.hpp"
+#include "reference/compare/models/answers.hpp"
+#include "reference/compare/models/roller_case.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+void say_cones_of_bands(const CompareCase& c, const RollerBit& bit, const SheppardLesage& found,
+                        Findings& f) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < found.cones.size(); ++k) {
+    const BandCone& cone = found.cones[k];
+    const std::string name = c.ours.bit.cones[k].name;
+    f.parts.push_back({name, 0.0, PartQuantity::cone_speed_ratio, cone.ratio});
+    sum += cone.ratio;
+    for (std::size_t r = 0; r < cone.rows.size(); ++r) {
+      const double turns = c.ours.motion.rotary_speed / (2.0 * std::numbers::pi);
+      const double radius = ring_radius(bit.cones[k], bit.cones[k].rows[r]);
+      const std::string row = row_name(name, r);
+      f.parts.push_back(
+          {row, radius, PartQuantity::volume_per_revolution, cone.rows[r].volume_rate / turns});
+      f.parts.push_back({row, radius, PartQuantity::force_into_rock, -cone.rows[r].force.z()});
+    }
+  }
+  say(f, Quantity::cone_speed_ratio, sum / static_cast<double>(found.cones.size()));
+}
+
+}  // namespace
+
+Findings answer_of_sheppard_lesage(const Question& q) {
+  const CompareCase& c = q.asked;
+  const RollerSettings& s = c.options.roller;
+  const RollerBit bit = roller_bit_of(c.ours.bit, "Sheppard and Lesage");
+  BandOptions options;
+  options.half_angle = s.half_angle;
+  Findings f;
+  BandRock rock{s.specific_energy.value_or(1.0), s.normal_ratio};
+  SheppardLesage found = sheppard_lesage(bit, rock, c.ours.motion.rotary_speed, c.advance, options);
+  if (!s.specific_energy) {
+    if (q.weight <= 0.0)
+      throw InputError(
+          "Sheppard and Lesage: found no specific energy, needs "
+          "compare.roller.specific_energy, or a weight to find it from");
+    rock.specific_energy = q.weight / found.weight;
+    found = sheppard_lesage(bit, rock, c.ours.motion.rotary_speed, c.advance, options);
+    f.notes.push_back(fmt::format(
+        "its specific energy, {:.4g} MPa, is that at which it needs the reference weight: weight "
+        "and rate are no predictions",
+        1e-6 * rock.specific_energy));
+  }
+  say_steady_loads(f, found.weight, found.torque, c.advance);
+  say(f, Quantity::removed_per_revolution,
+      found.volume_rate * 2.0 * std::numbers::pi / c.ours.motion.rotary_speed);
+  say_cones_of_bands(c, bit, found, f);
+  if (q.weight > 0.0) {
+    const SheppardLesage under =
+        sheppard_lesage_under(bit, rock, c.ours.motion.rotary_speed, q.weight, options);
+    say(f, Quantity::rate_at_weight, under.rate);
+    say(f, Quantity::torque_at_weight, under.torque);
+  }
+  cannot_say(f, of_weight, no_weight);
+  cannot_say(f, lateral, "thesis 2.2 tells of no lateral forces");
+  cannot_say(f, {Quantity::teeth_in_contact, Quantity::teeth_in_contact_variance},
+             "rows are smooth bands: it has no teeth");
+  cannot_say(f, Quantity::resolution_at_gage, "it keeps no bottom");
+  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
+  cannot_say(f, flats, no_wear);
+  return f;
+}
+
+}  // namespace tdbd::reference

@@ -1,0 +1,121 @@
+#include "reference/compare/models/tdbd_sums.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bit/cone/tracking.hpp"
+#include "bit/cutter/cutter_frame.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+using simulation::CutOfPart;
+
+/// The ring of a row at the depth of usual prints.
+constexpr double usual_print = 1e-3;  // m
+
+bool is_of_face(bit::PartKind kind) { return kind == bit::PartKind::face; }
+
+/// The area in the half-plane through the axis that a step's cut sweeps: area normal to the motion,
+/// seen along the circle about the axis.
+double area_in_half_plane(const forces::PartCut& cut) {
+  const double along = cut.velocity.head<2>().norm();
+  return along > 0.0 ? cut.cut_area * cut.velocity.norm() / along : 0.0;
+}
+
+void add_cut(const simulation::Case& c, const simulation::Simulation& s, const CutOfPart& cut,
+             TdbdSums& sums) {
+  const int index = sums.piece_of_part[at(cut.part)];
+  if (index < 0) return;
+  Piece& piece = sums.pieces[at(index)];
+  const simulation::PartLoad& load = s.work.loads.parts[at(cut.part)];
+  piece.normal += load.normal;
+  piece.drag += load.tangential;
+  if (is_of_face(cut.cut.kind))
+    piece.area += area_in_half_plane(
+        simulation::cut_at(c.bit, s.state.place.X_WB, s.work.velocity, c.time.step, cut));
+  if (cut.cut.kind == bit::PartKind::tooth) ++piece.contacts;
+}
+
+void add_backwards(const simulation::Case& c, const simulation::Simulation& s, TdbdSums& sums) {
+  const Pose& X_WB = s.state.place.X_WB;
+  for (const bit::Cutter& cutter : c.bit.cutters) {
+    const Vec3 tip_W = X_WB * bit::tip_B(cutter);
+    const Vec3 v_W = simulation::velocity_at(c.bit, X_WB, s.work.velocity, -1, tip_W);
+    if (v_W.dot(X_WB.R * cutter.X_BC.R.col(0)) < 0.0) ++sums.backwards;
+  }
+}
+
+void start_rows(const simulation::Case& c, TdbdSums& sums) {
+  std::vector<std::vector<int>> first(c.bit.cones.size());
+  for (std::size_t k = 0; k < c.bit.cones.size(); ++k) {
+    const bit::Cone& cone = c.bit.cones[k];
+    for (std::size_t r = 0; r < cone.layout.rows.size(); ++r) {
+      first[k].push_back(static_cast<int>(sums.pieces.size()));
+      sums.pieces.push_back({fmt::format("{}/row-{}", cone.name, r + 1),
+                             bit::print_ring(cone, cone.layout.rows[r], usual_print).radius});
+    }
+  }
+  for (std::size_t p = 0; p < c.bit.parts.size(); ++p)
+    if (const bit::Part& part = c.bit.parts[p]; part.cone >= 0 && part.row >= 0)
+      sums.piece_of_part[p] = first[at(part.cone)][at(part.row)];
+}
+
+}  // namespace
+
+TdbdSums start_sums(const simulation::Case& c) {
+  TdbdSums sums;
+  sums.series.step = c.time.step;
+  sums.piece_of_part.assign(c.bit.parts.size(), -1);
+  for (const bit::Cutter& cutter : c.bit.cutters)
+    sums.pieces.push_back({simulation::cutter_name(cutter), cutter.tip_radius});
+  for (std::size_t p = 0; p < c.bit.parts.size(); ++p)
+    sums.piece_of_part[p] = c.bit.parts[p].cutter;
+  start_rows(c, sums);
+  return sums;
+}
+
+void add_step(const simulation::Case& c, const simulation::Simulation& s, TdbdSums& sums) {
+  const simulation::BitLoads& loads = s.work.loads;
+  sums.series.weight.push_back(-loads.force_W.z());
+  sums.series.torque.push_back(-loads.torque_W.z());
+  const Vec3 force_B = s.state.place.X_WB.R.transpose() * loads.force_W;
+  sums.lateral_B += force_B.head<2>();
+  sums.side += force_B.head<2>().norm();
+  double teeth = 0.0;
+  for (const CutOfPart& cut : s.work.cuts) {
+    add_cut(c, s, cut, sums);
+    if (cut.cut.kind == bit::PartKind::tooth) teeth += 1.0;
+  }
+  sums.teeth.push_back(teeth);
+  add_backwards(c, s, sums);
+}
+
+std::vector<double> removed_by_piece(const TdbdSums& sums, const simulation::Simulation& s) {
+  std::vector<double> removed(sums.pieces.size());
+  for (std::size_t p = 0; p < sums.piece_of_part.size(); ++p)
+    if (const int piece = sums.piece_of_part[p]; piece >= 0)
+      removed[at(piece)] += s.state.ledger.removed_by_part[p].value();
+  return removed;
+}
+
+void say_pieces(const simulation::Case& c, const TdbdSums& sums, const std::vector<double>& volumes,
+                Findings& f) {
+  const double steps = static_cast<double>(sums.series.weight.size());
+  for (std::size_t i = 0; i < sums.pieces.size(); ++i) {
+    const Piece& piece = sums.pieces[i];
+    const auto tell = [&](PartQuantity q, double value) {
+      f.parts.push_back({piece.name, piece.radius, q, value});
+    };
+    tell(PartQuantity::volume_per_revolution, volumes[i]);
+    tell(PartQuantity::force_into_rock, piece.normal / steps);
+    tell(PartQuantity::drag, piece.drag / steps);
+    if (c.bit.cones.empty())
+      tell(PartQuantity::area, piece.area / steps);
+    else
+      tell(PartQuantity::teeth_in_contact, static_cast<double>(piece.contacts) / steps);
+  }
+}
+
+}  // namespace tdbd::reference

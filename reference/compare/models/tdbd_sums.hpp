@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "reference/compare/compare_case.hpp"
+#include "reference/compare/findings.hpp"
+#include "simulation/step/simulation.hpp"
+
+namespace tdbd::reference {
+
+/// What is reported together: a cutter with all its parts, or a row of teeth.
+struct Piece {
+  std::string name;
+  double radius = 0.0;              ///< m: of a cutter's tip, or of the ring that a row prints
+  double area = 0.0;                ///< m2, sum over steps
+  double normal = 0.0, drag = 0.0;  ///< N, sums over steps
+  long contacts = 0;                ///< teeth that touched rock, sum over steps
+};
+
+/// Sums over the steps of a run that count.
+struct TdbdSums {
+  std::vector<Piece> pieces;
+  std::vector<int> piece_of_part;  ///< -1: part of none
+  LoadSeries series;
+  Eigen::Vector2d lateral_B = Eigen::Vector2d::Zero();  ///< N, sum of lateral forces, bit frame
+  double side = 0.0;                                    ///< N, sum of their magnitudes
+  std::vector<double> teeth;                            ///< in contact, per step
+  long backwards = 0;                                   ///< cutters that move backwards
+};
+
+TdbdSums start_sums(const simulation::Case& c);
+
+/// Adds the last step of the run.
+void add_step(const simulation::Case& c, const simulation::Simulation& s, TdbdSums& sums);
+
+/// Rock that each piece has removed since the start of the run, m3.
+std::vector<double> removed_by_piece(const TdbdSums& sums, const simulation::Simulation& s);
+
+/// What the pieces did: means over the steps; `volumes`: m3 a revolution, per piece.
+void say_pieces(const simulation::Case& c, const TdbdSums& sums, const std::vector<double>& volumes,
+                Findings& f);
+
+}  // namespace tdbd::reference

@@ -1,0 +1,62 @@
+#include "reference/literature/drag/warren_sinor.hpp"
+
+#include "reference/compare/models/answers.hpp"
+#include "simulation/step/measure.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+/// Width of the columns, m: at the gage, where rims are steep, five times wider ones shift 5 % of an
+/// area to a neighbour.
+constexpr double plane_column = 0.01e-3;
+
+void say_plane_cutters(const CompareCase& c, const WarrenSinorLoad& load, Findings& f) {
+  for (std::size_t i = 0; i < load.cutters.size(); ++i) {
+    const bit::Cutter& cutter = c.ours.bit.cutters[i];
+    const WarrenSinorCutter& cut = load.cutters[i];
+    const auto tell = [&](PartQuantity q, double value) {
+      f.parts.push_back({simulation::cutter_name(cutter), cutter.tip_radius, q, value});
+    };
+    tell(PartQuantity::area, cut.area);
+    tell(PartQuantity::volume_per_revolution, cut.volume);
+    tell(PartQuantity::force_into_rock, cut.force.normal);
+    tell(PartQuantity::drag, cut.force.cutting);
+  }
+}
+
+void say_plane_at_weight(const CompareCase& c, double weight, const WarrenSinorOptions& options,
+                         Findings& f) {
+  if (weight <= 0.0) {
+    cannot_say(f, {Quantity::rate_at_weight, Quantity::torque_at_weight}, no_weight);
+    return;
+  }
+  const WarrenSinorLoad load = warren_sinor_at_weight(c.ours.bit.cutters, weight, *c.rock, options);
+  say(f, Quantity::rate_at_weight, load.rate(c.ours.motion.rotary_speed));
+  say(f, Quantity::torque_at_weight, load.torque);
+}
+
+}  // namespace
+
+Findings answer_of_warren_sinor(const Question& q) {
+  const CompareCase& c = q.asked;
+  WarrenSinorOptions options;
+  options.form = c.options.outline;
+  options.column = plane_column;
+  const WarrenSinorLoad load = warren_sinor(c.ours.bit.cutters, c.advance, *c.rock, options);
+  Findings f;
+  say_steady_loads(f, load.weight, load.torque, c.advance);
+  say(f, Quantity::imbalance, load.imbalance());
+  say(f, Quantity::imbalance_direction, direction_of(load.imbalance_B()));
+  say(f, Quantity::side_force, load.imbalance_B().norm());
+  say(f, Quantity::removed_per_revolution, load.volume);
+  say_plane_cutters(c, load, f);
+  say_plane_at_weight(c, q.weight, options, f);
+  cannot_say(f, Quantity::share_moved_backwards, "the bit turns about a fixed axis");
+  cannot_say(f, Quantity::resolution_at_gage, "one plane stands for the whole bottom");
+  cannot_say(f, flats, "no wear: flats are input");
+  cannot_say(f, of_cones, no_cones);
+  note_whirl(c, f);
+  return f;
+}
+
+}  // namespace tdbd::reference

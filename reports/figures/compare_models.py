@@ -1,0 +1,37 @@
+"""How the models of chapter 2 look in the figures that compare them."""
+
+from figures import style
+
+# model: (colour, marker)
+LOOKS = {
+    "tdbd": (style.BLACK, "o"),
+    "warren-sinor": (style.GREY, "x"),
+    "behr": (style.RED, "^"),
+    "glowka": (style.PURPLE, "D"),
+    "langeveld": (style.BLUE, "v"),
+    "hanson-hansen": (style.GREEN, "s"),
+    "briggs": (style.RED, "^"),
+    "winters": (style.GOLD, "P"),
+    "ma-azar": (style.GREY, "x"),
+    "ma-zhou-deng": (style.BLUE, "v"),
+    "huang-cawthorne-1": (style.PURPLE, "D"),
+    "huang-cawthorne-2": (style.SKY, "<"),
+    "sheppard-lesage": (style.GREEN, "s"),
+    "z-map": (style.GOLD, "P"),
+}
+OTHER = (style.SKY, "*")
+
+
+def look(model):
+    """Keywords of plot() for a model's points."""
+    colour, marker = LOOKS.get(model, OTHER)
+    return {"color": colour, "marker": marker, "markersize": 6 if model == "tdbd" else 5, "fillstyle": "none" if model == "tdbd" else "full"}
+
+
+def title(results, model):
+    """A model's name for readers, from the first run that has it."""
+    for runs in results.values():
+        for _, result in runs:
+            if model in result.titles:
+                return result.titles[model]
+    return model

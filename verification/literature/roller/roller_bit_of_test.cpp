@@ -1,0 +1,139 @@
+#include "reference/literature/roller/roller_bit_of.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "bit/cone/cone_bit.hpp"
+#include "bit/cone/cone_measures.hpp"
+#include "bit/cone/cone_rolling.hpp"
+#include "bit/cone/part_pose.hpp"
+#include "bit/files/bit_file.hpp"
+#include "core/error.hpp"
+#include "reference/literature/roller/ma_azar.hpp"
+#include "verification/battery/generators.hpp"
+
+namespace tdbd::reference::roller_bit_of_test {
+namespace {
+
+using battery::number;
+
+bit::Bit shipped(const std::string& name) {
+  return bit::read_bit(TDBD_SOURCE_DIR "/cases/bits/" + name + ".toml", bit::DirectionRule::hybrid,
+                       bit::InsideRule::down)
+      .bit;
+}
+
+/// Bit R with its cones on journals that meet no model's limits: no skew.
+bit::Bit straight_bit_r() {
+  const bit::Bit skewed = shipped("bit-r");
+  std::vector<bit::ConeLayout> cones;
+  for (bit::Cone cone : skewed.cones) {
+    cone.layout.skew = 0.0;
+    cones.push_back(cone.layout);
+  }
+  return bit::cone_bit("straight bit-r", cones, skewed.gage_radius, skewed.shank);
+}
+
+/// Teeth of the model and tips of our meshes, the bit and all cones turned and the bit lowered.
+void expect_same_tips(const bit::Bit& ours) {
+  const RollerBit roller = roller_bit_of(ours);
+  RC_ASSERT(roller.cones.size() == ours.cones.size());
+  const double turn = *number(-3.0, 3.0), depth = *number(-0.5, 0.5);
+  std::vector<double> angles;
+  std::vector<Course> turns;
+  for (std::size_t k = 0; k < ours.cones.size(); ++k) {
+    angles.push_back(*number(-3.0, 3.0));
+    turns.push_back({angles.back(), 0.0, 0.0});
+  }
+  std::vector<ToothState> teeth;
+  place_teeth(roller, {{turn, 0.0, 0.0}, {depth, 0.0, 0.0}}, turns, teeth);
+  const Pose X_WB{Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix(), Vec3(0, 0, depth)};
+  std::size_t next = 0;
+  for (const bit::Part& part : ours.parts) {
+    if (part.kind != bit::PartKind::tooth) continue;
+    const Vec3 tip_W = X_WB * bit::part_pose(ours, part, angles) * bit::tooth_tip_P(part);
+    RC_ASSERT(next < teeth.size());
+    RC_ASSERT((teeth[next++].place - tip_W).norm() <= 1e-12);
+  }
+  RC_ASSERT(next == teeth.size());
+}
+
+RC_GTEST_PROP(RollerBitOf, has_the_tips_of_our_meshes, ()) {
+  static const bit::Bit r = straight_bit_r(), compared = shipped("compare-r-4");
+  expect_same_tips(r);
+  expect_same_tips(compared);
+}
+
+/// The comparison's bit has the rows of the literature's worked examples.
+TEST(RollerBitOf, the_compared_bit_has_the_worked_rows) {
+  for (const double offset : {0.0, 4e-3, 8e-3}) {
+    const RollerBit r = roller_bit_of(shipped(
+        offset == 0.0 ? "compare-r" : "compare-r-" + std::to_string(std::lround(1e3 * offset))));
+    ASSERT_EQ(r.cones.size(), 3U);
+    for (const RollerCone& cone : r.cones) {
+      EXPECT_NEAR(cone.journal_angle, 36.0 * std::numbers::pi / 180.0, 1e-15);
+      EXPECT_EQ(cone.offset, offset);
+      ASSERT_EQ(cone.rows.size(), 2U);
+      EXPECT_EQ(cone.rows[0].angles.size(), 15U);
+      EXPECT_EQ(cone.rows[1].angles.size(), 25U);
+      constexpr double of_the_digits = 2e-12;  // m
+      EXPECT_NEAR(cone.rows[0].along, 45e-3, of_the_digits);
+      EXPECT_NEAR(cone.rows[0].radius, 40e-3, of_the_digits);
+      EXPECT_NEAR(cone.rows[1].along, 80e-3, of_the_digits);
+      EXPECT_NEAR(cone.rows[1].radius, 60e-3, of_the_digits);
+      EXPECT_EQ(cone.rows[0].tooth_radius, 6e-3);
+    }
+  }
+}
+
+TEST(RollerBitOf, has_our_cones_inertia) {
+  const bit::Bit r = straight_bit_r();
+  const RollerBit roller = roller_bit_of(r);
+  for (std::size_t k = 0; k < r.cones.size(); ++k) {
+    const double ours = bit::cone_mass(r, static_cast<int>(k)).axial_inertia;
+    EXPECT_NEAR(roller.cones[k].inertia, ours, 1e-12 * ours);
+  }
+}
+
+/// Elevation 0 is the lowest tip: a row's lowest point is as high as our measures say.
+TEST(RollerBitOf, stands_as_high_as_our_bit) {
+  const bit::Bit r = straight_bit_r();
+  const RollerBit roller = roller_bit_of(r);
+  for (std::size_t k = 0; k < r.cones.size(); ++k)
+    for (std::size_t j = 0; j < roller.cones[k].rows.size(); ++j) {
+      const bit::RowMeasures ours = bit::row_measures(r.cones[k], r.cones[k].layout.rows[j]);
+      const RollerRow& row = roller.cones[k].rows[j];
+      if (row.radius < 1e-9) continue;  // a tooth on the journal
+      const Vec3 low = tooth_state(roller.cones[k], {row.along, row.radius, 0.0}, {}, {}).place;
+      EXPECT_NEAR(-low.z(), ours.height, 1e-12);
+      EXPECT_NEAR(low.head<2>().norm(), ours.bit_radius, 1e-12);
+    }
+}
+
+std::string refusal(const bit::Bit& b) {
+  try {
+    roller_bit_of(b, "Ma and Yang");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(RollerBitOf, refuses_what_the_models_do_not_know) {
+  EXPECT_EQ(refusal(shipped("bit-b")),
+            "Ma and Yang: found a bit with 28 cutters, expected roller cones alone");
+  EXPECT_EQ(refusal({}), "Ma and Yang: found a bit without cones, expected a roller cone bit");
+  EXPECT_EQ(refusal(shipped("bit-r")),
+            "Ma and Yang: found a skew of 1.500000 deg of cone-1, expected 0: the journal's axis "
+            "stands in a plane along the bit's axis");
+  bit::Bit solid = straight_bit_r();
+  solid.cones[1].layout.rows.clear();
+  EXPECT_EQ(refusal(solid),
+            "Ma and Yang: found cone-2 without rows of teeth, expected a cone that is drawn, not "
+            "read from meshes");
+}
+
+}  // namespace
+}  // namespace tdbd::reference::roller_bit_of_test
