@@ -3,10 +3,12 @@
 import math
 from dataclasses import dataclass
 
+MODELS_1_TO_5 = ("warren-sinor", "behr", "glowka", "langeveld", "hanson-hansen")
 SHARE_THE_LAW = ("warren-sinor", "behr", "langeveld", "hanson-hansen", "tdbd")
 DRAG_BITS = ("bit-a", "bit-b", "bit-c")
 ROLLER_TORQUE = ("briggs", "winters", "ma-zhou-deng", "huang-cawthorne-1", "huang-cawthorne-2", "sheppard-lesage")
 ORBITS = {"whirl-1500": "1.5 mm", "whirl-3000": "3 mm"}
+SHOWN_PLANES = 72  # of the runs with all models
 STRENGTH = 100e6  # Pa, of the protocol's rock
 SMALL_RADIUS, SMALL_AREA = 5e-3, 1e-6  # m, m2: cutters nearer to the axis or cutting less are left out
 NOT_RUN = "no result in this protocol"
@@ -41,9 +43,9 @@ def worst(found):
 
 
 def mean_of(results, quantity, expected, limit):
-    """How far the models that share the law are from ours, the worst of all runs."""
+    """How far models 1 to 5 are from ours, the worst of all runs."""
     found = [(abs(r.value(m, quantity) / r.value("tdbd", quantity) - 1.0), f"{r.titles[m]}, {named(g, r)}")
-             for g, r in drag_runs(results) for m in SHARE_THE_LAW if m != "tdbd" and r.value(m, quantity)]
+             for g, r in drag_runs(results) for m in MODELS_1_TO_5 if r.value(m, quantity)]
     if not found:
         return Verdict(expected, NOT_RUN, None)
     share, where = worst(found)
@@ -56,10 +58,9 @@ def torque_identity(results):
     found = []
     for g, r in drag_runs(results):
         for m in SHARE_THE_LAW:
-            if (torque := r.value(m, "torque")) is not None:
+            quantity = "work_of_a_turn_torque" if m == "tdbd" else "torque"  # ours knows the helix
+            if (torque := r.value(m, quantity)) is not None:
                 exact = STRENGTH * r.gage_radius**2 * r.advance / 2.0
-                if m == "tdbd":  # ours knows the helix: the work of a turn is all that it can be held to
-                    torque = r.value(m, "work_of_a_turn_torque")
                 found.append((abs(torque / exact - 1.0), f"{r.titles[m]}, {named(g, r)}"))
     if not found:
         return Verdict(expected, NOT_RUN, None)
@@ -107,7 +108,7 @@ def held_noise(results):
     """The comparison that was not foreseen as clearly: spokes that hold their forces."""
     expected = "at equal CPU time spokes are noisier than the mesh"
     ours = [(r.cost("tdbd"), r.value("tdbd", "torque_noise")) for _, r in results.get("noise-mesh", [])]
-    held = [(r.cost(m), r.value(m, "torque_noise")) for g in ("noise-planes", "noise-spokes") for _, r in results.get(g, [])
+    held = [(r.cost(m), r.value(m, "torque_noise")) for g in ("noise-planes", "noise-spokes", "noise-outlines") for _, r in results.get(g, [])
             for m in r.titles if r.value(m, "torque_noise") is not None]
     if not ours or not held:
         return Verdict(expected, NOT_RUN, None)
@@ -125,7 +126,7 @@ def waves_of(results, group, model, planes, count):
 def planes_show(results, group, planes, expected_waves):
     """What so many planes show of the lobes, 73 or 37, by the literature's prototype."""
     expected = f"whirl, orbit of {ORBITS[group]}, {planes} planes: strongest waves {', '.join(map(str, expected_waves))}"
-    in_group = (group, None) if planes == 72 else (f"{group}-planes", planes)
+    in_group = (group, None) if planes == SHOWN_PLANES else (f"{group}-planes", planes)
     waves = waves_of(results, in_group[0], "behr", in_group[1], len(expected_waves))
     if waves is None:
         return Verdict(expected, NOT_RUN, None)
@@ -156,6 +157,16 @@ def roller_torque(results):
     return Verdict(expected, f"{percent(share)} ({where})", 0.3 <= share <= 0.6)
 
 
+def ours_beside_roller_models(results):
+    """No expectation was stated; the number stands here because it is large."""
+    for _, r in results.get("bit-r", [])[1:2]:
+        theirs = [r.value(m, "torque_at_weight") for m in ROLLER_TORQUE if r.value(m, "torque_at_weight")]
+        if theirs and (ours := r.value("tdbd", "torque")):
+            return Verdict("roller bits: TDBD beside the earlier models, torque at equal weight (nothing was expected; laws for teeth differ)",
+                           f"{ours:.0f} N m against {min(theirs):.0f} to {max(theirs):.0f} N m", None)
+    return Verdict("roller bits: TDBD beside the earlier models", NOT_RUN, None)
+
+
 def gage(results):
     expected = "distance of samples at the gage: 9.42 mm (72 planes), 5.65 mm (120 spokes), 0.7 to 1 mm (mesh)"
     for _, r in results.get("bit-b", []):
@@ -169,7 +180,7 @@ def gage(results):
 def verdicts(results):
     """All of them, in the protocol's order."""
     return [
-        mean_of(results, "weight", "steady weight within 1 to 3 % among models 1 to 5 and TDBD: they share the law", 0.03),
+        mean_of(results, "weight", "steady weight within 1 to 3 % among models 1 to 5 and TDBD", 0.03),
         mean_of(results, "torque", "steady torque likewise", 0.03),
         areas(results), torque_identity(results), sums(results),
         noise(results, "noise-planes", "behr", "72 planes", 0.26), noise(results, "noise-spokes", "langeveld", "120 spokes", 0.23),
@@ -177,5 +188,5 @@ def verdicts(results):
         planes_show(results, "whirl-1500", 72, (1, 3, 4, 2)), planes_show(results, "whirl-1500", 720, (73, 146, 74, 219)),
         mesh_shows(results, "whirl-1500", 73),
         planes_show(results, "whirl-3000", 72, (33, 2, 31)), planes_show(results, "whirl-3000", 720, (111, 74, 36)),
-        mesh_shows(results, "whirl-3000", 37), roller_torque(results),
+        mesh_shows(results, "whirl-3000", 37), roller_torque(results), ours_beside_roller_models(results),
         Verdict("undercut wall, energy and lateral feedback tell the models apart", "not in this protocol, whose motions are prescribed", None)]

@@ -13,12 +13,29 @@ namespace {
 
 using namespace tdbd::reference;
 
+constexpr const char* keys_head =
+    "# The keys of [compare]\n"
+    "\n"
+    "`tdbd-compare --keys` writes this file from the declarations (`compare_keys.hpp`); do not "
+    "edit "
+    "it. All other keys of\n"
+    "a case are those of `tdbd run` (`src/simulation/case/KEYS.md`).\n"
+    "\n";
+
 struct Arguments {
   std::string case_file, folder, models;
   std::vector<std::string> overrides;
   bool force = false, quiet = false, keys = false;
   int threads = 1;
 };
+
+/// The tables of keys, with the name of this program: key tables know the subcommands of tdbd.
+std::string keys_text() {
+  std::string text = tdbd::keys_as_markdown(compare_tables());
+  for (std::size_t at = 0; (at = text.find("tdbd compare", at)) != std::string::npos;)
+    text.replace(at, 12, "tdbd-compare");
+  return keys_head + text;
+}
 
 /// The names in "a,b", or those of the case.
 std::vector<std::string> names_of(const Arguments& a, const CompareCase& c) {
@@ -68,7 +85,7 @@ int compare_models(const Arguments& a) {
 
 int run(const Arguments& a) {
   if (a.keys) {
-    fmt::print("{}", tdbd::keys_as_markdown(compare_tables()));
+    fmt::print("{}", keys_text());
     return 0;
   }
   if (a.case_file.empty()) throw tdbd::InputError("CASE: found nothing, expected a case file");

@@ -1,7 +1,7 @@
 """Mean speed of the cones over the bit's, by model, over the advance."""
 
 from figures import style
-from figures.compare_models import look, title
+from figures.compare_models import legend, look, title
 
 
 def draw(results):
@@ -12,5 +12,5 @@ def draw(results):
         if shown:
             axes.plot(*zip(*shown), "-", linewidth=0.8, label=title(results, model), **look(model))
     axes.set(xlabel="advance (mm a revolution)", ylabel="speed of the cones over the bit's", xlim=(0.0, None))
-    axes.legend()
+    legend(axes, "Cones")
     return figure

@@ -35,3 +35,11 @@ def title(results, model):
             if model in result.titles:
                 return result.titles[model]
     return model
+
+
+def legend(axes, what):
+    """A legend; where nothing was drawn, a word instead."""
+    if axes.get_legend_handles_labels()[1]:
+        axes.legend()
+    else:
+        style.say_missing(axes, what)

@@ -1,16 +1,16 @@
 """Noise of one step's torque over the CPU time of a simulated second."""
 
 from figures import style
+from figures.compare_models import legend
 
 # group: (model, quantity, label, colour, marker, line)
 SERIES = {
     "noise-mesh": [("tdbd", "torque_noise", "TDBD, sections", style.BLACK, "o", "-")],
     "noise-volumes": [("tdbd", "torque_noise", "TDBD, volumes", style.BLACK, "o", ":")],
-    "noise-planes": [("behr", "torque_noise_by_crossing", "Behr et al., by crossing", style.RED, "^", "-"),
-                     ("behr", "torque_noise_5ms", "Behr et al., held, means of 5 ms", style.RED, "^", ":")],
-    "noise-spokes": [("langeveld", "torque_noise_by_crossing", "Langeveld, by crossing", style.BLUE, "v", "-"),
-                     ("hanson-hansen", "torque_noise", "Hanson and Hansen, held", style.GREEN, "s", ":"),
-                     ("hanson-hansen", "torque_noise_by_crossing", "Hanson and Hansen, by crossing", style.GREEN, "s", "-")],
+    "noise-planes": [("behr", "torque_noise_by_crossing", "Behr et al., by crossing", style.RED, "^", "-")],
+    "noise-spokes": [("langeveld", "torque_noise_by_crossing", "Langeveld, by crossing", style.BLUE, "v", "-")],
+    "noise-outlines": [("hanson-hansen", "torque_noise", "Hanson and Hansen, held", style.GREEN, "s", ":"),
+                       ("hanson-hansen", "torque_noise_by_crossing", "Hanson and Hansen, by crossing", style.GREEN, "s", "-")],
 }
 LEAST = 1e-6  # less noise than this is rounding
 
@@ -33,5 +33,5 @@ def draw(results):
             for x, y, word in (shown[0], shown[-1]):
                 axes.annotate(str(word), (x, 100.0 * y), textcoords="offset points", xytext=(4, 4), fontsize=7, color=colour)
     axes.set(xlabel="CPU time over simulated time", ylabel="noise of the torque (%)")
-    axes.legend()
+    legend(axes, "Noise")
     return figure

@@ -1,7 +1,7 @@
 """Rate of penetration over weight, by model: drag bits and the roller cone bit."""
 
 from figures import style
-from figures.compare_models import look, title
+from figures.compare_models import legend, look, title
 
 PANELS = {"bit-b": "Bit B (fixed cutters)", "bit-r": "The roller cone bit of the comparison"}
 
@@ -21,12 +21,12 @@ def points(runs, model):
 
 def draw(results):
     groups = [g for g in PANELS if g in results]
-    figure, panels = style.panels(1, len(groups), (10.2, 4.2), squeeze=False)
+    figure, panels = style.panels(1, max(1, len(groups)), (10.2, 4.2), squeeze=False)
     for axes, group in zip(panels[0], groups):
         for model in dict.fromkeys(m for _, r in results[group] for m in r.titles):
             if shown := points(results[group], model):
                 weight, rate = zip(*shown)
                 axes.plot(weight, rate, "-", linewidth=0.8, label=title(results, model), **look(model))
         axes.set(title=PANELS[group], xlabel="weight (kN)", ylabel="rate of penetration (m/h)", xlim=(0.0, None), ylim=(0.0, None))
-        axes.legend()
+        legend(axes, "Rates")
     return figure

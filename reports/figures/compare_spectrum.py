@@ -18,7 +18,7 @@ def series(results, group):
 
 def draw(results):
     groups = [g for g in ORBITS if g in results]
-    figure, panels = style.panels(4, len(groups), (10.2, 7.6), sharex=True, sharey="col", squeeze=False)
+    figure, panels = style.panels(4, max(1, len(groups)), (10.2, 7.6), sharex=True, sharey="col", squeeze=False)
     for column, group in enumerate(groups):
         for axes, (label, colour, waves) in zip(panels[:, column], series(results, group)):
             if waves is None:

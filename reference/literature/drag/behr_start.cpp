@@ -24,6 +24,7 @@ void require_behr(const std::vector<bit::Cutter>& cutters, const BehrOptions& op
 /// if all pass between the nodes.
 std::vector<double> untouched_profile(const std::vector<CutterRim>& rims, const Spokes& rock) {
   std::vector<RimEllipse> outlines;
+  outlines.reserve(rims.size());
   for (const CutterRim& rim : rims)
     outlines.push_back(rim_ellipse(rim, rim.motion_B.cross(Vec3::UnitZ())));
   std::vector<double> depth(at(rock.nodes), no_depth);

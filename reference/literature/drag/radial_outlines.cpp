@@ -80,6 +80,7 @@ void divide(RadialOutlines& all, double reach, double column) {
 
 void add_planar(RadialOutlines& all, const std::vector<bit::Cutter>& cutters, double column) {
   std::vector<RimEllipse> ellipses;
+  ellipses.reserve(cutters.size());
   for (const bit::Cutter& c : cutters)
     ellipses.push_back(
         rim_ellipse(cutter_rim(c, 0.0), Vec3(std::cos(c.azimuth), std::sin(c.azimuth), 0.0)));
@@ -91,6 +92,7 @@ void add_planar(RadialOutlines& all, const std::vector<bit::Cutter>& cutters, do
 
 void add_turned(RadialOutlines& all, const std::vector<bit::Cutter>& cutters, double column) {
   std::vector<std::vector<Eigen::Vector2d>> rims;
+  rims.reserve(cutters.size());
   for (const bit::Cutter& c : cutters) rims.push_back(turned_rim(cutter_rim(c, c.side_rake)));
   double reach = 0.0;
   for (const auto& rim : rims)

@@ -149,8 +149,9 @@ void leave_prints(Drilling& d, RollerRun& run) {
 }  // namespace
 
 RollerRun crater_drilling(const RollerBit& bit, const ToothLaw& law, const RollerSchedule& schedule,
-                          const CraterDrillingOptions& options) {
-  check_crater_drilling(bit, law, schedule, options);
+                          const CraterDrillingOptions& given) {
+  check_crater_drilling(bit, law, schedule, given);
+  const CraterDrillingOptions options = with_tooth_radius(bit, given);
   const long steps = steps_of(schedule);
   RollerRun run = empty_run(bit, schedule, options);
   Drilling d = started(bit, law, schedule, options, run.tooth_force.size());

@@ -86,7 +86,9 @@ std::size_t settled(const RollerSchedule& s) {
 
 void check_crater_drilling(const RollerBit& bit, const ToothLaw& law,
                            const RollerSchedule& schedule, const CraterDrillingOptions& options) {
-  if (bit.cones.empty() || teeth_of(bit) == 0)
+  bool rows = !bit.cones.empty();
+  for (const RollerCone& cone : bit.cones) rows = rows && !cone.rows.empty();
+  if (!rows || teeth_of(bit) == 0)
     throw InputError(
         fmt::format("{}: found {} cones with {} teeth, expected a roller bit: cones with "
                     "rows of teeth",
@@ -103,6 +105,21 @@ void check_crater_drilling(const RollerBit& bit, const ToothLaw& law,
   if (options.axial == AxialMotion::mass)
     need(options.mass > 0.0, options, "mass (kg)", options.mass);
   check_tooth_law(law, options.model);
+}
+
+CraterDrillingOptions with_tooth_radius(const RollerBit& bit, CraterDrillingOptions options) {
+  double& radius = options.print.sphere_radius;
+  if (radius > 0.0) return options;
+  radius = bit.cones[0].rows[0].tooth_radius;
+  for (const RollerCone& cone : bit.cones)
+    for (const RollerRow& row : cone.rows)
+      if (row.tooth_radius != radius)
+        throw InputError(
+            fmt::format("{}: found teeth of {:g} and {:g} mm radius, expected one kind, that "
+                        "of its law, or a sphere radius for all",
+                        options.model, 1e3 * radius, 1e3 * row.tooth_radius));
+  need(radius > 0.0, options, "radius of the teeth (m)", radius);
+  return options;
 }
 
 long steps_of(const RollerSchedule& s) {

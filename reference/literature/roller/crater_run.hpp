@@ -9,6 +9,10 @@ namespace tdbd::reference {
 void check_crater_drilling(const RollerBit& bit, const ToothLaw& law,
                            const RollerSchedule& schedule, const CraterDrillingOptions& options);
 
+/// The options with the bit's own tooth radius where they give none. Throws InputError when its teeth have
+/// several: a law or a table is that of one tooth.
+CraterDrillingOptions with_tooth_radius(const RollerBit& bit, CraterDrillingOptions options);
+
 /// Steps of the whole schedule.
 long steps_of(const RollerSchedule& schedule);
 

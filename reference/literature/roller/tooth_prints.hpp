@@ -23,7 +23,7 @@ struct PrintOptions {
   CraterShape shape = CraterShape::cone;
   ToothRelease release = ToothRelease::crushed;
   double release_distance = 20e-6;  ///< m, over which a crushed tooth's force falls to 0
-  double sphere_radius = 6e-3;      ///< m, of craters of the shape `sphere`
+  double sphere_radius = 0.0;  ///< m, of round ends; 0: of the bit's teeth, which must be alike
 };
 
 /// One tooth's stay in the rock. Rock under a tooth is not removed before the tooth has left it: its depth

@@ -48,7 +48,8 @@ def check_same_bytes(folder):
 
 def check_refusals(folder):
     assert run("--help").returncode == 0 and "compare.circle" not in run("--help").stdout
-    assert "circle_samples" in run("--keys").stdout
+    keys = CASES.parents[1] / "reference" / "compare" / "KEYS.md"
+    assert run("--keys").stdout == keys.read_text(encoding="utf-8"), "tdbd-compare --keys > reference/compare/KEYS.md"
     case = CASES / "bit-b.toml"
     for arguments, reason in (((), "case file"), ((CASES / "none.toml",), "none.toml"),
                               ((case, "--models", "warren"), "'warren'"),

@@ -13,6 +13,7 @@ namespace {
 
 std::vector<double> wave(int samples, int lobes, double size, double phase) {
   std::vector<double> depth;
+  depth.reserve(at(samples));
   for (int k = 0; k < samples; ++k)
     depth.push_back(0.3 + size * std::cos(2 * std::numbers::pi * lobes * k / samples + phase));
   return depth;

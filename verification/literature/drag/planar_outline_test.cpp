@@ -33,9 +33,8 @@ bit::Cutter any_cutter(double least_radius, double most_radius) {
 
 /// What is cut in a turn is all that the bit touches, d high: sum A = d x width, sum V = d x area.
 RC_GTEST_PROP(PlanarOutline, of_any_layout_cuts_in_a_turn_all_that_it_touches, ()) {
-  const int count = *battery::integer(1, 12);
-  std::vector<bit::Cutter> cutters;
-  for (int i = 0; i < count; ++i) cutters.push_back(any_cutter(0.0, 110.0));
+  std::vector<bit::Cutter> cutters(*rc::gen::inRange<std::size_t>(1, 13));
+  for (bit::Cutter& c : cutters) c = any_cutter(0.0, 110.0);
   const double advance = *battery::number(0.01, 20.0) * mm;
   const OutlineForm form = *rc::gen::element(OutlineForm::planar, OutlineForm::turned);
   const RadialOutlines outlines = radial_outlines(cutters, form, 0.1 * mm);

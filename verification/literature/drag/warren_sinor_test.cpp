@@ -65,6 +65,19 @@ TEST(WarrenSinor, has_the_loads_of_the_example_bits) {
   }
 }
 
+/// 500 columns instead of 10 795 move a tenth of a balanced bit's imbalance, and a hundredth of that
+/// of bit B: models are compared on bit B.
+TEST(WarrenSinor, has_an_uncertain_imbalance_for_balanced_bits) {
+  const auto share = [](char bit, double columns) {
+    const WarrenSinorOptions options{
+        .column = example_gage / columns * 1.000001, .normal_ratio = {}, .flat_area = {}};
+    return 100 * warren_sinor(example_cutters(bit), 3 * mm, rock_k(), options).imbalance();
+  };
+  EXPECT_NEAR(share('a', 10795), 0.845, 0.005);
+  EXPECT_NEAR(share('a', 500), 0.75, 0.005);
+  EXPECT_NEAR(share('b', 500) / share('b', 10795), 1.0, 0.01);
+}
+
 /// The core that turned outlines leave carries no weight, and moves the imbalance of a balanced
 /// bit: 1.037 % of the weight where the plane has 0.845 %. Side rakes up to 3.7 degrees move 0.06 %
 /// of the weight from the shoulder to its neighbours.

@@ -77,6 +77,9 @@ TEST(HuangCawthorne, its_ways_part_by_what_is_in_the_torque) {
   HuangCawthorneOptions options;
   const RollerRun averaged = run(PatentWay::first, options, 4.0),
                   free = run(PatentWay::second, options, 4.0);
+  options.torque_average = 0.0;
+  const RollerRun at_once = run(PatentWay::first, options, 4.0);
+  EXPECT_GT(largest_difference(averaged.series.cone_speeds, at_once.series.cone_speeds), 0.1);
   options.bearing = 20.0;
   const RollerRun bearing = run(PatentWay::second, options, 4.0);
   EXPECT_GT(largest_difference(averaged.series.cone_speeds, free.series.cone_speeds), 0.1);

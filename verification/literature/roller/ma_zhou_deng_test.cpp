@@ -97,6 +97,14 @@ TEST(MaZhouDeng, needs_the_slip_of_the_steps_end_or_short_steps) {
   EXPECT_GT(lagged, 5.0 * at_end);
 }
 
+/// Teeth that spring back return the work of pressing in: nothing is left to do for the torque but friction.
+TEST(MaZhouDeng, drills_with_half_the_torque_when_rock_springs_back) {
+  MaZhouDengOptions elastic;
+  elastic.drilling.print.release = ToothRelease::elastic;
+  const RollerSchedule s = schedule(4.0, 1e-3);
+  EXPECT_LT(run(s, elastic).torque, 0.5 * run(s).torque);
+}
+
 TEST(MaZhouDeng, is_the_same_run_twice_and_allocates_its_series_at_once) {
   const RollerRun a = run(schedule(1.5, 1e-3)), b = run(schedule(1.5, 1e-3));
   EXPECT_EQ(a.series.depth, b.series.depth);
@@ -116,6 +124,12 @@ TEST(MaZhouDeng, says_what_it_cannot_drill_with) {
   bit.cones[1].inertia = 0.0;
   EXPECT_EQ(message_of(bit, law, good),
             "Ma, Zhou and Deng: inertia of cone 2 (kg m2): found 0, expected a positive number");
+  bit = example::roller_bit(0.0);
+  bit.cones[2].rows[1].tooth_radius = 5e-3;
+  EXPECT_EQ(message_of(bit, law, good),
+            "Ma, Zhou and Deng: found teeth of 6 and 5 mm radius, expected one kind, that of its "
+            "law, or a "
+            "sphere radius for all");
   bit = example::roller_bit(0.0);
   RollerSchedule idle = good;
   idle.weight = 0.0;

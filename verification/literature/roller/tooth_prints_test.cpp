@@ -41,7 +41,8 @@ TEST(ToothPrints, sweep_a_groove_behind_the_tooth) {
   ZMap bottom = flat();
   ToothPrint print;
   PrintVolumes volumes;
-  const PrintOptions options{.path = PrintPath::swept, .shape = CraterShape::sphere};
+  const PrintOptions options{
+      .path = PrintPath::swept, .shape = CraterShape::sphere, .sphere_radius = 6e-3};
   constexpr double depth = 1e-3, way = 10e-3;
   for (double x = -5e-3; x < 5e-3; x += 0.05e-3) press(print, options, x, depth, bottom, volumes);
   EXPECT_NEAR(level_at(bottom, -2e-3, 0.0), depth, 0.02e-3);

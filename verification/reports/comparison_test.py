@@ -1,0 +1,131 @@
+"""comparison_test.py: the comparison with earlier models is shown, made once, made again when it changed; verdicts follow the numbers."""
+
+import shutil
+import sys
+import tempfile
+import unittest
+
+from small_project import REPORTS, Project
+
+sys.path.insert(0, str(REPORTS))
+import comparison_verdicts  # noqa: E402
+from comparison import protocol  # noqa: E402
+from comparison_results import Result  # noqa: E402
+
+PROTOCOL = """
+[runs.bit-b]
+case = "cases/compare/b.toml"
+models = ["tdbd", "behr"]
+sweep = {"motion.rate_of_penetration" = ["15 m/h"]}
+"""
+# A tdbd-compare of two models, of which Behr's finds a weight that is FACTOR times ours, and no wear.
+COMPARE = """#!/usr/bin/python3
+import json, math, pathlib, sys
+import netCDF4
+out = pathlib.Path(sys.argv[sys.argv.index("-o") + 1])
+says = {"tdbd": {"weight": 1000.0, "torque": 20.0}, "behr": {"weight": 1000.0 * FACTOR, "torque": 20.0}}
+units = {"weight": "N", "torque": "N m", "largest_wear_flat": "m2"}
+rows = [",".join([m, q, u, str(says[m][q]) + "," if q in says[m] else ',"no law, of wear"']) for m in says for q, u in units.items()]
+(out / "comparison.csv").write_text("model,quantity,unit,value,reason\\n" + "\\n".join(rows) + "\\n")
+(out / "parts.csv").write_text("model,part,radius_m,quantity,unit,value\\n" + "".join(f"{m},cutter-1,0.05,area,m2,1e-5\\n" for m in says))
+(out / "timing.json").write_text(json.dumps({"models": {m: {"cpu_s": 2.0, "simulated_s": 1.0, "steps": 10} for m in says}}))
+(out / "comparison.json").write_text(json.dumps({
+    "units": units, "advance_m_per_revolution": 2e-3, "gage_radius_m": 0.1, "rotary_speed_rad_per_s": 12.0, "reference_weight_n": 1000.0,
+    "models": [{"name": "tdbd", "title": "TDBD"}, {"name": "behr", "title": "Behr et al."}]}))
+with netCDF4.Dataset(out / "comparison.nc", "w") as file:
+    file.createDimension("model", 2)
+    file.createDimension("circle_sample", 360)
+    names = file.createVariable("model", str, ("model",))
+    for i, m in enumerate(says):
+        names[i] = m
+    file.createVariable("circle_samples", "f8", ("model",))[:] = [360.0, 0.0]
+    file.createVariable("bottom_depth", "f8", ("model", "circle_sample"))[0] = [1e-3 * math.cos(73 * math.radians(k)) for k in range(360)]
+"""
+
+
+class Made(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.project = Project(folder.name)
+        for script in [REPORTS / "figures/style.py", *(REPORTS / "figures").glob("compare_*.py")]:
+            shutil.copy(script, self.project.root / "reports/figures")
+        self.project.write("reports/protocol.toml", PROTOCOL)
+        self.project.write("cases/compare/b.toml", "[bit]\n")
+        self.give("1.01")
+
+    def give(self, factor):
+        self.project.write("build/release/tdbd-compare", COMPARE.replace("FACTOR", factor)).chmod(0o755)
+
+    def make(self, *words, arguments=()):
+        """Whether a comparison was made; complaints hold these words."""
+        code, made, complaints = self.project.make(*arguments)
+        self.assertNotIn("Traceback", complaints)
+        self.assertEqual(code, 1 if words else 0, complaints)
+        for word in words:
+            self.assertIn(word, complaints)
+        return "made comparison\n" in made
+
+    def page(self, folder=None):
+        return ((folder or self.project.out) / "index.html").read_text(encoding="utf-8")
+
+    def section(self, place):
+        return self.page().split(f'<section id="calibration-comparison-{place}">')[1].split("</section>")[0]
+
+    def test_is_made_once_and_shown(self):
+        self.assertTrue(self.make())
+        self.assertFalse(self.make())
+        self.assertFalse(self.make(arguments=("--check",)))
+        self.assertIn("no law, of wear", self.section("table-cannot-say"))
+        self.assertIn("Behr et al.", self.section("table-numbers"))
+        self.assertIn('src="data:image/png;base64,', self.section("figure-compare_areas"))
+
+    def test_verdicts_follow_the_numbers(self):
+        self.make()
+        self.assertRegex(self.section("table-expected"), r"worst 1 % \(Behr et al\., bit B at 2 mm\)</td>\s*<td>as expected")
+        self.give("1.2")
+        self.assertTrue(self.make())
+        self.assertRegex(self.section("table-expected"), r"worst 20 % \(.*?\)</td>\s*<td><strong>not as expected")
+
+    def test_is_made_again_when_a_case_or_a_bit_changed(self):
+        self.make()
+        for file in ("cases/compare/b.toml", "cases/bits/bit-b.toml", "reports/figures/compare_areas.py"):
+            with self.subTest(file):
+                path = self.project.root / file
+                self.project.write(file, (path.read_text(encoding="utf-8") if path.is_file() else "") + "\n# another\n")
+                self.assertTrue(self.make())
+                self.assertFalse(self.make())
+
+    def test_that_fails_or_is_not_built_leaves_no_report(self):
+        self.project.write("build/release/tdbd-compare", "#!/bin/sh\necho wrong case >&2\nexit 2\n").chmod(0o755)
+        self.make("exit code 2", "wrong case")
+        (self.project.build / "tdbd-compare").unlink()
+        self.make("tdbd-compare is not built")
+        self.assertFalse((self.project.out / "index.html").exists())
+
+    def test_a_quick_run_says_that_it_was_not_made(self):
+        self.make(arguments=("--quick",))
+        self.assertEqual(self.page(self.project.build / "report-quick").count("Not made in this run"), 1)
+
+    def test_waves_of_the_bottom_are_counted(self):
+        self.make()
+        result = Result(self.project.out / "comparison/data/bit-b/15m/h")
+        self.assertEqual(result.strongest("tdbd", 1), [73])
+        self.assertAlmostEqual(result.harmonics("tdbd")[73], 1e-3)
+        self.assertIsNone(result.strongest("behr", 1))
+        self.assertTrue(comparison_verdicts.mesh_shows({"whirl-1500": [({}, result)]}, "whirl-1500", 73).holds)
+
+
+class Protocol(unittest.TestCase):
+    def test_names_runs_of_cases_that_exist(self):
+        root = REPORTS.parent
+        runs = list(protocol(REPORTS / "protocol.toml"))
+        self.assertEqual(len({r.name for r in runs}), len(runs))
+        for run in runs:
+            self.assertTrue((root / run.case).is_file(), run.case)
+        groups = {r.group for r in runs}
+        self.assertLessEqual({"bit-a", "bit-b", "bit-c", "bit-r", "whirl-1500", "whirl-3000"}, groups)
+
+
+if __name__ == "__main__":
+    unittest.main()
