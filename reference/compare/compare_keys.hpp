@@ -2,7 +2,7 @@
 
 #include "core/angles.hpp"
 #include "core/config/key.hpp"
-#include "reference/literature/drag/planar_outline.hpp"
+#include "reference/literature/drag/plane/planar_outline.hpp"
 
 /// The keys of [compare], which only tdbd-compare reads; the rest of the file is a case of tdbd run.
 namespace tdbd::reference::compare_keys {
