@@ -29,6 +29,25 @@ Turn whole_bit(const simulation::Case& c) {
   return {loads.wob.mean, loads.tob.mean, c.motion.rate_of_penetration, removed_in(s, 1)};
 }
 
+/// The patent's second way under this weight: means of five turns after three. Removed: the craters' sum.
+Turn isolated_craters(const simulation::Case& c, const reference::ToothTable& table, double weight,
+                      double step) {
+  constexpr double revolutions = 8.0;
+  const auto r = huang_cawthorne(reference::roller_bit_of(c.bit), table,
+                                 {c.motion.rotary_speed, weight, step, revolutions, 3.0});
+  EXPECT_LT(static_cast<double>(r.beyond_law),
+            0.03 * static_cast<double>(
+                       r.series.forces_in_contact.size()));  // steps of teeth beyond the table
+  return {r.weight, r.torque, r.rate, r.volumes.isolated / revolutions};
+}
+
+nlohmann::ordered_json row(const std::string& model, double step, const Turn& t) {
+  return {{"model", model},         {"step_ms", step},
+          {"weight_N", t.weight},   {"rate_m_h", 3600.0 * t.rate},
+          {"torque_N_m", t.torque}, {"removed_m3_per_revolution", t.removed}};
+}
+
+/// At 1 ms the prints lock into a pattern in which the bit drills slowest; shorter steps do not.
 TEST(IsolatedCraters, of_our_own_tooth_fall_short_of_the_whole_bit) {
   const std::string claim = "chapter2/isolated-craters";
   const simulation::Case c =
@@ -36,29 +55,21 @@ TEST(IsolatedCraters, of_our_own_tooth_fall_short_of_the_whole_bit) {
   const Turn ours = whole_bit(c);
   const auto table = reference::read_tooth_table(TDBD_SOURCE_DIR "/cases/compare/single-tooth.csv",
                                                  "Huang and Cawthorne");
-  const double revolutions = 8.0;
-  const auto r = huang_cawthorne(reference::roller_bit_of(c.bit), table,
-                                 {c.motion.rotary_speed, ours.weight, 1e-3, revolutions, 3.0});
-  const double taken = ours.removed * r.rate / ours.rate;
-  battery::record_table("isolated-craters",
-                        {{{"model", "whole bit"},
-                          {"weight_N", ours.weight},
-                          {"rate_m_h", 3600.0 * ours.rate},
-                          {"torque_N_m", ours.torque},
-                          {"removed_m3_per_revolution", ours.removed}},
-                         {{"model", "isolated craters"},
-                          {"weight_N", r.weight},
-                          {"rate_m_h", 3600.0 * r.rate},
-                          {"torque_N_m", r.torque},
-                          {"removed_m3_per_revolution", r.volumes.isolated / revolutions}}});
-  const std::string what =
-      "three free cones at 90 rpm under the weight that the whole bit needs for 2 mm a "
-      "revolution: ";
-  record_near(claim, what + "rate over the whole bit's", r.rate / ours.rate, 1.0, 0.5);
-  record_bound(claim, what + "torque over the whole bit's", r.torque / ours.torque, "1", 0.5);
-  record_bound(claim, what + "sum of isolated craters over what the whole bit takes at that rate",
-               r.volumes.isolated / revolutions / taken, "1", 0.8);
-  EXPECT_EQ(r.beyond_law, 0);
+  nlohmann::ordered_json rows = {row("whole bit", 1.0, ours)};
+  for (const double step : {1.0, 0.5, 0.25}) {
+    const Turn theirs = isolated_craters(c, table, ours.weight, 1e-3 * step);
+    rows.push_back(row("isolated craters", step, theirs));
+    const std::string what = fmt::format(
+        "three free cones at 90 rpm under the weight that the whole bit needs for 2 mm a "
+        "revolution, steps of {} ms: ",
+        step);
+    record_near(claim, what + "rate over the whole bit's", theirs.rate / ours.rate, 1.0, 0.5);
+    record_bound(claim, what + "torque over the whole bit's", theirs.torque / ours.torque, "1",
+                 0.5);
+    record_bound(claim, what + "sum of isolated craters over what the whole bit takes at that rate",
+                 theirs.removed / (ours.removed * theirs.rate / ours.rate), "1", 0.8);
+  }
+  battery::record_table("isolated-craters", rows);
 }
 
 }  // namespace

@@ -31,14 +31,12 @@ void say_lateral_of(const CompareCase& c, const BehrRun& run, long first_step, F
   say_lateral(mean_B / steps, side / steps, f);
 }
 
-/// The force of a cutter is known in space, mean over turns: only its weight stays.
 void say_areas(const CompareCase& c, const BehrRun& run, double turns, Findings& f) {
-  std::vector<CutterNumbers> numbers(run.cutters.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const double area = run.mean_area(i);
-    numbers[i] = {area, run.cutters[i].volume / turns,
-                  c.rock->normal_ratio * c.rock->specific_energy * area,
-                  c.rock->specific_energy * area};
+  std::vector<CutterNumbers> numbers;
+  for (std::size_t i = 0; i < run.cutters.size(); ++i) {
+    const BehrCutter& cutter = run.cutters[i];
+    numbers.push_back(
+        {run.mean_area(i), cutter.volume / turns, cutter.force.normal, cutter.force.cutting});
   }
   say_cutters(c, numbers, f);
 }

@@ -13,7 +13,8 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double sliver = 1e-12;  // m2
+constexpr double sliver = 1e-12;       // m2
+constexpr double deepest_rock = 1.95;  // m: planar_boolean ends at 2 m
 
 /// The rock outside a bottom given by depths in fine columns.
 PlanarFace face_below(const Spokes& bottom, double top, const SpokeFrame& frame) {
@@ -44,6 +45,9 @@ OutlineSpokes fitting_outline_rock(const std::vector<SpokeCutter>& cutters, doub
   constexpr double below = 30e-3;  // m of rock under the last bottom
   const double top = -highest_centre(cutters);
   const LangeveldRock fine = fitting_rock(cutters, 0.0, top, 1, columns);
+  if (!(depth + below < deepest_rock))
+    throw InputError("Hanson and Hansen: found " + std::to_string(depth) +
+                     " m to drill; spokes with several z reach 1.9 m");
   const Vec2 corner = on_grid({fine.bottom.radius + around, depth + below});
   const SpokeFrame frame{corner.x(), corner.y()};
   const PlanarFace face = respaced(face_below(fine.bottom, top, frame), frame, layout.spacing);
@@ -54,7 +58,7 @@ CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const SpokeRim& rim) {
   const RimPolygon polygon = rim_polygon(rim);
   const CrossingCut cut = rim_in_face(polygon, rock.rock[at(spoke)]);
   if (cut.area <= sliver) return cut;
-  Outline tool;
+  thread_local Outline tool;  // reused from cut to cut
   outline_of(polygon, tool);
   for (Vec2& x : tool) x = on_grid(x);
   cut_convex(rock, spoke, tool);
@@ -76,6 +80,8 @@ PathRun hanson_hansen_path(const std::vector<SpokeCutter>& cutters, const Hanson
 
 PathRun hanson_hansen_steady(const std::vector<bit::Cutter>& cutters, const HansonHansenRock& rock,
                              const HansonHansenDrilling& d) {
+  check_drilling({d.rotary_speed, d.advance, d.revolutions, d.step, d.layout.spokes},
+                 "Hanson and Hansen");
   const std::vector<SpokeCutter> rims = spoke_cutters(cutters, "Hanson and Hansen");
   OutlineSpokes bottom = fitting_outline_rock(rims, d.advance * d.revolutions, d.layout);
   PathOptions options;

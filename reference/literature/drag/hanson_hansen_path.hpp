@@ -10,7 +10,7 @@ namespace tdbd::reference {
 /// polygon, from the rock of each spoke that its tip crosses, by a boolean in the plane.
 struct HansonHansenLayout {
   int spokes = 120;
-  double spacing = 0.5e-3;  ///< m, of nodes along the surface
+  double spacing = 0.25e-3;  ///< m, of nodes along the surface
 };
 
 /// A bit that turns and advances evenly from a bottom that fits it: rad/s, m per revolution.

@@ -12,13 +12,6 @@ namespace {
 
 BitPlace langeveld_place(const LangeveldState& y) { return {Vec3(y[0], y[1], y[2]), y[3]}; }
 
-/// The spoke that a tip comes to next.
-int spoke_ahead(const PlacedCutter& c, const Vec3& v_W, int spokes) {
-  const double at = std::atan2(c.sine, c.cosine) / (2.0 * std::numbers::pi) * spokes;
-  const bool rising = c.cosine * v_W.y() - c.sine * v_W.x() >= 0.0;
-  return spoke_number(rising ? std::ceil(at) : std::floor(at), spokes);
-}
-
 /// Depth of the rock at a radius of a spoke, by the nearest node; beyond the spoke's end nothing is known and nothing
 /// is cut.
 double tip_depth(const LangeveldRock& rock, int spoke, double radius, double z) {
@@ -54,9 +47,10 @@ void string_rates(const LangeveldSystem& s, double t, const LangeveldState& y,
   const bool locked = s.lateral == LateralMotion::locked;
   rates[4] = locked ? 0.0 : (load.force_W.x() - s.lateral_stiffness * y[0]) / s.mass;
   rates[5] = locked ? 0.0 : (load.force_W.y() - s.lateral_stiffness * y[1]) / s.mass;
-  rates[6] = (load.force_W.z() - s.axial_damping * y[6] - s.axial_stiffness * (y[2] - s.rate * t)) /
+  rates[6] = (load.force_W.z() - s.axial_damping * y[6] -
+              s.axial_stiffness * (y[2] - s.top_z - s.rate * t)) /
              s.mass;
-  rates[7] = (load.torque - s.twist_stiffness * (y[3] - s.speed * t)) / s.inertia;
+  rates[7] = (load.torque - s.twist_stiffness * (y[3] - s.top_angle - s.speed * t)) / s.inertia;
 }
 
 }  // namespace

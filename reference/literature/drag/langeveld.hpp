@@ -25,7 +25,8 @@ struct LangeveldSystem {
   double mass = 1000.0, inertia = 100.0;  ///< M, kg; I, kg m2
   double lateral_stiffness = 0.0, axial_stiffness = 7e5, twist_stiffness = 938.0;  ///< N/m, N m/rad
   double axial_damping = 0.0;                                                      ///< c, N s/m
-  double rate = 0.0, speed = 0.0;  ///< of the string's top: V, m/s; Omega, rad/s
+  double rate = 0.0, speed = 0.0;       ///< of the string's top: V, m/s; Omega, rad/s
+  double top_z = 0.0, top_angle = 0.0;  ///< where it is at t = 0: m, rad
   WallSpring wall;
   LateralMotion lateral = LateralMotion::free;
   LangeveldLaw law = LangeveldLaw::outline;

@@ -19,6 +19,7 @@ PathRun langeveld_path(const std::vector<SpokeCutter>& cutters, const DragRock& 
 
 PathRun langeveld_steady(const std::vector<bit::Cutter>& cutters, const DragRock& rock,
                          const LangeveldDrilling& d) {
+  check_drilling({d.rotary_speed, d.advance, d.revolutions, d.step, d.layout.spokes}, "Langeveld");
   const std::vector<SpokeCutter> rims = spoke_cutters(cutters, "Langeveld");
   double highest = 0.0;
   for (const SpokeCutter& c : rims) highest = std::max(highest, -c.centre_B.z());

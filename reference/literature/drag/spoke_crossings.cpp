@@ -29,6 +29,12 @@ int spoke_number(double unwrapped, int spokes) {
   return static_cast<int>(unwrapped - spokes * std::floor(unwrapped / spokes)) % spokes;
 }
 
+int spoke_ahead(const PlacedCutter& c, const Vec3& v_W, int spokes) {
+  const double at = std::atan2(c.sine, c.cosine) / (2.0 * std::numbers::pi) * spokes;
+  const bool rising = c.cosine * v_W.y() - c.sine * v_W.x() >= 0.0;
+  return spoke_number(rising ? std::ceil(at) : std::floor(at), spokes);
+}
+
 SpokeTracker spoke_tracker(const std::vector<SpokeCutter>& cutters, const BitPlace& start,
                            int spokes) {
   SpokeTracker tracker{spokes, {}, {}};

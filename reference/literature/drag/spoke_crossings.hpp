@@ -30,4 +30,7 @@ void track(SpokeTracker& tracker, const std::vector<SpokeCutter>& cutters, const
 /// Number of the spoke (0 to spokes - 1) for an unwrapped one.
 int spoke_number(double unwrapped, int spokes);
 
+/// The spoke that a tip with this velocity (W) comes to next.
+int spoke_ahead(const PlacedCutter& c, const Vec3& v_W, int spokes);
+
 }  // namespace tdbd::reference

@@ -50,6 +50,15 @@ struct PathModel {
       force;
 };
 
+/// Even drilling that a model on spokes is asked for.
+struct AskedDrilling {
+  double rotary_speed = 0.0, advance = 0.0, revolutions = 0.0, step = 0.0;
+  int spokes = 0;
+};
+
+/// Throws InputError, which begins with the model's name, for what cannot be drilled.
+void check_drilling(const AskedDrilling& asked, const std::string& model);
+
 PathRun follow(const BitPath& path, const std::vector<SpokeCutter>& cutters, const PathModel& model,
                const PathOptions& options);
 

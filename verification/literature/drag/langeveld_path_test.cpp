@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -56,9 +58,49 @@ TEST(LangeveldPath, cuts_what_the_radial_plane_says_when_it_cannot_move_sideways
   }
 }
 
+/// Spread of a series about its mean, over that mean, in groups of steps.
+double noise(const std::vector<double>& series, std::size_t first, std::size_t group) {
+  double sum = 0.0, squares = 0.0;
+  std::size_t groups = 0;
+  for (std::size_t i = first; i + group <= series.size(); i += group, ++groups) {
+    double mean = 0.0;
+    for (std::size_t j = i; j < i + group; ++j) mean += series[j] / static_cast<double>(group);
+    sum += mean, squares += mean * mean;
+  }
+  const double mean = sum / static_cast<double>(groups);
+  return std::sqrt(squares / static_cast<double>(groups) - mean * mean) / mean;
+}
+
+/// A force that acts in the step of its crossing makes the torque rough where the held one is smooth (1 ms, bit A).
+TEST(LangeveldPath, is_rough_where_forces_act_in_the_step_of_a_crossing) {
+  for (const auto& [spokes, by_step, by_five] :
+       {std::tuple(120, 0.23, 0.049), std::tuple(72, 0.26, 0.064), std::tuple(360, 0.067, 0.011)}) {
+    LangeveldDrilling d = drilling();
+    d.layout.spokes = spokes;
+    const PathRun run = langeveld_steady(example("a"), rock_k, d);
+    EXPECT_NEAR(noise(run.tob_by_step, 1000, 1), by_step, 0.01 * by_step) << spokes;
+    EXPECT_NEAR(noise(run.tob_by_step, 1000, 5), by_five, 0.03 * by_five) << spokes;
+    const auto [least, most] =
+        std::ranges::minmax_element(run.tob_held.begin() + 1000, run.tob_held.end());
+    EXPECT_LT(*most - *least, 1e-6 * *most) << spokes;
+  }
+}
+
+/// A bit that rolls backwards on its hole: of the crossings of 72 planes by bit B 23.6 % are against the rotation.
+TEST(LangeveldPath, sees_cutters_go_backwards_in_whirl) {
+  const auto rims = spoke_cutters(example("b"), "Langeveld");
+  LangeveldRock rock = fitting_rock(rims, 0.0, -0.06, 72, 500, 115e-3);
+  const PathRun run =
+      langeveld_path(rims, rock_k, rock, rolling_whirl(turn_rate, advance, reach, 1.5e-3),
+                     {1.0, 2e-5}, CountedRock::within_rim);
+  EXPECT_NEAR(run.backwards, 0.236, 0.005);  // seen: 0.2348
+  EXPECT_GT(run.lowered, 0.9 * pi * reach * reach * advance);
+  EXPECT_LT(run.lowered, 1.1 * pi * reach * reach * advance);
+}
+
 TEST(LangeveldPath, wants_cutters) {
   try {
-    langeveld_steady({}, rock_k, {});
+    langeveld_steady({}, rock_k, drilling());
     FAIL();
   } catch (const InputError& e) {
     EXPECT_EQ(std::string(e.what()).rfind("Langeveld: ", 0), 0u);
