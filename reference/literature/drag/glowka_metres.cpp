@@ -35,13 +35,16 @@ void wear_slopes(WearStepper& s, const std::vector<double>& worn, std::vector<do
   }
 }
 
-/// Tries a step with the slopes at its start known: the largest difference between Heun and Euler.
-double try_wear_step(WearStepper& s, double step) {
+/// Tries a step with the slopes at its start known: the largest difference between Heun and Euler, over
+/// what is allowed.
+double try_wear_step(WearStepper& s, double step, const GlowkaWearOptions& options) {
   for (std::size_t i = 0; i < s.worn.size(); ++i) s.ahead[i] = s.worn[i] + step * s.slope[i];
   wear_slopes(s, s.ahead, s.slope_ahead);
   double error = 0.0;
   for (std::size_t i = 0; i < s.worn.size(); ++i)
-    error = std::max(error, 0.5 * step * std::abs(s.slope_ahead[i] - s.slope[i]));
+    error = std::max(error,
+                     0.5 * step * std::abs(s.slope_ahead[i] - s.slope[i]) /
+                         std::max(options.height_tolerance, options.share_tolerance * s.worn[i]));
   return error;
 }
 
@@ -69,14 +72,14 @@ bool wear_to(WearStepper& s, double goal, double& distance, double& step,
   while (distance < goal) {
     const double left = goal - distance, tried = std::min(step, left);
     wear_slopes(s, s.worn, s.slope);
-    const double error = try_wear_step(s, tried);
+    const double error = try_wear_step(s, tried, options);
     if (result.steps + result.refused >= options.most_steps)
       throw RunError("Glowka: wear took " + std::to_string(options.most_steps) +
                      " steps and did not reach " + std::to_string(goal) + " m");
-    const double factor = care * std::sqrt(options.height_tolerance / std::max(error, 1e-300));
+    const double factor = care / std::sqrt(std::max(error, 1e-300));
     if (tried == step || factor < 1.0)
       step = tried * std::clamp(factor, least_factor, usual_growth);
-    if (error > options.height_tolerance) {
+    if (error > 1.0) {
       ++result.refused;
       continue;
     }

@@ -10,7 +10,8 @@ namespace tdbd::reference {
 struct GlowkaWearOptions {
   double distance = 0.0;           ///< m, to drill
   int records = 10;                ///< at even distances, beside that of the start
-  double height_tolerance = 1e-6;  ///< m, error of a step in any cutter's worn height
+  double height_tolerance = 1e-6;  ///< m, error of a step in any cutter's worn height,
+  double share_tolerance = 2e-3;   ///< or this share of the height, where that is more
   int most_steps = 100000;
 };
 

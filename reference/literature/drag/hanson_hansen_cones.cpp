@@ -41,7 +41,7 @@ double tooth_depth(const HansonHansenCones& m, std::size_t i, const PlacedTooth&
 void cut_sphere(HansonHansenCones& m, const PlacedTooth& t, double size) {
   for (int k = 0; k < m.bottom.spokes(); ++k) {
     const SpokePlane& plane = m.planes[at(k)];
-    const RimEllipse disc = sphere_section(t.centre_W, size, plane);
+    const SpokeRim disc = sphere_section(t.centre_W, size, plane);
     if (disc.half_width < 1e-6 || disc.r < -disc.half_width) continue;
     const CrossingCut cut = cut_outline(m.bottom, k, disc);
     m.removed += cut.moment * 2.0 * std::numbers::pi / m.bottom.spokes();
@@ -115,7 +115,7 @@ HansonHansenLoad cones_load(const HansonHansenCones& m, const HansonHansenState&
     if (!is_below(m.teeth[i], y)) continue;
     const PlacedTooth t = tooth_at(m.teeth[i], y);
     const Vec3 F_W = tooth_force(m.rock, m.teeth[i].size, tooth_depth(m, i, t), m.deepest[i], t);
-    const Vec3 arm_W = t.tip_W - place_in_rock(y).origin_W;
+    const Vec3 arm_W = t.tip_W - place_in_rock(y).p_WB;
     load.force_W += F_W;
     load.torque += arm_W.x() * F_W.y() - arm_W.y() * F_W.x();
     load.cones[m.teeth[i].cone] += t.journal_W.dot(t.arm_W.cross(F_W));

@@ -20,14 +20,14 @@ struct RimLoad {
 RimLoad rim_load(const HansonHansenPdc& m, const SpokeCutter& cutter, const BitPlace& place,
                  const Vec3& v, double turn_rate) {
   const PlacedCutter c = placed(cutter, place);
-  const Vec3 arm = c.tip_W - place.origin_W, v_W = v + turn_rate * Vec3(-arm.y(), arm.x(), 0.0);
+  const Vec3 arm = c.tip_W - place.p_WB, v_W = v + turn_rate * Vec3(-arm.y(), arm.x(), 0.0);
   const int spoke = spoke_ahead(c, v_W, m.bottom.spokes());
   const CrossingCut cut = rim_in_face(rim_polygon(c.rim), m.bottom.rock[at(spoke)]);
   if (cut.area <= 0.0) return {};
   const Vec3 force_W = hanson_hansen_force(m.rock, cutter, cut, turned(cutter.normal_B, place),
                                            turned(cutter.face_B, place), v_W);
-  const double r = cut.moment / cut.area, x = c.cosine * r - place.origin_W.x(),
-               y = c.sine * r - place.origin_W.y();
+  const double r = cut.moment / cut.area, x = c.cosine * r - place.p_WB.x(),
+               y = c.sine * r - place.p_WB.y();
   return {force_W, x * force_W.y() - y * force_W.x(), cut.area};
 }
 
@@ -41,7 +41,7 @@ void check_setup(const HansonHansenSetup& s) {
 void cut_crossings(HansonHansenPdc& m, const BitPlace& from, const BitPlace& to) {
   track(m.tracker, m.cutters, to);
   for (const SpokeCrossing& x : m.tracker.crossings) {
-    const RimEllipse rim = placed(m.cutters[x.cutter], between(from, to, x.share)).rim;
+    const SpokeRim rim = placed(m.cutters[x.cutter], between(from, to, x.share)).rim;
     cut_outline(m.bottom, x.spoke, rim);
     double& wall = m.wall.radius[at(x.spoke)];
     wall = std::max(wall, rim.r + rim.half_width);
@@ -80,7 +80,7 @@ HansonHansenLoad pdc_load(const HansonHansenPdc& m, const HansonHansenState& y,
   const BitPlace place = place_in_rock(y);
   const Vec3 v(y[3], y[4], y[5] - y[9]);
   HansonHansenLoad load;
-  load.force_W = wall_force(m.wall, m.spring, m.gage, place.origin_W, v);
+  load.force_W = wall_force(m.wall, m.spring, m.gage, place.p_WB, v);
   for (std::size_t i = 0; i < m.cutters.size(); ++i) {
     const RimLoad rim = rim_load(m, m.cutters[i], place, v, y[7]);
     load.force_W += rim.force_W;

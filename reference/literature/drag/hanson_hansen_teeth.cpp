@@ -72,14 +72,14 @@ PlacedTooth placed_tooth(const SphereTooth& tooth, const BitPlace& place, double
   t.journal_W = in_W(tooth.journal_B);
   t.arm_W = in_W(tip_B - tooth.origin_B);
   const Vec3 from_axis_W = in_W(tip_B);
-  t.tip_W = place.origin_W + from_axis_W;
+  t.tip_W = place.p_WB + from_axis_W;
   t.centre_W = t.tip_W - tooth.size * t.out_W;
   t.v_W = v_W + bit_rate * Vec3(-from_axis_W.y(), from_axis_W.x(), 0.0) +
           cone_rate * t.journal_W.cross(t.arm_W);
   return t;
 }
 
-RimEllipse sphere_section(const Vec3& centre_W, double size, const SpokePlane& plane) {
+SpokeRim sphere_section(const Vec3& centre_W, double size, const SpokePlane& plane) {
   const double s = plane.beside(centre_W), squared = size * size - s * s;
   const Vec2 foot = plane.foot(centre_W);
   const double radius = squared > 0.0 ? std::sqrt(squared) : 0.0;

@@ -146,20 +146,6 @@ void check_drilling(const AskedDrilling& asked, const std::string& model) {
   want(asked.spokes >= 3, "three spokes or more");
 }
 
-BitPath steady_path(double rotary_speed, double advance) {
-  const double rate = advance * rotary_speed / (2.0 * std::numbers::pi);
-  return [=](double t) { return BitPlace{Vec3(0.0, 0.0, rate * t), rotary_speed * t}; };
-}
-
-BitPath rolling_whirl(double rotary_speed, double advance, double bit_radius, double orbit) {
-  const double rate = advance * rotary_speed / (2.0 * std::numbers::pi),
-               whirl = -rotary_speed * bit_radius / orbit;
-  return [=](double t) {
-    return BitPlace{Vec3(orbit * std::cos(whirl * t), orbit * std::sin(whirl * t), rate * t),
-                    rotary_speed * t};
-  };
-}
-
 Vec3 area_force(const DragRock& rock, double area, const Vec3& normal_W, const Vec3& v_W) {
   const double drag = rock.specific_energy * area, speed = std::hypot(v_W.x(), v_W.y());
   const Vec3 along = speed > 0.0 ? Vec3(v_W.x() / speed, v_W.y() / speed, 0.0) : Vec3::Zero();

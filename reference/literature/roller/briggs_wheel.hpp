@@ -23,8 +23,8 @@ struct RollingOptions {
   double distance = 0.1;    ///< m, that is measured, rounded up to whole pitches
 };
 
-/// Columns in the least penetration that a wheel is rolled at.
-inline constexpr int least_columns = 10;
+/// Columns in the least penetration that a wheel is rolled at: a contact of less has no torque to weigh.
+inline constexpr int least_columns = 5;
 
 /// What the axle of a rolling wheel feels, means over the measured way. Forces of the rock on the wheel:
 /// load up, drag against the motion; torque about the axle, > 0 where the rock would turn the wheel
@@ -47,7 +47,7 @@ struct Rolling {
 /// forward `rolling_radius` (m) a radian. A flank feels the pressure (Pa) where it lies in rock and
 /// moves into it; the rock keeps the craters. Until craters repeat nothing is measured. Reconstructed.
 /// Energy, exact for small steps: drag x distance - axle torque x angle = pressure x width x removed
-/// area. Throws InputError: fewer than 3 teeth, a penetration of less than ten columns or beyond the radius, teeth so
+/// area. Throws InputError: fewer than 3 teeth, a penetration of less than five columns or beyond the radius, teeth so
 /// sharp that they undercut (half-angle below that of the arc in the rock) or so blunt that they are none.
 void roll(const Sprocket& wheel, double pressure, double penetration, double rolling_radius,
           const RollingOptions& options, Rolling& result);

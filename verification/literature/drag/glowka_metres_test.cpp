@@ -47,8 +47,9 @@ double largest_change(const GlowkaWear& a, const GlowkaWear& b) {
 }
 
 GlowkaWear granite(double tolerance) {
-  return drill(in_granite, granite_heat,
-               {.distance = 20.0, .records = 4, .height_tolerance = tolerance});
+  return drill(
+      in_granite, granite_heat,
+      {.distance = 20.0, .records = 4, .height_tolerance = tolerance, .share_tolerance = 0.0});
 }
 
 constexpr double step_error = 5e-6;  // m, of flats that lost up to 1 mm
@@ -58,6 +59,18 @@ TEST(GlowkaMetres, halving_the_steps_changes_no_flat_by_5_micrometres) {
   const GlowkaWear usual = granite(1e-6), halved = granite(0.25e-6);
   EXPECT_GT(halved.steps, 1.5 * usual.steps);
   EXPECT_LT(largest_change(usual, halved), step_error);
+}
+
+/// A cutter that runs away to half its face is followed in shares of its height.
+TEST(GlowkaMetres, the_share_of_the_height_that_steps_may_miss_moves_the_end_by_little) {
+  const auto end = [](double share) {
+    return drill(in_granite, granite_heat,
+                 {.distance = 40.0, .records = 1, .share_tolerance = share});
+  };
+  const GlowkaWear strict = end(0.5e-3), usual = end(2e-3);
+  ASSERT_TRUE(strict.worn_out.has_value());
+  EXPECT_NEAR(usual.records.back().distance, strict.records.back().distance, 0.01);  // m
+  EXPECT_LT(usual.steps, strict.steps);
 }
 
 double hottest(const GlowkaWearRecord& record) {

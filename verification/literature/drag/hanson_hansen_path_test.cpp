@@ -95,7 +95,7 @@ TEST(HansonHansenPath, follows_a_prescribed_whirl) {
   layout.spokes = 72;
   OutlineSpokes rock = fitting_outline_rock(rims, 0.02, layout);
   const PathRun run = hanson_hansen_path(
-      rims, rock_k(), rock, rolling_whirl(turn_rate, advance, reach, orbit), {1.5, 5e-5});
+      rims, rock_k(), rock, whirl_path({reach, orbit, turn_rate}, advance), {1.5, 5e-5});
   double removed = 0.0;
   for (const double v : run.volume) removed += v;
   EXPECT_GT(removed, 0.98 * disc);

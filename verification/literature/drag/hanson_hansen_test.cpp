@@ -32,11 +32,11 @@ Collision collide(RockSign sign, double end) {
         [&](double time, const HansonHansenState& y, HansonHansenState& rates) {
           rates = {};
           HansonHansenLoad load;
-          load.force_W.z() = -stiffness * std::max(0.0, place_in_rock(y).origin_W.z());
+          load.force_W.z() = -stiffness * std::max(0.0, place_in_rock(y).p_WB.z());
           string_and_rock_rates(s, time, y, load, rates);
         },
         t, h, c.state);
-    if (place_in_rock(c.state).origin_W.z() > 0.0) c.contact += h;
+    if (place_in_rock(c.state).p_WB.z() > 0.0) c.contact += h;
   }
   c.momentum = axial_momentum(s, c.state);
   return c;

@@ -223,7 +223,7 @@ TEST(Langeveld, asks_less_weight_by_tips_than_by_rims) {
   LangeveldRock rock = fitting_rock(rims, 0.0, -0.06, 120, 500);
   langeveld_path(rims, rock_k, rock, steady_path(speed, 3e-3), {1.0});
   double weight[2];
-  for (const DepthLaw law : {DepthLaw::tip, DepthLaw::outline}) {
+  for (const LangeveldLaw law : {LangeveldLaw::tip, LangeveldLaw::outline}) {
     s.law = law;
     s.widths = tip_widths(rims);
     Langeveld m = langeveld(cutters, s, rock, {0, 0, 6e-3, 0, 0, 0, 6e-3, speed});
