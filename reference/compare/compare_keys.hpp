@@ -58,7 +58,7 @@ inline constexpr IntegerKey spoke_nodes{.name = "nodes",
                                         .meaning = "on each spoke of Langeveld"};
 inline constexpr QuantityKey spacing{.name = "spacing",
                                      .unit = "m",
-                                     .fallback = 0.5e-3,
+                                     .fallback = 0.25e-3,
                                      .range = Range::positive(),
                                      .meaning = "of Hanson and Hansen's nodes"};
 
