@@ -51,7 +51,7 @@ nlohmann::ordered_json row(const std::string& model, double step, const Turn& t)
 TEST(IsolatedCraters, of_our_own_tooth_fall_short_of_the_whole_bit) {
   const std::string claim = "chapter2/isolated-craters";
   const simulation::Case c =
-      rock_case("compare-r", {"time.revolutions=2", "output.means_from='0.667 s'"});
+      rock_case("compare/bit-r", {"time.revolutions=2", "output.means_from='0.667 s'"});
   const Turn ours = whole_bit(c);
   const auto table = reference::read_tooth_table(TDBD_SOURCE_DIR "/cases/compare/single-tooth.csv",
                                                  "Huang and Cawthorne");

@@ -63,7 +63,7 @@ reference::RollerBit in_step(const reference::RollerBit& bit) {
 }
 
 TEST(ToothContact, of_our_run_is_near_that_of_the_statistics) {
-  const simulation::Case c = rock_case("compare-r", {});
+  const simulation::Case c = rock_case("compare/bit-r", {});
   const double advance =
       c.motion.rate_of_penetration * 2.0 * std::numbers::pi / c.motion.rotary_speed;
   const TurnedRun run = second_revolution(c);
