@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/literature/drag/drag_rock.hpp"
-#include "reference/literature/drag/planar_outline.hpp"
+#include "reference/literature/drag/plane/planar_outline.hpp"
 #include "simulation/case/case.hpp"
 
 namespace tdbd::reference {

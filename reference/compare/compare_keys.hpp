@@ -2,7 +2,7 @@
 
 #include "core/angles.hpp"
 #include "core/config/key.hpp"
-#include "reference/literature/drag/planar_outline.hpp"
+#include "reference/literature/drag/plane/planar_outline.hpp"
 
 /// The keys of [compare], which only tdbd-compare reads; the rest of the file is a case of tdbd run.
 namespace tdbd::reference::compare_keys {
@@ -58,7 +58,7 @@ inline constexpr IntegerKey spoke_nodes{.name = "nodes",
                                         .meaning = "on each spoke of Langeveld"};
 inline constexpr QuantityKey spacing{.name = "spacing",
                                      .unit = "m",
-                                     .fallback = 0.5e-3,
+                                     .fallback = 0.25e-3,
                                      .range = Range::positive(),
                                      .meaning = "of Hanson and Hansen's nodes"};
 

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "claims/example_bits.hpp"
-#include "reference/literature/roller/huang_cawthorne.hpp"
-#include "reference/literature/roller/line_spectrum.hpp"
-#include "reference/literature/roller/ma_zhou_deng.hpp"
+#include "reference/literature/roller/craters/huang_cawthorne.hpp"
+#include "reference/literature/roller/craters/line_spectrum.hpp"
+#include "reference/literature/roller/craters/ma_zhou_deng.hpp"
 #include "verification/literature/roller/example_roller_bit.hpp"
 
 /// Chapter 2: how Ma, Zhou and Deng, and the patent of Huang and Cawthorne, move cones and bit.

@@ -3,7 +3,7 @@
 
 #include "claims/example_bits.hpp"
 #include "core/angles.hpp"
-#include "reference/literature/drag/glowka_bit.hpp"
+#include "reference/literature/drag/wear/glowka_bit.hpp"
 
 /// Chapter 2, on Glowka: laws of cutters in virgin rock, read at the effective depth.
 namespace tdbd::claims::effective_depth_test {

@@ -4,7 +4,7 @@
 
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
-#include "reference/literature/roller/huang_cawthorne.hpp"
+#include "reference/literature/roller/craters/huang_cawthorne.hpp"
 #include "reference/literature/roller/roller_bit_of.hpp"
 #include "simulation/step/load_figures.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "claims/example_bits.hpp"
 #include "core/angles.hpp"
-#include "reference/literature/roller/briggs_bit.hpp"
-#include "reference/literature/roller/winters.hpp"
+#include "reference/literature/roller/wheel/briggs_bit.hpp"
+#include "reference/literature/roller/wheel/winters.hpp"
 
 /// Chapter 2, on Winters, Warren and Onyia: rate from strength, strength from rate.
 namespace tdbd::claims::strength_from_rate_test {

@@ -2,8 +2,8 @@
 
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
-#include "reference/literature/roller/contact_statistics.hpp"
 #include "reference/literature/roller/roller_bit_of.hpp"
+#include "reference/literature/roller/teeth/contact_statistics.hpp"
 
 /// Ma and Azar's statistics beside a run of ours on the bit of the comparison.
 namespace tdbd::claims::tooth_contact_test {

@@ -3,7 +3,7 @@
 
 #include "claims/example_bits.hpp"
 #include "core/angles.hpp"
-#include "reference/literature/roller/briggs_bit.hpp"
+#include "reference/literature/roller/wheel/briggs_bit.hpp"
 
 /// Chapter 2, on Briggs: a sprocket that rolls over a plastic rock.
 namespace tdbd::claims::wheel_torque_test {

@@ -4,7 +4,7 @@
 #include "bit/profile/engagement.hpp"
 #include "forces/generate.hpp"
 #include "forces/laws/detournay.hpp"
-#include "reference/literature/drag/planar_outline.hpp"
+#include "reference/literature/drag/plane/planar_outline.hpp"
 
 namespace tdbd::forces::whole_bit_test {
 

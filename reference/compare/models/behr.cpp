@@ -1,11 +1,11 @@
-#include "reference/literature/drag/behr.hpp"
+#include "reference/literature/drag/planes/behr.hpp"
 
 #include <numbers>
 
 #include "reference/compare/cpu_clock.hpp"
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/led_bit.hpp"
-#include "reference/literature/drag/bottom_harmonics.hpp"
+#include "reference/literature/drag/planes/bottom_harmonics.hpp"
 
 namespace tdbd::reference {
 namespace {

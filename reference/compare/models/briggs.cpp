@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/roller_case.hpp"
-#include "reference/literature/roller/briggs_bit.hpp"
+#include "reference/literature/roller/wheel/briggs_bit.hpp"
 
 namespace tdbd::reference {
 namespace {

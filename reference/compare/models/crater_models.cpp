@@ -5,8 +5,8 @@
 #include "core/error.hpp"
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/roller_case.hpp"
-#include "reference/literature/roller/huang_cawthorne.hpp"
-#include "reference/literature/roller/ma_zhou_deng.hpp"
+#include "reference/literature/roller/craters/huang_cawthorne.hpp"
+#include "reference/literature/roller/craters/ma_zhou_deng.hpp"
 
 /// Ma, Zhou and Deng, and both ways of Huang and Cawthorne: teeth over craters, under a weight.
 namespace tdbd::reference {

@@ -3,7 +3,7 @@
 
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/led_bit.hpp"
-#include "reference/literature/drag/glowka_metres.hpp"
+#include "reference/literature/drag/wear/glowka_metres.hpp"
 #include "simulation/step/measure.hpp"
 
 namespace tdbd::reference {

@@ -2,8 +2,8 @@
 
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/led_bit.hpp"
-#include "reference/literature/drag/bottom_harmonics.hpp"
-#include "reference/literature/drag/hanson_hansen_path.hpp"
+#include "reference/literature/drag/planes/bottom_harmonics.hpp"
+#include "reference/literature/drag/spokes/hanson_hansen_path.hpp"
 
 namespace tdbd::reference {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "reference/compare/model.hpp"
-#include "reference/literature/drag/bit_path.hpp"
-#include "reference/literature/drag/spoke_path.hpp"
+#include "reference/literature/drag/planes/bit_path.hpp"
+#include "reference/literature/drag/spokes/spoke_path.hpp"
 
 /// What the models have in common whose bit is led on the case's path through spokes.
 namespace tdbd::reference {

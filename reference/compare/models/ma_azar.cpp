@@ -1,10 +1,10 @@
-#include "reference/literature/roller/ma_azar.hpp"
+#include "reference/literature/roller/teeth/ma_azar.hpp"
 
 #include <fmt/format.h>
 
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/roller_case.hpp"
-#include "reference/literature/roller/contact_statistics.hpp"
+#include "reference/literature/roller/teeth/contact_statistics.hpp"
 
 namespace tdbd::reference {
 

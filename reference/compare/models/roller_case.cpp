@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "forces/law.hpp"
-#include "reference/literature/roller/ma_azar.hpp"
+#include "reference/literature/roller/teeth/ma_azar.hpp"
 
 namespace tdbd::reference {
 namespace {

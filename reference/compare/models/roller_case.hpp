@@ -4,7 +4,7 @@
 
 #include "reference/compare/model.hpp"
 #include "reference/literature/roller/roller_bit_of.hpp"
-#include "reference/literature/roller/tooth_law.hpp"
+#include "reference/literature/roller/teeth/tooth_law.hpp"
 
 /// What the models of roller cone bits take from the case.
 namespace tdbd::reference {

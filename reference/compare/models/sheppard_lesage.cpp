@@ -1,4 +1,4 @@
-#include "reference/literature/roller/sheppard_lesage.hpp"
+#include "reference/literature/roller/bands/sheppard_lesage.hpp"
 
 #include <fmt/format.h>
 

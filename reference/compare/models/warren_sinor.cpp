@@ -1,4 +1,4 @@
-#include "reference/literature/drag/warren_sinor.hpp"
+#include "reference/literature/drag/plane/warren_sinor.hpp"
 
 #include "reference/compare/models/answers.hpp"
 #include "simulation/step/measure.hpp"

@@ -1,4 +1,4 @@
-#include "reference/literature/roller/winters.hpp"
+#include "reference/literature/roller/wheel/winters.hpp"
 
 #include <fmt/format.h>
 

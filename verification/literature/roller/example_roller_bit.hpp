@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "reference/literature/roller/roller_bit.hpp"
-#include "reference/literature/roller/tooth_law.hpp"
+#include "reference/literature/roller/teeth/tooth_law.hpp"
 
 /// The roller bit of the comparison, and laws of its teeth: three equal cones of two rows.
 namespace tdbd::reference::example {

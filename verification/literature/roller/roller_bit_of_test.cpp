@@ -11,7 +11,7 @@
 #include "bit/cone/part_pose.hpp"
 #include "bit/files/bit_file.hpp"
 #include "core/error.hpp"
-#include "reference/literature/roller/ma_azar.hpp"
+#include "reference/literature/roller/teeth/ma_azar.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::reference::roller_bit_of_test {

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <vector>
+
+#include "reference/literature/drag/drag_law.hpp"
+#include "reference/literature/drag/plane/cutter_rim.hpp"
+#include "reference/literature/drag/planes/bit_path.hpp"
+#include "reference/literature/surface/spoke_plane.hpp"
+#include "reference/literature/surface/spokes.hpp"
+
+namespace tdbd::reference {
+
+/// The model of Behr, Warren, Sinor and Brett (1991, SPE 21928). Thesis: 2.1, "radial planes at 5
+/// [degree] intervals discretized in the radial direction ... can replicate whirl motion
+/// kinematicly". Seen: that. Reconstructed: all of the step, below.
+///
+/// The bottom is one depth at each node of each plane (Spokes). When the tip of a cutter crosses a
+/// plane, in either sense about the hole's axis, its rim is projected into that plane as an ellipse
+/// (planar form), and lowers the nodes that it passes below. The area A between outline and bottom
+/// counts as A |v.e|/|v| (e: azimuth about the hole), v horizontal: as in the single plane, the
+/// helix carries no weight. Forces follow drag_law, the cutting one against v. A face that moves
+/// backwards does not cut: its back rubs, with flat_force over A.
+
+/// How long the force of a crossing counts. With the centre at rest the first two are one.
+enum class ForceTime {
+  held,     ///< until the cutter's next crossing, whenever that is
+  spread,   ///< as long as the way to the next plane takes; what is left at the next crossing, then
+  crossing  ///< all of that time at once, in the step of the crossing
+};
+
+struct BehrOptions {
+  int planes = 72;                   ///< every 5 degrees
+  int nodes = 500;                   ///< on each; number not known
+  double radius = 0.0;               ///< m, to which planes reach, > 0
+  std::vector<double> normal_ratio;  ///< zeta of each cutter; empty: the rock's for all
+  std::vector<double> flat_area;     ///< Aw of each cutter, m2; empty: none. Only where it cuts
+  ForceTime force_time = ForceTime::spread;
+  double nearness = 5e-6;  ///< m, of straight ways to a path that is a formula
+};
+
+/// What a cutter cut when it last crossed a plane. Its force stays as it was there, fixed in the bit.
+struct BehrCut {
+  double area = 0.0;            ///< m2, in the plane
+  double effective = 0.0;       ///< m2, of it normal to the velocity
+  double arm = 0.0;             ///< m, of its centre from the hole's axis
+  bool is_backward = false;     ///< the back of the face went first
+  CutterForce force;            ///< N
+  Vec3 force_B = Vec3::Zero();  ///< N, on the bit
+  double torque = 0.0;          ///< N m, about the bit's axis
+  double left = 0.0;            ///< s, for which the force will count
+};
+
+/// A tip crosses a plane.
+struct BehrCrossing {
+  double when = 0.0;  ///< from 0 to 1 of a sub-step
+  std::size_t cutter = 0;
+  int plane = 0;
+  bool is_backward = false;  ///< against the hole's +azimuth
+};
+
+/// The bottom and what is held; one for each bit.
+struct BehrState {
+  Spokes bottom;
+  std::vector<SpokePlane> planes;
+  BitPlace place;
+  std::vector<CutterRim> rims;
+  std::vector<double> azimuth;          ///< of each tip about the hole's axis, rad, not reduced
+  std::vector<BehrCut> last;            ///< of each cutter
+  std::vector<double> since;            ///< s of the way for which each cutter's force was counted
+  std::vector<BehrCrossing> crossings;  ///< of the current sub-step, in order of time
+};
+
+/// One cutter in one step.
+struct BehrCutter {
+  Vec3 force_W = Vec3::Zero();                ///< N, on the bit
+  CutterForce force;                          ///< N, its two parts' sizes
+  double area = 0.0;                          ///< m2, sum over the step's crossings
+  double volume = 0.0;                        ///< m3, removed in the step
+  double rubbed_volume = 0.0;                 ///< m3, of it by the back of the face
+  int crossings = 0, backward_crossings = 0;  ///< backward: against the hole's +azimuth
+};
+
+/// One step.
+struct BehrLoad {
+  double weight = 0.0, torque = 0.0;                    ///< N, N m about the bit's axis
+  Eigen::Vector2d lateral_W = Eigen::Vector2d::Zero();  ///< N, on the bit
+  double volume = 0.0;                                  ///< m3
+  std::vector<BehrCutter> cutters;
+};
+
+/// The bit on a bottom that it has not cut: at each radius as deep as the deepest outline, all
+/// round. Throws InputError that begins with "Behr et al.".
+BehrState behr_start(const std::vector<bit::Cutter>& cutters, const BitPlace& place,
+                     const BehrOptions& options);
+
+/// Moves the bit straight to `to` in `dt` (s) and cuts. `load` keeps its arrays from step to step.
+void behr_step(BehrState& state, const BitPlace& to, double dt, const DragRock& rock,
+               const BehrOptions& options, BehrLoad& load);
+
+/// Moves the bit along a path from time `from` (s), on which it is, for `dt`: in ways so short that
+/// a whirl of any frequency is followed, however long the step.
+void behr_step(BehrState& state, const BitPath& path, double from, double dt, const DragRock& rock,
+               const BehrOptions& options, BehrLoad& load);
+
+/// A run: series over the steps, sums over the cutters.
+struct BehrRun {
+  double dt = 0.0;                         ///< s
+  std::vector<double> weight, torque;      ///< N, N m, of each step
+  std::vector<Eigen::Vector2d> lateral_W;  ///< N, of each step
+  std::vector<double> volume;              ///< m3, of each step
+  std::vector<BehrCutter> cutters;         ///< sums; forces: means of the steps
+
+  /// Mean area over a cutter's crossings, m2.
+  double mean_area(std::size_t cutter) const;
+  double removed() const;         ///< m3
+  double backward_share() const;  ///< of all crossings
+};
+
+/// Follows a path from time `from` (s) for so many steps; the state is where the path is then.
+BehrRun behr_run(BehrState& state, const BitPath& path, double from, double dt, int steps,
+                 const DragRock& rock, const BehrOptions& options);
+
+/// Follows recorded places, dt apart; the first is where the state is.
+BehrRun behr_run(BehrState& state, const std::vector<BitPlace>& places, double dt,
+                 const DragRock& rock, const BehrOptions& options);
+
+}  // namespace tdbd::reference

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "reference/literature/drag/planes/behr.hpp"
+
+namespace tdbd::reference {
+
+/// The straight way of a bit in one sub-step.
+struct BehrWay {
+  BitPlace from, to;
+  double dt = 0.0;  ///< s
+
+  BitPlace at(double share) const {
+    return {from.p_WB + share * (to.p_WB - from.p_WB),
+            from.angle + share * (to.angle - from.angle)};
+  }
+};
+
+/// x_W - p_WB of a point of the bit's frame, m.
+Vec3 turned(const BitPlace& place, const Vec3& x_B);
+
+/// Horizontal velocity of the tip of a rim, m/s.
+Vec3 tip_velocity(const BehrWay& way, const BitPlace& place, const CutterRim& rim);
+
+/// Fills state.crossings, and follows the tips' azimuths to the end of the way.
+void find_crossings(BehrState& state, const BehrWay& way);
+
+/// Cuts at one crossing; returns what was cut, and adds the removed volume, m3.
+BehrCut cut_at(BehrState& state, const BehrWay& way, const BehrCrossing& crossing, double& volume);
+
+}  // namespace tdbd::reference

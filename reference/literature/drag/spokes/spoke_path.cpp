@@ -1,0 +1,179 @@
+#include "reference/literature/drag/spokes/spoke_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "reference/literature/drag/spokes/spoke_crossings.hpp"
+
+namespace tdbd::reference {
+namespace {
+
+/// The last load of a cutter, in the bit's frame.
+struct HeldLoad {
+  Vec3 force_B = Vec3::Zero();
+  double torque = 0.0;  ///< N m about the bit's axis
+};
+
+struct PathTally {
+  std::vector<HeldLoad> held;
+  std::vector<double> moment;  ///< m3, of each cutter, sum over counted crossings
+  std::vector<long> crossings;
+  double turn = 0.0;  ///< rad, counted
+  long backwards = 0;
+};
+
+Vec3 back_turned(const Vec3& v_W, const BitPlace& place) {
+  return turned(v_W, {Vec3::Zero(), -place.angle});
+}
+
+/// A load in the bit's frame: it acts at the middle of the area, on the spoke of the tip.
+HeldLoad load_of(const CrossingCut& cut, const PlacedCutter& c, const BitPlace& place,
+                 const Vec3& force_W) {
+  const double r = cut.area > 0.0 ? cut.moment / cut.area : c.radius;
+  const double x = c.cosine * r - place.p_WB.x(), y = c.sine * r - place.p_WB.y();
+  return {back_turned(force_W, place), x * force_W.y() - y * force_W.x()};
+}
+
+PathRun empty_run(std::size_t cutters, long steps) {
+  PathRun run;
+  run.area.assign(cutters, 0.0);
+  run.volume.assign(cutters, 0.0);
+  run.force_B.assign(cutters, Vec3::Zero());
+  run.steps = steps;
+  for (auto* series : {&run.wob_held, &run.tob_held, &run.wob_by_step, &run.tob_by_step})
+    series->assign(static_cast<std::size_t>(steps), 0.0);
+  return run;
+}
+
+/// Sums become means.
+void average(PathRun& run, const PathTally& tally, long counted, int spokes) {
+  const double turns = tally.turn / (2.0 * std::numbers::pi), sector = 1.0 / spokes;
+  for (std::size_t i = 0; i < run.area.size(); ++i) {
+    run.area[i] /= static_cast<double>(std::max(1L, tally.crossings[i]));
+    run.volume[i] = 2.0 * std::numbers::pi * tally.moment[i] * sector / turns;
+    run.force_B[i] /= static_cast<double>(counted);
+    run.lateral_B += run.force_B[i];
+  }
+  run.wob = -run.lateral_B.z();
+  run.lateral_B.z() = 0.0;
+  run.tob /= static_cast<double>(counted);
+  run.lowered /= turns;
+  run.backwards =
+      static_cast<double>(tally.backwards) / static_cast<double>(std::max(1L, run.crossings));
+}
+
+PathTally empty_tally(std::size_t cutters) {
+  return {std::vector<HeldLoad>(cutters), std::vector<double>(cutters), std::vector<long>(cutters)};
+}
+
+/// One bit on its way: this step's ends and what was found so far.
+struct PathFollower {
+  const PathModel& model;
+  const std::vector<SpokeCutter>& cutters;
+  double step_time;
+  PathRun run;
+  SpokeTracker tracker;
+  PathTally tally;
+  BitPlace from = {}, to = {};
+  bool counts = false;
+};
+
+/// Velocity of a point of the bit.
+Vec3 velocity_W(const PathFollower& f, const Vec3& arm_W) {
+  const double turn = f.to.angle - f.from.angle;
+  return (f.to.p_WB - f.from.p_WB + turn * Vec3(-arm_W.y(), arm_W.x(), 0.0)) / f.step_time;
+}
+
+void count(PathFollower& f, const SpokeCrossing& x, const CrossingCut& cut, double radius) {
+  f.run.area[x.cutter] += cut.area;
+  f.tally.moment[x.cutter] += cut.moment;
+  ++f.tally.crossings[x.cutter];
+  ++f.run.crossings;
+  if (!x.forward) ++f.tally.backwards;
+  f.run.lowered += cut.lowered * radius * 2.0 * std::numbers::pi / f.model.spokes;
+}
+
+/// A cutter crosses a spoke.
+void pass(PathFollower& f, const SpokeCrossing& x, std::size_t step) {
+  const BitPlace place = between(f.from, f.to, x.share);
+  const SpokeCutter& cutter = f.cutters[x.cutter];
+  const PlacedCutter c = placed(cutter, place);
+  const CrossingCut cut = f.model.cut(x.cutter, x.spoke, c);
+  const Vec3 force_W =
+      f.model.force(x.cutter, cut, turned(cutter.normal_B, place), turned(cutter.face_B, place),
+                    velocity_W(f, c.tip_W - place.p_WB));
+  const HeldLoad load = load_of(cut, c, place, force_W);
+  const double spacing = 2.0 * std::numbers::pi / f.model.spokes,
+               share = spacing / std::abs(f.to.angle - f.from.angle);
+  f.tally.held[x.cutter] = load;
+  f.run.wob_by_step[step] -= load.force_B.z() * share;
+  f.run.tob_by_step[step] -= load.torque * share;
+  if (f.counts) count(f, x, cut, cut.area > 0.0 ? cut.moment / cut.area : c.radius);
+}
+
+/// The loads that a step ends with.
+void hold(PathFollower& f, std::size_t step) {
+  for (std::size_t i = 0; i < f.cutters.size(); ++i) {
+    const HeldLoad& load = f.tally.held[i];
+    f.run.wob_held[step] -= load.force_B.z();
+    f.run.tob_held[step] -= load.torque;
+    if (!f.counts) continue;
+    f.run.force_B[i] += load.force_B;
+    f.run.tob -= load.torque;
+  }
+  if (f.counts) f.tally.turn += std::abs(f.to.angle - f.from.angle);
+}
+
+long first_counted(const BitPath& path, const PathOptions& options, long steps) {
+  const double end = static_cast<double>(steps) * options.step;
+  const double turn = std::abs(path(end).angle - path(0.0).angle);
+  const double counted =
+      options.counted > 0.0 ? options.counted : end * 2.0 * std::numbers::pi / turn;
+  return std::max(0L, steps - std::lround(counted / options.step));
+}
+
+}  // namespace
+
+void check_drilling(const AskedDrilling& asked, const std::string& model) {
+  const auto want = [&](bool given, const char* what) {
+    if (!given) throw InputError(model + ": needs " + what);
+  };
+  want(asked.rotary_speed > 0.0, "a rotary speed above 0 rad/s");
+  want(asked.advance >= 0.0, "an advance per revolution of 0 m or more");
+  want(asked.revolutions > 0.0 && asked.step > 0.0, "revolutions and a step above 0");
+  want(asked.spokes >= 3, "three spokes or more");
+}
+
+Vec3 area_force(const DragRock& rock, double area, const Vec3& normal_W, const Vec3& v_W) {
+  const double drag = rock.specific_energy * area, speed = std::hypot(v_W.x(), v_W.y());
+  const Vec3 along = speed > 0.0 ? Vec3(v_W.x() / speed, v_W.y() / speed, 0.0) : Vec3::Zero();
+  return -drag * along - rock.normal_ratio * drag * normal_W;
+}
+
+PathRun follow(const BitPath& path, const std::vector<SpokeCutter>& cutters, const PathModel& model,
+               const PathOptions& options) {
+  const long steps = std::lround(options.duration / options.step);
+  if (steps < 1) throw InputError("Spokes: the duration of a path is below one step");
+  const long first = first_counted(path, options, steps);
+  PathFollower f{model,
+                 cutters,
+                 options.step,
+                 empty_run(cutters.size(), steps),
+                 spoke_tracker(cutters, path(0.0), model.spokes),
+                 empty_tally(cutters.size())};
+  f.from = path(0.0);
+  for (long step = 0; step < steps; ++step) {
+    f.to = path(static_cast<double>(step + 1) * options.step);
+    f.counts = step >= first;
+    track(f.tracker, cutters, f.to);
+    for (const SpokeCrossing& x : f.tracker.crossings) pass(f, x, at(static_cast<int>(step)));
+    hold(f, at(static_cast<int>(step)));
+    f.from = f.to;
+  }
+  average(f.run, f.tally, steps - first, model.spokes);
+  return f.run;
+}
+
+}  // namespace tdbd::reference
