@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from comparison_verdicts import verdicts
 from study_tools import markdown_table
 
-SHOWN = {"bit-b": "bit B", "whirl-1500": "bit B in whirl, orbit of 1.5 mm", "bit-r": "the roller cone bit"}
+SHOWN = {"bit-b": "bit B", "whirl-1500": "bit B in whirl, orbit of 1.5 mm", "bit-r": "the roller cone bit", "bit-r-4": "the same, journals offset by 4 mm",
+         "bit-r-8": "the same, journals offset by 8 mm"}
 
 
 @dataclass(frozen=True)
