@@ -16,7 +16,7 @@ def draw(inputs):
     for key, (label, colour) in METHODS.items():
         share = [100.0 * row[key] / rows[0][key] for row in rows]
         axes.plot(time, share, color=colour, label=f"{label}: {share[-1]:.0f} % after {time[-1]:g} s")
-    axes.axhline(100.0, color=style.GREY, linewidth=0.8, linestyle=":", label="exact: no energy is lost")
+    axes.axhline(100.0, color=style.BLACK, linewidth=0.9, linestyle=(0, (4, 2)), zorder=3, label="exact: no energy is lost")
     axes.set(xlabel="time (s)", ylabel="energy (% of the first)", ylim=(0.0, 110.0))
     axes.margins(x=0.0)
     axes.legend(loc="lower left")

@@ -74,12 +74,13 @@ TEST(SpokePath, of_a_whirl_asks_for_the_loads_of_behrs_planes) {
 /// Langeveld's law as the comparison has it knows no backs: a cutter that goes backwards takes weight, and gives
 /// torque. A rim's own section is less than the column above it.
 TEST(SpokePath, of_a_whirl_differs_from_behrs_by_the_law_for_backs_and_the_rock_that_counts) {
+  constexpr double room = 0.0015;  // seen: 0.0005
   const BehrRun behr = whirl_turn(shift, 72).run;
   const PathRun run = whirl(72, Back::cuts, CountedRock::within_rim);
-  EXPECT_NEAR(run.wob / mean(behr.weight), 1.069, 0.005);
-  EXPECT_NEAR(run.tob / mean(behr.torque), 0.912, 0.005);
+  EXPECT_NEAR(run.wob / mean(behr.weight), 1.069, room);
+  EXPECT_NEAR(run.tob / mean(behr.torque), 0.912, room);
   const PathRun sliding = whirl(72, Back::slides, CountedRock::within_rim);
-  EXPECT_NEAR(sliding.tob / mean(behr.torque), 0.976, 0.005);
+  EXPECT_NEAR(sliding.tob / mean(behr.torque), 0.976, room);
 }
 
 /// Mean of the last turn of five.
@@ -89,7 +90,7 @@ double last_turn(const std::vector<double>& series) {
 }
 
 TEST(SpokePath, of_a_whirl_asks_for_far_too_much_if_forces_are_held) {
-  constexpr double room = 0.02;
+  constexpr double room = 0.005;  // seen: 0.0016
   for (const auto& [spokes, ratio] : {std::pair(72, 1.72), std::pair(120, 1.63)}) {
     const PathRun run = whirl(spokes, Back::cuts, CountedRock::within_rim);
     const double found = last_turn(run.wob_held) / run.wob;
@@ -97,8 +98,7 @@ TEST(SpokePath, of_a_whirl_asks_for_far_too_much_if_forces_are_held) {
     battery::record(
         {"chapter2/held-forces",
          "mean weight with forces held to the next crossing over that with each counted for its "
-         "own "
-         "time, bit B rolling backwards at 3 mm a revolution in a hole larger by 1.5 mm all "
+         "own time, bit B rolling backwards at 3 mm a revolution in a hole larger by 1.5 mm all "
          "round, " +
              std::to_string(spokes) + " spokes of Langeveld's",
          found, "1", fmt::format("{:g} +- {:g}", ratio, room),
