@@ -17,6 +17,12 @@ LangeveldRock rock_around(const CompareCase& c, const std::vector<SpokeCutter>& 
                       spoke_reach(c));
 }
 
+/// A rim goes into the wall only in whirl.
+CountedRock counted_rock(const CompareCase& c) {
+  return c.ours.motion.kind == simulation::MotionKind::whirl ? CountedRock::within_rim
+                                                             : CountedRock::all_above;
+}
+
 }  // namespace
 
 Findings answer_of_langeveld(const Question& q) {
@@ -27,7 +33,7 @@ Findings answer_of_langeveld(const Question& q) {
   options.step = c.ours.time.step;
   options.duration = options.step * static_cast<double>(c.ours.time.steps);
   options.counted = options.step * static_cast<double>(counted_steps(c));
-  const PathRun run = langeveld_path(cutters, *c.rock, rock, path_of(c), options);
+  const PathRun run = langeveld_path(cutters, *c.rock, rock, path_of(c), options, counted_rock(c));
   Findings f;
   say_led_run(c, run, f);
   say(f, Quantity::resolution_at_gage,

@@ -50,10 +50,11 @@ std::vector<double> last_of(const std::vector<double>& values, long count) {
 
 void say_led_run(const CompareCase& c, const PathRun& run, Findings& f) {
   const long counted = counted_steps(c);
-  say_loads(f, {c.ours.time.step, last_of(run.wob_held, counted), last_of(run.tob_held, counted)},
+  say_loads(f,
+            {c.ours.time.step, last_of(run.wob_spread, counted), last_of(run.tob_spread, counted)},
             c.advance);
   say(f, Quantity::torque_noise_by_crossing, noise_of(last_of(run.tob_by_step, counted), 1).share);
-  say_lateral(run.lateral_B.head<2>(), run.lateral_B.head<2>().norm(), f);
+  say_lateral(run.lateral_B.head<2>(), run.side, f);
   say(f, Quantity::removed_per_revolution, run.lowered);
   say(f, Quantity::share_moved_backwards, run.backwards);
   std::vector<CutterNumbers> numbers(run.area.size());

@@ -6,18 +6,12 @@
 
 #include "core/error.hpp"
 #include "reference/literature/drag/spokes/spoke_crossings.hpp"
+#include "reference/literature/drag/spokes/spoke_loads.hpp"
 
 namespace tdbd::reference {
 namespace {
 
-/// The last load of a cutter, in the bit's frame.
-struct HeldLoad {
-  Vec3 force_B = Vec3::Zero();
-  double torque = 0.0;  ///< N m about the bit's axis
-};
-
 struct PathTally {
-  std::vector<HeldLoad> held;
   std::vector<double> moment;  ///< m3, of each cutter, sum over counted crossings
   std::vector<long> crossings;
   double turn = 0.0;  ///< rad, counted
@@ -28,12 +22,17 @@ Vec3 back_turned(const Vec3& v_W, const BitPlace& place) {
   return turned(v_W, {Vec3::Zero(), -place.angle});
 }
 
-/// A load in the bit's frame: it acts at the middle of the area, on the spoke of the tip.
-HeldLoad load_of(const CrossingCut& cut, const PlacedCutter& c, const BitPlace& place,
-                 const Vec3& force_W) {
-  const double r = cut.area > 0.0 ? cut.moment / cut.area : c.radius;
+/// The middle of a crossing's area, m from the hole's axis.
+double middle(const CrossingCut& cut, const PlacedCutter& c) {
+  return cut.area > 0.0 ? cut.moment / cut.area : c.radius;
+}
+
+/// A load in the bit's frame for so long (s): it acts at the middle of the area, on the spoke of the tip.
+SpokeLoad load_of(const CrossingCut& cut, const PlacedCutter& c, const BitPlace& place,
+                  const Vec3& force_W, double time) {
+  const double r = middle(cut, c);
   const double x = c.cosine * r - place.p_WB.x(), y = c.sine * r - place.p_WB.y();
-  return {back_turned(force_W, place), x * force_W.y() - y * force_W.x()};
+  return {back_turned(force_W, place), x * force_W.y() - y * force_W.x(), time};
 }
 
 PathRun empty_run(std::size_t cutters, long steps) {
@@ -42,7 +41,8 @@ PathRun empty_run(std::size_t cutters, long steps) {
   run.volume.assign(cutters, 0.0);
   run.force_B.assign(cutters, Vec3::Zero());
   run.steps = steps;
-  for (auto* series : {&run.wob_held, &run.tob_held, &run.wob_by_step, &run.tob_by_step})
+  for (auto* series : {&run.wob_spread, &run.tob_spread, &run.wob_held, &run.tob_held,
+                       &run.wob_by_step, &run.tob_by_step})
     series->assign(static_cast<std::size_t>(steps), 0.0);
   return run;
 }
@@ -59,22 +59,23 @@ void average(PathRun& run, const PathTally& tally, long counted, int spokes) {
   run.wob = -run.lateral_B.z();
   run.lateral_B.z() = 0.0;
   run.tob /= static_cast<double>(counted);
+  run.side /= static_cast<double>(counted);
   run.lowered /= turns;
   run.backwards =
       static_cast<double>(tally.backwards) / static_cast<double>(std::max(1L, run.crossings));
 }
 
 PathTally empty_tally(std::size_t cutters) {
-  return {std::vector<HeldLoad>(cutters), std::vector<double>(cutters), std::vector<long>(cutters)};
+  return {std::vector<double>(cutters), std::vector<long>(cutters)};
 }
 
 /// One bit on its way: this step's ends and what was found so far.
 struct PathFollower {
   const PathModel& model;
   const std::vector<SpokeCutter>& cutters;
-  double step_time;
   PathRun run;
   SpokeTracker tracker;
+  SpokeLoads loads;
   PathTally tally;
   BitPlace from = {}, to = {};
   bool counts = false;
@@ -83,7 +84,7 @@ struct PathFollower {
 /// Velocity of a point of the bit.
 Vec3 velocity_W(const PathFollower& f, const Vec3& arm_W) {
   const double turn = f.to.angle - f.from.angle;
-  return (f.to.p_WB - f.from.p_WB + turn * Vec3(-arm_W.y(), arm_W.x(), 0.0)) / f.step_time;
+  return (f.to.p_WB - f.from.p_WB + turn * Vec3(-arm_W.y(), arm_W.x(), 0.0)) / f.loads.step;
 }
 
 void count(PathFollower& f, const SpokeCrossing& x, const CrossingCut& cut, double radius) {
@@ -95,35 +96,52 @@ void count(PathFollower& f, const SpokeCrossing& x, const CrossingCut& cut, doub
   f.run.lowered += cut.lowered * radius * 2.0 * std::numbers::pi / f.model.spokes;
 }
 
+/// How a tip goes through a spoke.
+struct Passage {
+  double across =
+      0.0;  ///< share of its speed that is about the hole's axis, thus of the area in the spoke that is
+            ///< normal to its motion
+  double time = 0.0;  ///< s, to the next spoke
+};
+
+Passage passage(const PlacedCutter& c, const Vec3& v_W, int spokes) {
+  const double about = std::abs(c.cosine * v_W.y() - c.sine * v_W.x());
+  if (about == 0.0) return {};
+  const double way = c.radius * 2.0 * std::numbers::pi / spokes;
+  return {about / std::hypot(v_W.x(), v_W.y()), way / about};
+}
+
 /// A cutter crosses a spoke.
-void pass(PathFollower& f, const SpokeCrossing& x, std::size_t step) {
+void pass(PathFollower& f, const SpokeCrossing& x) {
   const BitPlace place = between(f.from, f.to, x.share);
   const SpokeCutter& cutter = f.cutters[x.cutter];
   const PlacedCutter c = placed(cutter, place);
   const CrossingCut cut = f.model.cut(x.cutter, x.spoke, c);
-  const Vec3 force_W =
-      f.model.force(x.cutter, cut, turned(cutter.normal_B, place), turned(cutter.face_B, place),
-                    velocity_W(f, c.tip_W - place.p_WB));
-  const HeldLoad load = load_of(cut, c, place, force_W);
-  const double spacing = 2.0 * std::numbers::pi / f.model.spokes,
-               share = spacing / std::abs(f.to.angle - f.from.angle);
-  f.tally.held[x.cutter] = load;
-  f.run.wob_by_step[step] -= load.force_B.z() * share;
-  f.run.tob_by_step[step] -= load.torque * share;
-  if (f.counts) count(f, x, cut, cut.area > 0.0 ? cut.moment / cut.area : c.radius);
+  const Vec3 v_W = velocity_W(f, c.tip_W - place.p_WB);
+  const Passage way = passage(c, v_W, f.model.spokes);
+  const Vec3 force_W = way.across * f.model.force(x.cutter, cut, turned(cutter.normal_B, place),
+                                                  turned(cutter.face_B, place), v_W);
+  cross(f.loads, x.cutter, x.share * f.loads.step, load_of(cut, c, place, force_W, way.time));
+  if (f.counts) count(f, x, cut, middle(cut, c));
 }
 
-/// The loads that a step ends with.
-void hold(PathFollower& f, std::size_t step) {
-  for (std::size_t i = 0; i < f.cutters.size(); ++i) {
-    const HeldLoad& load = f.tally.held[i];
-    f.run.wob_held[step] -= load.force_B.z();
-    f.run.tob_held[step] -= load.torque;
-    if (!f.counts) continue;
-    f.run.force_B[i] += load.force_B;
-    f.run.tob -= load.torque;
-  }
-  if (f.counts) f.tally.turn += std::abs(f.to.angle - f.from.angle);
+void write(const NeededLoad& load, std::size_t step, std::vector<double>& wob,
+           std::vector<double>& tob) {
+  wob[step] = load.wob;
+  tob[step] = load.tob;
+}
+
+/// What a step was.
+void tell(PathFollower& f, std::size_t step) {
+  end_step(f.loads);
+  write(f.loads.spread, step, f.run.wob_spread, f.run.tob_spread);
+  write(f.loads.by_step, step, f.run.wob_by_step, f.run.tob_by_step);
+  write(held_load(f.loads), step, f.run.wob_held, f.run.tob_held);
+  if (!f.counts) return;
+  for (std::size_t i = 0; i < f.cutters.size(); ++i) f.run.force_B[i] += f.loads.force_B[i];
+  f.run.tob += f.loads.spread.tob;
+  f.run.side += lateral_size(f.loads);
+  f.tally.turn += std::abs(f.to.angle - f.from.angle);
 }
 
 long first_counted(const BitPath& path, const PathOptions& options, long steps) {
@@ -159,17 +177,18 @@ PathRun follow(const BitPath& path, const std::vector<SpokeCutter>& cutters, con
   const long first = first_counted(path, options, steps);
   PathFollower f{model,
                  cutters,
-                 options.step,
                  empty_run(cutters.size(), steps),
                  spoke_tracker(cutters, path(0.0), model.spokes),
+                 spoke_loads(cutters.size(), options.step),
                  empty_tally(cutters.size())};
   f.from = path(0.0);
   for (long step = 0; step < steps; ++step) {
     f.to = path(static_cast<double>(step + 1) * options.step);
     f.counts = step >= first;
     track(f.tracker, cutters, f.to);
-    for (const SpokeCrossing& x : f.tracker.crossings) pass(f, x, at(static_cast<int>(step)));
-    hold(f, at(static_cast<int>(step)));
+    begin_step(f.loads);
+    for (const SpokeCrossing& x : f.tracker.crossings) pass(f, x);
+    tell(f, at(static_cast<int>(step)));
     f.from = f.to;
   }
   average(f.run, f.tally, steps - first, model.spokes);

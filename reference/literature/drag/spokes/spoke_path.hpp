@@ -25,16 +25,21 @@ struct PathOptions {
   double counted = 0.0;   ///< s, at the end, over which means are taken; 0: the last revolution
 };
 
-/// A led bit: every force is that of the cutter's last crossing (`held`), or acts only in the steps in
-/// which its cutter crosses, as strong as its impulse asks (`by_step`).
+/// A led bit. A cutter that goes askew through a spoke feels the part of its force that the area normal to its motion
+/// has, so that a drag of eps A does the work eps V. Means and `spread` count each crossing for its own time
+/// (SpokeLoad). Loads held from one crossing to the next (`held`) are the same in steady drilling, and overstate a
+/// whirl, in which tips that turn round cross no spoke for long. `by_step`: a force acts only in the step in which its
+/// cutter crosses, as strong as its impulse asks.
 struct PathRun {
   std::vector<double> area;       ///< m2, of each cutter, mean over its crossings
   std::vector<double> volume;     ///< m3 per revolution, of each cutter
   std::vector<Vec3> force_B;      ///< N, on each cutter, mean, turning with the bit
-  double wob = 0.0, tob = 0.0;    ///< N, N m: mean of the held forces
-  Vec3 lateral_B = Vec3::Zero();  ///< N, on the bit, turning with it
+  double wob = 0.0, tob = 0.0;    ///< N, N m: mean
+  Vec3 lateral_B = Vec3::Zero();  ///< N, on the bit, turning with it: mean
+  double side = 0.0;              ///< N: mean over steps of the size of the level force
   double lowered = 0.0;           ///< m3 per revolution
   double backwards = 0.0;         ///< share of crossings against the rotation
+  std::vector<double> wob_spread, tob_spread;                        ///< of each step
   std::vector<double> wob_held, tob_held, wob_by_step, tob_by_step;  ///< of each step
   long steps = 0, crossings = 0;
 };
