@@ -55,9 +55,10 @@ FreeModel running(HansonHansenPdc& m) {
     const HansonHansenState& y = m.state;
     const BitPlace place = place_in_rock(y);
     if (place.p_WB.z() > floor)
-      throw InputError(fmt::format(
-          "Hanson and Hansen: found a bit that drills deeper than {} m, needs a slower one",
-          floor));
+      throw InputError(
+          fmt::format("Hanson and Hansen: found a bit deeper than its rock, {} m, needs one that "
+                      "drills slower or does not diverge",
+                      floor));
     return FreeInstant{place, Vec3(y[3], y[4], y[5] - y[9]), y[7]};
   };
   model.hole = [&m] { return -volume(m.bottom); };
