@@ -90,19 +90,27 @@ std::optional<DragRock> rock_of(const simulation::ForcePlan& forces) {
 
 /// Where the file gives what only all of it shows to be wrong.
 struct Places {
-  std::string motion, forces, counted, circle;
+  std::string motion, forces, counted, circle, weight;
 };
 
 Places places_of(const Config& c) {
   return {c.place("motion"), c.place("forces"), c.place("compare.counted_revolutions"),
-          c.place("compare.circle")};
+          c.place("compare.circle"), c.place("compare.weight_on_bit")};
+}
+
+/// A bit on a string finds its rate.
+void check_string_motion(const Places& at, const simulation::Motion& m) {
+  if (!(m.rotary_speed > 0.0))
+    throw InputError(at.motion + ": found a bit that does not turn, expected rotary_speed above 0");
 }
 
 void check_motion(const Places& at, const simulation::Motion& m) {
-  if (m.kind != simulation::MotionKind::steady && m.kind != simulation::MotionKind::whirl)
+  using simulation::MotionKind;
+  if (m.kind == MotionKind::legs || m.kind == MotionKind::table)
     throw InputError(at.motion +
-                     ": found a kind that is neither steady nor whirl, expected one of them: the "
-                     "models are compared on one given motion");
+                     ": found a path, expected steady, whirl or drilling: the models know no "
+                     "others");
+  if (m.kind == MotionKind::drilling) return check_string_motion(at, m);
   if (!(m.rotary_speed > 0.0 && m.rate_of_penetration > 0.0))
     throw InputError(at.motion +
                      ": found a bit that does not turn or does not advance, expected "
@@ -118,6 +126,8 @@ void check(const Places& at, const CompareCase& c) {
   if (c.ours.time.steps - c.ours.time.first < counted_steps(c))
     throw InputError(fmt::format("{}: found {:g}, expected no more revolutions than the run has",
                                  at.counted, c.options.counted_revolutions));
+  if (is_free(c) && c.options.weight_on_bit)
+    throw InputError(at.weight + ": found a weight, expected none: motion gives that of a string");
   if (c.options.circle > 0.999 * c.ours.bit.gage_radius)
     throw InputError(
         fmt::format("{}: found {:g} m, expected less than the bit's gage radius, {:g} m", at.circle,
@@ -137,7 +147,13 @@ CompareCase read_compare_case(const std::string& path, const std::vector<std::st
   c.rock = rock_of(c.ours.forces);
   c.resolved = c.ours.resolved;
   check(places, c);
+  if (is_free(c) && m.driven.top.axial == dynamics::AxialMode::load)
+    c.options.weight_on_bit = dynamics::value_at(m.driven.top.load, 0.0);
   return c;
+}
+
+bool is_free(const CompareCase& c) {
+  return c.ours.motion.kind == simulation::MotionKind::drilling;
 }
 
 long counted_steps(const CompareCase& c) {

@@ -55,15 +55,19 @@ struct CompareCase {
   simulation::Case ours;
   CompareOptions options;
   std::optional<DragRock> rock;  ///< none: the faces' law is not linear in the area
-  double advance = 0.0;          ///< m a revolution
+  double advance = 0.0;          ///< m a revolution; of a bit on a string: at its start
   std::string resolved;          ///< TOML
 };
 
 /// Reads and checks everything, runs nothing. The motion is steady or whirl: prescribed, with a
-/// rotary speed. Throws InputError that lists every mistake.
+/// rotary speed; or drilling, of a bit on a string.
+/// Throws InputError that lists every mistake.
 CompareCase read_compare_case(const std::string& path, const std::vector<std::string>& overrides);
 
-/// Steps of ours that count.
+/// The bit hangs on a string and moves by itself.
+bool is_free(const CompareCase& c);
+
+/// Steps of ours that count: by the nominal rotary speed.
 long counted_steps(const CompareCase& c);
 
 }  // namespace tdbd::reference

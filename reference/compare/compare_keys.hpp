@@ -17,7 +17,7 @@ inline constexpr QuantityKey counted_revolutions{
 inline constexpr QuantityKey weight_on_bit{
     .name = "weight_on_bit",
     .unit = "N",
-    .usual = "the weight that tdbd finds",
+    .usual = "the weight that tdbd finds, or that motion gives a string",
     .range = Range::positive(),
     .meaning = "reference weight, for the rate that models find"};
 inline constexpr QuantityKey circle{.name = "circle",

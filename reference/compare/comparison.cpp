@@ -17,7 +17,10 @@ void check_complete(const Answer& a) {
 
 Findings timed(const Model& m, const Question& q) {
   const CpuClock clock;
-  Findings f = m.answer(q);
+  Findings f = is_free(q.asked) ? m.free(q) : m.answer(q);
+  if (!is_free(q.asked))
+    cannot_say(f, {Quantity::rate_of_penetration, Quantity::whirl_radius},
+               "given: the case moves the bit");
   if (f.cost.cpu == 0.0) f.cost.cpu = clock.seconds();
   return f;
 }

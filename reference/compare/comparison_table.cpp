@@ -22,6 +22,8 @@ constexpr std::array table_columns{
     TableColumn{Quantity::work_of_a_turn_torque, "work/2pi", 1.0, "{:.2f}"},
     TableColumn{Quantity::rate_at_weight, "m/h at W", 3600.0, "{:.3f}"},
     TableColumn{Quantity::torque_at_weight, "N m at W", 1.0, "{:.2f}"},
+    TableColumn{Quantity::rate_of_penetration, "ROP m/h", 3600.0, "{:.3f}"},
+    TableColumn{Quantity::whirl_radius, "whirl mm", 1e3, "{:.4f}"},
     TableColumn{Quantity::imbalance, "imbal. %", 100.0, "{:.2f}"},
     TableColumn{Quantity::side_force, "side kN", 1e-3, "{:.3f}"},
     TableColumn{Quantity::removed_per_revolution, "cm3/rev", 1e6, "{:.3f}"},

@@ -28,6 +28,7 @@ struct Model {
   std::string_view row;        ///< of our list of systems: "S7"
   Knows knows = Knows::both;
   Findings (*answer)(const Question&) = nullptr;
+  Findings (*free)(const Question&) = nullptr;  ///< of a bit on a string; none: its motion is input
 };
 
 /// All models: ours first, which gives the others their weight, then those of drag bits.

@@ -11,14 +11,15 @@ namespace tdbd::reference {
 namespace {
 
 constexpr std::array all_models{
-    Model{"tdbd", "TDBD", "this program", "ours", Knows::both, answer_of_tdbd},
+    Model{"tdbd", "TDBD", "this program", "ours", Knows::both, answer_of_tdbd, answer_of_tdbd},
     Model{"warren-sinor", "Warren and Sinor", "[75]", "S7", Knows::drag_bits,
           answer_of_warren_sinor},
     Model{"behr", "Behr et al.", "[6]", "S7", Knows::drag_bits, answer_of_behr},
     Model{"glowka", "Glowka", "[28], [29], [30]", "S8", Knows::drag_bits, answer_of_glowka},
-    Model{"langeveld", "Langeveld", "[49], [50]", "S6", Knows::drag_bits, answer_of_langeveld},
+    Model{"langeveld", "Langeveld", "[49], [50]", "S6", Knows::drag_bits, answer_of_langeveld,
+          answer_of_free_langeveld},
     Model{"hanson-hansen", "Hanson and Hansen", "[33], [20]", "S5", Knows::drag_bits,
-          answer_of_hanson_hansen},
+          answer_of_hanson_hansen, answer_of_free_hanson_hansen},
     Model{"briggs", "Briggs", "[13], [14]", "S9", Knows::roller_bits, answer_of_briggs},
     Model{"winters", "Winters, Warren and Onyia", "[77]", "S10", Knows::roller_bits,
           answer_of_winters},
@@ -61,6 +62,9 @@ std::string why_not(const Model& model, const CompareCase& c) {
     return fmt::format(
         "{}: found faces whose law is not linear in the area, needs forces.law = \"detournay\"",
         model.title);
+  if (is_free(c) && model.free == nullptr)
+    return fmt::format("{}: found motion.kind = \"drilling\", needs a bit whose motion is given",
+                       model.title);
   if (model.knows == Knows::roller_bits && !cones)
     return fmt::format("{}: found a bit without cones, needs a roller cone bit", model.title);
   return {};

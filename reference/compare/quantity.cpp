@@ -27,6 +27,8 @@ constexpr std::array<QuantityText, quantity_count> quantities{{
     {"resolution_at_gage", "m", "distance of neighbouring samples of the bottom at the gage"},
     {"largest_wear_flat", "m2", "largest wear flat after the case's distance"},
     {"hottest_flat", "degC", "temperature of the hottest wear flat then"},
+    {"rate_of_penetration", "m/s", "mean rate that a bit on a string finds"},
+    {"whirl_radius", "m", "rms distance of the bit's origin from the hole's axis, on a string"},
 }};
 
 constexpr std::array<QuantityText, part_quantity_count> part_quantities{{

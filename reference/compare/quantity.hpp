@@ -25,9 +25,11 @@ enum class Quantity {
   share_moved_backwards,
   resolution_at_gage,
   largest_wear_flat,
-  hottest_flat
+  hottest_flat,
+  rate_of_penetration,
+  whirl_radius
 };
-inline constexpr std::size_t quantity_count = 19;
+inline constexpr std::size_t quantity_count = 21;
 
 /// What it asks for of every cutter, or of every row of teeth.
 enum class PartQuantity {

@@ -6,6 +6,10 @@
 namespace tdbd::reference {
 
 Findings answer_of_tdbd(const Question& q);
+/// Bits on strings, where a model has equations of motion.
+Findings answer_of_free_langeveld(const Question& q);
+Findings answer_of_free_hanson_hansen(const Question& q);
+
 Findings answer_of_warren_sinor(const Question& q);
 Findings answer_of_behr(const Question& q);
 Findings answer_of_langeveld(const Question& q);

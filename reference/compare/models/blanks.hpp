@@ -16,6 +16,9 @@ inline const std::vector<Quantity> lateral{Quantity::imbalance, Quantity::imbala
                                            Quantity::side_force};
 inline const std::vector<Quantity> noises{Quantity::torque_noise, Quantity::torque_noise_5ms};
 
+inline const std::vector<Quantity> of_free_bits{Quantity::rate_of_penetration,
+                                                Quantity::whirl_radius};
+
 inline constexpr const char* no_cones = "the bit has no cones";
 inline constexpr const char* no_spokes = "no spokes: every cutter is felt in every step";
 inline constexpr const char* no_wear = "it has no law of wear";
@@ -28,6 +31,13 @@ inline constexpr const char* no_weight =
 /// Azimuth of a force in the bit's frame, rad.
 inline double direction_of(const Eigen::Vector2d& force_B) {
   return std::atan2(force_B.y(), force_B.x());
+}
+
+/// Of models on spokes whose bit is free.
+inline void say_free_blanks(Findings& f) {
+  cannot_say(f, Quantity::torque_noise_by_crossing, "its cutters are felt in every step");
+  cannot_say(f, flats, no_wear);
+  cannot_say(f, of_cones, no_cones);
 }
 
 /// For models whose axis is fixed: what they say of a whirling bit is said of a steady one.

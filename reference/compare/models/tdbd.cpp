@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "reference/compare/models/answers.hpp"
+#include "reference/compare/models/free_run.hpp"
 #include "reference/compare/models/tdbd_sums.hpp"
 #include "reference/literature/surface/spokes.hpp"
 
@@ -15,13 +16,15 @@ constexpr double full_circle = 2.0 * std::numbers::pi;
 /// The run at an instant: what it has turned and removed by then.
 struct Reading {
   double turned = 0.0;          ///< rad
+  double z = 0.0;               ///< m, in the rock
   std::vector<double> cones;    ///< rad
   std::vector<double> removed;  ///< m3, per piece
   double removed_in_all = 0.0;  ///< m3
 };
 
 Reading reading_of(const TdbdSums& sums, const Simulation& s) {
-  return {s.state.place.turned, simulation::angles_of(s.state.cones), removed_by_piece(sums, s),
+  return {s.state.place.turned, simulation::over_rock(s.state.place).p.z(),
+          simulation::angles_of(s.state.cones), removed_by_piece(sums, s),
           s.state.ledger.removed.value()};
 }
 
@@ -87,7 +90,10 @@ Findings answer_of_tdbd(const Question& q) {
   std::vector<double> volumes = to.removed;
   for (std::size_t i = 0; i < volumes.size(); ++i)
     volumes[i] = (volumes[i] - from.removed[i]) / turns;
-  say_loads(f, sums.series, c.advance);
+  const FreeMotion motion{to.z - from.z, to.turned - from.turned, sums.squares,
+                          static_cast<double>(counted) * c.ours.time.step, counted};
+  say_loads(f, sums.series, is_free(c) ? found_advance(motion) : c.advance);
+  if (is_free(c)) say_free_motion(c, motion, f);
   say_lateral(sums, f);
   say(f, Quantity::removed_per_revolution, (to.removed_in_all - from.removed_in_all) / turns);
   say(f, Quantity::resolution_at_gage, c.ours.rock.edge_length);

@@ -83,6 +83,7 @@ void add_step(const simulation::Case& c, const simulation::Simulation& s, TdbdSu
   const Vec3 force_B = s.state.place.X_WB.R.transpose() * loads.force_W;
   sums.lateral_B += force_B.head<2>();
   sums.side += force_B.head<2>().norm();
+  sums.squares += s.state.place.X_WB.p.head<2>().squaredNorm();
   double teeth = 0.0;
   for (const CutOfPart& cut : s.work.cuts) {
     add_cut(c, s, cut, sums);

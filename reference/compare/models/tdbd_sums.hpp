@@ -25,7 +25,8 @@ struct TdbdSums {
   Eigen::Vector2d lateral_B = Eigen::Vector2d::Zero();  ///< N, sum of lateral forces, bit frame
   double side = 0.0;                                    ///< N, sum of their magnitudes
   std::vector<double> teeth;                            ///< in contact, per step
-  long backwards = 0;                                   ///< cutters that move backwards
+  double squares = 0.0;  ///< m2, of the bit's distances from the hole's axis
+  long backwards = 0;    ///< cutters that move backwards
 };
 
 TdbdSums start_sums(const simulation::Case& c);

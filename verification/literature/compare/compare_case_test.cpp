@@ -48,6 +48,22 @@ TEST(CompareCase, refuses_what_cannot_be_compared) {
   EXPECT_NE(mistake({"rock.edge_length='-1 mm'"}).find("rock.edge_length"), std::string::npos);
 }
 
+/// A bit on a string: its weight is the reference weight, and is given once.
+TEST(CompareCase, takes_the_reference_weight_of_a_string_from_its_motion) {
+  const std::string on_string = TDBD_SOURCE_DIR "/cases/compare/bit-b-free.toml";
+  const CompareCase c = read_compare_case(on_string, {});
+  EXPECT_TRUE(is_free(c));
+  EXPECT_EQ(c.options.weight_on_bit, 16e3);
+  EXPECT_THROW(read_compare_case(on_string, {"compare.weight_on_bit='10 kN'"}), InputError);
+  EXPECT_THROW(read_compare_case(on_string, {"motion.rotary_speed=0"}), InputError);
+  try {
+    chosen_models(c, {"glowka"});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_EQ(std::string(e.what()).find("Glowka: found motion.kind"), 0) << e.what();
+  }
+}
+
 TEST(CompareCase, refuses_models_that_do_not_know_the_bit_by_their_name) {
   const std::string unknown = refusal({}, "warren");
   EXPECT_NE(unknown.find("found 'warren'"), std::string::npos) << unknown;

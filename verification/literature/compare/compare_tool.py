@@ -54,7 +54,8 @@ def check_refusals(folder):
     for arguments, reason in (((), "case file"), ((CASES / "none.toml",), "none.toml"),
                               ((case, "--models", "warren"), "'warren'"),
                               ((case, "--set", "compare.circle=1 furlong"), "compare.circle"),
-                              ((case, "--set", "motion.kind=drilling"), "motion"),
+                              ((case, "--set", "motion.kind=legs"), "motion"),
+                              ((CASES / "bit-b-free.toml", "--models", "behr"), "Behr et al.: found motion.kind"),
                               ((case, "-o", folder / "1"), "not empty"), ((case, "--threads", "0"), "--threads")):
         result = run(*arguments)
         assert result.returncode == 2 and reason in result.stderr, (arguments, result)

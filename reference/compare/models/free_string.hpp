@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "reference/compare/compare_case.hpp"
+
+namespace tdbd::reference {
+
+/// The case's string as a model sees it whose bit stays upright: constants, W, SI. Dampers act against space; those
+/// of the case that end at the top are the same with the top moved on, whose speeds are constant.
+struct FreeString {
+  double mass = 0.0, inertia = 0.0;  ///< kg; kg m2 about the axis
+  double lateral_stiffness = 0.0, axial_stiffness = 0.0, twist_stiffness = 0.0;  ///< N/m, N m/rad
+  double lateral_damping = 0.0, axial_damping = 0.0, twist_damping = 0.0;  ///< N s/m, N m s/rad
+  double rate = 0.0, speed = 0.0;       ///< of the top: m/s, rad/s
+  double top_z = 0.0, top_angle = 0.0;  ///< where it is at t = 0: m, rad
+  double z = 0.0, start_rate = 0.0;     ///< of the bit at t = 0: m, m/s
+};
+
+/// What a model has a place for in its equations; the rest is left out, and told.
+enum class StringTerms { springs, springs_and_dampers };
+
+/// Throws InputError, which begins with the model's name. A load of the top becomes a spring so soft that its force
+/// changes by 1e-5 of itself in a centimetre.
+FreeString free_string(const CompareCase& c, StringTerms terms, const std::string& model);
+
+/// What of the case's string and wall such models leave out, in a sentence.
+std::string left_out(const CompareCase& c, StringTerms terms);
+
+}  // namespace tdbd::reference
