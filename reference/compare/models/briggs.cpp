@@ -18,14 +18,8 @@ BriggsBit sprockets_of(const CompareCase& c, const RollerBit& bit) {
                                     [&](const RollerRow& a, const RollerRow& b) {
                                       return ring_radius(cone, a) < ring_radius(cone, b);
                                     });
-  BriggsBit wheels;
-  wheels.wheel.radius = row->radius;
-  wheels.wheel.teeth = static_cast<int>(row->angles.size());
-  wheels.wheel.half_angle = c.options.roller.tooth_half_angle;
-  wheels.wheel.width = 2.0 * row->tooth_radius;
-  wheels.wheels = static_cast<int>(bit.cones.size());
-  wheels.track_radius = ring_radius(cone, *row);
-  return wheels;
+  const auto index = static_cast<std::size_t>(row - cone.rows.begin());
+  return briggs_bit(bit, 0, index, c.options.roller.tooth_half_angle, 2.0 * row->tooth_radius);
 }
 
 /// Mohr and Coulomb's cohesion of the case's rock, as strong as it is under its pressure.
