@@ -50,8 +50,9 @@ Findings answer_of_briggs(const Question& q) {
     say_drilling(briggs_under_weight(sprockets_of(c, roller_bit_of(c.ours.bit, "Briggs")),
                                      coulomb_rock_of(c), q.weight, c.ours.motion.rotary_speed),
                  f);
+  else
+    cannot_say(f, Quantity::cone_speed_ratio, no_weight);
   cannot_say(f, of_weight, no_weight);
-  cannot_say(f, Quantity::cone_speed_ratio, no_weight);
   cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
              "it finds the rate of a weight, not the weight of a rate");
   cannot_say(f, lateral, "two-dimensional: it has no lateral forces");
