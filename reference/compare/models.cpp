@@ -18,7 +18,7 @@ constexpr std::array all_models{
     Model{"glowka", "Glowka", "[28], [29], [30]", "S8", Knows::drag_bits, answer_of_glowka},
     Model{"langeveld", "Langeveld", "[49], [50]", "S6", Knows::drag_bits, answer_of_langeveld,
           answer_of_free_langeveld},
-    Model{"hanson-hansen", "Hanson and Hansen", "[33], [20]", "S5", Knows::drag_bits,
+    Model{"hanson-hansen", "Hanson and Hansen", "[33], [20]", "S5", Knows::both,
           answer_of_hanson_hansen, answer_of_free_hanson_hansen},
     Model{"briggs", "Briggs", "[13], [14]", "S9", Knows::roller_bits, answer_of_briggs},
     Model{"winters", "Winters, Warren and Onyia", "[77]", "S10", Knows::roller_bits,
@@ -51,20 +51,23 @@ std::string names_of_all() {
 std::span<const Model> models() { return all_models; }
 
 std::string why_not(const Model& model, const CompareCase& c) {
-  const bool cones = !c.ours.bit.cones.empty();
+  const bool cones = !c.ours.bit.cones.empty(), is_earlier = model.name != "tdbd";
   if (model.knows == Knows::drag_bits && cones)
     return fmt::format("{}: found a bit with cones, needs a bit with fixed cutters", model.title);
-  if (model.knows == Knows::drag_bits && c.ours.bit.cutters.empty())
+  if (is_earlier && !cones && model.knows != Knows::roller_bits && c.ours.bit.cutters.empty())
     return fmt::format("{}: found a bit without cutters, needs a table of cutters", model.title);
-  if (model.name != "tdbd" && c.ours.motion.tilt.angle > 0.0)
+  if (is_earlier && c.ours.motion.tilt.angle > 0.0)
     return fmt::format("{}: found a bit that leans, needs an upright one", model.title);
-  if (model.knows == Knows::drag_bits && !c.rock)
+  if (is_earlier && !cones && model.knows != Knows::roller_bits && !c.rock)
     return fmt::format(
         "{}: found faces whose law is not linear in the area, needs forces.law = \"detournay\"",
         model.title);
   if (is_free(c) && model.free == nullptr)
     return fmt::format("{}: found motion.kind = \"drilling\", needs a bit whose motion is given",
                        model.title);
+  if (is_free(c) && is_earlier && cones)
+    return fmt::format(
+        "{}: found a roller cone bit on a string, needs a given motion for its cones", model.title);
   if (model.knows == Knows::roller_bits && !cones)
     return fmt::format("{}: found a bit without cones, needs a roller cone bit", model.title);
   return {};

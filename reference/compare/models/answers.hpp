@@ -14,6 +14,7 @@ Findings answer_of_warren_sinor(const Question& q);
 Findings answer_of_behr(const Question& q);
 Findings answer_of_langeveld(const Question& q);
 Findings answer_of_hanson_hansen(const Question& q);
+Findings answer_of_hanson_hansen_cones(const Question& q);  ///< of bits with cones
 Findings answer_of_glowka(const Question& q);
 Findings answer_of_briggs(const Question& q);
 Findings answer_of_sheppard_lesage(const Question& q);

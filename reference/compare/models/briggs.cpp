@@ -18,14 +18,8 @@ BriggsBit sprockets_of(const CompareCase& c, const RollerBit& bit) {
                                     [&](const RollerRow& a, const RollerRow& b) {
                                       return ring_radius(cone, a) < ring_radius(cone, b);
                                     });
-  BriggsBit wheels;
-  wheels.wheel.radius = row->radius;
-  wheels.wheel.teeth = static_cast<int>(row->angles.size());
-  wheels.wheel.half_angle = c.options.roller.tooth_half_angle;
-  wheels.wheel.width = 2.0 * row->tooth_radius;
-  wheels.wheels = static_cast<int>(bit.cones.size());
-  wheels.track_radius = ring_radius(cone, *row);
-  return wheels;
+  const auto index = static_cast<std::size_t>(row - cone.rows.begin());
+  return briggs_bit(bit, 0, index, c.options.roller.tooth_half_angle, 2.0 * row->tooth_radius);
 }
 
 /// Mohr and Coulomb's cohesion of the case's rock, as strong as it is under its pressure.
@@ -56,8 +50,9 @@ Findings answer_of_briggs(const Question& q) {
     say_drilling(briggs_under_weight(sprockets_of(c, roller_bit_of(c.ours.bit, "Briggs")),
                                      coulomb_rock_of(c), q.weight, c.ours.motion.rotary_speed),
                  f);
+  else
+    cannot_say(f, Quantity::cone_speed_ratio, no_weight);
   cannot_say(f, of_weight, no_weight);
-  cannot_say(f, Quantity::cone_speed_ratio, no_weight);
   cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
              "it finds the rate of a weight, not the weight of a rate");
   cannot_say(f, lateral, "two-dimensional: it has no lateral forces");

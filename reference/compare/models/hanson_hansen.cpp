@@ -14,6 +14,7 @@ constexpr int depth_nodes = 2000;  // where the deepest of several z is read off
 
 Findings answer_of_hanson_hansen(const Question& q) {
   const CompareCase& c = q.asked;
+  if (!c.ours.bit.cones.empty()) return answer_of_hanson_hansen_cones(q);
   const std::vector<SpokeCutter> cutters = spoke_cutters(c.ours.bit.cutters, "Hanson and Hansen");
   HansonHansenRock law;
   law.shared = *c.rock;

@@ -54,6 +54,10 @@ double outer_rolling_ratio(const RollerBit& bit) {
   return ratio;
 }
 
+double tooth_pressure(const CompareCase& c, const std::string& model) {
+  return tooth_law_of(c, model).ratio * c.ours.forces.rock.strengths.front().confined;
+}
+
 double tooth_friction(const CompareCase& c, const std::string& model) {
   return tooth_law_of(c, model).mu;
 }
@@ -61,8 +65,7 @@ double tooth_friction(const CompareCase& c, const std::string& model) {
 ToothTable tooth_table_of(const CompareCase& c, const RollerBit& bit, const std::string& model) {
   if (!c.options.roller.tooth_table.empty())
     return read_tooth_table(c.options.roller.tooth_table, model);
-  const double pressure =
-      tooth_law_of(c, model).ratio * c.ours.forces.rock.strengths.front().confined;
+  const double pressure = tooth_pressure(c, model);
   const double a = largest_tooth(bit);
   ToothTable table;
   table.source = "a sphere under the law of indentation";

@@ -20,6 +20,9 @@ double ring_radius(const RollerCone& cone, const RollerRow& row);
 /// Throws InputError that begins with `model` when the teeth have another law.
 ToothTable tooth_table_of(const CompareCase& c, const RollerBit& bit, const std::string& model);
 
+/// Pressure under a tooth that crushes rock, Pa, of the same law.
+double tooth_pressure(const CompareCase& c, const std::string& model);
+
 /// Friction between tooth and rock, of the same law.
 double tooth_friction(const CompareCase& c, const std::string& model);
 

@@ -37,15 +37,17 @@ double tooth_depth(const HansonHansenCones& m, std::size_t i, const PlacedTooth&
   return std::max(0.0, t.centre_W.z() + m.teeth[i].size - level);
 }
 
-/// The sphere's discs are taken out of all spokes that it reaches.
-void cut_sphere(HansonHansenCones& m, const PlacedTooth& t, double size) {
+/// The sphere's discs are taken out of all spokes that it reaches; m3.
+double cut_sphere(HansonHansenCones& m, const PlacedTooth& t, double size) {
+  double removed = 0.0;
   for (int k = 0; k < m.bottom.spokes(); ++k) {
     const SpokePlane& plane = m.planes[at(k)];
     const SpokeRim disc = sphere_section(t.centre_W, size, plane);
     if (disc.half_width < 1e-6 || disc.r < -disc.half_width) continue;
     const CrossingCut cut = cut_outline(m.bottom, k, disc);
-    m.removed += cut.moment * 2.0 * std::numbers::pi / m.bottom.spokes();
+    removed += cut.moment * 2.0 * std::numbers::pi / m.bottom.spokes();
   }
+  return removed;
 }
 
 void let_go(HansonHansenCones& m, std::size_t i) {
@@ -70,7 +72,9 @@ void update_contacts(HansonHansenCones& m) {
     if (std::isnan(m.met[i])) m.met[i] = rock_depth(m, t.centre_W);
     m.deepest[i] = std::max(m.deepest[i], depth);
     if ((t.centre_W - m.cut_at_W[i]).norm() < m.cut_after) continue;
-    cut_sphere(m, t, m.teeth[i].size);
+    const double cut = cut_sphere(m, t, m.teeth[i].size);
+    m.tooth_removed[i] += cut;
+    m.removed += cut;
     m.cut_at_W[i] = t.centre_W;
   }
 }
@@ -143,6 +147,7 @@ HansonHansenCones hanson_hansen_cones(const RollerBit& bit, const ConesSetup& se
   m.met.assign(m.teeth.size(), NAN);
   m.deepest.assign(m.teeth.size(), 0.0);
   m.cut_at_W.assign(m.teeth.size(), Vec3::Constant(INFINITY));
+  m.tooth_removed.assign(m.teeth.size(), 0.0);
   m.tooth_force_W.resize(m.teeth.size());
   return m;
 }

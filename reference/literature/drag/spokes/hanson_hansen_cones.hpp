@@ -25,8 +25,9 @@ struct HansonHansenCones {
   HansonHansenLoad load;            ///< at the last step's start
   std::vector<Vec3> tooth_force_W;  ///< N, there
   double removed = 0.0;             ///< m3, so far
-  std::vector<Vec3> cut_at_W;       ///< m: where each tooth was last taken out of the rock
-  double cut_after = 0.1e-3;        ///< m, of a tooth\'s way between two cuts of its crater
+  std::vector<double> tooth_removed;  ///< m3, by each tooth
+  std::vector<Vec3> cut_at_W;         ///< m: where each tooth was last taken out of the rock
+  double cut_after = 0.1e-3;          ///< m, of a tooth's way between two cuts of its crater
 };
 
 struct ConesSetup {

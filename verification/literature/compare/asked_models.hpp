@@ -1,0 +1,64 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/error.hpp"
+#include "reference/compare/model.hpp"
+
+/// Asks one model after a case of cases/compare, and reads what it said.
+namespace tdbd::reference::asked {
+
+inline CompareCase compare_case(const std::string& name,
+                                const std::vector<std::string>& overrides) {
+  return read_compare_case(TDBD_SOURCE_DIR "/cases/compare/" + name + ".toml", overrides);
+}
+
+/// A number or a reason for each quantity; no part twice for one.
+inline void expect_complete(const Findings& f, const std::string& model) {
+  for (std::size_t i = 0; i < quantity_count; ++i)
+    EXPECT_NE(f.says[i].value.has_value(), !f.says[i].reason.empty())
+        << model << ": " << quantity_texts()[i].name;
+  std::set<std::tuple<std::string, PartQuantity>> named;
+  for (const PartFinding& p : f.parts)
+    EXPECT_TRUE(named.insert({p.part, p.quantity}).second)
+        << model << ": " << p.part << " twice, " << text_of(p.quantity).name;
+}
+
+inline Findings ask(const CompareCase& c, const std::string& model, double weight) {
+  Findings f = chosen_models(c, {model}).front()->answer({c, weight});
+  expect_complete(f, model);
+  return f;
+}
+
+/// The message with which a model refuses.
+inline std::string refusal(const CompareCase& c, const std::string& model, double weight) {
+  try {
+    ask(c, model, weight);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+inline double value(const Findings& f, Quantity q) { return saying(f, q).value.value(); }
+
+/// What it says of its parts, in their order.
+inline std::vector<double> of_parts(const Findings& f, PartQuantity q) {
+  std::vector<double> values;
+  for (const PartFinding& p : f.parts)
+    if (p.quantity == q) values.push_back(p.value);
+  return values;
+}
+
+inline double sum_of_parts(const Findings& f, PartQuantity q) {
+  double sum = 0.0;
+  for (const double v : of_parts(f, q)) sum += v;
+  return sum;
+}
+
+}  // namespace tdbd::reference::asked
