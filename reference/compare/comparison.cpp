@@ -15,16 +15,6 @@ void check_complete(const Answer& a) {
                                  quantity_texts()[i].name));
 }
 
-Findings timed(const Model& m, const Question& q) {
-  const CpuClock clock;
-  Findings f = is_free(q.asked) ? m.free(q) : m.answer(q);
-  if (!is_free(q.asked))
-    cannot_say(f, {Quantity::rate_of_penetration, Quantity::whirl_radius},
-               "given: the case moves the bit");
-  if (f.cost.cpu == 0.0) f.cost.cpu = clock.seconds();
-  return f;
-}
-
 void take_weight(const Answer& a, Comparison& all) {
   if (all.weight > 0.0) return;
   if (const auto& weight = saying(a.findings, Quantity::weight).value; weight && *weight > 0.0) {
@@ -34,6 +24,16 @@ void take_weight(const Answer& a, Comparison& all) {
 }
 
 }  // namespace
+
+Findings findings_of(const Model& m, const Question& q) {
+  const CpuClock clock;
+  Findings f = is_free(q.asked) ? m.free(q) : m.answer(q);
+  if (!is_free(q.asked))
+    cannot_say(f, {Quantity::rate_of_penetration, Quantity::whirl_radius},
+               "given: the case moves the bit");
+  if (f.cost.cpu == 0.0) f.cost.cpu = clock.seconds();
+  return f;
+}
 
 Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen, Refusal refusal,
                    const std::function<void(const Model&)>& progress) {
@@ -45,7 +45,7 @@ Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen
   for (const Model* m : chosen) {
     if (progress) progress(*m);
     try {
-      all.answers.push_back({m, timed(*m, {c, all.weight})});
+      all.answers.push_back({m, findings_of(*m, {c, all.weight})});
     } catch (const InputError& e) {
       if (refusal == Refusal::stops) throw;
       all.not_asked.emplace_back(e.what());

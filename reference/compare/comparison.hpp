@@ -22,6 +22,9 @@ struct Comparison {
   std::vector<std::string> not_asked;  ///< why other models have nothing to say
 };
 
+/// What one model says, with its CPU time. Throws InputError that begins with its name.
+Findings findings_of(const Model& m, const Question& q);
+
 /// What becomes of a model that refuses the case: the comparison stops, or goes on without it.
 enum class Refusal { stops, is_noted };
 

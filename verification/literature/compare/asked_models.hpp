@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "reference/compare/model.hpp"
+#include "reference/compare/comparison.hpp"
 
 /// Asks one model after a case of cases/compare, and reads what it said.
 namespace tdbd::reference::asked {
@@ -30,7 +30,7 @@ inline void expect_complete(const Findings& f, const std::string& model) {
 }
 
 inline Findings ask(const CompareCase& c, const std::string& model, double weight) {
-  Findings f = chosen_models(c, {model}).front()->answer({c, weight});
+  Findings f = findings_of(*chosen_models(c, {model}).front(), {c, weight});
   expect_complete(f, model);
   return f;
 }

@@ -40,7 +40,7 @@ void expect_run(const Findings& f, const PathRun& run) {
   EXPECT_NEAR(asked::value(f, Quantity::weight), run.wob, rounding * run.wob);
   EXPECT_NEAR(asked::value(f, Quantity::torque), run.tob, rounding * run.tob);
   EXPECT_EQ(asked::value(f, Quantity::removed_per_revolution), run.lowered);
-  EXPECT_EQ(asked::value(f, Quantity::side_force), run.lateral_B.head<2>().norm());
+  EXPECT_EQ(asked::value(f, Quantity::side_force), run.side);
   EXPECT_EQ(asked::of_parts(f, PartQuantity::area), run.area);
   EXPECT_EQ(asked::of_parts(f, PartQuantity::volume_per_revolution), run.volume);
   EXPECT_EQ(f.cost.steps, run.steps);
