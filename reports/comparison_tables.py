@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from comparison_verdicts import verdicts
 from study_tools import markdown_table
 
-SHOWN = {"bit-b": "bit B", "whirl-1500": "bit B in whirl, orbit of 1.5 mm", "bit-r": "the roller cone bit", "bit-r-4": "the same, journals offset by 4 mm",
+SHOWN = {"bit-b": "bit B", "bit-b-free": "bit B on a string", "whirl-1500": "bit B in whirl, orbit of 1.5 mm", "bit-r": "the roller cone bit", "bit-r-4": "the same, journals offset by 4 mm",
          "bit-r-8": "the same, journals offset by 8 mm"}
 
 
@@ -44,8 +44,13 @@ def numbers_of(result):
     return markdown_table(["", *result.titles.values()], rows) + (f"\n{notes}" if notes else "")
 
 
+def given(result):
+    """What the case gives: an advance, or nothing of a bit on a string."""
+    return f", {1e3 * result.advance:.3g} mm a revolution" if result.advance > 0.0 else ""
+
+
 def numbers(results):
-    return "\n".join(f"**{name[0].upper()}{name[1:]}**, {1e3 * middle(results[g]).advance:.3g} mm a revolution:\n\n{numbers_of(middle(results[g]))}"
+    return "\n".join(f"**{name[0].upper()}{name[1:]}**{given(middle(results[g]))}:\n\n{numbers_of(middle(results[g]))}"
                      for g, name in SHOWN.items() if g in results)
 
 
