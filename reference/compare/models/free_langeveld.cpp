@@ -1,5 +1,9 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/free_run.hpp"
 #include "reference/compare/models/free_string.hpp"
@@ -37,6 +41,16 @@ Langeveld langeveld_model(const CompareCase& c, const FreeString& s) {
                    {0, 0, s.z, 0, 0, 0, s.start_rate, s.speed});
 }
 
+/// Where spokes end nothing is known of the rock.
+void check_on_spokes(const Langeveld& m) {
+  const double off = std::hypot(m.state[0], m.state[1]);
+  if (off > free_margin && off < 1.0)
+    throw InputError(fmt::format(
+        "Langeveld: found a bit that whirls {:.3g} m beside the axis at {:.4g} s, where its spokes "
+        "end; needs a stiffer string",
+        off, m.time));
+}
+
 /// Each node stands for its share of ring and of sector.
 double hole_volume(const Spokes& bottom) {
   double sum = 0.0;
@@ -55,6 +69,7 @@ Findings answer_of_free_langeveld(const Question& q) {
   model.advance = [&m] { advance(m); };
   model.now = [&m] {
     const LangeveldState& y = m.state;
+    check_on_spokes(m);
     return FreeInstant{{Vec3(y[0], y[1], y[2]), y[3]}, Vec3(y[4], y[5], y[6]), y[7]};
   };
   model.hole = [&m] { return hole_volume(m.rock.bottom); };

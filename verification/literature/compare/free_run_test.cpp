@@ -50,6 +50,7 @@ TEST(FreeRun, the_rock_carries_the_load_less_what_the_damper_takes) {
 
 /// Weight and torque do eps times the volume that goes, also where the bit finds its own rate.
 TEST(FreeRun, weight_and_torque_do_the_work_of_the_rock_that_goes) {
+  // seen: 0.004
   constexpr double tolerance = 0.01, eps = 100e6, gage = 0.10795;
   for (const Answer& a : of_three().answers) {
     const double advance = 0.5 * said(a, Quantity::rate_of_penetration);
@@ -64,7 +65,7 @@ TEST(FreeRun, weight_and_torque_do_the_work_of_the_rock_that_goes) {
 }
 
 TEST(FreeRun, finds_rates_that_agree) {
-  constexpr double tolerance = 0.03;
+  constexpr double tolerance = 0.015;  // seen: 0.006
   const double ours = said(of_three().answers[0], Quantity::rate_of_penetration);
   for (const Answer& a : of_three().answers)
     EXPECT_NEAR(said(a, Quantity::rate_of_penetration) / ours, 1.0, tolerance) << a.model->name;
@@ -72,7 +73,7 @@ TEST(FreeRun, finds_rates_that_agree) {
 
 /// The side force turns slowly against the string's own frequency: it pushes as far as the spring gives way.
 TEST(FreeRun, whirls_as_far_as_its_side_force_bends_the_string) {
-  constexpr double tolerance = 0.03;
+  constexpr double tolerance = 0.04;  // seen: 0.024
   for (const Answer& a : of_three().answers)
     EXPECT_NEAR(said(a, Quantity::whirl_radius) * sideways / said(a, Quantity::side_force), 1.0,
                 tolerance)
@@ -108,14 +109,25 @@ TEST(FreeRun, a_led_bit_has_no_rate_of_its_own) {
             "given: the case moves the bit");
 }
 
-TEST(FreeRun, a_motion_that_diverges_is_refused_by_its_models_name) {
+/// Without lateral damping; the models that have it go on.
+TEST(FreeRun, a_bit_that_whirls_off_its_spokes_is_refused_by_its_models_name) {
+  const CompareCase c =
+      read_compare_case(TDBD_SOURCE_DIR "/cases/compare/bit-b-free.toml",
+                        {"string.lateral_stiffness='1e7 N/m'", "time.duration='5 s'"});
+  const Comparison all = compare(c, {&models()[4]}, Refusal::is_noted, {});
+  EXPECT_TRUE(all.answers.empty());
+  EXPECT_EQ(all.not_asked.front().find("Langeveld: found a bit that whirls"), 0)
+      << all.not_asked.front();
+}
+
+TEST(FreeRun, a_step_too_long_for_the_damper_is_refused_by_its_models_name) {
   const CompareCase c = read_compare_case(TDBD_SOURCE_DIR "/cases/compare/bit-b-free.toml",
                                           {"string.axial_damping='5e6 N s/m'"});
   try {
     compare(c, chosen_models(c, {"langeveld"}), Refusal::stops, {});
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_EQ(std::string(e.what()).find("Langeveld: found a motion that diverges"), 0) << e.what();
+    EXPECT_EQ(std::string(e.what()).find("Langeveld: found a "), 0) << e.what();
   }
 }
 
