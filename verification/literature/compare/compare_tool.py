@@ -51,12 +51,19 @@ def check_refusals(folder):
     keys = CASES.parents[1] / "reference" / "compare" / "KEYS.md"
     assert run("--keys").stdout == keys.read_text(encoding="utf-8"), "tdbd-compare --keys > reference/compare/KEYS.md"
     case = CASES / "bit-b.toml"
+    cones, table = CASES / "bit-r.toml", folder / "falling.csv"
+    table.write_text("depth [mm], force [kN], crater_radius [mm]\n0,0,0\n1,5,2\n2,4,3\n", encoding="utf-8")
     for arguments, reason in (((), "case file"), ((CASES / "none.toml",), "none.toml"),
                               ((case, "--models", "warren"), "'warren'"),
                               ((case, "--set", "compare.circle=1 furlong"), "compare.circle"),
                               ((case, "--set", "motion.kind=legs"), "motion"),
                               ((CASES / "bit-b-free.toml", "--models", "behr"), "Behr et al.: found motion.kind"),
-                              ((case, "-o", folder / "1"), "not empty"), ((case, "--threads", "0"), "--threads")):
+                              ((case, "-o", folder / "1"), "not empty"), ((case, "--threads", "0"), "--threads"),
+                              ((case, "--models", "ma-azar"), "Ma and Azar: found a bit without cones"),
+                              ((cones, "--models", "warren-sinor"), "Warren and Sinor: found a bit with cones"),
+                              ((cones, "--models", "ma-zhou-deng"), "Ma, Zhou and Deng: found no weight"),
+                              ((cones, "--models", "huang-cawthorne-2", "--set", "compare.weight_on_bit=2e4", "--set",
+                                f"compare.roller.tooth_table={table}"), "falling.csv:4: force")):
         result = run(*arguments)
         assert result.returncode == 2 and reason in result.stderr, (arguments, result)
         assert result.stdout == "", result
