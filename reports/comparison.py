@@ -35,7 +35,7 @@ FIGURES = {
         "Noise of the torque over cost",
         "Bit A at 3 mm a revolution, each rock made finer from left to right: rms deviation of one step's torque over its mean, and CPU time for a simulated second. "
         "A model without noise is not shown. By crossing: a force acts only in the steps in which its cutter crosses a spoke, as the literature is read; "
-        "held: it keeps its value until the next crossing, which removes the noise in steady drilling. Our mesh with forces from sections, the default, and from volumes."),
+        "spread: it counts until the cutter would be at the next spoke, which removes the noise in steady drilling. Our mesh with forces from sections, the default, and from volumes."),
     "compare_rates": ("Rate of penetration over weight", "Drag bits and the roller cone bit, each model at the protocol's rates, or at the reference weight."),
     "compare_cones": ("Speeds of the cones", "Over that of the bit, by model, at the protocol's rates; mean over the cones."),
     "compare_wear": ("Wear flats", "Area of each cutter's flat over its radius after the case's distance, of the models that wear."),

@@ -12,12 +12,11 @@ LOOKS = {
     "hanson-hansen": (style.GREEN, "s"),
     "briggs": (style.RED, "^"),
     "winters": (style.GOLD, "P"),
-    "ma-azar": (style.GREY, "x"),
+    "ma-azar": (style.GREY, "1"),
     "ma-zhou-deng": (style.BLUE, "v"),
     "huang-cawthorne-1": (style.PURPLE, "D"),
     "huang-cawthorne-2": (style.SKY, "<"),
-    "sheppard-lesage": (style.GREEN, "s"),
-    "z-map": (style.GOLD, "P"),
+    "sheppard-lesage": (style.GREY, "x"),
 }
 OTHER = (style.SKY, "*")
 

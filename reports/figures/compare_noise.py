@@ -9,7 +9,7 @@ SERIES = {
     "noise-volumes": [("tdbd", "torque_noise", "TDBD, volumes", style.BLACK, "o", ":")],
     "noise-planes": [("behr", "torque_noise_by_crossing", "Behr et al., by crossing", style.RED, "^", "-")],
     "noise-spokes": [("langeveld", "torque_noise_by_crossing", "Langeveld, by crossing", style.BLUE, "v", "-")],
-    "noise-outlines": [("hanson-hansen", "torque_noise", "Hanson and Hansen, held", style.GREEN, "s", ":"),
+    "noise-outlines": [("hanson-hansen", "torque_noise", "Hanson and Hansen, spread", style.GREEN, "s", ":"),
                        ("hanson-hansen", "torque_noise_by_crossing", "Hanson and Hansen, by crossing", style.GREEN, "s", "-")],
 }
 LEAST = 1e-6  # less noise than this is rounding
