@@ -85,7 +85,6 @@ std::string comparison_json(const CompareCase& c, const Comparison& all) {
     json["models"].push_back({{"name", a.model->name},
                               {"title", a.model->title},
                               {"reference", a.model->reference},
-                              {"row", a.model->row},
                               {"steps", a.findings.cost.steps},
                               {"notes", a.findings.notes},
                               {"says", values_of(a.findings)},

@@ -25,7 +25,6 @@ struct Model {
   std::string_view name;       ///< "warren-sinor"
   std::string_view title;      ///< "Warren and Sinor"
   std::string_view reference;  ///< its number in the thesis
-  std::string_view row;        ///< of our list of systems: "S7"
   Knows knows = Knows::both;
   Findings (*answer)(const Question&) = nullptr;
   Findings (*free)(const Question&) = nullptr;  ///< of a bit on a string; none: its motion is input

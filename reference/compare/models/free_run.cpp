@@ -27,9 +27,9 @@ struct FreeSums {
 
 void add_tips(const CompareCase& c, const FreeInstant& at, FreeSums& sums) {
   for (const bit::Cutter& cutter : c.ours.bit.cutters) {
-    const Vec3 arm_W = turned(bit::tip_B(cutter), at.place);
+    const Vec3 arm_W = turned(at.place, bit::tip_B(cutter));
     const Vec3 v_W = at.v_W + at.turn_rate * Vec3(-arm_W.y(), arm_W.x(), 0.0);
-    if (v_W.dot(turned(cutter.X_BC.R.col(0), at.place)) < 0.0) ++sums.backwards;
+    if (v_W.dot(turned(at.place, cutter.X_BC.R.col(0))) < 0.0) ++sums.backwards;
   }
 }
 
@@ -37,7 +37,7 @@ void add_free_loads(const FreeModel& m, const FreeInstant& at, FreeSums& sums) {
   const BitPlace back{Vec3::Zero(), -at.place.angle};
   Vec3 whole_B = Vec3::Zero();
   for (std::size_t i = 0; i < sums.force_B.size(); ++i) {
-    const Vec3 force_B = turned((*m.force_W)[i], back);
+    const Vec3 force_B = turned(back, (*m.force_W)[i]);
     whole_B += force_B;
     sums.force_B[i] += force_B;
     sums.area[i] += (*m.area)[i];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,6 +37,18 @@ struct RimEllipse {
 
 /// `radial_B`: unit, horizontal, the direction of the plane's x; the plane holds the bit's axis.
 RimEllipse rim_ellipse(const CutterRim& rim, const Vec3& radial_B);
+
+/// Depth of the unworn rim's branches at x, m; those of its ends beside it.
+inline double branch_bulge(const RimEllipse& e, double x) {
+  const double share = (x - e.x0) / e.half_width;
+  return e.bulge * std::sqrt(std::max(0.0, 1.0 - share * share));
+}
+inline double lower_branch(const RimEllipse& e, double x) {
+  return e.z0 + e.slope * (x - e.x0) + branch_bulge(e, x);
+}
+inline double upper_branch(const RimEllipse& e, double x) {
+  return e.z0 + e.slope * (x - e.x0) - branch_bulge(e, x);
+}
 
 /// Where the flat cuts off the lower branch.
 inline double worn_depth(const RimEllipse& e, double x, double upper, double lower) {

@@ -62,11 +62,6 @@ Removed lower_nodes(Spokes& bottom, int plane, const RimEllipse& e) {
 
 }  // namespace
 
-Vec3 turned(const BitPlace& place, const Vec3& x_B) {
-  const double cosine = std::cos(place.angle), sine = std::sin(place.angle);
-  return {cosine * x_B.x() - sine * x_B.y(), sine * x_B.x() + cosine * x_B.y(), x_B.z()};
-}
-
 Vec3 tip_velocity(const BehrWay& way, const BitPlace& place, const CutterRim& rim) {
   const Vec3 arm = turned(place, rim.tip_B), moved = way.to.p_WB - way.from.p_WB;
   const double turn = way.to.angle - way.from.angle;

@@ -9,14 +9,8 @@ struct BehrWay {
   BitPlace from, to;
   double dt = 0.0;  ///< s
 
-  BitPlace at(double share) const {
-    return {from.p_WB + share * (to.p_WB - from.p_WB),
-            from.angle + share * (to.angle - from.angle)};
-  }
+  BitPlace at(double share) const { return between(from, to, share); }
 };
-
-/// x_W - p_WB of a point of the bit's frame, m.
-Vec3 turned(const BitPlace& place, const Vec3& x_B);
 
 /// Horizontal velocity of the tip of a rim, m/s.
 Vec3 tip_velocity(const BehrWay& way, const BitPlace& place, const CutterRim& rim);

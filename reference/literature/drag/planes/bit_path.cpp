@@ -12,6 +12,15 @@ double depth_after(double angle, double advance) {
 
 }  // namespace
 
+Vec3 turned(const BitPlace& place, const Vec3& v_B) {
+  const double c = std::cos(place.angle), s = std::sin(place.angle);
+  return {c * v_B.x() - s * v_B.y(), s * v_B.x() + c * v_B.y(), v_B.z()};
+}
+
+BitPlace between(const BitPlace& from, const BitPlace& to, double share) {
+  return {from.p_WB + share * (to.p_WB - from.p_WB), std::lerp(from.angle, to.angle, share)};
+}
+
 BitPath steady_path(double rotary_speed, double advance) {
   return [=](double t) {
     const double angle = rotary_speed * t;

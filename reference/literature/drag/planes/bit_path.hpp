@@ -14,6 +14,12 @@ struct BitPlace {
   double angle = 0.0;        ///< rad
 };
 
+/// A vector of the bit's frame in W.
+Vec3 turned(const BitPlace& place, const Vec3& v_B);
+
+/// On the straight way from one place to another; share: 0 to 1.
+BitPlace between(const BitPlace& from, const BitPlace& to, double share);
+
 /// A prescribed motion: the bit's place at a time, s.
 using BitPath = std::function<BitPlace(double)>;
 

@@ -42,8 +42,8 @@ double cut_sphere(HansonHansenCones& m, const PlacedTooth& t, double size) {
   double removed = 0.0;
   for (int k = 0; k < m.bottom.spokes(); ++k) {
     const SpokePlane& plane = m.planes[at(k)];
-    const SpokeRim disc = sphere_section(t.centre_W, size, plane);
-    if (disc.half_width < 1e-6 || disc.r < -disc.half_width) continue;
+    const RimEllipse disc = sphere_section(t.centre_W, size, plane);
+    if (disc.half_width < 1e-6 || disc.x0 < -disc.half_width) continue;
     const CrossingCut cut = cut_outline(m.bottom, k, disc);
     removed += cut.moment * 2.0 * std::numbers::pi / m.bottom.spokes();
   }

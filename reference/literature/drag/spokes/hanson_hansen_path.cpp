@@ -54,7 +54,7 @@ OutlineSpokes fitting_outline_rock(const std::vector<SpokeCutter>& cutters, doub
   return {frame, layout.spacing, std::vector<PlanarFace>(at(layout.spokes), face)};
 }
 
-CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const SpokeRim& rim) {
+CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const RimEllipse& rim) {
   const RimPolygon polygon = rim_polygon(rim);
   const CrossingCut cut = rim_in_face(polygon, rock.rock[at(spoke)]);
   if (cut.area <= sliver) return cut;

@@ -27,7 +27,7 @@ OutlineSpokes fitting_outline_rock(const std::vector<SpokeCutter>& cutters, doub
                                    const HansonHansenLayout& layout, double around = 30e-3);
 
 /// Removes a rim from a spoke; what it met there. A sliver below 1e-12 m2 stays.
-CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const SpokeRim& rim);
+CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const RimEllipse& rim);
 
 PathRun hanson_hansen_path(const std::vector<SpokeCutter>& cutters, const HansonHansenRock& rock,
                            OutlineSpokes& bottom, const BitPath& path, const PathOptions& options);

@@ -24,8 +24,8 @@ RimLoad rim_load(const HansonHansenPdc& m, const SpokeCutter& cutter, const BitP
   const int spoke = spoke_ahead(c, v_W, m.bottom.spokes());
   const CrossingCut cut = rim_in_face(rim_polygon(c.rim), m.bottom.rock[at(spoke)]);
   if (cut.area <= 0.0) return {};
-  const Vec3 force_W = hanson_hansen_force(m.rock, cutter, cut, turned(cutter.normal_B, place),
-                                           turned(cutter.face_B, place), v_W);
+  const Vec3 force_W = hanson_hansen_force(m.rock, cutter, cut, turned(place, cutter.normal_B),
+                                           turned(place, cutter.face_B), v_W);
   const double r = cut.moment / cut.area, x = c.cosine * r - place.p_WB.x(),
                y = c.sine * r - place.p_WB.y();
   return {force_W, x * force_W.y() - y * force_W.x(), cut.area};
@@ -41,10 +41,10 @@ void check_setup(const HansonHansenSetup& s) {
 void cut_crossings(HansonHansenPdc& m, const BitPlace& from, const BitPlace& to) {
   track(m.tracker, m.cutters, to);
   for (const SpokeCrossing& x : m.tracker.crossings) {
-    const SpokeRim rim = placed(m.cutters[x.cutter], between(from, to, x.share)).rim;
+    const RimEllipse rim = placed(m.cutters[x.cutter], between(from, to, x.share)).rim;
     cut_outline(m.bottom, x.spoke, rim);
     double& wall = m.wall.radius[at(x.spoke)];
-    wall = std::max(wall, rim.r + rim.half_width);
+    wall = std::max(wall, rim.reach());
   }
 }
 

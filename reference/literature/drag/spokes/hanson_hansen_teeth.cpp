@@ -21,7 +21,7 @@ void check_cones(const RollerBit& bit) {
 }
 
 /// A vector of a cone's frame (e_r, e_t, e_z) in the bit's.
-Vec3 of_azimuth(const Vec3& v, double azimuth) { return turned(v, {Vec3::Zero(), azimuth}); }
+Vec3 of_azimuth(const Vec3& v, double azimuth) { return turned({Vec3::Zero(), azimuth}, v); }
 
 SphereTooth sphere_tooth(const RollerCone& cone, std::size_t k, std::size_t i, double angle) {
   const RollerRow& row = cone.rows[i];
@@ -79,11 +79,11 @@ PlacedTooth placed_tooth(const SphereTooth& tooth, const BitPlace& place, double
   return t;
 }
 
-SpokeRim sphere_section(const Vec3& centre_W, double size, const SpokePlane& plane) {
+RimEllipse sphere_section(const Vec3& centre_W, double size, const SpokePlane& plane) {
   const double s = plane.beside(centre_W), squared = size * size - s * s;
   const Vec2 foot = plane.foot(centre_W);
   const double radius = squared > 0.0 ? std::sqrt(squared) : 0.0;
-  return {foot.x(), foot.y(), radius, 0.0, radius};
+  return {foot.x(), foot.y(), radius, radius, 0.0};
 }
 
 double sphere_shadow(double size, double depth) {

@@ -37,7 +37,7 @@ double downwards(const SphereTooth& tooth, double cone_angle);
 
 /// A sphere in the plane of a spoke that passes its centre at this distance: a disc of radius sqrt(a^2 - s^2); half
 /// width 0 beyond the sphere.
-SpokeRim sphere_section(const Vec3& centre_W, double size, const SpokePlane& plane);
+RimEllipse sphere_section(const Vec3& centre_W, double size, const SpokePlane& plane);
 
 /// Of a sphere pressed into a plane to a depth: pi (2 a d - d^2), of its shadow; 2 pi a d, of its surface; the cap's
 /// volume pi d^2 (a - d/3). m2, m3.

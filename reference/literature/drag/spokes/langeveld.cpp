@@ -86,7 +86,7 @@ void langeveld_load(const Langeveld& m, const LangeveldState& y, LangeveldLoad& 
     const Vec3 arm = c.tip_W - place.p_WB, v_W = v + y[7] * Vec3(-arm.y(), arm.x(), 0.0);
     const CrossingCut cut = felt(m, i, c, spoke_ahead(c, v_W, m.rock.bottom.spokes));
     const Vec3 force_W =
-        area_force(m.system.rock, cut.area, turned(m.cutters[i].normal_B, place), v_W);
+        area_force(m.system.rock, cut.area, turned(place, m.cutters[i].normal_B), v_W);
     const double r = cut.area > 0.0 ? cut.moment / cut.area : c.radius;
     load.force_W += force_W;
     load.torque += (c.cosine * r - y[0]) * force_W.y() - (c.sine * r - y[1]) * force_W.x();

@@ -28,9 +28,9 @@ LangeveldRock flat_rock(const std::vector<SpokeCutter>& cutters, double top, int
 enum class CountedRock { all_above, within_rim };
 
 /// What a rim would cut out of a spoke; what it does cut out.
-CrossingCut rim_in_rock(const LangeveldRock& rock, int spoke, const SpokeRim& rim,
+CrossingCut rim_in_rock(const LangeveldRock& rock, int spoke, const RimEllipse& rim,
                         CountedRock counted = CountedRock::all_above);
-CrossingCut cut_rock(LangeveldRock& rock, int spoke, const SpokeRim& rim,
+CrossingCut cut_rock(LangeveldRock& rock, int spoke, const RimEllipse& rim,
                      CountedRock counted = CountedRock::all_above);
 
 }  // namespace tdbd::reference

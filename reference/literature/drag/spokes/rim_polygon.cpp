@@ -114,12 +114,12 @@ RimSum over_outline(const RimPolygon& rim, const Outline& outline) {
 
 }  // namespace
 
-RimPolygon rim_polygon(const SpokeRim& rim) {
+RimPolygon rim_polygon(const RimEllipse& rim) {
   RimPolygon p;
   for (std::size_t m = 0; m <= rim_slabs; ++m) {
-    const double x = rim.half_width * unit.x[m], line = rim.z + rim.slope * x,
-                 height = rim.half_height * unit.height[m];
-    p.r[m] = rim.r + x;
+    const double x = rim.half_width * unit.x[m], line = rim.z0 + rim.slope * x,
+                 height = rim.bulge * unit.height[m];
+    p.r[m] = rim.x0 + x;
     p.lower[m] = line + height;
     p.upper[m] = line - height;
   }

@@ -14,7 +14,7 @@ struct RimPolygon {
   std::array<double, rim_slabs + 1> r, lower, upper;  ///< m, r rising
 };
 
-RimPolygon rim_polygon(const SpokeRim& rim);
+RimPolygon rim_polygon(const RimEllipse& rim);
 
 /// Its corners as an outline with positive area; `out` is reused.
 void outline_of(const RimPolygon& rim, Outline& out);

@@ -9,7 +9,7 @@ namespace {
 
 /// Azimuth of the tip in spokes.
 double tip_spoke(const SpokeCutter& cutter, const BitPlace& place, int spokes) {
-  const Vec3 tip_W = turned(cutter.tip_B, place) + place.p_WB;
+  const Vec3 tip_W = turned(place, cutter.tip_B) + place.p_WB;
   return std::atan2(tip_W.y(), tip_W.x()) / (2.0 * std::numbers::pi) * spokes;
 }
 

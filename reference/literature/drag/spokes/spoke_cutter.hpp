@@ -4,21 +4,10 @@
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "reference/literature/drag/plane/cutter_rim.hpp"
 #include "reference/literature/drag/planes/bit_path.hpp"
 
 namespace tdbd::reference {
-
-/// An ellipse in the (r, z) half-plane of a spoke, as two branches over r; z down.
-struct SpokeRim {
-  double r = 0.0, z = 0.0;   ///< its centre, m
-  double half_width = 0.0;   ///< m, along r
-  double slope = 0.0;        ///< of the line through the two ends
-  double half_height = 0.0;  ///< m, of a branch over that line at the centre
-
-  /// Depth of the lower and of the upper branch; |at_r - r| <= half_width.
-  double lower(double at_r) const;
-  double upper(double at_r) const;
-};
 
 /// A cutter's face as the models on spokes know it, in the bit's frame B: a sharp disc.
 struct SpokeCutter {
@@ -27,15 +16,13 @@ struct SpokeCutter {
   double back_rake = 0.0, chamfer = 0.0, chamfer_angle = 0.0;
 };
 
-BitPlace between(const BitPlace& a, const BitPlace& b, double share);
-
 /// A cutter in its place, with its rim seen along the normal of the half-plane through the hole's
 /// axis and its tip (exact when the tip crosses a spoke).
 struct PlacedCutter {
   Vec3 tip_W;
   double cosine = 1.0, sine = 0.0;  ///< of the tip's azimuth about the hole's axis
   double radius = 0.0;              ///< m, of the tip from the hole's axis
-  SpokeRim rim;
+  RimEllipse rim;
 };
 
 /// The faces of a table of cutters (their X_BC must be set). Throws InputError, which begins with
@@ -44,9 +31,6 @@ std::vector<SpokeCutter> spoke_cutters(const std::vector<bit::Cutter>& cutters,
                                        const std::string& model);
 
 PlacedCutter placed(const SpokeCutter& cutter, const BitPlace& place);
-
-/// A vector of the bit's frame in W.
-Vec3 turned(const Vec3& v_B, const BitPlace& place);
 
 /// The largest radius that a rim reaches on a bit in the hole's axis, m.
 double widest_reach(const std::vector<SpokeCutter>& cutters);

@@ -19,7 +19,7 @@ struct PathTally {
 };
 
 Vec3 back_turned(const Vec3& v_W, const BitPlace& place) {
-  return turned(v_W, {Vec3::Zero(), -place.angle});
+  return turned({Vec3::Zero(), -place.angle}, v_W);
 }
 
 /// The middle of a crossing's area, m from the hole's axis.
@@ -119,8 +119,8 @@ void pass(PathFollower& f, const SpokeCrossing& x) {
   const CrossingCut cut = f.model.cut(x.cutter, x.spoke, c);
   const Vec3 v_W = velocity_W(f, c.tip_W - place.p_WB);
   const Passage way = passage(c, v_W, f.model.spokes);
-  const Vec3 force_W = way.across * f.model.force(x.cutter, cut, turned(cutter.normal_B, place),
-                                                  turned(cutter.face_B, place), v_W);
+  const Vec3 force_W = way.across * f.model.force(x.cutter, cut, turned(place, cutter.normal_B),
+                                                  turned(place, cutter.face_B), v_W);
   cross(f.loads, x.cutter, x.share * f.loads.step, load_of(cut, c, place, force_W, way.time));
   if (f.counts) count(f, x, cut, middle(cut, c));
 }

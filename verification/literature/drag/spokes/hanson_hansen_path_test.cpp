@@ -63,7 +63,7 @@ TEST(HansonHansenPath, asks_the_torque_of_the_energy_of_a_whole_disc) {
 /// 50 mm below the top of an upright wall a cutter goes half into it.
 TEST(HansonHansenPath, takes_a_half_disc_out_of_a_wall_where_a_height_field_takes_a_column) {
   constexpr double a = 6.7e-3, wall = 0.1, down = 50e-3, mm2 = 1e-6;
-  const SpokeRim rim{wall, down, a, 0.0, a};
+  const RimEllipse rim{wall, down, a, a, 0.0};
   OutlineSpokes several = flat_outline_spokes({0.2, 0.2}, 0.0, 1, 0.2e-3);
   cut_spoke(several, 0, {{0.0, -0.01}, {wall, -0.01}, {wall, 0.19}, {0.0, 0.19}});
   LangeveldRock one;

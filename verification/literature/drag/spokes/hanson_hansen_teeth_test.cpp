@@ -26,9 +26,9 @@ RollerBit one_tooth() {
 TEST(SphereTooth, is_a_disc_in_the_plane_of_a_spoke) {
   const std::pair<double, double> printed[] = {{0.0, 6.0}, {2.0, 5.656854}, {3.0, 5.196152}};
   for (const auto& [s, radius] : printed) {
-    const SpokeRim disc = sphere_section({50 * mm, s * mm, 3 * mm}, 6 * mm, spoke_plane(0, 4));
+    const RimEllipse disc = sphere_section({50 * mm, s * mm, 3 * mm}, 6 * mm, spoke_plane(0, 4));
     EXPECT_NEAR(disc.half_width / mm, radius, 5e-7);
-    EXPECT_EQ(disc.half_width, disc.half_height);
+    EXPECT_EQ(disc.half_width, disc.bulge);
   }
   EXPECT_EQ(sphere_section({50 * mm, 7 * mm, 0}, 6 * mm, spoke_plane(0, 4)).half_width, 0.0);
 }

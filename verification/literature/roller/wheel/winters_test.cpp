@@ -85,7 +85,7 @@ RC_GTEST_PROP(Winters, strength_from_rate_undoes_rate_from_strength, ()) {
   RC_ASSERT(std::abs(back / sigma - 1.0) < 1e-9);
 }
 
-/// Finding F2: other units of length, force and time leave R/(N D) as it is.
+/// Other units of length, force and time leave R/(N D) as it is.
 RC_GTEST_PROP(Winters, the_dimensionless_rate_knows_no_units, ()) {
   const double length = between(0.01, 100.0), force = between(0.01, 100.0),
                time = between(0.01, 100.0);
