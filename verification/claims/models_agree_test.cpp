@@ -49,6 +49,13 @@ double worst_area(const Answer& a, const Answer& plane, double least) {
   return worst;
 }
 
+/// What the areas of the thinnest cuts, 0.07 mm2, differ by at most: nodes of Langeveld's spokes miss
+/// them.
+double thinnest_cuts(std::string_view model) {
+  if (model == "tdbd") return 0.05;
+  return model == "langeveld" ? 1.0 : 0.5;
+}
+
 void record_areas(const Answer& a, const Answer& plane, const std::string& form) {
   const std::string of = "bit B, 2.08 mm a revolution, " + std::string(a.model->title) +
                          ": areas over those of the " + form +
@@ -62,9 +69,12 @@ void record_areas(const Answer& a, const Answer& plane, const std::string& form)
       }(),
       "1", a.model->name == "langeveld" ? 0.04 : 0.025);
   const double all = worst_area(a, plane, 0.0);
-  battery::record({claim, of + "all of them", all, "1",
-                   "<= 0.01: no, at the gage, where cuts are thinner than nodes and edges are wide",
-                   all <= 0.01 ? battery::Verdict::holds : battery::Verdict::holds_with_limits});
+  EXPECT_LE(all, thinnest_cuts(a.model->name)) << a.model->name;
+  battery::record(
+      {claim, of + "all of them", all, "1",
+       "<= 0.01 was asked: no, at the gage, where cuts are thinner than nodes and edges "
+       "are wide",
+       battery::Verdict::holds_with_limits});
 }
 
 /// eps R^2 d / 2, which is what the plane has whatever its layout.
