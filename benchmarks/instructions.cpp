@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "benchmarks/command.hpp"
 #include "benchmarks/workloads.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -52,20 +52,12 @@ std::string names() {
 }
 
 void run(const Wish& wish) {
+  const ThreadLimit threads(wish.threads);
   for (const Workload& w : workloads())
     if (w.name == wish.workload) return count(start_workload(w, wish.settings, wish.warm), wish);
   for (const ZMapWorkload& w : z_map_workloads())
     if (w.name == wish.workload) return count(start_workload(w, wish.warm), wish);
   throw InputError(fmt::format("workload: found {}, expected one of{}", wish.workload, names()));
-}
-
-int guarded_run(const Wish& wish) try {
-  const ThreadLimit threads(wish.threads);
-  run(wish);
-  return 0;
-} catch (const InputError& e) {
-  fmt::print(stderr, "{}\n", e.what());
-  return 2;
 }
 
 }  // namespace
@@ -79,10 +71,5 @@ int main(int argc, char** argv) {
   app.add_option("--warm", wish.warm, "steps before them; a revolution if not given");
   app.add_option("--threads", wish.threads, "threads")->check(CLI::PositiveNumber);
   app.add_option("--set", wish.settings, "KEY=VALUE of the case");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  return tdbd::bench::guarded_run(wish);
+  return tdbd::bench::parse_and_run(app, argc, argv, [&] { tdbd::bench::run(wish); });
 }
