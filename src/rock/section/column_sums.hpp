@@ -11,6 +11,7 @@ namespace tdbd::rock {
 /// A piece of the rock's outline in the plane of a face, rock on its left. Frame F, m.
 struct OutlineSegment {
   Vec2 from, to;
+  bool is_inside = false;  ///< within the columns at work, away from their edges
 };
 
 /// Sums over segments in whole multiples of a small unit: integers add up to the same in any order.
