@@ -24,6 +24,7 @@ void take_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const Cutt
   w.move_of[at(v)] = static_cast<int>(w.moves.size());
   w.moves.push_back({v, rock.surface.positions[at(v)]});
   rock.last_part[at(v)] = part.part;
+  note_cut(rock, v);
   place_vertex(rock, v, x_W);
 }
 
@@ -184,6 +185,7 @@ void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
     __builtin_prefetch(&rock.surface.corner_of[at(v)]);
     __builtin_prefetch(&rock.last_part[at(v)]);
     __builtin_prefetch(&rock.touched[at(v)]);
+    __builtin_prefetch(&rock.moved_in[at(v)]);
     __builtin_prefetch(&w.move_of[at(v)]);
     __builtin_prefetch(&w.step_of_move[at(v)]);
     rock.grid.prefetch(v);
@@ -262,6 +264,7 @@ std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Roc
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
+  ++rock.cuts;
   work.move_of.resize(rock.surface.positions.size(), 0);
   work.step_of_move.resize(rock.surface.positions.size(), 0);
   rock.near_lists.resize(bit.groups.size());
