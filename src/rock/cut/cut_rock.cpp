@@ -12,31 +12,28 @@
 namespace tdbd::rock {
 namespace {
 
-bool has_moved(const CutWorkspace& w, int v) { return w.step_of_move[at(v)] == w.step; }
-
 /// Moves a vertex to where it leaves the part and notes who moved it. Returns the volume, m3.
-double take_vertex(Rock& rock, CutWorkspace& w, const SweptVertex& s, const CuttingPart& part) {
+double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
   if (rock.surface.is_boundary(s.v))
     throw RunError(fmt::format(
         "{} swept the rock's boundary at ({:.3f}, {:.3f}, {:.3f}) mm: the wall is too low or "
         "the rock too narrow for this motion",
         part.name, 1e3 * s.x_W.x(), 1e3 * s.x_W.y(), 1e3 * s.x_W.z()));
   const double volume = star_volume(rock.surface, s.v, s.x_W - rock.surface.position(s.v));
-  w.step_of_move[at(s.v)] = w.step;
   rock.last_part[at(s.v)] = part.part;
+  note_cut(rock, s.v);
   place_vertex(rock, s.v, s.x_W);
   return volume;
 }
 
 /// Moves what the group sweeps, part after part, in the order of the vertices' numbers: sums do not
 /// depend on the order of the index.
-void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutWorkspace& w,
-               CutReport& report) {
+void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& report) {
   for (auto s = cut.swept.begin(); s != cut.swept.end();) {
     const std::size_t which = s->which;
     double removed = 0.0;
     for (; s != cut.swept.end() && s->which == which; ++s) {
-      removed += take_vertex(rock, w, *s, g.parts[which]);
+      removed += take_vertex(rock, *s, g.parts[which]);
       cut.moved.push_back(s->v);
     }
     report.removed_by_part[at(g.parts[which].part)] += removed;
@@ -95,7 +92,6 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   report.removed_by_part.assign(at(bit.part_count), 0.0);
   report.removed = 0.0;
   report.candidates = report.moved = 0;
-  ++w.step;
   w.groups.resize(bit.groups.size());
   for (GroupCut& cut : w.groups) {
     cut.near.places.clear();
@@ -116,7 +112,7 @@ void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
     __builtin_prefetch(&rock.surface.stars[at(s.v)]);
     __builtin_prefetch(&rock.last_part[at(s.v)]);
     __builtin_prefetch(&rock.touched[at(s.v)]);
-    __builtin_prefetch(&w.step_of_move[at(s.v)]);
+    __builtin_prefetch(&rock.moved_in[at(s.v)]);
     rock.grid.prefetch(s.v);
   }
 }
@@ -135,10 +131,10 @@ bool process_all(Rock& rock, const CuttingBit& bit, Pass pass, CutWorkspace& w, 
     report.candidates += static_cast<long>(cut.candidates.size());
     if (pass == Pass::first)
       plan_again(
-          rock, bit.groups[i], w.motions[i], [&](int v) { return has_moved(w, v); }, cut);
+          rock, bit.groups[i], w.motions[i], [&](int v) { return is_moved_now(rock, v); }, cut);
     else
       plan_moves(rock, bit.groups[i], w.motions[i], cut);
-    carry_out(rock, bit.groups[i], cut, w, report);
+    carry_out(rock, bit.groups[i], cut, report);
     keep_unclear(bit.groups[i], cut);
     any = any || !cut.moved.empty();
   }
@@ -194,7 +190,7 @@ std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Roc
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
-  work.step_of_move.resize(rock.surface.stars.size(), 0);
+  ++rock.cuts;
   rock.near_lists.resize(bit.groups.size());
   find_in_rock(rock, bit, work);
   work.changes_before = rock.grid.changes();

@@ -25,9 +25,7 @@ struct CutWorkspace {
   double contact_gap = -1.0;  ///< m, of contact_areas after the step; negative: contact disabled
   std::vector<GroupMotion> motions;  ///< per group
   std::vector<GroupCut> groups;      ///< per group
-  std::vector<int> step_of_move;     ///< per vertex: the last step that moved it
   long changes_before = 0;           ///< of the index, when the step began
-  int step = 0;                      ///< number of the last step
 };
 
 /// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),

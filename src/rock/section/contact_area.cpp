@@ -8,11 +8,6 @@
 namespace tdbd::rock {
 namespace {
 
-/// Whether this step moved the vertex.
-bool has_moved(const CutWorkspace& cut, int v) {
-  return at(v) < cut.step_of_move.size() && cut.step_of_move[at(v)] == cut.step;
-}
-
 bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
   return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
 }
@@ -82,13 +77,13 @@ bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& 
 }
 
 /// Marks what a solid of the part moved or touches; called for each solid of a part.
-void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, const CutWorkspace& cut,
-          double gap, ContactRoom& w) {
+void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, double gap,
+          ContactRoom& w) {
   std::size_t plane = 0;
   for (std::size_t i = 0; i < w.near.size(); ++i) {
     const int v = w.near[i];
     if (w.mark[at(v)] == w.stamp) continue;
-    const bool moved = rock.last_part[at(v)] == part.part && has_moved(cut, v);
+    const bool moved = rock.last_part[at(v)] == part.part && is_moved_now(rock, v);
     if (!moved && (!touches(part, w.near_P[i], gap, plane) ||
                    is_far_from(g, w.near_P[i], gaps_around_hull * gap)))
       continue;
@@ -137,7 +132,7 @@ void measure_group(const Rock& rock, const CuttingBit& bit, const CutWorkspace& 
     ++w.stamp;
     w.held.clear();
     for (; k < g.parts.size() && g.parts[k].part == part; ++k)
-      hold(rock, g, g.parts[k], cut, gap, w);
+      hold(rock, g, g.parts[k], gap, w);
     contact_by_part[at(part)] = contact_of_held(rock, w);
   }
 }
