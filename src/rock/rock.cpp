@@ -13,6 +13,7 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
   rock.grid.insert_all(mesh::positions_of(surface), std::move(alive));
   rock.last_part.assign(surface.stars.size(), -1);
   rock.touched.assign(surface.stars.size(), 0);
+  rock.moved_in.assign(surface.stars.size(), {});
   rock.surface = std::move(surface);
   return rock;
 }
@@ -36,10 +37,18 @@ void place_vertex(Rock& rock, int v, const Vec3& x_W) {
   touch(rock, v);
 }
 
+void note_cut(Rock& rock, int v) {
+  MovedIn& moved = rock.moved_in[at(v)];
+  if (rock.touched[at(v)] == 0) moved.first = rock.cuts;
+  moved.last = rock.cuts;
+}
+
 void register_vertex(Rock& rock, int v, int last_part) {
   const std::size_t n = at(rock.surface.vertex_slots());
   rock.last_part.resize(n, -1);
   rock.touched.resize(n, 0);
+  rock.moved_in.resize(n);
+  rock.moved_in[at(v)] = {};
   rock.last_part[at(v)] = last_part;
   rock.grid.insert(v, rock.surface.position(v));
 }

@@ -23,6 +23,8 @@ rock::Rock rebuilt(const Case& c, const rock::Rock& from) {
   rock::Rock rock = rock::make_rock(from.surface, cell_over_edge * c.rock.edge_length, reach_W(c));
   rock.last_part = from.last_part;
   for (const int v : from.touched_list) rock::touch(rock, v);
+  rock.cuts = from.cuts;
+  rock.moved_in = from.moved_in;
   return rock;
 }
 
