@@ -136,6 +136,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         RestartedCase{"steady", "bit-b-steady", {}},
         RestartedCase{"steady_with_forces", "bit-b-3000psi", {"output.means_from='0 s'"}},
+        RestartedCase{"sections_in_turn",
+                      "bit-b-3000psi",
+                      {"measure.section_every=4", "output.means_from='0 s'"}},
         RestartedCase{"rolling_cones", "bit-r-rolling", {"motion.rate_of_penetration='100 m/h'"}},
         RestartedCase{"drilling", "drill-bit-b", {"output.means_from='0 s'"}},
         RestartedCase{"drilling_with_cones", "drill-bit-r", {"output.means_from='0 s'"}},
