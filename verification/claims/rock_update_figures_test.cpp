@@ -71,8 +71,7 @@ Json vertex_rows(const OneStep& one, long& moved) {
   rock::NearGroup near_group;
   bring_up_to_date(one.s.state.rock.grid,
                    {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, near_list);
-  find_candidates(one.group(), motion, one.s.state.rock.surface.positions, near_list, -1.0,
-                  near_group);
+  find_candidates(one.group(), motion, one.s.state.rock.surface, near_list, -1.0, near_group);
   std::vector<int>& candidates = near_group.places;
   for (int& v : candidates) v = near_list.v[static_cast<std::size_t>(v)];
   mesh::Box near = motion.region_W.box;

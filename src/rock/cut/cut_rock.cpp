@@ -22,7 +22,7 @@ void take_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const Cutt
         part.name, 1e3 * x_W.x(), 1e3 * x_W.y(), 1e3 * x_W.z()));
   w.step_of_move[at(v)] = w.step;
   w.move_of[at(v)] = static_cast<int>(w.moves.size());
-  w.moves.push_back({v, rock.surface.positions[at(v)]});
+  w.moves.push_back({v, rock.surface.position(v)});
   rock.last_part[at(v)] = part.part;
   note_cut(rock, v);
   place_vertex(rock, v, x_W);
@@ -127,7 +127,7 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
     w.knows_touching[at(i)] = 0;
     if (is_out_of_reach(rock.grid, m)) return;
     bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.list_margins, list);
-    find_candidates(g, m, rock.surface.positions, list, gaps_around_hull * w.contact_gap, near);
+    find_candidates(g, m, rock.surface, list, gaps_around_hull * w.contact_gap, near);
     w.knows_touching[at(i)] =
         w.contact_gap >= 0.0 && covers(list, rock.grid, widened(m.region_W, w.contact_gap)) ? 1 : 0;
     for (const int place : near.places) w.candidates[at(i)].push_back(list.v[at(place)]);
@@ -181,7 +181,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
 void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
   if (group >= w.candidates.size()) return;
   for (const int v : w.candidates[group]) {
-    __builtin_prefetch(&rock.surface.positions[at(v)]);
+    __builtin_prefetch(&rock.surface.stars[at(v)]);
     __builtin_prefetch(&rock.surface.corner_of[at(v)]);
     __builtin_prefetch(&rock.last_part[at(v)]);
     __builtin_prefetch(&rock.touched[at(v)]);
@@ -265,8 +265,8 @@ void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& 
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
   ++rock.cuts;
-  work.move_of.resize(rock.surface.positions.size(), 0);
-  work.step_of_move.resize(rock.surface.positions.size(), 0);
+  work.move_of.resize(rock.surface.stars.size(), 0);
+  work.step_of_move.resize(rock.surface.stars.size(), 0);
   rock.near_lists.resize(bit.groups.size());
   find_in_rock(rock, bit, work);
   work.changes_before = rock.grid.changes();

@@ -43,7 +43,7 @@ void append(Violations& to, Violations from) {
 Violations check_index(const Rock& rock) {
   const Surface& s = rock.surface;
   Violations found;
-  std::vector<int> held(s.positions.size(), 0);
+  std::vector<int> held(s.stars.size(), 0);
   std::vector<int> chains;
   Region everywhere;
   everywhere.box = {Vec3::Constant(-1e300), Vec3::Constant(1e300)};
@@ -144,10 +144,10 @@ std::array<Vec3, 7> samples(const Surface& s, int t) {
 /// beside what it changed.
 std::vector<RepairScope> scope_of(const Rock& before, const MaintenanceLimits& limits,
                                   const Surface& after) {
-  std::vector<RepairScope> scope(after.positions.size(), RepairScope::all);
-  for (std::size_t v = 0; v < before.touched.size(); ++v)
-    if (before.touched[v] == 0 || !is_due(before, limits, static_cast<int>(v)))
-      scope[v] = RepairScope::none;
+  std::vector<RepairScope> scope(after.stars.size(), RepairScope::all);
+  for (int v = 0; v < before.surface.vertex_slots(); ++v)
+    if (before.surface.is_alive(v) && (before.touched[at(v)] == 0 || !is_due(before, limits, v)))
+      scope[at(v)] = RepairScope::none;
   for (int t = 0; t < after.triangle_slots(); ++t)
     if (after.triangle_is_alive(t) && is_changed(after, before.surface, t))
       for (const int v : after.triangles[at(t)])
@@ -245,8 +245,8 @@ Violations check_distance(const Surface& before, const Surface& after,
 Violations check_locality(const Rock& before, const Surface& after) {
   const Surface& s = before.surface;
   Violations found;
-  mesh::DisjointSets patches(s.positions.size());
-  std::vector<std::uint8_t> in_changed(s.positions.size(), 0);
+  mesh::DisjointSets patches(s.stars.size());
+  std::vector<std::uint8_t> in_changed(s.stars.size(), 0);
   std::vector<int> changed;
   for (int t = 0; t < s.triangle_slots(); ++t) {
     if (!s.triangle_is_alive(t) || !is_changed(s, after, t)) continue;
@@ -258,7 +258,7 @@ Violations check_locality(const Rock& before, const Surface& after) {
     for (const auto& [v, w] : {std::pair{a, b}, {b, c}, {c, a}})
       if (in_changed[at(v)] && in_changed[at(w)]) patches.join(v, w);
   }
-  std::vector<std::uint8_t> is_known(s.positions.size(), 0);
+  std::vector<std::uint8_t> is_known(s.stars.size(), 0);
   for (int v = 0; v < s.vertex_slots(); ++v) {
     if (s.is_alive(v) && before.touched[at(v)]) is_known[at(patches.find(v))] = 1;
     if (!s.is_boundary(v)) continue;

@@ -127,7 +127,7 @@ PartContact contact_of_held(const Rock& rock, ContactWork& w) {
 void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, double gap,
                    ContactWork& w, std::vector<PartContact>& contact_by_part) {
   contact_by_part.assign(at(bit.part_count), {});
-  w.mark.resize(rock.surface.positions.size(), 0);
+  w.mark.resize(rock.surface.stars.size(), 0);
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     const CuttingGroup& g = bit.groups[i];
     find_near(rock, bit, cut, i, gap, w);
