@@ -49,6 +49,9 @@ void place_vertex(Rock& rock, int v, const Vec3& x_W);
 /// moves is not noted: it does not wait for its own moves.
 void note_cut(Rock& rock, int v);
 
+/// Whether the last cut moved vertex v. Until the next maintenance.
+inline bool is_moved_now(const Rock& rock, int v) { return rock.moved_in[at(v)].last == rock.cuts; }
+
 /// Extends the per-vertex arrays and the index after a bisection made vertex v.
 void register_vertex(Rock& rock, int v, int last_part);
 

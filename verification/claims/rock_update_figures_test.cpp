@@ -6,7 +6,7 @@
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
 #include "rock/cut/mapped_direction.hpp"
-#include "rock/cut/prism.hpp"
+#include "reference/rock/prism.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -103,13 +103,13 @@ Json prism_rows(const OneStep& one, double& sum) {
   const mesh::Surface &before = one.s.state.rock.surface, &after = one.after.surface;
   for (const mesh::Triangle& t : before.triangles) {
     if (t[0] < 0) continue;
-    rock::Corners from, to;
+    reference::Corners from, to;
     for (std::size_t i = 0; i < 3; ++i) {
       from[i] = before.position(t[i]);
       to[i] = after.position(t[i]);
     }
     if (from == to) continue;
-    const double volume = rock::prism_volume(from, to);
+    const double volume = reference::prism_volume(from, to);
     sum += volume;
     rows.push_back({{"from", {list(from[0]), list(from[1]), list(from[2])}},
                     {"to", {list(to[0]), list(to[1]), list(to[2])}},
