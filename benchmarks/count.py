@@ -23,7 +23,8 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-WORKLOADS = ["standard-1.0", "standard-1.0-volumes", "standard-0.7", "standard-0.7-volumes", "drill-bit-b"]
+WORKLOADS = ["standard-1.0", "standard-1.0-in-turn", "standard-1.0-volumes", "standard-0.7", "standard-0.7-in-turn",
+             "standard-0.7-volumes", "drill-bit-b"]
 COST = re.compile(r"^[+*-]?\d* \d+$")
 
 

@@ -11,10 +11,13 @@ constexpr const char* standard = "standard-workload";
 const std::vector<Workload>& workloads() {
   static const std::vector<std::string> volumes = {"measure.section='off'",
                                                    "measure.contact='off'"};
+  static const std::vector<std::string> in_turn = {"measure.section_every=4"};
   static const std::vector<Workload> all = {
       {"standard-1.0", standard, 1.0 * mm, {}, "standard workload 1.0 mm, everything on"},
+      {"standard-1.0-in-turn", standard, 1.0 * mm, in_turn, "1.0 mm, sections every 4th step"},
       {"standard-1.0-volumes", standard, 1.0 * mm, volumes, "1.0 mm, volumes only"},
       {"standard-0.7", standard, 0.7 * mm, {}, "0.7 mm, everything on"},
+      {"standard-0.7-in-turn", standard, 0.7 * mm, in_turn, "0.7 mm, sections every 4th step"},
       {"standard-0.7-volumes", standard, 0.7 * mm, volumes, "0.7 mm, volumes only"},
       {"drill-bit-b", "drill-bit-b", 1.0 * mm, {}, "`drill-bit-b`, the whole dynamic step"}};
   return all;
