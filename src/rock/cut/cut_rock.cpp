@@ -24,7 +24,7 @@ void take_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const Cutt
   w.move_of[at(v)] = static_cast<int>(w.moves.size());
   w.moves.push_back({v, rock.surface.positions[at(v)]});
   rock.last_part[at(v)] = part.part;
-  place_vertex(rock, v, x_W);
+  place_vertex(rock, v, x_W, Teller::mover);  // note_moves
 }
 
 /// Where vertex v was before the part at work.
@@ -221,7 +221,8 @@ void note_moves(Rock& rock, CutWorkspace& w) {
     NearList& list = rock.near_lists[i];
     if (list.changes != w.changes_before) continue;
     for (const int place : w.near[i].places)
-      set_place(list, at(place), rock.surface.position(list.v[at(place)]));
+      if (const int v = list.v[at(place)]; w.step_of_move[at(v)] == w.step)
+        set_place(list, at(place), rock.surface.position(v));
     list.changes = rock.grid.changes();
   }
   for (std::size_t k = 0; k < w.moved_in_step.size(); ++k) {
