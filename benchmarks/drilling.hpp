@@ -13,11 +13,22 @@ struct Drilling {
   simulation::Simulation run;
 };
 
-/// The case `cases/NAME.toml` at this edge length (m) after its first revolution: a conforming
-/// start has no steps in front of the cutters yet, one turn of the bit makes them all. `settings`:
-/// further KEY=VALUE of the case.
+/// The case `cases/NAME.toml` at this edge length (m), read. `settings`: further KEY=VALUE of the
+/// case.
+simulation::Case read_plan(const std::string& name, double edge_length,
+                           std::vector<std::string> settings);
+
+/// The same at t = 0.
+Drilling start_drilling(const std::string& name, double edge_length,
+                        std::vector<std::string> settings);
+
+/// The same after its first revolution: a conforming start has no steps in front of the cutters
+/// yet, one turn of the bit makes them all.
 Drilling after_one_revolution(const std::string& name, double edge_length,
                               std::vector<std::string> settings = {});
+
+/// Steps of one turn of the bit; of a bit that forces turn, at the speed that its top is given.
+long steps_of_a_revolution(const simulation::Case& plan);
 
 /// The pose of the bit `steps` (or a part of one) after what is drilled.
 Pose pose_after(const Drilling& d, double steps);
@@ -27,5 +38,8 @@ void drill(Drilling& d, long steps);
 
 /// CPU time of this process, s: does not count what other programs take.
 double cpu_seconds();
+
+/// Seconds of the wall since some moment.
+double wall_seconds();
 
 }  // namespace tdbd::bench

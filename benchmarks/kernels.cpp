@@ -46,7 +46,7 @@ std::vector<Query> queries_of_next_step(const Drilling& d) {
     rock::NearList list;
     bring_up_to_date(d.run.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W},
                      {}, list);
-    rock::find_candidates(g, motion, d.run.state.rock.surface.positions, list, -1.0, near);
+    rock::find_candidates(g, motion, d.run.state.rock.surface, list, -1.0, near);
     for (const int place : near.places)
       for (const rock::CuttingPart& part : g.parts) {
         const auto path = path_of(
@@ -178,9 +178,8 @@ void find_candidates(benchmark::State& state) {
   rock::NearGroup near;
   for (auto _ : state)
     for (std::size_t i = 0; i < motions.size(); ++i) {
-      rock::find_candidates(d.run.work.cutting.groups[i], motions[i],
-                            d.run.state.rock.surface.positions, d.run.state.rock.near_lists[i],
-                            -1.0, near);
+      rock::find_candidates(d.run.work.cutting.groups[i], motions[i], d.run.state.rock.surface,
+                            d.run.state.rock.near_lists[i], -1.0, near);
       benchmark::DoNotOptimize(near.places.data());
     }
 }

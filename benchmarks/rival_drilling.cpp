@@ -1,7 +1,6 @@
 #include "benchmarks/rival_drilling.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace tdbd::bench {
 namespace {
@@ -29,11 +28,6 @@ RivalDrilling<reference::ZMap> start_z_map(const simulation::Case& plan, double 
 RivalDrilling<reference::Spokes> start_spokes(const simulation::Case& plan, int spokes, int nodes) {
   return {drilling_of(plan),
           reference::spokes_of(rock_at_start(plan), plan.bit.gage_radius, spokes, nodes)};
-}
-
-long steps_of_a_revolution(const simulation::Case& plan) {
-  const double per_step = simulation::angle_turned(plan.motion, plan.time.step);
-  return std::lround(2.0 * std::numbers::pi / std::abs(per_step));
 }
 
 }  // namespace tdbd::bench

@@ -21,9 +21,6 @@ RivalDrilling<reference::ZMap> start_z_map(const simulation::Case& plan, double 
 /// In spokes, at t = 0 cut from our own surface.
 RivalDrilling<reference::Spokes> start_spokes(const simulation::Case& plan, int spokes, int nodes);
 
-/// Steps of one turn of the bit.
-long steps_of_a_revolution(const simulation::Case& plan);
-
 template <class Rock>
 void drill(RivalDrilling<Rock>& rival, long steps) {
   reference::drill(rival.drilling, rival.rock, steps);

@@ -1,78 +1,74 @@
-// The standard workload in our mesh, in height fields and on spokes, in one run.
-// With --benchmark_enable_random_interleaving=true the repetitions of all take turns.
+// Workloads of ours beside height fields and spokes, in turn, in one run: what a step costs, over
+// a step of the height field of 0.5 mm. benchmarks/README.md says how to read the table.
 
-#include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
-#include <map>
+#include <fstream>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "benchmarks/drilling.hpp"
-#include "benchmarks/rival_drilling.hpp"
+#include "benchmarks/command.hpp"
+#include "benchmarks/rivals_table.hpp"
+#include "core/parallel.hpp"
 
 namespace tdbd::bench {
 namespace {
 
-constexpr double mm = 1e-3;
-constexpr const char* workload = "standard-workload";
+struct Wish {
+  std::vector<std::string> only, settings;
+  int threads = 1;
+  long warm_turns = 5, cold_turns = 15;
+  std::string json;
+};
 
-/// A height field and spokes measure volumes only; the case has sections and contact areas, too.
-enum class Measured { volumes, all };
-
-/// Drilled once for all repetitions, which go on from where the one before stopped.
-Drilling& mesh_of(double edge_length, Measured measured = Measured::all) {
-  static std::map<std::pair<double, Measured>, Drilling> all;
-  const std::pair key{edge_length, measured};
-  const auto known = all.find(key);
-  if (known != all.end()) return known->second;
-  std::vector<std::string> settings;
-  if (measured == Measured::volumes) settings = {"measure.section='off'", "measure.contact='off'"};
-  return all.emplace(key, after_one_revolution(workload, edge_length, settings)).first->second;
+std::vector<Figures> measure(const std::vector<Contender>& sides, const Condition& condition,
+                             Clock clock, const Counters& counters) {
+  std::vector<Turns> turns(sides.size());
+  for (long turn = 0; turn < condition.turns; ++turn)
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      add_turn(sides[i], condition.steps, clock, counters, turns[i]);
+  std::vector<Figures> figures;
+  for (const Turns& t : turns) figures.push_back(figures_of(t));
+  return figures;
 }
 
-RivalDrilling<reference::ZMap>& field_of(double cell) {
-  static std::map<double, RivalDrilling<reference::ZMap>> all;
-  const auto known = all.find(cell);
-  if (known != all.end()) return known->second;
-  const simulation::Case& plan = mesh_of(1.0 * mm).plan;
-  RivalDrilling<reference::ZMap> f = start_z_map(plan, cell);
-  drill(f, steps_of_a_revolution(plan));
-  return all.emplace(cell, std::move(f)).first->second;
+void run(const Wish& wish) {
+  const Counters counters;  // before any thread starts
+  const ThreadLimit threads(wish.threads);
+  const Clock clock = wish.threads > 1 ? Clock::wall : Clock::cpu;
+  const char* const time = clock == Clock::cpu ? "CPU" : "wall";
+  const double clock_us = 1e6 * cost_of(clock);
+  const std::vector<Contender> sides = contenders(wish.only, wish.settings);
+  fmt::print("{} time, {} thread(s); reading the clock takes {:.2f} us; ratios are over {}\n", time,
+             wish.threads, clock_us, yardstick);
+  auto conditions = nlohmann::ordered_json::array();
+  for (const Condition& c :
+       {Condition{"warm", 500, wish.warm_turns}, Condition{"cold", 100, wish.cold_turns}}) {
+    if (c.turns <= 0) continue;
+    conditions.push_back(condition_told(c, sides, measure(sides, c, clock, counters)));
+    fmt::print("{}", condition_text(conditions.back()));
+  }
+  if (wish.json.empty()) return;
+  const nlohmann::ordered_json all{{"threads", wish.threads},
+                                   {"time", time},
+                                   {"clock_us", clock_us},
+                                   {"settings", wish.settings},
+                                   {"conditions", conditions}};
+  std::ofstream(wish.json) << all.dump(1) << "\n";
 }
-
-/// One iteration is one step with its volumes, ledger and share of maintenance.
-void mesh_step(benchmark::State& state, double edge_length, Measured measured) {
-  Drilling& d = mesh_of(edge_length, measured);
-  for (auto _ : state) drill(d, 1);
-}
-
-/// One iteration is one step with its volume; volumes by cutter cost nothing more.
-void z_map_step(benchmark::State& state, double cell) {
-  RivalDrilling<reference::ZMap>& f = field_of(cell);
-  for (auto _ : state) drill(f, 1);
-}
-
-/// Langeveld's 120 spokes of 500 nodes.
-void spokes_step(benchmark::State& state) {
-  const simulation::Case& plan = mesh_of(1.0 * mm).plan;
-  static RivalDrilling<reference::Spokes> rival = start_spokes(plan, 120, 500);
-  for (auto _ : state) drill(rival, 1);
-}
-
-/// 100 steps are 20 maintenances of ours.
-void turns(benchmark::internal::Benchmark* b) {
-  b->Unit(benchmark::kMicrosecond)->Iterations(100)->Repetitions(15)->ReportAggregatesOnly();
-}
-
-BENCHMARK_CAPTURE(mesh_step, 1_mm, 1.0 * mm, Measured::all)->Apply(turns);
-BENCHMARK_CAPTURE(mesh_step, 0_7_mm, 0.7 * mm, Measured::all)->Apply(turns);
-BENCHMARK_CAPTURE(mesh_step, 1_mm_volumes, 1.0 * mm, Measured::volumes)->Apply(turns);
-BENCHMARK_CAPTURE(mesh_step, 0_7_mm_volumes, 0.7 * mm, Measured::volumes)->Apply(turns);
-BENCHMARK_CAPTURE(z_map_step, 1_mm, 1.0 * mm)->Apply(turns);
-BENCHMARK_CAPTURE(z_map_step, 0_5_mm, 0.5 * mm)->Apply(turns);
-BENCHMARK_CAPTURE(z_map_step, 0_25_mm, 0.25 * mm)->Apply(turns);
-BENCHMARK(spokes_step)->Apply(turns);
 
 }  // namespace
 }  // namespace tdbd::bench
+
+int main(int argc, char** argv) {
+  tdbd::bench::Wish wish;
+  CLI::App app{"A step of ours over a step of a height field, in one run."};
+  app.add_option("--only", wish.only, "workloads; all if not given");
+  app.add_option("--set", wish.settings, "KEY=VALUE of every case of ours");
+  app.add_option("--threads", wish.threads, "threads of ours; several are timed by the wall")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--warm-turns", wish.warm_turns, "turns of 500 steps");
+  app.add_option("--cold-turns", wish.cold_turns, "turns of 100 steps");
+  app.add_option("--json", wish.json, "file that gets all figures");
+  return tdbd::bench::parse_and_run(app, argc, argv, [&] { tdbd::bench::run(wish); });
+}

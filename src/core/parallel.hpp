@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
@@ -16,6 +17,11 @@ class ThreadLimit {
  private:
   tbb::global_control limit_;
 };
+
+/// Buffers of parallel loops: local() is the calling thread's own, kept between loops. No result may
+/// depend on what they held before.
+template <class Room>
+using PerThread = tbb::enumerable_thread_specific<Room>;
 
 /// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit allows.
 /// Deterministic if each call writes only to data of its own i.

@@ -1,5 +1,7 @@
 #include "mesh/edit.hpp"
 
+#include <initializer_list>
+
 namespace tdbd::mesh {
 namespace {
 
@@ -11,16 +13,16 @@ void link(Surface& s, int c, int d) {
 void set_vertex(Surface& s, int c, int v) { s.triangles[at(c / 3)][at(c % 3)] = v; }
 
 int new_vertex(Surface& s, const Vec3& x) {
-  int v = static_cast<int>(s.positions.size());
+  int v = s.vertex_slots();
   if (s.free_vertices.empty()) {
-    s.positions.push_back(x);
+    s.stars.emplace_back().x = x;
     s.corner_of.push_back(-1);
     s.boundary.push_back(0);
     return v;
   }
   v = s.free_vertices.back();
   s.free_vertices.pop_back();
-  s.positions[at(v)] = x;
+  s.place(v, x);
   s.boundary[at(v)] = 0;
   return v;
 }
@@ -55,6 +57,16 @@ int split_side(Surface& s, int c, int m) {
   link(s, n, c1 + 2);
   s.corner_of[at(b)] = c1 + 2;
   return c1;
+}
+
+void refresh(std::initializer_list<int> vertices, Surface& s) {
+  for (const int v : vertices) refresh_star(s, v);
+}
+
+/// The stars of the neighbours of v, whose own is right.
+void refresh_around(int v, Surface& s) {
+  const VertexStar& star = s.star(v);
+  for (int i = 0; i < star.size; ++i) refresh_star(s, s.ring(star)[i]);
 }
 
 int valence(const Surface& s, int v) {
@@ -112,7 +124,7 @@ void cut_loose(Surface& s, int c) {
 
 int split_edge(Surface& s, int c, const Vec3& x) {
   const int o = s.opposite_of(c);
-  const int a = s.vertex(next_corner(c));
+  const int a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
   const int m = new_vertex(s, x);
   const int c1 = split_side(s, c, m);
   const int o1 = split_side(s, o, m);
@@ -120,6 +132,7 @@ int split_edge(Surface& s, int c, const Vec3& x) {
   link(s, c1, o);
   s.corner_of[at(m)] = previous_corner(c);
   s.corner_of[at(a)] = next_corner(c);
+  refresh({m, a, b, s.vertex(c), s.vertex(o)}, s);
   return m;
 }
 
@@ -151,9 +164,11 @@ void collapse_edge(Surface& s, int c, const Vec3& x) {
   } while (k != first);
   close_gap(s, c, a);
   close_gap(s, o, a);
-  s.positions[at(a)] = x;
+  s.place(a, x);
   s.corner_of[at(b)] = -1;
   s.free_vertices.push_back(b);
+  refresh({a, b}, s);
+  refresh_around(a, s);
 }
 
 bool flip_keeps_topology(const Surface& s, int c) {
@@ -172,6 +187,7 @@ void flip_edge(Surface& s, int c) {
   link(s, c, beyond_qa);
   link(s, o, beyond_pb);
   link(s, at_a, at_b);
+  refresh({s.vertex(at_a), s.vertex(at_b), s.vertex(c), s.vertex(o)}, s);
 }
 
 bool removal_keeps_disc(const Surface& s, int t) {
@@ -182,14 +198,17 @@ bool removal_keeps_disc(const Surface& s, int t) {
 int remove_triangle(Surface& s, int t) {
   const int c = odd_corner(s, t);
   const int apex = s.vertex(c);
+  const Triangle corners = s.triangles[at(t)];
   const bool is_ear = s.opposite_of(c) >= 0;
   for (int k = 3 * t; k < 3 * t + 3; ++k) cut_loose(s, k);
   free_triangle(s, t);
   s.boundary[at(apex)] = is_ear ? 0 : 1;
-  if (!is_ear) return -1;
-  s.corner_of[at(apex)] = -1;
-  s.free_vertices.push_back(apex);
-  return apex;
+  if (is_ear) {
+    s.corner_of[at(apex)] = -1;
+    s.free_vertices.push_back(apex);
+  }
+  refresh({corners[0], corners[1], corners[2]}, s);
+  return is_ear ? apex : -1;
 }
 
 }  // namespace tdbd::mesh

@@ -20,7 +20,7 @@ void set_boundary(Surface& s, const Side& e) {
 }
 
 std::vector<int> first_corners(const Surface& s) {
-  std::vector<int> corner(s.positions.size(), -1);
+  std::vector<int> corner(s.stars.size(), -1);
   for (int c = 3 * s.triangle_slots() - 1; c >= 0; --c)
     if (s.triangle_is_alive(c / 3)) corner[at(s.vertex(c))] = c;
   return corner;
@@ -38,7 +38,8 @@ int corner_facing(const Surface& s, int a, int b) {
 
 Surface make_surface(const TriangleMesh& m) {
   Surface s;
-  s.positions = m.positions;
+  s.stars.resize(m.positions.size());
+  for (std::size_t v = 0; v < m.positions.size(); ++v) s.stars[v].x = m.positions[v];
   s.triangles = m.triangles;
   s.opposite.assign(3 * m.triangles.size(), -1);
   s.boundary.assign(m.positions.size(), 0);
@@ -55,12 +56,13 @@ Surface make_surface(const TriangleMesh& m) {
     s.opposite[at(first[1].corner)] = first[0].corner;
   });
   s.corner_of = first_corners(s);
+  refresh_stars(s);
   return s;
 }
 
 TriangleMesh compact(const Surface& s, std::vector<int>* slot_of_vertex) {
   TriangleMesh m;
-  std::vector<int> renumbered(s.positions.size(), -1);
+  std::vector<int> renumbered(s.stars.size(), -1);
   if (slot_of_vertex) slot_of_vertex->clear();
   for (int v = 0; v < s.vertex_slots(); ++v) {
     if (!s.is_alive(v)) continue;
@@ -72,6 +74,13 @@ TriangleMesh compact(const Surface& s, std::vector<int>* slot_of_vertex) {
     if (t[0] >= 0)
       m.triangles.push_back({renumbered[at(t[0])], renumbered[at(t[1])], renumbered[at(t[2])]});
   return m;
+}
+
+std::vector<Vec3> positions_of(const Surface& s) {
+  std::vector<Vec3> positions;
+  positions.reserve(s.stars.size());
+  for (const VertexStar& star : s.stars) positions.push_back(star.x);
+  return positions;
 }
 
 bool adjacency_is_consistent(const Surface& s) {
@@ -96,7 +105,7 @@ bool adjacency_is_consistent(const Surface& s) {
     if (!s.triangle_is_alive(c / 3) || s.vertex(c) != v) return false;
     if (boundary[at(v)] != s.boundary[at(v)]) return false;
   }
-  return true;
+  return stars_are_right(s);
 }
 
 double hole_volume(const Surface& s, const Vec3& origin_W) {

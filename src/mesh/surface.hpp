@@ -5,20 +5,24 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
+#include "mesh/vertex_star.hpp"
 
 namespace tdbd::mesh {
 
-/// A triangulated surface that can change, as a corner table, mesh (1): positions, triangles and, for every corner
-/// c = 3 t + i, the corner across the edge that faces c (-1 on the boundary). Dead entries (triangle {-1,-1,-1},
-/// corner_of -1) are kept in free lists for reuse. Thesis: 4.2; B.6 has its surface classes.
+/// A triangulated surface that can change, as a corner table, mesh (1): triangles and, for every corner c = 3 t + i, the
+/// corner across the edge that faces c (-1 on the boundary). The same connectivity is held a second time, in the stars of
+/// the vertices, for whoever walks around vertices. Dead entries (triangle {-1,-1,-1}, corner_of -1, a star of no
+/// neighbours) are kept in free lists for reuse. Thesis: 4.2; B.6 has its surface classes.
 struct Surface {
-  std::vector<Vec3> positions;  ///< m
+  std::vector<VertexStar> stars;  ///< positions and neighbours
   std::vector<Triangle> triangles;
   std::vector<int> opposite;           ///< 3 per triangle
   std::vector<int> corner_of;          ///< one corner at each vertex, -1 if the vertex is dead
   std::vector<std::uint8_t> boundary;  ///< 1 on the boundary loop
   std::vector<int> free_vertices;
   std::vector<int> free_triangles;
+  std::vector<std::vector<int>> long_rings;  ///< of stars with more neighbours than they hold
+  std::vector<int> free_long_rings;
 
   /// Triangles are contiguous, so no division is needed to find the one of a corner.
   int vertex(int c) const {
@@ -26,13 +30,19 @@ struct Surface {
     std::memcpy(&v, triangles.data()->data() + c, sizeof(v));
     return v;
   }
-  const Vec3& position(int v) const { return positions[at(v)]; }
+  const VertexStar& star(int v) const { return stars[at(v)]; }
+  /// The neighbours of a star, star.size of them.
+  const int* ring(const VertexStar& star) const {
+    return star.long_ring < 0 ? star.ring.data() : long_rings[at(star.long_ring)].data();
+  }
+  const Vec3& position(int v) const { return stars[at(v)].x; }
+  void place(int v, const Vec3& x) { stars[at(v)].x = x; }
   bool is_boundary(int v) const { return boundary[at(v)] != 0; }
   bool is_alive(int v) const { return corner_of[at(v)] >= 0; }
   bool triangle_is_alive(int t) const { return triangles[at(t)][0] >= 0; }
   int opposite_of(int c) const { return opposite[at(c)]; }
   int triangle_slots() const { return static_cast<int>(triangles.size()); }
-  int vertex_slots() const { return static_cast<int>(positions.size()); }
+  int vertex_slots() const { return static_cast<int>(stars.size()); }
   int triangle_count() const { return triangle_slots() - static_cast<int>(free_triangles.size()); }
   int vertex_count() const { return vertex_slots() - static_cast<int>(free_vertices.size()); }
 };
@@ -79,8 +89,11 @@ Surface make_surface(const TriangleMesh& m);
 /// vertex of the result.
 TriangleMesh compact(const Surface& s, std::vector<int>* slot_of_vertex = nullptr);
 
-/// Recomputes the adjacency and compares: true if every opposite, corner_of and boundary entry is right. Slow; for tests
-/// and debug builds.
+/// The positions of all slots, m.
+std::vector<Vec3> positions_of(const Surface& s);
+
+/// Recomputes the adjacency and compares: true if every opposite, corner_of and boundary entry and every star is right.
+/// Slow; for tests and debug builds.
 bool adjacency_is_consistent(const Surface& s);
 
 /// Volume between the surface and a cap over its boundary loop, m3, up to a constant that depends on the boundary alone;

@@ -5,14 +5,15 @@ namespace tdbd::rock {
 Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
   Rock rock;
   mesh::Box box = reach_W;
-  for (const Vec3& x : surface.positions) box.add(x);
+  for (const mesh::VertexStar& star : surface.stars) box.add(star.x);
   rock.grid = VertexGrid(box, cell);
   std::vector<int> alive;
   for (int v = 0; v < surface.vertex_slots(); ++v)
     if (surface.is_alive(v)) alive.push_back(v);
-  rock.grid.insert_all(surface.positions, std::move(alive));
-  rock.last_part.assign(surface.positions.size(), -1);
-  rock.touched.assign(surface.positions.size(), 0);
+  rock.grid.insert_all(mesh::positions_of(surface), std::move(alive));
+  rock.last_part.assign(surface.stars.size(), -1);
+  rock.touched.assign(surface.stars.size(), 0);
+  rock.moved_in.assign(surface.stars.size(), {});
   rock.surface = std::move(surface);
   return rock;
 }
@@ -31,15 +32,23 @@ void touch_neighbours(Rock& rock, int v) {
 }
 
 void place_vertex(Rock& rock, int v, const Vec3& x_W, Teller teller) {
-  rock.surface.positions[at(v)] = x_W;
+  rock.surface.place(v, x_W);
   rock.grid.move(v, x_W, teller);
   touch(rock, v);
+}
+
+void note_cut(Rock& rock, int v) {
+  MovedIn& moved = rock.moved_in[at(v)];
+  if (rock.touched[at(v)] == 0) moved.first = rock.cuts;
+  moved.last = rock.cuts;
 }
 
 void register_vertex(Rock& rock, int v, int last_part) {
   const std::size_t n = at(rock.surface.vertex_slots());
   rock.last_part.resize(n, -1);
   rock.touched.resize(n, 0);
+  rock.moved_in.resize(n);
+  rock.moved_in[at(v)] = {};
   rock.last_part[at(v)] = last_part;
   rock.grid.insert(v, rock.surface.position(v));
 }

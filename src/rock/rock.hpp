@@ -8,15 +8,23 @@
 
 namespace tdbd::rock {
 
+/// The first and the last cut that moved a vertex since it was last off Rock::touched_list.
+struct MovedIn {
+  static constexpr int never = -1'000'000'000;
+  int first = never, last = never;
+};
+
 /// The rock: a surface whose normal points out of the rock, an index of its vertices, lists of
-/// those near the bit, the part that cut each vertex last, and the vertices that changed since the
-/// last maintenance. Frame W. Thesis: 4.1.
+/// those near the bit, the part that cut each vertex last and when it did, and the vertices that
+/// changed and have not been maintained since. Frame W. Thesis: 4.1.
 struct Rock {
   mesh::Surface surface;
   VertexGrid grid;
   std::vector<int> last_part;         ///< per vertex: index into Bit::parts, -1 untouched
   std::vector<std::uint8_t> touched;  ///< per vertex: a mark if listed in touched_list
   std::vector<int> touched_list;
+  int cuts = 0;                      ///< calls of cut_rock so far
+  std::vector<MovedIn> moved_in;     ///< per vertex, in counts of `cuts`
   std::vector<NearList> near_lists;  ///< per group of the bit that cut last
 };
 
@@ -37,6 +45,13 @@ void touch_neighbours(Rock& rock, int v);
 /// Moves vertex v to x_W on the surface and in the index, and notes that it changed. `teller`: of the
 /// near lists.
 void place_vertex(Rock& rock, int v, const Vec3& x_W, Teller teller = Teller::journal);
+
+/// Notes that the cut at work moves vertex v; to be called before it is touched. What maintenance
+/// moves is not noted: it does not wait for its own moves.
+void note_cut(Rock& rock, int v);
+
+/// Whether the last cut moved vertex v. Until the next maintenance.
+inline bool is_moved_now(const Rock& rock, int v) { return rock.moved_in[at(v)].last == rock.cuts; }
 
 /// Extends the per-vertex arrays and the index after a bisection made vertex v.
 void register_vertex(Rock& rock, int v, int last_part);

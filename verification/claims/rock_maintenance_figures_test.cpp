@@ -202,7 +202,7 @@ struct Moved {
 Moved moved(const mesh::Surface& s, int v, const Vec3& x_W) {
   constexpr double cell = 2.0 * half / cells;
   Moved m{s, 0.0};
-  m.surface.positions[static_cast<std::size_t>(v)] = x_W;
+  m.surface.place(v, x_W);
   m.volume =
       std::abs(mesh::hole_volume(m.surface, s.position(v)) - mesh::hole_volume(s, s.position(v))) /
       (cell * cell * cell);

@@ -6,7 +6,7 @@
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
 #include "rock/cut/mapped_direction.hpp"
-#include "rock/cut/prism.hpp"
+#include "reference/rock/prism.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -71,8 +71,7 @@ Json vertex_rows(const OneStep& one, long& moved) {
   rock::NearGroup near_group;
   bring_up_to_date(one.s.state.rock.grid,
                    {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, near_list);
-  find_candidates(one.group(), motion, one.s.state.rock.surface.positions, near_list, -1.0,
-                  near_group);
+  find_candidates(one.group(), motion, one.s.state.rock.surface, near_list, -1.0, near_group);
   std::vector<int>& candidates = near_group.places;
   for (int& v : candidates) v = near_list.v[static_cast<std::size_t>(v)];
   mesh::Box near = motion.region_W.box;
@@ -104,13 +103,13 @@ Json prism_rows(const OneStep& one, double& sum) {
   const mesh::Surface &before = one.s.state.rock.surface, &after = one.after.surface;
   for (const mesh::Triangle& t : before.triangles) {
     if (t[0] < 0) continue;
-    rock::Corners from, to;
+    reference::Corners from, to;
     for (std::size_t i = 0; i < 3; ++i) {
       from[i] = before.position(t[i]);
       to[i] = after.position(t[i]);
     }
     if (from == to) continue;
-    const double volume = rock::prism_volume(from, to);
+    const double volume = reference::prism_volume(from, to);
     sum += volume;
     rows.push_back({{"from", {list(from[0]), list(from[1]), list(from[2])}},
                     {"to", {list(to[0]), list(to[1]), list(to[2])}},

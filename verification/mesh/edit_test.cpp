@@ -109,7 +109,7 @@ RC_GTEST_PROP(Edit, a_surface_survives_compaction_after_edits, ()) {
 /// Coordinates are multiples of 2^-20: their midpoints are exact, and so is the comparison.
 RC_GTEST_PROP(SplitEdge, at_a_point_of_the_edge_changes_no_volume_at_all, ()) {
   Surface s = random_sheet();
-  for (Vec3& x : s.positions) x = (x * 0x1p20).array().round().matrix() * 0x1p-20;
+  for (VertexStar& star : s.stars) star.x = (star.x * 0x1p20).array().round().matrix() * 0x1p-20;
   const reference::Rational before = reference::signed_volume_rational(compact(s));
   for (const int choice : *rc::gen::container<std::vector<int>>(8, rc::gen::inRange(0, 1 << 20))) {
     const std::vector<int> corners = interior_corners(s);

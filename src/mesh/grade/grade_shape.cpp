@@ -97,7 +97,7 @@ std::size_t relax(GradeSurface& g) {
   for (int v = 0; v < g.s.vertex_slots(); ++v) {
     if (!g.s.is_alive(v) || g.place[at(v)] != Place::face) continue;
     const Star star = star_of(g.s, v);
-    Vec3& x = g.s.positions[at(v)];
+    Vec3& x = g.s.stars[at(v)].x;
     if (!is_flat(g, star, x)) continue;
     const Vec3 step = star.middle - x;
     const Vec3 y = x + step - star.normal * star.normal.dot(step);

@@ -20,7 +20,7 @@ Vec3 normal(const Surface& s, int t) {
 
 /// Other ends of the features at each vertex.
 std::vector<std::vector<int>> feature_ends(const GradeSurface& g) {
-  std::vector<std::vector<int>> ends(g.s.positions.size());
+  std::vector<std::vector<int>> ends(g.s.stars.size());
   for (const auto& [a, b] : g.features) {
     ends[at(a)].push_back(b);
     ends[at(b)].push_back(a);
@@ -38,7 +38,7 @@ Place place_of(const Surface& s, int v, const std::vector<int>& ends) {
 
 /// Features as facets without area, for distances.
 TriangleMesh feature_facets(const GradeSurface& g) {
-  TriangleMesh m{g.s.positions, {}};
+  TriangleMesh m{positions_of(g.s), {}};
   m.triangles.reserve(g.features.size());
   for (const auto& [a, b] : g.features) m.triangles.push_back({a, b, b});
   return m;

@@ -7,154 +7,83 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/sort_unique.hpp"
-#include "rock/cut/mapped_direction.hpp"
-#include "rock/cut/prism.hpp"
+#include "rock/cut/star_volume.hpp"
 
 namespace tdbd::rock {
 namespace {
 
-/// Moves a vertex that the part sweeps and notes who moved it, from where.
-void take_vertex(Rock& rock, CutWorkspace& w, int v, const Vec3& x_W, const CuttingPart& part) {
-  if (rock.surface.is_boundary(v))
+/// Moves a vertex to where it leaves the part and notes who moved it. Returns the volume, m3.
+double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
+  if (rock.surface.is_boundary(s.v))
     throw RunError(fmt::format(
         "{} swept the rock's boundary at ({:.3f}, {:.3f}, {:.3f}) mm: the wall is too low or "
         "the rock too narrow for this motion",
-        part.name, 1e3 * x_W.x(), 1e3 * x_W.y(), 1e3 * x_W.z()));
-  w.step_of_move[at(v)] = w.step;
-  w.move_of[at(v)] = static_cast<int>(w.moves.size());
-  w.moves.push_back({v, rock.surface.positions[at(v)]});
-  rock.last_part[at(v)] = part.part;
-  place_vertex(rock, v, x_W, Teller::mover);  // note_moves
+        part.name, 1e3 * s.x_W.x(), 1e3 * s.x_W.y(), 1e3 * s.x_W.z()));
+  const double volume = star_volume(rock.surface, s.v, s.x_W - rock.surface.position(s.v));
+  rock.last_part[at(s.v)] = part.part;
+  note_cut(rock, s.v);
+  place_vertex(rock, s.v, s.x_W, Teller::mover);  // note_moves
+  return volume;
 }
 
-/// Where vertex v was before the part at work.
-const Vec3& place_before(const Rock& rock, const CutWorkspace& w, int v) {
-  const auto k = static_cast<std::size_t>(w.move_of[at(v)]);
-  return k < w.moves.size() && w.moves[k].v == v ? w.moves[k].from_W : rock.surface.position(v);
-}
-
-/// The triangles around the vertices that the part at work moved, each once, in the order of their
-/// numbers: a sum over them does not depend on the order of the index.
-void find_moved_triangles(const Rock& rock, CutWorkspace& w) {
-  const mesh::Surface& s = rock.surface;
-  for (const MovedVertex& m : w.moves) {
-    const int c = s.corner_of[at(m.v)];
-    __builtin_prefetch(&s.opposite[at(c)]);
-    __builtin_prefetch(&s.triangles[at(c / 3)]);
-  }
-  w.triangles.clear();
-  for (const MovedVertex& m : w.moves)
-    mesh::visit_corners(s, m.v, [&](int c) { w.triangles.push_back(c / 3); });
-  sort_unique(w.triangles);
-}
-
-/// Prism volumes of the triangles around the vertices that this part moved (4.3).
-double removed_by_moves(const Rock& rock, CutWorkspace& w) {
-  find_moved_triangles(rock, w);
-  double sum = 0.0;
-  for (const int t : w.triangles) {
-    Corners from, to;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int v = rock.surface.triangles[at(t)][i];
-      to[i] = rock.surface.position(v);
-      from[i] = place_before(rock, w, v);
+/// Moves what the group sweeps, part after part, in the order of the vertices' numbers: sums do not
+/// depend on the order of the index.
+void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& report) {
+  for (auto s = cut.swept.begin(); s != cut.swept.end();) {
+    const std::size_t which = s->which;
+    double removed = 0.0;
+    for (; s != cut.swept.end() && s->which == which; ++s) {
+      removed += take_vertex(rock, *s, g.parts[which]);
+      cut.moved.push_back(s->v);
     }
-    sum += prism_volume(from, to);
+    report.removed_by_part[at(g.parts[which].part)] += removed;
+    report.removed += removed;
   }
-  return sum;
+  report.moved += static_cast<long>(cut.moved.size());
+  sort_unique(cut.moved);
+  cut.moved_in_step.insert(cut.moved_in_step.end(), cut.moved.begin(), cut.moved.end());
 }
 
-/// Ur of every candidate of a group. Moving along it keeps the azimuth, so it holds for all parts.
-void map_directions(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
-                    const std::vector<int>& candidates, std::vector<Vec3>& directions_W) {
-  directions_W.clear();
-  for (const int v : candidates)
-    directions_W.push_back(mapped_direction_W(g, m, rock.surface.position(v)));
-}
-
-void note_outside(Clear& clear, std::size_t part) { clear.now |= std::uint64_t{1} << part; }
-
-void note_exit(Clear& clear, std::size_t part, bool convex) {
-  const std::uint64_t bit = std::uint64_t{1} << part;
-  if (convex) clear.for_good |= bit;
-  clear.now = clear.for_good | bit;
-}
-
-void find_paths(const Rock& rock, const GroupMotion& m, const std::vector<int>& candidates,
-                CutWorkspace& w) {
-  w.paths.clear();
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    w.paths.push_back(
-        relative_path(m.X_PW0, m.X_PW1, rock.surface.position(candidates[i]), w.directions_W[i]));
-}
-
-void process_part(Rock& rock, const CuttingGroup& g, std::size_t which, const GroupMotion& m,
-                  const std::vector<int>& candidates, CutWorkspace& w, CutReport& report,
-                  std::vector<int>& moved_by_group) {
-  const CuttingPart& part = g.parts[which];
-  w.moves.clear();
-  prepare_exits(part, w.paths, w.swept);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto t = prepared_exit_distance(part, w.paths[i], w.swept);
-    if (!t || *t <= 0.0) {
-      note_outside(w.clear[i], which);
-      continue;
-    }
-    const Vec3 x_W = rock.surface.position(candidates[i]) + *t * w.directions_W[i];
-    take_vertex(rock, w, candidates[i], x_W, part);
-    w.paths[i].q0_P = m.X_PW0 * x_W;
-    w.paths[i].q1_P = m.X_PW1 * x_W;
-    note_exit(w.clear[i], which, !part.tree_P);
-  }
-  if (w.moves.empty()) return;
-  const double removed = removed_by_moves(rock, w);
-  report.removed_by_part[at(part.part)] += removed;
-  report.removed += removed;
-  report.moved += static_cast<long>(w.moves.size());
-  for (const MovedVertex& moved : w.moves) moved_by_group.push_back(moved.v);
-}
-
-/// First pass: every group searches the rock as the step found it, so groups search in parallel.
+/// First pass: every group searches the rock as the step found it and plans its moves, so groups do
+/// it in parallel.
 void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
     const CuttingGroup& g = bit.groups[at(i)];
     const GroupMotion& m = w.motions[at(i)];
     NearList& list = rock.near_lists[at(i)];
-    NearGroup& near = w.near[at(i)];
-    w.candidates[at(i)].clear();
-    near.places.clear();
-    w.knows_touching[at(i)] = 0;
+    GroupCut& cut = w.groups[at(i)];
     if (is_out_of_reach(rock.grid, m)) return;
     bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.list_margins, list);
-    find_candidates(g, m, rock.surface.positions, list, gaps_around_hull * w.contact_gap, near);
-    w.knows_touching[at(i)] =
-        w.contact_gap >= 0.0 && covers(list, rock.grid, widened(m.region_W, w.contact_gap)) ? 1 : 0;
-    for (const int place : near.places) w.candidates[at(i)].push_back(list.v[at(place)]);
+    find_candidates(g, m, rock.surface, list, gaps_around_hull * w.contact_gap, cut.near);
+    cut.knows_touching =
+        w.contact_gap >= 0.0 && covers(list, rock.grid, widened(m.region_W, w.contact_gap));
+    for (const int place : cut.near.places) cut.candidates.push_back(list.v[at(place)]);
+    plan_moves(rock, g, m, cut);
   });
 }
 
 /// Keeps the candidates that a part of their own group may still sweep.
-void keep_unclear(const CuttingGroup& g, const std::vector<int>& candidates,
-                  const std::vector<Clear>& clear, std::vector<int>& unclear) {
+void keep_unclear(const CuttingGroup& g, GroupCut& cut) {
   const std::uint64_t all = (std::uint64_t{2} << (g.parts.size() - 1)) - 1;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (clear[i].now != all) unclear.push_back(candidates[i]);
+  for (std::size_t i = 0; i < cut.candidates.size(); ++i)
+    if (cut.clear[i].now != all) cut.unclear.push_back(cut.candidates[i]);
 }
 
 /// Later passes: only what moved can have entered a part, and it lies on the group that moved it,
 /// so only groups near that one can sweep it.
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
-    w.candidates[i].clear();
+    std::vector<int>& candidates = w.groups[i].candidates;
+    candidates.clear();
     const mesh::Box& box_W = w.motions[i].region_W.box;
     for (std::size_t k = 0; k < bit.groups.size(); ++k) {
-      const std::vector<int>& among = k == i ? w.unclear_by_group[k] : w.moved_by_group[k];
+      const std::vector<int>& among = k == i ? w.groups[k].unclear : w.groups[k].moved;
       if (among.empty() || !box_W.overlaps(w.motions[k].region_W.box)) continue;
       for (const int v : among)
         if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
-          w.candidates[i].push_back(v);
+          candidates.push_back(v);
     }
-    sort_unique(w.candidates[i]);
+    sort_unique(candidates);
   }
 }
 
@@ -163,53 +92,51 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   report.removed_by_part.assign(at(bit.part_count), 0.0);
   report.removed = 0.0;
   report.candidates = report.moved = 0;
-  ++w.step;
-  w.moved_by_group.resize(bit.groups.size());
-  w.unclear_by_group.resize(bit.groups.size());
-  w.candidates.resize(bit.groups.size());
-  w.near.resize(bit.groups.size());
-  w.knows_touching.resize(bit.groups.size());
-  w.moved_in_step.resize(bit.groups.size());
-  w.moved_boxes_W.resize(bit.groups.size());
-  for (auto& moved : w.moved_in_step) moved.clear();
+  w.groups.resize(bit.groups.size());
+  for (GroupCut& cut : w.groups) {
+    cut.near.places.clear();
+    cut.near.touching.clear();
+    cut.knows_touching = false;
+    cut.candidates.clear();
+    cut.swept.clear();
+    cut.moved_in_step.clear();
+  }
   w.motions.clear();
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
 }
 
-/// Prefetches what the next group will read of its candidates, while this one is at work.
+/// Prefetches what the next group will write, while this one is at work.
 void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
-  if (group >= w.candidates.size()) return;
-  for (const int v : w.candidates[group]) {
-    __builtin_prefetch(&rock.surface.positions[at(v)]);
-    __builtin_prefetch(&rock.surface.corner_of[at(v)]);
-    __builtin_prefetch(&rock.last_part[at(v)]);
-    __builtin_prefetch(&rock.touched[at(v)]);
-    __builtin_prefetch(&w.move_of[at(v)]);
-    __builtin_prefetch(&w.step_of_move[at(v)]);
-    rock.grid.prefetch(v);
+  if (group >= w.groups.size()) return;
+  for (const SweptVertex& s : w.groups[group].swept) {
+    __builtin_prefetch(&rock.surface.stars[at(s.v)]);
+    __builtin_prefetch(&rock.last_part[at(s.v)]);
+    __builtin_prefetch(&rock.touched[at(s.v)]);
+    __builtin_prefetch(&rock.moved_in[at(s.v)]);
+    rock.grid.prefetch(s.v);
   }
 }
 
-/// Every part in turn. Returns whether anything moved.
-bool process_all(Rock& rock, const CuttingBit& bit, CutWorkspace& w, CutReport& report) {
+enum class Pass { first, later };
+
+/// Every group in turn. Returns whether anything moved.
+bool process_all(Rock& rock, const CuttingBit& bit, Pass pass, CutWorkspace& w, CutReport& report) {
   bool any = false;
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
-    w.moved_by_group[i].clear();
-    w.unclear_by_group[i].clear();
+    GroupCut& cut = w.groups[i];
+    cut.moved.clear();
+    cut.unclear.clear();
     prefetch(rock, w, i + 1);
-    if (w.candidates[i].empty()) continue;
-    report.candidates += static_cast<long>(w.candidates[i].size());
-    map_directions(rock, bit.groups[i], w.motions[i], w.candidates[i], w.directions_W);
-    find_paths(rock, w.motions[i], w.candidates[i], w);
-    w.clear.assign(w.candidates[i].size(), {});
-    for (std::size_t part = 0; part < bit.groups[i].parts.size(); ++part)
-      process_part(rock, bit.groups[i], part, w.motions[i], w.candidates[i], w, report,
-                   w.moved_by_group[i]);
-    keep_unclear(bit.groups[i], w.candidates[i], w.clear, w.unclear_by_group[i]);
-    sort_unique(w.moved_by_group[i]);
-    w.moved_in_step[i].insert(w.moved_in_step[i].end(), w.moved_by_group[i].begin(),
-                              w.moved_by_group[i].end());
-    any = any || !w.moved_by_group[i].empty();
+    if (cut.candidates.empty()) continue;
+    report.candidates += static_cast<long>(cut.candidates.size());
+    if (pass == Pass::first)
+      plan_again(
+          rock, bit.groups[i], w.motions[i], [&](int v) { return is_moved_now(rock, v); }, cut);
+    else
+      plan_moves(rock, bit.groups[i], w.motions[i], cut);
+    carry_out(rock, bit.groups[i], cut, report);
+    keep_unclear(bit.groups[i], cut);
+    any = any || !cut.moved.empty();
   }
   return any;
 }
@@ -220,19 +147,21 @@ void note_moves(Rock& rock, CutWorkspace& w) {
   for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
     NearList& list = rock.near_lists[i];
     if (list.changes != w.changes_before) continue;
-    for (const int place : w.near[i].places)
-      if (const int v = list.v[at(place)]; w.step_of_move[at(v)] == w.step)
+    for (const int place : w.groups[i].near.places)
+      if (const int v = list.v[at(place)]; is_moved_now(rock, v))
         set_place(list, at(place), rock.surface.position(v));
     list.changes = rock.grid.changes();
   }
-  for (std::size_t k = 0; k < w.moved_in_step.size(); ++k) {
-    mesh::Box& box_W = w.moved_boxes_W[k];
+  for (std::size_t k = 0; k < w.groups.size(); ++k) {
+    const std::vector<int>& moved = w.groups[k].moved_in_step;
+    mesh::Box& box_W = w.groups[k].moved_box_W;
     box_W = {};
-    for (const int v : w.moved_in_step[k]) box_W.add(rock.surface.position(v));
+    for (const int v : moved) box_W.add(rock.surface.position(v));
     for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
       NearList& list = rock.near_lists[i];
-      if (i == k || !box_W.overlaps(list.region_W.box)) continue;
-      for (const int v : w.moved_in_step[k])
+      if (i == k || list.changes != rock.grid.changes()) continue;
+      if (!box_W.overlaps(list.region_W.box)) continue;
+      for (const int v : moved)
         if (is_between(list.region_W.slabs, rock.surface.position(v)))
           note_moved(list, v, rock.surface.position(v));
     }
@@ -241,18 +170,18 @@ void note_moves(Rock& rock, CutWorkspace& w) {
 
 std::string first_moved(const CutWorkspace& w, const Rock& rock) {
   const auto group =
-      std::ranges::find_if(w.moved_by_group, [](const auto& v) { return !v.empty(); });
-  if (group == w.moved_by_group.end()) return "none";
-  const Vec3& x_W = rock.surface.position(group->front());
-  return fmt::format("vertex {} at ({:.3f}, {:.3f}, {:.3f}) mm", group->front(), 1e3 * x_W.x(),
-                     1e3 * x_W.y(), 1e3 * x_W.z());
+      std::ranges::find_if(w.groups, [](const GroupCut& cut) { return !cut.moved.empty(); });
+  if (group == w.groups.end()) return "none";
+  const int v = group->moved.front();
+  const Vec3 x_W = 1e3 * rock.surface.position(v);
+  return fmt::format("vertex {} at ({:.3f}, {:.3f}, {:.3f}) mm", v, x_W.x(), x_W.y(), x_W.z());
 }
 
 std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Rock& rock) {
   std::string names;
   for (std::size_t i = 0; i < bit.groups.size(); ++i)
     for (const CuttingPart& p : bit.groups[i].parts)
-      if (std::ranges::any_of(w.moved_by_group[i],
+      if (std::ranges::any_of(w.groups[i].moved,
                               [&](int v) { return rock.last_part[at(v)] == p.part; }))
         names += (names.empty() ? "" : ", ") + p.name;
   return names;
@@ -263,13 +192,13 @@ std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Roc
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
-  work.move_of.resize(rock.surface.positions.size(), 0);
-  work.step_of_move.resize(rock.surface.positions.size(), 0);
+  ++rock.cuts;
   rock.near_lists.resize(bit.groups.size());
   find_in_rock(rock, bit, work);
   work.changes_before = rock.grid.changes();
   for (report.passes = 1; report.passes <= work.most_passes; ++report.passes) {
-    if (!process_all(rock, bit, work, report)) return note_moves(rock, work);
+    const Pass pass = report.passes == 1 ? Pass::first : Pass::later;
+    if (!process_all(rock, bit, pass, work, report)) return note_moves(rock, work);
     find_among_moved(rock, bit, work);
   }
   throw RunError(fmt::format(

@@ -83,15 +83,14 @@ void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched
 
 }  // namespace
 
-void find_candidates(const CuttingGroup& g, const GroupMotion& m,
-                     const std::vector<Vec3>& positions_W, const NearList& list, double gap,
-                     NearGroup& near) {
+void find_candidates(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,
+                     const NearList& list, double gap, NearGroup& near) {
   near.places.clear();
   near.touching.clear();
   sift(
       list, make_sieve(g, m, list, gap),
       [&](std::size_t i) {
-        if (!keeps_outside(g, m, positions_W[at(list.v[i])]))
+        if (!keeps_outside(g, m, surface.position(list.v[i])))
           near.places.push_back(static_cast<int>(i));
       },
       [&](std::size_t i) { near.touching.push_back(list.v[i]); });

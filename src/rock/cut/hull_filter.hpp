@@ -19,9 +19,8 @@ struct NearGroup {
 /// reject. The candidate set is independent of the list's history: where and when the list was made
 /// does not matter. The group may touch all that is nearer than `gap` (m) to it at the end, if it
 /// has not moved by then, and others; nothing if the gap is negative.
-void find_candidates(const CuttingGroup& g, const GroupMotion& m,
-                     const std::vector<Vec3>& positions_W, const NearList& list, double gap,
-                     NearGroup& near);
+void find_candidates(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,
+                     const NearList& list, double gap, NearGroup& near);
 
 /// Whether a vertex is outside the motion's region, or stays outside one side of the group's box or
 /// one plane of its hull from pose 0 to pose 1.

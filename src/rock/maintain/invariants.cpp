@@ -13,6 +13,7 @@
 #include "rock/maintain/collapse.hpp"
 #include "rock/maintain/flip.hpp"
 #include "rock/maintain/star.hpp"
+#include "rock/maintain/waiting.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -42,7 +43,7 @@ void append(Violations& to, Violations from) {
 Violations check_index(const Rock& rock) {
   const Surface& s = rock.surface;
   Violations found;
-  std::vector<int> held(s.positions.size(), 0);
+  std::vector<int> held(s.stars.size(), 0);
   std::vector<int> chains;
   Region everywhere;
   everywhere.box = {Vec3::Constant(-1e300), Vec3::Constant(1e300)};
@@ -139,12 +140,14 @@ std::array<Vec3, 7> samples(const Surface& s, int t) {
   return {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0};
 }
 
-/// What maintenance had to examine: everything at touched and new vertices, all but bisections
+/// What maintenance had to examine: everything at due and new vertices, all but bisections
 /// beside what it changed.
-std::vector<RepairScope> scope_of(const Rock& before, const Surface& after) {
-  std::vector<RepairScope> scope(after.positions.size(), RepairScope::all);
+std::vector<RepairScope> scope_of(const Rock& before, const MaintenanceLimits& limits,
+                                  const Surface& after) {
+  std::vector<RepairScope> scope(after.stars.size(), RepairScope::all);
   for (std::size_t v = 0; v < before.touched.size(); ++v)
-    if (before.touched[v] == 0) scope[v] = RepairScope::none;
+    if (before.touched[v] == 0 || !is_due(before, limits, static_cast<int>(v)))
+      scope[v] = RepairScope::none;
   for (int t = 0; t < after.triangle_slots(); ++t)
     if (after.triangle_is_alive(t) && is_changed(after, before.surface, t))
       for (const int v : after.triangles[at(t)])
@@ -242,8 +245,8 @@ Violations check_distance(const Surface& before, const Surface& after,
 Violations check_locality(const Rock& before, const Surface& after) {
   const Surface& s = before.surface;
   Violations found;
-  mesh::DisjointSets patches(s.positions.size());
-  std::vector<std::uint8_t> in_changed(s.positions.size(), 0);
+  mesh::DisjointSets patches(s.stars.size());
+  std::vector<std::uint8_t> in_changed(s.stars.size(), 0);
   std::vector<int> changed;
   for (int t = 0; t < s.triangle_slots(); ++t) {
     if (!s.triangle_is_alive(t) || !is_changed(s, after, t)) continue;
@@ -255,7 +258,7 @@ Violations check_locality(const Rock& before, const Surface& after) {
     for (const auto& [v, w] : {std::pair{a, b}, {b, c}, {c, a}})
       if (in_changed[at(v)] && in_changed[at(w)]) patches.join(v, w);
   }
-  std::vector<std::uint8_t> is_known(s.positions.size(), 0);
+  std::vector<std::uint8_t> is_known(s.stars.size(), 0);
   for (int v = 0; v < s.vertex_slots(); ++v) {
     if (s.is_alive(v) && before.touched[at(v)]) is_known[at(patches.find(v))] = 1;
     if (!s.is_boundary(v)) continue;
@@ -273,7 +276,7 @@ Violations check_maintenance(const Rock& before, const Rock& after, const Mainte
   Violations found = check_disc(after);
   if (!found.empty()) return found;  // the others walk around vertices
   const Surface &s = before.surface, &now = after.surface;
-  append(found, check_repairs(now, scope_of(before, now), limits, drift));
+  append(found, check_repairs(now, scope_of(before, limits, now), limits, drift));
   append(found, check_ledger(s, now, report.volume_change));
   append(found, check_distance(s, now, limits, report));
   append(found, check_locality(before, now));

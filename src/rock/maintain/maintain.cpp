@@ -13,6 +13,7 @@
 #include "rock/maintain/smooth.hpp"
 #include "rock/maintain/star.hpp"
 #include "rock/maintain/untangle.hpp"
+#include "rock/maintain/waiting.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -230,6 +231,7 @@ void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
   work.drift.clear();
+  set_aside(rock, limits, work.waiting);
   classify_touched_triangles(rock, limits, work.touched);
   const std::vector<int> folded = folded_places(rock, limits, work.touched);
   blunt_spikes(rock, limits, work, report);
@@ -241,8 +243,7 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
   for (int k = 0; k < most_untanglings && untangle(rock, folded, limits, work, report); ++k)
     repair(rock, limits, Where::region, work, report);
   rock.grid.refresh_one_layer();
-  for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
-  rock.touched_list.clear();
+  list_again(rock, limits, work.waiting);
 }
 
 }  // namespace tdbd::rock

@@ -24,6 +24,7 @@ void sort_edges(std::vector<EdgeCandidate>& edges);
 /// Buffers of maintain(), kept between calls so that none allocates once warm.
 struct MaintenanceWorkspace {
   TouchedRegion touched;
+  std::vector<int> waiting;  ///< touched vertices that are not due
   std::vector<int> ring, changed, region;
   std::vector<EdgeCandidate> edges;
   std::vector<int> seen;  ///< per triangle: stamp of the last visit

@@ -1,6 +1,19 @@
 #include "rock/maintain/star.hpp"
 
 namespace tdbd::rock {
+namespace {
+
+/// Whether a triangle at a corner of t is turned by more than 90 degrees against t.
+bool is_turned_against_neighbour(const mesh::Surface& s, int t, const Vec3& area) {
+  bool found = false;
+  for (const int v : s.triangles[at(t)])
+    if (!found)
+      mesh::visit_corners(
+          s, v, [&](int c) { found = found || area.dot(doubled_area(facet_at(s, c))) < 0.0; });
+  return found;
+}
+
+}  // namespace
 
 double worst_quality(const mesh::Surface& s, int v) {
   double worst = 1.0;
@@ -32,6 +45,12 @@ bool is_on_ridge(const mesh::Surface& s, int v, const MaintenanceLimits& limits)
   mesh::visit_corners(s, v,
                       [&](int c) { found = found || is_sharp(s, mesh::next_corner(c), limits); });
   return found;
+}
+
+bool is_turned_over(const mesh::Surface& s, const MaintenanceLimits& limits, int t) {
+  const Vec3 area = doubled_area(facet_at(s, 3 * t));
+  return area.z() > -limits.steepest_overhang * area.norm() &&
+         is_turned_against_neighbour(s, t, area);
 }
 
 }  // namespace tdbd::rock

@@ -40,4 +40,8 @@ bool is_sharp(const mesh::Surface& s, int c, const MaintenanceLimits& limits);
 /// Whether a sharp edge ends at v.
 bool is_on_ridge(const mesh::Surface& s, int v, const MaintenanceLimits& limits);
 
+/// Whether triangle t overhangs and is turned by more than 90 degrees against one at its corners:
+/// layers of rock may pass through each other there.
+bool is_turned_over(const mesh::Surface& s, const MaintenanceLimits& limits, int t);
+
 }  // namespace tdbd::rock

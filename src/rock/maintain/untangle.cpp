@@ -15,22 +15,6 @@ using Work = MaintenanceWorkspace;
 
 constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
 
-/// Whether a triangle at a corner of t is turned by more than 90 degrees against t.
-bool is_turned_against_neighbour(const mesh::Surface& s, int t, const Vec3& area) {
-  bool found = false;
-  for (const int v : s.triangles[at(t)])
-    if (!found)
-      mesh::visit_corners(
-          s, v, [&](int c) { found = found || area.dot(doubled_area(facet_at(s, c))) < 0.0; });
-  return found;
-}
-
-bool is_suspect(const mesh::Surface& s, const MaintenanceLimits& limits, int t) {
-  const Vec3 area = doubled_area(facet_at(s, 3 * t));
-  return area.z() > -limits.steepest_overhang * area.norm() &&
-         is_turned_against_neighbour(s, t, area);
-}
-
 /// As for folds over an edge: without a limit on quality only short edges collapse.
 bool untangling_enabled(const MaintenanceLimits& limits) {
   return limits.untangle_farthest > 0.0 && limits.worst_quality > 0.0;
@@ -117,7 +101,7 @@ std::vector<int> folded_places(const Rock& rock, const MaintenanceLimits& limits
   std::vector<int> folded;
   if (!untangling_enabled(limits)) return folded;
   for (const int t : touched.steep)
-    if (is_suspect(s, limits, t)) {
+    if (is_turned_over(s, limits, t)) {
       const mesh::Triangle& v = s.triangles[at(t)];
       folded.insert(folded.end(), v.begin(), v.end());
     }
@@ -130,7 +114,7 @@ void find_suspects(const Rock& rock, const std::vector<int>& folded,
   const mesh::Surface& s = rock.surface;
   work.suspects.clear();
   const auto examine = [&](int t) {
-    if (is_suspect(s, limits, t)) work.suspects.push_back(t);
+    if (is_turned_over(s, limits, t)) work.suspects.push_back(t);
   };
   for (const int t : work.touched.steep)
     if (s.triangle_is_alive(t)) examine(t);

@@ -1,6 +1,7 @@
 #include "rock/section/column_sums.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace tdbd::rock {
 namespace {
@@ -19,7 +20,17 @@ double value_at(const Piece& p, const Linear& f, double y) {
   return f.at0 + (f.at1 - f.at0) * ((y - p.y0) / (p.y1 - p.y0));
 }
 
-std::int64_t units(double x) { return std::llrint(x); }
+/// To the nearest whole number, below 2^51: the sum has the number in the low bits of its mantissa.
+std::int64_t units(double x) {
+  constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52
+  return std::bit_cast<std::int64_t>(x + shift) - std::bit_cast<std::int64_t>(shift);
+}
+
+void add_moments(const PolygonMoments& m, double sign, ColumnSums& sums) {
+  sums.area += units(sign * sums.per_area * m.area);
+  sums.moment_y += units(sign * sums.per_moment * m.moment.x());
+  sums.moment_z += units(sign * sums.per_moment * m.moment.y());
+}
 
 /// The area between z = lower and lower + height.
 void add_trapezoid(const Piece& p, const Linear& lower, const Linear& h, double sign,
@@ -92,6 +103,21 @@ void add_end(const FaceColumn& c, double y, const OutlineSegment& s, double sign
   engaged += units(sums.per_length * sign * (std::clamp(z, lower, std::max(lower, upper)) - lower));
 }
 
+/// Length of a column's lower edge left of y, in units.
+std::int64_t lower_edge_to(const FaceColumn& c, double y, const ColumnSums& sums) {
+  return units(sums.per_length * c.lower_length * (std::min(y, c.y1) - c.y0));
+}
+
+/// The lower edge between y0 and y1, held by these columns.
+void add_lower_edge(const FaceColumns& face, std::size_t i0, double y0, std::size_t i1, double y1,
+                    std::int64_t sign, ColumnSums& sums) {
+  for (std::size_t i = i0; i <= i1; ++i) {
+    const FaceColumn& c = face.columns[i];
+    const std::int64_t before = i == i0 ? lower_edge_to(c, y0, sums) : 0;
+    sums.engaged[i] += sign * (lower_edge_to(c, y1, sums) - before);
+  }
+}
+
 }  // namespace
 
 void begin_sums(const FaceColumns& face, ColumnSums& sums) {
@@ -128,6 +154,32 @@ void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
     add_piece(c, p, z, sign, sums.engaged.data() + i, count, sums);
     y = p.y1;
   }
+}
+
+void add_inside(const FaceColumns& face, const OutlineSegment& s, InsideRun& run,
+                ColumnSums& sums) {
+  add_moments(below_line(face.lo_F.y(), s.to, s.from), 1.0, sums);
+  if (run.is_open && s.from == run.end) {
+    run.end = s.to;
+  } else if (run.is_open && s.to == run.begin) {
+    run.begin = s.from;
+  } else {
+    end_run(face, run, sums);
+    run = {true, s.from, s.to};
+  }
+}
+
+void end_run(const FaceColumns& face, InsideRun& run, ColumnSums& sums) {
+  if (!run.is_open) return;
+  run.is_open = false;
+  const double from = run.begin.x(), to = run.end.x();
+  const std::size_t i = face.holding(from), k = face.holding(to);
+  add_moments(face.below_lower_edge(face.columns[i], from), -1.0, sums);
+  add_moments(face.below_lower_edge(face.columns[k], to), 1.0, sums);
+  if (to < from)
+    add_lower_edge(face, k, to, i, from, 1, sums);
+  else
+    add_lower_edge(face, i, from, k, to, -1, sums);
 }
 
 }  // namespace tdbd::rock

@@ -11,6 +11,7 @@ namespace tdbd::rock {
 /// A piece of the rock's outline in the plane of a face, rock on its left. Frame F, m.
 struct OutlineSegment {
   Vec2 from, to;
+  bool is_inside = false;  ///< within the columns at work, away from their edges
 };
 
 /// Sums over segments in whole multiples of a small unit: integers add up to the same in any order.
@@ -22,6 +23,12 @@ struct ColumnSums {
   double per_area = 0.0, per_moment = 0.0, per_length = 0.0;  ///< units per m2, m3, m
 };
 
+/// Neighbouring segments inside the columns, joined.
+struct InsideRun {
+  bool is_open = false;
+  Vec2 begin = Vec2::Zero(), end = Vec2::Zero();
+};
+
 /// Resets the sums and sets their units.
 void begin_sums(const FaceColumns& face, ColumnSums& sums);
 
@@ -29,5 +36,14 @@ void begin_sums(const FaceColumns& face, ColumnSums& sums);
 /// sign of y_from - y_to: its area, first moments, and the lengths of the outline's edge in it.
 void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
                  const OutlineSegment& s, ColumnSums& sums);
+
+/// The same for a segment that is inside: what lies below it and above the box's bottom. What of
+/// that is below the lower edge is subtracted at the ends of a run: it is rounded for each end
+/// alone, so that the ends of neighbours cancel exactly, and the sums do not depend on where runs
+/// begin.
+void add_inside(const FaceColumns& face, const OutlineSegment& s, InsideRun& run, ColumnSums& sums);
+
+/// Ends a run, if there is one; to be called after the last segment.
+void end_run(const FaceColumns& face, InsideRun& run, ColumnSums& sums);
 
 }  // namespace tdbd::rock

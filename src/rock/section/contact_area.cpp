@@ -8,11 +8,6 @@
 namespace tdbd::rock {
 namespace {
 
-/// Whether this step moved the vertex.
-bool has_moved(const CutWorkspace& cut, int v) {
-  return at(v) < cut.step_of_move.size() && cut.step_of_move[at(v)] == cut.step;
-}
-
 bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
   return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
 }
@@ -20,15 +15,15 @@ bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
 /// What may be in the box of the group at the end of the step: what the step found there, and what
 /// other groups moved there since; or, if that is not known, what the index has.
 void find_around(const Rock& rock, const CutWorkspace& cut, std::size_t i, double gap,
-                 ContactWork& w) {
+                 ContactRoom& w) {
   const GroupMotion& m = cut.motions[i];
   const Region region_W = widened(m.region_W, gap);
   const mesh::Box& box_W = region_W.box;
-  if (cut.knows_touching[i] != 0 && gap <= cut.contact_gap) {
-    w.near = cut.near[i].touching;
-    for (std::size_t k = 0; k < cut.moved_in_step.size(); ++k)
-      if (k != i && cut.moved_boxes_W[k].overlaps(box_W))
-        w.near.insert(w.near.end(), cut.moved_in_step[k].begin(), cut.moved_in_step[k].end());
+  if (cut.groups[i].knows_touching && gap <= cut.contact_gap) {
+    w.near = cut.groups[i].near.touching;
+    for (std::size_t k = 0; k < cut.groups.size(); ++k)
+      if (const GroupCut& other = cut.groups[k]; k != i && other.moved_box_W.overlaps(box_W))
+        w.near.insert(w.near.end(), other.moved_in_step.begin(), other.moved_in_step.end());
     return;
   }
   if (rock.grid.nearest_to_axis(box_W.lo.z(), box_W.hi.z()) > m.reach_W + gap) return;
@@ -39,7 +34,7 @@ void find_around(const Rock& rock, const CutWorkspace& cut, std::size_t i, doubl
 
 /// What the step moved, and what is in the box of the group at its end. A vertex may appear twice.
 void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
-               double gap, ContactWork& w) {
+               double gap, ContactRoom& w) {
   const CuttingGroup& g = bit.groups[i];
   const GroupMotion& m = cut.motions[i];
   w.near.clear();
@@ -47,7 +42,8 @@ void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
   find_around(rock, cut, i, gap, w);
   std::erase_if(
       w.near, [&](int v) { return !is_within(g.box_P, m.X_PW1 * rock.surface.position(v), gap); });
-  w.near.insert(w.near.end(), cut.moved_in_step[i].begin(), cut.moved_in_step[i].end());
+  w.near.insert(w.near.end(), cut.groups[i].moved_in_step.begin(),
+                cut.groups[i].moved_in_step.end());
   for (const int v : w.near) w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
 }
 
@@ -81,13 +77,13 @@ bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& 
 }
 
 /// Marks what a solid of the part moved or touches; called for each solid of a part.
-void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, const CutWorkspace& cut,
-          double gap, ContactWork& w) {
+void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, double gap,
+          ContactRoom& w) {
   std::size_t plane = 0;
   for (std::size_t i = 0; i < w.near.size(); ++i) {
     const int v = w.near[i];
     if (w.mark[at(v)] == w.stamp) continue;
-    const bool moved = rock.last_part[at(v)] == part.part && has_moved(cut, v);
+    const bool moved = rock.last_part[at(v)] == part.part && is_moved_now(rock, v);
     if (!moved && (!touches(part, w.near_P[i], gap, plane) ||
                    is_far_from(g, w.near_P[i], gaps_around_hull * gap)))
       continue;
@@ -96,51 +92,59 @@ void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, cons
   }
 }
 
-/// Sums in the order of the triangles' slots, so that they do not depend on the index's order.
-PartContact contact_of_held(const Rock& rock, ContactWork& w) {
+void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c, PartContact& contact) {
+  const Vec3 area_vector_W = mesh::area_vector(a, b, c);
+  const double area = area_vector_W.norm();
+  contact.area += area;
+  contact.area_vector_W += area_vector_W;
+  contact.centroid_W += area / 3.0 * (a + b + c);
+}
+
+/// Sums in the order of the vertices' numbers, so that they do not depend on the index's order.
+PartContact contact_of_held(const Rock& rock, ContactRoom& w) {
   const mesh::Surface& s = rock.surface;
-  w.triangles.clear();
-  for (const int v : w.held)
-    mesh::visit_corners(s, v, [&](int c) {
-      const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
-      if (v < a && v < b && w.mark[at(a)] == w.stamp && w.mark[at(b)] == w.stamp)
-        w.triangles.push_back(c / 3);
-    });
-  std::ranges::sort(w.triangles);
   PartContact contact;
-  for (const int t : w.triangles) {
-    const mesh::Triangle& corners = s.triangles[at(t)];
-    const Vec3 &a = s.position(corners[0]), &b = s.position(corners[1]),
-               &c = s.position(corners[2]);
-    const Vec3 area_vector_W = mesh::area_vector(a, b, c);
-    const double area = area_vector_W.norm();
-    contact.area += area;
-    contact.area_vector_W += area_vector_W;
-    contact.centroid_W += area / 3.0 * (a + b + c);
+  if (w.held.size() < 3) return contact;
+  std::ranges::sort(w.held);
+  const auto is_held = [&](int v) { return w.mark[at(v)] == w.stamp; };
+  for (const int v : w.held) {
+    const mesh::VertexStar& star = s.star(v);
+    const int *ring = s.ring(star), last = star.size - 1;
+    for (int i = 0; i < star.size - star.open; ++i) {
+      const int a = ring[i], b = ring[i < last ? i + 1 : 0];
+      if (v < a && v < b && is_held(a) && is_held(b))
+        add_triangle(star.x, s.position(a), s.position(b), contact);
+    }
   }
   if (contact.area > 0.0) contact.centroid_W /= contact.area;
   return contact;
 }
 
+/// The contacts of the parts of one group.
+void measure_group(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
+                   double gap, ContactRoom& w, std::vector<PartContact>& contact_by_part) {
+  const CuttingGroup& g = bit.groups[i];
+  find_near(rock, bit, cut, i, gap, w);
+  if (w.near.size() < 3) return;
+  w.mark.resize(rock.surface.stars.size(), 0);
+  for (std::size_t k = 0; k < g.parts.size();) {
+    const int part = g.parts[k].part;
+    ++w.stamp;
+    w.held.clear();
+    for (; k < g.parts.size() && g.parts[k].part == part; ++k)
+      hold(rock, g, g.parts[k], gap, w);
+    contact_by_part[at(part)] = contact_of_held(rock, w);
+  }
+}
+
 }  // namespace
 
 void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, double gap,
-                   ContactWork& w, std::vector<PartContact>& contact_by_part) {
+                   ContactWork& work, std::vector<PartContact>& contact_by_part) {
   contact_by_part.assign(at(bit.part_count), {});
-  w.mark.resize(rock.surface.positions.size(), 0);
-  for (std::size_t i = 0; i < bit.groups.size(); ++i) {
-    const CuttingGroup& g = bit.groups[i];
-    find_near(rock, bit, cut, i, gap, w);
-    if (w.near.size() < 3) continue;
-    for (std::size_t k = 0; k < g.parts.size();) {
-      const int part = g.parts[k].part;
-      ++w.stamp;
-      w.held.clear();
-      for (; k < g.parts.size() && g.parts[k].part == part; ++k)
-        hold(rock, g, g.parts[k], cut, gap, w);
-      contact_by_part[at(part)] = contact_of_held(rock, w);
-    }
-  }
+  parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
+    measure_group(rock, bit, cut, at(i), gap, work.rooms.local(), contact_by_part);
+  });
 }
 
 }  // namespace tdbd::rock

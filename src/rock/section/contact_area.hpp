@@ -2,18 +2,24 @@
 
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "rock/cut/cut_rock.hpp"
 
 namespace tdbd::rock {
 
-/// Buffers for the contact areas of a step, kept between steps so that none allocates once warm.
-struct ContactWork {
+/// Buffers of one thread.
+struct ContactRoom {
   std::vector<int> chains;
   std::vector<int> near;     ///< vertices that a part of the group at work may touch
   std::vector<Vec3> near_P;  ///< m, the same at the end of the step
-  std::vector<int> held, triangles;
+  std::vector<int> held;
   std::vector<int> mark;  ///< per vertex
   int stamp = 0;
+};
+
+/// Buffers for the contact areas of a step, kept between steps so that none allocates once warm.
+struct ContactWork {
+  PerThread<ContactRoom> rooms;
 };
 
 /// The rock surface in contact with one part of the bit. All zero: none.

@@ -8,147 +8,158 @@ namespace {
 /// A vertex and its distance ahead of the plane.
 struct Seen {
   int v;
-  Vec3 x_W;
   double ahead;
 };
 
-/// Finds the outline of one plane.
+/// Where an edge crosses the plane.
+struct Crossing {
+  Vec2 x_F;
+  bool is_in_zone;  ///< the outline is followed here
+  bool is_in_face;  ///< inside the columns
+};
+
+/// Finds the outline of one plane, by the stars of the vertices ahead of it.
 class OutlineSearch {
  public:
   OutlineSearch(const Rock& rock, const FacePlane& plane, OutlineWork& work)
-      : rock_(rock), s_(rock.surface), f_(plane), w_(work) {}
+      : s_(rock.surface), f_(plane), w_(work) {}
 
+  bool is_start(int v) const { return is_start({v, ahead(v)}); }
   void around(int v);
-  bool is_in_zone(const Vec2& x_F) const;
-  bool is_start(const Seen& a) const {
-    if (!(a.ahead >= 0.0 && a.ahead <= f_.reach)) return false;
-    const Vec2 x_F = f_.in_plane(a.x_W);
-    return x_F.y() <= f_.top && is_in_zone(x_F);
-  }
-  Seen seen(int v) const {
-    const Vec3& x_W = s_.position(v);
-    return {v, x_W, f_.ahead(x_W)};
-  }
 
  private:
-  Seen seen_at(int corner) const { return seen(s_.vertex(corner)); }
-  /// An edge gives its two triangles the same point.
-  Vec2 crossing(const Seen& ahead, const Seen& behind) const {
-    const double w = ahead.ahead / (ahead.ahead - behind.ahead);
-    return f_.in_plane(ahead.x_W + w * (behind.x_W - ahead.x_W));
-  }
-  void triangle(int c, const Seen& v, const Seen& next, const Seen& last, bool ask_before);
-  void follow(int facing, int ahead, int behind, Vec2 from);
-  void follow_back(int facing, int ahead, int behind, Vec2 to);
+  /// Where the outline crosses an edge: its ends, and the number of the vertex behind in the ring of
+  /// the vertex ahead.
+  struct Front {
+    Seen ahead, behind;
+    const mesh::VertexStar* star;  ///< of the vertex ahead
+    int i;
+    Crossing at;
+  };
 
-  const Rock& rock_;
+  double ahead(int v) const { return f_.ahead(s_.position(v)); }
+  bool is_start(const Seen& a) const;
+  bool is_in_zone(const Vec2& x_F, const FaceColumn& near) const;
+  Crossing crossing(const Seen& ahead, const Seen& behind) const;
+  void passage(const Seen& v, const mesh::VertexStar& star, int i);
+  void follow(Front f);
+  void follow_back(Front f);
+  void step_to(int w, int i, Front& f) const;
+  void add(const Crossing& from, const Crossing& to) {
+    w_.segments.push_back({from.x_F, to.x_F, from.is_in_face && to.is_in_face});
+  }
+
   const mesh::Surface& s_;
   const FacePlane& f_;
   OutlineWork& w_;
 };
 
-bool OutlineSearch::is_in_zone(const Vec2& x_F) const {
-  const FaceColumns& face = f_.face;
+bool OutlineSearch::is_in_zone(const Vec2& x_F, const FaceColumn& near) const {
   if (x_F.x() < f_.left - f_.reach || x_F.x() > f_.right + f_.reach) return false;
-  if (x_F.y() > face.hi_F.y() + f_.reach) return false;
+  if (x_F.y() > f_.face.hi_F.y() + f_.reach) return false;
+  const double below = near.lower + near.lower_slope * (x_F.x() - near.y0) - x_F.y();
+  return below <= f_.reach * near.lower_rise;
+}
+
+bool OutlineSearch::is_start(const Seen& a) const {
+  if (!(a.ahead >= 0.0 && a.ahead <= f_.reach)) return false;
+  const Vec2 x_F = f_.in_plane(s_.position(a.v));
+  if (x_F.y() > f_.top || x_F.y() < f_.face.lo_F.y() - f_.reach) return false;
   const double y = std::clamp(x_F.x(), f_.left, f_.right);
-  const FaceColumn& c = face.columns[face.near(y)];
-  const double below = c.lower + c.lower_slope * (x_F.x() - c.y0) - x_F.y();
-  return below <= f_.reach * c.lower_rise;
+  return is_in_zone(x_F, f_.face.columns[f_.face.near(y)]);
 }
 
-/// The corner of a vertex from which turning left reaches all others.
-int first_corner(const mesh::Surface& s, int v) {
-  const int start = s.corner_of[at(v)];
-  if (!s.is_boundary(v)) return start;
-  int c = start;
-  for (int right = mesh::turn_right(s, c); right >= 0; right = mesh::turn_right(s, c)) c = right;
-  return c;
+bool is_in_column(const Vec2& x_F, const FaceColumn& c) {
+  const double dy = x_F.x() - c.y0;
+  return dy >= 0.0 && x_F.x() <= c.y1 && x_F.y() > c.lower + c.lower_slope * dy &&
+         x_F.y() < c.upper + c.upper_slope * dy;
 }
 
-/// The triangles that cross the plane on an edge from this vertex to one behind.
+/// A function of the edge: its two triangles are given the same point.
+Crossing OutlineSearch::crossing(const Seen& ahead, const Seen& behind) const {
+  const Vec3 &a_W = s_.position(ahead.v), &b_W = s_.position(behind.v);
+  const double w = ahead.ahead / (ahead.ahead - behind.ahead);
+  const Vec2 x_F = f_.in_plane(a_W + w * (b_W - a_W));
+  const double y = std::clamp(x_F.x(), f_.left, f_.right);
+  const FaceColumn& near = f_.face.columns[f_.face.near(y)];
+  const bool is_between = x_F.x() > f_.left && x_F.x() < f_.right;
+  return {x_F, is_in_zone(x_F, near),
+          is_between && is_in_column(x_F, *(y > near.y1 ? &near + 1 : &near))};
+}
+
+/// Every passage of the outline around this vertex, from the first of its neighbours behind on.
 void OutlineSearch::around(int v) {
-  const Seen centre = seen(v);
-  const int first = first_corner(s_, v);
-  Seen next = seen_at(mesh::next_corner(first));
-  bool ask_before = true;
-  int c = first;
-  do {
-    const Seen last = seen_at(mesh::previous_corner(c));
-    if (next.ahead < 0.0) triangle(c, centre, next, last, ask_before);
-    ask_before = next.ahead >= 0.0;
-    next = last;
-    c = mesh::turn_left(s_, c);
-  } while (c >= 0 && c != first);
+  const mesh::VertexStar& star = s_.star(v);
+  const int* ring = s_.ring(star);
+  const Seen seen{v, ahead(v)};
+  const bool first = ahead(ring[0]) < 0.0;
+  bool before = first, all = first;
+  for (int i = 1; i < star.size; ++i) {
+    const bool now = ahead(ring[i]) < 0.0;
+    if (now && !before) passage(seen, star, i);
+    before = now;
+    all = all && now;
+  }
+  if (first && (star.open != 0 || !before || all)) passage(seen, star, 0);
 }
 
-/// The triangle with this corner at v. Follows the outline on either side where the vertex ahead is
-/// none to start from; the side before may be known to be around v, too.
-void OutlineSearch::triangle(int c, const Seen& v, const Seen& next, const Seen& last,
-                             bool ask_before) {
-  const Vec2 from = crossing(v, next);
-  const Vec2 to = last.ahead >= 0.0 ? crossing(last, next) : crossing(v, last);
-  w_.segments.push_back({from, to});
-  if (last.ahead >= 0.0 && !is_start(last)) follow(c, last.v, next.v, to);
-  const int before = ask_before ? s_.opposite_of(mesh::previous_corner(c)) : -1;
-  if (before < 0) return;
-  const Seen u = seen_at(before);
-  if (u.ahead >= 0.0 && !is_start(u)) follow_back(mesh::previous_corner(c), v.v, next.v, from);
+/// The outline on either side of the edge from v to its neighbour number i, behind.
+void OutlineSearch::passage(const Seen& v, const mesh::VertexStar& star, int i) {
+  if (star.open != 0 && i + 1 == star.size) return;
+  if (w_.crossed.contains(v.v, i)) return;
+  const int b = s_.ring(star)[i];
+  const Seen behind{b, ahead(b)};
+  const Front front{v, behind, &star, i, crossing(v, behind)};
+  follow(front);
+  follow_back(front);
 }
 
-/// Follows the outline over the edge that this corner faces, until it leaves the zone or reaches a
-/// vertex to start from.
-void OutlineSearch::follow(int facing, int ahead, int behind, Vec2 from) {
-  while (is_in_zone(from)) {
-    const int o = s_.opposite_of(facing);
-    if (o < 0) return;
-    const Seen a = seen(ahead), b = seen(behind), w = seen_at(o);
-    const bool turns = w.ahead >= 0.0;
-    const Vec2 to = turns ? crossing(w, b) : crossing(a, w);
-    w_.segments.push_back({from, to});
-    if (turns && is_start(w)) return;
-    (turns ? ahead : behind) = w.v;
-    facing = turns ? mesh::next_corner(o) : mesh::previous_corner(o);
-    from = to;
+/// Goes to the next edge of the triangle with the vertex w, number i in the ring of the vertex
+/// ahead.
+void OutlineSearch::step_to(int w, int i, Front& f) const {
+  const Seen seen{w, ahead(w)};
+  if (seen.ahead < 0.0) {
+    f.behind = seen;
+    f.i = i;
+  } else {
+    f.ahead = seen;
+    f.star = &s_.star(w);
+    const int* ring = s_.ring(*f.star);
+    f.i = 0;
+    while (ring[f.i] != f.behind.v) ++f.i;
+  }
+  f.at = crossing(f.ahead, f.behind);
+}
+
+/// Follows the outline until it leaves the zone, but all around the vertices to start from.
+void OutlineSearch::follow(Front f) {
+  bool goes_on = true;
+  while (goes_on) {
+    const bool is_last = f.i + 1 == f.star->size;
+    if ((is_last && f.star->open != 0) || !w_.crossed.add(f.ahead.v, f.i)) return;
+    const Crossing from = f.at;
+    const int i = is_last ? 0 : f.i + 1;
+    step_to(s_.ring(*f.star)[i], i, f);
+    add(from, f.at);
+    goes_on = f.at.is_in_zone || is_start(f.ahead);
   }
 }
 
-/// Follows the outline back over the edge that this corner faces. What leads back to a vertex to
-/// start from is found from there; otherwise it is kept.
-void OutlineSearch::follow_back(int facing, int ahead, int behind, Vec2 to) {
-  w_.run.clear();
-  while (is_in_zone(to)) {
-    const int o = s_.opposite_of(facing);
-    if (o < 0) break;
-    const Seen a = seen(ahead), b = seen(behind), w = seen_at(o);
-    const bool turns = w.ahead >= 0.0;
-    if (turns && is_start(w)) return;
-    const Vec2 from = turns ? crossing(w, b) : crossing(a, w);
-    w_.run.push_back({from, to});
-    (turns ? ahead : behind) = w.v;
-    facing = turns ? mesh::previous_corner(o) : mesh::next_corner(o);
-    to = from;
+/// Follows the outline back until it leaves the zone.
+void OutlineSearch::follow_back(Front f) {
+  while (f.at.is_in_zone) {
+    if (f.i == 0 && f.star->open != 0) return;
+    const Crossing to = f.at;
+    const int i = f.i == 0 ? f.star->size - 1 : f.i - 1;
+    step_to(s_.ring(*f.star)[i], i, f);
+    if (!w_.crossed.add(f.ahead.v, f.i)) return;
+    add(f.at, to);
   }
-  w_.segments.insert(w_.segments.end(), w_.run.begin(), w_.run.end());
 }
 
-/// Prefetches the first triangles of all these vertices.
+/// Prefetches these vertices.
 void prefetch(const mesh::Surface& s, const std::vector<int>& near) {
-  for (const int v : near) __builtin_prefetch(&s.corner_of[at(v)]);
-  for (const int v : near) {
-    const auto c = static_cast<std::size_t>(s.corner_of[at(v)]);
-    __builtin_prefetch(&s.triangles[c / 3]);
-    __builtin_prefetch(&s.opposite[c]);
-  }
-  for (const int v : near) {
-    const int c = s.corner_of[at(v)];
-    for (const int o :
-         {s.opposite_of(mesh::next_corner(c)), s.opposite_of(mesh::previous_corner(c))}) {
-      if (o < 0) continue;
-      __builtin_prefetch(&s.triangles[at(o / 3)]);
-      __builtin_prefetch(&s.opposite[at(o)]);
-    }
-  }
+  for (const int v : near) __builtin_prefetch(&s.star(v));
 }
 
 /// Where vertices to start from may be.
@@ -207,10 +218,11 @@ FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t firs
 
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   work.segments.clear();
+  work.crossed.clear();
   find_near(rock, plane, work);
   OutlineSearch search(rock, plane, work);
-  std::erase_if(work.near, [&](int v) { return !search.is_start(search.seen(v)); });
   prefetch(rock.surface, work.near);
+  std::erase_if(work.near, [&](int v) { return !search.is_start(v); });
   for (const int v : work.near) search.around(v);
 }
 

@@ -2,6 +2,7 @@
 
 #include "rock/rock.hpp"
 #include "rock/section/column_sums.hpp"
+#include "rock/section/crossed_edges.hpp"
 
 namespace tdbd::rock {
 
@@ -27,15 +28,15 @@ struct OutlineWork {
   std::vector<int> chains;
   std::vector<int> near;  ///< vertices to start from
   std::vector<OutlineSegment> segments;
-  std::vector<OutlineSegment> run;
+  CrossedEdges crossed;  ///< by the plane at work, at which a segment begins
 };
 
 /// Where the rock's triangles cross the plane of a face, beside some of its columns: work.segments,
 /// in any order, each triangle's once. Corners in the plane count as ahead. The zone is what lies
-/// within `reach` of the columns' ends and lower edges. An outline within the zone is found whole
-/// if one of its triangles there has a vertex in the zone, not above `top`, that is ahead of the
-/// plane by at most `reach`; from such vertices on the outline is followed from triangle to
-/// triangle, however long their edges are.
+/// within `reach` of the columns' ends and lower edges. An outline within the zone is found whole if
+/// one of its triangles there has a vertex to start from: in the zone, not above `top`, nor below
+/// the face's box by more than `reach`, and ahead of the plane by at most `reach`. From such
+/// vertices on the outline is followed from triangle to triangle, however long their edges are.
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work);
 
 }  // namespace tdbd::rock

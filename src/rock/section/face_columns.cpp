@@ -25,7 +25,7 @@ void find_box(const ConvexPolygon& outline_F, FaceColumns& c) {
 void divide_at_corners(const ConvexPolygon& outline_F, FaceColumns& c) {
   c.columns.clear();
   c.columns.reserve(outline_F.size());
-  for (const Vec2& x_F : outline_F) c.columns.push_back({x_F.x(), 0, 0, 0, 0, 0, 0, 0, 1});
+  for (const Vec2& x_F : outline_F) c.columns.push_back({x_F.x(), 0, 0, 0, 0, 0, 0, 0, 1, {}});
   std::ranges::sort(c.columns, {}, &FaceColumn::y0);
   const double width = c.hi_F.x() - c.lo_F.x();
   const auto same = [&](const FaceColumn& a, const FaceColumn& b) {
@@ -58,6 +58,14 @@ void add_edge_to_columns(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns&
   }
 }
 
+void sum_below_lower_edge(FaceColumns& made) {
+  PolygonMoments sum;
+  for (FaceColumn& c : made.columns) {
+    c.below = sum;
+    sum = made.below_lower_edge(c, c.y1);
+  }
+}
+
 void index_columns(FaceColumns& c) {
   c.parts_per_metre = static_cast<double>(c.first_of.size()) / (c.hi_F.x() - c.lo_F.x());
   std::size_t i = 0;
@@ -87,6 +95,7 @@ void make_columns(const ConvexPolygon& outline_F, const HalfPlane* cut, FaceColu
       (p.y() > q.y() ? made.left_is_rim : made.right_is_rim) = is_rim;
   }
   index_columns(made);
+  sum_below_lower_edge(made);
 }
 
 }  // namespace tdbd::rock

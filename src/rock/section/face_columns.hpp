@@ -16,7 +16,16 @@ struct FaceColumn {
   double upper, upper_slope;          ///< the same of the upper edge
   double lower_length, upper_length;  ///< of the edge over dy; 0: this edge is a cut, not the rim
   double lower_rise;                  ///< length of the lower edge over dy, rim or cut
+  PolygonMoments below;               ///< of what lies between bottom and lower edge, left of y0
 };
+
+/// Of the trapezoid between z = bottom and the line from p to q; with the sign of y_q - y_p.
+inline PolygonMoments below_line(double bottom, const Vec2& p, const Vec2& q) {
+  const double h0 = p.y() - bottom, h1 = q.y() - bottom, sum = h0 + h1, width = q.x() - p.x();
+  const double y_sum = p.x() * (sum + h0) + q.x() * (sum + h1),
+               z_sum = 3.0 * bottom * sum + h0 * h0 + h0 * h1 + h1 * h1;
+  return {0.5 * width * sum, width / 6.0 * Vec2(y_sum, z_sum)};
+}
 
 /// An outline in columns, ready for sums over segments (section.hpp).
 struct FaceColumns {
@@ -32,6 +41,20 @@ struct FaceColumns {
   std::size_t near(double y) const {
     const double part = (y - lo_F.x()) * parts_per_metre;
     return first_of[part < 63.0 ? static_cast<std::size_t>(part) : 63];
+  }
+
+  /// The column that holds y, a y in the outline's width.
+  std::size_t holding(double y) const {
+    std::size_t i = near(y);
+    while (i + 1 < columns.size() && columns[i].y1 <= y) ++i;
+    return i;
+  }
+
+  /// Of what lies between the box's bottom and the lower edge, left of y, which column c holds.
+  PolygonMoments below_lower_edge(const FaceColumn& c, double y) const {
+    const PolygonMoments own =
+        below_line(lo_F.y(), {c.y0, c.lower}, {y, c.lower + c.lower_slope * (y - c.y0)});
+    return {c.below.area + own.area, c.below.moment + own.moment};
   }
 };
 

@@ -27,9 +27,12 @@ double time_of_turn(const rotation::Twist& twist, double turn) {
   return turning > 0.0 ? turn / turning : std::numeric_limits<double>::infinity();
 }
 
-void face_strips(const FaceColumns& face, const ForwardSpeed& v, double lead, double longest_time,
-                 std::vector<FaceStrip>& strips) {
+void face_strips(const FaceColumns& face, const ForwardSpeed& v, const SpeedRange& range,
+                 double lead, double longest_time, std::vector<FaceStrip>& strips) {
   strips.clear();
+  const double slowest = std::max(range.slowest, lead / longest_time);
+  if (std::max(range.fastest, slowest) <= ratio * slowest)
+    return strips.push_back({0, face.columns.size(), lead / slowest});
   double least = 0.0, greatest = 0.0;
   for (std::size_t i = 0; i < face.columns.size(); ++i) {
     const double speed = std::max(least_speed(face.columns[i], v), lead / longest_time);

@@ -15,6 +15,11 @@ struct ForwardSpeed {
   double operator()(const Vec2& x_F) const { return at_origin + gradient.dot(x_F); }
 };
 
+/// Over a face, m/s.
+struct SpeedRange {
+  double slowest, fastest;
+};
+
 ForwardSpeed forward_speed(const Pose& X_BF, const rotation::Twist& twist);
 
 /// Columns of a face that are carried ahead together: `first` to before `end`.
@@ -27,8 +32,8 @@ struct FaceStrip {
 /// factor of 1.5. A strip is carried for lead / (its least speed), so that every point of it comes
 /// at least `lead` (m) ahead, but never for longer than `longest_time` (s). No point of the face
 /// may go backwards, and at least one must go forwards.
-void face_strips(const FaceColumns& face, const ForwardSpeed& v, double lead, double longest_time,
-                 std::vector<FaceStrip>& strips);
+void face_strips(const FaceColumns& face, const ForwardSpeed& v, const SpeedRange& range,
+                 double lead, double longest_time, std::vector<FaceStrip>& strips);
 
 /// The time in which the bit turns by `turn` (rad), s; infinite if it does not turn.
 double time_of_turn(const rotation::Twist& twist, double turn);

@@ -12,16 +12,21 @@ double angle_of_attack(const Pose& X_BF, const rotation::Twist& twist, const Vec
   return std::asin(std::clamp(X_BF.R.col(0).dot(v_B) / v_B.norm(), -1.0, 1.0));
 }
 
+SpeedRange speed_range(const ConvexPolygon& outline_F, const ForwardSpeed& v) {
+  SpeedRange range{INFINITY, -INFINITY};
+  for (const Vec2& x_F : outline_F) {
+    const double speed = v(x_F);
+    range = {std::min(range.slowest, speed), std::max(range.fastest, speed)};
+  }
+  return range;
+}
+
 /// The columns of the part that goes forwards, in the work's buffer if that is not all; null if
 /// nothing does.
-const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& v, SectionWork& w) {
-  double slowest = INFINITY, fastest = -INFINITY;
-  for (const Vec2& x_F : face.outline.rim_F) {
-    slowest = std::min(slowest, v(x_F));
-    fastest = std::max(fastest, v(x_F));
-  }
-  if (!(fastest > 0.0)) return nullptr;
-  if (slowest >= 0.0) return &face.columns;
+const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& v,
+                                   const SpeedRange& range, SectionWork& w) {
+  if (!(range.fastest > 0.0)) return nullptr;
+  if (range.slowest >= 0.0) return &face.columns;
   const HalfPlane forwards{-v.gradient, v.at_origin};
   clip(face.outline.rim_F, forwards, w.forward_F);
   make_columns(w.forward_F, &forwards, w.forward);
@@ -62,11 +67,17 @@ bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
 void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
   if (!see_outline(rock, plane, w.outline)) return;
   if (w.sight == Sight::none) w.sight = Sight::clear;
+  InsideRun run;
   for (const OutlineSegment& s : w.outline.segments) {
+    if (s.is_inside) {
+      add_inside(plane.face, s, run, w.sums);
+      continue;
+    }
     if (!concerns(s, plane)) continue;
     if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
     add_segment(plane.face, strip.first, strip.end, s, w.sums);
   }
+  end_run(plane.face, run, w.sums);
 }
 
 /// An edge of the outline: where its middle is, and how much of it is engaged.
@@ -126,12 +137,13 @@ Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB,
   Section s;
   const Pose& X_BF = face.outline.X_BF;
   const ForwardSpeed v = forward_speed(X_BF, twist);
-  const FaceColumns* columns = forward_columns(face, v, work);
+  const SpeedRange range = speed_range(face.outline.rim_F, v);
+  const FaceColumns* columns = forward_columns(face, v, range, work);
   s.sight = Sight::none;
   if (columns == nullptr) return s;
   begin_sums(*columns, work.sums);
   work.sight = Sight::none;
-  face_strips(*columns, v, place.lead, time_of_turn(twist, place.largest_turn), work.strips);
+  face_strips(*columns, v, range, place.lead, time_of_turn(twist, place.largest_turn), work.strips);
   const double middle = 0.5 * (columns->lo_F.y() + columns->hi_F.y());
   for (const FaceStrip& strip : work.strips)
     add_strip(rock, strip,

@@ -68,6 +68,8 @@ TimeGrid read_time(Config c, const Motion& m) {
 MaintenancePlan read_maintenance(Config c) {
   using namespace maintenance_keys;
   return {.every = c.read(every),
+          .rest = c.read(rest),
+          .longest_wait = c.read(longest_wait),
           .shortest_edge = c.read(shortest_edge),
           .longest_edge = c.read(longest_edge),
           .worst_quality = c.read(worst_quality),

@@ -102,6 +102,17 @@ inline constexpr IntegerKey every{.name = "every",
                                   .fallback = 5,
                                   .hi = 1'000'000,
                                   .meaning = "steps between maintenances; 0: never"};
+inline constexpr IntegerKey rest{
+    .name = "rest",
+    .fallback = 0,
+    .hi = 1'000'000,
+    .meaning = "steps that must have left a vertex alone before it is maintained; 0: none"};
+inline constexpr IntegerKey longest_wait{
+    .name = "longest_wait",
+    .fallback = 100,
+    .lo = 1,
+    .hi = 1'000'000,
+    .meaning = "steps after which a vertex is maintained even if it was never left alone"};
 inline constexpr QuantityKey shortest_edge{
     .name = "shortest_edge",
     .fallback = 0.4,

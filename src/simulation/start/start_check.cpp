@@ -17,38 +17,76 @@ Vec3 centre_W(const bit::Part& part, const Pose& X_WB) {
   return X_WB * (part.X_BP * (sum / static_cast<double>(part.mesh_P.positions.size())));
 }
 
-}  // namespace
+/// m; a face this near to a point in x, and no farther, may lie straight above it.
+constexpr double slack = 1e-6;
 
-double cover_above(const mesh::Surface& rock, const Vec3& x_W) {
-  // Off the vertices, which often lie right below one another; far less than any edge's length.
-  const Vec3 p = x_W + Vec3(1.37e-8, 2.11e-8, 0.0);
+/// A point, and what the faces straight above it say so far.
+struct Column {
+  Vec3 p;  ///< W
+  std::size_t number;
   int up_minus_down = 0;
   double cover = 0.0;
+};
+
+/// In the order of x. Off the vertices, which often lie right below one another; far less than any
+/// edge's length.
+std::vector<Column> columns_through(std::span<const Vec3> points_W) {
+  std::vector<Column> columns;
+  for (const Vec3& x_W : points_W)
+    columns.push_back({x_W + Vec3(1.37e-8, 2.11e-8, 0.0), columns.size()});
+  std::ranges::sort(columns, {}, [](const Column& k) { return k.p.x(); });
+  return columns;
+}
+
+void cross_face(const Vec3& a_W, const Vec3& b_W, const Vec3& c_W, Column& column) {
+  const Vec3 a = a_W - column.p, b = b_W - column.p, c = c_W - column.p;
+  const double wa = cross(b, c), wb = cross(c, a), wc = cross(a, b), sum = wa + wb + wc;
+  if (std::min({wa, wb, wc}) < 0.0 && std::max({wa, wb, wc}) > 0.0) return;
+  const double height = sum == 0.0 ? 0.0 : -(wa * a.z() + wb * b.z() + wc * c.z()) / sum;
+  if (height <= 0.0) return;
+  column.up_minus_down +=
+      sum < 0.0 ? 1 : -1;  // z points down: a face turned up has a negative area
+  column.cover = std::max(column.cover, height);
+}
+
+}  // namespace
+
+std::vector<double> covers_above(const mesh::Surface& rock, std::span<const Vec3> points_W) {
+  std::vector<Column> columns = columns_through(points_W);
   for (const mesh::Triangle& t : rock.triangles) {
     if (t[0] < 0) continue;
-    const Vec3 a = rock.position(t[0]) - p, b = rock.position(t[1]) - p,
-               c = rock.position(t[2]) - p;
-    const double wa = cross(b, c), wb = cross(c, a), wc = cross(a, b), sum = wa + wb + wc;
-    if (std::min({wa, wb, wc}) < 0.0 && std::max({wa, wb, wc}) > 0.0) continue;
-    const double height = sum == 0.0 ? 0.0 : -(wa * a.z() + wb * b.z() + wc * c.z()) / sum;
-    if (height <= 0.0) continue;
-    up_minus_down += sum < 0.0 ? 1 : -1;  // z points down: a face turned up has a negative area
-    cover = std::max(cover, height);
+    const Vec3 &a = rock.position(t[0]), &b = rock.position(t[1]), &c = rock.position(t[2]);
+    const double lo = std::min({a.x(), b.x(), c.x()}) - slack,
+                 hi = std::max({a.x(), b.x(), c.x()}) + slack;
+    auto column =
+        std::ranges::lower_bound(columns, lo, {}, [](const Column& k) { return k.p.x(); });
+    for (; column != columns.end() && column->p.x() <= hi; ++column) cross_face(a, b, c, *column);
   }
-  return up_minus_down > 0 ? cover : 0.0;
+  std::vector<double> covers(points_W.size());
+  for (const Column& k : columns) covers[k.number] = k.up_minus_down > 0 ? k.cover : 0.0;
+  return covers;
+}
+
+double cover_above(const mesh::Surface& rock, const Vec3& x_W) {
+  return covers_above(rock, std::span(&x_W, 1)).front();
 }
 
 void require_free_start(const Case& c, const mesh::Surface& rock) {
   const Pose X_WB = pose_at(c.motion, time_at(c.time, c.time.first));
+  std::vector<const bit::Part*> cutting;
+  std::vector<Vec3> centres_W;
   for (const bit::Part& part : c.bit.parts) {
     if (part.cutting != bit::Cutting::cuts) continue;
-    const double cover = cover_above(rock, centre_W(part, X_WB));
-    if (cover > 0.0)
+    cutting.push_back(&part);
+    centres_W.push_back(centre_W(part, X_WB));
+  }
+  const std::vector<double> covers = covers_above(rock, centres_W);
+  for (std::size_t i = 0; i < covers.size(); ++i)
+    if (covers[i] > 0.0)
       throw InputError(
           fmt::format("{}: found the middle of {} {:.3f} mm below the rock's surface at the start, "
                       "expected a bit that starts inside the rock by at most a cutter's radius",
-                      c.places.motion, part.name, 1e3 * cover));
-  }
+                      c.places.motion, cutting[i]->name, 1e3 * covers[i]));
 }
 
 }  // namespace tdbd::simulation

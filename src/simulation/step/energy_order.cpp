@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "rock/maintain/waiting.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -24,6 +25,8 @@ Case divided(Case c, int parts) {
   c.time.steps *= parts;
   c.time.first *= parts;
   c.maintenance.every *= parts;
+  c.maintenance.rest *= parts;
+  c.maintenance.longest_wait *= parts;
   c.output.means_from = std::numeric_limits<double>::infinity();
   return c;
 }
@@ -32,6 +35,7 @@ Case divided(Case c, int parts) {
 Simulation at_window(const Case& finer, const Simulation& s, int parts) {
   State state = s.state;
   state.steps_done *= parts;
+  rock::divide_cuts(state.rock, parts);
   const dynamics::DrillingState& now = s.state.drive->state;
   state.drive->ledger = {};
   state.drive->ledger.start =

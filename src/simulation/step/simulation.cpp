@@ -17,6 +17,8 @@ rock::MaintenanceLimits limits_of(const Case& c) {
   l.longest_edge = c.maintenance.longest_edge * c.rock.edge_length;
   l.farthest = 0.5 * l.shortest_edge;
   l.untangle_farthest = 2.0 * l.shortest_edge;
+  l.rest = static_cast<int>(c.maintenance.rest);
+  l.longest_wait = static_cast<int>(c.maintenance.longest_wait);
   l.worst_quality = c.maintenance.worst_quality;
   l.flip_quality = c.maintenance.flip_quality;
   l.smoothing = c.maintenance.smoothing;

@@ -79,7 +79,7 @@ RC_GTEST_PROP(CutRock, leaves_no_vertex_inside_a_part_at_the_end, ()) {
   const Cut c = cut(s);
   RC_TAG(c.report.passes);
   for (const bit::Part& p : s.bit.parts)
-    for (const Vec3& x_W : c.after.surface.positions) {
+    for (const Vec3& x_W : mesh::positions_of(c.after.surface)) {
       const Vec3 x_P = inverse(s.X_WB1 * p.X_BP) * x_W;
       RC_ASSERT(depth_behind_triangles(p.mesh_P, x_P) < tolerance::inside * c.bit.size);
     }
@@ -175,7 +175,8 @@ RC_GTEST_PROP(CutRock, straight_down_adds_no_rock_in_any_part, ()) {
 }
 
 bool same_bits(const Rock& a, const Rock& b) {
-  return a.surface.positions == b.surface.positions && a.last_part == b.last_part;
+  return mesh::positions_of(a.surface) == mesh::positions_of(b.surface) &&
+         a.last_part == b.last_part;
 }
 
 RC_GTEST_PROP(CutRock, twice_gives_the_same_bits_also_in_a_used_workspace, ()) {
@@ -278,7 +279,7 @@ TEST(CutRock, follows_a_zigzag_between_two_parts_to_its_end) {
   const Cut c = cut(s);
   EXPECT_GT(c.report.passes, 32);
   for (const bit::Part& p : s.bit.parts)
-    for (const Vec3& x_W : c.after.surface.positions)
+    for (const Vec3& x_W : mesh::positions_of(c.after.surface))
       EXPECT_LT(depth_behind_triangles(p.mesh_P, inverse(p.X_BP) * x_W),
                 tolerance::inside * c.bit.size);
 }

@@ -40,6 +40,13 @@ bool is_swept_by(const CuttingBit& bit, const GroupMotion& m, const Vec3& x_W) {
   return is_swept(bit.groups[0].parts[0], path, scratch);
 }
 
+/// Vertices without triangles: all that a search for candidates reads of a surface.
+mesh::Surface vertices_at(const std::vector<Vec3>& positions_W) {
+  mesh::Surface s;
+  for (const Vec3& x_W : positions_W) s.stars.emplace_back().x = x_W;
+  return s;
+}
+
 std::vector<int> candidates_in(const VertexGrid& grid, const std::vector<Vec3>& positions_W,
                                const CuttingGroup& g, const GroupMotion& m,
                                const NearListMargins& margins = {}) {
@@ -47,7 +54,7 @@ std::vector<int> candidates_in(const VertexGrid& grid, const std::vector<Vec3>& 
   NearGroup near;
   if (is_out_of_reach(grid, m)) return {};
   bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, margins, list);
-  find_candidates(g, m, positions_W, list, -1.0, near);
+  find_candidates(g, m, vertices_at(positions_W), list, -1.0, near);
   for (int& v : near.places) v = list.v[static_cast<std::size_t>(v)];
   return near.places;
 }
@@ -91,7 +98,7 @@ RC_GTEST_PROP(FindCandidates, finds_all_that_is_touched, ()) {
   NearList list;
   bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, region}, {}, list);
   NearGroup near;
-  find_candidates(g, m, points, list, gap, near);
+  find_candidates(g, m, vertices_at(points), list, gap, near);
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!is_far_from(g, m.X_PW1 * points[v], gap))
       RC_ASSERT(std::ranges::count(near.touching, static_cast<int>(v)) == 1);

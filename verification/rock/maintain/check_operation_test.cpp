@@ -33,7 +33,7 @@ TEST(CheckOperation, finds_nothing_wrong_with_a_bisection) {
 TEST(CheckOperation, notices_volume_that_was_not_reported) {
   Rock rock = sheet();
   const LocalState before = local_state(rock.surface, {inner});
-  Vec3& x_W = rock.surface.positions[inner];
+  Vec3& x_W = rock.surface.stars[inner].x;
   x_W.z() += 1e-6;
   rock.grid.move(inner, x_W);
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M5"), std::string::npos);
@@ -48,7 +48,7 @@ TEST(CheckOperation, notices_wrong_adjacency_and_an_index_out_of_step) {
             rock.surface.opposite[static_cast<std::size_t>(mesh::next_corner(c))]);
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M1"), std::string::npos);
   rock = sheet();
-  rock.surface.positions[inner].z() += 1e-6;
+  rock.surface.stars[inner].x.z() += 1e-6;
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("index"), std::string::npos);
 }
 

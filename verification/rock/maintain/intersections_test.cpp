@@ -32,7 +32,7 @@ using ByCorners = std::set<std::pair<mesh::Triangle, mesh::Triangle>>;
 
 ByCorners reference_pairs(const mesh::Surface& s) {
   ByCorners pairs;
-  for (const auto& [t, u] : reference::self_intersections({s.positions, s.triangles}))
+  for (const auto& [t, u] : reference::self_intersections({mesh::positions_of(s), s.triangles}))
     pairs.insert(by_corners(s.triangles[t], s.triangles[u]));
   return pairs;
 }

@@ -82,7 +82,7 @@ TEST(Invariants, notice_a_hole) {
 TEST(Invariants, notice_an_index_out_of_step) {
   Rock rock = sheet();
   const int v = inner_vertex(rock);
-  rock.surface.positions[static_cast<std::size_t>(v)].z() += 0.01;
+  rock.surface.stars[static_cast<std::size_t>(v)].x.z() += 0.01;
   EXPECT_TRUE(names(check_disc(rock), Invariant::disc));
   rock = sheet();
   rock.grid.remove(v);
@@ -93,7 +93,7 @@ TEST(Invariants, notice_an_index_out_of_step) {
 
 TEST(Invariants, notice_repairs_left_undone) {
   const Rock rock = sheet();
-  const std::vector<RepairScope> everywhere(rock.surface.positions.size(), RepairScope::all);
+  const std::vector<RepairScope> everywhere(rock.surface.stars.size(), RepairScope::all);
   MaintenanceLimits limits = limits_for(0.8);  // shortest 0.32: many sides of cells are shorter
   limits.volume_per_operation = 1.0;
   EXPECT_TRUE(names(check_repairs(rock.surface, everywhere, limits), Invariant::edges));
@@ -109,7 +109,7 @@ TEST(Invariants, notice_repairs_left_undone) {
 TEST(Invariants, notice_a_normal_turned_over) {
   const Rock rock = sheet();
   mesh::Surface turned = rock.surface;
-  turned.positions[static_cast<std::size_t>(inner_vertex(rock))].x() += 0.7;
+  turned.stars[static_cast<std::size_t>(inner_vertex(rock))].x.x() += 0.7;
   EXPECT_TRUE(names(check_normals(rock.surface, turned), Invariant::normals));
   EXPECT_TRUE(check_normals(rock.surface, rock.surface).empty());
 }
@@ -125,7 +125,7 @@ TEST(Invariants, measure_how_far_a_surface_strays) {
   const mesh::Surface before = mesh::make_surface(flat);
   mesh::Surface after = before;
   const double d = 0.05;
-  after.positions[60].z() -= d;
+  after.stars[60].x.z() -= d;
   ASSERT_FALSE(before.is_boundary(60));
   const Deviation there = deviation(after, before, 1.0);
   EXPECT_DOUBLE_EQ(there.distance, d);
@@ -143,11 +143,11 @@ TEST(Invariants, notice_untouched_rock_and_boundary_that_changed) {
   before.touched.assign(before.touched.size(), 0);
   mesh::Surface after = before.surface;
   const int v = inner_vertex(before);
-  after.positions[static_cast<std::size_t>(v)].z() += 1e-16 + 1e-3;
+  after.stars[static_cast<std::size_t>(v)].x.z() += 1e-16 + 1e-3;
   EXPECT_TRUE(names(check_locality(before, after), Invariant::locality));
   before.touched[static_cast<std::size_t>(v)] = 1;
   EXPECT_TRUE(check_locality(before, after).empty());
-  after.positions[0].z() += 1e-12;
+  after.stars[0].x.z() += 1e-12;
   EXPECT_TRUE(names(check_locality(before, after), Invariant::locality));
 }
 

@@ -23,7 +23,7 @@ Rock hole(double bump) {
   mesh::TriangleMesh m = borehole(flat_bottom(1.0, 0.0, 1.0), *battery::number(0.12, 0.3));
   Surface s = mesh::make_surface(m);
   for (int v = 0; v < s.vertex_slots(); ++v)
-    if (!s.is_boundary(v)) s.positions[static_cast<std::size_t>(v)] += bump * *battery::direction();
+    if (!s.is_boundary(v)) s.place(v, s.position(v) + bump * *battery::direction());
   const mesh::Box box = mesh::bounding_box(mesh::compact(s));
   return make_rock(std::move(s), 0.3, box);
 }

@@ -1,6 +1,7 @@
 #include "simulation/start/start_check.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "rock/start/borehole.hpp"
 
@@ -34,6 +35,37 @@ TEST(CoverAbove, knows_a_ledge_from_the_open_below_it) {
   EXPECT_GT(cover_above(hollow, Vec3(0.08, 0.0, 0.06)), 0.01);
   EXPECT_GT(cover_above(hollow, Vec3(0.08, 0.0, 0.11)), 0.01);
   EXPECT_EQ(cover_above(hollow, Vec3(0.0, 0.0, 0.06)), 0.0);
+}
+
+/// Every face against the point, none left out.
+double cover_by_all_faces(const mesh::Surface& rock, const Vec3& x_W) {
+  const Vec3 p = x_W + Vec3(1.37e-8, 2.11e-8, 0.0);
+  const auto cross = [](const Vec3& a, const Vec3& b) { return a.x() * b.y() - a.y() * b.x(); };
+  int up_minus_down = 0;
+  double cover = 0.0;
+  for (const mesh::Triangle& t : rock.triangles) {
+    const Vec3 a = rock.position(t[0]) - p, b = rock.position(t[1]) - p,
+               c = rock.position(t[2]) - p;
+    const double wa = cross(b, c), wb = cross(c, a), wc = cross(a, b), sum = wa + wb + wc;
+    if (std::min({wa, wb, wc}) < 0.0 && std::max({wa, wb, wc}) > 0.0) continue;
+    const double height = sum == 0.0 ? 0.0 : -(wa * a.z() + wb * b.z() + wc * c.z()) / sum;
+    if (height <= 0.0) continue;
+    up_minus_down += sum < 0.0 ? 1 : -1;
+    cover = std::max(cover, height);
+  }
+  return up_minus_down > 0 ? cover : 0.0;
+}
+
+RC_GTEST_PROP(CoversAbove, are_those_of_every_point_against_every_face, ()) {
+  const mesh::Surface hollow = mesh::make_surface(rock::borehole(
+      {{0.0, 0.1}, {0.1, 0.1}, {0.1, 0.08}, {0.05, 0.07}, {0.05, 0.05}, {0.1, 0.04}}, 0.01));
+  std::vector<Vec3> points;
+  const auto n = static_cast<std::size_t>(*rc::gen::inRange(0, 40));
+  const auto upto = [](int mm) { return 1e-3 * *rc::gen::inRange(-mm, mm + 1); };
+  for (std::size_t i = 0; i < n; ++i) points.emplace_back(upto(120), upto(120), 0.08 + upto(40));
+  const std::vector<double> covers = covers_above(hollow, points);
+  RC_ASSERT(covers.size() == n);
+  for (std::size_t i = 0; i < n; ++i) RC_ASSERT(covers[i] == cover_by_all_faces(hollow, points[i]));
 }
 
 }  // namespace tdbd::simulation::start_check_test

@@ -118,7 +118,7 @@ void expect_same(const Simulation& a, const Simulation& b) {
   EXPECT_EQ(a.state.drive->state.c_W, b.state.drive->state.c_W);
   EXPECT_EQ(a.state.drive->state.momentum_W, b.state.drive->state.momentum_W);
   EXPECT_EQ(a.state.drive->state.rotation.momentum_W, b.state.drive->state.rotation.momentum_W);
-  EXPECT_EQ(a.state.rock.surface.positions, b.state.rock.surface.positions);
+  EXPECT_EQ(mesh::positions_of(a.state.rock.surface), mesh::positions_of(b.state.rock.surface));
 }
 
 TEST(Drive, does_the_same_twice_and_on_two_threads) {

@@ -1,8 +1,8 @@
-#include "rock/cut/prism.hpp"
+#include "reference/rock/prism.hpp"
 
 #include <cmath>
 
-namespace tdbd::rock {
+namespace tdbd::reference {
 
 double prism_volume(const Corners& from, const Corners& to) {
   const Vec3 d0 = to[0] - from[0], d1 = to[1] - from[1], d2 = to[2] - from[2];
@@ -17,4 +17,4 @@ double prism_volume(const Corners& from, const Corners& to) {
   return -0.25 * sum;  // half (triangle) times half (Gauss weight)
 }
 
-}  // namespace tdbd::rock
+}  // namespace tdbd::reference

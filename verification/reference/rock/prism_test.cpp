@@ -1,4 +1,4 @@
-#include "rock/cut/prism.hpp"
+#include "reference/rock/prism.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 #include "reference/mesh/exact_volume.hpp"
 #include "verification/battery/generators.hpp"
 
-namespace tdbd::rock::prism_test {
+namespace tdbd::reference::prism_test {
 
 using mesh::TriangleMesh;
 
@@ -107,8 +107,8 @@ RC_GTEST_PROP(PrismVolume, summed_over_a_closed_surface_is_the_change_of_its_vol
   TriangleMesh after = before;
   for (Vec3& x : after.positions) x += *battery::point(0.5);
   const double lost =
-      reference::enclosed_volume_exact(before) - reference::enclosed_volume_exact(after);
+      enclosed_volume_exact(before) - enclosed_volume_exact(after);
   RC_ASSERT(std::abs(sum_of_prisms(before, after) - lost) < 1e-12 * 8.0);
 }
 
-}  // namespace tdbd::rock::prism_test
+}  // namespace tdbd::reference::prism_test

@@ -4,8 +4,9 @@
 
 #include "core/types.hpp"
 
-namespace tdbd::rock {
+namespace tdbd::reference {
 
+/// Corners of a triangle, m.
 using Corners = std::array<Vec3, 3>;
 
 /// Volume swept by a triangle that moves from `from` to `to`, m3, positive against its normal (rock
@@ -15,4 +16,4 @@ using Corners = std::array<Vec3, 3>;
 /// Thesis: 4.3, figs. 4.23, 4.24. Twin: reference/mesh/exact_volume.
 double prism_volume(const Corners& from, const Corners& to);
 
-}  // namespace tdbd::rock
+}  // namespace tdbd::reference

@@ -1,0 +1,75 @@
+// Some steps of a workload for a program that counts what they cost:
+//   valgrind --tool=callgrind --instr-atstart=no build/count/benchmarks/instructions standard-1.0
+// Only the steps after the warm ones are counted. benchmarks/count.py runs this and prints a table.
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "benchmarks/command.hpp"
+#include "benchmarks/workloads.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else  // every instruction is counted: the steps cannot be told from the start
+#define CALLGRIND_START_INSTRUMENTATION
+#define CALLGRIND_STOP_INSTRUMENTATION
+#endif
+
+namespace tdbd::bench {
+namespace {
+
+struct Wish {
+  std::string workload;
+  long steps = 20;
+  long warm = -1;  ///< negative: one revolution
+  int threads = 1;
+  std::vector<std::string> settings;
+};
+
+/// Drills the steps that count. A function of its own, not inlined: count.py finds it by its name.
+template <class D>
+[[gnu::noinline]] void counted_steps(D& drilling, long steps) {
+  drill(drilling, steps);
+}
+
+template <class D>
+void count(D drilling, const Wish& wish) {
+  CALLGRIND_START_INSTRUMENTATION;
+  counted_steps(drilling, wish.steps);
+  CALLGRIND_STOP_INSTRUMENTATION;
+  fmt::print("workload {}\nsteps {}\n", wish.workload, wish.steps);
+}
+
+std::string names() {
+  std::string all;
+  for (const Workload& w : workloads()) all += " " + w.name;
+  for (const ZMapWorkload& w : z_map_workloads()) all += " " + w.name;
+  return all;
+}
+
+void run(const Wish& wish) {
+  const ThreadLimit threads(wish.threads);
+  for (const Workload& w : workloads())
+    if (w.name == wish.workload) return count(start_workload(w, wish.settings, wish.warm), wish);
+  for (const ZMapWorkload& w : z_map_workloads())
+    if (w.name == wish.workload) return count(start_workload(w, wish.warm), wish);
+  throw InputError(fmt::format("workload: found {}, expected one of{}", wish.workload, names()));
+}
+
+}  // namespace
+}  // namespace tdbd::bench
+
+int main(int argc, char** argv) {
+  tdbd::bench::Wish wish;
+  CLI::App app{"Some steps of a workload, for valgrind --tool=callgrind --instr-atstart=no."};
+  app.add_option("WORKLOAD", wish.workload, "what is drilled")->required();
+  app.add_option("--steps", wish.steps, "steps that are counted")->check(CLI::PositiveNumber);
+  app.add_option("--warm", wish.warm, "steps before them; a revolution if not given");
+  app.add_option("--threads", wish.threads, "threads")->check(CLI::PositiveNumber);
+  app.add_option("--set", wish.settings, "KEY=VALUE of the case");
+  return tdbd::bench::parse_and_run(app, argc, argv, [&] { tdbd::bench::run(wish); });
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "benchmarks/drilling.hpp"
+#include "benchmarks/rival_drilling.hpp"
+
+namespace tdbd::bench {
+
+/// A drilling of ours that benchmarks measure: a case at an edge length, with further settings.
+struct Workload {
+  std::string name;          ///< standard-1.0
+  std::string of;            ///< the case's name in `cases`
+  double edge_length = 0.0;  ///< m
+  std::vector<std::string> settings;
+  std::string what;  ///< for a reader
+};
+
+/// Those that the goals of the README name.
+const std::vector<Workload>& workloads();
+
+/// Square cells that the standard workload is drilled in beside ours.
+struct ZMapWorkload {
+  std::string name;   ///< z-map-0.5
+  double cell = 0.0;  ///< m
+  std::string what;
+};
+const std::vector<ZMapWorkload>& z_map_workloads();
+
+/// After its first revolution, or after `warm_steps` where those are not negative.
+Drilling start_workload(const Workload& w, const std::vector<std::string>& more_settings = {},
+                        long warm_steps = -1);
+RivalDrilling<reference::ZMap> start_workload(const ZMapWorkload& w, long warm_steps = -1);
+
+/// The standard workload on Langeveld's 120 spokes of 500 nodes, after its first revolution.
+RivalDrilling<reference::Spokes> start_spokes_workload();
+
+}  // namespace tdbd::bench

@@ -1,0 +1,49 @@
+#include "rock/maintain/waiting.hpp"
+
+#include "rock/maintain/star.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+bool is_folded_at(const mesh::Surface& s, const MaintenanceLimits& limits, int v) {
+  bool found = false;
+  mesh::visit_corners(s, v, [&](int c) { found = found || is_turned_over(s, limits, c / 3); });
+  return found;
+}
+
+}  // namespace
+
+bool is_due(const Rock& rock, const MaintenanceLimits& limits, int v) {
+  return has_waited(rock, limits, v) || is_folded_at(rock.surface, limits, v);
+}
+
+void set_aside(Rock& rock, const MaintenanceLimits& limits, std::vector<int>& waiting) {
+  waiting.clear();
+  std::size_t kept = 0;
+  for (const int v : rock.touched_list) {
+    const bool is_alive = rock.surface.is_alive(v);
+    if (is_alive && is_due(rock, limits, v)) {
+      rock.touched_list[kept++] = v;
+      continue;
+    }
+    rock.touched[at(v)] = 0;
+    if (is_alive) waiting.push_back(v);
+  }
+  rock.touched_list.resize(kept);
+}
+
+void list_again(Rock& rock, const MaintenanceLimits& limits, const std::vector<int>& waiting) {
+  for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
+  rock.touched_list.clear();
+  for (const int v : waiting)  // a slot that was given to a new vertex does not wait
+    if (rock.surface.is_alive(v) && !has_waited(rock, limits, v)) touch(rock, v);
+}
+
+void divide_cuts(Rock& rock, int parts) {
+  rock.cuts *= parts;
+  for (MovedIn& moved : rock.moved_in)
+    for (int* cut : {&moved.first, &moved.last})
+      if (*cut != MovedIn::never) *cut *= parts;
+}
+
+}  // namespace tdbd::rock

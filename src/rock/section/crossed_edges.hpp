@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tdbd::rock {
+
+/// A set of edges that leave vertices, each by its number in the ring of its vertex. One entry
+/// holds 64 edges of a vertex. Emptying it costs nothing: an entry of a former generation is free.
+class CrossedEdges {
+ public:
+  void clear();
+
+  /// Adds the edge from v to its neighbour number i; false if it was in the set.
+  bool add(int v, int i) {
+    std::uint64_t& edges = edges_of(v, i / 64);
+    const std::uint64_t edge = std::uint64_t{1} << (i % 64), before = edges;
+    edges |= edge;
+    return (before & edge) == 0;
+  }
+  bool contains(int v, int i) { return (edges_of(v, i / 64) >> (i % 64) & std::uint64_t{1}) != 0; }
+
+ private:
+  struct Entry {
+    std::uint64_t key = 0, edges = 0;
+    std::uint64_t generation = 0;
+  };
+
+  /// Where the key is, or may be put.
+  std::size_t place_of(std::uint64_t key) const {
+    std::size_t k = static_cast<std::size_t>(key * 0x9E3779B97F4A7C15U >> shift_);
+    while (entries_[k].generation == generation_ && entries_[k].key != key)
+      k = k + 1 == entries_.size() ? 0 : k + 1;
+    return k;
+  }
+  std::uint64_t& edges_of(int v, int block) {
+    const std::uint64_t key =
+        static_cast<std::uint64_t>(v) << 32U | static_cast<std::uint64_t>(block);
+    const std::size_t k = place_of(key);
+    return entries_[k].generation == generation_ ? entries_[k].edges : insert(key, k);
+  }
+  std::uint64_t& insert(std::uint64_t key, std::size_t place);
+  void grow();
+
+  std::vector<Entry> entries_ = std::vector<Entry>(256);
+  unsigned shift_ = 56;  ///< 64 less the binary logarithm of the number of entries
+  std::uint64_t generation_ = 1;
+  std::size_t count_ = 0;
+};
+
+}  // namespace tdbd::rock

@@ -1,0 +1,87 @@
+#include "rock/section/column_sums.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verification/battery/generators.hpp"
+
+namespace tdbd::rock::column_sums_test {
+namespace {
+
+FaceColumns any_face() {
+  const double radius = *battery::number(0.1, 0.4), height = *battery::number(-0.3, 0.3);
+  const int points = *battery::integer(3, 40);
+  ConvexPolygon rim_F;
+  for (int k = 0; k < points; ++k) {
+    const double a = 2.0 * std::numbers::pi * (k + 0.3) / points;
+    rim_F.emplace_back(radius * std::sin(a), height - radius * std::cos(a));
+  }
+  FaceColumns face;
+  make_columns(rim_F, nullptr, face);
+  return face;
+}
+
+Vec2 any_point_in(const FaceColumns& face) {
+  const double y = *battery::number(face.lo_F.x(), face.hi_F.x());
+  const FaceColumn& c = face.columns[face.holding(y)];
+  const double share = *battery::number(0.01, 0.99), dy = y - c.y0;
+  return {y, std::lerp(c.lower + c.lower_slope * dy, c.upper + c.upper_slope * dy, share)};
+}
+
+/// A chain of segments in the face, to and fro.
+std::vector<OutlineSegment> any_chain(const FaceColumns& face) {
+  std::vector<OutlineSegment> chain;
+  Vec2 from = any_point_in(face);
+  for (int k = *battery::integer(1, 12); k > 0; --k) {
+    const Vec2 to = any_point_in(face);
+    chain.push_back({from, to, true});
+    from = to;
+  }
+  return chain;
+}
+
+ColumnSums inside(const FaceColumns& face, const std::vector<OutlineSegment>& segments) {
+  ColumnSums sums;
+  begin_sums(face, sums);
+  InsideRun run;
+  for (const OutlineSegment& s : segments) add_inside(face, s, run, sums);
+  end_run(face, run, sums);
+  return sums;
+}
+
+}  // namespace
+
+/// The general sum cuts each segment at every column. The tolerance is for roundings, each some
+/// units of 2^-50 of the box, of as many terms.
+RC_GTEST_PROP(ColumnSums, of_segments_inside_are_those_of_the_general_sum, ()) {
+  const FaceColumns face = any_face();
+  const std::vector<OutlineSegment> chain = any_chain(face);
+  const ColumnSums fast = inside(face, chain);
+  ColumnSums general;
+  begin_sums(face, general);
+  for (const OutlineSegment& s : chain) add_segment(face, 0, face.columns.size(), s, general);
+  constexpr std::int64_t rounding = 3000;  // units
+  RC_ASSERT(std::abs(fast.area - general.area) <= rounding);
+  RC_ASSERT(std::abs(fast.moment_y - general.moment_y) <= rounding);
+  RC_ASSERT(std::abs(fast.moment_z - general.moment_z) <= rounding);
+  for (std::size_t i = 0; i < fast.engaged.size(); ++i)
+    RC_ASSERT(std::abs(fast.engaged[i] - general.engaged[i]) <= rounding);
+}
+
+RC_GTEST_PROP(ColumnSums, of_segments_inside_are_the_same_in_any_order, ()) {
+  const FaceColumns face = any_face();
+  const std::vector<OutlineSegment> chain = any_chain(face);
+  std::vector<OutlineSegment> shuffled = chain;
+  for (std::size_t i = shuffled.size(); i-- > 1;)
+    std::swap(shuffled[i], shuffled[at(*battery::integer(0, static_cast<int>(i)))]);
+  const ColumnSums a = inside(face, chain), b = inside(face, shuffled);
+  RC_ASSERT(a.area == b.area);
+  RC_ASSERT(a.moment_y == b.moment_y);
+  RC_ASSERT(a.moment_z == b.moment_z);
+  RC_ASSERT(a.engaged == b.engaged);
+}
+
+}  // namespace tdbd::rock::column_sums_test
