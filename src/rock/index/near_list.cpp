@@ -103,33 +103,31 @@ void make_anew(const VertexGrid& grid, NearList& list) {
 }
 
 /// Bit l: whether change l of eight from i on put its vertex between all slabs.
-TDBD_WIDE unsigned changes_between(const ChangeJournal& j, std::size_t i, const SingleSlabs& s) {
-  return places_between(&j.x[i], &j.y[i], &j.z[i], s);
+TDBD_WIDE unsigned changes_between(const VertexChanges& c, std::size_t i, const SingleSlabs& s) {
+  return places_between(&c.x[i], &c.y[i], &c.z[i], s);
 }
 
-void apply_change(const ChangeJournal& j, std::size_t i, bool is_between, NearList& list) {
-  const std::size_t place = place_of(list, j.v[i]);
+void apply_change(const VertexChanges& c, std::size_t i, bool is_between, NearList& list) {
+  const std::size_t place = place_of(list, c.v[i]);
   if (place == no_place && !is_between) return;
-  if (std::isnan(j.x[i])) return take_out(list, place);
-  const Vec3 x_W(j.x[i], j.y[i], j.z[i]);
+  if (std::isnan(c.x[i])) return take_out(list, place);
+  const Vec3 x_W(c.x[i], c.y[i], c.z[i]);
   if (place == no_place)
-    append(list, j.v[i], x_W);
+    append(list, c.v[i], x_W);
   else
     set_place(list, place, x_W);
 }
 
-/// Does to the list what the journal noted since the list was up to date.
-void apply(const ChangeJournal& journal, NearList& list) {
+/// Does to the list what changes from number i on did.
+void apply(const VertexChanges& c, std::size_t i, NearList& list) {
   const SingleSlabs slabs =
       about(Vec3::Zero(), list.region_W.slabs, single_slack(list.region_W.box));
-  std::size_t i = static_cast<std::size_t>(list.changes - journal.first);
-  while (i < journal.v.size()) {
+  while (i < c.v.size()) {
     const std::size_t begin = i / single_lanes * single_lanes,
-                      end = std::min(begin + single_lanes, journal.v.size());
-    const unsigned between = changes_between(journal, begin, slabs);
-    for (; i < end; ++i) apply_change(journal, i, (between >> (i - begin) & 1U) != 0, list);
+                      end = std::min(begin + single_lanes, c.v.size());
+    const unsigned between = changes_between(c, begin, slabs);
+    for (; i < end; ++i) apply_change(c, i, (between >> (i - begin) & 1U) != 0, list);
   }
-  list.changes = journal.end();
 }
 
 /// Writes the vertices between the slabs to `found`, which has room for all. Returns how many.
@@ -156,20 +154,18 @@ bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W
 void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list) {
   constexpr int most_steps = 8;
-  if (list.changes >= grid.journal().first && holds(list.region_W, step.region_W))
-    return apply(grid.journal(), list);
+  const ChangeJournal& journal = grid.journal();
+  if (list.changes >= journal.first && holds(list.region_W, step.region_W)) {
+    apply(journal.changes, static_cast<std::size_t>(list.changes - journal.first), list);
+    list.changes = journal.end();
+    return;
+  }
   list.window = std::min(list.window + 1, most_steps);
   list.region_W = region_ahead(step, margins, list.window);
   make_anew(grid, list);
 }
 
-void note_moved(NearList& list, int v, const Vec3& x_W) {
-  const std::size_t place = place_of(list, v);
-  if (place == no_place)
-    append(list, v, x_W);
-  else
-    set_place(list, place, x_W);
-}
+void note_changes(NearList& list, const VertexChanges& changes) { apply(changes, 0, list); }
 
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,
                           std::vector<int>& vertices) {

@@ -69,9 +69,9 @@ inline bool is_between(const std::array<Slab, 3>& slabs, const Vec3& x_W) {
 /// The list's vertex number i has moved to x_W.
 void set_place(NearList& list, std::size_t i, const Vec3& x_W);
 
-/// Vertex v, in the list or not, has moved to x_W between the list's slabs. Once all such moves are
-/// noted, the list's `changes` may be set to the index's.
-void note_moved(NearList& list, int v, const Vec3& x_W);
+/// Vertices, in the list or not, changed. Once all changes are noted, the list's `changes` may be set
+/// to the index's.
+void note_changes(NearList& list, const VertexChanges& changes);
 
 /// Appends the vertices between the slabs of the region widened by `slack` (m), in the order of
 /// the list.

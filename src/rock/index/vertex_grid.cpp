@@ -76,10 +76,11 @@ VertexGrid::CellOffsets VertexGrid::cell_offsets(const Region& region_W) const {
   for (std::size_t s = 0; s < offsets.along.size(); ++s) {
     const Slab& slab = region_W.slabs[s];
     const Vec3 step = cell_ * slab.n;
-    for (int bit = 0; bit < 64; ++bit) {
-      const Cell c = cell_of_bit({0, 0, 0}, bit);
-      offsets.along[s][at(bit)] = Vec3(c.i, c.j, c.k).dot(step);
-    }
+    std::size_t bit = 0;
+    for (int k = 0; k < tile_edge; ++k)
+      for (int j = 0; j < tile_edge; ++j)
+        for (int i = 0; i < tile_edge; ++i)
+          offsets.along[s][bit++] = i * step.x() + j * step.y() + k * step.z();
     offsets.lo[s] = slab.lo - 0.5 * step.lpNorm<1>();
     offsets.hi[s] = slab.hi + 0.5 * step.lpNorm<1>();
   }
@@ -204,7 +205,8 @@ void VertexGrid::put(int v, const Vec3& x_W, int cell) {
 }
 
 void VertexGrid::insert(int v, const Vec3& x_W) {
-  note_place(journal_, v, x_W);
+  keep_bounded(journal_);
+  note_place(journal_.changes, v, x_W);
   if (static_cast<std::size_t>(v) >= places_.size())
     places_.resize(static_cast<std::size_t>(v) + 1);
   put(v, x_W, open_cell(cell_at(x_W)));
@@ -226,7 +228,8 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
 }
 
 void VertexGrid::remove(int v) {
-  note_removal(journal_, v);
+  keep_bounded(journal_);
+  note_removal(journal_.changes, v);
   take_out(v);
 }
 
@@ -247,10 +250,12 @@ void VertexGrid::take_out(int v) {
 }
 
 void VertexGrid::move(int v, const Vec3& x_W, Teller teller) {
-  if (teller == Teller::journal)
-    note_place(journal_, v, x_W);
-  else
+  if (teller == Teller::mover) {
     pass_over(journal_, 1);
+  } else {
+    keep_bounded(journal_);
+    note_place(journal_.changes, v, x_W);
+  }
   const Place place = places_[at(v)];
   const int cell = open_cell(cell_at(x_W));
   if (cell == place.cell) {

@@ -15,7 +15,7 @@ TEST(ChangeJournal, says_in_order_where_vertices_came_to_and_which_are_gone) {
   grid.insert(3, Vec3(0.5, 0.0, 0.0));
   grid.move(3, Vec3(0.25, 0.5, -0.5));
   grid.remove(3);
-  const ChangeJournal& j = grid.journal();
+  const VertexChanges& j = grid.journal().changes;
   ASSERT_EQ(j.v, (std::vector{3, 3, 3}));
   EXPECT_EQ(j.x[0], 0.5F);
   EXPECT_EQ(j.x[1], 0.25F);
@@ -30,10 +30,10 @@ TEST(ChangeJournal, forgets_what_came_before_a_change_that_its_mover_tells) {
   VertexGrid grid = some_grid();
   grid.insert(3, Vec3::Zero());
   grid.move(3, Vec3::Constant(0.5), Teller::mover);
-  EXPECT_TRUE(grid.journal().v.empty());
+  EXPECT_TRUE(grid.journal().changes.v.empty());
   EXPECT_EQ(grid.journal().first, 2);
   grid.move(3, Vec3::Constant(-0.5));
-  EXPECT_EQ(grid.journal().v, std::vector{3});
+  EXPECT_EQ(grid.journal().changes.v, std::vector{3});
   EXPECT_EQ(grid.journal().first, 2);
   EXPECT_EQ(grid.changes(), 3);
 }
@@ -45,18 +45,18 @@ TEST(ChangeJournal, stays_bounded_however_much_changes) {
   constexpr int changes = 10 * static_cast<int>(ChangeJournal::most);
   for (int k = 0; k < changes; ++k) {
     grid.move(3, Vec3::Constant(1e-4 * k));
-    ASSERT_LE(grid.journal().v.size(), ChangeJournal::most);
-    ASSERT_LT(grid.journal().x.size(), ChangeJournal::most + 8);
+    ASSERT_LE(grid.journal().changes.v.size(), ChangeJournal::most);
+    ASSERT_LT(grid.journal().changes.x.size(), ChangeJournal::most + 8);
   }
   EXPECT_EQ(grid.changes(), 1 + changes);
-  EXPECT_EQ(grid.journal().v.capacity(), ChangeJournal::most);
+  EXPECT_EQ(grid.journal().changes.v.capacity(), ChangeJournal::most);
 }
 
 TEST(ChangeJournal, passes_over_what_is_put_into_an_empty_index_at_once) {
   VertexGrid grid = some_grid();
   grid.insert_all({Vec3::Zero(), Vec3::Constant(0.5)}, {0, 1});
   EXPECT_EQ(grid.changes(), 2);
-  EXPECT_TRUE(grid.journal().v.empty());
+  EXPECT_TRUE(grid.journal().changes.v.empty());
 }
 
 }  // namespace tdbd::rock::change_journal_test

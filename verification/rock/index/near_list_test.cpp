@@ -85,7 +85,9 @@ void step_moves(Indexed& x, int v, const Vec3& to) {
   x.grid.move(v, to, Teller::mover);
   x.points[v] = to;
   if (!knows) return;
-  if (is_between(x.list.region_W.slabs, to)) note_moved(x.list, v, to);
+  VertexChanges change;
+  note_place(change, v, to);
+  note_changes(x.list, change);
   x.list.changes = x.grid.changes();
 }
 
