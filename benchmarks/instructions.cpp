@@ -31,15 +31,11 @@ struct Wish {
 };
 
 /// Drills the steps that count. A function of its own, not inlined: count.py finds it by its name.
-template <class D>
-[[gnu::noinline]] void counted_steps(D& drilling, long steps) {
-  drill(drilling, steps);
-}
+[[gnu::noinline]] void counted_steps(Drilling& d, long steps) { drill(d, steps); }
 
-template <class D>
-void count(D drilling, const Wish& wish) {
+void count(Drilling d, const Wish& wish) {
   CALLGRIND_START_INSTRUMENTATION;
-  counted_steps(drilling, wish.steps);
+  counted_steps(d, wish.steps);
   CALLGRIND_STOP_INSTRUMENTATION;
   fmt::print("workload {}\nsteps {}\n", wish.workload, wish.steps);
 }
@@ -47,7 +43,6 @@ void count(D drilling, const Wish& wish) {
 std::string names() {
   std::string all;
   for (const Workload& w : workloads()) all += " " + w.name;
-  for (const ZMapWorkload& w : z_map_workloads()) all += " " + w.name;
   return all;
 }
 
@@ -55,8 +50,6 @@ void run(const Wish& wish) {
   const ThreadLimit threads(wish.threads);
   for (const Workload& w : workloads())
     if (w.name == wish.workload) return count(start_workload(w, wish.settings, wish.warm), wish);
-  for (const ZMapWorkload& w : z_map_workloads())
-    if (w.name == wish.workload) return count(start_workload(w, wish.warm), wish);
   throw InputError(fmt::format("workload: found {}, expected one of{}", wish.workload, names()));
 }
 

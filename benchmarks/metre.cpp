@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ struct Wish {
   double length = 1.0;  ///< m
   int threads = 2;
   std::vector<std::string> settings;
+  std::string json;
 };
 
 /// The most that the program has held so far, MB.
@@ -32,26 +35,60 @@ double peak_megabytes() {
   return static_cast<double>(used.ru_maxrss) / 1024.0;
 }
 
-void run(const Wish& wish) {
-  const ThreadLimit threads(wish.threads);
+/// What each tenth ends with.
+struct Tenth {
+  double depth, wall, peak;  ///< m, s, MB
+  long triangles;
+};
+
+Drilling start(const Wish& wish) {
   std::vector<std::string> settings = {"rock.trim=0.14"};
   settings.insert(settings.end(), wish.settings.begin(), wish.settings.end());
-  Drilling d = start_drilling("bit-b-steady", edge_length, settings);
-  const double per_step = d.plan.motion.rate_of_penetration * d.plan.time.step;
-  const long steps = std::lround(wish.length / per_step);
-  fmt::print("{} steps of {:.2f} um on {} thread(s)\n{:>8}{:>10}{:>12}{:>12}{:>12}\n", steps,
-             1e6 * per_step, wish.threads, "m", "wall s", "us a step", "peak MB", "triangles");
+  return start_drilling("bit-b-steady", edge_length, settings);
+}
+
+std::vector<Tenth> drill_tenths(Drilling& d, const Wish& wish, long steps) {
+  std::vector<Tenth> tenths;
+  fmt::print("{:>8}{:>10}{:>12}{:>12}{:>12}\n", "m", "wall s", "us a step", "peak MB", "triangles");
   const double start = wall_seconds();
-  for (long tenth = 1; tenth <= 10; ++tenth) {
+  for (long n = 1; n <= 10; ++n) {
     const double before = wall_seconds();
-    const long now = steps * tenth / 10 - steps * (tenth - 1) / 10;
+    const long now = steps * n / 10 - steps * (n - 1) / 10;
     drill(d, now);
-    fmt::print("{:8.2f}{:10.2f}{:12.1f}{:12.1f}{:12}\n", 0.1 * wish.length * double(tenth),
-               wall_seconds() - start, 1e6 * (wall_seconds() - before) / double(now),
-               peak_megabytes(), d.run.state.rock.surface.triangle_count());
+    const Tenth& t = tenths.emplace_back(Tenth{0.1 * wish.length * static_cast<double>(n),
+                                               wall_seconds() - start, peak_megabytes(),
+                                               d.run.state.rock.surface.triangle_count()});
+    fmt::print("{:8.2f}{:10.2f}{:12.1f}{:12.1f}{:12}\n", t.depth, t.wall,
+               1e6 * (wall_seconds() - before) / static_cast<double>(now), t.peak, t.triangles);
     std::fflush(stdout);
   }
+  return tenths;
+}
+
+void write_json(const Wish& wish, long steps, const std::vector<Tenth>& tenths) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const Tenth& t : tenths)
+    rows.push_back(
+        {{"m", t.depth}, {"wall_s", t.wall}, {"peak_MB", t.peak}, {"triangles", t.triangles}});
+  const nlohmann::ordered_json metre{
+      {"m", wish.length},
+      {"steps", steps},
+      {"threads", wish.threads},
+      {"wall_s", tenths.back().wall},
+      {"peak_last_over_second_tenth", tenths.back().peak / tenths[1].peak},
+      {"tenths", rows}};
+  std::ofstream(wish.json) << nlohmann::ordered_json{{"metre", metre}}.dump(1) << "\n";
+}
+
+void run(const Wish& wish) {
+  const ThreadLimit threads(wish.threads);
+  Drilling d = start(wish);
+  const double per_step = d.plan.motion.rate_of_penetration * d.plan.time.step;
+  const long steps = std::lround(wish.length / per_step);
+  fmt::print("{} steps of {:.2f} um on {} thread(s)\n", steps, 1e6 * per_step, wish.threads);
+  const std::vector<Tenth> tenths = drill_tenths(d, wish, steps);
   fmt::print("ledger defect {:.1e}\n", simulation::ledger_defect(d.run));
+  if (!wish.json.empty()) write_json(wish, steps, tenths);
 }
 
 }  // namespace
@@ -63,5 +100,6 @@ int main(int argc, char** argv) {
   app.add_option("--length", wish.length, "m")->check(CLI::PositiveNumber);
   app.add_option("--threads", wish.threads, "threads")->check(CLI::PositiveNumber);
   app.add_option("--set", wish.settings, "KEY=VALUE of the case");
+  app.add_option("--json", wish.json, "file that gets all figures");
   return tdbd::bench::parse_and_run(app, argc, argv, [&] { tdbd::bench::run(wish); });
 }

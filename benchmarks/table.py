@@ -1,16 +1,19 @@
 #!/usr/bin/python3
-"""table.py: the table of benchmarks/README.md, from benchmarks/measured.json.
+"""table.py: the tables of benchmarks/README.md, from benchmarks/measured.json and goals.json.
 
-    benchmarks/table.py                      write the table
-    benchmarks/table.py RESULT.json...       first take new figures from outputs of the programs, made with
-                                             --benchmark_out=RESULT.json --benchmark_out_format=json
+    benchmarks/table.py                      write the tables
+    benchmarks/table.py RESULT.json...       first take new figures from results: outputs of programs with Google Benchmark, made
+                                             with --benchmark_out=RESULT.json --benchmark_out_format=json; of rivals, metre and
+                                             count.py, made with --json RESULT.json; tables of tests, FOLDER/evidence/tables/*.json
+    benchmarks/table.py --before RESULT...   the same of an older commit, for the column "before"
     benchmarks/table.py --run build/bench    first run the programs, some minutes, and take theirs
-    benchmarks/table.py --check              exit 1 unless the README holds the table
+    benchmarks/table.py --check              exit 1 unless the README holds the tables
 
-measured.json lists what the table shows: program, benchmark, what one iteration is, which figure to read (cpu_time, real_time
-for what times itself, or a counter), its unit, the goal if there is one. A benchmark that was never measured has no value.
+measured.json lists what the last table shows: program, benchmark, what one iteration is, which figure to read (cpu_time,
+real_time for what times itself, or a counter), its unit, the goal if there is one. What was never measured has no value.
 """
 
+import datetime
 import json
 import pathlib
 import re
@@ -18,9 +21,12 @@ import subprocess
 import sys
 import tempfile
 
+import goals
+
 HERE = pathlib.Path(__file__).resolve().parent
 DATA, PAGE = HERE / "measured.json", HERE / "README.md"
-BEGIN, END = "<!-- table.py: begin -->\n", "<!-- table.py: end -->\n"
+MARK = "<!-- table.py: {} {} -->\n"
+TOGETHER = ("rivals", "metre")  # run for themselves, not by Google Benchmark
 SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
@@ -44,7 +50,7 @@ def figure(row, entry):
     return value * SECONDS[row["time_unit"]] / SECONDS[entry["unit"]] if is_time else value
 
 
-def take(measured, found):
+def take_benchmarks(measured, found):
     """Puts new results into the entries that they belong to."""
     for entry in measured["benchmarks"]:
         if entry["name"] not in found:
@@ -55,15 +61,41 @@ def take(measured, found):
             entry["over_ours"] = round(row["cgal/tdbd"])
 
 
+def rounded(value):
+    """Four digits: more are noise."""
+    if isinstance(value, float):
+        return float(f"{value:.4g}")
+    if isinstance(value, list):
+        return [rounded(v) for v in value]
+    return {k: rounded(v) for k, v in value.items()} if isinstance(value, dict) else value
+
+
+def take(measured, path):
+    """Takes the figures of one file, whatever made it."""
+    told = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+    if "context" in told:
+        return take_benchmarks(measured, results(path))
+    date = datetime.date.fromtimestamp(pathlib.Path(path).stat().st_mtime).isoformat()
+    if "conditions" in told:
+        key = "rivals" if told["threads"] == 1 else f"rivals_{told['threads']}_threads"
+        measured[key] = {"date": date} | rounded(told)
+    elif "rows" in told:
+        measured[pathlib.Path(path).stem] = rounded(told["rows"])
+    else:
+        measured.update(rounded(told))
+    return None
+
+
 def run(measured, build):
-    found = {}
     with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "result.json"
         for program, options in measured["programs"].items():
-            out = pathlib.Path(folder) / "result.json"
             subprocess.run([build / "benchmarks" / program, *options, f"--benchmark_out={out}",
                             "--benchmark_out_format=json"], check=True)
-            found |= results(out)
-    return found
+            take(measured, out)
+        for program in TOGETHER:
+            subprocess.run([build / "benchmarks" / program, "--json", out], check=True)
+            take(measured, out)
 
 
 def remark(entry):
@@ -83,21 +115,34 @@ def table(measured):
     return head + "".join(map(row, measured["benchmarks"]))
 
 
+def between(text, name, content):
+    """The text with this between the marks of that name."""
+    begin, end = MARK.format(name, "begin"), MARK.format(name, "end")
+    before, rest = text.split(begin)
+    return before + begin + content + end + rest.split(end)[1]
+
+
 def page(text, measured):
-    """The page with the table between its marks."""
-    before, rest = text.split(BEGIN)
-    return before + BEGIN + table(measured) + END + rest.split(END)[1]
+    """The page with the tables between their marks."""
+    text = between(text, "goals", goals.goals_table(measured))
+    text = between(text, "rivals", goals.rivals_table(measured))
+    return between(text, "benchmarks", table(measured))
 
 
 def main(arguments):
     measured = json.loads(DATA.read_text(encoding="utf-8"))
     text = PAGE.read_text(encoding="utf-8")
     if arguments == ["--check"]:
-        sys.exit(0 if page(text, measured) == text else f"{PAGE} does not hold the table of {DATA}: run benchmarks/table.py")
-    if arguments[:1] == ["--run"]:
-        take(measured, run(measured, pathlib.Path(arguments[1])))
-    for path in arguments if arguments[:1] != ["--run"] else []:
-        take(measured, results(path))
+        sys.exit(0 if page(text, measured) == text else f"{PAGE} does not hold the tables of {DATA}: run benchmarks/table.py")
+    first, into = arguments[:1], measured
+    if first == ["--run"]:
+        run(measured, pathlib.Path(arguments[1]))
+        arguments = arguments[2:]
+    elif first == ["--before"]:
+        into = measured.setdefault("before", {"benchmarks": []})
+        arguments = arguments[1:]
+    for path in arguments:
+        take(into, path)
     DATA.write_text(json.dumps(measured, indent=1) + "\n", encoding="utf-8")
     PAGE.write_text(page(text, measured), encoding="utf-8")
 

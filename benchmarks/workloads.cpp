@@ -37,10 +37,10 @@ Drilling start_workload(const Workload& w, const std::vector<std::string>& more_
   return d;
 }
 
-RivalDrilling<reference::ZMap> start_workload(const ZMapWorkload& w, long warm_steps) {
+RivalDrilling<reference::ZMap> start_workload(const ZMapWorkload& w) {
   const simulation::Case plan = read_plan(standard, 1.0 * mm, {});
   RivalDrilling<reference::ZMap> field = start_z_map(plan, w.cell);
-  drill(field, warm_steps < 0 ? steps_of_a_revolution(plan) : warm_steps);
+  drill(field, steps_of_a_revolution(plan));
   return field;
 }
 

@@ -28,10 +28,10 @@ struct ZMapWorkload {
 };
 const std::vector<ZMapWorkload>& z_map_workloads();
 
-/// After its first revolution, or after `warm_steps` where those are not negative.
+/// After its first revolution, or of ours after `warm_steps` where those are not negative.
 Drilling start_workload(const Workload& w, const std::vector<std::string>& more_settings = {},
                         long warm_steps = -1);
-RivalDrilling<reference::ZMap> start_workload(const ZMapWorkload& w, long warm_steps = -1);
+RivalDrilling<reference::ZMap> start_workload(const ZMapWorkload& w);
 
 /// The standard workload on Langeveld's 120 spokes of 500 nodes, after its first revolution.
 RivalDrilling<reference::Spokes> start_spokes_workload();

@@ -197,18 +197,18 @@ TEST(RockFigures, show_the_search_for_an_exit) {
   rock::SweptScratch scratch;
   const double exit = rock::exit_distance(part, path, scratch).value();
   rock::PlaneStrip strip;
-  put_on_strip(part.solid_P, path, strip);
-  const rock::Interval inside = when_inside(part.solid_P, path, 0.0);
+  const rock::Interval inside = put_path_on_strip(part.solid_P, path, 0.0, strip);
+  put_direction_on_strip(part.solid_P, path, strip);
   Json rows = Json::array();
   double highest = 0.0;
   constexpr int samples = 200;
   for (int k = 0; k <= samples; ++k) {
-    const rock::Exit x = leave_at(strip, static_cast<double>(k) / samples);
-    if (x.entry > x.t) continue;
+    const rock::Crossing x = leave_at(strip, static_cast<double>(k) / samples);
+    if (enter_at(strip, x.tau).t > x.t) continue;
     highest = std::max(highest, x.t);
     rows.push_back({{"what", "level"}, {"tau", x.tau}, {"t", x.t}, {"plane", x.plane}});
   }
-  for (std::size_t i = 0; i < strip.rest.size(); ++i)
+  for (std::size_t i = 0; i < strip.columns; ++i)
     rows.push_back({{"what", "plane"},
                     {"rest", strip.rest[i]},
                     {"along", strip.along[i]},

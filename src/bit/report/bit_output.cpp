@@ -49,7 +49,9 @@ mesh::TriangleMesh merged_mesh(const Bit& bit, const Pose& X_WB,
 void write_bit_vtp(const std::filesystem::path& path, const Bit& bit, const Pose& X_WB) {
   std::vector<int> owner;
   const mesh::TriangleMesh all = merged_mesh(bit, X_WB, &owner);
-  mesh::Field part{"part", {}}, kind{"kind", {}}, cutter{"cutter", {}}, cone{"cone", {}};
+  constexpr auto whole = mesh::FieldValues::whole_numbers;
+  mesh::Field part{"part", {}, whole}, kind{"kind", {}, whole}, cutter{"cutter", {}, whole},
+      cone{"cone", {}, whole};
   for (const int i : owner) {
     const Part& p = bit.parts[static_cast<std::size_t>(i)];
     part.values.push_back(i);

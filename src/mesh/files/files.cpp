@@ -18,6 +18,7 @@
 #include "core/error.hpp"
 #include "core/whole_file.hpp"
 #include "mesh/files/facet_file.hpp"
+#include "mesh/files/ply.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -123,11 +124,9 @@ Soup soup_of(const TriangleMesh& m) {
 
 void write_soup(std::ostream& out, const std::string& extension, const Soup& soup) {
   out.precision(17);
-  const bool binary = extension == ".stl" || extension == ".ply";
-  CGAL::IO::set_mode(out, binary ? CGAL::IO::BINARY : CGAL::IO::ASCII);
+  CGAL::IO::set_mode(out, extension == ".stl" ? CGAL::IO::BINARY : CGAL::IO::ASCII);
   if (extension == ".stl") CGAL::IO::write_STL(out, soup.points, soup.polygons);
   if (extension == ".obj") CGAL::IO::write_OBJ(out, soup.points, soup.polygons);
-  if (extension == ".ply") CGAL::IO::write_PLY(out, soup.points, soup.polygons);
   if (extension == ".off") CGAL::IO::write_OFF(out, soup.points, soup.polygons);
 }
 
@@ -170,7 +169,9 @@ TriangleMesh read_mesh(const std::filesystem::path& path, double unit) {
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& m) {
   require_known(path);
   WholeFile file(path);
-  write_soup(file.stream(), lower_extension(path), soup_of(m));
+  const std::string extension = lower_extension(path);
+  if (extension == ".ply") write_ply(file.stream(), m);
+  if (extension != ".ply") write_soup(file.stream(), extension, soup_of(m));
   file.commit();
 }
 

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <span>
+#include <functional>
 
 #include "core/error.hpp"
 #include "core/whole_file.hpp"
@@ -15,72 +17,109 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "appended data are written as they lie");
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::int32_t));
 
-/// The XML header and the bytes that its DataArray elements refer to.
-struct Document {
-  std::string head;
-  std::string appended;
+/// One array of the file.
+struct Block {
+  std::string name;
+  const char* type;
+  int components;
+  std::uint64_t bytes;
+  std::function<void(std::ostream&)> write;
 };
 
-/// Appends one block (byte count, bytes) and the element that names its offset.
+/// An element of the file and its arrays.
+struct Group {
+  std::string element;
+  std::vector<Block> blocks;
+};
+
 template <class T>
-void add_array(Document& doc, const std::string& name, const char* type, int components,
-               std::span<const T> values) {
-  doc.head += fmt::format(
-      R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)"
-      "\n",
-      type, name, components, doc.appended.size());
-  const std::uint64_t bytes = values.size_bytes();
-  doc.appended.append(reinterpret_cast<const char*>(&bytes), sizeof bytes);
-  doc.appended.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+Block as_it_lies(const std::string& name, const char* type, int components,
+                 const std::vector<T>& values) {
+  const std::uint64_t bytes = values.size() * sizeof(T);
+  const char* data = reinterpret_cast<const char*>(values.data());
+  return {name, type, components, bytes,
+          [=](std::ostream& out) { out.write(data, static_cast<std::streamsize>(bytes)); }};
 }
 
-void add_fields(Document& doc, const char* element, const std::vector<Field>& fields,
-                std::size_t expected) {
-  doc.head += fmt::format("<{}>\n", element);
+/// `count` 32-bit numbers made one after another, a few thousand at a time.
+template <class Make>
+Block made(const std::string& name, std::size_t count, Make make) {
+  return {name, "Int32", 1, count * sizeof(std::int32_t), [=](std::ostream& out) {
+            std::array<std::int32_t, 8192> some;
+            for (std::size_t first = 0; first < count; first += some.size()) {
+              const std::size_t n = std::min(some.size(), count - first);
+              for (std::size_t i = 0; i < n; ++i) some[i] = make(first + i);
+              out.write(reinterpret_cast<const char*>(some.data()),
+                        static_cast<std::streamsize>(n * sizeof(std::int32_t)));
+            }
+          }};
+}
+
+Block block_of(const Field& f) {
+  if (f.kind == FieldValues::numbers) return as_it_lies(f.name, "Float64", 1, f.values);
+  return made(f.name, f.values.size(), [values = f.values.data()](std::size_t i) {
+    return static_cast<std::int32_t>(values[i]);
+  });
+}
+
+Group group_of(const char* element, const std::vector<Field>& fields, std::size_t expected) {
+  Group group{element, {}};
   for (const Field& f : fields) {
     if (f.values.size() != expected)
       throw RunError(fmt::format("field '{}' has {} values for {} {}", f.name, f.values.size(),
                                  expected, element));
-    add_array<double>(doc, f.name, "Float64", 1, f.values);
+    group.blocks.push_back(block_of(f));
   }
-  doc.head += fmt::format("</{}>\n", element);
+  return group;
 }
 
-void add_polygons(Document& doc, const TriangleMesh& m) {
-  std::vector<std::int32_t> ends(m.triangles.size());
-  for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = static_cast<std::int32_t>(3 * (i + 1));
-  doc.head += "<Polys>\n";
-  add_array<Triangle>(doc, "connectivity", "Int32", 1, m.triangles);
-  add_array<std::int32_t>(doc, "offsets", "Int32", 1, ends);
-  doc.head += "</Polys>\n";
+std::vector<Group> groups_of(const TriangleMesh& m, const std::vector<Field>& point_data,
+                             const std::vector<Field>& cell_data) {
+  const auto end_of = [](std::size_t i) { return static_cast<std::int32_t>(3 * (i + 1)); };
+  return {{"Points", {as_it_lies("Points", "Float64", 3, m.positions)}},
+          {"Polys",
+           {as_it_lies("connectivity", "Int32", 1, m.triangles),
+            made("offsets", m.triangles.size(), end_of)}},
+          group_of("PointData", point_data, m.positions.size()),
+          group_of("CellData", cell_data, m.triangles.size())};
 }
 
-Document document_of(const TriangleMesh& m, const std::vector<Field>& point_data,
-                     const std::vector<Field>& cell_data) {
-  Document doc;
-  doc.head = fmt::format(
+/// The XML in front of the appended data: a block is its byte count and its bytes.
+std::string head_of(const TriangleMesh& m, const std::vector<Group>& groups) {
+  std::string head = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n"
       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-      "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<Points>\n",
+      "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
       m.positions.size(), m.triangles.size());
-  add_array<Vec3>(doc, "Points", "Float64", 3, m.positions);
-  doc.head += "</Points>\n";
-  add_polygons(doc, m);
-  add_fields(doc, "PointData", point_data, m.positions.size());
-  add_fields(doc, "CellData", cell_data, m.triangles.size());
-  doc.head += "</Piece>\n";
-  return doc;
+  std::uint64_t offset = 0;
+  for (const Group& g : groups) {
+    head += fmt::format("<{}>\n", g.element);
+    for (const Block& b : g.blocks) {
+      head += fmt::format(
+          R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)"
+          "\n",
+          b.type, b.name, b.components, offset);
+      offset += sizeof b.bytes + b.bytes;
+    }
+    head += fmt::format("</{}>\n", g.element);
+  }
+  return head + "</Piece>\n</PolyData>\n";
 }
 
 }  // namespace
 
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& m,
                const std::vector<Field>& point_data, const std::vector<Field>& cell_data) {
-  const Document doc = document_of(m, point_data, cell_data);
+  const std::vector<Group> groups = groups_of(m, point_data, cell_data);
   WholeFile file(path);
-  file.stream() << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-                   "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n"
-                << doc.head << "</PolyData>\n<AppendedData encoding=\"raw\">\n_" << doc.appended
-                << "\n</AppendedData>\n</VTKFile>\n";
+  file.stream() << head_of(m, groups) << "<AppendedData encoding=\"raw\">\n_";
+  for (const Group& g : groups)
+    for (const Block& b : g.blocks) {
+      file.stream().write(reinterpret_cast<const char*>(&b.bytes), sizeof b.bytes);
+      b.write(file.stream());
+    }
+  file.stream() << "\n</AppendedData>\n</VTKFile>\n";
   file.commit();
 }
 

@@ -5,47 +5,33 @@
 
 #include "bit/cone/part_pose.hpp"
 #include "core/tolerance.hpp"
+#include "rock/cut/near_planes.hpp"
+#include "rock/cut/spread_planes.hpp"
 
 namespace tdbd::rock {
 namespace {
 
 constexpr std::size_t sides_of_box = 6;
 
-/// At most `most` of the planes: the first six, then always the one whose normal is farthest from
-/// those chosen. So few planes bound the solid tightly, and most of what is outside the solid is
-/// outside one of the first.
-mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t most) {
-  mesh::ConvexSolid chosen;
-  std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest chosen
-  for (std::size_t k = 0; k < std::min(most, planes.planes); ++k) {
-    const std::size_t next =
-        k < sides_of_box
-            ? k
-            : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
-    const Vec3 n = mesh::normal(planes, next);
-    mesh::add_plane(chosen, n, planes.b[next]);
-    for (std::size_t i = 0; i < planes.planes; ++i)
-      nearest[i] = std::max(nearest[i], n.dot(mesh::normal(planes, i)));
-  }
-  mesh::pad(chosen);
-  return chosen;
-}
-
 CuttingPart prepare_solid(const bit::Part& part, const mesh::TriangleMesh& mesh_P, int index) {
-  CuttingPart prepared{index, part.name, {}, {}, {}, 0.0};
+  CuttingPart prepared{index, part.name, {}, {}, {}};
   prepared.depth = tolerance::swept * mesh::bounding_box(mesh_P).size().norm();
-  if (auto solid = mesh::convex_solid(mesh_P))
+  if (auto solid = mesh::convex_solid(mesh_P)) {
     prepared.solid_P = spread_planes(*solid, solid->planes);
-  else
+    prepared.checksum = checksum(prepared.solid_P);
+  } else
     prepared.tree_P.emplace(mesh_P);
   return prepared;
 }
 
 /// A part is one solid or, where its pieces are known, several convex ones.
 void add_part(CuttingGroup& group, const bit::Part& part, int index) {
-  if (part.pieces_P.empty()) group.parts.push_back(prepare_solid(part, part.mesh_P, index));
-  for (const mesh::TriangleMesh& piece_P : part.pieces_P)
-    group.parts.push_back(prepare_solid(part, piece_P, index));
+  const auto add = [&](const mesh::TriangleMesh& mesh_P) {
+    group.parts.push_back(prepare_solid(part, mesh_P, index));
+    group.parts.back().slot = group.parts.size() - 1;
+  };
+  if (part.pieces_P.empty()) add(part.mesh_P);
+  for (const mesh::TriangleMesh& piece_P : part.pieces_P) add(piece_P);
 }
 
 /// A group's solids are numbered by the bits of one word (Clear).

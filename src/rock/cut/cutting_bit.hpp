@@ -22,7 +22,9 @@ struct CuttingPart {
   mesh::ConvexSolid solid_P;                 ///< no planes if there is a tree
   std::optional<mesh::TriangleTree> tree_P;  ///< only without planes
   FacetNeighbours across;                    ///< of the tree's facets; empty: exits without walks
-  double depth = 0.0;  ///< m: shallower than this is not swept (tolerance::swept times part size)
+  double depth = 0.0;    ///< m: shallower than this is not swept (tolerance::swept times part size)
+  std::size_t slot = 0;  ///< its number among the solids of the group (SweptScratch)
+  double checksum = 0.0;  ///< of solid_P (near_planes.hpp)
 };
 
 /// The axis about which update directions turn (thesis 4.1.2.3) when the bit leans: the hole's, so

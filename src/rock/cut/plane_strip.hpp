@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include "core/wide.hpp"
 #include "mesh/shape/convex.hpp"
@@ -22,41 +22,40 @@ inline void load(const mesh::ConvexSolid& s, std::size_t i, WidePlanes& planes) 
 }
 
 /// The strip q(tau) + t u(tau) against the planes of a convex solid, rock (4): a point (tau, t) is
-/// inside plane i while along tau + (up + twist tau) t <= rest. Columns over planes, kept between
-/// queries so that none allocates.
+/// inside plane i while along tau + (up + twist tau) t <= rest. Only the first `columns` of each
+/// array are set: one for each of the solid's planes, its padding included.
 struct PlaneStrip {
-  std::vector<double> rest, along, up, twist;
+  using Column = std::array<double, mesh::most_planes>;
+  Column rest, along, up, twist;
+  std::size_t columns = 0;
 };
 
-/// When q(tau) is deeper than `depth` inside every plane; empty (lo >= hi) if never.
+/// When q(tau) is inside; empty (lo >= hi) if never.
 struct Interval {
   double lo, hi;
 };
-Interval when_inside(const mesh::ConvexSolid& s, const RelativePath& p, double depth);
 
-void put_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w);
+/// Sets `rest` and `along`. Returns when q(tau) is deeper than `depth` inside every plane; where it
+/// never is, not all columns are set. Solids of more than mesh::most_planes planes are refused
+/// (std::invalid_argument).
+Interval put_path_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, double depth,
+                           PlaneStrip& w);
 
-/// Where the ray at tau leaves the solid, and through which plane; t is infinite if it never does.
-/// The ray misses the solid if t < entry.
-struct Exit {
+/// Sets `up` and `twist`.
+void put_direction_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w);
+
+/// Where the ray at tau meets a plane. Of several planes at the same t it is the first.
+struct Crossing {
   double tau, t;
   std::size_t plane;
-  double entry;
-};
-Exit leave_at(const PlaneStrip& w, double tau);
-
-/// The plane that the ray at tau enters last.
-std::size_t last_entered(const PlaneStrip& w, double tau);
-
-/// A straight path on the strip, and the point at which the planes are linearised for it.
-struct Way {
-  double tau0, t0;     ///< linearised here
-  double tau, t;       ///< start
-  double side, climb;  ///< direction
 };
 
-/// The first plane met on the way within `reach`, other than `on`, the plane the way runs along,
-/// which rounding must not let block it. Shortens `reach` to it. Returns w.rest.size() if none.
-std::size_t first_plane_on_way(const PlaneStrip& w, const Way& way, std::size_t on, double& reach);
+/// Where the ray at tau leaves the solid; t is infinite if it never does.
+Crossing leave_at(const PlaneStrip& w, double tau);
+
+/// Where the ray at tau enters the last of the planes that it enters: minus infinity if there is
+/// none, infinity if it is parallel to one and outside. It misses the solid if that is beyond where
+/// it leaves.
+Crossing enter_at(const PlaneStrip& w, double tau);
 
 }  // namespace tdbd::rock

@@ -1,63 +1,106 @@
 #include "rock/cut/swept_convex.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace tdbd::rock {
 namespace {
 
-/// A better estimate than `tau` of where planes k and l meet on the strip, with the same t: one
-/// step of Newton's method on a quadratic.
-double towards_meeting(const PlaneStrip& w, std::size_t k, std::size_t l, double tau) {
-  const double room_k = w.rest[k] - w.along[k] * tau, c_k = w.up[k] + w.twist[k] * tau;
-  const double room_l = w.rest[l] - w.along[l] * tau, c_l = w.up[l] + w.twist[l] * tau;
+/// The search for the highest exit. Exits through one plane only grow with tau or only fall, so
+/// that the least of them, the way out, has one top. `in` is on the solid, before the top as seen
+/// along `side`; `out` is beyond it, or misses the solid: because it enters plane `entered` too
+/// late, or because it leaves before t = 0.
+struct Search {
+  Crossing in, out;
+  double side;
+  std::size_t entered;
+};
+constexpr std::size_t no_plane = std::numeric_limits<std::size_t>::max();
+
+/// Whether rays between `in` and `out` may miss the solid.
+bool may_miss(const Search& s) { return s.entered != no_plane || s.out.t < 0.0; }
+
+/// How far tau is from `in` towards `out`; infinite if it is not between them.
+double way_to(const Search& s, double tau) {
+  const double way = s.side * (tau - s.in.tau);
+  return way >= 0.0 && s.side * (s.out.tau - tau) >= 0.0 ? way
+                                                         : std::numeric_limits<double>::infinity();
+}
+
+/// Where planes k and l meet between `in` and `out`: the root of a quadratic, nearly a line, whose
+/// numbers depend on the planes alone. If they do not, rounding hides it: at the end nearer to it.
+double meeting(const PlaneStrip& w, std::size_t k, std::size_t l, const Search& s) {
+  const double square = w.along[l] * w.twist[k] - w.along[k] * w.twist[l];
   const double slope =
-      w.along[l] * c_k - w.along[k] * c_l + room_k * w.twist[l] - room_l * w.twist[k];
-  return slope == 0.0 ? tau : tau - (room_k * c_l - room_l * c_k) / slope;
+      w.rest[k] * w.twist[l] - w.rest[l] * w.twist[k] + w.along[l] * w.up[k] - w.along[k] * w.up[l];
+  const double at_zero = w.rest[k] * w.up[l] - w.rest[l] * w.up[k];
+  const double root = std::sqrt(std::max(0.0, slope * slope - 4.0 * square * at_zero));
+  const double below = slope + std::copysign(root, slope);
+  if (below == 0.0) return s.in.tau;
+  const double near = -2.0 * at_zero / below, far = -0.5 * below / square;
+  const double tau = way_to(s, far) < way_to(s, near) ? far : near;
+  return std::clamp(tau, std::min(s.in.tau, s.out.tau), std::max(s.in.tau, s.out.tau));
 }
 
-/// Climbs along the solid's surface from x, with the planes linearised at x (the product tau t of
-/// the turning direction), over as many planes as it takes. Returns the tau of the largest t: where
-/// the last two planes meet, not linearised.
-double highest_from(const PlaneStrip& w, const Exit& x) {
-  const auto a = [&](std::size_t i) { return w.along[i] + x.t * w.twist[i]; };
-  const auto c = [&](std::size_t i) { return w.up[i] + x.tau * w.twist[i]; };
-  const double side = a(x.plane) > 0.0 ? -1.0 : 1.0;
-  double tau = x.tau, t = x.t;
-  std::size_t on = x.plane, before = x.plane;
-  for (std::size_t steps = 0; steps <= w.rest.size(); ++steps) {
-    if (c(on) <= 0.0 || side * a(on) >= 0.0) {  // t cannot grow any more
-      for (int k = 0; k < 2 && before != on; ++k) tau = towards_meeting(w, before, on, tau);
-      break;
-    }
-    const double climb = -side * a(on) / c(on);
-    double reach = side > 0.0 ? 1.0 - tau : tau;
-    before = on;
-    on = first_plane_on_way(w, {x.tau, x.t, tau, t, side, climb}, on, reach);
-    tau += reach * side;
-    t += reach * climb;
-    if (on == w.rest.size()) break;
-  }
-  return std::clamp(tau, 0.0, 1.0);
+/// How the exit through this plane grows with tau: its sign, not its size.
+double rise(const PlaneStrip& w, const Crossing& x) {
+  return -(w.along[x.plane] + x.t * w.twist[x.plane]);
 }
 
-bool meets_solid(const Exit& x) {
+/// The plane that the ray enters too late to meet the solid, or no_plane. Entries before t = 0 do
+/// not count.
+std::size_t entered_too_late(const PlaneStrip& w, const Crossing& x) {
   constexpr double touching = 1e-12;  // m
-  return x.entry <= x.t + touching;
+  if (x.t < 0.0) return no_plane;
+  const Crossing last = enter_at(w, x.tau);
+  return last.t <= x.t + touching ? no_plane : last.plane;
 }
 
-/// The exit at tau. Where the ray at tau misses the solid, because the linearised way overshoots
-/// the solid's end: the exit at that end, where the plane that the ray leaves too soon meets the
-/// one it enters too late.
-Exit leave_towards(const PlaneStrip& w, const Exit& in, double tau) {
-  Exit x = leave_at(w, tau);
-  constexpr int newton_steps = 8;
-  for (int k = 0; k < newton_steps && !meets_solid(x); ++k) {
-    tau = towards_meeting(w, x.plane, last_entered(w, tau), tau);
-    tau = std::clamp(tau, std::min(in.tau, x.tau), std::max(in.tau, x.tau));
-    x = leave_at(w, tau);
+/// The nearest tau to `in` of those where two planes of the search meet: the top is not beyond any.
+/// Says whether that is the end of the solid.
+double next_tau(const PlaneStrip& w, const Search& s, bool& is_end) {
+  is_end = s.entered != no_plane;
+  const double end = is_end ? meeting(w, s.out.plane, s.entered, s) : s.out.tau;
+  if (s.out.t >= 0.0 && s.side * rise(w, s.out) >= 0.0) return end;
+  const double top = meeting(w, s.in.plane, s.out.plane, s);
+  if (is_end && s.side * (top - end) >= 0.0) return end;
+  is_end = false;
+  return top;
+}
+
+/// Takes the exit at a new tau into the search. Returns whether it is the top.
+bool narrow(const PlaneStrip& w, const Crossing& x, bool is_end, Search& s) {
+  const bool same_plane = x.plane == s.out.plane;
+  const std::size_t too_late = may_miss(s) ? entered_too_late(w, x) : no_plane;
+  if (too_late != no_plane) {
+    if (same_plane && too_late == s.entered) return true;  // the end, but for rounding
+    s.out = x;
+    s.entered = too_late;
+    return false;
   }
-  return meets_solid(x) ? x : in;
+  const double growth = x.t < 0.0 ? -1.0 : s.side * rise(w, x);
+  if (growth == 0.0 || (same_plane && (is_end || growth < 0.0))) return true;
+  if (growth > 0.0 && x.plane == s.in.plane && !is_end) return true;
+  if (growth > 0.0) {
+    s.in = x;
+  } else {
+    s.out = x;
+    s.entered = no_plane;
+  }
+  return false;
+}
+
+Crossing highest(const PlaneStrip& w, Search& s, double t_max) {
+  if (!may_miss(s) && s.side * rise(w, s.out) >= 0.0) return s.out;
+  constexpr int most_looks = 64;  // each shows a new plane, usually one or two do
+  for (int k = 0; k < most_looks; ++k) {
+    bool is_end = false;
+    const double tau = next_tau(w, s, is_end);
+    if (tau == s.in.tau) return s.in;
+    const Crossing x = leave_at(w, tau);
+    if (!(x.t < t_max) || narrow(w, x, is_end, s)) return x;
+  }
+  return s.in;
 }
 
 }  // namespace
@@ -70,24 +113,33 @@ double depth_inside(const mesh::ConvexSolid& s, const Vec3& x_P) {
 }
 
 bool is_swept(const mesh::ConvexSolid& solid, const RelativePath& path, double depth) {
-  const Interval tau = when_inside(solid, path, depth);
-  return tau.lo < tau.hi;
+  PlaneStrip strip;
+  const Interval inside = put_path_on_strip(solid, path, depth, strip);
+  return inside.lo < inside.hi;
+}
+
+std::optional<Crossing> find_exit(const mesh::ConvexSolid& solid, const RelativePath& path,
+                                  double depth, PlaneStrip& strip, double t_max) {
+  const Interval inside = put_path_on_strip(solid, path, depth, strip);
+  if (inside.lo >= inside.hi) return std::nullopt;
+  put_direction_on_strip(solid, path, strip);
+  const bool from_start = inside.lo == 0.0, to_end = inside.hi == 1.0;
+  const double middle = 0.5 * (inside.lo + inside.hi);
+  const Crossing in = leave_at(strip, to_end ? 1.0 : from_start ? 0.0 : middle);
+  const double growth = in.t < t_max ? rise(strip, in) : 0.0;
+  const double end = growth > 0.0 ? 1.0 : 0.0;
+  if (growth == 0.0 || in.tau == end) return in;
+  Search s{in, leave_at(strip, end), growth > 0.0 ? 1.0 : -1.0, no_plane};
+  if (!(s.out.t < t_max)) return s.out;
+  if (!(growth > 0.0 ? to_end : from_start)) s.entered = entered_too_late(strip, s.out);
+  return highest(strip, s, t_max);
 }
 
 std::optional<double> exit_distance(const mesh::ConvexSolid& solid, const RelativePath& path,
                                     double depth, PlaneStrip& strip) {
-  const Interval inside = when_inside(solid, path, depth);
-  if (inside.lo >= inside.hi) return std::nullopt;
-  put_on_strip(solid, path, strip);
-  Exit best = leave_at(strip, 0.5 * (inside.lo + inside.hi));
-  if (best.t == std::numeric_limits<double>::infinity()) return best.t;  // open that way
-  constexpr int linearisations = 8;  // quadratic convergence: the turn of u in a step is small
-  for (int k = 0; k < linearisations; ++k) {
-    const Exit next = leave_towards(strip, best, highest_from(strip, best));
-    if (next.t <= best.t) break;
-    best = next;
-  }
-  return std::max(0.0, best.t);
+  const auto x = find_exit(solid, path, depth, strip);
+  if (!x) return std::nullopt;
+  return std::max(0.0, x->t);
 }
 
 }  // namespace tdbd::rock

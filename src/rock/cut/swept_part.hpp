@@ -11,9 +11,8 @@ namespace tdbd::rock {
 
 /// Buffers of queries of either kind.
 struct SweptScratch {
-  PlaneStrip convex;
   MeshScratch mesh;
-  NearPlanes near;
+  std::vector<NearPlanes> near;  ///< per CuttingPart::slot, kept from step to step
 };
 
 /// The queries of swept_convex.hpp or swept_mesh.hpp, as the part requires, at the part's depth.
@@ -22,11 +21,15 @@ std::optional<double> exit_distance(const CuttingPart& part, const RelativePath&
                                     SweptScratch& scratch);
 
 /// Prepares the exits of all these paths from one part. Afterwards prepared_exit_distance gives the
-/// same as exit_distance, faster.
+/// same as exit_distance, to the bit, faster.
 void prepare_exits(const CuttingPart& part, const std::vector<RelativePath>& paths,
                    SweptScratch& scratch);
 std::optional<double> prepared_exit_distance(const CuttingPart& part, const RelativePath& path,
                                              SweptScratch& scratch);
+
+/// The same with the place of the exit and its plane of part.solid_P. For convex parts.
+std::optional<Crossing> prepared_exit(const CuttingPart& part, const RelativePath& path,
+                                      const SweptScratch& scratch);
 
 /// Depth of x inside the part (m, to the nearest face); 0 or less outside.
 double depth_inside(const CuttingPart& part, const Vec3& x_P);

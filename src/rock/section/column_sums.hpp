@@ -8,10 +8,14 @@
 
 namespace tdbd::rock {
 
+/// Where a segment is known to lie: within the columns at work, away from their edges; beneath all
+/// lower edges, so that it adds nothing; or anywhere.
+enum class SegmentPlace : std::uint8_t { anywhere, inside, beneath };
+
 /// A piece of the rock's outline in the plane of a face, rock on its left. Frame F, m.
 struct OutlineSegment {
   Vec2 from, to;
-  bool is_inside = false;  ///< within the columns at work, away from their edges
+  SegmentPlace place = SegmentPlace::anywhere;
 };
 
 /// Sums over segments in whole multiples of a small unit: integers add up to the same in any order.

@@ -131,8 +131,7 @@ void measure_group(const Rock& rock, const CuttingBit& bit, const CutWorkspace& 
     const int part = g.parts[k].part;
     ++w.stamp;
     w.held.clear();
-    for (; k < g.parts.size() && g.parts[k].part == part; ++k)
-      hold(rock, g, g.parts[k], gap, w);
+    for (; k < g.parts.size() && g.parts[k].part == part; ++k) hold(rock, g, g.parts[k], gap, w);
     contact_by_part[at(part)] = contact_of_held(rock, w);
   }
 }

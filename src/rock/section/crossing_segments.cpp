@@ -1,6 +1,8 @@
 #include "rock/section/crossing_segments.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace tdbd::rock {
 namespace {
@@ -8,15 +10,31 @@ namespace {
 /// A vertex and its distance ahead of the plane.
 struct Seen {
   int v;
+  const mesh::VertexStar* star;
   double ahead;
 };
 
 /// Where an edge crosses the plane.
 struct Crossing {
   Vec2 x_F;
-  bool is_in_zone;  ///< the outline is followed here
-  bool is_in_face;  ///< inside the columns
+  const FaceColumn* column;  ///< that holds it, or one nearby
+  bool is_in_zone;           ///< the outline is followed here
+  bool is_in_face;           ///< inside the columns
+  bool is_beneath;           ///< not above the line of the column's lower edge
 };
+
+double above_lower_edge(const Vec2& x_F, const FaceColumn& c) {
+  return x_F.y() - (c.lower + c.lower_slope * (x_F.x() - c.y0));
+}
+
+/// The face is convex: with two points it holds all between them, and no line of a lower edge
+/// enters it.
+SegmentPlace place_of(const Crossing& from, const Crossing& to) {
+  if (from.is_in_face && to.is_in_face) return SegmentPlace::inside;
+  const bool is_beneath = (from.is_beneath && above_lower_edge(to.x_F, *from.column) <= 0.0) ||
+                          (to.is_beneath && above_lower_edge(from.x_F, *to.column) <= 0.0);
+  return is_beneath ? SegmentPlace::beneath : SegmentPlace::anywhere;
+}
 
 /// Finds the outline of one plane, by the stars of the vertices ahead of it.
 class OutlineSearch {
@@ -24,7 +42,7 @@ class OutlineSearch {
   OutlineSearch(const Rock& rock, const FacePlane& plane, OutlineWork& work)
       : s_(rock.surface), f_(plane), w_(work) {}
 
-  bool is_start(int v) const { return is_start({v, ahead(v)}); }
+  bool is_start(int v) const { return is_start(seen(v)); }
   void around(int v);
 
  private:
@@ -32,21 +50,26 @@ class OutlineSearch {
   /// the vertex ahead.
   struct Front {
     Seen ahead, behind;
-    const mesh::VertexStar* star;  ///< of the vertex ahead
     int i;
     Crossing at;
   };
 
-  double ahead(int v) const { return f_.ahead(s_.position(v)); }
+  Seen seen(int v) const {
+    const mesh::VertexStar& star = s_.star(v);
+    return {v, &star, f_.ahead(star.x)};
+  }
   bool is_start(const Seen& a) const;
+  const FaceColumn& near(const Vec2& x_F) const {
+    return f_.face.columns[f_.face.near(std::clamp(x_F.x(), f_.left, f_.right))];
+  }
   bool is_in_zone(const Vec2& x_F, const FaceColumn& near) const;
   Crossing crossing(const Seen& ahead, const Seen& behind) const;
-  void passage(const Seen& v, const mesh::VertexStar& star, int i);
+  void passage(const Seen& v, int i);
   void follow(Front f);
   void follow_back(Front f);
   void step_to(int w, int i, Front& f) const;
   void add(const Crossing& from, const Crossing& to) {
-    w_.segments.push_back({from.x_F, to.x_F, from.is_in_face && to.is_in_face});
+    w_.segments.push_back({from.x_F, to.x_F, place_of(from, to)});
   }
 
   const mesh::Surface& s_;
@@ -57,59 +80,61 @@ class OutlineSearch {
 bool OutlineSearch::is_in_zone(const Vec2& x_F, const FaceColumn& near) const {
   if (x_F.x() < f_.left - f_.reach || x_F.x() > f_.right + f_.reach) return false;
   if (x_F.y() > f_.face.hi_F.y() + f_.reach) return false;
-  const double below = near.lower + near.lower_slope * (x_F.x() - near.y0) - x_F.y();
-  return below <= f_.reach * near.lower_rise;
+  return -above_lower_edge(x_F, near) <= f_.reach * near.lower_rise;
 }
 
 bool OutlineSearch::is_start(const Seen& a) const {
   if (!(a.ahead >= 0.0 && a.ahead <= f_.reach)) return false;
-  const Vec2 x_F = f_.in_plane(s_.position(a.v));
+  const Vec2 x_F = f_.in_plane(a.star->x);
   if (x_F.y() > f_.top || x_F.y() < f_.face.lo_F.y() - f_.reach) return false;
-  const double y = std::clamp(x_F.x(), f_.left, f_.right);
-  return is_in_zone(x_F, f_.face.columns[f_.face.near(y)]);
-}
-
-bool is_in_column(const Vec2& x_F, const FaceColumn& c) {
-  const double dy = x_F.x() - c.y0;
-  return dy >= 0.0 && x_F.x() <= c.y1 && x_F.y() > c.lower + c.lower_slope * dy &&
-         x_F.y() < c.upper + c.upper_slope * dy;
+  return is_in_zone(x_F, near(x_F));
 }
 
 /// A function of the edge: its two triangles are given the same point.
 Crossing OutlineSearch::crossing(const Seen& ahead, const Seen& behind) const {
-  const Vec3 &a_W = s_.position(ahead.v), &b_W = s_.position(behind.v);
+  const Vec3 &a_W = ahead.star->x, &b_W = behind.star->x;
   const double w = ahead.ahead / (ahead.ahead - behind.ahead);
-  const Vec2 x_F = f_.in_plane(a_W + w * (b_W - a_W));
-  const double y = std::clamp(x_F.x(), f_.left, f_.right);
-  const FaceColumn& near = f_.face.columns[f_.face.near(y)];
+  const Vec2 x_F =
+      f_.in_plane({a_W.x() + w * (b_W.x() - a_W.x()), a_W.y() + w * (b_W.y() - a_W.y()),
+                   a_W.z() + w * (b_W.z() - a_W.z())});
+  const FaceColumn& first = near(x_F);
   const bool is_between = x_F.x() > f_.left && x_F.x() < f_.right;
-  return {x_F, is_in_zone(x_F, near),
-          is_between && is_in_column(x_F, *(y > near.y1 ? &near + 1 : &near))};
+  const FaceColumn& c = is_between && x_F.x() > first.y1 ? *(&first + 1) : first;
+  const double above = above_lower_edge(x_F, c), dy = x_F.x() - c.y0;
+  const bool is_in_face =
+      is_between && above > 0.0 && x_F.x() <= c.y1 && x_F.y() < c.upper + c.upper_slope * dy;
+  return {x_F, &c, is_in_zone(x_F, first), is_in_face, above <= 0.0};
 }
 
-/// Every passage of the outline around this vertex, from the first of its neighbours behind on.
+/// Every passage of the outline around this vertex, from the first of its neighbours behind on;
+/// where all are behind, from any. Bit by bit, since branches on positions are unpredictable.
 void OutlineSearch::around(int v) {
-  const mesh::VertexStar& star = s_.star(v);
+  const Seen centre = seen(v);
+  const mesh::VertexStar& star = *centre.star;
   const int* ring = s_.ring(star);
-  const Seen seen{v, ahead(v)};
-  const bool first = ahead(ring[0]) < 0.0;
-  bool before = first, all = first;
-  for (int i = 1; i < star.size; ++i) {
-    const bool now = ahead(ring[i]) < 0.0;
-    if (now && !before) passage(seen, star, i);
-    before = now;
-    all = all && now;
+  const int last = star.size - 1;
+  const bool is_open = star.open != 0;
+  bool before = !is_open && seen(ring[last]).ahead < 0.0, is_all = before;
+  for (int first = 0; first <= last; first += 64) {
+    std::uint64_t behind = 0;
+    const int count = std::min(64, star.size - first);
+    for (int i = 0; i < count; ++i)
+      behind |= std::uint64_t{f_.ahead(s_.position(ring[first + i])) < 0.0} << i;
+    is_all = is_all && behind == ~std::uint64_t{0} >> (64 - count);
+    for (std::uint64_t begins = behind & ~(behind << 1U | std::uint64_t{before}); begins != 0;
+         begins &= begins - 1U)
+      passage(centre, first + std::countr_zero(begins));
+    before = (behind >> 63U) != 0;
   }
-  if (first && (star.open != 0 || !before || all)) passage(seen, star, 0);
+  if (is_all) passage(centre, 0);
 }
 
 /// The outline on either side of the edge from v to its neighbour number i, behind.
-void OutlineSearch::passage(const Seen& v, const mesh::VertexStar& star, int i) {
-  if (star.open != 0 && i + 1 == star.size) return;
+void OutlineSearch::passage(const Seen& v, int i) {
+  if (v.star->open != 0 && i + 1 == v.star->size) return;
   if (w_.crossed.contains(v.v, i)) return;
-  const int b = s_.ring(star)[i];
-  const Seen behind{b, ahead(b)};
-  const Front front{v, behind, &star, i, crossing(v, behind)};
+  const Seen behind = seen(s_.ring(*v.star)[i]);
+  const Front front{v, behind, i, crossing(v, behind)};
   follow(front);
   follow_back(front);
 }
@@ -117,14 +142,13 @@ void OutlineSearch::passage(const Seen& v, const mesh::VertexStar& star, int i) 
 /// Goes to the next edge of the triangle with the vertex w, number i in the ring of the vertex
 /// ahead.
 void OutlineSearch::step_to(int w, int i, Front& f) const {
-  const Seen seen{w, ahead(w)};
-  if (seen.ahead < 0.0) {
-    f.behind = seen;
+  const Seen next = seen(w);
+  if (next.ahead < 0.0) {
+    f.behind = next;
     f.i = i;
   } else {
-    f.ahead = seen;
-    f.star = &s_.star(w);
-    const int* ring = s_.ring(*f.star);
+    f.ahead = next;
+    const int* ring = s_.ring(*next.star);
     f.i = 0;
     while (ring[f.i] != f.behind.v) ++f.i;
   }
@@ -135,11 +159,11 @@ void OutlineSearch::step_to(int w, int i, Front& f) const {
 void OutlineSearch::follow(Front f) {
   bool goes_on = true;
   while (goes_on) {
-    const bool is_last = f.i + 1 == f.star->size;
-    if ((is_last && f.star->open != 0) || !w_.crossed.add(f.ahead.v, f.i)) return;
+    const bool is_last = f.i + 1 == f.ahead.star->size;
+    if ((is_last && f.ahead.star->open != 0) || !w_.crossed.add(f.ahead.v, f.i)) return;
     const Crossing from = f.at;
     const int i = is_last ? 0 : f.i + 1;
-    step_to(s_.ring(*f.star)[i], i, f);
+    step_to(s_.ring(*f.ahead.star)[i], i, f);
     add(from, f.at);
     goes_on = f.at.is_in_zone || is_start(f.ahead);
   }
@@ -148,10 +172,10 @@ void OutlineSearch::follow(Front f) {
 /// Follows the outline back until it leaves the zone.
 void OutlineSearch::follow_back(Front f) {
   while (f.at.is_in_zone) {
-    if (f.i == 0 && f.star->open != 0) return;
+    if (f.i == 0 && f.ahead.star->open != 0) return;
     const Crossing to = f.at;
-    const int i = f.i == 0 ? f.star->size - 1 : f.i - 1;
-    step_to(s_.ring(*f.star)[i], i, f);
+    const int i = f.i == 0 ? f.ahead.star->size - 1 : f.i - 1;
+    step_to(s_.ring(*f.ahead.star)[i], i, f);
     if (!w_.crossed.add(f.ahead.v, f.i)) return;
     add(f.at, to);
   }

@@ -40,7 +40,7 @@ struct FaceColumns {
   /// A column that begins no farther right than y, a y in or near the outline's width.
   std::size_t near(double y) const {
     const double part = (y - lo_F.x()) * parts_per_metre;
-    return first_of[part < 63.0 ? static_cast<std::size_t>(part) : 63];
+    return first_of[part < 63.0 ? at(static_cast<int>(part)) : 63];
   }
 
   /// The column that holds y, a y in the outline's width.

@@ -69,11 +69,11 @@ void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, Sectio
   if (w.sight == Sight::none) w.sight = Sight::clear;
   InsideRun run;
   for (const OutlineSegment& s : w.outline.segments) {
-    if (s.is_inside) {
+    if (s.place == SegmentPlace::inside) {
       add_inside(plane.face, s, run, w.sums);
       continue;
     }
-    if (!concerns(s, plane)) continue;
+    if (s.place == SegmentPlace::beneath || !concerns(s, plane)) continue;
     if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
     add_segment(plane.face, strip.first, strip.end, s, w.sums);
   }

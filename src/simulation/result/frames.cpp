@@ -14,7 +14,8 @@ namespace {
 void write_rock(const std::filesystem::path& path, const rock::Rock& rock) {
   std::vector<int> slots;
   const mesh::TriangleMesh m = mesh::compact(rock.surface, &slots);
-  mesh::Field depth{"depth_m", {}}, part{"last_part", {}}, quality{"quality", {}};
+  mesh::Field depth{"depth_m", {}}, part{"last_part", {}, mesh::FieldValues::whole_numbers},
+      quality{"quality", {}};
   for (const int v : slots) {
     depth.values.push_back(rock.surface.position(v).z());
     part.values.push_back(rock.last_part[at(v)]);

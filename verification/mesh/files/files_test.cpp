@@ -83,6 +83,15 @@ RC_GTEST_PROP(Files, double_precision_formats_keep_every_bit, ()) {
   }
 }
 
+/// More facets than the writer puts together at a time.
+TEST(Files, a_large_ply_comes_back_to_the_bit) {
+  const TriangleMesh m = square_sheet(70);
+  ASSERT_GT(m.triangles.size(), 8192U);
+  const TriangleMesh back = there_and_back(".ply", m);
+  EXPECT_EQ(back.positions, m.positions);
+  EXPECT_EQ(back.triangles, m.triangles);
+}
+
 RC_GTEST_PROP(Files, stl_keeps_single_precision_and_the_order_of_triangles, ()) {
   const TriangleMesh m = any_tetrahedra(), back = there_and_back(".stl", m);
   RC_ASSERT(back.triangles.size() == m.triangles.size());

@@ -62,6 +62,21 @@ TEST(Vtp, vtk_reads_back_every_bit) {
   EXPECT_EQ(read_by_vtk(temporary("sheet.vtp")), expected(m, {depth}, {quality, part}));
 }
 
+/// More facets than the writer makes numbers of at a time.
+TEST(Vtp, vtk_reads_back_a_large_mesh_with_whole_numbers) {
+  const TriangleMesh m = square_sheet(70);
+  ASSERT_GT(m.triangles.size(), 8192U);
+  Field part{"last_part", {}, FieldValues::whole_numbers}, owner = part;
+  for (std::size_t i = 0; i < m.positions.size(); ++i)
+    part.values.push_back(static_cast<double>(i % 57) - 1.0);
+  for (std::size_t i = 0; i < m.triangles.size(); ++i)
+    owner.values.push_back(static_cast<double>(i * i % 1000003));
+  write_vtp(temporary("large.vtp"), m, {part}, {owner});
+  EXPECT_NE(text_of(temporary("large.vtp")).find(R"(type="Int32" Name="last_part")"),
+            std::string::npos);
+  EXPECT_EQ(read_by_vtk(temporary("large.vtp")), expected(m, {part}, {owner}));
+}
+
 TEST(Vtp, two_writings_give_the_same_bytes) {
   write_vtp(temporary("a.vtp"), tetrahedron(), {}, {});
   write_vtp(temporary("b.vtp"), tetrahedron(), {}, {});

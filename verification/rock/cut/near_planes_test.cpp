@@ -29,19 +29,53 @@ std::vector<RelativePath> bundle() {
   return paths;
 }
 
-/// Bit for bit where the order of planes does not decide; rounding where it does.
-RC_GTEST_PROP(NearPlanes, give_the_exits_of_the_whole_part, ()) {
-  const CuttingPart part = part_of(
-      *rc::gen::oneOf(battery::convex_polyhedron(), rc::gen::just(battery::cylinder(1, 0.5, 64))));
-  const std::vector<RelativePath> paths = *rc::gen::exec(bundle);
+rc::Gen<mesh::TriangleMesh> any_part() {
+  return rc::gen::oneOf(battery::convex_polyhedron(), rc::gen::just(battery::cylinder(1, 0.5, 64)));
+}
+
+/// Bit for bit, with what was remembered from other paths and other parts: a restart, which
+/// remembers nothing, goes on as if there had been none.
+RC_GTEST_PROP(NearPlanes, give_the_exits_of_the_whole_part_to_the_bit, ()) {
   SweptScratch near, whole;
+  for (int k = 0; k < 4; ++k) {
+    const CuttingPart part = part_of(*any_part());
+    for (int again = 0; again < 3; ++again) {
+      const std::vector<RelativePath> paths = *rc::gen::exec(bundle);
+      prepare_exits(part, paths, near);
+      for (const RelativePath& p : paths)
+        RC_ASSERT(prepared_exit_distance(part, p, near) == exit_distance(part, p, whole));
+    }
+  }
+}
+
+/// The plane's number is the whole part's.
+RC_GTEST_PROP(NearPlanes, tell_through_which_plane_of_the_part_a_path_leaves, ()) {
+  const CuttingPart part = part_of(*any_part());
+  const std::vector<RelativePath> paths = *rc::gen::exec(bundle);
+  SweptScratch near;
+  PlaneStrip strip;
   prepare_exits(part, paths, near);
   for (const RelativePath& p : paths) {
-    const auto t = prepared_exit_distance(part, p, near);
-    const auto expected = exit_distance(part, p, whole);
-    RC_ASSERT(t.has_value() == expected.has_value());
-    if (t) RC_ASSERT(std::abs(*t - *expected) < 1e-8);
+    const auto x = prepared_exit(part, p, near);
+    const auto expected = find_exit(part.solid_P, p, part.depth, strip);
+    RC_ASSERT(x.has_value() == expected.has_value());
+    if (x) RC_ASSERT(x->plane == expected->plane && x->tau == expected->tau);
   }
+}
+
+/// Paths within the boxes of those before find nothing anew.
+TEST(NearPlanes, are_kept_for_paths_beside_those_they_were_found_for) {
+  const CuttingPart disc = part_of(battery::cylinder(1.0, 0.5, 64));
+  const Vec3 tip(-0.99, 0.0, 0.1), way(0.0, 0.0, 0.05), u(-1.0, 0.0, 0.0);
+  NearPlanes near;
+  const auto update = [&](const Vec3& x) {
+    update_near_planes(disc.solid_P, disc.checksum, boxes_around({{x, x + way, u, u}}), disc.depth,
+                       0.1, near);
+    return near.uses;
+  };
+  EXPECT_EQ(update(tip), 0);
+  EXPECT_EQ(update(tip + Vec3(0, 1e-3, 0)), 1);
+  EXPECT_EQ(update(tip + Vec3(0, 1e-1, 0)), 0);
 }
 
 /// A few candidates at a cutter's tip see a fraction of its planes.
@@ -49,7 +83,7 @@ TEST(NearPlanes, are_few_at_a_cutters_tip) {
   const CuttingPart disc = part_of(battery::cylinder(1.0, 0.5, 64));
   const Vec3 tip(-0.99, 0.0, 0.1), way(0.0, 0.0, 0.05), u(-1.0, 0.0, 0.0);
   NearPlanes near;
-  find_near_planes(disc.solid_P, {{tip, tip + way, u, u}}, disc.depth, 0.1, near);
+  find_near_planes(disc.solid_P, boxes_around({{tip, tip + way, u, u}}), disc.depth, 0.1, near);
   EXPECT_GT(near.solid_P.planes, 2U);
   EXPECT_LT(near.solid_P.planes, 24U);
 }

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <stdexcept>
 
 #include "core/random.hpp"
 #include "core/tolerance.hpp"
 #include "mesh/measures.hpp"
 #include "reference/mesh/convex_hull.hpp"
 #include "reference/rock/brute_force_exit.hpp"
+#include "reference/rock/exit_by_corners.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -147,6 +149,36 @@ RC_GTEST_PROP(ExitDistance, is_where_the_last_ray_leaves_the_solid, ()) {
   RC_ASSERT(deepest(p, *a.exit + 1e-6) < 0.0);  // and beyond it nothing
 }
 
+std::optional<double> best_corner(const mesh::ConvexSolid& s, const RelativePath& p) {
+  std::vector<reference::HalfSpace> planes;
+  for (std::size_t i = 0; i < s.planes; ++i) planes.push_back({mesh::normal(s, i), s.b[i]});
+  return reference::exit_by_corners(planes, p.q0_P, p.q1_P, p.u0_P, p.u1_P);
+}
+
+/// Also where u turns, ten times as far as in a step: the same number but for rounding, which a
+/// sharp angle between two planes on the strip makes larger.
+RC_GTEST_PROP(ExitDistance, is_the_highest_corner_of_the_planes_on_the_strip, ()) {
+  const Pass p = *pass(*rc::gen::element(0.0, 0.01));
+  const Answer a = answer(p);
+  RC_PRE(a.swept);
+  const auto corner = best_corner(a.solid, p.path);
+  RC_ASSERT(corner.has_value());
+  RC_ASSERT(std::abs(*a.exit - *corner) < 1e-9);
+}
+
+/// The place and the plane of an exit belong to it.
+RC_GTEST_PROP(FindExit, is_on_its_plane_at_its_place, ()) {
+  const Pass p = *pass(0.01);
+  const mesh::ConvexSolid solid = *mesh::convex_solid(p.part);
+  PlaneStrip strip;
+  const auto x = find_exit(solid, p.path, tolerance::swept * size_of(p.part), strip);
+  RC_PRE(x.has_value());
+  const Vec3 x_P =
+      at(p.path.q0_P, p.path.q1_P, x->tau) + x->t * at(p.path.u0_P, p.path.u1_P, x->tau);
+  RC_ASSERT(std::abs(mesh::normal(solid, x->plane).dot(x_P) - solid.b[x->plane]) < 1e-12);
+  RC_ASSERT(depth_inside(solid, x_P) > -1e-11);
+}
+
 /// After the move nothing is left inside, wherever the part is in its step.
 RC_GTEST_PROP(ExitDistance, leaves_no_vertex_inside, ()) {
   const Pass p = *pass(0.0);
@@ -224,6 +256,16 @@ TEST(ExitDistance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
     const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}), {Vec3(0, 0, 1.5), Vec3(0, 0.5, 0.5), u, u}};
     EXPECT_NEAR(*answer(p).exit, 0.75, 1e-9) << rounding;
   }
+}
+
+/// More planes than a strip has room for: prepared parts of that many have a tree instead.
+TEST(ExitDistance, refuses_a_solid_of_too_many_planes) {
+  mesh::ConvexSolid solid;
+  for (std::size_t i = 0; i <= mesh::most_planes; ++i) mesh::add_plane(solid, Vec3::UnitX(), 1.0);
+  mesh::pad(solid);
+  PlaneStrip strip;
+  const Vec3 u = Vec3::UnitX();
+  EXPECT_THROW(exit_distance(solid, {u, u, u, u}, 0.0, strip), std::invalid_argument);
 }
 
 TEST(IsSwept, leaves_alone_what_slides_along_a_face) {

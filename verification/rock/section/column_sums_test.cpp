@@ -37,7 +37,7 @@ std::vector<OutlineSegment> any_chain(const FaceColumns& face) {
   Vec2 from = any_point_in(face);
   for (int k = *battery::integer(1, 12); k > 0; --k) {
     const Vec2 to = any_point_in(face);
-    chain.push_back({from, to, true});
+    chain.push_back({from, to, SegmentPlace::inside});
     from = to;
   }
   return chain;

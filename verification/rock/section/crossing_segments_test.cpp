@@ -100,7 +100,7 @@ void WalkByCorners::triangle(int c, const Seen& v, const Seen& next, const Seen&
                              bool ask_before) {
   const Vec2 from = crossing(v, next);
   const Vec2 to = last.ahead >= 0.0 ? crossing(last, next) : crossing(v, last);
-  segments.push_back({from, to, false});
+  segments.push_back({from, to});
   if (last.ahead >= 0.0 && !is_start(last)) follow(c, last.v, next.v, to);
   const int before = ask_before ? s_.opposite_of(mesh::previous_corner(c)) : -1;
   if (before < 0) return;
@@ -117,7 +117,7 @@ void WalkByCorners::follow(int facing, int ahead, int behind, Vec2 from) {
     const Seen a = seen(ahead), b = seen(behind), w = seen_at(o);
     const bool turns = w.ahead >= 0.0;
     const Vec2 to = turns ? crossing(w, b) : crossing(a, w);
-    segments.push_back({from, to, false});
+    segments.push_back({from, to});
     if (turns && is_start(w)) return;
     (turns ? ahead : behind) = w.v;
     facing = turns ? mesh::next_corner(o) : mesh::previous_corner(o);
@@ -136,7 +136,7 @@ void WalkByCorners::follow_back(int facing, int ahead, int behind, Vec2 to) {
     const bool turns = w.ahead >= 0.0;
     if (turns && is_start(w)) return;
     const Vec2 from = turns ? crossing(w, b) : crossing(a, w);
-    run_.push_back({from, to, false});
+    run_.push_back({from, to});
     (turns ? ahead : behind) = w.v;
     facing = turns ? mesh::previous_corner(o) : mesh::next_corner(o);
     to = from;
@@ -215,6 +215,19 @@ bool is_within(const FacePlane& plane, const Vec2& x_F) {
   });
 }
 
+bool is_inside(const OutlineSegment& s) { return s.place == SegmentPlace::inside; }
+
+/// Beneath: the sums of all columns stay as they were.
+void check_place(const FacePlane& plane, const OutlineSegment& s) {
+  if (is_inside(s)) RC_ASSERT(is_within(plane, s.from) && is_within(plane, s.to));
+  if (s.place != SegmentPlace::beneath) return;
+  ColumnSums sums;
+  begin_sums(plane.face, sums);
+  add_segment(plane.face, 0, plane.face.columns.size(), s, sums);
+  RC_ASSERT(std::abs(sums.area) <= 2);  // of 2^50 units
+  for (const std::int64_t length : sums.engaged) RC_ASSERT(std::abs(length) <= 2);
+}
+
 }  // namespace
 
 RC_GTEST_PROP(CrossingSegments, are_those_of_the_walk_from_triangle_to_triangle, ()) {
@@ -226,10 +239,9 @@ RC_GTEST_PROP(CrossingSegments, are_those_of_the_walk_from_triangle_to_triangle,
     find_outline(rock, plane, work);
     RC_ASSERT(sorted(work.segments) == sorted(by_corners(rock, plane)));
   }
-  for (const OutlineSegment& s : work.segments)
-    if (s.is_inside) RC_ASSERT(is_within(plane, s.from) && is_within(plane, s.to));
+  for (const OutlineSegment& s : work.segments) check_place(plane, s);
   RC_CLASSIFY(!work.segments.empty(), "found");
-  RC_CLASSIFY(std::ranges::any_of(work.segments, &OutlineSegment::is_inside), "inside");
+  RC_CLASSIFY(std::ranges::any_of(work.segments, is_inside), "inside");
 }
 
 /// A single vertex ahead of the plane: no neighbour tells where its outline begins.
@@ -249,7 +261,29 @@ TEST(CrossingSegments, go_all_around_a_lone_vertex_ahead) {
   find_outline(rock, plane, work);
   EXPECT_GE(work.segments.size(), 4U);
   EXPECT_EQ(sorted(work.segments), sorted(by_corners(rock, plane)));
-  EXPECT_TRUE(std::ranges::all_of(work.segments, &OutlineSegment::is_inside));
+  EXPECT_TRUE(std::ranges::all_of(work.segments, is_inside));
+}
+
+/// More than 64 neighbours, up and down: the outline passes the middle many times.
+TEST(CrossingSegments, pass_a_vertex_of_many_neighbours_as_often_as_it_is_crossed) {
+  constexpr int count = 150;
+  mesh::TriangleMesh m;
+  for (int k = 0; k < count; ++k) {
+    const double a = 2.0 * std::numbers::pi * k / count;
+    m.positions.emplace_back(std::cos(a), std::sin(a), k % 5 < 2 ? 0.05 : -0.01);
+    m.triangles.push_back({count, (k + 1) % count, k});
+  }
+  m.positions.emplace_back(0.0, 0.0, -0.03);
+  FaceColumns face;
+  make_columns({{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}, {-2.0, 2.0}}, nullptr, face);
+  Pose X_WF;  // its normal goes up
+  X_WF.R << 0, 1, 0, 0, 0, -1, -1, 0, 0;
+  const FacePlane plane = face_plane(X_WF, face, 0, face.columns.size(), 0.2, 2.0, -1);
+  OutlineWork work;
+  const Rock rock = rock_of(m, 0.2);
+  find_outline(rock, plane, work);
+  EXPECT_EQ(work.segments.size(), 90U);
+  EXPECT_EQ(sorted(work.segments), sorted(by_corners(rock, plane)));
 }
 
 }  // namespace tdbd::rock::crossing_segments_test

@@ -1,0 +1,93 @@
+"""Tables of benchmarks/README.md from what rivals, count.py, metre and tests measured: goals, and our step over a height field's."""
+
+import json
+import math
+import pathlib
+
+GOALS = pathlib.Path(__file__).resolve().parent / "goals.json"
+
+# Another machine: Manifold's boolean with the volume of every cutter, and our height field of 0.5 mm beside it.
+MANIFOLD_MS, MANIFOLD_Z_MAP_MS = 109, 0.178
+
+
+def find(data, path):
+    """The figure at a path of keys; a list is searched for the row that has the key as name or surface. None where nothing is."""
+    for key in path:
+        if isinstance(data, list):
+            data = next((row for row in data if key in (row.get("name"), row.get("surface"))), None)
+        elif isinstance(data, dict):
+            data = data.get(key)
+        if data is None:
+            return None
+    return data
+
+
+def figures(measured):
+    """All that goals read: conditions of rivals and rows of tables by name."""
+    before = measured.get("before", {})
+    conditions = {c["name"]: c["rows"] for c in measured.get("rivals", {}).get("conditions", [])}
+    return measured | {"rivals": conditions, "before": before}
+
+
+def told(value):
+    return "not measured" if value is None else f"{value:.3g}"
+
+
+def verdict(value, limit, is_least):
+    """Met, or missed by how much."""
+    if value is None or limit is None:
+        return ""
+    over = limit / value if is_least else value / limit
+    return "met" if over <= 1.0 else f"missed by {math.ceil(100 * over - 100)} %"
+
+
+def goal_row(goal, all_figures, before):
+    value = find(all_figures, goal["read"])
+    is_least = "at_least" in goal
+    limit = goal.get("at_least", goal.get("at_most"))
+    if "at_most_of" in goal:
+        limit = find(all_figures, goal["at_most_of"])
+    asked = "stated" if limit is None else f"at {'least' if is_least else 'most'} {limit:.3g}"
+    was = find(before, goal["read"])
+    return f"| {goal['goal']} | {asked} | {told(value)} | {'' if was is None else told(was)} | {verdict(value, limit, is_least)} |\n"
+
+
+def manifold_row(all_figures):
+    """A step of Manifold and of ours in steps of the height field that ran beside each."""
+    ours = find(all_figures, ["rivals", "warm", "standard-1.0", "over_z_map"])
+    theirs = MANIFOLD_MS / MANIFOLD_Z_MAP_MS
+    faster = f"{theirs / ours:.0f}" if ours else "not measured"
+    return f"| times faster than Manifold's boolean ({theirs:.0f} height fields of 0.5 mm) | stated | {faster} |  |  |\n"
+
+
+def goals_table(measured):
+    now, before = figures(measured), figures(measured.get("before", {}))
+    head = "| goal | asked | measured | before | |\n|---|---|---|---|---|\n"
+    rows = [goal_row(g, now, before) for g in json.loads(GOALS.read_text(encoding="utf-8"))]
+    return head + "".join(rows) + manifold_row(now)
+
+
+def instructions_of(row, counted):
+    """By the processor's counters, else by valgrind."""
+    own = row.get("million_instructions")
+    return own if own is not None else counted.get(row["name"])
+
+
+def number(value, digits=2):
+    return "-" if value is None else f"{value:.{digits}f}"
+
+
+def rivals_table(measured):
+    """One line for each side: warm and cold."""
+    conditions = figures(measured)["rivals"]
+    cold = {row["name"]: row for row in conditions.get("cold", [])}
+    counted = measured.get("million_instructions", {})
+    text = ("| a step of | us | over z-map | means | 99th percentile | cold: over z-map | means | M instructions | M cycles |\n"
+            "|---|---|---|---|---|---|---|---|---|\n")
+    for row in conditions.get("warm", []):
+        other = cold.get(row["name"], {})
+        cells = [row["what"], number(row["us"], 0), number(row["over_z_map"]), number(row["mean_over_z_map"]),
+                 number(row["p99_over_z_map"]), number(other.get("over_z_map")), number(other.get("mean_over_z_map")),
+                 number(instructions_of(row, counted)), number(row.get("million_cycles"))]
+        text += "| " + " | ".join(cells) + " |\n"
+    return text
