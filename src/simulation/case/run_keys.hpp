@@ -104,7 +104,7 @@ inline constexpr IntegerKey every{.name = "every",
                                   .meaning = "steps between maintenances; 0: never"};
 inline constexpr IntegerKey rest{
     .name = "rest",
-    .fallback = 0,
+    .fallback = 4,
     .hi = 1'000'000,
     .meaning = "steps that must have left a vertex alone before it is maintained; 0: none"};
 inline constexpr IntegerKey longest_wait{

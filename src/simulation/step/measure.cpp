@@ -15,19 +15,22 @@ rotation::Twist twist_of(const Move& move) {
   return rotation::twist_from(move.X_WB0, move.X_WB1, move.dt);
 }
 
+/// A section is a function of the rock alone, so the faces are measured in parallel.
 void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
-                      const MeasuredStep& step, rock::SectionWork& work, Measures& m) {
+                      const MeasuredStep& step, PerThread<rock::SectionWork>& rooms, Measures& m) {
   const rotation::Twist twist = twist_of(step.move);
-  rock::SectionPlace place{plan.section_lead * step.edge_length, section_reach * step.edge_length};
   const bool are_all_due = m.sections.size() != faces.faces.size();
   m.sections.resize(faces.faces.size());
   m.is_new.assign(faces.faces.size(), 0);
-  for (std::size_t i = 0; i < faces.faces.size(); ++i) {
-    if (!are_all_due && (static_cast<long>(i) + step.number) % plan.section_every != 0) continue;
+  parallel_for(static_cast<int>(faces.faces.size()), [&](int face) {
+    if (!are_all_due && (face + step.number) % plan.section_every != 0) return;
+    const std::size_t i = at(face);
+    const rock::SectionPlace place{plan.section_lead * step.edge_length,
+                                   section_reach * step.edge_length, faces.near_lists[i]};
     m.is_new[i] = 1;
-    place.near_list = faces.near_lists[i];
-    m.sections[i] = rock::section(rock, faces.faces[i], step.move.X_WB1, twist, place, work);
-  }
+    m.sections[i] =
+        rock::section(rock, faces.faces[i], step.move.X_WB1, twist, place, rooms.local());
+  });
 }
 
 void sum_removed(const MeasuredStep& step, std::size_t cutters, std::vector<double>& removed) {
@@ -99,7 +102,7 @@ void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const Measured
     rock::contact_areas(rock, step.cutting, step.cut_work, plan.contact_gap * step.edge_length,
                         work.contact, m.contacts);
   if (faces.faces.empty() || plan.section == SectionMeasure::off) return m.sections.clear();
-  measure_sections(rock, plan, faces, step, work.section, m);
+  measure_sections(rock, plan, faces, step, work.sections, m);
   sum_removed(step, faces.faces.size(), m.removed);
   refuse_unknown(faces, step.move, m);
 }

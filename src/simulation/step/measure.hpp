@@ -49,7 +49,7 @@ struct Measures {
 
 /// Room for them, kept between steps so that none allocates once warm.
 struct MeasureWork {
-  rock::SectionWork section;
+  PerThread<rock::SectionWork> sections;
   rock::ContactWork contact;
 };
 

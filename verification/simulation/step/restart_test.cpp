@@ -50,6 +50,9 @@ void expect_same(const State& a, const State& b) {
   EXPECT_EQ(a.rock.surface.triangles, b.rock.surface.triangles);
   EXPECT_EQ(a.rock.last_part, b.rock.last_part);
   EXPECT_EQ(sorted(a.rock.touched_list), sorted(b.rock.touched_list));
+  EXPECT_EQ(a.rock.cuts, b.rock.cuts);
+  for (const int v : a.rock.touched_list)
+    EXPECT_EQ(a.rock.moved_in[at(v)].first, b.rock.moved_in[at(v)].first);
   EXPECT_EQ(a.cut.removed_by_part, b.cut.removed_by_part);
   EXPECT_EQ(a.ledger.removed.value(), b.ledger.removed.value());
   EXPECT_EQ(a.ledger.trimmed.value(), b.ledger.trimmed.value());
