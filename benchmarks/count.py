@@ -5,7 +5,7 @@
     benchmarks/count.py standard-1.0 drill-bit-b            some workloads; all if none is named
     benchmarks/count.py standard-1.0 --functions 30         the dearest functions, too
     benchmarks/count.py standard-1.0 --set maintenance.every=20 --steps 40
-    benchmarks/count.py --phases PHASES.json OUT.csv        by phases: {phase: [functions, each with all that it calls]}
+    benchmarks/count.py --phases PHASES.json OUT.csv        by phases: {phase: [functions, with what they call, or "-FUNCTION"]}
     benchmarks/count.py --json OUT.json                     the totals, too, for table.py
 
 Height fields do not start under valgrind: the hulls of their tools need directed rounding. One thread, after a revolution. 20 steps are 4 maintenances of every 5th step. valgrind knows no AVX-512 and counts what the clones for
@@ -113,7 +113,8 @@ def by_phase(phases, steps, inclusive):
     of = collections.Counter()
     for f, n in inclusive.items():
         of[short(f)] += n / steps / 1e3
-    shares = {phase: sum(of[f] for f in functions) for phase, functions in phases.items()}
+    signed = {phase: [(-1, f[1:]) if f[0] == "-" else (1, f) for f in functions] for phase, functions in phases.items()}
+    shares = {phase: sum(sign * of[f] for sign, f in functions) for phase, functions in signed.items()}
     return shares | {"the rest": total_of(inclusive) / steps / 1e3 - sum(shares.values())}
 
 

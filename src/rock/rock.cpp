@@ -31,9 +31,9 @@ void touch_neighbours(Rock& rock, int v) {
                       [&](int c) { touch(rock, rock.surface.vertex(mesh::next_corner(c))); });
 }
 
-void place_vertex(Rock& rock, int v, const Vec3& x_W) {
+void place_vertex(Rock& rock, int v, const Vec3& x_W, Teller teller) {
   rock.surface.place(v, x_W);
-  rock.grid.move(v, x_W);
+  rock.grid.move(v, x_W, teller);
   touch(rock, v);
 }
 

@@ -42,8 +42,9 @@ void touch(Rock& rock, int v);
 /// Notes that the neighbours of v changed.
 void touch_neighbours(Rock& rock, int v);
 
-/// Moves vertex v to x_W on the surface and in the index, and notes that it changed.
-void place_vertex(Rock& rock, int v, const Vec3& x_W);
+/// Moves vertex v to x_W on the surface and in the index, and notes that it changed. `teller`: of the
+/// near lists.
+void place_vertex(Rock& rock, int v, const Vec3& x_W, Teller teller = Teller::journal);
 
 /// Notes that the cut at work moves vertex v; to be called before it is touched. What maintenance
 /// moves is not noted: it does not wait for its own moves.

@@ -51,6 +51,7 @@ void print_head() {
 struct Times {
   double cutting = 0.0, maintaining = 0.0;  ///< s
   long maintenances = 0, triangles = 0;
+  long steps = 0, moves = 0;  ///< vertices moved by the bit
 };
 
 /// CPU time of this process, s: other programs on the machine do not count.
@@ -66,6 +67,8 @@ std::string drill(const Case& c, Simulation& s, long end, Times& times) {
     const bool maintained = s.state.steps_done % c.maintenance.every == 0;
     (maintained ? times.maintaining : times.cutting) += took;
     times.maintenances += maintained ? 1 : 0;
+    ++times.steps;
+    times.moves += s.state.cut.moved;
   }
   times.triangles = s.state.maintenance.touched_triangles - touched_before;
   Case without = c;
@@ -152,6 +155,7 @@ int run(const Options& o) {
              s.state.start_triangles);
   print_head();
   bool kept = true;
+  Times last;
   for (long k = 1; k <= o.rows; ++k) {
     Times times;
     const long from = s.state.steps_done, end = c.time.steps * k / o.rows;
@@ -160,7 +164,10 @@ int run(const Options& o) {
     const double depth =
         tdbd::simulation::pose_at(c.motion, c.time.step * static_cast<double>(end)).p.z();
     kept = print_row(s, depth, times, end - from - 1 - times.maintenances, broken) && kept;
+    last = times;
   }
+  fmt::print("vertices moved by a step of the last row {:.1f}\n",
+             static_cast<double>(last.moves) / static_cast<double>(std::max(1L, last.steps)));
   print_counts(s);
   print_worst(s);
   print_pairs(s);

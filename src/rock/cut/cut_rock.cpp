@@ -22,7 +22,7 @@ double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
   const double volume = star_volume(rock.surface, s.v, s.x_W - rock.surface.position(s.v));
   rock.last_part[at(s.v)] = part.part;
   note_cut(rock, s.v);
-  place_vertex(rock, s.v, s.x_W);
+  place_vertex(rock, s.v, s.x_W, Teller::mover);  // note_moves
   return volume;
 }
 
@@ -141,6 +141,16 @@ bool process_all(Rock& rock, const CuttingBit& bit, Pass pass, CutWorkspace& w, 
   return any;
 }
 
+/// Notes where what the group moved is now.
+void note_places(const Rock& rock, GroupCut& cut) {
+  cut.moved_box_W = {};
+  clear(cut.moved_places);
+  for (const int v : cut.moved_in_step) {
+    cut.moved_box_W.add(rock.surface.position(v));
+    note_place(cut.moved_places, v, rock.surface.position(v));
+  }
+}
+
 /// Updates the lists with what moved. A group's first candidates are in its list; what it moved
 /// in later passes had been moved by another group before.
 void note_moves(Rock& rock, CutWorkspace& w) {
@@ -148,20 +158,17 @@ void note_moves(Rock& rock, CutWorkspace& w) {
     NearList& list = rock.near_lists[i];
     if (list.changes != w.changes_before) continue;
     for (const int place : w.groups[i].near.places)
-      set_place(list, at(place), rock.surface.position(list.v[at(place)]));
+      if (const int v = list.v[at(place)]; is_moved_now(rock, v))
+        set_place(list, at(place), rock.surface.position(v));
     list.changes = rock.grid.changes();
   }
   for (std::size_t k = 0; k < w.groups.size(); ++k) {
-    const std::vector<int>& moved = w.groups[k].moved_in_step;
-    mesh::Box& box_W = w.groups[k].moved_box_W;
-    box_W = {};
-    for (const int v : moved) box_W.add(rock.surface.position(v));
+    GroupCut& cut = w.groups[k];
+    note_places(rock, cut);
     for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
       NearList& list = rock.near_lists[i];
-      if (i == k || !box_W.overlaps(list.region_W.box)) continue;
-      for (const int v : moved)
-        if (is_between(list.region_W.slabs, rock.surface.position(v)))
-          note_moved(list, v, rock.surface.position(v));
+      if (i == k || list.changes != rock.grid.changes()) continue;
+      if (cut.moved_box_W.overlaps(list.region_W.box)) note_changes(list, cut.moved_places);
     }
   }
 }

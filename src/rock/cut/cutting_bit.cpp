@@ -86,6 +86,19 @@ mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
   return planes;
 }
 
+/// Of the cylinder about the x axis of P around all parts, 0 if it is much wider than their box. A
+/// convex part's planes may stand out from its corners by tolerance::convex.
+double radius_of_round(const CuttingGroup& g, const bit::Bit& bit) {
+  constexpr double looseness = 1.1;
+  double radius = 0.0;
+  for (const CuttingPart& part : g.parts)
+    for (const Vec3& x_P : bit.parts[at(part.part)].mesh_P.positions)
+      radius = std::max(radius, x_P.tail<2>().norm());
+  const Vec3 size = g.box_P.size();
+  const bool is_round = 2.0 * radius <= looseness * std::min(size.y(), size.z());
+  return is_round ? radius + tolerance::convex * size.norm() : 0.0;
+}
+
 /// The box's sides come last: the box is tested before the planes.
 SingleSolid in_single(const mesh::ConvexSolid& planes) {
   SingleSolid single;
@@ -111,8 +124,17 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
     const bit::Part& part = bit.parts[at(i)];
     if (part.cutting != bit::Cutting::cuts) continue;
     if (cutting.groups.empty() || !same_group(bit, cutting.groups.back(), part))
-      cutting.groups.push_back(
-          {part.X_BP, {}, {}, {}, 0.0, 0.0, part.update_direction_B, {}, part.core_P, part.X_BP});
+      cutting.groups.push_back({part.X_BP,
+                                {},
+                                {},
+                                {},
+                                0.0,
+                                0.0,
+                                0.0,
+                                part.update_direction_B,
+                                {},
+                                part.core_P,
+                                part.X_BP});
     CuttingGroup& group = cutting.groups.back();
     add_part(group, part, i);
     for (const Vec3& x_P : part.mesh_P.positions) {
@@ -127,6 +149,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
   for (CuttingGroup& group : cutting.groups) {
     group.hull_P = spread_planes(bounding_planes(group, bit), SingleSolid::most);
     group.single_hull_P = in_single(group.hull_P);
+    group.radius = radius_of_round(group, bit);
     group.directions = options.directions;
     for (CuttingPart& part : group.parts)
       if (part.tree_P && options.search == ExitSearch::walk)

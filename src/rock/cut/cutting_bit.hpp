@@ -51,6 +51,7 @@ struct CuttingGroup {
   mesh::Box box_P;
   mesh::ConvexSolid hull_P;  ///< a few planes around all parts, including those of box_P
   SingleSolid single_hull_P;
+  double radius = 0.0;    ///< m, of a cylinder about the x axis around all parts; 0: a loose one
   double reach = 0.0;     ///< m, farthest from the bit's axis
   double distance = 0.0;  ///< m, farthest from the bit's origin
   Vec3 update_direction_B;

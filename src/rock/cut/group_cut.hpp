@@ -34,6 +34,7 @@ struct GroupCut {
   std::vector<int> moved, unclear;  ///< vertices, by the pass
   std::vector<int> moved_in_step;   ///< in all passes
   mesh::Box moved_box_W;            ///< around them at the end of the step
+  VertexChanges moved_places;       ///< of them at the end of the step
   std::vector<Vec3> directions_W;   ///< per candidate
   std::vector<RelativePath> paths;  ///< per candidate
   std::vector<Vec3> places_W;       ///< m, per candidate, as planned so far

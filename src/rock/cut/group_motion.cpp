@@ -6,28 +6,19 @@
 namespace tdbd::rock {
 namespace {
 
-template <class Visit>
-void visit_box_corners(const mesh::Box& box, Visit&& visit) {
-  for (int k = 0; k < 8; ++k)
-    visit(Vec3(k & 1 ? box.hi.x() : box.lo.x(), k & 2 ? box.hi.y() : box.lo.y(),
-               k & 4 ? box.hi.z() : box.lo.z()));
-}
-
 /// The box at both poses between axis-aligned planes and between planes normal to its own axes at
 /// pose 1.
 Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) {
+  const Vec3 middle_P = 0.5 * (box_P.lo + box_P.hi), half = 0.5 * box_P.size();
+  const Vec3 c0_W = X_WP0 * middle_P, c1_W = X_WP1 * middle_P;
+  const Vec3 half0_W = X_WP0.R.cwiseAbs() * half, half1_W = X_WP1.R.cwiseAbs() * half;
   Region r;
-  for (std::size_t i = 0; i < 3; ++i)
-    r.slabs[i] = {X_WP1.R.col(static_cast<int>(i)), INFINITY, -INFINITY};
-  for (const Pose* X_WP : {&X_WP0, &X_WP1})
-    visit_box_corners(box_P, [&](const Vec3& x_P) {
-      const Vec3 x_W = *X_WP * x_P;
-      r.box.add(x_W);
-      for (Slab& s : r.slabs) {
-        s.lo = std::min(s.lo, s.n.dot(x_W));
-        s.hi = std::max(s.hi, s.n.dot(x_W));
-      }
-    });
+  r.box = {(c0_W - half0_W).cwiseMin(c1_W - half1_W), (c0_W + half0_W).cwiseMax(c1_W + half1_W)};
+  const Mat3 R_P1W = X_WP1.R.transpose();
+  const Vec3 half0 = (R_P1W * X_WP0.R).cwiseAbs() * half, c0 = R_P1W * c0_W, c1 = R_P1W * c1_W;
+  for (int i = 0; i < 3; ++i)
+    r.slabs[at(i)] = {X_WP1.R.col(i), std::min(c0[i] - half0[i], c1[i] - half[i]),
+                      std::max(c0[i] + half0[i], c1[i] + half[i])};
   return r;
 }
 

@@ -81,12 +81,8 @@ void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched
   sift_run(sieve, run, visit_swept, visit_touched);
 }
 
-}  // namespace
-
-void find_candidates(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,
-                     const NearList& list, double gap, NearGroup& near) {
-  near.places.clear();
-  near.touching.clear();
+void find_around_hull(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,
+                      const NearList& list, double gap, NearGroup& near) {
   sift(
       list, make_sieve(g, m, list, gap),
       [&](std::size_t i) {
@@ -96,16 +92,50 @@ void find_candidates(const CuttingGroup& g, const GroupMotion& m, const mesh::Su
       [&](std::size_t i) { near.touching.push_back(list.v[i]); });
 }
 
+/// Only places within rounding of a border are looked at in double precision.
+void find_around_cylinder(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,
+                          const NearList& list, double gap, NearGroup& near) {
+  const std::size_t count = sieve_round(list, make_round_sieve(g, m, list, gap), near.packs);
+  for (std::size_t k = 0; k < count; ++k) {
+    const SievedPack& pack = near.packs[k];
+    for (unsigned bits = pack.swept; bits != 0; bits &= bits - 1U) {
+      const int lane = std::countr_zero(bits), place = pack.begin + lane;
+      const bool is_certain = (pack.certain >> lane & 1U) != 0;
+      if (is_certain || !keeps_outside(g, m, surface.position(list.v[at(place)])))
+        near.places.push_back(place);
+    }
+    for (unsigned bits = pack.touched; bits != 0; bits &= bits - 1U)
+      near.touching.push_back(list.v[at(pack.begin + std::countr_zero(bits))]);
+  }
+}
+
+}  // namespace
+
+void find_candidates(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,
+                     const NearList& list, double gap, NearGroup& near) {
+  near.places.clear();
+  near.touching.clear();
+  if (g.radius > 0.0)
+    find_around_cylinder(g, m, surface, list, gap, near);
+  else
+    find_around_hull(g, m, surface, list, gap, near);
+}
+
 bool keeps_outside(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
   if (!is_between(m.region_W.slabs, x_W)) return true;
   const Vec3 q0 = m.X_PW0 * x_W, q1 = m.X_PW1 * x_W;
+  const double slack = single_slack(m.region_W.box);
+  if (g.radius > 0.0) return misses_cylinder(g, q0, q1, slack);
   for (int k = 0; k < 3; ++k)
     if (std::min(q0[k], q1[k]) > g.box_P.hi[k] || std::max(q0[k], q1[k]) < g.box_P.lo[k])
       return true;
-  return separating_plane(g.hull_P, q0, q1, single_slack(m.region_W.box)) < g.hull_P.b.size();
+  return separating_plane(g.hull_P, q0, q1, slack) < g.hull_P.b.size();
 }
 
 bool is_far_from(const CuttingGroup& g, const Vec3& x_P, double gap) {
+  if (g.radius > 0.0)
+    return x_P.x() >= g.box_P.hi.x() + gap || x_P.x() <= g.box_P.lo.x() - gap ||
+           x_P.tail<2>().norm() >= g.radius + gap;
   return separating_plane(g.hull_P, x_P, x_P, gap) < g.hull_P.b.size();
 }
 

@@ -5,16 +5,6 @@
 namespace tdbd::rock {
 namespace {
 
-SingleFrame frame_of(const Pose& X_PW, const Vec3& origin_W) {
-  SingleFrame f;
-  const Vec3 p = X_PW * origin_W;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) f.R[at(3 * i + j)] = static_cast<Single>(X_PW.R(i, j));
-    f.p[at(i)] = static_cast<Single>(p[i]);
-  }
-  return f;
-}
-
 SingleBox single_box(const mesh::Box& box, double slack) {
   SingleBox b;
   for (int i = 0; i < 3; ++i) {
@@ -47,11 +37,21 @@ inline void heights(const SingleSolid& h, std::size_t l, const WidePlaces& q, Wi
 
 }  // namespace
 
+SingleFrame single_frame(const Pose& X_PW, const Vec3& origin_W) {
+  SingleFrame f;
+  const Vec3 p = X_PW * origin_W;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) f.R[at(3 * i + j)] = static_cast<Single>(X_PW.R(i, j));
+    f.p[at(i)] = static_cast<Single>(p[i]);
+  }
+  return f;
+}
+
 Sieve make_sieve(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap) {
   const double rounding = single_slack(list.region_W.box), swept = 2.0 * rounding,
                touched = gap + rounding;
-  return {frame_of(m.X_PW0, list.origin_W),
-          frame_of(m.X_PW1, list.origin_W),
+  return {single_frame(m.X_PW0, list.origin_W),
+          single_frame(m.X_PW1, list.origin_W),
           single_box(g.box_P, touched),
           single_box(g.box_P, std::max(swept, touched)),
           static_cast<Single>(swept),

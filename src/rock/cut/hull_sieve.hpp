@@ -14,6 +14,8 @@ struct SingleFrame {
   std::array<Single, 3> p{};
 };
 
+SingleFrame single_frame(const Pose& X_PW, const Vec3& origin_W);
+
 /// A box in single precision, widened.
 struct SingleBox {
   std::array<Single, 3> lo{}, hi{};

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/pose.hpp"
 #include "core/wide.hpp"
+#include "rock/index/near_region.hpp"
 #include "rock/index/vertex_grid.hpp"
 
 namespace tdbd::rock {
@@ -27,43 +27,35 @@ inline void load(const Balls& balls, std::size_t i, WideBalls& wide) {
   TDBD_LOAD(wide.radius, &balls.radius[i]);
 }
 
+/// Stands in a list for a vertex that is no more; its place is nowhere.
+inline constexpr int no_vertex = -1;
+
 /// The rock vertices of a region side by side in memory, for the steps in which a group of parts
 /// stays there: the index is queried once in several steps, and later searches near the group read
-/// only this short list (a Verlet list of molecular dynamics, ours). Places are rounded to single
-/// precision: they serve to reject vertices. A place may be out of date where a vertex has left the
-/// region; take the position of a vertex from the surface. Eight places are a pack, and a ball
-/// around each pack tells which packs to read.
+/// only this short list (a Verlet list of molecular dynamics, ours). What changes meanwhile is told
+/// by the index's journal or by the mover. Places are rounded to single precision: they serve to
+/// reject vertices. A place may be out of date where a vertex has left the region; take the position
+/// of a vertex from the surface. Eight places are a pack, and a ball around each pack tells which
+/// packs to read.
 struct NearList {
   Region region_W;  ///< all vertices between its slabs, which are orthogonal, are in the list
-  Vec3 origin_W = Vec3::Zero();  ///< of the places
+  Vec3 origin_W = Vec3::Zero();  ///< of the places; exact in single precision
   std::vector<Single> x, y, z;   ///< m; padded to whole packs with places that are nowhere
-  std::vector<int> v;            ///< each vertex once
+  std::vector<int> v;            ///< each vertex once; no_vertex where one was removed
   Balls balls;                   ///< of the packs
+  std::vector<int> slots;        ///< a table of places by vertex (list_places.hpp)
   std::vector<int> chains;
-  long changes = -1;     ///< count of the index's changes that the list includes
-  int window = 0;        ///< steps for which the region was made
-  int since_change = 0;  ///< steps since anything but a step changed the index
-};
-
-/// How far the lists reach beyond what the steps need, for later queries. Lengths in m.
-struct NearListMargins {
-  double margin = 0.0;  ///< all around the group
-  double ahead = 0.0;   ///< along the group's path
-};
-
-/// The motion of a group in a step: its box, its poses at the start and end, the region it needs.
-struct GroupStep {
-  const mesh::Box& box_P;
-  const Pose &X_WP0, &X_WP1;
-  const Region& region_W;
+  long changes = -1;  ///< count of the index's changes that the list includes
+  int window = 0;     ///< steps for which the region was made
 };
 
 /// Whether the list holds all vertices of the index between the region's slabs, which are
 /// orthogonal.
 bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W);
 
-/// Makes the list cover the step. If it does not yet, it is rebuilt from the index for a region
-/// ahead along the screw motion of the step, for as many steps as the last list served.
+/// Makes the list cover the step and holds it up to date with the index's journal. If the step is not
+/// in its region, or the journal does not reach back to it, it is made anew from the index, for a
+/// region ahead along the screw motion of the step.
 void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list);
 
@@ -77,9 +69,9 @@ inline bool is_between(const std::array<Slab, 3>& slabs, const Vec3& x_W) {
 /// The list's vertex number i has moved to x_W.
 void set_place(NearList& list, std::size_t i, const Vec3& x_W);
 
-/// Vertex v, in the list or not, has moved to x_W between the list's slabs. Once all such moves are
-/// noted, the list's `changes` may be set to the index's.
-void note_moved(NearList& list, int v, const Vec3& x_W);
+/// Vertices, in the list or not, changed. Once all changes are noted, the list's `changes` may be set
+/// to the index's.
+void note_changes(NearList& list, const VertexChanges& changes);
 
 /// Appends the vertices between the slabs of the region widened by `slack` (m), in the order of
 /// the list.

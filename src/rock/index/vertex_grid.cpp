@@ -76,10 +76,11 @@ VertexGrid::CellOffsets VertexGrid::cell_offsets(const Region& region_W) const {
   for (std::size_t s = 0; s < offsets.along.size(); ++s) {
     const Slab& slab = region_W.slabs[s];
     const Vec3 step = cell_ * slab.n;
-    for (int bit = 0; bit < 64; ++bit) {
-      const Cell c = cell_of_bit({0, 0, 0}, bit);
-      offsets.along[s][at(bit)] = Vec3(c.i, c.j, c.k).dot(step);
-    }
+    std::size_t bit = 0;
+    for (int k = 0; k < tile_edge; ++k)
+      for (int j = 0; j < tile_edge; ++j)
+        for (int i = 0; i < tile_edge; ++i)
+          offsets.along[s][bit++] = i * step.x() + j * step.y() + k * step.z();
     offsets.lo[s] = slab.lo - 0.5 * step.lpNorm<1>();
     offsets.hi[s] = slab.hi + 0.5 * step.lpNorm<1>();
   }
@@ -107,7 +108,7 @@ void VertexGrid::gather_tile(const Tile& tile, std::uint64_t cells, const Region
   }
 }
 
-void VertexGrid::gather(const Region& region_W, std::vector<int>& chains) const {
+void VertexGrid::find_chains(const Region& region_W, std::vector<int>& chains) const {
   const Cell lo = cell_at(region_W.box.lo), hi = cell_at(region_W.box.hi);
   const CellOffsets offsets = cell_offsets(region_W);
   chains.clear();
@@ -204,7 +205,8 @@ void VertexGrid::put(int v, const Vec3& x_W, int cell) {
 }
 
 void VertexGrid::insert(int v, const Vec3& x_W) {
-  ++changes_;
+  keep_bounded(journal_);
+  note_place(journal_.changes, v, x_W);
   if (static_cast<std::size_t>(v) >= places_.size())
     places_.resize(static_cast<std::size_t>(v) + 1);
   put(v, x_W, open_cell(cell_at(x_W)));
@@ -218,7 +220,7 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
   };
   std::ranges::sort(vertices, {}, order_of);
   places_.resize(positions_W.size());
-  changes_ += static_cast<long>(vertices.size());
+  pass_over(journal_, static_cast<long>(vertices.size()));
   for (const int v : vertices) {
     const Vec3& x_W = positions_W[at(v)];
     put(v, x_W, open_cell(cell_at(x_W)));
@@ -226,7 +228,12 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
 }
 
 void VertexGrid::remove(int v) {
-  ++changes_;
+  keep_bounded(journal_);
+  note_removal(journal_.changes, v);
+  take_out(v);
+}
+
+void VertexGrid::take_out(int v) {
   const Place place = places_[at(v)];
   Tile& tile = tiles_[at(place.cell / 64)];
   int& head = tile.head[at(place.cell % 64)];
@@ -242,8 +249,13 @@ void VertexGrid::remove(int v) {
   if (head < 0) tile.occupied &= ~bit_of(place.cell);
 }
 
-void VertexGrid::move(int v, const Vec3& x_W) {
-  ++changes_;
+void VertexGrid::move(int v, const Vec3& x_W, Teller teller) {
+  if (teller == Teller::mover) {
+    pass_over(journal_, 1);
+  } else {
+    keep_bounded(journal_);
+    note_place(journal_.changes, v, x_W);
+  }
   const Place place = places_[at(v)];
   const int cell = open_cell(cell_at(x_W));
   if (cell == place.cell) {
@@ -251,7 +263,7 @@ void VertexGrid::move(int v, const Vec3& x_W) {
     note_radius(layer_of(cell), x_W);
     return;
   }
-  remove(v);
+  take_out(v);
   put(v, x_W, cell);
 }
 

@@ -9,6 +9,7 @@
 #include "core/single.hpp"
 #include "core/types.hpp"
 #include "mesh/measures.hpp"
+#include "rock/index/change_journal.hpp"
 
 namespace tdbd::rock {
 
@@ -51,6 +52,10 @@ inline double single_slack(const mesh::Box& box_W) {
   return 1e-6 * box_W.lo.cwiseAbs().cwiseMax(box_W.hi.cwiseAbs()).maxCoeff();
 }
 
+/// Who tells the lists of an index (near_list.hpp) that a vertex moved: the index's journal, or
+/// whoever moved it.
+enum class Teller { journal, mover };
+
 /// Uniform grid over the rock's vertices: the spatial index of thesis 4.1.1. Cells are grouped in
 /// tiles of 4 x 4 x 4, so that one word tells which of a tile's cells hold vertices and empty space
 /// costs one number per tile. A cell is a chain of small blocks that hold its vertices' numbers and
@@ -66,13 +71,16 @@ class VertexGrid {
   void insert_all(const std::vector<Vec3>& positions_W, std::vector<int> vertices);
   void insert(int v, const Vec3& x_W);
   void remove(int v);
-  void move(int v, const Vec3& x_W);
+  void move(int v, const Vec3& x_W, Teller teller = Teller::journal);
 
   /// Prefetches the memory that move() needs.
   void prefetch(int v) const { __builtin_prefetch(&places_[at(v)]); }
 
   /// How often a vertex was inserted, removed or moved.
-  long changes() const { return changes_; }
+  long changes() const { return journal_.end(); }
+
+  /// What the last changes were, those left out of which their mover tells.
+  const ChangeJournal& journal() const { return journal_; }
 
   /// No vertex between the heights z_lo and z_hi (m) is nearer to the z axis of space than this, m:
   /// what turns inside a borehole without reaching its wall need not search the wall. Only a bound:
@@ -97,10 +105,15 @@ class VertexGrid {
   /// can be prefetched at once.
   template <class Visit>
   void visit(const Region& region_W, std::vector<int>& chains, Visit&& visit) const {
-    gather(region_W, chains);
+    find_chains(region_W, chains);
     for (int b : chains)
       for (; b >= 0; b = blocks_[at(b)].next) visit(blocks_[at(b)]);
   }
+
+  /// The first blocks of all cells that are not empty and that the region may meet, prefetched.
+  void find_chains(const Region& region_W, std::vector<int>& chains) const;
+
+  const Block& block(int number) const { return blocks_[at(number)]; }
 
  private:
   struct Cell {
@@ -143,8 +156,6 @@ class VertexGrid {
     return static_cast<std::size_t>(row * tiles_x_ + ti);
   }
 
-  /// The first blocks of all cells that are not empty and that the region may meet.
-  void gather(const Region& region_W, std::vector<int>& chains) const;
   void gather_tile(const Tile& tile, std::uint64_t cells, const Region& region_W,
                    const CellOffsets& offsets, std::vector<int>& chains) const;
   /// Whether a tile may hold a vertex of the slabs.
@@ -155,6 +166,8 @@ class VertexGrid {
   int open_cell(const Cell& c);
   int new_block(int next);
   void put(int v, const Vec3& x_W, int cell);
+  /// Takes a vertex out of its cell.
+  void take_out(int v);
   void write(const Place& place, int v, const Vec3& x_W);
   void note_radius(int layer, const Vec3& x_W);
   void note_radii(const Tile& tile, std::uint64_t cells, int layer);
@@ -170,7 +183,7 @@ class VertexGrid {
   std::vector<Place> places_;            ///< per vertex
   std::vector<double> nearest_radius2_;  ///< per layer of cells, m2
   int next_layer_ = 0;
-  long changes_ = 0;
+  ChangeJournal journal_;
 };
 
 }  // namespace tdbd::rock

@@ -31,6 +31,34 @@ void rename(NamedFacet& f, int from, int to, const Vec3& x_W) {
     }
 }
 
+/// Whether the plane of f has all corners of the other that f does not share on one side, by far
+/// more than rounding: then they meet at most in what they share.
+bool is_beyond_plane(const NamedFacet& f, const NamedFacet& other) {
+  constexpr double far_from_rounding = 1e-9;
+  const Vec3 ab = f.x[1] - f.x[0], ac = f.x[2] - f.x[0], n = ab.cross(ac);
+  const double size = ab.cwiseAbs().sum() + ac.cwiseAbs().sum();
+  const double slack = far_from_rounding * size * size * size;
+  int apart = 0, above = 0, below = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (has(f.names, other.names[i])) continue;
+    const double d = n.dot(other.x[i] - f.x[0]);
+    ++apart;
+    above += d > slack ? 1 : 0;
+    below += d < -slack ? 1 : 0;
+  }
+  return apart > 0 && (above == apart || below == apart);
+}
+
+bool are_surely_apart(const NamedFacet& f, const NamedFacet& g) {
+  return is_beyond_plane(f, g) || is_beyond_plane(g, f);
+}
+
+/// Whether the index has a vertex in the box; it rounds to single precision.
+bool is_inside(const VertexGrid::Block& block, std::size_t i, const mesh::Box& box) {
+  return block.x[i] >= box.lo.x() && block.x[i] <= box.hi.x() && block.y[i] >= box.lo.y() &&
+         block.y[i] <= box.hi.y() && block.z[i] >= box.lo.z() && block.z[i] <= box.hi.z();
+}
+
 /// The triangles of the surface near the patch that stay, by their boxes and nearest vertices.
 void find_near(const Rock& rock, const Patch& patch, double longest_edge, IntersectionWork& work) {
   constexpr double circumradius = 0.6;  // of an equilateral triangle, over its edge; rounded up
@@ -45,14 +73,22 @@ void find_near(const Rock& rock, const Patch& patch, double longest_edge, Inters
   const mesh::Box patch_box = region.box;
   region.box.lo.array() -= circumradius * longest_edge;
   region.box.hi.array() += circumradius * longest_edge;
+  mesh::Box rounded = region.box;
+  constexpr double single_rounding = 1e-6;  // of a coordinate, rounded up
+  const double slack = single_rounding *
+                       std::max(rounded.lo.cwiseAbs().maxCoeff(), rounded.hi.cwiseAbs().maxCoeff());
+  rounded.lo.array() -= slack;
+  rounded.hi.array() += slack;
   rock.grid.visit(region, work.chains, [&](const VertexGrid::Block& block) {
-    for (std::size_t i = 0; i < at(block.count); ++i)
+    for (std::size_t i = 0; i < at(block.count); ++i) {
+      if (!is_inside(block, i, rounded)) continue;
       mesh::visit_corners(s, block.v[i], [&](int c) {
         const int t = c / 3;
         if (work.seen[at(t)] == work.stamp) return;
         work.seen[at(t)] = work.stamp;
         if (box_of(named_facet(s, t)).overlaps(patch_box)) work.triangles.push_back(t);
       });
+    }
   });
 }
 
@@ -93,7 +129,8 @@ void find_intersections(const Rock& rock, const Patch& patch, double longest_edg
   if (patch.facets.empty()) return;
   find_near(rock, patch, longest_edge, work);
   const auto note = [&](const NamedFacet& f, const mesh::Box& box, const NamedFacet& other) {
-    if (work.met.size() < most && box_of(other).overlaps(box) && mesh::intersect(f, other))
+    if (work.met.size() < most && box_of(other).overlaps(box) && !are_surely_apart(f, other) &&
+        mesh::intersect(f, other))
       work.met.emplace_back(f.names, other.names);
   };
   for (std::size_t i = 0; i < patch.facets.size() && work.met.size() < most; ++i) {

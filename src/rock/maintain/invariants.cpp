@@ -145,9 +145,9 @@ std::array<Vec3, 7> samples(const Surface& s, int t) {
 std::vector<RepairScope> scope_of(const Rock& before, const MaintenanceLimits& limits,
                                   const Surface& after) {
   std::vector<RepairScope> scope(after.stars.size(), RepairScope::all);
-  for (std::size_t v = 0; v < before.touched.size(); ++v)
-    if (before.touched[v] == 0 || !is_due(before, limits, static_cast<int>(v)))
-      scope[v] = RepairScope::none;
+  for (int v = 0; v < before.surface.vertex_slots(); ++v)
+    if (before.surface.is_alive(v) && (before.touched[at(v)] == 0 || !is_due(before, limits, v)))
+      scope[at(v)] = RepairScope::none;
   for (int t = 0; t < after.triangle_slots(); ++t)
     if (after.triangle_is_alive(t) && is_changed(after, before.surface, t))
       for (const int v : after.triangles[at(t)])

@@ -76,7 +76,7 @@ void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
                   MaintenanceReport& report) {
   const mesh::Surface& s = rock.surface;
   work.changed.clear();
-  report.touched_triangles += static_cast<long>(work.touched.triangles.size());
+  report.touched_triangles += work.touched.asked;
   for (const int t : work.touched.steep) {
     const mesh::Triangle& v = s.triangles[at(t)];
     const auto higher = [&](int a, int b) { return s.position(a).z() < s.position(b).z(); };
@@ -124,6 +124,11 @@ void visit_folds(const mesh::Surface& s, int t, const Shape& shape, Visit&& visi
       visit(o / 3);
 }
 
+bool is_touched(const Rock& rock, int t) {
+  return std::ranges::any_of(rock.surface.triangles[at(t)],
+                             [&](int v) { return rock.touched[at(v)] != 0; });
+}
+
 void add_edges(const mesh::Surface& s, int t, const Shape& shape,
                std::vector<EdgeCandidate>& edges) {
   for (int i = 0; i < 3; ++i) edges.push_back(edge_facing(s, 3 * t + i, shape.edge2[at(i)]));
@@ -140,7 +145,7 @@ void find_collapses(const Rock& rock, const MaintenanceLimits& limits, Where whe
     if (limits.worst_quality > 0.0)
       visit_folds(s, t, shape, [&](int other) {
         is_fold = true;
-        if (where == Where::touched && place_of(work.touched, other) >= 0)
+        if (where == Where::touched && is_touched(rock, other))
           add_edges(s, other, shape_of(s, other), work.edges);
       });
     if (is_fold) return add_edges(s, t, shape, work.edges);

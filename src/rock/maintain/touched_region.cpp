@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rock/maintain/fine_ring.hpp"
 #include "rock/maintain/star.hpp"
 
 namespace tdbd::rock {
@@ -13,6 +14,7 @@ void clear(TouchedRegion& r) {
     list->clear();
   r.areas.clear();
   r.wants_collapse.clear();
+  r.asked = 0;
 }
 
 void classify(const mesh::Surface& s, const MaintenanceLimits& limits, int t, TouchedRegion& r) {
@@ -29,15 +31,30 @@ void classify(const mesh::Surface& s, const MaintenanceLimits& limits, int t, To
   if (is_below(shape, limits.smooth_quality)) r.to_smooth.push_back(t);
 }
 
+/// Triangles at v of whose touched corners v has the least number: over all of them, every touched
+/// triangle once.
+long triangles_first_at(const Rock& rock, int v) {
+  const mesh::VertexStar& star = rock.surface.star(v);
+  const int* ring = rock.surface.ring(star);
+  const auto goes_before = [&](int w) { return rock.touched[at(w)] != 0 && w < v; };
+  long count = 0;
+  bool before = goes_before(ring[star.open != 0 ? 0 : star.size - 1]);
+  for (int i = star.open != 0 ? 1 : 0; i < star.size; ++i) {
+    const bool now = goes_before(ring[i]);
+    count += before || now ? 0 : 1;
+    before = now;
+  }
+  return count;
+}
+
 /// Prefetches what `classify` reads of vertices farther on in the list.
 void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::size_t i) {
   constexpr std::size_t farther = 16, nearer = 8;
-  if (i + farther < vertices.size()) __builtin_prefetch(&s.corner_of[at(vertices[i + farther])]);
+  if (i + farther < vertices.size()) __builtin_prefetch(&s.stars[at(vertices[i + farther])]);
   if (i + nearer >= vertices.size()) return;
-  const int c = s.corner_of[at(vertices[i + nearer])];
-  if (c < 0) return;
-  __builtin_prefetch(&s.triangles[at(c / 3)]);
-  __builtin_prefetch(&s.opposite[at(c)]);
+  const mesh::VertexStar& star = s.star(vertices[i + nearer]);
+  if (star.long_ring >= 0) return;
+  for (int k = 0; k < star.size; ++k) __builtin_prefetch(&s.stars[at(star.ring[at(k)])]);
 }
 
 /// Marks both triangles of every pair that lies back to back; each pair is tested once.
@@ -73,11 +90,14 @@ void classify_touched_triangles(Rock& rock, const MaintenanceLimits& limits,
   const mesh::Surface& s = rock.surface;
   region.place.resize(s.triangles.size(), 0);
   clear(region);
+  const FineLimits fine = fine_limits(limits);
   for (std::size_t i = 0; i < rock.touched_list.size(); ++i) {
     const int v = rock.touched_list[i];
     prefetch(s, rock.touched_list, i);
     rock.touched[at(v)] = classified_mark;
     if (!s.is_alive(v)) continue;
+    region.asked += triangles_first_at(rock, v);
+    if (region.fine_rings == FineRings::passed_over && ring_is_fine(rock, v, fine)) continue;
     mesh::visit_corners(s, v, [&](int c) {
       if (place_of(region, c / 3) < 0) classify(s, limits, c / 3, region);
     });

@@ -23,15 +23,20 @@ inline bool is_below(const Shape& shape, double quality) {
   return shape.quality2 < quality * quality;
 }
 
+/// Whether triangles of which nothing can be wanted are passed over: quicker, the same repairs.
+enum class FineRings { passed_over, classified };
+
 /// The triangles at touched vertices, classified once at the beginning of a maintenance by the
 /// operations that may repair them. Later only those that an operation changed are examined again.
 struct TouchedRegion {
   std::vector<int> steep, with_long_edges, to_collapse, to_flip, to_smooth;  ///< triangles
   std::vector<int> changed;                  ///< vertices touched since, by find_changed
-  std::vector<int> triangles;                ///< all
+  std::vector<int> triangles;                ///< all but those of fine rings
   std::vector<Vec3> areas;                   ///< Shape::doubled_area of each
   std::vector<std::uint8_t> wants_collapse;  ///< of each
   std::vector<int> place;                    ///< per triangle: its index in `triangles`
+  long asked = 0;                            ///< triangles at touched vertices
+  FineRings fine_rings = FineRings::passed_over;
 };
 
 /// The triangle's index in the region; -1 if it is not there.
@@ -42,7 +47,7 @@ inline int place_of(const TouchedRegion& region, int t) {
   return k < region.triangles.size() && region.triangles[k] == t ? region.place[i] : -1;
 }
 
-/// Classifies every triangle at a touched vertex. To be collapsed: edges below the shortest,
+/// Classifies every triangle at a touched vertex, unless its ring is fine (fine_ring.hpp). To be collapsed: edges below the shortest,
 /// quality below the worst, or back to back with a neighbour.
 void classify_touched_triangles(Rock& rock, const MaintenanceLimits& limits, TouchedRegion& region);
 

@@ -1,11 +1,13 @@
 #include "rock/maintain/waiting.hpp"
 
+#include "rock/maintain/fine_ring.hpp"
 #include "rock/maintain/star.hpp"
 
 namespace tdbd::rock {
 namespace {
 
 bool is_folded_at(const mesh::Surface& s, const MaintenanceLimits& limits, int v) {
+  if (ring_faces_up(s, v, limits.steepest_overhang)) return false;
   bool found = false;
   mesh::visit_corners(s, v, [&](int c) { found = found || is_turned_over(s, limits, c / 3); });
   return found;

@@ -12,39 +12,51 @@ bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
   return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
 }
 
-/// What may be in the box of the group at the end of the step: what the step found there, and what
-/// other groups moved there since; or, if that is not known, what the index has.
-void find_around(const Rock& rock, const CutWorkspace& cut, std::size_t i, double gap,
-                 ContactRoom& w) {
-  const GroupMotion& m = cut.motions[i];
+/// Adds the vertices that lie in the box of the group at the end of the step.
+void add_within(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, double gap,
+                const std::vector<int>& vertices, ContactRoom& w) {
+  for (const int v : vertices) {
+    const Vec3 x_P = m.X_PW1 * rock.surface.position(v);
+    if (!is_within(g.box_P, x_P, gap)) continue;
+    w.near.push_back(v);
+    w.near_P.push_back(x_P);
+  }
+}
+
+/// What the index has around the group at the end of the step.
+void find_in_index(const Rock& rock, const GroupMotion& m, double gap, ContactRoom& w) {
   const Region region_W = widened(m.region_W, gap);
   const mesh::Box& box_W = region_W.box;
-  if (cut.groups[i].knows_touching && gap <= cut.contact_gap) {
-    w.near = cut.groups[i].near.touching;
-    for (std::size_t k = 0; k < cut.groups.size(); ++k)
-      if (const GroupCut& other = cut.groups[k]; k != i && other.moved_box_W.overlaps(box_W))
-        w.near.insert(w.near.end(), other.moved_in_step.begin(), other.moved_in_step.end());
-    return;
-  }
+  w.around.clear();
   if (rock.grid.nearest_to_axis(box_W.lo.z(), box_W.hi.z()) > m.reach_W + gap) return;
   rock.grid.visit(region_W, w.chains, [&](const VertexGrid::Block& block) {
-    w.near.insert(w.near.end(), block.v.begin(), block.v.begin() + block.count);
+    w.around.insert(w.around.end(), block.v.begin(), block.v.begin() + block.count);
   });
 }
 
-/// What the step moved, and what is in the box of the group at its end. A vertex may appear twice.
+/// What the step moved, and what is in the box of the group at its end: what the step found there,
+/// and what other groups moved there since; or, if that is not known, what the index has. A vertex
+/// may appear twice.
 void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
                double gap, ContactRoom& w) {
   const CuttingGroup& g = bit.groups[i];
   const GroupMotion& m = cut.motions[i];
+  const mesh::Box box_W = widened(m.region_W, gap).box;
   w.near.clear();
   w.near_P.clear();
-  find_around(rock, cut, i, gap, w);
-  std::erase_if(
-      w.near, [&](int v) { return !is_within(g.box_P, m.X_PW1 * rock.surface.position(v), gap); });
-  w.near.insert(w.near.end(), cut.groups[i].moved_in_step.begin(),
-                cut.groups[i].moved_in_step.end());
-  for (const int v : w.near) w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
+  if (cut.groups[i].knows_touching && gap <= cut.contact_gap) {
+    add_within(rock, g, m, gap, cut.groups[i].near.touching, w);
+    for (std::size_t k = 0; k < cut.groups.size(); ++k)
+      if (const GroupCut& other = cut.groups[k]; k != i && other.moved_box_W.overlaps(box_W))
+        add_within(rock, g, m, gap, other.moved_in_step, w);
+  } else {
+    find_in_index(rock, m, gap, w);
+    add_within(rock, g, m, gap, w.around, w);
+  }
+  for (const int v : cut.groups[i].moved_in_step) {
+    w.near.push_back(v);
+    w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
+  }
 }
 
 /// The first plane that has the point outside by more than the gap; the number of columns if there

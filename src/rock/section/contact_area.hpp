@@ -9,7 +9,7 @@ namespace tdbd::rock {
 
 /// Buffers of one thread.
 struct ContactRoom {
-  std::vector<int> chains;
+  std::vector<int> chains, around;
   std::vector<int> near;     ///< vertices that a part of the group at work may touch
   std::vector<Vec3> near_P;  ///< m, the same at the end of the step
   std::vector<int> held;

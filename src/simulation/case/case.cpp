@@ -83,7 +83,8 @@ MeasurePlan read_measure(Config c) {
   return {.section = c.read(section),
           .section_lead = c.read(section_lead),
           .contact = c.read(contact),
-          .contact_gap = c.read(contact_gap)};
+          .contact_gap = c.read(contact_gap),
+          .section_every = c.read(section_every)};
 }
 
 /// Means are taken over the second half unless the case says otherwise.
@@ -146,6 +147,11 @@ void check_drilling_case(Config& c, const Case& read) {
     time.problem(time_keys::first_step,
                  fmt::format("{} of a bit that forces move", read.time.first),
                  "0: what moved before is in no file");
+  if (read.measure.section_every > 1)
+    c.table(measure_keys::table)
+        .problem(measure_keys::section_every, fmt::format("{}", read.measure.section_every),
+                 "1 where forces move the bit: with sections of former steps the motion is of "
+                 "first order");
   if (c.problem_count() > 0) return;
   const dynamics::ContactSlopes slopes = contact_slopes(read.bit, read.forces);
   check_overload(c.table(motion_keys::table), read, slopes.axial_stiffness);

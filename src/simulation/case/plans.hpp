@@ -16,7 +16,8 @@ struct MeasurePlan {
   SectionMeasure section = *measure_keys::section.fallback;
   double section_lead = *measure_keys::section_lead.fallback;  ///< over the rock's edge length
   ContactMeasure contact = *measure_keys::contact.fallback;
-  double contact_gap = *measure_keys::contact_gap.fallback;  ///< over the rock's edge length
+  double contact_gap = *measure_keys::contact_gap.fallback;    ///< over the rock's edge length
+  long section_every = *measure_keys::section_every.fallback;  ///< steps
 };
 
 /// Whether a run computes forces at all.

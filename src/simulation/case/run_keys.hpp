@@ -111,7 +111,7 @@ inline constexpr IntegerKey every{.name = "every",
                                   .meaning = "steps between maintenances; 0: never"};
 inline constexpr IntegerKey rest{
     .name = "rest",
-    .fallback = 0,
+    .fallback = 4,
     .hi = 1'000'000,
     .meaning = "steps that must have left a vertex alone before it is maintained; 0: none"};
 inline constexpr IntegerKey longest_wait{
@@ -166,6 +166,14 @@ inline constexpr QuantityKey section_lead{
     .fallback = 1.2,
     .range = Range::within(0.1, 10.0),
     .meaning = "how far ahead of the face, over rock.edge_length"};
+inline constexpr IntegerKey section_every{
+    .name = "section_every",
+    .fallback = 1,
+    .lo = 1,
+    .hi = 1000,
+    .meaning =
+        "steps between the sections of a face; faces take turns and keep their last; 1 where "
+        "forces move the bit"};
 inline constexpr ChoiceKey<ContactMeasure> contact{
     .name = "contact",
     .values = {{{"on", ContactMeasure::on}, {"off", ContactMeasure::off}}},

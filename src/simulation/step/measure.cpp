@@ -15,15 +15,22 @@ rotation::Twist twist_of(const Move& move) {
   return rotation::twist_from(move.X_WB0, move.X_WB1, move.dt);
 }
 
+/// A section is a function of the rock alone, so the faces are measured in parallel.
 void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
-                      const MeasuredStep& step, rock::SectionWork& work, Measures& m) {
+                      const MeasuredStep& step, PerThread<rock::SectionWork>& rooms, Measures& m) {
   const rotation::Twist twist = twist_of(step.move);
-  rock::SectionPlace place{plan.section_lead * step.edge_length, section_reach * step.edge_length};
+  const bool are_all_due = m.sections.size() != faces.faces.size();
   m.sections.resize(faces.faces.size());
-  for (std::size_t i = 0; i < faces.faces.size(); ++i) {
-    place.near_list = faces.near_lists[i];
-    m.sections[i] = rock::section(rock, faces.faces[i], step.move.X_WB1, twist, place, work);
-  }
+  m.is_new.assign(faces.faces.size(), 0);
+  parallel_for(static_cast<int>(faces.faces.size()), [&](int face) {
+    if (!are_all_due && (face + step.number) % plan.section_every != 0) return;
+    const std::size_t i = at(face);
+    const rock::SectionPlace place{plan.section_lead * step.edge_length,
+                                   section_reach * step.edge_length, faces.near_lists[i]};
+    m.is_new[i] = 1;
+    m.sections[i] =
+        rock::section(rock, faces.faces[i], step.move.X_WB1, twist, place, rooms.local());
+  });
 }
 
 void sum_removed(const MeasuredStep& step, std::size_t cutters, std::vector<double>& removed) {
@@ -52,6 +59,7 @@ void refuse_unknown(const MeasuredFaces& faces, const Move& move, Measures& m) {
   const rotation::Twist twist = twist_of(move);
   for (std::size_t i = 0; i < faces.faces.size(); ++i) {
     rock::Section& s = m.sections[i];
+    if (m.is_new[i] == 0) continue;
     if (s.sight == rock::Sight::over_the_top ||
         is_deep_in_rock(faces.faces[i], s, m.removed[i], twist, move.dt))
       refuse(s);
@@ -93,9 +101,8 @@ void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const Measured
   if (plan.contact == ContactMeasure::on)
     rock::contact_areas(rock, step.cutting, step.cut_work, plan.contact_gap * step.edge_length,
                         work.contact, m.contacts);
-  m.sections.clear();
-  if (faces.faces.empty() || plan.section == SectionMeasure::off) return;
-  measure_sections(rock, plan, faces, step, work.section, m);
+  if (faces.faces.empty() || plan.section == SectionMeasure::off) return m.sections.clear();
+  measure_sections(rock, plan, faces, step, work.sections, m);
   sum_removed(step, faces.faces.size(), m.removed);
   refuse_unknown(faces, step.move, m);
 }
@@ -105,15 +112,16 @@ void add(const Move& move, const Measures& m, FaceStatistics& statistics) {
   begin_revolution(move, m.sections.size(), statistics);
   for (std::size_t i = 0; i < m.sections.size(); ++i) {
     const rock::Section& s = m.sections[i];
-    if (std::isnan(s.area)) {
+    const bool is_refused = std::isnan(s.area);
+    if (is_refused && m.is_new[i] != 0)
       ++(s.sight == rock::Sight::over_the_top ? statistics.refused_over_the_top
                                               : statistics.refused_deep);
-      continue;
-    }
+    if (is_refused) continue;
     FaceSpreads& spreads = statistics.revolution[i];
+    add(spreads.removed, m.removed[i]);
+    if (m.is_new[i] == 0) continue;
     add(spreads.area, s.area);
     add(spreads.swept, s.volume_rate * move.dt);
-    add(spreads.removed, m.removed[i]);
   }
 }
 

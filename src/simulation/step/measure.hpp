@@ -33,24 +33,28 @@ struct MeasuredStep {
   const rock::CutReport& cut;
   const Move& move;
   double edge_length = 0.0;  ///< m, of the rock
+  long number = 0;           ///< of the step: whose turn it is
 };
 
 /// The measures of one step.
 struct Measures {
   /// Per cutter; none: not measured. NaN where the section is refused: the face is deep in rock
   /// (Sight::none), its surface out of sight, or rock reaches over its top (Sight::over_the_top).
+  /// In between the turns of a face (MeasurePlan::section_every) its last one.
   std::vector<rock::Section> sections;
+  std::vector<std::uint8_t> is_new;         ///< per cutter: the section is of this step
   std::vector<double> removed;              ///< m3, per cutter
   std::vector<rock::PartContact> contacts;  ///< per part; none: not measured
 };
 
 /// Room for them, kept between steps so that none allocates once warm.
 struct MeasureWork {
-  rock::SectionWork section;
+  PerThread<rock::SectionWork> sections;
   rock::ContactWork contact;
 };
 
-/// Measures where the bit has come to. To be called between cut_rock and maintenance.
+/// Measures where the bit has come to. To be called between cut_rock and maintenance. A face whose
+/// turn it is not keeps the section that stands in `measures`; without any, all are measured.
 void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
                  const MeasuredStep& step, MeasureWork& work, Measures& measures);
 
@@ -67,7 +71,8 @@ struct FaceStatistics {
   long refused_deep = 0, refused_over_the_top = 0;  ///< sections (Measures::sections)
 };
 
-/// Adds the measures of a step.
+/// Adds the measures of a step. A section counts once, in the step that measured it; what was
+/// removed counts in every step for which a section stands.
 void add(const Move& move, const Measures& measures, FaceStatistics& statistics);
 
 /// One cutter's section beside the volume that it removed, over a revolution.

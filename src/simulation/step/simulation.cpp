@@ -56,6 +56,7 @@ Work start_work(const Case& c, const State& state) {
   w.cut_work.list_margins = list_margins_for(c.measure, c.rock.edge_length);
   if (c.measure.contact == ContactMeasure::on)
     w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
+  w.measures.sections = state.sections;
   w.faces = measured_faces(c.bit, w.cutting, c.measure);
   if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);
   return w;

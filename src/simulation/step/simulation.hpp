@@ -36,6 +36,7 @@ struct State {
   rock::Rock rock;
   long start_triangles = 0;
   std::vector<ConeState> cones;
+  std::vector<rock::Section> sections;      ///< per cutter, the last, where faces take turns
   rock::CutReport cut;                      ///< of the last step: turns the cones in the next
   std::optional<dynamics::Drilling> drive;  ///< of a bit that forces move
   VolumeLedger ledger;

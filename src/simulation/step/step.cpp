@@ -39,7 +39,8 @@ void note_removed(std::size_t revolution, const rock::CutReport& cut, VolumeLedg
 }
 
 MeasuredStep measured(const Case& c, const Move& move, const State& state, const Work& work) {
-  return {c.bit, work.cutting, work.cut_work, state.cut, move, c.rock.edge_length};
+  return {c.bit, work.cutting,       work.cut_work,   state.cut,
+          move,  c.rock.edge_length, state.steps_done};
 }
 
 /// At the momenta that the last forces predict, the cones at the spins that the new ones give them.
@@ -106,9 +107,10 @@ void cut(const Move& move, State& state, Work& work) {
   note_removed(move.revolution, state.cut, state.ledger);
 }
 
-void measure(const Case& c, const Move& move, const State& state, Work& work) {
+void measure(const Case& c, const Move& move, State& state, Work& work) {
   measure_cut(state.rock, c.measure, work.faces, measured(c, move, state, work), work.measure_work,
               work.measures);
+  if (c.measure.section_every > 1) state.sections = work.measures.sections;
 }
 
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work) {

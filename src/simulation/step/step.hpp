@@ -13,7 +13,7 @@ Move drift(const Case& c, State& state, Work& work);
 void cut(const Move& move, State& state, Work& work);
 
 /// Sections of uncut rock ahead of the faces, and contact areas of all parts.
-void measure(const Case& c, const Move& move, const State& state, Work& work);
+void measure(const Case& c, const Move& move, State& state, Work& work);
 
 /// Evaluates the force laws on the step's cuts: at the velocity of the prescribed motion, or, where
 /// forces move the bit, at the momenta that the last ones predict.

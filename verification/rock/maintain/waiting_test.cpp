@@ -56,7 +56,8 @@ std::vector<int> sorted(std::vector<int> list) {
 }
 
 bool same_surface(const Rock& a, const Rock& b) {
-  return mesh::positions_of(a.surface) == mesh::positions_of(b.surface) && a.surface.triangles == b.surface.triangles;
+  return mesh::positions_of(a.surface) == mesh::positions_of(b.surface) &&
+         a.surface.triangles == b.surface.triangles;
 }
 
 /// M1 to M3 and M5 to M7 of every maintenance of a run in which vertices wait: M2 and M3 for what

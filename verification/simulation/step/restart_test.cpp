@@ -50,6 +50,9 @@ void expect_same(const State& a, const State& b) {
   EXPECT_EQ(a.rock.surface.triangles, b.rock.surface.triangles);
   EXPECT_EQ(a.rock.last_part, b.rock.last_part);
   EXPECT_EQ(sorted(a.rock.touched_list), sorted(b.rock.touched_list));
+  EXPECT_EQ(a.rock.cuts, b.rock.cuts);
+  for (const int v : a.rock.touched_list)
+    EXPECT_EQ(a.rock.moved_in[at(v)].first, b.rock.moved_in[at(v)].first);
   EXPECT_EQ(a.cut.removed_by_part, b.cut.removed_by_part);
   EXPECT_EQ(a.ledger.removed.value(), b.ledger.removed.value());
   EXPECT_EQ(a.ledger.trimmed.value(), b.ledger.trimmed.value());
@@ -136,6 +139,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         RestartedCase{"steady", "bit-b-steady", {}},
         RestartedCase{"steady_with_forces", "bit-b-3000psi", {"output.means_from='0 s'"}},
+        RestartedCase{"sections_in_turn",
+                      "bit-b-3000psi",
+                      {"measure.section_every=4", "output.means_from='0 s'"}},
         RestartedCase{"rolling_cones", "bit-r-rolling", {"motion.rate_of_penetration='100 m/h'"}},
         RestartedCase{"drilling", "drill-bit-b", {"output.means_from='0 s'"}},
         RestartedCase{"drilling_with_cones", "drill-bit-r", {"output.means_from='0 s'"}},

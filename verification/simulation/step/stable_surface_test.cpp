@@ -12,7 +12,7 @@
 #include "mesh/measures.hpp"
 #include "reference/mesh/self_intersections.hpp"
 #include "rock/maintain/invariants.hpp"
-#include "simulation/step/simulation.hpp"
+#include "simulation/step/step.hpp"
 
 /// Short versions of the long runs in src/rock/README.md: whatever drills, the surface stays sound.
 namespace tdbd::simulation::stable_surface_test {
@@ -51,9 +51,18 @@ std::string broken_promises(Simulation& s) {
   return rock::describe(found);
 }
 
+/// The most steps since the first cut of a vertex that still waits to be maintained.
+int longest_wait(const rock::Rock& rock) {
+  int longest = 0;
+  for (const int v : rock.touched_list)
+    longest = std::max(longest, rock.cuts - rock.moved_in[at(v)].first);
+  return longest;
+}
+
 TEST_P(StableSurface, keeps_its_promises) {
   drill(case_.time.steps - case_.maintenance.every / 2);
   EXPECT_EQ(broken_promises(simulation_), "");
+  EXPECT_LT(longest_wait(simulation_.state.rock), case_.maintenance.longest_wait);
   const mesh::Surface& s = simulation_.state.rock.surface;
   EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(s)), 0U);
   EXPECT_LE(ledger_defect(simulation_), tolerance::ledger);
@@ -78,8 +87,28 @@ INSTANTIATE_TEST_SUITE_P(
                         {coarse, "time.revolutions=6", "motion.whirl.sense='forward'"}},
                     Run{"rolling_cones",
                         "bit-r-rolling.toml",
-                        {"rock.edge_length='4 mm'", "time.step='4 ms'", "time.revolutions=12"}}),
+                        {"rock.edge_length='4 mm'", "time.step='4 ms'", "time.revolutions=12"}},
+                    Run{"sideways", "bit-b-sideways.toml", {coarse}},
+                    Run{"a_leaning_bit", "bit-b-tilt.toml", {coarse, "time.revolutions=4"}},
+                    Run{"reaming", "bit-b-ream.toml", {coarse}},
+                    Run{"a_rough_start", "bit-b-rough.toml", {coarse, "time.revolutions=4"}}),
     [](const auto& instance) { return instance.param.name; });
+
+/// Once the bit stands still nothing waits any more.
+TEST(StandingStill, ends_all_waiting) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/core.toml",
+                           {"rock.edge_length='3 mm'", "time.revolutions=2"});
+  Simulation s = start(c);
+  for (int i = 0; i < 200; ++i) step(c, s);
+  EXPECT_FALSE(s.state.rock.touched_list.empty());
+  const Pose X_WB = over_rock(s.state.place);
+  for (long i = 0; i < c.maintenance.rest + 2 * c.maintenance.every; ++i) {
+    rock::cut_rock(s.state.rock, s.work.cutting, X_WB, X_WB, s.work.cut_work, s.state.cut);
+    ++s.state.steps_done;
+    maintain(c, s.state, s.work);
+  }
+  EXPECT_TRUE(s.state.rock.touched_list.empty());
+}
 
 /// Trimming keeps a disc and the ledger; the wall does not grow.
 TEST(TrimmedWall, keeps_the_disc_and_the_ledger_and_a_bounded_number_of_triangles) {

@@ -1,0 +1,176 @@
+#include "rock/cut/round_sieve.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace tdbd::rock {
+namespace {
+
+/// Of a coordinate in the group's frame: the list's and the frame's own.
+double rounding_in_frame(const CuttingGroup& g, const NearList& list) {
+  mesh::Box box = list.region_W.box;
+  box.add(g.box_P.lo);
+  box.add(g.box_P.hi);
+  return single_slack(box);
+}
+
+/// The group's cylinder, longer at each end and wider. A negative radius holds nothing.
+SingleCylinder cylinder(const CuttingGroup& g, double longer, double wider) {
+  const double radius = g.radius + wider;
+  return {static_cast<Single>(g.box_P.lo.x() - longer),
+          static_cast<Single>(g.box_P.hi.x() + longer), static_cast<Single>(radius),
+          static_cast<Single>(radius * std::abs(radius))};
+}
+
+/// How far along each axis of the group a vertex goes in the step whose way comes within `reach` of
+/// the cylinder. From the end back to the start it goes by D q1 + p: as far as the box's middle, and
+/// |D| times its distance from there, of which no more than `beyond` is outside the cylinder.
+Vec3 longest_way(const CuttingGroup& g, const GroupMotion& m, double reach) {
+  const Pose X_P0P1 = m.X_PW0 * m.X_WP1;
+  const Mat3 D = X_P0P1.R - Mat3::Identity();
+  const Vec3 middle = 0.5 * (g.box_P.lo + g.box_P.hi), there = X_P0P1 * middle - middle;
+  const Vec3 room(0.5 * g.box_P.size().x() + reach, g.radius + reach + std::abs(middle.y()),
+                  g.radius + reach + std::abs(middle.z()));
+  const double turn = D.norm();
+  if (turn > 0.5) return Vec3::Constant(INFINITY);
+  const double beyond = (there.norm() + turn * room.norm()) / (1.0 - turn);
+  return there.cwiseAbs() + D.cwiseAbs() * Vec3(room + Vec3::Constant(beyond));
+}
+
+/// The slabs of the region are normal to the group's axes at the end.
+SingleBox region_at_end(const GroupMotion& m, double narrower) {
+  SingleBox b;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Slab& s = m.region_W.slabs[k];
+    const double origin = s.n.dot(m.X_WP1.p);
+    b.lo[k] = static_cast<Single>(s.lo - origin + narrower);
+    b.hi[k] = static_cast<Single>(s.hi - origin - narrower);
+  }
+  return b;
+}
+
+/// Eight places side by side. Passed by reference: see core/wide.hpp.
+struct EightPlaces {
+  WideSingle x, y, z;
+};
+
+inline void put_into(const SingleFrame& f, const EightPlaces& p, EightPlaces& q) {
+  q.x = f.R[0] * p.x + f.R[1] * p.y + f.R[2] * p.z + f.p[0];
+  q.y = f.R[3] * p.x + f.R[4] * p.y + f.R[5] * p.z + f.p[1];
+  q.z = f.R[6] * p.x + f.R[7] * p.y + f.R[8] * p.z + f.p[2];
+}
+
+/// Bits: which balls of eight may reach into the near cylinder.
+inline unsigned near_balls(const RoundSieve& s, const Balls& balls, std::size_t i) {
+  WideBalls b;
+  load(balls, i, b);
+  EightPlaces q;
+  put_into(s.end, {b.x, b.y, b.z}, q);
+  const WideSingle room = s.near.radius + b.radius;
+  return bits_of((q.x + b.radius >= s.near.x_lo) & (q.x - b.radius <= s.near.x_hi) &
+                 (q.y * q.y + q.z * q.z <= room * room));
+}
+
+/// The square of the least distance to the axis on the way.
+inline void nearest_to_axis(const EightPlaces& q0, const EightPlaces& q1, WideSingle& distance2) {
+  const WideSingle dy = q1.y - q0.y, dz = q1.z - q0.z, way2 = dy * dy + dz * dz;
+  constexpr Single none = 1e-24F;  // m2: a way so short that any of its places will do
+  WideSingle tau = -(q0.y * dy + q0.z * dz) / (way2 > none ? way2 : WideSingle{} + none);
+  tau = tau > 0.0F ? tau : WideSingle{};
+  tau = tau < 1.0F ? tau : WideSingle{} + 1.0F;
+  const WideSingle y = q0.y + tau * dy, z = q0.z + tau * dz;
+  distance2 = y * y + z * z;
+}
+
+inline void within(const SingleBox& b, const EightPlaces& q, WideFlags& in) {
+  in = (q.x >= b.lo[0]) & (q.x <= b.hi[0]) & (q.y >= b.lo[1]) & (q.y <= b.hi[1]) &
+       (q.z >= b.lo[2]) & (q.z <= b.hi[2]);
+}
+
+/// Whether the way passes between both ends of a cylinder as near to its axis as its radius.
+inline void passes(const SingleCylinder& c, const WideSingle& x_least, const WideSingle& x_most,
+                   const WideSingle& distance2, WideFlags& in) {
+  in = (x_least <= c.x_hi) & (x_most >= c.x_lo) & (distance2 <= c.radius2);
+}
+
+/// Sieves places that are q1 at the end.
+inline void sieve_places(const RoundSieve& s, const EightPlaces& x, const EightPlaces& q1,
+                         SievedPack& pack) {
+  EightPlaces q0;
+  put_into(s.start, x, q0);
+  WideSingle distance2;
+  nearest_to_axis(q0, q1, distance2);
+  const WideSingle least = q0.x < q1.x ? q0.x : q1.x, most = q0.x < q1.x ? q1.x : q0.x;
+  WideFlags swept, inner, region, touched;
+  passes(s.swept, least, most, distance2, swept);
+  passes(s.inner, least, most, distance2, inner);
+  within(s.inner_end, q1, region);
+  passes(s.touched, q1.x, q1.x, q1.y * q1.y + q1.z * q1.z, touched);
+  pack.swept = pack.touched = pack.certain = 0;
+  if (!any_of(swept | touched)) return;
+  pack.swept = bits_of(swept);
+  pack.certain = bits_of(inner & region);
+  pack.touched = bits_of(touched);
+}
+
+/// Sieves one pack. Most packs have no place in the near cylinder.
+inline void sieve_pack_of(const NearList& list, std::size_t begin, const RoundSieve& s,
+                          SievedPack& pack) {
+  EightPlaces x, q1;
+  TDBD_LOAD(x.x, &list.x[begin]);
+  TDBD_LOAD(x.y, &list.y[begin]);
+  TDBD_LOAD(x.z, &list.z[begin]);
+  put_into(s.end, x, q1);
+  WideFlags near;
+  passes(s.near, q1.x, q1.x, q1.y * q1.y + q1.z * q1.z, near);
+  pack = {static_cast<int>(begin), 0, 0, 0};
+  if (any_of(near)) sieve_places(s, x, q1, pack);
+}
+
+TDBD_WIDE std::size_t sieve_packs(const NearList& list, const RoundSieve& s, SievedPack* packs) {
+  std::size_t count = 0;
+  for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
+    for (unsigned balls = near_balls(s, list.balls, first); balls != 0; balls &= balls - 1U) {
+      const auto pack = first + static_cast<std::size_t>(std::countr_zero(balls));
+      sieve_pack_of(list, single_lanes * pack, s, packs[count]);
+      count += (packs[count].swept | packs[count].touched) != 0 ? 1 : 0;
+    }
+  return count;
+}
+
+}  // namespace
+
+RoundSieve make_round_sieve(const CuttingGroup& g, const GroupMotion& m, const NearList& list,
+                            double gap) {
+  const double slack = single_slack(m.region_W.box), rounding = 2.0 * rounding_in_frame(g, list);
+  const double touched = gap < 0.0 ? -INFINITY : gap + rounding;
+  const double reach = std::max(slack + rounding, touched);
+  const Vec3 way = longest_way(g, m, reach);
+  return {single_frame(m.X_PW0, list.origin_W),
+          single_frame(m.X_PW1, list.origin_W),
+          cylinder(g, reach + way.x(), reach + way.tail<2>().norm()),
+          cylinder(g, rounding, slack + rounding),
+          cylinder(g, -rounding, slack - rounding),
+          region_at_end(m, rounding),
+          cylinder(g, touched, touched)};
+}
+
+std::size_t sieve_round(const NearList& list, const RoundSieve& s, std::vector<SievedPack>& packs) {
+  const std::size_t most = list.v.size() / single_lanes + 2;  // the last is written and not kept
+  if (packs.size() < most) packs.resize(most);
+  return sieve_packs(list, s, packs.data());
+}
+
+bool misses_cylinder(const CuttingGroup& g, const Vec3& q0_P, const Vec3& q1_P, double slack) {
+  if (std::min(q0_P.x(), q1_P.x()) > g.box_P.hi.x() ||
+      std::max(q0_P.x(), q1_P.x()) < g.box_P.lo.x())
+    return true;
+  const Eigen::Vector2d q0 = q0_P.tail<2>(), way = q1_P.tail<2>() - q0;
+  const double way2 = way.squaredNorm();
+  const double tau = way2 > 0.0 ? std::clamp(-q0.dot(way) / way2, 0.0, 1.0) : 0.0;
+  const double reach = g.radius + slack;
+  return (q0 + tau * way).squaredNorm() > reach * reach;
+}
+
+}  // namespace tdbd::rock

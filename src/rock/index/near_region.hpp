@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/pose.hpp"
+#include "rock/index/vertex_grid.hpp"
+
+namespace tdbd::rock {
+
+/// How far the lists reach beyond what the steps need, for later queries. Lengths in m.
+struct NearListMargins {
+  double margin = 0.0;  ///< all around the group
+  double ahead = 0.0;   ///< along the group's path
+};
+
+/// The motion of a group in a step: its box, its poses at the start and end, the region it needs.
+struct GroupStep {
+  const mesh::Box& box_P;
+  const Pose &X_WP0, &X_WP1;
+  const Region& region_W;
+};
+
+/// Whether all that lies between the slabs of the second region, which are orthogonal, lies between
+/// those of the first.
+bool holds(const Region& region_W, const Region& part_W);
+
+/// The region of the group for the next `steps` steps and `margins.ahead` beyond, if its motion
+/// continues as in this step; never for more than half a radian.
+Region region_ahead(const GroupStep& step, const NearListMargins& margins, int steps);
+
+}  // namespace tdbd::rock

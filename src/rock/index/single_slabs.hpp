@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "core/wide.hpp"
+#include "rock/index/vertex_grid.hpp"
+
+namespace tdbd::rock {
+
+/// Slabs in single precision, about an origin.
+struct SingleSlabs {
+  std::array<Single, 3> nx{}, ny{}, nz{}, lo{}, hi{};
+};
+
+/// The slabs about an origin, widened by `slack` (m).
+SingleSlabs about(const Vec3& origin_W, const std::array<Slab, 3>& slabs, double slack);
+
+/// Eight places side by side.
+struct WidePoints {
+  WideSingle x, y, z;
+};
+
+/// Flags the places that lie between all slabs; one that is nowhere does not. For loops that are
+/// TDBD_WIDE.
+inline void flag_between(const WidePoints& p, const SingleSlabs& s, WideFlags& in) {
+  in = WideFlags{} - 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WideSingle along = s.nx[k] * p.x + s.ny[k] * p.y + s.nz[k] * p.z;
+    in &= (along >= s.lo[k]) & (along <= s.hi[k]);
+  }
+}
+
+}  // namespace tdbd::rock
