@@ -29,12 +29,12 @@ Region region_of(const Pose& X_WP0, const Pose& X_WP1) {
   return r;
 }
 
-/// A cutter anywhere on a bit of 8.5 in at up to 170 rpm and 1 ms, without margins: its region for
+/// A cutter anywhere on a bit of 8.5 in at up to 120 rpm and 1 ms, without margins: its region for
 /// eight steps holds them all, so that volumes alone do not make lists anew each step.
 RC_GTEST_PROP(NearRegion, holds_all_the_steps_it_is_made_for, ()) {
   constexpr int steps = 8;
   const Pose X_BP{(*battery::pose(1.0)).R, Vec3(*battery::number(0.0, 0.108), 0.0, 0.0)};
-  const Mat3 turn = rotation::exp(Vec3(0.0, 0.0, *battery::number(0.0, 0.018)));
+  const Mat3 turn = rotation::exp(Vec3(0.0, 0.0, *battery::number(0.0, 0.0126)));
   Pose X_WB{Mat3::Identity(), Vec3::Zero()};
   const auto next_of = [&](const Pose& X) {
     return Pose{Mat3(turn * X.R), X.p + Vec3(0.0, 0.0, 4e-6)};
