@@ -116,7 +116,7 @@ inline constexpr IntegerKey rest{
     .meaning = "steps that must have left a vertex alone before it is maintained; 0: none"};
 inline constexpr IntegerKey longest_wait{
     .name = "longest_wait",
-    .fallback = 100,
+    .fallback = 20,
     .lo = 1,
     .hi = 1'000'000,
     .meaning = "steps after which a vertex is maintained even if it was never left alone"};

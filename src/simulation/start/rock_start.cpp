@@ -144,10 +144,13 @@ mesh::TriangleMesh start_mesh(const Case& c) {
 
 }  // namespace
 
+/// A file keeps its numbers, so that a run goes on from it as it would have without.
 rock::Rock start_rock(const Case& c) {
   constexpr double cell_over_edge = 2.0, cube_over_edge = 8.0;
-  mesh::Surface surface = mesh::make_surface(
-      rock::in_order_of_space(start_mesh(c), cube_over_edge * c.rock.edge_length));
+  mesh::TriangleMesh m = start_mesh(c);
+  if (c.rock.shape != RockShape::file)
+    m = rock::in_order_of_space(m, cube_over_edge * c.rock.edge_length);
+  mesh::Surface surface = mesh::make_surface(m);
   return rock::make_rock(std::move(surface), cell_over_edge * c.rock.edge_length, reach_W(c));
 }
 

@@ -106,8 +106,7 @@ RC_GTEST_PROP(PrismVolume, summed_over_a_closed_surface_is_the_change_of_its_vol
   const TriangleMesh before = *battery::star_shape();
   TriangleMesh after = before;
   for (Vec3& x : after.positions) x += *battery::point(0.5);
-  const double lost =
-      enclosed_volume_exact(before) - enclosed_volume_exact(after);
+  const double lost = enclosed_volume_exact(before) - enclosed_volume_exact(after);
   RC_ASSERT(std::abs(sum_of_prisms(before, after) - lost) < 1e-12 * 8.0);
 }
 

@@ -32,8 +32,13 @@ struct Drilling {
         motion(inverse(s.X_WB0) * s.X_WB1),
         rock(rock_of(s)) {}
 
+  /// Scenes that leave the rock after some cuts are refused by cut_rock, and not asked for.
   void cut() {
-    cut_rock(rock, bit, X_WB, X_WB * motion, cut_work, cut_report);
+    try {
+      cut_rock(rock, bit, X_WB, X_WB * motion, cut_work, cut_report);
+    } catch (const RunError&) {
+      RC_DISCARD("leaves the rock");
+    }
     X_WB = X_WB * motion;
   }
   void stand_still() { cut_rock(rock, bit, X_WB, X_WB, cut_work, cut_report); }
