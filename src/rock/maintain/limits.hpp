@@ -27,7 +27,7 @@ struct MaintenanceLimits {
   double steepest_overhang = 0.1;     ///< sine of the angle by which an upright triangle may lean
   double sharp_cosine = 0.7;  ///< an edge is a sharp ridge if its normals' cosine is below this
   int rest = 0;               ///< cuts that must have left a vertex alone before it is maintained
-  int longest_wait = 20;     ///< cuts after which it is maintained even so
+  int longest_wait = 20;      ///< cuts after which it is maintained even so
   int most_rounds = 1000;     ///< of one kind of repair in one maintenance; more is an error
 };
 
