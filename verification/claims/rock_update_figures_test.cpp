@@ -5,8 +5,8 @@
 #include "bit/report/bit_output.hpp"
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
-#include "rock/cut/mapped_direction.hpp"
 #include "reference/rock/prism.hpp"
+#include "rock/cut/mapped_direction.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 

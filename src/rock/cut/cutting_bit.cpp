@@ -42,6 +42,24 @@ bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part&
          bit.parts[at(group.parts.front().part)].group == part.group;
 }
 
+/// The parts of a group as one solid, if they are several and fill a convex one.
+std::optional<CuttingWhole> whole_of(const CuttingGroup& g, const bit::Bit& bit) {
+  std::vector<ConvexPiece> pieces;
+  for (const CuttingPart& part : g.parts) {
+    const bit::Part& source = bit.parts[at(part.part)];
+    if (part.tree_P || !source.pieces_P.empty()) return std::nullopt;
+    pieces.push_back({part.solid_P, source.mesh_P});
+  }
+  auto shape = pieces.size() > 1 ? convex_union(pieces) : std::nullopt;
+  if (!shape) return std::nullopt;
+  CuttingWhole whole{g.parts.front(), std::move(shape->claims)};
+  whole.solid.solid_P = std::move(shape->solid_P);
+  whole.solid.checksum = checksum(whole.solid.solid_P);
+  whole.solid.slot = g.parts.size();
+  whole.solid.depth = tolerance::swept * g.box_P.size().norm();
+  return whole;
+}
+
 /// The largest distance of x from the bit's origin over all turns of the part's cone.
 double largest_distance(const bit::Bit& bit, const bit::Part& part, const Vec3& x_P) {
   const Pose& X_BK = bit.cones[at(part.cone)].X_BK;
@@ -136,6 +154,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
     for (CuttingPart& part : group.parts)
       if (part.tree_P && options.search == ExitSearch::walk)
         part.across = neighbours_of(*part.tree_P);
+    if (options.exit_from == ExitFrom::whole) group.whole = whole_of(group, bit);
   }
   cutting.size = std::max(box_B.size().x(), box_B.size().y());
   return cutting;

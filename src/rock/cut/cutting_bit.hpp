@@ -10,6 +10,7 @@
 #include "mesh/measures.hpp"
 #include "mesh/search/triangle_tree.hpp"
 #include "mesh/shape/convex.hpp"
+#include "rock/cut/convex_union.hpp"
 #include "rock/cut/facet_walk.hpp"
 
 namespace tdbd::rock {
@@ -25,6 +26,12 @@ struct CuttingPart {
   double depth = 0.0;    ///< m: shallower than this is not swept (tolerance::swept times part size)
   std::size_t slot = 0;  ///< its number among the solids of the group (SweptScratch)
   double checksum = 0.0;  ///< of solid_P (near_planes.hpp)
+};
+
+/// The parts of a group as one convex solid.
+struct CuttingWhole {
+  CuttingPart solid;  ///< a copy of the group's first part with the planes of all
+  Claims claims;      ///< by the group's parts, on those planes
 };
 
 /// The axis about which update directions turn (thesis 4.1.2.3) when the bit leans: the hole's, so
@@ -52,6 +59,8 @@ struct CuttingGroup {
   std::optional<bit::Segment> core_P;  ///< bit::Part::core_P
   Pose X_BP1;  ///< at the end of the step (X_BP: at its start); they differ where a cone turns
   DirectionFrame directions = DirectionFrame::bit;
+  /// If exits are from the whole and the union of the parts is convex.
+  std::optional<CuttingWhole> whole = std::nullopt;
 };
 
 /// The parts that cut, in the order in which they take rock (the bit's order).
@@ -64,9 +73,15 @@ struct CuttingBit {
 /// How exits from parts that are not convex are found (swept_mesh.hpp); both give the same.
 enum class ExitSearch { tree, walk };
 
+/// Whether a vertex leaves the parts of a group one after another, so that each has its own share
+/// of the volume, or where the parts fill a convex solid that at once: then the part through which
+/// it leaves has the whole volume.
+enum class ExitFrom { parts, whole };
+
 struct CuttingOptions {
   ExitSearch search = ExitSearch::tree;
   DirectionFrame directions = DirectionFrame::bit;
+  ExitFrom exit_from = ExitFrom::parts;
 };
 
 /// Prepares every part that cuts, from its closed mesh (bit::Part).

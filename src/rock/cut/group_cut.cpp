@@ -46,11 +46,25 @@ void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, G
   }
 }
 
+/// Every vertex leaves the whole group at once and is clear of all parts then.
+void plan_whole(const CuttingGroup& g, GroupCut& cut) {
+  prepare_exits(g.whole->solid, cut.paths, cut.exits);
+  for (const std::size_t i : cut.at_work) {
+    for (std::size_t which = 0; which < g.parts.size(); ++which) note_outside(cut.clear[i], which);
+    const auto x = prepared_whole_exit(*g.whole, cut.paths[i], cut.exits);
+    if (!x) continue;
+    cut.places_W[i] += x->t * cut.directions_W[i];
+    cut.swept.push_back({x->part, cut.candidates[i], cut.places_W[i]});
+  }
+}
+
 }  // namespace
 
 void plan_at_work(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut) {
   find_paths(rock, g, m, cut);
-  for (std::size_t which = 0; which < g.parts.size(); ++which) plan_part(g, which, m, cut);
+  if (g.whole) plan_whole(g, cut);
+  for (std::size_t which = 0; !g.whole && which < g.parts.size(); ++which)
+    plan_part(g, which, m, cut);
   std::ranges::sort(cut.swept, {}, [](const SweptVertex& s) { return std::tuple(s.which, s.v); });
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rock/cut/hull_filter.hpp"
-#include "rock/cut/swept_part.hpp"
+#include "rock/cut/swept_whole.hpp"
 #include "rock/rock.hpp"
 
 namespace tdbd::rock {

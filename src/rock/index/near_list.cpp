@@ -100,6 +100,14 @@ void make_anew(const VertexGrid& grid, NearList& list) {
         take_chains(grid, about(Vec3::Zero(), list.region_W.slabs, single_slack(list.region_W.box)),
                     origin_W, list));
   list.changes = grid.changes();
+  list.size_when_made = list.v.size();
+}
+
+/// Places of removed vertices are not used again: where rock is edited for long while the group
+/// stays, a list would grow without end.
+bool has_outgrown_itself(const NearList& list) {
+  constexpr std::size_t few = 64;
+  return list.v.size() > 2 * list.size_when_made + few;
 }
 
 /// Bit l: whether change l of eight from i on put its vertex between all slabs.
@@ -120,6 +128,7 @@ void apply_change(const VertexChanges& c, std::size_t i, bool is_between, NearLi
 
 /// Does to the list what changes from number i on did.
 void apply(const VertexChanges& c, std::size_t i, NearList& list) {
+  if (i >= c.v.size()) return;
   const SingleSlabs slabs =
       about(Vec3::Zero(), list.region_W.slabs, single_slack(list.region_W.box));
   while (i < c.v.size()) {
@@ -155,7 +164,8 @@ void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearL
                       NearList& list) {
   constexpr int most_steps = 8;
   const ChangeJournal& journal = grid.journal();
-  if (list.changes >= journal.first && holds(list.region_W, step.region_W)) {
+  if (list.changes >= journal.first && holds(list.region_W, step.region_W) &&
+      !has_outgrown_itself(list)) {
     apply(journal.changes, static_cast<std::size_t>(list.changes - journal.first), list);
     list.changes = journal.end();
     return;

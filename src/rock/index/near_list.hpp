@@ -47,6 +47,7 @@ struct NearList {
   std::vector<int> chains;
   long changes = -1;  ///< count of the index's changes that the list includes
   int window = 0;     ///< steps for which the region was made
+  std::size_t size_when_made = 0;
 };
 
 /// Whether the list holds all vertices of the index between the region's slabs, which are
@@ -54,7 +55,7 @@ struct NearList {
 bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W);
 
 /// Makes the list cover the step and holds it up to date with the index's journal. If the step is not
-/// in its region, or the journal does not reach back to it, it is made anew from the index, for a
+/// in its region, or the journal does not reach back to it, or it has grown to twice its size, it is made anew from the index, for a
 /// region ahead along the screw motion of the step.
 void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list);

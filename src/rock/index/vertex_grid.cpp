@@ -1,7 +1,7 @@
 #include "rock/index/vertex_grid.hpp"
 
 #include <bit>
-#include <tuple>
+#include <utility>
 
 namespace tdbd::rock {
 namespace {
@@ -11,6 +11,10 @@ constexpr int tile_edge = 4;
 constexpr double short_of_rounding = 1.0 - 1e-6;
 
 int tiles_over(int cells) { return (cells + tile_edge - 1) / tile_edge; }
+
+int number_in_tile(int i, int j, int k) {
+  return i % tile_edge + 4 * (j % tile_edge) + 16 * (k % tile_edge);
+}
 
 std::uint64_t bit_of(int cell) { return std::uint64_t{1} << (cell % 64); }
 
@@ -168,7 +172,7 @@ int VertexGrid::open_cell(const Cell& c) {
     tile.head.fill(-1);
     tiles_.push_back(tile);
   }
-  return 64 * number + c.i % tile_edge + 4 * (c.j % tile_edge) + 16 * (c.k % tile_edge);
+  return 64 * number + number_in_tile(c.i, c.j, c.k);
 }
 
 int VertexGrid::new_block(int next) {
@@ -213,12 +217,15 @@ void VertexGrid::insert(int v, const Vec3& x_W) {
 }
 
 void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<int> vertices) {
-  const auto order_of = [&](int v) {
+  std::vector<std::pair<std::size_t, int>> placed;  // by tiles, in them by cells
+  placed.reserve(vertices.size());
+  for (const int v : vertices) {
     const Cell c = cell_at(positions_W[at(v)]);
     const std::size_t tile = tile_place(c.i / tile_edge, c.j / tile_edge, c.k / tile_edge);
-    return std::tuple(tile, c.k, c.j, c.i, v);
-  };
-  std::ranges::sort(vertices, {}, order_of);
+    placed.emplace_back(64 * tile + at(number_in_tile(c.i, c.j, c.k)), v);
+  }
+  std::ranges::sort(placed);
+  std::ranges::transform(placed, vertices.begin(), [](const auto& p) { return p.second; });
   places_.resize(positions_W.size());
   pass_over(journal_, static_cast<long>(vertices.size()));
   for (const int v : vertices) {

@@ -102,7 +102,9 @@ OutputPlan read_output(Config c, const TimeGrid& t, MotionKind kind) {
 
 UpdatePlan read_update(Config& c) {
   using namespace update_keys;
-  return {.cutting = {.search = c.read(exit_search), .directions = c.read(leaning)},
+  return {.cutting = {.search = c.read(exit_search),
+                      .directions = c.read(leaning),
+                      .exit_from = c.read(exit_from)},
           .most_passes = static_cast<int>(c.read(most_passes))};
 }
 

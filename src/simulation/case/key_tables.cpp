@@ -62,8 +62,9 @@ KeyTable time_table() {
 
 KeyTable update_table() {
   using namespace update_keys;
-  return key_table("run", table,
-                   rows(directions, inside_cutters, gage_teeth, leaning, exit_search, most_passes));
+  return key_table(
+      "run", table,
+      rows(directions, inside_cutters, gage_teeth, leaning, exit_search, exit_from, most_passes));
 }
 
 KeyTable maintenance_table() {

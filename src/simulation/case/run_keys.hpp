@@ -81,6 +81,13 @@ inline constexpr ChoiceKey<rock::ExitSearch> exit_search{
     .values = {{{"tree", rock::ExitSearch::tree}, {"walk", rock::ExitSearch::walk}}},
     .fallback = rock::CuttingOptions{}.search,
     .meaning = "how exits from parts that are not convex are found; the results are the same"};
+inline constexpr ChoiceKey<rock::ExitFrom> exit_from{
+    .name = "exit_from",
+    .values = {{{"parts", rock::ExitFrom::parts}, {"whole", rock::ExitFrom::whole}}},
+    .fallback = rock::CuttingOptions{}.exit_from,
+    .meaning =
+        "whether rock leaves the parts of a cutter in turn, or a cutter of convex shape at "
+        "once: then the part it leaves through has its volume"};
 inline constexpr ChoiceKey<rock::DirectionFrame> leaning{
     .name = "leaning",
     .values = {{{"upright", rock::DirectionFrame::upright}, {"bit", rock::DirectionFrame::bit}}},

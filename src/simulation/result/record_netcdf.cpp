@@ -71,9 +71,10 @@ int RecordNetcdf::define_number(const RecordColumn& column, const std::vector<in
   int variable = -1;
   const int rank = static_cast<int>(dims.size());
   require(nc_def_var(nc_, column.name.c_str(), NC_DOUBLE, rank, dims.data(), &variable));
-  const std::size_t chunk[2] = {record_block, std::max<std::size_t>(1, width)};
+  const std::size_t chunk[2] = {record_chunk, std::max<std::size_t>(1, width)};
   require(nc_def_var_chunking(nc_, variable, NC_CHUNKED, chunk));
-  require(nc_def_var_deflate(nc_, variable, 1, 1, 1));
+  // A block is whole chunks, never asked for again: to keep them would fill memory in long runs.
+  require(nc_set_var_chunk_cache(nc_, variable, chunk[0] * chunk[1] * sizeof(double), 1, 1.0));
   describe(variable, column.units, column.long_name);
   return variable;
 }

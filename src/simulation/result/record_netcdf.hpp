@@ -8,8 +8,9 @@
 
 namespace tdbd::simulation {
 
-/// Rows kept in memory until they are written as one block, and the chunk length of the file.
-inline constexpr std::size_t record_block = 512;
+/// Rows kept in memory until they are written as one block, a whole number of the file's chunks.
+inline constexpr std::size_t record_block = 512, record_chunk = 64;
+static_assert(record_block % record_chunk == 0);
 
 /// The NetCDF half of a Record: one open file and the block not yet written.
 class RecordNetcdf {

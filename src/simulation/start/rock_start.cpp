@@ -14,6 +14,7 @@
 #include "mesh/files/files.hpp"
 #include "mesh/measures.hpp"
 #include "rock/start/borehole.hpp"
+#include "rock/start/space_order.hpp"
 #include "simulation/start/rock_memory.hpp"
 
 namespace tdbd::simulation {
@@ -144,8 +145,9 @@ mesh::TriangleMesh start_mesh(const Case& c) {
 }  // namespace
 
 rock::Rock start_rock(const Case& c) {
-  constexpr double cell_over_edge = 2.0;
-  mesh::Surface surface = mesh::make_surface(start_mesh(c));
+  constexpr double cell_over_edge = 2.0, cube_over_edge = 8.0;
+  mesh::Surface surface = mesh::make_surface(
+      rock::in_order_of_space(start_mesh(c), cube_over_edge * c.rock.edge_length));
   return rock::make_rock(std::move(surface), cell_over_edge * c.rock.edge_length, reach_W(c));
 }
 

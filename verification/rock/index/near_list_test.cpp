@@ -171,6 +171,18 @@ TEST(NearList, forgets_a_vertex_that_was_removed_after_it_had_left) {
   EXPECT_EQ(x.find(), std::vector{1});
 }
 
+/// A part at rest where rock is edited for long.
+TEST(NearList, stays_bounded_while_vertices_come_and_go) {
+  AtRest x;
+  for (int k = 0; k < 1000; ++k) {
+    x.grid.insert(2, Vec3(0.0, 0.05, 1e-4 * k));
+    EXPECT_EQ(x.find().size(), 3);
+    x.grid.remove(2);
+    EXPECT_EQ(x.find().size(), 2);
+    ASSERT_LE(x.list.v.size(), 100);
+  }
+}
+
 /// The step moves vertices and does not tell a list: it is out of date and made anew.
 TEST(NearList, is_made_anew_where_a_mover_did_not_tell) {
   AtRest x;

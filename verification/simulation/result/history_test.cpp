@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -153,10 +154,10 @@ TEST(History, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond)
   History history(folder("cost") / "history.nc", many);
   HistoryRow row;
   row.removed_volume_by_part = volumes;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // the processor's time: other programs cost none of it
   for (int i = 0; i < 2048; ++i) history.append(row);
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(spent.count() / 2048, 1e-4);
+  const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  EXPECT_LT(spent / 2048, 1e-4);
 }
 
 }  // namespace tdbd::simulation::history_test

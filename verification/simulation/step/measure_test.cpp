@@ -41,8 +41,9 @@ TEST(SectionsInTurn, are_those_of_every_step_in_a_faces_turn_and_stay_in_between
       EXPECT_TRUE(is_same(now, is_due ? a.work.measures.sections[i] : last[i])) << k << ' ' << i;
       EXPECT_EQ(b.work.measures.is_new[i] != 0, is_due);
     }
-    if (k == 0)
+    if (k == 0) {
       EXPECT_TRUE(std::ranges::equal(a.work.measures.sections, b.work.measures.sections, is_same));
+    }
   }
 }
 

@@ -1,0 +1,176 @@
+#include "rock/cut/convex_union.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/tolerance.hpp"
+#include "mesh/measures.hpp"
+#include "rock/cut/spread_planes.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+struct Plane {
+  Vec3 n;
+  double b;
+};
+
+Plane plane_of(const mesh::ConvexSolid& s, std::size_t i) { return {mesh::normal(s, i), s.b[i]}; }
+
+double height(const Plane& p, const Vec3& x) { return p.n.dot(x) - p.b; }
+
+/// The same plane with the same side, for a solid of this size.
+bool coincide(const Plane& p, const Plane& q, double size) {
+  return (p.n - q.n).norm() <= tolerance::convex &&
+         std::abs(p.b - q.b) <= 2.0 * tolerance::convex * size;
+}
+
+template <class Has>
+bool any_plane(const mesh::ConvexSolid& s, Has&& has) {
+  for (std::size_t i = 0; i < s.planes; ++i)
+    if (has(plane_of(s, i))) return true;
+  return false;
+}
+
+bool has_plane(const mesh::ConvexSolid& s, const Plane& p, double size) {
+  return any_plane(s, [&](const Plane& q) { return coincide(p, q, size); });
+}
+
+double size_of(const std::vector<ConvexPiece>& pieces) {
+  mesh::Box box;
+  for (const ConvexPiece& piece : pieces)
+    for (const Vec3& x : piece.mesh_P.positions) box.add(x);
+  return box.size().norm();
+}
+
+/// The planes of pieces that bound all of them, each once, pushed out to the outermost corner.
+mesh::ConvexSolid bounding_planes(const std::vector<ConvexPiece>& pieces, double size) {
+  mesh::ConvexSolid bounding;
+  for (const ConvexPiece& piece : pieces)
+    for (std::size_t i = 0; i < piece.solid_P.planes; ++i) {
+      Plane p = plane_of(piece.solid_P, i);
+      double out = 0.0;
+      for (const ConvexPiece& other : pieces)
+        for (const Vec3& x : other.mesh_P.positions) out = std::max(out, height(p, x));
+      if (out > tolerance::convex * size || has_plane(bounding, p, size)) continue;
+      mesh::add_plane(bounding, p.n, p.b + out);
+    }
+  return bounding;
+}
+
+std::vector<Vec3> corners_on(const ConvexPiece& piece, const Plane& p, double slack) {
+  std::vector<Vec3> on;
+  for (const Vec3& x : piece.mesh_P.positions)
+    if (std::abs(height(p, x)) <= slack) on.push_back(x);
+  return on;
+}
+
+using Polygon = std::vector<Vec3>;  ///< convex, in order
+
+/// What of the polygon is on the plane's outer side (sign 1) or inner side (sign -1).
+Polygon clipped(const Polygon& polygon, const Plane& p, double sign) {
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &x = polygon[i], &y = polygon[(i + 1) % polygon.size()];
+    const double hx = sign * height(p, x), hy = sign * height(p, y);
+    if (hx >= 0.0) kept.push_back(x);
+    if ((hx > 0.0 && hy < 0.0) || (hx < 0.0 && hy > 0.0))
+      kept.push_back(x + hx / (hx - hy) * (y - x));
+  }
+  return kept;
+}
+
+double greatest_height(const Plane& p, const Polygon& polygon) {
+  double out = -1e300;
+  for (const Vec3& x : polygon) out = std::max(out, height(p, x));
+  return out;
+}
+
+/// Whether these pieces, from the first on, have the polygon's outer side inside: what sticks out
+/// of one must be covered by those after it. `facet`: its plane.
+bool is_covered(Polygon polygon, const Plane& facet, std::span<const ConvexPiece* const> by,
+                double size) {
+  if (by.empty()) return false;
+  const mesh::ConvexSolid& solid = by.front()->solid_P;
+  const auto others = by.subspan(1);
+  if (has_plane(solid, facet, size)) return is_covered(std::move(polygon), facet, others, size);
+  for (std::size_t i = 0; i < solid.planes; ++i) {
+    const Plane p = plane_of(solid, i);
+    if (greatest_height(p, polygon) <= tolerance::convex * size) continue;
+    if (!is_covered(clipped(polygon, p, 1.0), facet, others, size)) return false;
+    polygon = clipped(polygon, p, -1.0);
+    if (polygon.empty()) return true;
+  }
+  return true;
+}
+
+/// Whether all of a piece's surface that does not bound the union is covered by the others.
+bool inner_facets_are_covered(const std::vector<ConvexPiece>& pieces, const ConvexPiece& piece,
+                              const mesh::ConvexSolid& bounding, double size) {
+  std::vector<const ConvexPiece*> others;
+  for (const ConvexPiece& other : pieces)
+    if (&other != &piece) others.push_back(&other);
+  const mesh::TriangleMesh& m = piece.mesh_P;
+  return std::ranges::all_of(m.triangles, [&](const mesh::Triangle& t) {
+    const Polygon corners{m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]};
+    const Vec3 area = mesh::area_vector(corners[0], corners[1], corners[2]);
+    if (area.norm() <= tolerance::convex * size * size) return true;  // a sliver
+    const Plane facet{area.normalized(), area.normalized().dot(corners[0])};
+    return has_plane(bounding, facet, size) || is_covered(corners, facet, others, size);
+  });
+}
+
+/// Those planes of a piece that cut the union's facet, whose corners these are.
+mesh::ConvexSolid cuts(const ConvexPiece& piece, const std::vector<Vec3>& corners, double slack) {
+  mesh::ConvexSolid within;
+  for (std::size_t i = 0; i < piece.solid_P.planes; ++i) {
+    const Plane p = plane_of(piece.solid_P, i);
+    if (std::ranges::any_of(corners, [&](const Vec3& x) { return height(p, x) > slack; }))
+      mesh::add_plane(within, p.n, p.b);
+  }
+  return within;
+}
+
+std::vector<Claim> claims_on(const std::vector<ConvexPiece>& pieces, const Plane& p, double size) {
+  const double slack = 2.0 * tolerance::convex * size;
+  std::vector<Vec3> corners;
+  for (const ConvexPiece& piece : pieces) {
+    const std::vector<Vec3> more = corners_on(piece, p, slack);
+    corners.insert(corners.end(), more.begin(), more.end());
+  }
+  std::vector<Claim> claims;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!has_plane(pieces[i].solid_P, p, size)) continue;
+    claims.push_back({static_cast<int>(i), cuts(pieces[i], corners, slack)});
+    if (claims.back().within_P.planes == 0) break;
+  }
+  return claims;
+}
+
+}  // namespace
+
+std::optional<ConvexUnion> convex_union(const std::vector<ConvexPiece>& pieces) {
+  const double size = size_of(pieces);
+  const mesh::ConvexSolid bounding = bounding_planes(pieces, size);
+  if (bounding.planes < 4 || bounding.planes > mesh::most_planes) return std::nullopt;
+  const auto is_inside = [&](const ConvexPiece& piece) {
+    return inner_facets_are_covered(pieces, piece, bounding, size);
+  };
+  if (!std::ranges::all_of(pieces, is_inside)) return std::nullopt;
+  ConvexUnion whole{spread_planes(bounding, bounding.planes), {}};
+  for (std::size_t i = 0; i < whole.solid_P.planes; ++i)
+    whole.claims.push_back(claims_on(pieces, plane_of(whole.solid_P, i), size));
+  return whole;
+}
+
+int owner_at(const Claims& all, std::size_t plane, const Vec3& x_P) {
+  const std::vector<Claim>& claims = all[plane];
+  const auto holds = [&](const Claim& c) {
+    return !any_plane(c.within_P, [&](const Plane& p) { return height(p, x_P) > 0.0; });
+  };
+  const auto owner = std::ranges::find_if(claims, holds);
+  return (owner == claims.end() ? claims.back() : *owner).piece;
+}
+
+}  // namespace tdbd::rock

@@ -1,0 +1,20 @@
+#include "rock/cut/swept_whole.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+Vec3 place_on_strip(const RelativePath& p, double tau, double t) {
+  return p.q0_P + tau * (p.q1_P - p.q0_P) + t * (p.u0_P + tau * (p.u1_P - p.u0_P));
+}
+
+}  // namespace
+
+std::optional<WholeExit> prepared_whole_exit(const CuttingWhole& whole, const RelativePath& path,
+                                             const SweptScratch& scratch) {
+  const auto x = prepared_exit(whole.solid, path, scratch);
+  if (!x || x->t <= 0.0) return std::nullopt;
+  const int owner = owner_at(whole.claims, x->plane, place_on_strip(path, x->tau, x->t));
+  return WholeExit{at(owner), x->t};
+}
+
+}  // namespace tdbd::rock

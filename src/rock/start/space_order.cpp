@@ -1,0 +1,74 @@
+#include "rock/start/space_order.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "mesh/measures.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+/// Something and where it stands in the order; equal places keep the order of their numbers.
+using Placed = std::pair<std::uint64_t, int>;
+
+/// The number of a cell, `per_cube` to an edge of a cube: cubes by z, y, x, then cells likewise.
+struct CellOrder {
+  static constexpr double per_cube = 4.0;
+  Vec3 lo;
+  double inverse_cell;
+
+  std::uint64_t operator()(const Vec3& x) const {
+    const Vec3 cell = (x - lo) * inverse_cell;
+    std::uint64_t cube = 0, inside = 0;
+    for (const double along : {cell.z(), cell.y(), cell.x()}) {
+      const auto n = static_cast<std::uint64_t>(along);
+      cube = (cube << 19) + (n >> 2);
+      inside = 4 * inside + n % 4;
+    }
+    return 64 * cube + inside;
+  }
+};
+
+/// The numbers of `count` things, in the order of their places.
+template <class PlaceOf>
+std::vector<int> ordered(std::size_t count, PlaceOf place_of) {
+  std::vector<Placed> placed(count);
+  for (std::size_t i = 0; i < count; ++i) placed[i] = {place_of(i), static_cast<int>(i)};
+  std::ranges::sort(placed);
+  std::vector<int> numbers(count);
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = placed[i].second;
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<int> order_of_space(const std::vector<Vec3>& points, double cube) {
+  mesh::Box box;
+  for (const Vec3& x : points) box.add(x);
+  const CellOrder order{box.lo, CellOrder::per_cube / cube};
+  return ordered(points.size(), [&](std::size_t i) { return order(points[i]); });
+}
+
+mesh::TriangleMesh in_order_of_space(const mesh::TriangleMesh& m, double cube) {
+  mesh::TriangleMesh sorted;
+  sorted.positions.reserve(m.positions.size());
+  std::vector<int> number(m.positions.size());
+  for (const int v : order_of_space(m.positions, cube)) {
+    number[at(v)] = static_cast<int>(sorted.positions.size());
+    sorted.positions.push_back(m.positions[at(v)]);
+  }
+  const auto least = [&](std::size_t t) {
+    const auto& [a, b, c] = m.triangles[t];
+    return static_cast<std::uint64_t>(std::min({number[at(a)], number[at(b)], number[at(c)]}));
+  };
+  sorted.triangles.reserve(m.triangles.size());
+  for (const int t : ordered(m.triangles.size(), least)) {
+    const auto& [a, b, c] = m.triangles[at(t)];
+    sorted.triangles.push_back({number[at(a)], number[at(b)], number[at(c)]});
+  }
+  return sorted;
+}
+
+}  // namespace tdbd::rock
