@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "core/random.hpp"
 #include "reference/mesh/self_intersections.hpp"
 #include "rock/maintain/invariants.hpp"
