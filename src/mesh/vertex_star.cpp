@@ -69,7 +69,8 @@ void refresh_star(Surface& s, int v) {
   if (size == 0) return;
   auto next = ring.begin();
   visit_ring(s, v, [&](int w) { *next++ = w; });
-  if (star.open == 0) std::ranges::rotate(ring, std::ranges::min_element(ring));
+  if (star.open == 0)
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
 }
 
 void refresh_stars(Surface& s) {
