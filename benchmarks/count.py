@@ -2,7 +2,8 @@
 """count.py: instructions of a step, counted by valgrind.
 
     cmake --preset count && cmake --build --preset count --target instructions
-    benchmarks/count.py standard-1.0 drill-bit-b            some workloads; all if none is named
+    benchmarks/count.py standard-1.0 drill-bit-b            some workloads; those of rivals if none is named
+    benchmarks/count.py metre --warm 48000                  what metre drills, 0.2 m deep
     benchmarks/count.py standard-1.0 --functions 30         the dearest functions, too
     benchmarks/count.py standard-1.0 --set maintenance.every=20 --steps 40
     benchmarks/count.py --phases PHASES.json OUT.csv        by phases: {phase: [functions, with what they call, or "-FUNCTION"]}

@@ -43,13 +43,15 @@ void count(Drilling d, const Wish& wish) {
 std::string names() {
   std::string all;
   for (const Workload& w : workloads()) all += " " + w.name;
-  return all;
+  return all + " " + metre_workload().name;
 }
 
 void run(const Wish& wish) {
   const ThreadLimit threads(wish.threads);
   for (const Workload& w : workloads())
     if (w.name == wish.workload) return count(start_workload(w, wish.settings, wish.warm), wish);
+  if (metre_workload().name == wish.workload)
+    return count(start_workload(metre_workload(), wish.settings, wish.warm), wish);
   throw InputError(fmt::format("workload: found {}, expected one of{}", wish.workload, names()));
 }
 

@@ -13,13 +13,11 @@
 #include <vector>
 
 #include "benchmarks/command.hpp"
-#include "benchmarks/drilling.hpp"
+#include "benchmarks/workloads.hpp"
 #include "core/parallel.hpp"
 
 namespace tdbd::bench {
 namespace {
-
-constexpr double edge_length = 2.0e-3;  // m
 
 struct Wish {
   double length = 1.0;  ///< m
@@ -40,12 +38,6 @@ struct Tenth {
   double depth, wall, peak;  ///< m, s, MB
   long triangles;
 };
-
-Drilling start(const Wish& wish) {
-  std::vector<std::string> settings = {"rock.trim=0.14"};
-  settings.insert(settings.end(), wish.settings.begin(), wish.settings.end());
-  return start_drilling("bit-b-steady", edge_length, settings);
-}
 
 std::vector<Tenth> drill_tenths(Drilling& d, const Wish& wish, long steps) {
   std::vector<Tenth> tenths;
@@ -82,7 +74,7 @@ void write_json(const Wish& wish, long steps, const std::vector<Tenth>& tenths) 
 
 void run(const Wish& wish) {
   const ThreadLimit threads(wish.threads);
-  Drilling d = start(wish);
+  Drilling d = start_workload(metre_workload(), wish.settings, 0);
   const double per_step = d.plan.motion.rate_of_penetration * d.plan.time.step;
   const long steps = std::lround(wish.length / per_step);
   fmt::print("{} steps of {:.2f} um on {} thread(s)\n", steps, 1e6 * per_step, wish.threads);

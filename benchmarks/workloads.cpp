@@ -23,6 +23,12 @@ const std::vector<Workload>& workloads() {
   return all;
 }
 
+const Workload& metre_workload() {
+  static const Workload metre{
+      "metre", "bit-b-steady", 2.0 * mm, {"rock.trim=0.14"}, "bit B at 2.0 mm under a wall"};
+  return metre;
+}
+
 const std::vector<ZMapWorkload>& z_map_workloads() {
   static const std::vector<ZMapWorkload> all = {
       {"z-map-1.0", 1.0 * mm, "height field of 1.0 mm cells"},

@@ -20,6 +20,9 @@ struct Workload {
 /// Those that the goals of the README name.
 const std::vector<Workload>& workloads();
 
+/// Bit B at 2.0 mm under a wall that is trimmed: what `metre` drills.
+const Workload& metre_workload();
+
 /// Square cells that the standard workload is drilled in beside ours.
 struct ZMapWorkload {
   std::string name;   ///< z-map-0.5
