@@ -80,7 +80,8 @@ def take(measured, path):
         key = "rivals" if told["threads"] == 1 else f"rivals_{told['threads']}_threads"
         measured[key] = {"date": date} | rounded(told)
     elif "rows" in told:
-        measured[pathlib.Path(path).stem] = rounded(told["rows"])
+        rows = told["rows"] if isinstance(told["rows"], list) else [told["rows"]]
+        measured[pathlib.Path(path).stem] = rounded(rows)
     else:
         measured.update(rounded(told))
     return None
