@@ -104,7 +104,7 @@ double distance_to_old(const mesh::Surface& s, int a, int b, const Vec3& from_W)
 }
 
 /// The farthest middle of a new edge at x from the old surface, m: x itself is on it.
-double farthest_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
+double farthest_new_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
   double farthest = 0.0;
   visit_kept(s, a, b, [&](int c) {
     const Vec3 middle_W = 0.5 * (x_W + s.position(s.vertex(mesh::next_corner(c))));
@@ -113,12 +113,23 @@ double farthest_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
   return farthest;
 }
 
-/// The guards on distance, once the others agree: of the dropped vertices to the new surface, and
-/// of the new edges to the old one.
+/// The farthest middle of an old edge at a or b from the new surface, m.
+double farthest_old_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
+  double farthest = 0.0;
+  for (const int end : {a, b})
+    mesh::visit_corners(s, end, [&](int c) {
+      const Vec3 middle_W = 0.5 * (s.position(end) + s.position(s.vertex(mesh::next_corner(c))));
+      farthest = std::max(farthest, distance_to_new(s, a, b, x_W, middle_W));
+    });
+  return farthest;
+}
+
+/// The guards on distance, once the others agree: of the dropped vertices and edges to the new
+/// surface, and of the new edges to the old one.
 std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, const Vec3& x_W,
                                       const MaintenanceLimits& limits, const SurfaceDrift& drift,
                                       double& drifted) {
-  double farthest = farthest_middle(s, a, b, x_W);
+  double farthest = std::max(farthest_new_middle(s, a, b, x_W), farthest_old_middle(s, a, b, x_W));
   for (const int v : {a, b}) {
     const double d = distance_to_new(s, a, b, x_W, s.position(v));
     if (d > limits.ridge_cut && is_on_ridge(s, v, limits)) return Refusal::ridge;

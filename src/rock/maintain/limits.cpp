@@ -5,15 +5,20 @@
 
 namespace tdbd::rock {
 
+void set_shortest_edge(MaintenanceLimits& l, double shortest) {
+  constexpr double below = 1.0 - 1e-9;  // M6 says nearer than, and guards and check round
+  l.shortest_edge = shortest;
+  l.farthest = below * 0.5 * shortest;
+  l.untangle_farthest = below * 2.0 * shortest;
+}
+
 MaintenanceLimits limits_for(double edge_length) {
   MaintenanceLimits l;
-  l.shortest_edge = 0.4 * edge_length;
+  set_shortest_edge(l, 0.4 * edge_length);
   l.longest_edge = 1.6 * edge_length;
   l.volume_per_operation = 0.01 * edge_length * edge_length * edge_length;
-  l.farthest = 0.5 * l.shortest_edge;
   l.ridge_cut = 0.05 * edge_length;
   l.untangle_volume = 20.0 * l.volume_per_operation;
-  l.untangle_farthest = 2.0 * l.shortest_edge;
   return l;
 }
 

@@ -31,6 +31,9 @@ struct MaintenanceLimits {
   int most_rounds = 1000;     ///< of one kind of repair in one maintenance; more is an error
 };
 
+/// Sets L_min and the distances that follow from it: just less than L_min / 2 and, for untangling, 2 L_min.
+void set_shortest_edge(MaintenanceLimits& limits, double shortest);
+
 /// Limits that suit an edge length h: edges in [0.4, 1.6] h, volume 0.01 h^3, drift L_min / 2.
 MaintenanceLimits limits_for(double edge_length);
 

@@ -13,10 +13,8 @@ namespace {
 
 rock::MaintenanceLimits limits_of(const Case& c) {
   rock::MaintenanceLimits l = rock::limits_for(c.rock.edge_length);
-  l.shortest_edge = c.maintenance.shortest_edge * c.rock.edge_length;
+  rock::set_shortest_edge(l, c.maintenance.shortest_edge * c.rock.edge_length);
   l.longest_edge = c.maintenance.longest_edge * c.rock.edge_length;
-  l.farthest = 0.5 * l.shortest_edge;
-  l.untangle_farthest = 2.0 * l.shortest_edge;
   l.rest = static_cast<int>(c.maintenance.rest);
   l.longest_wait = static_cast<int>(c.maintenance.longest_wait);
   l.worst_quality = c.maintenance.worst_quality;
