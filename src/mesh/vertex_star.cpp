@@ -64,8 +64,8 @@ void refresh_star(Surface& s, int v) {
   int size = 0;
   if (s.is_alive(v)) visit_ring(s, v, [&](int) { ++size; });
   const std::span<int> ring = room_for(s, star, size);
-  star.size = static_cast<std::uint16_t>(size);
-  star.open = size > 0 && s.is_boundary(v) ? 1 : 0;
+  star.size = static_cast<std::uint32_t>(size) & 0x7fffffffU;
+  star.open = size > 0 && s.is_boundary(v) ? 1U : 0U;
   if (size == 0) return;
   auto next = ring.begin();
   visit_ring(s, v, [&](int w) { *next++ = w; });

@@ -15,8 +15,8 @@ struct alignas(64) VertexStar {
   static constexpr int held = 8;
   Vec3 x = Vec3::Zero();         ///< m
   std::array<int, held> ring{};  ///< neighbours, if there are at most `held`
-  std::uint16_t size = 0;        ///< number of neighbours; 0: the vertex is dead
-  std::uint8_t open = 0;         ///< 1 on the boundary
+  std::uint32_t size : 31 = 0;   ///< number of neighbours; 0: the vertex is dead
+  std::uint32_t open : 1 = 0;    ///< 1 on the boundary
   std::int32_t long_ring = -1;   ///< index into Surface::long_rings, or -1
 };
 
