@@ -54,9 +54,9 @@ struct NearList {
 /// orthogonal.
 bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W);
 
-/// Makes the list cover the step and holds it up to date with the index's journal. If the step is not
-/// in its region, or the journal does not reach back to it, or it has grown to twice its size, it is made anew from the index, for a
-/// region ahead along the screw motion of the step.
+/// Makes the list cover the step and brings it up to date from the index's journal. It is made anew
+/// from the index, for a region ahead along the screw motion of the step, if the step leaves its
+/// region, the journal does not reach back to it, or it has grown to twice its size.
 void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list);
 

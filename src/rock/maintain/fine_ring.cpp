@@ -20,6 +20,21 @@ struct Spokes {
   Column x, y, z;
 };
 
+/// A triangle's two spokes, eight triangles side by side.
+struct WideSpokes {
+  WideSingle ex, ey, ez, fx, fy, fz;
+};
+
+/// For functions that are TDBD_WIDE.
+inline void load(const Spokes& d, WideSpokes& w) {
+  TDBD_LOAD(w.ex, d.x.at);
+  TDBD_LOAD(w.ey, d.y.at);
+  TDBD_LOAD(w.ez, d.z.at);
+  TDBD_LOAD(w.fx, d.x.at + 1);
+  TDBD_LOAD(w.fy, d.y.at + 1);
+  TDBD_LOAD(w.fz, d.z.at + 1);
+}
+
 void wrap(Column& c, std::size_t n) { c.at[n] = c.at[0]; }
 
 /// The neighbours less the vertex.
@@ -36,13 +51,9 @@ void find_spokes(const mesh::Surface& s, const VertexStar& star, Spokes& d) {
 
 /// Bit i tells whether triangle i is fine and not folded on the next.
 TDBD_WIDE void sift(Spokes& d, std::size_t n, const FineLimits& l, unsigned& fine) {
-  WideSingle ex, ey, ez, fx, fy, fz;
-  TDBD_LOAD(ex, d.x.at);
-  TDBD_LOAD(ey, d.y.at);
-  TDBD_LOAD(ez, d.z.at);
-  TDBD_LOAD(fx, d.x.at + 1);
-  TDBD_LOAD(fy, d.y.at + 1);
-  TDBD_LOAD(fz, d.z.at + 1);
+  WideSpokes w;
+  load(d, w);
+  const auto& [ex, ey, ez, fx, fy, fz] = w;
   const WideSingle gx = fx - ex, gy = fy - ey, gz = fz - ez;
   const WideSingle e2 = ex * ex + ey * ey + ez * ez, f2 = fx * fx + fy * fy + fz * fz,
                    g2 = gx * gx + gy * gy + gz * gz, sum = e2 + f2 + g2;
@@ -65,13 +76,9 @@ TDBD_WIDE void sift(Spokes& d, std::size_t n, const FineLimits& l, unsigned& fin
 /// Bit i tells whether triangle i faces up. Room for rounding: of an area's components below 1e-6
 /// of the squared edges.
 TDBD_WIDE void sift_upward(const Spokes& d, Single sine2, unsigned& upward) {
-  WideSingle ex, ey, ez, fx, fy, fz;
-  TDBD_LOAD(ex, d.x.at);
-  TDBD_LOAD(ey, d.y.at);
-  TDBD_LOAD(ez, d.z.at);
-  TDBD_LOAD(fx, d.x.at + 1);
-  TDBD_LOAD(fy, d.y.at + 1);
-  TDBD_LOAD(fz, d.z.at + 1);
+  WideSpokes w;
+  load(d, w);
+  const auto& [ex, ey, ez, fx, fy, fz] = w;
   const WideSingle scale = ex * ex + ey * ey + ez * ez + fx * fx + fy * fy + fz * fz;
   const WideSingle ax = ey * fz - ez * fy, ay = ez * fx - ex * fz, az = ex * fy - ey * fx;
   constexpr Single far_from_rounding = 2e-5F, room = 1.2F;
