@@ -5,6 +5,7 @@
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "app/progress.hpp"
+#include "core/error.hpp"
 #include "simulation/result/run.hpp"
 
 namespace tdbd::app {
@@ -12,6 +13,7 @@ namespace {
 
 struct RunArguments : ResultArguments {
   int threads = 1;
+  std::string resumed;  ///< folder of a run that was stopped
 };
 
 void print_energy(const simulation::DriveFigures& d) {
@@ -41,23 +43,42 @@ std::string detail_of(const simulation::Simulation& s) {
                      1e6 * s.state.ledger.removed.value());
 }
 
-int run(const RunArguments& a) {
-  auto options = options_for<simulation::RunOptions>(a);
-  options.threads = a.threads;
-  const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
-  if (!a.quiet) print_warnings(c.warnings);
+/// Drills with progress and a summary unless told to be quiet.
+template <class Drill>
+int show(const RunArguments& a, simulation::RunOptions options, Drill&& drill) {
   Progress progress;
+  options.threads = a.threads;
+  options.warn = [&](const std::string& text) { fmt::print(stderr, "tdbd: warning: {}\n", text); };
   if (!a.quiet)
     options.progress = [&](const simulation::Simulation& s, long total) {
       if (progress.is_due(s.state.steps_done, total))
         progress.show(s.state.steps_done, total, detail_of(s));
     };
-  const simulation::RunSummary summary = simulation::run(c, options);
+  const simulation::RunSummary summary = drill(options);
   if (!a.quiet) {
     progress.finish();
     print_summary(summary, options.folder.string());
   }
   return summary.status == simulation::RunStatus::completed ? 0 : interrupted_code;
+}
+
+int run(const RunArguments& a) {
+  const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
+  if (!a.quiet) print_warnings(c.warnings);
+  return show(a, options_for<simulation::RunOptions>(a),
+              [&](const simulation::RunOptions& o) { return simulation::run(c, o); });
+}
+
+int resume(const RunArguments& a) {
+  if (simulation::is_finished(a.resumed)) {
+    if (!a.quiet) fmt::print("{}: the run is complete, nothing to do\n", a.resumed);
+    return 0;
+  }
+  const simulation::Case c = simulation::read_stopped_case(a.resumed);
+  auto options = options_for<simulation::RunOptions>(a);
+  options.folder = a.resumed;
+  return show(a, options,
+              [&](const simulation::RunOptions& o) { return simulation::resume_run(c, o); });
 }
 
 }  // namespace
@@ -67,13 +88,26 @@ void add_run(CLI::App& app, int& exit_code) {
   auto a = std::make_shared<RunArguments>();
   const ResultHelp help{.case_file = "the case file (TOML)"};
   add_case(*command, *a, help);
+  CLI::Option* resumed = command->add_option(
+      "--resume", a->resumed, "in place of a case: go on with the run of this folder");
   add_result_options(*command, *a, help);
   add_threads(*command, a->threads);
+  command->get_option("case")->required(false)->excludes(resumed);
+  for (const char* other : {"--output", "--set", "--force"})
+    command->get_option(other)->excludes(resumed);
   command->footer(
       "The keys of a case: tdbd keys.\n"
       "Ctrl-C ends the run after the current step and writes what was recorded; exit code 130.\n"
+      "A run that was stopped or killed goes on with --resume, to the same results.\n"
       "Example: tdbd run cases/bit-b-steady.toml -o out/b --set time.revolutions=2");
-  command->callback([a, &exit_code] { exit_code = guarded([&] { return run(*a); }); });
+  command->callback([a, &exit_code] {
+    exit_code = guarded([&] {
+      if (!a->resumed.empty()) return resume(*a);
+      if (a->case_file.empty())
+        throw InputError("found no case, expected a case file, or --resume FOLDER");
+      return run(*a);
+    });
+  });
 }
 
 }  // namespace tdbd::app

@@ -94,6 +94,7 @@ OutputPlan read_output(Config c, const TimeGrid& t, MotionKind kind) {
   OutputPlan p{.history_every = c.read(history_every),
                .frames_every = c.read(frames_every),
                .means_from = c.read(means_from, 0.5 * duration)};
+  if (c.has(checkpoint_every.name)) p.checkpoint_every = c.read(checkpoint_every);
   if (kind != MotionKind::drilling) return p;
   p.energy_order = c.read(energy_order);
   p.energy_order_window = c.read(energy_order_window);

@@ -200,6 +200,11 @@ inline constexpr IntegerKey frames_every{.name = "frames_every",
                                          .fallback = 0,
                                          .hi = 1'000'000'000,
                                          .meaning = "steps between frames; 0: only the last one"};
+inline constexpr IntegerKey checkpoint_every{
+    .name = "checkpoint_every",
+    .usual = "as often as costs less than 1 % of the time",
+    .hi = 1'000'000'000,
+    .meaning = "steps between checkpoints, from which `tdbd run --resume` goes on; 0: none"};
 inline constexpr QuantityKey means_from{
     .name = "means_from",
     .unit = "s",

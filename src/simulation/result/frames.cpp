@@ -49,7 +49,7 @@ void Frames::write_final(const Case& c, const Simulation& s) {
   write_collection("bit", bit_, time_at(c.time, s.state.steps_done));
 }
 
-void Frames::write_collection(const std::string& name, Collection frames, double end) const {
+void Frames::write_collection(const std::string& name, FrameList frames, double end) const {
   if (!frames.empty() && frames.back().first == end) frames.pop_back();  // one frame for one time
   frames.emplace_back(end, "frames/" + name + "_final.vtp");
   mesh::write_pvd(folder_.path / (name + ".pvd"), frames);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "simulation/checkpoint/checkpoint.hpp"
 #include "simulation/result/output_folder.hpp"
 #include "simulation/step/simulation.hpp"
 
@@ -17,15 +18,22 @@ class Frames {
 
   void add(const Case& c, const Simulation& s);
 
+  /// The frames so far, and those of a run that goes on.
+  const FrameList& rock_frames() const { return rock_; }
+  const FrameList& bit_frames() const { return bit_; }
+  void set_frames(FrameList rock, FrameList bit) {
+    rock_ = std::move(rock);
+    bit_ = std::move(bit);
+  }
+
   /// frames/rock_final.vtp and rock_final.ply, and the collections.
   void write_final(const Case& c, const Simulation& s);
 
  private:
-  using Collection = std::vector<std::pair<double, std::string>>;  ///< time, file
-  void write_collection(const std::string& name, Collection frames, double end) const;
+  void write_collection(const std::string& name, FrameList frames, double end) const;
 
   OutputFolder folder_;
-  Collection rock_, bit_;
+  FrameList rock_, bit_;
 };
 
 }  // namespace tdbd::simulation

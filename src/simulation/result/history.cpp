@@ -228,7 +228,9 @@ void append_loads(const LoadedStep& loaded, std::vector<double>& row) {
 
 History::History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts,
                  const HistoryExtent& extent)
-    : extent_(extent), record_(path, layout_for(parts, extent)) {}
+    : extent_(extent),
+      width_(layout_for(parts, extent).row_width()),
+      record_(path, layout_for(parts, extent)) {}
 
 void History::append(const HistoryRow& row) {
   row_.clear();

@@ -60,12 +60,20 @@ class History {
   /// cones' and the cutters' number.
   void append(const HistoryRow& row);
 
+  /// The numbers of the last row, and of every row, as many.
+  const std::vector<double>& last_row() const { return row_; }
+  std::size_t width() const { return width_; }
+
+  /// Appends what was a last_row() of this history.
+  void append_again(std::span<const double> row) { record_.append(row); }
+
   /// Writes what is buffered and gives the files their names. An interrupted run closes too.
   /// Throws RunError.
   void close();
 
  private:
   HistoryExtent extent_;
+  std::size_t width_;
   Record record_;
   std::vector<double> row_;  ///< kept from row to row: no allocation
 };

@@ -20,11 +20,25 @@ namespace fs = std::filesystem;
 }
 
 /// Names that a run leaves in its folder, besides the frames.
-constexpr std::string_view result_names[] = {
-    "summary.json",   "timing.json",      "history.nc",      "history.csv",
-    "case.toml",      "checkpoint.nc",    "rock.pvd",        "bit.pvd",
-    "rock_final.ply", "bit.json",         "bit.stl",         "bit.vtp",
-    "failure.txt",    "convergence.json", "convergence.csv", "convergence.svg"};
+constexpr std::string_view result_names[] = {"summary.json",
+                                             "timing.json",
+                                             "history.nc",
+                                             "history.csv",
+                                             "case.toml",
+                                             "checkpoint.nc",
+                                             "rock.pvd",
+                                             "bit.pvd",
+                                             "rock_final.ply",
+                                             "bit.json",
+                                             "bit.stl",
+                                             "bit.vtp",
+                                             "failure.txt",
+                                             "convergence.json",
+                                             "convergence.csv",
+                                             "convergence.svg",
+                                             "history.rows",
+                                             "checkpoint-new.nc",
+                                             "checkpoint-previous.nc"};
 
 /// "rock-000123.vtp", "bit_final.vtp": what a run writes into frames.
 bool is_frame(const fs::path& file) {

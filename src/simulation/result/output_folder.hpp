@@ -21,6 +21,9 @@ struct OutputFolder {
   std::filesystem::path timing() const { return path / "timing.json"; }
   std::filesystem::path history() const { return path / "history.nc"; }
   std::filesystem::path checkpoint() const { return path / "checkpoint.nc"; }
+  std::filesystem::path new_checkpoint() const { return path / "checkpoint-new.nc"; }
+  std::filesystem::path previous_checkpoint() const { return path / "checkpoint-previous.nc"; }
+  std::filesystem::path rows() const { return path / "history.rows"; }
   std::filesystem::path failure() const { return path / "failure.txt"; }
   std::filesystem::path frames() const { return path / "frames"; }
 

@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 #include "bit/mass_properties.hpp"
 #include "bit/report/bit_output.hpp"
@@ -15,6 +20,7 @@
 #include "core/whole_file.hpp"
 #include "mesh/measures.hpp"
 #include "rotation/rotation_vector.hpp"
+#include "simulation/result/checkpoint_keeper.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
 #include "simulation/step/energy_order.hpp"
@@ -107,19 +113,37 @@ struct Recorder {
   OutputFolder folder;
   History history;
   Frames frames;
+  CheckpointKeeper keeper;
   std::vector<double> step_seconds;
   EnergyOrderPlan order_plan;
   EnergyOrder order;
 
-  Recorder(const Case& c, const OutputFolder& f)
+  Recorder(const Case& c, const OutputFolder& f, const RunOptions& o)
       : folder(f),
         history(f.history(), history_parts(c.bit), history_extent(c)),
         frames(f),
+        keeper(f, c.output.checkpoint_every, o.warn),
         order_plan(plan_energy_order(c)) {
     order.residual.reason =
         order_plan.at < 0 ? order_plan.reason : "the run ended before its window";
   }
 };
+
+/// Puts the recorder where it was.
+void go_on(const WrittenSoFar& written, Recorder& r) {
+  r.keeper.begin_rows(r.history.width(), written.rows);
+  if (RowLog* rows = r.keeper.rows())
+    rows->replay([&](std::span<const double> row) { r.history.append_again(row); });
+  r.frames.set_frames(written.rock_frames, written.bit_frames);
+  if (!written.order.residual.reason.empty() || written.order.residual.order)
+    r.order = written.order;
+}
+
+void keep_checkpoint(const Case& c, const Simulation& s, Recorder& r) {
+  const RowLog* rows = r.keeper.rows();
+  if (rows == nullptr) return;
+  r.keeper.keep(c, s, {rows->rows(), r.frames.rock_frames(), r.frames.bit_frames(), r.order});
+}
 
 /// The loop over steps, with everything that is recorded on the way.
 RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
@@ -130,9 +154,13 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     const auto before = std::chrono::steady_clock::now();
     step(c, s);
     r.step_seconds.push_back(seconds_since(before));
-    if (s.state.steps_done % c.output.history_every == 0) append_row(c, s, r.history);
+    if (s.state.steps_done % c.output.history_every == 0) {
+      append_row(c, s, r.history);
+      r.keeper.append(r.history.last_row());
+    }
     if (c.output.frames_every > 0 && s.state.steps_done % c.output.frames_every == 0)
       r.frames.add(c, s);
+    if (r.keeper.is_due(s.state.steps_done)) keep_checkpoint(c, s, r);
     if (o.progress) o.progress(s, c.time.steps);
   }
   return RunStatus::completed;
@@ -147,6 +175,7 @@ void keep_so_far(const Case& c, const Simulation& s, const std::string& failure,
 RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
   try {
     const RunStatus status = loop(c, s, o, r);
+    if (status == RunStatus::interrupted) keep_checkpoint(c, s, r);
     r.history.close();
     r.frames.write_final(c, s);
     return status;
@@ -196,20 +225,72 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   return r;
 }
 
-RunSummary run(const Case& c, const RunOptions& o) {
+namespace {
+
+/// Drills to the end and writes the figures, the summary last.
+RunSummary finish(const Case& c, const RunOptions& o, Simulation& s, Recorder& r) {
   const auto started = std::chrono::steady_clock::now();
+  RunSummary summary = summary_of(c, s, run_steps(c, s, o, r));
+  if (summary.drive) summary.drive->order = r.order;
+  const double wall = seconds_since(started);
+  write_text(r.folder.timing(), to_json(timing_of(r.step_seconds, wall, o.threads)));
+  write_text(r.folder.summary(), to_json(summary));
+  if (summary.status == RunStatus::completed) r.keeper.remove();
+  return summary;
+}
+
+/// What an interrupted or failed run said of itself is no longer so.
+void forget_end(const OutputFolder& folder) {
+  for (const std::filesystem::path& file : {folder.summary(), folder.timing(), folder.failure()}) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (error) throw RunError(fmt::format("cannot remove {}: {}", file.string(), error.message()));
+  }
+}
+
+}  // namespace
+
+RunSummary run(const Case& c, const RunOptions& o) {
   const ThreadLimit limit(o.threads);
   Simulation s = start(c);
   const OutputFolder folder = prepare(o.folder, o.overwrite, c.files);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   bit::write_bit_files(folder.path, c.bit);
-  Recorder recorder(c, folder);
-  RunSummary summary = summary_of(c, s, run_steps(c, s, o, recorder));
-  if (summary.drive) summary.drive->order = recorder.order;
-  const double wall = seconds_since(started);
-  write_text(folder.timing(), to_json(timing_of(recorder.step_seconds, wall, o.threads)));
-  write_text(folder.summary(), to_json(summary));
-  return summary;
+  Recorder recorder(c, folder, o);
+  go_on({}, recorder);
+  return finish(c, o, s, recorder);
+}
+
+RunSummary resume_run(const Case& c, const RunOptions& o) {
+  const ThreadLimit limit(o.threads);
+  const OutputFolder folder{o.folder};
+  std::optional<Checkpoint> saved = newest_checkpoint(folder, c, o.warn);
+  forget_end(folder);
+  std::filesystem::create_directories(folder.frames());
+  bit::write_bit_files(folder.path, c.bit);
+  Recorder recorder(c, folder, o);
+  go_on(saved ? saved->written : WrittenSoFar{}, recorder);
+  Simulation s =
+      saved ? resume(c, std::move(saved->state), std::move(saved->statistics)) : start(c);
+  return finish(c, o, s, recorder);
+}
+
+bool is_finished(const std::filesystem::path& folder) {
+  std::ifstream in(OutputFolder{folder}.summary());
+  const auto summary = nlohmann::json::parse(in, nullptr, false);
+  return summary.is_object() && summary.value("status", "") == "completed";
+}
+
+Case read_stopped_case(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "case.toml";
+  std::ifstream in(file);
+  std::string line;
+  if (!std::getline(in, line) || line != resolved_head)
+    throw InputError(
+        fmt::format("{}: found no case.toml of a run, expected the folder of a run that "
+                    "was stopped",
+                    folder.string()));
+  return read_case(file.string(), {});
 }
 
 }  // namespace tdbd::simulation

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "simulation/case/case.hpp"
 #include "simulation/result/output_folder.hpp"
@@ -18,7 +19,9 @@ struct RunOptions {
   int threads = 1;                                 ///< the results do not depend on it
   const std::atomic<bool>* interrupted = nullptr;  ///< set from outside: stop after this step
   /// Called after every step with the number of all steps.
-  std::function<void(const Simulation&, long)> progress;
+  std::function<void(const Simulation&, long)> progress = {};
+  /// Called with what a user should know and the run goes on after.
+  std::function<void(const std::string&)> warn = {};
 };
 
 /// Drills a case and writes its result folder; the summary last, so that a folder without one holds
@@ -27,6 +30,18 @@ struct RunOptions {
 /// far are kept as far as they can be written, failure.txt says what happened, and the error is
 /// thrown on. Throws InputError before anything is written, RunError later.
 RunSummary run(const Case& c, const RunOptions& options);
+
+/// Goes on with a run that was stopped or killed: the case is that of the folder (read_stopped_case),
+/// and every file of the result but timing.json comes out as if nothing had happened. From its
+/// newest checkpoint, or, where it came to none, from the start. Throws like run, and InputError
+/// for checkpoints of another case or version.
+RunSummary resume_run(const Case& c, const RunOptions& options);
+
+/// Whether the folder holds the result of a run that reached its end.
+bool is_finished(const std::filesystem::path& folder);
+
+/// The case of a folder that a run was begun in. Throws InputError if it holds none.
+Case read_stopped_case(const std::filesystem::path& folder);
 
 /// The figures of a simulation so far.
 RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status);

@@ -146,11 +146,15 @@ mesh::TriangleMesh start_mesh(const Case& c) {
 
 /// A file keeps its numbers, so that a run goes on from it as it would have without.
 rock::Rock start_rock(const Case& c) {
-  constexpr double cell_over_edge = 2.0, cube_over_edge = 8.0;
+  constexpr double cube_over_edge = 8.0;
   mesh::TriangleMesh m = start_mesh(c);
   if (c.rock.shape != RockShape::file)
     m = rock::in_order_of_space(m, cube_over_edge * c.rock.edge_length);
-  mesh::Surface surface = mesh::make_surface(m);
+  return indexed_rock(c, mesh::make_surface(m));
+}
+
+rock::Rock indexed_rock(const Case& c, mesh::Surface surface) {
+  constexpr double cell_over_edge = 2.0;
   return rock::make_rock(std::move(surface), cell_over_edge * c.rock.edge_length, reach_W(c));
 }
 

@@ -11,4 +11,7 @@ namespace tdbd::simulation {
 /// check, and for a rock that the machine's memory does not hold.
 rock::Rock start_rock(const Case& c);
 
+/// A surface of this case's rock, under the index that start_rock makes.
+rock::Rock indexed_rock(const Case& c, mesh::Surface surface);
+
 }  // namespace tdbd::simulation

@@ -2,19 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 #include "core/random.hpp"
 #include "simulation/start/rock_memory.hpp"
 #include "simulation/step/simulation.hpp"
+#include "verification/simulation/restarted_cases.hpp"
 
 namespace tdbd::simulation::restart_test {
-
-/// A case of the repository, short and coarse.
-Case short_case(const std::string& name, std::vector<std::string> settings) {
-  settings.emplace_back("rock.edge_length='4 mm'");
-  return read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml", settings);
-}
 
 /// The rock under an index of its own, as it would be if only the surface and the marks of its
 /// vertices had been saved.
@@ -108,18 +102,11 @@ bool check_restart(const Case& c, int before, int after, Index index) {
   return cutting;
 }
 
-struct RestartedCase {
-  std::string name, file;
-  std::vector<std::string> settings;
-};
-
-void PrintTo(const RestartedCase& c, std::ostream* out) { *out << c.name; }
-
 class Restart : public ::testing::TestWithParam<RestartedCase> {
  protected:
   /// At steps of any kind: with and without maintenance before and after them.
   static void check(Index index) {
-    const Case c = short_case(GetParam().file, GetParam().settings);
+    const Case c = restarted_case(GetParam());
     Random random{20261122};
     int while_cutting = 0;
     for (int k = 0; k < 4; ++k) {
@@ -134,21 +121,7 @@ TEST_P(Restart, needs_state_and_statistics_only) { check(Index::copied); }
 
 TEST_P(Restart, may_rebuild_the_index_of_the_rock) { check(Index::rebuilt); }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cases, Restart,
-    ::testing::Values(
-        RestartedCase{"steady", "bit-b-steady", {}},
-        RestartedCase{"steady_with_forces", "bit-b-3000psi", {"output.means_from='0 s'"}},
-        RestartedCase{"sections_in_turn",
-                      "bit-b-3000psi",
-                      {"measure.section_every=4", "output.means_from='0 s'"}},
-        RestartedCase{"rolling_cones", "bit-r-rolling", {"motion.rate_of_penetration='100 m/h'"}},
-        RestartedCase{"drilling", "drill-bit-b", {"output.means_from='0 s'"}},
-        RestartedCase{"drilling_with_cones", "drill-bit-r", {"output.means_from='0 s'"}},
-        RestartedCase{"trimmed",
-                      "core",
-                      {"time.step='2 ms'", "rock.trim='80 mm'", "rock.wall='120 mm'",
-                       "motion.rate_of_penetration='100 m/h'"}}),
-    [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(Cases, Restart, ::testing::ValuesIn(restarted_cases()),
+                         [](const auto& instance) { return instance.param.name; });
 
 }  // namespace tdbd::simulation::restart_test

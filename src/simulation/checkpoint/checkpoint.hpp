@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "simulation/case/case.hpp"
+#include "simulation/step/energy_order.hpp"
+#include "simulation/step/simulation.hpp"
+
+namespace tdbd::simulation {
+
+/// A file of frames and when it was taken, s.
+using FrameList = std::vector<std::pair<double, std::string>>;
+
+/// How far a run has come with what it writes.
+struct WrittenSoFar {
+  long rows = 0;  ///< of the history
+  FrameList rock_frames, bit_frames;
+  EnergyOrder order;  ///< as far as it was observed
+};
+
+/// A run between two steps, as it was saved.
+struct Checkpoint {
+  State state;
+  Statistics statistics;
+  WrittenSoFar written;
+};
+
+/// Writes a checkpoint: complete, on the disk, or not at all. Throws RunError.
+void write_checkpoint(const std::filesystem::path& path, const Case& c, const Simulation& s,
+                      const WrittenSoFar& written);
+
+/// Reads it. Throws RunError if the file cannot be read, is torn or was changed, and InputError if
+/// it is of another version of tdbd or another case: of a case that changed since it names the
+/// first line that did.
+Checkpoint read_checkpoint(const std::filesystem::path& path, const Case& c);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,198 @@
+#include "simulation/checkpoint/checkpoint_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <string_view>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/whole_file.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kind[] = "tdbd checkpoint 1";
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& x) {
+  return {reinterpret_cast<const char*>(x.data()), x.size() * sizeof(T)};
+}
+
+/// Of every part, and of these hashes together.
+std::string hash_of(const CheckpointFile& f) {
+  std::string hashes;
+  for (const std::string_view part :
+       {std::string_view(f.version), std::string_view(f.case_hash), std::string_view(f.case_text),
+        std::string_view(f.tape.names), bytes_of(f.tape.reals), bytes_of(f.tape.wholes),
+        bytes_of(f.tape.ints), bytes_of(f.tape.bytes)})
+    hashes += fnv1a_hex(part) + fmt::format("{:x};", part.size());
+  return fnv1a_hex(hashes);
+}
+
+/// An open NetCDF file; every call that fails is a RunError.
+class Netcdf {
+ public:
+  explicit Netcdf(fs::path path) : path_(std::move(path)) {}
+  Netcdf(const Netcdf&) = delete;
+  Netcdf& operator=(const Netcdf&) = delete;
+  ~Netcdf() {
+    if (id >= 0) nc_close(id);
+  }
+
+  void require(int status) const {
+    if (status == NC_NOERR) return;
+    const std::string reason = status > 0 ? std::strerror(status) : nc_strerror(status);
+    throw RunError(fmt::format("checkpoint {}: {}", path_.string(), reason));
+  }
+  void close() {
+    const int open = id;
+    id = -1;
+    require(nc_close(open));
+  }
+
+  int id = -1;
+
+ private:
+  fs::path path_;
+};
+
+/// A column of the file. NetCDF has no fixed dimension of length 0: an empty column is left out.
+template <class T>
+void define(const Netcdf& nc, const char* name, nc_type type, const std::vector<T>& column) {
+  if (column.empty()) return;
+  int dimension = -1, variable = -1;
+  nc.require(nc_def_dim(nc.id, name, column.size(), &dimension));
+  nc.require(nc_def_var(nc.id, name, type, 1, &dimension, &variable));
+}
+
+template <class T>
+void put(const Netcdf& nc, const char* name, const std::vector<T>& column) {
+  if (column.empty()) return;
+  int variable = -1;
+  nc.require(nc_inq_varid(nc.id, name, &variable));
+  nc.require(nc_put_var(nc.id, variable, column.data()));
+}
+
+template <class T>
+void get(const Netcdf& nc, const char* name, nc_type type, std::vector<T>& column) {
+  int variable = -1, rank = 0, dimension = -1;
+  nc_type found = NC_NAT;
+  if (nc_inq_varid(nc.id, name, &variable) != NC_NOERR) return;
+  nc.require(nc_inq_var(nc.id, variable, nullptr, &found, &rank, nullptr, nullptr));
+  if (found != type || rank != 1) nc.require(NC_EBADTYPE);
+  nc.require(nc_inq_vardimid(nc.id, variable, &dimension));
+  std::size_t n = 0;
+  nc.require(nc_inq_dimlen(nc.id, dimension, &n));
+  column.resize(n);
+  nc.require(nc_get_var(nc.id, variable, column.data()));
+}
+
+void put_text(const Netcdf& nc, const char* name, const std::string& text) {
+  nc.require(nc_put_att_text(nc.id, NC_GLOBAL, name, text.size(), text.data()));
+}
+
+std::string text_of(const Netcdf& nc, const char* name) {
+  std::size_t n = 0;
+  nc.require(nc_inq_attlen(nc.id, NC_GLOBAL, name, &n));
+  std::string text(n, '\0');
+  nc.require(nc_get_att_text(nc.id, NC_GLOBAL, name, text.data()));
+  return text;
+}
+
+/// Both are told by name, in this order.
+template <class File, class Visit>
+void visit_columns(File& f, Visit&& visit) {
+  visit("reals", NC_DOUBLE, f.tape.reals);
+  visit("wholes", NC_INT64, f.tape.wholes);
+  visit("ints", NC_INT, f.tape.ints);
+  visit("bytes", NC_UBYTE, f.tape.bytes);
+}
+
+void write_netcdf(const fs::path& path, const CheckpointFile& f) {
+  Netcdf nc(path);
+  nc.require(nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_DATA, &nc.id));
+  nc.require(nc_set_fill(nc.id, NC_NOFILL, nullptr));
+  put_text(nc, "kind", kind);
+  put_text(nc, "version", f.version);
+  put_text(nc, "case_hash", f.case_hash);
+  put_text(nc, "case", f.case_text);
+  put_text(nc, "names", f.tape.names);
+  put_text(nc, "hash", hash_of(f));
+  visit_columns(f,
+                [&](const char* name, nc_type type, const auto& x) { define(nc, name, type, x); });
+  nc.require(nc_enddef(nc.id));
+  visit_columns(f, [&](const char* name, nc_type, const auto& x) { put(nc, name, x); });
+  nc.close();
+}
+
+/// A file, or the names in a folder, forced to the disk.
+void sync(const fs::path& path) {
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_done = fd >= 0 && fsync(fd) == 0;
+  const int error = errno;
+  if (fd >= 0) close(fd);
+  if (!is_done)
+    throw RunError(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
+}
+
+/// A header may name more than the file has.
+void require_whole(const fs::path& path, const Netcdf& nc) {
+  int variables = 0;
+  nc.require(nc_inq_nvars(nc.id, &variables));
+  std::uintmax_t bytes = 0;
+  for (int v = 0; v < variables; ++v) {
+    int dimension = -1, rank = 0;
+    std::size_t n = 0, size = 0;
+    nc_type type = NC_NAT;
+    nc.require(nc_inq_var(nc.id, v, nullptr, &type, &rank, nullptr, nullptr));
+    if (rank != 1) nc.require(NC_EBADDIM);
+    nc.require(nc_inq_vardimid(nc.id, v, &dimension));
+    nc.require(nc_inq_dimlen(nc.id, dimension, &n));
+    nc.require(nc_inq_type(nc.id, type, nullptr, &size));
+    if (n > fs::file_size(path) / size) bytes = fs::file_size(path);
+    bytes += n * size;
+  }
+  if (bytes >= fs::file_size(path))
+    throw RunError(fmt::format("checkpoint {}: it is torn", path.string()));
+}
+
+}  // namespace
+
+void write_checkpoint_file(const fs::path& path, const CheckpointFile& file) {
+  const fs::path partial = partial_path(path);
+  try {
+    write_netcdf(partial, file);
+    sync(partial);
+    rename_partial(path);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw;
+  }
+  sync(path.parent_path().empty() ? "." : path.parent_path());
+}
+
+CheckpointFile read_checkpoint_file(const fs::path& path) {
+  Netcdf nc(path);
+  nc.require(nc_open(path.c_str(), NC_NOWRITE, &nc.id));
+  require_whole(path, nc);
+  if (text_of(nc, "kind") != kind)
+    throw RunError(fmt::format("checkpoint {}: it is no checkpoint", path.string()));
+  CheckpointFile f{text_of(nc, "version"), text_of(nc, "case_hash"), text_of(nc, "case"), {}};
+  f.tape.names = text_of(nc, "names");
+  visit_columns(f, [&](const char* name, nc_type type, auto& x) { get(nc, name, type, x); });
+  if (text_of(nc, "hash") != hash_of(f))
+    throw RunError(fmt::format("checkpoint {}: its hash is wrong", path.string()));
+  return f;
+}
+
+}  // namespace tdbd::simulation

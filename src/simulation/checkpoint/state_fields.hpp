@@ -1,0 +1,154 @@
+#pragma once
+
+#include "simulation/checkpoint/rock_fields.hpp"
+#include "simulation/step/simulation.hpp"
+
+// The members of State, in the order in which a checkpoint holds them. A new member is a new line
+// here: the test Checkpoint.holds_every_byte_of_the_state asks for it.
+
+namespace tdbd::simulation {
+
+template <class A>
+void fields(A& a, Of<A, CompensatedSum>& x) {
+  a("sum", x.sum);
+  a("correction", x.correction);
+}
+
+template <class A>
+void fields(A& a, Of<A, Pose>& x) {
+  a("R", x.R);
+  a("p", x.p);
+}
+
+template <class A>
+void fields(A& a, Of<A, Place>& x) {
+  a("X_WB", x.X_WB);
+  a("turned", x.turned);
+  a("rock_z", x.rock_z);
+}
+
+template <class A>
+void fields(A& a, Of<A, bit::SlipBalance>& x) {
+  a("moment", x.moment);
+  a("inertia", x.inertia);
+}
+
+template <class A>
+void fields(A& a, Of<A, ConeState>& x) {
+  a("angle", x.angle);
+  a("turned", x.turned);
+  a("speed", x.speed);
+  a("remembered", x.remembered);
+  a("start_share", x.start_share);
+}
+
+template <class A>
+void fields(A& a, Of<A, rock::Section>& x) {
+  a("area", x.area);
+  a("centroid_B", x.centroid_B);
+  a("engaged_edge", x.engaged_edge);
+  a("angle_of_attack", x.angle_of_attack);
+  a("volume_rate", x.volume_rate);
+  a("sight", x.sight);
+  a("edge_centroid_B", x.edge_centroid_B);
+}
+
+template <class A>
+void fields(A& a, Of<A, rock::CutReport>& x) {
+  a("removed_by_part", x.removed_by_part);
+  a("removed", x.removed);
+  a("candidates", x.candidates);
+  a("moved", x.moved);
+  a("passes", x.passes);
+}
+
+template <class A>
+void fields(A& a, Of<A, dynamics::RotationState>& x) {
+  a("q_WB", x.q_WB);
+  a("momentum_W", x.momentum_W);
+  a("cone_angles", x.cone_angles);
+  a("cone_momenta", x.cone_momenta);
+  a("turns", x.turns);
+  a("time", x.time);
+}
+
+template <class A>
+void fields(A& a, Of<A, dynamics::DrillingState>& x) {
+  a("rotation", x.rotation);
+  a("c_W", x.c_W);
+  a("momentum_W", x.momentum_W);
+  a("rock_z", x.rock_z);
+  a("rock_momentum", x.rock_momentum);
+}
+
+template <class A>
+void fields(A& a, Of<A, dynamics::Wrench>& x) {
+  a("force_W", x.force_W);
+  a("torque_W", x.torque_W);
+  a("cones", x.cones);
+  a("rock_force", x.rock_force);
+  a("cone_impulse", x.cone_impulse);
+}
+
+template <class A>
+void fields(A& a, Of<A, dynamics::EnergyLedger>& x) {
+  a("start", x.start);
+  a("top", x.top);
+  a("gravity", x.gravity);
+  a("cut_bit", x.cut_bit);
+  a("cut_rock", x.cut_rock);
+  a("damped_string", x.damped_string);
+  a("damped_bearings", x.damped_bearings);
+  a("damped_rock", x.damped_rock);
+  a("wall_loss", x.wall_loss);
+  a("wall_friction", x.wall_friction);
+}
+
+template <class A>
+void fields(A& a, Of<A, dynamics::Drilling>& x) {
+  a("state", x.state);
+  a("wrench", x.wrench);
+  a("ledger", x.ledger);
+}
+
+template <class A>
+void fields(A& a, Of<A, VolumeLedger>& x) {
+  a("hole_start", x.hole_start);
+  a("removed", x.removed);
+  a("trimmed", x.trimmed);
+  a("removed_by_part", x.removed_by_part);
+  a("removed_by_revolution", x.removed_by_revolution);
+}
+
+template <class A>
+void fields(A& a, Of<A, rock::MaintenanceReport>& x) {
+  a("done", x.done);
+  a("refused", x.refused);
+  a("touched_triangles", x.touched_triangles);
+  a("volume_change", x.volume_change);
+  a("volume_disturbed", x.volume_disturbed);
+}
+
+template <class A>
+void fields(A& a, Of<A, Trimming>& x) {
+  a("done_W", x.done_W);
+  a("triangles", x.triangles);
+}
+
+template <class A>
+void fields(A& a, Of<A, State>& x) {
+  a("steps_done", x.steps_done);
+  a("place", x.place);
+  a("start_turned", x.start_turned);
+  a("rock", x.rock);
+  a("start_triangles", x.start_triangles);
+  a("cones", x.cones);
+  a("sections", x.sections);
+  a("cut", x.cut);
+  a("drive", x.drive);
+  a("ledger", x.ledger);
+  a("maintenance", x.maintenance);
+  a("trimming", x.trimming);
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,114 @@
+#include "simulation/result/checkpoint_keeper.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/whole_file.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+void put_in_place(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw RunError(fmt::format("cannot write {}: {}", to.string(), error.message()));
+}
+
+}  // namespace
+
+CheckpointKeeper::CheckpointKeeper(OutputFolder folder, long every, Warn warn)
+    : folder_(std::move(folder)), every_(every), warn_(std::move(warn)) {}
+
+template <class Do>
+void CheckpointKeeper::attempt(Do&& act) {
+  try {
+    act();
+  } catch (const RunError& e) {
+    if (!has_failed_ && warn_)
+      warn_(fmt::format("{}; the run goes on, to be resumed from its last good checkpoint",
+                        e.what()));
+    has_failed_ = true;
+  }
+}
+
+void CheckpointKeeper::begin_rows(std::size_t width, long kept) {
+  if (every_ == 0) return;
+  log_.emplace(folder_.rows(), width, kept);
+}
+
+/// A row that is missing would be missing in the record of the run that goes on: no checkpoint
+/// follows.
+void CheckpointKeeper::append(std::span<const double> row) {
+  if (!log_) return;
+  attempt([&] {
+    try {
+      log_->append(row);
+    } catch (const RunError&) {
+      log_.reset();
+      throw;
+    }
+  });
+}
+
+bool CheckpointKeeper::is_due(long steps_done) const {
+  constexpr double share = 0.01, soonest = 10.0;  // of the time; s
+  if (!log_ || every_ == 0) return false;
+  if (every_ > 0) return steps_done % every_ == 0;
+  const std::chrono::duration<double> passed = Clock::now() - last_;
+  return passed.count() > soonest && passed > cost_ / share;
+}
+
+/// At any moment one whole checkpoint has one of its names.
+void CheckpointKeeper::replace(const Case& c, const Simulation& s,
+                               const WrittenSoFar& written) const {
+  write_checkpoint(folder_.new_checkpoint(), c, s, written);
+  if (fs::exists(folder_.checkpoint()))
+    put_in_place(folder_.checkpoint(), folder_.previous_checkpoint());
+  put_in_place(folder_.new_checkpoint(), folder_.checkpoint());
+}
+
+void CheckpointKeeper::keep(const Case& c, const Simulation& s, const WrittenSoFar& written) {
+  if (!log_) return;
+  const auto begin = Clock::now();
+  attempt([&] {
+    log_->sync();
+    replace(c, s, written);
+  });
+  last_ = Clock::now();
+  cost_ = last_ - begin;
+}
+
+void CheckpointKeeper::remove() {
+  log_.reset();
+  std::error_code ignored;
+  for (const fs::path& file : {folder_.new_checkpoint(), folder_.checkpoint(),
+                               folder_.previous_checkpoint(), folder_.rows()})
+    fs::remove(file, ignored);
+}
+
+std::optional<Checkpoint> newest_checkpoint(const OutputFolder& folder, const Case& c,
+                                            const CheckpointKeeper::Warn& warn) {
+  std::string torn;
+  for (const fs::path& file :
+       {folder.new_checkpoint(), folder.checkpoint(), folder.previous_checkpoint()}) {
+    if (!fs::exists(file)) continue;
+    try {
+      Checkpoint found = read_checkpoint(file, c);
+      if (!torn.empty() && warn)
+        warn(fmt::format("{}; {} is whole, after {} steps: the run goes on from there", torn,
+                         file.filename().string(), found.state.steps_done));
+      return found;
+    } catch (const RunError& e) {
+      torn += (torn.empty() ? "" : "; ") + std::string(e.what());
+    }
+  }
+  if (!torn.empty()) throw InputError(torn + "; there is no older one");
+  return std::nullopt;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,89 @@
+#include "simulation/checkpoint/checkpoint_file.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "verification/simulation/mesh_bit.hpp"
+
+namespace tdbd::simulation::checkpoint_file_test {
+
+namespace fs = std::filesystem;
+
+CheckpointFile any_file() {
+  const auto some = [](auto g) { return *rc::gen::container<std::vector<decltype(*g)>>(g); };
+  CheckpointFile f{*rc::gen::string<std::string>(), "0123456789abcdef", "[time]\nstep = 1\n", {}};
+  f.version += "v";  // NetCDF has no empty texts
+  f.tape.names = "state\n";
+  f.tape.reals = some(rc::gen::arbitrary<double>());
+  f.tape.wholes = some(rc::gen::arbitrary<std::int64_t>());
+  f.tape.ints = some(rc::gen::arbitrary<std::int32_t>());
+  f.tape.bytes = some(rc::gen::arbitrary<std::uint8_t>());
+  return f;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_bytes(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+RC_GTEST_PROP(CheckpointFile, reads_back_what_was_written, ()) {
+  const fs::path path = test_folder() / "checkpoint.nc";
+  const auto file = any_file();
+  write_checkpoint_file(path, file);
+  const auto read = read_checkpoint_file(path);
+  RC_ASSERT(read.version == file.version);
+  RC_ASSERT(read.case_text == file.case_text);
+  RC_ASSERT(read.tape.names == file.tape.names);
+  RC_ASSERT(read.tape.reals == file.tape.reals);
+  RC_ASSERT(read.tape.wholes == file.tape.wholes);
+  RC_ASSERT(read.tape.ints == file.tape.ints);
+  RC_ASSERT(read.tape.bytes == file.tape.bytes);
+  RC_ASSERT(!fs::exists(path.string() + ".partial"));
+}
+
+/// Cut off anywhere.
+RC_GTEST_PROP(CheckpointFile, is_refused_where_it_is_torn, ()) {
+  const fs::path path = test_folder() / "checkpoint.nc";
+  auto file = any_file();
+  file.tape.reals.push_back(1.0);
+  write_checkpoint_file(path, file);
+  const std::string whole = bytes_of(path);
+  // What pads the last column to four bytes may be missing: nothing is lost with it.
+  const auto kept = *rc::gen::inRange<std::size_t>(0, whole.size() - 3);
+  write_bytes(path, whole.substr(0, kept));
+  RC_ASSERT_THROWS_AS(read_checkpoint_file(path), RunError);
+}
+
+/// One byte changed anywhere but in the padding, which holds nothing: refused, or read as it was.
+RC_GTEST_PROP(CheckpointFile, is_never_read_as_another, ()) {
+  const fs::path path = test_folder() / "checkpoint.nc";
+  const auto file = any_file();
+  write_checkpoint_file(path, file);
+  std::string bytes = bytes_of(path);
+  const auto place = *rc::gen::inRange<std::size_t>(0, bytes.size());
+  bytes[place] = static_cast<char>(bytes[place] ^ *rc::gen::inRange(1, 256));
+  write_bytes(path, bytes);
+  try {
+    const auto read = read_checkpoint_file(path);
+    RC_ASSERT(read.tape.reals == file.tape.reals);
+    RC_ASSERT(read.tape.bytes == file.tape.bytes);
+    RC_ASSERT(read.case_text == file.case_text);
+  } catch (const RunError&) {
+  }
+}
+
+TEST(CheckpointFile, is_told_from_other_files) {
+  const fs::path path = test_folder() / "checkpoint.nc";
+  EXPECT_THROW(read_checkpoint_file(path), RunError) << "no file";
+  write_bytes(path, "solid of a mesh");
+  EXPECT_THROW(read_checkpoint_file(path), RunError);
+}
+
+}  // namespace tdbd::simulation::checkpoint_file_test

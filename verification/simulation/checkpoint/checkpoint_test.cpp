@@ -1,0 +1,111 @@
+#include "simulation/checkpoint/checkpoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "simulation/checkpoint/state_fields.hpp"
+#include "simulation/checkpoint/statistics_fields.hpp"
+#include "verification/simulation/mesh_bit.hpp"
+#include "verification/simulation/restarted_cases.hpp"
+
+namespace tdbd::simulation::checkpoint_test {
+
+/// All numbers of a run. In which order vertices were touched follows the index.
+Tape numbers_of(Simulation s) {
+  std::ranges::sort(s.state.rock.touched_list);
+  Tape tape;
+  TapeWriter write(tape);
+  write("state", s.state);
+  write("statistics", s.statistics);
+  return tape;
+}
+
+/// To the bit: a NaN equals itself.
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+void expect_same(const Simulation& a, const Simulation& b) {
+  const Tape x = numbers_of(a), y = numbers_of(b);
+  EXPECT_TRUE(same_bytes(x.reals, y.reals));
+  EXPECT_TRUE(same_bytes(x.wholes, y.wholes));
+  EXPECT_TRUE(same_bytes(x.ints, y.ints));
+  EXPECT_TRUE(same_bytes(x.bytes, y.bytes));
+  EXPECT_EQ(x.names, y.names);
+}
+
+Simulation drilled(const Case& c, int steps) {
+  Simulation s = start(c);
+  for (int i = 0; i < steps; ++i) step(c, s);
+  return s;
+}
+
+class Checkpoints : public ::testing::TestWithParam<RestartedCase> {};
+
+/// At steps of any kind: with and without maintenance before and after them.
+TEST_P(Checkpoints, go_on_to_the_bit) {
+  const Case c = restarted_case(GetParam());
+  Random random{20261123};
+  for (int k = 0; k < 3; ++k) {
+    const int before = static_cast<int>(random.uniform(1.0, 60.0)),
+              after = static_cast<int>(random.uniform(1.0, 25.0));
+    Simulation whole = drilled(c, before);
+    const auto file = test_folder() / "checkpoint.nc";
+    write_checkpoint(file, c, whole, {});
+    Checkpoint saved = read_checkpoint(file, c);
+    Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));
+    expect_same(whole, resumed);
+    for (int i = 0; i < after; ++i) {
+      step(c, whole);
+      step(c, resumed);
+    }
+    expect_same(whole, resumed);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Checkpoints, ::testing::ValuesIn(restarted_cases()),
+                         [](const auto& instance) { return instance.param.name; });
+
+TEST(Checkpoint, keeps_what_was_written) {
+  const Case c = restarted_case(restarted_cases().front());
+  WrittenSoFar written{7, {{0.5, "frames/rock-000500.vtp"}}, {{0.5, "frames/bit-000500.vtp"}}, {}};
+  written.order.residual = {2.01, "", {1.0, 0.5}, {3.0, 4.0}};
+  const auto file = test_folder() / "checkpoint.nc";
+  write_checkpoint(file, c, start(c), written);
+  const WrittenSoFar read = read_checkpoint(file, c).written;
+  EXPECT_EQ(read.rows, 7);
+  EXPECT_EQ(read.rock_frames, written.rock_frames);
+  EXPECT_EQ(read.bit_frames, written.bit_frames);
+  EXPECT_EQ(read.order.residual.order, written.order.residual.order);
+  EXPECT_EQ(read.order.residual.residuals, written.order.residual.residuals);
+}
+
+/// What reading with this case says; empty: it was read.
+std::string refusal(const std::filesystem::path& file, const Case& c) {
+  try {
+    read_checkpoint(file, c);
+    return "";
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+TEST(Checkpoint, names_what_changed_in_the_case) {
+  const RestartedCase steady = restarted_cases().front();
+  const Case c = restarted_case(steady);
+  const auto file = test_folder() / "checkpoint.nc";
+  write_checkpoint(file, c, start(c), {});
+  const std::string text = refusal(file, restarted_case(steady, {"time.step='0.5 ms'"}));
+  EXPECT_NE(
+      text.find("the case has changed since: [time] found step = 0.0005, expected step = 0.001"),
+      std::string::npos)
+      << text;
+}
+
+}  // namespace tdbd::simulation::checkpoint_test

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "core/error.hpp"
+#include "simulation/result/run.hpp"
+#include "verification/simulation/mesh_bit.hpp"
+#include "verification/simulation/restarted_cases.hpp"
+
+namespace tdbd::simulation::resume_test {
+
+namespace fs = std::filesystem;
+
+/// Every file of a folder but timing.json, by its name.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file() || entry.path().filename() == "timing.json") continue;
+    std::ifstream in(entry.path(), std::ios::binary);
+    files[fs::relative(entry.path(), folder).string()] = {std::istreambuf_iterator<char>(in), {}};
+  }
+  return files;
+}
+
+void expect_same_files(const fs::path& a, const fs::path& b) {
+  const auto x = files_of(a), y = files_of(b);
+  for (const auto& [name, bytes] : x)
+    EXPECT_TRUE(y.contains(name) && y.at(name) == bytes) << name << " differs, or is missing";
+  for (const auto& [name, bytes] : y) EXPECT_TRUE(x.contains(name)) << name << " is left over";
+}
+
+/// Stops a run after so many of its steps.
+RunSummary run_until(long steps, const Case& c, RunOptions o, bool is_resumed) {
+  std::atomic<bool> stop{false};
+  o.interrupted = &stop;
+  o.progress = [&](const Simulation& s, long) { stop = s.state.steps_done >= steps; };
+  return is_resumed ? resume_run(c, o) : run(c, o);
+}
+
+class Resume : public ::testing::TestWithParam<RestartedCase> {
+ protected:
+  Case short_case() const {
+    return restarted_case(GetParam(), {GetParam().length, "output.frames_every=20"});
+  }
+};
+
+/// On one thread, then on two.
+TEST_P(Resume, writes_the_files_of_a_run_that_was_not_stopped) {
+  const Case c = short_case();
+  const fs::path whole = test_folder() / "whole", folder = whole.parent_path() / "stopped";
+  run(c, {.folder = whole});
+  EXPECT_EQ(run_until(17, c, {.folder = folder}, false).status, RunStatus::interrupted);
+  EXPECT_FALSE(is_finished(folder));
+  const Case stopped = read_stopped_case(folder);
+  EXPECT_EQ(stopped.hash, c.hash);
+  EXPECT_EQ(run_until(40, stopped, {.folder = folder, .threads = 2}, true).status,
+            RunStatus::interrupted);
+  EXPECT_EQ(resume_run(stopped, {.folder = folder}).status, RunStatus::completed);
+  EXPECT_TRUE(is_finished(folder));
+  expect_same_files(whole, folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Resume, ::testing::ValuesIn(restarted_cases()),
+                         [](const auto& instance) { return instance.param.name; });
+
+class ResumeOne : public ::testing::Test {
+ protected:
+  Case c = restarted_case(restarted_cases().front(),
+                          {"time.revolutions=0.12", "output.checkpoint_every=10"});
+  fs::path whole = test_folder() / "whole", folder = whole.parent_path() / "stopped";
+  std::vector<std::string> warnings;
+  RunOptions options() {
+    RunOptions o{.folder = folder};
+    o.warn = [&](const std::string& w) { warnings.push_back(w); };
+    return o;
+  }
+};
+
+/// A kill between two checkpoints, before the newest was whole.
+TEST_F(ResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
+  run(c, {.folder = whole});
+  run_until(35, c, options(), false);
+  fs::resize_file(folder / "checkpoint.nc", fs::file_size(folder / "checkpoint.nc") / 2);
+  resume_run(c, options());
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("checkpoint-previous.nc is whole, after 30 steps"), std::string::npos)
+      << warnings[0];
+  expect_same_files(whole, folder);
+}
+
+TEST_F(ResumeOne, begins_anew_where_no_checkpoint_was_written) {
+  run(c, {.folder = whole});
+  run_until(5, c, options(), false);
+  fs::remove(folder / "checkpoint.nc");
+  resume_run(c, options());
+  expect_same_files(whole, folder);
+}
+
+TEST_F(ResumeOne, refuses_checkpoints_that_are_all_torn) {
+  run_until(15, c, options(), false);
+  for (const char* name : {"checkpoint.nc", "checkpoint-previous.nc"})
+    fs::resize_file(folder / name, 100);
+  EXPECT_THROW(resume_run(c, options()), InputError);
+  EXPECT_TRUE(fs::exists(folder / "summary.json")) << "nothing is lost";
+}
+
+TEST_F(ResumeOne, refuses_a_folder_without_a_run) {
+  fs::create_directories(folder);
+  EXPECT_THROW(read_stopped_case(folder), InputError);
+  EXPECT_FALSE(is_finished(folder));
+}
+
+}  // namespace tdbd::simulation::resume_test
