@@ -26,7 +26,7 @@ SUB_FOLDERS = {
     "rock": ("index", ".", "start", "cut", "section", "maintain"),
     "forces": ("named.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),
-    "simulation": ("case", "start", "step", "result", "rotate", "study"),
+    "simulation": ("case", "start", "step", "checkpoint", "result", "rotate", "study"),
     "calibration": ("record", "case", "cuts", "fit", "predict", "result", "laboratory"),
     "app": (".",),
 }

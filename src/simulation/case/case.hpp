@@ -72,7 +72,7 @@ struct OutputPlan {
   long frames_every =
       *output_keys::frames_every.fallback;  ///< steps between frames; 0: only the last
   long checkpoint_every = -1;  ///< steps; negative: as often as costs less than 1 % of the time
-  double means_from = 0.0;  ///< s since the run's beginning: steps before do not count in means
+  double means_from = 0.0;     ///< s since the run's beginning: steps before do not count in means
   EnergyOrderWish energy_order = *output_keys::energy_order.fallback;
   long energy_order_window = *output_keys::energy_order_window.fallback;  ///< steps
 };
