@@ -36,6 +36,8 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder) {
         c.rolling_ratio_gage_row, 100.0 * c.net_slip_gage_row);
   if (s.drive) print_energy(*s.drive);
   fmt::print("results in {}\n", folder);
+  if (s.status == simulation::RunStatus::interrupted)
+    fmt::print("to go on: tdbd run --resume {}\n", folder);
 }
 
 std::string detail_of(const simulation::Simulation& s) {
