@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -57,6 +58,20 @@ TEST(FailingRun, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_b
          "shape = \"file\"\nfile = \"out/rock_final.ply\"\nunit = \"1 m\"");
   const auto again = c.run({}, "again");
   EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+/// HDF5 crashed in a close that failed, and rock and failure.txt were lost.
+TEST(FailingRun, whose_history_cannot_be_closed_keeps_the_rest) {
+  const SmallCase c;
+  setenv("LD_PRELOAD", TDBD_FAILING_CLOSE, 1);
+  const auto o = c.run();
+  unsetenv("LD_PRELOAD");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_NE(o.err.find("history.nc.partial: Input/output error"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find(read(c.path("out/failure.txt"))), std::string::npos) << o.err;
+  EXPECT_TRUE(fs::exists(c.path("out/rock_final.ply")));
+  EXPECT_FALSE(fs::exists(c.path("out/history.nc")));
+  EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
 }
 
 TEST(FailingRun, forced_again_and_well_leaves_no_trace_of_the_failure) {
