@@ -74,6 +74,20 @@ TEST(FailingRun, whose_history_cannot_be_closed_keeps_the_rest) {
   EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
 }
 
+/// Nothing is known of them, and 0 is not claimed.
+TEST(FinishedRun, has_no_means_over_no_step) {
+  const SmallCase c;
+  c.edit("case.toml", "wall = \"20 mm\"", "wall = \"20 mm\"\nmaterial = \"mancos-shale\"");
+  c.edit("case.toml", "duration = \"40 ms\"",
+         "duration = \"40 ms\"\n[forces]\nlaw = \"hanson-hansen\"\nA1 = 1\nA3 = 0.3");
+  const auto o = c.run({"--set", "output.means_from=1"});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const auto summary = nlohmann::json::parse(read(c.path("out/summary.json")));
+  for (const char* key : {"wob_mean_n", "rop_mean_m_per_s", "imbalance", "means_from_s"})
+    EXPECT_TRUE(summary[key].is_null()) << key;
+  EXPECT_TRUE(summary["forces"].empty());
+}
+
 TEST(FailingRun, forced_again_and_well_leaves_no_trace_of_the_failure) {
   const SmallCase c = sideways();
   ASSERT_EQ(c.run().exit_code, 1);
