@@ -96,13 +96,13 @@ int inspect_bit(const BitChoices& choices) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
     return 0;
   }
-  const simulation::OutputFolder out =
-      simulation::prepare(choices.folder, overwrite_of(choices.force));
+  const simulation::OutputFolder out = simulation::prepare(
+      choices.folder, overwrite_of(choices.force), read.files, simulation::ResultKind::bit);
+  bit::export_bit(out.path, b, choices.format);  // first: by its bit.toml the folder is known
   bit::write_bit_files(out.path, b);
   bit::write_profile(out.path, b);
   bit::write_cutter_table(out.path, b);
   if (choices.report) bit::write_analysis(out.path, b, options);
-  bit::export_bit(out.path, b, choices.format);
   bit::export_solids(out.path, b, choices.solids);
   bit::write_bit_vtp(out.path / "bit.vtp", b, Pose{});
   return 0;

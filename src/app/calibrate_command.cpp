@@ -85,7 +85,7 @@ int calibrate(const CalibrateArguments& a) {
   const double cut_seconds = seconds();
   const calibration::Calibration found = calibration::calibrate(c, cuts);
   const double fit_seconds = seconds() - cut_seconds;
-  calibration::prepare_folder(folder, overwrite_of(a.force));
+  const auto held = calibration::prepare_folder(folder, overwrite_of(a.force), c.files);
   write_timing(folder, cuts, cut_seconds, fit_seconds);
   calibration::write_calibration(folder, c, cuts, found);
   if (a.quiet) return 0;

@@ -54,7 +54,7 @@ int converge(ConvergeArguments a) {
   const sim::ConvergenceStart start = sim::check(a.plan);
   const sim::OutputFolder folder =
       sim::prepare(result_folder(a, "-convergence"), overwrite_of(a.force), inputs_of(a, start),
-                   sim::HasFrames::no);
+                   sim::ResultKind::convergence);
   try {
     const sim::Convergence c = sim::converge(a.plan, options);
     sim::write_convergence(folder.path, c);

@@ -19,12 +19,21 @@ struct LaboratoryArguments {
   int threads = 1;
 };
 
+/// Throws InputError where the records may not be written.
+void demand_free(const std::filesystem::path& file, const LaboratoryArguments& a,
+                 const std::vector<std::string>& inputs) {
+  if (!std::filesystem::exists(file)) return;
+  for (const std::string& input : inputs)
+    if (std::filesystem::equivalent(file, input))
+      throw InputError(file.string() + ": found an input itself, expected another file to write");
+  if (!a.force) throw InputError(fmt::format("{}: exists; --force overwrites", file.string()));
+}
+
 int make_records(const LaboratoryArguments& a) {
   const ThreadLimit limit(a.threads);
   const auto c = calibration::read_laboratory(a.case_file, a.overrides);
   const std::filesystem::path file = std::filesystem::absolute(a.output).lexically_normal();
-  if (std::filesystem::exists(file) && !a.force)
-    throw InputError(fmt::format("{}: exists; --force overwrites", file.string()));
+  demand_free(file, a, c.setup.files);
   const std::filesystem::path cuts =
       a.cuts.empty() ? file.parent_path() / "cuts" : std::filesystem::path(a.cuts);
   const auto store = calibration::find_cuts(c.setup, cuts);

@@ -1,6 +1,8 @@
 #include "core/whole_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -26,6 +28,14 @@ void rename_partial(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::rename(partial_path(path), path, error);
   if (error) fail_to_write(path, error.message());
+}
+
+void put_on_disk(const std::filesystem::path& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) fail_to_write(path, std::strerror(errno));
+  const int not_synced = fsync(file) == 0 ? 0 : errno;
+  if (close(file) != 0 || not_synced != 0)
+    fail_to_write(path, std::strerror(not_synced != 0 ? not_synced : errno));
 }
 
 WholeFile::WholeFile(std::filesystem::path path) : path_(std::move(path)) {

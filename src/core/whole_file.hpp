@@ -12,6 +12,9 @@ std::filesystem::path partial_path(const std::filesystem::path& path);
 /// Renames `path.partial` to `path`. Throws RunError.
 void rename_partial(const std::filesystem::path& path);
 
+/// Has the kernel put a file on its disk. Throws RunError with what went wrong since it was written.
+void put_on_disk(const std::filesystem::path& path);
+
 /// A file that appears complete or not at all: bytes go to `path.partial`, which commit() renames to `path`. Without
 /// commit() nothing is left behind, and an older file at `path` is untouched.
 class WholeFile {

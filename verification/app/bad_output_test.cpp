@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/small_case.hpp"
+#include "core/folder_lock.hpp"
 
 namespace tdbd::app::bad_output_test {
 
@@ -61,6 +62,35 @@ TEST(BadOutput, an_input_is_not_replaced) {
   expect_output_refused(o, c.path("out"),
                         "holds the input " + resolved.string() + "; take another folder");
   EXPECT_EQ(read(resolved), before);
+}
+
+TEST(BadOutput, two_runs_into_one_folder) {
+  const SmallCase c;
+  fs::create_directory(c.path("out"));
+  {
+    const FolderLock other(c.path("out"));
+    expect_output_refused(
+        c.run(), c.path("out"),
+        "in use: another command writes to it; wait for its end or take another folder");
+    EXPECT_EQ(files_below(c.path("out")), std::vector<std::string>{});
+  }
+  const auto killed =
+      c.run({"--set", "time.duration=1000", "--set", "output.frames_every=1"}, "out",
+            {.signal_after = c.path("out/frames/rock-000001.vtp"), .signal = SIGKILL});
+  EXPECT_EQ(killed.exit_code, 128 + SIGKILL);
+  EXPECT_EQ(c.run({"--force"}).exit_code, 0);
+}
+
+/// NetCDF reads them in its own way: it wrote "/history.nc" for the folder " ".
+TEST(BadOutput, names_of_folders_that_are_read_otherwise_elsewhere_are_just_names) {
+  const SmallCase c;
+  for (const std::string name :
+       {" ", "a\\b", "http:", "file:///x", "a#b", "a?mode=bytes", "[x]y"}) {
+    const auto o = c.run({"--quiet"}, "names/" + name);
+    EXPECT_EQ(o.exit_code, 0) << name << ": " << o.err;
+    const std::string history = read(c.path("names/" + name) / "history.nc");
+    EXPECT_EQ(history.substr(1, 3), "HDF") << name;
+  }
 }
 
 TEST(BadOutput, a_file_in_place_of_a_folder) {

@@ -75,6 +75,23 @@ def check_refusals(folder):
     assert not (folder / "new").exists()
 
 
+def check_force(folder):
+    """An export replaces an export, whole; never its input, or what a user put there."""
+    out = folder / "report"
+    assert tdbd(BIT, "-o", out, "--force", "--quiet").returncode == 0
+    assert (out / "bit.toml").is_file() and not (out / "analysis.json").exists()
+    own = tdbd(out / "bit.toml", "-o", out, "--force")
+    assert own.returncode == 2 and f"holds the input {out / 'bit.toml'}" in own.stderr, own
+    mine = folder / "mine"
+    mine.mkdir()
+    (mine / "bit.stl").write_text("mine")
+    for words in ("holds bit.stl, and no bit.toml of TDBD beside it", "is not one that TDBD wrote"):
+        refused = tdbd(BIT, "-o", mine, "--force")
+        assert refused.returncode == 2 and words in refused.stderr, refused
+        assert (mine / "bit.stl").read_text() == "mine"
+        (mine / "bit.toml").write_text('name = "mine"')
+
+
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     for form in ("ply", "off", "obj", "stl"):
@@ -82,3 +99,4 @@ with tempfile.TemporaryDirectory() as name:
     check_report(folder)
     check_quiet(folder)
     check_refusals(folder)
+    check_force(folder)

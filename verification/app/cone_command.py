@@ -77,6 +77,14 @@ def check_refusals(folder):
             assert re.search(r"bit\.toml:\d+: ", line), line
 
 
+def check_coincident(folder):
+    """240 degrees typed as 120: a refusal in seconds, not a search without end."""
+    result = edited(folder, ('azimuth = "240 deg"', 'azimuth = "120 deg"'))
+    assert result.returncode == 2 and "cone-2/" in result.stderr, result
+    for words in ("found an overlap of", "expected a gap"):
+        assert words in result.stderr, result.stderr
+
+
 def check_report(folder):
     result = edited(folder, ("s = \"42.5 mm\"", "s = \"37 mm\""),
                     ("gage_diameter", "interference = \"report\"\ngage_diameter"))
@@ -196,6 +204,7 @@ def check_rolling(folder):
 with tempfile.TemporaryDirectory() as name:
     check_bit_r(pathlib.Path(name))
     check_refusals(pathlib.Path(name))
+    check_coincident(pathlib.Path(name))
     check_report(pathlib.Path(name))
     check_tracking(pathlib.Path(name))
     check_drilling(pathlib.Path(name))

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -57,6 +58,34 @@ TEST(FailingRun, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_b
          "shape = \"file\"\nfile = \"out/rock_final.ply\"\nunit = \"1 m\"");
   const auto again = c.run({}, "again");
   EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+/// HDF5 crashed in a close that failed, and rock and failure.txt were lost.
+TEST(FailingRun, whose_history_cannot_be_closed_keeps_the_rest) {
+  const SmallCase c;
+  setenv("LD_PRELOAD", TDBD_FAILING_CLOSE, 1);
+  const auto o = c.run();
+  unsetenv("LD_PRELOAD");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_NE(o.err.find("history.nc.partial: Input/output error"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find(read(c.path("out/failure.txt"))), std::string::npos) << o.err;
+  EXPECT_TRUE(fs::exists(c.path("out/rock_final.ply")));
+  EXPECT_FALSE(fs::exists(c.path("out/history.nc")));
+  EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
+}
+
+/// Nothing is known of them, and 0 is not claimed.
+TEST(FinishedRun, has_no_means_over_no_step) {
+  const SmallCase c;
+  c.edit("case.toml", "wall = \"20 mm\"", "wall = \"20 mm\"\nmaterial = \"mancos-shale\"");
+  c.edit("case.toml", "duration = \"40 ms\"",
+         "duration = \"40 ms\"\n[forces]\nlaw = \"hanson-hansen\"\nA1 = 1\nA3 = 0.3");
+  const auto o = c.run({"--set", "output.means_from=1"});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const auto summary = nlohmann::json::parse(read(c.path("out/summary.json")));
+  for (const char* key : {"wob_mean_n", "rop_mean_m_per_s", "imbalance", "means_from_s"})
+    EXPECT_TRUE(summary[key].is_null()) << key;
+  EXPECT_TRUE(summary["forces"].empty());
 }
 
 TEST(FailingRun, forced_again_and_well_leaves_no_trace_of_the_failure) {

@@ -44,12 +44,13 @@ Clearance described(const Gap& gap, const Cone& a, const Turning& of_a, const Co
           gap.distance,
           within_turn(gap.angle_a - of_a.first_angle),
           within_turn(std::atan2(place_K.y(), place_K.x()) - of_b.first_angle),
-          place_B};
+          place_B,
+          gap.is_exact};
 }
 
 void add_pair(const Cone& a, const Cone& b, std::vector<Clearance>& all) {
   const std::vector<Turning> parts_a = turning_parts(a), parts_b = turning_parts(b);
-  std::vector<Clearance> overlaps;
+  std::vector<Clearance> clashes;
   Clearance nearest;
   nearest.distance = INFINITY;
   for (const Turning& of_a : parts_a)
@@ -57,11 +58,11 @@ void add_pair(const Cone& a, const Cone& b, std::vector<Clearance>& all) {
       const Gap gap = smallest_gap(of_a.meridian, a.X_BK, of_b.meridian, b.X_BK,
                                    clearance_tolerance, std::max(0.0, nearest.distance));
       const Clearance here = described(gap, a, of_a, b, of_b);
-      if (here.distance < 0.0) overlaps.push_back(here);
+      if (is_clash(here)) clashes.push_back(here);
       if (here.distance < nearest.distance) nearest = here;
     }
-  if (overlaps.empty()) overlaps.push_back(nearest);
-  all.insert(all.end(), overlaps.begin(), overlaps.end());
+  if (clashes.empty()) clashes.push_back(nearest);
+  all.insert(all.end(), clashes.begin(), clashes.end());
 }
 
 }  // namespace
@@ -77,6 +78,12 @@ std::vector<Clearance> cone_clearances(const std::vector<Cone>& cones) {
 }
 
 std::string clearance_text(const Clearance& c) {
+  if (!c.is_exact)
+    return fmt::format(
+        "{} and {} about {:.3f} mm apart all over, near ({:.1f}, {:.1f}, {:.1f}) mm and elsewhere "
+        "(given up after {} patches; two cones in one place?)",
+        c.part_a, c.part_b, 1e3 * std::abs(c.distance), 1e3 * c.place_B.x(), 1e3 * c.place_B.y(),
+        1e3 * c.place_B.z(), most_patches);
   return fmt::format(
       "{} of {:.3f} mm of {} (at {:.1f} deg) and {} (at {:.1f} deg) at ({:.1f}, {:.1f}, {:.1f}) mm",
       c.distance < 0.0 ? "an overlap" : "a gap", 1e3 * std::abs(c.distance), c.part_a,

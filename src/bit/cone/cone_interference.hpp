@@ -14,16 +14,21 @@ struct Clearance {
   double angle_a = 0.0;        ///< rad, of cone a when its part is at that place
   double angle_b = 0.0;        ///< rad, of cone b
   Vec3 place_B = Vec3::Zero();
+  bool is_exact =
+      true;  ///< false: the two are so close all over that the search gave up (most_patches)
 };
 
 /// "an overlap of 1.203 mm of cone-1/row-2/tooth-1 (at 34.2 deg) and cone-2/body (at 120.0 deg) at
-/// (1.0, 2.0, 3.0) mm", or "a gap of ..."; angles of the cones, place in the bit's frame.
+/// (1.0, 2.0, 3.0) mm", or "a gap of ...", or what could not be told; angles of the cones, place in the bit's frame.
 std::string clearance_text(const Clearance& c);
 
 /// Accuracy (m) of the clearances.
 inline constexpr double clearance_tolerance = 1e-5;
 
-/// For every two cones of a bit: every overlap between a shell or row of teeth of one and those of
+/// Whether parts overlap, or may for all that the search can tell.
+inline bool is_clash(const Clearance& c) { return c.distance < 0.0 || !c.is_exact; }
+
+/// For every two cones of a bit: every clash between a shell or row of teeth of one and those of
 /// the other or, if there is none, the smallest gap between the two. Cones turn independently, so
 /// in time every tooth stands at every angle: what matters is what shells and rows sweep
 /// (swept_meridian), and any tooth represents its row. Conservative by swept_meridian's slack.

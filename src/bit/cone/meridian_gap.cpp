@@ -68,10 +68,14 @@ Gap smallest_gap(const Meridian& a, const Pose& X_BA, const Meridian& b, const P
     patches.push(p);
   };
   for (std::size_t side = 0; side < a.size(); ++side) add({side, 0.5, 0.5, pi, pi, 0.0});
-  while (!patches.empty()) {
+  for (long looked_at = 0; !patches.empty(); ++looked_at) {
     const Patch p = patches.top();
     patches.pop();
     if (p.least >= search.best.distance - tolerance || p.least >= enough) break;
+    if (looked_at == most_patches) {
+      search.best.is_exact = false;
+      break;
+    }
     const auto [lo, hi] = search.halves(p);
     add(lo);
     add(hi);

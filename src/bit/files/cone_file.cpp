@@ -121,7 +121,7 @@ std::string key_of(const std::string& part) {
 void note_overlaps(const Bit& bit, std::vector<Config>& cones) {
   for (const Clearance& c : cone_clearances(bit.cones))
     for (std::size_t k = 0; k < cones.size(); ++k)
-      if (c.distance < 0.0 && c.part_a.starts_with(bit.cones[k].name + "/"))
+      if (is_clash(c) && c.part_a.starts_with(bit.cones[k].name + "/"))
         cones[k].problem(key_of(c.part_a), clearance_text(c), "a gap");
 }
 

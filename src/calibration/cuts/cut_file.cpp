@@ -6,8 +6,10 @@
 
 #include <array>
 #include <functional>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/plain_path.hpp"
 #include "core/provenance.hpp"
 #include "core/whole_file.hpp"
 
@@ -173,16 +175,20 @@ void write_cut_run(const std::filesystem::path& file, const CutRun& run,
   {
     H5dont_atexit();
     Nc nc{partial_path(file)};
-    nc.require(nc_create(nc.path.c_str(), NC_NETCDF4 | NC_CLOBBER, &nc.id));
+    nc.require(nc_create(PlainPath(nc.path).c_str(), NC_NETCDF4 | NC_CLOBBER, &nc.id));
     write_rows(nc, run, names);
+    nc.require(nc_sync(nc.id));
+    put_on_disk(nc.path);
+    nc.require(nc_close(std::exchange(nc.id, -1)));
   }
   rename_partial(file);
 }
 
 std::optional<CutRun> read_cut_run(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file) || !is_newer_than_the_program(file)) return std::nullopt;
+  if (!std::filesystem::is_regular_file(file) || !is_newer_than_the_program(file))
+    return std::nullopt;
   Nc nc{file};
-  if (nc_open(file.c_str(), NC_NOWRITE, &nc.id) != NC_NOERR) return std::nullopt;
+  if (nc_open(PlainPath(file).c_str(), NC_NOWRITE, &nc.id) != NC_NOERR) return std::nullopt;
   CutRun run;
   if (!is_of_this_commit(nc) || !read_rows(nc, run)) return std::nullopt;
   return run;

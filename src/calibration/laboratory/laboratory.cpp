@@ -91,6 +91,7 @@ LaboratoryCase read_laboratory(const std::string& path, const std::vector<std::s
   setup.records.rows = plan(setup.fit, all_pressures, all_rates, top.read(rotary_speed));
   result.seed = static_cast<std::uint64_t>(top.read(seed));
   c.finish();
+  result.setup.files = c.files();
   return result;
 }
 

@@ -69,14 +69,19 @@ void check_folder(const fs::path& folder, simulation::Overwrite overwrite) {
     refuse(folder, "exists; --force overwrites");
 }
 
-void prepare_folder(const fs::path& folder, simulation::Overwrite overwrite) {
+simulation::OutputFolder prepare_folder(const fs::path& folder, simulation::Overwrite overwrite,
+                                        const std::vector<std::string>& inputs) {
   check_folder(folder, overwrite);
   try {
     fs::create_directories(folder);
+    simulation::OutputFolder held{folder, std::make_shared<const FolderLock>(folder)};
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(folder))
       if (is_result(entry.path())) old.push_back(entry.path());
+    simulation::demand_replaceable(folder, old, inputs);
+    simulation::demand_own(folder, "case.toml");
     for (const fs::path& file : old) fs::remove(file);
+    return held;
   } catch (const fs::filesystem_error& e) {
     refuse(folder, e.code().message());
   }

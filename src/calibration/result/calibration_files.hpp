@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "calibration/result/calibrate.hpp"
 #include "simulation/result/output_folder.hpp"
@@ -11,9 +12,12 @@ namespace tdbd::calibration {
 /// Throws InputError when the folder is not empty and `overwrite` is no, or is a file: before the work.
 void check_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);
 
-/// Makes the result folder. With `force`, files of an older calibration go; others stay. Throws
-/// InputError, and changes nothing, when it is not empty and `overwrite` is no.
-void prepare_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);
+/// Makes the result folder and holds it for one command. With `force`, files of an older calibration go; others stay.
+/// Throws InputError, and changes nothing, when another command holds it, when it is not empty and `overwrite` is no,
+/// or when a file to be replaced is one of `inputs` or a case.toml that a user wrote.
+simulation::OutputFolder prepare_folder(const std::filesystem::path& folder,
+                                        simulation::Overwrite overwrite,
+                                        const std::vector<std::string>& inputs);
 
 /// Writes calibration.json, law.toml (one for each pressure of separate fits), residuals.csv,
 /// predictions.csv, case.toml and copies of the cut runs; calibration.json last. Throws RunError.

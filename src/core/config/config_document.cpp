@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "core/read_file.hpp"
 
 namespace tdbd {
 namespace {
@@ -150,23 +150,6 @@ void ConfigDocument::add_problem(const std::string& key, const std::string& foun
   problems.push_back({line_of(key), key, found, expected});
 }
 
-namespace {
-
-/// Throws InputError where there is nothing to parse.
-void demand_readable(const std::string& path) {
-  std::error_code ignored;
-  const auto refuse = [&path](const char* found) {
-    throw InputError(fmt::format("{}: found {}, expected a TOML file", path, found));
-  };
-  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status)) refuse("no such file");
-  if (std::filesystem::is_directory(status)) refuse("a folder");
-  if (!std::filesystem::is_regular_file(status)) refuse("no regular file");
-  if (!std::ifstream(path)) refuse("a file that cannot be opened");
-}
-
-}  // namespace
-
 ConfigDocument parse_document(const std::string& text, const std::string& path) {
   ConfigDocument document;
   document.file = path;
@@ -182,11 +165,7 @@ ConfigDocument parse_document(const std::string& text, const std::string& path) 
 }
 
 ConfigDocument read_document(const std::string& path) {
-  demand_readable(path);
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return parse_document(text.str(), path);
+  return parse_document(read_file(path, "a TOML file"), path);
 }
 
 void apply_override(ConfigDocument& document, const std::string& assignment) {

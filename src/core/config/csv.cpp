@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "core/read_file.hpp"
 #include "core/text.hpp"
 
 namespace tdbd {
@@ -54,9 +54,7 @@ void add_row(CsvTable& table, const CsvRow& text, CsvMistakes& mistakes) {
 }  // namespace
 
 std::vector<CsvRow> read_csv_rows(const std::string& path) {
-  std::ifstream in(path);
-  if (!in || !std::filesystem::is_regular_file(path))
-    throw InputError(fmt::format("{}: found no such file, expected a CSV table", path));
+  std::istringstream in(read_file(path, "a CSV table"));
   std::vector<CsvRow> rows;
   std::string text;
   for (long line = 1; std::getline(in, text); ++line) {

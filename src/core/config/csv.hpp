@@ -18,7 +18,7 @@ struct CsvRow {
 };
 
 /// The rows of a file. Lines that are empty or start with '#' are left out; a byte-order mark and
-/// CRLF are tolerated. Throws InputError when there is no such file.
+/// CRLF are tolerated. Throws InputError when the file cannot be read.
 std::vector<CsvRow> read_csv_rows(const std::string& path);
 
 /// The finite number that fills a whole cell; nothing otherwise.

@@ -8,14 +8,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstdint>
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "core/whole_file.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/ply.hpp"
@@ -43,51 +42,6 @@ void require_known(const std::filesystem::path& path) {
                  fmt::format("unknown mesh format '{}', expected .stl, .obj, .ply or .off", e));
 }
 
-/// A binary STL gives the number of facets after its header of 80 bytes. A file is text if it begins with "solid" and
-/// its length does not match that number: some programs begin binary files with "solid" too.
-enum class StlKind { text, binary };
-StlKind stl_kind(const std::filesystem::path& path, std::istream& in) {
-  constexpr std::uintmax_t head = 84, facet = 50;
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  std::array<unsigned char, head> bytes{};
-  in.read(reinterpret_cast<char*>(bytes.data()), head);
-  const bool has_head = static_cast<bool>(in);
-  in.clear();
-  in.seekg(0);
-  std::uintmax_t facets = 0;
-  for (std::size_t k = 4; k-- > 0;) facets = 256 * facets + bytes[80 + k];
-  if (has_head && size == head + facet * facets) return StlKind::binary;
-  const std::string start(bytes.begin(), bytes.begin() + 5);
-  if (start == "solid" || size == 0) return StlKind::text;
-  if (!has_head) fail_to_read(path, "not a valid .stl file: neither text nor a binary header");
-  fail_to_read(path, fmt::format("truncated or no STL: {} bytes, expected {} for {} facets", size,
-                                 head + facet * facets, facets));
-}
-
-bool parse(std::istream& in, const std::string& extension, Soup& soup) {
-  if (extension == ".stl") return CGAL::IO::read_STL(in, soup.points, soup.polygons);
-  if (extension == ".off") return CGAL::IO::read_OFF(in, soup.points, soup.polygons);
-  return CGAL::IO::read_PLY(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
-}
-
-/// CGAL's readers throw on broken files (sizes beyond memory, failed assertions): that is an input error.
-FacetFile read_by_cgal(const std::filesystem::path& path, std::istream& in) {
-  Soup soup;
-  bool understood = false;
-  try {
-    understood = parse(in, lower_extension(path), soup);
-  } catch (const std::exception& e) {
-    fail_to_read(path, fmt::format("broken file ({})", e.what()));
-  }
-  if (!understood)
-    fail_to_read(path, fmt::format("not a valid {} file, or cut short", lower_extension(path)));
-  FacetFile file;
-  file.points.reserve(soup.points.size());
-  for (const FilePoint& p : soup.points) file.points.push_back(Vec3(p.x(), p.y(), p.z()));
-  file.polygons = std::move(soup.polygons);
-  return file;
-}
-
 void require_sound(const std::filesystem::path& path, const FacetFile& file) {
   if (file.polygons.empty()) fail_to_read(path, "no triangles");
   for (std::size_t v = 0; v < file.points.size(); ++v)
@@ -105,12 +59,24 @@ void require_sound(const std::filesystem::path& path, const FacetFile& file) {
   }
 }
 
-FacetFile read_any(const std::filesystem::path& path, std::istream& in) {
-  const std::string extension = lower_extension(path);
-  if (extension == ".obj") return read_obj(in, path.string());
-  if (extension == ".stl" && stl_kind(path, in) == StlKind::text)
-    return read_text_stl(in, path.string());
-  return read_by_cgal(path, in);
+/// Squares and volumes of larger coordinates are no longer numbers.
+void require_small(const std::filesystem::path& path, const std::vector<Vec3>& points) {
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (const Vec3& x = points[v]; !(x.cwiseAbs().maxCoeff() <= largest_coordinate))
+      fail_to_read(path, fmt::format("vertex {}: found a place at ({}, {}, {}) m, expected "
+                                     "coordinates up to {} m",
+                                     v, x.x(), x.y(), x.z(), largest_coordinate));
+}
+
+FacetFile read_any(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path), name = path.string();
+  std::string bytes = read_file(path, "a mesh file");
+  if (extension == ".ply") return read_ply(bytes, name);
+  if (extension == ".off") return read_off(bytes, name);
+  if (extension == ".stl" && stl_kind(bytes, name) == StlKind::binary)
+    return read_binary_stl(bytes, name);
+  std::istringstream text(std::move(bytes));
+  return extension == ".obj" ? read_obj(text, name) : read_text_stl(text, name);
 }
 
 Soup soup_of(const TriangleMesh& m) {
@@ -141,18 +107,17 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 FacetFile read_facets(const std::filesystem::path& path) {
   require_known(path);
-  if (!std::filesystem::is_regular_file(path)) fail_to_read(path, "no such file");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) fail_to_read(path, "cannot be opened for reading");
-  FacetFile file = read_any(path, in);
+  FacetFile file = read_any(path);
   require_sound(path, file);
   return file;
 }
 
-TriangleMesh triangulated(const FacetFile& file, double unit, std::vector<int>* body_of_triangle) {
+TriangleMesh triangulated(const FacetFile& file, const std::filesystem::path& path, double unit,
+                          std::vector<int>* body_of_triangle) {
   TriangleMesh m;
   m.positions.reserve(file.points.size());
   for (const Vec3& x : file.points) m.positions.push_back(unit * x);
+  require_small(path, m.positions);
   for (std::size_t i = 0; i < file.polygons.size(); ++i) {
     const Polygon& p = file.polygons[i];
     for (std::size_t k = 2; k < p.size(); ++k) m.triangles.push_back({p[0], p[k - 1], p[k]});
@@ -163,7 +128,7 @@ TriangleMesh triangulated(const FacetFile& file, double unit, std::vector<int>* 
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, double unit) {
-  return triangulated(read_facets(path), unit);
+  return triangulated(read_facets(path), path, unit);
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& m) {

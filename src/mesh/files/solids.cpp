@@ -57,7 +57,7 @@ void write_obj_group(std::ostream& out, const Solid& solid, int first) {
 std::vector<Solid> read_solids(const std::filesystem::path& path, double unit) {
   const FacetFile file = read_facets(path);
   std::vector<int> body_of_triangle;
-  const TriangleMesh all = triangulated(file, unit, &body_of_triangle);
+  const TriangleMesh all = triangulated(file, path, unit, &body_of_triangle);
   std::vector<Solid> solids;
   if (file.names.empty()) {
     std::vector<TriangleMesh> pieces = divide(all);

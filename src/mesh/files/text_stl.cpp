@@ -1,28 +1,9 @@
-#include <array>
-#include <map>
-
 #include "mesh/files/facet_file.hpp"
+#include "mesh/files/merged_points.hpp"
 #include "mesh/files/text_lines.hpp"
 
 namespace tdbd::mesh {
 namespace {
-
-/// The points of one solid, without duplicates.
-class Points {
- public:
-  explicit Points(std::vector<Vec3>& all) : all_(all) {}
-
-  int add(const Vec3& x) {
-    const auto [place, is_new] =
-        number_.try_emplace({x.x(), x.y(), x.z()}, static_cast<int>(all_.size()));
-    if (is_new) all_.push_back(x);
-    return place->second;
-  }
-
- private:
-  std::vector<Vec3>& all_;
-  std::map<std::array<double, 3>, int> number_;
-};
 
 /// Moves to the next line and requires its first word. At the end of the file it fails with the last line.
 void require(TextLines& lines, const char* word, const char* expected) {
@@ -30,7 +11,7 @@ void require(TextLines& lines, const char* word, const char* expected) {
   if (lines.words()[0] != word) lines.fail('\'' + lines.words()[0] + '\'', expected);
 }
 
-std::vector<int> read_facet(TextLines& lines, Points& points) {
+std::vector<int> read_facet(TextLines& lines, MergedPoints& points) {
   require(lines, "outer", "'outer loop'");
   std::vector<int> corners(3);
   for (int& corner : corners) {
@@ -50,7 +31,7 @@ FacetFile read_text_stl(std::istream& in, const std::string& path) {
   while (lines.next()) {
     if (lines.words()[0] != "solid") lines.fail('\'' + lines.words()[0] + '\'', "'solid NAME'");
     file.names.push_back(lines.rest());
-    Points points(file.points);
+    MergedPoints points(file.points);
     for (;;) {
       if (!lines.next()) lines.fail("the end of the file", "'facet' or 'endsolid'");
       if (lines.words()[0] == "endsolid") break;

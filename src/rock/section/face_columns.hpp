@@ -29,12 +29,13 @@ inline PolygonMoments below_line(double bottom, const Vec2& p, const Vec2& q) {
 
 /// An outline in columns, ready for sums over segments (section.hpp).
 struct FaceColumns {
-  std::vector<FaceColumn> columns;  ///< from the least y on; none: an empty outline
-  Vec2 lo_F, hi_F;                  ///< m, its box
-  bool left_is_rim, right_is_rim;   ///< of the upright edges at the ends, if there are any
+  std::vector<FaceColumn> columns;                ///< from the least y on; none: an empty outline
+  Vec2 lo_F = Vec2::Zero(), hi_F = Vec2::Zero();  ///< m, its box
+  bool left_is_rim = false,
+       right_is_rim = false;  ///< of the upright edges at the ends, if there are any
   /// Where to begin the search for a y: columns[first_of[k]] holds the start of the k-th of 64
   /// equal parts of the width.
-  std::array<std::uint16_t, 64> first_of;
+  std::array<std::uint16_t, 64> first_of{};
   double parts_per_metre = 0.0;
 
   /// A column that begins no farther right than y, a y in or near the outline's width.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <regex>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -19,26 +21,22 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("output folder {}: {}", path.string(), reason));
 }
 
-/// Names that a run leaves in its folder, besides the frames.
-constexpr std::string_view result_names[] = {"summary.json",
-                                             "timing.json",
-                                             "history.nc",
-                                             "history.csv",
-                                             "case.toml",
-                                             "checkpoint.nc",
-                                             "rock.pvd",
-                                             "bit.pvd",
-                                             "rock_final.ply",
-                                             "bit.json",
-                                             "bit.stl",
-                                             "bit.vtp",
-                                             "failure.txt",
-                                             "convergence.json",
-                                             "convergence.csv",
-                                             "convergence.svg",
-                                             "history.rows",
-                                             "checkpoint-new.nc",
-                                             "checkpoint-previous.nc"};
+/// Names that a command may leave in its folder, besides frames and parts. The file that each writes first, and by
+/// which its folder is known, goes last.
+constexpr std::array<std::string_view, 17> result_names = {
+    "summary.json",           "timing.json",     "history.nc",      "history.csv",
+    "checkpoint.nc",          "rock.pvd",        "bit.pvd",         "bit.json",
+    "rock_final.ply",         "failure.txt",     "history.rows",    "checkpoint-new.nc",
+    "checkpoint-previous.nc", "convergence.svg", "convergence.csv", "case.toml",
+    "convergence.json"};
+constexpr std::array<std::string_view, 11> bit_names = {
+    "bit.json", "cutters.csv", "profile.csv", "analysis.json", "bit.vtp", "bit.stl",
+    "bit.obj",  "bit.ply",     "bit.off",     "solids.toml",   "bit.toml"};
+
+std::span<const std::string_view> names_of(ResultKind kind) {
+  if (kind == ResultKind::bit) return bit_names;
+  return result_names;
+}
 
 /// "rock-000123.vtp", "bit_final.vtp": what a run writes into frames.
 bool is_frame(const fs::path& file) {
@@ -46,37 +44,59 @@ bool is_frame(const fs::path& file) {
   return std::regex_match(file.filename().string(), name);
 }
 
-/// What is there of an older run, and nothing that TDBD did not write.
-std::vector<fs::path> old_results(const OutputFolder& folder) {
+bool is_there(const fs::path& file) { return fs::exists(fs::symlink_status(file)); }
+
+/// What is there of an older result, and nothing that TDBD did not write.
+std::vector<fs::path> old_results(const OutputFolder& folder, ResultKind kind) {
   std::vector<fs::path> old;
-  for (const std::string_view name : result_names)
-    for (const char* suffix : {"", ".partial"})
-      if (const fs::path file = folder.path / fmt::format("{}{}", name, suffix);
-          fs::exists(fs::symlink_status(file)))
+  for (const std::string_view name : names_of(kind))
+    for (const char* suffix : {".partial", ""})
+      if (const fs::path file = folder.path / fmt::format("{}{}", name, suffix); is_there(file))
         old.push_back(file);
-  if (!fs::is_directory(folder.frames())) return old;
+  if (kind == ResultKind::bit || !fs::is_directory(folder.frames())) return old;
   for (const auto& entry : fs::directory_iterator(folder.frames()))
     if (is_frame(entry.path())) old.push_back(entry.path());
   return old;
 }
 
-/// A case.toml without the first line of a resolved case is somebody's own.
-void demand_own_case(const fs::path& file) {
+/// Whether a text begins as TDBD begins one of its own: a resolved case, or a bit of either kind.
+bool is_own(const fs::path& file) {
+  if (!fs::is_regular_file(file)) return false;
   std::ifstream in(file);
   std::string line;
-  if (fs::exists(file) && (!std::getline(in, line) || line != resolved_head))
-    refuse(file.parent_path(), "its case.toml is not one that TDBD wrote; take another folder");
+  std::getline(in, line);
+  return line == resolved_head || line.starts_with("# A bit as the meshes of its parts.") ||
+         line.starts_with("# A roller cone bit as built, in SI");
 }
 
-void remove_results(const OutputFolder& folder, const std::vector<std::string>& inputs) {
-  demand_own_case(folder.path / "case.toml");
-  const std::vector<fs::path> old = old_results(folder);
-  for (const fs::path& file : old) {
-    if (fs::is_directory(file)) refuse(folder.path, file.filename().string() + " is a folder");
-    for (const std::string& input : inputs)
-      if (std::error_code ignored; fs::equivalent(file, input, ignored))
-        refuse(folder.path, "holds the input " + input + "; take another folder");
-  }
+/// A folder is known by what its command wrote first.
+void demand_own_folder(const OutputFolder& folder, ResultKind kind,
+                       const std::vector<fs::path>& old) {
+  const char* first = kind == ResultKind::bit ? "bit.toml" : "case.toml";
+  demand_own(folder.path, first);
+  if (is_there(folder.path / first)) return;
+  if (kind != ResultKind::bit && is_there(folder.path / "convergence.json")) return;
+  for (const fs::path& file : old)
+    if (file.filename() != "failure.txt" && file.extension() != ".partial")
+      refuse(folder.path, fmt::format("holds {}, and no {} of TDBD beside it; take another folder",
+                                      file.filename().string(), first));
+}
+
+/// Meshes of an older export, or of a bit that is read.
+std::vector<fs::path> parts_in(const OutputFolder& folder) {
+  std::vector<fs::path> parts;
+  if (!fs::is_directory(folder.path / "parts")) return parts;
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path / "parts"))
+    if (!entry.is_directory()) parts.push_back(entry.path());
+  return parts;
+}
+
+void remove_results(const OutputFolder& folder, ResultKind kind,
+                    const std::vector<std::string>& inputs) {
+  const std::vector<fs::path> old = old_results(folder, kind);
+  demand_replaceable(folder.path, old, inputs);
+  if (kind == ResultKind::bit) demand_replaceable(folder.path, parts_in(folder), inputs);
+  demand_own_folder(folder, kind, old);
   for (const fs::path& file : old) fs::remove(file);
 }
 
@@ -86,22 +106,40 @@ fs::path OutputFolder::frame(const std::string& name, long number) const {
   return frames() / fmt::format("{}-{:06}.vtp", name, number);
 }
 
+void demand_replaceable(const fs::path& folder, const std::vector<fs::path>& files,
+                        const std::vector<std::string>& inputs) {
+  for (const fs::path& file : files) {
+    if (fs::is_directory(file)) refuse(folder, file.filename().string() + " is a folder");
+    for (const std::string& input : inputs)
+      if (std::error_code ignored; fs::equivalent(file, input, ignored))
+        refuse(folder, "holds the input " + input + "; take another folder");
+  }
+}
+
+void demand_own(const fs::path& folder, const std::string& name) {
+  if (is_there(folder / name) && !is_own(folder / name))
+    refuse(folder, fmt::format("its {} is not one that TDBD wrote; take another folder", name));
+}
+
 OutputFolder prepare(const fs::path& path, Overwrite overwrite,
-                     const std::vector<std::string>& inputs, HasFrames frames) {
-  const OutputFolder folder{path};
+                     const std::vector<std::string>& inputs, ResultKind kind) {
+  OutputFolder folder{path};
+  const bool has_frames = kind == ResultKind::run;
   try {
     if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "is a file");
-    if (fs::exists(path) && !fs::is_empty(path)) {
+    fs::create_directories(path);
+    folder.lock = std::make_shared<const FolderLock>(path);
+    if (!fs::is_empty(path)) {
       if (overwrite == Overwrite::no) refuse(path, "exists; --force overwrites");
-      remove_results(folder, inputs);
+      remove_results(folder, kind, inputs);
     }
-    if (fs::exists(folder.frames()) && !fs::is_directory(folder.frames()))
+    if (has_frames && fs::exists(folder.frames()) && !fs::is_directory(folder.frames()))
       refuse(path, "its frames is a file");
-    fs::create_directories(frames == HasFrames::yes ? folder.frames() : path);
+    if (has_frames) fs::create_directories(folder.frames());
   } catch (const fs::filesystem_error& e) {
     refuse(path, e.code().message());
   }
-  const bool frames_closed = frames == HasFrames::yes && access(folder.frames().c_str(), W_OK) != 0;
+  const bool frames_closed = has_frames && access(folder.frames().c_str(), W_OK) != 0;
   if (frames_closed || access(path.c_str(), W_OK) != 0) refuse(path, "not writable");
   return folder;
 }

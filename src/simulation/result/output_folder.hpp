@@ -2,20 +2,25 @@
 
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "core/folder_lock.hpp"
 
 namespace tdbd::simulation {
 
 /// Whether results may take the place of older ones.
 enum class Overwrite { no, force };
 
-/// Whether a result has pictures of its steps in a folder `frames`.
-enum class HasFrames { yes, no };
+/// The kind of result, which decides the names of its files: a run (with pictures of its steps in a folder `frames`), a
+/// case to rotate, a study of convergence, a bit as `tdbd bit` exports it.
+enum class ResultKind { run, rotate, convergence, bit };
 
 /// A result folder, ready to be written to.
 struct OutputFolder {
   std::filesystem::path path;
+  std::shared_ptr<const FolderLock> lock = nullptr;  ///< held as long as a copy of this lives
 
   std::filesystem::path summary() const { return path / "summary.json"; }
   std::filesystem::path timing() const { return path / "timing.json"; }
@@ -36,14 +41,23 @@ struct OutputFolder {
 inline constexpr const char* resolved_head =
     "# Resolved by tdbd: every default written out, in SI.";
 
-/// Makes `path`, and its `frames` when it has some, with all parents. With `force`, results of an
-/// older run go (files of other names stay), so that no frame of it is taken for one of this run.
-/// Throws InputError, and changes nothing, when the folder is not empty and `overwrite` is no, when
-/// it or its `frames` is a file, when it cannot be written to, or when a file to be replaced is one
-/// of `inputs` or a case.toml that a user wrote.
+/// Makes `path`, and its `frames` when it has some, with all parents, and locks it: one command at a time writes to a
+/// folder. With `force`, every file goes that the command may write (files of other names stay), so that nothing of an
+/// older result is taken for a part of this one. Throws InputError, and changes nothing, when the folder is locked; when
+/// it is not empty and `overwrite` is no; when it or its `frames` is a file; when it cannot be written to; when a file to
+/// be replaced is one of `inputs`; or when it holds such files without one that TDBD began it with: case.toml or
+/// convergence.json, bit.toml for a bit.
 OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite,
                      const std::vector<std::string>& inputs = {},
-                     HasFrames frames = HasFrames::yes);
+                     ResultKind kind = ResultKind::run);
+
+/// Throws InputError unless `files` of the folder may be replaced: one that is a folder, or one of `inputs`, may not.
+void demand_replaceable(const std::filesystem::path& folder,
+                        const std::vector<std::filesystem::path>& files,
+                        const std::vector<std::string>& inputs);
+
+/// Throws InputError when there is a file of this name, and not one that begins as TDBD's do.
+void demand_own(const std::filesystem::path& folder, const std::string& name);
 
 /// Writes what can still be written after a failure; a second failure (the disk is full) leaves the
 /// rest unwritten, since the first one is the one to report.

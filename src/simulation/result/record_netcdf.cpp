@@ -7,15 +7,18 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/plain_path.hpp"
+#include "core/whole_file.hpp"
 
 namespace tdbd::simulation {
 
 RecordNetcdf::RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout)
     : file_(file) {
   H5dont_atexit();  // at exit HDF5 would touch files again that it could not close on a full disk
-  require(nc_create(file.c_str(), NC_NETCDF4 | NC_CLOBBER, &nc_));
+  require(nc_create(PlainPath(file).c_str(), NC_NETCDF4 | NC_CLOBBER, &nc_));
   define(layout);
 }
 
@@ -102,9 +105,10 @@ void RecordNetcdf::write_block() {
 
 void RecordNetcdf::close() {
   write_block();
-  const int nc = nc_;
-  nc_ = -1;
+  const int nc = std::exchange(nc_, -1);
   errno = 0;
+  require(nc_sync(nc));
+  put_on_disk(file_);  // the library crashes in a close that fails, so nothing may be left to fail
   require(nc_close(nc));
 }
 

@@ -263,7 +263,7 @@ RunSummary run(const Case& c, const RunOptions& o) {
 
 RunSummary resume_run(const Case& c, const RunOptions& o) {
   const ThreadLimit limit(o.threads);
-  const OutputFolder folder{o.folder};
+  const OutputFolder folder{o.folder, std::make_shared<FolderLock>(o.folder)};
   std::optional<Checkpoint> saved = newest_checkpoint(folder, c, o.warn);
   forget_end(folder);
   std::filesystem::create_directories(folder.frames());
@@ -276,7 +276,7 @@ RunSummary resume_run(const Case& c, const RunOptions& o) {
 }
 
 bool is_finished(const std::filesystem::path& folder) {
-  std::ifstream in(OutputFolder{folder}.summary());
+  std::ifstream in(folder / "summary.json");
   const auto summary = nlohmann::json::parse(in, nullptr, false);
   return summary.is_object() && summary.value("status", "") == "completed";
 }

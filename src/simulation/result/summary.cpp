@@ -37,16 +37,22 @@ Json rock_json(const RunSummary& s) {
           {"maintenance", s.maintenance}};
 }
 
+/// A figure over steps, null without any.
+template <class Figures>
+Json known(const Figures& of, double x) {
+  return of.steps > 0 ? Json(x) : Json();
+}
+
 Json cones_json(const RunSummary& s) {
   Json cones = Json::array();
   for (const ConeFigures& c : s.cones)
     cones.push_back({{"name", c.name},
-                     {"mean_speed_ratio", c.mean_speed_ratio},
-                     {"min_speed_ratio", c.min_speed_ratio},
-                     {"max_speed_ratio", c.max_speed_ratio},
-                     {"std_speed_ratio", c.std_speed_ratio},
+                     {"mean_speed_ratio", known(c, c.mean_speed_ratio)},
+                     {"min_speed_ratio", known(c, c.min_speed_ratio)},
+                     {"max_speed_ratio", known(c, c.max_speed_ratio)},
+                     {"std_speed_ratio", known(c, c.std_speed_ratio)},
                      {"rolling_ratio_gage_row", c.rolling_ratio_gage_row},
-                     {"net_slip_gage_row", c.net_slip_gage_row}});
+                     {"net_slip_gage_row", known(c, c.net_slip_gage_row)}});
   return cones;
 }
 
@@ -54,11 +60,11 @@ Json sections_json(const RunSummary& s) {
   Json faces = Json::array();
   for (const FaceFigures& f : s.faces)
     faces.push_back({{"name", f.name},
-                     {"mean_area_m2", f.mean_area},
-                     {"mean_swept_by_section_m3", f.mean_swept_by_section},
-                     {"mean_removed_volume_m3", f.mean_removed},
-                     {"rms_swept_by_section", f.rms_swept_by_section},
-                     {"rms_removed_volume", f.rms_removed}});
+                     {"mean_area_m2", known(f, f.mean_area)},
+                     {"mean_swept_by_section_m3", known(f, f.mean_swept_by_section)},
+                     {"mean_removed_volume_m3", known(f, f.mean_removed)},
+                     {"rms_swept_by_section", known(f, f.rms_swept_by_section)},
+                     {"rms_removed_volume", known(f, f.rms_removed)}});
   return faces;
 }
 

@@ -54,7 +54,7 @@ RunStatus rotate_steps(const RotateCase& c, RotateSimulation& s, const RotateOpt
 RotateOutcome rotate(const RotateCase& c, const RotateOptions& o) {
   const auto started = std::chrono::steady_clock::now();
   RotateOutcome outcome{RunStatus::completed, start(c)};
-  const OutputFolder folder = prepare(o.folder, o.overwrite, c.files, HasFrames::no);
+  const OutputFolder folder = prepare(o.folder, o.overwrite, c.files, ResultKind::rotate);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   RotateHistory history(folder.history(), c);
   std::vector<double> step_seconds;

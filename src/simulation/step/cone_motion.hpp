@@ -13,6 +13,7 @@ namespace tdbd::simulation {
 /// How a cone turned: its speed over the bit's, rolling positive.
 struct ConeFigures {
   std::string name;
+  long steps = 0;                 ///< in which the bit turned; with none, no speed is known
   double mean_speed_ratio = 0.0;  ///< turn of the cone over turn of the bit, whole run
   double min_speed_ratio = 0.0;   ///< of single steps
   double max_speed_ratio = 0.0;

@@ -23,21 +23,22 @@ Json part_json(const PartLoadFigures& p) {
 Json to_json(const LoadFigures& f) {
   Json parts = Json::array();
   for (const PartLoadFigures& p : f.parts) parts.push_back(part_json(p));
-  return {{"means_from_s", f.from},
-          {"means_to_s", f.to},
-          {"wob_mean_n", f.wob.mean},
-          {"wob_std_n", f.wob.deviation},
-          {"tob_mean_n_m", f.tob.mean},
-          {"tob_std_n_m", f.tob.deviation},
-          {"rop_mean_m_per_s", f.rop.mean},
-          {"rop_std_m_per_s", f.rop.deviation},
-          {"rotary_speed_mean_rad_per_s", f.rotary_speed.mean},
-          {"rotary_speed_std_rad_per_s", f.rotary_speed.deviation},
-          {"aggressiveness", f.aggressiveness},
-          {"mechanical_specific_energy_pa", f.specific_energy},
-          {"imbalance", f.imbalance},
-          {"imbalance_azimuth_rad", f.imbalance_azimuth},
-          {"drilling_power_mean_w", f.power},
+  const auto known = [&f](double x) { return f.steps > 0 ? Json(x) : Json(); };
+  return {{"means_from_s", known(f.from)},
+          {"means_to_s", known(f.to)},
+          {"wob_mean_n", known(f.wob.mean)},
+          {"wob_std_n", known(f.wob.deviation)},
+          {"tob_mean_n_m", known(f.tob.mean)},
+          {"tob_std_n_m", known(f.tob.deviation)},
+          {"rop_mean_m_per_s", known(f.rop.mean)},
+          {"rop_std_m_per_s", known(f.rop.deviation)},
+          {"rotary_speed_mean_rad_per_s", known(f.rotary_speed.mean)},
+          {"rotary_speed_std_rad_per_s", known(f.rotary_speed.deviation)},
+          {"aggressiveness", known(f.aggressiveness)},
+          {"mechanical_specific_energy_pa", known(f.specific_energy)},
+          {"imbalance", known(f.imbalance)},
+          {"imbalance_azimuth_rad", known(f.imbalance_azimuth)},
+          {"drilling_power_mean_w", known(f.power)},
           {"forces", parts}};
 }
 

@@ -22,6 +22,7 @@ struct PartLoadFigures {
 
 /// What forces did to the bit over the steps that count. SI.
 struct LoadFigures {
+  long steps = 0;                      ///< that count; with none, nothing below is known
   double from = 0.0, to = 0.0;         ///< s, of the steps that count
   MeanAndDeviation wob, tob;           ///< N, N m
   MeanAndDeviation rop, rotary_speed;  ///< m/s, rad/s
@@ -34,7 +35,7 @@ struct LoadFigures {
 };
 
 /// The figures as `summary.json` has them: wob_mean_n, tob_mean_n_m, rop_mean_m_per_s and more at
-/// its top, parts under "forces".
+/// its top, parts under "forces". Null where no step counts.
 nlohmann::ordered_json to_json(const LoadFigures& figures);
 
 }  // namespace tdbd::simulation

@@ -72,6 +72,7 @@ MeanAndDeviation figures_of(const Spread& s) { return {s.mean, deviation(s)}; }
 
 LoadFigures figures_of(const bit::Bit& bit, const LoadStatistics& s, double end) {
   LoadFigures f;
+  f.steps = s.wob.count;
   f.from = end - s.time;
   f.to = end;
   f.wob = figures_of(s.wob);

@@ -130,8 +130,9 @@ std::vector<FaceFigures> figures_of(const bit::Bit& bit, const FaceStatistics& s
   std::vector<FaceFigures> figures;
   figures.reserve(spreads.size());
   for (std::size_t i = 0; i < spreads.size(); ++i)
-    figures.push_back({cutter_name(bit.cutters[i]), spreads[i].area.mean, spreads[i].swept.mean,
-                       spreads[i].removed.mean, relative_deviation(spreads[i].swept),
+    figures.push_back({cutter_name(bit.cutters[i]), spreads[i].area.count, spreads[i].area.mean,
+                       spreads[i].swept.mean, spreads[i].removed.mean,
+                       relative_deviation(spreads[i].swept),
                        relative_deviation(spreads[i].removed)});
   return figures;
 }

@@ -78,6 +78,7 @@ void add(const Move& move, const Measures& measures, FaceStatistics& statistics)
 /// One cutter's section beside the volume that it removed, over a revolution.
 struct FaceFigures {
   std::string name;                    ///< "cutter-12"
+  long steps = 0;                      ///< measured; with none, nothing below is known
   double mean_area = 0.0;              ///< m2
   double mean_swept_by_section = 0.0;  ///< m3 in a step
   double mean_removed = 0.0;           ///< m3 in a step

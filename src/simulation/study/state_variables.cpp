@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -96,13 +95,7 @@ EndState read_end_state(const std::string& text, const std::string& source) {
 EndState read_end_state_file(const std::filesystem::path& file_or_folder) {
   std::filesystem::path file = file_or_folder;
   if (std::filesystem::is_directory(file)) file /= "summary.json";
-  std::ifstream in(file, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(file))
-    throw InputError(
-        fmt::format("{}: found no such file, expected a summary.json or the folder "
-                    "of a result",
-                    file.string()));
-  return read_end_state({std::istreambuf_iterator<char>(in), {}}, file.string());
+  return read_end_state(read_file(file, "a summary.json or the folder of a result"), file.string());
 }
 
 }  // namespace tdbd::simulation

@@ -189,4 +189,14 @@ TEST(ConeBit, knows_gap_and_overlap_of_two_cones) {
   EXPECT_LE(std::abs(c.place_B.x()), 0.003 + 1e-9);
 }
 
+TEST(ConeBit, refuses_two_cones_in_one_place) {
+  ConeLayout a;
+  a.shell = {{0.01, 0.0}, {0.05, 0.02}};
+  const std::vector<Cone> cones{{"cone-1", a, cone_pose(a, 0)}, {"cone-2", a, cone_pose(a, 0)}};
+  const Clearance c = cone_clearances(cones).at(0);
+  EXPECT_TRUE(is_clash(c));
+  EXPECT_EQ(clearance_text(c).find("cone-1/body and cone-2/body about 0.000 mm apart all over"), 0U)
+      << clearance_text(c);
+}
+
 }  // namespace tdbd::bit::cone_bit_test

@@ -134,14 +134,14 @@ TEST(Files, polygons_become_fans) {
 }
 
 TEST(Files, bad_input_is_refused_with_path_and_reason) {
-  EXPECT_TRUE(contains(refusal("nowhere/part.stl"), "nowhere/part.stl: no such file"));
+  EXPECT_TRUE(contains(refusal("nowhere/part.stl"), "nowhere/part.stl: found no such file"));
   EXPECT_TRUE(contains(refusal("part.step"), "unknown mesh format '.step'"));
   EXPECT_TRUE(contains(refusal(tdbd::temporary_folder()), "unknown mesh format"));
   EXPECT_TRUE(contains(refusal(write_text_file("empty.stl", "")), "no triangles"));
   EXPECT_TRUE(
       contains(refusal(write_text_file("none.off", "OFF\n1 0 0\n0 0 0\n")), "no triangles"));
-  EXPECT_TRUE(contains(refusal(write_text_file("text.off", "not a mesh at all")), "text.off: "));
-  EXPECT_TRUE(contains(refusal(write_text_file("text.ply", "not a mesh at all")), "text.ply: "));
+  EXPECT_TRUE(contains(refusal(write_text_file("text.off", "not a mesh at all")), "text.off:1: "));
+  EXPECT_TRUE(contains(refusal(write_text_file("text.ply", "not a mesh at all")), "text.ply:1: "));
   EXPECT_TRUE(contains(refusal(write_text_file("text.obj", "not a mesh at all")),
                        "text.obj:1: found 'not'"));
 }

@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <new>
 #include <numbers>
 
 #include "verification/battery/generators.hpp"
@@ -82,6 +84,19 @@ RC_GTEST_PROP(ColumnSums, of_segments_inside_are_the_same_in_any_order, ()) {
   RC_ASSERT(a.moment_y == b.moment_y);
   RC_ASSERT(a.moment_z == b.moment_z);
   RC_ASSERT(a.engaged == b.engaged);
+}
+
+/// They are copied before they have an outline. Written as volatile, so that what was there before stays.
+TEST(FaceColumns, hold_known_values_from_the_start) {
+  alignas(FaceColumns) unsigned char bytes[sizeof(FaceColumns)];
+  for (volatile unsigned char& byte : bytes) byte = 0xA5;
+  FaceColumns* made = new (bytes) FaceColumns;
+  EXPECT_FALSE(made->left_is_rim);
+  EXPECT_FALSE(made->right_is_rim);
+  EXPECT_EQ(made->lo_F, Vec2::Zero());
+  EXPECT_EQ(made->hi_F, Vec2::Zero());
+  EXPECT_EQ(made->first_of.front(), 0);
+  std::destroy_at(made);
 }
 
 }  // namespace tdbd::rock::column_sums_test

@@ -89,6 +89,24 @@ TEST(Summary, timing_holds_what_depends_on_the_machine) {
   EXPECT_GT(json["peak_memory_bytes"].get<long>(), 1000000);
 }
 
+TEST(Summary, a_mean_over_no_step_is_null) {
+  RunSummary s = third();
+  s.loads = LoadFigures{};
+  s.cones = {{.name = "cone-1", .rolling_ratio_gage_row = 1.4}};
+  s.faces = {{.name = "cutter-1"}};
+  const Json without = Json::parse(to_json(s));
+  for (const char* key : {"wob_mean_n", "tob_std_n_m", "imbalance", "means_from_s"})
+    EXPECT_TRUE(without[key].is_null()) << key;
+  EXPECT_TRUE(without["cones"][0]["mean_speed_ratio"].is_null());
+  EXPECT_EQ(without["cones"][0]["rolling_ratio_gage_row"], 1.4);
+  EXPECT_TRUE(without["sections"][0]["mean_area_m2"].is_null());
+  s.loads->steps = s.cones[0].steps = s.faces[0].steps = 1;
+  const Json with = Json::parse(to_json(s));
+  EXPECT_EQ(with["wob_mean_n"], 0.0);
+  EXPECT_EQ(with["cones"][0]["mean_speed_ratio"], 0.0);
+  EXPECT_EQ(with["sections"][0]["mean_area_m2"], 0.0);
+}
+
 TEST(Summary, is_written_whole) {
   const std::filesystem::path path = tdbd::temporary_folder() + "tdbd_summary.json";
   write_text(path, to_json(third()));

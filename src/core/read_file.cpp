@@ -1,0 +1,51 @@
+#include "core/read_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "core/error.hpp"
+
+namespace tdbd {
+namespace {
+
+[[noreturn]] void refuse_file(const std::filesystem::path& path, std::string_view found,
+                              std::string_view expected) {
+  throw InputError(fmt::format("{}: found {}, expected {}", path.string(), found, expected));
+}
+
+}  // namespace
+
+void demand_file(const std::filesystem::path& path, std::string_view expected) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) refuse_file(path, "no such file", expected);
+  if (!fs::status_known(status)) refuse_file(path, error.message(), expected);
+  if (fs::is_directory(status)) refuse_file(path, "a folder", expected);
+  if (!fs::is_regular_file(status)) refuse_file(path, "no regular file", expected);
+  errno = 0;
+  if (!std::ifstream(path))
+    refuse_file(path, fmt::format("a file that cannot be opened ({})", std::strerror(errno)),
+                expected);
+}
+
+std::string read_file(const std::filesystem::path& path, std::string_view expected) {
+  demand_file(path, expected);
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes;
+  std::error_code unknown;
+  if (const std::uintmax_t size = std::filesystem::file_size(path, unknown); !unknown)
+    bytes.resize(size);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  if (in) bytes.append(std::istreambuf_iterator<char>(in), {});  // it grew, or told no size
+  if (in.bad()) refuse_file(path, "a file that cannot be read", expected);
+  return bytes;
+}
+
+}  // namespace tdbd

@@ -1,0 +1,46 @@
+#include "core/folder_lock.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <optional>
+
+#include "core/error.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::folder_lock_test {
+
+namespace fs = std::filesystem;
+
+fs::path some_folder(const std::string& name) {
+  const fs::path path = tdbd::temporary_folder() + "tdbd_lock_" + name;
+  fs::create_directories(path);
+  return path;
+}
+
+TEST(FolderLock, holds_a_folder_for_one_at_a_time) {
+  const fs::path folder = some_folder("one"), other = some_folder("other");
+  std::optional<FolderLock> lock(std::in_place, folder);
+  EXPECT_THROW(FolderLock second(folder), InputError);
+  EXPECT_NO_THROW(FolderLock third(other));
+  lock.reset();
+  EXPECT_NO_THROW(FolderLock fourth(folder));
+}
+
+TEST(FolderLock, leaves_no_file_and_ends_with_a_killed_process) {
+  const fs::path folder = some_folder("killed");
+  const pid_t child = fork();
+  if (child == 0) {
+    const FolderLock lock(folder);
+    raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_NO_THROW(FolderLock lock(folder));
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+}  // namespace tdbd::folder_lock_test

@@ -1,0 +1,51 @@
+#include "core/read_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "verification/core/temporary_file.hpp"
+
+namespace tdbd::read_file_test {
+
+namespace fs = std::filesystem;
+
+std::string refusal(const fs::path& path) {
+  try {
+    read_file(path, "a table");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "not refused";
+}
+
+TEST(ReadFile, gives_every_byte) {
+  const std::string bytes("a\0b\r\n\xff", 6);
+  EXPECT_EQ(read_file(write_temporary(".txt", bytes), "a text"), bytes);
+  EXPECT_EQ(read_file(write_temporary(".txt", ""), "a text"), "");
+}
+
+/// Their size is told as 0.
+TEST(ReadFile, gives_files_that_do_not_tell_their_size) {
+  EXPECT_FALSE(read_file("/proc/self/status", "a text").empty());
+}
+
+/// A pipe waits for its writer, and /dev/zero has no end.
+TEST(ReadFile, refuses_pipes_devices_folders_and_loops_of_links_unopened) {
+  const std::string pipe = write_temporary(".pipe", "");
+  fs::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusal(pipe), pipe + ": found no regular file, expected a table");
+  EXPECT_EQ(refusal("/dev/zero"), "/dev/zero: found no regular file, expected a table");
+  EXPECT_EQ(refusal("/proc"), "/proc: found a folder, expected a table");
+  EXPECT_EQ(refusal("/no/table"), "/no/table: found no such file, expected a table");
+  const std::string loop = write_temporary(".loop", "");
+  fs::remove(loop);
+  fs::create_symlink(loop, loop);
+  EXPECT_EQ(refusal(loop), loop + ": found Too many levels of symbolic links, expected a table");
+  fs::remove(loop);
+}
+
+}  // namespace tdbd::read_file_test
