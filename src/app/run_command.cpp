@@ -72,7 +72,7 @@ int run(const RunArguments& a) {
 }
 
 int resume(const RunArguments& a) {
-  if (simulation::is_finished(a.resumed)) {
+  if (simulation::tidy_if_finished(a.resumed)) {
     if (!a.quiet) fmt::print("{}: the run is complete, nothing to do\n", a.resumed);
     return 0;
   }

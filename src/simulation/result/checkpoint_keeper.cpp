@@ -85,10 +85,14 @@ void CheckpointKeeper::keep(const Case& c, const Simulation& s, const WrittenSoF
 
 void CheckpointKeeper::remove() {
   log_.reset();
+  remove_checkpoints(folder_);
+}
+
+void remove_checkpoints(const OutputFolder& folder) {
   std::error_code ignored;
-  for (const fs::path& file : {folder_.new_checkpoint(), folder_.checkpoint(),
-                               folder_.previous_checkpoint(), folder_.rows()})
-    fs::remove(file, ignored);
+  for (const fs::path& file : {folder.new_checkpoint(), folder.checkpoint(),
+                               folder.previous_checkpoint(), folder.rows()})
+    for (const fs::path& name : {file, partial_path(file)}) fs::remove(name, ignored);
 }
 
 std::optional<Checkpoint> newest_checkpoint(const OutputFolder& folder, const Case& c,

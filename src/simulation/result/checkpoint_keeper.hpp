@@ -47,6 +47,9 @@ class CheckpointKeeper {
   bool has_failed_ = false;
 };
 
+/// Removes a folder's checkpoints and the log of its rows.
+void remove_checkpoints(const OutputFolder& folder);
+
 /// The newest checkpoint of a folder that can be read; none: there is no file of one. Calls
 /// `warn` for a torn one that an older one stands in for. Throws InputError if none can be read, or
 /// they are of another case or another version of tdbd.

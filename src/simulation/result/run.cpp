@@ -275,10 +275,12 @@ RunSummary resume_run(const Case& c, const RunOptions& o) {
   return finish(c, o, s, recorder);
 }
 
-bool is_finished(const std::filesystem::path& folder) {
+bool tidy_if_finished(const std::filesystem::path& folder) {
   std::ifstream in(folder / "summary.json");
   const auto summary = nlohmann::json::parse(in, nullptr, false);
-  return summary.is_object() && summary.value("status", "") == "completed";
+  const bool is_finished = summary.is_object() && summary.value("status", "") == "completed";
+  if (is_finished) remove_checkpoints({folder});
+  return is_finished;
 }
 
 Case read_stopped_case(const std::filesystem::path& folder) {

@@ -37,8 +37,9 @@ RunSummary run(const Case& c, const RunOptions& options);
 /// for checkpoints of another case or version.
 RunSummary resume_run(const Case& c, const RunOptions& options);
 
-/// Whether the folder holds the result of a run that reached its end.
-bool is_finished(const std::filesystem::path& folder);
+/// Whether the folder holds the result of a run that reached its end. A kill right after that may
+/// have left checkpoints: they go.
+bool tidy_if_finished(const std::filesystem::path& folder);
 
 /// The case of a folder that a run was begun in. Throws InputError if it holds none.
 Case read_stopped_case(const std::filesystem::path& folder);

@@ -53,13 +53,13 @@ TEST_P(Resume, writes_the_files_of_a_run_that_was_not_stopped) {
   const fs::path whole = test_folder() / "whole", folder = whole.parent_path() / "stopped";
   run(c, {.folder = whole});
   EXPECT_EQ(run_until(17, c, {.folder = folder}, false).status, RunStatus::interrupted);
-  EXPECT_FALSE(is_finished(folder));
+  EXPECT_FALSE(tidy_if_finished(folder));
   const Case stopped = read_stopped_case(folder);
   EXPECT_EQ(stopped.hash, c.hash);
   EXPECT_EQ(run_until(40, stopped, {.folder = folder, .threads = 2}, true).status,
             RunStatus::interrupted);
   EXPECT_EQ(resume_run(stopped, {.folder = folder}).status, RunStatus::completed);
-  EXPECT_TRUE(is_finished(folder));
+  EXPECT_TRUE(tidy_if_finished(folder));
   expect_same_files(whole, folder);
 }
 
@@ -107,10 +107,20 @@ TEST_F(ResumeOne, refuses_checkpoints_that_are_all_torn) {
   EXPECT_TRUE(fs::exists(folder / "summary.json")) << "nothing is lost";
 }
 
+/// A kill between the summary, which is written last, and the end.
+TEST_F(ResumeOne, tidies_what_a_finished_run_left) {
+  run(c, {.folder = whole});
+  const auto files = files_of(whole);
+  for (const char* name : {"checkpoint.nc", "checkpoint-previous.nc", "history.rows"})
+    std::ofstream(whole / name) << "left";
+  EXPECT_TRUE(tidy_if_finished(whole));
+  EXPECT_EQ(files_of(whole), files);
+}
+
 TEST_F(ResumeOne, refuses_a_folder_without_a_run) {
   fs::create_directories(folder);
   EXPECT_THROW(read_stopped_case(folder), InputError);
-  EXPECT_FALSE(is_finished(folder));
+  EXPECT_FALSE(tidy_if_finished(folder));
 }
 
 }  // namespace tdbd::simulation::resume_test
