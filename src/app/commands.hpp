@@ -19,8 +19,8 @@ void add_bit(CLI::App& app, int& exit_code);
 void add_laboratory(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 
-/// Runs a command's body and returns its exit code: 2 after an InputError, 1 after any other failure,
-/// each with one message on standard error.
+/// Runs a command's body and returns its exit code: 2 after an InputError or a path that cannot be followed, 1 after any
+/// other failure, each with one message on standard error.
 int guarded(const std::function<int()>& body);
 
 }  // namespace tdbd::app

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 #include "app/commands.hpp"
@@ -12,6 +13,9 @@ int guarded(const std::function<int()>& body) {
     return body();
   } catch (const InputError& e) {
     std::fprintf(stderr, "tdbd: %s\n", e.what());
+    return 2;
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::fprintf(stderr, "tdbd: %s: %s\n", e.path1().c_str(), e.code().message().c_str());
     return 2;
   } catch (const std::bad_alloc&) {
     std::fputs("tdbd: out of memory\n", stderr);

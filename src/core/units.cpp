@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <utility>
@@ -54,9 +55,22 @@ void add_alias(ut_system* system, const char* name, const std::string& definitio
   ut_map_name_to_unit(name, UT_ASCII, unit.get());
 }
 
+/// The database that the library came with. UDUNITS2_XML_PATH, which would change units without a word, only counts where
+/// there is none.
+ut_system* read_database() {
+  constexpr const char* variable = "UDUNITS2_XML_PATH";
+  const char* elsewhere = std::getenv(variable);
+  if (elsewhere == nullptr) return ut_read_xml(nullptr);
+  const std::string path = elsewhere;
+  unsetenv(variable);
+  ut_system* system = ut_read_xml(nullptr);
+  setenv(variable, path.c_str(), 1);
+  return system != nullptr ? system : ut_read_xml(nullptr);
+}
+
 ut_system* load_units() {
   ut_set_error_message_handler(&ut_ignore);
-  ut_system* system = ut_read_xml(nullptr);
+  ut_system* system = read_database();
   if (system == nullptr) throw RunError("units: the database of UDUNITS-2 cannot be read");
   add_alias(system, "deg", "arc_degree");
   add_alias(system, "rev", "revolution");

@@ -1,4 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
 
 #include "app/mistake.hpp"
 #include "app/small_case.hpp"
@@ -186,6 +190,32 @@ TEST(BadCase, a_wrong_command_line) {
   const auto o = SmallCase{}.run({"--threads", "0"});
   EXPECT_EQ(o.exit_code, 2);
   EXPECT_NE(o.err.find("--threads"), std::string::npos) << o.err;
+}
+
+/// Another database of units would change results without a word.
+TEST(BadCase, surroundings_do_not_change_units) {
+  const SmallCase c;
+  setenv("UDUNITS2_XML_PATH", "/no/units.xml", 1);
+  const auto o = c.check();
+  unsetenv("UDUNITS2_XML_PATH");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+}
+
+TEST(BadCase, a_pipe_as_a_table_and_a_loop_of_links_as_a_mesh) {
+  const SmallCase c;
+  std::filesystem::remove(c.path("bit.csv"));
+  ASSERT_EQ(mkfifo(c.path("bit.csv").c_str(), 0600), 0);
+  const auto o = c.check();
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_NE(o.err.find("bit.csv: found no regular file, expected a CSV table"), std::string::npos)
+      << o.err;
+  std::filesystem::create_symlink(c.path("loop.stl"), c.path("loop.stl"));
+  const auto mesh = battery::run_tdbd({"mesh", c.path("loop.stl")});
+  expect_refusal(mesh, c.path("loop.stl").string() +
+                           ": found Too many levels of symbolic links, expected a mesh file");
+  const auto over = battery::run_tdbd(
+      {"mesh", c.path("bit.csv"), "--repair", "-o", c.path("loop.stl") / "below.stl"});
+  EXPECT_EQ(over.exit_code, 2) << over.err;
 }
 
 }  // namespace tdbd::app::bad_case_test

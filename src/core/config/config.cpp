@@ -31,6 +31,8 @@ void throw_if_any(const ConfigDocument& document, std::vector<ConfigProblem> pro
   };
   for (const ConfigProblem& p : problems) add(message(document.file, p));
   for (const std::string& mistake : document.other_mistakes) add(mistake);
+  for (std::size_t at; (at = lines.find('\0')) != std::string::npos;)
+    lines.replace(at, 1, "\\u0000");  // the end of a message, to those who show it
   throw InputError(lines);
 }
 

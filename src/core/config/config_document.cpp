@@ -104,7 +104,8 @@ void collect_unknown(const ConfigDocument& document, const toml::node& node, con
   if (table != nullptr && !table->empty()) {
     for (const auto& [name, child] : *table) {
       const std::string dot = key.empty() ? "" : ".";
-      collect_unknown(document, child, fmt::format("{}{}{}", key, dot, name.str()), unknown);
+      const std::string_view shown = name.str().empty() ? "\"\"" : name.str();
+      collect_unknown(document, child, fmt::format("{}{}{}", key, dot, shown), unknown);
     }
   } else if (is_tables) {
     for (std::size_t i = 0; i < array->size(); ++i)
@@ -150,7 +151,65 @@ void ConfigDocument::add_problem(const std::string& key, const std::string& foun
   problems.push_back({line_of(key), key, found, expected});
 }
 
+namespace {
+
+/// The parser makes a table of every name of a dotted key, and whoever walks through a document goes as deep.
+constexpr int most_names = 32, most_tables = 256;
+
+[[noreturn]] void refuse_deep(const std::string& path, long line, const char* found, int most) {
+  throw InputError(fmt::format("{}:{}: found {}, expected at most {}", path, line, found, most));
+}
+
+/// Throws InputError at the first key of too many names.
+void demand_short_keys(const std::string& text, const std::string& path) {
+  int names = 1;
+  long line = 1;
+  char quote = 0;
+  bool in_comment = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') {
+      ++line;
+      names = 1;
+      quote = 0;
+      in_comment = false;
+    } else if (in_comment) {
+      continue;
+    } else if (quote != 0) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '=' || c == ',' || c == '[' || c == '{') {
+      names = 1;
+    } else if (c == '.' && ++names > most_names) {
+      refuse_deep(path, line, "a key of more names", most_names);
+    }
+    in_comment = quote == 0 && c == '#';
+  }
+}
+
+/// Throws InputError at the first value in too many tables and arrays.
+void demand_shallow(const toml::node& node, const std::string& path, int depth) {
+  if (depth > most_tables)
+    refuse_deep(path, static_cast<long>(node.source().begin.line), "a value in more tables",
+                most_tables);
+  if (const toml::table* table = node.as_table())
+    for (const auto& [name, child] : *table) demand_shallow(child, path, depth + 1);
+  if (const toml::array* array = node.as_array())
+    for (const toml::node& child : *array) demand_shallow(child, path, depth + 1);
+}
+
+/// Whether a name is missing in a dotted key: at its start, its end, or between two dots.
+bool has_empty_name(const std::string& key) {
+  return key.empty() || key.front() == '.' || key.back() == '.' ||
+         key.find("..") != std::string::npos;
+}
+
+}  // namespace
+
 ConfigDocument parse_document(const std::string& text, const std::string& path) {
+  demand_short_keys(text, path);
   ConfigDocument document;
   document.file = path;
   document.folder = std::filesystem::absolute(path).parent_path().string();
@@ -161,6 +220,7 @@ ConfigDocument parse_document(const std::string& text, const std::string& path) 
     throw InputError(fmt::format("{}:{}:{}: found a syntax error, expected TOML: {}", path, at.line,
                                  at.column, error.description()));
   }
+  demand_shallow(document.root, path, 0);
   return document;
 }
 
@@ -171,8 +231,13 @@ ConfigDocument read_document(const std::string& path) {
 void apply_override(ConfigDocument& document, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string key = assignment.substr(0, equals);
-  if (equals == std::string::npos || key.empty()) {
+  if (equals == std::string::npos || has_empty_name(key)) {
     document.problems.push_back({0, assignment, "no key=value", "key=value"});
+    return;
+  }
+  if (std::count(key.begin(), key.end(), '.') >= most_names) {
+    document.problems.push_back(
+        {0, key, "a key of more names", fmt::format("at most {}", most_names)});
     return;
   }
   document.overridden.insert(key);

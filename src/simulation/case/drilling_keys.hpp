@@ -9,12 +9,12 @@ namespace string_keys {
 
 inline constexpr TableKey table{"string", "drilling: the drill string, from the bit to the top"};
 
-/// Of a spring, a damper or a mass: none unless given.
+/// Of a spring, a damper or a mass: none unless given, and none whose products with others are no numbers.
 constexpr QuantityKey part(std::string_view name, std::string_view unit, std::string_view meaning) {
   return {.name = name,
           .unit = unit,
           .fallback = 0.0,
-          .range = Range::non_negative(),
+          .range = Range::within(0.0, 1e15),
           .meaning = meaning};
 }
 

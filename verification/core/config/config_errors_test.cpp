@@ -246,6 +246,53 @@ TEST(ConfigErrors, files_that_are_missing_or_no_toml) {
   EXPECT_EQ(read_failure(twice).rfind(twice + ":2:", 0), 0u) << read_failure(twice);
 }
 
+/// "a.a.a = 1" with so many names.
+std::string key_of(int names) {
+  std::string key = "a";
+  for (int k = 1; k < names; ++k) key += ".a";
+  return key;
+}
+
+/// A table a name: 16 000 of them exhausted the stack.
+TEST(ConfigErrors, of_keys_and_tables_without_end) {
+  for (const std::string start : {"", "["}) {
+    const std::string path = write_temporary(
+        ".toml", "# 1\n" + start + key_of(16000) + (start.empty() ? " = 1\n" : "]\n"));
+    EXPECT_EQ(read_failure(path), path + ":2: found a key of more names, expected at most 32");
+  }
+  std::string nested = "1";
+  for (int k = 0; k < 200; ++k) nested = "{" + key_of(30) + " = " + nested + "}";
+  const std::string path = write_temporary(".toml", "b = " + nested + "\n");
+  EXPECT_EQ(read_failure(path), path + ":1: found a value in more tables, expected at most 256");
+  expect_message({"b = 1\n",
+                  [](Config& c) { c.integer("b", {}, 0, 9); },
+                  "--set: " + key_of(33) + ": found a key of more names, expected at most 32",
+                  {key_of(33) + "=1"}});
+}
+
+TEST(ConfigErrors, dots_in_texts_comments_and_numbers_are_none_of_a_key) {
+  const std::string dots(100, '.');
+  const std::string path =
+      write_temporary(".toml", "# " + dots + "\na = \"" + dots + "\"  # \"" + dots +
+                                   "\nb = [1.0, 2.0]\n\"" + dots + "\" = 1\n");
+  EXPECT_EQ(read_failure(path), "no error");
+}
+
+TEST(ConfigErrors, of_keys_without_a_name) {
+  const auto read = [](Config& c) { c.integer("b", {}, 0, 9); };
+  expect_message({"\"\" = 1\nb = 1\n", read, "FILE:1: \"\": found an unknown key, expected b"});
+  for (const std::string key : {".", "a.", ".a", "a..b"})
+    expect_message({"b = 1\n",
+                    read,
+                    "--set: " + key + "=1: found no key=value, expected key=value",
+                    {key + "=1"}});
+}
+
+TEST(ConfigErrors, a_byte_that_ends_a_text_ends_no_message) {
+  expect_message({"b = 1\n\"c\\u0000d\" = 1\n", [](Config& c) { c.integer("b", {}, 0, 9); },
+                  "FILE:2: c\\u0000d: found an unknown key, expected one of b"});
+}
+
 RC_GTEST_PROP(ConfigErrors, any_bytes_are_a_file_or_an_input_error, (const std::string& bytes)) {
   const std::string path = tdbd::temporary_folder() + "config_errors_bytes.toml";
   std::ofstream(path) << "a = 1\n" << bytes;
