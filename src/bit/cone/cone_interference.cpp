@@ -78,7 +78,7 @@ std::vector<Clearance> cone_clearances(const std::vector<Cone>& cones) {
 }
 
 std::string clearance_text(const Clearance& c) {
-  if (!c.is_exact)
+  if (!c.is_exact && c.distance > -clearance_tolerance)
     return fmt::format(
         "{} and {} about {:.3f} mm apart all over, near ({:.1f}, {:.1f}, {:.1f}) mm and elsewhere "
         "(given up after {} patches; two cones in one place?)",

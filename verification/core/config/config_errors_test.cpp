@@ -280,7 +280,8 @@ TEST(ConfigErrors, dots_in_texts_comments_and_numbers_are_none_of_a_key) {
 
 TEST(ConfigErrors, of_keys_without_a_name) {
   const auto read = [](Config& c) { c.integer("b", {}, 0, 9); };
-  expect_message({"\"\" = 1\nb = 1\n", read, "FILE:1: \"\": found an unknown key, expected b"});
+  expect_message(
+      {"\"\" = 1\nb = 1\n", read, "FILE:1: \"\": found an unknown key, expected one of b"});
   for (const std::string key : {".", "a.", ".a", "a..b"})
     expect_message({"b = 1\n",
                     read,
