@@ -236,9 +236,10 @@ void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
   work.drift.clear();
-  set_aside(rock, limits, work.waiting);
+  start_asking(rock.surface, limits, work.turns);
+  set_aside(rock, limits, work.turns, work.waiting);
   classify_touched_triangles(rock, limits, work.touched);
-  const std::vector<int> folded = folded_places(rock, limits, work.touched);
+  const std::vector<int> folded = folded_places(rock, limits, work);
   blunt_spikes(rock, limits, work, report);
   bisect_long_edges(rock, limits, work, report);
   repair(rock, limits, Where::touched, work, report);
