@@ -248,6 +248,7 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
   constexpr int most_untanglings = 5;  // what is left waits until it is touched again
   for (int k = 0; k < most_untanglings && untangle(rock, folded, limits, work, report); ++k)
     repair(rock, limits, Where::region, work, report);
+  deepen_index(rock);
   rock.grid.refresh_one_layer();
   list_again(rock, limits, work.waiting);
 }
