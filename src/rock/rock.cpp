@@ -1,21 +1,50 @@
 #include "rock/rock.hpp"
 
+#include <utility>
+
 namespace tdbd::rock {
+namespace {
+
+VertexGrid index_of(const mesh::Surface& surface, const mesh::Box& box_W, double cell) {
+  VertexGrid grid(box_W, cell);
+  std::vector<int> alive;
+  for (int v = 0; v < surface.vertex_slots(); ++v)
+    if (surface.is_alive(v)) alive.push_back(v);
+  grid.insert_all(mesh::positions_of(surface), std::move(alive));
+  return grid;
+}
+
+}  // namespace
 
 Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
   Rock rock;
   mesh::Box box = reach_W;
   for (const mesh::VertexStar& star : surface.stars) box.add(star.x);
-  rock.grid = VertexGrid(box, cell);
-  std::vector<int> alive;
-  for (int v = 0; v < surface.vertex_slots(); ++v)
-    if (surface.is_alive(v)) alive.push_back(v);
-  rock.grid.insert_all(mesh::positions_of(surface), std::move(alive));
+  rock.grid = index_of(surface, box, cell);
   rock.last_part.assign(surface.stars.size(), -1);
   rock.touched.assign(surface.stars.size(), 0);
   rock.moved_in.assign(surface.stars.size(), {});
   rock.surface = std::move(surface);
   return rock;
+}
+
+void make_index_anew(Rock& rock, const mesh::Box& box_W) {
+  constexpr long never = -1;
+  rock.grid = index_of(rock.surface, box_W, rock.grid.cell());
+  for (NearList& list : rock.near_lists) list.changes = never;
+}
+
+void deepen_index(Rock& rock) {
+  constexpr double cells_below = 4.0;
+  const mesh::Box old = rock.grid.box();
+  if (rock.grid.deepest() <= old.hi.z() + cells_below * rock.grid.cell()) return;
+  mesh::Box box;
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v)
+    if (rock.surface.is_alive(v)) box.add(rock.surface.position(v));
+  box.hi.z() += box.size().z();
+  box.lo.head<2>() = box.lo.head<2>().cwiseMin(old.lo.head<2>());
+  box.hi.head<2>() = box.hi.head<2>().cwiseMax(old.hi.head<2>());
+  make_index_anew(rock, box);
 }
 
 void touch(Rock& rock, int v) {

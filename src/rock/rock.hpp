@@ -32,6 +32,13 @@ struct Rock {
 /// where the bit will go, so that the grid covers it.
 Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W);
 
+/// Makes the index anew, about `box_W` and with cells as large. Cuts and repairs stay the same.
+void make_index_anew(Rock& rock, const mesh::Box& box_W);
+
+/// Makes the index anew, as deep again as the rock is high, if the hole has become deeper than the
+/// index's box by some cells: one layer would hold all that is below it.
+void deepen_index(Rock& rock);
+
 /// Marks of Rock::touched. The second appears only during a maintenance: classified, and not
 /// touched since (touched_region.hpp).
 inline constexpr std::uint8_t touched_mark = 1, classified_mark = 2;

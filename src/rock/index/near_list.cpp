@@ -1,6 +1,7 @@
 #include "rock/index/near_list.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -139,19 +140,33 @@ void apply(const VertexChanges& c, std::size_t i, NearList& list) {
   }
 }
 
-/// Writes the vertices between the slabs to `found`, which has room for all. Returns how many.
-TDBD_WIDE std::size_t find_between(const NearList& list, const SingleSlabs& slabs, int* found) {
-  std::size_t n = 0;
+/// A few vertices on their way to a list, which clears the room that it makes.
+struct Batch {
+  static constexpr std::size_t most = 256;
+  std::array<int, most> v;
+  std::size_t count = 0;
+};
+
+void flush(Batch& batch, std::vector<int>& vertices) {
+  vertices.insert(vertices.end(), batch.v.data(), batch.v.data() + batch.count);
+  batch.count = 0;
+}
+
+/// Appends the vertices between the slabs.
+TDBD_WIDE void find_between(const NearList& list, const SingleSlabs& slabs,
+                            std::vector<int>& vertices) {
+  Batch found;
   for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
     for (unsigned packs = balls_between(list.balls, first, slabs); packs != 0;
          packs &= packs - 1U) {
+      if (found.count + single_lanes > Batch::most) flush(found, vertices);
       const std::size_t i =
           single_lanes * (first + static_cast<std::size_t>(std::countr_zero(packs)));
       for (unsigned in = places_between(&list.x[i], &list.y[i], &list.z[i], slabs); in != 0;
            in &= in - 1U)
-        found[n++] = list.v[i + static_cast<std::size_t>(std::countr_zero(in))];
+        found.v[found.count++] = list.v[i + static_cast<std::size_t>(std::countr_zero(in))];
     }
-  return n;
+  flush(found, vertices);
 }
 
 }  // namespace
@@ -179,10 +194,7 @@ void note_changes(NearList& list, const VertexChanges& changes) { apply(changes,
 
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,
                           std::vector<int>& vertices) {
-  const SingleSlabs slabs = about(list.origin_W, region_W.slabs, slack);
-  const std::size_t had = vertices.size();
-  vertices.resize(had + list.v.size());
-  vertices.resize(had + find_between(list, slabs, vertices.data() + had));
+  find_between(list, about(list.origin_W, region_W.slabs, slack), vertices);
 }
 
 }  // namespace tdbd::rock

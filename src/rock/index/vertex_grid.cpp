@@ -195,6 +195,7 @@ void VertexGrid::write(const Place& place, int v, const Vec3& x_W) {
   b.y[s] = static_cast<Single>(x_W.y());
   b.z[s] = static_cast<Single>(x_W.z());
   b.v[s] = v;
+  deepest_ = std::max(deepest_, x_W.z());
 }
 
 void VertexGrid::put(int v, const Vec3& x_W, int cell) {

@@ -73,6 +73,13 @@ class VertexGrid {
   void remove(int v);
   void move(int v, const Vec3& x_W, Teller teller = Teller::journal);
 
+  /// The box whose vertices the grid tells apart by their cells, in whole cells, m.
+  mesh::Box box() const { return {lo_, lo_ + cell_ * Vec3(nx_, ny_, nz_)}; }
+  double cell() const { return cell_; }
+
+  /// The greatest depth z at which a vertex has been, m.
+  double deepest() const { return deepest_; }
+
   /// Prefetches the memory that move() needs.
   void prefetch(int v) const { __builtin_prefetch(&places_[at(v)]); }
 
@@ -183,6 +190,7 @@ class VertexGrid {
   std::vector<Place> places_;            ///< per vertex
   std::vector<double> nearest_radius2_;  ///< per layer of cells, m2
   int next_layer_ = 0;
+  double deepest_ = -INFINITY;
   ChangeJournal journal_;
 };
 

@@ -29,11 +29,20 @@ Tip tip_at(const mesh::Surface& s, int v) {
   return tip;
 }
 
+/// Whether a vertex that is not on the boundary has all its neighbours below it.
+bool tops_neighbours(const mesh::Surface& s, int v) {
+  const mesh::VertexStar& star = s.star(v);
+  const int* ring = s.ring(star);
+  return std::all_of(ring, ring + star.size,
+                     [&](int w) { return s.position(w).z() - star.x.z() > 0.0; });  // z down
+}
+
 }  // namespace
 
 BluntVerdict judge_blunt(const mesh::Surface& s, int v, const MaintenanceLimits& limits,
                          const SurfaceDrift& drift) {
   BluntVerdict verdict;
+  if (!s.is_boundary(v) && !tops_neighbours(s, v)) return verdict;  // most of those that are asked
   const Tip tip = tip_at(s, v);
   const double shortest = limits.shortest_edge;
   verdict.is_spike = tip.above_highest > 0.0 && tip.above_mean > 0.5 * shortest &&

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/wide.hpp"
+#include "rock/maintain/ring_spokes.hpp"
 #include "rock/maintain/star.hpp"
 #include "rock/maintain/touched_region.hpp"
 
@@ -10,44 +10,6 @@ namespace tdbd::rock {
 namespace {
 
 using mesh::VertexStar;
-
-/// Columns of the triangles around a vertex, the first repeated behind the last.
-struct alignas(32) Column {
-  Single at[2 * single_lanes] = {};
-};
-
-struct Spokes {
-  Column x, y, z;
-};
-
-/// A triangle's two spokes, eight triangles side by side.
-struct WideSpokes {
-  WideSingle ex, ey, ez, fx, fy, fz;
-};
-
-/// For functions that are TDBD_WIDE.
-inline void load(const Spokes& d, WideSpokes& w) {
-  TDBD_LOAD(w.ex, d.x.at);
-  TDBD_LOAD(w.ey, d.y.at);
-  TDBD_LOAD(w.ez, d.z.at);
-  TDBD_LOAD(w.fx, d.x.at + 1);
-  TDBD_LOAD(w.fy, d.y.at + 1);
-  TDBD_LOAD(w.fz, d.z.at + 1);
-}
-
-void wrap(Column& c, std::size_t n) { c.at[n] = c.at[0]; }
-
-/// The neighbours less the vertex.
-void find_spokes(const mesh::Surface& s, const VertexStar& star, Spokes& d) {
-  const std::size_t n = star.size;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 spoke = s.position(star.ring[i]) - star.x;
-    d.x.at[i] = static_cast<Single>(spoke.x());
-    d.y.at[i] = static_cast<Single>(spoke.y());
-    d.z.at[i] = static_cast<Single>(spoke.z());
-  }
-  for (Column* c : {&d.x, &d.y, &d.z}) wrap(*c, n);
-}
 
 /// Bit i tells whether triangle i is fine and not folded on the next.
 TDBD_WIDE void sift(Spokes& d, std::size_t n, const FineLimits& l, unsigned& fine) {
@@ -64,26 +26,13 @@ TDBD_WIDE void sift(Spokes& d, std::size_t n, const FineLimits& l, unsigned& fin
   TDBD_STORE(ax, d.x.at);
   TDBD_STORE(ay, d.y.at);
   TDBD_STORE(az, d.z.at);
-  for (Column* c : {&d.x, &d.y, &d.z}) wrap(*c, n);
+  for (RingColumn* c : {&d.x, &d.y, &d.z}) wrap(*c, n);
   WideSingle bx, by, bz;
   TDBD_LOAD(bx, d.x.at + 1);
   TDBD_LOAD(by, d.y.at + 1);
   TDBD_LOAD(bz, d.z.at + 1);
   const WideFlags flat = ax * bx + ay * by + az * bz > Single{0};
   fine = bits_of(edges & shape & flat);
-}
-
-/// Bit i tells whether triangle i faces up. Room for rounding: of an area's components below 1e-6
-/// of the squared edges.
-TDBD_WIDE void sift_upward(const Spokes& d, Single sine2, unsigned& upward) {
-  WideSpokes w;
-  load(d, w);
-  const auto& [ex, ey, ez, fx, fy, fz] = w;
-  const WideSingle scale = ex * ex + ey * ey + ez * ez + fx * fx + fy * fy + fz * fz;
-  const WideSingle ax = ey * fz - ez * fy, ay = ez * fx - ex * fz, az = ex * fy - ey * fx;
-  constexpr Single far_from_rounding = 2e-5F, room = 1.2F;
-  const WideFlags flat = az * az > room * sine2 * (ax * ax + ay * ay + az * az);
-  upward = bits_of(flat & (-az > far_from_rounding * scale));
 }
 
 /// The vertex that faces the edge (a, b) from the other side of triangle (v, a, b); -1: none.
@@ -128,24 +77,13 @@ FineLimits fine_limits(const MaintenanceLimits& limits) {
 
 bool ring_is_fine(const Rock& rock, int v, const FineLimits& limits) {
   const VertexStar& star = rock.surface.star(v);
-  if (star.open != 0 || star.long_ring >= 0) return false;
+  if (!has_spokes(star)) return false;
   Spokes spokes;
   find_spokes(rock.surface, star, spokes);
   unsigned fine = 0;
   sift(spokes, star.size, limits, fine);
   const unsigned all = (1U << star.size) - 1U;
   return (fine & all) == all && !is_folded_outwards(rock, v);
-}
-
-bool ring_faces_up(const mesh::Surface& s, int v, double sine) {
-  const VertexStar& star = s.star(v);
-  if (star.open != 0 || star.long_ring >= 0) return false;
-  Spokes spokes;
-  find_spokes(s, star, spokes);
-  unsigned upward = 0;
-  sift_upward(spokes, static_cast<Single>(sine * sine), upward);
-  const unsigned all = (1U << star.size) - 1U;
-  return (upward & all) == all;
 }
 
 }  // namespace tdbd::rock

@@ -20,8 +20,4 @@ FineLimits fine_limits(const MaintenanceLimits& limits);
 /// are asked only where neither of its ends is touched; otherwise they are its ends' to find.
 bool ring_is_fine(const Rock& rock, int v, const FineLimits& limits);
 
-/// Whether all triangles at v surely face up, by more than the sine of an angle: none of them is
-/// turned over (star.hpp). Conservative in the same way.
-bool ring_faces_up(const mesh::Surface& s, int v, double sine);
-
 }  // namespace tdbd::rock

@@ -236,9 +236,10 @@ void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
   work.drift.clear();
-  set_aside(rock, limits, work.waiting);
+  start_asking(rock.surface, limits, work.turns);
+  set_aside(rock, limits, work.turns, work.waiting);
   classify_touched_triangles(rock, limits, work.touched);
-  const std::vector<int> folded = folded_places(rock, limits, work.touched);
+  const std::vector<int> folded = folded_places(rock, limits, work);
   blunt_spikes(rock, limits, work, report);
   bisect_long_edges(rock, limits, work, report);
   repair(rock, limits, Where::touched, work, report);
@@ -247,6 +248,7 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
   constexpr int most_untanglings = 5;  // what is left waits until it is touched again
   for (int k = 0; k < most_untanglings && untangle(rock, folded, limits, work, report); ++k)
     repair(rock, limits, Where::region, work, report);
+  deepen_index(rock);
   rock.grid.refresh_one_layer();
   list_again(rock, limits, work.waiting);
 }

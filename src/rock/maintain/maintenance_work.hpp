@@ -4,6 +4,7 @@
 
 #include "rock/maintain/intersections.hpp"
 #include "rock/maintain/touched_region.hpp"
+#include "rock/maintain/turned_over.hpp"
 #include "rock/maintain/verdict.hpp"
 
 namespace tdbd::rock {
@@ -24,6 +25,7 @@ void sort_edges(std::vector<EdgeCandidate>& edges);
 /// Buffers of maintain(), kept between calls so that none allocates once warm.
 struct MaintenanceWorkspace {
   TouchedRegion touched;
+  TurnSieve turns;
   std::vector<int> waiting;  ///< touched vertices that are not due
   std::vector<int> ring, changed, region;
   std::vector<EdgeCandidate> edges;

@@ -95,13 +95,12 @@ void add_suspects(const mesh::Surface& s, const std::vector<int>& vertices, Work
 
 }  // namespace
 
-std::vector<int> folded_places(const Rock& rock, const MaintenanceLimits& limits,
-                               const TouchedRegion& touched) {
+std::vector<int> folded_places(const Rock& rock, const MaintenanceLimits& limits, Work& work) {
   const mesh::Surface& s = rock.surface;
   std::vector<int> folded;
   if (!untangling_enabled(limits)) return folded;
-  for (const int t : touched.steep)
-    if (is_turned_over(s, limits, t)) {
+  for (const int t : work.touched.steep)
+    if (is_turned_over(s, limits, t, work.turns)) {
       const mesh::Triangle& v = s.triangles[at(t)];
       folded.insert(folded.end(), v.begin(), v.end());
     }
@@ -113,14 +112,13 @@ void find_suspects(const Rock& rock, const std::vector<int>& folded,
                    const MaintenanceLimits& limits, Work& work) {
   const mesh::Surface& s = rock.surface;
   work.suspects.clear();
-  const auto examine = [&](int t) {
-    if (is_turned_over(s, limits, t)) work.suspects.push_back(t);
-  };
-  for (const int t : work.touched.steep)
-    if (s.triangle_is_alive(t)) examine(t);
   find_changed(rock, work.touched);
+  forget(s, work.touched.changed, work.turns);
+  for (const int t : work.touched.steep)
+    if (s.triangle_is_alive(t) && is_turned_over(s, limits, t, work.turns))
+      work.suspects.push_back(t);
   for (const int v : work.touched.changed)
-    if (s.is_alive(v)) mesh::visit_corners(s, v, [&](int c) { examine(c / 3); });
+    if (s.is_alive(v)) add_turned_over(s, limits, v, work.turns, work.suspects);
   add_suspects(s, folded, work);
 }
 

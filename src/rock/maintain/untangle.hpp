@@ -9,7 +9,7 @@ namespace tdbd::rock {
 /// part that takes rock along a wall by more than an edge at once moves it past its neighbours;
 /// where that folds layers into each other, some triangle between them is turned over (M4).
 std::vector<int> folded_places(const Rock& rock, const MaintenanceLimits& limits,
-                               const TouchedRegion& touched);
+                               MaintenanceWorkspace& work);
 
 /// Fills work.suspects with the triangles that may pass through others: those that are turned over
 /// now, and all at the remaining `folded` places. Repairs may have turned the latter back while

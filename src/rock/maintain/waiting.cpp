@@ -1,13 +1,11 @@
 #include "rock/maintain/waiting.hpp"
 
-#include "rock/maintain/fine_ring.hpp"
 #include "rock/maintain/star.hpp"
 
 namespace tdbd::rock {
 namespace {
 
 bool is_folded_at(const mesh::Surface& s, const MaintenanceLimits& limits, int v) {
-  if (ring_faces_up(s, v, limits.steepest_overhang)) return false;
   bool found = false;
   mesh::visit_corners(s, v, [&](int c) { found = found || is_turned_over(s, limits, c / 3); });
   return found;
@@ -19,12 +17,14 @@ bool is_due(const Rock& rock, const MaintenanceLimits& limits, int v) {
   return has_waited(rock, limits, v) || is_folded_at(rock.surface, limits, v);
 }
 
-void set_aside(Rock& rock, const MaintenanceLimits& limits, std::vector<int>& waiting) {
+void set_aside(Rock& rock, const MaintenanceLimits& limits, TurnSieve& sieve,
+               std::vector<int>& waiting) {
   waiting.clear();
   std::size_t kept = 0;
   for (const int v : rock.touched_list) {
     const bool is_alive = rock.surface.is_alive(v);
-    if (is_alive && is_due(rock, limits, v)) {
+    if (is_alive &&
+        (has_waited(rock, limits, v) || is_turned_over_at(rock.surface, limits, v, sieve))) {
       rock.touched_list[kept++] = v;
       continue;
     }

@@ -72,21 +72,6 @@ RC_GTEST_PROP(FineRing, has_no_triangle_that_an_operation_wants, ()) {
   RC_TAG(passed > 0 ? "some are fine" : "none is fine");
 }
 
-/// What surely faces up is not turned over, at any angle that upright triangles may lean by.
-RC_GTEST_PROP(FineRing, that_faces_up_has_no_triangle_turned_over, ()) {
-  Cut c = any_cut();
-  c.limits.steepest_overhang = *battery::number(0.0, 0.5);
-  int up = 0;
-  for (int v = 0; v < c.rock.surface.vertex_slots(); ++v) {
-    if (!ring_faces_up(c.rock.surface, v, c.limits.steepest_overhang)) continue;
-    ++up;
-    mesh::visit_corners(c.rock.surface, v, [&](int k) {
-      RC_ASSERT(!is_turned_over(c.rock.surface, c.limits, k / 3));
-    });
-  }
-  RC_ASSERT(up > 0);
-}
-
 /// With the filter and without it maintenance does the same, and counts the same.
 RC_GTEST_PROP(FineRing, passed_over_changes_no_repair, ()) {
   Cut c = any_cut();
