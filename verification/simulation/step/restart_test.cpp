@@ -138,6 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
     Cases, Restart,
     ::testing::Values(
         RestartedCase{"steady", "bit-b-steady", {}},
+        RestartedCase{"renumbered", "bit-b-steady", {"maintenance.renumber_every=7"}},
         RestartedCase{"steady_with_forces", "bit-b-3000psi", {"output.means_from='0 s'"}},
         RestartedCase{"sections_in_turn",
                       "bit-b-3000psi",
