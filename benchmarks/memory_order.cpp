@@ -1,6 +1,7 @@
 // What a step costs more after so many revolutions because neighbours in space are scattered in
-// memory: the same rock as it is, with a new index, and with vertices and triangles renumbered by
-// place. The copies drill on in turn, block by block. Prints a row of the study's table.
+// memory: the same rock as it is, with a new index, and renumbered by place. The copies drill on in
+// turn, block by block. Prints a row of the study's table: revolutions, step with a new index and
+// step renumbered over step as it is, and what a renumbering takes, in ms and in steps.
 
 #include <fmt/format.h>
 
@@ -12,44 +13,31 @@
 #include <vector>
 
 #include "benchmarks/drilling.hpp"
-#include "rock/start/space_order.hpp"
+#include "rock/maintain/renumber.hpp"
 
 namespace tdbd::bench {
 namespace {
 
 constexpr double edge = 1e-3;
 
-/// The rock with its vertices in this order, its index made anew.
-rock::Rock renumbered(const rock::Rock& old, const std::vector<int>& slots) {
-  std::vector<int> number(old.surface.stars.size(), -1);
-  mesh::TriangleMesh m;
-  for (const int v : slots) {
-    number[at(v)] = static_cast<int>(m.positions.size());
-    m.positions.push_back(old.surface.position(v));
-  }
-  for (const auto& [a, b, c] : old.surface.triangles)
-    if (a >= 0) m.triangles.push_back({number[at(a)], number[at(b)], number[at(c)]});
-  std::ranges::sort(m.triangles, {}, [](const mesh::Triangle& t) { return std::ranges::min(t); });
-  mesh::Box room;
-  for (const Vec3& x : m.positions) room.add(x + Vec3(0.0, 0.0, 20.0 * edge));
-  rock::Rock rock = rock::make_rock(mesh::make_surface(m), 2.0 * edge, room);
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    rock.last_part[i] = old.last_part[at(slots[i])];
-    rock.touched[i] = old.touched[at(slots[i])];
-    rock.moved_in[i] = old.moved_in[at(slots[i])];
-  }
-  rock.cuts = old.cuts;
-  for (const int v : old.touched_list)
-    if (number[at(v)] >= 0) rock.touched_list.push_back(number[at(v)]);
+rock::Rock by_place(rock::Rock rock) {
+  rock::RenumberWork work;
+  rock::renumber(rock, 8.0 * edge, work);
   return rock;
 }
 
-rock::Rock by_place(const rock::Rock& old) {
-  std::vector<int> slots;
-  const mesh::TriangleMesh m = mesh::compact(old.surface, &slots);
-  std::vector<int> order = rock::order_of_space(m.positions, 8.0 * edge);
-  for (int& i : order) i = slots[at(i)];
-  return renumbered(old, order);
+/// The median of what a renumbering of the rock takes, s, its room warm.
+double seconds_of_renumbering(const rock::Rock& rock) {
+  rock::RenumberWork work;
+  std::array<double, 9> seconds{};
+  for (double& s : seconds) {
+    rock::Rock copy = rock;
+    const double start = cpu_seconds();
+    rock::renumber(copy, 8.0 * edge, work);
+    s = cpu_seconds() - start;
+  }
+  std::ranges::sort(seconds);
+  return seconds[seconds.size() / 2];
 }
 
 /// The same numbers, so that only the index is new.
@@ -73,32 +61,44 @@ Drilling continued(const Drilling& d, rock::Rock rock) {
   return copy;
 }
 
-/// The medians, over blocks of 100 steps, of the cost of the second and the third over the first.
-std::array<double, 2> compare(std::array<Drilling, 3>& sides) {
+struct Comparison {
+  std::array<double, 2> ratios;  ///< of the second and the third to the first
+  double step;                   ///< s, of the first
+};
+
+/// The medians over blocks of 100 steps.
+Comparison compare(std::array<Drilling, 3>& sides) {
   constexpr std::size_t blocks = 16;
+  constexpr long steps = 100;
   std::array<std::array<double, blocks>, 2> ratios{};
+  std::array<double, blocks> first{};
   for (std::size_t b = 0; b < blocks; ++b) {
     std::array<double, 3> seconds{};
     for (std::size_t k = 0; k < 3; ++k) {
       const double start = cpu_seconds();
-      drill(sides[(b + k) % 3], 100);
+      drill(sides[(b + k) % 3], steps);
       seconds[(b + k) % 3] = cpu_seconds() - start;
     }
     for (std::size_t i = 0; i < 2; ++i) ratios[i][b] = seconds[i + 1] / seconds[0];
+    first[b] = seconds[0] / steps;
   }
   for (auto& r : ratios) std::ranges::sort(r);
-  return {ratios[0][blocks / 2], ratios[1][blocks / 2]};
+  std::ranges::sort(first);
+  return {{ratios[0][blocks / 2], ratios[1][blocks / 2]}, first[blocks / 2]};
 }
 
 int run(long revolutions, std::vector<std::string> settings) {
   settings.push_back(fmt::format("time.revolutions={}", revolutions + 10));
+  settings.emplace_back("maintenance.renumber_every=0");
   Drilling d = start_drilling("standard-workload", edge, std::move(settings));
   drill(d, revolutions * steps_of_a_revolution(d.plan));
   std::array<Drilling, 3> sides{continued(d, d.run.state.rock),
                                 continued(d, indexed_anew(d.run.state.rock)),
                                 continued(d, by_place(d.run.state.rock))};
-  const auto [index, place] = compare(sides);
-  fmt::print("{},{:.3f},{:.3f}\n", revolutions, index, place);
+  const double renumbering = seconds_of_renumbering(d.run.state.rock);
+  const Comparison c = compare(sides);
+  fmt::print("{},{:.3f},{:.3f},{:.1f},{:.1f}\n", revolutions, c.ratios[0], c.ratios[1],
+             1e3 * renumbering, renumbering / c.step);
   return 0;
 }
 

@@ -50,6 +50,9 @@ const Mistake mistakes[] = {
     {"a_first_step_beyond_the_run", "duration", "first_step = 20\nduration",
      "11: time.first_step: found 20 of 20 steps, expected a step before the "
      "end of the run"},
+    {"a_renumbering_every_minus_one_steps", "\"40 ms\"",
+     "\"40 ms\"\n[maintenance]\nrenumber_every = -1",
+     "13: maintenance.renumber_every: found -1, expected a whole number from 0 to 1000000000"},
 };
 
 INSTANTIATE_TEST_SUITE_P(One, BadCase, ::testing::ValuesIn(mistakes),

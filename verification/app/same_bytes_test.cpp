@@ -31,6 +31,21 @@ void move_along(const SmallCase& c, const std::string& motion) {
 
 TEST(SameBytes, steady_from_a_conforming_start) { expect_same_bytes(SmallCase{}); }
 
+TEST(SameBytes, with_renumberings_on_the_way) {
+  const SmallCase c;
+  c.edit("case.toml", "\"40 ms\"", "\"40 ms\"\n[maintenance]\nrenumber_every = 6");
+  expect_same_bytes(c);
+}
+
+TEST(SameBytes, until_the_first_renumbering) {
+  const SmallCase c;
+  for (const std::string every : {"20", "0"})
+    ASSERT_EQ(c.run({"--set", "maintenance.renumber_every=" + every}, "every" + every).exit_code,
+              0);
+  for (const char* file : {"history.csv", "history.nc"})
+    EXPECT_TRUE(read(c.path("every20") / file) == read(c.path("every0") / file)) << file;
+}
+
 TEST(SameBytes, whirl_from_a_flat_start) {
   const SmallCase c;
   c.edit("case.toml", "wall = \"20 mm\"", "shape = \"flat\"\nradius = \"60 mm\"");

@@ -10,6 +10,7 @@
 #include "mesh/edit.hpp"
 #include "mesh/surface.hpp"
 #include "verification/battery/rock_surfaces.hpp"
+#include "verification/mesh/random_edit.hpp"
 
 namespace tdbd::mesh::vertex_star_test {
 namespace {
@@ -36,19 +37,6 @@ std::vector<int> ring_by_corners(const Surface& s, int v) {
 std::vector<int> ring_of(const Surface& s, int v) {
   const VertexStar& star = s.star(v);
   return {s.ring(star), s.ring(star) + star.size};
-}
-
-/// One random edit of any kind, where the topology allows it.
-void random_edit(Surface& s, int choice) {
-  const int c = choice / 4 % (3 * s.triangle_slots());
-  if (!s.triangle_is_alive(c / 3)) return;
-  const bool is_inner = s.opposite_of(c) >= 0;
-  const Vec3 x =
-      0.5 * (s.position(s.vertex(next_corner(c))) + s.position(s.vertex(previous_corner(c))));
-  if (choice % 4 == 0 && is_inner) split_edge(s, c, x);
-  if (choice % 4 == 1 && is_inner && collapse_keeps_topology(s, c)) collapse_edge(s, c, x);
-  if (choice % 4 == 2 && is_inner && flip_keeps_topology(s, c)) flip_edge(s, c);
-  if (choice % 4 == 3 && removal_keeps_disc(s, c / 3)) remove_triangle(s, c / 3);
 }
 
 void require_stars_of_corners(const Surface& s) {

@@ -20,6 +20,7 @@ inline void PrintTo(const RestartedCase& c, std::ostream* out) { *out << c.name;
 inline std::vector<RestartedCase> restarted_cases() {
   return {
       {"steady", "bit-b-steady", {}, "time.revolutions=0.18"},
+      {"renumbered", "bit-b-steady", {"maintenance.renumber_every=7"}, "time.revolutions=0.18"},
       {"steady_with_forces", "bit-b-3000psi", {"output.means_from='0 s'"}, "time.revolutions=0.18"},
       {"sections_in_turn",
        "bit-b-3000psi",

@@ -235,6 +235,30 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
   }
 }
 
+void VertexGrid::put_again(const std::vector<Block>& old, int cell,
+                           const std::vector<int>& number) {
+  int b = std::exchange(tiles_[at(cell / 64)].head[at(cell % 64)], -1);
+  for (; b >= 0; b = old[at(b)].next) {
+    const Block& block = old[at(b)];
+    for (std::size_t s = 0; s < static_cast<std::size_t>(block.count); ++s)
+      put(number[at(block.v[s])], Vec3(block.x[s], block.y[s], block.z[s]), cell);
+  }
+}
+
+void VertexGrid::renumber(const std::vector<int>& number, int vertices, std::vector<Block>& room) {
+  pass_over(journal_, 1);
+  room.reserve(blocks_.capacity());
+  room.clear();
+  blocks_.swap(room);
+  free_blocks_.clear();
+  places_.resize(at(vertices));
+  for (const int tile : tile_at_) {
+    if (tile < 0) continue;
+    for (std::uint64_t cells = tiles_[at(tile)].occupied; cells != 0; cells &= cells - 1)
+      put_again(room, 64 * tile + std::countr_zero(cells), number);
+  }
+}
+
 void VertexGrid::remove(int v) {
   keep_bounded(journal_);
   note_removal(journal_.changes, v);

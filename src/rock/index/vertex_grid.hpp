@@ -107,6 +107,10 @@ class VertexGrid {
     int count = 0, next = -1;
   };
 
+  /// Vertex v becomes number[v]; there are `vertices` afterwards. Neighbouring cells come side by
+  /// side in memory again. The journal forgets all. `room` exchanges its memory with the blocks.
+  void renumber(const std::vector<int>& number, int vertices, std::vector<Block>& room);
+
   /// Calls visit(block) for every block of every cell that the region may meet: a superset of the
   /// vertices inside. `chains` is a buffer: the cells are gathered there first, so that many blocks
   /// can be prefetched at once.
@@ -172,6 +176,8 @@ class VertexGrid {
   /// The cell's number, a new tile if it is the first there.
   int open_cell(const Cell& c);
   int new_block(int next);
+  /// Puts the vertices of a chain of old blocks, by their new numbers, into its cell again.
+  void put_again(const std::vector<Block>& old, int cell, const std::vector<int>& number);
   void put(int v, const Vec3& x_W, int cell);
   /// Takes a vertex out of its cell.
   void take_out(int v);

@@ -1,7 +1,9 @@
 #include "rock/start/space_order.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,12 @@ struct CellOrder {
     }
     return 64 * cube + inside;
   }
+
+  /// How far along x in its cell, in 2^-32 cells.
+  std::uint32_t along(const Vec3& x) const {
+    const double cells = (x.x() - lo.x()) * inverse_cell;
+    return static_cast<std::uint32_t>(0x1p32 * (cells - std::floor(cells)));
+  }
 };
 
 /// The numbers of `count` things, in the order of their places.
@@ -49,6 +57,25 @@ std::vector<int> order_of_space(const std::vector<Vec3>& points, double cube) {
   for (const Vec3& x : points) box.add(x);
   const CellOrder order{box.lo, CellOrder::per_cube / cube};
   return ordered(points.size(), [&](std::size_t i) { return order(points[i]); });
+}
+
+void order_of_space(const mesh::Surface& s, double cube, std::vector<PlacedVertex>& placed,
+                    std::vector<int>& order) {
+  mesh::Box box;
+  for (const mesh::VertexStar& star : s.stars)
+    if (star.size > 0) box.add(star.x);
+  const CellOrder cell{box.lo, CellOrder::per_cube / cube};
+  placed.clear();
+  for (int v = 0; v < s.vertex_slots(); ++v)
+    if (s.is_alive(v)) placed.push_back({cell(s.position(v)), cell.along(s.position(v)), v});
+  std::ranges::sort(placed, [&](const PlacedVertex& a, const PlacedVertex& b) {
+    if (a.cell != b.cell) return a.cell < b.cell;
+    if (a.along != b.along) return a.along < b.along;
+    const Vec3 &x = s.position(a.v), &y = s.position(b.v);
+    return std::tuple(x.x(), x.y(), x.z(), a.v) < std::tuple(y.x(), y.y(), y.z(), b.v);
+  });
+  order.resize(placed.size());
+  std::ranges::transform(placed, order.begin(), &PlacedVertex::v);
 }
 
 mesh::TriangleMesh in_order_of_space(const mesh::TriangleMesh& m, double cube) {

@@ -70,6 +70,7 @@ MaintenancePlan read_maintenance(Config c) {
   return {.every = c.read(every),
           .rest = c.read(rest),
           .longest_wait = c.read(longest_wait),
+          .renumber_every = c.read(renumber_every),
           .shortest_edge = c.read(shortest_edge),
           .longest_edge = c.read(longest_edge),
           .worst_quality = c.read(worst_quality),

@@ -53,6 +53,7 @@ struct MaintenancePlan {
   long every = *maintenance_keys::every.fallback;  ///< steps between maintenances; 0: never
   long rest = *maintenance_keys::rest.fallback;    ///< steps left alone before maintenance
   long longest_wait = *maintenance_keys::longest_wait.fallback;      ///< steps
+  long renumber_every = *maintenance_keys::renumber_every.fallback;  ///< steps; 0: never
   double shortest_edge = *maintenance_keys::shortest_edge.fallback;  ///< over edge_length
   double longest_edge = *maintenance_keys::longest_edge.fallback;    ///< over edge_length
   double worst_quality = *maintenance_keys::worst_quality.fallback;

@@ -70,8 +70,8 @@ KeyTable update_table() {
 KeyTable maintenance_table() {
   using namespace maintenance_keys;
   return key_table("run", table,
-                   rows(every, rest, longest_wait, shortest_edge, longest_edge, worst_quality,
-                        flip_quality, smoothing, smooth_quality));
+                   rows(every, rest, longest_wait, renumber_every, shortest_edge, longest_edge,
+                        worst_quality, flip_quality, smoothing, smooth_quality));
 }
 
 KeyTable measure_table() {

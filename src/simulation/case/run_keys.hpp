@@ -120,6 +120,11 @@ inline constexpr IntegerKey longest_wait{
     .lo = 1,
     .hi = 1'000'000,
     .meaning = "steps after which a vertex is maintained even if it was never left alone"};
+inline constexpr IntegerKey renumber_every{
+    .name = "renumber_every",
+    .fallback = 2500,
+    .hi = 1'000'000'000,
+    .meaning = "steps between renumberings of the mesh by place, for speed; 0: never"};
 inline constexpr QuantityKey shortest_edge{
     .name = "shortest_edge",
     .fallback = 0.4,

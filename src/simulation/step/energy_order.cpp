@@ -27,6 +27,7 @@ Case divided(Case c, int parts) {
   c.maintenance.every *= parts;
   c.maintenance.rest *= parts;
   c.maintenance.longest_wait *= parts;
+  c.maintenance.renumber_every *= parts;
   c.output.means_from = std::numeric_limits<double>::infinity();
   return c;
 }

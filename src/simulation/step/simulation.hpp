@@ -7,6 +7,7 @@
 #include "dynamics/drilling/drilling_step.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rock/maintain/maintain.hpp"
+#include "rock/maintain/renumber.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/motion.hpp"
 #include "simulation/step/cone_motion.hpp"
@@ -60,6 +61,7 @@ struct Work {
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
   rock::TrimWorkspace trim_work;
+  rock::RenumberWork renumber_work;
   MeasureWork measure_work;
   dynamics::DrillingWork drive;
   dynamics::Drilling drive_before;  ///< the motion before the step at work
@@ -87,7 +89,7 @@ Simulation start(const Case& c);
 
 /// One time step, thesis fig. 4.2: the bit drifts to its next place, its parts cut, what they met
 /// is measured, the force laws are evaluated, the motion takes their kick, and when it is due the
-/// surface is maintained and its wall trimmed (step.hpp). Throws RunError where a step cannot be
+/// surface is maintained, its wall trimmed and its mesh renumbered (step.hpp). Throws RunError where a step cannot be
 /// done; where the motion diverges it is then as it was before the step.
 void step(const Case& c, Simulation& s);
 

@@ -86,6 +86,7 @@ void step(const Case& c, Simulation& s) {
   record(c, move, s);
   ++s.state.steps_done;
   maintain(c, s.state, s.work);
+  renumber(c, s.state, s.work);
 }
 
 Move drift(const Case& c, State& state, Work& work) {
@@ -142,6 +143,13 @@ void maintain(const Case& c, State& state, Work& work) {
   const double plane_W = over_rock(state.place).p.z() - work.trim_height;
   state.ledger.trimmed.add(
       trim(c.rock.edge_length, plane_W, work.limits, state.rock, state.trimming, work.trim_work));
+}
+
+void renumber(const Case& c, State& state, Work& work) {
+  constexpr double cube_over_edge = 8.0;
+  const long every = c.maintenance.renumber_every;
+  if (every == 0 || state.steps_done % every != 0) return;
+  rock::renumber(state.rock, cube_over_edge * c.rock.edge_length, work.renumber_work);
 }
 
 }  // namespace tdbd::simulation

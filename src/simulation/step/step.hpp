@@ -29,4 +29,7 @@ void record(const Case& c, const Move& move, Simulation& s);
 /// Repairs the surface and trims its wall, every so many steps.
 void maintain(const Case& c, State& state, Work& work);
 
+/// Numbers the surface's vertices and triangles by place, every so many steps of the motion.
+void renumber(const Case& c, State& state, Work& work);
+
 }  // namespace tdbd::simulation

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "mesh/measures.hpp"
 #include "rock/start/borehole.hpp"
 
 namespace tdbd::rock::space_order_test {
@@ -50,6 +51,26 @@ RC_GTEST_PROP(SpaceOrder, keeps_every_triangle_its_corners_and_its_side, ()) {
   const mesh::TriangleMesh m = hole(edge), sorted = in_order_of_space(m, cube);
   RC_ASSERT(sorted.positions.size() == m.positions.size());
   RC_ASSERT(shape_of(sorted) == shape_of(m));
+}
+
+/// Cubes by z, y, x, and in each its vertices by their cells.
+RC_GTEST_PROP(SpaceOrder, of_a_surface_goes_cube_by_cube_and_cell_by_cell, ()) {
+  const double cube = 1e-3 * *rc::gen::inRange(1, 300);
+  const mesh::TriangleMesh m = hole(1e-3 * *rc::gen::inRange(4, 30));
+  std::vector<PlacedVertex> placed;
+  std::vector<int> order;
+  order_of_space(mesh::make_surface(m), cube, placed, order);
+  RC_ASSERT(std::set<int>(order.begin(), order.end()).size() == m.positions.size());
+  const Vec3 lo = mesh::bounding_box(m).lo;
+  std::array<double, 6> last{};
+  for (const int v : order) {
+    const Vec3 cell = ((m.positions[at(v)] - lo) * (4.0 / cube)).array().floor();
+    const Vec3 whole = (0.25 * cell).array().floor();
+    const std::array<double, 6> place{whole.z(), whole.y(), whole.x(),
+                                      cell.z(),  cell.y(),  cell.x()};
+    RC_ASSERT(last <= place);
+    last = place;
+  }
 }
 
 TEST(SpaceOrder, is_the_same_when_it_is_asked_for_again) {

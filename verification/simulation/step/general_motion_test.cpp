@@ -272,10 +272,10 @@ TEST(Reaming, a_bit_put_back_removes_nothing_more) {
 }
 
 /// A run that is cut in two at a maintenance, its rock saved and read again, goes on as one that
-/// was not, if no vertex waits: a mesh file does not say when vertices moved.
-TEST(Continuing, after_a_reload_is_the_run_without_interruption) {
-  const std::string motion =
-      "[maintenance]\nrest = 0\n[motion]\n" + fast + "[time]\nstep = 0.002\nduration = 0.4\n";
+/// was not.
+void check_reload(const std::string& maintenance) {
+  const std::string motion = "[maintenance]\nrest = 0\n" + maintenance + "[motion]\n" + fast +
+                             "[time]\nstep = 0.002\nduration = 0.4\n";
   const Case whole = outside_case("edge_length = 0.003", motion);
   Simulation s = start(whole);
   constexpr long cut_at = 100;
@@ -303,6 +303,15 @@ TEST(Continuing, after_a_reload_is_the_run_without_interruption) {
   EXPECT_TRUE(a.triangles == b.triangles);
   EXPECT_NEAR(t.state.ledger.removed.value(), s.state.ledger.removed.value() - before,
               1e-14 * s.state.ledger.hole_start);
+}
+
+/// If no vertex waits: a mesh file does not say when vertices moved.
+TEST(Continuing, after_a_reload_is_the_run_without_interruption) { check_reload(""); }
+
+/// At a renumbering, and between two.
+TEST(Continuing, after_a_reload_renumbers_at_the_same_steps) {
+  check_reload("renumber_every = 50\n");
+  check_reload("renumber_every = 30\n");
 }
 
 /// Volume of the eighth revolution from a start of radius 55 mm.

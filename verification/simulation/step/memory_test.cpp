@@ -21,7 +21,8 @@ TEST(Memory, counts_what_is_held_and_the_most_of_it) {
 /// not grow with the rock, is not counted.
 TEST(Memory, a_rock_takes_at_most_250_bytes_a_triangle) {
   constexpr double bytes_a_triangle = 250.0;  // required
-  const Case c = read_case(TDBD_SOURCE_DIR "/cases/standard-workload.toml", {});
+  const Case c =
+      read_case(TDBD_SOURCE_DIR "/cases/standard-workload.toml", {"maintenance.renumber_every=50"});
   const rock::CuttingBit bit = rock::prepare_cutting_bit(c.bit);
   const long before = counted_memory().held;
   const rock::CuttingBit once_more = bit;
@@ -39,9 +40,10 @@ TEST(Memory, a_rock_takes_at_most_250_bytes_a_triangle) {
 
 /// What a warm step takes beyond what is held, bytes: the least of some steps, since rooms grow now
 /// and then with the wall.
-long taken_by_a_step(const std::string& name) {
+long taken_by_a_step(const std::string& name, int renumber_every = 0) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml",
-                           {"rock.edge_length='4 mm'", "maintenance.every=0"});
+                           {"rock.edge_length='4 mm'", "maintenance.every=0",
+                            fmt::format("maintenance.renumber_every={}", renumber_every)});
   Simulation s = start(c);
   for (int i = 0; i < 50; ++i) step(c, s);
   long least = counted_memory().held;
@@ -57,6 +59,10 @@ long taken_by_a_step(const std::string& name) {
 TEST(Memory, a_step_with_forces_allocates_nothing_once_warm) {
   EXPECT_EQ(taken_by_a_step("bit-b-3000psi"), 0);
   EXPECT_EQ(taken_by_a_step("drill-bit-b"), 0);
+}
+
+TEST(Memory, a_step_that_renumbers_the_rock_allocates_nothing_once_warm) {
+  EXPECT_EQ(taken_by_a_step("bit-b-3000psi", 1), 0);
 }
 
 }  // namespace tdbd::simulation::memory_test

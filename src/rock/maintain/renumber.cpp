@@ -1,0 +1,26 @@
+#include "rock/maintain/renumber.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+/// What was removed while it was listed leaves the list.
+void renumber_list(const std::vector<int>& number, std::vector<int>& vertices) {
+  std::size_t kept = 0;
+  for (const int v : vertices)
+    if (number[at(v)] >= 0) vertices[kept++] = number[at(v)];
+  vertices.resize(kept);
+}
+
+}  // namespace
+
+void renumber(Rock& rock, double cube, RenumberWork& work) {
+  order_of_space(rock.surface, cube, work.placed, work.order);
+  mesh::renumber(rock.surface, work.order, work.mesh);
+  mesh::take_in_order(work.order, rock.last_part, work.parts);
+  mesh::take_in_order(work.order, rock.touched, work.mesh.bytes);
+  mesh::take_in_order(work.order, rock.moved_in, work.moved_in);
+  renumber_list(work.mesh.number, rock.touched_list);
+  rock.grid.renumber(work.mesh.number, rock.surface.vertex_slots(), work.blocks);
+}
+
+}  // namespace tdbd::rock
