@@ -121,13 +121,14 @@ bool inner_facets_are_covered(const std::vector<ConvexPiece>& pieces, const Conv
   });
 }
 
-/// Those planes of a piece that cut the union's facet, whose corners these are.
+/// Those planes of a piece that cut the union's facet, whose corners these are, with some slack: a
+/// place on the piece's edge, where exits often are, is the piece's whatever rounding says.
 mesh::ConvexSolid cuts(const ConvexPiece& piece, const std::vector<Vec3>& corners, double slack) {
   mesh::ConvexSolid within;
   for (std::size_t i = 0; i < piece.solid_P.planes; ++i) {
     const Plane p = plane_of(piece.solid_P, i);
     if (std::ranges::any_of(corners, [&](const Vec3& x) { return height(p, x) > slack; }))
-      mesh::add_plane(within, p.n, p.b);
+      mesh::add_plane(within, p.n, p.b + slack);
   }
   return within;
 }
@@ -141,7 +142,7 @@ std::vector<Claim> claims_on(const std::vector<ConvexPiece>& pieces, const Plane
   }
   std::vector<Claim> claims;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (!has_plane(pieces[i].solid_P, p, size)) continue;
+    if (corners_on(pieces[i], p, slack).empty()) continue;
     claims.push_back({static_cast<int>(i), cuts(pieces[i], corners, slack)});
     if (claims.back().within_P.planes == 0) break;
   }

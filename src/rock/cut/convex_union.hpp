@@ -14,13 +14,15 @@ struct ConvexPiece {
   mesh::TriangleMesh mesh_P;
 };
 
-/// A piece that owns the facet of a union's plane where it lies inside these planes.
+/// A piece that owns the facet of a union's plane where it lies inside these planes. It has the
+/// plane, or touches the facet at an edge.
 struct Claim {
   int piece = -1;
   mesh::ConvexSolid within_P;
 };
 
-/// For each plane of a union the pieces that have it; of these the first that holds a place owns it.
+/// For each plane of a union the pieces that touch its facet; of these the first that holds a place
+/// owns it, as the first of them takes the vertex if it leaves them one after another.
 using Claims = std::vector<std::vector<Claim>>;
 
 /// Pieces that fill one convex solid together, such as the table, the chamfer and the body of a

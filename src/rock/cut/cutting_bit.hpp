@@ -74,14 +74,14 @@ struct CuttingBit {
 enum class ExitSearch { tree, walk };
 
 /// Whether a vertex leaves the parts of a group one after another, so that each has its own share
-/// of the volume, or where the parts fill a convex solid that at once: then the part through which
+/// of the volume, or, where the parts fill a convex solid, that at once: then the part through which
 /// it leaves has the whole volume.
 enum class ExitFrom { parts, whole };
 
 struct CuttingOptions {
   ExitSearch search = ExitSearch::tree;
   DirectionFrame directions = DirectionFrame::bit;
-  ExitFrom exit_from = ExitFrom::parts;
+  ExitFrom exit_from = ExitFrom::whole;
 };
 
 /// Prepares every part that cuts, from its closed mesh (bit::Part).

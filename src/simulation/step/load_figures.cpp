@@ -24,8 +24,8 @@ void add_parts(const LoadedStep& step, LoadStatistics& s) {
 /// 0 over nothing.
 double quotient(double x, double y) { return y != 0.0 ? x / y : 0.0; }
 
-/// What the part's whole cutter removed, m3: face, chamfer and body cut in turn, and which of them
-/// takes a vertex depends on the mesh.
+/// What the part's whole cutter removed, m3: through which of its parts a vertex leaves it depends
+/// on the mesh.
 double removed_by_cutter(const bit::Bit& bit, const LoadStatistics& s, std::size_t part) {
   if (bit.parts[part].cutter < 0) return s.part_removed[part];
   double removed = 0.0;

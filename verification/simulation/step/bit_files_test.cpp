@@ -54,11 +54,14 @@ double worst_part(const Drilled& a, const Drilled& b) {
   return worst;
 }
 
+/// Parts in turn: in the single precision of STL files the parts of a cutter do not fill one convex
+/// solid any more.
 TEST(ExportedBit, drills_the_same_hole) {
   const fs::path folder = test_folder();
-  const Drilled original = drill(folder, bit_b);
+  const std::vector<std::string> in_turn{"update.exit_from='parts'"};
+  const Drilled original = drill(folder, bit_b, in_turn);
   for (const char* format : {"ply", "off", "stl"}) {
-    const Drilled again = drill(folder, exported(folder / format, format));
+    const Drilled again = drill(folder, exported(folder / format, format), in_turn);
     EXPECT_NEAR(again.all / original.all, 1.0, 1e-6) << format;
     EXPECT_LE(worst_part(original, again), 1e-6) << format;
   }
