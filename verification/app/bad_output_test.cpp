@@ -46,8 +46,9 @@ TEST(BadOutput, force_leaves_no_old_frame_and_deletes_nothing_foreign) {
 TEST(BadOutput, a_case_that_a_user_wrote_is_not_replaced) {
   const SmallCase c;
   const std::string own = read(c.path("case.toml"));
-  expect_output_refused(c.run({"--force"}, "."), c.path("."),
-                        "its case.toml is not one that TDBD wrote; take another folder");
+  expect_output_refused(
+      c.run({"--force"}, "."), c.path("."),
+      "holds the input " + c.path("case.toml").string() + "; take another folder");
   EXPECT_EQ(read(c.path("case.toml")), own);
   EXPECT_EQ(files_below(c.path(".")),
             (std::vector<std::string>{"bit.csv", "bit.toml", "case.toml"}));

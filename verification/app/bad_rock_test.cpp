@@ -110,7 +110,7 @@ TEST(BadRock, a_wrong_unit) {
 TEST(BadRock, no_mesh_at_all) {
   const SmallCase c = case_on({});
   c.write("rock.off", "a poem\n");
-  expect_wrong(c, "rock.off", "not a valid .off file");
+  expect_wrong(c, "rock.off:1", "found 'a', expected 'OFF'");
 }
 
 TEST(BadRock, a_bit_that_starts_inside_it) {

@@ -90,8 +90,8 @@ void CheckpointKeeper::remove() {
 
 void remove_checkpoints(const OutputFolder& folder) {
   std::error_code ignored;
-  for (const fs::path& file : {folder.new_checkpoint(), folder.checkpoint(),
-                               folder.previous_checkpoint(), folder.rows()})
+  for (const fs::path& file :
+       {folder.new_checkpoint(), folder.checkpoint(), folder.previous_checkpoint(), folder.rows()})
     for (const fs::path& name : {file, partial_path(file)}) fs::remove(name, ignored);
 }
 

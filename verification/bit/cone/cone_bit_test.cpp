@@ -195,6 +195,15 @@ TEST(ConeBit, refuses_two_cones_in_one_place) {
   const std::vector<Cone> cones{{"cone-1", a, cone_pose(a, 0)}, {"cone-2", a, cone_pose(a, 0)}};
   const Clearance c = cone_clearances(cones).at(0);
   EXPECT_TRUE(is_clash(c));
+  EXPECT_EQ(clearance_text(c).find("an overlap of "), 0U) << clearance_text(c);
+}
+
+TEST(ConeBit, says_what_it_could_not_tell) {
+  Clearance c;
+  c.part_a = "cone-1/body";
+  c.part_b = "cone-2/body";
+  c.is_exact = false;
+  EXPECT_TRUE(is_clash(c));
   EXPECT_EQ(clearance_text(c).find("cone-1/body and cone-2/body about 0.000 mm apart all over"), 0U)
       << clearance_text(c);
 }

@@ -84,13 +84,14 @@ TEST(MeridianGap, stops_where_a_gap_is_large_enough) {
   EXPECT_GE(smallest_gap(m, X_BA, m, X_BB, resolution, 1.0).distance, 1.0);
 }
 
-/// Every patch of A is as near to B as every other: none can be left out.
-TEST(MeridianGap, gives_up_on_two_solids_in_one_place) {
-  const Meridian m = ball(sides);
-  const Pose X_BB;
-  const Gap gap = smallest_gap(m, X_BB, m, X_BB, 1e-7, INFINITY);
+/// Two cylinders end to end: every patch of A's end is as near to B as every other, so that none can
+/// be left out.
+TEST(MeridianGap, gives_up_where_all_places_are_as_near) {
+  const Meridian m = shell_meridian({{0.0, 1.0}, {1.0, 1.0}});
+  const Pose X_BA, X_BB{Mat3::Identity(), Vec3(0, 0, 1.5)};
+  const Gap gap = smallest_gap(m, X_BA, m, X_BB, 1e-7, INFINITY);
   EXPECT_FALSE(gap.is_exact);
-  EXPECT_NEAR(gap.distance, 0.0, 1e-15);
+  EXPECT_NEAR(gap.distance, 0.5, 1e-15);
 }
 
 }  // namespace tdbd::bit::meridian_test
