@@ -36,7 +36,7 @@ const Wrong wrongs[] = {
     {"a_string_beyond_all_numbers",
      "stick-slip",
      {"string.mass=1e300 kg"},
-     "--set: string.mass: found \"1e300 kg\", expected mass in kg, in [0, 1e+15]"},
+     "--set: string.mass: found \"1e300 kg\", expected mass in kg, in [0, 1e+16]"},
     {"a_missing_coefficient",
      "bit-b-3000psi",
      {"forces.gage_pad.law=friction", "forces.gage_pad.mu=0.3"},

@@ -14,7 +14,7 @@ constexpr QuantityKey part(std::string_view name, std::string_view unit, std::st
   return {.name = name,
           .unit = unit,
           .fallback = 0.0,
-          .range = Range::within(0.0, 1e15),
+          .range = Range::within(0.0, 1e16),
           .meaning = meaning};
 }
 
