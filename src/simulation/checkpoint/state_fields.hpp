@@ -4,7 +4,7 @@
 #include "simulation/step/simulation.hpp"
 
 // The members of State, in the order in which a checkpoint holds them. A new member is a new line
-// here: the test Checkpoint.holds_every_byte_of_the_state asks for it.
+// here; without it Checkpoints.go_on_to_the_bit fails as soon as a later step reads the member.
 
 namespace tdbd::simulation {
 
