@@ -237,8 +237,8 @@ void measures_in_a_run(benchmark::State& state) {
     drill(d, 1);
     const simulation::Move move{pose_after(d, -1.0), pose_after(d, 0.0), d.plan.time.step, 0.0, 1};
     simulation::Work& work = d.run.work;
-    const simulation::MeasuredStep step{d.plan.bit,      work.cutting, work.cut_work,
-                                        d.run.state.cut, move,         edge_length};
+    const simulation::MeasuredStep step{
+        d.plan.bit, work.cutting, work.cut_work, d.run.state.cut, move, edge_length, 0, {}};
     const double start = cpu_seconds();
     simulation::measure_cut(d.run.state.rock, plan, work.faces, step, work.measure_work,
                             work.measures);

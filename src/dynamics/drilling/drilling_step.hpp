@@ -41,6 +41,11 @@ void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
                                DrillingWork& work);
 
+/// Velocity after the closing kick of the open step and the opening one of the next with this
+/// wrench, dampers between them, at positions that stand still: what the next drift moves with.
+void velocity_after(const DrillingSystem& system, double h, const Drilling& d, const Wrench& wrench,
+                    DrillingWork& work, DrillingVelocity& out);
+
 /// Second half: the kick of the new wrench, damping, the ledger.
 void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,
                 DrillingWork& work);

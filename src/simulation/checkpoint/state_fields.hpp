@@ -54,6 +54,18 @@ void fields(A& a, Of<A, rock::Section>& x) {
 }
 
 template <class A>
+void fields(A& a, Of<A, rotation::Twist>& x) {
+  a("angular_B", x.angular_B);
+  a("linear_B", x.linear_B);
+}
+
+template <class A>
+void fields(A& a, Of<A, FacePath>& x) {
+  a("way", x.way);
+  a("creeps", x.creeps);
+}
+
+template <class A>
 void fields(A& a, Of<A, rock::CutReport>& x) {
   a("removed_by_part", x.removed_by_part);
   a("removed", x.removed);
@@ -144,6 +156,7 @@ void fields(A& a, Of<A, State>& x) {
   a("start_triangles", x.start_triangles);
   a("cones", x.cones);
   a("sections", x.sections);
+  a("face_paths", x.face_paths);
   a("cut", x.cut);
   a("drive", x.drive);
   a("ledger", x.ledger);

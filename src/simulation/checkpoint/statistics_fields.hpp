@@ -64,12 +64,20 @@ void fields(A& a, Of<A, Trace>& x) {
 }
 
 template <class A>
+void fields(A& a, Of<A, StandingStatistics>& x) {
+  a("steps", x.steps);
+  a("unsettled", x.unsettled);
+  a("most_rounds", x.most_rounds);
+}
+
+template <class A>
 void fields(A& a, Of<A, Statistics>& x) {
   a("faces", x.faces);
   a("cones", x.cones);
   a("loads", x.loads);
   a("energy_by_part", x.energy_by_part);
   a("trace", x.trace);
+  a("standing", x.standing);
 }
 
 template <class A>

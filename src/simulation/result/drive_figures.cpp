@@ -72,6 +72,10 @@ Json energy_order_json(const EnergyOrder& o) {
           {"residuals_j", o.residual.residuals}};
 }
 
+Json standing_json(const StandingStatistics& s) {
+  return {{"steps", s.steps}, {"unsettled", s.unsettled}, {"most_rounds", s.most_rounds}};
+}
+
 Json diagnosis_json(const Diagnosis& d, const Expected& e) {
   return {{"text", d.text},
           {"stick_slip_severity", d.stick_slip_severity},

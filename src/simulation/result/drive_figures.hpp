@@ -30,6 +30,7 @@ struct DriveFigures {
   std::map<std::string, double> cutting_by_part;  ///< J, power times step: first order in it
   Expected expected;
   EnergyOrder order;
+  StandingStatistics standing;
 };
 
 /// Frequencies of string and mass alone, without rock, and of rolling in the hole at a rotary speed
@@ -41,6 +42,10 @@ nlohmann::ordered_json energy_json(const DriveFigures& figures);
 
 /// "energy_residual_order_of" of summary.json: why there is none, the window, steps and residuals.
 nlohmann::ordered_json energy_order_json(const EnergyOrder& order);
+
+/// "standing" of summary.json: steps whose forces were solved for with the velocity, how many of
+/// these searches did not settle, and the longest of them.
+nlohmann::ordered_json standing_json(const StandingStatistics& standing);
 
 /// "diagnosis" of summary.json: measured frequencies beside the expected ones.
 nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Expected& expected);

@@ -105,7 +105,8 @@ void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
              s.state.drive->ledger,
              by_part,
              expected_of(system, r.loads->rotary_speed.mean),
-             {}};
+             {},
+             s.statistics.standing};
 }
 
 /// What a run writes on its way.

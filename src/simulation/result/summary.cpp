@@ -100,6 +100,7 @@ std::string to_json(const RunSummary& s) {
     const std::optional<double>& order = s.drive->order.residual.order;
     json["energy_residual_order"] = order ? Json(*order) : Json();
     json["energy_residual_order_of"] = energy_order_json(s.drive->order);
+    json["standing"] = standing_json(s.drive->standing);
     json["diagnosis"] = diagnosis_json(s.diagnosis, s.drive->expected);
   }
   if (!s.cones.empty()) json["cones"] = cones_json(s);

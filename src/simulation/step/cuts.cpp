@@ -94,8 +94,12 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
 
 forces::PartCut cut_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
                        const CutOfPart& c) {
+  return cut_at_velocity(velocity_at(bit, X_WB, motion, c.cone, c.cut.point), dt, c);
+}
+
+forces::PartCut cut_at_velocity(const Vec3& v_W, double dt, const CutOfPart& c) {
   forces::PartCut cut = c.cut;
-  cut.velocity = velocity_at(bit, X_WB, motion, c.cone, cut.point);
+  cut.velocity = v_W;
   const double speed = cut.velocity.norm();
   cut.path = speed * dt;
   if (!(c.face_area > 0.0)) return cut;

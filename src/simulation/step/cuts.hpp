@@ -39,4 +39,7 @@ double chamfer_width(const bit::Cutter& cutter, double back_rake);
 forces::PartCut cut_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
                        const CutOfPart& cut);
 
+/// The same where the velocity of the cut's point (m/s) is known.
+forces::PartCut cut_at_velocity(const Vec3& v_W, double dt, const CutOfPart& cut);
+
 }  // namespace tdbd::simulation

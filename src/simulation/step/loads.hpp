@@ -31,6 +31,13 @@ PartLoad load_of(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
 /// Torque of a load about a cone's Z, N m.
 double torque_about_cone(const bit::Bit& bit, const Pose& X_WB, int cone, const PartLoad& load);
 
+/// No load on any part.
+void clear(const bit::Bit& bit, BitLoads& loads);
+
+/// Adds the load of the part that made this cut.
+void add(const PartLoad& load, const bit::Bit& bit, const Pose& X_WB, const CutOfPart& cut,
+         BitLoads& loads);
+
 /// Evaluates every part's law at this motion of the bit and sums, simulation (4). A pure function
 /// of all but `loads`, whose room is used again.
 void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,

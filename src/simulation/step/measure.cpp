@@ -27,9 +27,12 @@ void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const Mea
     const std::size_t i = at(face);
     const rock::SectionPlace place{plan.section_lead * step.edge_length,
                                    section_reach * step.edge_length, faces.near_lists[i]};
+    const rock::Section found =
+        rock::section(rock, faces.faces[i], step.move.X_WB1,
+                      path_of(step.paths, step.bit, face, twist), place, rooms.local());
+    if (!are_all_due && creeps(step.paths, face) && found.sight != rock::Sight::clear) return;
     m.is_new[i] = 1;
-    m.sections[i] =
-        rock::section(rock, faces.faces[i], step.move.X_WB1, twist, place, rooms.local());
+    m.sections[i] = found;
   });
 }
 
@@ -55,13 +58,14 @@ void refuse(rock::Section& s) {
        s.sight, Vec3::Constant(unknown)};
 }
 
-void refuse_unknown(const MeasuredFaces& faces, const Move& move, Measures& m) {
-  const rotation::Twist twist = twist_of(move);
+void refuse_unknown(const MeasuredFaces& faces, const MeasuredStep& step, Measures& m) {
+  const rotation::Twist twist = twist_of(step.move);
   for (std::size_t i = 0; i < faces.faces.size(); ++i) {
     rock::Section& s = m.sections[i];
     if (m.is_new[i] == 0) continue;
     if (s.sight == rock::Sight::over_the_top ||
-        is_deep_in_rock(faces.faces[i], s, m.removed[i], twist, move.dt))
+        is_deep_in_rock(faces.faces[i], s, m.removed[i],
+                        path_of(step.paths, step.bit, static_cast<int>(i), twist), step.move.dt))
       refuse(s);
   }
 }
@@ -104,7 +108,7 @@ void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const Measured
   if (faces.faces.empty() || plan.section == SectionMeasure::off) return m.sections.clear();
   measure_sections(rock, plan, faces, step, work.sections, m);
   sum_removed(step, faces.faces.size(), m.removed);
-  refuse_unknown(faces, step.move, m);
+  refuse_unknown(faces, step, m);
 }
 
 void add(const Move& move, const Measures& m, FaceStatistics& statistics) {

@@ -7,6 +7,7 @@
 #include "rock/section/contact_area.hpp"
 #include "rock/section/section.hpp"
 #include "simulation/case/plans.hpp"
+#include "simulation/step/face_paths.hpp"
 #include "simulation/step/move.hpp"
 #include "simulation/step/spread.hpp"
 
@@ -32,8 +33,9 @@ struct MeasuredStep {
   const rock::CutWorkspace& cut_work;
   const rock::CutReport& cut;
   const Move& move;
-  double edge_length = 0.0;  ///< m, of the rock
-  long number = 0;           ///< of the step: whose turn it is
+  double edge_length;      ///< m, of the rock
+  long number;             ///< of the step: whose turn it is
+  const FacePaths& paths;  ///< of the faces
 };
 
 /// The measures of one step.

@@ -55,6 +55,7 @@ Work start_work(const Case& c, const State& state) {
   if (c.measure.contact == ContactMeasure::on)
     w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   w.measures.sections = state.sections;
+  w.creep = creep_of_faces(c.forces);
   w.faces = measured_faces(c.bit, w.cutting, c.measure);
   if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);
   return w;

@@ -14,6 +14,7 @@
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/load_figures.hpp"
 #include "simulation/step/measure.hpp"
+#include "simulation/step/standing.hpp"
 #include "simulation/step/trimming.hpp"
 
 namespace tdbd::simulation {
@@ -37,8 +38,9 @@ struct State {
   rock::Rock rock;
   long start_triangles = 0;
   std::vector<ConeState> cones;
-  std::vector<rock::Section> sections;      ///< per cutter, the last, where faces take turns
-  rock::CutReport cut;                      ///< of the last step: turns the cones in the next
+  std::vector<rock::Section> sections;  ///< per cutter, the last; of faces that take turns or creep
+  FacePaths face_paths;                 ///< of a bit that forces move
+  rock::CutReport cut;                  ///< of the last step: turns the cones in the next
   std::optional<dynamics::Drilling> drive;  ///< of a bit that forces move
   VolumeLedger ledger;
   rock::MaintenanceReport maintenance;
@@ -52,17 +54,20 @@ struct Work {
   double trim_height = 0.0;  ///< m, of the trimming plane above the bit's origin; 0: no trimming
   rock::CuttingBit cutting;  ///< the bit prepared, its cones at the angles of the last step
   MeasuredFaces faces;       ///< the cutters' faces prepared
+  double creep = 0.0;        ///< m/s, creep_of_faces
   // Of the last step.
   Measures measures;
   std::vector<CutOfPart> cuts;  ///< none without forces
   BitVelocity velocity;         ///< over the rock, at which the force laws were evaluated
   BitLoads loads;               ///< about the bit's origin
+  Standing standing;            ///< whether they were solved for with the velocity
   // Room.
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
   rock::TrimWorkspace trim_work;
   rock::RenumberWork renumber_work;
   MeasureWork measure_work;
+  StandingWork standing_work;
   dynamics::DrillingWork drive;
   dynamics::Drilling drive_before;  ///< the motion before the step at work
 };
@@ -74,6 +79,7 @@ struct Statistics {
   LoadStatistics loads;
   std::vector<double> energy_by_part;  ///< J, power times step since the start
   Trace trace;
+  StandingStatistics standing;
 };
 
 /// A run between two steps.

@@ -39,8 +39,8 @@ void note_removed(std::size_t revolution, const rock::CutReport& cut, VolumeLedg
 }
 
 MeasuredStep measured(const Case& c, const Move& move, const State& state, const Work& work) {
-  return {c.bit, work.cutting,       work.cut_work,   state.cut,
-          move,  c.rock.edge_length, state.steps_done};
+  return {c.bit, work.cutting,       work.cut_work,    state.cut,
+          move,  c.rock.edge_length, state.steps_done, state.face_paths};
 }
 
 /// At the momenta that the last forces predict, the cones at the spins that the new ones give them.
@@ -65,6 +65,7 @@ void require_convergence(const Case& c, State& state, const Work& work) {
 void record_loads(const Case& c, const Move& move, const State& state, const Work& work,
                   Statistics& to) {
   const std::vector<PartLoad>& parts = work.loads.parts;
+  add(work.standing, to.standing);
   to.energy_by_part.resize(parts.size(), 0.0);
   for (std::size_t i = 0; i < parts.size(); ++i) to.energy_by_part[i] += parts[i].power * move.dt;
   const double since = c.time.step * static_cast<double>(state.steps_done + 1 - c.time.first);
@@ -109,14 +110,17 @@ void cut(const Move& move, State& state, Work& work) {
 }
 
 void measure(const Case& c, const Move& move, State& state, Work& work) {
+  if (state.drive) follow(c.bit, move, work.creep, state.face_paths);
   measure_cut(state.rock, c.measure, work.faces, measured(c, move, state, work), work.measure_work,
               work.measures);
-  if (c.measure.section_every > 1) state.sections = work.measures.sections;
+  if (c.measure.section_every > 1 || state.drive) state.sections = work.measures.sections;
 }
 
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work) {
   if (c.forces.forces == Forces::off) return;
   gather_cuts(c.forces, measured(c, move, state, work), work.measures, work.cuts);
+  if (state.drive) stand(c, move, state, work);
+  if (work.standing.stands) return;
   work.velocity = state.drive ? predicted_velocity(c, move, state, work)
                               : velocity_of(move, speeds_of(state.cones));
   sum_loads(c.forces, c.bit, move.X_WB1, work.velocity, move.dt, work.cuts, work.loads);

@@ -40,10 +40,9 @@ TEST(Memory, a_rock_takes_at_most_250_bytes_a_triangle) {
 
 /// What a warm step takes beyond what is held, bytes: the least of some steps, since rooms grow now
 /// and then with the wall.
-long taken_by_a_step(const std::string& name, int renumber_every = 0) {
-  const Case c = read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml",
-                           {"rock.edge_length='4 mm'", "maintenance.every=0",
-                            fmt::format("maintenance.renumber_every={}", renumber_every)});
+long taken_by_a_step(const std::string& name, std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"rock.edge_length='4 mm'", "maintenance.every=0"});
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml", more);
   Simulation s = start(c);
   for (int i = 0; i < 50; ++i) step(c, s);
   long least = counted_memory().held;
@@ -62,7 +61,13 @@ TEST(Memory, a_step_with_forces_allocates_nothing_once_warm) {
 }
 
 TEST(Memory, a_step_that_renumbers_the_rock_allocates_nothing_once_warm) {
-  EXPECT_EQ(taken_by_a_step("bit-b-3000psi", 1), 0);
+  EXPECT_EQ(taken_by_a_step("bit-b-3000psi", {"maintenance.renumber_every=1"}), 0);
+}
+
+TEST(Memory, a_step_of_a_bit_that_stands_allocates_nothing_once_warm) {
+  EXPECT_EQ(
+      taken_by_a_step("stick-slip", {"motion.rotary_speed='0 rpm'", "motion.torque_at_start=0"}),
+      0);
 }
 
 }  // namespace tdbd::simulation::memory_test

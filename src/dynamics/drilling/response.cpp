@@ -1,0 +1,56 @@
+#include "dynamics/drilling/response.hpp"
+
+namespace tdbd::dynamics {
+namespace {
+
+int cones_of(const DrillingSystem& s) { return static_cast<int>(s.gyrostat.cones.size()); }
+
+/// The entry of a wrench that acts along a freedom.
+double& entry(const DrillingSystem& s, int freedom, Wrench& w) {
+  if (freedom < 3) return w.force_W[freedom];
+  if (freedom < 6) return w.torque_W[freedom - 3];
+  return freedom < 6 + cones_of(s) ? w.cones[at(freedom - 6)] : w.rock_force;
+}
+
+/// Large beside rounding, N and N m; the map is affine.
+double probe_along(const DrillingSystem& s, int freedom) {
+  constexpr double force = 1e3, torque = 1e2;
+  return freedom < 3 || freedom == 6 + cones_of(s) ? force : torque;
+}
+
+}  // namespace
+
+int freedoms(const DrillingSystem& s) { return 6 + cones_of(s) + (s.rock.mass > 0.0 ? 1 : 0); }
+
+void to_column(const DrillingSystem& s, const DrillingVelocity& v, Eigen::VectorXd& u) {
+  u.resize(freedoms(s));
+  u.head<3>() = v.v_W;
+  u.segment<3>(3) = v.w_W;
+  for (int k = 0; k < cones_of(s); ++k) u[6 + k] = v.cone_rates[at(k)];
+  if (s.rock.mass > 0.0) u[6 + cones_of(s)] = v.rock;
+}
+
+void find_response(const DrillingSystem& s, double h, const Drilling& d, DrillingWork& work,
+                   ResponseWork& room, Response& r) {
+  const int n = freedoms(s);
+  Wrench& w = room.wrench;
+  w.force_W = w.torque_W = Vec3::Zero();
+  w.cones.assign(s.gyrostat.cones.size(), 0.0);
+  w.rock_force = 0.0;
+  w.cone_impulse = ConeImpulse::at_end;
+  const auto ask = [&](Eigen::VectorXd& u) {
+    velocity_after(s, h, d, w, work, room.velocity);
+    to_column(s, room.velocity, u);
+  };
+  ask(r.free);
+  r.A.resize(n, n);
+  for (int j = 0; j < n; ++j) {
+    double& probed = entry(s, j, w);
+    probed = probe_along(s, j);
+    ask(room.column);
+    r.A.col(j) = (room.column - r.free) / probed;
+    probed = 0.0;
+  }
+}
+
+}  // namespace tdbd::dynamics

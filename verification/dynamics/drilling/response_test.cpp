@@ -1,0 +1,86 @@
+#include "dynamics/drilling/response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "verification/dynamics/drilling/coupled_bit.hpp"
+
+namespace tdbd::dynamics::response_test {
+
+/// Two cones, moving rock, dampers everywhere, a wall that is smooth: all of it linear.
+DrillingSystem linear_bit() {
+  DrillingSystem s = coupled_bit(AxialMode::load, DamperEnd::top);
+  s.wall.friction = 0.0;
+  return s;
+}
+
+Wrench some_wrench(int seed) {
+  Wrench w;
+  const double a = 1.0 + seed;
+  w.force_W = Vec3(300.0 * a, -700.0, 2000.0 / a);
+  w.torque_W = Vec3(-40.0, 25.0 * a, 60.0);
+  w.cones = {3.0 / a, -2.0 * a};
+  w.rock_force = -1500.0 * a;
+  w.cone_impulse = ConeImpulse::at_end;
+  return w;
+}
+
+Eigen::VectorXd column_of(const Wrench& w) {
+  Eigen::VectorXd f(9);
+  f << w.force_W, w.torque_W, w.cones[0], w.cones[1], w.rock_force;
+  return f;
+}
+
+/// After the step is closed with the wrench and the next one opened: momenta are then those of the
+/// drift, positions still count as they were.
+TEST(Response, is_the_velocity_of_the_next_drift) {
+  constexpr double h = 2e-3, bound = 3e-12;  // of the velocity
+  const DrillingSystem s = linear_bit();
+  for (int seed = 0; seed < 5; ++seed) {
+    DrillingRun d = start(s, smooth_law, coupled_start(s));
+    for (int i = 0; i < 10 * seed; ++i) step(s, smooth_law, h, d);
+    open_step(s, h, d, d.work);
+    Response response;
+    ResponseWork room;
+    find_response(s, h, d, d.work, room, response);
+    const Wrench w = some_wrench(seed);
+    const Eigen::VectorXd told = response.free + response.A * column_of(w);
+    close_step(s, h, w, d, d.work);
+    const Configuration before = d.work.at;
+    open_step(s, h, d, d.work);
+    DrillingVelocity v;
+    Eigen::VectorXd found;
+    velocity(s, before, d.state, v);
+    to_column(s, v, found);
+    EXPECT_LT((told - found).norm(), bound * found.norm()) << seed;
+    EXPECT_GT((response.A * column_of(w)).norm(), 0.01 * found.norm()) << seed;
+  }
+}
+
+/// What an impulse of a force does to a velocity it does to the velocity of the force: with dampers
+/// that act in turn only nearly so.
+TEST(Response, is_positive_and_nearly_symmetric) {
+  const DrillingSystem s = linear_bit();
+  DrillingRun d = start(s, smooth_law, coupled_start(s));
+  open_step(s, 1e-3, d, d.work);
+  Response response;
+  ResponseWork room;
+  find_response(s, 1e-3, d, d.work, room, response);
+  const Eigen::MatrixXd even = 0.5 * (response.A + response.A.transpose());
+  EXPECT_LT((response.A - even).norm(), 0.02 * even.norm());
+  EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(even).info(), Eigen::Success);
+}
+
+TEST(Response, leaves_out_rock_that_is_held) {
+  const DrillingSystem s = plain_bit();
+  DrillingRun d = start(s, nullptr, at_rest(s));
+  open_step(s, 1e-3, d, d.work);
+  Response response;
+  ResponseWork room;
+  find_response(s, 1e-3, d, d.work, room, response);
+  ASSERT_EQ(response.free.size(), 6);
+  EXPECT_NEAR(response.A(2, 2), 1e-3 / s.mass, 1e-18);
+}
+
+}  // namespace tdbd::dynamics::response_test
