@@ -129,16 +129,17 @@ void add_wall(const DrillingSystem& system, const LumpedState& s, LumpedForces& 
   const double depth = out.norm() - w.clearance;
   if (w.stiffness == 0.0 || depth <= 0.0) return;
   out.normalize();
-  const Vec3 touch_arm = ring_arm + w.ring_radius * out, along = Vec3::UnitZ().cross(out);
+  const Vec3 touch_arm = ring_arm + w.ring_radius * out;
   const double pressing = (v.v_W + v.w_W.cross(ring_arm)).dot(out);
   const double e2 = w.restitution * w.restitution;
   const double stiffness = w.stiffness * (pressing > 0.0 ? 1.0 : e2);
-  const double slip = (v.v_W + v.w_W.cross(touch_arm)).dot(along);
-  const double rubbing = w.friction * stiffness * depth * std::tanh(slip / w.slip_speed);
-  const Vec3 force = -stiffness * depth * out - rubbing * along;
+  const Vec3 touching = v.v_W + v.w_W.cross(touch_arm), slip = touching - touching.dot(out) * out;
+  const double speed = slip.norm();
+  const double rubbing = w.friction * stiffness * depth * std::tanh(speed / w.slip_speed);
+  const Vec3 force = -stiffness * depth * out - (speed > 0.0 ? rubbing / speed : 0.0) * slip;
   f.force_W += force;
   f.torque_W += touch_arm.cross(force);
-  f.power.wall_friction += rubbing * slip;
+  f.power.wall_friction += rubbing * speed;
   f.power.wall_loss += (stiffness - 0.5 * w.stiffness * (1.0 + e2)) * depth * pressing;
 }
 

@@ -56,8 +56,35 @@ double rub(const Sweeping& w, const Direction& direction, double force, double s
 }
 
 Direction radial(const WallContact& c) { return {c.outward_W, c.ring_arm_W.cross(c.outward_W)}; }
-Direction tangential(const WallContact& c) {
-  return {c.tangent_W, c.touch_arm_W.cross(c.tangent_W)};
+Direction at_touch(const WallContact& c, const Vec3& along_W) {
+  return {along_W, c.touch_arm_W.cross(along_W)};
+}
+
+/// How the touching point slips over the wall, around it and along z, and what impulses do to that.
+struct WallSlip {
+  Eigen::Vector2d speed;     ///< m/s
+  Eigen::Matrix2d mobility;  ///< 1/kg
+};
+
+WallSlip slip_on_wall(const Sweeping& w) {
+  const Direction around = at_touch(w.at.contact, w.at.contact.tangent_W),
+                  down = at_touch(w.at.contact, Vec3::UnitZ());
+  const Along a = along(w.system, w.at, w.state, around), z = along(w.system, w.at, w.state, down);
+  const double across = around.torque_W.dot(w.at.mobility_W * down.torque_W);
+  WallSlip slip{{a.speed, z.speed}, {}};
+  slip.mobility << a.mobility, across, across, z.mobility;
+  return slip;
+}
+
+/// Friction's own way, of the slip's: the mean of where it points before and after, so that the
+/// step keeps its order where friction turns it. No direction at rest.
+Eigen::Vector2d mean_direction(const WallSlip& slip, double force, double slip_speed, double time) {
+  const double speed = slip.speed.norm();
+  if (speed == 0.0) return Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d e = slip.speed / speed;
+  const double j = friction_impulse({speed, e.dot(slip.mobility * e)}, force, slip_speed, time);
+  const Eigen::Vector2d sum = 2.0 * slip.speed + j * slip.mobility * e;
+  return sum.squaredNorm() > 0.0 ? Eigen::Vector2d(sum.normalized()) : e;
 }
 
 /// k p while pressing and e^2 k p while letting go are the mean spring and a friction of half the
@@ -75,8 +102,10 @@ void rub_on_wall(const Sweeping& w) {
   const Along a = along(w.system, w.at, w.state, radial(w.at.contact));
   const double e2 = a.speed < 0.0 ? wall.restitution * wall.restitution : 1.0;
   const double normal = wall.stiffness * e2 * w.at.contact.depth;
-  w.ledger.wall_friction +=
-      rub(w, tangential(w.at.contact), wall.friction * normal, wall.slip_speed);
+  const double force = wall.friction * normal;
+  const Eigen::Vector2d e = mean_direction(slip_on_wall(w), force, wall.slip_speed, w.time);
+  const Vec3 way_W = e.x() * w.at.contact.tangent_W + e.y() * Vec3::UnitZ();
+  w.ledger.wall_friction += rub(w, at_touch(w.at.contact, way_W), force, wall.slip_speed);
 }
 
 /// The i-th of all that takes energy: three and three of the string, bearings, rock, two of the

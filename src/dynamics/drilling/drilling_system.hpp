@@ -53,7 +53,7 @@ struct TopDrive {
 
 /// A circular wall around space z that a ring of the bit touches. Pressed in by p it pushes back
 /// with k p, while p falls with e^2 k p: what comes back is e times as fast. Coulomb friction acts
-/// where the ring touches, along the wall's circumference.
+/// where the ring touches, against its slip around the wall and along it.
 struct Wall {
   double stiffness = 0.0;    ///< k, N/m; 0: no wall
   double clearance = 0.0;    ///< radius of the hole less that of the ring, m
