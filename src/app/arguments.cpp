@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "simulation/result/stopped_run.hpp"
 
 namespace tdbd::app {
 
@@ -33,6 +34,26 @@ void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp&
   command.add_flag("--quiet", a.quiet, help.quiet);
 }
 
+void add_resume(CLI::App& command, ResultArguments& a) {
+  CLI::Option* resumed = command.add_option(
+      "--resume", a.resumed, "in place of a case: go on with the run of this folder");
+  command.get_option("case")->required(false)->excludes(resumed);
+  for (const char* other : {"--output", "--set", "--force"})
+    command.get_option(other)->excludes(resumed);
+}
+
+int begin_or_resume(const ResultArguments& a, const std::function<int()>& begin,
+                    const std::function<int()>& resume) {
+  if (a.resumed.empty()) {
+    if (a.case_file.empty())
+      throw InputError("found no case, expected a case file, or --resume FOLDER");
+    return begin();
+  }
+  if (!simulation::tidy_if_finished(a.resumed)) return resume();
+  if (!a.quiet) fmt::print("{}: the run is complete, nothing to do\n", a.resumed);
+  return 0;
+}
+
 fs::path result_folder(const ResultArguments& a, const std::string& suffix) {
   if (!a.folder.empty()) return a.folder;
   return fs::path("results") / (fs::path(a.case_file).stem().string() + suffix);
@@ -42,9 +63,10 @@ simulation::Overwrite overwrite_of(bool force) {
   return force ? simulation::Overwrite::force : simulation::Overwrite::no;
 }
 
+void print_warning(const std::string& text) { fmt::print(stderr, "tdbd: warning: {}\n", text); }
+
 void print_warnings(const std::vector<simulation::CaseWarning>& warnings) {
-  for (const simulation::CaseWarning& w : warnings)
-    fmt::print(stderr, "tdbd: warning: {}\n", simulation::with_place(w));
+  for (const simulation::CaseWarning& w : warnings) print_warning(simulation::with_place(w));
 }
 
 double option_quantity(const std::string& option, const std::string& text,

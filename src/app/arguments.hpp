@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace tdbd::app {
 /// What every command is given that reads a case and writes a result folder.
 struct ResultArguments {
   std::string case_file, folder;
+  std::string resumed;  ///< folder of a run that was stopped, in place of a case
   std::vector<std::string> overrides;
   bool force = false, quiet = false;
 };
@@ -33,6 +35,14 @@ void add_case(CLI::App& command, ResultArguments& a, const ResultHelp& help);
 /// Adds -o, --set, --force and --quiet.
 void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp& help);
 
+/// Adds --resume, which stands in place of the case and of what goes with one. After the others.
+void add_resume(CLI::App& command, ResultArguments& a);
+
+/// Does what was asked for: begin() with a case, resume() with a folder, nothing where that holds a
+/// complete result. Both return the exit code.
+int begin_or_resume(const ResultArguments& a, const std::function<int()>& begin,
+                    const std::function<int()>& resume);
+
 /// Adds --set and --threads, as all commands have them.
 void add_set(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
 void add_threads(CLI::App& command, int& threads);
@@ -43,17 +53,23 @@ std::filesystem::path result_folder(const ResultArguments& a, const std::string&
 /// What --force means.
 simulation::Overwrite overwrite_of(bool force);
 
-/// A line on standard error for each: "tdbd: warning: FILE:LINE: KEY: TEXT".
+/// A line on standard error: "tdbd: warning: TEXT".
+void print_warning(const std::string& text);
+
+/// One for each: "tdbd: warning: FILE:LINE: KEY: TEXT".
 void print_warnings(const std::vector<simulation::CaseWarning>& warnings);
 
 /// RunOptions or RotateOptions with what their commands have in common: the folder, whether to
-/// replace it, and the flag that Ctrl-C sets.
+/// replace it, what Ctrl-C does, and warnings on standard error.
 template <class Options>
 Options options_for(const ResultArguments& a) {
   Options options;
-  options.folder = result_folder(a);
+  options.folder = a.resumed.empty() ? result_folder(a) : std::filesystem::path(a.resumed);
   options.overwrite = overwrite_of(a.force);
-  options.interrupted = &catch_interrupts();
+  end_on_interrupt();
+  options.interrupted = &interrupt_flag();
+  options.started = save_on_interrupt;
+  options.warn = print_warning;
   return options;
 }
 

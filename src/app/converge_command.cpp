@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <system_error>
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
@@ -27,7 +26,7 @@ struct ConvergeArguments : ResultArguments {
 sim::ConvergenceOptions convergence_options(const ConvergeArguments& a, Progress& progress) {
   sim::ConvergenceOptions options;
   options.threads = a.threads;
-  options.interrupted = &catch_interrupts();
+  options.interrupted = &save_on_interrupt();
   if (!a.quiet)
     options.progress = [&](int level, long done, long total) {
       if (progress.is_due(done, total))
@@ -65,10 +64,6 @@ int converge(ConvergeArguments a) {
                  name);
     }
     return c.status == sim::RunStatus::completed ? 0 : interrupted_code;
-  } catch (const InputError&) {
-    std::error_code ignored;
-    fs::remove(folder.path, ignored);  // nothing is in it
-    throw;
   } catch (const RunError& e) {
     write_text(folder.failure(), fmt::format("{}\n", e.what()));
     throw;

@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <new>
 
 #include "app/commands.hpp"
 #include "core/error.hpp"
+#include "core/reason.hpp"
 
 namespace tdbd::app {
 
@@ -16,12 +16,9 @@ int guarded(const std::function<int()>& body) {
     return 2;
   } catch (const std::filesystem::filesystem_error& e) {
     std::fprintf(stderr, "tdbd: %s: %s\n", e.path1().c_str(), e.code().message().c_str());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    std::fputs("tdbd: out of memory\n", stderr);
-    return 1;
+    return is_shortage(e.code()) ? 1 : 2;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "tdbd: %s\n", e.what());
+    std::fprintf(stderr, "tdbd: %s\n", reason_of(e));
     return 1;
   }
 }

@@ -1,10 +1,15 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <string>
 
 #include "app/commands.hpp"
 #include "core/provenance.hpp"
+#include "core/reason.hpp"
 
 namespace {
 
@@ -12,6 +17,20 @@ namespace {
 void let_writes_fail() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+}
+
+/// For memory that runs out where no exception gets out: in a destructor, or while a thread begins.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc& e) {
+    std::fprintf(stderr, "tdbd: %s\n", tdbd::reason_of(e));
+    _exit(1);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "tdbd: %s\n", e.what());
+  } catch (...) {
+  }
+  std::abort();
 }
 
 /// Fails a command whose output did not arrive.
@@ -27,6 +46,7 @@ int after_output(int exit_code) {
 /// interrupted.
 int main(int argc, char** argv) {
   let_writes_fail();
+  std::set_terminate(end_without_memory);
   CLI::App app{"TDBD: drill bits cutting rock, verification first", "tdbd"};
   app.require_subcommand(1);
   app.set_version_flag("--version",

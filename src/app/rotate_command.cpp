@@ -21,22 +21,36 @@ void print_outcome(const simulation::RotateOutcome& o, const std::string& folder
       "{:.2e}\n",
       v.energy_drift / v.energy_scale, std::sqrt(v.momentum_drift_squared), v.vertical_drift);
   fmt::print("results in {}\n", folder);
+  if (o.status == simulation::RunStatus::interrupted)
+    fmt::print("to go on: tdbd rotate --resume {}\n", folder);
 }
 
-int rotate(const ResultArguments& a) {
+/// Rotates with progress and a summary unless told to be quiet.
+template <class Rotate>
+int show(const ResultArguments& a, Rotate&& rotate) {
   auto options = options_for<simulation::RotateOptions>(a);
-  const simulation::RotateCase c = simulation::read_rotate_case(a.case_file, a.overrides);
   Progress progress;
   if (!a.quiet)
     options.progress = [&](long done, long total) {
       if (progress.is_due(done, total)) progress.show(done, total, "");
     };
-  const simulation::RotateOutcome outcome = simulation::rotate(c, options);
+  const simulation::RotateOutcome outcome = rotate(options);
   if (!a.quiet) {
     progress.finish();
     print_outcome(outcome, options.folder.string());
   }
   return outcome.status == simulation::RunStatus::completed ? 0 : interrupted_code;
+}
+
+int rotate(const ResultArguments& a) {
+  const simulation::RotateCase c = simulation::read_rotate_case(a.case_file, a.overrides);
+  return show(a, [&](const simulation::RotateOptions& o) { return simulation::rotate(c, o); });
+}
+
+int resume(const ResultArguments& a) {
+  const simulation::RotateCase c = simulation::read_stopped_rotate_case(a.resumed);
+  return show(a,
+              [&](const simulation::RotateOptions& o) { return simulation::resume_rotate(c, o); });
 }
 
 }  // namespace
@@ -49,12 +63,20 @@ void add_rotate(CLI::App& app, int& exit_code) {
                         .set = "--set time.step='5 ms'"};
   add_case(*command, *a, help);
   add_result_options(*command, *a, help);
+  add_resume(*command, *a);
   command->footer(
       "Writes summary.json, history.nc, history.csv, timing.json and the resolved case.toml.\n"
       "The keys of a case: tdbd keys.\n"
-      "Ctrl-C ends the run and writes what was recorded; exit code 130.\n"
+      "Ctrl-C ends the run and writes what was recorded; exit code 130. A second one ends it at "
+      "once.\n"
+      "A run that was stopped or killed goes on with --resume, to the same results.\n"
       "Example: tdbd rotate cases/slow-top.toml -o out/top --set integrator.order=4");
-  command->callback([a, &exit_code] { exit_code = guarded([&] { return rotate(*a); }); });
+  command->callback([a, &exit_code] {
+    exit_code = guarded([&] {
+      return begin_or_resume(
+          *a, [&] { return rotate(*a); }, [&] { return resume(*a); });
+    });
+  });
 }
 
 }  // namespace tdbd::app

@@ -13,7 +13,6 @@ namespace {
 
 struct RunArguments : ResultArguments {
   int threads = 1;
-  std::string resumed;  ///< folder of a run that was stopped
 };
 
 void print_energy(const simulation::DriveFigures& d) {
@@ -50,7 +49,6 @@ template <class Drill>
 int show(const RunArguments& a, simulation::RunOptions options, Drill&& drill) {
   Progress progress;
   options.threads = a.threads;
-  options.warn = [&](const std::string& text) { fmt::print(stderr, "tdbd: warning: {}\n", text); };
   if (!a.quiet)
     options.progress = [&](const simulation::Simulation& s, long total) {
       if (progress.is_due(s.state.steps_done, total))
@@ -72,14 +70,8 @@ int run(const RunArguments& a) {
 }
 
 int resume(const RunArguments& a) {
-  if (simulation::tidy_if_finished(a.resumed)) {
-    if (!a.quiet) fmt::print("{}: the run is complete, nothing to do\n", a.resumed);
-    return 0;
-  }
   const simulation::Case c = simulation::read_stopped_case(a.resumed);
-  auto options = options_for<simulation::RunOptions>(a);
-  options.folder = a.resumed;
-  return show(a, options,
+  return show(a, options_for<simulation::RunOptions>(a),
               [&](const simulation::RunOptions& o) { return simulation::resume_run(c, o); });
 }
 
@@ -90,24 +82,19 @@ void add_run(CLI::App& app, int& exit_code) {
   auto a = std::make_shared<RunArguments>();
   const ResultHelp help{.case_file = "the case file (TOML)"};
   add_case(*command, *a, help);
-  CLI::Option* resumed = command->add_option(
-      "--resume", a->resumed, "in place of a case: go on with the run of this folder");
   add_result_options(*command, *a, help);
   add_threads(*command, a->threads);
-  command->get_option("case")->required(false)->excludes(resumed);
-  for (const char* other : {"--output", "--set", "--force"})
-    command->get_option(other)->excludes(resumed);
+  add_resume(*command, *a);
   command->footer(
       "The keys of a case: tdbd keys.\n"
       "Ctrl-C ends the run after the current step and writes what was recorded; exit code 130.\n"
+      "A second one ends it at once.\n"
       "A run that was stopped or killed goes on with --resume, to the same results.\n"
       "Example: tdbd run cases/bit-b-steady.toml -o out/b --set time.revolutions=2");
   command->callback([a, &exit_code] {
     exit_code = guarded([&] {
-      if (!a->resumed.empty()) return resume(*a);
-      if (a->case_file.empty())
-        throw InputError("found no case, expected a case file, or --resume FOLDER");
-      return run(*a);
+      return begin_or_resume(
+          *a, [&] { return run(*a); }, [&] { return resume(*a); });
     });
   });
 }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 
 #include "core/error.hpp"
 
@@ -13,7 +14,10 @@ namespace tdbd {
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : folder_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (folder_ < 0 || flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  if (folder_ < 0)
+    throw RunError(
+        fmt::format("output folder {}: cannot open: {}", folder.string(), std::strerror(errno)));
+  if (flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(folder_);
   throw InputError(
       fmt::format("output folder {}: in use: another command writes to it; wait for its end or "
@@ -21,8 +25,6 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
                   folder.string()));
 }
 
-FolderLock::~FolderLock() {
-  if (folder_ >= 0) close(folder_);
-}
+FolderLock::~FolderLock() { close(folder_); }
 
 }  // namespace tdbd

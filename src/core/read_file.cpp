@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/reason.hpp"
 
 namespace tdbd {
 namespace {
@@ -29,9 +30,11 @@ void demand_file(const std::filesystem::path& path, std::string_view expected) {
   if (fs::is_directory(status)) refuse_file(path, "a folder", expected);
   if (!fs::is_regular_file(status)) refuse_file(path, "no regular file", expected);
   errno = 0;
-  if (!std::ifstream(path))
-    refuse_file(path, fmt::format("a file that cannot be opened ({})", std::strerror(errno)),
-                expected);
+  if (std::ifstream(path)) return;
+  if (is_shortage({errno, std::generic_category()}))
+    throw RunError(fmt::format("{}: cannot open: {}", path.string(), std::strerror(errno)));
+  refuse_file(path, fmt::format("a file that cannot be opened ({})", std::strerror(errno)),
+              expected);
 }
 
 std::string read_file(const std::filesystem::path& path, std::string_view expected) {

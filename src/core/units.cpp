@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/memory_left.hpp"
 #include "core/text.hpp"
 
 namespace tdbd {
@@ -44,7 +45,11 @@ constexpr std::array<std::pair<const char*, const char*>, 20> dimension_names{{
     {"K", "temperature"},
 }};
 
+/// What UDUNITS-2 may need for its database, and for a text, bytes: where it gets none it crashes.
+constexpr std::size_t memory_of_database = 8'000'000, memory_of_text = 1'000'000;
+
 Unit parse_unit(ut_system* system, const std::string& text) {
+  demand_memory(memory_of_text);
   return {ut_parse(system, text.c_str(), UT_ASCII), &ut_free};
 }
 
@@ -69,6 +74,7 @@ ut_system* read_database() {
 }
 
 ut_system* load_units() {
+  demand_memory(memory_of_database);
   ut_set_error_message_handler(&ut_ignore);
   ut_system* system = read_database();
   if (system == nullptr) throw RunError("units: the database of UDUNITS-2 cannot be read");

@@ -38,16 +38,18 @@ void put_on_disk(const std::filesystem::path& path) {
     fail_to_write(path, std::strerror(not_synced != 0 ? not_synced : errno));
 }
 
-WholeFile::WholeFile(std::filesystem::path path) : path_(std::move(path)) {
-  stream_.open(partial_path(path_), std::ios::binary | std::ios::trunc);
+WholeFile::WholeFile(std::filesystem::path path)
+    : path_(std::move(path)), partial_(partial_path(path_)) {
+  stream_.open(partial_, std::ios::binary | std::ios::trunc);
   if (!stream_) fail_to_write(path_, std::strerror(errno));
 }
 
+/// Takes no memory: it may run because there is none.
 WholeFile::~WholeFile() {
   if (committed_) return;
   stream_.close();
   std::error_code ignored;
-  std::filesystem::remove(partial_path(path_), ignored);
+  std::filesystem::remove(partial_, ignored);
 }
 
 void WholeFile::commit() {

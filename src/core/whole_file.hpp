@@ -31,7 +31,7 @@ class WholeFile {
   void commit();
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_, partial_;
   std::ofstream stream_;
   bool committed_ = false;
 };

@@ -114,6 +114,29 @@ TEST(InterruptedRun, keeps_everything_and_says_so) {
   }
 }
 
+TEST(InterruptedRun, twice_ends_at_once_and_is_no_result) {
+  const SmallCase c;
+  const auto o = c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10"}, "out",
+                       {.signal_after = c.path("out/frames/rock-000010.vtp"),
+                        .signal = SIGINT,
+                        .second_signal = SIGTERM});
+  EXPECT_EQ(o.exit_code, 130);
+  EXPECT_NE(o.err.find("tdbd: interrupted again: ended at once\n"), std::string::npos) << o.err;
+  EXPECT_EQ(o.out, "");
+  EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
+}
+
+/// Its rock of 11 million triangles takes a minute or more to build, and there is nothing to save.
+TEST(InterruptedRun, before_its_first_step_ends_at_once) {
+  const SmallCase c;
+  const auto o = c.run({"--set", "rock.edge_length='0.1 mm'"}, "out",
+                       {.signal_after = c.path("out"), .signal = SIGTERM});
+  EXPECT_EQ(o.exit_code, 130);
+  EXPECT_EQ(o.err, "tdbd: interrupted before the first step: nothing was saved\n");
+  EXPECT_EQ(files_below(c.path("out")), std::vector<std::string>{});
+  EXPECT_EQ(c.run().exit_code, 0) << "an empty folder is in nobody's way";
+}
+
 /// Stopping early changes nothing of what was done.
 TEST(InterruptedRun, is_the_first_part_of_the_whole_one) {
   const SmallCase c;

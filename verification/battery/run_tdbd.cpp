@@ -44,6 +44,15 @@ void redirect(int descriptor, const fs::path& file) {
   _exit(127);
 }
 
+/// Both reach a program that is stopped, so that it does nothing in between.
+void send(pid_t child, const Surroundings& around) {
+  if (around.second_signal != 0) kill(child, SIGSTOP);
+  kill(child, around.signal);
+  if (around.second_signal == 0) return;
+  kill(child, around.second_signal);
+  kill(child, SIGCONT);
+}
+
 /// Waits for the end, and on the way for the file after which the signal goes out.
 int wait_for(pid_t child, const Surroundings& around) {
   int status = 0;
@@ -56,7 +65,7 @@ int wait_for(pid_t child, const Surroundings& around) {
   bool sent = around.signal_after.empty() && around.signal_after_seconds <= 0.0;
   while (waitpid(child, &status, sent ? 0 : WNOHANG) == 0) {
     if (is_due()) {
-      kill(child, around.signal);
+      send(child, around);
       sent = true;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -20,6 +20,7 @@ struct Surroundings {
   std::filesystem::path signal_after = {};  ///< send `signal` once this file exists; empty: never
   double signal_after_seconds = -1.0;       ///< or after so many seconds; < 0: never
   int signal = SIGINT;
+  int second_signal = 0;  ///< sent with it, both before the program runs on; 0: none
 };
 
 /// Runs the built program with these arguments and waits for it.

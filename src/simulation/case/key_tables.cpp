@@ -169,7 +169,8 @@ std::vector<KeyTable> rotate_tables() {
           key_table("rotate", table, rows(drift, drifts_per_step, order, velocity_torque)),
           key_table("rotate", rotate_time_keys::table,
                     rows(rotate_time_keys::step, rotate_time_keys::duration)),
-          key_table("rotate", rotate_output_keys::table, rows(rotate_output_keys::history_every))};
+          key_table("rotate", rotate_output_keys::table,
+                    rows(rotate_output_keys::history_every, rotate_output_keys::checkpoint_every))};
 }
 
 }  // namespace

@@ -216,6 +216,11 @@ inline constexpr IntegerKey history_every{.name = "history_every",
                                           .lo = 1,
                                           .hi = 1'000'000'000'000,
                                           .meaning = "steps between rows of the history"};
+inline constexpr IntegerKey checkpoint_every{
+    .name = "checkpoint_every",
+    .usual = "as often as costs less than 1 % of the time",
+    .hi = 1'000'000'000'000,
+    .meaning = "steps between checkpoints, from which `tdbd rotate --resume` goes on; 0: none"};
 
 }  // namespace rotate_output_keys
 

@@ -32,9 +32,7 @@ struct Checkpoint {
 void write_checkpoint(const std::filesystem::path& path, const Case& c, const Simulation& s,
                       const WrittenSoFar& written);
 
-/// Reads it. Throws RunError if the file cannot be read, is torn or was changed, and InputError if
-/// it is of another version of tdbd or another case: of a case that changed since it names the
-/// first line that did.
+/// Reads it. Throws like CaseTape.
 Checkpoint read_checkpoint(const std::filesystem::path& path, const Case& c);
 
 }  // namespace tdbd::simulation

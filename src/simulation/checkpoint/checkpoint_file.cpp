@@ -13,6 +13,8 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/memory_left.hpp"
+#include "core/plain_path.hpp"
 #include "core/whole_file.hpp"
 
 namespace tdbd::simulation {
@@ -21,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kind[] = "tdbd checkpoint 1";
+
+/// What NetCDF may need besides, bytes: where it gets none it crashes.
+constexpr std::size_t memory_of_netcdf = 4'000'000;
 
 template <class T>
 std::string_view bytes_of(const std::vector<T>& x) {
@@ -118,8 +123,9 @@ void visit_columns(File& f, Visit&& visit) {
 }
 
 void write_netcdf(const fs::path& path, const CheckpointFile& f) {
+  demand_memory(memory_of_netcdf);
   Netcdf nc(path);
-  nc.require(nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_DATA, &nc.id));
+  nc.require(nc_create(PlainPath(path).c_str(), NC_CLOBBER | NC_64BIT_DATA, &nc.id));
   nc.require(nc_set_fill(nc.id, NC_NOFILL, nullptr));
   put_text(nc, "kind", kind);
   put_text(nc, "version", f.version);
@@ -182,8 +188,9 @@ void write_checkpoint_file(const fs::path& path, const CheckpointFile& file) {
 }
 
 CheckpointFile read_checkpoint_file(const fs::path& path) {
+  demand_memory(memory_of_netcdf);
   Netcdf nc(path);
-  nc.require(nc_open(path.c_str(), NC_NOWRITE, &nc.id));
+  nc.require(nc_open(PlainPath(path).c_str(), NC_NOWRITE, &nc.id));
   require_whole(path, nc);
   if (text_of(nc, "kind") != kind)
     throw RunError(fmt::format("checkpoint {}: it is no checkpoint", path.string()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "simulation/checkpoint/rock_fields.hpp"
+#include "simulation/checkpoint/rotation_fields.hpp"
 #include "simulation/step/simulation.hpp"
 
 // The members of State, in the order in which a checkpoint holds them. A new member is a new line
@@ -72,16 +73,6 @@ void fields(A& a, Of<A, rock::CutReport>& x) {
   a("candidates", x.candidates);
   a("moved", x.moved);
   a("passes", x.passes);
-}
-
-template <class A>
-void fields(A& a, Of<A, dynamics::RotationState>& x) {
-  a("q_WB", x.q_WB);
-  a("momentum_W", x.momentum_W);
-  a("cone_angles", x.cone_angles);
-  a("cone_momenta", x.cone_momenta);
-  a("turns", x.turns);
-  a("time", x.time);
 }
 
 template <class A>

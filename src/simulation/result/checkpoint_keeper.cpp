@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/reason.hpp"
 #include "core/whole_file.hpp"
 
 namespace tdbd::simulation {
@@ -28,31 +29,35 @@ template <class Do>
 void CheckpointKeeper::attempt(Do&& act) {
   try {
     act();
-  } catch (const RunError& e) {
+  } catch (const std::exception& e) {
     if (!has_failed_ && warn_)
       warn_(fmt::format("{}; the run goes on, to be resumed from its last good checkpoint",
-                        e.what()));
+                        reason_of(e)));
     has_failed_ = true;
+  }
+}
+
+/// A row that is missing would be missing in the record of the run that goes on: no checkpoint
+/// follows.
+template <class Do>
+void CheckpointKeeper::log_or_end(Do&& act) {
+  try {
+    act();
+  } catch (...) {
+    log_.reset();
+    throw;
   }
 }
 
 void CheckpointKeeper::begin_rows(std::size_t width, long kept) {
   if (every_ == 0) return;
-  log_.emplace(folder_.rows(), width, kept);
+  if (kept > 0) return static_cast<void>(log_.emplace(folder_.rows(), width, kept));
+  attempt([&] { log_.emplace(folder_.rows(), width, kept); });
 }
 
-/// A row that is missing would be missing in the record of the run that goes on: no checkpoint
-/// follows.
 void CheckpointKeeper::append(std::span<const double> row) {
   if (!log_) return;
-  attempt([&] {
-    try {
-      log_->append(row);
-    } catch (const RunError&) {
-      log_.reset();
-      throw;
-    }
-  });
+  attempt([&] { log_or_end([&] { log_->append(row); }); });
 }
 
 bool CheckpointKeeper::is_due(long steps_done) const {
@@ -64,20 +69,19 @@ bool CheckpointKeeper::is_due(long steps_done) const {
 }
 
 /// At any moment one whole checkpoint has one of its names.
-void CheckpointKeeper::replace(const Case& c, const Simulation& s,
-                               const WrittenSoFar& written) const {
-  write_checkpoint(folder_.new_checkpoint(), c, s, written);
+void CheckpointKeeper::replace(const Write& write) const {
+  write(folder_.new_checkpoint());
   if (fs::exists(folder_.checkpoint()))
     put_in_place(folder_.checkpoint(), folder_.previous_checkpoint());
   put_in_place(folder_.new_checkpoint(), folder_.checkpoint());
 }
 
-void CheckpointKeeper::keep(const Case& c, const Simulation& s, const WrittenSoFar& written) {
+void CheckpointKeeper::keep(const Write& write) {
   if (!log_) return;
   const auto begin = Clock::now();
   attempt([&] {
-    log_->sync();
-    replace(c, s, written);
+    log_or_end([&] { log_->sync(); });
+    replace(write);
   });
   last_ = Clock::now();
   cost_ = last_ - begin;
@@ -95,24 +99,25 @@ void remove_checkpoints(const OutputFolder& folder) {
     for (const fs::path& name : {file, partial_path(file)}) fs::remove(name, ignored);
 }
 
-std::optional<Checkpoint> newest_checkpoint(const OutputFolder& folder, const Case& c,
-                                            const CheckpointKeeper::Warn& warn) {
+bool read_newest_checkpoint(const OutputFolder& folder,
+                            const std::function<long(const fs::path&)>& read,
+                            const CheckpointKeeper::Warn& warn) {
   std::string torn;
   for (const fs::path& file :
        {folder.new_checkpoint(), folder.checkpoint(), folder.previous_checkpoint()}) {
     if (!fs::exists(file)) continue;
     try {
-      Checkpoint found = read_checkpoint(file, c);
+      const long steps = read(file);
       if (!torn.empty() && warn)
         warn(fmt::format("{}; {} is whole, after {} steps: the run goes on from there", torn,
-                         file.filename().string(), found.state.steps_done));
-      return found;
+                         file.filename().string(), steps));
+      return true;
     } catch (const RunError& e) {
       torn += (torn.empty() ? "" : "; ") + std::string(e.what());
     }
   }
   if (!torn.empty()) throw InputError(torn + "; there is no older one");
-  return std::nullopt;
+  return false;
 }
 
 }  // namespace tdbd::simulation

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
-#include "simulation/checkpoint/checkpoint.hpp"
 #include "simulation/checkpoint/row_log.hpp"
 #include "simulation/result/output_folder.hpp"
 
@@ -16,6 +17,8 @@ namespace tdbd::simulation {
 class CheckpointKeeper {
  public:
   using Warn = std::function<void(const std::string&)>;
+  /// Writes a checkpoint to this path, complete, or throws.
+  using Write = std::function<void(const std::filesystem::path&)>;
 
   /// every: steps between checkpoints; 0: none; negative: as often as costs less than 1 % of the
   /// time.
@@ -27,15 +30,17 @@ class CheckpointKeeper {
   void append(std::span<const double> row);
 
   bool is_due(long steps_done) const;
-  void keep(const Case& c, const Simulation& s, const WrittenSoFar& written);
+  void keep(const Write& write);
 
   /// Once the run is complete.
   void remove();
 
  private:
-  void replace(const Case& c, const Simulation& s, const WrittenSoFar& written) const;
+  void replace(const Write& write) const;
   template <class Do>
   void attempt(Do&& act);
+  template <class Do>
+  void log_or_end(Do&& act);
 
   using Clock = std::chrono::steady_clock;
   OutputFolder folder_;
@@ -50,10 +55,11 @@ class CheckpointKeeper {
 /// Removes a folder's checkpoints and the log of its rows.
 void remove_checkpoints(const OutputFolder& folder);
 
-/// The newest checkpoint of a folder that can be read; none: there is no file of one. Calls
-/// `warn` for a torn one that an older one stands in for. Throws InputError if none can be read, or
-/// they are of another case or another version of tdbd.
-std::optional<Checkpoint> newest_checkpoint(const OutputFolder& folder, const Case& c,
-                                            const CheckpointKeeper::Warn& warn);
+/// Reads the newest checkpoint of a folder that can be read: `read` returns the steps that it has behind it, and throws
+/// RunError for a torn one. False: there is no file of one. Calls `warn` for a torn one that an older one stands in for.
+/// Throws InputError if none can be read, and what `read` throws.
+bool read_newest_checkpoint(const OutputFolder& folder,
+                            const std::function<long(const std::filesystem::path&)>& read,
+                            const CheckpointKeeper::Warn& warn);
 
 }  // namespace tdbd::simulation

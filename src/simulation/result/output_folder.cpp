@@ -91,16 +91,36 @@ std::vector<fs::path> parts_in(const OutputFolder& folder) {
   return parts;
 }
 
-void remove_results(const OutputFolder& folder, ResultKind kind,
-                    const std::vector<std::string>& inputs) {
-  const std::vector<fs::path> old = old_results(folder, kind);
+/// What an older result left, all of which may go.
+std::vector<fs::path> replaceable(const OutputFolder& folder, ResultKind kind,
+                                  const std::vector<std::string>& inputs) {
+  std::vector<fs::path> old = old_results(folder, kind);
   demand_replaceable(folder.path, old, inputs);
   if (kind == ResultKind::bit) demand_replaceable(folder.path, parts_in(folder), inputs);
   demand_own_folder(folder, kind, old);
-  for (const fs::path& file : old) fs::remove(file);
+  return old;
+}
+
+void demand_writable(const OutputFolder& folder, ResultKind kind) {
+  const fs::path frames = folder.frames();
+  const bool has_frames = kind == ResultKind::run && fs::exists(frames);
+  if (has_frames && !fs::is_directory(frames)) refuse(folder.path, "its frames is a file");
+  for (const fs::path& written : {folder.path, has_frames ? frames : folder.path})
+    if (access(written.c_str(), W_OK) != 0) refuse(folder.path, "not writable");
 }
 
 }  // namespace
+
+MadeFolders::MadeFolders(const fs::path& folder) {
+  for (fs::path p = fs::absolute(folder); !p.empty() && !fs::exists(p); p = p.parent_path())
+    made_.push_back(p);
+  fs::create_directories(folder);
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code not_empty;
+  for (const fs::path& folder : made_) fs::remove(folder, not_empty);
+}
 
 fs::path OutputFolder::frame(const std::string& name, long number) const {
   return frames() / fmt::format("{}-{:06}.vtp", name, number);
@@ -121,26 +141,37 @@ void demand_own(const fs::path& folder, const std::string& name) {
     refuse(folder, fmt::format("its {} is not one that TDBD wrote; take another folder", name));
 }
 
-OutputFolder prepare(const fs::path& path, Overwrite overwrite,
-                     const std::vector<std::string>& inputs, ResultKind kind) {
+OutputFolder claim(const fs::path& path, Overwrite overwrite,
+                   const std::vector<std::string>& inputs, ResultKind kind) {
   OutputFolder folder{path};
-  const bool has_frames = kind == ResultKind::run;
   try {
     if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "is a file");
-    fs::create_directories(path);
+    folder.made = std::make_shared<const MadeFolders>(path);
     folder.lock = std::make_shared<const FolderLock>(path);
     if (!fs::is_empty(path)) {
       if (overwrite == Overwrite::no) refuse(path, "exists; --force overwrites");
-      remove_results(folder, kind, inputs);
+      replaceable(folder, kind, inputs);
     }
-    if (has_frames && fs::exists(folder.frames()) && !fs::is_directory(folder.frames()))
-      refuse(path, "its frames is a file");
-    if (has_frames) fs::create_directories(folder.frames());
+    demand_writable(folder, kind);
   } catch (const fs::filesystem_error& e) {
     refuse(path, e.code().message());
   }
-  const bool frames_closed = has_frames && access(folder.frames().c_str(), W_OK) != 0;
-  if (frames_closed || access(path.c_str(), W_OK) != 0) refuse(path, "not writable");
+  return folder;
+}
+
+void clear(const OutputFolder& folder, const std::vector<std::string>& inputs, ResultKind kind) {
+  try {
+    for (const fs::path& file : replaceable(folder, kind, inputs)) fs::remove(file);
+    if (kind == ResultKind::run) fs::create_directories(folder.frames());
+  } catch (const fs::filesystem_error& e) {
+    refuse(folder.path, e.code().message());
+  }
+}
+
+OutputFolder prepare(const fs::path& path, Overwrite overwrite,
+                     const std::vector<std::string>& inputs, ResultKind kind) {
+  OutputFolder folder = claim(path, overwrite, inputs, kind);
+  clear(folder, inputs, kind);
   return folder;
 }
 

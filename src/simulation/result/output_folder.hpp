@@ -17,10 +17,24 @@ enum class Overwrite { no, force };
 /// case to rotate, a study of convergence, a bit as `tdbd bit` exports it.
 enum class ResultKind { run, rotate, convergence, bit };
 
+/// Makes a folder with its parents. Those that it made go with it, unless something was put there.
+class MadeFolders {
+ public:
+  /// Throws std::filesystem::filesystem_error.
+  explicit MadeFolders(const std::filesystem::path& folder);
+  ~MadeFolders();
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+
+ private:
+  std::vector<std::filesystem::path> made_;  ///< from the innermost
+};
+
 /// A result folder, ready to be written to.
 struct OutputFolder {
   std::filesystem::path path;
-  std::shared_ptr<const FolderLock> lock = nullptr;  ///< held as long as a copy of this lives
+  std::shared_ptr<const FolderLock> lock = nullptr;   ///< held as long as a copy of this lives
+  std::shared_ptr<const MadeFolders> made = nullptr;  ///< goes before the lock
 
   std::filesystem::path summary() const { return path / "summary.json"; }
   std::filesystem::path timing() const { return path / "timing.json"; }
@@ -41,12 +55,20 @@ struct OutputFolder {
 inline constexpr const char* resolved_head =
     "# Resolved by tdbd: every default written out, in SI.";
 
-/// Makes `path`, and its `frames` when it has some, with all parents, and locks it: one command at a time writes to a
-/// folder. With `force`, every file goes that the command may write (files of other names stay), so that nothing of an
-/// older result is taken for a part of this one. Throws InputError, and changes nothing, when the folder is locked; when
-/// it is not empty and `overwrite` is no; when it or its `frames` is a file; when it cannot be written to; when a file to
-/// be replaced is one of `inputs`; or when it holds such files without one that TDBD began it with: case.toml or
-/// convergence.json, bit.toml for a bit.
+/// Makes `path` with all parents and locks it, before a start that may take minutes: one command at a time writes to a
+/// folder. An older result stays. Throws RunError when the folder cannot be opened. Throws InputError, and changes
+/// nothing, when it is locked; when it is not empty and `overwrite` is no; when it or its `frames` is a file; when it
+/// cannot be written to; when a file to be replaced is one of `inputs`; or when it holds such files without one that
+/// TDBD began it with: case.toml or convergence.json, bit.toml for a bit.
+OutputFolder claim(const std::filesystem::path& path, Overwrite overwrite,
+                   const std::vector<std::string>& inputs = {}, ResultKind kind = ResultKind::run);
+
+/// Removes from a claimed folder every file that the command may write (files of other names stay), so that nothing of an
+/// older result is taken for a part of this one, and makes its `frames` when it has some. Throws like `claim`.
+void clear(const OutputFolder& folder, const std::vector<std::string>& inputs = {},
+           ResultKind kind = ResultKind::run);
+
+/// Claims and clears.
 OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite,
                      const std::vector<std::string>& inputs = {},
                      ResultKind kind = ResultKind::run);

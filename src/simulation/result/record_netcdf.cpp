@@ -10,26 +10,43 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/memory_left.hpp"
 #include "core/plain_path.hpp"
 #include "core/whole_file.hpp"
 
 namespace tdbd::simulation {
+namespace {
+
+/// What NetCDF and HDF5 may need at a time, bytes: where they get none they crash.
+std::size_t memory_for(const RecordLayout& layout) {
+  constexpr std::size_t own = 8'000'000, blocks = 4;
+  return own + blocks * record_block * layout.row_width() * sizeof(double);
+}
+
+}  // namespace
 
 RecordNetcdf::RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout)
-    : file_(file) {
+    : file_(file), memory_(memory_for(layout)) {
+  demand_memory(memory_);
   H5dont_atexit();  // at exit HDF5 would touch files again that it could not close on a full disk
+  errno = 0;
   require(nc_create(PlainPath(file).c_str(), NC_NETCDF4 | NC_CLOBBER, &nc_));
   define(layout);
 }
 
 RecordNetcdf::~RecordNetcdf() {
-  if (nc_ >= 0) nc_close(nc_);
+  try {
+    close_file();
+  } catch (const std::exception&) {  // it stays as it is
+  }
 }
 
 void RecordNetcdf::require(int status) const {
   if (status == NC_NOERR) return;
-  std::string reason = nc_strerror(status);
-  if (status == NC_EHDFERR && errno != 0) reason += fmt::format(" ({})", std::strerror(errno));
+  std::string reason = nc_strerror(status);  // of a positive one often not what the kernel said
+  if (errno != 0)
+    reason =
+        status > 0 ? std::strerror(errno) : fmt::format("{} ({})", reason, std::strerror(errno));
   throw RunError(fmt::format("cannot write {}: {}", file_.string(), reason));
 }
 
@@ -93,6 +110,7 @@ void RecordNetcdf::append(std::span<const double> row) {
 
 void RecordNetcdf::write_block() {
   if (waiting_ == 0) return;
+  demand_memory(memory_);
   errno = 0;
   for (Column& c : columns_) {
     const std::size_t start[2] = {written_, 0}, count[2] = {waiting_, c.width};
@@ -105,7 +123,13 @@ void RecordNetcdf::write_block() {
 
 void RecordNetcdf::close() {
   write_block();
+  close_file();
+}
+
+void RecordNetcdf::close_file() {
+  if (nc_ < 0) return;
   const int nc = std::exchange(nc_, -1);
+  demand_memory(memory_);
   errno = 0;
   require(nc_sync(nc));
   put_on_disk(file_);  // the library crashes in a close that fails, so nothing may be left to fail

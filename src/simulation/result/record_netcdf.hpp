@@ -15,9 +15,9 @@ static_assert(record_block % record_chunk == 0);
 /// The NetCDF half of a Record: one open file and the block not yet written.
 class RecordNetcdf {
  public:
-  /// Creates the file and defines its dimensions and variables. Throws RunError.
+  /// Creates the file and defines its dimensions and variables. Throws RunError, and std::bad_alloc, like the others.
   RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout);
-  ~RecordNetcdf();  ///< closes the file; close() reports errors
+  ~RecordNetcdf();  ///< closes the file, where that is safe; close() reports errors
   RecordNetcdf(const RecordNetcdf&) = delete;
   RecordNetcdf& operator=(const RecordNetcdf&) = delete;
 
@@ -38,8 +38,10 @@ class RecordNetcdf {
   int define_labels(const RecordLabels& labels, int dim);
   void describe(int variable, const std::string& units, const std::string& long_name);
   void write_block();
+  void close_file();
 
   std::filesystem::path file_;
+  std::size_t memory_;  ///< that must be left before a call, bytes
   std::vector<Column> columns_;
   std::size_t written_ = 0;  ///< rows in the file
   std::size_t waiting_ = 0;  ///< rows in the block

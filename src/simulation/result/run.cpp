@@ -5,21 +5,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "bit/mass_properties.hpp"
 #include "bit/report/bit_output.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "core/reason.hpp"
 #include "core/whole_file.hpp"
 #include "mesh/measures.hpp"
 #include "rotation/rotation_vector.hpp"
+#include "simulation/checkpoint/checkpoint.hpp"
 #include "simulation/result/checkpoint_keeper.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
@@ -143,7 +142,8 @@ void go_on(const WrittenSoFar& written, Recorder& r) {
 void keep_checkpoint(const Case& c, const Simulation& s, Recorder& r) {
   const RowLog* rows = r.keeper.rows();
   if (rows == nullptr) return;
-  r.keeper.keep(c, s, {rows->rows(), r.frames.rock_frames(), r.frames.bit_frames(), r.order});
+  const WrittenSoFar written{rows->rows(), r.frames.rock_frames(), r.frames.bit_frames(), r.order};
+  r.keeper.keep([&](const std::filesystem::path& file) { write_checkpoint(file, c, s, written); });
 }
 
 /// The loop over steps, with everything that is recorded on the way.
@@ -182,7 +182,7 @@ RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder&
     return status;
   } catch (const std::exception& e) {
     const std::string failure = failure_text(s.state.steps_done, c.time.steps,
-                                             time_at(c.time, s.state.steps_done), e.what());
+                                             time_at(c.time, s.state.steps_done), reason_of(e));
     keep_so_far(c, s, failure, r);
     throw RunError(failure);
   }
@@ -231,6 +231,7 @@ namespace {
 /// Drills to the end and writes the figures, the summary last.
 RunSummary finish(const Case& c, const RunOptions& o, Simulation& s, Recorder& r) {
   const auto started = std::chrono::steady_clock::now();
+  if (o.started) o.started();
   RunSummary summary = summary_of(c, s, run_steps(c, s, o, r));
   if (summary.drive) summary.drive->order = r.order;
   const double wall = seconds_since(started);
@@ -240,21 +241,24 @@ RunSummary finish(const Case& c, const RunOptions& o, Simulation& s, Recorder& r
   return summary;
 }
 
-/// What an interrupted or failed run said of itself is no longer so.
-void forget_end(const OutputFolder& folder) {
-  for (const std::filesystem::path& file : {folder.summary(), folder.timing(), folder.failure()}) {
-    std::error_code error;
-    std::filesystem::remove(file, error);
-    if (error) throw RunError(fmt::format("cannot remove {}: {}", file.string(), error.message()));
-  }
+/// The newest checkpoint; none: there is no file of one.
+std::optional<Checkpoint> newest_checkpoint(const OutputFolder& folder, const Case& c,
+                                            const CheckpointKeeper::Warn& warn) {
+  std::optional<Checkpoint> saved;
+  const auto read = [&](const std::filesystem::path& file) {
+    return saved.emplace(read_checkpoint(file, c)).state.steps_done;
+  };
+  read_newest_checkpoint(folder, read, warn);
+  return saved;
 }
 
 }  // namespace
 
 RunSummary run(const Case& c, const RunOptions& o) {
   const ThreadLimit limit(o.threads);
+  const OutputFolder folder = claim(o.folder, o.overwrite, c.files);
   Simulation s = start(c);
-  const OutputFolder folder = prepare(o.folder, o.overwrite, c.files);
+  clear(folder, c.files);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   bit::write_bit_files(folder.path, c.bit);
   Recorder recorder(c, folder, o);
@@ -276,24 +280,8 @@ RunSummary resume_run(const Case& c, const RunOptions& o) {
   return finish(c, o, s, recorder);
 }
 
-bool tidy_if_finished(const std::filesystem::path& folder) {
-  std::ifstream in(folder / "summary.json");
-  const auto summary = nlohmann::json::parse(in, nullptr, false);
-  const bool is_finished = summary.is_object() && summary.value("status", "") == "completed";
-  if (is_finished) remove_checkpoints({folder});
-  return is_finished;
-}
-
 Case read_stopped_case(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "case.toml";
-  std::ifstream in(file);
-  std::string line;
-  if (!std::getline(in, line) || line != resolved_head)
-    throw InputError(
-        fmt::format("{}: found no case.toml of a run, expected the folder of a run that "
-                    "was stopped",
-                    folder.string()));
-  return read_case(file.string(), {});
+  return read_case(stopped_case(folder, Stopped::run).string(), {});
 }
 
 }  // namespace tdbd::simulation

@@ -7,6 +7,7 @@
 
 #include "simulation/case/case.hpp"
 #include "simulation/result/output_folder.hpp"
+#include "simulation/result/stopped_run.hpp"
 #include "simulation/result/summary.hpp"
 #include "simulation/step/simulation.hpp"
 
@@ -18,6 +19,8 @@ struct RunOptions {
   Overwrite overwrite = Overwrite::no;
   int threads = 1;                                 ///< the results do not depend on it
   const std::atomic<bool>* interrupted = nullptr;  ///< set from outside: stop after this step
+  /// Called before the first step: from here on there is something to save, and `interrupted` is read.
+  std::function<void()> started = {};
   /// Called after every step with the number of all steps.
   std::function<void(const Simulation&, long)> progress = {};
   /// Called with what a user should know and the run goes on after.
@@ -37,11 +40,7 @@ RunSummary run(const Case& c, const RunOptions& options);
 /// for checkpoints of another case or version.
 RunSummary resume_run(const Case& c, const RunOptions& options);
 
-/// Whether the folder holds the result of a run that reached its end. A kill right after that may
-/// have left checkpoints: they go.
-bool tidy_if_finished(const std::filesystem::path& folder);
-
-/// The case of a folder that a run was begun in. Throws InputError if it holds none.
+/// The case of a folder that a run was begun in. Throws like stopped_case.
 Case read_stopped_case(const std::filesystem::path& folder);
 
 /// The figures of a simulation so far.

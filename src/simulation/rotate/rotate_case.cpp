@@ -56,9 +56,11 @@ RotateTime read_rotate_time(Config c) {
   return t;
 }
 
-long read_history_every(Config c, long steps) {
-  const long fallback = std::max(1L, (steps + history_rows - 1) / history_rows);
-  return c.read(rotate_output_keys::history_every, fallback);
+void read_rotate_output(Config c, RotateCase& r) {
+  using namespace rotate_output_keys;
+  const long fallback = std::max(1L, (r.time.steps + history_rows - 1) / history_rows);
+  r.history_every = c.read(history_every, fallback);
+  if (c.has(checkpoint_every.name)) r.checkpoint_every = c.read(checkpoint_every);
 }
 
 }  // namespace
@@ -82,7 +84,7 @@ RotateCase read_rotate_case(const std::string& path, const std::vector<std::stri
   r.loads = read_loads(c);
   r.integrator = read_integrator(c.table(integrator_keys::table));
   r.time = read_rotate_time(c.table(rotate_time_keys::table));
-  r.history_every = read_history_every(c.table(rotate_output_keys::table), r.time.steps);
+  read_rotate_output(c.table(rotate_output_keys::table), r);
   c.finish();
   r.body = std::move(start.body);
   r.start = std::move(start.state);

@@ -30,9 +30,10 @@ struct RotateCase {
   dynamics::Loads loads;
   dynamics::Integrator integrator;
   RotateTime time;
-  long history_every = 1;  ///< steps between rows
-  std::string resolved;    ///< TOML: all defaults, SI; itself a case that gives the same result
-  std::string hash;        ///< of the resolved values and the content of all files
+  long history_every = 1;      ///< steps between rows
+  long checkpoint_every = -1;  ///< steps; negative: as often as costs less than 1 % of the time
+  std::string resolved;        ///< TOML: all defaults, SI; itself a case that gives the same result
+  std::string hash;            ///< of the resolved values and the content of all files
   std::map<std::string, double> quantities;  ///< by dotted key, in SI
 };
 

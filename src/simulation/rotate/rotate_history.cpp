@@ -64,13 +64,14 @@ void row_of(const RotateCase& c, const dynamics::RotationState& s, std::vector<d
 }  // namespace
 
 RotateHistory::RotateHistory(const std::filesystem::path& path, const RotateCase& c)
-    : record_(path, layout_for(c)) {}
+    : width_(layout_for(c).row_width()), record_(path, layout_for(c)) {}
 
-void RotateHistory::append(const RotateCase& c, const RotateSimulation& s) {
-  if (s.steps_done == last_step_) return;
+bool RotateHistory::append(const RotateCase& c, const RotateSimulation& s) {
+  if (s.steps_done == last_step_) return false;
   row_of(c, s.rotating.state, row_);
   record_.append(row_);
   last_step_ = s.steps_done;
+  return true;
 }
 
 }  // namespace tdbd::simulation

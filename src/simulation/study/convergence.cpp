@@ -106,8 +106,7 @@ LevelOutcome rotate_level(const std::string& file, const std::vector<std::string
     options.progress = [&](long done, long total) { o.progress(number, done, total); };
   RotateSimulation s = start(c);
   std::vector<double> step_seconds;
-  const RunStatus status = rotate_steps(
-      c, s, options, [] {}, step_seconds);
+  const RunStatus status = rotate_steps(c, s, options, {}, step_seconds);
   return {status, c.time.step, s.steps_done, summary_json(c, s, status)};
 }
 

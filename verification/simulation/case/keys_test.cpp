@@ -262,11 +262,13 @@ std::vector<ReadCase> fits() {
 ReadCase rotation(const std::string& body) {
   write("keys_torque.csv", "time_s,x,y,z\n0,1,2,3\n1,4,5,6\n");
   const std::string path = write_temporary(
-      ".toml", "[body]\n" + body +
-                   "[[cones]]\naxis = [0, 0, 1]\naxial_inertia = 0.1\n"
-                   "[[load.harmonics]]\namplitude = [0, 1, 0]\n"
-                   "[[load.samples]]\nfile = \"" +
-                   temporary_folder() + "keys_torque.csv\"\n[time]\nstep = 0.1\nduration = 1\n");
+      ".toml",
+      "[body]\n" + body +
+          "[[cones]]\naxis = [0, 0, 1]\naxial_inertia = 0.1\n"
+          "[[load.harmonics]]\namplitude = [0, 1, 0]\n"
+          "[[load.samples]]\nfile = \"" +
+          temporary_folder() +
+          "keys_torque.csv\"\n[time]\nstep = 0.1\nduration = 1\n[output]\ncheckpoint_every = 5\n");
   return {"rotate", path, read_rotate_case(path, {}).resolved};
 }
 

@@ -124,6 +124,26 @@ TEST(OutputFolder, that_another_command_writes_to_is_refused) {
   EXPECT_EQ(refusal(path, Overwrite::force), "not refused");
 }
 
+TEST(OutputFolder, that_is_claimed_keeps_its_older_result_until_it_is_cleared) {
+  const fs::path path = folder_of("claimed", {"summary.json", "frames/rock-000099.vtp"});
+  write(path / "case.toml", own_case);
+  const OutputFolder folder = claim(path, Overwrite::force);
+  EXPECT_TRUE(fs::exists(path / "summary.json"));
+  EXPECT_THROW(claim(path, Overwrite::force), InputError);
+  clear(folder);
+  EXPECT_FALSE(fs::exists(path / "summary.json"));
+  EXPECT_FALSE(fs::exists(path / "frames/rock-000099.vtp"));
+}
+
+TEST(OutputFolder, that_was_made_for_nothing_goes_again) {
+  const fs::path path = nothing_at("unused");
+  fs::create_directories(path);
+  { const OutputFolder folder = claim(path / "a" / "b", Overwrite::no); }
+  EXPECT_TRUE(fs::is_empty(path));
+  { write(claim(path / "a" / "b", Overwrite::no).path / "notes.txt", "mine"); }
+  EXPECT_TRUE(fs::exists(path / "a" / "b" / "notes.txt"));
+}
+
 TEST(OutputFolder, that_is_a_file_or_cannot_be_made_is_refused) {
   const fs::path file = nothing_at("file");
   write(file, "x");

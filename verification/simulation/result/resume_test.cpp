@@ -2,35 +2,17 @@
 
 #include <atomic>
 #include <fstream>
-#include <iterator>
-#include <map>
 
 #include "core/error.hpp"
+#include "simulation/checkpoint/checkpoint.hpp"
 #include "simulation/result/run.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/restarted_cases.hpp"
+#include "verification/simulation/result_files.hpp"
 
 namespace tdbd::simulation::resume_test {
 
 namespace fs = std::filesystem;
-
-/// Every file of a folder but timing.json, by its name.
-std::map<std::string, std::string> files_of(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file() || entry.path().filename() == "timing.json") continue;
-    std::ifstream in(entry.path(), std::ios::binary);
-    files[fs::relative(entry.path(), folder).string()] = {std::istreambuf_iterator<char>(in), {}};
-  }
-  return files;
-}
-
-void expect_same_files(const fs::path& a, const fs::path& b) {
-  const auto x = files_of(a), y = files_of(b);
-  for (const auto& [name, bytes] : x)
-    EXPECT_TRUE(y.contains(name) && y.at(name) == bytes) << name << " differs, or is missing";
-  for (const auto& [name, bytes] : y) EXPECT_TRUE(x.contains(name)) << name << " is left over";
-}
 
 /// Stops a run after so many of its steps.
 RunSummary run_until(long steps, const Case& c, RunOptions o, bool is_resumed) {
@@ -60,7 +42,7 @@ TEST_P(Resume, writes_the_files_of_a_run_that_was_not_stopped) {
             RunStatus::interrupted);
   EXPECT_EQ(resume_run(stopped, {.folder = folder}).status, RunStatus::completed);
   EXPECT_TRUE(tidy_if_finished(folder));
-  expect_same_files(whole, folder);
+  expect_same_result_files(whole, folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Resume, ::testing::ValuesIn(restarted_cases()),
@@ -88,7 +70,7 @@ TEST_F(ResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("checkpoint-previous.nc is whole, after 30 steps"), std::string::npos)
       << warnings[0];
-  expect_same_files(whole, folder);
+  expect_same_result_files(whole, folder);
 }
 
 TEST_F(ResumeOne, begins_anew_where_no_checkpoint_was_written) {
@@ -96,7 +78,7 @@ TEST_F(ResumeOne, begins_anew_where_no_checkpoint_was_written) {
   run_until(5, c, options(), false);
   fs::remove(folder / "checkpoint.nc");
   resume_run(c, options());
-  expect_same_files(whole, folder);
+  expect_same_result_files(whole, folder);
 }
 
 TEST_F(ResumeOne, refuses_checkpoints_that_are_all_torn) {
@@ -110,11 +92,52 @@ TEST_F(ResumeOne, refuses_checkpoints_that_are_all_torn) {
 /// A kill between the summary, which is written last, and the end.
 TEST_F(ResumeOne, tidies_what_a_finished_run_left) {
   run(c, {.folder = whole});
-  const auto files = files_of(whole);
+  const auto files = result_files(whole);
   for (const char* name : {"checkpoint.nc", "checkpoint-previous.nc", "history.rows"})
     std::ofstream(whole / name) << "left";
   EXPECT_TRUE(tidy_if_finished(whole));
-  EXPECT_EQ(files_of(whole), files);
+  EXPECT_EQ(result_files(whole), files);
+}
+
+/// As on a full disk, where a root's permissions would not bind: a folder stands where the file goes.
+TEST_F(ResumeOne, goes_on_from_the_last_checkpoint_that_could_be_written) {
+  run(c, {.folder = whole});
+  RunOptions o = options();
+  std::atomic<bool> stop{false};
+  o.interrupted = &stop;
+  const fs::path place = folder / "checkpoint-new.nc.partial";
+  o.progress = [&](const Simulation& s, long) {
+    if (s.state.steps_done == 25) fs::create_directories(place / "full");
+    stop = s.state.steps_done >= 45;
+  };
+  EXPECT_EQ(run(c, o).status, RunStatus::interrupted);
+  ASSERT_EQ(warnings.size(), 1U) << "once, though three failed";
+  EXPECT_NE(warnings[0].find("checkpoint-new.nc.partial: Is a directory; the run goes on"),
+            std::string::npos)
+      << warnings[0];
+  EXPECT_EQ(read_checkpoint(folder / "checkpoint.nc", c).state.steps_done, 20);
+  fs::remove_all(place);
+  resume_run(c, options());
+  EXPECT_EQ(warnings.size(), 1U);
+  expect_same_result_files(whole, folder);
+}
+
+/// A start takes minutes in a large rock: another run would write to the same folder meanwhile.
+TEST_F(ResumeOne, holds_its_folder_before_the_start) {
+  Case refused = c;
+  refused.rock.edge_length = 1e-6;  // more rock than any memory holds: the start refuses it
+  fs::create_directories(folder);
+  const auto reason = [&] {
+    try {
+      run(refused, options());
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(reason().find("in use"), std::string::npos) << reason();
+  const FolderLock other(folder);
+  EXPECT_NE(reason().find("in use"), std::string::npos) << reason();
 }
 
 TEST_F(ResumeOne, refuses_a_folder_without_a_run) {
