@@ -25,8 +25,10 @@ std::optional<std::string> nearest_name(std::string_view name,
   std::optional<std::string> nearest;
   std::size_t least = 0;
   for (const std::string& candidate : names) {
+    const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
+    const std::size_t limit = std::max<std::size_t>(1, longer / 3);
+    if (longer - shorter > limit) continue;  // a distance is no less, and costs their product
     const std::size_t d = edit_distance(name, candidate);
-    const std::size_t limit = std::max<std::size_t>(1, std::max(name.size(), candidate.size()) / 3);
     if (d > limit || (nearest && d >= least)) continue;
     nearest = candidate;
     least = d;

@@ -131,18 +131,31 @@ ut_visitor dimension_visitor() {
   return visitor;
 }
 
-bool same_dimension(const Unit& a, const Unit& b) {
+Dimension powers_of(const Unit& unit) {
   const ut_visitor visitor = dimension_visitor();
-  Dimension of_a, of_b;
-  ut_accept_visitor(a.get(), &visitor, &of_a);
-  ut_accept_visitor(b.get(), &visitor, &of_b);
-  return of_a == of_b;
+  Dimension powers;
+  ut_accept_visitor(unit.get(), &visitor, &powers);
+  return powers;
+}
+
+bool same_dimension(const Unit& a, const Unit& b) { return powers_of(a) == powers_of(b); }
+
+/// dimension_names with the powers of their units, parsed once: a case asks for hundreds.
+const std::vector<std::pair<Dimension, const char*>>& named_dimensions() {
+  static const auto named = [] {
+    std::vector<std::pair<Dimension, const char*>> all;
+    for (const auto& [symbol, name] : dimension_names)
+      all.emplace_back(powers_of(parse_unit(unit_system(), symbol)), name);
+    return all;
+  }();
+  return named;
 }
 
 /// "length", or the unit in SI base units when the dimension has no name here.
 std::string dimension_of(const Unit& unit) {
-  for (const auto& [symbol, name] : dimension_names)
-    if (same_dimension(unit, parse_unit(unit_system(), symbol))) return name;
+  const Dimension powers = powers_of(unit);
+  for (const auto& [named, name] : named_dimensions())
+    if (named == powers) return name;
   std::array<char, 128> buffer{};
   const int n = ut_format(unit.get(), buffer.data(), buffer.size(), UT_ASCII | UT_DEFINITION);
   return n > 0 ? fmt::format("a unit of dimension {}", buffer.data()) : "a unit without dimension";

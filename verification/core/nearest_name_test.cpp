@@ -26,6 +26,19 @@ TEST(NearestName, takes_the_first_of_equally_near_names) {
   EXPECT_EQ(nearest_name("rod", {"rad", "red"}), "rad");
 }
 
+/// Names of too different a length are not measured: nothing else changes.
+RC_GTEST_PROP(NearestName, is_the_first_at_the_least_distance_of_all, (const std::string& name)) {
+  const auto letters = rc::gen::container<std::string>(rc::gen::inRange('a', 'd'));
+  const auto names = *rc::gen::container<std::vector<std::string>>(letters);
+  const std::string word = name.size() % 2 == 0 ? *letters : name;
+  std::optional<std::string> nearest;
+  for (const std::string& n : names)
+    if (const auto d = edit_distance(word, n);
+        3 * d <= std::max({word.size(), n.size(), std::size_t{3}}))
+      if (!nearest || d < edit_distance(word, *nearest)) nearest = n;
+  RC_ASSERT(nearest_name(word, names) == nearest);
+}
+
 RC_GTEST_PROP(NearestName, distance_is_a_metric,
               (const std::string& a, const std::string& b, const std::string& c)) {
   RC_ASSERT(edit_distance(a, a) == 0u);

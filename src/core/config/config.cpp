@@ -19,6 +19,17 @@ std::string message(const std::string& file, const ConfigProblem& p) {
                      p.expected);
 }
 
+/// A zero byte is the end of a message, to those who show it.
+std::string shown(const std::string& text) {
+  std::string all;
+  for (const char c : text)
+    if (c == '\0')
+      all += "\\u0000";
+    else
+      all += c;
+  return all;
+}
+
 /// Throws one line for each problem, sorted; mistakes of other files follow.
 void throw_if_any(const ConfigDocument& document, std::vector<ConfigProblem> problems) {
   if (problems.empty() && document.other_mistakes.empty()) return;
@@ -31,9 +42,7 @@ void throw_if_any(const ConfigDocument& document, std::vector<ConfigProblem> pro
   };
   for (const ConfigProblem& p : problems) add(message(document.file, p));
   for (const std::string& mistake : document.other_mistakes) add(mistake);
-  for (std::size_t at; (at = lines.find('\0')) != std::string::npos;)
-    lines.replace(at, 1, "\\u0000");  // the end of a message, to those who show it
-  throw InputError(lines);
+  throw InputError(shown(lines));
 }
 
 }  // namespace

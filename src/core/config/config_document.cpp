@@ -28,9 +28,11 @@ void insert_value(toml::table& table, const std::string& name, const std::string
   table.insert_or_assign(name, text);
 }
 
-/// What a key stands in: "a.b[2]" in "a.b", that in "a", that in the file ("").
+/// What a key stands in: "a.b[2]" in "a.b", that in "a", that in the file (""). Always shorter: a name
+/// may end with a bracket that none opens.
 std::string enclosing_key(const std::string& key) {
-  return key.back() == ']' ? key.substr(0, key.rfind('[')) : parent_key(key);
+  const std::size_t open = key.back() == ']' ? key.rfind('[') : std::string::npos;
+  return open == std::string::npos ? parent_key(key) : key.substr(0, open);
 }
 
 /// The table of a dotted key, made on the way down where it is missing; null where a value is.
@@ -68,9 +70,13 @@ std::string known_around(const ConfigDocument& document, const std::string& key)
                       : fmt::format("one of {} in place of {}", joined(names), last_key(place));
 }
 
+/// A reader of a thousand mistakes needs no advice for each of them, and advice takes time.
+constexpr std::size_t most_suggestions = 1000;
+
 /// What an unknown key may have meant: a like name in its table, a like key elsewhere, or any of
-/// its table's names.
-std::string suggestion(const ConfigDocument& document, const std::string& key) {
+/// its table's names. `told` unknown keys went before it.
+std::string suggestion(const ConfigDocument& document, const std::string& key, std::size_t told) {
+  if (told >= most_suggestions) return "a known one";
   const std::vector<std::string> siblings = known_names(document, parent_key(key));
   if (const auto name = nearest_name(last_key(key), siblings)) return *name;
   std::vector<std::string> everywhere;
@@ -111,7 +117,8 @@ void collect_unknown(const ConfigDocument& document, const toml::node& node, con
     for (std::size_t i = 0; i < array->size(); ++i)
       collect_unknown(document, (*array)[i], fmt::format("{}[{}]", key, i), unknown);
   } else if (!key.empty() && !(is_reachable && is_known_table(document, key))) {
-    unknown.push_back({document.line_of(key), key, "an unknown key", suggestion(document, key)});
+    unknown.push_back(
+        {document.line_of(key), key, "an unknown key", suggestion(document, key, unknown.size())});
   }
 }
 

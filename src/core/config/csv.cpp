@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -25,10 +26,12 @@ std::vector<std::string> split(std::string_view line) {
 }
 
 void check_header(const CsvRow& row, CsvMistakes& mistakes) {
+  std::map<std::string_view, int> times;
+  for (const std::string& name : row.cells) ++times[name];
   for (const std::string& name : row.cells) {
     if (name.empty() || csv_number<double>(name))
       mistakes.add(row.line, "header", fmt::format("\"{}\"", name), "the name of a column");
-    if (std::count(row.cells.begin(), row.cells.end(), name) > 1)
+    if (times[name] > 1)
       mistakes.add(row.line, "header", fmt::format("\"{}\" twice", name), "different names");
   }
 }

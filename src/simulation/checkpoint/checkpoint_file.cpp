@@ -12,36 +12,20 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "core/memory_left.hpp"
 #include "core/plain_path.hpp"
 #include "core/whole_file.hpp"
+#include "simulation/checkpoint/seal.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kind[] = "tdbd checkpoint 1";
+constexpr char kind[] = "tdbd checkpoint 2";
 
 /// What NetCDF may need besides, bytes: where it gets none it crashes.
 constexpr std::size_t memory_of_netcdf = 4'000'000;
-
-template <class T>
-std::string_view bytes_of(const std::vector<T>& x) {
-  return {reinterpret_cast<const char*>(x.data()), x.size() * sizeof(T)};
-}
-
-/// Of every part, and of these hashes together.
-std::string hash_of(const CheckpointFile& f) {
-  std::string hashes;
-  for (const std::string_view part :
-       {std::string_view(f.version), std::string_view(f.case_hash), std::string_view(f.case_text),
-        std::string_view(f.tape.names), bytes_of(f.tape.reals), bytes_of(f.tape.wholes),
-        bytes_of(f.tape.ints), bytes_of(f.tape.bytes)})
-    hashes += fnv1a_hex(part) + fmt::format("{:x};", part.size());
-  return fnv1a_hex(hashes);
-}
 
 /// An open NetCDF file; every call that fails is a RunError.
 class Netcdf {
@@ -132,7 +116,6 @@ void write_netcdf(const fs::path& path, const CheckpointFile& f) {
   put_text(nc, "case_hash", f.case_hash);
   put_text(nc, "case", f.case_text);
   put_text(nc, "names", f.tape.names);
-  put_text(nc, "hash", hash_of(f));
   visit_columns(f,
                 [&](const char* name, nc_type type, const auto& x) { define(nc, name, type, x); });
   nc.require(nc_enddef(nc.id));
@@ -150,33 +133,13 @@ void sync(const fs::path& path) {
     throw RunError(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
 }
 
-/// A header may name more than the file has.
-void require_whole(const fs::path& path, const Netcdf& nc) {
-  int variables = 0;
-  nc.require(nc_inq_nvars(nc.id, &variables));
-  std::uintmax_t bytes = 0;
-  for (int v = 0; v < variables; ++v) {
-    int dimension = -1, rank = 0;
-    std::size_t n = 0, size = 0;
-    nc_type type = NC_NAT;
-    nc.require(nc_inq_var(nc.id, v, nullptr, &type, &rank, nullptr, nullptr));
-    if (rank != 1) nc.require(NC_EBADDIM);
-    nc.require(nc_inq_vardimid(nc.id, v, &dimension));
-    nc.require(nc_inq_dimlen(nc.id, dimension, &n));
-    nc.require(nc_inq_type(nc.id, type, nullptr, &size));
-    if (n > fs::file_size(path) / size) bytes = fs::file_size(path);
-    bytes += n * size;
-  }
-  if (bytes >= fs::file_size(path))
-    throw RunError(fmt::format("checkpoint {}: it is torn", path.string()));
-}
-
 }  // namespace
 
 void write_checkpoint_file(const fs::path& path, const CheckpointFile& file) {
   const fs::path partial = partial_path(path);
   try {
     write_netcdf(partial, file);
+    seal_file(partial);
     sync(partial);
     rename_partial(path);
   } catch (...) {
@@ -189,16 +152,14 @@ void write_checkpoint_file(const fs::path& path, const CheckpointFile& file) {
 
 CheckpointFile read_checkpoint_file(const fs::path& path) {
   demand_memory(memory_of_netcdf);
+  require_seal(path);
   Netcdf nc(path);
   nc.require(nc_open(PlainPath(path).c_str(), NC_NOWRITE, &nc.id));
-  require_whole(path, nc);
   if (text_of(nc, "kind") != kind)
     throw RunError(fmt::format("checkpoint {}: it is no checkpoint", path.string()));
   CheckpointFile f{text_of(nc, "version"), text_of(nc, "case_hash"), text_of(nc, "case"), {}};
   f.tape.names = text_of(nc, "names");
   visit_columns(f, [&](const char* name, nc_type type, auto& x) { get(nc, name, type, x); });
-  if (text_of(nc, "hash") != hash_of(f))
-    throw RunError(fmt::format("checkpoint {}: its hash is wrong", path.string()));
   return f;
 }
 

@@ -7,8 +7,8 @@
 
 namespace tdbd::simulation {
 
-/// What a checkpoint's file holds: a NetCDF file (CDF-5) with the columns of the tape, the case,
-/// and a hash of everything.
+/// What a checkpoint's file holds: a NetCDF file (CDF-5) with the columns of the tape and the case,
+/// under a seal (seal.hpp).
 struct CheckpointFile {
   std::string version;    ///< of tdbd
   std::string case_hash;  ///< Case::hash
@@ -20,7 +20,7 @@ struct CheckpointFile {
 /// is left.
 void write_checkpoint_file(const std::filesystem::path& path, const CheckpointFile& file);
 
-/// Throws RunError if the file is not one of these, is torn, or its hash is another one.
+/// Throws RunError if the file is not one of these, is torn or was changed.
 CheckpointFile read_checkpoint_file(const std::filesystem::path& path);
 
 }  // namespace tdbd::simulation

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -165,6 +166,26 @@ TEST(ConfigErrors, unknown_keys_name_the_nearest) {
                     for (Config l : c.tables("l")) l.quantity("x", "m", 0.0);
                   },
                   "FILE:4: l[1].y: found an unknown key, expected x"});
+}
+
+TEST(ConfigErrors, a_bracket_that_none_opens_belongs_to_a_name) {
+  const auto read = [](Config& c) { c.quantity("a.d", "m", 1.0); };
+  expect_message(
+      {"[a]\n\"x]\" = 1\n", read, "FILE:1: a.x]: found an unknown key, expected one of d"});
+  expect_message(
+      {"[a]\n", read, "--set: a.x]: found an unknown key, expected one of d", {"a.x]=1"}});
+}
+
+TEST(ConfigErrors, unknown_keys_beyond_a_thousand_get_no_advice) {
+  std::string toml;
+  for (int i = 1000; i <= 2000; ++i) toml += fmt::format("key{} = 1\n", i);
+  Config config = Config::read_text(toml, "many.toml");
+  config.quantity("key", "m", 1.0);
+  const std::string message = finish_message(config);
+  EXPECT_NE(message.find("many.toml:1000: key1999: found an unknown key, expected one of key\n"),
+            std::string::npos);
+  EXPECT_NE(message.find("many.toml:1001: key2000: found an unknown key, expected a known one"),
+            std::string::npos);
 }
 
 TEST(ConfigErrors, a_name_with_a_dot_is_no_path) {

@@ -55,14 +55,13 @@ RC_GTEST_PROP(CheckpointFile, is_refused_where_it_is_torn, ()) {
   file.tape.reals.push_back(1.0);
   write_checkpoint_file(path, file);
   const std::string whole = bytes_of(path);
-  // What pads the last column to four bytes may be missing: nothing is lost with it.
-  const auto kept = *rc::gen::inRange<std::size_t>(0, whole.size() - 3);
+  const auto kept = *rc::gen::inRange<std::size_t>(0, whole.size());
   write_bytes(path, whole.substr(0, kept));
   RC_ASSERT_THROWS_AS(read_checkpoint_file(path), RunError);
 }
 
-/// One byte changed anywhere but in the padding, which holds nothing: refused, or read as it was.
-RC_GTEST_PROP(CheckpointFile, is_never_read_as_another, ()) {
+/// One byte changed anywhere, before NetCDF sees it.
+RC_GTEST_PROP(CheckpointFile, is_refused_where_it_was_changed, ()) {
   const fs::path path = test_folder() / "checkpoint.nc";
   const auto file = any_file();
   write_checkpoint_file(path, file);
@@ -70,13 +69,7 @@ RC_GTEST_PROP(CheckpointFile, is_never_read_as_another, ()) {
   const auto place = *rc::gen::inRange<std::size_t>(0, bytes.size());
   bytes[place] = static_cast<char>(bytes[place] ^ *rc::gen::inRange(1, 256));
   write_bytes(path, bytes);
-  try {
-    const auto read = read_checkpoint_file(path);
-    RC_ASSERT(read.tape.reals == file.tape.reals);
-    RC_ASSERT(read.tape.bytes == file.tape.bytes);
-    RC_ASSERT(read.case_text == file.case_text);
-  } catch (const RunError&) {
-  }
+  RC_ASSERT_THROWS_AS(read_checkpoint_file(path), RunError);
 }
 
 TEST(CheckpointFile, is_told_from_other_files) {

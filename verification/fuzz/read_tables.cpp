@@ -1,0 +1,39 @@
+#include "bit/cutter/cutter_table.hpp"
+#include "calibration/record/read_records.hpp"
+#include "core/error.hpp"
+#include "fuzz/readers.hpp"
+#include "fuzz/scratch_folder.hpp"
+#include "simulation/case/path_table.hpp"
+#include "simulation/rotate/rotate_loads.hpp"
+
+namespace tdbd::fuzz {
+
+void take_cutter_table(std::string_view bytes) {
+  try {
+    bit::read_cutter_table(scratch_file("fuzzed.csv", bytes), {});
+  } catch (const InputError&) {  // refused
+  }
+}
+
+void take_motion_table(std::string_view bytes) {
+  try {
+    simulation::read_path_table(scratch_file("fuzzed.csv", bytes));
+  } catch (const InputError&) {  // refused
+  }
+}
+
+void take_torque_table(std::string_view bytes) {
+  try {
+    simulation::read_torque_samples(scratch_file("fuzzed.csv", bytes), dynamics::TorqueFrame::body);
+  } catch (const InputError&) {  // refused
+  }
+}
+
+void take_records(std::string_view bytes) {
+  try {
+    calibration::read_records(scratch_file("fuzzed.csv", bytes));
+  } catch (const InputError&) {  // refused
+  }
+}
+
+}  // namespace tdbd::fuzz
