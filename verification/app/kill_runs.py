@@ -64,7 +64,7 @@ def go_round(a, attacked):
             limited.until_done(attacked.random.choice(kinds), limits[turn % len(limits)])
         turn += 1
     for reason in sorted(limited.skipped):
-        print("left out:", reason)
+        print("left out:", reason, file=sys.stderr)
 
 
 def main():

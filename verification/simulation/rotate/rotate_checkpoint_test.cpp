@@ -5,18 +5,21 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "simulation/rotate/rotate_fields.hpp"
+#include "simulation/rotate/rotate_summary.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/rotated_cases.hpp"
 
 namespace tdbd::simulation::rotate_checkpoint_test {
 
-void expect_same(const RotateSimulation& a, const RotateSimulation& b) {
+/// All numbers that a checkpoint holds, and whatever else a summary tells.
+void expect_same(const RotateCase& c, const RotateSimulation& a, const RotateSimulation& b) {
   Tape x, y;
   TapeWriter write_x(x), write_y(y);
   write_x("simulation", a);
   write_y("simulation", b);
   EXPECT_EQ(x.reals, y.reals);
   EXPECT_EQ(x.wholes, y.wholes);
+  EXPECT_EQ(summary_json(c, a, RunStatus::completed), summary_json(c, b, RunStatus::completed));
 }
 
 class RotateCheckpoints : public ::testing::TestWithParam<RotatedCase> {};
@@ -34,10 +37,10 @@ TEST_P(RotateCheckpoints, go_on_to_the_bit) {
     RotateCheckpoint saved = read_rotate_checkpoint(file, c);
     EXPECT_EQ(saved.written.rows, 7);
     EXPECT_EQ(saved.written.last_step, before);
-    expect_same(whole, saved.simulation);
+    expect_same(c, whole, saved.simulation);
     advance(c, whole, after);
     advance(c, saved.simulation, after);
-    expect_same(whole, saved.simulation);
+    expect_same(c, whole, saved.simulation);
   }
 }
 
