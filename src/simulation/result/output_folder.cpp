@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "simulation/result/old_parts.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -97,6 +98,7 @@ void remove_results(const OutputFolder& folder, ResultKind kind,
   demand_replaceable(folder.path, old, inputs);
   if (kind == ResultKind::bit) demand_replaceable(folder.path, parts_in(folder), inputs);
   demand_own_folder(folder, kind, old);
+  if (kind == ResultKind::bit) remove_parts(folder.path, exported_parts(folder.path));
   for (const fs::path& file : old) fs::remove(file);
 }
 

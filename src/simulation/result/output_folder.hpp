@@ -43,7 +43,7 @@ inline constexpr const char* resolved_head =
 
 /// Makes `path`, and its `frames` when it has some, with all parents, and locks it: one command at a time writes to a
 /// folder. With `force`, every file goes that the command may write (files of other names stay), so that nothing of an
-/// older result is taken for a part of this one. Throws InputError, and changes nothing, when the folder is locked; when
+/// older result is taken for a part of this one; of parts/ those that the bit before was exported with. Throws InputError, and changes nothing, when the folder is locked; when
 /// it is not empty and `overwrite` is no; when it or its `frames` is a file; when it cannot be written to; when a file to
 /// be replaced is one of `inputs`; or when it holds such files without one that TDBD began it with: case.toml or
 /// convergence.json, bit.toml for a bit.

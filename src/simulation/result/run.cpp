@@ -21,8 +21,10 @@
 #include "mesh/measures.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/result/checkpoint_keeper.hpp"
+#include "simulation/result/end_warnings.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
+#include "simulation/start/reach.hpp"
 #include "simulation/step/energy_order.hpp"
 
 namespace tdbd::simulation {
@@ -196,6 +198,8 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.status = status;
   r.case_hash = c.hash;
   for (const CaseWarning& w : c.warnings) r.warnings.push_back(without_place(w));
+  r.found_at_end = end_warnings(c, s);
+  for (const CaseWarning& w : r.found_at_end) r.warnings.push_back(without_place(w));
   const double from = time_at(c.time, c.time.first), to = time_at(c.time, s.state.steps_done);
   r.steps = s.state.steps_done - c.time.first;
   r.duration = to - from;
@@ -253,6 +257,8 @@ void forget_end(const OutputFolder& folder) {
 RunSummary run(const Case& c, const RunOptions& o) {
   const ThreadLimit limit(o.threads);
   Simulation s = start(c);
+  if (o.tell)
+    for (const CaseWarning& w : reach_warnings(c, s.state.rock.surface)) o.tell(w);
   const OutputFolder folder = prepare(o.folder, o.overwrite, c.files);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   bit::write_bit_files(folder.path, c.bit);
