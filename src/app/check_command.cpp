@@ -5,6 +5,7 @@
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
+#include "simulation/start/reach.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::app {
@@ -14,6 +15,7 @@ void check_run(const std::string& file, const std::vector<std::string>& override
   const simulation::Case c = simulation::read_case(file, overrides);
   const simulation::Simulation s = simulation::start(c);
   print_warnings(c.warnings);
+  print_warnings(simulation::reach_warnings(c, s.state.rock.surface));
   fmt::print("{}: valid; {} parts, {} triangles of rock, {} steps of {} s\n", file,
              c.bit.parts.size(), s.state.start_triangles, c.time.steps, c.time.step);
 }

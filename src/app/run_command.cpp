@@ -49,14 +49,17 @@ template <class Drill>
 int show(const RunArguments& a, simulation::RunOptions options, Drill&& drill) {
   Progress progress;
   options.threads = a.threads;
-  if (!a.quiet)
+  if (!a.quiet) {
+    options.tell = [](const simulation::CaseWarning& w) { print_warnings({w}); };
     options.progress = [&](const simulation::Simulation& s, long total) {
       if (progress.is_due(s.state.steps_done, total))
         progress.show(s.state.steps_done, total, detail_of(s));
     };
+  }
   const simulation::RunSummary summary = drill(options);
   if (!a.quiet) {
     progress.finish();
+    print_warnings(summary.found_at_end);
     print_summary(summary, options.folder.string());
   }
   return summary.status == simulation::RunStatus::completed ? 0 : interrupted_code;

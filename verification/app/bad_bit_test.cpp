@@ -50,6 +50,25 @@ TEST(BadBit, a_missing_table) {
                         "), expected the path of an existing file, from the case file's folder");
 }
 
+/// A key of the pads on a bit of gage radius 47 mm (that of its outermost tip), and what is said of it.
+void expect_pads_refused(const std::string& key, const std::string& message) {
+  const SmallCase c;
+  c.edit("bit.toml", "[mesh]", "[gage_pads]\ncount = 4\n" + key + "\n[mesh]");
+  expect_refused(c, "bit.toml:6: gage_pads." + message);
+}
+
+TEST(BadBit, pads_that_are_on_no_gage) {
+  expect_pads_refused("under_gage = \"200 mm\"",
+                      "under_gage: found 200 mm, expected less than the gage radius, 47 mm");
+  expect_pads_refused("thickness = \"47 mm\"",
+                      "thickness: found 47 mm, expected more than the rise of its arc, 2.39339 mm, "
+                      "and less than its outer radius, 46.6 mm");
+  expect_pads_refused(
+      "width = \"80 mm\"\nthickness = \"20 mm\"",
+      "width: found 80 mm, expected less than 73.1991 mm, for 4 pads beside one another");
+  expect_pads_refused("length = 1e30", "length: found 1e+30, expected length in m, in (0, 10]");
+}
+
 TEST(BadBit, tdbd_bit_says_the_same) {
   const SmallCase c;
   c.edit("bit.csv", "16,34,190", "16,nan,190");

@@ -50,6 +50,13 @@ const Mistake mistakes[] = {
     {"a_first_step_beyond_the_run", "duration", "first_step = 20\nduration",
      "11: time.first_step: found 20 of 20 steps, expected a step before the "
      "end of the run"},
+    {"steps_that_nobody_can_wait_for", "2 ms", "1e-30 ms",
+     "10: time.step: found 1e-33 s for a run of 0.04 s, which makes 4e+31 steps, expected at most "
+     "1e+10 steps"},
+    {"a_wall_longer_than_any_borehole", "20 mm", "1e30 m",
+     "5: rock.wall: found \"1e30 m\", expected length in m, in [0, 100000]"},
+    {"a_start_beyond_any_borehole", "rotary_speed", "start = [0, 0, 1e30]\nrotary_speed",
+     "7: motion.start: found [0, 0, 1e+30] m, expected a place within 1e+05 m"},
     {"a_renumbering_every_minus_one_steps", "\"40 ms\"",
      "\"40 ms\"\n[maintenance]\nrenumber_every = -1",
      "13: maintenance.renumber_every: found -1, expected a whole number from 0 to 1000000000"},
@@ -90,7 +97,7 @@ TEST(BadCase, a_wrong_override_is_named_as_such) {
 /// It says how much it would need before it takes any of it, and what would do.
 TEST(BadCase, a_rock_beyond_memory) {
   const SmallCase c;
-  c.edit("case.toml", "20 mm", "1e5 km");
+  c.edit("case.toml", "20 mm", "100 km");
   const auto o = c.run();
   EXPECT_EQ(o.exit_code, 2);
   for (const char* words : {"case.toml:4: rock.edge_length: found 0.004 m, which makes ",
@@ -118,6 +125,11 @@ TEST(BadCase, legs) {
                  "case.toml:6: motion.legs: found none, expected one [[motion.legs]] or more");
   expect_refused(moving("kind = \"legs\"\n[[motion.legs]]\nduration = 0"),
                  "case.toml:9: motion.legs[0].duration: found 0, expected time in s, > 0");
+  const std::string fine = "kind = \"legs\"\n[[motion.legs]]\nduration = 1\n";
+  expect_refused(
+      moving(fine + "[[motion.legs]]\nduration = \"30 d\"\nrotary_speed = \"120 rpm\""),
+      "case.toml:11: motion.legs[1].duration: found 5.184e+06 revolutions at the end of this leg, "
+      "expected at most 250000 in all legs");
 }
 
 TEST(BadCase, a_tilt_beyond_half_a_radian) {

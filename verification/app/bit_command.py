@@ -3,6 +3,7 @@
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -92,6 +93,18 @@ def check_force(folder):
         (mine / "bit.toml").write_text('name = "mine"')
 
 
+def check_old_parts(folder):
+    """Meshes of the bit before go; a file of the user's own stays."""
+    out = folder / "parts-of-another"
+    assert tdbd(BIT, "-o", out, "--quiet").returncode == 0
+    (out / "parts/mine.ply").write_text("mine")
+    small = pathlib.Path(BIT).parent / "standard.toml"
+    assert tdbd(small, "-o", out, "--force", "--quiet", "--format", "off").returncode == 0
+    meshes = {str(f.relative_to(out)) for f in (out / "parts").rglob("*") if f.is_file()}
+    named = set(re.findall('^file = "(.*)"$', (out / "bit.toml").read_text(), re.MULTILINE))
+    assert named and meshes == named | {"parts/mine.ply"}, meshes ^ named
+
+
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     for form in ("ply", "off", "obj", "stl"):
@@ -100,3 +113,4 @@ with tempfile.TemporaryDirectory() as name:
     check_quiet(folder)
     check_refusals(folder)
     check_force(folder)
+    check_old_parts(folder)

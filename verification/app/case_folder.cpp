@@ -44,6 +44,13 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+std::string read_unstamped(const fs::path& file) {
+  std::string text = read(file);
+  for (std::size_t at = 0; (at = text.find("\ncomment ", at)) < text.find("\nend_header\n");)
+    text.erase(at, text.find('\n', at + 1) - at);
+  return text;
+}
+
 std::vector<std::string> files_below(const fs::path& folder) {
   std::vector<std::string> names;
   if (!fs::exists(folder)) return names;

@@ -26,6 +26,9 @@ class CaseFolder {
 
 std::string read(const std::filesystem::path& file);
 
+/// A PLY file without its comments: a rock without the case and the step that made it.
+std::string read_unstamped(const std::filesystem::path& file);
+
 /// Names of all files below a folder, sorted.
 std::vector<std::string> files_below(const std::filesystem::path& folder);
 

@@ -81,6 +81,44 @@ TEST(CaseWarning, is_rare) {
   EXPECT_FALSE(summary(c, "out").contains("warnings"));
 }
 
+TEST(CaseWarning, tells_edges_that_show_no_cutter) {
+  const SmallCase c;
+  EXPECT_EQ(c.check({"--set", "rock.edge_length=8 mm"}).err, "");
+  const auto o = c.check({"--set", "rock.edge_length=9 mm"});
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_EQ(o.err,
+            "tdbd: warning: --set: rock.edge_length: edges of 9 mm do not show what a part 16 mm "
+            "wide cuts; volumes and forces mean something with at most half of that\n");
+}
+
+/// Above the rock or beside it: before the run by its way, and at its end by what it removed.
+TEST(CaseWarning, tells_a_bit_that_never_comes_to_the_rock) {
+  for (const std::string start : {"[0, 0, -100]", "[10, 0, 0]"}) {
+    const SmallCase c;
+    c.edit("case.toml", "rotary_speed", "start = " + start + "\nrotary_speed");
+    const std::string distance = start == "[10, 0, 0]" ? "9.86 m" : "99.9 m";
+    const std::string place = "tdbd: warning: " + c.path("case.toml").string() + ":6: motion: ";
+    const std::string before =
+        place + "the bit stays " + distance + " or more from the rock and cuts nothing\n";
+    EXPECT_EQ(c.check().err, before);
+    const auto o = c.run();
+    EXPECT_EQ(o.exit_code, 0);
+    EXPECT_TRUE(o.err.starts_with(before)) << o.err;
+    const std::string at_end =
+        "the bit removed no rock in 20 steps: it stays " + distance + " or more from it";
+    EXPECT_TRUE(o.err.ends_with(place + at_end + "\n")) << o.err;
+    EXPECT_EQ(summary(c, "out").at("warnings"), nlohmann::json::array({"motion: " + at_end}));
+  }
+}
+
+/// A centimetre above its hole, too near to be told before.
+TEST(CaseWarning, tells_a_bit_that_removes_nothing_where_it_is) {
+  const SmallCase c;
+  const auto o = c.run({"--set", "motion.start=[0, 0, -0.01]"});
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_TRUE(o.err.ends_with(":6: motion: the bit removed no rock in 20 steps\n")) << o.err;
+}
+
 /// The resolved case says everything, and is told no more than the case was.
 TEST(CaseWarning, of_the_resolved_case_is_the_same) {
   const SmallCase c = with_A7();

@@ -51,6 +51,14 @@ GagePads read_pads(Config c) {
   return p;
 }
 
+/// The gage is that of the outermost tip, as far as it could be read.
+void check_pads(Config& file, const std::vector<Cutter>& cutters, const GagePads& pads) {
+  if (cutters.empty() || file.problem_count() > 0) return;
+  Config c = file.table(gage_pad_keys::table);
+  const double gage = std::ranges::max(cutters, {}, &Cutter::tip_radius).tip_radius;
+  for (const PadProblem& p : pad_problems(pads, gage)) c.problem(p.key, p.found, p.expected);
+}
+
 /// The table's mistakes join those of the bit file.
 std::vector<Cutter> read_table(Config& c, const std::string& table,
                                const CutterDefaults& defaults) {
@@ -106,6 +114,7 @@ BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule direction
   const std::vector<Cutter> cutters =
       designed ? read_design(c.table(design_keys::table), gage_radius, defaults)
                : read_table(c, table, defaults);
+  check_pads(c, cutters, options.pads);
   if (options.blades) check_blades(c, cutters, *options.blades);
   c.finish();
   BitFile file{pdc_bit(name, cutters, options), c.files(), c.fingerprint()};

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "bit/cone.hpp"
+#include "bit/files/key_ranges.hpp"
 #include "core/config/key.hpp"
 
 /// The keys of a roller cone bit. Defaults are those of the structs that the keys fill.
@@ -23,6 +24,7 @@ inline constexpr QuantityKey offset{
     .name = "offset",
     .unit = "m",
     .fallback = 0.0,
+    .range = bit_place,
     .meaning = "of the journal's axis, in the sense of the bit's rotation"};
 inline constexpr QuantityKey skew{
     .name = "skew",
@@ -33,10 +35,12 @@ inline constexpr QuantityKey skew{
 inline constexpr QuantityKey apex{.name = "apex",
                                   .unit = "m",
                                   .fallback = 0.0,
+                                  .range = bit_place,
                                   .meaning = "from the journal's foot to the cone's origin"};
 inline constexpr QuantityKey foot_height{.name = "foot_height",
                                          .unit = "m",
                                          .fallback = 0.0,
+                                         .range = bit_place,
                                          .meaning = "of the journal's foot above the bit's origin"};
 
 }  // namespace journal_keys
@@ -56,37 +60,37 @@ inline constexpr QuantityKey diameter{
     .name = "diameter",
     .unit = "m",
     .fallback = ToothShape{}.diameter,
-    .range = Range::positive(),
+    .range = bit_length,
     .meaning = "of an insert's shank; a milled tooth's length at the shell"};
 inline constexpr QuantityKey width{.name = "width",
                                    .unit = "m",
                                    .fallback = ToothShape{}.width,
-                                   .range = Range::positive(),
+                                   .range = bit_length,
                                    .meaning = "milled: along the circumference, at the shell"};
 inline constexpr QuantityKey protrusion{.name = "protrusion",
                                         .unit = "m",
                                         .fallback = ToothShape{}.protrusion,
-                                        .range = Range::positive(),
+                                        .range = bit_length,
                                         .meaning = "of the tip above the shell"};
 inline constexpr QuantityKey crest_length{.name = "crest_length",
                                           .unit = "m",
                                           .fallback = ToothShape{}.crest_length,
-                                          .range = Range::positive(),
+                                          .range = bit_length,
                                           .meaning = "chisels: of the crest"};
 inline constexpr QuantityKey crest_width{.name = "crest_width",
                                          .unit = "m",
                                          .fallback = ToothShape{}.crest_width,
-                                         .range = Range::positive(),
+                                         .range = bit_length,
                                          .meaning = "chisels: of the crest"};
 inline constexpr QuantityKey tip_radius{.name = "tip_radius",
                                         .unit = "m",
                                         .fallback = ToothShape{}.tip_radius,
-                                        .range = Range::positive(),
+                                        .range = bit_length,
                                         .meaning = "conical: of the tip"};
 inline constexpr QuantityKey embedding{.name = "embedding",
                                        .unit = "m",
                                        .fallback = ToothShape{}.embedding,
-                                       .range = Range::positive(),
+                                       .range = bit_length,
                                        .meaning = "depth of the tooth below the shell"};
 inline constexpr QuantityKey half_angle{.name = "half_angle",
                                         .unit = "rad",
@@ -96,7 +100,7 @@ inline constexpr QuantityKey half_angle{.name = "half_angle",
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .fallback = ToothShape{}.density,
-                                     .range = Range::non_negative(),
+                                     .range = any_density,
                                      .meaning = "of the teeth"};
 
 }  // namespace tooth_keys
@@ -127,7 +131,7 @@ inline constexpr QuantityKey azimuth{
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .fallback = ConeLayout{}.density,
-                                     .range = Range::non_negative(),
+                                     .range = any_density,
                                      .meaning = "of the shell"};
 inline constexpr FlagKey body_cuts{
     .name = "body_cuts",
@@ -149,10 +153,11 @@ inline constexpr TableKey table{"cones.rows", "a row of equal teeth; also any ke
                                 Repeats::yes};
 
 inline constexpr QuantityKey s{
-    .name = "s", .unit = "m", .meaning = "place of the row on the shell"};
+    .name = "s", .unit = "m", .range = bit_place, .meaning = "place of the row on the shell"};
 inline constexpr QuantityKey sink{.name = "sink",
                                   .unit = "m",
                                   .fallback = 0.0,
+                                  .range = bit_place,
                                   .meaning = "how far the teeth's origins lie below the shell"};
 inline constexpr QuantityKey lean{
     .name = "lean",
@@ -186,21 +191,22 @@ inline constexpr TableKey table{"shank", "the steel above the cones, a cylinder 
 inline constexpr QuantityKey radius{.name = "radius",
                                     .unit = "m",
                                     .fallback = 0.0,
-                                    .range = Range::non_negative(),
+                                    .range = bit_length_or_none,
                                     .meaning = "0: none"};
 inline constexpr QuantityKey length{.name = "length",
                                     .unit = "m",
                                     .fallback = 0.1,
-                                    .range = Range::positive(),
+                                    .range = bit_length,
                                     .meaning = "along the axis"};
 inline constexpr QuantityKey height{.name = "height",
                                     .unit = "m",
                                     .fallback = 0.1,
+                                    .range = bit_place,
                                     .meaning = "of its lower end above the bit's origin"};
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .fallback = Shank{}.density,
-                                     .range = Range::non_negative(),
+                                     .range = any_density,
                                      .meaning = "of the steel"};
 
 }  // namespace shank_keys

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bit/files/key_ranges.hpp"
 #include "bit/pdc/pdc_design.hpp"
 #include "core/config/key.hpp"
 
@@ -12,7 +13,7 @@ inline constexpr TableKey table{"design", "a PDC layout by rules, in place of a 
 
 inline constexpr QuantityKey first_radius{.name = "first_radius",
                                           .unit = "m",
-                                          .range = Range::non_negative(),
+                                          .range = bit_length_or_none,
                                           .meaning = "of the tip nearest to the axis"};
 inline constexpr QuantityKey spiral{.name = "spiral",
                                     .unit = "rad",
@@ -21,7 +22,7 @@ inline constexpr QuantityKey spiral{.name = "spiral",
 inline constexpr QuantityKey clearance{.name = "clearance",
                                        .unit = "m",
                                        .fallback = PdcDesign{}.clearance,
-                                       .range = Range::positive(),
+                                       .range = bit_length,
                                        .meaning = "smallest gap between two cutters"};
 
 }  // namespace design_keys
@@ -38,10 +39,10 @@ inline constexpr QuantityKey cone_angle{.name = "cone_angle",
 inline constexpr QuantityKey nose_place{
     .name = "nose_place",
     .unit = "m",
-    .range = Range::positive(),
+    .range = bit_length,
     .meaning = "radius at which the nose's arc has its lowest point"};
 inline constexpr QuantityKey nose_radius{
-    .name = "nose_radius", .unit = "m", .range = Range::positive(), .meaning = "of the nose's arc"};
+    .name = "nose_radius", .unit = "m", .range = bit_length, .meaning = "of the nose's arc"};
 inline constexpr QuantityKey shoulder_angle{.name = "shoulder_angle",
                                             .unit = "rad",
                                             .usual = "required without shoulder_radius",
@@ -50,12 +51,12 @@ inline constexpr QuantityKey shoulder_angle{.name = "shoulder_angle",
 inline constexpr QuantityKey shoulder_radius{.name = "shoulder_radius",
                                              .unit = "m",
                                              .usual = "in place of shoulder_angle",
-                                             .range = Range::positive(),
+                                             .range = bit_length,
                                              .meaning = "of the shoulder's arc"};
 inline constexpr QuantityKey gage_length{.name = "gage_length",
                                          .unit = "m",
                                          .fallback = 0.05,
-                                         .range = Range::non_negative(),
+                                         .range = bit_length_or_none,
                                          .meaning = "of the gage"};
 
 }  // namespace profile_keys
@@ -69,7 +70,7 @@ inline constexpr QuantityKey azimuth{
 inline constexpr QuantityKey start{.name = "start",
                                    .unit = "m",
                                    .fallback = 0.0,
-                                   .range = Range::non_negative(),
+                                   .range = bit_length_or_none,
                                    .meaning = "radius from which the blade carries cutters"};
 inline constexpr FlagKey backups{.name = "backups",
                                  .fallback = false,
@@ -128,7 +129,7 @@ inline constexpr TableKey table{"design.backup", "cutters behind face cutters"};
 inline constexpr QuantityKey from{.name = "from",
                                   .unit = "m",
                                   .fallback = BackupRow{}.from,
-                                  .range = Range::non_negative(),
+                                  .range = bit_length_or_none,
                                   .meaning = "smallest radius of the face cutters that get one"};
 inline constexpr QuantityKey to{.name = "to",
                                 .unit = "m",
@@ -138,12 +139,12 @@ inline constexpr QuantityKey to{.name = "to",
 inline constexpr QuantityKey under_exposure{.name = "under_exposure",
                                             .unit = "m",
                                             .fallback = BackupRow{}.under_exposure,
-                                            .range = Range::non_negative(),
+                                            .range = bit_length_or_none,
                                             .meaning = "how far it stays inside the profile"};
 inline constexpr QuantityKey behind{.name = "behind",
                                     .unit = "m",
                                     .fallback = BackupRow{}.behind,
-                                    .range = Range::positive(),
+                                    .range = bit_length,
                                     .meaning = "from face to face along the circle"};
 
 }  // namespace backup_keys

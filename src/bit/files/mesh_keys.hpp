@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "bit/files/key_ranges.hpp"
 #include "bit/part_kind.hpp"
 #include "core/config/key.hpp"
 
@@ -46,7 +47,7 @@ inline constexpr FlagKey rubs{
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .fallback = 0.0,
-                                     .range = Range::non_negative(),
+                                     .range = any_density,
                                      .meaning = "all parts or none have one"};
 inline constexpr IntegerKey group{
     .name = "group",
@@ -96,7 +97,7 @@ inline constexpr FlagKey cutting{.name = "cutting",
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .usual = "none",
-                                     .range = Range::non_negative(),
+                                     .range = any_density,
                                      .meaning = "of the solid"};
 inline constexpr IntegerKey group{.name = "group",
                                   .usual = "by cutter",
@@ -130,6 +131,7 @@ inline constexpr QuantityKey offset{
     .name = "offset",
     .unit = "m",
     .fallback = 0.0,
+    .range = bit_place,
     .meaning = "of the journal's axis, in the sense of the bit's rotation"};
 inline constexpr QuantityKey skew{.name = "skew",
                                   .unit = "rad",
@@ -138,10 +140,12 @@ inline constexpr QuantityKey skew{.name = "skew",
 inline constexpr QuantityKey apex{.name = "apex",
                                   .unit = "m",
                                   .fallback = 0.0,
+                                  .range = bit_place,
                                   .meaning = "from the journal's foot to the cone's origin"};
 inline constexpr QuantityKey foot_height{.name = "foot_height",
                                          .unit = "m",
                                          .fallback = 0.0,
+                                         .range = bit_place,
                                          .meaning = "of the journal's foot above the bit's origin"};
 
 }  // namespace solid_cone_keys

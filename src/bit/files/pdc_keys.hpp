@@ -3,6 +3,7 @@
 #include "bit/body/blade_shape.hpp"
 #include "bit/cutter/cutter_parts.hpp"
 #include "bit/cutter/cutter_table.hpp"
+#include "bit/files/key_ranges.hpp"
 #include "bit/pdc/gage_pads.hpp"
 #include "core/config/key.hpp"
 
@@ -21,7 +22,7 @@ inline constexpr PathKey cutter_table{.name = "table",
 inline constexpr QuantityKey gage_diameter{.name = "gage_diameter",
                                            .unit = "m",
                                            .usual = "no limit; required with a design",
-                                           .range = Range::positive(),
+                                           .range = bit_length,
                                            .meaning = "no cutter or tooth reaches outside it"};
 inline constexpr FlagKey unit_check{
     .name = "unit_check",
@@ -38,7 +39,7 @@ inline constexpr TableKey table{"cutters",
 inline constexpr QuantityKey chamfer{.name = "chamfer",
                                      .unit = "m",
                                      .fallback = 0.0,
-                                     .range = Range::non_negative(),
+                                     .range = bit_length_or_none,
                                      .meaning = "width of the chamfer along the face; 0: sharp"};
 inline constexpr QuantityKey chamfer_angle{.name = "chamfer_angle",
                                            .unit = "rad",
@@ -48,17 +49,17 @@ inline constexpr QuantityKey chamfer_angle{.name = "chamfer_angle",
 inline constexpr QuantityKey length{.name = "length",
                                     .unit = "m",
                                     .fallback = CutterDefaults{}.length,
-                                    .range = Range::positive(),
+                                    .range = bit_length,
                                     .meaning = "of the cutter along its axis"};
 inline constexpr QuantityKey table_thickness{.name = "table_thickness",
                                              .unit = "m",
                                              .fallback = CutterDefaults{}.table_thickness,
-                                             .range = Range::positive(),
+                                             .range = bit_length,
                                              .meaning = "of the diamond table"};
 inline constexpr QuantityKey land{.name = "land",
                                   .unit = "m",
                                   .fallback = CutterDefaults{}.land,
-                                  .range = Range::non_negative(),
+                                  .range = bit_length_or_none,
                                   .meaning = "width of a second chamfer inside the first; 0: none"};
 inline constexpr QuantityKey land_angle{
     .name = "land_angle",
@@ -86,7 +87,7 @@ inline constexpr IntegerKey rim_segments{.name = "rim_segments",
 inline constexpr QuantityKey uniform_edge{.name = "uniform_edge",
                                           .unit = "m",
                                           .fallback = CutterMeshing{}.uniform_edge,
-                                          .range = Range::positive(),
+                                          .range = bit_length,
                                           .meaning = "edge length; uniform"};
 
 }  // namespace cutter_mesh_keys
@@ -100,22 +101,22 @@ inline constexpr IntegerKey count{
 inline constexpr QuantityKey length{.name = "length",
                                     .unit = "m",
                                     .fallback = GagePads{}.length,
-                                    .range = Range::positive(),
+                                    .range = bit_length,
                                     .meaning = "along the bit's axis"};
 inline constexpr QuantityKey width{.name = "width",
                                    .unit = "m",
                                    .fallback = GagePads{}.width,
-                                   .range = Range::positive(),
+                                   .range = bit_length,
                                    .meaning = "along the circumference"};
 inline constexpr QuantityKey under_gage{.name = "under_gage",
                                         .unit = "m",
                                         .fallback = GagePads{}.under_gage,
-                                        .range = Range::non_negative(),
+                                        .range = bit_length_or_none,
                                         .meaning = "how far pads stay inside the gage radius"};
 inline constexpr QuantityKey thickness{.name = "thickness",
                                        .unit = "m",
                                        .fallback = GagePads{}.thickness,
-                                       .range = Range::positive(),
+                                       .range = bit_length,
                                        .meaning = "radial, in the middle"};
 
 }  // namespace gage_pad_keys
@@ -126,31 +127,31 @@ inline constexpr TableKey table{"blades", "a body with blades and junk slots"};
 
 inline constexpr QuantityKey exposure{.name = "exposure",
                                       .unit = "m",
-                                      .range = Range::positive(),
+                                      .range = bit_length,
                                       .meaning = "of a face cutter's tip over its blade"};
 inline constexpr QuantityKey slot_depth{.name = "slot_depth",
                                         .unit = "m",
-                                        .range = Range::positive(),
+                                        .range = bit_length,
                                         .meaning = "from a blade's top to the floor of the slot"};
 inline constexpr QuantityKey width{.name = "width",
                                    .unit = "m",
                                    .fallback = BladeOptions{}.width,
-                                   .range = Range::non_negative(),
+                                   .range = bit_length_or_none,
                                    .meaning = "of a blade's top; 0: what its cutters need"};
 inline constexpr QuantityKey wall{.name = "wall",
                                   .unit = "m",
                                   .fallback = BladeOptions{}.wall,
-                                  .range = Range::positive(),
+                                  .range = bit_length,
                                   .meaning = "run of a slot's wall, from top to floor"};
 inline constexpr QuantityKey gage_length{.name = "gage_length",
                                          .unit = "m",
                                          .fallback = BladeOptions{}.gage_length,
-                                         .range = Range::positive(),
+                                         .range = bit_length,
                                          .meaning = "of the blades above the last face cutter"};
 inline constexpr QuantityKey neck{.name = "neck",
                                   .unit = "m",
                                   .fallback = BladeOptions{}.neck,
-                                  .range = Range::positive(),
+                                  .range = bit_length,
                                   .meaning = "height over which the gage becomes the shank"};
 inline constexpr QuantityKey shank_radius{.name = "shank_radius",
                                           .fallback = BladeOptions{}.shank_radius,
@@ -168,7 +169,7 @@ inline constexpr QuantityKey edge{.name = "edge",
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .fallback = BladeOptions{}.density,
-                                     .range = Range::non_negative(),
+                                     .range = any_density,
                                      .meaning = "of the body"};
 inline constexpr FlagKey rubs{
     .name = "rubs", .fallback = true, .meaning = "whether the clearance of the body is measured"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bit/text.hpp"
 #include "core/angles.hpp"
 
 namespace tdbd::bit {
@@ -51,6 +52,27 @@ mesh::TriangleMesh prism(const std::vector<Vec3>& points, double top, double bot
 }
 
 }  // namespace
+
+std::vector<PadProblem> pad_problems(const GagePads& pads, double gage_radius) {
+  if (pads.count == 0) return {};
+  const double radius = gage_radius - pads.under_gage;
+  if (!(radius > 0.0))
+    return {{"under_gage", mm_text(pads.under_gage),
+             "less than the gage radius, " + mm_text(gage_radius)}};
+  std::vector<PadProblem> problems;
+  const double widest = std::min(full_turn / pads.count, 0.5 * full_turn) * radius;
+  if (!(pads.width < widest))
+    problems.push_back(
+        {"width", mm_text(pads.width),
+         fmt::format("less than {}, for {} pads beside one another", mm_text(widest), pads.count)});
+  const double rise = radius * (1.0 - std::cos(0.5 * std::min(pads.width, widest) / radius));
+  if (!(pads.thickness > rise && pads.thickness < radius))
+    problems.push_back({"thickness", mm_text(pads.thickness),
+                        fmt::format("more than the rise of its arc, {}, and less than its outer "
+                                    "radius, {}",
+                                    mm_text(rise), mm_text(radius))});
+  return problems;
+}
 
 std::vector<Part> gage_pads(const GagePads& pads, const std::vector<Cutter>& cutters,
                             double gage_radius) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bit/bit.hpp"
@@ -16,6 +17,17 @@ struct GagePads {
   double thickness = 0.01;       ///< m, radial, at the middle
   std::optional<double> height;  ///< m, lower end above the nose tip; default: highest cutter's top
 };
+
+/// A mistake of the pads: the key in the bit file, what it holds, what would be right.
+struct PadProblem {
+  std::string key;
+  std::string found;
+  std::string expected;
+};
+
+/// What makes pads impossible on this gage radius (m): one that lies across the axis, whose back is
+/// outside its arc, or that overlaps the next one. None without pads.
+std::vector<PadProblem> pad_problems(const GagePads& pads, double gage_radius);
 
 /// The parts gage-pad-1, gage-pad-2, ...: closed convex boxes whose outer side follows the cylinder
 /// of radius gage_radius - under_gage (inscribed) and whose inner side is flat. A pad's frame is

@@ -34,9 +34,11 @@ void write_facets(std::ostream& out, const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-void write_ply(std::ostream& out, const TriangleMesh& m) {
+void write_ply(std::ostream& out, const TriangleMesh& m, const std::vector<std::string>& comments) {
+  out << "ply\nformat binary_little_endian 1.0\n";
+  for (const std::string& comment : comments) out << "comment " << comment << '\n';
   out << fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
+      "element vertex {}\nproperty double x\n"
       "property double y\nproperty double z\nelement face {}\n"
       "property list uchar int vertex_indices\nend_header\n",
       m.positions.size(), m.triangles.size());

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::mesh {
 
 /// Writes `m` as binary little-endian PLY, positions as doubles. CGAL's writer gives the same
-/// records one number at a time.
-void write_ply(std::ostream& out, const TriangleMesh& m);
+/// records one number at a time. Each comment is a line of the header.
+void write_ply(std::ostream& out, const TriangleMesh& m,
+               const std::vector<std::string>& comments = {});
 
 }  // namespace tdbd::mesh

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -20,6 +21,23 @@ std::string shell_quoted(const std::string& word) {
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+/// Whether a repair is tried for the sake of a message: the time that the filling of a hole takes grows with the square of its
+/// edges or faster, and is a quarter of a second for this many.
+bool is_soon_repaired(const std::vector<Defect>& defects) {
+  constexpr long most_open_edges = 1000;
+  return std::ranges::count(defects, Defect::Kind::hole, &Defect::kind) <= most_open_edges;
+}
+
+/// What a user may do about faults, or why nothing helps.
+enum class Trial { all, some };
+std::string advice(const std::filesystem::path& path, Trial trial, const std::string& refusal) {
+  if (!refusal.empty())
+    return fmt::format("{}: tdbd mesh --repair cannot repair this: {}", path.string(),
+                       refusal.substr(0, refusal.find('\n')));
+  return fmt::format("{}: to {}: {}", path.string(),
+                     trial == Trial::all ? "repair" : "try a repair", repair_command(path));
 }
 
 void record(Repaired& r, std::size_t count, const std::string& what) {
@@ -79,19 +97,19 @@ std::vector<std::string> mesh_faults(const std::filesystem::path& path,
                                      const std::vector<Solid>& solids) {
   std::vector<std::string> lines;
   std::string refusal;
+  Trial trial = Trial::all;
   for (const Solid& solid : solids) {
     const auto defects = check_solid(solid.mesh);
     if (defects.empty()) continue;
     std::istringstream text(summarize(defects));
     for (std::string line; std::getline(text, line);)
       lines.push_back(fmt::format("{}: solid {}: {}", path.string(), solid.name, line));
-    if (refusal.empty()) refusal = repair(solid.mesh).refusal;
+    if (!is_soon_repaired(defects))
+      trial = Trial::some;
+    else if (refusal.empty())
+      refusal = repair(solid.mesh).refusal;
   }
-  if (lines.empty()) return lines;
-  lines.push_back(refusal.empty()
-                      ? fmt::format("{}: to repair: {}", path.string(), repair_command(path))
-                      : fmt::format("{}: tdbd mesh --repair cannot repair this: {}", path.string(),
-                                    refusal.substr(0, refusal.find('\n'))));
+  if (!lines.empty()) lines.push_back(advice(path, trial, refusal));
   return lines;
 }
 

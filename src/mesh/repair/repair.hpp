@@ -41,7 +41,8 @@ Repaired repair(TriangleMesh m, const RepairOptions& options = {});
 std::string repair_command(const std::filesystem::path& path);
 
 /// What is wrong with the solids of a file, one line each ("PATH: solid NAME: hole: 3 times, first edge ..."), and last
-/// the command that repairs the file or the reason why it cannot be repaired. Empty for sound solids.
+/// the command that repairs the file or the reason why it cannot be repaired; with more than 1000 open edges no repair is
+/// tried, and the command may fail. Empty for sound solids.
 std::vector<std::string> mesh_faults(const std::filesystem::path& path,
                                      const std::vector<Solid>& solids);
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -15,6 +17,7 @@
 #include "simulation/case/case_motion.hpp"
 #include "simulation/case/case_rock.hpp"
 #include "simulation/case/contact_slopes.hpp"
+#include "simulation/case/doubtful_values.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/run_keys.hpp"
 #include "simulation/case/step_check.hpp"
@@ -45,11 +48,12 @@ double read_duration(Config& c, const Motion& m) {
 /// A step is a small part of the motion: the rock is swept along straight lines in the bit's frame.
 TimeGrid read_time(Config c, const Motion& m) {
   constexpr double largest_turn = 0.5;  // rad
-  constexpr double most_steps = 1e15;
+  constexpr double most_steps = 1e10;   // the fastest take 0.1 ms each: eleven days
   TimeGrid t;
   t.step = c.read(time_keys::step);
   const double duration = read_duration(c, m);
-  t.steps = std::lround(std::min(duration / t.step, most_steps));
+  const double count = duration / t.step;
+  t.steps = std::lround(std::min(count, most_steps));
   t.first = c.read(time_keys::first_step);
   if (t.first > 0 && t.first >= t.steps)
     c.problem(time_keys::first_step, fmt::format("{} of {} steps", t.first, t.steps),
@@ -58,6 +62,11 @@ TimeGrid read_time(Config c, const Motion& m) {
   if (t.steps < 1)
     c.problem(time_keys::step, fmt::format("{} s for a run of {} s", t.step, duration),
               "at most the duration");
+  else if (count > most_steps && (std::isfinite(duration) || m.rotary_speed > 0.0))
+    c.problem(
+        time_keys::step,
+        fmt::format("{} s for a run of {} s, which makes {:.3g} steps", t.step, duration, count),
+        fmt::format("at most {:.0e} steps", most_steps));
   else if (m.rotary_speed * t.step > largest_turn)
     c.problem(time_keys::step,
               fmt::format("a turn of {:.3g} rad in one step", m.rotary_speed * t.step),
@@ -189,6 +198,8 @@ bit::BitFile read_tables(Config& c, Case& read) {
     read.drilling = read_drilling(c, read.bit, read.motion);
   check_drilling_case(c, read);
   check_step_length(c, read);
+  if (c.problem_count() > 0) return file;
+  std::ranges::move(doubtful_values(c, read), std::back_inserter(read.warnings));
   return file;
 }
 
@@ -204,7 +215,8 @@ Case read_case(Config c, const std::string& path) {
   const bit::BitFile bit = read_tables(c, result);
   Config rock = c.table(rock_keys::table);
   result.places = {rock.place(rock_keys::edge_length), c.place(motion_keys::table.name),
-                   rock.place(rock_keys::file), rock.place(rock_keys::profile)};
+                   rock.place(rock_keys::file), rock.place(rock_keys::profile),
+                   c.table(time_keys::table).place(time_keys::first_step)};
   c.finish();
   result.files = c.files();
   result.files.insert(result.files.end(), bit.files.begin(), bit.files.end());

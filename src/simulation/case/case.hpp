@@ -46,7 +46,7 @@ inline double time_at(const TimeGrid& grid, long steps) {
 
 /// Where the case gives what only the rock shows to be wrong: "FILE:LINE: KEY" (Config::place).
 struct CasePlaces {
-  std::string edge_length, motion, file, profile;
+  std::string edge_length, motion, file, profile, first_step;
 };
 
 struct MaintenancePlan {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -47,6 +48,20 @@ Leg read_leg(Config& c) {
   return leg;
 }
 
+/// Notes the leg at whose end the bit has turned too often: a path has a row for every quarter of a
+/// turn (path_of), and this many take 0.1 GB.
+void check_turns(const std::vector<Leg>& legs, std::vector<Config>& tables) {
+  constexpr double most_turns = 250'000.0;
+  double turns = 0.0;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    turns += std::abs(legs[i].rotary_speed * legs[i].duration) / (2.0 * std::numbers::pi);
+    if (!(turns > most_turns)) continue;
+    return tables[i].problem(leg_keys::duration,
+                             fmt::format("{:.4g} revolutions at the end of this leg", turns),
+                             fmt::format("at most {} in all legs", most_turns));
+  }
+}
+
 /// At least one leg; legs that could not be read make no path.
 void read_legs(Config& c, Motion& m) {
   std::vector<Config> tables = c.tables(leg_keys::table);
@@ -55,6 +70,7 @@ void read_legs(Config& c, Motion& m) {
   legs.reserve(tables.size());
   const std::size_t before = c.problem_count();
   for (Config& table : tables) legs.push_back(read_leg(table));
+  if (c.problem_count() == before) check_turns(legs, tables);
   if (!legs.empty() && c.problem_count() == before) m.path = path_of(legs, m.start_W);
 }
 
@@ -119,6 +135,17 @@ void read_rolling(Config& c, const bit::Bit& bit, Motion& m) {
     c.problem(motion_keys::cone_drive, "\"rolling\"", "a bit with cones");
 }
 
+/// In the rock's frame, whose origin is near the rock.
+Vec3 read_start(Config& c) {
+  constexpr double farthest = 1e5;  // m, more than any borehole
+  const Vec3 start_W = c.read(motion_keys::start);
+  if (!(start_W.cwiseAbs().maxCoeff() <= farthest))
+    c.problem(motion_keys::start,
+              fmt::format("[{}, {}, {}] m", start_W.x(), start_W.y(), start_W.z()),
+              fmt::format("a place within {:.0e} m", farthest));
+  return start_W;
+}
+
 /// "rolling", or one speed for each cone of the bit.
 void read_cone_speeds(Config& c, const bit::Bit& bit, Motion& m) {
   if (bit.cones.empty() && !c.has(motion_keys::cone_speeds)) return;
@@ -135,7 +162,7 @@ void read_cone_speeds(Config& c, const bit::Bit& bit, Motion& m) {
 Motion read_motion(Config c, const bit::Bit& bit) {
   Motion m;
   m.kind = c.read(motion_keys::kind);
-  if (m.kind != MotionKind::table) m.start_W = c.read(motion_keys::start);
+  if (m.kind != MotionKind::table) m.start_W = read_start(c);
   switch (m.kind) {
     case MotionKind::table:
       read_table(c, m);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "simulation/case/rock_keys.hpp"
 
 namespace tdbd::simulation {
@@ -28,6 +31,11 @@ void read_profile(Config& c, RockStart& r) {
   };
   if (p.size() < 2) return wrong(fmt::format("{} points", p.size()));
   if (p.front().r != 0.0) return wrong(fmt::format("a first point of radius {} m", p.front().r));
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (!(std::max(p[i].r, std::abs(p[i].z)) <= rock_keys::largest_length))
+      return c.problem(rock_keys::profile,
+                       fmt::format("point {} at [{}, {}] m", i + 1, p[i].r, p[i].z),
+                       fmt::format("points within {:.0e} m", rock_keys::largest_length));
   for (std::size_t i = 1; i < p.size(); ++i) {
     if (!(p[i].r > 0.0)) return wrong(fmt::format("radius {} m of point {}", p[i].r, i + 1));
     if (p[i].r == p[i - 1].r && p[i].z == p[i - 1].z)

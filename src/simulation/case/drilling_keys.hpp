@@ -2,6 +2,7 @@
 
 #include "core/config/key.hpp"
 #include "dynamics/drilling/drilling_system.hpp"
+#include "simulation/case/motion_keys.hpp"
 
 namespace tdbd::simulation {
 
@@ -9,13 +10,9 @@ namespace string_keys {
 
 inline constexpr TableKey table{"string", "drilling: the drill string, from the bit to the top"};
 
-/// Of a spring, a damper or a mass: none unless given, and none whose products with others are no numbers.
+/// Of a spring, a damper or a mass: none unless given.
 constexpr QuantityKey part(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {.name = name,
-          .unit = unit,
-          .fallback = 0.0,
-          .range = Range::within(0.0, 1e16),
-          .meaning = meaning};
+  return {.name = name, .unit = unit, .fallback = 0.0, .range = up_to_largest, .meaning = meaning};
 }
 
 inline constexpr QuantityKey mass = part("mass", "kg", "of string that moves with the bit");
@@ -59,7 +56,7 @@ namespace wall_keys {
 inline constexpr TableKey table{"wall", "drilling: a circular wall that a ring of the bit touches"};
 
 inline constexpr QuantityKey stiffness{
-    .name = "stiffness", .unit = "N/m", .range = Range::positive(), .meaning = "of the wall"};
+    .name = "stiffness", .unit = "N/m", .range = above_zero_to_largest, .meaning = "of the wall"};
 inline constexpr QuantityKey clearance{.name = "clearance",
                                        .unit = "m",
                                        .range = Range::non_negative(),
@@ -94,16 +91,16 @@ namespace rock_mount_keys {
 inline constexpr TableKey table{"rock_mount", "drilling: rock that moves along z (eq. 2.2)"};
 
 inline constexpr QuantityKey mass{
-    .name = "mass", .unit = "kg", .range = Range::positive(), .meaning = "of the rock"};
+    .name = "mass", .unit = "kg", .range = above_zero_to_largest, .meaning = "of the rock"};
 inline constexpr QuantityKey stiffness{.name = "stiffness",
                                        .unit = "N/m",
                                        .fallback = 0.0,
-                                       .range = Range::non_negative(),
+                                       .range = up_to_largest,
                                        .meaning = "of what holds the rock"};
 inline constexpr QuantityKey damping{.name = "damping",
                                      .unit = "N s/m",
                                      .fallback = 0.0,
-                                     .range = Range::non_negative(),
+                                     .range = up_to_largest,
                                      .meaning = "of what holds the rock"};
 
 }  // namespace rock_mount_keys

@@ -13,6 +13,12 @@ enum class WhirlSense { forward, backward };
 /// contacts with rock let it (cone_motion.hpp).
 enum class ConeDrive { given, rolling };
 
+/// No spring, damper, mass or load is larger (SI): the products of larger ones with others are no numbers.
+inline constexpr double largest_constant = 1e16;
+inline constexpr Range up_to_largest = Range::within(0.0, largest_constant);
+inline constexpr Range above_zero_to_largest{
+    .lo = 0.0, .hi = largest_constant, .ends = Range::Ends::open_lo};
+
 namespace motion_keys {
 
 inline constexpr TableKey table{"motion", "how the bit moves"};
@@ -53,7 +59,7 @@ inline constexpr QuantityKey weight_on_bit{
     .name = "weight_on_bit",
     .unit = "N",
     .usual = "in place of rate_of_penetration",
-    .range = Range::non_negative(),
+    .range = up_to_largest,
     .meaning = "drilling: load of the top, or a table over time"};
 inline constexpr QuantityKey expected_rate{
     .name = "expected_rate",
@@ -66,13 +72,13 @@ inline constexpr QuantityKey weight_at_start{
     .name = "weight_at_start",
     .unit = "N",
     .fallback = 0.0,
-    .range = Range::non_negative(),
+    .range = up_to_largest,
     .meaning = "drilling: what the string carries at t = 0"};
 inline constexpr QuantityKey torque_at_start{
     .name = "torque_at_start",
     .unit = "N m",
     .fallback = 0.0,
-    .range = Range::non_negative(),
+    .range = up_to_largest,
     .meaning = "drilling: torque that winds up the string at t = 0"};
 inline constexpr ListKey cone_speeds{
     .name = "cone_speeds",

@@ -16,6 +16,9 @@ enum class IntersectionCheck { full, none };
 /// The keys of [rock]: its surface at the start.
 namespace rock_keys {
 
+/// m: no borehole is longer.
+inline constexpr double largest_length = 1e5;
+
 inline constexpr TableKey table{"rock", "the rock's surface at the start, and its material"};
 
 inline constexpr ChoiceKey<RockShape> shape{
@@ -60,18 +63,18 @@ inline constexpr QuantityKey wall{
     .name = "wall",
     .unit = "m",
     .fallback = 0.03,
-    .range = Range::non_negative(),
+    .range = Range::within(0.0, largest_length),
     .meaning = "shapes conforming, flat, rough: height of the cylindrical wall"};
 inline constexpr QuantityKey radius{
     .name = "radius",
     .unit = "m",
     .fallback = 0.0,
-    .range = Range::non_negative(),
+    .range = Range::within(0.0, largest_length),
     .meaning = "shapes flat, rough: radius of the bottom; 0: the bit's gage radius"};
 inline constexpr QuantityKey amplitude{.name = "amplitude",
                                        .unit = "m",
                                        .usual = "required with shape rough",
-                                       .range = Range::non_negative(),
+                                       .range = Range::within(0.0, 1.0),
                                        .meaning = "root mean square of the roughness"};
 inline constexpr QuantityKey correlation_length{
     .name = "correlation_length",
@@ -86,6 +89,10 @@ inline constexpr IntegerKey seed{
 
 /// The keys of [rock] and [[rock.layers]] that describe the rock as a material; read with [forces].
 namespace formation_keys {
+
+/// Pa: ten times what the deepest well has, and what diamond bears.
+inline constexpr Range any_pressure = Range::within(0.0, 1e10);
+inline constexpr Range any_strength{.lo = 0.0, .hi = 1e12, .ends = Range::Ends::open_lo};
 
 inline constexpr TableKey layers{"rock.layers", "beds below the first one, from above",
                                  Repeats::yes};
@@ -107,17 +114,17 @@ inline constexpr NameKey material{
 inline constexpr QuantityKey pressure{.name = "pressure",
                                       .unit = "Pa",
                                       .fallback = 0.0,
-                                      .range = Range::non_negative(),
+                                      .range = any_pressure,
                                       .meaning = "of the mud at the bottom of the hole"};
 inline constexpr QuantityKey pore_pressure{.name = "pore_pressure",
                                            .unit = "Pa",
                                            .fallback = 0.0,
-                                           .range = Range::non_negative(),
+                                           .range = any_pressure,
                                            .meaning = "in the rock's pores"};
 inline constexpr QuantityKey overburden{.name = "overburden",
                                         .unit = "Pa",
                                         .fallback = 0.0,
-                                        .range = Range::non_negative(),
+                                        .range = any_pressure,
                                         .meaning = "pressure of the rock above"};
 inline constexpr ChoiceKey<forces::Confinement> confinement{
     .name = "confinement",
@@ -142,15 +149,16 @@ inline constexpr TextKey name{
     .name = "name", .fallback = "given by the case", .meaning = "of the rock, in the results"};
 inline constexpr QuantityKey unconfined_strength{.name = "unconfined_strength",
                                                  .unit = "Pa",
-                                                 .range = Range::positive(),
+                                                 .range = any_strength,
                                                  .meaning = "unconfined compressive strength"};
 inline constexpr QuantityKey friction_angle{.name = "friction_angle",
                                             .unit = "rad",
                                             .range = Range::within(0.0, std::numbers::pi / 3.0),
                                             .meaning = "internal friction (Mohr and Coulomb)"};
+/// Pumice, the most porous rock, has 0.9.
 inline constexpr QuantityKey porosity{.name = "porosity",
                                       .fallback = forces::usual_porosity,
-                                      .range = Range::within(0.0, 1.0),
+                                      .range = Range::within(0.0, 0.9),
                                       .meaning = "effective porosity; confinement by-porosity"};
 
 }  // namespace formation_keys

@@ -2,9 +2,11 @@
 
 #include "bit/cone/part_pose.hpp"
 #include "bit/report/bit_output.hpp"
-#include "mesh/files/files.hpp"
+#include "core/whole_file.hpp"
+#include "mesh/files/ply.hpp"
 #include "mesh/files/vtp.hpp"
 #include "mesh/measures.hpp"
+#include "simulation/start/rock_stamp.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -26,6 +28,15 @@ void write_rock(const std::filesystem::path& path, const rock::Rock& rock) {
   mesh::write_vtp(path, m, {depth, part}, {quality});
 }
 
+/// The rock with its stamp, so that a run that goes on from it can be held to its time.
+void write_stamped_rock(const std::filesystem::path& path, const Case& c, const Simulation& s) {
+  const long steps = s.state.steps_done;
+  WholeFile file(path);
+  mesh::write_ply(file.stream(), mesh::compact(s.state.rock.surface),
+                  comments_of({steps, time_at(c.time, steps), c.hash}));
+  file.commit();
+}
+
 void write_bit(const std::filesystem::path& path, const Case& c, const Simulation& s) {
   bit::write_bit_vtp(path, bit::turned(c.bit, angles_of(s.state.cones)), s.state.place.X_WB);
 }
@@ -43,7 +54,7 @@ void Frames::add(const Case& c, const Simulation& s) {
 
 void Frames::write_final(const Case& c, const Simulation& s) {
   write_rock(folder_.frames() / "rock_final.vtp", s.state.rock);
-  mesh::write_mesh(folder_.path / "rock_final.ply", mesh::compact(s.state.rock.surface));
+  write_stamped_rock(folder_.path / "rock_final.ply", c, s);
   write_bit(folder_.frames() / "bit_final.vtp", c, s);
   write_collection("rock", rock_, time_at(c.time, s.state.steps_done));
   write_collection("bit", bit_, time_at(c.time, s.state.steps_done));

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "simulation/result/old_parts.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -161,7 +162,9 @@ OutputFolder claim(const fs::path& path, Overwrite overwrite,
 
 void clear(const OutputFolder& folder, const std::vector<std::string>& inputs, ResultKind kind) {
   try {
-    for (const fs::path& file : replaceable(folder, kind, inputs)) fs::remove(file);
+    const std::vector<fs::path> old = replaceable(folder, kind, inputs);
+    if (kind == ResultKind::bit) remove_parts(folder.path, exported_parts(folder.path));
+    for (const fs::path& file : old) fs::remove(file);
     if (kind == ResultKind::run) fs::create_directories(folder.frames());
   } catch (const fs::filesystem_error& e) {
     refuse(folder.path, e.code().message());

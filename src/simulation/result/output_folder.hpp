@@ -63,8 +63,9 @@ inline constexpr const char* resolved_head =
 OutputFolder claim(const std::filesystem::path& path, Overwrite overwrite,
                    const std::vector<std::string>& inputs = {}, ResultKind kind = ResultKind::run);
 
-/// Removes from a claimed folder every file that the command may write (files of other names stay), so that nothing of an
-/// older result is taken for a part of this one, and makes its `frames` when it has some. Throws like `claim`.
+/// Removes from a claimed folder every file that the command may write (files of other names stay; of parts/ those go that
+/// the bit before was exported with), so that nothing of an older result is taken for a part of this one, and makes its
+/// `frames` when it has some. Throws like `claim`.
 void clear(const OutputFolder& folder, const std::vector<std::string>& inputs = {},
            ResultKind kind = ResultKind::run);
 

@@ -20,8 +20,10 @@
 #include "rotation/rotation_vector.hpp"
 #include "simulation/checkpoint/checkpoint.hpp"
 #include "simulation/result/checkpoint_keeper.hpp"
+#include "simulation/result/end_warnings.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
+#include "simulation/start/reach.hpp"
 #include "simulation/step/energy_order.hpp"
 
 namespace tdbd::simulation {
@@ -197,6 +199,8 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.status = status;
   r.case_hash = c.hash;
   for (const CaseWarning& w : c.warnings) r.warnings.push_back(without_place(w));
+  r.found_at_end = end_warnings(c, s);
+  for (const CaseWarning& w : r.found_at_end) r.warnings.push_back(without_place(w));
   const double from = time_at(c.time, c.time.first), to = time_at(c.time, s.state.steps_done);
   r.steps = s.state.steps_done - c.time.first;
   r.duration = to - from;
@@ -259,6 +263,8 @@ RunSummary run(const Case& c, const RunOptions& o) {
   const OutputFolder folder = claim(o.folder, o.overwrite, c.files);
   Simulation s = start(c);
   clear(folder, c.files);
+  if (o.tell)
+    for (const CaseWarning& w : reach_warnings(c, s.state.rock.surface)) o.tell(w);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   bit::write_bit_files(folder.path, c.bit);
   Recorder recorder(c, folder, o);

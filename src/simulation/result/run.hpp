@@ -25,6 +25,8 @@ struct RunOptions {
   std::function<void(const Simulation&, long)> progress = {};
   /// Called with what a user should know and the run goes on after.
   std::function<void(const std::string&)> warn = {};
+  /// Called before the first step with what the start shows to be doubtful.
+  std::function<void(const CaseWarning&)> tell = {};
 };
 
 /// Drills a case and writes its result folder; the summary last, so that a folder without one holds

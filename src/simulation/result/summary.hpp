@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "simulation/case/case_warning.hpp"
 #include "simulation/result/drive_figures.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/force_figures.hpp"
@@ -35,7 +36,8 @@ struct RunSummary {
   RunStatus status = RunStatus::completed;
   std::string case_hash;
   std::uint64_t seed = 0;
-  std::vector<std::string> warnings;  ///< without_place
+  std::vector<std::string> warnings;      ///< without_place, those found at the end last
+  std::vector<CaseWarning> found_at_end;  ///< the same with their places, for a terminal
   long steps = 0;
   double revolutions = 0.0;
   double duration = 0.0;                             ///< s, simulated

@@ -16,6 +16,7 @@
 #include "rock/start/borehole.hpp"
 #include "rock/start/space_order.hpp"
 #include "simulation/start/rock_memory.hpp"
+#include "simulation/start/rock_stamp.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -67,6 +68,7 @@ std::string in_one_line(const std::string& lines) {
 }
 
 mesh::TriangleMesh from_file(const Case& c) {
+  require_same_time(c);
   mesh::TriangleMesh m = mesh::read_mesh(c.rock.file, c.rock.unit);
   const auto defects = mesh::check_surface(m);
   if (!defects.empty())

@@ -8,7 +8,8 @@ namespace tdbd::simulation {
 /// The rock of a case at t = 0, under its index: conforming to the bit's exposure profile, flat,
 /// rough, of any meridian, or read from a file. Throws InputError for a file that is no single open
 /// oriented surface, for one (or a meridian) that intersects itself, unless the case waives that
-/// check, and for a rock that the machine's memory does not hold.
+/// check, for a rock that the machine's memory does not hold, and for one of another time than the run begins at
+/// (require_same_time).
 rock::Rock start_rock(const Case& c);
 
 /// A surface of this case's rock, under the index that start_rock makes.

@@ -74,19 +74,27 @@ WhirlKind whirl_of(const Orbit& o, double orbit_speed, double rotary_speed) {
   return orbit_speed * rotary_speed > 0.0 ? WhirlKind::forward : WhirlKind::backward;
 }
 
+/// " at 3.2 Hz" after what stands before it; empty where nothing told the frequency.
+std::string at_frequency(const char* before, double frequency) {
+  return frequency > 0.0 ? fmt::format("{} at {:.3g} Hz", before, frequency) : "";
+}
+
 std::string text_of(const Diagnosis& d) {
   constexpr double severe = 0.5, bouncing = 0.01, swinging = 0.5;
   std::string text;
   const auto add = [&text](const std::string& s) { text += (text.empty() ? "" : "; ") + s; };
   if (d.stick_slip_severity > severe)
-    add(fmt::format("stick-slip, severity {:.2f}, at {:.3g} Hz, stuck {:.0f} % of the time",
-                    d.stick_slip_severity, d.torsional_frequency, 100.0 * d.stuck_share));
-  if (d.lost_contact_share > bouncing)
-    add(fmt::format("bit bounce, without contact {:.0f} % of the time, at {:.3g} Hz",
-                    100.0 * d.lost_contact_share, d.axial_frequency));
+    add(fmt::format("stick-slip, severity {:.2f}{}, stuck {:.0f} % of the time",
+                    d.stick_slip_severity, at_frequency(",", d.torsional_frequency),
+                    100.0 * d.stuck_share));
+  if (d.lost_contact_share == 1.0)
+    add("hangs free, without contact all the time");
+  else if (d.lost_contact_share > bouncing)
+    add(fmt::format("bit bounce, without contact {:.0f} % of the time{}",
+                    100.0 * d.lost_contact_share, at_frequency(",", d.axial_frequency)));
   else if (d.wob_swing > swinging)
-    add(fmt::format("axial vibration, weight swings by {:.0f} % at {:.3g} Hz", 100.0 * d.wob_swing,
-                    d.axial_frequency));
+    add(fmt::format("axial vibration, weight swings by {:.0f} %{}", 100.0 * d.wob_swing,
+                    at_frequency("", d.axial_frequency)));
   if (d.whirl != WhirlKind::none)
     add(fmt::format("{} whirl, {:.3g} mm at {:.3g} Hz", whirl_name(d.whirl), 1e3 * d.orbit_radius,
                     d.orbit_frequency));

@@ -58,9 +58,10 @@ TEST(BladeFile, does_not_change_what_cuts) {
 }
 
 TEST(BladeFile, says_what_is_impossible_at_its_line) {
-  EXPECT_EQ(message_of("slot_depth = \"16 mm\""),
-            "bit.toml:5: blades.exposure: found nothing, expected length in m, > 0 (the key is "
-            "required)");
+  EXPECT_EQ(
+      message_of("slot_depth = \"16 mm\""),
+      "bit.toml:5: blades.exposure: found nothing, expected length in m, in (0, 10] (the key is "
+      "required)");
   const std::string lifted = message_of("slot_depth = \"16 mm\"\nexposure = \"25 mm\"");
   EXPECT_EQ(
       lifted.rfind("bit.toml:7: blades.exposure: found 25 mm, which lifts cutter 1 (blade", 0), 0u)

@@ -85,7 +85,7 @@ TEST(DesignFile, names_key_value_and_place_of_what_is_impossible) {
             "design.backup.behind: found cutter 39 (cone, blade 2, radius 49.3297 mm) overlapping "
             "cutter 10 (cone, blade 2, radius 48.8662 mm), expected 0.5 mm of clearance");
   EXPECT_EQ(message_after("gage_diameter = \"8.5 in\"\n", ""),
-            "gage_diameter: found nothing, expected length in m, > 0 (the key is required)");
+            "gage_diameter: found nothing, expected length in m, in (0, 10] (the key is required)");
   EXPECT_EQ(message_after("gage_diameter", "table = \"cutters.csv\"\ngage_diameter"),
             "table: found design as well, expected one of the two");
 }

@@ -23,6 +23,44 @@ RC_GTEST_PROP(GagePads, stay_under_gage_and_reach_it, ()) {
   }
 }
 
+/// What is refused makes no pad: one whose outline crosses itself or the axis. What is not refused makes closed ones.
+RC_GTEST_PROP(PadProblems, are_none_of_pads_that_are_solids, ()) {
+  GagePads pads;
+  pads.count = *rc::gen::inRange(1, 9);
+  pads.width = number(0.001, 0.4);
+  pads.thickness = number(0.0005, 0.12);
+  pads.under_gage = number(0, 0.12);
+  const double radius = gage - pads.under_gage;
+  const bool across = radius <= 0.0 || pads.thickness >= radius;
+  const std::vector<PadProblem> problems = pad_problems(pads, gage);
+  RC_TAG(problems.empty() ? "possible" : "impossible");
+  if (!problems.empty()) return;
+  RC_ASSERT(!across);
+  for (const Part& pad : gage_pads(pads, table('b'), gage)) {
+    RC_ASSERT(is_closed_and_oriented(pad.mesh_P));
+    RC_ASSERT(mesh::enclosed_volume(pad.mesh_P) > 0.0);
+    RC_ASSERT(mesh::bounding_box(pad.mesh_P).lo.x() > 0.0);
+  }
+}
+
+TEST(PadProblems, name_the_key_and_what_would_do) {
+  const auto key_of = [](int count, double width, double under_gage, double thickness) {
+    GagePads pads;
+    pads.count = count;
+    pads.width = width;
+    pads.under_gage = under_gage;
+    pads.thickness = thickness;
+    const std::vector<PadProblem> problems = pad_problems(pads, gage);
+    return problems.empty() ? "" : problems.front().key;
+  };
+  EXPECT_EQ(key_of(4, 0.03, 4e-4, 0.01), "");
+  EXPECT_EQ(key_of(4, 0.03, 0.2, 0.01), "under_gage");
+  EXPECT_EQ(key_of(4, 0.16, 4e-4, 0.03), "width");
+  EXPECT_EQ(key_of(2, 0.2, 4e-4, 0.01), "thickness");
+  EXPECT_EQ(key_of(4, 0.03, 4e-4, 0.0999), "thickness");
+  EXPECT_EQ(key_of(0, 0.03, 0.2, 0.01), "");
+}
+
 /// Inscribed arc of 8 chords, less the flat back: the volume is closed-form.
 TEST(GagePads, have_the_volume_of_their_prism) {
   GagePads pads;

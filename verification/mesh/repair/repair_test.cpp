@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -262,6 +264,25 @@ TEST(MeshFaults, tell_what_where_how_many_and_the_command) {
       << lines[1];
   EXPECT_EQ(lines[2],
             "a b/c.stl: to repair: tdbd mesh 'a b/c.stl' --repair -o 'a b/c-repaired.stl'");
+}
+
+/// A fan of facets, open all around.
+TriangleMesh open_fan(int corners) {
+  TriangleMesh m;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / corners;
+    m.positions.emplace_back(std::cos(angle), std::sin(angle), std::sin(7.0 * k));
+    if (k > 1) m.triangles.push_back({0, k - 1, k});
+  }
+  return m;
+}
+
+/// Filling its hole took 20 s, for the message's sake.
+TEST(MeshFaults, do_not_try_the_repair_of_a_hole_of_thousands_of_edges) {
+  const std::string repair = "tdbd mesh a.off --repair -o a-repaired.off";
+  EXPECT_EQ(mesh_faults("a.off", {{"fan", open_fan(1001)}}).back(),
+            "a.off: to try a repair: " + repair);
+  EXPECT_EQ(mesh_faults("a.off", {{"fan", open_fan(100)}}).back(), "a.off: to repair: " + repair);
 }
 
 }  // namespace tdbd::mesh::repair_test

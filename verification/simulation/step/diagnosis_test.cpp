@@ -64,6 +64,29 @@ TEST(Diagnosis, finds_lost_contact) {
   EXPECT_NE(d.text.find("bounce"), std::string::npos);
 }
 
+TEST(Diagnosis, calls_a_bit_that_never_touches_free) {
+  Made m;
+  m.wob = [](double) { return 0.0; };
+  const Diagnosis d = diagnosis_of(m);
+  EXPECT_EQ(d.lost_contact_share, 1.0);
+  EXPECT_EQ(d.text, "hangs free, without contact all the time");
+}
+
+/// Of too few steps for a spectrum.
+TEST(Diagnosis, names_no_frequency_where_none_is_known) {
+  Trace t;
+  t.dt = dt;
+  t.wob = {0.0, 1e4, 0.0, 1e4};
+  t.rotary_speed = {0.0, speed, 0.0, speed};
+  t.centre_W.assign(4, Eigen::Vector2d::Zero());
+  EXPECT_EQ(diagnose(t).text,
+            "stick-slip, severity 1.00, stuck 50 % of the time; bit bounce, without contact 50 % "
+            "of the time");
+  t.wob = {1.0, 1e4, 1.0, 1e4};
+  t.rotary_speed.assign(4, speed);
+  EXPECT_EQ(diagnose(t).text, "axial vibration, weight swings by 100 %");
+}
+
 TEST(Diagnosis, finds_axial_vibration_without_lost_contact) {
   Made m;
   m.wob = [](double t) { return 1e4 * (1.0 + 0.7 * std::sin(two_pi * 12.5 * t)); };

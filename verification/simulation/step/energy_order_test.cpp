@@ -103,7 +103,7 @@ std::filesystem::path run_with(const std::string& name, const char* setting, int
 TEST(EnergyOrder, leaves_the_bytes_of_the_run_and_does_not_know_threads) {
   const auto with = run_with("with", "always", 1), without = run_with("without", "off", 1);
   const auto threads = run_with("threads", "always", 2);
-  for (const char* file : {"history.csv", "history.nc", "rock_final.ply"})
+  for (const char* file : {"history.csv", "history.nc", "frames/rock_final.vtp"})
     EXPECT_TRUE(read(with / file) == read(without / file)) << file;
   EXPECT_EQ(read(with / "summary.json"), read(threads / "summary.json"));
   Json a = Json::parse(read(with / "summary.json")),

@@ -1,0 +1,57 @@
+#include "simulation/result/end_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "simulation/case/doubtful_values.hpp"
+#include "simulation/start/reach.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+std::string no_rock(const Case& c, const Simulation& s) {
+  const std::string text =
+      fmt::format("the bit removed no rock in {} steps", s.state.steps_done - c.time.first);
+  const double gap = gap_on_the_way(c, s.state.rock.surface);
+  return gap > 0.0 ? fmt::format("{}: it stays {:.3g} m or more from it", text, gap) : text;
+}
+
+/// Empty when the advance is one that a bit can have. No bit drills as fast as a tenth of a metre a second: slower ones are
+/// not asked, since those that stick hardly turn.
+std::string fast(const Case& c, const LoadStatistics& loads) {
+  const double width = narrowest_width(c.bit), rate = loads.rop.mean;
+  const double turns = std::abs(loads.rotary_speed.mean) / (2.0 * std::numbers::pi);
+  if (rate * c.time.step > width)
+    return fmt::format(
+        "the bit advances {:.3g} m/s, {:.3g} mm in a step: more than the {:.3g} mm "
+        "of its narrowest cutting part",
+        rate, 1e3 * rate * c.time.step, 1e3 * width);
+  constexpr double fastest = 0.1;  // m/s
+  if (rate > fastest && turns > 0.0 && rate / turns > width)
+    return fmt::format(
+        "the bit advances {:.3g} m/s, {:.3g} mm in a revolution: more than the "
+        "{:.3g} mm of its narrowest cutting part, so that its body would have to cut",
+        rate, 1e3 * rate / turns, 1e3 * width);
+  return "";
+}
+
+}  // namespace
+
+std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
+  std::vector<CaseWarning> warnings;
+  const auto add = [&](const std::string& text) {
+    warnings.push_back({c.places.motion, std::string(motion_keys::table.name), text});
+  };
+  if (s.state.ledger.removed.value() == 0.0) {
+    if (s.state.steps_done > c.time.first) add(no_rock(c, s));
+    return warnings;
+  }
+  if (!s.state.drive || s.statistics.loads.rop.count == 0) return warnings;
+  if (const std::string text = fast(c, s.statistics.loads); !text.empty()) add(text);
+  return warnings;
+}
+
+}  // namespace tdbd::simulation

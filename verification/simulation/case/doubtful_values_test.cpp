@@ -1,0 +1,46 @@
+#include "simulation/case/doubtful_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace tdbd::simulation::doubtful_values_test {
+
+std::vector<CaseWarning> doubts(const std::string& name, const std::vector<std::string>& settings) {
+  return read_case(TDBD_SOURCE_DIR "/cases/" + name + ".toml", settings).warnings;
+}
+
+/// Bit B has cutters of 19 mm, worn by 0.6 mm, on a gage of 8.5 in.
+TEST(DoubtfulValues, are_edges_longer_than_half_of_a_cutter) {
+  EXPECT_TRUE(doubts("bit-b-steady", {"rock.edge_length=9 mm"}).empty());
+  for (const std::string edge : {"10 mm", "50 mm"}) {
+    const auto warnings = doubts("bit-b-steady", {"rock.edge_length=" + edge});
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].key, "rock.edge_length");
+    EXPECT_EQ(warnings[0].place, "--set: rock.edge_length");
+    EXPECT_TRUE(warnings[0].text.starts_with("edges of " + edge + " do not show what a part 1"))
+        << warnings[0].text;
+  }
+}
+
+TEST(DoubtfulValues, are_edges_longer_than_half_of_a_tooth) {
+  EXPECT_TRUE(doubts("bit-r-steady", {"rock.edge_length=4 mm"}).empty());
+  EXPECT_EQ(doubts("bit-r-steady", {"rock.edge_length=8 mm"}).size(), 1u);
+}
+
+TEST(DoubtfulValues, are_weights_that_break_teeth) {
+  EXPECT_TRUE(doubts("drill-bit-b", {"motion.weight_on_bit=84 klbf"}).empty());
+  const auto warnings = doubts("drill-bit-b", {"motion.weight_on_bit=1.5 MN"});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "motion.weight_on_bit");
+  EXPECT_EQ(warnings[0].text,
+            "1500 kN on a bit of 215.9 mm: teeth break at 378 kN (10 klbf per inch of diameter)");
+}
+
+/// The heaviest of a schedule counts.
+TEST(DoubtfulValues, are_found_in_schedules) {
+  EXPECT_TRUE(doubts("laboratory", {}).empty());
+  EXPECT_EQ(doubts("laboratory", {"motion.weight_on_bit.values=[10e3, 2e6, 10e3]"}).size(), 1u);
+}
+
+}  // namespace tdbd::simulation::doubtful_values_test

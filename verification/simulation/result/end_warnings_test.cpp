@@ -1,0 +1,57 @@
+#include "simulation/result/end_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tdbd::simulation::end_warnings_test {
+
+Case drilling(const std::vector<std::string>& settings) {
+  std::vector<std::string> all{"rock.edge_length='4 mm'", "time.duration='4 ms'",
+                               "output.means_from=0"};
+  all.insert(all.end(), settings.begin(), settings.end());
+  return read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml", all);
+}
+
+/// The texts after a run whose bit moved like this on the mean.
+std::vector<std::string> texts(const Case& c, double rate, double rotary_speed, double removed) {
+  Simulation s = start(c);
+  s.state.steps_done = c.time.steps;
+  if (removed > 0.0) s.state.ledger.removed.add(removed);
+  s.statistics.loads.rop = {.count = 4, .mean = rate};
+  s.statistics.loads.rotary_speed = {.count = 4, .mean = rotary_speed};
+  std::vector<std::string> found;
+  for (const CaseWarning& w : end_warnings(c, s)) {
+    EXPECT_EQ(w.key, "motion");
+    EXPECT_EQ(w.place, c.places.motion);
+    found.push_back(w.text);
+  }
+  return found;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(EndWarnings, are_none_of_a_bit_that_drills) {
+  EXPECT_EQ(texts(drilling({}), 0.005, 12.0, 1e-6), Texts{});
+}
+
+TEST(EndWarnings, tell_a_bit_that_removed_no_rock) {
+  EXPECT_EQ(texts(drilling({}), 8.0, 12.0, 0.0), Texts{"the bit removed no rock in 4 steps"});
+  EXPECT_EQ(texts(drilling({"motion.start=[0,0,-2]"}), 0.0, 12.0, 0.0),
+            Texts{"the bit removed no rock in 4 steps: it stays 1.72 m or more from it"});
+}
+
+/// Narrowest are the worn cutters of 19 mm.
+TEST(EndWarnings, tell_an_advance_that_only_a_body_could_cut) {
+  EXPECT_EQ(texts(drilling({}), 7.4, 12.0, 1e-6),
+            Texts{"the bit advances 7.4 m/s, 3.87e+03 mm in a revolution: more than the 18.4 mm of "
+                  "its narrowest cutting part, so that its body would have to cut"});
+  EXPECT_EQ(texts(drilling({}), 0.09, 1e-3, 1e-6), Texts{}) << "slow, and it hardly turns";
+}
+
+TEST(EndWarnings, tell_an_advance_that_steps_do_not_resolve) {
+  EXPECT_EQ(
+      texts(drilling({}), 19.0, 12.0, 1e-6),
+      Texts{"the bit advances 19 m/s, 19 mm in a step: more than the 18.4 mm of its narrowest "
+            "cutting part"});
+}
+
+}  // namespace tdbd::simulation::end_warnings_test
