@@ -19,15 +19,13 @@ void let_writes_fail() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// For memory that runs out where no exception gets out: in a destructor, or while a thread begins.
-[[noreturn]] void end_without_memory() {
+/// For failures that no exception carries out: in a destructor, or in a thread of TBB that could not start another one.
+[[noreturn]] void end_without_catch() {
   try {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
-  } catch (const std::bad_alloc& e) {
+  } catch (const std::exception& e) {
     std::fprintf(stderr, "tdbd: %s\n", tdbd::reason_of(e));
     _exit(1);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "tdbd: %s\n", e.what());
   } catch (...) {
   }
   std::abort();
@@ -46,7 +44,7 @@ int after_output(int exit_code) {
 /// interrupted.
 int main(int argc, char** argv) {
   let_writes_fail();
-  std::set_terminate(end_without_memory);
+  std::set_terminate(end_without_catch);
   CLI::App app{"TDBD: drill bits cutting rock, verification first", "tdbd"};
   app.require_subcommand(1);
   app.set_version_flag("--version",

@@ -29,6 +29,10 @@ TEST(FolderLock, holds_a_folder_for_one_at_a_time) {
   EXPECT_NO_THROW(FolderLock fourth(folder));
 }
 
+TEST(FolderLock, of_a_folder_that_cannot_be_opened_is_no_lock) {
+  EXPECT_THROW(FolderLock lock(some_folder("gone") / "missing"), RunError);
+}
+
 TEST(FolderLock, leaves_no_file_and_ends_with_a_killed_process) {
   const fs::path folder = some_folder("killed");
   const pid_t child = fork();
