@@ -96,11 +96,21 @@ TEST(Drive, gives_a_cone_the_impulse_of_the_spin_that_it_leads_to) {
   }
 }
 
-/// A law out of all proportion throws the bit away: the run says so and keeps the state before.
-TEST(Drive, stops_with_the_state_before_a_step_that_diverges) {
+/// A law out of all proportion is too steep for an explicit impulse, and the bit stands.
+TEST(Drive, is_stopped_by_a_law_out_of_all_proportion) {
   Case c = drilling({});
   for (forces::Law& law : c.forces.laws)
     if (auto* cutting = std::get_if<forces::HansonHansen>(&law)) cutting->A1 = 1e9;
+  const Simulation s = drilled(c);
+  EXPECT_GT(s.statistics.standing.steps, 100);
+  EXPECT_LT(s.work.velocity.v_W.norm(), 1e-3);
+}
+
+/// A string that is too stiff for the step throws the bit away: the run says so and keeps the state
+/// before.
+TEST(Drive, stops_with_the_state_before_a_step_that_diverges) {
+  Case c = drilling({});
+  c.drilling.system.spring.diagonal().setConstant(1e12);
   Simulation s = start(c);
   const Vec3 c_W = s.state.drive->state.c_W;
   std::string message;
