@@ -144,6 +144,7 @@ bool same_dimension(const Unit& a, const Unit& b) { return powers_of(a) == power
 const std::vector<std::pair<Dimension, const char*>>& named_dimensions() {
   static const auto named = [] {
     std::vector<std::pair<Dimension, const char*>> all;
+    all.reserve(dimension_names.size());
     for (const auto& [symbol, name] : dimension_names)
       all.emplace_back(powers_of(parse_unit(unit_system(), symbol)), name);
     return all;
