@@ -8,7 +8,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Above this an explicit impulse overshoots. Bits that drill reach 0.3, whirling ones 0.7.
+/// Above this an explicit impulse overshoots. Bits that drill on faces stay well below.
 constexpr double too_steep = 1.0;
 
 /// The motion of the bit over the rock that velocities u are.
