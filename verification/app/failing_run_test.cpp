@@ -74,6 +74,23 @@ TEST(FailingRun, whose_history_cannot_be_closed_keeps_the_rest) {
   EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
 }
 
+/// A checkpoint is read before the history is written, and NetCDF begins with it: HDF5 crashed at
+/// the end of a resumed run that could not write.
+TEST(FailingRun, that_was_resumed_and_cannot_write_ends_with_a_line) {
+  const SmallCase c;
+  const auto begun = c.run({"--set", "time.duration=1000", "--set", "output.checkpoint_every=5",
+                            "--set", "output.frames_every=20"},
+                           "out", {.signal_after = c.path("out/frames/rock-000020.vtp")});
+  ASSERT_EQ(begun.exit_code, 130) << begun.err;
+  const auto half = static_cast<long>(fs::file_size(c.path("out/history.nc")) / 2);
+  const auto o = battery::run_tdbd({"run", "--resume", c.path("out").string(), "--quiet"},
+                                   {.largest_file = half});
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_NE(o.err.find("tdbd: "), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("cannot write"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
+}
+
 /// Nothing is known of them, and 0 is not claimed.
 TEST(FinishedRun, has_no_means_over_no_step) {
   const SmallCase c;

@@ -15,6 +15,7 @@
 #include "core/memory_left.hpp"
 #include "core/plain_path.hpp"
 #include "core/whole_file.hpp"
+#include "simulation/checkpoint/hdf5_at_exit.hpp"
 #include "simulation/checkpoint/seal.hpp"
 
 namespace tdbd::simulation {
@@ -30,7 +31,7 @@ constexpr std::size_t memory_of_netcdf = 4'000'000;
 /// An open NetCDF file; every call that fails is a RunError.
 class Netcdf {
  public:
-  explicit Netcdf(fs::path path) : path_(std::move(path)) {}
+  explicit Netcdf(fs::path path) : path_(std::move(path)) { leave_files_alone_at_exit(); }
   Netcdf(const Netcdf&) = delete;
   Netcdf& operator=(const Netcdf&) = delete;
   ~Netcdf() {

@@ -1,6 +1,5 @@
 #include "simulation/result/record_netcdf.hpp"
 
-#include <H5public.h>
 #include <fmt/format.h>
 #include <netcdf.h>
 
@@ -13,6 +12,7 @@
 #include "core/memory_left.hpp"
 #include "core/plain_path.hpp"
 #include "core/whole_file.hpp"
+#include "simulation/checkpoint/hdf5_at_exit.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -28,7 +28,7 @@ std::size_t memory_for(const RecordLayout& layout) {
 RecordNetcdf::RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout)
     : file_(file), memory_(memory_for(layout)) {
   demand_memory(memory_);
-  H5dont_atexit();  // at exit HDF5 would touch files again that it could not close on a full disk
+  leave_files_alone_at_exit();
   errno = 0;
   require(nc_create(PlainPath(file).c_str(), NC_NETCDF4 | NC_CLOBBER, &nc_));
   define(layout);
