@@ -56,7 +56,10 @@ std::optional<double> exit_by_corners(const std::vector<HalfSpace>& solid, const
     try_place(solid[i], 0.0);
     try_place(solid[i], 1.0);
     for (std::size_t k = 0; k < i; ++k)
-      for (const double tau : meetings(p, solid[i], solid[k])) try_place(solid[i], tau);
+      for (const double tau : meetings(p, solid[i], solid[k])) {
+        try_place(solid[i], tau);  // both, since the ray may lie in one of the two planes
+        try_place(solid[k], tau);
+      }
   }
   return highest;
 }

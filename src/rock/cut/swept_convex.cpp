@@ -16,6 +16,12 @@ struct Search {
   std::size_t entered;
 };
 constexpr std::size_t no_plane = std::numeric_limits<std::size_t>::max();
+constexpr double touching = 1e-11;  // m
+
+/// How far x is outside plane i.
+double distance_beyond(const PlaneStrip& w, std::size_t i, const Crossing& x) {
+  return w.along[i] * x.tau + (w.up[i] + w.twist[i] * x.tau) * x.t - w.rest[i];
+}
 
 /// Whether rays between `in` and `out` may miss the solid.
 bool may_miss(const Search& s) { return s.entered != no_plane || s.out.t < 0.0; }
@@ -50,37 +56,67 @@ double rise(const PlaneStrip& w, const Crossing& x) {
 /// The plane that the ray enters too late to meet the solid, or no_plane. Entries before t = 0 do
 /// not count.
 std::size_t entered_too_late(const PlaneStrip& w, const Crossing& x) {
-  constexpr double touching = 1e-12;  // m
+  constexpr double rounding = 1e-12;  // m
   if (x.t < 0.0) return no_plane;
   const Crossing last = enter_at(w, x.tau);
-  return last.t <= x.t + touching ? no_plane : last.plane;
+  return last.t <= x.t + rounding ? no_plane : last.plane;
 }
 
-/// The nearest tau to `in` of those where two planes of the search meet: the top is not beyond any.
-/// Says whether that is the end of the solid.
-double next_tau(const PlaneStrip& w, const Search& s, bool& is_end) {
-  is_end = s.entered != no_plane;
-  const double end = is_end ? meeting(w, s.out.plane, s.entered, s) : s.out.tau;
+/// Of the planes other than `known`, the one that x is farthest beyond; no_plane if there is none.
+std::size_t farthest_beyond(const PlaneStrip& w, const Crossing& x, std::size_t known) {
+  double most = touching;
+  std::size_t farthest = no_plane;
+  for (std::size_t i = 0; i < w.columns; ++i) {
+    const double beyond = distance_beyond(w, i, x);
+    if (i == known || !(beyond > most)) continue;
+    most = beyond;
+    farthest = i;
+  }
+  return farthest;
+}
+
+/// Why to look at a tau: the ways out of `in` and `out` meet there, or the solid ends there, where
+/// the way out of `out` meets plane `entered`; or to halve the way.
+enum class Look { top, end, middle };
+
+/// Whether the planes of the look do meet at x. They also may where a third one is left before.
+bool is_corner(const PlaneStrip& w, const Search& s, Look look, const Crossing& x) {
+  if (look == Look::middle) return false;
+  const std::size_t other = look == Look::end ? s.entered : s.in.plane;
+  return std::abs(distance_beyond(w, s.out.plane, x)) <= touching &&
+         std::abs(distance_beyond(w, other, x)) <= touching;
+}
+
+/// The nearest tau to `in` of those where two planes of the search meet: the top is not beyond any
+/// that is a corner.
+double next_tau(const PlaneStrip& w, const Search& s, Look& look) {
+  const bool has_end = s.entered != no_plane;
+  look = has_end ? Look::end : Look::top;
+  const double end = has_end ? meeting(w, s.out.plane, s.entered, s) : s.out.tau;
   if (s.out.t >= 0.0 && s.side * rise(w, s.out) >= 0.0) return end;
   const double top = meeting(w, s.in.plane, s.out.plane, s);
-  if (is_end && s.side * (top - end) >= 0.0) return end;
-  is_end = false;
+  if (has_end && s.side * (top - end) >= 0.0) return end;
+  look = Look::top;
   return top;
 }
 
 /// Takes the exit at a new tau into the search. Returns whether it is the top.
-bool narrow(const PlaneStrip& w, const Crossing& x, bool is_end, Search& s) {
-  const bool same_plane = x.plane == s.out.plane;
-  const std::size_t too_late = may_miss(s) ? entered_too_late(w, x) : no_plane;
+bool narrow(const PlaneStrip& w, const Crossing& x, Look look, Search& s) {
+  const bool same_plane = x.plane == s.out.plane, corner = is_corner(w, s, look, x);
+  std::size_t too_late = may_miss(s) ? entered_too_late(w, x) : no_plane;
   if (too_late != no_plane) {
-    if (same_plane && too_late == s.entered) return true;  // the end, but for rounding
+    if (corner && same_plane && too_late == s.entered) {  // the end, but for rounding
+      too_late = farthest_beyond(w, x, s.entered);
+      if (too_late == no_plane) return true;
+    }
     s.out = x;
     s.entered = too_late;
     return false;
   }
   const double growth = x.t < 0.0 ? -1.0 : s.side * rise(w, x);
-  if (growth == 0.0 || (same_plane && (is_end || growth < 0.0))) return true;
-  if (growth > 0.0 && x.plane == s.in.plane && !is_end) return true;
+  if (growth == 0.0) return true;
+  if (corner && same_plane && (look == Look::end || growth < 0.0)) return true;
+  if (corner && growth > 0.0 && x.plane == s.in.plane && look == Look::top) return true;
   if (growth > 0.0) {
     s.in = x;
   } else {
@@ -94,11 +130,15 @@ Crossing highest(const PlaneStrip& w, Search& s, double t_max) {
   if (!may_miss(s) && s.side * rise(w, s.out) >= 0.0) return s.out;
   constexpr int most_looks = 64;  // each shows a new plane, usually one or two do
   for (int k = 0; k < most_looks; ++k) {
-    bool is_end = false;
-    const double tau = next_tau(w, s, is_end);
-    if (tau == s.in.tau) return s.in;
+    Look look{};
+    double tau = next_tau(w, s, look);
+    if (tau == s.in.tau && is_corner(w, s, look, s.in)) return s.in;
+    if (tau == s.in.tau || (tau == s.out.tau && !is_corner(w, s, look, s.out))) {
+      look = Look::middle;
+      tau = 0.5 * (s.in.tau + s.out.tau);
+    }
     const Crossing x = leave_at(w, tau);
-    if (!(x.t < t_max) || narrow(w, x, is_end, s)) return x;
+    if (!(x.t < t_max) || narrow(w, x, look, s)) return x;
   }
   return s.in;
 }
