@@ -33,8 +33,8 @@ using PerThread = tbb::enumerable_thread_specific<Room>;
 /// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit allows.
 /// Deterministic if each call writes only to data of its own i.
 #ifdef __SANITIZE_THREAD__
-/// Under the thread sanitizer: threads that it sees begin and end. Debian's TBB is not compiled for it, so that it would
-/// report every loop, and a file that hushes TBB hushes what runs inside.
+// Under the thread sanitizer: threads that it sees begin and end. Debian's TBB is not compiled for
+// it, so it would report every loop; a suppression of TBB would hush what runs inside, too.
 template <class Body>
 void parallel_for(int n, Body&& body) {
   constexpr int threads = 4;

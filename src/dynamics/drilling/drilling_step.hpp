@@ -43,6 +43,7 @@ const DrillingState& predicted(const DrillingSystem& system, double h, const Dri
 
 /// Velocity after the closing kick of the open step and the opening one of the next with this
 /// wrench, dampers between them, at positions that stand still: what the next drift moves with.
+/// Works in the state that predicted() returned.
 void velocity_after(const DrillingSystem& system, double h, const Drilling& d, const Wrench& wrench,
                     DrillingWork& work, DrillingVelocity& out);
 

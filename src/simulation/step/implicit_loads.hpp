@@ -43,7 +43,8 @@ struct ImplicitWork {
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
 };
 
-/// Velocities of the cuts' points are J u. Also L.
+/// Velocities of the cuts' points are J u. Also L: the symmetric part of A is positive, since all that
+/// acts in a step loses energy; if it were not, steepness would be NaN and the step explicit.
 void prepare(const ResistedMotion& m, ImplicitWork& work);
 
 /// How steep the laws are at u beside what the step gives way: the largest singular value of

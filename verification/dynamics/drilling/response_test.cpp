@@ -32,6 +32,15 @@ Eigen::VectorXd column_of(const Wrench& w) {
   return f;
 }
 
+/// In an open step.
+Response response_of(const DrillingSystem& s, double h, DrillingRun& d) {
+  open_step(s, h, d, d.work);
+  Response response;
+  ResponseWork room;
+  find_response(s, h, d, d.work, room, response);
+  return response;
+}
+
 /// After the step is closed with the wrench and the next one opened: momenta are then those of the
 /// drift, positions still count as they were.
 TEST(Response, is_the_velocity_of_the_next_drift) {
@@ -40,10 +49,7 @@ TEST(Response, is_the_velocity_of_the_next_drift) {
   for (int seed = 0; seed < 5; ++seed) {
     DrillingRun d = start(s, smooth_law, coupled_start(s));
     for (int i = 0; i < 10 * seed; ++i) step(s, smooth_law, h, d);
-    open_step(s, h, d, d.work);
-    Response response;
-    ResponseWork room;
-    find_response(s, h, d, d.work, room, response);
+    const Response response = response_of(s, h, d);
     const Wrench w = some_wrench(seed);
     const Eigen::VectorXd told = response.free + response.A * column_of(w);
     close_step(s, h, w, d, d.work);
@@ -58,15 +64,12 @@ TEST(Response, is_the_velocity_of_the_next_drift) {
   }
 }
 
-/// What an impulse of a force does to a velocity it does to the velocity of the force: with dampers
-/// that act in turn only nearly so.
+/// A load on one freedom moves another as much as a load on that one moves the first: not quite,
+/// since dampers act in turn.
 TEST(Response, is_positive_and_nearly_symmetric) {
   const DrillingSystem s = linear_bit();
   DrillingRun d = start(s, smooth_law, coupled_start(s));
-  open_step(s, 1e-3, d, d.work);
-  Response response;
-  ResponseWork room;
-  find_response(s, 1e-3, d, d.work, room, response);
+  const Response response = response_of(s, 1e-3, d);
   const Eigen::MatrixXd even = 0.5 * (response.A + response.A.transpose());
   EXPECT_LT((response.A - even).norm(), 0.02 * even.norm());
   EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(even).info(), Eigen::Success);
@@ -75,10 +78,7 @@ TEST(Response, is_positive_and_nearly_symmetric) {
 TEST(Response, leaves_out_rock_that_is_held) {
   const DrillingSystem s = plain_bit();
   DrillingRun d = start(s, nullptr, at_rest(s));
-  open_step(s, 1e-3, d, d.work);
-  Response response;
-  ResponseWork room;
-  find_response(s, 1e-3, d, d.work, room, response);
+  const Response response = response_of(s, 1e-3, d);
   ASSERT_EQ(response.free.size(), 6);
   EXPECT_NEAR(response.A(2, 2), 1e-3 / s.mass, 1e-18);
 }

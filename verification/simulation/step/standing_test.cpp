@@ -222,6 +222,42 @@ TEST(Stands, alike_at_every_step_of_stick_slip) {
   EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.2);  // required
 }
 
+class Steepness : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Cases, Steepness,
+                         testing::Values("drill-bit-b", "drill-bit-r", "laboratory", "stick-slip"),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+/// Where the cheap bound keeps a step explicit, what it bounds would have done so too.
+TEST_P(Steepness, is_below_its_bound) {
+  const Case c =
+      read_case(std::string(TDBD_SOURCE_DIR "/cases/") + GetParam() + ".toml",
+                {"rock.edge_length='4 mm'", "time.step='0.2 ms'", "time.duration='0.1 s'"});
+  Simulation s = start(c);
+  int bounded = 0;
+  while (s.state.steps_done < c.time.steps) {
+    const Move move = half_step(c, s);
+    const double bound = s.work.standing.steepness;
+    if (bound <= 1.0 && !s.work.cuts.empty()) {
+      StandingWork& room = s.work.standing_work;
+      dynamics::find_response(c.drilling.system, move.dt, *s.state.drive, s.work.drive,
+                              room.responding, room.response);
+      const ResistedMotion m = motion_of(c, s, move);
+      prepare(m, room.implicit);
+      EXPECT_LE(steepness(m, room.implicit.u, room.implicit), bound);
+      ++bounded;
+    }
+    kick(c, move, s.state, s.work);
+    ++s.state.steps_done;
+    maintain(c, s.state, s.work);
+  }
+  EXPECT_GT(bounded, 20);
+}
+
 /// A bit that drills is far from it: its steps are explicit, as if nothing were asked.
 TEST(Stands, never_while_it_drills) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml",

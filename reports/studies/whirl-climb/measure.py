@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""How fast a whirling bit climbs, beside how fast a screw of its lean would: cases/drill-bit-b-whirl with strings that bend
+ever more easily. Writes climb.csv beside itself, ten seconds; wants a release build.
+
+    measure.py
+"""
+
+import csv
+import pathlib
+import subprocess
+import tempfile
+
+import numpy as np
+import xarray
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+HERE = pathlib.Path(__file__).resolve().parent
+RING_RADIUS, RING_HEIGHT = 0.10795, 0.08  # m: gage radius of bit B, wall.ring_height
+FROM = 0.5  # s: by then the bit rolls
+# bending stiffness in N m/rad, its damping in N m s/rad, edges in mm
+STRINGS = [("1e7", "1e5", "1.5"), ("1e7", "1e5", "3"), ("2e6", "2e4", "3"), ("1e6", "1e4", "3"), ("1e6", "1e3", "3"), ("2e5", "1e3", "3")]
+
+
+def drill(folder, stiffness, damping, edges):
+    out = pathlib.Path(folder) / "run"
+    command = [str(ROOT / "build/release/tdbd"), "run", str(ROOT / "cases/drill-bit-b-whirl.toml"), "-o", str(out), "--force",
+               "--set", f'string.bending_stiffness="{stiffness} N m/rad"', "--set", f'string.bending_damping="{damping} N m s/rad"',
+               "--set", f'rock.edge_length="{edges} mm"']
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        raise SystemExit(result.stderr)
+    with xarray.open_dataset(out / "history.nc") as history:
+        return history.load()
+
+
+def axes(history):
+    """The bit's axis in space at every row: R e_z of the rotation vector."""
+    vector = np.stack([history[f"rotation_vector_{x}"].values for x in "xyz"], 1)
+    angle = np.linalg.norm(vector, axis=1, keepdims=True)
+    n = vector / np.where(angle == 0.0, 1.0, angle)
+    cosine = np.cos(angle)
+    z = np.array([0.0, 0.0, 1.0])
+    return cosine * z + np.sin(angle) * np.cross(n, z) + (1.0 - cosine) * n[:, 2:] * n
+
+
+def climb(history):
+    """Means since FROM: the climb, lean times travel of the touching point over the wall, and the difference: slip."""
+    time, axis = history.time.values, axes(history)
+    centre = np.stack([history[f"position_{x}"].values for x in "xyz"], 1) - RING_HEIGHT * axis
+    e = np.hypot(centre[:, 0], centre[:, 1])
+    around = np.gradient(np.unwrap(np.arctan2(centre[:, 1], centre[:, 0])), time)
+    tangent = np.stack([-centre[:, 1], centre[:, 0]], 1) / np.maximum(e, 1e-12)[:, None]
+    lean = np.sum(axis[:, :2] * tangent, 1)
+    travel = around * (RING_RADIUS + e)
+    late = time > FROM
+    speed = -np.gradient(centre[:, 2], time)[late]
+    screw = (lean * travel)[late]
+    return {"climb, mm/s": f"{1e3 * speed.mean():.2f}", "lean times travel, mm/s": f"{1e3 * screw.mean():.2f}",
+            "centre's circle, mm": f"{1e3 * e[late].mean():.2f}", "orbit, Hz": f"{around[late].mean() / (2.0 * np.pi):.1f}",
+            "centre's speed, m/s": f"{np.mean(np.abs(around * e)[late]):.2f}", "travel, m/s": f"{travel[late].mean():.1f}",
+            "lean, mrad": f"{1e3 * lean[late].mean():.3f}"}
+
+
+def main():
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for stiffness, damping, edges in STRINGS:
+            given = {"bending stiffness, N m/rad": stiffness, "damping, N m s/rad": damping, "edges, mm": edges}
+            rows.append({**given, **climb(drill(folder, stiffness, damping, edges))})
+            print(rows[-1], flush=True)
+    with open(HERE / "climb.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()
