@@ -45,9 +45,13 @@ inline constexpr QuantityKey attachment_height{
     .name = "attachment_height",
     .unit = "m",
     .fallback = 0.0,
+    .range = Range::within(-100.0, 100.0),
     .meaning = "of the place where the string holds the bit, above the bit's origin"};
-inline constexpr QuantityKey gravity{
-    .name = "gravity", .unit = "m/s2", .fallback = 9.80665, .meaning = "along +z"};
+inline constexpr QuantityKey gravity{.name = "gravity",
+                                     .unit = "m/s2",
+                                     .fallback = 9.80665,
+                                     .range = Range::within(0.0, 100.0),
+                                     .meaning = "along +z"};
 
 }  // namespace string_keys
 
@@ -59,16 +63,17 @@ inline constexpr QuantityKey stiffness{
     .name = "stiffness", .unit = "N/m", .range = above_zero_to_largest, .meaning = "of the wall"};
 inline constexpr QuantityKey clearance{.name = "clearance",
                                        .unit = "m",
-                                       .range = Range::non_negative(),
+                                       .range = Range::within(0.0, 10.0),
                                        .meaning = "radius of the hole less that of the ring"};
 inline constexpr QuantityKey ring_radius{.name = "ring_radius",
                                          .unit = "m",
                                          .usual = "the bit's gage radius",
-                                         .range = Range::positive(),
+                                         .range = {0.0, 10.0, Range::Ends::open_lo},
                                          .meaning = "of the ring"};
 inline constexpr QuantityKey ring_height{.name = "ring_height",
                                          .unit = "m",
                                          .fallback = 0.0,
+                                         .range = Range::within(-100.0, 100.0),
                                          .meaning = "of the ring above the bit's origin"};
 inline constexpr QuantityKey restitution{.name = "restitution",
                                          .fallback = dynamics::Wall{}.restitution,
@@ -76,12 +81,12 @@ inline constexpr QuantityKey restitution{.name = "restitution",
                                          .meaning = "speed after an impact over that before it"};
 inline constexpr QuantityKey friction{.name = "friction",
                                       .fallback = dynamics::Wall{}.friction,
-                                      .range = Range::non_negative(),
+                                      .range = Range::within(0.0, 10.0),
                                       .meaning = "Coulomb's coefficient along the wall"};
 inline constexpr QuantityKey slip_speed{.name = "slip_speed",
                                         .unit = "m/s",
                                         .fallback = dynamics::Wall{}.slip_speed,
-                                        .range = Range::non_negative(),
+                                        .range = Range::within(0.0, 100.0),
                                         .meaning = "below which friction fades; 0: it does not"};
 
 }  // namespace wall_keys
