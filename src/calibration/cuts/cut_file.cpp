@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/plain_path.hpp"
 #include "core/provenance.hpp"
+#include "core/seal.hpp"
 #include "core/whole_file.hpp"
 
 namespace tdbd::calibration {
@@ -140,6 +141,15 @@ bool is_newer_than_the_program(const std::filesystem::path& file) {
   return error || std::filesystem::last_write_time(file) >= built;
 }
 
+bool is_whole(const std::filesystem::path& file) {
+  try {
+    require_seal(file);
+    return true;
+  } catch (const RunError&) {
+    return false;
+  }
+}
+
 bool read_rows(const Nc& nc, CutRun& run) {
   int part = -1;
   std::size_t n = 0;
@@ -180,12 +190,15 @@ void write_cut_run(const std::filesystem::path& file, const CutRun& run,
     nc.require(nc_sync(nc.id));
     put_on_disk(nc.path);
     nc.require(nc_close(std::exchange(nc.id, -1)));
+    seal_file(nc.path);
+    put_on_disk(nc.path);
   }
   rename_partial(file);
 }
 
 std::optional<CutRun> read_cut_run(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file) || !is_newer_than_the_program(file))
+  if (!std::filesystem::is_regular_file(file) || !is_newer_than_the_program(file) ||
+      !is_whole(file))
     return std::nullopt;
   Nc nc{file};
   if (nc_open(PlainPath(file).c_str(), NC_NOWRITE, &nc.id) != NC_NOERR) return std::nullopt;

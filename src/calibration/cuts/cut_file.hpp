@@ -8,7 +8,7 @@
 namespace tdbd::calibration {
 
 /// Writes a cut run as NetCDF: a row for each part of the bit that touches rock, all columns with
-/// units, whole or not at all. `names` are those of the bit's parts. Throws RunError.
+/// units, whole or not at all, under a seal (core/seal.hpp). `names` are those of the bit's parts. Throws RunError.
 void write_cut_run(const std::filesystem::path& file, const CutRun& run,
                    const std::vector<std::string>& names);
 

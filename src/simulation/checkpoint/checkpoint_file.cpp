@@ -14,9 +14,9 @@
 #include "core/error.hpp"
 #include "core/memory_left.hpp"
 #include "core/plain_path.hpp"
+#include "core/seal.hpp"
 #include "core/whole_file.hpp"
 #include "simulation/checkpoint/hdf5_at_exit.hpp"
-#include "simulation/checkpoint/seal.hpp"
 
 namespace tdbd::simulation {
 namespace {

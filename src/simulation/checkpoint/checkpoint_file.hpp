@@ -8,7 +8,7 @@
 namespace tdbd::simulation {
 
 /// What a checkpoint's file holds: a NetCDF file (CDF-5) with the columns of the tape and the case,
-/// under a seal (seal.hpp).
+/// under a seal (core/seal.hpp).
 struct CheckpointFile {
   std::string version;    ///< of tdbd
   std::string case_hash;  ///< Case::hash

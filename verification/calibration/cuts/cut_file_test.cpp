@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "calibration/made_up_laboratory.hpp"
 #include "verification/core/temporary_file.hpp"
 
@@ -48,6 +50,22 @@ TEST(CutFile, that_is_torn_is_none) {
     fs::resize_file(file, static_cast<std::uintmax_t>(share * static_cast<double>(whole)));
     EXPECT_FALSE(read_cut_run(file)) << share;
     write_cut_run(file, made_up_run(made_up_bits()[0], 1e-3), std::vector<std::string>(64, "part"));
+  }
+}
+
+/// NetCDF never sees such a file: it trusts the numbers of a header.
+TEST(CutFile, with_a_changed_byte_is_none) {
+  const CutRun run = made_up_run(made_up_bits()[0], 1e-3);
+  const auto whole = static_cast<std::streamoff>(fs::file_size(written(run)));
+  for (const double place : {0.0, 0.01, 0.1, 0.3, 0.6, 0.9, 0.999}) {
+    const fs::path file = written(run);
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekg(static_cast<std::streamoff>(place * static_cast<double>(whole)));
+    const int byte = bytes.peek();
+    bytes.seekp(bytes.tellg());
+    bytes.put(static_cast<char>(byte ^ 0x40));
+    bytes.close();
+    EXPECT_FALSE(read_cut_run(file)) << place;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "simulation/checkpoint/seal.hpp"
+#include "core/seal.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "core/hash.hpp"
 #include "core/read_file.hpp"
 
-namespace tdbd::simulation {
+namespace tdbd {
 namespace {
 
 std::string seal_of(std::string_view bytes) {
@@ -19,7 +19,7 @@ std::string seal_of(std::string_view bytes) {
 
 std::string sealed_bytes(const std::filesystem::path& path) {
   try {
-    return read_file(path, "a checkpoint");
+    return read_file(path, "a file with a seal");
   } catch (const InputError& e) {
     throw RunError(e.what());
   }
@@ -40,7 +40,7 @@ void require_seal(const std::filesystem::path& path) {
   const std::size_t length = seal_of("").size();
   const std::size_t data = bytes.size() < length ? 0 : bytes.size() - length;
   if (bytes.substr(data) != seal_of(bytes.substr(0, data)))
-    throw RunError(fmt::format("checkpoint {}: it is torn or was changed", path.string()));
+    throw RunError(fmt::format("{}: it is torn or was changed", path.string()));
 }
 
-}  // namespace tdbd::simulation
+}  // namespace tdbd
