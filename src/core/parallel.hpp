@@ -6,7 +6,13 @@
 
 #include <cstddef>
 
-#ifdef __SANITIZE_THREAD__
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define TDBD_WATCHES_THREADS
+#endif
+#endif
+
+#ifdef TDBD_WATCHES_THREADS
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -32,7 +38,7 @@ using PerThread = tbb::enumerable_thread_specific<Room>;
 
 /// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit allows.
 /// Deterministic if each call writes only to data of its own i.
-#ifdef __SANITIZE_THREAD__
+#ifdef TDBD_WATCHES_THREADS
 // Under the thread sanitizer: threads that it sees begin and end. Debian's TBB is not compiled for
 // it, so it would report every loop; a suppression of TBB would hush what runs inside, too.
 template <class Body>
