@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "verification/battery/generators.hpp"
@@ -58,6 +59,9 @@ TEST(Schedule, refuses_what_is_none) {
   EXPECT_EQ(reason({0.0, 1.0}, {1.0}), "2 times for 1 values");
   EXPECT_EQ(reason({0.0, 0.0}, {1.0, 2.0}), "entry 2: 0 s does not come after 0 s");
   EXPECT_EQ(reason({0.0}, {std::nan("")}), "entry 1: nan at 0 s is not finite");
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(reason({0.0, std::nan("")}, {1.0, 2.0}), "entry 2: 2 at nan s is not finite");
+  EXPECT_EQ(reason({0.0, inf}, {1.0, 2.0}), "entry 2: 2 at inf s is not finite");
   EXPECT_EQ(reason({}, {}), "");
   EXPECT_THROW(make_schedule(Interpolation::linear, {1.0, 0.0}, {0.0, 0.0}), InputError);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics::residual_order_test {
@@ -56,6 +58,24 @@ TEST(ResidualOrder, is_not_told_of_rounding) {
   const ResidualOrder found = residual_order(1e-3, lumped_window(s, nullptr, from, 1e-3));
   EXPECT_FALSE(found.order);
   EXPECT_NE(found.reason.find("is at rounding"), std::string::npos) << found.reason;
+}
+
+/// One level at rounding is enough, whichever it is; the first of several is named.
+TEST(ResidualOrder, names_the_first_level_at_rounding) {
+  const auto reason_where = [](std::vector<int> at_rounding) {
+    const ResidualOrder found = residual_order(0.01, [&](int parts) {
+      const bool is_rounding = std::ranges::count(at_rounding, parts) > 0;
+      return WindowResiduals{{is_rounding ? 1e-30 : 1.0 / parts}, 8.0};
+    });
+    EXPECT_FALSE(found.order);
+    EXPECT_EQ(found.residuals.size(), 3U);
+    return found.reason;
+  };
+  EXPECT_EQ(
+      reason_where({4}),
+      "the residual is at rounding: 1e-30 J with a step of 0.0025 s, where 8 J came and went");
+  EXPECT_EQ(reason_where({2, 4}),
+            "the residual is at rounding: 1e-30 J with a step of 0.005 s, where 8 J came and went");
 }
 
 }  // namespace tdbd::dynamics::residual_order_test

@@ -72,4 +72,33 @@ TEST(Collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
   EXPECT_GT(accepted, 10);
 }
 
+/// The distance of a collapse adds to that of those before it (M6): some that are accepted alone
+/// are refused after others.
+TEST(Collapse, after_others_may_be_too_far_from_the_first_surface) {
+  constexpr double smallest = 1e-6;  // m: most of the sheet's collapses move it by 1e-2
+  MaintenanceLimits l = limits();
+  l.farthest = 0.05;
+  int noted = 0, too_far = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.15, seed));
+    const mesh::Surface& s = rock.surface;
+    SurfaceDrift drift;
+    MaintenanceReport report;
+    std::vector<int> ring;
+    for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
+      if (!s.triangle_is_alive(c / 3)) continue;
+      const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+      const CollapseVerdict alone = judge_collapse(s, a, b, l, {}),
+                            v = judge_collapse(s, a, b, l, drift);
+      too_far += is_accepted(alone) && v.refused == Refusal::distance;
+      const int keep = v.corner < 0 ? a : s.vertex(mesh::next_corner(v.corner));
+      if (!try_collapse(rock, a, b, l, ring, drift, report) || v.drift < smallest) continue;
+      EXPECT_GE(drift.of(keep), v.drift);
+      ++noted;
+    }
+  }
+  EXPECT_GT(noted, 20);
+  EXPECT_GT(too_far, 5);
+}
+
 }  // namespace tdbd::rock::collapse_test

@@ -75,4 +75,20 @@ TEST(Untangle, parts_layers_that_pass_through_each_other) {
   EXPECT_EQ(on.broken, "");
 }
 
+/// Where no place is near enough, the refusals say so, by name.
+TEST(Untangle, counts_why_it_is_refused) {
+  MaintenanceLimits l = limits();
+  l.untangle_farthest = 1e-9;  // m: no collapse moves so little
+  MaintenanceReport report;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Rock rock = tangled(seed);
+    MaintenanceWorkspace work;
+    maintain(rock, l, work, report);
+  }
+  const auto& why = report.refused[static_cast<std::size_t>(Operation::untangling)];
+  EXPECT_GT(why[static_cast<std::size_t>(Refusal::distance)], 5);
+  EXPECT_EQ(why[static_cast<std::size_t>(Refusal::intersection)], 0);
+  EXPECT_EQ(report.carried_out(Operation::untangling), 0);
+}
+
 }  // namespace tdbd::rock::untangle_test

@@ -25,12 +25,18 @@ struct Scene {
   explicit Scene(const std::vector<double>& places,
                  const mesh::TriangleMesh& mesh_P = battery::box(Vec3(-0.35, -0.25, -1.0),
                                                                  Vec3(0.35, 0.25, 0.0))) {
-    for (const double x : places) {
-      bit::Part& part = bit.parts.emplace_back();
-      part.name = "block";
-      part.mesh_P = mesh_P;
-      part.X_BP = at_place(x, 0.0);
-    }
+    for (const double x : places) add_block(x, mesh_P);
+    prepare();
+  }
+
+  void add_block(double x, const mesh::TriangleMesh& mesh_P) {
+    bit::Part& part = bit.parts.emplace_back();
+    part.name = "block";
+    part.mesh_P = mesh_P;
+    part.X_BP = at_place(x, 0.0);
+  }
+
+  void prepare() {
     cutting = prepare_cutting_bit(bit);
     const mesh::TriangleMesh flat = battery::flat_rock(1.0, 0.0, 20);
     rock = make_rock(mesh::make_surface(flat), 0.2, mesh::bounding_box(flat));
@@ -111,6 +117,19 @@ TEST(ContactArea, is_that_of_each_part) {
   twice.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
   EXPECT_NEAR(twice.contacts[0].area, 0.24, rounding);
   EXPECT_NEAR(twice.contacts[1].area, 0.24, rounding);
+}
+
+/// Each by its own motion, also where nothing is moved: one block has 0.6 x 0.4 of vertices below
+/// it, the other 0.4 x 0.2.
+TEST(ContactArea, of_blocks_that_slide_is_that_of_each) {
+  Scene s({-0.4});
+  s.add_block(0.5, battery::box(Vec3(-0.25, -0.15, -1.0), Vec3(0.25, 0.15, 0.0)));
+  s.prepare();
+  ASSERT_EQ(s.cutting.groups.size(), 2U);
+  s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
+  s.move(at_place(0.0, 0.02), at_place(0.02, 0.02));
+  EXPECT_NEAR(s.contacts[0].area, 0.24, rounding);
+  EXPECT_NEAR(s.contacts[1].area, 0.08, rounding);
 }
 
 }  // namespace tdbd::rock::contact_area_test

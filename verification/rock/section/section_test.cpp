@@ -166,6 +166,39 @@ RC_GTEST_PROP(Section, is_what_columns_of_the_carried_face_find_in_the_rock, ())
   RC_ASSERT((s.centroid_B - centroid_B).norm() <= 2e-3 * width * width * width / columns.area);
 }
 
+/// The part of the outline that goes forward, by Sutherland and Hodgman's clipping.
+std::vector<Vec2> forward_part(const AnySection& a) {
+  const std::vector<Vec2>& rim = a.face.rim_F;
+  const auto speed = [&](const Vec2& x_F) {
+    const Vec3 x_B = a.face.X_BF * Vec3(0.0, x_F.x(), x_F.y());
+    return a.face.X_BF.R.col(0).dot(rotation::velocity_B(a.twist, x_B));
+  };
+  std::vector<Vec2> part;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Vec2 &p = rim[i], &q = rim[(i + 1) % rim.size()];
+    const double v = speed(p), w = speed(q);
+    if (v >= 0.0) part.push_back(p);
+    if (v * w < 0.0) part.push_back(p + v / (v - w) * (q - p));
+  }
+  return part;
+}
+
+/// A face that turns about an axis within it goes backwards on one side. With next to no lead its
+/// section lies in its own plane, and the twin knows it.
+RC_GTEST_PROP(Section, of_a_turning_face_is_that_of_its_forward_part, ()) {
+  constexpr double hardly = 1e-7;  // m of lead, and rad of turn
+  AnySection a = any_section();
+  const double side = *rc::gen::element(-1.0, 1.0);
+  a.twist = {Vec3(0.0, 0.0, side * *battery::number(4.0, 20.0)), Vec3::UnitX()};
+  const std::vector<Vec2> forward = forward_part(a);
+  RC_PRE(forward.size() > 2U);
+  const Section s = section_of(rock_of(a.rock_W, 0.2), a.face, a.X_WB, a.twist,
+                               {hardly, longest_edge(a.rock_W), -1, hardly});
+  const auto columns = reference::section_by_columns(a.rock_W, a.X_WB * a.face.X_BF, forward, 2000);
+  const double radius_of_face = a.face.rim_F[0].norm();
+  RC_ASSERT(std::abs(s.area - columns.area) <= 2e-3 * radius_of_face * radius_of_face);
+}
+
 /// Cells as large as the rock offer every triangle; small ones must find all that count. The turn
 /// and the axis within the face make strips.
 RC_GTEST_PROP(Section, from_the_grid_is_that_from_all_triangles, ()) {
@@ -277,6 +310,20 @@ TEST(Section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {
   EXPECT_EQ(sight_at(-0.9), Sight::none);
   EXPECT_EQ(sight_at(0.4), Sight::over_the_top);
   EXPECT_EQ(sight_at(0.9), Sight::none);
+}
+
+/// The outline may reach a quarter of the reach over the face, which is doubled for rock that the
+/// lower half of the face does not meet.
+TEST(Section, counts_a_quarter_of_the_reach_over_the_face_as_its_own) {
+  const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
+  const FaceOutline face = face_along_x(radius, 32, rake);
+  const double top = radius + 0.25 * (2.0 * 0.15);
+  const auto sight_at = [&](double height_F) {
+    const Vec3 p_W(0.0, 0.0, height_F * std::cos(rake));
+    return section_of(rock, face, {Mat3::Identity(), p_W}, along_x, {0.12, 0.15}).sight;
+  };
+  EXPECT_EQ(sight_at(0.99 * top), Sight::clear);
+  EXPECT_EQ(sight_at(1.01 * top), Sight::over_the_top);
 }
 
 }  // namespace tdbd::rock::section_test

@@ -124,6 +124,13 @@ TEST(Diagnosis, does_not_take_rocking_for_whirl) {
 }
 
 /// Between two lines of the spectrum, whatever the phase: within a twentieth of a line.
+/// The longest wave that a record can show; to half a line, since the mean has no part in it.
+TEST(StrongestFrequency, is_found_of_one_period) {
+  std::vector<double> samples;
+  for (int i = 0; i < steps; ++i) samples.push_back(std::sin(two_pi * i / steps));
+  EXPECT_NEAR(strongest_frequency(samples, dt), 1.0 / (steps * dt), 0.5 / (steps * dt));
+}
+
 TEST(StrongestFrequency, is_found_between_lines) {
   constexpr int count = 1000;
   for (int k = 0; k < 40; ++k) {

@@ -139,6 +139,22 @@ TEST(Drive, does_the_same_twice_and_on_two_threads) {
   expect_same(first, drilled(c));
 }
 
+/// A cone's speed is that of the step, whether teeth or bearings changed it.
+TEST(Drive, has_the_speed_of_the_turn_of_its_cones) {
+  const Case c = drilling({}, "drill-bit-r");
+  Simulation s = start(c);
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<ConeState> before = s.state.cones;
+    step(c, s);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const ConeState& cone = s.state.cones[k];
+      EXPECT_EQ(cone.turned, cone.angle - before[k].angle);
+      EXPECT_NEAR(cone.speed * c.time.step, cone.turned, 1e-12 * std::abs(cone.angle));
+      EXPECT_NE(cone.turned, 0.0);
+    }
+  }
+}
+
 /// Cones turn as the teeth's forces make them; the mesh stays sound and the ledger closes.
 TEST(Drive, turns_cones_by_the_forces_on_their_teeth) {
   const Case c = drilling({}, "drill-bit-r");

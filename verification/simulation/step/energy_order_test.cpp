@@ -84,6 +84,11 @@ TEST(EnergyOrder, begins_with_the_means_at_a_maintenance_and_fits_the_run) {
             "output.energy_order = \"always\"");
   EXPECT_EQ(plan_energy_order(drilling({"output.energy_order=off"})).reason,
             "output.energy_order is off");
+  Case c = drilling({});
+  c.time.steps = 1680;
+  EXPECT_EQ(plan_energy_order(c).reason, "");
+  c.time.steps = 1679;
+  EXPECT_NE(plan_energy_order(c).reason, "");
 }
 
 std::string read(const std::filesystem::path& file) {
