@@ -128,7 +128,7 @@ TEST(Diagnosis, does_not_take_rocking_for_whirl) {
 TEST(StrongestFrequency, is_found_of_one_period) {
   std::vector<double> samples;
   for (int i = 0; i < steps; ++i) samples.push_back(std::sin(two_pi * i / steps));
-  EXPECT_NEAR(strongest_frequency(samples, dt), 1.0 / (steps * dt), 0.5 / (steps * dt));
+  EXPECT_NEAR(strongest_frequency(samples, dt), 1.0 / (steps * dt), 0.45 / (steps * dt));
 }
 
 TEST(StrongestFrequency, is_found_between_lines) {

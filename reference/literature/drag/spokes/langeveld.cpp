@@ -61,9 +61,9 @@ std::vector<double> tip_widths(const std::vector<SpokeCutter>& cutters) {
   for (const SpokeCutter& c : cutters) radii.push_back(std::hypot(c.tip_B.x(), c.tip_B.y()));
   distinct = radii;
   std::ranges::sort(distinct);
-  distinct.erase(
-      std::ranges::unique(distinct, [](double a, double b) { return b - a < same; }).begin(),
-      distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end(),
+                             [](double a, double b) { return b - a < same; }),
+                 distinct.end());
   for (const double r : radii) {
     const auto next = std::ranges::upper_bound(distinct, r + same);
     const auto own = next - 1;
