@@ -130,6 +130,8 @@ TEST(ContactArea, of_blocks_that_slide_is_that_of_each) {
   s.move(at_place(0.0, 0.02), at_place(0.02, 0.02));
   EXPECT_NEAR(s.contacts[0].area, 0.24, rounding);
   EXPECT_NEAR(s.contacts[1].area, 0.08, rounding);
+  EXPECT_LT((s.contacts[0].centroid_W - Vec3(-0.4, 0.0, 0.02)).norm(), rounding);
+  EXPECT_LT((s.contacts[1].centroid_W - Vec3(0.5, 0.0, 0.02)).norm(), rounding);
 }
 
 }  // namespace tdbd::rock::contact_area_test
