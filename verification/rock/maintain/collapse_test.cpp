@@ -15,10 +15,15 @@ namespace tdbd::rock::collapse_test {
 
 constexpr double h = 0.9;  // limits for rock three times as coarse as the roof's edges
 
-/// Two slopes of 45 degrees that meet in a ridge along x, in edges of 0.3, every vertex touched.
+/// Two slopes of 40 to 50 degrees that meet in a ridge along x, in uneven edges of 0.3, every vertex
+/// touched.
 Rock roof() {
-  mesh::TriangleMesh m = any_sheet(0.0);
-  for (Vec3& x : m.positions) x.z() = std::abs(x.y());
+  mesh::TriangleMesh m = any_sheet(0.1);
+  const double rise = *battery::number(0.84, 1.19), along = *battery::number(-0.1, 0.1);
+  for (Vec3& x : m.positions) {
+    if (std::abs(x.y()) < 0.15) x.y() = 0.0;  // the ridge's vertices
+    x.z() = rise * std::abs(x.y()) + along * x.x();
+  }
   Rock rock = rock_of(m);
   for (int v = 0; v < rock.surface.vertex_slots(); ++v) touch(rock, v);
   return rock;

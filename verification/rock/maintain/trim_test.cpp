@@ -59,7 +59,7 @@ RC_GTEST_PROP(Trim, leaves_a_disc_and_the_rest_alone, ()) {
   }
   for (int v = 0; v < before.vertex_slots(); ++v)
     if (rock.surface.is_alive(v)) RC_ASSERT(rock.surface.position(v) == before.position(v));
-  RC_TAG(report.triangles > 0 ? "trims" : "nothing above");
+  RC_ASSERT(report.triangles > 0 || z < -0.6);  // below an edge or two there is nothing to take
 }
 
 /// All of a plain wall above the plane goes.
@@ -69,7 +69,7 @@ RC_GTEST_PROP(Trim, takes_all_that_is_above_the_plane, ()) {
   TrimWorkspace work;
   TrimReport report;
   trim_wall(rock, -1e300, z, work, report);
-  RC_TAG(report.triangles > 0 ? "trims" : "nothing above");
+  RC_ASSERT(report.triangles > 0 || z < -0.6);
   RC_ASSERT(triangles_above(rock.surface, z) == 0);
 }
 
