@@ -48,7 +48,7 @@ Surface made_anew(const Surface& s, const std::vector<int>& order) {
   for (const Triangle& t : s.triangles) {
     if (t[0] < 0) continue;
     Triangle n{number[at(t[0])], number[at(t[1])], number[at(t[2])]};
-    std::ranges::rotate(n, std::ranges::min_element(n));
+    std::rotate(n.begin(), std::ranges::min_element(n), n.end());
     m.triangles.push_back(n);
   }
   std::ranges::sort(m.triangles);

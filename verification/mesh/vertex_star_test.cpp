@@ -46,7 +46,8 @@ void require_stars_of_corners(const Surface& s) {
     if (ring.empty()) continue;
     std::vector<int> expected = ring_by_corners(s, v);
     RC_ASSERT((s.star(v).open != 0) == s.is_boundary(v));
-    if (!s.is_boundary(v)) std::ranges::rotate(expected, std::ranges::min_element(expected));
+    if (!s.is_boundary(v))
+      std::rotate(expected.begin(), std::ranges::min_element(expected), expected.end());
     RC_ASSERT(ring == expected);
   }
 }

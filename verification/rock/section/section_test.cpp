@@ -236,7 +236,7 @@ RC_GTEST_PROP(Section, from_a_list_of_near_vertices_is_that_from_the_grid, ()) {
 RC_GTEST_PROP(Section, has_the_same_bits_however_the_rock_is_numbered, ()) {
   const AnySection a = any_section();
   const mesh::TriangleMesh& m = a.rock_W;
-  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  Random random{*rc::gen::arbitrary<std::uint64_t>()};
   const auto shuffled = [&](std::size_t count) {
     std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);

@@ -84,7 +84,7 @@ TEST(Motion, whirl_grows_linearly_over_its_ramp) {
 }
 
 Vec3 arbitrary(const std::uint64_t seed, double size) {
-  Random random(seed);
+  Random random{seed};
   return size *
          Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
 }
