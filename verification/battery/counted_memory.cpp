@@ -32,6 +32,10 @@ std::size_t rounded_up(std::size_t size, std::size_t alignment) {
 void* operator new(std::size_t size) {
   return counted(std::malloc(std::max<std::size_t>(size, 1)));
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  void* p = std::malloc(std::max<std::size_t>(size, 1));
+  return p == nullptr ? p : counted(p);
+}
 void* operator new(std::size_t size, std::align_val_t align) {
   const auto alignment = static_cast<std::size_t>(align);
   return counted(std::aligned_alloc(alignment, rounded_up(size, alignment)));

@@ -1,11 +1,12 @@
 """measure.py RESULT_FOLDER: the data of this study from a result of tdbd run cases/bit-r-rolling.toml.
 
-Writes cone_speeds.csv, rows.csv and run.json beside this script.
+Writes cone_speeds.csv, rows.csv and run.json beside this script. Wants a release build, for the self-intersections.
 """
 
 import csv
 import json
 import math
+import subprocess
 import sys
 from pathlib import Path
 
@@ -14,6 +15,13 @@ import netCDF4
 HERE = Path(__file__).resolve().parent
 KEPT = ("commit", "compiler", "flags", "case_hash", "steps", "revolutions", "volume_ledger_defect", "rock_triangles_end",
         "rock_quality_min", "cones")
+
+
+def intersecting_pairs(folder):
+    """Of the surface that the run left, by CGAL."""
+    tool = HERE.parents[2] / "build/release/reference/tools/self-intersections"
+    told = subprocess.run([tool, folder / "rock_final.ply"], capture_output=True, text=True, check=True).stdout
+    return int(told.split("self-intersecting pairs")[1])
 
 
 def write(name, rows):
@@ -42,7 +50,7 @@ def main(folder):
     write("cone_speeds.csv", speeds(folder, summary))
     write("rows.csv", [["cone", "row", "rolling_ratio"]] + [
         [cone["name"], i, row["rolling_ratio"]] for cone in bit["cones"] for i, row in enumerate(cone["rows"], 1)])
-    (HERE / "run.json").write_text(json.dumps({k: summary[k] for k in KEPT}, indent=1) + "\n", encoding="utf-8")
+    (HERE / "run.json").write_text(json.dumps({k: summary[k] for k in KEPT} | {"intersecting_pairs": intersecting_pairs(folder)}, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,121 @@
+#!/usr/bin/python3
+"""The block of README.md that says what was measured: written anew, or compared.
+
+    reports/readme.py --write [--build DIR]     from evidence and studies; also writes reports/readme.json
+    reports/readme.py --check                   README.md and the studies against reports/readme.json
+
+reports/readme.json keeps the numbers, so that README.md can be checked where no test has run yet. `scripts/report --readme`
+calls the first; tests and `scripts/report --check` the second, the last also with the evidence.
+"""
+
+import argparse
+import json
+import os
+import sys
+from pathlib import Path
+
+import evidence
+import manifest as manifests
+from fingerprint import Stale
+from readme_rows import ROWS, Measured
+
+HERE = Path(__file__).resolve().parent
+BEGIN, END = "<!-- measured: scripts/report --readme writes what follows -->", "<!-- end of measured -->"
+REMEDY = "run scripts/report --readme"
+
+
+def text_of(row, numbers):
+    values = row.value.format(*(numbers[n.key()] for n in row.numbers))
+    return f"| {row.what} | {values} | {row.by} |"
+
+
+def block(numbers, rows):
+    return [BEGIN, "| | measured | by |", "|---|---|---|", *(text_of(row, numbers) for row in rows), END]
+
+
+def read_kept(root):
+    return json.loads((Path(root) / "reports/readme.json").read_text(encoding="utf-8"))
+
+
+def measure(root, found, rows=tuple(ROWS)):
+    """All numbers, from evidence and studies. Raises Stale."""
+    return {n.key(): n.read(found if isinstance(n, Measured) else root) for row in rows for n in row.numbers}
+
+
+def place_of(lines):
+    """Where the block stands among the lines of README.md. Raises Stale."""
+    if lines.count(BEGIN) != 1 or lines.count(END) != 1 or lines.index(END) < lines.index(BEGIN):
+        raise Stale(f"README.md: expected one line {BEGIN!r} and after it one {END!r}")
+    return lines.index(BEGIN), lines.index(END) + 1
+
+
+def write(root, numbers, rows=tuple(ROWS)):
+    readme = Path(root) / "README.md"
+    lines = readme.read_text(encoding="utf-8").split("\n")
+    first, end = place_of(lines)
+    lines[first:end] = block(numbers, rows)
+    (Path(root) / "reports/readme.json").write_text(json.dumps(numbers, indent=1) + "\n", encoding="utf-8")
+    readme.write_text("\n".join(lines), encoding="utf-8")
+
+
+def edited_lines(root, numbers, rows=tuple(ROWS)):
+    """Lines of README.md that are not what the numbers say, as a list of problems."""
+    lines = (Path(root) / "README.md").read_text(encoding="utf-8").split("\n")
+    try:
+        first, end = place_of(lines)
+    except Stale as stale:
+        return [str(stale)]
+    found, expected = lines[first:end], block(numbers, rows)
+    if len(found) != len(expected):
+        return [f"README.md, line {first + 1}: {len(found)} lines of what was measured, expected {len(expected)}; {REMEDY}"]
+    return [f"README.md, line {first + i + 1}: found {a!r}, expected {b!r}; {REMEDY}"
+            for i, (a, b) in enumerate(zip(found, expected)) if a != b]
+
+
+def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
+    """Rows that would read otherwise with what tests and studies say now. `found`: evidence, or None."""
+    problems = []
+    for row in rows:
+        try:
+            now = {n.key(): numbers[n.key()] if isinstance(n, Measured) and found is None else
+                   n.read(found if isinstance(n, Measured) else root) for n in row.numbers}
+            if text_of(row, now) != text_of(row, numbers):
+                problems.append(f"README.md: measured now {text_of(row, now)!r}, reports/readme.json has {text_of(row, numbers)!r}; {REMEDY}")
+        except KeyError as missing:
+            problems.append(f"reports/readme.json has no number {missing}; {REMEDY}")
+        except Stale as stale:
+            problems.append(str(stale))
+    return problems
+
+
+def problems(root, found=None):
+    """All that is wrong with the block; with evidence also what is stale about it."""
+    numbers = read_kept(root)
+    return stale_numbers(root, numbers, found) or edited_lines(root, numbers)
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    mode = parser.add_mutually_exclusive_group(required=True)
+    mode.add_argument("--write", action="store_true")
+    mode.add_argument("--check", action="store_true")
+    parser.add_argument("--build", type=Path, default=HERE.parent / "build/release")
+    chosen = parser.parse_args(arguments)
+    root = HERE.parent
+    try:
+        if chosen.check:
+            found = problems(root)
+        else:
+            folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
+            collected = evidence.collect(folder, chosen.build, manifests.read(root / "reports", False).claims)
+            write(root, measure(root, collected.by_claim))
+            found = []
+    except Stale as stale:
+        found = [str(stale)]
+    for problem in found:
+        print(f"readme: {problem}", file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

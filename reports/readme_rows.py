@@ -1,0 +1,111 @@
+"""What README.md says that was measured: every number, and the file that a test or a script wrote it to."""
+
+import csv
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+from fingerprint import Stale
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The largest measurement that tests wrote of a claim, of those whose text has `part` in it."""
+    claim: str
+    part: str
+    scale: float = 1.0
+
+    def key(self):
+        return f"{self.claim}: {self.part}"
+
+    def read(self, evidence):
+        """Raises Stale where no test wrote it."""
+        found = [e for e in evidence.get(self.claim, []) if self.part in e.what]
+        if not found:
+            raise Stale(f"README.md: no evidence for {self.key()}; run ctest -L evidence")
+        return self.scale * max(e.measured for e in found)
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A number of a study's data, which stand in the repository."""
+    folder: str
+    name: str
+    of: Callable
+
+    def key(self):
+        return f"{self.folder}: {self.name}"
+
+    def read(self, root):
+        return self.of(Path(root) / self.folder)
+
+
+@dataclass(frozen=True)
+class Row:
+    what: str
+    value: str  # with a place for each number
+    numbers: tuple
+    by: str
+
+
+def run_of(file, *path):
+    def read(folder):
+        found = json.loads((folder / file).read_text(encoding="utf-8"))
+        for name in path:
+            found = found[name]
+        return found
+    return read
+
+
+def largest_excess(folder):
+    """Of the volume of a revolution over pi R^2 d, from the second on, at edges of 1 mm, in percent."""
+    run = run_of("runs.json", "1 mm")(folder)
+    advance = run["motion"]["rate_of_penetration"] * 2.0 * math.pi / run["motion"]["rotary_speed"]
+    whole = math.pi * run["gage_radius_m"] ** 2 * advance
+    with (folder / "volumes.csv").open(newline="", encoding="utf-8") as file:
+        volumes = [float(row["m3 at 1 mm"]) for row in csv.DictReader(file)]
+    return 100.0 * max(abs(v / whole - 1.0) for v in volumes[1:])
+
+
+def worst_ledger(folder):
+    return max(run["volume_ledger_defect"] for run in json.loads((folder / "runs.json").read_text(encoding="utf-8")).values())
+
+
+STEADY, ROLLING = "reports/studies/steady-bit-b", "reports/studies/rolling-bit-r"
+THIRD = "is predicted: error of its loads"
+
+ROWS = [
+    Row("volume of a revolution against pi R^2 d, revolutions 2 to 20, edges of 1 mm", "within {:.2f} %",
+        (Kept(STEADY, "largest excess", largest_excess),), f"study `{STEADY}`"),
+    Row("ledger of volumes after 20 revolutions, largest defect of three meshes", "{:.0e} of the volume",
+        (Kept(STEADY, "ledger", worst_ledger),), "the same"),
+    Row("self-intersections after 20 revolutions, edges of 1 mm, by CGAL", "{:.0f} in {:.0f} triangles",
+        (Kept(STEADY, "intersecting pairs", run_of("runs.json", "1 mm", "intersecting_pairs")),
+         Kept(STEADY, "triangles", run_of("runs.json", "1 mm", "rock_triangles_end"))), "the same"),
+    Row("roller cone bit, 20 revolutions: ledger, worst triangle, self-intersections", "{:.0e}, quality {:.2f}, {:.0f} in {:.0f} triangles",
+        tuple(Kept(ROLLING, name, run_of("run.json", name)) for name in
+              ("volume_ledger_defect", "rock_quality_min", "intersecting_pairs", "rock_triangles_end")), f"study `{ROLLING}`"),
+    Row("power of a sharp bit, w T + v W, against eps pi R^2 v, edges of 1 mm", "within {:.1f} %",
+        (Measured("literature/detournay-power", "edges of 1 mm", 100.0),), "test `Forces.of_a_sharp_bit_have_the_power_of_its_volume`"),
+    Row("momentum of a free body with cones over 1e7 steps", "changes by {:.0f}",
+        (Measured("ours/momentum", "split: change of the spatial momentum"),),
+        "test `Conservation.momentum_of_a_free_gyrostat_stays_to_the_bit_over_1e7_steps`"),
+    Row("symplectic defect of a step of the default integrator", "{:.0e}", (Measured("ours/symplectic", "split: largest"),),
+        "test `Symplecticity.every_drift_but_the_thesis_one_is_symplectic_to_rounding`"),
+    Row("torque evaluations to 1e-9 rad on the slow top", "{:.0f}", (Measured("ours/fewer-evaluations", "order 8 of the split"),),
+        "test `Work.the_eighth_order_reaches_a_billionth_in_1100_evaluations`"),
+    Row("error of a bit that the fit has not seen, synthetic laboratory, 25 draws, 95th percentile: A, B and C from the other two",
+        "{:.1f} %, {:.1f} %, {:.1f} %",
+        tuple(Measured("chapter6/prediction", f"{bit} {THIRD}", 100.0) for bit in "ABC"),
+        "test `BlindLaboratory.predicts_the_withheld_bit_of_a_law_that_it_knows`"),
+    Row("models of drag bits on one bit, one revolution after two: torque against eps R^2 d/2; areas of ours against the plane, "
+        "cutters of 2 mm2 or more, the first apart", "within {:.2f} %; within {:.1f} %",
+        (Measured("chapter2/models-agree", "eps R^2 d / 2, distance from 1", 100.0),
+         Measured("chapter2/models-agree", "TDBD: areas over those of the turned plane, largest distance from 1, cutters beyond r = 5 mm that cut",
+                  100.0)), "test `ModelsAgree.on_areas_and_torque_of_a_steady_bit`"),
+    Row("lobes that a whirling bit leaves, as planes every half and every 5 degrees show them", "{:.0f}, {:.0f}",
+        (Measured("chapter2/whirl-aliases", "1.5 mm all round, 720 planes"), Measured("chapter2/whirl-aliases", "1.5 mm all round, 72 planes")),
+        "test `WhirlPattern.of_73_lobes_is_one_lobe_on_72_planes`"),
+]
