@@ -77,6 +77,7 @@ add_custom_target(report_programs)
 # tdbd_tests(NAME SOURCES a_test.cpp ... LINKS dep ... [TOGETHER Suite ...]): one GoogleTest program, one ctest
 # entry per test; one for the whole of a suite that shares a long run.
 # Tests that link tdbd_evidence have the label evidence: scripts/report builds and runs them.
+set(TDBD_TEST_TIMEOUT 600 CACHE STRING "s, after which a test of the programs is stopped")
 function(tdbd_tests name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;TOGETHER" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -95,8 +96,8 @@ function(tdbd_tests name)
   foreach(suite IN LISTS ARG_TOGETHER)
     string(APPEND apart ":${suite}.*")
     add_test(NAME ${suite} COMMAND ${name} --gtest_filter=${suite}.*)
-    set_tests_properties(${suite} PROPERTIES TIMEOUT 600 FAIL_REGULAR_EXPRESSION "Running 0 tests" ${labels})
+    set_tests_properties(${suite} PROPERTIES TIMEOUT ${TDBD_TEST_TIMEOUT} FAIL_REGULAR_EXPRESSION "Running 0 tests" ${labels})
   endforeach()
   string(REGEX REPLACE "^:" "TEST_FILTER;-" apart "${apart}")
-  gtest_discover_tests(${name} ${apart} PROPERTIES TIMEOUT 600 ${labels} DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} ${apart} PROPERTIES TIMEOUT ${TDBD_TEST_TIMEOUT} ${labels} DISCOVERY_TIMEOUT 60)
 endfunction()

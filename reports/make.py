@@ -18,6 +18,7 @@ import comparison
 import evidence
 import manifest as manifests
 import page
+import readme
 import studies
 from data import Data
 from drawing import Drawing
@@ -93,7 +94,7 @@ def report(chosen):
     manifest = manifests.read(chosen.root / "reports", chosen.quick)
     folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
     found = evidence.collect(folder, chosen.build, manifest.claims)
-    unproved = found.wrong + ([] if chosen.quick else found.stale)
+    unproved = found.wrong + ([] if chosen.quick else found.stale + readme.problems(chosen.root, found.by_claim))
     if chosen.evidence_only:
         tables = {t for f in manifest.figures for t in f.tables}
         return unproved + gather([(lambda t: evidence.table(folder, chosen.build, t), t)

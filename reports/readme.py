@@ -34,7 +34,11 @@ def block(numbers, rows):
 
 
 def read_kept(root):
-    return json.loads((Path(root) / "reports/readme.json").read_text(encoding="utf-8"))
+    """Raises Stale."""
+    file = Path(root) / "reports/readme.json"
+    if not file.is_file():
+        raise Stale(f"reports/readme.json: has not been written; {REMEDY}")
+    return json.loads(file.read_text(encoding="utf-8"))
 
 
 def measure(root, found, rows=tuple(ROWS)):
@@ -90,7 +94,10 @@ def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
 
 def problems(root, found=None):
     """All that is wrong with the block; with evidence also what is stale about it."""
-    numbers = read_kept(root)
+    try:
+        numbers = read_kept(root)
+    except Stale as stale:
+        return [str(stale)]
     return stale_numbers(root, numbers, found) or edited_lines(root, numbers)
 
 

@@ -1,0 +1,98 @@
+"""readme_test.py ROOT: README.md says what the tests and studies measured; a line that was edited is named."""
+
+import pathlib
+import sys
+import tempfile
+import types
+import unittest
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "reports"))
+import readme  # noqa: E402
+from readme_rows import ROWS, Kept, Measured, Row  # noqa: E402
+from fingerprint import Stale  # noqa: E402
+
+
+class Shipped(unittest.TestCase):
+    def test_says_what_was_measured(self):
+        self.assertEqual(readme.problems(ROOT), [])
+
+    def test_rows_name_tests_that_exist(self):
+        sources = "".join(f.read_text(encoding="utf-8") for f in (ROOT / "verification").rglob("*_test.cpp"))
+        for row in ROWS:
+            if row.by.startswith("test `"):
+                suite, test = row.by.removeprefix("test `").rstrip("`").split(".")
+                self.assertRegex(sources, rf"TEST\w*\({suite}, {test}\b|TEST_F\({suite}, {test}\b")
+
+    def test_rows_differ(self):
+        self.assertEqual(len({row.what for row in ROWS}), len(ROWS))
+
+
+def evidence_of(measured):
+    return {"ours/speed": [types.SimpleNamespace(what="speed of a snail", measured=measured),
+                           types.SimpleNamespace(what="speed of a slow snail", measured=0.5 * measured)]}
+
+
+class Made(unittest.TestCase):
+    """A README with two rows: of a test, and of a study."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        (self.root / "reports").mkdir()
+        self.study = self.root / "study"
+        self.study.write_text("7", encoding="utf-8")
+        self.rows = (Row("speed", "{:.1f} mm/s", (Measured("ours/speed", "snail", 1e3),), "test `A.b`"),
+                     Row("legs", "{:.0f}", (Kept("study", "legs", lambda file: int(file.read_text(encoding="utf-8"))),), "study"))
+        self.readme = self.root / "README.md"
+        self.readme.write_text(f"# Title\n{readme.BEGIN}\n{readme.END}\nEnd.\n", encoding="utf-8")
+
+    def write(self, measured=1.25e-3):
+        numbers = readme.measure(self.root, evidence_of(measured), self.rows)
+        readme.write(self.root, numbers, self.rows)
+        return numbers
+
+    def test_has_the_largest_of_what_was_measured(self):
+        self.write()
+        self.assertEqual(self.readme.read_text(encoding="utf-8").split("\n")[4:6], ["| speed | 1.2 mm/s | test `A.b` |", "| legs | 7 | study |"])
+        self.assertTrue(self.readme.read_text(encoding="utf-8").endswith("\nEnd.\n"))
+
+    def test_written_twice_is_the_same(self):
+        self.write()
+        before = self.readme.read_bytes()
+        self.write()
+        self.assertEqual(self.readme.read_bytes(), before)
+        self.assertEqual(readme.edited_lines(self.root, readme.read_kept(self.root), self.rows), [])
+
+    def test_an_edited_line_is_named(self):
+        numbers = self.write()
+        self.readme.write_text(self.readme.read_text(encoding="utf-8").replace("1.2 mm/s", "1.0 mm/s"), encoding="utf-8")
+        [problem] = readme.edited_lines(self.root, numbers, self.rows)
+        self.assertIn("README.md, line 5: found '| speed | 1.0 mm/s", problem)
+        self.assertIn("scripts/report --readme", problem)
+
+    def test_a_line_too_many_and_a_lost_mark_are_named(self):
+        numbers = self.write()
+        text = self.readme.read_text(encoding="utf-8")
+        self.readme.write_text(text.replace(readme.END, f"| more |\n{readme.END}"), encoding="utf-8")
+        self.assertIn("README.md, line 2", readme.edited_lines(self.root, numbers, self.rows)[0])
+        self.readme.write_text(text.replace(readme.END, ""), encoding="utf-8")
+        self.assertIn("expected one line", readme.edited_lines(self.root, numbers, self.rows)[0])
+
+    def test_what_is_measured_otherwise_now_is_stale(self):
+        numbers = self.write()
+        self.assertEqual(readme.stale_numbers(self.root, numbers, evidence_of(1.249e-3), self.rows), [])
+        [problem] = readme.stale_numbers(self.root, numbers, evidence_of(1.5e-3), self.rows)
+        self.assertIn("1.5 mm/s", problem)
+        self.study.write_text("8", encoding="utf-8")
+        [problem] = readme.stale_numbers(self.root, numbers, None, self.rows)
+        self.assertIn("legs", problem)
+
+    def test_what_no_test_wrote_is_stale(self):
+        with self.assertRaises(Stale):
+            readme.measure(self.root, {}, self.rows)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
