@@ -92,8 +92,15 @@ def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
     return problems
 
 
+def has_block(root):
+    readme = Path(root) / "README.md"
+    return (Path(root) / "reports/readme.json").is_file() or readme.is_file() and BEGIN in readme.read_text(encoding="utf-8")
+
+
 def problems(root, found=None):
-    """All that is wrong with the block; with evidence also what is stale about it."""
+    """All that is wrong with the block; with evidence also what is stale about it. A project without a block has none."""
+    if not has_block(root):
+        return []
     try:
         numbers = read_kept(root)
     except Stale as stale:

@@ -15,6 +15,7 @@ from fingerprint import Stale  # noqa: E402
 
 class Shipped(unittest.TestCase):
     def test_says_what_was_measured(self):
+        self.assertTrue(readme.has_block(ROOT))
         self.assertEqual(readme.problems(ROOT), [])
 
     def test_rows_name_tests_that_exist(self):
