@@ -155,6 +155,15 @@ std::vector<RepairScope> scope_of(const Rock& before, const MaintenanceLimits& l
   return scope;
 }
 
+/// By the patch's root: whether a vertex of it is touched or joined by an edge to one that is.
+std::vector<std::uint8_t> patches_at_touched(const Rock& before, mesh::DisjointSets& patches) {
+  std::vector<std::uint8_t> is_known(before.surface.stars.size(), 0);
+  for (const mesh::Triangle& t : before.surface.triangles)
+    if (t[0] >= 0 && std::ranges::any_of(t, [&](int v) { return before.touched[at(v)] != 0; }))
+      for (const int v : t) is_known[at(patches.find(v))] = 1;
+  return is_known;
+}
+
 }  // namespace
 
 std::string describe(const Violations& found, std::size_t max) {
@@ -258,9 +267,8 @@ Violations check_locality(const Rock& before, const Surface& after) {
     for (const auto& [v, w] : {std::pair{a, b}, {b, c}, {c, a}})
       if (in_changed[at(v)] && in_changed[at(w)]) patches.join(v, w);
   }
-  std::vector<std::uint8_t> is_known(s.stars.size(), 0);
+  const std::vector<std::uint8_t> is_known = patches_at_touched(before, patches);
   for (int v = 0; v < s.vertex_slots(); ++v) {
-    if (s.is_alive(v) && before.touched[at(v)]) is_known[at(patches.find(v))] = 1;
     if (!s.is_boundary(v)) continue;
     if (!after.is_alive(v) || !after.is_boundary(v) || after.position(v) != s.position(v))
       found.push_back({Invariant::locality, "of the boundary, " + at_vertex(s, v) + " changed"});

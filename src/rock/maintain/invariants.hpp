@@ -17,7 +17,7 @@ enum class Invariant {
   normals,   ///< M4
   ledger,    ///< M5: the reported change of volume is the change, to tolerance::ledger
   distance,  ///< M6: before and after are nearer to each other than shortest_edge / 2
-  locality   ///< M7: the boundary and patches without a touched vertex keep every bit
+  locality   ///< M7: the boundary and patches that are not at a touched vertex keep every bit
 };
 
 /// A broken promise and where: vertices or triangles by slot, positions in mm.
@@ -67,7 +67,8 @@ std::vector<Violation> check_distance(const mesh::Surface& before, const mesh::S
                                       const MaintenanceReport& report = {});
 
 /// M7. Changed triangles that share a corner or are joined by an edge form a patch; each patch
-/// needs a vertex that was touched before.
+/// needs a vertex that was touched before, or a neighbour of one: a collapse can put back the
+/// triangle at the touched vertex that a flip took from it, and change only what lies behind it.
 std::vector<Violation> check_locality(const Rock& before, const mesh::Surface& after);
 
 /// M1 to M3 and M5 to M7 of one maintenance; `report` must be of that one alone.

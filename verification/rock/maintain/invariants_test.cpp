@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "rock/maintain/maintain.hpp"
 #include "verification/battery/generators.hpp"
@@ -149,6 +150,33 @@ TEST(Invariants, notice_untouched_rock_and_boundary_that_changed) {
   EXPECT_TRUE(check_locality(before, after).empty());
   after.stars[0].x.z() += 1e-12;
   EXPECT_TRUE(names(check_locality(before, after), Invariant::locality));
+}
+
+/// The least number of edges from v to w, up to 3.
+int edges_between(const mesh::Surface& s, int v, int w) {
+  std::set<int> reached{v};
+  for (int n = 0; n < 3; ++n) {
+    if (reached.count(w) != 0) return n;
+    for (const int one : std::set<int>(reached))
+      for (const mesh::Triangle& t : s.triangles)
+        if (std::ranges::count(t, one) != 0) reached.insert(t.begin(), t.end());
+  }
+  return 3;
+}
+
+/// What a touched vertex excuses: changes at its neighbours, none farther off.
+TEST(Invariants, excuse_changes_up_to_the_neighbours_of_a_touched_vertex) {
+  const Rock before = sheet();
+  const int v = inner_vertex(before);
+  mesh::Surface after = before.surface;
+  after.stars[static_cast<std::size_t>(v)].x.z() += 1e-3;
+  for (int w = 0; w < before.surface.vertex_slots(); ++w) {
+    Rock one = before;
+    one.touched.assign(one.touched.size(), 0);
+    one.touched[static_cast<std::size_t>(w)] = 1;
+    const bool is_near = edges_between(before.surface, v, w) <= 2;
+    EXPECT_EQ(check_locality(one, after).empty(), is_near) << "vertex " << w;
+  }
 }
 
 }  // namespace tdbd::rock::invariants_test

@@ -216,4 +216,20 @@ RC_GTEST_PROP(Sequences, keep_disc_ledger_and_untouched_rock, ()) { check(1.2, F
 /// Rock that is moved straight down stays a height field, which has no folds (M4).
 RC_GTEST_PROP(Sequences, straight_down_never_fold_the_rock, ()) { check(0.0, Folds::refused); }
 
+/// A list that was found: a flip at a touched vertex, then a collapse that puts the flipped triangle
+/// there back. What changed lies behind it.
+TEST(Sequences, change_rock_behind_a_triangle_that_is_put_back) {
+  const mesh::TriangleMesh m = battery::bumpy_rock(1.5, 9, 0.2, 455);
+  sequences_test::Run run{make_rock(mesh::make_surface(m), 0.2, mesh::bounding_box(m))};
+  const auto at_edges = [](double length) { return length - 0.15; };
+  Command c{.kind = Kind::cut, .size = 0.142};
+  c.place_W = {-0.358, -0.064, 0.564};
+  c.path_W = {0.0, 0.0, -0.006};
+  carry_out(run, c);
+  carry_out(run, {.kind = Kind::bisect, .pick = 2702, .size = at_edges(0.23)});
+  carry_out(run, {.kind = Kind::maintain, .size = at_edges(0.231), .quality = 0.0});
+  carry_out(run, {.kind = Kind::collapse, .pick = 3691, .size = at_edges(0.265)});
+  carry_out(run, {.kind = Kind::maintain, .size = at_edges(0.379), .quality = 0.279});
+}
+
 }  // namespace tdbd::rock::sequences_test
