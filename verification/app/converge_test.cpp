@@ -86,10 +86,10 @@ TEST(Converge, prints_a_table_and_writes_two_files) {
   const RotateFolder c;
   const auto o = c.converge({"--over", "time.step", "--levels", "4"});
   EXPECT_EQ(o.exit_code, 0) << o.err;
-  EXPECT_NE(o.out.find("\n         [s]                         [rad]            [N m s] "),
+  EXPECT_NE(o.out.find("\ntime.step [s]                             0.01       0.005      0.0025"),
             std::string::npos)
       << o.out;
-  EXPECT_NE(o.out.find("\n  space_momentum                 2.000 (3 of 3 differences)\n"),
+  EXPECT_NE(o.out.find("\n  space_momentum                 2.000 (3 of 3 differences); +- "),
             std::string::npos)
       << o.out;
   EXPECT_EQ(files_below(c.path("orders")),
@@ -139,6 +139,40 @@ TEST(Converge, drills_a_run_case_over_its_step) {
   EXPECT_EQ(study["title"], "small");
 }
 
+/// Drilling: both quantities at once; surfaces are compared, and every variable has an uncertainty.
+TEST(Converge, drills_over_edges_and_steps_at_once) {
+  const SmallCase c;
+  const auto o = battery::run_tdbd({"converge", c.path("case.toml"), "--over", "rock.edge_length",
+                                    "--over", "time.step", "--levels", "3", "--factor", "1.4", "-o",
+                                    c.path("orders"), "--quiet"});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const Json study = Json::parse(read(c.path("orders/convergence.json")));
+  EXPECT_EQ(study["over"], "rock.edge_length and time.step");
+  EXPECT_TRUE(study["nominal_order"].is_null());
+  EXPECT_EQ(study["levels"][1]["steps"], 28);  // the step nearest to 1/20/1.4 of the duration
+  EXPECT_EQ(study["levels"][1]["sizes"].size(), 2u);
+  for (const char* name : {"surface_distance", "volume_between"}) {
+    const Json& v = study["variables"][name];
+    EXPECT_EQ(v["differences"].size(), 2u);
+    EXPECT_GT(v["differences"][0].get<double>(), 0.0) << name;
+    EXPECT_GT(v["uncertainty"]["value"].get<double>(), 0.0) << name;
+  }
+  EXPECT_EQ(read(c.path("orders/convergence.csv")).rfind("rock.edge_length,time.step,steps,", 0),
+            0u);
+}
+
+TEST(Converge, a_single_value_is_extrapolated) {
+  const RotateFolder c;
+  const Json study = orders_of(c, {"--levels", "5"});
+  const Json& energy = study["variables"]["energy"];
+  const double fine = study["levels"][4]["state"]["energy"][0],
+               before = study["levels"][3]["state"]["energy"][0];
+  const double order = energy["uncertainty"]["order"];
+  EXPECT_DOUBLE_EQ(energy["extrapolated"][0].get<double>(),
+                   fine + (fine - before) / (std::pow(2.0, order) - 1.0));
+  EXPECT_TRUE(study["variables"]["attitude"]["extrapolated"].is_null());
+}
+
 TEST(Converge, an_interrupted_study_keeps_the_levels_that_were_done) {
   const RotateFolder c;
   const auto o = battery::run_tdbd({"converge", c.path("case.toml"), "--over", "time.step",
@@ -172,6 +206,8 @@ TEST(Converge, a_wrong_study_is_refused) {
                        "time.step, for one");
   expect_study_refused(c, with({"--over", "cones[1].angle"}),
                        "--over: cones[1].angle: found 0, expected a quantity > 0");
+  expect_study_refused(c, with({"--over", "time.step", "--over", "time.step"}),
+                       "--over: found time.step twice, expected every quantity once");
   expect_study_refused(c, with({"--over", "time.step", "--factor", "1"}),
                        "--factor: found 1, expected a number > 1");
   expect_study_refused(c, with({"--over", "time.step", "--reference", "/absent"}),
@@ -202,7 +238,7 @@ TEST(Converge, a_last_level_that_is_no_right_case_is_refused_before_the_first_ru
 TEST(Converge, neighbours_with_the_same_steps_are_refused) {
   const RotateFolder c;
   expect_study_refused(c, {"--over", "time.step", "--levels", "3", "--factor", "1.0001", "--quiet"},
-                       "--factor: level 3: found 201 steps, as at level 2, expected more: take a "
+                       "--factor: level 2: found 200 steps, as at level 1, expected more: take a "
                        "larger factor");
 }
 

@@ -1,6 +1,7 @@
 #include "simulation/study/convergence_output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,14 @@ const char* verdict_name(OrderVerdict v) {
 
 Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
+Json uncertainty_json(const Uncertainty& u) {
+  return {{"value", u.value},
+          {"basis", name_of(u.basis)},
+          {"order", u.order},
+          {"factor", u.factor},
+          {"error", u.error}};
+}
+
 Json variable_json(const VariableConvergence& v, const std::string& errors) {
   const bool has_order = v.order.verdict == OrderVerdict::order;
   Json local = Json::array();
@@ -45,7 +54,9 @@ Json variable_json(const VariableConvergence& v, const std::string& errors) {
           {"used", v.order.used},
           {"above_floor", v.order.above_floor},
           {"order_of_all", v.order.order_of_all},
-          {"in_words", in_words(v.order, errors)}};
+          {"in_words", in_words(v.order, errors)},
+          {"extrapolated", v.extrapolated.empty() ? Json() : Json(v.extrapolated)},
+          {"uncertainty", v.uncertainty ? uncertainty_json(*v.uncertainty) : Json()}};
 }
 
 Json levels_json(const Convergence& c) {
@@ -53,7 +64,10 @@ Json levels_json(const Convergence& c) {
   for (const ConvergenceLevel& level : c.levels) {
     Json state = Json::object();
     for (const StateVariable& v : level.end.variables) state[v.name] = v.values;
-    levels.push_back({{"size", level.size}, {"steps", level.steps}, {"state", state}});
+    levels.push_back({{"size", level.sizes.front()},
+                      {"sizes", level.sizes},
+                      {"steps", level.steps},
+                      {"state", state}});
   }
   return levels;
 }
@@ -62,34 +76,63 @@ std::size_t error_count(const Convergence& c) {
   return c.variables.empty() ? 0 : c.variables.front().differences.size();
 }
 
-/// Of the quantity that is divided, in brackets. Only the step's is known here: SI is what is left.
-std::string unit_text(const ConvergencePlan& plan) {
-  return plan.key == "time.step" ? "[s]" : "[SI]";
+/// In brackets. Only the step's is known here: SI is what is left.
+const char* unit_text(const std::string& key) { return key == "time.step" ? "[s]" : "[SI]"; }
+
+/// A line of the table: a name, and a number for each level.
+template <class List, class Text>
+std::string row_text(const std::string& name, const List& list, Text&& text) {
+  std::string row = fmt::format("{:<34}", name);
+  for (const auto& one : list) row += fmt::format(" {:>11}", text(one));
+  return row + "\n";
+}
+
+/// As many digits as the uncertainty leaves, and one more; those of a double at most.
+std::string value_text(double value, double uncertainty) {
+  const double digits = std::log10(std::abs(value) / uncertainty) + 3.0;
+  const int shown = std::isfinite(digits) ? std::clamp(static_cast<int>(digits), 2, 15) : 6;
+  return fmt::format("{:.{}g}", value, shown);
+}
+
+/// "12.50 +- 0.31 N (observed order)"; without the first where there are several values.
+std::string uncertainty_text(const Convergence& c, std::size_t i) {
+  const VariableConvergence& v = c.variables[i];
+  if (!v.uncertainty) return "";
+  if (v.uncertainty->basis == UncertaintyBasis::exact) return "";
+  std::string text;
+  const std::vector<StateVariable>& finest = c.levels.back().end.variables;
+  if (i < finest.size() && finest[i].values.size() == 1)
+    text = value_text(finest[i].values.front(), v.uncertainty->value) + " ";
+  return fmt::format("{}+- {:.2g} {} ({})", text, v.uncertainty->value, v.units,
+                     name_of(v.uncertainty->basis));
+}
+
+std::string order_text(const Convergence& c, std::size_t i, const std::string& errors) {
+  const VariableConvergence& v = c.variables[i];
+  const std::string uncertainty = uncertainty_text(c, i);
+  return fmt::format("  {:<30} {}{}{}\n", v.name, in_words(v.order, errors),
+                     uncertainty.empty() ? "" : "; ", uncertainty);
 }
 
 }  // namespace
 
 std::string table_text(const Convergence& c) {
   const std::string errors = error_name(c.plan);
-  std::string out = fmt::format("{} of {} divided by {:g} over {} levels, {} {}\n", c.plan.key,
-                                c.plan.case_file, c.plan.factor, c.levels.size(), errors,
-                                c.plan.reference ? "against the reference" : "to the next level");
-  const auto add = [&out]<class... T>(fmt::format_string<T...> text, T&&... values) {
-    fmt::format_to(std::back_inserter(out), text, std::forward<T>(values)...);
-  };
-  const std::size_t first = std::max<std::size_t>(12, c.plan.key.size());
-  add("{:>{}} {:>10}", c.plan.key, first, "steps");
-  for (const VariableConvergence& v : c.variables) add(" {:>18}", v.name);
-  add("\n{:>{}} {:>10}", unit_text(c.plan), first, "");
-  for (const VariableConvergence& v : c.variables) add(" {:>18}", fmt::format("[{}]", v.units));
-  for (std::size_t i = 0; i < c.levels.size(); ++i) {
-    add("\n{:>{}.6g} {:>10}", c.levels[i].size, first, c.levels[i].steps);
-    for (const VariableConvergence& v : c.variables)
-      if (i < v.differences.size()) add(" {:>18.4e}", v.differences[i]);
-  }
-  out += "\nobserved orders\n";
+  std::string out =
+      fmt::format("{} of {} divided by {:g} over {} levels, {} {}\n", keys_in_words(c.plan),
+                  c.plan.case_file, c.plan.factor, c.levels.size(), errors,
+                  c.plan.reference ? "against the reference" : "to the next level");
+  for (std::size_t k = 0; k < c.plan.keys.size(); ++k)
+    out += row_text(fmt::format("{} {}", c.plan.keys[k], unit_text(c.plan.keys[k])), c.levels,
+                    [&](const ConvergenceLevel& l) { return fmt::format("{:.6g}", l.sizes[k]); });
+  out += row_text("steps", c.levels,
+                  [](const ConvergenceLevel& l) { return fmt::format("{}", l.steps); });
   for (const VariableConvergence& v : c.variables)
-    add("  {:<30} {}\n", v.name, in_words(v.order, errors));
+    out += row_text(fmt::format("{} [{}]", v.name, v.units), v.differences,
+                    [](double d) { return fmt::format("{:.4e}", d); });
+  out += "observed orders";
+  out += c.plan.reference ? "\n" : "; the finest level with its numerical uncertainty\n";
+  for (std::size_t i = 0; i < c.variables.size(); ++i) out += order_text(c, i, errors);
   return out;
 }
 
@@ -98,7 +141,7 @@ std::string to_json(const Convergence& c) {
   Json json = summary_head("converge", c.title, c.status, c.case_hash, 0);
   Json variables = Json::object();
   for (const VariableConvergence& v : c.variables) variables[v.name] = variable_json(v, errors);
-  json.update(Json{{"over", c.plan.key},
+  json.update(Json{{"over", keys_in_words(c.plan)},
                    {"factor", c.plan.factor},
                    {"against", c.plan.reference ? "reference" : "next level"},
                    {"nominal_order", c.nominal_order > 0.0 ? Json(c.nominal_order) : Json(nullptr)},
@@ -112,10 +155,10 @@ std::string to_json(const Convergence& c) {
 }
 
 std::string to_csv(const Convergence& c) {
-  std::string out = fmt::format("{},steps", c.plan.key);
+  std::string out = fmt::format("{},steps", fmt::join(c.plan.keys, ","));
   for (const VariableConvergence& v : c.variables) out += fmt::format(",{} [{}]", v.name, v.units);
   for (std::size_t i = 0; i < error_count(c); ++i) {
-    out += fmt::format("\n{},{}", c.levels[i].size, c.levels[i].steps);
+    out += fmt::format("\n{},{}", fmt::join(c.levels[i].sizes, ","), c.levels[i].steps);
     for (const VariableConvergence& v : c.variables) out += fmt::format(",{}", v.differences[i]);
   }
   return out + "\n";

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/read_file.hpp"
@@ -16,32 +18,56 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Which summaries of a command have a variable.
+enum class Presence { all, with_forces };
+
 /// Where a variable stands in a summary.
 struct Entry {
   const char* key;
   const char* name;
   const char* units;
   double factor;
-  double least_scale;     ///< angles count in radians however small they are
-  const char* scale_key;  ///< another entry that holds the scale; null: the variable's own size
+  double least_scale;               ///< angles count in radians however small they are
+  const char* scale_key = nullptr;  ///< another entry that holds the scale; null: the own size
+  Presence presence = Presence::all;
+  const char* of_each = nullptr;  ///< of a list of parts: which of their entries
 };
+
+constexpr Entry force(const char* key, const char* name, const char* units) {
+  return {key, name, units, 1.0, 0.0, nullptr, Presence::with_forces};
+}
 
 constexpr double per_sqrt2 = 1.0 / std::numbers::sqrt2;
 
+/// Which part of a cutter, face or chamfer, takes a vertex depends on the step; what the cutter takes
+/// does not.
+constexpr const char* cutters = "removed_volume_by_cutter";
+
+/// As many values as revolutions were begun.
+constexpr std::string_view by_revolution = "removed_volume_by_revolution_m3";
+
 constexpr Entry rotate_entries[] = {
-    {"attitude", "attitude", "rad", per_sqrt2, 1.0, nullptr},
-    {"body_momentum", "body_momentum", "N m s", 1.0, 0.0, nullptr},
-    {"space_momentum", "space_momentum", "N m s", 1.0, 0.0, nullptr},
-    {"angular_velocity", "angular_velocity", "rad/s", 1.0, 0.0, nullptr},
-    {"cone_angles", "cone_angles", "rad", 1.0, 1.0, nullptr},
-    {"cone_momenta", "cone_momenta", "N m s", 1.0, 0.0, nullptr},
+    {"attitude", "attitude", "rad", per_sqrt2, 1.0},
+    {"body_momentum", "body_momentum", "N m s", 1.0, 0.0},
+    {"space_momentum", "space_momentum", "N m s", 1.0, 0.0},
+    {"angular_velocity", "angular_velocity", "rad/s", 1.0, 0.0},
+    {"cone_angles", "cone_angles", "rad", 1.0, 1.0},
+    {"cone_momenta", "cone_momenta", "N m s", 1.0, 0.0},
     {"energy_end", "energy", "J", 1.0, 0.0, "energy_scale"},
 };
 
 constexpr Entry run_entries[] = {
-    {"removed_volume_m3", "removed_volume", "m3", 1.0, 0.0, nullptr},
-    {"removed_volume_by_part_m3", "removed_volume_by_part", "m3", 1.0, 0.0, nullptr},
-    {"removed_volume_by_revolution_m3", "removed_volume_by_revolution", "m3", 1.0, 0.0, nullptr},
+    {"removed_volume_m3", "removed_volume", "m3", 1.0, 0.0},
+    {"removed_volume_by_part_m3", "removed_volume_by_part", "m3", 1.0, 0.0},
+    {"removed_volume_by_part_m3", cutters, "m3", 1.0, 0.0},
+    {by_revolution.data(), "removed_volume_by_revolution", "m3", 1.0, 0.0},
+    force("wob_mean_n", "wob_mean", "N"),
+    force("tob_mean_n_m", "tob_mean", "N m"),
+    force("rop_mean_m_per_s", "rop_mean", "m/s"),
+    force("rotary_speed_mean_rad_per_s", "rotary_speed_mean", "rad/s"),
+    force("drilling_power_mean_w", "drilling_power_mean", "W"),
+    {"forces", "normal_mean_by_part", "N", 1.0, 0.0, nullptr, Presence::with_forces,
+     "normal_mean_n"},
 };
 
 /// The numbers in a value, an array or an object, depth first.
@@ -51,12 +77,44 @@ void collect(const Json& json, std::vector<double>& values) {
     for (const Json& element : json) collect(element, values);
 }
 
+/// An entry of a list of parts for each part of the bit; 0 for those that are not in the list.
+void collect_by_part(const Json& summary, const Entry& e, std::vector<double>& values) {
+  std::map<std::string, double> known;
+  for (const Json& part : summary.at(e.key))
+    if (part.at(e.of_each).is_number())
+      known[part.at("name").get<std::string>()] = part.at(e.of_each).get<double>();
+  for (const auto& part : summary.at("removed_volume_by_part_m3").items())
+    values.push_back(known[part.key()]);
+}
+
+/// Sums over parts that share a name up to its first slash: those of a cutter, of a cone.
+std::vector<double> by_cutter(const Json& by_part) {
+  std::map<std::string, double> sums;
+  for (const auto& part : by_part.items())
+    sums[part.key().substr(0, part.key().find('/'))] += part.value().get<double>();
+  std::vector<double> values;
+  values.reserve(sums.size());
+  for (const auto& [name, sum] : sums) values.push_back(sum);
+  return values;
+}
+
+double size_of(const std::vector<double>& values, double factor) {
+  double squared = 0.0;
+  for (const double x : values) squared += x * x;
+  return factor * std::sqrt(squared);
+}
+
 StateVariable read_variable(const Json& summary, const Entry& e) {
   StateVariable v{e.name, e.units, {}, e.factor, e.least_scale};
-  collect(summary.at(e.key), v.values);
-  double squared = 0.0;
-  for (const double x : v.values) squared += x * x;
-  v.scale = std::max(v.scale, v.factor * std::sqrt(squared));
+  if (e.presence == Presence::with_forces && !summary.contains(e.key)) return v;
+  if (e.name == cutters)
+    v.values = by_cutter(summary.at(e.key));
+  else if (e.of_each == nullptr)
+    collect(summary.at(e.key), v.values);
+  else
+    collect_by_part(summary, e, v.values);
+  v.scale = std::max(v.scale, size_of(v.values, v.factor));
+  v.grows = std::string_view(e.key) == by_revolution;
   if (e.scale_key != nullptr) v.scale = std::max(v.scale, summary.at(e.scale_key).get<double>());
   return v;
 }
@@ -70,9 +128,12 @@ std::span<const Entry> entries_of(const std::string& command) {
 }  // namespace
 
 double distance(const StateVariable& a, const StateVariable& b) {
+  const auto value = [](const StateVariable& v, std::size_t i) {
+    return i < v.values.size() ? v.values[i] : 0.0;
+  };
   double squared = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i)
-    squared += (a.values[i] - b.values[i]) * (a.values[i] - b.values[i]);
+  for (std::size_t i = 0; i < std::max(a.values.size(), b.values.size()); ++i)
+    squared += (value(a, i) - value(b, i)) * (value(a, i) - value(b, i));
   return a.factor * std::sqrt(squared);
 }
 
@@ -90,6 +151,25 @@ EndState read_end_state(const std::string& text, const std::string& source) {
                                  source, e.what()));
   }
   return end;
+}
+
+void add_motion(const dynamics::DrillingState& state, EndState& end) {
+  const auto add = [&](const char* name, const char* units, double factor, double least_scale,
+                       std::vector<double> values) {
+    const double size = size_of(values, factor);
+    end.variables.push_back({name, units, std::move(values), factor, std::max(least_scale, size)});
+  };
+  const auto list = [](const auto& x) {
+    return std::vector<double>(x.data(), x.data() + x.size());
+  };
+  const dynamics::RotationState& turned = state.rotation;
+  add("position", "m", 1.0, 0.0, list(Vec3(state.c_W - Vec3(0.0, 0.0, state.rock_z))));
+  add("attitude", "rad", per_sqrt2, 1.0, list(Mat3(turned.q_WB.toRotationMatrix())));
+  add("momentum", "N s", 1.0, 0.0, list(state.momentum_W));
+  add("space_momentum", "N m s", 1.0, 0.0, list(turned.momentum_W));
+  if (turned.cone_angles.empty()) return;
+  add("cone_angles", "rad", 1.0, 1.0, turned.cone_angles);
+  add("cone_momenta", "N m s", 1.0, 0.0, turned.cone_momenta);
 }
 
 EndState read_end_state_file(const std::filesystem::path& file_or_folder) {

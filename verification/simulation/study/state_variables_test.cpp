@@ -54,10 +54,57 @@ TEST(StateVariables, have_units_and_scales) {
 TEST(StateVariables, of_a_run_are_volumes) {
   const EndState end = read_end_state(
       R"({"command": "run", "duration_s": 1, "removed_volume_m3": 3,
-          "removed_volume_by_part_m3": {"b": 1, "a": 2}, "removed_volume_by_revolution_m3": [3]})",
+          "removed_volume_by_part_m3": {"b": 1, "a/x": 2, "a/y": 4}, "removed_volume_by_revolution_m3": [3]})",
       "a");
+  EXPECT_EQ(variable(end, "removed_volume_by_cutter").values, (std::vector<double>{6.0, 1.0}));
   EXPECT_EQ(variable(end, "removed_volume").values, std::vector<double>{3.0});
-  EXPECT_EQ(variable(end, "removed_volume_by_part").values, (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(variable(end, "removed_volume_by_part").values, (std::vector<double>{1.0, 2.0, 4.0}));
+}
+
+const char* forced_run = R"({"command": "run", "duration_s": 1, "removed_volume_m3": 3,
+    "removed_volume_by_part_m3": {"b": 1, "a": 2}, "removed_volume_by_revolution_m3": [3],
+    "wob_mean_n": 7, "tob_mean_n_m": 8, "rop_mean_m_per_s": null,
+    "rotary_speed_mean_rad_per_s": 5, "drilling_power_mean_w": 6,
+    "forces": [{"name": "a", "normal_mean_n": 4, "power_mean_w": 1}]})";
+
+TEST(StateVariables, of_a_run_with_forces_are_means_too) {
+  const EndState end = read_end_state(forced_run, "a");
+  EXPECT_EQ(variable(end, "wob_mean").values, std::vector<double>{7.0});
+  EXPECT_EQ(variable(end, "tob_mean").units, "N m");
+  EXPECT_EQ(variable(end, "drilling_power_mean").values, std::vector<double>{6.0});
+  EXPECT_THROW(variable(end, "rop_mean"), std::runtime_error);  // not known
+  // by the bit's parts; part b had no force
+  EXPECT_EQ(variable(end, "normal_mean_by_part").values, (std::vector<double>{0.0, 4.0}));
+}
+
+TEST(StateVariables, of_a_run_that_turned_farther_have_more_revolutions) {
+  StateVariable a{"removed_volume_by_revolution", "m3", {3.0, 4.0}}, b = a;
+  a.grows = b.grows = true;
+  b.values.push_back(0.5);
+  EXPECT_EQ(distance(a, b), 0.5);
+  EXPECT_EQ(distance(b, a), 0.5);
+}
+
+TEST(StateVariables, of_a_bit_that_forces_move_are_its_place_and_momenta) {
+  dynamics::DrillingState state;
+  state.c_W = {1.0, 2.0, 3.0};
+  state.rock_z = 0.5;
+  state.momentum_W = {0.0, 3.0, 4.0};
+  state.rotation.momentum_W = {0.0, 0.0, 2.0};
+  state.rotation.cone_angles = {0.1};
+  state.rotation.cone_momenta = {0.2};
+  EndState end;
+  add_motion(state, end);
+  EXPECT_EQ(variable(end, "position").values, (std::vector<double>{1.0, 2.0, 2.5}));
+  EXPECT_EQ(variable(end, "momentum").scale, 5.0);
+  EXPECT_EQ(variable(end, "space_momentum").values, (std::vector<double>{0.0, 0.0, 2.0}));
+  EXPECT_EQ(variable(end, "cone_angles").scale, 1.0);
+  EXPECT_EQ(variable(end, "cone_momenta").values, std::vector<double>{0.2});
+  EndState turned;
+  state.rotation.q_WB = Eigen::Quaterniond(std::cos(0.005), 0.0, 0.0, std::sin(0.005));
+  add_motion(state, turned);
+  EXPECT_NEAR(distance(variable(end, "attitude"), variable(turned, "attitude")),
+              2.0 * std::sin(0.005), 1e-15);
 }
 
 TEST(StateVariables, without_cones_have_none_of_theirs) {

@@ -1,0 +1,69 @@
+#include "simulation/study/uncertainty.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tdbd::simulation {
+namespace {
+
+/// Factors of safety of the grid convergence index: with an observed order, and without.
+constexpr double observed_factor = 1.25, cautious_factor = 3.0;
+
+/// Orders below say more about noise than about a limit; no method here is above 2 unless it says so.
+constexpr double least_order = 0.5, usual_order = 2.0;
+
+/// (9): what is left of a geometric series after a difference between levels `index` and the next.
+double error_after(std::span<const double> sizes, double difference, std::size_t index,
+                   double order) {
+  return difference / (std::pow(sizes[index] / sizes[index + 1], order) - 1.0);
+}
+
+/// (11): of differences that scatter, the finest may be small by chance. The largest of them, each
+/// brought to the finest size along the slope.
+double envelope(std::span<const double> sizes, std::span<const double> differences, double order) {
+  const double finest = sizes[differences.size() - 1];
+  double largest = 0.0;
+  for (std::size_t i = 0; i < differences.size(); ++i)
+    largest = std::max(largest, differences[i] * std::pow(finest / sizes[i], order));
+  return largest;
+}
+
+}  // namespace
+
+Uncertainty uncertainty_of(const ObservedOrder& observed, std::span<const double> sizes,
+                           std::span<const double> differences, double nominal, double range) {
+  if (observed.verdict == OrderVerdict::exact) return {UncertaintyBasis::exact};
+  const double most = nominal > 0.0 ? nominal : usual_order;
+  const auto estimate = [&](UncertaintyBasis basis, double order, double factor, double difference,
+                            std::size_t index) -> Uncertainty {
+    const double error = error_after(sizes, difference, index, order);
+    return {basis, order, factor, error, factor * error};
+  };
+  if (observed.verdict == OrderVerdict::order && observed.order >= least_order) {
+    const std::size_t last = at(observed.first + observed.used - 1);
+    return estimate(UncertaintyBasis::observed_order, std::min(observed.order, most),
+                    observed_factor, differences[last], last);
+  }
+  if (observed.above_floor >= 2 && observed.order_of_all >= least_order) {
+    const double order = std::min(observed.order_of_all, most);
+    return estimate(UncertaintyBasis::slope, order, cautious_factor,
+                    envelope(sizes, differences, order), differences.size() - 1);
+  }
+  return {UncertaintyBasis::range, 0.0, cautious_factor, range, cautious_factor * range};
+}
+
+const char* name_of(UncertaintyBasis basis) {
+  switch (basis) {
+    case UncertaintyBasis::exact:
+      return "exact";
+    case UncertaintyBasis::observed_order:
+      return "observed order";
+    case UncertaintyBasis::slope:
+      return "slope of all differences";
+    case UncertaintyBasis::range:
+      break;
+  }
+  return "range of the levels";
+}
+
+}  // namespace tdbd::simulation

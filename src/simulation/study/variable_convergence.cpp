@@ -1,0 +1,133 @@
+#include "simulation/study/variable_convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tdbd::simulation {
+namespace {
+
+using Levels = std::vector<ConvergenceLevel>;
+
+std::vector<double> first_sizes(const Levels& levels) {
+  std::vector<double> sizes;
+  for (const ConvergenceLevel& level : levels) sizes.push_back(level.sizes.front());
+  return sizes;
+}
+
+/// The orders of errors against a reference (as many as levels) or between neighbours (one less).
+void observe_order(const Levels& levels, VariableConvergence& v) {
+  std::vector<double> sizes = first_sizes(levels);
+  std::vector<long> counts;  // of a difference: of the longer of its two runs
+  for (const ConvergenceLevel& level : levels) counts.push_back(level.steps);
+  if (v.differences.size() < levels.size()) counts.erase(counts.begin());
+  sizes.resize(v.differences.size());
+  v.order = observed_order(sizes, v.differences, v.scale, counts);
+}
+
+/// The largest distance between the ends of any two levels.
+double range_of(const Levels& levels, std::size_t v) {
+  double range = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      range = std::max(range, distance(levels[i].end.variables[v], levels[j].end.variables[v]));
+  return range;
+}
+
+void estimate_uncertainty(const Levels& levels, double nominal_order, double range,
+                          VariableConvergence& v) {
+  if (!v.differences.empty())
+    v.uncertainty =
+        uncertainty_of(v.order, first_sizes(levels), v.differences, nominal_order, range);
+}
+
+/// (10): the finest values, moved on by what the last difference leaves of its series.
+void extrapolate(const Levels& levels, std::size_t v, VariableConvergence& r) {
+  const StateVariable& fine = levels.back().end.variables[v];
+  const bool is_attitude = fine.factor != 1.0;
+  if (fine.values.size() != levels[levels.size() - 2].end.variables[v].values.size()) return;
+  if (!r.uncertainty || r.uncertainty->basis != UncertaintyBasis::observed_order || is_attitude)
+    return;
+  const ConvergenceLevel& before = levels[levels.size() - 2];
+  const double ratio =
+      std::pow(before.sizes.front() / levels.back().sizes.front(), r.uncertainty->order);
+  for (std::size_t k = 0; k < fine.values.size(); ++k)
+    r.extrapolated.push_back(fine.values[k] +
+                             (fine.values[k] - before.end.variables[v].values[k]) / (ratio - 1.0));
+}
+
+VariableConvergence against_reference(const Levels& levels, std::size_t v,
+                                      const StateVariable& reference) {
+  const StateVariable& first = levels.front().end.variables[v];
+  VariableConvergence r{first.name, first.units};
+  for (const ConvergenceLevel& level : levels) {
+    const StateVariable& one = level.end.variables[v];
+    r.scale = std::max(r.scale, one.scale);
+    r.differences.push_back(distance(one, reference));
+  }
+  observe_order(levels, r);
+  return r;
+}
+
+VariableConvergence between_levels(const Levels& levels, std::size_t v, double nominal_order) {
+  const StateVariable& first = levels.front().end.variables[v];
+  VariableConvergence r{first.name, first.units};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const StateVariable& one = levels[i].end.variables[v];
+    r.scale = std::max(r.scale, one.scale);
+    if (i > 0) r.differences.push_back(distance(levels[i - 1].end.variables[v], one));
+  }
+  observe_order(levels, r);
+  estimate_uncertainty(levels, nominal_order, range_of(levels, v), r);
+  extrapolate(levels, v, r);
+  return r;
+}
+
+/// Of the distances between holes that `of` picks.
+VariableConvergence of_holes(const Levels& levels, double nominal_order, VariableConvergence r,
+                             double HoleDifference::*of) {
+  for (std::size_t i = 1; i < levels.size(); ++i) r.differences.push_back((*levels[i].moved).*of);
+  observe_order(levels, r);
+  double range = 0.0;  // the sides of the triangles between levels, added up
+  for (const double d : r.differences) range += d;
+  estimate_uncertainty(levels, nominal_order, range, r);
+  return r;
+}
+
+/// The variable of that name; null if there is none.
+const StateVariable* find(const EndState& end, const std::string& name) {
+  const auto is_it = [&](const StateVariable& v) { return v.name == name; };
+  const auto found = std::ranges::find_if(end.variables, is_it);
+  return found == end.variables.end() ? nullptr : &*found;
+}
+
+void add_holes(const Levels& levels, double nominal_order,
+               std::vector<VariableConvergence>& variables) {
+  if (levels.size() < 2 || !levels.back().moved) return;
+  double radius = 0.0, removed = 0.0;
+  for (const ConvergenceLevel& level : levels) {
+    if (level.moved) radius = std::max(radius, level.moved->radius);
+    removed = std::max(removed, find(level.end, "removed_volume")->scale);
+  }
+  variables.push_back(
+      of_holes(levels, nominal_order, {"surface_distance", "m", radius}, &HoleDifference::largest));
+  variables.push_back(
+      of_holes(levels, nominal_order, {"volume_between", "m3", removed}, &HoleDifference::volume));
+}
+
+}  // namespace
+
+std::vector<VariableConvergence> observe(const Levels& levels, const Yardstick& y) {
+  std::vector<VariableConvergence> variables;
+  if (levels.empty()) return variables;
+  const EndState& first = levels.front().end;
+  for (std::size_t v = 0; v < first.variables.size(); ++v) {
+    if (!y.reference)
+      variables.push_back(between_levels(levels, v, y.nominal_order));
+    else if (const StateVariable* r = find(*y.reference, first.variables[v].name))
+      variables.push_back(against_reference(levels, v, *r));
+  }
+  if (!y.reference) add_holes(levels, y.nominal_order, variables);
+  return variables;
+}
+
+}  // namespace tdbd::simulation
