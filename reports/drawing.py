@@ -1,6 +1,7 @@
-"""Draws the figures of the manifest whose inputs changed."""
+"""Draws the figures and writes the tables of the manifest whose inputs changed."""
 
 import importlib
+import json
 from importlib.metadata import version
 from pathlib import Path
 
@@ -11,13 +12,14 @@ from fingerprint import Stale
 DPI = 200
 SCRIPTS = Path(__file__).parent / "figures"
 COMMON = ("results", "style")  # of every figure, whether its script names them or not
+SUFFIX = {"png": ".png", "svg": ".svg", "table": ".json"}
 
 
 class Inputs:
-    """What a figure's script sees: result folders of its runs and rows of its tables."""
+    """What a figure's script sees: result folders of its runs, rows of its tables, files of its sources."""
 
-    def __init__(self, groups, tables):
-        self.groups, self.tables = groups, tables
+    def __init__(self, groups, tables, root, sources):
+        self.groups, self.tables, self.root, self.sources = groups, tables, root, sources
 
     def folder(self, group):
         """The result folder of a run that is no sweep."""
@@ -41,16 +43,41 @@ class Inputs:
         """Rows of an evidence table; None when there is none in this run (--quick)."""
         return self.tables[name]
 
+    def texts(self):
+        """{path below the root: text} of the files that its sources name."""
+        return {str(f.relative_to(self.root)): f.read_text(encoding="utf-8") for f in self.sources}
+
+
+def save(made, path):
+    """A matplotlib figure, or a table {"heads": [...], "rows": [[...], ...]}; the same one gives the same bytes."""
+    if path.suffix == SUFFIX["table"]:
+        path.write_text(json.dumps({"heads": list(made["heads"]), "rows": [list(map(str, row)) for row in made["rows"]]}, indent=1) + "\n",
+                        encoding="utf-8")
+    elif path.suffix == SUFFIX["svg"]:
+        import matplotlib
+        with matplotlib.rc_context({"svg.hashsalt": "tdbd"}):
+            made.savefig(path, metadata={"Date": None, "Creator": None})
+    else:
+        made.savefig(path, dpi=DPI, metadata={"Software": None})
+
 
 class Drawing:
-    """Figures NAME.png and their stamps NAME.made.json in a folder."""
+    """Figures NAME.png or NAME.svg, tables NAME.json, and their stamps NAME.made.json in a folder."""
 
     def __init__(self, manifest, data, evidence_folder, folder, is_quick):
         self.manifest, self.data, self.is_quick = manifest, data, is_quick
         self.evidence_folder, self.folder = Path(evidence_folder), Path(folder)
 
     def picture(self, figure):
-        return self.folder / f"{figure.name}.png"
+        return self.folder / f"{figure.name}{SUFFIX[figure.form]}"
+
+    def sources(self, figure):
+        """The files of the project that it is drawn from. Raises Stale when a pattern finds none."""
+        found = {pattern: sorted(f for f in self.data.root.glob(pattern) if f.is_file()) for pattern in figure.sources}
+        for pattern, files in found.items():
+            if not files:
+                raise Stale(f"figure {figure.name}: its source {pattern} names no file")
+        return sorted({f for files in found.values() for f in files})
 
     def stamp(self, figure):
         return self.folder / f"{figure.name}.made.json"
@@ -76,10 +103,11 @@ class Drawing:
         return table and table["rows"]
 
     def inputs(self, figure):
-        """Fingerprint of all that decides the picture: script, style, results, tables, versions."""
+        """Fingerprint of all that decides the picture: script, style, results, tables, sources, versions."""
         scripts = fingerprint.of_scripts(SCRIPTS, *(SCRIPTS / f"{n}.py" for n in (figure.script, *COMMON)))
         results = [fingerprint.read(self.data.stamp(r)).get("files") for r in self.runs(figure)]
-        return fingerprint.of_value([scripts, results, [self.rows(t) for t in figure.tables],
+        files = [[str(f.relative_to(self.data.root)), fingerprint.of_file(f)] for f in self.sources(figure)]
+        return fingerprint.of_value([scripts, results, [self.rows(t) for t in figure.tables], files, figure.form,
                                      version("matplotlib"), version("numpy")])
 
     def draw(self, figure):
@@ -88,12 +116,13 @@ class Drawing:
         groups = {g: [(r.settings, self.data.result(r)) for r in self.manifest.group(g) if self.is_made(r)]
                   for g in figure.runs}
         script = importlib.import_module(f"figures.{figure.script}")
+        given = Inputs(groups, {t: self.rows(t) for t in figure.tables}, self.data.root, self.sources(figure))
         try:
-            drawn = script.draw(Inputs(groups, {t: self.rows(t) for t in figure.tables}))
+            made = script.table(given) if figure.form == "table" else script.draw(given)
         except (ArithmeticError, LookupError, OSError, ValueError) as error:
             raise Stale(f"figure {figure.name}: cannot be drawn of its data: {error!r}") from error
         self.folder.mkdir(parents=True, exist_ok=True)
-        drawn.savefig(self.picture(figure), dpi=DPI, metadata={"Software": None})
+        save(made, self.picture(figure))
 
     def problem(self, figure):
         """Why the picture is stale: missing, of other inputs, or older than its data. Or None."""
@@ -118,4 +147,4 @@ class Drawing:
 
     def demand_current(self, figure):
         if problem := self.problem(figure):
-            raise Stale(f"figure {figure.name}: {problem}")
+            raise Stale(f"{self.picture(figure)}: figure {figure.name}: {problem}")

@@ -20,6 +20,7 @@ import manifest as manifests
 import page
 import readme
 import studies
+import thesis_index
 from data import Data
 from drawing import Drawing
 from fingerprint import Stale
@@ -73,6 +74,12 @@ def stale_page(html, shown):
     return [f"{html}: older than {newer[0]}"] if newer else []
 
 
+def missing_counterparts(index, calibrated):
+    """Counterparts of the thesis's chapter 6 that its script did not make; nothing is asked where it did not run."""
+    made = {i["name"] for i in calibrated.items(calibrations.CHAPTER_6)}
+    return thesis_index.missing(index, made or None)
+
+
 def parse(arguments):
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     mode = parser.add_mutually_exclusive_group()
@@ -91,6 +98,8 @@ def parse(arguments):
 
 def report(chosen):
     """Does what the arguments say; returns problems."""
+    whole = manifests.read(chosen.root / "reports")
+    index = thesis_index.read(chosen.root, whole)
     manifest = manifests.read(chosen.root / "reports", chosen.quick)
     folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
     found = evidence.collect(folder, chosen.build, manifest.claims)
@@ -109,12 +118,12 @@ def report(chosen):
     html = chosen.output / "index.html"
     if chosen.check:
         problems = stale(manifest, data, drawing, pages) or stale_page(html, sources(manifest, drawing, (made, calibrated, compared), folder))
-        return problems + unproved
+        return problems + unproved + missing_counterparts(index, calibrated)
     html.unlink(missing_ok=True)
     problems = update(manifest, data, drawing, pages) or stale(manifest, data, drawing, pages)
-    problems += unproved
+    problems += unproved + missing_counterparts(index, calibrated)
     if not problems:
-        page.write(html, manifest, data, drawing, made, (compared, calibrated), found.by_claim, chosen.quick)
+        page.write(html, manifest, data, drawing, made, (compared, calibrated), found.by_claim, (index, whole), chosen.quick)
         print(f"report: look at {html}")
     return problems
 

@@ -10,9 +10,10 @@ RUN_KEYS = {"command": str, "case": str, "program": str, "output": str, "argumen
             "set": dict, "variants": list, "sweep": dict, "quick": dict}
 QUICK_KEYS = {"arguments": list, "set": dict, "sweep": dict}
 FIGURE_KEYS = {"name": str, "script": str, "thesis": str, "title": str, "shows": str,
-               "reconstructed": str, "runs": list, "tables": list, "claims": list, "quick": bool}
+               "reconstructed": str, "form": str, "runs": list, "tables": list, "sources": list, "claims": list, "quick": bool}
+FORMS = ("png", "svg", "table")
 CLAIM_KEYS = {"slug": str, "claim": str, "where": str, "open": str}
-OPTIONAL = {"open", "program", "output", "arguments", "set", "variants", "sweep", "quick", "runs", "tables"}
+OPTIONAL = {"open", "program", "output", "arguments", "set", "variants", "sweep", "quick", "form", "runs", "tables", "sources"}
 
 
 class ManifestError(Exception):
@@ -41,10 +42,16 @@ class Figure:
     title: str
     shows: str
     reconstructed: str  # what of it is; empty: nothing
+    form: str  # of FORMS
     runs: tuple  # groups
     tables: tuple  # evidence tables
+    sources: tuple  # patterns of files of the project that it is drawn from
     claims: tuple
     quick: bool  # whether --quick draws it
+
+    def kind(self):
+        """What it is in the thesis's numbering."""
+        return "table" if self.form == "table" else "figure"
 
 
 @dataclass(frozen=True)
@@ -73,7 +80,7 @@ class Manifest:
         return [f for f in self.figures if slug in f.claims]
 
 
-def checked(where, table, keys):
+def checked(where, table, keys, optional=frozenset(OPTIONAL)):
     """The table, when its keys are known, complete and of the right type."""
     for key, value in table.items():
         if key not in keys:
@@ -81,7 +88,7 @@ def checked(where, table, keys):
         if not isinstance(value, keys[key]):
             raise ManifestError(f"{where}: {key} is {value!r}, expected a {keys[key].__name__}")
     for key in keys:
-        if key not in table and key not in OPTIONAL:
+        if key not in table and key not in optional:
             raise ManifestError(f"{where}: {key} is missing")
     return table
 
@@ -111,8 +118,11 @@ def runs_of(group, table, is_quick):
 
 
 def figure_of(table):
-    checked(f"figure {table.get('name', '?')}", table, FIGURE_KEYS)
-    values = {"runs": [], "tables": [], "quick": True} | table
+    where = f"figure {table.get('name', '?')}"
+    checked(where, table, FIGURE_KEYS)
+    values = {"form": "png", "runs": [], "tables": [], "sources": [], "quick": True} | table
+    if values["form"] not in FORMS:
+        raise ManifestError(f"{where}: form is {values['form']!r}, expected one of {', '.join(FORMS)}")
     return Figure(**{k: tuple(v) if isinstance(v, list) else v for k, v in values.items()})
 
 

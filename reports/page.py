@@ -15,6 +15,7 @@ import calibrations
 import class_table
 import evidence
 import studies
+import thesis_index
 from drawing import DPI
 
 HERE = Path(__file__).parent
@@ -22,12 +23,16 @@ HERE = Path(__file__).parent
 
 # Letters in a picture are then as large as the text around it: they have 9 points, and CSS has 96 pixels an inch.
 PIXELS_PER_INCH = 128
+POINTS_PER_INCH = 72
+MEDIA = {".png": "image/png", ".svg": "image/svg+xml"}
 
 
 def shown_width(picture):
     """Width on the page in CSS pixels, from the picture's size in inches."""
-    header = Path(picture).read_bytes()[:24]
-    return round(int.from_bytes(header[16:20], "big") / DPI * PIXELS_PER_INCH)
+    start = Path(picture).read_bytes()[:2000]
+    if Path(picture).suffix == ".svg":
+        return round(float(re.search(rb'width="([0-9.]+)pt"', start)[1]) / POINTS_PER_INCH * PIXELS_PER_INCH)
+    return round(int.from_bytes(start[16:20], "big") / DPI * PIXELS_PER_INCH)
 
 
 def breakable(name):
@@ -36,7 +41,7 @@ def breakable(name):
 
 
 def embedded(picture):
-    return "data:image/png;base64," + base64.b64encode(Path(picture).read_bytes()).decode()
+    return f"data:{MEDIA[Path(picture).suffix]};base64," + base64.b64encode(Path(picture).read_bytes()).decode()
 
 
 def rows(manifest, found):
@@ -46,9 +51,15 @@ def rows(manifest, found):
             for c in manifest.claims]
 
 
+def picture_or_rows(figure, path):
+    """What the page embeds of a figure, or the heads and rows of a table."""
+    if figure.form == "table":
+        return {"rows": json.loads(path.read_text(encoding="utf-8")), "picture": None, "width": None}
+    return {"rows": None, "picture": embedded(path), "width": shown_width(path)}
+
+
 def pictures(manifest, data, drawing):
-    return [{"figure": f, "picture": embedded(drawing.picture(f)),
-             "width": shown_width(drawing.picture(f)),
+    return [{"figure": f, **picture_or_rows(f, drawing.picture(f)),
              "tables": [(t, drawing.table(t)["test"]) for t in f.tables if drawing.table(t)],
              "commands": [shlex.join([r.program, *data.command(r)]) for r in drawing.runs(f)]}
             for f in manifest.figures]
@@ -89,8 +100,16 @@ def provenance(manifest, data):
     return program(manifest, data) + [("python", platform.python_version())] + drawn
 
 
-def write(path, manifest, data, drawing, made, makers, found, is_quick):
-    """Writes the page, whole or not at all."""
+def thesis_rows(index, whole, manifest):
+    """The rows of the list of the thesis's figures and tables, with where each link leads: None where --quick leaves it out."""
+    shown = {f.name for f in manifest.figures}
+    places = {"figure": "figure-{}", "study": "study-{}", "claim": "claim-{}", "chapter6": "calibration-chapter6"}
+    return [{"row": row, "links": [(name, None if kind == "figure" and name not in shown else places[kind].format(name))
+                                   for kind, name in row.links]} for row in thesis_index.rows(index, whole)]
+
+
+def write(path, manifest, data, drawing, made, makers, found, thesis, is_quick):
+    """Writes the page, whole or not at all. `thesis`: the index of the thesis's figures, and the whole manifest."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)
@@ -99,6 +118,7 @@ def write(path, manifest, data, drawing, made, makers, found, is_quick):
         rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
         sets=shown_sets(makers),
         bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
+        thesis=thesis_rows(*thesis, manifest), thesis_counts=thesis_index.counts(thesis_index.rows(*thesis)),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")
     partial.parent.mkdir(parents=True, exist_ok=True)

@@ -17,7 +17,7 @@ import manifest  # noqa: E402
 import studies  # noqa: E402
 from evidence import NOT_MEASURED, OPEN, VERDICTS  # noqa: E402
 
-PICTURE = r'<img alt="[^"]+" width="[0-9]+" src="data:image/png;base64,[A-Za-z0-9+/]{10000,}=*">'
+PICTURE = r'<img alt="[^"]+"(?: aria-describedby="[^"]+")? width="[0-9]+" src="data:image/(?:png|svg\+xml);base64,[A-Za-z0-9+/]{10000,}=*">'
 
 
 def make():
@@ -35,7 +35,7 @@ for claim in wanted.claims:
     assert any(f">{v}</span>" in row[0] for v in [*VERDICTS, NOT_MEASURED, OPEN]), claim.slug
 for figure in wanted.figures:
     block = re.search(rf'<figure id="figure-{figure.name}">.*?</figure>', page, re.DOTALL)
-    assert block and re.search(PICTURE, block[0]), figure.name
+    assert block and re.search("<tbody>" if figure.form == "table" else PICTURE, block[0]), figure.name
     assert ("Reconstructed:" in block[0]) == bool(figure.reconstructed), figure.name
 shown = studies.find(root)
 drawn = 0
@@ -43,7 +43,13 @@ for study in shown:
     section = re.search(rf'<section id="study-{study.name}">.*?</section>', page, re.DOTALL)
     assert section and ("<td" in section[0] or re.search(PICTURE, section[0])), study.name
     drawn += len(re.findall(PICTURE, section[0]))
-assert len(re.findall(PICTURE, page)) == len(wanted.figures) + drawn
+assert len(re.findall(PICTURE, page)) == sum(f.form != "table" for f in wanted.figures) + drawn
+for described in re.findall(r'aria-describedby="([^"]+)"', page):
+    assert f'id="{described}"' in page, described
+listed = page.split('id="thesis-index"')[1].split("</table>")[0]
+assert "92 figures:" in listed and "11 tables:" in listed and listed.count("<tr><td>") == 103
+for place in re.findall(r'href="#([^"]+)"', page):
+    assert f'id="{place}"' in page, f"a link to {place}, which is not on the page"
 for name in ("comparison", "chapter6", "measured"):  # the full report makes them
     section = re.search(rf'<h2 id="calibration-{name}">.*?<h2', page, re.DOTALL)
     assert section and "Not made in this run" in section[0], name

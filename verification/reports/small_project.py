@@ -46,6 +46,8 @@ runs = ["one"]
 tables = ["numbers"]
 claims = ["chapter5/order"]
 """
+INDEX = "".join(f'[[entries]]\nnumber = "figure 5.{k}"\ntitle = "A <line>"\nknown = "title"\n{rest}\n'
+                for k, rest in ((1, 'why = "A photograph."'), (2, "")))
 CLAIMS = """
 [[claims]]
 slug = "chapter5/order"
@@ -78,6 +80,7 @@ class Project:
         self.write("reports/figures/first.py", FIGURE)
         self.write("reports/manifest.toml", MANIFEST)
         self.write("reports/claims.toml", CLAIMS)
+        self.write("reports/thesis_index.toml", INDEX)
         self.write("cases/one.toml", "[time]\nstep = 1.0\n")
         self.write("build/release/tdbd", PROGRAM)
         (self.build / "tdbd").chmod(0o755)
