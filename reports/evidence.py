@@ -58,7 +58,7 @@ def read_evidence(file, folder, build, slugs):
     if evidence.verdict not in VERDICTS or evidence.claim != str(file.parent.relative_to(folder)):
         raise Wrong(f"evidence {file}: verdict {evidence.verdict!r}, claim {evidence.claim!r}")
     if evidence.claim not in slugs:
-        raise Wrong(f"evidence {file}: claims.toml has no {evidence.claim}")
+        raise Wrong(f"evidence {file}: an orphan, reports/claims.toml has no {evidence.claim}")
     return evidence
 
 
@@ -83,7 +83,7 @@ def collect(folder, build, claims):
             found.wrong.append(str(wrong))
         except Stale as stale:
             found.stale.append(str(stale))
-    found.stale.extend(f"evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
+    found.stale.extend(f"reports/claims.toml: no evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
                        for slug, written in found.by_claim.items() if not written and slug not in open_claims)
     found.wrong.extend(f"claims.toml: {slug} is open, and a test measures it"
                        for slug in sorted(open_claims) if found.by_claim[slug])

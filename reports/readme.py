@@ -92,6 +92,12 @@ def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
     return problems
 
 
+def orphans(numbers, rows=tuple(ROWS)):
+    """Numbers that were kept for a row that is gone, as a list of problems."""
+    used = {n.key() for row in rows for n in row.numbers}
+    return [f"reports/readme.json: an orphan, no row of reports/readme_rows.py uses {key!r}; {REMEDY}" for key in numbers if key not in used]
+
+
 def has_block(root):
     readme = Path(root) / "README.md"
     return (Path(root) / "reports/readme.json").is_file() or readme.is_file() and BEGIN in readme.read_text(encoding="utf-8")
@@ -105,7 +111,7 @@ def problems(root, found=None):
         numbers = read_kept(root)
     except Stale as stale:
         return [str(stale)]
-    return stale_numbers(root, numbers, found) or edited_lines(root, numbers)
+    return orphans(numbers) + (stale_numbers(root, numbers, found) or edited_lines(root, numbers))
 
 
 def main(arguments):
