@@ -18,6 +18,7 @@ import comparison
 import evidence
 import manifest as manifests
 import page
+import page_contents
 import readme
 import studies
 import thesis_index
@@ -100,6 +101,7 @@ def report(chosen):
     """Does what the arguments say; returns problems."""
     whole = manifests.read(chosen.root / "reports")
     index = thesis_index.read(chosen.root, whole)
+    page_contents.chapters(whole)  # every claim has its place
     manifest = manifests.read(chosen.root / "reports", chosen.quick)
     folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
     found = evidence.collect(folder, chosen.build, manifest.claims)

@@ -14,6 +14,7 @@ from markupsafe import Markup, escape
 import calibrations
 import class_table
 import evidence
+import page_contents
 import studies
 import thesis_index
 from drawing import DPI
@@ -113,9 +114,9 @@ def write(path, manifest, data, drawing, made, makers, found, thesis, is_quick):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)
-    environment.filters["breakable"] = breakable
+    environment.filters |= {"breakable": breakable, "label": page_contents.label}
     html = environment.get_template("page.html.j2").render(
-        rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
+        chapters=page_contents.chapters(manifest), rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
         sets=shown_sets(makers),
         bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
         thesis=thesis_rows(*thesis, manifest), thesis_counts=thesis_index.counts(thesis_index.rows(*thesis)),

@@ -64,6 +64,13 @@ class Check(unittest.TestCase):
         page.touch()  # newer than the orphan: that alone is wrong
         self.assert_named("evidence/chapter5/other/what.json", "an orphan", "claims.toml has no chapter5/other")
 
+    def test_names_a_claim_of_no_chapter(self):
+        claims = self.project.root / "reports/claims.toml"
+        claims.write_text(claims.read_text(encoding="utf-8").replace("chapter5/order", "chapter9/order"), encoding="utf-8")
+        manifest = self.project.root / "reports/manifest.toml"
+        manifest.write_text(MANIFEST.replace("chapter5/order", "chapter9/order"), encoding="utf-8")
+        self.assert_named("reports/claims.toml", "an orphan", "no chapter for chapter9/order")
+
     def test_names_a_number_of_no_row(self):
         file = self.project.root / "reports/readme.json"
         file.write_text(json.dumps(json.loads(file.read_text(encoding="utf-8")) | {"gone": 1.0}), encoding="utf-8")

@@ -36,6 +36,8 @@ for claim in wanted.claims:
 for figure in wanted.figures:
     block = re.search(rf'<figure id="figure-{figure.name}">.*?</figure>', page, re.DOTALL)
     assert block and re.search("<tbody>" if figure.form == "table" else PICTURE, block[0]), figure.name
+    if figure.form == "svg":  # a surface would be a picture within the drawing
+        assert "<image" not in (build / f"report-quick/figures/{figure.name}.svg").read_text(encoding="utf-8"), figure.name
     assert ("Reconstructed:" in block[0]) == bool(figure.reconstructed), figure.name
 shown = studies.find(root)
 drawn = 0
@@ -44,6 +46,12 @@ for study in shown:
     assert section and ("<td" in section[0] or re.search(PICTURE, section[0])), study.name
     drawn += len(re.findall(PICTURE, section[0]))
 assert len(re.findall(PICTURE, page)) == sum(f.form != "table" for f in wanted.figures) + drawn
+assert len(re.findall("<img ", page)) == len(re.findall('<img alt="[^"]+"', page)), "a picture without words"
+contents = re.search(r'<nav aria-label="Contents">.*?</nav>', page, re.DOTALL)[0]
+for figure in wanted.figures:
+    assert contents.count(f'href="#figure-{figure.name}"') == 1, f"{figure.name} in the table of contents"
+for chapter in {c.slug.split("/")[0] for c in wanted.claims}:
+    assert f'href="#{chapter}"' in contents, chapter
 for described in re.findall(r'aria-describedby="([^"]+)"', page):
     assert f'id="{described}"' in page, described
 listed = page.split('id="thesis-index"')[1].split("</table>")[0]

@@ -5,6 +5,7 @@ import pathlib
 import re
 import sys
 import tempfile
+import types
 import unittest
 
 from small_project import INDEX, MANIFEST, Project
@@ -12,6 +13,7 @@ from small_project import INDEX, MANIFEST, Project
 ROOT = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(ROOT / "reports"))
 import manifest as manifests  # noqa: E402
+import page_contents  # noqa: E402
 import thesis_index  # noqa: E402
 
 # The last number of every chapter, from the thesis's lists of figures and of tables.
@@ -143,6 +145,21 @@ class Shown(unittest.TestCase):
         self.assertEqual(thesis_index.missing(entries, {"fit-bc"}), [])
         [problem] = thesis_index.missing(entries, {"fit-ab"})
         self.assertIn("figure 6.3: there is no counterpart chapter6 fit-bc", problem)
+
+
+class Contents(unittest.TestCase):
+    """The page's table of contents."""
+
+    def test_a_figure_stands_with_its_first_number_else_with_its_first_claim(self):
+        for thesis, claims, chapter in (("4.2, 5.1", (), "chapter4"), ("A.1", ("chapter3/a",), "appendix-a"), ("B.9 to B.14", (), "appendix-b"),
+                                        ("", ("chapter2/a", "ours/b"), "chapter2"), ("", (), "ours")):
+            self.assertEqual(page_contents.slug_of(types.SimpleNamespace(thesis=thesis, claims=claims)), chapter)
+
+    def test_every_figure_and_claim_of_the_report_stands_once(self):
+        whole = manifests.read(ROOT / "reports")
+        chapters = page_contents.chapters(whole)
+        self.assertEqual(sorted(f.name for c in chapters for f in c.figures), sorted(f.name for f in whole.figures))
+        self.assertEqual(sorted(c.slug for h in chapters for c in h.claims), sorted(c.slug for c in whole.claims))
 
 
 class Forms(unittest.TestCase):
