@@ -35,8 +35,11 @@ endfunction()
 # The sources of a folder are compiled together: headers are read once for all of them, and a changed source costs its
 # folder. So no two of them may use one name for two things in their unnamed namespaces. Off: one object a source.
 option(TDBD_UNITY "Compile the sources of a folder together" ON)
+option(TDBD_SRC_APART "Compile every source of src by itself, so that its object can be exchanged (scripts/mutate)" OFF)
 function(tdbd_by_folder name)
-  if(NOT TDBD_UNITY)
+  set(src "${PROJECT_SOURCE_DIR}/src")
+  cmake_path(IS_PREFIX src "${CMAKE_CURRENT_SOURCE_DIR}" of_src)
+  if(NOT TDBD_UNITY OR (TDBD_SRC_APART AND of_src))
     return()
   endif()
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <thread>
@@ -28,6 +29,12 @@ void redirect(int descriptor, const fs::path& file) {
   if (opened < 0 || dup2(opened, descriptor) < 0) _exit(127);
 }
 
+/// The build's own program, or the one that the environment names: a mutant of it (scripts/mutate).
+const char* program() {
+  const char* named = std::getenv("TDBD_PROGRAM");
+  return named != nullptr ? named : TDBD_PROGRAM;
+}
+
 [[noreturn]] void become_tdbd(const std::vector<std::string>& arguments, const fs::path& out,
                               const fs::path& err, long largest_file) {
   redirect(STDOUT_FILENO, out);
@@ -37,10 +44,10 @@ void redirect(int descriptor, const fs::path& file) {
     const rlimit limit{bytes, bytes};
     if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(127);
   }
-  std::vector<char*> argv{const_cast<char*>(TDBD_PROGRAM)};
+  std::vector<char*> argv{const_cast<char*>(program())};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
-  execv(TDBD_PROGRAM, argv.data());
+  execv(program(), argv.data());
   _exit(127);
 }
 

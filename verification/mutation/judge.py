@@ -1,0 +1,49 @@
+"""What becomes of one mutant: compiled, linked with each program in turn, and shown to the tests until one fails."""
+
+import time
+
+import mutants
+import tests
+from rooms import CALL_TDBD
+from watch import run_tests
+
+
+def judge(mutant, build, seconds, room, text):
+    """A record {verdict, killer, seconds, tests_run}; verdict "same code" when the compiler makes the same of both."""
+    started = time.monotonic()
+    record = {"verdict": "survived", "killer": "", "ran": 0, "words": ""}
+    made, complaint = build.compile(mutant.file, mutants.mutated(text, mutant))
+    if made is None:
+        record.update(verdict="compiler", words=complaint[:400])
+    elif build.is_same_code(mutant.file, made):
+        record["verdict"] = "same code"
+    else:
+        run_stages(record, mutant, build, seconds, room, made)
+    record["seconds"] = round(time.monotonic() - started, 1)
+    return record
+
+
+def run_stages(record, mutant, build, seconds, room, made):
+    linked = {}
+    for program, names in tests.stages(room, mutant.file, seconds):
+        if program not in linked:
+            linked[program] = link(program, mutant, build, made)
+        outcome = run_tests(linked[program], names, lambda test, p=program: tests.limit(seconds[p].get(test, 0.0)),
+                            environment(program, build), build.work)
+        record["ran"] += outcome.ran
+        if outcome.verdict != "passed":
+            record.update(verdict=outcome.verdict, killer=f"{program} {outcome.test}".strip())
+            return
+
+
+def link(program, mutant, build, made):
+    if program in CALL_TDBD:
+        build.link("tdbd", mutant.file, made)
+        if "/app/" in mutant.file:
+            return build.program(program)  # its tests only call the program
+    return build.link(program, mutant.file, made)
+
+
+def environment(program, build):
+    called = {"TDBD_PROGRAM": str(build.work / "tdbd")} if program in CALL_TDBD else {}
+    return {**tests.ENVIRONMENT, **called}

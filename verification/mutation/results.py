@@ -1,0 +1,71 @@
+"""What became of each mutant: a cache of JSON lines, and the table of the study."""
+
+import csv
+import hashlib
+import json
+import pathlib
+
+from rooms import ROOT, test_folders
+
+COLUMNS = ("room", "file", "line", "operator", "verdict", "killer", "seconds", "before", "after")
+KILLED = ("failed", "crashed", "timed out")
+
+
+def of_file(path):
+    return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
+
+
+def of_tests(room):
+    """Hash of the sources of the tests that a mutant of the room meets."""
+    digest = hashlib.sha256()
+    for folder in test_folders(room):
+        for file in sorted((ROOT / "verification" / folder).rglob("*.[ch]pp")):
+            digest.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
+    return digest.hexdigest()
+
+
+class Cache:
+    """A kill stands as long as the mutated source does; a survivor is asked again when the tests changed."""
+
+    def __init__(self, path):
+        self.path, self.records = pathlib.Path(path), {}
+        if self.path.is_file():
+            for line in self.path.read_text(encoding="utf-8").splitlines():
+                record = json.loads(line)
+                self.records[tuple(record["key"])] = record
+
+    def find(self, key, tests):
+        record = self.records.get(key)
+        return record if record and (record["verdict"] != "survived" or record["tests"] == tests) else None
+
+    def add(self, key, record):
+        self.records[key] = record
+        with self.path.open("a", encoding="utf-8") as file:
+            file.write(json.dumps({"key": key, **record}) + "\n")
+
+
+def write_table(path, room, rows):
+    """The table with the room's rows in place of those that it had."""
+    path, kept = pathlib.Path(path), []
+    if path.is_file():
+        with path.open(newline="", encoding="utf-8") as file:
+            kept = [row for row in csv.DictReader(file) if row["room"] != room]
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        table.writeheader()
+        table.writerows(sorted(kept + rows, key=lambda r: (r["room"], r["file"], int(r["line"]), r["after"])))
+
+
+def counts(rows):
+    """{verdict: how many}."""
+    verdicts = [row["verdict"] for row in rows]
+    return {v: verdicts.count(v) for v in ("failed", "crashed", "timed out", "survived", "equivalent", "compiler")}
+
+
+def score_line(room, rows):
+    n = counts(rows)
+    killed = sum(n[v] for v in KILLED)
+    judged = killed + n["survived"]
+    share = f"{100.0 * killed / judged:.1f} %" if judged else "-"
+    return (f"{room:12} {killed} of {judged} killed, {share}; {n['timed out']} of them timed out, {n['crashed']} crashed; "
+            f"{n['survived']} survived, {n['equivalent']} equivalent, {n['compiler']} more by the compiler")

@@ -1,0 +1,81 @@
+"""watch.py, build.py, tests.py: a made-up program passes, fails, crashes, hangs, or runs no test; commands are taken apart."""
+
+import os
+import pathlib
+import tempfile
+import unittest
+
+import build
+import tests
+import watch
+
+# Says what a GoogleTest program would say of tests that are called after what they do.
+PROGRAM = """#!/bin/bash
+for word in "$@"; do case $word in --gtest_filter=*) names=${word#*=} ;; esac; done
+IFS=:
+count=0
+for name in $names; do
+  [ "$name" = A.none ] && continue
+  count=$((count + 1))
+  echo "[ RUN      ] $name"
+  case $name in
+    A.fails) echo "[  FAILED  ] $name (1 ms)"; echo "[==========] $count tests from 1 test suite ran."; exit 1 ;;
+    A.crashes) kill -SEGV $$ ;;
+    A.hangs) while :; do :; done ;;
+    A.exits) exit 0 ;;
+  esac
+done
+echo "[==========] $count tests from 1 test suite ran. (1 ms total)"
+"""
+
+
+class Watch(unittest.TestCase):
+    def outcome(self, *names):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "program"
+            program.write_text(PROGRAM, encoding="utf-8")
+            os.chmod(program, 0o700)
+            return watch.run_tests(program, names, lambda test: 0.3, {}, folder)
+
+    def test_tells_how_a_program_ends(self):
+        self.assertEqual(self.outcome("A.a", "A.b"), watch.Outcome("passed", "", 2))
+        self.assertEqual(self.outcome("A.a", "A.fails", "A.b"), watch.Outcome("failed", "A.fails", 2))
+        self.assertEqual(self.outcome("A.a", "A.crashes"), watch.Outcome("crashed", "A.crashes", 2))
+        self.assertEqual(self.outcome("A.a", "A.hangs"), watch.Outcome("timed out", "A.hangs", 2))
+
+    def test_a_program_that_leaves_in_the_middle_of_a_test_has_not_passed(self):
+        self.assertEqual(self.outcome("A.exits").verdict, "crashed")
+
+    def test_a_filter_that_runs_nothing_is_an_error(self):
+        with self.assertRaises(ValueError):
+            self.outcome("A.none")
+
+
+class Commands(unittest.TestCase):
+    def test_a_compile_command_keeps_its_flags_alone(self):
+        command = "cmake -E env X=1 ccache /usr/bin/c++ -DA -O1 -Werror -include pch.hxx -MD -MT a.o -MF a.d -o src/a.o -c /r/src/a.cpp"
+        self.assertEqual(build.compile_words(command, "/r/src/a.cpp"), "/usr/bin/c++ -DA -O1 -Werror -include pch.hxx".split())
+
+    def test_the_mutated_object_comes_before_the_libraries(self):
+        words = build.link_words(": && /usr/bin/c++ -O1 t/x.o -o verify/verify_a lib/liba.a && cd /b && cmake -P x", "verify_a")
+        self.assertEqual(build.with_object(words, "src/a.o", "/tmp/m.o"), "/usr/bin/c++ -O1 /tmp/m.o t/x.o -o verify/verify_a lib/liba.a".split())
+
+    def test_an_object_that_is_linked_by_name_is_replaced(self):
+        self.assertEqual(build.with_object("c++ src/a.o src/b.o -o tdbd".split(), "src/a.o", "/tmp/m.o"), "c++ /tmp/m.o src/b.o -o tdbd".split())
+
+
+class Stages(unittest.TestCase):
+    def test_own_tests_come_first_then_quick_ones_then_other_programs(self):
+        own = next(iter(sorted(tests.own_tests("src/rock/section/section.cpp"))))
+        seconds = {"verify_rock": {"A.slow": 9.0, ".".join(own): 5.0, "A.quick": 0.001, "A.medium": 1.0}, "verify_simulation": {"B.b": 0.1}}
+        self.assertEqual(list(tests.stages("rock", "src/rock/section/section.cpp", seconds)),
+                         [("verify_rock", [".".join(own)]), ("verify_rock", ["A.quick"]), ("verify_rock", ["A.medium"]),
+                          ("verify_rock", ["A.slow"]), ("verify_simulation", ["B.b"])])
+
+    def test_an_instance_of_a_suite_is_its_own(self):
+        self.assertTrue(tests.is_own("Formats/WholeBit.keeps/0", {("WholeBit", "keeps")}))
+        self.assertFalse(tests.is_own("WholeBits.keeps", {("WholeBit", "keeps")}))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,92 @@
+"""The tests of a program: their names, how long each takes unmutated, and the order in which a mutant meets them."""
+
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+from rooms import PROGRAMS, ROOT
+
+TEST = re.compile(r"^\s*(?:TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+)\s*,\s*(\w+)", re.MULTILINE)
+QUICK = 2.0  # s
+# Random tests draw the same numbers each time, so that a verdict can be repeated.
+ENVIRONMENT = {"RC_PARAMS": "seed=2007"}
+
+
+def measured(program, folder):
+    """{test: s} of a run of all its tests; every one must pass."""
+    report = pathlib.Path(folder) / "seconds.json"
+    done = subprocess.run([str(program), f"--gtest_output=json:{report}", "--gtest_color=no"], capture_output=True, text=True, cwd=folder,
+                          env={**os.environ, **ENVIRONMENT}, check=False)
+    if done.returncode != 0:
+        raise ValueError(f"{program}: tests fail without any mutant:\n" + "\n".join(l for l in done.stdout.split("\n") if "FAILED" in l))
+    suites = json.loads(report.read_text(encoding="utf-8"))["testsuites"]
+    return {f"{s['name']}.{t['name']}": float(t["time"].rstrip("s")) for s in suites for t in s["testsuite"] if t["result"] == "COMPLETED"}
+
+
+def baseline(program, cache, folder):
+    """{test: s}, measured once for each content of the program."""
+    key = hashlib.sha256(program.read_bytes()).hexdigest()
+    path = pathlib.Path(cache) / f"seconds-{program.name}.json"
+    if path.is_file():
+        kept = json.loads(path.read_text(encoding="utf-8"))
+        if kept["program"] == key:
+            return kept["seconds"]
+    seconds = measured(program, folder)
+    path.write_text(json.dumps({"program": key, "seconds": seconds}, indent=0), encoding="utf-8")
+    return seconds
+
+
+def limit(seconds):
+    return 4.0 * seconds + 15.0
+
+
+def own_tests(file):
+    """(suite, name) of the tests that are written for a source: NAME_test.cpp in the folders of its room."""
+    room = file.split("/")[1]
+    found = (ROOT / "verification" / room).rglob(pathlib.Path(file).stem + "_test.cpp")
+    return {pair for f in found for pair in TEST.findall(f.read_text(encoding="utf-8"))}
+
+
+def is_own(test, own):
+    """Whether a listed test, Instance/Suite.name/0 at the most, is one of these."""
+    suite, name = test.split(".", 1)
+    return any((s, n) in own for s in suite.split("/") for n in [name.split("/")[0]])
+
+
+class Seconds(dict):
+    """{program: {test: s}}, each program measured when it is first asked for."""
+
+    def __init__(self, build):
+        super().__init__()
+        self.build = build
+
+    def __missing__(self, program):
+        self[program] = baseline(self.build.program(program), self.build.folder / "mutants", self.build.work)
+        return self[program]
+
+
+def by_speed(program, names, seconds):
+    """The tests in three lots, (program, tests): below a tenth of QUICK, below QUICK, the others."""
+    for low, high in ((0.0, 0.1 * QUICK), (0.1 * QUICK, QUICK), (QUICK, float("inf"))):
+        chosen = [t for t in names if low <= seconds[program][t] < high]
+        if chosen:
+            yield high, (program, chosen)
+
+
+def stages(room, file, seconds):
+    """(program, tests) in the order of the run: own tests, the room's other ones, then other programs', quick ones first.
+
+    seconds: {program: {test: s}}.
+    """
+    own = own_tests(file)
+    homes, others = PROGRAMS[room]
+    mine = {p: [t for t in seconds[p] if is_own(t, own)] for p in homes}
+    rest = {p: [t for t in seconds[p] if not is_own(t, own)] for p in homes}
+    for of_program in (mine, rest):
+        lots = [lot for p, names in of_program.items() for lot in by_speed(p, names, seconds)]
+        yield from (stage for _, stage in sorted(lots, key=lambda lot: lot[0]))
+    for program in others:
+        yield from (stage for _, stage in by_speed(program, seconds[program], seconds))
