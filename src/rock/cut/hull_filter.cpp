@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "mesh/surface.hpp"
 #include "rock/cut/hull_sieve.hpp"
 #include "rock/cut/plane_strip.hpp"
 

@@ -114,4 +114,18 @@ TEST(ThinCut, stays_below_its_pole) {
   }
 }
 
+/// A blade that lies flat on the rock has a wedge of 10 degrees at the least: the forces stay finite.
+TEST(ThinCut, has_a_smallest_blade_angle) {
+  PartCut c = mancos(20 * MPa, 0.3e-3);
+  const auto force_at = [&](double degrees) {
+    c.back_rake = degrees * degree;
+    return law_force(zijsling(), c).force;
+  };
+  const Vec3 at = force_at(-80.0);
+  EXPECT_GT(at.norm(), 0.0);
+  for (const double flatter : {-81.0, -89.0, -90.0, -95.0})
+    EXPECT_LT((force_at(flatter) - at).norm(), 1e-11 * at.norm()) << flatter;
+  EXPECT_GT((force_at(-75.0) - at).norm(), 0.1 * at.norm());
+}
+
 }  // namespace tdbd::forces::thin_cut_test

@@ -107,6 +107,7 @@ TEST(FrictionAt, falls_from_its_value_at_rest_to_what_is_left_at_high_speed) {
   EXPECT_EQ(friction_at(s, 0.0), 0.5);
   EXPECT_NEAR(friction_at(s, 0.2), 0.5 * (1.0 - 0.4 * (1.0 - std::exp(-1.0))), 1e-15);
   EXPECT_NEAR(friction_at(s, 1e3), 0.3, 1e-15);
+  EXPECT_NEAR(friction_at({.mu = 0.5, .weakening = 1.0, .weakening_speed = 0.2}, 1e3), 0.0, 1e-15);
 }
 
 /// Pressed into the rock the force is the stress alone; sliding along it Coulomb's; leaving, none.
@@ -136,6 +137,18 @@ RC_GTEST_PROP(PressingForce, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
   const PartForce f = pressing_force(c, 100.0, {.mu = 3.0}, 0.0);
   RC_ASSERT(f.force.dot(c.velocity) <= rounding(size(f) * std::abs(speed)));
   if (beside < 1e-15) RC_ASSERT(f.tangential == 0.0);
+}
+
+/// A slip that is more than rounding, however small beside the plunge, has its friction.
+RC_GTEST_PROP(PressingForce, has_friction_as_soon_as_it_slips, ()) {
+  PartCut c = plain_cut(bit::PartKind::tooth);
+  c.normal = any_direction();
+  const Vec3 across = c.normal.cross(any_direction());
+  RC_PRE(across.norm() > 1e-3);
+  const double beside = std::pow(10.0, -number(1.0, 13.0));
+  c.velocity = number(0.1, 2.0) * (c.normal + beside * across.normalized());
+  const PartForce f = pressing_force(c, 100.0, {.mu = 0.4}, 0.0);
+  RC_ASSERT(std::abs(f.tangential - 40.0) <= rounding(40.0));
 }
 
 }  // namespace tdbd::forces::directions_test
