@@ -36,6 +36,8 @@ def parse(words):
     parser.add_argument("--count", type=whole_number(1), default=100, metavar="N", help="mutants of each room (100)")
     parser.add_argument("--seed", type=whole_number(0), default=2007, metavar="S", help="of the draw (2007)")
     parser.add_argument("--only", default="", metavar="WORD", help="mutants of sources with WORD in their path, or WORD = PATH:LINE")
+    parser.add_argument("--home", action="store_true", help="runs the room's own programs alone")
+    parser.add_argument("--longest", type=float, default=float("inf"), metavar="S", help="leaves out tests that take longer, unmutated")
     parser.add_argument("--table", type=pathlib.Path, metavar="CSV", help="writes the verdicts there, in place of the room's rows")
     parser.add_argument("--check", action="store_true", help="says which entries of equivalent.toml are no longer in the source; runs nothing")
     parser.add_argument("--targets", action="store_true", help="prints what must be built; runs nothing")

@@ -8,7 +8,7 @@ from rooms import CALL_TDBD
 from watch import run_tests
 
 
-def judge(mutant, build, seconds, room, text):
+def judge(mutant, build, seconds, programs, text):
     """A record {verdict, killer, seconds, tests_run}; verdict "same code" when the compiler makes the same of both."""
     started = time.monotonic()
     record = {"verdict": "survived", "killer": "", "ran": 0, "words": ""}
@@ -18,14 +18,14 @@ def judge(mutant, build, seconds, room, text):
     elif build.is_same_code(mutant.file, made):
         record["verdict"] = "same code"
     else:
-        run_stages(record, mutant, build, seconds, room, made)
+        run_stages(record, mutant, build, seconds, programs, made)
     record["seconds"] = round(time.monotonic() - started, 1)
     return record
 
 
-def run_stages(record, mutant, build, seconds, room, made):
+def run_stages(record, mutant, build, seconds, programs, made):
     linked = {}
-    for program, names in tests.stages(room, mutant.file, seconds):
+    for program, names in tests.stages(programs, mutant.file, seconds):
         if program not in linked:
             linked[program] = link(program, mutant, build, made)
         outcome = run_tests(linked[program], names, lambda test, p=program: tests.limit(seconds[p].get(test, 0.0)),

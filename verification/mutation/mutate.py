@@ -28,7 +28,7 @@ def row_of(room, m, record):
             "seconds": record["seconds"], "before": m.before.strip(), "after": m.after.strip()}
 
 
-def verdict_of(m, room, asked, cache):
+def verdict_of(m, asked, cache):
     """The record of a mutant: judged by hand, known from before, or found now."""
     reason = asked["judged"].get(equivalents.key(m))
     if reason:
@@ -37,17 +37,19 @@ def verdict_of(m, room, asked, cache):
     record = cache.find(key, asked["tests"])
     if record is None:
         text = (ROOT / m.file).read_text(encoding="utf-8")
-        record = {**judge(m, asked["build"], asked["seconds"], room, text), "tests": asked["tests"]}
+        record = {**judge(m, asked["build"], asked["seconds"], asked["programs"], text), "tests": asked["tests"]}
         cache.add(key, record)
     return record
 
 
 def sample(room, chosen, build, cache, judged):
     """Rows of the room's sample: `count` that ran or were judged, and beside them those that the compiler refused."""
-    asked = {"build": build, "judged": judged, "tests": results.of_tests(room), "seconds": tests.Seconds(build)}
+    programs = rooms.programs_of(room, chosen.home)
+    asked = {"build": build, "judged": judged, "programs": programs, "tests": results.of_tests(sum(programs, []), chosen.longest),
+             "seconds": tests.Seconds(build, chosen.longest)}
     rows, counted = [], 0
     for m in drawn(room, chosen):
-        record = verdict_of(m, room, asked, cache)
+        record = verdict_of(m, asked, cache)
         if record["verdict"] == "same code":
             continue
         rows.append(row_of(room, m, record))
@@ -92,7 +94,7 @@ def main(words):
     try:
         chosen = arguments.parse(words)
         if chosen.targets:
-            print(*rooms.targets(chosen.rooms))
+            print(*rooms.targets(chosen.rooms, chosen.home))
             return 0
         return check_list() if chosen.check else run(chosen)
     except (arguments.Wrong, Broken, ValueError) as wrong:

@@ -44,6 +44,7 @@ class Subtle(unittest.TestCase):
         self.assertEqual(made("swapped arguments", "x = f(a, g(b, c), d);"),
                          ["x = f(g(b, c), a, d);", "x = f(a, d, g(b, c));", "x = f(a, g(c, b), d);"])
         self.assertEqual(made("swapped arguments", "if (a < b) f(c, c);"), [])
+        self.assertEqual(made("swapped arguments", "x = std::max(a, b);"), [])
         self.assertEqual(made("swapped arguments", "double f(const Vec3& a, double b) {"), [])
 
 

@@ -15,10 +15,10 @@ def of_file(path):
     return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
 
 
-def of_tests(room):
-    """Hash of the sources of the tests that a mutant of the room meets."""
-    digest = hashlib.sha256()
-    for folder in test_folders(room):
+def of_tests(programs, longest):
+    """Hash of what a mutant meets: the sources of these programs, and the limit of their tests' time."""
+    digest = hashlib.sha256(f"{programs} {longest}".encode())
+    for folder in test_folders(programs):
         for file in sorted((ROOT / "verification" / folder).rglob("*.[ch]pp")):
             digest.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
     return digest.hexdigest()

@@ -37,14 +37,19 @@ def sources(room):
     return sorted(str(f.relative_to(ROOT)) for f in (SRC / room).rglob("*.cpp"))
 
 
-def targets(rooms):
+def programs_of(room, home_only=False):
+    """(own programs, those of other rooms); with home_only none of these."""
+    homes, others = PROGRAMS[room]
+    return homes, [] if home_only else others
+
+
+def targets(rooms, home_only=False):
     """What must be built for the rooms."""
-    wanted = {p for room in rooms for programs in PROGRAMS[room] for p in programs}
+    wanted = {p for room in rooms for programs in programs_of(room, home_only) for p in programs}
     return sorted(wanted) + (["tdbd"] if wanted & CALL_TDBD else [])
 
 
-def test_folders(room):
-    """Where the sources of the room's tests are."""
+def test_folders(programs):
+    """Where the sources of test programs are."""
     homes = {"verify_drilling": "dynamics", "verify_calibrate": "calibration"}
-    names = [p for programs in PROGRAMS[room] for p in programs]
-    return sorted({homes.get(n, n.removeprefix("verify_")) for n in names} | {"battery"})
+    return sorted({homes.get(n, n.removeprefix("verify_")) for n in programs} | {"battery"})

@@ -68,7 +68,7 @@ class Stages(unittest.TestCase):
     def test_own_tests_come_first_then_quick_ones_then_other_programs(self):
         own = next(iter(sorted(tests.own_tests("src/rock/section/section.cpp"))))
         seconds = {"verify_rock": {"A.slow": 9.0, ".".join(own): 5.0, "A.quick": 0.001, "A.medium": 1.0}, "verify_simulation": {"B.b": 0.1}}
-        self.assertEqual(list(tests.stages("rock", "src/rock/section/section.cpp", seconds)),
+        self.assertEqual(list(tests.stages((["verify_rock"], ["verify_simulation"]), "src/rock/section/section.cpp", seconds)),
                          [("verify_rock", [".".join(own)]), ("verify_rock", ["A.quick"]), ("verify_rock", ["A.medium"]),
                           ("verify_rock", ["A.slow"]), ("verify_simulation", ["B.b"])])
 

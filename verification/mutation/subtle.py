@@ -66,9 +66,13 @@ def off_by_one(code):
             yield match.start(1), match.end(1), f"{match.group(1)} - 1"
 
 
+# No calls, and calls that do not know the order of their arguments.
+NOT_SWAPPED = {"if", "for", "while", "switch", "catch", "max", "min", "hypot", "swap"}
+
+
 def swapped_arguments(code):
     for match in re.finditer(r"\b(\w+)\(", code):
-        if match.group(1) in ("if", "for", "while", "switch", "catch"):
+        if match.group(1) in NOT_SWAPPED:
             continue
         found = spans.arguments(code, match.end() - 1)
         for (a, b), (c, d) in zip(found, found[1:]):

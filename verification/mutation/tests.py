@@ -7,7 +7,7 @@ import pathlib
 import re
 import subprocess
 
-from rooms import PROGRAMS, ROOT
+from rooms import ROOT
 
 TEST = re.compile(r"^\s*(?:TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+)\s*,\s*(\w+)", re.MULTILINE)
 QUICK = 2.0  # s
@@ -57,14 +57,15 @@ def is_own(test, own):
 
 
 class Seconds(dict):
-    """{program: {test: s}}, each program measured when it is first asked for."""
+    """{program: {test: s}}, each program measured when it is first asked for; without tests that take longer than `longest`."""
 
-    def __init__(self, build):
+    def __init__(self, build, longest):
         super().__init__()
-        self.build = build
+        self.build, self.longest = build, longest
 
     def __missing__(self, program):
-        self[program] = baseline(self.build.program(program), self.build.folder / "mutants", self.build.work)
+        seconds = baseline(self.build.program(program), self.build.folder / "mutants", self.build.work)
+        self[program] = {test: s for test, s in seconds.items() if s <= self.longest}
         return self[program]
 
 
@@ -76,13 +77,13 @@ def by_speed(program, names, seconds):
             yield high, (program, chosen)
 
 
-def stages(room, file, seconds):
+def stages(programs, file, seconds):
     """(program, tests) in the order of the run: own tests, the room's other ones, then other programs', quick ones first.
 
-    seconds: {program: {test: s}}.
+    programs: of the room, and others. seconds: {program: {test: s}}.
     """
     own = own_tests(file)
-    homes, others = PROGRAMS[room]
+    homes, others = programs
     mine = {p: [t for t in seconds[p] if is_own(t, own)] for p in homes}
     rest = {p: [t for t in seconds[p] if not is_own(t, own)] for p in homes}
     for of_program in (mine, rest):
