@@ -10,6 +10,8 @@ and writes OUTPUT/index.html. With --check it makes nothing and says all that is
 import argparse
 import os
 import sys
+import time
+from functools import partial
 from pathlib import Path
 
 import bit_pages
@@ -25,32 +27,25 @@ import thesis_index
 from data import Data
 from drawing import Drawing
 from fingerprint import Stale
+from work import gather, gather_at_once
 
 HERE = Path(__file__).resolve().parent
 
 
-def gather(actions):
-    """Calls each action on its subject; returns the complaints."""
-    problems = []
-    for action, subject in actions:
-        try:
-            action(subject)
-        except Stale as stale:
-            problems.append(str(stale))
-    return problems
-
-
 def told(update, subject):
+    began = time.monotonic()
     if update(subject):
-        print(f"made {subject.name}", flush=True)
+        print(f"made {subject.name} ({time.monotonic() - began:.1f} s)", flush=True)
 
 
-def update(manifest, data, drawing, pages):
-    """Runs and draws what changed; returns problems. No figure is drawn from failed runs."""
+def update(manifest, data, drawing, pages, others):
+    """Runs and draws what changed; returns problems. No figure is drawn from failed runs. `others` need no run of the
+    manifest, and take longest: they begin first."""
     runs = [r for r in manifest.runs if drawing.is_made(r)]
-    problems = gather([(lambda r: told(data.update, r), r) for r in runs])
-    return problems or gather([(lambda f: told(drawing.update, f), f) for f in manifest.figures]
-                              + [(lambda r, p=p: told(p.update, r), r) for p in pages for r in p.runs()])
+    problems = gather_at_once([(partial(told, o.update), r) for o in reversed(others) for r in o.runs()]
+                              + [(partial(told, data.update), r) for r in runs])
+    return problems or gather_at_once([(partial(told, p.update), r) for p in reversed(pages) for r in p.runs()]
+                                      + [(partial(told, drawing.update), f) for f in manifest.figures])
 
 
 def stale(manifest, data, drawing, pages):
@@ -114,15 +109,15 @@ def report(chosen):
     drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
     pages = [bit_pages.BitPages(manifest, data, chosen.output / "bits"),
              bit_pages.Animations(manifest, data, chosen.output / "moving")]
-    pages.append(made := studies.Studies(chosen.root, chosen.output / "studies"))
-    pages.append(calibrated := calibrations.Calibrations(chosen.root, chosen.build, chosen.output / "validation", chosen.quick))
-    pages.append(compared := comparison.Comparisons(chosen.root, chosen.build, chosen.output / "comparison", chosen.quick))
+    others = [made := studies.Studies(chosen.root, chosen.output / "studies"),
+              calibrated := calibrations.Calibrations(chosen.root, chosen.build, chosen.output / "validation", chosen.quick),
+              compared := comparison.Comparisons(chosen.root, chosen.build, chosen.output / "comparison", chosen.quick)]
     html = chosen.output / "index.html"
     if chosen.check:
-        problems = stale(manifest, data, drawing, pages) or stale_page(html, sources(manifest, drawing, (made, calibrated, compared), folder))
+        problems = stale(manifest, data, drawing, pages + others) or stale_page(html, sources(manifest, drawing, others, folder))
         return problems + unproved + missing_counterparts(index, calibrated)
     html.unlink(missing_ok=True)
-    problems = update(manifest, data, drawing, pages) or stale(manifest, data, drawing, pages)
+    problems = update(manifest, data, drawing, pages, others) or stale(manifest, data, drawing, pages + others)
     problems += unproved + missing_counterparts(index, calibrated)
     if not problems:
         page.write(html, manifest, data, drawing, made, (compared, calibrated), found.by_claim, (index, whole), chosen.quick)

@@ -47,7 +47,7 @@ class Made(unittest.TestCase):
         self.assertEqual(code, 1 if words else 0, complaints)
         for word in words:
             self.assertIn(word, complaints)
-        return [name for name in ("chapter6", "measured") if f"made {name}\n" in made]
+        return [name for name in ("chapter6", "measured") if f"made {name} (" in made]
 
     def page(self, folder=None):
         return ((folder or self.project.out) / "index.html").read_text(encoding="utf-8")
