@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "app/print.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "simulation/result/stopped_run.hpp"
@@ -17,7 +18,11 @@ void add_case(CLI::App& command, ResultArguments& a, const ResultHelp& help) {
 }
 
 void add_set(CLI::App& command, std::vector<std::string>& overrides, const std::string& help) {
-  command.add_option("--set", overrides, help)->allow_extra_args(false);
+  command.add_option("--set", overrides, help)
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
 }
 
 void add_threads(CLI::App& command, int& threads) {
@@ -50,7 +55,7 @@ int begin_or_resume(const ResultArguments& a, const std::function<int()>& begin,
     return begin();
   }
   if (!simulation::tidy_if_finished(a.resumed)) return resume();
-  if (!a.quiet) fmt::print("{}: the run is complete, nothing to do\n", a.resumed);
+  if (!a.quiet) say("{}: the run is complete, nothing to do\n", a.resumed);
   return 0;
 }
 

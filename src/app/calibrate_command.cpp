@@ -4,7 +4,9 @@
 #include <chrono>
 
 #include "app/arguments.hpp"
+#include "app/case_kind.hpp"
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "app/progress.hpp"
 #include "calibration/result/calibration_files.hpp"
 #include "core/parallel.hpp"
@@ -27,29 +29,28 @@ std::filesystem::path cuts_folder(const CalibrateArguments& a,
 
 void print_set(const calibration::CalibrationCase& c, const calibration::FittedSet& set) {
   const auto names = calibration::load_names(c.records.kind);
-  if (set.pressure) fmt::print("at {:.2f} MPa:\n", 1e-6 * *set.pressure);
+  if (set.pressure) say("at {:.2f} MPa:\n", 1e-6 * *set.pressure);
   if (c.unknowns.empty()) return;
-  fmt::print("{:<16}{:>12}{:>12}   {:.0f} % interval\n", "coefficient", "start", "value",
-             100.0 * c.intervals.level);
+  say("{:<16}{:>12}{:>12}   {:.0f} % interval\n", "coefficient", "start", "value",
+      100.0 * c.intervals.level);
   for (const calibration::FittedCoefficient& f : set.fit.coefficients)
-    fmt::print(
-        "{:<16}{:>12.5g}{:>12.5g}   {}{}\n", f.key, f.start, f.value,
+    say("{:<16}{:>12.5g}{:>12.5g}   {}{}\n", f.key, f.start, f.value,
         f.at_bound ? "at an end of its range" : fmt::format("{:.5g} to {:.5g}", f.low, f.high),
         f.from_prior && !f.at_bound ? ", mostly the prior's" : "");
-  fmt::print("objectives: {} {:.4g}, {} {:.4g}; chi2 {:.4g} with {} degrees of freedom\n",
-             names[0].name, set.fit.objectives[0], names[1].name, set.fit.objectives[1],
-             set.fit.chi2, set.fit.degrees_of_freedom);
-  fmt::print("seen least: {}\n", calibration::in_words(set.fit.problem, set.identifiability));
+  say("objectives: {} {:.4g}, {} {:.4g}; chi2 {:.4g} with {} degrees of freedom\n", names[0].name,
+      set.fit.objectives[0], names[1].name, set.fit.objectives[1], set.fit.chi2,
+      set.fit.degrees_of_freedom);
+  say("seen least: {}\n", calibration::in_words(set.fit.problem, set.identifiability));
 }
 
 void print_errors(const calibration::CalibrationCase& c, const calibration::Calibration& found) {
   const auto errors = calibration::errors_of(found.predictions);
   for (std::size_t k = 0; k < errors.size(); ++k)
     if (errors[k].readings > 0)
-      fmt::print("{} of {}: {:.1f} % rms, 95 of 100 within {:.1f} %\n",
-                 calibration::load_names(c.records.kind)[k].name, fmt::join(c.predict, ", "),
-                 100.0 * errors[k].rms, 100.0 * errors[k].p95);
-  for (const std::string& why : found.extrapolates) fmt::print("extrapolates: {}\n", why);
+      say("{} of {}: {:.1f} % rms, 95 of 100 within {:.1f} %\n",
+          calibration::load_names(c.records.kind)[k].name, fmt::join(c.predict, ", "),
+          100.0 * errors[k].rms, 100.0 * errors[k].p95);
+  for (const std::string& why : found.extrapolates) say("extrapolates: {}\n", why);
 }
 
 calibration::CutStore cuts_for(const calibration::CalibrationCase& c, const CalibrateArguments& a,
@@ -74,6 +75,7 @@ void write_timing(const std::filesystem::path& folder, const calibration::CutSto
 }
 
 int calibrate(const CalibrateArguments& a) {
+  require_kind(a.case_file, a.overrides, CaseKind::calibration);
   const auto seconds = [from = std::chrono::steady_clock::now()] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
   };
@@ -93,7 +95,7 @@ int calibrate(const CalibrateArguments& a) {
     fmt::print(stderr, "tdbd: warning: {}\n", warning);
   for (const calibration::FittedSet& set : found.sets) print_set(c, set);
   print_errors(c, found);
-  fmt::print("results in {}\n", folder.string());
+  say("results in {}\n", folder.string());
   return 0;
 }
 

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
+#include "app/case_kind.hpp"
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/step/simulation.hpp"
@@ -12,19 +14,20 @@ namespace tdbd::app {
 namespace {
 
 void check_run(const std::string& file, const std::vector<std::string>& overrides) {
+  require_kind(file, overrides, CaseKind::drilling);
   const simulation::Case c = simulation::read_case(file, overrides);
   const simulation::Simulation s = simulation::start(c);
   print_warnings(c.warnings);
   print_warnings(simulation::reach_warnings(c, s.state.rock.surface));
-  fmt::print("{}: valid; {} parts, {} triangles of rock, {} steps of {} s\n", file,
-             c.bit.parts.size(), s.state.start_triangles, c.time.steps, c.time.step);
+  say("{}: valid; {} parts, {} triangles of rock, {} steps of {} s\n", file, c.bit.parts.size(),
+      s.state.start_triangles, c.time.steps, c.time.step);
 }
 
 void check_rotate(const std::string& file, const std::vector<std::string>& overrides) {
   const simulation::RotateCase c = simulation::read_rotate_case(file, overrides);
   const simulation::RotateSimulation s = simulation::start(c);
-  fmt::print("{}: valid; {} cones, {} steps of {} s, energy {:.6g} J\n", file, c.body.cones.size(),
-             c.time.steps, c.time.step, s.invariants.energy);
+  say("{}: valid; {} cones, {} steps of {} s, energy {:.6g} J\n", file, c.body.cones.size(),
+      c.time.steps, c.time.step, s.invariants.energy);
 }
 
 }  // namespace

@@ -4,11 +4,14 @@
 #include <filesystem>
 
 #include "app/arguments.hpp"
+#include "app/case_kind.hpp"
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "app/progress.hpp"
 #include "core/error.hpp"
 #include "core/whole_file.hpp"
 #include "simulation/result/output_folder.hpp"
+#include "simulation/rotate/rotate_case.hpp"
 #include "simulation/study/convergence_output.hpp"
 
 namespace tdbd::app {
@@ -50,6 +53,7 @@ int converge(ConvergeArguments a) {
   a.plan.case_file = a.case_file;
   a.plan.overrides = a.overrides;
   if (!a.reference.empty()) a.plan.reference = sim::read_end_state_file(a.reference);
+  if (!sim::is_rotate_case(a.case_file)) require_kind(a.case_file, a.overrides, CaseKind::drilling);
   const sim::ConvergenceStart start = sim::check(a.plan);
   const sim::OutputFolder folder =
       sim::prepare(result_folder(a, "-convergence"), overwrite_of(a.force), inputs_of(a, start),
@@ -60,8 +64,7 @@ int converge(ConvergeArguments a) {
     if (!a.quiet) {
       progress.finish();
       const std::string name = folder.path.string();
-      fmt::print("{}results in {}; to draw them: reports/draw.py {}\n", sim::table_text(c), name,
-                 name);
+      say("{}results in {}; to draw them: reports/draw.py {}\n", sim::table_text(c), name, name);
     }
     return c.status == sim::RunStatus::completed ? 0 : interrupted_code;
   } catch (const RunError& e) {
@@ -79,6 +82,9 @@ void add_convergence_options(CLI::App& command, ConvergeArguments& a) {
       .add_option("--over", a.plan.keys,
                   "the quantity to divide: time.step; again for a second one, divided with it")
       ->required()
+      ->type_name("KEY")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
   command.add_option("--levels", a.plan.levels, "how many values, the case's own first")
       ->required()
@@ -102,10 +108,9 @@ void add_converge(CLI::App& app, int& exit_code) {
       "order needs at least three differences above rounding whose local orders have settled;\n"
       "otherwise the table says why there is none. The numerical uncertainty of the finest level\n"
       "follows ASME V&V 20. Surfaces of drilled holes are compared too.\n"
-      "Examples: tdbd converge cases/slow-top.toml --over time.step --levels 6 -o out/orders\n"
-      "          tdbd converge cases/bit-b-steady.toml --over rock.edge_length --over time.step "
-      "\\\n"
-      "            --levels 5 --factor 1.4");
+      "Example: tdbd converge cases/slow-top.toml --over time.step --levels 6 -o out/orders\n"
+      "Both at once: tdbd converge cases/bit-b-steady.toml --over rock.edge_length \\\n"
+      "  --over time.step --levels 5 --factor 1.4");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return converge(*a); }); });
 }
 

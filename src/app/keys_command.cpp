@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "calibration/case/calibration_tables.hpp"
 #include "calibration/laboratory/laboratory_tables.hpp"
 #include "simulation/case/key_tables.hpp"
@@ -25,9 +26,9 @@ int print_keys(const std::string& table, bool markdown) {
     tables.insert(tables.end(), more.begin(), more.end());
   if (!table.empty()) tables = tables_named(tables, table);
   if (markdown)
-    fmt::print("{}{}", markdown_head, keys_as_markdown(tables));
+    say("{}{}", markdown_head, keys_as_markdown(tables));
   else
-    fmt::print("{}", keys_as_text(tables));
+    say("{}", keys_as_text(tables));
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
+#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "calibration/laboratory/laboratory.hpp"
 #include "core/error.hpp"
@@ -30,6 +31,7 @@ void demand_free(const std::filesystem::path& file, const LaboratoryArguments& a
 }
 
 int make_records(const LaboratoryArguments& a) {
+  require_kind(a.case_file, a.overrides, CaseKind::laboratory);
   const ThreadLimit limit(a.threads);
   const auto c = calibration::read_laboratory(a.case_file, a.overrides);
   const std::filesystem::path file = std::filesystem::absolute(a.output).lexically_normal();

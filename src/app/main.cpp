@@ -1,13 +1,18 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
+#include "app/first_words.hpp"
+#include "app/print.hpp"
 #include "core/provenance.hpp"
 #include "core/reason.hpp"
 
@@ -31,11 +36,38 @@ void let_writes_fail() {
   std::abort();
 }
 
-/// Fails a command whose output did not arrive.
-int after_output(int exit_code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-  std::fputs("tdbd: cannot write to standard output\n", stderr);
-  return exit_code == 0 ? 1 : exit_code;
+/// What `--version` prints.
+std::string version_text() {
+  const tdbd::Provenance& p = tdbd::provenance();
+  return std::string("tdbd ") + p.version + "\ncommit " + p.commit + "\ncompiler " + p.compiler +
+         "\nflags " + p.flags;
+}
+
+/// 2 for words that are no command line; 0 after --help and --version.
+int tell(const CLI::App& app, const CLI::ParseError& error) {
+  if (const auto* extra = dynamic_cast<const CLI::ExtrasError*>(&error)) {
+    const std::string text = extra->what();  // "...not expected: WORD" or "...: WORD WORD"
+    std::fprintf(stderr, "tdbd: %s\n",
+                 tdbd::app::unexpected(text.substr(text.find(": ") + 2)).c_str());
+    return 2;
+  }
+  return app.exit(error) == 0 ? 0 : 2;
+}
+
+/// Reads the words and runs their command. CLI11 takes them last first.
+int obey(CLI::App& app, int& exit_code, std::vector<std::string> words) {
+  words = tdbd::app::understood(app, std::move(words));
+  if (words.empty()) {
+    tdbd::app::write_out(tdbd::app::overview(app));
+    return 0;
+  }
+  std::reverse(words.begin(), words.end());
+  try {
+    app.parse(std::move(words));
+  } catch (const CLI::ParseError& e) {
+    return tell(app, e);
+  }
+  return exit_code;
 }
 
 }  // namespace
@@ -47,8 +79,7 @@ int main(int argc, char** argv) {
   std::set_terminate(end_without_catch);
   CLI::App app{"TDBD: drill bits cutting rock, verification first", "tdbd"};
   app.require_subcommand(1);
-  app.set_version_flag("--version",
-                       std::string(tdbd::provenance().version) + " " + tdbd::provenance().commit);
+  app.set_version_flag("--version", version_text());
   app.footer(
       "Exit codes: 0 done, 1 the computation failed, 2 the input is wrong, 130 interrupted.");
   int exit_code = 0;
@@ -61,10 +92,7 @@ int main(int argc, char** argv) {
   tdbd::app::add_bit(app, exit_code);
   tdbd::app::add_laboratory(app, exit_code);
   tdbd::app::add_mesh(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
-  }
-  return after_output(exit_code);
+  const int code = tdbd::app::guarded(
+      [&] { return obey(app, exit_code, std::vector<std::string>(argv + 1, argv + argc)); });
+  return tdbd::app::after_output(code);
 }

@@ -5,6 +5,7 @@
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
 #include "mesh/files/solids.hpp"
@@ -34,8 +35,7 @@ const char* yes_or_no(bool is) { return is ? "yes" : "no"; }
 void print_row(const Solid& solid) {
   const mesh::Inspection i = mesh::inspect(solid.mesh);
   const Vec3 size = 1e3 * i.box.size();
-  fmt::print(
-      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.4f} "
+  say("{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.4f} "
       "{:>8.4f} {:>8.4f} {:>7.4f} {:>5}\n",
       solid.name, i.vertices, i.facets, i.pieces, yes_or_no(i.is_closed()),
       yes_or_no(i.is_oriented()), yes_or_no(i.is_manifold()), 1e9 * i.volume, size.x(), size.y(),
@@ -44,8 +44,7 @@ void print_row(const Solid& solid) {
 }
 
 void print_table(const std::vector<Solid>& solids) {
-  fmt::print(
-      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8} {:>7} "
+  say("{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8} {:>7} "
       "{:>5}\n",
       "solid", "vertices", "facets", "pieces", "closed", "oriented", "manifold", "volume mm3",
       "box x mm", "y mm", "z mm", "edge mm", "mean", "longest", "quality", "cross");
@@ -81,7 +80,7 @@ int repair(const MeshChoices& choices, std::vector<Solid> solids) {
   for (Solid& solid : solids) {
     mesh::Repaired r = mesh::repair(solid.mesh, options);
     for (const mesh::RepairStep& step : r.steps)
-      fmt::print("{}: {} {}\n", solid.name, step.count, step.what);
+      say("{}: {} {}\n", solid.name, step.count, step.what);
     if (!r.refusal.empty())
       refusals += fmt::format("{}{}: solid {}: cannot be repaired: {}",
                               refusals.empty() ? "" : "\n", choices.file, solid.name, r.refusal);
@@ -115,8 +114,7 @@ int grade(const MeshChoices& choices, std::vector<Solid> solids) {
     if (!bit::fits(choices.only, solid.name)) continue;
     const std::size_t before = solid.mesh.triangles.size();
     mesh::Graded g = mesh::grade(solid.mesh, options);
-    fmt::print(
-        "{}: {} facets to {}, {} feature edges, surface moved by {:.3g} mm at most, volume "
+    say("{}: {} facets to {}, {} feature edges, surface moved by {:.3g} mm at most, volume "
         "changed by {:.3g} mm3\n",
         solid.name, before, g.mesh.triangles.size(), g.feature_edges, 1e3 * g.deviation,
         1e9 * g.volume_change);

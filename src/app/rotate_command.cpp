@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "app/arguments.hpp"
+#include "app/case_kind.hpp"
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "app/progress.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 
@@ -13,16 +15,15 @@ namespace {
 
 void print_outcome(const simulation::RotateOutcome& o, const std::string& folder) {
   const simulation::Invariants& v = o.end.invariants;
-  fmt::print("{}: {} steps to t = {:.6g} s, {} torque evaluations\n",
-             o.status == simulation::RunStatus::completed ? "done" : "interrupted",
-             o.end.steps_done, o.end.rotating.state.time, o.end.rotating.evaluations);
-  fmt::print(
-      "largest changes: energy {:.2e} of its scale, momentum in space {:.2e} N m s, of it vertical "
+  say("{}: {} steps to t = {:.6g} s, {} torque evaluations\n",
+      o.status == simulation::RunStatus::completed ? "done" : "interrupted", o.end.steps_done,
+      o.end.rotating.state.time, o.end.rotating.evaluations);
+  say("largest changes: energy {:.2e} of its scale, momentum in space {:.2e} N m s, of it vertical "
       "{:.2e}\n",
       v.energy_drift / v.energy_scale, std::sqrt(v.momentum_drift_squared), v.vertical_drift);
-  fmt::print("results in {}\n", folder);
+  say("results in {}\n", folder);
   if (o.status == simulation::RunStatus::interrupted)
-    fmt::print("to go on: tdbd rotate --resume {}\n", folder);
+    say("to go on: tdbd rotate --resume {}\n", folder);
 }
 
 /// Rotates with progress and a summary unless told to be quiet.
@@ -43,6 +44,7 @@ int show(const ResultArguments& a, Rotate&& rotate) {
 }
 
 int rotate(const ResultArguments& a) {
+  require_kind(a.case_file, a.overrides, CaseKind::rotation);
   const simulation::RotateCase c = simulation::read_rotate_case(a.case_file, a.overrides);
   return show(a, [&](const simulation::RotateOptions& o) { return simulation::rotate(c, o); });
 }

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
+#include "app/case_kind.hpp"
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "app/progress.hpp"
 #include "core/error.hpp"
 #include "simulation/result/run.hpp"
@@ -17,26 +19,25 @@ struct RunArguments : ResultArguments {
 
 void print_energy(const simulation::DriveFigures& d) {
   const dynamics::ResidualOrder& order = d.order.residual;
-  fmt::print("energy: {:.1f} J from the top, residual {:.2e} J, its order {}\n", d.ledger.top,
-             dynamics::residual(d.stored, d.ledger),
-             order.order ? fmt::format("{:.3f} in the time step", *order.order)
-                         : "not observed: " + order.reason);
+  say("energy: {:.1f} J from the top, residual {:.2e} J, its order {}\n", d.ledger.top,
+      dynamics::residual(d.stored, d.ledger),
+      order.order ? fmt::format("{:.3f} in the time step", *order.order)
+                  : "not observed: " + order.reason);
 }
 
 void print_summary(const simulation::RunSummary& s, const std::string& folder) {
-  fmt::print("{}: {} steps, {:.3f} revolutions, {:.4f} cm3 removed, ledger defect {:.1e}\n",
-             s.status == simulation::RunStatus::completed ? "done" : "interrupted", s.steps,
-             s.revolutions, 1e6 * s.removed_volume, s.volume_ledger_defect);
+  say("{}: {} steps, {:.3f} revolutions, {:.4f} cm3 removed, ledger defect {:.1e}\n",
+      s.status == simulation::RunStatus::completed ? "done" : "interrupted", s.steps, s.revolutions,
+      1e6 * s.removed_volume, s.volume_ledger_defect);
   for (const simulation::ConeFigures& c : s.cones)
-    fmt::print(
-        "{}: {:.4f} of the bit's speed (steps {:.4f} to {:.4f}, std {:.4f}); its gage row rolls at "
+    say("{}: {:.4f} of the bit's speed (steps {:.4f} to {:.4f}, std {:.4f}); its gage row rolls at "
         "{:.4f}: net slip {:+.2f} %\n",
         c.name, c.mean_speed_ratio, c.min_speed_ratio, c.max_speed_ratio, c.std_speed_ratio,
         c.rolling_ratio_gage_row, 100.0 * c.net_slip_gage_row);
   if (s.drive) print_energy(*s.drive);
-  fmt::print("results in {}\n", folder);
+  say("results in {}\n", folder);
   if (s.status == simulation::RunStatus::interrupted)
-    fmt::print("to go on: tdbd run --resume {}\n", folder);
+    say("to go on: tdbd run --resume {}\n", folder);
 }
 
 std::string detail_of(const simulation::Simulation& s) {
@@ -66,6 +67,7 @@ int show(const RunArguments& a, simulation::RunOptions options, Drill&& drill) {
 }
 
 int run(const RunArguments& a) {
+  require_kind(a.case_file, a.overrides, CaseKind::drilling);
   const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
   if (!a.quiet) print_warnings(c.warnings);
   return show(a, options_for<simulation::RunOptions>(a),

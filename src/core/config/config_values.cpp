@@ -100,6 +100,15 @@ T read_value(ConfigDocument& document, const std::string& key, const std::option
   return value;
 }
 
+/// What a bare number out of the range may have meant: a thousandth of the unit.
+std::string unit_question(const toml::node& node, double x, const std::string& si_unit,
+                          const Range& range) {
+  constexpr double milli = 1e-3;
+  const bool has_milli = si_unit == "m" || si_unit == "s";
+  if (node.is_string() || !has_milli || !range.contains(milli * x)) return "";
+  return fmt::format("; without a unit it counts in {0}: is \"{1} m{0}\" meant?", si_unit, x);
+}
+
 /// A number of the range, so that a caller may go on until finish() reports the problem.
 double harmless_number(const Range& range) {
   for (const double x : {1.0, range.lo, range.hi})
@@ -123,7 +132,8 @@ double Config::quantity(std::string_view key, const std::string& si_unit,
   const std::string expected = describe_unit(si_unit) + range.text();
   const auto convert = [&](const toml::node& node) {
     const double x = read_quantity(node, si_unit);
-    if (!range.contains(x)) throw UnitError(describe(&node), expected);
+    if (!range.contains(x))
+      throw UnitError(describe(&node), expected + unit_question(node, x, si_unit, range));
     return x;
   };
   const double value =

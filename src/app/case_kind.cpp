@@ -1,0 +1,53 @@
+#include "app/case_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/config/config.hpp"
+#include "core/error.hpp"
+
+namespace tdbd::app {
+namespace {
+
+/// How a kind is told, and named.
+struct Sign {
+  CaseKind kind;
+  const char* table;  ///< that no other kind has
+  const char* name;
+  const char* command;
+};
+
+constexpr Sign signs[] = {
+    {CaseKind::rotation, "body", "a body to rotate", "rotate"},
+    {CaseKind::calibration, "calibration", "a calibration", "calibrate"},
+    {CaseKind::laboratory, "laboratory", "a synthetic laboratory", "laboratory"},
+    {CaseKind::drilling, "motion", "a case to drill", "run"},
+    {CaseKind::bit, "cutters", "a bit", "bit"},
+    {CaseKind::bit, "design", "a bit", "bit"},
+    {CaseKind::bit, "journal", "a bit", "bit"},
+    {CaseKind::bit, "solids", "a bit", "bit"},
+};
+
+const Sign& sign_of(CaseKind kind) { return *std::ranges::find(signs, kind, &Sign::kind); }
+
+}  // namespace
+
+CaseKind kind_of(const std::string& file, const std::vector<std::string>& overrides) {
+  const Config c = Config::read_file(file, overrides);
+  const auto found = std::ranges::find_if(signs, [&](const Sign& s) { return c.has(s.table); });
+  return found == std::end(signs) ? CaseKind::unknown : found->kind;
+}
+
+void require_kind(const std::string& file, const std::vector<std::string>& overrides,
+                  CaseKind expected) {
+  const CaseKind found = kind_of(file, overrides);
+  if (found == expected || found == CaseKind::unknown) return;
+  const Sign& sign = sign_of(found);
+  throw InputError(fmt::format("{}: found {}, with a table [{}], expected {}; try: tdbd {} {}",
+                               file, sign.name, sign.table, sign_of(expected).name, sign.command,
+                               file));
+}
+
+}  // namespace tdbd::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tdbd::app {
+
+/// What a TOML file is, by its tables.
+enum class CaseKind { drilling, rotation, calibration, laboratory, bit, unknown };
+
+/// Of the file with its overrides. Throws InputError when it is no TOML.
+CaseKind kind_of(const std::string& file, const std::vector<std::string>& overrides);
+
+/// Throws InputError, with the command that is meant, when the file is clearly of another kind.
+void require_kind(const std::string& file, const std::vector<std::string>& overrides,
+                  CaseKind expected);
+
+}  // namespace tdbd::app

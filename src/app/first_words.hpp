@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace tdbd::app {
+
+/// The commands with an example of each: what `tdbd` and `tdbd help` print.
+std::string overview(const CLI::App& app);
+
+/// What the words after the program's name mean: `help` alone is an overview, `help COMMAND` is
+/// `COMMAND --help`. Throws InputError, with the nearest command, when the first word is none.
+std::vector<std::string> understood(const CLI::App& app, std::vector<std::string> words);
+
+/// What was wrong with words that the command did not expect, and what to write instead.
+std::string unexpected(const std::string& word);
+
+}  // namespace tdbd::app

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "app/small_case.hpp"
+
+/// The first minute with the program: words that are no command, files of another kind, units.
+namespace tdbd::app::first_words_test {
+
+const std::string cases = TDBD_SOURCE_DIR "/cases/";
+
+void expect_told(const std::vector<std::string>& words, const std::string& message) {
+  const auto o = battery::run_tdbd(words);
+  EXPECT_EQ(o.exit_code, 2) << words.front();
+  EXPECT_EQ(o.out, "");
+  EXPECT_EQ(o.err, "tdbd: " + message + "\n");
+}
+
+TEST(FirstWords, none_show_every_command_with_an_example) {
+  const auto alone = battery::run_tdbd({}), help = battery::run_tdbd({"help"});
+  EXPECT_EQ(alone.exit_code, 0);
+  EXPECT_EQ(alone.out, help.out);
+  for (const char* command :
+       {"run", "rotate", "converge", "calibrate", "check", "keys", "bit", "laboratory", "mesh"}) {
+    EXPECT_NE(alone.out.find("\n" + std::string(command) + " "), std::string::npos) << command;
+    EXPECT_NE(alone.out.find("\n            tdbd " + std::string(command) + " "), std::string::npos)
+        << command;
+  }
+}
+
+TEST(FirstWords, help_of_a_command_is_the_commands_help) {
+  const auto o = battery::run_tdbd({"help", "run"});
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_EQ(o.out, battery::run_tdbd({"run", "--help"}).out);
+  EXPECT_NE(o.out.find("--set KEY=VALUE "), std::string::npos);
+  EXPECT_EQ(o.out.find("..."), std::string::npos);
+}
+
+TEST(FirstWords, a_wrong_one_names_the_right_one) {
+  expect_told({"rnu"}, "found the command rnu, expected run? (tdbd alone lists all)");
+  expect_told({"help", "convrge"},
+              "found the command convrge, expected converge? (tdbd alone lists all)");
+  expect_told({"drill"},
+              "found the command drill, expected one of run, rotate, converge, calibrate, check, "
+              "keys, bit, laboratory, mesh");
+  expect_told({"q"},
+              "found the command q, expected one of run, rotate, converge, calibrate, check, "
+              "keys, bit, laboratory, mesh");
+}
+
+TEST(FirstWords, a_file_of_another_kind_names_its_command) {
+  const std::string top = cases + "slow-top.toml", drill = cases + "bit-b-steady.toml",
+                    bit = cases + "bits/bit-b.toml",
+                    fit = TDBD_SOURCE_DIR "/validation/cases/lab-bc-a.toml";
+  expect_told({"run", top}, top +
+                                ": found a body to rotate, with a table [body], expected a case "
+                                "to drill; try: tdbd rotate " +
+                                top);
+  expect_told({"rotate", drill}, drill +
+                                     ": found a case to drill, with a table [motion], expected "
+                                     "a body to rotate; try: tdbd run " +
+                                     drill);
+  expect_told({"run", bit}, bit +
+                                ": found a bit, with a table [cutters], expected a case to "
+                                "drill; try: tdbd bit " +
+                                bit);
+  expect_told({"bit", drill}, drill +
+                                  ": found a case to drill, with a table [motion], expected a "
+                                  "bit; try: tdbd run " +
+                                  drill);
+  expect_told({"check", fit}, fit +
+                                  ": found a calibration, with a table [calibration], expected a "
+                                  "case to drill; try: tdbd calibrate " +
+                                  fit);
+  expect_told({"calibrate", top}, top +
+                                      ": found a body to rotate, with a table [body], expected a "
+                                      "calibration; try: tdbd rotate " +
+                                      top);
+  expect_told({"laboratory", top, "-o", "/tmp/none.csv"},
+              top +
+                  ": found a body to rotate, with a table [body], expected a synthetic "
+                  "laboratory; try: tdbd rotate " +
+                  top);
+  expect_told(
+      {"converge", bit, "--over", "time.step", "--levels", "3"},
+      bit + ": found a bit, with a table [cutters], expected a case to drill; try: tdbd bit " +
+          bit);
+}
+
+TEST(FirstWords, a_setting_without_its_option_is_told) {
+  const std::string drill = cases + "bit-b-steady.toml";
+  expect_told({"check", drill, "--set", "time.revolutions=2", "time.step=1 ms"},
+              "found time.step=1 ms alone, expected --set before it: --set 'time.step=1 ms'");
+  const auto o = battery::run_tdbd(
+      {"check", "--set", "time.revolutions=2", drill, "--set", "rock.edge_length=8 mm"});
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+}
+
+TEST(FirstWords, a_number_a_thousand_times_too_large_asks_for_its_unit) {
+  expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=2.5"},
+              "--set: rock.edge_length: found 2.5, expected length in m, in [1e-05, 0.1]; without "
+              "a unit it counts in m: is \"2.5 mm\" meant?");
+  // nothing is asked where a unit was given, or where a thousandth is no better
+  expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=2.5 m"},
+              "--set: rock.edge_length: found \"2.5 m\", expected length in m, in [1e-05, 0.1]");
+  expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=-2.5"},
+              "--set: rock.edge_length: found -2.5, expected length in m, in [1e-05, 0.1]");
+}
+
+TEST(FirstWords, version_tells_what_a_summary_tells) {
+  const auto o = battery::run_tdbd({"--version"});
+  EXPECT_EQ(o.exit_code, 0);
+  for (const char* line : {"tdbd 0", "\ncommit ", "\ncompiler ", "\nflags "})
+    EXPECT_NE(o.out.find(line), std::string::npos) << o.out;
+}
+
+}  // namespace tdbd::app::first_words_test
