@@ -5,7 +5,7 @@ import sys
 import unittest
 import tempfile
 
-from small_project import PROGRAM, Project
+from small_project import INDEX, PROGRAM, Project
 
 ROOT = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(ROOT / "reports"))
@@ -90,6 +90,15 @@ class Made(unittest.TestCase):
         self.project.write("validation/validate.py", "raise SystemExit('validate: a verdict is another')\n")
         self.make("measured: exit code 1", "a verdict is another")
         self.assertFalse((self.project.out / "index.html").exists())
+
+    def test_the_list_of_the_thesis_names_only_what_was_made(self):
+        index = INDEX + '[[entries]]\nnumber = "figure 6.1"\ntitle = "Fit"\nknown = "title"\ninstead = "ours"\ncounterpart = ["chapter6 fit"]\n'
+        self.project.write("reports/thesis_index.toml", index)
+        self.make()
+        self.assertIn('<a href="#calibration-chapter6">fit</a>', self.page().split('id="thesis-index"')[1])
+        self.project.write("reports/thesis_index.toml", index.replace("chapter6 fit", "chapter6 other"))
+        for arguments in ((), ("--check",)):
+            self.make("thesis_index.toml: figure 6.1: there is no counterpart chapter6 other", arguments=arguments)
 
     def test_a_quick_run_says_that_it_was_not_made(self):
         self.assertEqual(self.make(arguments=("--quick",)), [])
