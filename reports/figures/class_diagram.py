@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 
+from matplotlib.font_manager import FontProperties
 from matplotlib.patches import FancyArrowPatch, Rectangle
-from matplotlib.textpath import TextPath
+from matplotlib.textpath import text_to_path
 
 from figures import headers, style
 
@@ -27,7 +28,8 @@ class Box:
 
 
 def width_of(text):
-    return TextPath((0, 0), text, size=POINTS).get_extents().width / 72 if text.strip() else 0.0
+    """Inches."""
+    return text_to_path.get_text_width_height_descent(text, FontProperties(size=POINTS), ismath=False)[0] / 72
 
 
 def shortened(text, width):
