@@ -57,7 +57,7 @@ class BitPages:
 
     def demand_current(self, run):
         if not self.is_current(run):
-            raise Stale(f"{self.kind} of {run.name}: missing, or its data or scripts changed after it was drawn")
+            raise Stale(f"{self.page(run)}: {self.kind} of {run.name}: missing, or its data or scripts changed after it was drawn")
 
 
 class Animations(BitPages):

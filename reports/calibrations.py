@@ -102,7 +102,7 @@ class Calibrations:
 
     def demand_current(self, made):
         if problem := self.problem(made):
-            raise Stale(f"{made.name}: {problem}")
+            raise Stale(f"{self.folder(made)}: {problem}")
 
     def call(self, made):
         """Runs the script. Raises Stale when it fails."""

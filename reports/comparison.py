@@ -123,7 +123,7 @@ class Comparisons:
         for run in self.asked:
             self.data.demand_current(run)
         if problem := self.problem():
-            raise Stale(f"{section.name}: {problem}")
+            raise Stale(f"{self.output}: {problem}")
 
     def update(self, _section):
         """Makes what is stale; returns whether anything was."""

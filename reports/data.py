@@ -49,13 +49,12 @@ class Data:
         """Raises Stale unless the result is there, unchanged, and made from the present inputs."""
         stamp = fingerprint.read(self.stamp(run))
         if not stamp:
-            raise Stale(f"{run.name}: has not been run")
+            raise Stale(f"{self.result(run)}: has not been run")
         if stamp["inputs"] != self.inputs(run):
-            raise Stale(f"{run.name}: the result does not match the manifest: its command, its case or "
+            raise Stale(f"{self.result(run)}: the result does not match the manifest: its command, its case or "
                         "the program changed")
         if stamp["files"] != self.contents(run):
-            raise Stale(f"{run.name}: the result was changed after the run; remove {self.result(run)} "
-                        f"and {self.stamp(run)}")
+            raise Stale(f"{self.result(run)}: the result was changed after the run; remove it and {self.stamp(run)}")
 
     def update(self, run):
         """Runs the program when the inputs changed; returns whether it did. A result that was

@@ -106,7 +106,7 @@ class Studies:
 
     def demand_current(self, study):
         if not self.is_current(study):
-            raise Stale(f"study {study.name}: its table or figure is missing, or its files changed after it was made")
+            raise Stale(f"{self.folder(study)}: study {study.name}: its table or figure is missing, or its files changed after it was made")
 
     def table(self, study):
         """The table as HTML; empty when there is none."""

@@ -58,6 +58,10 @@ class Check(unittest.TestCase):
         script.write_text(script.read_text(encoding="utf-8") + "# another\n", encoding="utf-8")
         self.assert_named("results/report/figures/first.png", "its script or its style changed")
 
+    def test_names_a_result_of_another_case(self):
+        self.project.write("cases/one.toml", "[time]\nstep = 2.0\n")
+        self.assert_named("results/report/data/one", "does not match the manifest")
+
     def test_names_evidence_of_no_claim(self):
         self.project.measure(EVIDENCE | {"claim": "chapter5/other"})
         page = self.project.out / "index.html"
