@@ -196,8 +196,7 @@ TEST(BadCase, all_mistakes_at_once) {
 
 TEST(BadCase, a_wrong_command_line) {
   using Arguments = std::vector<std::string>;
-  for (const Arguments& arguments :
-       {Arguments{}, {"drill"}, {"run"}, {"run", "a.toml", "--colour"}}) {
+  for (const Arguments& arguments : {Arguments{"drill"}, {"run"}, {"run", "a.toml", "--colour"}}) {
     const auto o = battery::run_tdbd(arguments);
     EXPECT_EQ(o.exit_code, 2);
     EXPECT_NE(o.err, "");
