@@ -115,8 +115,10 @@ TEST(FailingRun, forced_again_and_well_leaves_no_trace_of_the_failure) {
 TEST(InterruptedRun, keeps_everything_and_says_so) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const SmallCase c;
-    const auto o = c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10"}, "out",
-                         {.signal_after = c.path("out/frames/rock-000010.vtp"), .signal = signal});
+    const auto o =
+        c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10", "--set",
+               "output.history_every=1"},
+              "out", {.signal_after = c.path("out/frames/rock-000010.vtp"), .signal = signal});
     EXPECT_EQ(o.exit_code, 130);
     EXPECT_EQ(o.out.rfind("interrupted: ", 0), 0u) << o.out;
     const auto summary = nlohmann::json::parse(read(c.path("out/summary.json")));
@@ -157,7 +159,8 @@ TEST(InterruptedRun, before_its_first_step_ends_at_once) {
 /// Stopping early changes nothing of what was done.
 TEST(InterruptedRun, is_the_first_part_of_the_whole_one) {
   const SmallCase c;
-  ASSERT_EQ(c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10", "--quiet"},
+  ASSERT_EQ(c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10", "--set",
+                   "output.history_every=1", "--quiet"},
                   "stopped", {.signal_after = c.path("stopped/frames/rock-000010.vtp")})
                 .exit_code,
             130);

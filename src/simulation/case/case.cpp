@@ -19,6 +19,7 @@
 #include "simulation/case/contact_slopes.hpp"
 #include "simulation/case/doubtful_values.hpp"
 #include "simulation/case/force_keys.hpp"
+#include "simulation/case/history_rows.hpp"
 #include "simulation/case/run_keys.hpp"
 #include "simulation/case/step_check.hpp"
 
@@ -101,7 +102,7 @@ MeasurePlan read_measure(Config c) {
 OutputPlan read_output(Config c, const TimeGrid& t, MotionKind kind) {
   using namespace output_keys;
   const double duration = t.step * static_cast<double>(t.steps - t.first);
-  OutputPlan p{.history_every = c.read(history_every),
+  OutputPlan p{.history_every = c.read(history_every, usual_history_every(t.steps - t.first)),
                .frames_every = c.read(frames_every),
                .means_from = c.read(means_from, 0.5 * duration)};
   if (c.has(checkpoint_every.name)) p.checkpoint_every = c.read(checkpoint_every);

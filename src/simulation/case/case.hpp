@@ -69,7 +69,7 @@ struct UpdatePlan {
 };
 
 struct OutputPlan {
-  long history_every = *output_keys::history_every.fallback;  ///< steps between rows
+  long history_every = 1;  ///< steps between rows
   long frames_every =
       *output_keys::frames_every.fallback;  ///< steps between frames; 0: only the last
   long checkpoint_every = -1;  ///< steps; negative: as often as costs less than 1 % of the time

@@ -196,11 +196,13 @@ namespace output_keys {
 
 inline constexpr TableKey table{"output", "what is recorded, and when"};
 
-inline constexpr IntegerKey history_every{.name = "history_every",
-                                          .fallback = 1,
-                                          .lo = 1,
-                                          .hi = 1'000'000'000,
-                                          .meaning = "steps between rows of the history"};
+inline constexpr IntegerKey history_every{
+    .name = "history_every",
+    .usual = "at most 10 000 rows",
+    .lo = 1,
+    .hi = 1'000'000'000,
+    .meaning =
+        "steps between rows of the history; more than 1: a row has their means, sums, extremes"};
 inline constexpr IntegerKey frames_every{.name = "frames_every",
                                          .fallback = 0,
                                          .hi = 1'000'000'000,

@@ -10,8 +10,17 @@
 namespace tdbd::simulation {
 
 template <class A>
+void fields(A& a, Of<A, HistoryWindow>& x) {
+  a("steps", x.steps);
+  a("sum", x.sum);
+  a("least", x.least);
+  a("greatest", x.greatest);
+}
+
+template <class A>
 void fields(A& a, Of<A, WrittenSoFar>& x) {
   a("rows", x.rows);
+  a("window", x.window);
   a("rock_frames", x.rock_frames);
   a("bit_frames", x.bit_frames);
   a("order", x.order);

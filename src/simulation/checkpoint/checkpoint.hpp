@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulation/case/case.hpp"
+#include "simulation/checkpoint/history_window.hpp"
 #include "simulation/step/energy_order.hpp"
 #include "simulation/step/simulation.hpp"
 
@@ -17,6 +18,7 @@ using FrameList = std::vector<std::pair<double, std::string>>;
 /// How far a run has come with what it writes.
 struct WrittenSoFar {
   long rows = 0;  ///< of the history
+  HistoryWindow window;
   FrameList rock_frames, bit_frames;
   EnergyOrder order;  ///< as far as it was observed
 };

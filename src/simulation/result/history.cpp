@@ -1,256 +1,120 @@
 #include "simulation/result/history.hpp"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
-/// One number of a row: a variable of `history.nc`, a column of `history.csv`.
-template <class Row>
-struct ColumnOf {
-  const char* name;
-  const char* units;  ///< as UDUNITS reads them; "1" for counts
-  const char* long_name;
-  double (*value)(const Row&);
-};
+/// Columns that a row of many steps has a minimum and a maximum of: what it has means of, of the
+/// bit as a whole.
+bool has_extremes(const RecordColumn& c) { return c.axis < 0 && c.over == Over::mean; }
 
-/// Every bit-level column, in the order of the files. A new one is one line here.
-constexpr std::array history_columns = {
-    ColumnOf<HistoryRow>{"time", "s", "time at the end of the step",
-                         [](const HistoryRow& r) { return r.time; }},
-    ColumnOf<HistoryRow>{"position_x", "m", "origin of the bit in space, x",
-                         [](const HistoryRow& r) { return r.p_WB.x(); }},
-    ColumnOf<HistoryRow>{"position_y", "m", "origin of the bit in space, y",
-                         [](const HistoryRow& r) { return r.p_WB.y(); }},
-    ColumnOf<HistoryRow>{"position_z", "m", "origin of the bit in space, z (down)",
-                         [](const HistoryRow& r) { return r.p_WB.z(); }},
-    ColumnOf<HistoryRow>{"rotation_vector_x", "rad", "attitude of the bit, rotation vector, x",
-                         [](const HistoryRow& r) { return r.rotation_vector.x(); }},
-    ColumnOf<HistoryRow>{"rotation_vector_y", "rad", "attitude of the bit, rotation vector, y",
-                         [](const HistoryRow& r) { return r.rotation_vector.y(); }},
-    ColumnOf<HistoryRow>{"rotation_vector_z", "rad", "attitude of the bit, rotation vector, z",
-                         [](const HistoryRow& r) { return r.rotation_vector.z(); }},
-    ColumnOf<HistoryRow>{"rotation_angle", "rad",
-                         "angle turned about the bit's axis since the start",
-                         [](const HistoryRow& r) { return r.rotation_angle; }},
-    ColumnOf<HistoryRow>{"removed_volume_total", "m3", "rock removed by all parts since the start",
-                         [](const HistoryRow& r) { return r.removed_volume_total; }},
-    ColumnOf<HistoryRow>{"swept_vertices", "1", "rock vertices moved in the step",
-                         [](const HistoryRow& r) { return static_cast<double>(r.swept_vertices); }},
-    ColumnOf<HistoryRow>{"rock_triangles", "1", "triangles of the rock surface",
-                         [](const HistoryRow& r) { return static_cast<double>(r.rock_triangles); }},
-};
+std::string since_last_row(std::string long_name) {
+  const std::string step = "in the step";
+  if (const auto at = long_name.find(step); at != std::string::npos)
+    long_name.replace(at, step.size(), "since the last row");
+  return long_name;
+}
 
-/// Of rock::Section; a cutter that is not in rock has 0 everywhere.
-constexpr std::array section_columns = {
-    ColumnOf<rock::Section>{"section_area", "m2", "uncut rock in the plane of the cutter's face",
-                            [](const rock::Section& s) { return s.area; }},
-    ColumnOf<rock::Section>{"section_centroid_x", "m",
-                            "centroid of the section in the bit's frame, x",
-                            [](const rock::Section& s) { return s.centroid_B.x(); }},
-    ColumnOf<rock::Section>{"section_centroid_y", "m",
-                            "centroid of the section in the bit's frame, y",
-                            [](const rock::Section& s) { return s.centroid_B.y(); }},
-    ColumnOf<rock::Section>{"section_centroid_z", "m",
-                            "centroid of the section in the bit's frame, z",
-                            [](const rock::Section& s) { return s.centroid_B.z(); }},
-    ColumnOf<rock::Section>{"section_engaged_edge", "m", "length of the cutter's outline in rock",
-                            [](const rock::Section& s) { return s.engaged_edge; }},
-    ColumnOf<rock::Section>{"section_angle_of_attack", "rad",
-                            "angle between face and path, mean along the engaged edge",
-                            [](const rock::Section& s) { return s.angle_of_attack; }},
-    ColumnOf<rock::Section>{"section_volume_rate", "m3 s-1", "volume that the section sweeps",
-                            [](const rock::Section& s) { return s.volume_rate; }},
-    ColumnOf<rock::Section>{"section_edge_centroid_x", "m",
-                            "centroid of the engaged edge in the bit's frame, x: where the "
-                            "force of the chamfer acts",
-                            [](const rock::Section& s) { return s.edge_centroid_B.x(); }},
-    ColumnOf<rock::Section>{"section_edge_centroid_y", "m",
-                            "centroid of the engaged edge in the bit's frame, y: where the "
-                            "force of the chamfer acts",
-                            [](const rock::Section& s) { return s.edge_centroid_B.y(); }},
-    ColumnOf<rock::Section>{"section_edge_centroid_z", "m",
-                            "centroid of the engaged edge in the bit's frame, z: where the "
-                            "force of the chamfer acts",
-                            [](const rock::Section& s) { return s.edge_centroid_B.z(); }},
-};
+/// Most numbers of a row are of parts and cutters. In long runs they are kept to seven digits; cones
+/// turn far, so that their angles need all.
+bool takes_much_room(const RecordLayout& layout, const RecordColumn& c) {
+  return c.axis >= 0 && layout.axes[at(c.axis)].name != "cone";
+}
 
-/// Sums over the cutters, for the csv too.
-constexpr std::array section_totals = {
-    ColumnOf<rock::Section>{"section_area_total", "m2", "sections of all cutters",
-                            [](const rock::Section& s) { return s.area; }},
-    ColumnOf<rock::Section>{"section_volume_rate_total", "m3 s-1", "volume that all sections sweep",
-                            [](const rock::Section& s) { return s.volume_rate; }},
-};
-
-/// Of the bit; weight and torque are positive while drilling.
-constexpr std::array load_columns = {
-    ColumnOf<LoadedStep>{"weight_on_bit", "N", "force of the bit on the rock, z",
-                         [](const LoadedStep& s) { return -s.loads.force_W.z(); }},
-    ColumnOf<LoadedStep>{"torque_on_bit", "N m",
-                         "torque of the bit on the rock about its origin, z",
-                         [](const LoadedStep& s) { return -s.loads.torque_W.z(); }},
-    ColumnOf<LoadedStep>{"force_x", "N", "force of the rock on the bit in space, x",
-                         [](const LoadedStep& s) { return s.loads.force_W.x(); }},
-    ColumnOf<LoadedStep>{"force_y", "N", "force of the rock on the bit in space, y",
-                         [](const LoadedStep& s) { return s.loads.force_W.y(); }},
-    ColumnOf<LoadedStep>{"torque_x", "N m", "torque of the rock on the bit about its origin, x",
-                         [](const LoadedStep& s) { return s.loads.torque_W.x(); }},
-    ColumnOf<LoadedStep>{"torque_y", "N m", "torque of the rock on the bit about its origin, y",
-                         [](const LoadedStep& s) { return s.loads.torque_W.y(); }},
-    ColumnOf<LoadedStep>{"drilling_power", "W", "power that the bit spends on the rock",
-                         [](const LoadedStep& s) { return s.loads.power; }},
-    ColumnOf<LoadedStep>{"velocity_x", "m s-1", "velocity of the bit's origin over the rock, x",
-                         [](const LoadedStep& s) { return s.velocity.v_W.x(); }},
-    ColumnOf<LoadedStep>{"velocity_y", "m s-1", "velocity of the bit's origin over the rock, y",
-                         [](const LoadedStep& s) { return s.velocity.v_W.y(); }},
-    ColumnOf<LoadedStep>{"rate_of_penetration", "m s-1",
-                         "velocity of the bit's origin over the rock, z",
-                         [](const LoadedStep& s) { return s.velocity.v_W.z(); }},
-    ColumnOf<LoadedStep>{"rotary_speed", "rad s-1", "angular velocity of the bit about its axis",
-                         [](const LoadedStep& s) { return s.velocity.w_W.dot(s.X_WB.R.col(2)); }},
-};
-
-/// Of a bit that forces move.
-constexpr std::array drive_columns = {
-    ColumnOf<DriveRow>{"rock_position_z", "m", "how far the rock has moved along z",
-                       [](const DriveRow& r) { return r.rock_z; }},
-    ColumnOf<DriveRow>{"string_twist", "rad", "angle of the string's top over that of the bit",
-                       [](const DriveRow& r) { return r.string_twist; }},
-    ColumnOf<DriveRow>{"energy_stored", "J", "kinetic and elastic energy of bit, string and rock",
-                       [](const DriveRow& r) { return r.stored; }},
-    ColumnOf<DriveRow>{"work_of_top", "J", "work of the top since the start",
-                       [](const DriveRow& r) { return r.top; }},
-    ColumnOf<DriveRow>{"work_on_rock", "J", "work that cutting took from the bit since the start",
-                       [](const DriveRow& r) { return r.cutting; }},
-    ColumnOf<DriveRow>{"energy_lost", "J", "taken by dampers and by the wall since the start",
-                       [](const DriveRow& r) { return r.lost; }},
-    ColumnOf<DriveRow>{"energy_residual", "J", "what the ledger of energy does not account for",
-                       [](const DriveRow& r) { return r.residual; }},
-};
-
-/// Of a part's load: variables over time and part.
-constexpr std::array part_load_columns = {
-    ColumnOf<PartLoad>{"force_normal", "N", "force of the part along the normal into the rock",
-                       [](const PartLoad& p) { return p.normal; }},
-    ColumnOf<PartLoad>{"force_tangential", "N", "force of the part along its velocity",
-                       [](const PartLoad& p) { return p.tangential; }},
-    ColumnOf<PartLoad>{"part_force_x", "N", "force of the rock on the part in space, x",
-                       [](const PartLoad& p) { return p.force_W.x(); }},
-    ColumnOf<PartLoad>{"part_force_y", "N", "force of the rock on the part in space, y",
-                       [](const PartLoad& p) { return p.force_W.y(); }},
-    ColumnOf<PartLoad>{"part_force_z", "N", "force of the rock on the part in space, z",
-                       [](const PartLoad& p) { return p.force_W.z(); }},
-    ColumnOf<PartLoad>{"part_power", "W", "power that the part spends on the rock",
-                       [](const PartLoad& p) { return p.power; }},
-};
-
-void add_parts(const std::vector<HistoryPart>& parts, RecordLayout& layout) {
-  RecordLabels names{"part_name", "name of the part", 0, {}};
-  RecordLabels kinds{"part_kind", "kind of the part", 0, {}};
-  for (const HistoryPart& p : parts) {
-    names.texts.push_back(p.name);
-    kinds.texts.push_back(p.kind);
+/// The columns of rows that stand for many steps, or for one.
+RecordLayout row_layout(RecordLayout layout, Rows rows) {
+  const std::vector<RecordColumn> of_step = layout.columns;
+  for (RecordColumn& c : layout.columns) {
+    if (rows == Rows::of_steps) c.over = Over::point;
+    if (rows == Rows::of_windows) c.long_name = since_last_row(c.long_name);
+    if (rows == Rows::of_windows && takes_much_room(layout, c)) c.precision = Precision::single;
   }
-  layout.axes = {{"part", names.texts}};
-  layout.columns.push_back(
-      {"removed_volume_by_part", "m3", "rock removed by the part in the step", 0, InCsv::no});
-  layout.labels = {names, kinds};
-}
-
-void add_cones(const std::vector<std::string>& cones, RecordLayout& layout) {
-  const int axis = static_cast<int>(layout.axes.size());
-  layout.axes.push_back({"cone", cones});
-  layout.columns.push_back(
-      {"cone_angle", "rad", "angle of the cone about its axis", axis, InCsv::no});
-  layout.columns.push_back(
-      {"cone_speed", "rad s-1", "speed of the cone about its axis in the step", axis, InCsv::no});
-  layout.labels.push_back({"cone_name", "name of the cone", axis, cones});
-}
-
-void add_contact_areas(RecordLayout& layout) {
-  layout.columns.push_back(
-      {"contact_area_total", "m2", "rock surface in contact, summed over the parts"});
-  layout.columns.push_back(
-      {"contact_area", "m2", "rock surface that the part moved or touches", 0, InCsv::no});
-}
-
-void add_sections(const std::vector<std::string>& cutters, RecordLayout& layout) {
-  const int axis = static_cast<int>(layout.axes.size());
-  layout.axes.push_back({"cutter", cutters});
-  for (const ColumnOf<rock::Section>& c : section_totals)
-    layout.columns.push_back({c.name, c.units, c.long_name});
-  for (const ColumnOf<rock::Section>& c : section_columns)
-    layout.columns.push_back({c.name, c.units, c.long_name, axis, InCsv::no});
-  layout.labels.push_back({"cutter_name", "name of the cutter", axis, cutters});
-}
-
-void add_loads(RecordLayout& layout) {
-  for (const ColumnOf<LoadedStep>& c : load_columns)
-    layout.columns.push_back({c.name, c.units, c.long_name});
-  for (const ColumnOf<PartLoad>& c : part_load_columns)
-    layout.columns.push_back({c.name, c.units, c.long_name, 0, InCsv::no});
-}
-
-/// The columns of a row, then what every part removed, then what the run has besides.
-RecordLayout layout_for(const std::vector<HistoryPart>& parts, const HistoryExtent& extent) {
-  RecordLayout layout;
-  for (const ColumnOf<HistoryRow>& c : history_columns)
-    layout.columns.push_back({c.name, c.units, c.long_name});
-  add_parts(parts, layout);
-  if (!extent.cones.empty()) add_cones(extent.cones, layout);
-  if (extent.contact_areas) add_contact_areas(layout);
-  if (!extent.cutters.empty()) add_sections(extent.cutters, layout);
-  if (extent.forces) add_loads(layout);
-  if (!extent.drive) return layout;
-  for (const ColumnOf<DriveRow>& c : drive_columns)
-    layout.columns.push_back({c.name, c.units, c.long_name});
+  if (rows == Rows::of_steps) return layout;
+  layout.storage = Storage::deflated;
+  for (const RecordColumn& c : of_step) {
+    if (!has_extremes(c)) continue;
+    layout.columns.push_back(
+        {c.name + "_min", c.units, c.long_name + ", least", -1, c.csv, Over::minimum});
+    layout.columns.push_back(
+        {c.name + "_max", c.units, c.long_name + ", greatest", -1, c.csv, Over::maximum});
+  }
   return layout;
 }
 
-void append_sections(std::span<const rock::Section> sections, std::vector<double>& row) {
-  for (const ColumnOf<rock::Section>& c : section_totals) {
-    double sum = 0.0;
-    for (const rock::Section& s : sections) sum += c.value(s);
-    row.push_back(sum);
+/// Calls visit(column, first number, count) for every column.
+template <class Visit>
+void visit_columns(const RecordLayout& layout, Visit&& visit) {
+  std::size_t first = 0;
+  for (const RecordColumn& c : layout.columns) {
+    const std::size_t count = layout.width(c);
+    visit(c, first, count);
+    first += count;
   }
-  for (const ColumnOf<rock::Section>& c : section_columns)
-    for (const rock::Section& s : sections) row.push_back(c.value(s));
 }
 
-void append_loads(const LoadedStep& loaded, std::vector<double>& row) {
-  for (const ColumnOf<LoadedStep>& c : load_columns) row.push_back(c.value(loaded));
-  for (const ColumnOf<PartLoad>& c : part_load_columns)
-    for (const PartLoad& p : loaded.loads.parts) row.push_back(c.value(p));
+void take_up(const std::vector<double>& step, HistoryWindow& w) {
+  if (w.steps++ == 0) {
+    w.sum = w.least = w.greatest = step;
+    return;
+  }
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    w.sum[i] += step[i];
+    w.least[i] = std::fmin(w.least[i], step[i]);  // what is not known counts in no extreme
+    w.greatest[i] = std::fmax(w.greatest[i], step[i]);
+  }
+}
+
+/// The row of a window whose last step is given.
+void row_of_window(const RecordLayout& steps, const std::vector<double>& last,
+                   const HistoryWindow& w, std::vector<double>& row) {
+  row = last;
+  visit_columns(steps, [&](const RecordColumn& c, std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (c.over == Over::sum) row[i] = w.sum[i];
+      if (c.over == Over::mean) row[i] = w.sum[i] / static_cast<double>(w.steps);
+    }
+  });
+  visit_columns(steps, [&](const RecordColumn& c, std::size_t first, std::size_t) {
+    if (has_extremes(c)) row.insert(row.end(), {w.least[first], w.greatest[first]});
+  });
 }
 
 }  // namespace
 
 History::History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts,
-                 const HistoryExtent& extent)
+                 const HistoryExtent& extent, Rows rows)
     : extent_(extent),
-      width_(layout_for(parts, extent).row_width()),
-      record_(path, layout_for(parts, extent)) {}
+      rows_(rows),
+      steps_(step_layout(parts, extent)),
+      layout_(row_layout(steps_, rows)),
+      record_(path, layout_) {}
 
-void History::append(const HistoryRow& row) {
-  row_.clear();
-  for (const ColumnOf<HistoryRow>& c : history_columns) row_.push_back(c.value(row));
-  row_.insert(row_.end(), row.removed_volume_by_part.begin(), row.removed_volume_by_part.end());
-  row_.insert(row_.end(), row.cone_angles.begin(), row.cone_angles.end());
-  row_.insert(row_.end(), row.cone_speeds.begin(), row.cone_speeds.end());
-  if (extent_.contact_areas) {
-    const std::size_t total = row_.size();
-    row_.push_back(0.0);
-    for (const rock::PartContact& c : row.contacts) {
-      row_[total] += c.area;
-      row_.push_back(c.area);
-    }
-  }
-  if (!extent_.cutters.empty()) append_sections(row.sections, row_);
-  if (extent_.forces && row.loaded != nullptr) append_loads(*row.loaded, row_);
-  if (extent_.drive && row.drive != nullptr)
-    for (const ColumnOf<DriveRow>& c : drive_columns) row_.push_back(c.value(*row.drive));
+void History::take(const HistoryRow& step) {
+  numbers_of(step, extent_, numbers_);
+  if (numbers_.size() != steps_.row_width())
+    throw RunError(fmt::format("a step of {} numbers in a history of {}", numbers_.size(),
+                               steps_.row_width()));
+  if (rows_ == Rows::of_windows)
+    take_up(numbers_, window_);
+  else
+    window_.steps = 1;
+}
+
+bool History::write() {
+  if (window_.steps == 0) return false;
+  if (rows_ == Rows::of_windows)
+    row_of_window(steps_, numbers_, window_, row_);
+  else
+    row_ = numbers_;
+  window_.steps = 0;
   record_.append(row_);
+  return true;
 }
 
 void History::close() { record_.close(); }

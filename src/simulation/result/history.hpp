@@ -2,70 +2,54 @@
 
 #include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "core/types.hpp"
-#include "rock/section/contact_area.hpp"
-#include "rock/section/section.hpp"
-#include "simulation/result/drive_figures.hpp"
-#include "simulation/result/record.hpp"
-#include "simulation/step/load_figures.hpp"
+#include "simulation/checkpoint/history_window.hpp"
+#include "simulation/result/history_columns.hpp"
 
 namespace tdbd::simulation {
 
-/// What one step leaves in the history. Frames: W space (z down), B bit.
-struct HistoryRow {
-  double time = 0.0;                               ///< s, at the end of the step
-  Vec3 p_WB = Vec3::Zero();                        ///< m, origin of the bit
-  Vec3 rotation_vector = Vec3::Zero();             ///< rad, attitude B to W
-  double rotation_angle = 0.0;                     ///< rad about the bit's axis, unwrapped
-  double removed_volume_total = 0.0;               ///< m3, by all parts since the start
-  std::span<const double> removed_volume_by_part;  ///< m3, in this step
-  std::span<const double> cone_angles;             ///< rad, about the cones' Z since the start
-  std::span<const double> cone_speeds;             ///< rad/s, in this step
-  std::span<const rock::Section> sections;         ///< per cutter, at the end of the step
-  std::span<const rock::PartContact> contacts;     ///< per part, at the end of the step
-  const DriveRow* drive = nullptr;                 ///< of a bit that forces move
-  const LoadedStep* loaded = nullptr;              ///< forces of the step; none: without forces
-  long swept_vertices = 0;                         ///< rock vertices moved in this step
-  long rock_triangles = 0;                         ///< triangles of the rock surface
-};
-
-/// A part as the history names it.
-struct HistoryPart {
-  std::string name;  ///< "cutter-12/face"
-  std::string kind;  ///< "face"
-};
-
-/// What a history has beside the bit and its parts; empty: nothing of it.
-struct HistoryExtent {
-  std::vector<std::string> cones;
-  std::vector<std::string> cutters;  ///< whose sections are measured
-  bool contact_areas = false;
-  bool forces = false;
-  bool drive = false;
+/// What a row stands for.
+enum class Rows {
+  of_steps,   ///< one step
+  of_windows  ///< all steps since the last row: means, sums and extremes, or the last value
 };
 
 /// Records rows as `history.nc` (dimensions time and part, and cone and cutter where there are any)
 /// and, sums in place of the columns by part and by cutter, as `history.csv` beside it: a Record
-/// with the columns of a run.
+/// with the columns of a run. Rows of windows have means of areas, forces, velocities and powers,
+/// sums of what steps removed, the last value of all else, and columns NAME_min and NAME_max of the
+/// bit's sections, loads and velocities; those by part and by cutter in single precision.
 class History {
  public:
   /// Creates `path.partial`. Throws RunError when it cannot.
   History(const std::filesystem::path& path, const std::vector<HistoryPart>& parts,
-          const HistoryExtent& extent = {});
+          const HistoryExtent& extent = {}, Rows rows = Rows::of_steps);
 
-  /// Throws RunError when a block cannot be written, or `row` does not have the parts', the
-  /// cones' and the cutters' number.
-  void append(const HistoryRow& row);
+  /// Takes up a step. Throws RunError when `step` does not have the parts', the cones' and the
+  /// cutters' number.
+  void take(const HistoryRow& step);
+
+  /// Writes a row of the steps taken up since the last one; nothing without any. Whether there was
+  /// one. Throws RunError when a block cannot be written.
+  bool write();
+
+  /// A step that is a row.
+  void append(const HistoryRow& row) {
+    take(row);
+    write();
+  }
 
   /// The numbers of the last row, and of every row, as many.
   const std::vector<double>& last_row() const { return row_; }
-  std::size_t width() const { return width_; }
+  std::size_t width() const { return layout_.row_width(); }
 
   /// Appends what was a last_row() of this history.
   void append_again(std::span<const double> row) { record_.append(row); }
+
+  /// The steps since the last row, for a checkpoint, and back.
+  const HistoryWindow& window() const { return window_; }
+  void set_window(const HistoryWindow& window) { window_ = window; }
 
   /// Writes what is buffered and gives the files their names. An interrupted run closes too.
   /// Throws RunError.
@@ -73,9 +57,11 @@ class History {
 
  private:
   HistoryExtent extent_;
-  std::size_t width_;
+  Rows rows_;
+  RecordLayout steps_, layout_;  ///< of a step; of a row
   Record record_;
-  std::vector<double> row_;  ///< kept from row to row: no allocation
+  HistoryWindow window_;
+  std::vector<double> numbers_, row_;  ///< of the last step; kept: no allocation
 };
 
 }  // namespace tdbd::simulation

@@ -17,6 +17,12 @@ struct RecordAxis {
 /// Whether a column goes into the csv too.
 enum class InCsv { yes, no };
 
+/// What a number of a row says of the time since the last row: a cell method of the CF conventions.
+enum class Over { point, mean, sum, minimum, maximum };
+
+/// How a number is kept in the NetCDF file.
+enum class Precision { double_, single };
+
 /// One variable: a number a row, or one for each component of an axis.
 struct RecordColumn {
   std::string name;
@@ -24,6 +30,8 @@ struct RecordColumn {
   std::string long_name;
   int axis = -1;  ///< place in RecordLayout::axes; -1: one number a row
   InCsv csv = InCsv::yes;
+  Over over = Over::point;
+  Precision precision = Precision::double_;
 };
 
 /// Texts along an axis, written once: names of parts.
@@ -34,11 +42,15 @@ struct RecordLabels {
   std::vector<std::string> texts;
 };
 
+/// Whether the numbers of the NetCDF file are deflated: worth it where rows are few and long.
+enum class Storage { plain, deflated };
+
 /// What the files of a record hold. The first column is time.
 struct RecordLayout {
   std::vector<RecordAxis> axes;
   std::vector<RecordColumn> columns;
   std::vector<RecordLabels> labels;
+  Storage storage = Storage::plain;
 
   /// How many numbers a column has in a row.
   std::size_t width(const RecordColumn& c) const;
@@ -47,7 +59,8 @@ struct RecordLayout {
 };
 
 /// Records rows of numbers as NetCDF-4 (dimensions time and the axes, every variable with units and
-/// long_name) and as csv beside it, its columns flat. Rows are written in blocks, so that one costs
+/// long_name, and cell_methods unless it is of the row's time) and as csv beside it, its
+/// columns flat. Rows are written in blocks, so that one costs
 /// microseconds. Nothing in the files depends on when they were written.
 class Record {
  public:

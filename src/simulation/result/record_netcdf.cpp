@@ -17,6 +17,23 @@
 namespace tdbd::simulation {
 namespace {
 
+/// As the CF conventions name it.
+const char* cell_method(Over over) {
+  switch (over) {
+    case Over::mean:
+      return "time: mean";
+    case Over::sum:
+      return "time: sum";
+    case Over::minimum:
+      return "time: minimum";
+    case Over::maximum:
+      return "time: maximum";
+    case Over::point:
+      break;
+  }
+  return "";
+}
+
 /// What NetCDF and HDF5 may need at a time, bytes: where they get none they crash.
 std::size_t memory_for(const RecordLayout& layout) {
   constexpr std::size_t own = 8'000'000, blocks = 4;
@@ -26,7 +43,7 @@ std::size_t memory_for(const RecordLayout& layout) {
 }  // namespace
 
 RecordNetcdf::RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout)
-    : file_(file), memory_(memory_for(layout)) {
+    : file_(file), storage_(layout.storage), memory_(memory_for(layout)) {
   demand_memory(memory_);
   leave_files_alone_at_exit();
   errno = 0;
@@ -90,12 +107,19 @@ int RecordNetcdf::define_number(const RecordColumn& column, const std::vector<in
                                 std::size_t width) {
   int variable = -1;
   const int rank = static_cast<int>(dims.size());
-  require(nc_def_var(nc_, column.name.c_str(), NC_DOUBLE, rank, dims.data(), &variable));
+  const nc_type type = column.precision == Precision::single ? NC_FLOAT : NC_DOUBLE;
+  require(nc_def_var(nc_, column.name.c_str(), type, rank, dims.data(), &variable));
   const std::size_t chunk[2] = {record_chunk, std::max<std::size_t>(1, width)};
   require(nc_def_var_chunking(nc_, variable, NC_CHUNKED, chunk));
   // A block is whole chunks, never asked for again: to keep them would fill memory in long runs.
   require(nc_set_var_chunk_cache(nc_, variable, chunk[0] * chunk[1] * sizeof(double), 1, 1.0));
+  constexpr int shuffled = 1, deflated = 1, fast = 1;
+  if (storage_ == Storage::deflated)
+    require(nc_def_var_deflate(nc_, variable, shuffled, deflated, fast));
   describe(variable, column.units, column.long_name);
+  const std::string method = cell_method(column.over);
+  if (!method.empty())
+    require(nc_put_att_text(nc_, variable, "cell_methods", method.size(), method.c_str()));
   return variable;
 }
 

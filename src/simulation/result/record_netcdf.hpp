@@ -41,6 +41,7 @@ class RecordNetcdf {
   void close_file();
 
   std::filesystem::path file_;
+  Storage storage_;
   std::size_t memory_;  ///< that must be left before a call, bytes
   std::vector<Column> columns_;
   std::size_t written_ = 0;  ///< rows in the file

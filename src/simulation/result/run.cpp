@@ -48,6 +48,10 @@ HistoryExtent history_extent(const Case& c) {
   return extent;
 }
 
+Rows rows_of(const Case& c) {
+  return c.output.history_every > 1 ? Rows::of_windows : Rows::of_steps;
+}
+
 /// The row looks at the angles and speeds given.
 HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>& cone_angles,
                   const std::vector<double>& cone_speeds) {
@@ -67,7 +71,7 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
   return row;
 }
 
-void append_row(const Case& c, const Simulation& s, History& history) {
+void take_step(const Case& c, const Simulation& s, History& history) {
   const std::vector<double> angles = angles_of(s.state.cones), speeds = speeds_of(s.state.cones);
   HistoryRow row = row_of(c, s, angles, speeds);
   const LoadedStep loaded{s.work.loads, s.work.velocity, s.state.place.X_WB,
@@ -77,7 +81,7 @@ void append_row(const Case& c, const Simulation& s, History& history) {
                                                    s.work.drive.at, s.state.place.turned)
                                        : DriveRow{};
   if (s.state.drive) row.drive = &drive;
-  history.append(row);
+  history.take(row);
 }
 
 std::vector<PartVolumes> part_volumes(const Case& c, const VolumeLedger& l) {
@@ -122,7 +126,7 @@ struct Recorder {
 
   Recorder(const Case& c, const OutputFolder& f, const RunOptions& o)
       : folder(f),
-        history(f.history(), history_parts(c.bit), history_extent(c)),
+        history(f.history(), history_parts(c.bit), history_extent(c), rows_of(c)),
         frames(f),
         keeper(f, c.output.checkpoint_every, o.warn),
         order_plan(plan_energy_order(c)) {
@@ -136,6 +140,7 @@ void go_on(const WrittenSoFar& written, Recorder& r) {
   r.keeper.begin_rows(r.history.width(), written.rows);
   if (RowLog* rows = r.keeper.rows())
     rows->replay([&](std::span<const double> row) { r.history.append_again(row); });
+  r.history.set_window(written.window);
   r.frames.set_frames(written.rock_frames, written.bit_frames);
   if (!written.order.residual.reason.empty() || written.order.residual.order)
     r.order = written.order;
@@ -144,8 +149,17 @@ void go_on(const WrittenSoFar& written, Recorder& r) {
 void keep_checkpoint(const Case& c, const Simulation& s, Recorder& r) {
   const RowLog* rows = r.keeper.rows();
   if (rows == nullptr) return;
-  const WrittenSoFar written{rows->rows(), r.frames.rock_frames(), r.frames.bit_frames(), r.order};
+  const WrittenSoFar written{rows->rows(), r.history.window(), r.frames.rock_frames(),
+                             r.frames.bit_frames(), r.order};
   r.keeper.keep([&](const std::filesystem::path& file) { write_checkpoint(file, c, s, written); });
+}
+
+/// A row every so many steps, and one of what is left at the end.
+void record_step(const Case& c, const Simulation& s, Recorder& r) {
+  take_step(c, s, r.history);
+  const bool is_row = s.state.steps_done % c.output.history_every == 0;
+  if ((is_row || s.state.steps_done == c.time.steps) && r.history.write())
+    r.keeper.append(r.history.last_row());
 }
 
 /// The loop over steps, with everything that is recorded on the way.
@@ -157,10 +171,7 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     const auto before = std::chrono::steady_clock::now();
     step(c, s);
     r.step_seconds.push_back(seconds_since(before));
-    if (s.state.steps_done % c.output.history_every == 0) {
-      append_row(c, s, r.history);
-      r.keeper.append(r.history.last_row());
-    }
+    record_step(c, s, r);
     if (c.output.frames_every > 0 && s.state.steps_done % c.output.frames_every == 0)
       r.frames.add(c, s);
     if (r.keeper.is_due(s.state.steps_done)) keep_checkpoint(c, s, r);

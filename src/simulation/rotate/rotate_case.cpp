@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/hash.hpp"
+#include "simulation/case/history_rows.hpp"
 #include "simulation/case/rotate_keys.hpp"
 #include "simulation/rotate/rotate_body.hpp"
 #include "simulation/rotate/rotate_loads.hpp"
@@ -15,9 +16,6 @@ namespace {
 
 using dynamics::Drift;
 using dynamics::VelocityTorque;
-
-/// Rows that a history has at most, about, where the case does not say how often to write one.
-constexpr long history_rows = 10'000;
 
 /// A duration counts as whole steps to this; scale: one step.
 constexpr double whole_steps = 1e-6;
@@ -58,8 +56,7 @@ RotateTime read_rotate_time(Config c) {
 
 void read_rotate_output(Config c, RotateCase& r) {
   using namespace rotate_output_keys;
-  const long fallback = std::max(1L, (r.time.steps + history_rows - 1) / history_rows);
-  r.history_every = c.read(history_every, fallback);
+  r.history_every = c.read(history_every, usual_history_every(r.time.steps));
   if (c.has(checkpoint_every.name)) r.checkpoint_every = c.read(checkpoint_every);
 }
 

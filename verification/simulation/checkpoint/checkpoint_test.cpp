@@ -74,12 +74,17 @@ INSTANTIATE_TEST_SUITE_P(Cases, Checkpoints, ::testing::ValuesIn(restarted_cases
 
 TEST(Checkpoint, keeps_what_was_written) {
   const Case c = restarted_case(restarted_cases().front());
-  WrittenSoFar written{7, {{0.5, "frames/rock-000500.vtp"}}, {{0.5, "frames/bit-000500.vtp"}}, {}};
+  const HistoryWindow window{3, {1.5, 2.5}, {0.5, 0.75}, {1.0, 1.25}};
+  WrittenSoFar written{7, window, {{0.5, "frames/rock-000500.vtp"}}, {{0.5, "frames/bit-000500.vtp"}}, {}};
   written.order.residual = {2.01, "", {1.0, 0.5}, {3.0, 4.0}};
   const auto file = test_folder() / "checkpoint.nc";
   write_checkpoint(file, c, start(c), written);
   const WrittenSoFar read = read_checkpoint(file, c).written;
   EXPECT_EQ(read.rows, 7);
+  EXPECT_EQ(read.window.steps, window.steps);
+  EXPECT_EQ(read.window.sum, window.sum);
+  EXPECT_EQ(read.window.least, window.least);
+  EXPECT_EQ(read.window.greatest, window.greatest);
   EXPECT_EQ(read.rock_frames, written.rock_frames);
   EXPECT_EQ(read.bit_frames, written.bit_frames);
   EXPECT_EQ(read.order.residual.order, written.order.residual.order);
