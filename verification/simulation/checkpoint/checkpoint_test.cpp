@@ -75,7 +75,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, Checkpoints, ::testing::ValuesIn(restarted_cases
 TEST(Checkpoint, keeps_what_was_written) {
   const Case c = restarted_case(restarted_cases().front());
   const HistoryWindow window{3, {1.5, 2.5}, {0.5, 0.75}, {1.0, 1.25}};
-  WrittenSoFar written{7, window, {{0.5, "frames/rock-000500.vtp"}}, {{0.5, "frames/bit-000500.vtp"}}, {}};
+  WrittenSoFar written{
+      7, window, {{0.5, "frames/rock-000500.vtp"}}, {{0.5, "frames/bit-000500.vtp"}}, {}};
   written.order.residual = {2.01, "", {1.0, 0.5}, {3.0, 4.0}};
   const auto file = test_folder() / "checkpoint.nc";
   write_checkpoint(file, c, start(c), written);
