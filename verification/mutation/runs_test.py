@@ -4,6 +4,7 @@ import os
 import pathlib
 import tempfile
 import unittest
+import unittest.mock
 
 import build
 import tests
@@ -22,6 +23,8 @@ for name in $names; do
     A.fails) echo "[  FAILED  ] $name (1 ms)"; echo "[==========] $count tests from 1 test suite ran."; exit 1 ;;
     A.crashes) kill -SEGV $$ ;;
     A.hangs) while :; do :; done ;;
+    A.child) bash -c 'while :; do :; done' ;;
+    A.waits) sleep 20 ;;
     A.exits) exit 0 ;;
   esac
 done
@@ -42,6 +45,13 @@ class Watch(unittest.TestCase):
         self.assertEqual(self.outcome("A.a", "A.fails", "A.b"), watch.Outcome("failed", "A.fails", 2))
         self.assertEqual(self.outcome("A.a", "A.crashes"), watch.Outcome("crashed", "A.crashes", 2))
         self.assertEqual(self.outcome("A.a", "A.hangs"), watch.Outcome("timed out", "A.hangs", 2))
+
+    def test_time_of_the_programs_that_it_calls_counts(self):
+        self.assertEqual(self.outcome("A.child"), watch.Outcome("timed out", "A.child", 1))
+
+    def test_a_test_that_only_waits_is_stopped(self):
+        with unittest.mock.patch("watch.IDLE", 0.5):
+            self.assertEqual(self.outcome("A.waits"), watch.Outcome("timed out", "A.waits", 1))
 
     def test_a_program_that_leaves_in_the_middle_of_a_test_has_not_passed(self):
         self.assertEqual(self.outcome("A.exits").verdict, "crashed")
@@ -65,11 +75,13 @@ class Commands(unittest.TestCase):
 
 
 class Stages(unittest.TestCase):
-    def test_own_tests_come_first_then_quick_ones_then_other_programs(self):
-        own = next(iter(sorted(tests.own_tests("src/rock/section/section.cpp"))))
-        seconds = {"verify_rock": {"A.slow": 9.0, ".".join(own): 5.0, "A.quick": 0.001, "A.medium": 1.0}, "verify_simulation": {"B.b": 0.1}}
+    def test_own_tests_come_first_then_near_ones_then_quick_ones_then_other_programs(self):
+        own = min(tests.own_tests("src/rock/section/section.cpp"))
+        near = min(tests.near_tests("src/rock/section/section.cpp") - tests.own_tests("src/rock/section/section.cpp"))
+        seconds = {"verify_rock": {"A.slow": 9.0, ".".join(near): 3.0, ".".join(own): 5.0, "A.quick": 0.001, "A.medium": 1.0},
+                   "verify_simulation": {"B.b": 0.1}}
         self.assertEqual(list(tests.stages((["verify_rock"], ["verify_simulation"]), "src/rock/section/section.cpp", seconds)),
-                         [("verify_rock", [".".join(own)]), ("verify_rock", ["A.quick"]), ("verify_rock", ["A.medium"]),
+                         [("verify_rock", [".".join(own)]), ("verify_rock", [".".join(near)]), ("verify_rock", ["A.quick"]), ("verify_rock", ["A.medium"]),
                           ("verify_rock", ["A.slow"]), ("verify_simulation", ["B.b"])])
 
     def test_an_instance_of_a_suite_is_its_own(self):

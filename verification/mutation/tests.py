@@ -43,11 +43,20 @@ def limit(seconds):
     return 4.0 * seconds + 15.0
 
 
+def written_in(files):
+    """(suite, name) of the tests of these files."""
+    return {pair for f in files for pair in TEST.findall(f.read_text(encoding="utf-8"))}
+
+
 def own_tests(file):
-    """(suite, name) of the tests that are written for a source: NAME_test.cpp in the folders of its room."""
+    """The tests that are written for a source: NAME_test.cpp in the folders of its room."""
     room = file.split("/")[1]
-    found = (ROOT / "verification" / room).rglob(pathlib.Path(file).stem + "_test.cpp")
-    return {pair for f in found for pair in TEST.findall(f.read_text(encoding="utf-8"))}
+    return written_in((ROOT / "verification" / room).rglob(pathlib.Path(file).stem + "_test.cpp"))
+
+
+def near_tests(file):
+    """The tests of the sources beside it."""
+    return written_in((ROOT / "verification" / pathlib.Path(*pathlib.Path(file).parts[1:-1])).glob("*_test.cpp"))
 
 
 def is_own(test, own):
@@ -78,15 +87,16 @@ def by_speed(program, names, seconds):
 
 
 def stages(programs, file, seconds):
-    """(program, tests) in the order of the run: own tests, the room's other ones, then other programs', quick ones first.
+    """(program, tests) in the order of the run: own tests, those of its folder, the room's other ones, then other programs'; of each
+    the quick ones first.
 
     programs: of the room, and others. seconds: {program: {test: s}}.
     """
-    own = own_tests(file)
     homes, others = programs
-    mine = {p: [t for t in seconds[p] if is_own(t, own)] for p in homes}
-    rest = {p: [t for t in seconds[p] if not is_own(t, own)] for p in homes}
-    for of_program in (mine, rest):
+    left = {p: list(seconds[p]) for p in homes}
+    for wanted in (own_tests(file), near_tests(file), None):
+        of_program = {p: [t for t in left[p] if wanted is None or is_own(t, wanted)] for p in homes}
+        left = {p: [t for t in left[p] if t not in of_program[p]] for p in homes}
         lots = [lot for p, names in of_program.items() for lot in by_speed(p, names, seconds)]
         yield from (stage for _, stage in sorted(lots, key=lambda lot: lot[0]))
     for program in others:

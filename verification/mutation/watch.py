@@ -1,6 +1,7 @@
 """Runs tests of one GoogleTest program up to the first failure, each with a limit of processor time."""
 
 import os
+import pathlib
 import re
 import resource
 import subprocess
@@ -13,6 +14,7 @@ STARTED = re.compile(r"^\[ RUN      \] (\S+)")
 FAILED = re.compile(r"^\[  FAILED  \] (\S+?),? ")
 ENDED = re.compile(r"^\[==========\] (\d+) tests? from .* ran\.")
 MEMORY, FILE_SIZE = 8 << 30, 1 << 30  # bytes: a mutant may ask for anything
+IDLE = 120.0  # s without any processor time, after which a test waits for what never comes
 
 
 @dataclass
@@ -29,14 +31,18 @@ def limits():
     os.setsid()
 
 
-def cpu_seconds(pid):
-    """Processor time of a process and of its children that have ended."""
+def stat_of(entry):
+    """The words of a process's stat after its name; none if it has gone."""
     try:
-        with open(f"/proc/{pid}/stat", encoding="ascii", errors="replace") as file:
-            words = file.read().rsplit(")", 1)[1].split()
+        return (pathlib.Path("/proc") / entry / "stat").read_text(encoding="ascii", errors="replace").rsplit(")", 1)[1].split()
     except OSError:
-        return 0.0
-    return sum(int(w) for w in words[11:15]) / TICK
+        return []
+
+
+def cpu_seconds(leader):
+    """Processor time of a process, of those in its group, and of their children that have ended."""
+    stats = [stat_of(entry) for entry in os.listdir("/proc") if entry.isdigit()]
+    return sum(int(word) for words in stats if words and words[2] == str(leader) for word in words[11:15]) / TICK
 
 
 class Reader(threading.Thread):
@@ -45,11 +51,10 @@ class Reader(threading.Thread):
     def __init__(self, process):
         super().__init__(daemon=True)
         self.process, self.test, self.failed, self.ran, self.ended = process, "", "", 0, False
-        self.since_cpu = self.since_wall = 0.0
-        self.begin("")
+        self.since_cpu = 0.0
 
     def begin(self, test):
-        self.since_cpu, self.since_wall, self.test = cpu_seconds(self.process.pid), time.monotonic(), test
+        self.since_cpu, self.test = cpu_seconds(self.process.pid), test
 
     def run(self):
         for line in self.process.stdout:
@@ -62,11 +67,18 @@ class Reader(threading.Thread):
                 self.ended = True
 
 
-def is_over(reader, limit_of):
-    limit = limit_of(reader.test)
-    # A test that waits uses no processor time: four times the limit by the clock, and a minute for a busy machine.
-    return (cpu_seconds(reader.process.pid) - reader.since_cpu > limit
-            or time.monotonic() - reader.since_wall > 4.0 * limit + 60.0)
+class Watch:
+    """Whether the test that runs has used up its processor time, or has used none for long."""
+
+    def __init__(self, reader, limit_of):
+        self.reader, self.limit_of = reader, limit_of
+        self.seen, self.since = -1.0, time.monotonic()
+
+    def is_over(self):
+        cpu = cpu_seconds(self.reader.process.pid)
+        if cpu != self.seen:
+            self.seen, self.since = cpu, time.monotonic()
+        return cpu - self.reader.since_cpu > self.limit_of(self.reader.test) or time.monotonic() - self.since > IDLE
 
 
 def stop(process):
@@ -83,10 +95,11 @@ def run_tests(program, tests, limit_of, environment, folder):
                                env={**os.environ, **environment}, preexec_fn=limits)
     reader = Reader(process)
     reader.start()
-    over = False
+    watch, over, pause = Watch(reader, limit_of), False, 0.01
     while process.poll() is None and not over:
-        time.sleep(0.02)
-        over = is_over(reader, limit_of)
+        time.sleep(pause)
+        pause = min(1.2 * pause, 0.5)
+        over = watch.is_over()
     stop(process)
     process.wait()
     reader.join(timeout=10.0)

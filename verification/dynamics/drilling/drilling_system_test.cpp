@@ -52,6 +52,32 @@ TEST(DrillingSystem, state_is_made_of_pose_and_velocities) {
   EXPECT_EQ(x.rotation.cone_angles[1], 0.6);
 }
 
+/// The moments are proportional to the stiffness, to the bit, however weak it is.
+TEST(DrillingSystem, weak_string_turns_back_in_proportion) {
+  DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+  const DrillingState x = coupled_start(s);
+  Configuration strong, weak;
+  configure(s, x, strong);
+  s.string.turn_stiffness *= 0x1p-40;
+  configure(s, x, weak);
+  EXPECT_GT(strong.pull.turn_W.norm(), 1.0);
+  EXPECT_EQ(weak.pull.turn_W, 0x1p-40 * strong.pull.turn_W);
+  EXPECT_EQ(weak.pull.twist_moment, 0x1p-40 * strong.pull.twist_moment);
+}
+
+/// Upside down a string's angles are not defined; a bit that none turns back may pass there.
+TEST(DrillingSystem, bit_without_stiffness_may_turn_over) {
+  DrillingSystem s = plain_bit();
+  s.string.turn_stiffness.setZero();
+  DrillingState x = at_rest(s);
+  x.rotation.q_WB = Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
+  Configuration over;
+  configure(s, x, over);
+  EXPECT_EQ(over.pull.turn_W, Vec3::Zero());
+  EXPECT_EQ(over.pull.twist_moment, 0.0);
+  EXPECT_TRUE(std::isfinite(over.pull.energy));
+}
+
 /// The bit hangs still on a coupled string from the first step on.
 TEST(DrillingSystem, string_hung_by_the_bits_weight_is_at_rest) {
   DrillingSystem s = plain_bit();

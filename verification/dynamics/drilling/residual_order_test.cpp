@@ -45,6 +45,7 @@ TEST(ResidualOrder, finds_the_power_of_residuals_that_have_one) {
     });
     ASSERT_TRUE(found.order);
     EXPECT_NEAR(*found.order, power, 1e-12);
+    EXPECT_DOUBLE_EQ(found.residuals[1], std::sqrt(14.0 / 4.0) * std::pow(0.005, power));
   }
 }
 
@@ -58,6 +59,14 @@ TEST(ResidualOrder, is_not_told_of_rounding) {
   const ResidualOrder found = residual_order(1e-3, lumped_window(s, nullptr, from, 1e-3));
   EXPECT_FALSE(found.order);
   EXPECT_NE(found.reason.find("is at rounding"), std::string::npos) << found.reason;
+}
+
+TEST(ResidualOrder, of_a_window_without_instants_is_not_told) {
+  const ResidualOrder found = residual_order(0.01, [](int /*parts*/) {
+    return WindowResiduals{{}, 1.0};
+  });
+  EXPECT_FALSE(found.order);
+  EXPECT_EQ(found.residuals[0], 0.0);
 }
 
 /// One level at rounding is enough, whichever it is; the first of several is named.
