@@ -219,4 +219,31 @@ TEST(FlipKeepsTopology, refuses_a_boundary_edge) {
     }
 }
 
+/// The one vertex that an edit took; -1 if it took none, -2 if it took several.
+int gone_of(const std::vector<int>& before, const Surface& after) {
+  int gone = -1;
+  for (const int v : before)
+    if (!after.is_alive(v)) gone = gone == -1 ? v : -2;
+  return gone;
+}
+
+/// A sheet loses triangles at its boundary, one after the other, until none may go.
+RC_GTEST_PROP(RemoveTriangle, keeps_a_disc_and_names_the_vertex_that_went, ()) {
+  Surface s = random_sheet();
+  for (int left = s.triangle_slots(); left > 1; --left) {
+    std::vector<int> triangles, vertices;
+    for (int t = 0; t < s.triangle_slots(); ++t)
+      if (s.triangle_is_alive(t) && removal_keeps_disc(s, t)) triangles.push_back(t);
+    for (int v = 0; v < s.vertex_slots(); ++v)
+      if (s.is_alive(v)) vertices.push_back(v);
+    RC_ASSERT(!triangles.empty());
+    const int t = triangles[*rc::gen::inRange<std::size_t>(0, triangles.size())];
+    const int named = remove_triangle(s, t);
+    RC_ASSERT(!s.triangle_is_alive(t));
+    RC_ASSERT(named == gone_of(vertices, s));
+    RC_ASSERT(adjacency_is_consistent(s));
+    RC_ASSERT(topological_defects(compact(s)) == "");
+  }
+}
+
 }  // namespace tdbd::mesh::edit_test

@@ -146,6 +146,9 @@ RC_GTEST_PROP(AdjacencyIsConsistent, notices_any_wrong_entry, ()) {
   wrong = s;
   wrong.corner_of[vertex] = next_corner(wrong.corner_of[vertex]);
   RC_ASSERT(!adjacency_is_consistent(wrong));
+  wrong = s;  // turned over: no manifold with its neighbours
+  std::swap(wrong.triangles[corner / 3][0], wrong.triangles[corner / 3][1]);
+  RC_ASSERT(!adjacency_is_consistent(wrong));
 }
 
 }  // namespace tdbd::mesh::surface_test

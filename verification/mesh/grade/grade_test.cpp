@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/grade/grade_surface.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/inspect.hpp"
 #include "mesh/shape/convex.hpp"
@@ -145,6 +146,40 @@ RC_GTEST_PROP(Grade, gives_a_solid_within_its_bounds, ()) {
   RC_ASSERT(std::abs(enclosed_volume(g.mesh) - enclosed_volume(m)) <=
             (o.deviation + rounding) * area(m));
   RC_ASSERT(inspect(g.mesh).pieces == inspect(m).pieces);
+}
+
+/// A prism whose ends are fans around a vertex each.
+TriangleMesh fan_prism(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& middle) {
+  TriangleMesh m;
+  const int n = static_cast<int>(outline.size());
+  for (const double z : {0.0, 1.0}) {
+    for (const Eigen::Vector2d& x : outline) m.positions.emplace_back(x.x(), x.y(), z);
+    m.positions.emplace_back(middle.x(), middle.y(), z);
+  }
+  for (int i = 0; i < n; ++i) {
+    const int k = (i + 1) % n, up = n + 1;
+    m.triangles.push_back({k, i, n});
+    m.triangles.push_back({up + i, up + k, up + n});
+    m.triangles.push_back({i, k, up + k});
+    m.triangles.push_back({i, up + k, up + i});
+  }
+  return m;
+}
+
+/// The mean of an L's corners lies outside it: a vertex that went there would fold the face.
+TEST(Relax, folds_no_face) {
+  const std::vector<Eigen::Vector2d> l{{0, 0}, {1, 0}, {1, 0.3}, {0.3, 0.3}, {0.3, 1}, {0, 1}};
+  const TriangleMesh m = fan_prism(l, {0.01, 0.15});
+  ASSERT_TRUE(check_solid(m).empty());
+  GradeSurface g = make_grade_surface(m, options(0.1, 0.3, 0.5, 0.0));
+  ASSERT_EQ(g.place[6], Place::face);
+  EXPECT_EQ(relax(g), 0U);
+  EXPECT_EQ(g.s.position(6), m.positions[6]);
+  // In a square the same vertex goes to the middle.
+  const TriangleMesh square = fan_prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {0.01, 0.15});
+  GradeSurface even = make_grade_surface(square, options(0.1, 0.3, 0.5, 0.0));
+  EXPECT_EQ(relax(even), 2U);
+  EXPECT_LT((even.s.position(4) - Vec3(0.5, 0.5, 0.0)).norm(), 1e-15);
 }
 
 }  // namespace tdbd::mesh::grade_test

@@ -46,13 +46,32 @@ TEST(InsideTree, tries_another_ray_near_an_edge) {
 }
 
 /// A ball with a vertex on every ray from its centre.
-TEST(InsideTree, uses_the_winding_number_if_all_rays_hit_edges) {
+TriangleMesh ball_on_rays(double radius) {
   TriangleMesh ball = battery::sphere(1.0, 2);
   for (const Vec3& ray : rays)
     *std::min_element(ball.positions.begin(), ball.positions.end(),
                       [&](const Vec3& a, const Vec3& b) { return a.dot(ray) > b.dot(ray); }) =
         ray.normalized();
-  EXPECT_TRUE(inside(TriangleTree(ball), {0, 0, 0}));
+  for (Vec3& x : ball.positions) x *= radius;
+  return ball;
+}
+
+TEST(InsideTree, uses_the_winding_number_if_all_rays_hit_edges) {
+  for (const double radius : {1e-3, 1.0, 20.0})
+    EXPECT_TRUE(inside(TriangleTree(ball_on_rays(radius)), {0, 0, 0})) << radius;
+}
+
+/// A hollow ball, its inner surface turned over: the middle is outside.
+TEST(InsideTree, knows_a_hollow_by_its_winding_number) {
+  for (const double radius : {1e-3, 0.5, 19.0}) {
+    TriangleMesh hollow = ball_on_rays(20.0);
+    const TriangleMesh inner = ball_on_rays(radius);
+    const int first = static_cast<int>(hollow.positions.size());
+    hollow.positions.insert(hollow.positions.end(), inner.positions.begin(), inner.positions.end());
+    for (const Triangle& t : inner.triangles)
+      hollow.triangles.push_back({first + t[0], first + t[2], first + t[1]});
+    EXPECT_FALSE(inside(TriangleTree(hollow), {0, 0, 0})) << radius;
+  }
 }
 
 RC_GTEST_PROP(SquaredDistance, does_not_depend_on_the_first_corner, ()) {
