@@ -182,4 +182,36 @@ TEST(Relax, folds_no_face) {
   EXPECT_LT((even.s.position(4) - Vec3(0.5, 0.5, 0.0)).norm(), 1e-15);
 }
 
+/// A prism over a slender kite, both ends cut along it: cut across they have far better facets.
+TEST(Flip, takes_the_better_diagonal_of_each_flat_pair) {
+  const TriangleMesh m{{{0, 0, 0},
+                        {0.5, -0.1, 0},
+                        {1, 0, 0},
+                        {0.5, 0.1, 0},
+                        {0, 0, 1},
+                        {0.5, -0.1, 1},
+                        {1, 0, 1},
+                        {0.5, 0.1, 1}},
+                       {{2, 1, 0},
+                        {3, 2, 0},
+                        {4, 5, 6},
+                        {4, 6, 7},
+                        {0, 1, 5},
+                        {0, 5, 4},
+                        {1, 2, 6},
+                        {1, 6, 5},
+                        {2, 3, 7},
+                        {2, 7, 6},
+                        {3, 0, 4},
+                        {3, 4, 7}}};
+  ASSERT_TRUE(check_solid(m).empty());
+  GradeSurface g = make_grade_surface(m, options(0.1, 0.3, 0.5, 0.0));
+  EXPECT_EQ(flip(g), 2U);
+  const TriangleMesh flipped = compact(g.s);
+  EXPECT_TRUE(check_solid(flipped).empty());
+  EXPECT_NEAR(enclosed_volume(flipped), 0.1, 1e-15);
+  EXPECT_GT(inspect(flipped).worst_quality, 1.2 * inspect(m).worst_quality);
+  EXPECT_EQ(flip(g), 0U);
+}
+
 }  // namespace tdbd::mesh::grade_test
