@@ -13,7 +13,7 @@
 namespace tdbd::rock::column_sums_test {
 namespace {
 
-FaceColumns any_face() {
+ConvexPolygon any_rim() {
   const double radius = *battery::number(0.1, 0.4), height = *battery::number(-0.3, 0.3);
   const int points = *battery::integer(3, 40);
   ConvexPolygon rim_F;
@@ -21,9 +21,33 @@ FaceColumns any_face() {
     const double a = 2.0 * std::numbers::pi * (k + 0.3) / points;
     rim_F.emplace_back(radius * std::sin(a), height - radius * std::cos(a));
   }
+  return rim_F;
+}
+
+FaceColumns columns_of(const ConvexPolygon& rim_F) {
   FaceColumns face;
   make_columns(rim_F, nullptr, face);
   return face;
+}
+
+FaceColumns any_face() { return columns_of(any_rim()); }
+
+/// Ends that stand upright are edges of no column.
+ConvexPolygon any_box() {
+  const double half = *battery::number(0.1, 0.4), low = *battery::number(-0.4, -0.1),
+               high = *battery::number(0.1, 0.4);
+  return {{-half, low}, {half, low}, {half, high}, {-half, high}};
+}
+
+/// How much of the edge from p to q lies below the line through a and b.
+double length_below(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) {
+  const auto height = [&](const Vec2& x) {
+    return a.y() + (b.y() - a.y()) / (b.x() - a.x()) * (x.x() - a.x()) - x.y();
+  };
+  const double from = height(p), to = height(q), length = (q - p).norm();
+  if (from <= 0.0 && to <= 0.0) return 0.0;
+  if (from >= 0.0 && to >= 0.0) return length;
+  return length * std::max(from, to) / std::abs(from - to);
 }
 
 Vec2 any_point_in(const FaceColumns& face) {
@@ -84,6 +108,27 @@ RC_GTEST_PROP(ColumnSums, of_segments_inside_are_the_same_in_any_order, ()) {
   RC_ASSERT(a.moment_y == b.moment_y);
   RC_ASSERT(a.moment_z == b.moment_z);
   RC_ASSERT(a.engaged == b.engaged);
+}
+
+/// Every edge of the rim cut by the line, one by one; to the left and to the right.
+RC_GTEST_PROP(ColumnSums, of_a_segment_across_the_face_have_the_rim_below_it, ()) {
+  const ConvexPolygon rim_F = *battery::integer(0, 1) == 0 ? any_rim() : any_box();
+  const FaceColumns face = columns_of(rim_F);
+  const auto any_height = battery::number(face.lo_F.y() - 0.1, face.hi_F.y() + 0.1);
+  const Vec2 left(face.lo_F.x() - 0.03, *any_height), right(face.hi_F.x() + 0.05, *any_height);
+  double below = 0.0;
+  for (std::size_t i = 0; i < rim_F.size(); ++i)
+    below += length_below(rim_F[i], rim_F[(i + 1) % rim_F.size()], left, right);
+  for (const double sign : {1.0, -1.0}) {
+    ColumnSums sums;
+    begin_sums(face, sums);
+    const OutlineSegment s = sign > 0.0 ? OutlineSegment{right, left} : OutlineSegment{left, right};
+    add_segment(face, 0, face.columns.size(), s, sums);
+    double engaged = 0.0;
+    for (const std::int64_t units : sums.engaged)
+      engaged += static_cast<double>(units) / sums.per_length;
+    RC_ASSERT(std::abs(sign * engaged - below) <= 1e-12);  // of some 1 m
+  }
 }
 
 /// They are copied before they have an outline. Written as volatile, so that what was there before stays.
