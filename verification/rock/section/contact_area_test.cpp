@@ -61,6 +61,23 @@ TEST(ContactArea, of_a_plane_pressed_into_a_plane_is_that_of_the_cells_below_it)
   EXPECT_LT((s.contacts[0].centroid_W - Vec3(0.0, 0.0, 0.02)).norm(), rounding);
 }
 
+/// Rock's vertices are numbered in any order: some are below all their neighbours.
+TEST(ContactArea, does_not_depend_on_the_numbers_of_vertices) {
+  Scene s({0.0});
+  const mesh::TriangleMesh flat = battery::flat_rock(1.0, 0.0, 20);
+  mesh::TriangleMesh renumbered = flat;
+  const int count = static_cast<int>(flat.positions.size());
+  ASSERT_EQ(count, 441);
+  const auto number = [&](int v) { return (8 * v + 3) % count; };
+  for (int v = 0; v < count; ++v) renumbered.positions[at(number(v))] = flat.positions[at(v)];
+  for (mesh::Triangle& t : renumbered.triangles)
+    for (int& v : t) v = number(v);
+  s.rock = make_rock(mesh::make_surface(renumbered), 0.2, mesh::bounding_box(flat));
+  s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
+  EXPECT_NEAR(s.contacts[0].area, 0.24, rounding);
+  EXPECT_LT((s.contacts[0].centroid_W - Vec3(0.0, 0.0, 0.02)).norm(), rounding);
+}
+
 /// Its ridge at x = 0 lies on edges of the rock, which so becomes the roof itself: of slope 1/2 to
 /// x = -0.4 and 3/4 to x = 0.2, over |y| <= 0.2.
 TEST(ContactArea, of_a_roof_has_the_normals_and_the_centroid_of_both_its_sides) {

@@ -36,6 +36,17 @@ RC_GTEST_PROP(FaceOutline, is_the_circle_through_the_tip_up_to_the_wear_flat, ()
   if (c.wear == 0.0) RC_ASSERT(nearest <= rounding);
 }
 
+/// A trapezoid in two triangles, by hand; a corner that was taken away leaves nothing.
+TEST(Moments, are_those_of_the_corners_that_are_there) {
+  ConvexPolygon trapezoid{{1.0, 1.0}, {4.0, 1.0}, {3.0, 3.0}, {1.0, 3.0}, {0.0, 9.0}};
+  trapezoid.pop_back();
+  const PolygonMoments m = moments(trapezoid);
+  EXPECT_NEAR(m.area, 5.0, rounding);
+  EXPECT_LT((m.moment - Vec2(3.0 * 8.0 / 3.0 + 2.0 * 5.0 / 3.0, 3.0 * 5.0 / 3.0 + 2.0 * 7.0 / 3.0))
+                .norm(),
+            rounding);
+}
+
 TEST(FaceOutline, is_empty_without_parts) {
   EXPECT_TRUE(face_outline(bit::Cutter{}, 0, {}).rim_F.empty());
 }

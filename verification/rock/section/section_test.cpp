@@ -326,4 +326,20 @@ TEST(Section, counts_a_quarter_of_the_reach_over_the_face_as_its_own) {
   EXPECT_EQ(sight_at(1.01 * top), Sight::over_the_top);
 }
 
+/// Of a ridge that runs along the path only its top is over the face: one end of two segments.
+TEST(Section, says_when_a_ridge_reaches_over_the_face) {
+  mesh::TriangleMesh m = battery::flat_rock(1.0, 0.0, 20);
+  for (Vec3& x : m.positions) x.z() = 3.0 * std::abs(x.y());
+  const Rock rock = rock_of(m, 0.2);
+  const auto sight_at = [&](double height_F) {
+    const Vec3 p_W(-0.1, 0.0, height_F * std::cos(rake));
+    return section_of(rock, face_along_x(radius, 32, rake), {Mat3::Identity(), p_W}, along_x,
+                      {0.12, 0.15})
+        .sight;
+  };
+  constexpr double top = radius + 0.25 * 0.15;
+  EXPECT_EQ(sight_at(0.99 * top), Sight::clear);
+  EXPECT_EQ(sight_at(1.01 * top), Sight::over_the_top);
+}
+
 }  // namespace tdbd::rock::section_test
