@@ -102,6 +102,20 @@ TEST_F(CutterTable, names_every_mistake_at_once) {
             ":5: r_tip_mm, phi_deg, h_tip_mm: found the tip of line 4, expected a tip of its own");
 }
 
+TEST_F(CutterTable, takes_a_land_only_behind_a_steeper_chamfer) {
+  const auto with_land = [&](const std::string& chamfer, const std::string& land_angle) {
+    return std::string(header) + ",chamfer_mm,chamfer_deg,land_mm,land_deg\n" + good_row + "," +
+           chamfer + ",45,0.3," + land_angle + "\n";
+  };
+  EXPECT_DOUBLE_EQ(read(with_land("0.4", "70")).at(0).land_angle, 70 * degree);
+  for (const char* steep : {"45", "30"})
+    EXPECT_EQ(mistakes(with_land("0.4", steep)),
+              std::string(":2: land_deg: found ") + steep +
+                  ", expected a land flatter than its chamfer: more than 45");
+  EXPECT_EQ(mistakes(with_land("0", "70")),
+            ":2: land_deg: found 70, expected a land flatter than its chamfer: more than 90");
+}
+
 TEST_F(CutterTable, names_missing_unknown_and_repeated_columns) {
   EXPECT_EQ(mistakes("bit,cutter,blade,zone,dia_mm,dia_mm,r_tip_mm,phi_deg,h_tip_mm,color,"
                      "profile_angle_deg,side_rake_deg\nX,1,1,nose,19,19,50,90,3,red,10,2\n"),
