@@ -12,6 +12,7 @@
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/inspect.hpp"
 #include "mesh/repair/repair.hpp"
+#include "simulation/start/rock_stamp.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -19,8 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 using mesh::Solid;
 
+/// Millimetres, unless the file is a rock of ours, which is in metres.
+const char* const automatic = "automatic";
+
 struct MeshChoices {
-  std::string file, output, only = "*", unit = "1 mm", weld = "0 mm";
+  std::string file, output, only = "*", unit = automatic, weld = "0 mm";
   std::string edge = "0.5 mm", face = "3 mm", angle = "25 deg", deviation = "0.005 mm";
   double growth = 0.5;
   bool repair = false, grade = false, force = false;
@@ -58,10 +62,16 @@ void require_sound(const MeshChoices& choices, const std::vector<Solid>& solids)
   if (!text.empty()) throw InputError(text);
 }
 
-/// Prints the table, and refuses solids that no bit can be made of.
+/// Prints the table, and refuses solids that no bit can be made of. The rock of a run is none: an
+/// open sheet.
 int inspect(const MeshChoices& choices, const std::vector<Solid>& solids) {
   print_table(solids);
-  require_sound(choices, solids);
+  if (const auto stamp = simulation::read_stamp(choices.file))
+    say("the rock of a run after {} steps, t = {:.6g} s: a sheet, which bounds no volume; its file "
+        "is in metres\n",
+        stamp->step, stamp->time);
+  else
+    require_sound(choices, solids);
   return 0;
 }
 
@@ -125,7 +135,9 @@ int grade(const MeshChoices& choices, std::vector<Solid> solids) {
   return 0;
 }
 
-int inspect_or_write(const MeshChoices& choices) {
+int inspect_or_write(MeshChoices choices) {
+  if (choices.unit == automatic)
+    choices.unit = simulation::read_stamp(choices.file) ? "1 m" : "1 mm";
   const double unit = length("--unit", choices.unit);
   if (!(unit > 0.0)) throw InputError("--unit: found no length, expected one like '1 mm'");
   if (choices.repair && choices.grade)
@@ -145,7 +157,8 @@ void add_mesh(CLI::App& app, int& exit_code) {
       app.add_subcommand("mesh", "Inspect a mesh file; repair or grade it into another one");
   auto choices = std::make_shared<MeshChoices>();
   command->add_option("mesh", choices->file, "the mesh file (STL, OBJ, PLY or OFF)")->required();
-  command->add_option("--unit", choices->unit, "length of the file's unit")->capture_default_str();
+  command->add_option("--unit", choices->unit,
+                      "length of the file's unit; default 1 mm, of a rock that a run wrote 1 m");
   command->add_flag("--repair", choices->repair,
                     "make closed solids that face outward, where that is possible; needs -o");
   command->add_option("--weld", choices->weld, "merge points this close when repairing")

@@ -169,8 +169,25 @@ def check_round_trips(folder):
         assert parts(original) == again, form
 
 
+def check_rock_of_a_run(folder):
+    """The rock that a run wrote is in metres and no body; with a unit it is read as it is told."""
+    case = pathlib.Path(BIT).parents[1] / "bit-b-steady.toml"
+    done = tdbd("run", case, "-o", folder / "run", "--quiet", "--set", "rock.edge_length=8 mm", "--set", "time.revolutions=0.01")
+    assert done.returncode == 0, done
+    rock = folder / "run/rock_final.ply"
+    told = tdbd("mesh", rock)
+    assert told.returncode == 0 and "the rock of a run after 5 steps" in told.stdout, told
+    row = told.stdout.splitlines()[1].split()
+    assert 200 < float(row[8]) < 220, row  # mm across
+    tiny = tdbd("mesh", rock, "--unit", "1 mm").stdout.splitlines()[1].split()
+    assert 0.2 < float(tiny[8]) < 0.22, tiny
+    (folder / "bare.ply").write_bytes(b"".join(line for line in rock.read_bytes().splitlines(keepends=True)
+                                               if not line.startswith(b"comment tdbd")))
+    refused(tdbd("mesh", folder / "bare.ply"), "hole")
+
+
 with tempfile.TemporaryDirectory() as name:
     test_folder = pathlib.Path(name)
     for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_units,
-                  check_densities, check_round_trips):
+                  check_densities, check_round_trips, check_rock_of_a_run):
         check(test_folder)

@@ -21,7 +21,7 @@ enum class InCsv { yes, no };
 enum class Over { point, mean, sum, minimum, maximum };
 
 /// How a number is kept in the NetCDF file.
-enum class Precision { double_, single };
+enum class Precision { full, single };
 
 /// One variable: a number a row, or one for each component of an axis.
 struct RecordColumn {
@@ -31,7 +31,7 @@ struct RecordColumn {
   int axis = -1;  ///< place in RecordLayout::axes; -1: one number a row
   InCsv csv = InCsv::yes;
   Over over = Over::point;
-  Precision precision = Precision::double_;
+  Precision precision = Precision::full;
 };
 
 /// Texts along an axis, written once: names of parts.
