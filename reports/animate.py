@@ -10,6 +10,10 @@ import argparse
 import sys
 from pathlib import Path
 
+import system_python
+
+system_python.require("matplotlib", "numpy", "PIL")
+
 import numpy as np
 from matplotlib.colors import Normalize
 from matplotlib.font_manager import findfont

@@ -12,6 +12,10 @@ import io
 import sys
 from pathlib import Path
 
+import system_python
+
+system_python.require("jinja2", "matplotlib", "numpy")
+
 import jinja2
 import matplotlib
 

@@ -11,6 +11,10 @@ time with their spectra. Of a study of convergence: convergence.png (from conver
 import argparse
 from pathlib import Path
 
+import system_python
+
+system_python.require("matplotlib", "numpy")
+
 import matplotlib
 
 matplotlib.use("Agg")

@@ -14,6 +14,10 @@ import time
 from functools import partial
 from pathlib import Path
 
+import system_python
+
+system_python.require("jinja2", "matplotlib", "numpy")
+
 import bit_pages
 import calibrations
 import comparison
