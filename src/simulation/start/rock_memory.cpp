@@ -42,6 +42,13 @@ RockNeed need_of(double area, const mesh::Box& box_W, double edge_length) {
   return need;
 }
 
+double bytes_of_triangles(double triangles) { return bytes_per_triangle * triangles; }
+
+RockNeed need_of_new_wall(const Case& c) {
+  const mesh::Box reach = reach_W(c);
+  return need_of(area_of_new_wall(c, reach), reach, c.rock.edge_length);
+}
+
 mesh::Box reach_W(const Case& c) {
   mesh::Box box;
   const double r = c.bit.gage_radius + c.motion.whirl.radius;

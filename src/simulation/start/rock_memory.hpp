@@ -14,6 +14,12 @@ struct RockNeed {
 /// A surface of this area (m2) within a box under an index of cells of two edge lengths.
 RockNeed need_of(double area, const mesh::Box& box_W, double edge_length);
 
+/// Bytes of so many triangles, without the index.
+double bytes_of_triangles(double triangles);
+
+/// What the wall that the run adds needs, and the index along the bit's way.
+RockNeed need_of_new_wall(const Case& c);
+
 /// Where the bit's axis goes during the run, widened by the bit: start, end and a path's rows.
 mesh::Box reach_W(const Case& c);
 

@@ -1,0 +1,84 @@
+#include "simulation/result/estimate.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/error.hpp"
+#include "mesh/measures.hpp"
+#include "simulation/result/summary.hpp"
+#include "simulation/start/rock_memory.hpp"
+#include "simulation/step/step.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+// Bytes as files of this program have them (`RunEstimate.is_near_what_a_run_takes` compares).
+constexpr double frame_per_triangle = 43.0, final_per_triangle = 25.0;
+constexpr double checkpoint_per_triangle = 110.0;
+constexpr double csv_per_number = 18.0, bit_level_columns = 25.0;
+constexpr double numbers_per_part = 8.0, numbers_per_cutter = 10.0;
+
+double triangles_of(const bit::Bit& bit) {
+  double sum = 0.0;
+  for (const bit::Part& p : bit.parts) sum += static_cast<double>(p.mesh_P.triangles.size());
+  return sum;
+}
+
+double history_bytes(const Case& c, double steps) {
+  const double numbers = bit_level_columns +
+                         numbers_per_part * static_cast<double>(c.bit.parts.size()) +
+                         numbers_per_cutter * static_cast<double>(c.bit.cutters.size());
+  const double rows = steps / static_cast<double>(c.output.history_every);
+  constexpr double whole = 8.0, window = 2.0;  // a number; single and deflated
+  const double per_number = c.output.history_every > 1 ? window : whole;
+  return rows * (per_number * numbers + csv_per_number * bit_level_columns);
+}
+
+double disk_bytes(const Case& c, double triangles, double steps) {
+  double frames = 1.0;
+  if (c.output.frames_every > 0) frames += steps / static_cast<double>(c.output.frames_every);
+  const double per_frame = frame_per_triangle * (triangles + triangles_of(c.bit));
+  constexpr double two = 2.0;  // checkpoints are kept while the run goes on
+  return frames * per_frame + final_per_triangle * triangles +
+         two * checkpoint_per_triangle * triangles + history_bytes(c, steps);
+}
+
+mesh::Box box_of(const mesh::Surface& s) {
+  mesh::Box box;
+  for (int v = 0; v < s.vertex_slots(); ++v)
+    if (s.is_alive(v)) box.add(s.position(v));
+  return box;
+}
+
+/// Seconds of one step, from some tenths of a second of them. A step that fails ends the trial: the
+/// run will say why.
+double seconds_per_step(const Case& c, Simulation& s, long& tried) {
+  constexpr double enough = 0.4;  // s
+  const auto began = std::chrono::steady_clock::now();
+  try {
+    while (s.state.steps_done < c.time.steps && seconds_since(began) < enough) {
+      step(c, s);
+      ++tried;
+    }
+  } catch (const RunError&) {
+    tried = 0;
+  }
+  return tried > 0 ? seconds_since(began) / static_cast<double>(tried) : 0.0;
+}
+
+}  // namespace
+
+RunEstimate estimate(const Case& c, Simulation& s) {
+  RunEstimate e;
+  const double steps = static_cast<double>(c.time.steps - c.time.first);
+  const RockNeed wall = need_of_new_wall(c);
+  e.triangles = static_cast<double>(s.state.start_triangles) + wall.triangles;
+  const RockNeed start = need_of(0.0, box_of(s.state.rock.surface), c.rock.edge_length);
+  e.memory_bytes = bytes_of_triangles(e.triangles) + start.bytes + wall.bytes -
+                   bytes_of_triangles(wall.triangles);
+  e.disk_bytes = disk_bytes(c, e.triangles, steps);
+  e.seconds = steps * seconds_per_step(c, s, e.steps_tried);
+  return e;
+}
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,70 @@
+#include "simulation/result/estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "simulation/result/run.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::simulation::estimate_test {
+
+namespace fs = std::filesystem;
+
+Case case_with(const std::vector<std::string>& overrides) {
+  return read_case(TDBD_SOURCE_DIR "/cases/bit-b-6000psi.toml", overrides);
+}
+
+double bytes_in(const fs::path& folder) {
+  double sum = 0.0;
+  for (const auto& f : fs::recursive_directory_iterator(folder))
+    if (f.is_regular_file()) sum += static_cast<double>(f.file_size());
+  return sum;
+}
+
+/// Against runs with few and with many frames, and rows of one and of many steps.
+TEST(RunEstimate, is_near_what_a_run_takes) {
+  const std::vector<std::vector<std::string>> cases{
+      {"rock.edge_length=0.006", "time.revolutions=0.4"},
+      {"rock.edge_length=0.003", "time.revolutions=0.2", "output.frames_every=10"},
+      {"rock.edge_length=0.006", "time.revolutions=0.4", "output.history_every=4"}};
+  for (const auto& overrides : cases) {
+    const Case c = case_with(overrides);
+    Simulation tried = start(c);
+    const RunEstimate e = estimate(c, tried);
+    const fs::path folder = temporary_folder() + "tdbd_estimate";
+    fs::remove_all(folder);
+    RunOptions options;
+    options.folder = folder;
+    const RunSummary s = run(c, options);
+    EXPECT_NEAR(e.triangles / static_cast<double>(s.rock_triangles_end), 1.0, 0.3);
+    EXPECT_NEAR(e.disk_bytes / bytes_in(folder), 1.3, 0.7) << overrides.back();
+    EXPECT_GT(e.steps_tried, 0);
+  }
+}
+
+/// Half the edges: four times the triangles and their memory; twice the way: twice the time.
+TEST(RunEstimate, grows_with_triangles_and_steps) {
+  const auto of = [](const std::vector<std::string>& overrides) {
+    const Case c = case_with(overrides);
+    Simulation s = start(c);
+    return estimate(c, s);
+  };
+  const RunEstimate coarse = of({"rock.edge_length=0.008"}), fine = of({"rock.edge_length=0.004"});
+  EXPECT_NEAR(fine.triangles / coarse.triangles, 4.0, 0.8);
+  EXPECT_GT(fine.memory_bytes, 2.0 * coarse.memory_bytes);
+  const RunEstimate frames = of({"rock.edge_length=0.008", "output.frames_every=1"});
+  EXPECT_GT(frames.disk_bytes, 100.0 * coarse.triangles * 40.0);
+}
+
+/// Nothing is left to be made.
+TEST(RunEstimate, without_steps_to_try_has_no_seconds) {
+  const Case c = case_with({"rock.edge_length=0.008", "maintenance.every=1"});
+  Simulation s = start(c);
+  s.state.steps_done = c.time.steps;
+  const RunEstimate e = estimate(c, s);
+  EXPECT_EQ(e.steps_tried, 0);
+  EXPECT_EQ(e.seconds, 0.0);
+}
+
+}  // namespace tdbd::simulation::estimate_test
