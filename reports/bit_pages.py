@@ -1,4 +1,4 @@
-"""Pages of bits and moving pictures: one for each run, made again when it changed."""
+"""Pages of bits, moving pictures and 3-D pages: one for each run, made again when it changed."""
 
 from importlib.metadata import version
 from pathlib import Path
@@ -12,7 +12,7 @@ HERE = Path(__file__).parent
 class BitPages:
     """Pages NAME.html and their stamps NAME.made.json in a folder."""
 
-    script, own, kind, suffix = "bit_page.py", ("bit_page.py", "page_tables.py", "bit_page.html.j2"), "page", ".html"
+    own, kind, suffix = ("bit_page.py", "page_tables.py", "bit_page.html.j2"), "page", ".html"
 
     def __init__(self, manifest, data, folder):
         self.manifest, self.data, self.folder = manifest, data, Path(folder)
@@ -33,7 +33,7 @@ class BitPages:
         """Fingerprint of all that decides the page: result, scripts, versions."""
         return fingerprint.of_value([
             fingerprint.read(self.data.stamp(run)).get("files"), [fingerprint.of_file(HERE / name) for name in self.own],
-            fingerprint.of_scripts(HERE / "figures", HERE / self.script), version("matplotlib"), version("numpy")])
+            fingerprint.of_scripts(HERE / "figures", *(HERE / name for name in self.own if name.endswith(".py"))), version("matplotlib"), version("numpy")])
 
     @staticmethod
     def write(folder, path):
@@ -63,7 +63,7 @@ class BitPages:
 class Animations(BitPages):
     """Moving pictures NAME.gif of holes being drilled."""
 
-    script, own, kind, suffix = "animate.py", ("animate.py",), "moving picture", ".gif"
+    own, kind, suffix = ("animate.py",), "moving picture", ".gif"
 
     def groups(self):
         return self.manifest.animations
@@ -73,3 +73,21 @@ class Animations(BitPages):
         import animate
         path.parent.mkdir(parents=True, exist_ok=True)
         animate.animate(folder, path)
+
+
+class Pages3d(BitPages):
+    """3-D pages NAME.html of runs with frames; none is made of a run that lacks some."""
+
+    kind = "3-D page"
+    own = ("page3d.py", "page3d_pack.py", "page3d_match.py", "page3d_frames.py", "page3d_scene.py", "page3d_facts.py", "animate.py",
+           *(f"web/{path.name}" for path in sorted((HERE / "web").glob("*"))))
+
+    def groups(self):
+        return self.manifest.pages3d
+
+    @staticmethod
+    def write(folder, path):
+        import page3d
+        if missing := page3d.write(folder, path).missing:
+            path.unlink()
+            raise ValueError(f"found no frame {missing[0]['number']} ({missing[0]['why']}), expected all")

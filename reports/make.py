@@ -112,7 +112,8 @@ def report(chosen):
     data = Data(chosen.root, chosen.build, chosen.output / "data")
     drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
     pages = [bit_pages.BitPages(manifest, data, chosen.output / "bits"),
-             bit_pages.Animations(manifest, data, chosen.output / "moving")]
+             bit_pages.Animations(manifest, data, chosen.output / "moving"),
+             bit_pages.Pages3d(manifest, data, chosen.output / "3d")]
     others = [made := studies.Studies(chosen.root, chosen.output / "studies"),
               calibrated := calibrations.Calibrations(chosen.root, chosen.build, chosen.output / "validation", chosen.quick),
               compared := comparison.Comparisons(chosen.root, chosen.build, chosen.output / "comparison", chosen.quick)]

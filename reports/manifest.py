@@ -69,9 +69,10 @@ class Manifest:
     claims: tuple
     bit_pages: tuple = ()  # groups of one run of `tdbd bit --report` each
     animations: tuple = ()  # groups of one run of `tdbd run` with frames each
+    pages3d: tuple = ()  # the same
 
     def pages(self):
-        return set(self.bit_pages) | set(self.animations)
+        return set(self.bit_pages) | set(self.animations) | set(self.pages3d)
 
     def group(self, name):
         return [r for r in self.runs if r.group == name]
@@ -133,7 +134,7 @@ def demand_links(manifest):
     for names in ([f.name for f in manifest.figures], slugs):
         if doubled := {n for n in names if names.count(n) > 1}:
             raise ManifestError(f"twice: {', '.join(sorted(doubled))}")
-    for key in ("bit_pages", "animations"):
+    for key in ("bit_pages", "animations", "pages3d"):
         if missing := set(getattr(manifest, key)) - groups:
             raise ManifestError(f"{key}: no run {', '.join(sorted(missing))}")
     for f in manifest.figures:
@@ -146,7 +147,7 @@ def demand_links(manifest):
 def quick_part(manifest):
     """Without the figures that --quick leaves out, and the runs that only these show."""
     figures = tuple(f for f in manifest.figures if f.quick)
-    shown = {r for f in figures for r in f.runs} | set(manifest.bit_pages)
+    shown = {r for f in figures for r in f.runs} | set(manifest.bit_pages) | set(manifest.pages3d)
     return replace(manifest, figures=figures, animations=(), runs=tuple(r for r in manifest.runs if r.group in shown))
 
 
@@ -165,6 +166,7 @@ def read(folder, is_quick=False):
               for t in load(Path(folder) / "claims.toml")["claims"]]
     manifest = Manifest(tuple(runs), tuple(map(figure_of, document["figures"])), tuple(claims),
                         tuple(document.get("quick_bit_pages" if is_quick else "bit_pages", [])),
-                        tuple(document.get("animations", [])))
+                        tuple(document.get("animations", [])),
+                        tuple(document.get("quick_pages3d" if is_quick else "pages3d", [])))
     demand_links(manifest)
     return quick_part(manifest) if is_quick else manifest

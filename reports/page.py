@@ -62,6 +62,7 @@ def picture_or_rows(figure, path):
 def pictures(manifest, data, drawing):
     return [{"figure": f, **picture_or_rows(f, drawing.picture(f)),
              "tables": [(t, drawing.table(t)["test"]) for t in f.tables if drawing.table(t)],
+             "pages3d": [g for g in f.runs if g in manifest.pages3d],
              "commands": [shlex.join([r.program, *data.command(r)]) for r in drawing.runs(f)]}
             for f in manifest.figures]
 
@@ -118,7 +119,7 @@ def write(path, manifest, data, drawing, made, makers, found, thesis, is_quick):
     html = environment.get_template("page.html.j2").render(
         chapters=page_contents.chapters(manifest), rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
         sets=shown_sets(makers),
-        bits=manifest.bit_pages, animations=manifest.animations, classes=class_table.rows(data.root),
+        bits=manifest.bit_pages, animations=manifest.animations, pages3d=manifest.pages3d, classes=class_table.rows(data.root),
         thesis=thesis_rows(*thesis, manifest), thesis_counts=thesis_index.counts(thesis_index.rows(*thesis)),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
     partial = Path(f"{path}.partial")

@@ -9,7 +9,6 @@ read is named and left out. Exit code 2 and one line on what is wrong when the f
 
 import argparse
 import base64
-import colorsys
 import io
 import json
 import sys
@@ -18,99 +17,25 @@ from pathlib import Path
 import jinja2
 import numpy as np
 from markupsafe import Markup
-from matplotlib.colors import Normalize, to_hex
+from matplotlib.colors import Normalize
 from PIL import Image
 
 import animate
 import page3d_facts
 import page3d_frames
-from figures import bit_in_hole, render, rock_scene
-from page3d_pack import Packer, grid, on_grid
+import page3d_pack as pack
+import page3d_scene as scene
+from figures import render, rock_scene
 
 HERE = Path(__file__).resolve().parent
-SCRIPTS = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "legend.js", "traces.js", "controls.js", "page3d.js")
-DIGITS = 8  # of poses: a hundredth of a micron
+SCRIPTS = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "draw.js", "legend.js", "traces.js", "controls.js", "page3d.js")
 STILL = 480  # pixels to a side of the picture for browsers that cannot draw
-UNCUT, UNCUT_COLOUR = "not cut", "#b9b2a6"
-
-
-def group_of(part):
-    """A cutter of its face, chamfer and body; a row of its teeth."""
-    return part.rsplit("/", 1)[0]
-
-
-def groups(run, frames):
-    """(names, number of each part's): of those that cut last somewhere; the first are all points that nothing cut."""
-    parts = list(run["removed_volume_by_part_m3"])
-    seen = np.unique(np.concatenate([f.rock.point_values["last_part"] for f in frames]).astype(int))
-    if seen[-1] >= len(parts):
-        raise ValueError(f"found a cut by part {seen[-1]}, expected one of the {len(parts)} of summary.json")
-    names = [UNCUT, *dict.fromkeys(group_of(parts[k]) for k in seen[seen >= 0])]
-    return names, np.array([names.index(group_of(p)) if group_of(p) in names else 0 for p in parts])
-
-
-def last_groups(rock, group_of_part):
-    """Of each point: 0 where nothing cut, or else the group that cut last."""
-    last = rock.point_values["last_part"].astype(int)
-    return np.where(last < 0, 0, group_of_part[last])
-
-
-def packed_rock(frames, packer, group_of_part):
-    """(box, entries of the header), one for each frame."""
-    box = grid(np.concatenate([f.rock.points for f in frames]))
-    entries, before = [], (None, None, None)
-    for f in frames:
-        arrays = on_grid(f.rock.points, *box), f.rock.triangles, last_groups(f.rock, group_of_part)
-        changes = [packer.add(*pair) for pair in zip(arrays, before)]
-        entries.append({"number": f.number, "time_s": f.time, "points": len(arrays[0]), "triangles": len(arrays[1]),
-                        "changes": changes, "poses": [np.round(p, DIGITS).ravel().tolist() for p in f.poses]})
-        before = arrays
-    return box, entries
-
-
-def packed_bit(bit, bodies, packer):
-    """The header's entry: pieces of one body each; `hull` is what hides the bottom."""
-    box, layer = grid(bit.points), bit_in_hole.bit_layer(bit)
-    colours, colour = np.unique(layer.colours, axis=0, return_inverse=True)
-    hull = (layer.colours == bit_in_hole.BODY).all(axis=1)
-    body = bodies[bit.triangles[:, 0]]
-    order = np.lexsort((np.arange(len(hull)), body, hull))
-    packer.add(on_grid(bit.points, *box))
-    packer.add(bit.triangles[order])
-    packer.add(colour.ravel()[order])
-    pieces = [{"hull": bool(h), "body": int(b), "triangles": int(((hull == h) & (body == b)).sum())}
-              for h, b in dict.fromkeys(zip(hull[order], body[order]))]
-    return {"box": boxed(box), "points": len(bit.points), "triangles": len(order), "pieces": pieces,
-            "colours": [to_hex(c) for c in colours]}
-
-
-def boxed(box):
-    return {"origin": box[0].tolist(), "size": box[1].tolist()}
-
-
-def group_colours(count):
-    """As many hues, neighbours far apart: steps of the golden section."""
-    return [to_hex(colorsys.hls_to_rgb((0.618034 * k) % 1.0, (0.42, 0.58, 0.70)[k % 3], 0.62)) for k in range(count)]
-
-
-def depth_range(frames):
-    """mm: of the bottoms at both ends of the run."""
-    ends = [rock_scene.depth_norm(f.rock) for f in (frames[0], frames[-1])]
-    return [float(min(n.vmin for n in ends)), float(max(n.vmax for n in ends))]
-
-
-def colours(frames, names):
-    ramp = [to_hex(c) for c in rock_scene.DEPTH(np.linspace(0, 1, 256))]
-    return {"depth": {"ramp": ramp, "range_mm": depth_range(frames)},
-            "part": {"names": names, "colours": [UNCUT_COLOUR, *group_colours(len(names) - 1)]},
-            "quality": {"steps": rock_scene.QUALITY_STEPS.boundaries.tolist(),
-                        "colours": [to_hex(c) for c in rock_scene.QUALITY.colors]}}
 
 
 def still(frames, bit):
     """The end as a picture, for browsers that cannot draw: the address of an image that holds it."""
     last = frames[-1].rock
-    low, high = depth_range(frames)
+    low, high = scene.depth_range(frames)
     camera = rock_scene.camera(last.points, rock_scene.INTO_HOLE, (STILL, STILL), dpi=1)
     image = Image.fromarray((255 * render.picture(camera, animate.scene(last, bit, Normalize(low, high)))).astype(np.uint8))
     file = io.BytesIO()
@@ -135,18 +60,18 @@ def html_of(folder, most):
     """(page, frames). Raises ValueError."""
     run = page3d_facts.summary(folder)
     read = page3d_frames.read(folder, most)
-    names, group_of_part = groups(run, read.found)
-    packer = Packer()
-    box, entries = packed_rock(read.found, packer, group_of_part)
-    header = {"title": run["title"], "box": boxed(box), "frames": entries, "missing": read.missing,
-              "bit": packed_bit(read.bit, read.bodies, packer), "colours": colours(read.found, names),
+    names, group_of_part = scene.groups(run, read.found)
+    box, entries, parts = scene.packed_rock(read.found, group_of_part)
+    bit, bit_part = scene.packed_bit(read.bit, read.bodies)
+    header = {"title": run["title"], "box": scene.boxed(box), "frames": entries, "missing": read.missing,
+              "bit": bit, "colours": scene.colours(read.found, names),
               "revolutions_per_s": run["revolutions"] / run["duration_s"] if run["duration_s"] else 0.0,
               "traces": page3d_facts.traces(folder)}
     case = folder / "case.toml"
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "web"), autoescape=True, trim_blocks=True,
                                      undefined=jinja2.StrictUndefined, lstrip_blocks=True)
     page = environment.get_template("page3d.html.j2").render(
-        run=run, missing=read.missing, count=len(entries), header=in_script(header), data=base64.b64encode(packer.bytes()).decode(),
+        run=run, missing=read.missing, count=len(entries), header=in_script(header), data=base64.b64encode(pack.deflated([*parts, bit_part])).decode(),
         facts=page3d_facts.facts(run), provenance=page3d_facts.provenance(run), diagnosis=page3d_facts.diagnosis(run),
         case=case.read_text(encoding="utf-8") if case.is_file() else "", still=still(read.found, moved(read.bit, read.bodies, read.found[-1])),
         style=Markup((HERE / "web/page3d.css").read_text(encoding="utf-8")),

@@ -33,8 +33,8 @@ def few(items, most):
     return [items[round(k)] for k in np.linspace(len(items) - 1, 0, most)][::-1]
 
 
-def read_mesh(path):
-    """Raises ValueError, whatever is wrong with the file."""
+def read_mesh(path, *wanted):
+    """A mesh with the values that are wanted. Raises ValueError, whatever is wrong with the file."""
     try:
         mesh = rock_data.read(path)
     except (ElementTree.ParseError, LookupError, TypeError, AttributeError) as error:
@@ -43,6 +43,10 @@ def read_mesh(path):
         raise ValueError(str(error) if str(path) in str(error) else f"{path}: found no whole frame ({error})") from error
     if not 0 <= mesh.triangles.min() <= mesh.triangles.max() < len(mesh.points):
         raise ValueError(f"{path}: found triangles of points that it does not have")
+    if not np.isfinite(mesh.points).all():
+        raise ValueError(f"{path}: found a point that is nowhere, expected finite numbers")
+    if lacks := set(wanted) - set(mesh.point_values) - set(mesh.cell_values):
+        raise ValueError(f"{path}: found no {', '.join(sorted(lacks))}, expected a frame that `tdbd run` writes")
     return mesh
 
 
@@ -79,7 +83,7 @@ def read(folder, most):
     listed = [(k + 1, *rock, bit[1]) for k, (rock, bit) in enumerate(zip(rocks, bits))]
     for number, time, rock_file, bit_file in few(listed, most):
         try:
-            rock, bit = read_mesh(rock_file), read_mesh(bit_file)
+            rock, bit = read_mesh(rock_file, "depth_m", "last_part"), read_mesh(bit_file, "kind", "part")
             if frames.bit is None:
                 frames.bit, frames.bodies = bit, bodies_of(bit)
             frames.found.append(Frame(number, time, rock, poses(frames.bit, frames.bodies, bit)))

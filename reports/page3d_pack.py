@@ -1,4 +1,4 @@
-"""Whole numbers in few bytes: as differences, from the frame before or from the number before, in planes of bytes, deflated.
+"""Whole numbers in few bytes: as differences from the frame before, or from the row before, in planes of bytes, deflated.
 
 Between two frames most of a mesh stays where it is, so most differences are 0. `web/unpack.js` undoes what is done here.
 """
@@ -7,8 +7,11 @@ import zlib
 
 import numpy as np
 
+import page3d_match as match
+
 STEPS = 65535  # of a coordinate, from one side of its box to the other
-LEVEL = 9  # of zlib
+LEVEL, QUICK_LEVEL = 9, 1  # of zlib: of what is kept, of what is weighed
+NEAR = 400  # steps in the plane across the hole, some 1.3 mm: a point that the bit moved is still itself
 
 
 def grid(points):
@@ -22,26 +25,6 @@ def on_grid(points, origin, size):
     return np.rint((points - origin) / size * STEPS).astype(np.int64)
 
 
-def along(values):
-    """Each row as its difference from the row before."""
-    return np.diff(values, axis=0, prepend=0)
-
-
-def over_time(values, before):
-    """Each row as its difference from that row of the frame before; rows that it did not have, from the row before."""
-    both = min(len(values), len(before))
-    return np.concatenate([values[:both] - before[:both], along(values)[both:]])
-
-
-def differences(values, before=None):
-    """(differences, whether they are from the frame before): of both kinds the smaller."""
-    still = along(values)
-    if before is None:
-        return still, False
-    moved = over_time(values, before)
-    return (moved, True) if np.count_nonzero(moved) < np.count_nonzero(still) else (still, False)
-
-
 def planes(differences):
     """Four planes of bytes, the lowest first, column after column; small numbers of either sign leave the upper ones empty."""
     signed = differences.T.ravel().astype(np.int64)
@@ -49,18 +32,41 @@ def planes(differences):
     return unsigned.view(np.uint8).reshape(-1, 4).T.tobytes()
 
 
-class Packer:
-    """Arrays one after another. `add` returns what the reader must know of each beside its shape."""
+def along(values):
+    """Each row as its difference from the row before."""
+    return planes(np.diff(values.reshape(len(values), -1), axis=0, prepend=0))
 
-    def __init__(self):
-        self.parts = []
 
-    def add(self, values, before=None):
-        values = np.asarray(values, np.int64)
-        values = values.reshape(len(values), -1)
-        found, is_over_time = differences(values, None if before is None else np.asarray(before, np.int64).reshape(len(before), -1))
-        self.parts.append(planes(found))
-        return is_over_time
+def continuing(values, old, rows):
+    """Each row as its difference from the old one that it continues; a new one as that from the row before."""
+    values, old = (a.reshape(len(a), -1) for a in (values, old))
+    before = np.concatenate([np.zeros_like(values[:1]), values[:-1]])
+    return planes(values - np.where(rows[:, None] < 0, before, old[rows]))
 
-    def bytes(self):
-        return zlib.compress(b"".join(self.parts), LEVEL)
+
+def alone(points, corners, last):
+    return b"".join(map(along, (points, last, corners)))
+
+
+def over_time(points, corners, last, before):
+    """Each row as its difference from the row of the frame before that it continues; triangles by their corners' numbers now."""
+    old_points, old_corners, old_last = before
+    moved = match.shifts(points[:, :2], old_points[:, :2], NEAR)
+    rows = match.rows_before(moved, len(points), len(old_points))
+    named = match.names_now(rows, len(old_points))[old_corners]
+    turned = match.shifts(corners, named, 0)
+    same = match.rows_before(turned, len(corners), len(named))
+    return b"".join((along(moved), continuing(points, old_points, rows), continuing(last, old_last, rows),
+                     along(turned), continuing(corners, named, same)))
+
+
+def frame(points, corners, last, before):
+    """(bytes, whether they are differences from the frame before): whichever deflates to less."""
+    ways = [(alone(points, corners, last), False)]
+    if before is not None:
+        ways.append((over_time(points, corners, last, before), True))
+    return min(ways, key=lambda way: len(zlib.compress(way[0], QUICK_LEVEL)))
+
+
+def deflated(parts):
+    return zlib.compress(b"".join(parts), LEVEL)

@@ -25,7 +25,7 @@ void print_energy(const simulation::DriveFigures& d) {
                   : "not observed: " + order.reason);
 }
 
-void print_summary(const simulation::RunSummary& s, const std::string& folder) {
+void print_summary(const simulation::RunSummary& s, const std::string& folder, bool has_frames) {
   say("{}: {} steps, {:.3f} revolutions, {:.4f} cm3 removed, ledger defect {:.1e}\n",
       s.status == simulation::RunStatus::completed ? "done" : "interrupted", s.steps, s.revolutions,
       1e6 * s.removed_volume, s.volume_ledger_defect);
@@ -38,6 +38,7 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder) {
   say("results in {}\n", folder);
   if (s.status == simulation::RunStatus::interrupted)
     say("to go on: tdbd run --resume {}\n", folder);
+  if (has_frames) say("to look at it: reports/page3d.py {}\n", folder);
 }
 
 std::string detail_of(const simulation::Simulation& s) {
@@ -47,7 +48,8 @@ std::string detail_of(const simulation::Simulation& s) {
 
 /// Drills with progress and a summary unless told to be quiet.
 template <class Drill>
-int show(const RunArguments& a, simulation::RunOptions options, Drill&& drill) {
+int show(const RunArguments& a, const simulation::Case& c, simulation::RunOptions options,
+         Drill&& drill) {
   Progress progress;
   options.threads = a.threads;
   if (!a.quiet) {
@@ -61,7 +63,7 @@ int show(const RunArguments& a, simulation::RunOptions options, Drill&& drill) {
   if (!a.quiet) {
     progress.finish();
     print_warnings(summary.found_at_end);
-    print_summary(summary, options.folder.string());
+    print_summary(summary, options.folder.string(), c.output.frames_every > 0);
   }
   return summary.status == simulation::RunStatus::completed ? 0 : interrupted_code;
 }
@@ -70,13 +72,13 @@ int run(const RunArguments& a) {
   require_kind(a.case_file, a.overrides, CaseKind::drilling);
   const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
   if (!a.quiet) print_warnings(c.warnings);
-  return show(a, options_for<simulation::RunOptions>(a),
+  return show(a, c, options_for<simulation::RunOptions>(a),
               [&](const simulation::RunOptions& o) { return simulation::run(c, o); });
 }
 
 int resume(const RunArguments& a) {
   const simulation::Case c = simulation::read_stopped_case(a.resumed);
-  return show(a, options_for<simulation::RunOptions>(a),
+  return show(a, c, options_for<simulation::RunOptions>(a),
               [&](const simulation::RunOptions& o) { return simulation::resume_run(c, o); });
 }
 

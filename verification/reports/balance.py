@@ -2,7 +2,7 @@
 
 import html.parser
 
-EMPTY = ("meta", "img", "br", "hr", "wbr")
+EMPTY = ("meta", "link", "input", "img", "br", "hr", "wbr")
 
 
 class Balance(html.parser.HTMLParser):

@@ -4,6 +4,7 @@ import base64
 import json
 import os
 import pathlib
+import select
 import shutil
 import subprocess
 import tempfile
@@ -11,6 +12,7 @@ import tempfile
 PROGRAM = shutil.which("chromium")
 SOFTWARE = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")  # draws without a graphics card
 WITHOUT_WEBGL = ("--disable-3d-apis", "--disable-gpu")
+PATIENCE = 60  # s for one answer
 KEY_CODES = {"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "Home": 36, "End": 35, " ": 32, "Tab": 9}
 
 
@@ -45,9 +47,10 @@ class Browser:
 
     def message(self):
         while b"\0" not in self.rest:
-            more = os.read(self.back, 1 << 20)
+            ready, _, _ = select.select([self.back], [], [], PATIENCE)
+            more = os.read(self.back, 1 << 20) if ready else b""
             if not more:
-                raise RuntimeError("the browser ended")
+                raise RuntimeError("the browser ended, or says nothing")
             self.rest += more
         first, _, self.rest = self.rest.partition(b"\0")
         found = json.loads(first)

@@ -1,0 +1,84 @@
+"""The frames as a page holds them: numbers packed, a header that tells how many, and colours."""
+
+import colorsys
+
+import numpy as np
+from matplotlib.colors import to_hex
+
+import page3d_pack as pack
+from figures import bit_in_hole, rock_scene
+
+DIGITS = 8  # of poses: a hundredth of a micron
+UNCUT, UNCUT_COLOUR = "not cut", "#b9b2a6"
+
+
+def group_of(part):
+    """A cutter of its face, chamfer and body; a row of its teeth."""
+    return part.rsplit("/", 1)[0]
+
+
+def groups(run, frames):
+    """(names, number of each part's): of those that cut last somewhere; the first are all points that nothing cut."""
+    parts = list(run["removed_volume_by_part_m3"])
+    seen = np.unique(np.concatenate([f.rock.point_values["last_part"] for f in frames]).astype(int))
+    if seen[-1] >= len(parts):
+        raise ValueError(f"found a cut by part {seen[-1]}, expected one of the {len(parts)} of summary.json")
+    names = [UNCUT, *dict.fromkeys(group_of(parts[k]) for k in seen[seen >= 0])]
+    return names, np.array([names.index(group_of(p)) if group_of(p) in names else 0 for p in parts])
+
+
+def last_groups(rock, group_of_part):
+    """Of each point: 0 where nothing cut, or else the group that cut last."""
+    last = rock.point_values["last_part"].astype(int)
+    return np.where(last < 0, 0, group_of_part[last])
+
+
+def packed_rock(frames, group_of_part):
+    """(box, entries of the header, bytes): of the last two, one for each frame."""
+    box = pack.grid(np.concatenate([f.rock.points for f in frames]))
+    entries, parts, before = [], [], None
+    for f in frames:
+        arrays = pack.on_grid(f.rock.points, *box), f.rock.triangles.astype(np.int64), last_groups(f.rock, group_of_part)
+        part, is_over_time = pack.frame(*arrays, before)
+        parts.append(part)
+        entries.append({"number": f.number, "time_s": f.time, "points": len(arrays[0]), "triangles": len(arrays[1]),
+                        "over_time": is_over_time, "poses": [np.round(p, DIGITS).ravel().tolist() for p in f.poses]})
+        before = arrays
+    return box, entries, parts
+
+
+def packed_bit(bit, bodies):
+    """(the header's entry, bytes): pieces of one body each; `hull` is what hides the bottom."""
+    box, layer = pack.grid(bit.points), bit_in_hole.bit_layer(bit)
+    colours, colour = np.unique(layer.colours, axis=0, return_inverse=True)
+    hull = (layer.colours == bit_in_hole.BODY).all(axis=1)
+    body = bodies[bit.triangles[:, 0]]
+    order = np.lexsort((np.arange(len(hull)), body, hull))
+    arrays = pack.on_grid(bit.points, *box), bit.triangles[order], colour.ravel()[order]
+    pieces = [{"hull": bool(h), "body": int(b), "triangles": int(((hull == h) & (body == b)).sum())}
+              for h, b in dict.fromkeys(zip(hull[order], body[order]))]
+    return {"box": boxed(box), "points": len(bit.points), "triangles": len(order), "pieces": pieces,
+            "colours": [to_hex(c) for c in colours]}, b"".join(map(pack.along, arrays))
+
+
+def boxed(box):
+    return {"origin": box[0].tolist(), "size": box[1].tolist()}
+
+
+def group_colours(count):
+    """As many hues, neighbours far apart: steps of the golden section."""
+    return [to_hex(colorsys.hls_to_rgb((0.618034 * k) % 1.0, (0.42, 0.58, 0.70)[k % 3], 0.62)) for k in range(count)]
+
+
+def depth_range(frames):
+    """mm: of the bottoms at both ends of the run."""
+    ends = [rock_scene.depth_norm(f.rock) for f in (frames[0], frames[-1])]
+    return [float(min(n.vmin for n in ends)), float(max(n.vmax for n in ends))]
+
+
+def colours(frames, names):
+    ramp = [to_hex(c) for c in rock_scene.DEPTH(np.linspace(0, 1, 256))]
+    return {"depth": {"ramp": ramp, "range_mm": depth_range(frames)},
+            "part": {"names": names, "colours": [UNCUT_COLOUR, *group_colours(len(names) - 1)]},
+            "quality": {"steps": rock_scene.QUALITY_STEPS.boundaries.tolist(),
+                        "colours": [to_hex(c) for c in rock_scene.QUALITY.colors]}}

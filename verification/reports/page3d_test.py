@@ -1,0 +1,213 @@
+"""page3d_test.py PROGRAM ROOT: the 3-D page of a run holds its frames, says what it lacks, and refuses other folders."""
+
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import balance
+import numpy as np
+import page3d_data
+
+PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
+sys.path.insert(0, str(ROOT / "reports"))
+import page3d_pack  # noqa: E402
+from figures import rock_data  # noqa: E402
+
+MOST_BYTES, MOST_SECONDS = 2e6, 5.0  # of 25 frames of bit B with edges of 2.5 mm
+POSE_DIGITS = 2e-7  # m: poses are told to 1e-8, and turn places 0.2 m from the axis
+RUNS = {
+    "b": ("bit-b-steady.toml", "rock.edge_length=2.5 mm", "time.step=5 ms", "time.revolutions=0.75", "output.frames_every=3"),
+    "r": ("bit-r-rolling.toml", "rock.edge_length=8 mm", "time.step=5 ms", "time.revolutions=0.3", "output.frames_every=10"),
+    "forces": ("drill-bit-b-whirl.toml", "rock.edge_length=6 mm", "time.duration=0.1 s", "output.frames_every=100"),
+    "end": ("bit-b-steady.toml", "rock.edge_length=10 mm", "time.step=5 ms", "time.revolutions=0.05"),
+}
+
+
+def run(folder, case, *settings):
+    subprocess.run([PROGRAM, "run", ROOT / "cases" / case, "-o", folder, "--quiet", *(w for s in settings for w in ("--set", s))], check=True)
+
+
+def make(*arguments):
+    return subprocess.run([sys.executable, "-B", ROOT / "reports/page3d.py", *arguments], capture_output=True, text=True, check=False)
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.made.name)
+        for name, (case, *settings) in RUNS.items():
+            run(cls.folder / name, case, *settings)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def page(self, name, output=None):
+        path = output or self.folder / name / "result.html"
+        done = make(self.folder / name, *(("-o", path) if output else ()))
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        return path.read_text(encoding="utf-8")
+
+    def copy(self, name, of="r"):
+        shutil.copytree(self.folder / of, self.folder / name, ignore=shutil.ignore_patterns("*.html"))
+        return self.folder / name
+
+    def test_25_frames_of_bit_b_are_small_and_soon_made(self):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        page = self.page("b")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertEqual(len(page3d_data.header(page)["frames"]), 25)
+        self.assertLess(len(page.encode()), MOST_BYTES)
+        self.assertLess(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, MOST_SECONDS)
+
+    def test_holds_every_frame_within_half_a_step_and_its_triangles_exactly(self):
+        for name in ("b", "r"):
+            page = self.page(name)
+            head, (frames, _) = page3d_data.header(page), page3d_data.frames(page)
+            names = head["colours"]["part"]["names"]
+            parts = list(page3d_data.json.loads((self.folder / name / "summary.json").read_text())["removed_volume_by_part_m3"])
+            for frame, entry, (time, path) in zip(frames, head["frames"], rock_data.frames(self.folder / name), strict=True):
+                rock = rock_data.read(path)
+                self.assertEqual(entry["time_s"], time)
+                off = np.abs(page3d_data.placed(frame["points"], head["box"]) - rock.points)
+                self.assertLessEqual((off / head["box"]["size"]).max(), (0.5 + 1e-6) / page3d_data.STEPS)
+                np.testing.assert_array_equal(frame["corners"], rock.triangles)
+                shown = [names[k] for k in frame["last"][:, 0]]
+                last = rock.point_values["last_part"]
+                self.assertEqual(shown, [parts[k].rsplit("/", 1)[0] if k >= 0 else "not cut" for k in last])
+
+    def test_moves_the_bit_and_its_cones_to_where_they_are_in_each_frame(self):
+        page = self.page("r")
+        head, (_, bit) = page3d_data.header(page), page3d_data.frames(page)
+        self.assertEqual(sorted({p["body"] for p in head["bit"]["pieces"]}), [0, 1, 2, 3])
+        bodies = np.zeros(len(bit["points"]), int)
+        first = 0
+        for piece in head["bit"]["pieces"]:
+            bodies[bit["corners"][first:first + piece["triangles"]]] = piece["body"]
+            first += piece["triangles"]
+        start, step = page3d_data.placed(bit["points"], head["bit"]["box"]), np.max(head["bit"]["box"]["size"]) / page3d_data.STEPS
+        turned = 0.0
+        for entry, (_, path) in zip(head["frames"], rock_data.frames(self.folder / "r", "bit"), strict=True):
+            poses = np.array(entry["poses"]).reshape(-1, 3, 4)[bodies]
+            now = np.einsum("nij,nj->ni", poses[:, :, :3], start) + poses[:, :, 3]
+            self.assertLess(np.abs(now - rock_data.read(path).points).max(), step + POSE_DIGITS)
+            turned = max(turned, np.abs(now - start).max())
+        self.assertGreater(turned, 0.01, "the bit stood still: nothing was tested")
+
+    def test_is_the_same_twice_and_fetches_nothing(self):
+        page = self.page("r")
+        self.assertEqual(page, self.page("r", self.folder / "again.html"))
+        self.assertNotRegex(page, r"(src|href)=.(https?:|//)|url\(|import\s|fetch\(|XMLHttp")
+        self.assertIn("default-src 'none'", page)
+        balance.check(page)
+
+    def test_tells_weight_torque_rate_and_diagnosis(self):
+        page = self.page("forces")
+        summary = page3d_data.json.loads((self.folder / "forces/summary.json").read_text())
+        self.assertEqual([t["name"] for t in page3d_data.header(page)["traces"]],
+                         ["Weight on bit", "Torque on bit", "Rate of penetration", "Speed of the bit"])
+        words = page3d_data.text_of(page)
+        for said in (f"Diagnosis: {summary['diagnosis']['text']}", summary["case_hash"], summary["commit"], f"{summary['rock_triangles_end']} at the end"):
+            self.assertIn(said, words)
+        rows = np.genfromtxt(self.folder / "forces/history.csv", delimiter=",", names=True)
+        weight = page3d_data.header(page)["traces"][0]
+        self.assertAlmostEqual(max(weight["high"]), 1e-3 * rows["weight_on_bit_N"].max(), delta=1e-3 * max(weight["high"]))
+        self.assertAlmostEqual(min(weight["low"]), 1e-3 * rows["weight_on_bit_N"].min(), delta=1e-3 * max(weight["high"]))
+
+    def test_of_a_run_without_frames_shows_its_end(self):
+        page = self.page("end")
+        self.assertEqual(len(page3d_data.header(page)["frames"]), 1)
+        self.assertIn("no force law", page3d_data.text_of(page))
+
+    def test_frames_are_few_when_told_so_and_the_last_is_among_them(self):
+        done = make(self.folder / "b", "--most", "4", "-o", self.folder / "few.html")
+        self.assertEqual(done.returncode, 0, done)
+        head = page3d_data.header((self.folder / "few.html").read_text(encoding="utf-8"))
+        self.assertEqual([f["number"] for f in head["frames"]], [1, 9, 17, 25])
+
+    def test_a_frame_that_is_missing_or_torn_is_named_and_left_out(self):
+        folder = self.copy("holes", of="b")
+        gone, torn, bit = (folder / "frames" / f"{name}.vtp" for name in ("rock-000006", "rock-000012", "bit-000018"))
+        gone.unlink()
+        torn.write_bytes(torn.read_bytes()[:200_000])
+        bit.unlink()
+        done = make(folder)
+        self.assertEqual(done.returncode, 0, done)
+        page = (folder / "result.html").read_text(encoding="utf-8")
+        head = page3d_data.header(page)
+        self.assertEqual([f["number"] for f in head["frames"]], [k for k in range(1, 26) if k not in (2, 4, 6)])
+        self.assertEqual(page3d_data.frames(page)[0][1]["corners"].shape[1], 3)
+        for number, path in ((2, gone), (4, torn), (6, bit)):
+            self.assertRegex(done.stderr, rf"page3d: left out frame {number}: frames/{path.name}: found no")
+            self.assertRegex(page3d_data.text_of(page), rf"frame {number}, .* s: frames/{path.name}: found no")
+        self.assertEqual(done.stderr.count("\n"), 3, done.stderr)
+
+    def refused(self, folder, pattern):
+        done = make(folder)
+        self.assertEqual(done.returncode, 2, (folder, done))
+        self.assertRegex(done.stderr, rf"^page3d: .*{pattern}")
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertFalse((folder / "result.html").exists())
+
+    def test_other_folders_are_refused(self):
+        (self.folder / "empty").mkdir()
+        for name in ("nowhere", "empty"):
+            self.refused(self.folder / name, "found no summary.json, expected the result folder of `tdbd run`")
+        for name, text in (("text", "{"), ("list", "[]"), ("rotate", '{"command": "rotate"}'), ("old", '{"command": "run"}')):
+            folder = self.copy(f"bad-{name}")
+            (folder / "summary.json").write_text(text)
+            self.refused(folder, "summary.json: found .*, expected what `tdbd run` writes")
+        for file, pattern in (("rock.pvd", "rock.pvd: found no such file, expected"), ("history.nc", "history.nc: found .*, expected")):
+            folder = self.copy(f"without-{file}")
+            (folder / file).unlink()
+            self.refused(folder, pattern)
+        folder = self.copy("without-frames")
+        shutil.rmtree(folder / "frames")
+        self.refused(folder, "found no frame to show .*, expected those that `tdbd run` writes")
+        done = make(self.folder / "r", "--most", "0")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("found '0', expected a whole number from 1", done.stderr)
+
+
+class Packing(unittest.TestCase):
+    """On meshes that no run has: some that shrink, grow, are shuffled, and numbers at the ends of what fits."""
+
+    def packed(self, meshes):
+        """(entries, deflated sizes of the frames) of meshes that come back."""
+        entries, data, sizes = page3d_data.packed(page3d_pack, meshes)
+        numbers, old = page3d_data.Numbers(f'<script type="text/plain" id="data">{data}</script>'), None
+        for mesh, entry in zip(meshes, entries):
+            old = page3d_data.next_frame(numbers, entry, old)
+            for name, values in zip(("points", "corners", "last"), mesh):
+                np.testing.assert_array_equal(old[name], values, name)
+        return entries, sizes
+
+    def test_meshes_come_back_exactly(self):
+        entries, _ = self.packed(page3d_data.changing_meshes())
+        self.assertEqual({e["over_time"] for e in entries}, {False, True})
+
+    def test_large_numbers_of_either_sign_come_back(self):
+        points, corners, last = page3d_data.strip(200)
+        ends = np.where(last % 2 == 0, 2**29, -(2**29))
+        self.packed([(points, corners, ends), (points, corners, -ends), (points, corners, ends)])
+
+    def test_a_point_that_goes_costs_little(self):
+        random = np.random.default_rng(2)
+        points, corners, last = page3d_data.strip(20_000)
+        mesh = random.integers(0, 65536, points.shape), corners, last
+        entries, sizes = self.packed([mesh, page3d_data.without(mesh, [17, 9000, 15_000])])
+        self.assertTrue(entries[1]["over_time"])
+        self.assertLess(sizes[1], 0.02 * sizes[0])
+
+    def test_a_flat_box_is_no_division_by_zero(self):
+        points = np.array([[0.0, 1.0, 2.0], [3.0, 1.0, 2.0]])
+        np.testing.assert_array_equal(page3d_pack.on_grid(points, *page3d_pack.grid(points)), [[0, 0, 0], [65535, 0, 0]])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
