@@ -85,10 +85,15 @@ def placed(points, box):
 
 
 def strip(count):
-    """A mesh of triangles in a row, its points in order: {points, last, corners}."""
+    """A mesh of triangles in a row, its points in order: {points, corners, last}."""
     places = np.arange(count)
     points = np.stack([137 * places % 65536, 300 * (places % 2), 7 * places % 1000], axis=1)
     return points, np.stack([places[:-2], places[1:-1], places[2:]], axis=1), places[:, None] % 5
+
+
+def heap(random, count):
+    """Points and triangles without any order: only the frame before tells where they are."""
+    return random.integers(0, 65536, (count, 3)), random.integers(0, count, (2 * count, 3)), random.integers(0, 9, (count, 1))
 
 
 def without(mesh, gone):
@@ -99,12 +104,28 @@ def without(mesh, gone):
     return points[stays], number[corners[stays[corners].all(axis=1)]], last[stays]
 
 
+def collapsed(mesh, gone):
+    """The mesh without some points; their triangles have the point before instead."""
+    points, corners, last = mesh
+    stays = ~np.isin(np.arange(len(points)), gone)
+    return points[stays], (np.cumsum(stays) - 1)[corners], last[stays]
+
+
+def grown(mesh, more):
+    """The mesh and another one, whose points come after its own."""
+    return (np.concatenate([mesh[0], more[0]]), np.concatenate([mesh[1], len(mesh[0]) + more[1]]), np.concatenate([mesh[2], more[2]]))
+
+
 def changing_meshes():
-    """One after another: points go, come back, are shuffled; lists become short and long."""
-    whole = strip(3000)
-    order = np.random.default_rng(1).permutation(3000)
-    shuffled = whole[0][order], np.argsort(order)[whole[1]], whole[2][order]
-    return [whole, without(whole, [0, 1, 500, 2999]), whole, shuffled, strip(40), strip(3), strip(700)]
+    """One after another: points go, are collapsed, come, are shuffled; lists become short and long."""
+    random = np.random.default_rng(1)
+    whole = heap(random, 3000)
+    fewer = without(whole, [0, 1, 500, 2999])
+    less = collapsed(fewer, [7, 100, 101, 1500, 2000])
+    more = grown(less, heap(random, 90))
+    order = random.permutation(len(more[0]))
+    shuffled = more[0][order], np.argsort(order)[more[1]], more[2][order]
+    return [whole, fewer, less, more, shuffled, strip(3000), strip(40), strip(3), strip(700)]
 
 
 def packed(pack, meshes):

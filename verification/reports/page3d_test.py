@@ -79,7 +79,7 @@ class Pages(unittest.TestCase):
                 np.testing.assert_array_equal(frame["corners"], rock.triangles)
                 shown = [names[k] for k in frame["last"][:, 0]]
                 last = rock.point_values["last_part"]
-                self.assertEqual(shown, [parts[k].rsplit("/", 1)[0] if k >= 0 else "not cut" for k in last])
+                np.testing.assert_array_equal(shown, [parts[k].rsplit("/", 1)[0] if k >= 0 else "not cut" for k in last])
 
     def test_moves_the_bit_and_its_cones_to_where_they_are_in_each_frame(self):
         page = self.page("r")
@@ -189,7 +189,7 @@ class Packing(unittest.TestCase):
 
     def test_meshes_come_back_exactly(self):
         entries, _ = self.packed(page3d_data.changing_meshes())
-        self.assertEqual({e["over_time"] for e in entries}, {False, True})
+        self.assertEqual([e["over_time"] for e in entries[:5]], [False, True, True, True, False])
 
     def test_large_numbers_of_either_sign_come_back(self):
         points, corners, last = page3d_data.strip(200)

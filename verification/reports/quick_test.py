@@ -64,6 +64,9 @@ for name in ("comparison", "chapter6", "measured"):  # the full report makes the
 assert wanted.bit_pages
 for name in wanted.bit_pages:
     assert f'href="bits/{name}.html"' in page and (build / f"report-quick/bits/{name}.html").is_file(), name
+assert wanted.pages3d
+for name in wanted.pages3d:
+    assert f'href="3d/{name}.html"' in page and (build / f"report-quick/3d/{name}.html").is_file(), name
 assert "Class diagrams of appendix B" in page and "<code>part_pose</code>" in page
 assert not re.search(r"(src|href)=.https?:", page), "the page fetches something"
 balance.check(page)

@@ -246,12 +246,14 @@ def write(folder, path):
 class BitPages(unittest.TestCase):
     """The pages of bits are made of their results, again when anything behind them changed."""
 
+    list, script, page_of, helper, source, kind = "bit_pages", "bit_page.py", "bits/one.html", "page_tables.py", BIT_PAGE, "page"
+
     @classmethod
     def setUpClass(cls):
         cls.made = tempfile.TemporaryDirectory()
         project = Project(cls.made.name)
-        project.write("reports/manifest.toml", 'bit_pages = ["one"]\n' + MANIFEST)
-        project.write("reports/bit_page.py", BIT_PAGE)
+        project.write("reports/manifest.toml", f'{cls.list} = ["one"]\n' + MANIFEST)
+        project.write(f"reports/{cls.script}", cls.source)
         code, made, complaints = project.make()
         assert (code, made.count("made one ("), complaints) == (0, 2, ""), complaints  # the result and its page
 
@@ -263,7 +265,7 @@ class BitPages(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.project = Project(self.folder.name, copy_of=self.made.name)
-        self.page = self.project.out / "bits/one.html"
+        self.page = self.project.out / self.page_of
 
     def make(self, *words):
         code, made, complaints = self.project.make()
@@ -281,16 +283,16 @@ class BitPages(unittest.TestCase):
 
     def test_are_made_once_and_linked(self):
         self.assertEqual(self.make(), 0)
-        self.assertIn('href="bits/one.html"', (self.project.out / "index.html").read_text(encoding="utf-8"))
+        self.assertIn(f'href="{self.page_of}"', (self.project.out / "index.html").read_text(encoding="utf-8"))
 
     def test_are_made_again_when_they_went_or_their_script_changed(self):
         self.page.unlink()
         self.assert_stale_then_made()
-        self.project.write("reports/page_tables.py", "# another\n")
+        self.project.write(f"reports/{self.helper}", "# another\n")
         self.assert_stale_then_made()
 
     def test_are_made_again_when_what_their_script_uses_changed(self):
-        self.project.write("reports/bit_page.py", "from figures import first, charts\n" + BIT_PAGE)
+        self.project.write(f"reports/{self.script}", "from figures import first, charts\n" + self.source)
         self.project.write("reports/figures/charts.py", "from figures.deep import A\n")
         self.project.write("reports/figures/deep.py", "A = 1\n")
         self.make()
@@ -303,13 +305,32 @@ class BitPages(unittest.TestCase):
         self.assertIn("step = 2.0", self.page.read_text(encoding="utf-8"))
 
     def test_that_cannot_be_drawn_leave_no_report(self):
-        self.project.write("reports/bit_page.py", "def write(folder, path):\n    raise ValueError('no parts')\n")
-        self.make("page of one: no parts")
+        self.project.write(f"reports/{self.script}", "def write(folder, path):\n    raise ValueError('no parts')\n")
+        self.make(f"{self.kind} of one: no parts")
         self.assertFalse((self.project.out / "index.html").exists())
 
     def test_of_no_run(self):
-        self.project.write("reports/manifest.toml", 'bit_pages = ["two"]\n' + MANIFEST)
-        self.make("bit_pages: no run two")
+        self.project.write("reports/manifest.toml", f'{self.list} = ["two"]\n' + MANIFEST)
+        self.make(f"{self.list}: no run two")
+
+
+PAGE_3D = BIT_PAGE.replace("def write", "class Frames:\n    missing = []\n\ndef write") + "    return Frames\n"
+
+
+class Pages3d(BitPages):
+    """3-D pages of runs, likewise; one that lacks a frame is none."""
+
+    list, script, page_of, helper, source, kind = "pages3d", "page3d.py", "3d/one.html", "page3d_pack.py", PAGE_3D, "3-D page"
+
+    def test_is_linked_beside_the_figure_of_its_run(self):
+        page = (self.project.out / "index.html").read_text(encoding="utf-8")
+        figure = page.split('<figure id="figure-first">')[1].split("</figure>")[0]
+        self.assertIn('<a href="3d/one.html">one</a>', figure)
+
+    def test_that_lacks_a_frame_is_none(self):
+        self.project.write("reports/page3d.py", PAGE_3D.replace("missing = []", "missing = [{'number': 7, 'why': 'gone'}]"))
+        self.make("3-D page of one: found no frame 7 (gone), expected all")
+        self.assertFalse(self.page.exists())
 
 
 class Classes(unittest.TestCase):
