@@ -67,6 +67,19 @@ TEST(BladeBody, of_the_example_bits_is_a_solid) {
   }
 }
 
+/// The first is the axis, with one vertex; on a blade's top the others have some.
+TEST(BladeBody, has_vertices_at_every_node_of_the_meridian) {
+  const Bladed b = plain();
+  const mesh::TriangleMesh m = body_of(b).mesh_P;
+  for (const MeridianNode& node : blade_shape(b.cutters, b.options).meridian) {
+    double nearest = 1.0;
+    for (const Vec3& x : m.positions)
+      nearest =
+          std::min(nearest, std::hypot(std::hypot(x.x(), x.y()) - node.top.r, x.z() - node.top.z));
+    EXPECT_LT(nearest, 1e-12) << node.s;
+  }
+}
+
 /// A tip stands outside its blade by the exposure less its under-exposure; a point of the cutter's
 /// body behind it and under the blade's top is inside.
 RC_GTEST_PROP(BladeBody, carries_every_cutter, ()) {

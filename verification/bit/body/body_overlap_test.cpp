@@ -40,13 +40,23 @@ RC_GTEST_PROP(BodyOverlap, of_convex_solids_is_what_their_planes_leave, ()) {
   RC_ASSERT(std::abs(common_volume(b, a) - volume) < rounding);
 }
 
+Bit bladed() {
+  PdcOptions options;
+  options.blades = BladeOptions{};
+  return pdc_bit("plain", lay_out(plain_design()).cutters, options);
+}
+
+/// A body without density has its volume counted elsewhere: nothing is to be taken from it.
+TEST(BodyOverlap, is_none_with_a_body_without_density) {
+  Bit bit = bladed();
+  EXPECT_GT(cutters_in_body(bit), 0.0);
+  bit.parts.back().density = 0.0;
+  EXPECT_EQ(cutters_in_body(bit), 0.0);
+}
+
 /// A cutter's body and blades: the share of a grid of its points that lies inside.
 TEST(BodyOverlap, of_cutters_in_blades_is_what_a_grid_of_points_finds) {
-  const Bit bit = [] {
-    PdcOptions options;
-    options.blades = BladeOptions{};
-    return pdc_bit("plain", lay_out(plain_design()).cutters, options);
-  }();
+  const Bit bit = bladed();
   const Cutter& c = bit.cutters[20];
   const mesh::TriangleTree blades(bit.parts.back().mesh_P);
   mesh::TriangleMesh body;

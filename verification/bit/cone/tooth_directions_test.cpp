@@ -41,6 +41,7 @@ RC_GTEST_PROP(DirectTeeth, centres_the_core_in_the_half_ball, ()) {
   cone.rows[1].shape = ToothShape{};
   const Bit bit = cone_bit("any", {cone}, std::nullopt, {});
   const Part& tooth = bit.parts.back();
+  RC_ASSERT(tooth.core_P.has_value());
   const ToothShape& shape = cone.rows[1].shape;
   for (const Vec3& x_T : tooth.mesh_P.positions) {
     if (x_T.z() <= tooth.core_P->to.z()) continue;

@@ -32,6 +32,18 @@ TEST(ToothMesh, with_a_crest_as_long_as_the_shank_is_convex) {
     EXPECT_TRUE(mesh::convex_solid(tooth_mesh(t, facets)).has_value()) << facets << " facets";
 }
 
+TEST(ToothMesh, of_a_chisel_is_as_wide_as_its_shank_up_to_the_shell) {
+  ToothShape t;
+  t.kind = ToothKind::chisel;
+  int on_shank = 0;
+  for (const Vec3& x : tooth_mesh(t, 12).positions) {
+    if (x.z() > 0.0) continue;
+    EXPECT_NEAR(std::hypot(x.x(), x.y()), 0.5 * t.diameter, 1e-15);
+    ++on_shank;
+  }
+  EXPECT_EQ(on_shank, 2 * 12);
+}
+
 /// Volume and axial inertia of a cylinder with a half-ball on top approach their closed forms with
 /// the square of the edge.
 TEST(ToothMesh, of_a_half_ball_converges_with_order_2) {

@@ -73,6 +73,15 @@ TEST_F(CutterTable, lets_optional_columns_override_the_defaults) {
   EXPECT_DOUBLE_EQ(c.table_thickness, 2.5e-3);
 }
 
+/// A table without a chamfer, so that the depth of one does not decide.
+TEST_F(CutterTable, takes_a_table_of_more_than_a_nanometre) {
+  const auto with_table = [](const char* mm) {
+    return std::string(header) + ",chamfer_mm,table_mm\n" + good_row + ",0," + mm + "\n";
+  };
+  EXPECT_DOUBLE_EQ(read(with_table("0.000002")).at(0).table_thickness, 2e-9);
+  EXPECT_NE(mistakes(with_table("0.0000005")).find("a positive thickness"), std::string::npos);
+}
+
 TEST_F(CutterTable, skips_blank_lines_and_comments_and_takes_columns_in_any_order) {
   const auto cutters = read(
       "# a bit\n\nside_rake_deg,back_rake_deg,profile_angle_deg,h_tip_mm,phi_deg,r_tip_mm,dia_mm,"

@@ -72,6 +72,21 @@ TEST(WornCutter, is_the_new_one_without_wear) {
   EXPECT_NEAR(volume_of(cutter_parts(c, {})), volume_of(fresh), 1e-15);
 }
 
+/// A face that is flat and far inside the rim, on a cutter that leans back and is worn to its middle.
+TEST(WornCutter, has_no_part_that_is_worn_away_whole) {
+  Cutter c = table('b').front();
+  c.chamfer = 0.15 * c.diameter;
+  c.chamfer_angle = 80 * degree;
+  c.back_rake = 60 * degree;
+  c.side_rake = 0.0;
+  c.X_BC = cutter_pose(c);
+  EXPECT_EQ(cutter_parts(c, {}).size(), 3u);
+  c.wear = 0.49 * c.diameter;
+  const std::vector<Part> parts = cutter_parts(c, {});
+  EXPECT_EQ(parts.size(), 2u);
+  for (const Part& part : parts) EXPECT_FALSE(part.mesh_P.triangles.empty()) << part.name;
+}
+
 TEST(WornCutter, keeps_its_tips_place_in_the_table) {
   Cutter c = table('b').front();
   const Vec3 origin = c.X_BC.p;

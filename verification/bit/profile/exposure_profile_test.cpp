@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bit/generate.hpp"
+#include "verification/battery/shapes.hpp"
 
 namespace tdbd::bit::exposure_profile_test {
 
@@ -45,6 +46,32 @@ TEST(ExposureProfile, has_points_about_the_spacing_apart) {
     const ProfilePoint &a = profile[k - 1], &b = profile[k];
     EXPECT_LT(std::hypot(b.r - a.r, b.z - a.z), 1.01e-3);
   }
+}
+
+/// A box off the axis, with its middle at z.
+Part box_at(double z, Cutting cutting) {
+  Part part;
+  part.cutting = cutting;
+  part.mesh_P = battery::box({30e-3, -5e-3, z - 5.5e-3}, {40e-3, 5e-3, z + 5.5e-3});
+  return part;
+}
+
+/// The last ray is horizontal, through the middle of the topmost part: between two points of the box's edge.
+TEST(ExposureProfile, ends_where_the_last_ray_leaves_the_part) {
+  const ProfilePoint end = exposure_profile({box_at(-0.02, Cutting::cuts)}, 1e-3).back();
+  EXPECT_NEAR(end.r, std::hypot(40e-3, 5e-3), 1e-12);
+  EXPECT_NEAR(end.z, -0.02,
+              1e-6);  // the edge's points are 0.19 mm apart; rays are not quite even along them
+}
+
+TEST(ExposureProfile, passes_over_parts_that_do_not_cut) {
+  const Part idle = box_at(-0.05, Cutting::never), low = box_at(0.0, Cutting::cuts),
+             high = box_at(-0.02, Cutting::cuts);
+  const auto alone = exposure_profile({low, high}, 1e-3),
+             among = exposure_profile({low, idle, high}, 1e-3);
+  ASSERT_EQ(among.size(), alone.size());
+  EXPECT_EQ(among.back().r, alone.back().r);
+  EXPECT_EQ(among.back().z, alone.back().z);
 }
 
 /// Is p below the profile, by more than its resolution?
