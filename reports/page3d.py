@@ -63,7 +63,7 @@ def html_of(folder, most):
     names, group_of_part = scene.groups(run, read.found)
     box, entries, parts = scene.packed_rock(read.found, group_of_part)
     bit, bit_part = scene.packed_bit(read.bit, read.bodies)
-    header = {"title": run["title"], "box": scene.boxed(box), "frames": entries, "missing": read.missing,
+    header = {"title": run["title"], "box": scene.boxed(box), "frames": entries, "missing": read.missing, "listed": read.listed,
               "bit": bit, "colours": scene.colours(read.found, names),
               "revolutions_per_s": run["revolutions"] / run["duration_s"] if run["duration_s"] else 0.0,
               "traces": page3d_facts.traces(folder)}

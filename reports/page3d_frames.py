@@ -20,6 +20,7 @@ class Frame:
 
 @dataclass
 class Frames:
+    listed: int  # by the run
     found: list
     missing: list  # {"number", "time_s", "why"}
     bit: rock_data.Mesh  # where it is in the first frame that was found
@@ -79,8 +80,8 @@ def poses(bit, bodies, now):
 def read(folder, most):
     """Raises ValueError when the folder has no frame that can be read."""
     rocks, bits = rock_data.frames(folder), rock_data.frames(folder, "bit")
-    frames = Frames([], [], None, None)
     listed = [(k + 1, *rock, bit[1]) for k, (rock, bit) in enumerate(zip(rocks, bits))]
+    frames = Frames(len(listed), [], [], None, None)
     for number, time, rock_file, bit_file in few(listed, most):
         try:
             rock, bit = read_mesh(rock_file, "depth_m", "last_part"), read_mesh(bit_file, "kind", "part")

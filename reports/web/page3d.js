@@ -23,7 +23,7 @@ function fillRock(scene) {
 // In words what the picture shows, for those who hear the page.
 function wordsOf(run, state) {
   const f = run.frames[state.frame], turns = (f.time_s * run.revolutions_per_s).toFixed(2);
-  return `Frame ${f.number} of ${run.frames.length + run.missing.length}: ${Number(f.time_s.toPrecision(4))} s, ${turns} revolutions, ${f.triangles} triangles`;
+  return `Frame ${f.number} of ${run.listed}: ${Number(f.time_s.toPrecision(4))} s, ${turns} revolutions, ${f.triangles} triangles`;
 }
 
 // Draws at most once for each picture of the screen.
