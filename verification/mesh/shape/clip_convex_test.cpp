@@ -69,6 +69,15 @@ TEST(ClipConvex, leaves_all_or_nothing_when_the_plane_misses) {
   EXPECT_TRUE(clipped_convex(unit_box(), Vec3::UnitX(), -1.0).triangles.empty());
 }
 
+/// The plane may miss a vertex by 1e-12 of the size and still pass through it; by more it cuts it off.
+TEST(ClipConvex, takes_a_vertex_for_on_the_plane_up_to_its_slack) {
+  TriangleMesh box = unit_box();
+  for (Vec3& x : box.positions) x = Vec3(x.x(), 2.0 * x.y(), 2.0 * (x.z() - 1.0));  // diagonal 3
+  const double slack = 1e-12 * 3.0;
+  EXPECT_EQ(clipped_convex(box, Vec3::UnitZ(), -slack).positions, box.positions);
+  EXPECT_NE(clipped_convex(box, Vec3::UnitZ(), -1.01 * slack).positions, box.positions);
+}
+
 TEST(ClipConvex, passes_through_vertices_without_slivers) {
   const Vec3 n(std::sqrt(0.5), -std::sqrt(0.5), 0.0);
   const TriangleMesh half = clipped_convex(unit_box(), n, 0.0);

@@ -294,4 +294,28 @@ RC_GTEST_PROP(Maintain, twice_gives_the_same_bits, ()) {
   RC_ASSERT(report.volume_change == w.report.volume_change);
 }
 
+/// The triangle across an edge that no touched vertex has is folded over the touched one. Every collapse is refused, so
+/// that those tried can be counted.
+TEST(Maintain, tries_of_a_fold_the_edges_of_its_touched_triangle_alone) {
+  Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
+  const int v = 5 * 11 + 5;
+  const mesh::VertexStar star = rock.surface.star(v);
+  const int a = star.ring[0], b = star.ring[1], corner = mesh::corner_facing(rock.surface, a, b);
+  const int beyond = rock.surface.vertex(rock.surface.opposite_of(corner));
+  const Vec3 &x_v = rock.surface.position(v), &x_a = rock.surface.position(a),
+             &x_b = rock.surface.position(b);
+  rock.surface.place(beyond, 0.4 * x_v + 0.3 * (x_a + x_b) + Vec3(0.0, 0.0, 1e-3));
+  rock.touched.assign(rock.touched.size(), 0);
+  touch(rock, v);
+  MaintenanceLimits limits = limits_for(0.35);
+  limits.longest_edge = 3.0;
+  limits.volume_per_operation = limits.flip_quality = 0.0;
+  limits.smoothing = Smoothing::off;
+  MaintenanceWorkspace work;
+  MaintenanceReport report;
+  maintain(rock, limits, work, report);
+  EXPECT_EQ(operations(report), 0);
+  EXPECT_EQ(refusals(report), 3);
+}
+
 }  // namespace tdbd::rock::maintain_test
