@@ -49,6 +49,7 @@ Bit bladed() {
 /// A body without density has its volume counted elsewhere: nothing is to be taken from it.
 TEST(BodyOverlap, is_none_with_a_body_without_density) {
   Bit bit = bladed();
+  std::erase_if(bit.parts, [](const Part& p) { return p.cutter >= 0 && p.cutter != 20; });
   EXPECT_GT(cutters_in_body(bit), 0.0);
   bit.parts.back().density = 0.0;
   EXPECT_EQ(cutters_in_body(bit), 0.0);

@@ -21,7 +21,9 @@ Vec3 vector_of(const nlohmann::json& j) {
 }
 
 TEST(BitReport, has_the_axes_of_every_cutter) {
-  const Bit bit = example_bit('b');
+  std::vector<Cutter> three = table('b');
+  three.resize(3);
+  const Bit bit = pdc_bit("three", three, {});
   const nlohmann::json cutters = analysis_of(bit).at("cutters");
   ASSERT_EQ(cutters.size(), bit.cutters.size());
   for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
