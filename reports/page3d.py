@@ -14,6 +14,10 @@ import json
 import sys
 from pathlib import Path
 
+import system_python
+
+system_python.require("jinja2", "matplotlib", "numpy", "PIL")
+
 import jinja2
 import numpy as np
 from markupsafe import Markup

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include "core/config/csv.hpp"
 #include "core/error.hpp"
@@ -44,6 +45,8 @@ std::vector<std::string> comments_of(const RockStamp& stamp) {
 }
 
 std::optional<RockStamp> read_stamp(const std::filesystem::path& file) {
+  std::error_code none;  // a file that cannot be looked at has no stamp; a pipe would be waited for
+  if (!std::filesystem::is_regular_file(file, none)) return std::nullopt;
   const std::vector<std::string> comments = header_comments(file);
   const auto step = value_of(comments, step_key), time = value_of(comments, time_key),
              hash = value_of(comments, hash_key);
