@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace tdbd::simulation {
 namespace {
@@ -16,6 +17,20 @@ constexpr double least_order = 0.5, usual_order = 2.0;
 double error_after(std::span<const double> sizes, double difference, std::size_t index,
                    double order) {
   return difference / (std::pow(sizes[index] / sizes[index + 1], order) - 1.0);
+}
+
+/// Median slope of all pairs (Theil 1950, Sen 1968): one difference that is small by chance would
+/// steepen a least squares slope, and the estimate would be too small.
+double median_slope(std::span<const double> sizes, std::span<const double> differences) {
+  std::vector<double> slopes;
+  for (std::size_t i = 0; i < differences.size(); ++i)
+    for (std::size_t j = i + 1; j < differences.size(); ++j)
+      if (differences[i] > 0.0 && differences[j] > 0.0)
+        slopes.push_back(std::log(differences[i] / differences[j]) / std::log(sizes[i] / sizes[j]));
+  if (slopes.empty()) return 0.0;
+  std::ranges::sort(slopes);
+  const std::size_t n = slopes.size();
+  return 0.5 * (slopes[(n - 1) / 2] + slopes[n / 2]);
 }
 
 /// (11): of differences that scatter, the finest may be small by chance. The largest of them, each
@@ -44,10 +59,10 @@ Uncertainty uncertainty_of(const ObservedOrder& observed, std::span<const double
     return estimate(UncertaintyBasis::observed_order, std::min(observed.order, most),
                     observed_factor, differences[last], last);
   }
-  if (observed.above_floor >= 2 && observed.order_of_all >= least_order) {
-    const double order = std::min(observed.order_of_all, most);
-    return estimate(UncertaintyBasis::slope, order, cautious_factor,
-                    envelope(sizes, differences, order), differences.size() - 1);
+  const double slope = std::min(median_slope(sizes, differences), most);
+  if (observed.above_floor >= 2 && slope >= least_order) {
+    return estimate(UncertaintyBasis::slope, slope, cautious_factor,
+                    envelope(sizes, differences, slope), differences.size() - 1);
   }
   return {UncertaintyBasis::range, 0.0, cautious_factor, range, cautious_factor * range};
 }

@@ -11,7 +11,7 @@ namespace tdbd::simulation {
 enum class UncertaintyBasis {
   exact,           ///< all differences are rounding: none
   observed_order,  ///< the order that was observed, at most the method's
-  slope,           ///< the slope of all differences and the largest beside it: they scatter
+  slope,           ///< the median slope of differences that scatter, and the largest beside it
   range            ///< no convergence: three times the largest difference between levels
 };
 

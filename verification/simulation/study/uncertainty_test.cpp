@@ -78,6 +78,16 @@ TEST(Uncertainty, without_a_settled_order_is_three_times_the_estimate) {
   EXPECT_GT(u.value, s.error());
 }
 
+/// Two neighbours that agree by chance say nothing of the limit: the others still do.
+TEST(Uncertainty, holds_the_error_where_the_finest_difference_is_small_by_chance) {
+  Study s = study(6, 2.0, 1.0, [](double h) { return h; });
+  s.values[5] = s.values[4] + 1e-4 * s.sizes[5];
+  s.differences[4] = std::abs(s.values[5] - s.values[4]);
+  const Uncertainty u = s.estimate(2.0);
+  EXPECT_EQ(u.basis, UncertaintyBasis::slope);
+  EXPECT_GT(u.value, s.error());
+}
+
 TEST(Uncertainty, without_convergence_is_three_times_the_range) {
   const Study s = study(5, 2.0, 1.0, [](double h) { return std::cos(40.0 * h); });
   const Uncertainty u = s.estimate(2.0);
