@@ -3,7 +3,6 @@
 import contextlib
 import io
 import pathlib
-import resource
 import shutil
 import subprocess
 import sys
@@ -20,7 +19,7 @@ import page3d  # noqa: E402
 import page3d_pack  # noqa: E402
 from figures import rock_data  # noqa: E402
 
-MOST_BYTES, MOST_SECONDS = 2e6, 5.0  # of 25 frames of bit B with edges of 2.5 mm
+MOST_BYTES = 2e6  # of 25 frames of bit B with edges of 2.5 mm
 POSE_DIGITS = 2e-7  # m: poses are told to 1e-8, and turn places 0.2 m from the axis
 RUNS = {
     "b": ("bit-b-steady.toml", "rock.edge_length=2.5 mm", "time.step=5 ms", "time.revolutions=0.75", "output.frames_every=3"),
@@ -71,15 +70,12 @@ class Pages(unittest.TestCase):
         shutil.copytree(self.folder / of, self.folder / name, ignore=shutil.ignore_patterns("*.html"))
         return self.folder / name
 
-    def test_25_frames_of_bit_b_are_small_and_soon_made(self):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    def test_25_frames_of_bit_b_are_small(self):  # how soon they are made: benchmarks/page3d.py
         done = make(self.folder / "b")
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.assertEqual((done.returncode, done.stderr), (0, ""), done)
         page = (self.folder / "b/result.html").read_text(encoding="utf-8")
         self.assertEqual(len(page3d_data.header(page)["frames"]), 25)
         self.assertLess(len(page.encode()), MOST_BYTES)
-        self.assertLess(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, MOST_SECONDS)
 
     def test_holds_every_frame_within_half_a_step_and_its_triangles_exactly(self):
         for name in ("b", "r"):
