@@ -76,7 +76,7 @@ struct BitChoices {
 };
 
 int inspect_bit(const BitChoices& choices) {
-  require_kind(choices.file, {}, CaseKind::bit);
+  require_kind(choices.file, {}, {CaseKind::bit});
   const double advance =
       option_quantity("--penetration", choices.penetration, "m", Range::positive(), "a length");
   const double bit_speed =

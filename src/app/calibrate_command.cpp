@@ -75,7 +75,7 @@ void write_timing(const std::filesystem::path& folder, const calibration::CutSto
 }
 
 int calibrate(const CalibrateArguments& a) {
-  require_kind(a.case_file, a.overrides, CaseKind::calibration);
+  require_kind(a.case_file, a.overrides, {CaseKind::calibration});
   const auto seconds = [from = std::chrono::steady_clock::now()] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
   };

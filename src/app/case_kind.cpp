@@ -41,13 +41,15 @@ CaseKind kind_of(const std::string& file, const std::vector<std::string>& overri
 }
 
 void require_kind(const std::string& file, const std::vector<std::string>& overrides,
-                  CaseKind expected) {
+                  const std::vector<CaseKind>& expected) {
   const CaseKind found = kind_of(file, overrides);
-  if (found == expected || found == CaseKind::unknown) return;
+  if (found == CaseKind::unknown || std::ranges::count(expected, found) > 0) return;
+  std::string names;
+  for (const CaseKind kind : expected)
+    names += (names.empty() ? "" : " or ") + std::string(sign_of(kind).name);
   const Sign& sign = sign_of(found);
   throw InputError(fmt::format("{}: found {}, with a table [{}], expected {}; try: tdbd {} {}",
-                               file, sign.name, sign.table, sign_of(expected).name, sign.command,
-                               file));
+                               file, sign.name, sign.table, names, sign.command, file));
 }
 
 }  // namespace tdbd::app

@@ -11,8 +11,8 @@ enum class CaseKind { drilling, rotation, calibration, laboratory, bit, unknown 
 /// Of the file with its overrides. Throws InputError when it is no TOML.
 CaseKind kind_of(const std::string& file, const std::vector<std::string>& overrides);
 
-/// Throws InputError, with the command that is meant, when the file is clearly of another kind.
+/// Throws InputError, with the command that is meant, when the file is clearly of no expected kind.
 void require_kind(const std::string& file, const std::vector<std::string>& overrides,
-                  CaseKind expected);
+                  const std::vector<CaseKind>& expected);
 
 }  // namespace tdbd::app

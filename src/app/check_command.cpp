@@ -38,7 +38,6 @@ void print_estimate(const simulation::RunEstimate& e) {
 }
 
 void check_run(const std::string& file, const std::vector<std::string>& overrides) {
-  require_kind(file, overrides, CaseKind::drilling);
   const simulation::Case c = simulation::read_case(file, overrides);
   simulation::Simulation s = simulation::start(c);
   print_warnings(c.warnings);
@@ -67,6 +66,7 @@ void add_check(CLI::App& app, int& exit_code) {
   command->footer("Example: tdbd check cases/bit-b-steady.toml");
   command->callback([file, overrides, &exit_code] {
     exit_code = guarded([&] {
+      require_kind(*file, *overrides, {CaseKind::drilling, CaseKind::rotation});
       simulation::is_rotate_case(*file) ? check_rotate(*file, *overrides)
                                         : check_run(*file, *overrides);
       return 0;

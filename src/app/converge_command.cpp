@@ -11,7 +11,6 @@
 #include "core/error.hpp"
 #include "core/whole_file.hpp"
 #include "simulation/result/output_folder.hpp"
-#include "simulation/rotate/rotate_case.hpp"
 #include "simulation/study/convergence_output.hpp"
 
 namespace tdbd::app {
@@ -53,7 +52,7 @@ int converge(ConvergeArguments a) {
   a.plan.case_file = a.case_file;
   a.plan.overrides = a.overrides;
   if (!a.reference.empty()) a.plan.reference = sim::read_end_state_file(a.reference);
-  if (!sim::is_rotate_case(a.case_file)) require_kind(a.case_file, a.overrides, CaseKind::drilling);
+  require_kind(a.case_file, a.overrides, {CaseKind::drilling, CaseKind::rotation});
   const sim::ConvergenceStart start = sim::check(a.plan);
   const sim::OutputFolder folder =
       sim::prepare(result_folder(a, "-convergence"), overwrite_of(a.force), inputs_of(a, start),

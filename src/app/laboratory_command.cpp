@@ -31,7 +31,7 @@ void demand_free(const std::filesystem::path& file, const LaboratoryArguments& a
 }
 
 int make_records(const LaboratoryArguments& a) {
-  require_kind(a.case_file, a.overrides, CaseKind::laboratory);
+  require_kind(a.case_file, a.overrides, {CaseKind::laboratory});
   const ThreadLimit limit(a.threads);
   const auto c = calibration::read_laboratory(a.case_file, a.overrides);
   const std::filesystem::path file = std::filesystem::absolute(a.output).lexically_normal();

@@ -20,11 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using mesh::Solid;
 
-/// Millimetres, unless the file is a rock of ours, which is in metres.
-const char* const automatic = "automatic";
-
 struct MeshChoices {
-  std::string file, output, only = "*", unit = automatic, weld = "0 mm";
+  std::string file, output, only = "*", weld = "0 mm";
+  std::string unit;  ///< empty: millimetres, metres of a rock that a run wrote
   std::string edge = "0.5 mm", face = "3 mm", angle = "25 deg", deviation = "0.005 mm";
   double growth = 0.5;
   bool repair = false, grade = false, force = false;
@@ -136,8 +134,7 @@ int grade(const MeshChoices& choices, std::vector<Solid> solids) {
 }
 
 int inspect_or_write(MeshChoices choices) {
-  if (choices.unit == automatic)
-    choices.unit = simulation::read_stamp(choices.file) ? "1 m" : "1 mm";
+  if (choices.unit.empty()) choices.unit = simulation::read_stamp(choices.file) ? "1 m" : "1 mm";
   const double unit = length("--unit", choices.unit);
   if (!(unit > 0.0)) throw InputError("--unit: found no length, expected one like '1 mm'");
   if (choices.repair && choices.grade)

@@ -44,7 +44,7 @@ int show(const ResultArguments& a, Rotate&& rotate) {
 }
 
 int rotate(const ResultArguments& a) {
-  require_kind(a.case_file, a.overrides, CaseKind::rotation);
+  require_kind(a.case_file, a.overrides, {CaseKind::rotation});
   const simulation::RotateCase c = simulation::read_rotate_case(a.case_file, a.overrides);
   return show(a, [&](const simulation::RotateOptions& o) { return simulation::rotate(c, o); });
 }

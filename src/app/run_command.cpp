@@ -69,7 +69,7 @@ int show(const RunArguments& a, const simulation::Case& c, simulation::RunOption
 }
 
 int run(const RunArguments& a) {
-  require_kind(a.case_file, a.overrides, CaseKind::drilling);
+  require_kind(a.case_file, a.overrides, {CaseKind::drilling});
   const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
   if (!a.quiet) print_warnings(c.warnings);
   return show(a, c, options_for<simulation::RunOptions>(a),

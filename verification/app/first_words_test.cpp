@@ -46,43 +46,31 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
               "keys, bit, laboratory, mesh");
 }
 
+/// A file that is given to a command of another kind.
+struct Mistaken {
+  std::vector<std::string> words;  ///< the second is the file
+  std::string found, table, expected, command;
+};
+
 TEST(FirstWords, a_file_of_another_kind_names_its_command) {
   const std::string top = cases + "slow-top.toml", drill = cases + "bit-b-steady.toml",
                     bit = cases + "bits/bit-b.toml",
                     fit = TDBD_SOURCE_DIR "/validation/cases/lab-bc-a.toml";
-  expect_told({"run", top}, top +
-                                ": found a body to rotate, with a table [body], expected a case "
-                                "to drill; try: tdbd rotate " +
-                                top);
-  expect_told({"rotate", drill}, drill +
-                                     ": found a case to drill, with a table [motion], expected "
-                                     "a body to rotate; try: tdbd run " +
-                                     drill);
-  expect_told({"run", bit}, bit +
-                                ": found a bit, with a table [cutters], expected a case to "
-                                "drill; try: tdbd bit " +
-                                bit);
-  expect_told({"bit", drill}, drill +
-                                  ": found a case to drill, with a table [motion], expected a "
-                                  "bit; try: tdbd run " +
-                                  drill);
-  expect_told({"check", fit}, fit +
-                                  ": found a calibration, with a table [calibration], expected a "
-                                  "case to drill; try: tdbd calibrate " +
-                                  fit);
-  expect_told({"calibrate", top}, top +
-                                      ": found a body to rotate, with a table [body], expected a "
-                                      "calibration; try: tdbd rotate " +
-                                      top);
-  expect_told({"laboratory", top, "-o", "/tmp/none.csv"},
-              top +
-                  ": found a body to rotate, with a table [body], expected a synthetic "
-                  "laboratory; try: tdbd rotate " +
-                  top);
-  expect_told(
-      {"converge", bit, "--over", "time.step", "--levels", "3"},
-      bit + ": found a bit, with a table [cutters], expected a case to drill; try: tdbd bit " +
-          bit);
+  const std::string body = "a body to rotate", hole = "a case to drill";
+  const std::string both = hole + " or " + body;
+  const std::vector<Mistaken> all{
+      {{"run", top}, body, "body", hole, "rotate"},
+      {{"rotate", drill}, hole, "motion", body, "run"},
+      {{"run", bit}, "a bit", "cutters", hole, "bit"},
+      {{"bit", drill}, hole, "motion", "a bit", "run"},
+      {{"check", fit}, "a calibration", "calibration", both, "calibrate"},
+      {{"calibrate", top}, body, "body", "a calibration", "rotate"},
+      {{"laboratory", top, "-o", "none.csv"}, body, "body", "a synthetic laboratory", "rotate"},
+      {{"converge", bit, "--over", "time.step", "--levels", "3"}, "a bit", "cutters", both, "bit"}};
+  for (const Mistaken& m : all)
+    expect_told(m.words, m.words[1] + ": found " + m.found + ", with a table [" + m.table +
+                             "], expected " + m.expected + "; try: tdbd " + m.command + " " +
+                             m.words[1]);
 }
 
 TEST(FirstWords, a_setting_without_its_option_is_told) {
