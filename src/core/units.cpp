@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "core/error.hpp"
@@ -18,6 +19,9 @@
 
 namespace tdbd {
 namespace {
+
+/// UDUNITS-2 knows no threads, and cases may be read in several at once.
+std::recursive_mutex one_at_a_time;
 
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 
@@ -220,11 +224,13 @@ UnitError::UnitError(const std::string& found_text, const std::string& expected_
       expected(expected_text) {}
 
 std::string describe_unit(const std::string& si_unit) {
+  const std::lock_guard hold(one_at_a_time);
   if (si_unit == "1") return dimension_names.front().second;
   return fmt::format("{} in {}", dimension_of(wanted_unit(si_unit)), si_unit);
 }
 
 double to_si(std::string_view text, const std::string& si_unit) {
+  const std::lock_guard hold(one_at_a_time);
   const Unit target = wanted_unit(si_unit);
   const auto [number, name] = split(text, si_unit);
   const Unit unit = parse_unit(unit_system(), name);

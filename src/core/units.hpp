@@ -18,7 +18,7 @@ struct UnitError : std::runtime_error {
 /// and the drilling industry's klbf and ppg. A plane angle counts as a dimension: Hz is not rad/s.
 /// Throws UnitError: not a finite number, no unit, an unknown unit, a unit of another dimension;
 /// RunError if `si_unit` itself is not a unit.
-/// Do not call it from two threads at once: UDUNITS-2 is not thread-safe.
+/// Threads may call it at once: they take turns, since UDUNITS-2 knows no threads.
 double to_si(std::string_view text, const std::string& si_unit);
 
 /// "length in m": the dimension of an SI unit in words, for messages.

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <thread>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -116,6 +119,22 @@ RC_GTEST_PROP(Units, any_text_is_a_finite_value_or_an_error, (const std::string&
 RC_GTEST_PROP(Units, conversion_is_proportional, (int thousandths)) {
   const double x = thousandths / 1000.0;
   RC_ASSERT(std::abs(to_si(fmt::format("{} in", x), "m") - x * 0.0254) <= 1e-15 * std::abs(x));
+}
+
+/// UDUNITS-2 knows no threads, so callers take turns.
+TEST(Units, may_be_read_in_several_threads) {
+  std::atomic<int> wrong = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < 4; ++t)
+      threads.emplace_back([&wrong] {
+        for (int i = 0; i < 2000; ++i) {
+          if (to_si("8.5 in", "m") != 0.2159) ++wrong;
+          if (describe_unit("m") != "length in m") ++wrong;
+        }
+      });
+  }
+  EXPECT_EQ(wrong, 0);
 }
 
 }  // namespace tdbd::units_test

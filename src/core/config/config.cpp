@@ -10,12 +10,13 @@
 namespace tdbd {
 namespace {
 
-std::string place_of(const std::string& file, long line, const std::string& key) {
-  return line == 0 ? "--set: " + key : fmt::format("{}:{}: {}", file, line, key);
+std::string place_of(const ConfigDocument& document, long line, const std::string& key) {
+  return line == 0 ? fmt::format("{}: {}", document.origin, key)
+                   : fmt::format("{}:{}: {}", document.file, line, key);
 }
 
-std::string message(const std::string& file, const ConfigProblem& p) {
-  return fmt::format("{}: found {}, expected {}", place_of(file, p.line, p.key), p.found,
+std::string message(const ConfigDocument& document, const ConfigProblem& p) {
+  return fmt::format("{}: found {}, expected {}", place_of(document, p.line, p.key), p.found,
                      p.expected);
 }
 
@@ -40,7 +41,7 @@ void throw_if_any(const ConfigDocument& document, std::vector<ConfigProblem> pro
     if (!lines.empty()) lines += '\n';
     lines += text;
   };
-  for (const ConfigProblem& p : problems) add(message(document.file, p));
+  for (const ConfigProblem& p : problems) add(message(document, p));
   for (const std::string& mistake : document.other_mistakes) add(mistake);
   throw InputError(shown(lines));
 }
@@ -50,8 +51,10 @@ void throw_if_any(const ConfigDocument& document, std::vector<ConfigProblem> pro
 Config::Config(std::shared_ptr<ConfigDocument> document, std::string prefix)
     : document_(std::move(document)), prefix_(std::move(prefix)) {}
 
-Config Config::read_file(const std::string& path, const std::vector<std::string>& overrides) {
+Config Config::read_file(const std::string& path, const std::vector<std::string>& overrides,
+                         const std::string& origin) {
   auto document = std::make_shared<ConfigDocument>(read_document(path));
+  document->origin = origin;
   for (const std::string& assignment : overrides) apply_override(*document, assignment);
   return {std::move(document), ""};
 }
@@ -114,7 +117,7 @@ void Config::problem(std::string_view key, const std::string& found, const std::
 
 std::string Config::place(std::string_view key) const {
   const std::string name = full(key);
-  return place_of(document_->file, document_->line_of(name), name);
+  return place_of(*document_, document_->line_of(name), name);
 }
 
 void Config::other_file(const std::string& message) {

@@ -15,6 +15,12 @@ namespace tdbd {
 
 struct ConfigDocument;  // the file, the keys that were read, and the problems found so far
 
+/// A value whose kind the caller does not know: as a reader writes it, and as TOML.
+struct ConfigWord {
+  std::string text;  ///< "60 rpm", "0.5", "true"
+  std::string toml;  ///< "\"60 rpm\"", "0.5", "true"
+};
+
 /// Strict reader of a TOML file. A key is relative to the table that this Config stands for. A wrong
 /// or missing value never throws at once: the read notes the problem and returns the fallback or a
 /// harmless value, so that finish() can report every mistake of the file together.
@@ -22,7 +28,9 @@ class Config {
  public:
   /// Parses a file, then applies overrides "key.sub=value" (a TOML value, or else a bare string).
   /// Throws InputError when the file cannot be read or is no TOML (file:line:column).
-  static Config read_file(const std::string& path, const std::vector<std::string>& overrides);
+  /// `origin`: where the overrides come from, for messages.
+  static Config read_file(const std::string& path, const std::vector<std::string>& overrides,
+                          const std::string& origin = "--set");
 
   /// Parses a text as if it stood in a file of this path: messages name that, and paths in the text
   /// are relative to its folder. Throws InputError.
@@ -110,6 +118,11 @@ class Config {
   /// true, false, "on" or "off".
   bool flag(std::string_view key, std::optional<bool> fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
+  /// A text, a number or a flag, and an array of them, as the file has them.
+  ConfigWord word(std::string_view key, const std::optional<ConfigWord>& fallback);
+  std::vector<ConfigWord> words(std::string_view key);
+  /// All values below this table as overrides "a.b=value" for another file.
+  std::vector<std::string> assignments();
   /// An existing file or folder, relative to the case file's folder; returned absolute. The empty
   /// text stands for no file, where the fallback allows that.
   std::string path(std::string_view key, std::optional<std::string> fallback);

@@ -35,7 +35,8 @@ struct ConfigDocument {
   std::string file;    ///< as given
   std::string folder;  ///< absolute, of the file
   toml::table root;
-  std::set<std::string> overridden;             ///< keys given by --set
+  std::set<std::string> overridden;             ///< keys given by overrides
+  std::string origin = "--set";                 ///< of the overrides, for messages
   std::map<std::string, ResolvedValue> values;  ///< every key that was read
   std::set<std::string> tables;                 ///< every table that was asked for
   std::set<std::string> renamed;  ///< keys that the file gives by a former name: not missing
