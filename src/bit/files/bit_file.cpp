@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bit/cutter/cutter_table.hpp"
+#include "bit/files/adjust_file.hpp"
 #include "bit/files/bit_parts.hpp"
 #include "bit/files/blade_file.hpp"
 #include "bit/files/cone_file.hpp"
@@ -111,9 +112,10 @@ BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule direction
   options.directions = directions;
   options.inside = inside;
   const double gage_radius = 0.5 * c.read(bit_file_keys::gage_diameter, any_gage(designed));
-  const std::vector<Cutter> cutters =
+  std::vector<Cutter> cutters =
       designed ? read_design(c.table(design_keys::table), gage_radius, defaults)
                : read_table(c, table, defaults);
+  adjust_cutters(c.table(adjust_keys::table), cutters);
   check_pads(c, cutters, options.pads);
   if (options.blades) check_blades(c, cutters, *options.blades);
   c.finish();
@@ -160,8 +162,8 @@ void require_one_source(Config& c) {
 }  // namespace
 
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
-                 Densities densities) {
-  Config c = Config::read_file(path, {});
+                 Densities densities, const std::vector<std::string>& overrides) {
+  Config c = Config::read_file(path, overrides, "bit.set");
   const std::string name = c.read(bit_file_keys::name);
   require_one_source(c);
   if (c.has("cones")) {

@@ -22,8 +22,9 @@ struct BitFile {
 /// (bit_parts.hpp) or of the whole bit (solids_file.hpp); or roller cones (cone_file.hpp). Where
 /// densities are required, parts from meshes without one are a mistake. Throws InputError that
 /// lists every mistake in the file and its table, or the cutters that reach beyond the file's
-/// gage_diameter.
+/// gage_diameter. `overrides` change keys of the bit file, "key=value".
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
-                 Densities densities = Densities::as_given);
+                 Densities densities = Densities::as_given,
+                 const std::vector<std::string>& overrides = {});
 
 }  // namespace tdbd::bit

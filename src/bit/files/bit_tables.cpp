@@ -1,5 +1,6 @@
 #include "bit/files/bit_tables.hpp"
 
+#include "bit/files/adjust_file.hpp"
 #include "bit/files/cone_keys.hpp"
 #include "bit/files/design_keys.hpp"
 #include "bit/files/mesh_keys.hpp"
@@ -28,6 +29,12 @@ KeyTable meshes() {
 KeyTable gage_pads() {
   using namespace gage_pad_keys;
   return bit_table(table, count, length, width, under_gage, thickness);
+}
+
+KeyTable adjust() {
+  using namespace adjust_keys;
+  return bit_table(adjust_keys::table, azimuth, adjust_keys::back_rake, adjust_keys::side_rake,
+                   along);
 }
 
 KeyTable blades() {
@@ -116,7 +123,11 @@ std::vector<KeyTable> bit_tables() {
   std::vector<KeyTable> all{bit_table(bit_file_keys::table, bit_file_keys::name,
                                       bit_file_keys::cutter_table, bit_file_keys::gage_diameter,
                                       bit_file_keys::unit_check, cone_bit_keys::interference),
-                            cutters(), meshes(), gage_pads(), blades()};
+                            cutters(),
+                            meshes(),
+                            gage_pads(),
+                            adjust(),
+                            blades()};
   for (KeyTable& table : design()) all.push_back(std::move(table));
   for (KeyTable& table :
        std::vector<KeyTable>{journals(), teeth(), cones(), tooth_rows(), shank(), parts(),

@@ -167,8 +167,7 @@ void add_cones(const Bit& bit, Json& file) {
 
 }  // namespace
 
-void write_analysis(const std::filesystem::path& folder, const Bit& bit,
-                    const ReportOptions& options) {
+std::string analysis_json(const Bit& bit, const ReportOptions& options) {
   const Engagement e = engagement(bit.cutters, options.advance, report_column_width);
   const MassProperties mass = mass_properties(bit);
   Json file{{"schema", 1},
@@ -194,7 +193,12 @@ void write_analysis(const std::filesystem::path& folder, const Bit& bit,
   file["cutter_overlaps"] = overlaps_json(bit, cutter_overlaps(bit));
   if (!bit.cutters.empty()) file["cutters_in_body_m3"] = cutters_in_body(bit);
   if (bit.blades) file["body"] = body_json(bit, options.advance);
-  write_text(folder / "analysis.json", file.dump(1) + "\n");
+  return file.dump(1) + "\n";
+}
+
+void write_analysis(const std::filesystem::path& folder, const Bit& bit,
+                    const ReportOptions& options) {
+  write_text(folder / "analysis.json", analysis_json(bit, options));
 }
 
 }  // namespace tdbd::bit

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "bit/bit.hpp"
@@ -14,7 +15,7 @@ struct ReportOptions {
   std::vector<double> cone_speeds;  ///< over the bit's; empty: at which the gage rows roll
 };
 
-/// Writes analysis.json: what a designer wants to know about a bit before any drilling. For each
+/// The text of analysis.json: what a designer wants to know about a bit before any drilling. For each
 /// cutter: place, rakes, under-exposure, wear, overlap with the next one, its outline turned into
 /// one half-plane, cut area and volume (engagement.hpp), exposure, frame and tip. For the bit: how
 /// many cutters cut at each radius and their mean, imbalance of the unit law, mass, centre,
@@ -23,7 +24,10 @@ struct ReportOptions {
 /// the cones as in bit.json, what their rows sweep, the gaps between them, tracking and contact
 /// ratios of their rows (tracking_report.hpp), and what the assumptions about cones are worth
 /// (assumption_report.hpp). What a bit lacks is an empty list, a null, or absent. SI, units in the
-/// keys. Throws RunError when it cannot be written.
+/// keys.
+std::string analysis_json(const Bit& bit, const ReportOptions& options);
+
+/// Writes it. Throws RunError when it cannot be written.
 void write_analysis(const std::filesystem::path& folder, const Bit& bit,
                     const ReportOptions& options);
 

@@ -122,12 +122,15 @@ UpdatePlan read_update(Config& c) {
 
 /// The case's bit; its mistakes join those of the case.
 bit::BitFile read_bit_of(Config& c, Config& update) {
-  const std::string file = c.table(bit_keys::table).read(bit_keys::file);
+  Config table = c.table(bit_keys::table);
+  const std::string file = table.read(bit_keys::file);
+  const std::vector<std::string> changes = table.table(bit_keys::set).assignments();
   const auto directions = update.read(update_keys::directions);
   const auto inside = update.read(update_keys::inside_cutters);
   bit::BitFile bit;
   try {
-    if (!file.empty()) bit = bit::read_bit(file, directions, inside);
+    if (!file.empty())
+      bit = bit::read_bit(file, directions, inside, bit::Densities::as_given, changes);
   } catch (const InputError& e) {
     c.other_file(e.what());
   }

@@ -176,7 +176,8 @@ std::vector<KeyTable> rotate_tables() {
 }  // namespace
 
 std::vector<KeyTable> all_tables() {
-  std::vector<KeyTable> all{key_table("run", bit_keys::table, rows(bit_keys::file))};
+  std::vector<KeyTable> all{key_table("run", bit_keys::table, rows(bit_keys::file)),
+                            key_table("run", bit_keys::changes, {})};
   const auto add = [&all](const std::vector<KeyTable>& tables) {
     all.insert(all.end(), tables.begin(), tables.end());
   };

@@ -22,6 +22,9 @@ namespace bit_keys {
 
 inline constexpr TableKey table{"bit", "the bit"};
 inline constexpr PathKey file{.name = "file", .meaning = "the bit file (TOML)"};
+inline constexpr TableKey set{"set", "keys of the bit file, in place of its own"};
+inline constexpr TableKey changes{
+    "bit.set", "keys of the bit file, in place of its own: bit.set.adjust.back_rake = \"2 deg\""};
 
 }  // namespace bit_keys
 
