@@ -22,6 +22,7 @@ struct Sign {
 constexpr Sign signs[] = {
     {CaseKind::rotation, "body", "a body to rotate", "rotate"},
     {CaseKind::calibration, "calibration", "a calibration", "calibrate"},
+    {CaseKind::sweep, "sweep", "a sweep's design", "sweep"},
     {CaseKind::laboratory, "laboratory", "a synthetic laboratory", "laboratory"},
     {CaseKind::drilling, "motion", "a case to drill", "run"},
     {CaseKind::bit, "cutters", "a bit", "bit"},

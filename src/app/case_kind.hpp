@@ -6,7 +6,7 @@
 namespace tdbd::app {
 
 /// What a TOML file is, by its tables.
-enum class CaseKind { drilling, rotation, calibration, laboratory, bit, unknown };
+enum class CaseKind { drilling, rotation, calibration, laboratory, sweep, bit, unknown };
 
 /// Of the file with its overrides. Throws InputError when it is no TOML.
 CaseKind kind_of(const std::string& file, const std::vector<std::string>& overrides);

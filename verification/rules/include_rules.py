@@ -14,7 +14,7 @@ CALIBRATION = SIMULATION | {"calibration"}
 ALLOWED = {
     "core": CORE, "rotation": {"core", "rotation"}, "mesh": MESH, "bit": BIT, "rock": ROCK,
     "forces": FORCES, "dynamics": DYNAMICS, "simulation": SIMULATION, "calibration": CALIBRATION,
-    "app": CALIBRATION | {"app"},
+    "sweep": CALIBRATION | {"sweep"}, "app": CALIBRATION | {"sweep", "app"},
 }
 # The sub-folders of each room, from the lowest to the highest; "." are the files of the room itself, but for
 # those that stand here by name.
@@ -28,6 +28,7 @@ SUB_FOLDERS = {
     "dynamics": (".", "rotation", "drilling"),
     "simulation": ("case", "start", "step", "checkpoint", "result", "rotate", "study"),
     "calibration": ("record", "case", "cuts", "fit", "predict", "result", "laboratory"),
+    "sweep": ("design", "point", "table", "."),
     "app": (".",),
 }
 # A slow twin may use plain data of src, never the function it is the twin of.

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <filesystem>
+
+#include "app/arguments.hpp"
+#include "app/case_kind.hpp"
+#include "app/commands.hpp"
+#include "app/print.hpp"
+#include "app/progress.hpp"
+#include "core/error.hpp"
+#include "sweep/sweep.hpp"
+
+namespace tdbd::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SweepArguments {
+  std::string design, table, shard = "1/1";
+  int threads = 1;
+  bool force = false, quiet = false, points = false, figures = false;
+};
+
+/// "3/8".
+sweep::Shard shard_of(const std::string& text) {
+  sweep::Shard s;
+  const char* const end = text.data() + text.size();
+  const auto [slash, first] = std::from_chars(text.data(), end, s.i);
+  if (first == std::errc() && slash != end && *slash == '/') {
+    const auto [rest, second] = std::from_chars(slash + 1, end, s.n);
+    if (second == std::errc() && rest == end && s.i >= 1 && s.i <= s.n) return s;
+  }
+  throw InputError(fmt::format("--shard: found {}, expected I/N with 1 <= I <= N", text));
+}
+
+/// A table that is not ours stays, unless --force says otherwise.
+fs::path table_path(const SweepArguments& a) {
+  const fs::path table = a.table.empty()
+                             ? fs::path("results") / fs::path(a.design).stem().concat(".nc")
+                             : fs::path(a.table);
+  if (table.extension() != ".nc")
+    throw InputError(fmt::format("-o: found {}, expected a file NAME.nc", table.string()));
+  const bool ours = fs::is_directory(sweep::points_folder(table));
+  if (fs::exists(table) && !ours && !a.force)
+    throw InputError(fmt::format(
+        "-o: found {}, which no sweep wrote, expected a new file (or --force)", table.string()));
+  return table;
+}
+
+int list_points(const sweep::Design& d) {
+  const sweep::Points points = sweep::points_of(d);
+  for (long i = 0; i < points.count; ++i)
+    say("{}: {}\n", i, fmt::join(sweep::overrides_at(d, points, i), "; "));
+  return 0;
+}
+
+int list_figures(const sweep::Design& d, const fs::path& table) {
+  const sweep::Points points = sweep::points_of(d);
+  const auto names = sweep::figures_on_offer(d, sweep::overrides_at(d, points, 0),
+                                             sweep::points_folder(table) / "cuts");
+  say("{}\n", fmt::join(names, "\n"));
+  return 0;
+}
+
+void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs::path& table) {
+  if (r.failed > 0)
+    print_warning(fmt::format("{} of {} points failed, the first with: {}", r.failed, r.done,
+                              r.first_failure));
+  if (!r.written)
+    return say("{} of {} points are done{}\n", r.done, r.points,
+               r.interrupted ? "; the same command goes on" : "; the last shard writes the table");
+  say("{} points done, {} of them before{}\ntable in {}; to draw it: reports/sweep.py {}\n",
+      r.points, r.found, d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front),
+      table.string(), table.string());
+}
+
+int sweep_points(const SweepArguments& a) {
+  const sweep::Shard shard = shard_of(a.shard);
+  const fs::path table = table_path(a);
+  require_kind(a.design, {}, {CaseKind::sweep});
+  const sweep::Design d = sweep::read_design(a.design);
+  if (a.points) return list_points(d);
+  if (a.figures) return list_figures(d, table);
+  Progress progress;
+  sweep::SweepOptions options{table, shard, a.threads, &save_on_interrupt()};
+  if (!a.quiet)
+    options.progress = [&](long done, long total) {
+      if (progress.is_due(done, total)) progress.show(done, total, "  points");
+    };
+  const sweep::SweepResult r = sweep::run_sweep(d, options);
+  if (!a.quiet) {
+    progress.finish();
+    print_result(d, r, table);
+  }
+  return r.interrupted ? interrupted_code : 0;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("sweep", "Run a design of many cases into one table");
+  auto a = std::make_shared<SweepArguments>();
+  command->add_option("design", a->design, "the design (TOML): case, factors, figures")->required();
+  command->add_option("-o,--output", a->table, "the table, NAME.nc; default: results/DESIGN.nc");
+  command->add_option("--shard", a->shard, "every n-th point, beginning with the i-th: I/N")
+      ->capture_default_str();
+  command->add_flag("--points", a->points, "print what each point sets, and run nothing");
+  command->add_flag("--figures", a->figures,
+                    "run the first point and print the figures that a design may ask for");
+  command->add_flag("--force", a->force, "replace a table that no sweep wrote");
+  command->add_flag("--quiet", a->quiet, "no progress, no summary");
+  add_threads(*command, a->threads);
+  command->footer(
+      "Points that are done stay in NAME.points: the same command goes on after a kill, and a "
+      "larger\n"
+      "design adds to them. Shards of one design may run at once, with the same -o.\n"
+      "Example: tdbd sweep cases/sweeps/rake-and-rate.toml --threads 2 -o out/rake.nc");
+  command->callback([a, &exit_code] { exit_code = guarded([&] { return sweep_points(*a); }); });
+}
+
+}  // namespace tdbd::app

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/config/key.hpp"
+#include "sweep/design/design.hpp"
+
+/// The keys of a sweep's design.
+namespace tdbd::sweep {
+
+namespace sweep_keys {
+
+inline constexpr TableKey table{"sweep", "what is done at each point"};
+
+inline constexpr PathKey case_file{.name = "case",
+                                   .meaning = "the case (TOML); of the command bit a bit file"};
+inline constexpr ChoiceKey<Command> command{.name = "command",
+                                            .values = {{{"run", Command::run},
+                                                        {"rotate", Command::rotate},
+                                                        {"calibrate", Command::calibrate},
+                                                        {"bit", Command::bit}}},
+                                            .fallback = Command::run,
+                                            .meaning = "that takes the case"};
+inline constexpr TextsKey figures{
+    .name = "figures", .meaning = "numbers of the command's summary, dotted: \"wob_mean_n\""};
+inline constexpr ChoiceKey<Sampling> sampling{
+    .name = "sampling",
+    .values = {{{"none", Sampling::none},
+                {"latin-hypercube", Sampling::latin_hypercube},
+                {"sobol", Sampling::sobol}}},
+    .fallback = Sampling::none,
+    .meaning = "of the factors with from and to but no count"};
+inline constexpr IntegerKey samples{.name = "samples",
+                                    .fallback = 1,
+                                    .lo = 1,
+                                    .hi = 4'000'000'000,
+                                    .meaning = "at each combination of levels"};
+inline constexpr IntegerKey seed{.name = "seed",
+                                 .fallback = 2007,
+                                 .lo = 0,
+                                 .hi = 2'147'483'647,
+                                 .meaning = "of latin-hypercube"};
+inline constexpr QuantityKey penetration{.name = "penetration",
+                                         .unit = "m",
+                                         .fallback = 5e-3,
+                                         .range = Range::positive(),
+                                         .meaning = "per revolution, of the command bit"};
+
+}  // namespace sweep_keys
+
+namespace factor_keys {
+
+inline constexpr TableKey table{"factors", "a key of the case that varies", Repeats::yes};
+
+inline constexpr TextKey key{.name = "key", .meaning = "dotted, as --set has it"};
+inline constexpr const char* values = "values";  ///< words
+inline constexpr const char* from = "from";      ///< a word: number and unit
+inline constexpr const char* to = "to";
+inline constexpr IntegerKey count{.name = "count",
+                                  .fallback = 0,
+                                  .lo = 2,
+                                  .hi = 4'000'000'000,
+                                  .meaning = "of levels, ends included"};
+inline constexpr ChoiceKey<Scale> scale{
+    .name = "scale",
+    .values = {{{"linear", Scale::linear}, {"log", Scale::log}}},
+    .fallback = Scale::linear,
+    .meaning = "on which levels or samples are evenly spread"};
+
+}  // namespace factor_keys
+
+namespace goal_keys {
+
+inline constexpr TableKey table{"goals", "a figure of the non-dominated front", Repeats::yes};
+
+inline constexpr TextKey figure{.name = "figure", .meaning = "one of sweep.figures"};
+inline constexpr ChoiceKey<Sense> better{
+    .name = "better",
+    .values = {{{"smaller", Sense::smaller}, {"larger", Sense::larger}}},
+    .fallback = Sense::smaller,
+    .meaning = "which of two values is preferred"};
+
+}  // namespace goal_keys
+
+}  // namespace tdbd::sweep

@@ -1,0 +1,191 @@
+#include "sweep/sweep.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/parallel.hpp"
+#include "core/provenance.hpp"
+#include "core/read_file.hpp"
+
+namespace tdbd::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files of cases, as far as these can be read.
+struct Seen {
+  std::set<std::string> files;
+  bool any = false;           ///< a case could be read
+  std::string first_problem;  ///< of the first that could not
+};
+
+void look_at(const Design& d, const std::vector<std::string>& overrides, Seen& seen) {
+  try {
+    for (const std::string& file : files_of(d, overrides)) seen.files.insert(file);
+    seen.any = true;
+  } catch (const InputError& e) {
+    if (seen.first_problem.empty()) seen.first_problem = e.what();
+  }
+}
+
+/// The bytes of all files that points read. Only levels that are texts name files: each is looked at
+/// once, with the first levels of all other factors. Where neither these nor points in between can
+/// be read, it is the design that is wrong.
+std::string content_of(const Design& d, const Points& points) {
+  constexpr long others = 8;
+  Seen seen;
+  const std::vector<std::string> first = overrides_at(d, points, 0);
+  look_at(d, first, seen);
+  for (std::size_t k = 0; k < d.factors.size(); ++k)
+    for (const Level& level : d.factors[k].levels)
+      if (!level.number) {
+        std::vector<std::string> overrides = first;
+        overrides[d.fixed.size() + k] = d.factors[k].key + "=" + level.word.toml;
+        look_at(d, overrides, seen);
+      }
+  for (long k = 1; k <= others && !seen.any; ++k)
+    look_at(d, overrides_at(d, points, k * (points.count - 1) / others), seen);
+  if (!seen.any) throw InputError(seen.first_problem);
+  std::string all = read_file(d.case_file, "a TOML file");
+  for (const std::string& file : seen.files)
+    all += fnv1a_hex(read_file(file, "a file of the case"));
+  return fnv1a_hex(all);
+}
+
+/// Hands out points and takes what comes of them.
+class Workers {
+ public:
+  Workers(const Design& d, const Points& points, const std::vector<std::string>& keys,
+          std::vector<long> todo, Journal& journal, const SweepOptions& options, long found)
+      : design_(d),
+        points_(points),
+        keys_(keys),
+        todo_(std::move(todo)),
+        journal_(journal),
+        options_(options),
+        found_(found) {}
+
+  /// Throws what a journal threw; the threads end after their points.
+  void work() {
+    const auto threads = std::min(static_cast<std::size_t>(options_.threads), todo_.size());
+    {
+      std::vector<std::jthread> running;
+      for (std::size_t t = 0; t < threads; ++t) running.emplace_back([this] { take_points(); });
+    }
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void take_points() {
+    try {
+      for (std::size_t k = next_++; k < todo_.size(); k = next_++) take(todo_[k]);
+    } catch (const Interrupted&) {
+      next_ = todo_.size();
+    } catch (...) {
+      const std::lock_guard hold(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      next_ = todo_.size();
+    }
+  }
+
+  void take(long index) {
+    if (options_.interrupted != nullptr && *options_.interrupted) throw Interrupted{};
+    const auto begun = std::chrono::steady_clock::now();
+    PointRecord record;
+    record.outcome = run_point(design_, overrides_at(design_, points_, index),
+                               points_folder(options_.table) / "cuts", options_.interrupted);
+    record.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    const std::lock_guard hold(mutex_);
+    if (record.outcome.lacks_figures && found_ + done_ == 0)
+      throw InputError(fmt::format("{}: {}", design_.file, record.outcome.message));
+    journal_.add(keys_[static_cast<std::size_t>(index)], record);
+    ++done_;
+    if (options_.progress)
+      options_.progress(found_ + done_, found_ + static_cast<long>(todo_.size()));
+  }
+
+  const Design& design_;
+  const Points& points_;
+  const std::vector<std::string>& keys_;
+  std::vector<long> todo_;
+  Journal& journal_;
+  const SweepOptions& options_;
+  long found_, done_ = 0;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+};
+
+/// Points of the shard that no journal has.
+std::vector<long> points_to_do(const Shard& shard, const std::vector<std::string>& keys,
+                               const PointRecords& records, SweepResult& result) {
+  std::vector<long> todo;
+  for (long i = shard.i - 1; i < static_cast<long>(keys.size()); i += shard.n) {
+    ++result.of_shard;
+    if (records.contains(keys[static_cast<std::size_t>(i)]))
+      ++result.found;
+    else
+      todo.push_back(i);
+  }
+  return todo;
+}
+
+void count(const Table& t, SweepResult& result) {
+  result.done = done_points(t);
+  result.on_front = std::ranges::count(t.on_front, 1);
+  for (const PointRecord* point : t.points) {
+    if (point == nullptr || point->outcome.status == PointStatus::done) continue;
+    if (result.failed++ == 0) result.first_failure = point->outcome.message;
+  }
+}
+
+}  // namespace
+
+fs::path points_folder(const fs::path& table) {
+  fs::path folder = table;
+  return folder.replace_extension(".points");
+}
+
+std::vector<std::string> point_keys(const Design& d, const Points& points) {
+  const Provenance& p = provenance();
+  const std::string same =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", p.version, p.commit, p.flags, name_of(d.command),
+                  d.penetration, content_of(d, points), fmt::join(d.figures, "\n"));
+  std::vector<std::string> keys;
+  for (long i = 0; i < points.count; ++i)
+    keys.push_back(
+        fnv1a_hex(same + fmt::format("{}", fmt::join(overrides_at(d, points, i), "\n"))));
+  return keys;
+}
+
+SweepResult run_sweep(const Design& d, const SweepOptions& options) {
+  const ThreadLimit one(1);
+  SweepResult result;
+  const Points points = points_of(d);
+  const std::vector<std::string> keys = point_keys(d, points);
+  const fs::path folder = points_folder(options.table);
+  Journal journal(folder / fmt::format("{}-of-{}", options.shard.i, options.shard.n));
+  result.points = points.count;
+  std::vector<long> todo = points_to_do(options.shard, keys, read_journals(folder), result);
+  Workers(d, points, keys, std::move(todo), journal, options, result.found).work();
+  result.interrupted = options.interrupted != nullptr && *options.interrupted;
+  const PointRecords records = read_journals(folder);
+  const Table t = table_of(d, points, keys, records);
+  count(t, result);
+  if (result.done < result.points) return result;
+  write_table(options.table, t);
+  result.written = true;
+  return result;
+}
+
+}  // namespace tdbd::sweep

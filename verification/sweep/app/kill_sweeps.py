@@ -1,0 +1,74 @@
+"""Kills sweeps at random and goes on: nothing is lost, nothing is done twice, and the table has the bytes of a sweep that
+was left alone. kill_sweeps.py TDBD FOLDER [KILLS] [SEED]"""
+
+import json
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import time
+
+CASES = pathlib.Path(__file__).resolve().parents[3] / "cases"
+DESIGN = f"""[sweep]
+case = "{CASES}/bit-b-6000psi.toml"
+figures = ["wob_mean_n", "removed_volume_m3"]
+sampling = "latin-hypercube"
+samples = 12
+[set]
+rock.edge_length = "6 mm"
+time.revolutions = 0.2
+output.means_from = "0.01 s"
+[[factors]]
+key = "motion.rate_of_penetration"
+from = "5 m/h"
+to = "20 m/h"
+[[factors]]
+key = "bit.set.adjust.back_rake"
+values = ["0 deg", "5 deg"]
+"""
+
+
+def keys_in(points):
+    """The keys of all whole lines; no point may stand in two."""
+    lines = [line for file in sorted(points.glob("*/points.jsonl")) for line in file.read_bytes().split(b"\n")[:-1]]
+    return [json.loads(line[17:])["key"] for line in lines]
+
+
+def main(tdbd, folder, kills=12, seed=2007):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    design = folder / "design.toml"
+    design.write_text(DESIGN)
+    draw = random.Random(seed)
+    begun = time.monotonic()
+    subprocess.run([tdbd, "sweep", design, "-o", folder / "whole.nc", "--quiet", "--threads", "2"], check=True)
+    whole = time.monotonic() - begun
+    killed = rounds = 0
+    while killed < kills:
+        rounds += 1
+        done = 0
+        shutil.rmtree(folder / "killed.points", ignore_errors=True)
+        (folder / "killed.nc").unlink(missing_ok=True)
+        while not (folder / "killed.nc").exists():
+            words = [tdbd, "sweep", design, "-o", folder / "killed.nc", "--quiet", "--threads", str(draw.choice([1, 2]))]
+            process = subprocess.Popen(words)
+            try:
+                code = process.wait(timeout=draw.uniform(0.0, 0.6 * whole) if killed < kills else None)
+                assert code == 0, (words, code)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+                killed += 1
+            keys = keys_in(folder / "killed.points")
+            assert len(keys) == len(set(keys)), "a point was done twice"
+            assert len(keys) >= done, "a point was lost"
+            done = len(keys)
+        assert done == 24
+        for kind in (".nc", ".csv"):
+            assert (folder / f"killed{kind}").read_bytes() == (folder / f"whole{kind}").read_bytes(), kind
+    print(f"kill_sweeps: {killed} kills, {rounds} sweeps, each with the bytes of one that was left alone")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], pathlib.Path(sys.argv[2]), *map(int, sys.argv[3:]))

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sweep/design/design.hpp"
+
+namespace tdbd::sweep {
+
+/// A folder of its own for a test, empty.
+std::filesystem::path empty_folder(const std::string& name);
+
+/// Writes a design below that folder and reads it.
+Design design_from(const std::filesystem::path& folder, const std::string& text);
+
+/// A free top over three levels of step and two of its own spin: six points in milliseconds.
+std::string small_top();
+
+/// What reading the design says is wrong; empty: nothing.
+std::string mistake_in(const std::string& text);
+
+}  // namespace tdbd::sweep

@@ -1,0 +1,186 @@
+#include "sweep/sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "bit/files/bit_file.hpp"
+#include "bit/report/bit_report.hpp"
+#include "core/error.hpp"
+#include "core/read_file.hpp"
+#include "simulation/result/run.hpp"
+#include "simulation/rotate/rotate_run.hpp"
+#include "sweep/point/figures.hpp"
+#include "verification/sweep/small_design.hpp"
+
+namespace tdbd::sweep::sweep_test {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) { return read_file(file, "a file"); }
+
+/// Bit B, a tenth of a revolution over 6 mm edges, with forces.
+std::string small_hole(const std::string& factors) {
+  return "[sweep]\ncase = \"" TDBD_SOURCE_DIR
+         "/cases/bit-b-6000psi.toml\"\nfigures = [\"wob_mean_n\", \"removed_volume_m3\", "
+         "\"aggressiveness\"]\n"
+         "[set]\nrock.edge_length = \"6 mm\"\ntime.revolutions = 0.1\noutput.means_from = \"0.01 "
+         "s\"\n" +
+         factors;
+}
+
+const std::string rakes_and_rates =
+    "[[factors]]\nkey = \"bit.set.adjust.back_rake\"\nvalues = [\"0 deg\", \"5 deg\"]\n"
+    "[[factors]]\nkey = \"motion.rate_of_penetration\"\nfrom = \"10 m/h\"\nto = \"20 m/h\"\ncount "
+    "= 2\n";
+
+SweepResult swept(const Design& d, const fs::path& table, int threads = 1, Shard shard = {}) {
+  return run_sweep(d, {table, shard, threads});
+}
+
+/// The table's figures are those of the summary that `run` writes, to the bit.
+TEST(Sweep, figures_are_those_of_single_runs) {
+  const fs::path folder = empty_folder("figures");
+  const Design d = design_from(folder, small_hole(rakes_and_rates));
+  ASSERT_TRUE(swept(d, folder / "t.nc").written);
+  const Points points = points_of(d);
+  const PointRecords records = read_journals(points_folder(folder / "t.nc"));
+  const std::vector<std::string> keys = point_keys(d, points);
+  for (long i = 0; i < points.count; ++i) {
+    simulation::RunOptions options;
+    options.folder = folder / std::to_string(i);
+    simulation::run(simulation::read_case(d.case_file, overrides_at(d, points, i)), options);
+    const auto summary = nlohmann::ordered_json::parse(text_of(options.folder / "summary.json"));
+    const PointOutcome& point = records.at(keys[static_cast<std::size_t>(i)]).outcome;
+    EXPECT_EQ(point.figures, figures_of(summary, d.figures)) << i;
+    EXPECT_EQ(point.case_hash, summary["case_hash"]) << i;
+    EXPECT_GT(point.figures[0], 0.0);
+  }
+}
+
+TEST(Sweep, rotates_and_analyses_too) {
+  const fs::path folder = empty_folder("commands");
+  const Design top = design_from(folder, small_top());
+  ASSERT_EQ(swept(top, folder / "top.nc").failed, 0);
+  simulation::RotateOptions options;
+  options.folder = folder / "single";
+  simulation::rotate(
+      simulation::read_rotate_case(top.case_file, overrides_at(top, points_of(top), 3)), options);
+  const auto summary = nlohmann::ordered_json::parse(text_of(options.folder / "summary.json"));
+  const PointRecords records = read_journals(points_folder(folder / "top.nc"));
+  EXPECT_EQ(records.at(point_keys(top, points_of(top))[3]).outcome.figures,
+            figures_of(summary, top.figures));
+
+  const Design bits = design_from(
+      folder, "[sweep]\ncase = \"" TDBD_SOURCE_DIR
+              "/cases/bits/bit-b.toml\"\ncommand = \"bit\"\nfigures = [\"imbalance_of_unit_law\"]\n"
+              "[[factors]]\nkey = \"adjust.blade.2.azimuth\"\nvalues = [\"0 deg\", \"5 deg\"]\n");
+  ASSERT_EQ(swept(bits, folder / "bits.nc").failed, 0);
+  const auto plain =
+      bit::read_bit(bits.case_file, bit::DirectionRule::hybrid, bit::InsideRule::down);
+  const auto analysis = nlohmann::ordered_json::parse(bit::analysis_json(plain.bit, {}));
+  const PointRecords found = read_journals(points_folder(folder / "bits.nc"));
+  const std::vector<std::string> keys = point_keys(bits, points_of(bits));
+  EXPECT_EQ(found.at(keys[0]).outcome.figures[0], analysis["imbalance_of_unit_law"]);
+  EXPECT_NE(found.at(keys[1]).outcome.figures[0], analysis["imbalance_of_unit_law"]);
+}
+
+/// On one thread and on two, in one process and in three shards: the same bytes.
+TEST(Sweep, table_has_the_same_bytes_however_it_is_made) {
+  const fs::path folder = empty_folder("bytes");
+  const Design d = design_from(folder, small_hole(rakes_and_rates));
+  swept(d, folder / "one.nc");
+  swept(d, folder / "two.nc", 2);
+  for (long i = 3; i >= 1; --i) {
+    const SweepResult r = swept(d, folder / "shards.nc", 1, {i, 3});
+    EXPECT_EQ(r.of_shard, i == 1 ? 2 : 1);
+    EXPECT_EQ(r.written, i == 1);
+    EXPECT_EQ(fs::exists(folder / "shards.nc"), i == 1);
+  }
+  for (const char* kind : {".nc", ".csv"}) {
+    EXPECT_EQ(text_of(folder / (std::string("one") + kind)),
+              text_of(folder / (std::string("two") + kind)));
+    EXPECT_EQ(text_of(folder / (std::string("one") + kind)),
+              text_of(folder / (std::string("shards") + kind)));
+  }
+}
+
+/// What is done is done: nothing is run again, of a larger design only what is new.
+TEST(Sweep, goes_on_with_what_is_there) {
+  const fs::path folder = empty_folder("again");
+  swept(design_from(folder, small_top()), folder / "t.nc");
+  const SweepResult again = swept(design_from(folder, small_top()), folder / "t.nc");
+  EXPECT_EQ(again.found, 6);
+  std::string more = small_top();
+  more.replace(more.find("[2, 8]"), 6, "[2, 4, 8]");
+  const SweepResult larger = swept(design_from(folder, more), folder / "t.nc");
+  EXPECT_EQ(larger.points, 9);
+  EXPECT_EQ(larger.found, 6);
+}
+
+/// A case or bit that changed makes all points new.
+TEST(Sweep, knows_the_content_of_its_files) {
+  const fs::path folder = empty_folder("content");
+  const fs::path own = folder / "top.toml";
+  fs::copy_file(TDBD_SOURCE_DIR "/cases/slow-top.toml", own);
+  std::string text = small_top();
+  const std::string shipped = TDBD_SOURCE_DIR "/cases/slow-top.toml";
+  text.replace(text.find(shipped), shipped.size(), own.string());
+  swept(design_from(folder, text), folder / "t.nc");
+  std::ofstream(own, std::ios::app) << "# another byte\n";
+  EXPECT_EQ(swept(design_from(folder, text), folder / "t.nc").found, 0);
+}
+
+TEST(Sweep, keeps_a_point_that_fails_with_its_message) {
+  const fs::path folder = empty_folder("fails");
+  const Design d = design_from(
+      folder, small_hole("[[factors]]\nkey = \"time.step\"\nvalues = [\"1 ms\", \"1 s\"]\n"));
+  const SweepResult r = swept(d, folder / "t.nc");
+  EXPECT_TRUE(r.written);
+  EXPECT_EQ(r.failed, 1);
+  EXPECT_NE(r.first_failure.find("time.step"), std::string::npos);
+  EXPECT_NE(text_of(folder / "t.csv").find(",failed,"), std::string::npos);
+  EXPECT_EQ(swept(d, folder / "t.nc").found, 2);
+}
+
+/// A design that no point can obey is refused before anything is written.
+TEST(Sweep, refuses_a_key_or_figure_that_the_case_does_not_have) {
+  const fs::path folder = empty_folder("refuses");
+  const auto message_of = [&](const std::string& text) -> std::string {
+    try {
+      swept(design_from(folder, text), folder / "t.nc");
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message_of(small_hole("[[factors]]\nkey = \"rock.edge\"\nvalues = [\"1 mm\"]\n"))
+                .find("--set: rock.edge: found an unknown key"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder / "t.points"));
+  std::string wrong = small_hole(rakes_and_rates);
+  wrong.replace(wrong.find("wob_mean_n"), 10, "wob_men_n");
+  EXPECT_NE(message_of(wrong).find(
+                "found wob_men_n, expected a number of the summary, such as wob_mean_n"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder / "t.nc"));
+}
+
+TEST(Sweep, gives_up_points_under_way_when_interrupted) {
+  const fs::path folder = empty_folder("interrupted");
+  const Design d = design_from(folder, small_top());
+  std::atomic<bool> stop = false;
+  SweepOptions options;
+  options.table = folder / "t.nc";
+  options.interrupted = &stop;
+  options.progress = [&](long done, long) { stop = done == 2; };
+  const SweepResult r = run_sweep(d, options);
+  EXPECT_TRUE(r.interrupted);
+  EXPECT_FALSE(r.written);
+  EXPECT_EQ(r.done, 2);
+  EXPECT_EQ(swept(d, folder / "t.nc").found, 2);
+}
+
+}  // namespace tdbd::sweep::sweep_test

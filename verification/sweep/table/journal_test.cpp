@@ -1,0 +1,99 @@
+#include "sweep/table/journal.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "core/error.hpp"
+#include "verification/battery/generators.hpp"
+#include "verification/sweep/small_design.hpp"
+
+namespace tdbd::sweep::journal_test {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void put(const fs::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+PointRecord record(double x) {
+  return {{PointStatus::done, "hash", "", {x, std::numeric_limits<double>::quiet_NaN()}, false},
+          0.25};
+}
+
+/// Figures come back to the bit, messages with all that may stand in them.
+TEST(Journal, gives_back_what_it_took) {
+  const fs::path folder = empty_folder("journal");
+  PointRecord failed{{PointStatus::failed, "", "a \"line\"\nand \xff another", {0.1 + 0.2}, false},
+                     1.0};
+  {
+    Journal journal(folder / "1-of-2");
+    journal.add("a", record(1.0 / 3.0));
+    journal.add("b", failed);
+  }
+  Journal(folder / "2-of-2").add("c", record(-0.0));
+  const PointRecords read = read_journals(folder);
+  ASSERT_EQ(read.size(), 3u);
+  EXPECT_EQ(read.at("a").outcome.figures[0], 1.0 / 3.0);
+  EXPECT_TRUE(std::isnan(read.at("a").outcome.figures[1]));
+  EXPECT_EQ(read.at("a").seconds, 0.25);
+  EXPECT_EQ(read.at("b").outcome.status, PointStatus::failed);
+  EXPECT_EQ(read.at("b").outcome.message, "a \"line\"\nand \xef\xbf\xbd another");
+  EXPECT_TRUE(std::signbit(read.at("c").outcome.figures[0]));
+}
+
+/// Cut off anywhere: every whole line is kept, and the next one to write cuts off the rest.
+RC_GTEST_PROP(Journal, loses_only_the_torn_line, ()) {
+  const fs::path folder = empty_folder("torn");
+  const int count = *battery::integer(1, 5);
+  std::vector<std::size_t> ends;
+  const fs::path file = folder / "1-of-1" / "points.jsonl";
+  for (int i = 0; i < count; ++i) {
+    Journal(folder / "1-of-1").add(std::to_string(i), record(i));
+    ends.push_back(bytes_of(file).size());
+  }
+  const std::string all = bytes_of(file);
+  const auto cut = static_cast<std::size_t>(*battery::integer(0, static_cast<int>(all.size())));
+  put(file, all.substr(0, cut));
+  const auto whole = static_cast<std::size_t>(
+      std::ranges::count_if(ends, [&](std::size_t e) { return e <= cut; }));
+  RC_ASSERT(read_journals(folder).size() == whole);
+  Journal(folder / "1-of-1").add("new", record(7.0));
+  RC_ASSERT(read_journals(folder).size() == whole + 1);
+}
+
+TEST(Journal, refuses_a_line_that_was_changed) {
+  const fs::path folder = empty_folder("changed");
+  Journal(folder / "1-of-1").add("a", record(1.5));
+  Journal(folder / "1-of-1").add("b", record(2.5));
+  const fs::path file = folder / "1-of-1" / "points.jsonl";
+  std::string bytes = bytes_of(file);
+  bytes[bytes.find("1.5")] = '7';
+  put(file, bytes);
+  try {
+    read_journals(folder);
+    FAIL();
+  } catch (const RunError& e) {
+    EXPECT_NE(
+        std::string(e.what()).find("points.jsonl:1: found a line that is not as it was written"),
+        std::string::npos);
+  }
+}
+
+TEST(Journal, has_one_writer) {
+  const fs::path folder = empty_folder("writers");
+  const Journal first(folder / "1-of-1");
+  EXPECT_THROW(Journal(folder / "1-of-1"), InputError);
+  EXPECT_NO_THROW(Journal(folder / "1-of-2"));
+}
+
+}  // namespace tdbd::sweep::journal_test

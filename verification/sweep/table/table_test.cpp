@@ -1,0 +1,41 @@
+#include "sweep/table/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "verification/sweep/small_design.hpp"
+
+namespace tdbd::sweep::table_test {
+
+Design two_by_two() {
+  Design d;
+  d.figures = {"cost", "gain"};
+  d.factors = {{"size", {{{"1 mm", ""}, 1.0, "mm"}, {{"2 mm", ""}, 2.0, "mm"}}, {}},
+               {"kind", {{{"a, b", ""}, {}, ""}, {{"7", ""}, 7.0, ""}}, {}}};
+  d.goals = {{"cost", Sense::smaller}, {"gain", Sense::larger}};
+  return d;
+}
+
+PointRecord record_with(double cost, double gain) {
+  return {{PointStatus::done, "h", "", {cost, gain}, false}, 0.5};
+}
+
+TEST(Table, has_a_row_for_each_point) {
+  const Design d = two_by_two();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const PointRecords records{
+      {"0", record_with(1.0, 1.0)},
+      {"1", record_with(2.0, 1.0)},
+      {"2", {{PointStatus::failed, "", "no, \"never\"", {none, none}, false}, 0.5}}};
+  const Table t = table_of(d, points_of(d), {"0", "1", "2", "3"}, records);
+  EXPECT_EQ(done_points(t), 3);
+  EXPECT_EQ(to_csv(t),
+            "point,size [mm],kind,cost,gain,front,status,case_hash,message\n"
+            "0,1,\"a, b\",1,1,1,done,h,\n"
+            "1,1,7,2,1,0,done,h,\n"
+            "2,2,\"a, b\",nan,nan,0,failed,,\"no, \"\"never\"\"\"\n"
+            "3,2,7,nan,nan,0,missing,,\n");
+}
+
+}  // namespace tdbd::sweep::table_test
