@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/types.hpp"
+
 namespace tdbd::simulation {
 namespace {
 
