@@ -151,4 +151,14 @@ RC_GTEST_PROP(AdjacencyIsConsistent, notices_any_wrong_entry, ()) {
   RC_ASSERT(!adjacency_is_consistent(wrong));
 }
 
+/// Two triangles that run the same way along their common edge, every table as they ask: only the surface is wrong.
+TEST(AdjacencyIsConsistent, notices_what_is_no_manifold) {
+  Surface s = make_surface({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}});
+  ASSERT_TRUE(adjacency_is_consistent(s));
+  std::swap(s.triangles[1][0], s.triangles[1][1]);
+  s.corner_of = {0, 1, 2, 5};
+  refresh_stars(s);
+  EXPECT_FALSE(adjacency_is_consistent(s));
+}
+
 }  // namespace tdbd::mesh::surface_test

@@ -92,6 +92,17 @@ TEST(Check, a_closed_mesh_two_sheets_or_a_stray_vertex_are_not_a_sheet) {
   EXPECT_EQ(defects[0].where, "vertex 16 at (9000.0000, 9000.0000, 9000.0000) mm");
 }
 
+/// Whatever its number.
+TEST(Check, a_stray_vertex_is_found_before_the_others_too) {
+  TriangleMesh m = square_sheet(3);
+  m.positions.insert(m.positions.begin(), Vec3(9, 9, 9));
+  for (Triangle& t : m.triangles)
+    for (int& v : t) ++v;
+  const auto defects = check_surface(m);
+  ASSERT_EQ(defects.size(), 1u);
+  EXPECT_EQ(defects[0].where, "vertex 0 at (9000.0000, 9000.0000, 9000.0000) mm");
+}
+
 TEST(Check, a_description_lists_the_first_and_counts_the_rest) {
   const std::vector<Defect> three(3, {Kind::hole, "here"});
   EXPECT_EQ(describe(three, 2), "hole: here\nhole: here\nand 1 more\n");

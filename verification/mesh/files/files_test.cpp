@@ -119,6 +119,13 @@ TEST(Files, text_stl_is_read_and_scaled_by_the_unit) {
   EXPECT_DOUBLE_EQ(m.positions[1].x(), 0.0254);
 }
 
+TEST(Files, numbers_may_have_a_plus) {
+  const auto path = write_text_file("plus.obj", "v +1.5 +2 -3\nv +1e+1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const TriangleMesh m = read_mesh(path, 1.0);
+  EXPECT_EQ(m.positions[0], Vec3(1.5, 2, -3));
+  EXPECT_EQ(m.positions[1], Vec3(10, 0, 0));
+}
+
 TEST(Files, a_binary_stl_that_begins_with_solid_is_still_binary) {
   const fs::path path = temporary("solid.stl");
   write_mesh(path, tetrahedron());
@@ -166,6 +173,13 @@ TEST(Files, a_truncated_file_is_refused) {
 TEST(Files, writing_where_nothing_can_be_written_fails) {
   const auto text = message_of<RunError>([] { write_mesh("/proc/no/part.stl", tetrahedron()); });
   EXPECT_TRUE(contains(text, "cannot write /proc/no/part.stl"));
+}
+
+TEST(Files, writing_an_unknown_format_is_refused_and_leaves_no_file) {
+  const fs::path path = temporary("part.step");
+  const auto text = message_of<InputError>([&] { write_mesh(path, tetrahedron()); });
+  EXPECT_TRUE(contains(text, "unknown mesh format '.step'")) << text;
+  EXPECT_FALSE(fs::exists(path));
 }
 
 TEST(Files, a_full_disk_leaves_no_partial_file_and_keeps_the_old_one) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,30 @@ TEST(Solids, pieces_are_found_in_shuffled_facets) {
   const auto pieces = divide(m);
   ASSERT_EQ(pieces.size(), 2u);
   for (const TriangleMesh& piece : pieces) EXPECT_TRUE(check_closed(piece).empty());
+}
+
+/// One body whose facets and points come in any order: no facet before the last one closes it.
+RC_GTEST_PROP(Solids, a_body_in_any_order_is_one_piece, ()) {
+  const TriangleMesh body = battery::sphere(1, 1);
+  const auto draws = *rc::gen::container<std::vector<unsigned>>(
+      body.positions.size() + body.triangles.size(), rc::gen::arbitrary<unsigned>());
+  TriangleMesh m = body;
+  std::vector<int> number(body.positions.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::size_t drawn = 0;
+  const auto shuffle = [&](auto& items) {
+    for (std::size_t i = items.size(); i > 1; --i)
+      std::swap(items[i - 1], items[draws[drawn++] % i]);
+  };
+  shuffle(number);
+  shuffle(m.triangles);
+  for (std::size_t v = 0; v < number.size(); ++v)
+    m.positions[static_cast<std::size_t>(number[v])] = body.positions[v];
+  for (Triangle& t : m.triangles)
+    for (int& v : t) v = number[static_cast<std::size_t>(v)];
+  const auto pieces = divide(m);
+  RC_ASSERT(pieces.size() == 1u);
+  RC_ASSERT(corners(pieces[0]) == corners(m));
 }
 
 TEST(Solids, groups_of_an_obj_may_continue_later) {

@@ -182,6 +182,18 @@ TEST(Relax, folds_no_face) {
   EXPECT_LT((even.s.position(4) - Vec3(0.5, 0.5, 0.0)).norm(), 1e-15);
 }
 
+/// mesh (6) on the unit box: from the length at the edges to that of the faces, and no further.
+TEST(Target, grows_from_the_edges_up_to_that_of_the_faces) {
+  const auto o = options(0.1, 0.2, 0.5, 0.0);
+  const GradeSurface g = make_grade_surface(battery::box({0, 0, 0}, {1, 1, 1}), o);
+  for (const double inside : {0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.5})
+    for (const double along : {0.3, 0.5}) {
+      const Vec3 x(along, inside, 0.0);
+      const double expected = std::min(o.face, o.edge + o.growth * distance_from_box_edges(x));
+      EXPECT_NEAR(target(g, x), expected, 1e-15) << inside;
+    }
+}
+
 /// A prism over a slender kite, both ends cut along it: cut across they have far better facets.
 TEST(Flip, takes_the_better_diagonal_of_each_flat_pair) {
   const TriangleMesh m{{{0, 0, 0},

@@ -108,19 +108,37 @@ TEST(Repair, drops_protruding_sheets) {
   expect_box(repair(m), "1 facets of protruding sheets dropped\n1 unused points dropped\n");
 }
 
-/// A point in the middle of a side, and the flat facet that closes the seam.
-TEST(Repair, removes_facets_without_area) {
+/// A box with a point on a side of its first facet, and the flat facet that closes the seam, beginning with any corner.
+TriangleMesh box_with_flat_facet(double along, std::size_t first) {
   TriangleMesh m = unit_box;
   const Triangle t = m.triangles[0];
-  const auto x = [&](int k) {
-    return m.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
-  };
-  m.positions.push_back(0.5 * (x(0) + x(1)));
+  const auto x = [&](std::size_t k) { return m.positions[static_cast<std::size_t>(t[k])]; };
+  m.positions.push_back((1.0 - along) * x(0) + along * x(1));
   m.triangles[0] = {t[0], 8, t[2]};
   m.triangles.push_back({8, t[1], t[2]});
-  m.triangles.push_back({t[0], t[1], 8});
-  EXPECT_EQ(check_closed(m).size(), 1u);
-  expect_box(repair(m), "1 facets without area removed\n");
+  Triangle flat{t[0], t[1], 8};
+  std::rotate(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(first), flat.end());
+  m.triangles.push_back(flat);
+  return m;
+}
+
+TEST(Repair, removes_facets_without_area) {
+  for (const double along : {0.25, 0.5, 0.75})
+    for (const std::size_t first : {0u, 1u, 2u}) {
+      const TriangleMesh m = box_with_flat_facet(along, first);
+      EXPECT_EQ(check_closed(m).size(), 1u);
+      expect_box(repair(m), "1 facets without area removed\n");
+    }
+}
+
+/// A corner in two places that differ by rounding: the facets between them have no area, and no point to be split at.
+TEST(Repair, refuses_what_is_no_solid_in_the_end) {
+  TriangleMesh m = unit_box;
+  m.positions.push_back(m.positions[0] + Vec3(0, 0, 1e-16));
+  m.triangles[0] = {8, m.triangles[0][1], m.triangles[0][2]};
+  const Repaired r = repair(m);
+  EXPECT_NE(r.refusal, "") << steps_of(r);
+  EXPECT_FALSE(check_solid(r.mesh).empty());
 }
 
 /// Two boxes that share an edge, as one mesh: four facets meet there.
@@ -247,6 +265,7 @@ TEST(Inspect, counts_what_is_wrong) {
   EXPECT_FALSE(i.is_oriented());
   EXPECT_DOUBLE_EQ(inspect(unit_box).longest_edge, std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(inspect(unit_box).shortest_edge, 1.0);
+  EXPECT_DOUBLE_EQ(inspect(unit_box).mean_edge, (12.0 + 6.0 * std::sqrt(2.0)) / 18.0);
   EXPECT_DOUBLE_EQ(inspect(unit_box).volume, 1.0);
 }
 
