@@ -82,7 +82,6 @@ std::string body_problem(const Mat3& I, const std::vector<Cone>& cones) {
   const Vec3 whole = principal_values(I);
   if (breaks_triangle_inequality(whole))
     return "an inertia that breaks the triangle inequality: " + values_text(whole);
-  if (cones.empty()) return "";
   const Vec3 share = principal_values(body_share(carrier_inertia(I, cones), cones));
   if (share[0] < -tolerance::inertia * whole[2])
     return "cones heavier in inertia than the whole allows: without them " + values_text(share);

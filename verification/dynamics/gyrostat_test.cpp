@@ -23,6 +23,14 @@ TEST(InertiaProblem, accepts_what_a_body_can_have_a_flat_one_included) {
   EXPECT_EQ(problem(diagonal(2, 2.6, 3), {{Vec3(0.8, 0, 0.6), 0.1}}), "");
 }
 
+/// Tolerances are relative: what is sound stays so in any unit.
+TEST(InertiaProblem, is_none_for_a_small_body_and_a_large_one) {
+  for (const double scale : {1e-12, 1e12}) {
+    EXPECT_EQ(problem(scale * diagonal(2, 2.6, 3), {{Vec3(0.8, 0, 0.6), scale * 0.1}}), "");
+    EXPECT_NE(problem(scale * diagonal(1, 2, 3.1)), "");
+  }
+}
+
 TEST(InertiaProblem, names_a_broken_triangle_inequality_unless_the_check_is_off) {
   EXPECT_NE(problem(diagonal(1, 2, 3.1)).find("triangle inequality"), std::string::npos);
   EXPECT_NE(problem(diagonal(1, 2, 3.1)).find("3.1"), std::string::npos);

@@ -17,7 +17,7 @@ TEST(Schedule, empty_is_zero_and_a_constant_holds_for_ever) {
   const Schedule c = constant(4.0);
   EXPECT_EQ(value_at(c, -7.0), 4.0);
   EXPECT_EQ(value_at(c, 7.0), 4.0);
-  EXPECT_EQ(integral_to(c, 3.0), 12.0);
+  for (const double t : {3.0, 0.1, -0.3, 1e-20}) EXPECT_EQ(integral_to(c, t), 4.0 * t);
 }
 
 TEST(Schedule, stairs_hold_and_ramps_rise) {

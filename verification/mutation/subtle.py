@@ -67,7 +67,7 @@ def off_by_one(code):
 
 
 # No calls, and calls that do not know the order of their arguments.
-NOT_SWAPPED = {"if", "for", "while", "switch", "catch", "max", "min", "hypot", "swap"}
+NOT_SWAPPED = {"if", "for", "while", "switch", "catch", "max", "min", "minmax", "hypot", "swap"}
 
 
 def swapped_arguments(code):

@@ -83,8 +83,8 @@ Eigen::Vector2d mean_direction(const WallSlip& slip, double force, double slip_s
   if (speed == 0.0) return Eigen::Vector2d::UnitX();
   const Eigen::Vector2d e = slip.speed / speed;
   const double j = friction_impulse({speed, e.dot(slip.mobility * e)}, force, slip_speed, time);
-  const Eigen::Vector2d sum = 2.0 * slip.speed + j * slip.mobility * e;
-  return sum.squaredNorm() > 0.0 ? Eigen::Vector2d(sum.normalized()) : e;
+  // Friction stops the slip at the most, so that the sum keeps a part along e.
+  return (2.0 * slip.speed + j * slip.mobility * e).normalized();
 }
 
 /// k p while pressing and e^2 k p while letting go are the mean spring and a friction of half the

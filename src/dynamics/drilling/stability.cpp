@@ -59,8 +59,7 @@ Matrix7 mass_matrix(const DrillingSystem& s, const Mat3& R) {
 
 void hold_rock(const DrillingSystem& s, Matrix7& A) {
   if (s.rock.mass > 0.0) return;
-  A.row(6).setZero();
-  A.col(6).setZero();
+  A.row(6).setZero();  // its column is above the diagonal, where the solver does not look
 }
 
 /// Largest eigenvalue of A against M, and which motion has the most of its energy.

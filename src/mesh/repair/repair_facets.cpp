@@ -127,14 +127,13 @@ std::size_t drop_duplicates(TriangleMesh& m) {
     std::sort(t.begin(), t.end());
     with_corners[t].push_back(i);
   }
-  std::vector<char> keep(m.triangles.size(), 1);
+  std::vector<char> keep(m.triangles.size(), 0);
   for (const auto& [corners, all] : with_corners) {
     int facing = 0;
     for (const std::size_t i : all) {
       const Triangle& t = m.triangles[i];
       const auto smallest = std::min_element(t.begin(), t.end()) - t.begin();
       facing += t[(static_cast<std::size_t>(smallest) + 1) % 3] == corners[1] ? 1 : -1;
-      keep[i] = 0;
     }
     if (all.size() == 1 || facing != 0) keep[all.front()] = 1;
   }

@@ -31,11 +31,26 @@ TEST(DrillingSystem, refuses_what_is_no_system) {
             "a string's damping in turning that is not positive: principal value -2");
   EXPECT_EQ(problem([](S& s) { s.string.damping(0, 0) = INFINITY; }),
             "a string's damping that is not finite");
-  EXPECT_EQ(problem([](S& s) { s.wall.restitution = 1.5; }),
-            "a wall's restitution of 1.5: at most 1");
+  EXPECT_EQ(problem([](S& s) { s.wall.restitution = 1.01; }),
+            "a wall's restitution of 1.01: at most 1");
   EXPECT_EQ(problem([](S& s) { s.wall.friction = -0.1; }), "a wall's friction of -0.1");
   EXPECT_EQ(problem([](S& s) { s.bearing_damping = {1.0}; }), "1 bearing dampings for 2 cones");
   EXPECT_EQ(problem([](S& s) { s.rock.damping = -1.0; }), "a rock mount's damping of -1");
+}
+
+/// A damping without coupling is its own principal form: along x, y, z in this order, exactly.
+TEST(DrillingSystem, uncoupled_dampers_stay_as_given) {
+  DrillingSystem s = plain_bit();
+  s.string.damping = Vec3(30.0, 10.0, 20.0).asDiagonal();
+  s.string.turn_damping = Vec3(2.0, 3.0, 1.0).asDiagonal();
+  s = make_drilling_system(s);
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    EXPECT_EQ(s.dampers[k].axis_W, Vec3(Vec3::Unit(i)));
+    EXPECT_EQ(s.dampers[k].coefficient, s.string.damping(i, i));
+    EXPECT_EQ(s.turn_dampers[k].axis_W, Vec3(Vec3::Unit(i)));
+    EXPECT_EQ(s.turn_dampers[k].coefficient, s.string.turn_damping(i, i));
+  }
 }
 
 TEST(DrillingSystem, state_is_made_of_pose_and_velocities) {

@@ -70,9 +70,21 @@ TEST(Response, is_positive_and_nearly_symmetric) {
   const DrillingSystem s = linear_bit();
   DrillingRun d = start(s, smooth_law, coupled_start(s));
   const Response response = response_of(s, 1e-3, d);
-  const Eigen::MatrixXd even = 0.5 * (response.A + response.A.transpose());
-  EXPECT_LT((response.A - even).norm(), 0.02 * even.norm());
-  EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(even).info(), Eigen::Success);
+  using Matrix9 = Eigen::Matrix<double, 9, 9>;
+  const Matrix9 A = response.A, even = 0.5 * (A + A.transpose());
+  EXPECT_LT((A - even).norm(), 0.02 * even.norm());
+  EXPECT_EQ(Eigen::LLT<Matrix9>(even).info(), Eigen::Success);
+}
+
+/// However light: any mass above 0 is one that moves.
+TEST(Response, has_the_freedom_of_light_rock) {
+  DrillingSystem s = plain_bit();
+  s.rock.mass = 0.25;
+  s = make_drilling_system(s);
+  DrillingRun d = start(s, nullptr, at_rest(s));
+  const Response response = response_of(s, 1e-3, d);
+  ASSERT_EQ(response.free.size(), 7);
+  EXPECT_NEAR(response.A(6, 6), 1e-3 / 0.25, 1e-15);
 }
 
 TEST(Response, leaves_out_rock_that_is_held) {

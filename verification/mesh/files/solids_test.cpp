@@ -141,6 +141,16 @@ RC_GTEST_PROP(Solids, a_body_in_any_order_is_one_piece, ()) {
   RC_ASSERT(corners(pieces[0]) == corners(m));
 }
 
+/// Two equal facets use each of their edges twice, but close nothing.
+TEST(Solids, a_facet_given_twice_stays_with_its_body) {
+  TriangleMesh m = battery::box({0, 0, 0}, {1, 1, 1});
+  m.triangles[0] = {0, 1, 2};
+  m.triangles.insert(m.triangles.begin(), m.triangles[0]);
+  const auto pieces = divide(m);
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_EQ(pieces[0].triangles.size(), 13u);
+}
+
 TEST(Solids, groups_of_an_obj_may_continue_later) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const auto path = write_text_file(

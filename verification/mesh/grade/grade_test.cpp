@@ -182,6 +182,21 @@ TEST(Relax, folds_no_face) {
   EXPECT_LT((even.s.position(4) - Vec3(0.5, 0.5, 0.0)).norm(), 1e-15);
 }
 
+/// The vertex that moves may have any number.
+TEST(Relax, moves_the_first_vertex_and_the_last) {
+  const TriangleMesh square = fan_prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {0.01, 0.15});
+  const int n = static_cast<int>(square.positions.size());
+  for (const int first : {4, 5}) {  // of those two the middle of an end comes first, or last
+    TriangleMesh m = square;
+    std::rotate(m.positions.begin(), m.positions.begin() + first, m.positions.end());
+    for (Triangle& t : m.triangles)
+      for (int& v : t) v = (v + n - first) % n;
+    GradeSurface g = make_grade_surface(m, options(0.1, 0.3, 0.5, 0.0));
+    EXPECT_EQ(relax(g), 2U);
+    EXPECT_LT((g.s.position((4 + n - first) % n) - Vec3(0.5, 0.5, 0.0)).norm(), 1e-15);
+  }
+}
+
 /// mesh (6) on the unit box: from the length at the edges to that of the faces, and no further.
 TEST(Target, grows_from_the_edges_up_to_that_of_the_faces) {
   const auto o = options(0.1, 0.2, 0.5, 0.0);
@@ -192,6 +207,21 @@ TEST(Target, grows_from_the_edges_up_to_that_of_the_faces) {
       const double expected = std::min(o.face, o.edge + o.growth * distance_from_box_edges(x));
       EXPECT_NEAR(target(g, x), expected, 1e-15) << inside;
     }
+}
+
+/// The middle of a hexagon of side 1 goes to a corner, which makes a diagonal of 2 in return: allowed from a target of
+/// 1.5, where its edges of 1 are below four fifths of it.
+TEST(Coarsen, takes_edges_below_four_fifths_of_the_target_and_makes_none_above_four_thirds) {
+  std::vector<Eigen::Vector2d> hexagon;
+  for (int k = 0; k < 6; ++k) {
+    const double angle = std::numbers::pi / 3.0 * k;
+    hexagon.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  const TriangleMesh m = fan_prism(hexagon, {0, 0});
+  GradeSurface coarse = make_grade_surface(m, options(1.51, 1.51, 0.0, 0.0)),
+               fine = make_grade_surface(m, options(1.49, 1.49, 0.0, 0.0));
+  EXPECT_EQ(coarsen(coarse), 2U);
+  EXPECT_EQ(coarsen(fine), 0U);
 }
 
 /// A prism over a slender kite, both ends cut along it: cut across they have far better facets.
