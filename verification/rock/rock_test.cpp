@@ -58,4 +58,20 @@ TEST(Rock, deepens_its_index_with_the_hole) {
   EXPECT_EQ(rock.grid.cell(), cell);
 }
 
+/// Each new index holds twice the hole's depth, so that there are few.
+TEST(Rock, makes_its_index_anew_whenever_the_hole_is_twice_as_deep) {
+  Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
+  int made_anew = 0;
+  for (int k = 0; k < 300; ++k) {
+    for (int v = 0; v < rock.surface.vertex_slots(); ++v)
+      if (!rock.surface.is_boundary(v))
+        place_vertex(rock, v, rock.surface.position(v) + Vec3(0.0, 0.0, 0.1));
+    const double held = rock.grid.box().hi.z();
+    deepen_index(rock);
+    made_anew += rock.grid.box().hi.z() > held ? 1 : 0;
+  }
+  EXPECT_GE(made_anew, 2);
+  EXPECT_LE(made_anew, 5);  // 30 m from 2 m on
+}
+
 }  // namespace tdbd::rock::rock_test

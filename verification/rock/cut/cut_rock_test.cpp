@@ -11,6 +11,7 @@
 #include "core/tolerance.hpp"
 #include "reference/rock/brute_force_exit.hpp"
 #include "verification/battery/generators.hpp"
+#include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
 
@@ -191,6 +192,23 @@ RC_GTEST_PROP(CutRock, twice_gives_the_same_bits_also_in_a_used_workspace, ()) {
   RC_ASSERT(same_bits(again, once.after));
   RC_ASSERT(report.removed_by_part == once.report.removed_by_part);
   RC_ASSERT(report.removed == once.report.removed);
+}
+
+/// A group that has left the rock moves nothing, though its workspace still knew what it moved before.
+TEST(CutRock, moves_nothing_far_above_the_rock) {
+  bit::Bit bit;
+  bit.parts.push_back({});
+  bit.parts.back().mesh_P = battery::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.1});
+  const CuttingBit cutting = prepare_cutting_bit(bit);
+  const mesh::TriangleMesh sheet = battery::bumpy_rock(1.5, 10, 0.1, 7);
+  Rock rock = make_rock(mesh::make_surface(sheet), 0.5, {Vec3(-2, -2, -9), Vec3(2, 2, 9)});
+  const auto at_height = [](double z) { return Pose{Mat3::Identity(), Vec3(0, 0, z)}; };
+  CutWorkspace work;
+  CutReport report;
+  cut_rock(rock, cutting, at_height(-0.5), at_height(0.0), work, report);
+  ASSERT_GT(report.moved, 0);
+  cut_rock(rock, cutting, at_height(-7.0), at_height(-7.1), work, report);
+  EXPECT_EQ(report.moved, 0);
 }
 
 /// A vertex's path depends on the vertex alone: renumbered rock goes to the same places, bit for

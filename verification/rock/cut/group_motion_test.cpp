@@ -151,4 +151,18 @@ TEST(FindCandidates, leaves_a_wall_alone_that_is_out_of_reach) {
   EXPECT_GT(candidates_at(reach - 0.02), 0U);
 }
 
+/// A vertex goes along chords, which are nearer to the axis than their ends by the cosine of half the turn.
+TEST(FindCandidates, reaches_as_far_as_chords_ask) {
+  const CuttingBit bit =
+      prepare_cutting_bit(bit_of(battery::box({0.9, -0.1, -0.1}, {1.0, 0.1, 0.1}), Pose{}));
+  const double reach = std::hypot(1.0, 0.1);
+  for (const double from : {0.0, 0.7, -2.0})
+    for (const double turn : {0.0, 0.3, -1.0, 1.8}) {
+      const Pose start{rotation::exp(Vec3(0, 0, from)), Vec3::Zero()};
+      const Pose end{rotation::exp(Vec3(0, 0, from + turn)), Vec3::Zero()};
+      EXPECT_NEAR(group_motion(bit.groups[0], start, end).reach_W, reach / std::cos(0.5 * turn),
+                  1e-9);
+    }
+}
+
 }  // namespace tdbd::rock::group_motion_test

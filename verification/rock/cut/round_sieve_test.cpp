@@ -25,8 +25,8 @@ mesh::TriangleMesh disc(int sides, double x, double length) {
   return battery::placed(X_across, battery::cylinder(radius, length, sides));
 }
 
-mesh::TriangleMesh any_disc() {
-  return disc(*battery::integer(12, 40), *number(-0.5, 0.5), *number(0.05, 0.5));
+mesh::TriangleMesh any_disc(double longest = 0.5) {
+  return disc(*battery::integer(12, 40), *number(-0.5, 0.5), *number(0.05, longest));
 }
 
 bit::Bit bit_of(const mesh::TriangleMesh& m) {
@@ -70,7 +70,7 @@ std::vector<Vec3> points_near(const CuttingGroup& g, const GroupMotion& m) {
 }
 
 Case any_case() {
-  Case c{prepare_cutting_bit(bit_of(any_disc())), {}, {}};
+  Case c{prepare_cutting_bit(bit_of(any_disc(3.0))), {}, {}};
   c.m = any_motion(c.group());
   c.points_W = points_near(c.group(), c.m);
   return c;

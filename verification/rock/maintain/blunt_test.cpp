@@ -8,6 +8,7 @@
 
 #include "mesh/measures.hpp"
 #include "rock/maintain/invariants.hpp"
+#include "rock/maintain/maintain.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock::blunt_test {
@@ -48,6 +49,33 @@ TEST(Blunt, leaves_alone_what_is_low_or_wide_or_no_tip) {
   EXPECT_FALSE(judge_blunt(spiked(0.39).surface, tip, limits()).is_spike);
   EXPECT_FALSE(judge_blunt(spiked(2.0).surface, tip, limits_for(1.0)).is_spike);
   EXPECT_FALSE(judge_blunt(spiked(2.0).surface, tip + 1, limits()).is_spike);
+}
+
+TEST(Blunt, touches_all_around_the_tip_and_nothing_where_there_is_none) {
+  Rock rock = spiked(2.0);
+  SurfaceDrift drift;
+  MaintenanceReport report;
+  EXPECT_FALSE(try_blunt(rock, tip + 1, limits(), drift, report));
+  EXPECT_TRUE(rock.touched_list.empty());
+  ASSERT_TRUE(try_blunt(rock, tip, limits(), drift, report));
+  const mesh::VertexStar& star = rock.surface.star(tip);
+  std::vector<int> expected(rock.surface.ring(star), rock.surface.ring(star) + star.size);
+  expected.push_back(tip);
+  std::ranges::sort(expected);
+  std::ranges::sort(rock.touched_list);
+  EXPECT_EQ(rock.touched_list, expected);
+}
+
+/// Maintenance finds the tip among the corners of what was touched.
+TEST(Blunt, is_part_of_maintenance) {
+  Rock rock = spiked(2.0);
+  touch(rock, tip);
+  const double before = rock.surface.position(tip).z();
+  MaintenanceWorkspace work;
+  MaintenanceReport report;
+  maintain(rock, limits(), work, report);
+  EXPECT_EQ(report.carried_out(Operation::blunting), 1);
+  EXPECT_GT(rock.surface.position(tip).z(), before);  // z down
 }
 
 TEST(Blunt, is_refused_by_name) {

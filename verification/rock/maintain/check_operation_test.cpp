@@ -52,4 +52,15 @@ TEST(CheckOperation, notices_wrong_adjacency_and_an_index_out_of_step) {
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("index"), std::string::npos);
 }
 
+/// Corner 0 is a corner like others: the triangle beyond its edge notices that it points elsewhere.
+TEST(CheckOperation, notices_a_wrong_neighbour_of_the_first_corner) {
+  Rock rock = sheet();
+  const int c = rock.surface.opposite_of(0);
+  ASSERT_GE(c, 0);
+  const LocalState before = local_state(rock.surface, {rock.surface.vertex(c)});
+  ASSERT_EQ(describe(check_around(rock, before, 0.0)), "");
+  rock.surface.opposite[0] = -1;
+  EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M1"), std::string::npos);
+}
+
 }  // namespace tdbd::rock::check_operation_test

@@ -57,6 +57,21 @@ RC_GTEST_PROP(Collapse, keeps_a_sharp_ridge, ()) {
   RC_ASSERT(t.strayed <= limits().ridge_cut);
 }
 
+/// The verdicts on all places name the same edge as the verdict on the best of them, which is the first that is accepted.
+RC_GTEST_PROP(Collapse, is_judged_alike_at_one_place_and_at_three, ()) {
+  const Rock rock = roof();
+  const mesh::Surface& s = rock.surface;
+  for (int c = 0; c < 3 * s.triangle_slots(); c += 7) {
+    const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+    const CollapseVerdict one = judge_collapse(s, a, b, limits());
+    const auto three = judge_collapses(s, a, b, limits(), {});
+    for (const CollapseVerdict& v : three) RC_ASSERT(v.corner == one.corner);
+    const auto best = std::ranges::find_if(three, is_accepted);
+    RC_ASSERT((best != three.end()) == is_accepted(one));
+    if (best != three.end()) RC_ASSERT(best->x_W == one.x_W && best->volume == one.volume);
+  }
+}
+
 /// Ridges and valleys side by side: whichever end of an edge between them stays, one is cut.
 TEST(Collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
   mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.0, 7);

@@ -265,6 +265,25 @@ RC_GTEST_PROP(Maintain, without_touch_does_nothing, ()) {
 }
 
 /// The arrays and the index know every vertex, the dead ones none.
+/// The index forgets layer by layer what has left: one with each maintenance.
+TEST(Maintain, refreshes_the_index) {
+  Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 7));
+  const auto nearest_above = [&] { return rock.grid.nearest_to_axis(-9.0, -3.0); };
+  rock.grid = VertexGrid({Vec3(-2, -2, -9), Vec3(2, 2, 9)}, 0.5);
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v)
+    rock.grid.insert(v, rock.surface.position(v));
+  const double nothing = nearest_above();
+  const Vec3 there = rock.surface.position(60);
+  place_vertex(rock, 60, there - Vec3(0, 0, 5));
+  ASSERT_LT(nearest_above(), nothing);
+  place_vertex(rock, 60, there);
+  ASSERT_LT(nearest_above(), nothing);
+  MaintenanceWorkspace work;
+  MaintenanceReport report;
+  for (int k = 0; k < 40; ++k) maintain(rock, limits_for(0.3), work, report);
+  EXPECT_EQ(nearest_above(), nothing);
+}
+
 RC_GTEST_PROP(Maintain, keeps_arrays_and_index_in_step, ()) {
   const Worked w = worked();
   const Surface& s = w.after.surface;

@@ -47,6 +47,25 @@ TEST(Moments, are_those_of_the_corners_that_are_there) {
             rounding);
 }
 
+/// What a half-plane keeps and what its complement keeps are the whole, in any unit of length.
+RC_GTEST_PROP(Clip, divides_a_polygon_into_two_that_make_it_up, ()) {
+  const double size = std::ldexp(1.0, *battery::integer(-10, 10));
+  ConvexPolygon polygon, inside, outside;
+  const int corners = *battery::integer(3, 12);
+  for (int k = 0; k < corners; ++k)
+    polygon.push_back(size * Vec2(std::cos(k * 6.28 / corners), std::sin(k * 6.28 / corners)));
+  const double angle = *battery::number(0.0, 6.28);
+  const HalfPlane h{*battery::number(0.1, 9.0) * Vec2(std::cos(angle), std::sin(angle)),
+                    size * *battery::number(-2.0, 2.0)};
+  clip(polygon, h, inside);
+  clip(polygon, {-h.n, -h.b}, outside);
+  const PolygonMoments all = moments(polygon), in = moments(inside), out = moments(outside);
+  RC_ASSERT(std::abs(in.area + out.area - all.area) <= rounding * size * size);
+  RC_ASSERT((in.moment + out.moment - all.moment).norm() <= rounding * std::pow(size, 3));
+  for (const Vec2& x : inside) RC_ASSERT(h.n.dot(x) - h.b <= rounding * size * 9.0);
+  RC_ASSERT(in.area >= 0.0 && out.area >= 0.0);
+}
+
 TEST(FaceOutline, is_empty_without_parts) {
   EXPECT_TRUE(face_outline(bit::Cutter{}, 0, {}).rim_F.empty());
 }
