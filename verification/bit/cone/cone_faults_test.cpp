@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bit/cone_generate.hpp"
 
 namespace tdbd::bit::cone_faults_test {
@@ -61,6 +63,32 @@ TEST(ConeFaults, tell_a_negative_size) {
   ConeLayout c = sound_cone();
   c.rows[1].shape.diameter = -0.01;
   expect_fault(c, 1, "diameter", "-10 mm");
+}
+
+/// Each kind of tooth asks for its own sizes, and for no other's.
+TEST(ConeFaults, ask_each_kind_of_tooth_for_its_sizes) {
+  using Key = std::pair<const char*, double ToothShape::*>;
+  const Key width{"width", &ToothShape::width}, tip{"tip_radius", &ToothShape::tip_radius},
+      crest_length{"crest_length", &ToothShape::crest_length},
+      crest_width{"crest_width", &ToothShape::crest_width};
+  const std::vector<std::pair<ToothKind, std::vector<Key>>> asked{
+      {ToothKind::milled_chisel, {width, crest_length, crest_width}},
+      {ToothKind::chisel, {crest_length, crest_width}},
+      {ToothKind::conical, {tip}},
+      {ToothKind::hemispherical, {}}};
+  for (const auto& [kind, own] : asked)
+    for (const Key& key : {width, tip, crest_length, crest_width}) {
+      ConeLayout c = sound_cone();
+      c.rows[1].shape.kind = kind;
+      ASSERT_TRUE(cone_faults(c).empty());
+      c.rows[1].shape.*key.second = 0.0;
+      const bool wanted =
+          std::ranges::any_of(own, [&](const Key& k) { return k.second == key.second; });
+      if (wanted)
+        expect_fault(c, 1, key.first, "0 mm");
+      else
+        EXPECT_EQ(cone_faults(c).size(), 0U) << key.first;
+    }
 }
 
 TEST(ConeFaults, tell_a_tooth_inside_the_cone) {

@@ -49,6 +49,18 @@ RC_GTEST_PROP(Meridian, of_a_row_contains_what_its_teeth_sweep, ()) {
   RC_ASSERT(signed_distance(swept, {-x_K.z(), std::hypot(x_K.x(), x_K.y())}) < 1e-15);
 }
 
+/// Where the tooth stands around its cone does not matter.
+RC_GTEST_PROP(Meridian, of_a_row_is_the_same_all_around_the_cone, ()) {
+  const mesh::TriangleMesh m = tooth_mesh(any_tooth(), 12);
+  const Pose X_KT{Eigen::AngleAxisd(number(-pi, pi), Vec3::UnitY()).toRotationMatrix(),
+                  Vec3(0.01, 0.0, number(-0.1, 0.1))};
+  const Mat3 around = Eigen::AngleAxisd(number(-pi, pi), Vec3::UnitZ()).toRotationMatrix();
+  const Meridian one = swept_meridian(m, X_KT),
+                 other = swept_meridian(m, {around * X_KT.R, around * X_KT.p});
+  for (const auto& [from, to] : {std::pair{&one, &other}, std::pair{&other, &one}})
+    for (const ShellPoint& p : *from) RC_ASSERT(std::abs(signed_distance(*to, p)) < 1e-14);
+}
+
 constexpr double resolution = 1e-4;  ///< asked for; scale: the balls' radius
 constexpr int sides = 48;
 const double sagitta = 1.0 - std::cos(pi / sides / 2);  ///< of the polygon's sides

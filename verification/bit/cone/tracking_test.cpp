@@ -44,6 +44,19 @@ TEST(Tracking, is_nothing_at_half_a_pitch_and_complete_two_revolutions_back) {
   EXPECT_EQ(t.share, (std::vector<double>{0.0, 1.0, 0.0, 1.0}));
 }
 
+/// Each ring counts by its prints; one without some lags counts as none there.
+TEST(Tracking, of_rings_together_is_their_mean_by_prints) {
+  const TrackingShare alone = combined({{3, {0.5, 0.25}, 0.125}});
+  EXPECT_EQ(alone.prints, 3);
+  EXPECT_EQ(alone.share, (std::vector<double>{0.5, 0.25}));
+  EXPECT_EQ(alone.random_phase, 0.125);
+  const TrackingShare both = combined({{1, {1.0}, 0.5}, {3, {0.5, 0.25}, 0.0}});
+  EXPECT_EQ(both.prints, 4);
+  EXPECT_EQ(both.share, (std::vector<double>{0.625, 0.1875}));
+  EXPECT_EQ(both.random_phase, 0.125);
+  EXPECT_EQ(combined({}).prints, 0);
+}
+
 /// By the golden ratio the phases of the revolutions spread evenly over the pitch (Weyl), so that
 /// over many of them the share is that of a random phase, 2 near / pitch, to the discrepancy.
 TEST(Tracking, is_that_of_a_random_phase_by_the_golden_ratio) {

@@ -118,4 +118,14 @@ TEST(CutterParts, are_fine_at_the_rim_and_coarse_at_the_centre_or_even) {
   EXPECT_LT(ratio_of_edges({Grading::uniform, 0, 1e-3}), 2.5);
 }
 
+/// However coarse the mesh and small the cutter.
+TEST(CutterParts, have_eight_segments_around_at_least) {
+  Cutter c = table('b')[0];
+  const std::vector<Part> parts =
+      cutter_parts(c, {.grading = Grading::uniform, .uniform_edge = 1.0});
+  const auto& x = parts.back().mesh_P.positions;
+  const auto on_rim = [&](const Vec3& p) { return p.tail<2>().norm() > 0.49 * c.diameter; };
+  EXPECT_EQ(std::ranges::count_if(x, on_rim), 2 * 8);
+}
+
 }  // namespace tdbd::bit::cutter_parts_test

@@ -50,6 +50,14 @@ TEST(BladeFile, gives_a_table_bit_blades_that_rub) {
             Cutting::cuts);
 }
 
+TEST(BladeFile, meshes_the_body_as_finely_as_told) {
+  const auto facets = [](const char* edge) {
+    return read(write_bit(std::string(plain) + edge)).parts.back().mesh_P.triangles.size();
+  };
+  EXPECT_EQ(facets("edge = \"4 mm\""), facets(""));
+  EXPECT_GT(facets("edge = \"4 mm\""), 2 * facets("edge = \"8 mm\""));
+}
+
 /// A body that rubs is none of the parts that cut: gage and profile are those of the cutters.
 TEST(BladeFile, does_not_change_what_cuts) {
   const Bit with = read(write_bit(plain));

@@ -105,6 +105,7 @@ TEST(SolidsFile, takes_kinds_and_groups_from_names) {
   EXPECT_EQ(b.parts[2].update_direction_B, Vec3(1, 0, 0));
   EXPECT_EQ(b.parts[0].update_direction_B, b.parts[1].update_direction_B);
   EXPECT_DOUBLE_EQ(b.parts[0].mesh_P.positions[0].z(), 1e-3);
+  for (const Part& part : b.parts) EXPECT_EQ(part.density, 0.0);  // unless a rule says one
 }
 
 TEST(SolidsFile, lays_later_rules_over_earlier_ones) {

@@ -34,6 +34,10 @@ ProfileSpot exposed_tip(const Cutter& c) {
           c.tip_height - c.under_exposure * std::cos(c.profile_angle), c.profile_angle};
 }
 
+RC_GTEST_PROP(PdcGenerator, gives_azimuths_within_one_turn, ()) {
+  for (const Cutter& c : laid_out(any_design())) RC_ASSERT(c.azimuth >= 0.0 && c.azimuth <= 2 * pi);
+}
+
 RC_GTEST_PROP(PdcGenerator, puts_every_tip_on_the_profile, ()) {
   const PdcDesign d = any_design();
   for (const Cutter& c : laid_out(d)) {

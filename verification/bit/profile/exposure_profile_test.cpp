@@ -40,6 +40,24 @@ TEST(ExposureProfile, runs_from_the_axis_to_the_gage_and_never_back) {
   }
 }
 
+/// Each edge counts, whichever of its ends has the smaller number.
+TEST(ExposureProfile, does_not_depend_on_the_numbers_of_the_vertices) {
+  Bit bit = example_bit('b');
+  const auto before = exposure_profile(bit.parts, 5e-4);
+  for (Part& part : bit.parts) {
+    const int n = static_cast<int>(part.mesh_P.positions.size());
+    std::ranges::reverse(part.mesh_P.positions);
+    for (mesh::Triangle& t : part.mesh_P.triangles)
+      for (int& v : t) v = n - 1 - v;
+  }
+  const auto after = exposure_profile(bit.parts, 5e-4);
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    EXPECT_NEAR(after[k].r, before[k].r, 1e-12) << k;
+    EXPECT_NEAR(after[k].z, before[k].z, 1e-12) << k;
+  }
+}
+
 TEST(ExposureProfile, has_points_about_the_spacing_apart) {
   const auto profile = exposure_profile(example_bit('b').parts, 1e-3);
   for (std::size_t k = 1; k < profile.size(); ++k) {
