@@ -186,6 +186,15 @@ TEST(BadCalibration, fewer_readings_than_unknowns) {
   EXPECT_EQ(files_below(c.path("")), untouched);
 }
 
+/// A prior counts as much as a reading.
+TEST(BadCalibration, readings_and_priors_together_are_enough) {
+  const CalibrationFolder c;
+  c.write("records.csv", records_with(c, ",1.0,", Drag::read));
+  c.edit("case.toml", "fit_bits = [\"c13\", \"c19\"]", "fit_bits = [\"c19\"]");
+  c.edit("case.toml", "[fixed]", "prior_sd = 0.2\n[fixed]");
+  EXPECT_EQ(c.calibrate().err.find("for 5 unknowns"), std::string::npos) << c.calibrate().err;
+}
+
 TEST(BadCalibration, records_of_bits_for_cutters) {
   const CalibrationFolder c;
   c.write("records.csv",

@@ -115,6 +115,9 @@ TEST(Calibrate, fits_each_pressure_alone) {
   double sum = 0.0;
   for (const json& set : found["by_pressure"]) sum += set["objective_normal"].get<double>();
   EXPECT_DOUBLE_EQ(found["objective_normal"], sum);
+  long freedom = 0;
+  for (const json& set : found["by_pressure"]) freedom += set["degrees_of_freedom"].get<long>();
+  EXPECT_EQ(found["degrees_of_freedom"], freedom);
 }
 
 /// The resolved case stands elsewhere and gives the same numbers.

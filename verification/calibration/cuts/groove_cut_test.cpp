@@ -95,5 +95,12 @@ TEST(GrooveCut, of_a_sharp_cutter_has_a_face_alone) {
   EXPECT_EQ(run.cuts[0].cut.kind, bit::PartKind::face);
 }
 
+/// What a law asks of a part: its diameter among others, of face and flat alike.
+TEST(GrooveCut, tells_the_cutters_diameter) {
+  const CutRun run = groove_cut({.diameter = 13e-3, .back_rake = 0.3, .wear_flat = 1e-6}, 1e-3);
+  ASSERT_EQ(run.cuts.size(), 2U);
+  for (const auto& cut : run.cuts) EXPECT_EQ(cut.cut.diameter, 13e-3);
+}
+
 }  // namespace
 }  // namespace tdbd::calibration::groove_cut_test

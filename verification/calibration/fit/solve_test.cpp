@@ -26,6 +26,22 @@ TEST(Recovery, of_seven_coefficients_from_twenty_starts) {
   }
 }
 
+/// Within the middle half of a range, wherever it lies; within a factor of two of the case's where it has one end.
+TEST(DrawnStart, is_well_inside_each_range) {
+  Problem p;
+  p.unknowns.resize(3);
+  p.unknowns[0].range = Range::within(10.0, 12.0);
+  p.unknowns[1].range = Range::within(-3.0, 1.0);
+  p.unknowns[2].range = Range::non_negative();
+  p.unknowns[2].start = 4.0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Eigen::VectorXd start = drawn_start(p, seed);
+    EXPECT_LE(std::abs(start[0] - 11.0), 0.5);
+    EXPECT_LE(std::abs(start[1] + 1.0), 1.0);
+    EXPECT_LE(std::abs(std::log2(start[2] / 4.0)), 1.0);
+  }
+}
+
 /// A law within its usual values.
 forces::HansonHansen drawn_law(Random& random) {
   forces::HansonHansen law;

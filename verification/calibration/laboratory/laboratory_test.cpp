@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "calibration/made_up_laboratory.hpp"
+#include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::calibration::laboratory_test {
@@ -80,6 +81,21 @@ TEST(Laboratory, its_records_are_read_as_they_were_drilled) {
     EXPECT_EQ(read.rows[i].test, drilled[i].test);
     EXPECT_EQ(read.rows[i].rate, drilled[i].rate);
     EXPECT_EQ(*read.rows[i].readings[turning].value, *drilled[i].readings[turning].value);
+  }
+}
+
+/// Some of the bits may be asked for; one that nobody described may not.
+TEST(Laboratory, drills_with_the_bits_that_are_asked_for) {
+  const std::string path = TDBD_SOURCE_DIR "/validation/blind/hidden-hanson-hansen.toml";
+  const std::vector<std::string> all = read_laboratory(path, {}).setup.fit;
+  ASSERT_GT(all.size(), 1U);
+  const std::string one = "laboratory.bits=[\"" + all[0] + "\"]";
+  EXPECT_EQ(read_laboratory(path, {one}).setup.fit, std::vector{all[0]});
+  try {
+    read_laboratory(path, {"laboratory.bits=[\"" + all[0] + "\", \"nobody\"]"});
+    FAIL() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("'nobody'"), std::string::npos) << e.what();
   }
 }
 

@@ -40,6 +40,13 @@ TEST(Bootstrap, its_standard_errors_are_those_of_the_derivatives) {
   }
 }
 
+TEST(Bootstrap, of_one_replicate_scatters_by_nothing) {
+  for (const BootstrapFigures& f : bootstrap(good_fit(), {0.95, 1, 3}).coefficients) {
+    EXPECT_EQ(f.low, f.mean);
+    EXPECT_EQ(f.high, f.mean);
+  }
+}
+
 TEST(Bootstrap, of_no_replicates_is_not_made) {
   EXPECT_TRUE(bootstrap(good_fit(), {0.95, 0, 1}).coefficients.empty());
 }

@@ -135,6 +135,22 @@ RC_GTEST_PROP(VertexGrid, bounds_the_distance_to_the_axis, ()) {
   RC_ASSERT(all == INFINITY || x.grid.nearest_to_axis(-9, 9) >= (1.0 - single) * all);
 }
 
+/// Slabs are closed, as boxes are: a vertex on one's face is inside.
+TEST(VertexGrid, offers_what_lies_on_the_face_of_a_slab) {
+  const Box box{Vec3(-8, -8, -8), Vec3(8, 8, 8)};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      VertexGrid grid(box, 1.0);
+      Vec3 x(0.5, 0.5, 0.5);
+      x[axis] = side;  // a corner of a cell
+      grid.insert(0, x);
+      Region region{box_around(Vec3(-2, -2, -2), Vec3(2, 2, 2)), {}};
+      for (int k = 0; k < 3; ++k)
+        region.slabs[static_cast<std::size_t>(k)] = {Vec3::Unit(k), -1.0, 1.0};
+      EXPECT_EQ(visited(grid, region), std::set<int>{0}) << axis << " " << side;
+    }
+}
+
 /// A query reads cells, not the whole grid: a small box far from all vertices offers none.
 TEST(VertexGrid, offers_nothing_from_far_cells) {
   VertexGrid grid(unit_box, 0.1);
