@@ -70,7 +70,7 @@ CutOfPart mean_of(const Sum& s, double steps) {
   m.cut.engaged_edge /= steps;
   m.cut.point /= s.weight;
   m.cut.normal.normalize();
-  if (m.face_area > 0.0) m.forward_W.normalize();
+  m.forward_W.normalize();  // that of a part without a face stays zero
   return m;
 }
 

@@ -1,10 +1,13 @@
 #include "calibration/cuts/cut_file.hpp"
 
 #include <gtest/gtest.h>
+#include <netcdf.h>
 
+#include <array>
 #include <fstream>
 
 #include "calibration/made_up_laboratory.hpp"
+#include "core/seal.hpp"
 #include "verification/core/temporary_file.hpp"
 
 namespace tdbd::calibration::cut_file_test {
@@ -41,6 +44,26 @@ TEST(CutFile, is_read_back_to_the_bit) {
   const auto read = read_cut_run(written(run));
   ASSERT_TRUE(read);
   expect_same(run, *read);
+}
+
+/// Whole and sealed, but made by another version: each of its variables is asked for.
+TEST(CutFile, without_one_of_its_variables_is_none) {
+  const CutRun run = made_up_run(made_up_bits()[0], 1e-3);
+  int variables = 100;
+  for (int v = 0; v < variables; ++v) {
+    const fs::path file = written(run);
+    int id = -1;
+    ASSERT_EQ(nc_open(file.c_str(), NC_WRITE, &id), NC_NOERR);
+    ASSERT_EQ(nc_inq_nvars(id, &variables), NC_NOERR);
+    std::array<char, NC_MAX_NAME + 1> name{};
+    ASSERT_EQ(nc_inq_varname(id, v, name.data()), NC_NOERR);
+    ASSERT_EQ(nc_redef(id), NC_NOERR);
+    ASSERT_EQ(nc_rename_var(id, v, "other"), NC_NOERR);
+    ASSERT_EQ(nc_close(id), NC_NOERR);
+    seal_file(file);
+    const bool is_read = read_cut_run(file).has_value();
+    EXPECT_EQ(is_read, std::string(name.data()) == "part_name") << name.data();  // for people
+  }
 }
 
 TEST(CutFile, that_is_torn_is_none) {

@@ -103,6 +103,20 @@ TEST(CutRun, its_faces_and_cutters_stand_where_they_are_on_the_bit) {
   }
 }
 
+/// A revolution removes a slab as thick as the depth, in shares that its steps' cuts add up to.
+TEST(CutRun, has_the_diameters_and_the_volume_of_its_cutters) {
+  const simulation::Case c = coarse_case();
+  double volume = 0.0;
+  for (const simulation::CutOfPart& cut : drilled().mean.cuts) {
+    volume += cut.cut.removed_volume;
+    if (cut.cut.kind != bit::PartKind::face) continue;
+    const int cutter = c.bit.parts[at(cut.part)].cutter;
+    EXPECT_EQ(cut.cut.diameter, c.bit.cutters[at(cutter)].diameter);
+  }
+  const double slab = pi * c.bit.gage_radius * c.bit.gage_radius * depth;
+  EXPECT_NEAR(volume * steps / slab, 1.0, 0.05);
+}
+
 TEST(CutRun, a_depth_is_known_to_a_picometre) {
   Record r = record_at(4 * pi);
   const double before = depth_of_run(r);

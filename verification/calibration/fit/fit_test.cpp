@@ -1,7 +1,10 @@
 #include "calibration/fit/fit.hpp"
 
+#include <gsl/gsl_errno.h>
 #include <gtest/gtest.h>
 
+#include "calibration/fit/bounded_map.hpp"
+#include "calibration/fit/trust_region.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "calibration/twin_readings.hpp"
 
@@ -69,7 +72,36 @@ TEST(Fit, a_coefficient_at_its_bound_has_no_interval) {
     EXPECT_EQ(k.se == 0.0, k.key == "A5");
     EXPECT_EQ(k.low < k.value && k.value < k.high, k.key != "A5");
   }
-  EXPECT_NEAR(f.values[2], 2.0, 3e-4);
+  EXPECT_EQ(f.values[2], end_of(A5, 2.0));
+}
+
+/// At the truth of exact readings there is nothing to search for.
+TEST(Fit, its_search_stops_where_it_is_done) {
+  CalibrationCase c = well_conditioned_case();
+  read_loads(c, made_up_cuts(c), hidden_law());
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const Data data = data_of(p);
+  Search search{p, data, truth_of(p, hidden_law()), {}};
+  for (Eigen::Index k = 0; k < search.values.size(); ++k) search.free.push_back(k);
+  EXPECT_EQ(search_from_values(search), GSL_SUCCESS);
+  EXPECT_LT(search.evaluations, 60);  // a few derivatives
+}
+
+/// The search without its free variable's end says so, where fit takes the unknown out.
+TEST(Fit, its_search_stops_where_a_coefficient_is_driven_out) {
+  CalibrationCase c = noisy(well_conditioned_case());
+  Unknown& A5 = *unknown(c, "A5");
+  A5.range = Range::within(2.0, 5.0);
+  A5.start = 3.0;
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const Data data = data_of(p);
+  Eigen::VectorXd start(static_cast<Eigen::Index>(p.unknowns.size()));
+  for (Eigen::Index k = 0; k < start.size(); ++k)
+    start[k] = p.unknowns[static_cast<std::size_t>(k)].start;
+  Search search{p, data, start, {}};
+  for (Eigen::Index k = 0; k < start.size(); ++k) search.free.push_back(k);
+  EXPECT_EQ(search_from_values(search), GSL_CONTINUE);
+  EXPECT_TRUE(is_at_bound(A5.range, search.values[2], A5.start));
 }
 
 TEST(Fit, its_objectives_are_sums_of_squared_deviations) {
@@ -79,6 +111,7 @@ TEST(Fit, its_objectives_are_sums_of_squared_deviations) {
   constexpr double rounding = 1e-15;
   EXPECT_NEAR(f.objectives[axial] + f.objectives[turning], f.chi2, rounding * f.chi2);
   EXPECT_EQ(f.degrees_of_freedom, 32 - 5);
+  EXPECT_NEAR(std::sqrt(f.errors.squaredNorm() / (32 - 5)), 0.03, 0.01);  // the noise
   EXPECT_NEAR(f.chi2, f.errors.squaredNorm() / (0.03 * 0.03), rounding * f.chi2);
 }
 

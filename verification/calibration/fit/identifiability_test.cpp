@@ -47,6 +47,7 @@ TEST(Identifiability, the_weakest_direction_stretches_least) {
   const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(found.weakest_direction.data(), 7);
   EXPECT_NEAR((J * v).norm() / found.singular_values.back(), 1.0, squared_condition);
   EXPECT_NEAR(v.norm(), 1.0, 1e-14);
+  EXPECT_EQ(v.maxCoeff(), v.cwiseAbs().maxCoeff());  // of the two signs that of the largest
   for (std::size_t k = 1; k < 7; ++k)
     EXPECT_LE(found.singular_values[k], found.singular_values[k - 1]);
 }

@@ -34,6 +34,24 @@ TEST(Discrepancy, is_what_a_bit_differs_by) {
   }
 }
 
+/// Loads that nobody read say nothing; the others say what they did.
+TEST(Discrepancy, is_found_from_the_loads_that_were_read) {
+  CalibrationCase c = well_conditioned_case();
+  const CutStore cuts = made_up_cuts(c);
+  c.fit = {"A", "B", "C"};
+  c.predict = {};
+  read_loads(c, cuts, hidden_law(), {0.01, 0.0}, 4);
+  for (Record& r : c.records.rows) {
+    if (r.tool != "A") continue;
+    *r.readings[turning].value *= 1.3;
+    r.readings[axial].value.reset();
+  }
+  const Discrepancy d = leave_one_tool_out(c, cuts, records_of(c, c.fit));
+  EXPECT_EQ(d.reason, "");
+  EXPECT_GT(d.value[turning], 0.1);
+  EXPECT_LT(d.value[turning], 0.5);
+}
+
 TEST(Discrepancy, of_one_bit_is_unknown) {
   CalibrationCase c = well_conditioned_case();
   const CutStore cuts = made_up_cuts(c);
