@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import subprocess
 import tempfile
 import unittest
 import unittest.mock
@@ -72,6 +73,19 @@ class Commands(unittest.TestCase):
 
     def test_an_object_that_is_linked_by_name_is_replaced(self):
         self.assertEqual(build.with_object("c++ src/a.o src/b.o -o tdbd".split(), "src/a.o", "/tmp/m.o"), "c++ /tmp/m.o src/b.o -o tdbd".split())
+
+
+    def test_the_mutant_counts_where_the_librarys_object_is_linked_as_well(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (("main", "int f(); int g(); int main() { return 10 * f() + g(); }"), ("both", "int f() { return 1; } int g() { return 3; }"),
+                               ("mutant", "int f() { return 2; }")):
+                source = pathlib.Path(folder) / f"{name}.cpp"
+                source.write_text(text, encoding="utf-8")
+                subprocess.run(["c++", "-c", source.name], cwd=folder, check=True)
+            subprocess.run(["ar", "rc", "lib.a", "both.o"], cwd=folder, check=True)
+            words = build.with_object(["c++", "main.o", "-o", "program", "lib.a"], "both.o", "mutant.o")
+            subprocess.run([*words, build.FIRST_COUNTS], cwd=folder, check=True)
+            self.assertEqual(subprocess.run([f"{folder}/program"], check=False).returncode, 23)
 
 
 class Stages(unittest.TestCase):
