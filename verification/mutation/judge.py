@@ -1,8 +1,10 @@
 """What becomes of one mutant: compiled, linked with each program in turn, and shown to the tests until one fails."""
 
+import itertools
 import time
 
 import mutants
+import scripts
 import tests
 from rooms import CALL_TDBD
 from watch import run_tests
@@ -24,16 +26,29 @@ def judge(mutant, build, seconds, programs, text):
 
 
 def run_stages(record, mutant, build, seconds, programs, made):
-    linked = {}
-    for program, names in tests.stages(programs, mutant.file, seconds):
-        if program not in linked:
-            linked[program] = link(program, mutant, build, made)
-        outcome = run_tests(linked[program], names, lambda test, p=program: tests.limit(seconds[p].get(test, 0.0)),
-                            environment(program, build), build.work)
+    own, others = scripts.of_file(mutant.file)
+    for program, outcome in itertools.chain(run_scripts(own, mutant, build, made), run_programs(mutant, build, seconds, programs, made),
+                                            run_scripts(others, mutant, build, made)):
         record["ran"] += outcome.ran
         if outcome.verdict != "passed":
             record.update(verdict=outcome.verdict, killer=f"{program} {outcome.test}".strip())
             return
+
+
+def run_programs(mutant, build, seconds, programs, made):
+    """(program, outcome) of each stage of its tests."""
+    linked = {}
+    for program, names in tests.stages(programs, mutant.file, seconds):
+        if program not in linked:
+            linked[program] = link(program, mutant, build, made)
+        yield program, run_tests(linked[program], names, lambda test, p=program: tests.limit(seconds[p].get(test, 0.0)),
+                                 environment(program, build), build.work)
+
+
+def run_scripts(names, mutant, build, made):
+    program = build.link("tdbd", mutant.file, made) if names else None
+    for name in names:
+        yield "verify_app", scripts.run(name, program, build.work, scripts.limits(build)[name])
 
 
 def link(program, mutant, build, made):

@@ -19,7 +19,7 @@ def of_tests(programs, longest):
     """Hash of what a mutant meets: the sources of these programs, and the limit of their tests' time."""
     digest = hashlib.sha256(f"{programs} {longest}".encode())
     for folder in test_folders(programs):
-        for file in sorted((ROOT / "verification" / folder).rglob("*.[ch]pp")):
+        for file in sorted(f for f in (ROOT / "verification" / folder).rglob("*") if f.suffix in (".cpp", ".hpp", ".py")):
             digest.update(f"\0{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
     return digest.hexdigest()
 

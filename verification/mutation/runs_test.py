@@ -8,6 +8,7 @@ import unittest
 import unittest.mock
 
 import build
+import scripts
 import tests
 import watch
 
@@ -74,7 +75,6 @@ class Commands(unittest.TestCase):
     def test_an_object_that_is_linked_by_name_is_replaced(self):
         self.assertEqual(build.with_object("c++ src/a.o src/b.o -o tdbd".split(), "src/a.o", "/tmp/m.o"), "c++ /tmp/m.o src/b.o -o tdbd".split())
 
-
     def test_the_mutant_counts_where_the_librarys_object_is_linked_as_well(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, text in (("main", "int f(); int g(); int main() { return 10 * f() + g(); }"), ("both", "int f() { return 1; } int g() { return 3; }"),
@@ -86,6 +86,25 @@ class Commands(unittest.TestCase):
             words = build.with_object(["c++", "main.o", "-o", "program", "lib.a"], "both.o", "mutant.o")
             subprocess.run([*words, build.FIRST_COUNTS], cwd=folder, check=True)
             self.assertEqual(subprocess.run([f"{folder}/program"], check=False).returncode, 23)
+
+
+class Scripts(unittest.TestCase):
+    def test_are_met_by_the_command_line_alone_its_own_first(self):
+        self.assertEqual(scripts.of_file("src/app/mesh_command.cpp"), (["mesh_command"], ["bit_command", "closed_pipe", "cone_command"]))
+        self.assertEqual(scripts.of_file("src/mesh/edit.cpp"), ([], []))
+
+    def test_have_the_inputs_of_the_test(self):
+        told = (scripts.FOLDER / "CMakeLists.txt").read_text(encoding="utf-8")
+        for name, given in scripts.INPUTS.items():
+            self.assertRegex(told, rf'{name}\.py" \$<TARGET_FILE:tdbd>\s+"\$\{{PROJECT_SOURCE_DIR\}}/{given}"\)')
+
+    def test_fail_with_a_program_that_is_wrong_and_end_with_one_that_waits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            waits = pathlib.Path(folder) / "waits"
+            waits.write_text("#!/bin/bash\nsleep 60\n", encoding="utf-8")
+            waits.chmod(0o755)
+            self.assertEqual(scripts.run("closed_pipe", "/bin/false", folder, 60.0).verdict, "failed")
+            self.assertEqual(scripts.run("closed_pipe", waits, folder, 0.5).verdict, "timed out")
 
 
 class Stages(unittest.TestCase):

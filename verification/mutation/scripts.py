@@ -1,0 +1,56 @@
+"""Tests of the program tdbd that are Python scripts: verification/app/NAME.py PROGRAM INPUT. Mutants of the room app meet them."""
+
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+from rooms import ROOT
+from watch import Outcome
+
+FOLDER = ROOT / "verification/app"
+# As in the CMakeLists.txt there; without those that kill or limit runs on purpose, which take minutes.
+INPUTS = {"bit_command": "cases/bits/bit-b.toml", "closed_pipe": "cases/bits/bit-b.toml", "cone_command": "cases/bits/bit-r.toml",
+          "mesh_command": "cases/bits/bit-b.toml"}
+
+
+def of_file(file):
+    """(the scripts that are written for a source, the others); none for a room that is not app."""
+    if not file.startswith("src/app/"):
+        return [], []
+    own = [name for name in INPUTS if name == pathlib.Path(file).stem]
+    return own, [name for name in INPUTS if name not in own]
+
+
+def run(name, program, folder, limit):
+    """Outcome of a script with this program; limit: s."""
+    process = subprocess.Popen([sys.executable, "-B", str(FOLDER / f"{name}.py"), str(program), str(ROOT / INPUTS[name])], cwd=folder,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+    try:
+        code = process.wait(timeout=limit)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        return Outcome("timed out", f"{name}.py", 1)
+    return Outcome("passed" if code == 0 else "failed", "" if code == 0 else f"{name}.py", 1)
+
+
+@functools.cache
+def limits(build):
+    """{script: s} it may take: ten times what it takes unmutated, and a minute. Each must pass."""
+    program, found = build.program("tdbd"), {}
+    key, path = hashlib.sha256(program.read_bytes()).hexdigest(), build.folder / "mutants/seconds-scripts.json"
+    if path.is_file() and (kept := json.loads(path.read_text(encoding="utf-8")))["program"] == key:
+        found = kept["seconds"]
+    for name in INPUTS.keys() - found.keys():
+        started = time.monotonic()
+        if run(name, program, build.work, 600.0).verdict != "passed":
+            raise ValueError(f"{FOLDER / name}.py: fails without any mutant")
+        found[name] = time.monotonic() - started
+    path.write_text(json.dumps({"program": key, "seconds": found}), encoding="utf-8")
+    return {name: 10.0 * s + 60.0 for name, s in found.items()}
