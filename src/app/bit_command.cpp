@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "bit/files/bit_export.hpp"
@@ -20,6 +19,7 @@
 #include "bit/report/tracking_report.hpp"
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
+#include "simulation/case/case_kind.hpp"
 #include "simulation/result/output_folder.hpp"
 
 namespace tdbd::app {
@@ -76,7 +76,7 @@ struct BitChoices {
 };
 
 int inspect_bit(const BitChoices& choices) {
-  require_kind(choices.file, {}, {CaseKind::bit});
+  simulation::require_kind(choices.file, {}, {simulation::CaseKind::bit});
   const double advance =
       option_quantity("--penetration", choices.penetration, "m", Range::positive(), "a length");
   const double bit_speed =

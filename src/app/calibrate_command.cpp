@@ -1,16 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/progress.hpp"
-#include "calibration/result/calibration_files.hpp"
-#include "core/parallel.hpp"
-#include "core/whole_file.hpp"
+#include "calibration/result/calibrate_into.hpp"
+#include "simulation/case/case_kind.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -19,13 +16,6 @@ struct CalibrateArguments : ResultArguments {
   std::string cuts;
   int threads = 1;
 };
-
-/// Where cut runs are kept: beside the result, so that the next calibration finds them.
-std::filesystem::path cuts_folder(const CalibrateArguments& a,
-                                  const std::filesystem::path& result) {
-  if (!a.cuts.empty()) return a.cuts;
-  return std::filesystem::absolute(result).lexically_normal().parent_path() / "cuts";
-}
 
 void print_set(const calibration::CalibrationCase& c, const calibration::FittedSet& set) {
   const auto names = calibration::load_names(c.records.kind);
@@ -53,43 +43,18 @@ void print_errors(const calibration::CalibrationCase& c, const calibration::Cali
   for (const std::string& why : found.extrapolates) say("extrapolates: {}\n", why);
 }
 
-calibration::CutStore cuts_for(const calibration::CalibrationCase& c, const CalibrateArguments& a,
-                               const std::filesystem::path& folder) {
-  Progress progress;
-  const auto tell = [&](long done, long total) {
-    if (progress.is_due(done, total)) progress.show(done, total, "  cut runs");
-  };
-  calibration::CutStore cuts = calibration::find_cuts(
-      c, cuts_folder(a, folder), a.quiet ? std::function<void(long, long)>() : tell);
-  if (!a.quiet && cuts.made > 0) progress.finish();
-  return cuts;
-}
-
-void write_timing(const std::filesystem::path& folder, const calibration::CutStore& cuts,
-                  double cut_seconds, double fit_seconds) {
-  write_text(
-      folder / "timing.json",
-      fmt::format("{{\"cut_runs_made\": {}, \"cut_runs_found\": {}, \"cut_seconds\": {:.4f}, "
-                  "\"fit_seconds\": {:.4f}}}\n",
-                  cuts.made, cuts.found, cut_seconds, fit_seconds));
-}
-
 int calibrate(const CalibrateArguments& a) {
-  require_kind(a.case_file, a.overrides, {CaseKind::calibration});
-  const auto seconds = [from = std::chrono::steady_clock::now()] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
-  };
-  const ThreadLimit limit(a.threads);
+  simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::calibration});
   const std::filesystem::path folder = result_folder(a);
   const auto c = calibration::read_calibration(a.case_file, a.overrides);
-  calibration::check_folder(folder, overwrite_of(a.force));
-  const calibration::CutStore cuts = cuts_for(c, a, folder);
-  const double cut_seconds = seconds();
-  const calibration::Calibration found = calibration::calibrate(c, cuts);
-  const double fit_seconds = seconds() - cut_seconds;
-  const auto held = calibration::prepare_folder(folder, overwrite_of(a.force), c.files);
-  write_timing(folder, cuts, cut_seconds, fit_seconds);
-  calibration::write_calibration(folder, c, cuts, found);
+  Progress progress;
+  calibration::CalibrateOptions options{folder, a.cuts, overwrite_of(a.force), a.threads, {}};
+  if (!a.quiet)
+    options.progress = [&](long done, long total) {
+      if (progress.is_due(done, total)) progress.show(done, total, "  cut runs");
+      if (done == total) progress.finish();
+    };
+  const calibration::Calibration found = calibration::calibrate_into(c, options);
   if (a.quiet) return 0;
   for (const std::string& warning : found.warnings)
     fmt::print(stderr, "tdbd: warning: {}\n", warning);

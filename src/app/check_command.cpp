@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
+#include "simulation/case/case_kind.hpp"
 #include "simulation/result/estimate.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 #include "simulation/start/reach.hpp"
@@ -66,7 +66,8 @@ void add_check(CLI::App& app, int& exit_code) {
   command->footer("Example: tdbd check cases/bit-b-steady.toml");
   command->callback([file, overrides, &exit_code] {
     exit_code = guarded([&] {
-      require_kind(*file, *overrides, {CaseKind::drilling, CaseKind::rotation});
+      simulation::require_kind(*file, *overrides,
+                               {simulation::CaseKind::drilling, simulation::CaseKind::rotation});
       simulation::is_rotate_case(*file) ? check_rotate(*file, *overrides)
                                         : check_run(*file, *overrides);
       return 0;

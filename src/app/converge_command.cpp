@@ -4,14 +4,12 @@
 #include <filesystem>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/progress.hpp"
-#include "core/error.hpp"
-#include "core/whole_file.hpp"
-#include "simulation/result/output_folder.hpp"
+#include "simulation/case/case_kind.hpp"
 #include "simulation/study/convergence_output.hpp"
+#include "simulation/study/convergence_run.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -37,39 +35,23 @@ sim::ConvergenceOptions convergence_options(const ConvergeArguments& a, Progress
   return options;
 }
 
-/// The reference is an input: a study must not replace it.
-std::vector<std::string> inputs_of(const ConvergeArguments& a, const sim::ConvergenceStart& start) {
-  std::vector<std::string> inputs = start.files;
-  if (!a.reference.empty())
-    inputs.push_back(fs::is_directory(a.reference) ? fs::path(a.reference) / "summary.json"
-                                                   : fs::path(a.reference));
-  return inputs;
-}
-
 int converge(ConvergeArguments a) {
   Progress progress;
   const sim::ConvergenceOptions options = convergence_options(a, progress);
   a.plan.case_file = a.case_file;
   a.plan.overrides = a.overrides;
   if (!a.reference.empty()) a.plan.reference = sim::read_end_state_file(a.reference);
-  require_kind(a.case_file, a.overrides, {CaseKind::drilling, CaseKind::rotation});
-  const sim::ConvergenceStart start = sim::check(a.plan);
-  const sim::OutputFolder folder =
-      sim::prepare(result_folder(a, "-convergence"), overwrite_of(a.force), inputs_of(a, start),
-                   sim::ResultKind::convergence);
-  try {
-    const sim::Convergence c = sim::converge(a.plan, options);
-    sim::write_convergence(folder.path, c);
-    if (!a.quiet) {
-      progress.finish();
-      const std::string name = folder.path.string();
-      say("{}results in {}; to draw them: reports/draw.py {}\n", sim::table_text(c), name, name);
-    }
-    return c.status == sim::RunStatus::completed ? 0 : interrupted_code;
-  } catch (const RunError& e) {
-    write_text(folder.failure(), fmt::format("{}\n", e.what()));
-    throw;
+  simulation::require_kind(a.case_file, a.overrides,
+                           {simulation::CaseKind::drilling, simulation::CaseKind::rotation});
+  const fs::path folder = result_folder(a, "-convergence");
+  const sim::Convergence c =
+      sim::converge_into({folder, overwrite_of(a.force), a.reference}, a.plan, options);
+  if (!a.quiet) {
+    progress.finish();
+    const std::string name = folder.string();
+    say("{}results in {}; to draw them: reports/draw.py {}\n", sim::table_text(c), name, name);
   }
+  return c.status == sim::RunStatus::completed ? 0 : interrupted_code;
 }
 
 void add_convergence_options(CLI::App& command, ConvergeArguments& a) {

@@ -1,14 +1,9 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
-#include "calibration/laboratory/laboratory.hpp"
-#include "core/error.hpp"
-#include "core/parallel.hpp"
-#include "core/whole_file.hpp"
+#include "calibration/laboratory/laboratory_file.hpp"
+#include "simulation/case/case_kind.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -20,27 +15,10 @@ struct LaboratoryArguments {
   int threads = 1;
 };
 
-/// Throws InputError where the records may not be written.
-void demand_free(const std::filesystem::path& file, const LaboratoryArguments& a,
-                 const std::vector<std::string>& inputs) {
-  if (!std::filesystem::exists(file)) return;
-  for (const std::string& input : inputs)
-    if (std::filesystem::equivalent(file, input))
-      throw InputError(file.string() + ": found an input itself, expected another file to write");
-  if (!a.force) throw InputError(fmt::format("{}: exists; --force overwrites", file.string()));
-}
-
 int make_records(const LaboratoryArguments& a) {
-  require_kind(a.case_file, a.overrides, {CaseKind::laboratory});
-  const ThreadLimit limit(a.threads);
+  simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::laboratory});
   const auto c = calibration::read_laboratory(a.case_file, a.overrides);
-  const std::filesystem::path file = std::filesystem::absolute(a.output).lexically_normal();
-  demand_free(file, a, c.setup.files);
-  const std::filesystem::path cuts =
-      a.cuts.empty() ? file.parent_path() / "cuts" : std::filesystem::path(a.cuts);
-  const auto store = calibration::find_cuts(c.setup, cuts);
-  std::filesystem::create_directories(file.parent_path());
-  write_text(file, calibration::records_csv(calibration::drill(c, store)));
+  calibration::write_records(c, {a.output, a.cuts, overwrite_of(a.force), a.threads, {}});
   return 0;
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/progress.hpp"
+#include "simulation/case/case_kind.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 
 namespace tdbd::app {
@@ -44,7 +44,7 @@ int show(const ResultArguments& a, Rotate&& rotate) {
 }
 
 int rotate(const ResultArguments& a) {
-  require_kind(a.case_file, a.overrides, {CaseKind::rotation});
+  simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::rotation});
   const simulation::RotateCase c = simulation::read_rotate_case(a.case_file, a.overrides);
   return show(a, [&](const simulation::RotateOptions& o) { return simulation::rotate(c, o); });
 }

@@ -3,11 +3,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/progress.hpp"
 #include "core/error.hpp"
+#include "simulation/case/case_kind.hpp"
 #include "simulation/result/run.hpp"
 
 namespace tdbd::app {
@@ -69,7 +69,7 @@ int show(const RunArguments& a, const simulation::Case& c, simulation::RunOption
 }
 
 int run(const RunArguments& a) {
-  require_kind(a.case_file, a.overrides, {CaseKind::drilling});
+  simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::drilling});
   const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
   if (!a.quiet) print_warnings(c.warnings);
   return show(a, c, options_for<simulation::RunOptions>(a),

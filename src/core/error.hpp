@@ -10,6 +10,11 @@ struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A folder for results is refused: it is in use, not empty, not ours, or cannot be written to.
+struct FolderError : InputError {
+  using InputError::InputError;
+};
+
 /// The computation failed (a broken invariant, a bound that was hit, a full disk): exit code 1.
 struct RunError : std::runtime_error {
   using std::runtime_error::runtime_error;

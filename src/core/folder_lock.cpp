@@ -19,7 +19,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
         fmt::format("output folder {}: cannot open: {}", folder.string(), std::strerror(errno)));
   if (flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(folder_);
-  throw InputError(
+  throw FolderError(
       fmt::format("output folder {}: in use: another command writes to it; wait for its end or "
                   "take another folder",
                   folder.string()));

@@ -7,7 +7,7 @@ namespace tdbd {
 /// Holds a folder for one writer. The kernel lets go of it when the object goes or the process ends, however it ends.
 class FolderLock {
  public:
-  /// Throws InputError "output folder PATH: in use ..." when another writer holds it, RunError when it cannot be opened.
+  /// Throws FolderError "output folder PATH: in use ..." when another writer holds it, RunError when it cannot be opened.
   /// Where the file system knows no locks, nothing is held.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();

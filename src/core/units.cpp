@@ -20,8 +20,13 @@
 namespace tdbd {
 namespace {
 
-/// UDUNITS-2 knows no threads, and cases may be read in several at once.
-std::recursive_mutex one_at_a_time;
+/// UDUNITS-2 is not made for two threads at once: every function that others see holds this.
+using UnitsLock = std::lock_guard<std::recursive_mutex>;
+
+std::recursive_mutex& units_mutex() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
 
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 
@@ -224,13 +229,13 @@ UnitError::UnitError(const std::string& found_text, const std::string& expected_
       expected(expected_text) {}
 
 std::string describe_unit(const std::string& si_unit) {
-  const std::lock_guard hold(one_at_a_time);
+  const UnitsLock lock(units_mutex());
   if (si_unit == "1") return dimension_names.front().second;
   return fmt::format("{} in {}", dimension_of(wanted_unit(si_unit)), si_unit);
 }
 
 double to_si(std::string_view text, const std::string& si_unit) {
-  const std::lock_guard hold(one_at_a_time);
+  const UnitsLock lock(units_mutex());
   const Unit target = wanted_unit(si_unit);
   const auto [number, name] = split(text, si_unit);
   const Unit unit = parse_unit(unit_system(), name);

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/netcdf_lock.hpp"
 #include "core/plain_path.hpp"
+#include "core/program_file.hpp"
 #include "core/provenance.hpp"
 #include "core/seal.hpp"
 #include "core/whole_file.hpp"
@@ -137,7 +139,7 @@ bool is_of_this_commit(const Nc& nc) {
 /// the commit alone decides.
 bool is_newer_than_the_program(const std::filesystem::path& file) {
   std::error_code error;
-  const auto built = std::filesystem::last_write_time("/proc/self/exe", error);
+  const auto built = std::filesystem::last_write_time(program_file(), error);
   return error || std::filesystem::last_write_time(file) >= built;
 }
 
@@ -183,6 +185,7 @@ bool read_rows(const Nc& nc, CutRun& run) {
 void write_cut_run(const std::filesystem::path& file, const CutRun& run,
                    const std::vector<std::string>& names) {
   {
+    const NetcdfLock lock(netcdf_mutex());
     H5dont_atexit();
     Nc nc{partial_path(file)};
     nc.require(nc_create(PlainPath(nc.path).c_str(), NC_NETCDF4 | NC_CLOBBER, &nc.id));
@@ -200,6 +203,7 @@ std::optional<CutRun> read_cut_run(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file) || !is_newer_than_the_program(file) ||
       !is_whole(file))
     return std::nullopt;
+  const NetcdfLock lock(netcdf_mutex());
   Nc nc{file};
   if (nc_open(PlainPath(file).c_str(), NC_NOWRITE, &nc.id) != NC_NOERR) return std::nullopt;
   CutRun run;

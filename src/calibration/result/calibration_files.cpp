@@ -20,7 +20,7 @@ bool is_result(const fs::path& file) {
 }
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& reason) {
-  throw InputError(fmt::format("output folder {}: {}", folder.string(), reason));
+  throw FolderError(fmt::format("output folder {}: {}", folder.string(), reason));
 }
 
 std::string law_file(const FittedSet& set) {

@@ -9,11 +9,11 @@
 
 namespace tdbd::calibration {
 
-/// Throws InputError when the folder is not empty and `overwrite` is no, or is a file: before the work.
+/// Throws FolderError when the folder is not empty and `overwrite` is no, or is a file: before the work.
 void check_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);
 
 /// Makes the result folder and holds it for one command. With `force`, files of an older calibration go; others stay.
-/// Throws InputError, and changes nothing, when another command holds it, when it is not empty and `overwrite` is no,
+/// Throws FolderError, and changes nothing, when another command holds it, when it is not empty and `overwrite` is no,
 /// or when a file to be replaced is one of `inputs` or a case.toml that a user wrote.
 simulation::OutputFolder prepare_folder(const std::filesystem::path& folder,
                                         simulation::Overwrite overwrite,

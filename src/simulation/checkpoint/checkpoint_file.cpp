@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "core/memory_left.hpp"
+#include "core/netcdf_lock.hpp"
 #include "core/plain_path.hpp"
 #include "core/seal.hpp"
 #include "core/whole_file.hpp"
@@ -108,6 +109,7 @@ void visit_columns(File& f, Visit&& visit) {
 }
 
 void write_netcdf(const fs::path& path, const CheckpointFile& f) {
+  const NetcdfLock lock(netcdf_mutex());
   demand_memory(memory_of_netcdf);
   Netcdf nc(path);
   nc.require(nc_create(PlainPath(path).c_str(), NC_CLOBBER | NC_64BIT_DATA, &nc.id));
@@ -154,6 +156,7 @@ void write_checkpoint_file(const fs::path& path, const CheckpointFile& file) {
 CheckpointFile read_checkpoint_file(const fs::path& path) {
   demand_memory(memory_of_netcdf);
   require_seal(path);
+  const NetcdfLock lock(netcdf_mutex());
   Netcdf nc(path);
   nc.require(nc_open(PlainPath(path).c_str(), NC_NOWRITE, &nc.id));
   if (text_of(nc, "kind") != kind)

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
-  throw InputError(fmt::format("output folder {}: {}", path.string(), reason));
+  throw FolderError(fmt::format("output folder {}: {}", path.string(), reason));
 }
 
 /// Names that a command may leave in its folder, besides frames and parts. The file that each writes first, and by

@@ -56,7 +56,7 @@ inline constexpr const char* resolved_head =
     "# Resolved by tdbd: every default written out, in SI.";
 
 /// Makes `path` with all parents and locks it, before a start that may take minutes: one command at a time writes to a
-/// folder. An older result stays. Throws RunError when the folder cannot be opened. Throws InputError, and changes
+/// folder. An older result stays. Throws RunError when the folder cannot be opened. Throws FolderError, and changes
 /// nothing, when it is locked; when it is not empty and `overwrite` is no; when it or its `frames` is a file; when it
 /// cannot be written to; when a file to be replaced is one of `inputs`; or when it holds such files without one that
 /// TDBD began it with: case.toml or convergence.json, bit.toml for a bit.
@@ -74,12 +74,12 @@ OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite,
                      const std::vector<std::string>& inputs = {},
                      ResultKind kind = ResultKind::run);
 
-/// Throws InputError unless `files` of the folder may be replaced: one that is a folder, or one of `inputs`, may not.
+/// Throws FolderError unless `files` of the folder may be replaced: one that is a folder, or one of `inputs`, may not.
 void demand_replaceable(const std::filesystem::path& folder,
                         const std::vector<std::filesystem::path>& files,
                         const std::vector<std::string>& inputs);
 
-/// Throws InputError when there is a file of this name, and not one that begins as TDBD's do.
+/// Throws FolderError when there is a file of this name, and not one that begins as TDBD's do.
 void demand_own(const std::filesystem::path& folder, const std::string& name);
 
 /// Writes what can still be written after a failure; a second failure (the disk is full) leaves the

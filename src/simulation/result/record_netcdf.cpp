@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/memory_left.hpp"
+#include "core/netcdf_lock.hpp"
 #include "core/plain_path.hpp"
 #include "core/whole_file.hpp"
 #include "simulation/checkpoint/hdf5_at_exit.hpp"
@@ -44,6 +45,7 @@ std::size_t memory_for(const RecordLayout& layout) {
 
 RecordNetcdf::RecordNetcdf(const std::filesystem::path& file, const RecordLayout& layout)
     : file_(file), storage_(layout.storage), memory_(memory_for(layout)) {
+  const NetcdfLock lock(netcdf_mutex());
   demand_memory(memory_);
   leave_files_alone_at_exit();
   errno = 0;
@@ -134,6 +136,7 @@ void RecordNetcdf::append(std::span<const double> row) {
 
 void RecordNetcdf::write_block() {
   if (waiting_ == 0) return;
+  const NetcdfLock lock(netcdf_mutex());
   demand_memory(memory_);
   errno = 0;
   for (Column& c : columns_) {
@@ -153,6 +156,7 @@ void RecordNetcdf::close() {
 void RecordNetcdf::close_file() {
   if (nc_ < 0) return;
   const int nc = std::exchange(nc_, -1);
+  const NetcdfLock lock(netcdf_mutex());
   demand_memory(memory_);
   errno = 0;
   require(nc_sync(nc));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace tdbd::app {
+namespace tdbd::simulation {
 
 /// What a TOML file is, by its tables.
 enum class CaseKind { drilling, rotation, calibration, laboratory, sweep, bit, unknown };
@@ -15,4 +15,4 @@ CaseKind kind_of(const std::string& file, const std::vector<std::string>& overri
 void require_kind(const std::string& file, const std::vector<std::string>& overrides,
                   const std::vector<CaseKind>& expected);
 
-}  // namespace tdbd::app
+}  // namespace tdbd::simulation

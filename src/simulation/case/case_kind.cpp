@@ -1,4 +1,4 @@
-#include "app/case_kind.hpp"
+#include "simulation/case/case_kind.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "core/config/config.hpp"
 #include "core/error.hpp"
 
-namespace tdbd::app {
+namespace tdbd::simulation {
 namespace {
 
 /// How a kind is told, and named.
@@ -53,4 +53,4 @@ void require_kind(const std::string& file, const std::vector<std::string>& overr
                                file, sign.name, sign.table, names, sign.command, file));
 }
 
-}  // namespace tdbd::app
+}  // namespace tdbd::simulation

@@ -1,0 +1,11 @@
+#include "core/program_file.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tdbd::program_file_test {
+
+TEST(ProgramFile, is_the_program_that_runs) {
+  EXPECT_TRUE(std::filesystem::equivalent(program_file(), "/proc/self/exe")) << program_file();
+}
+
+}  // namespace tdbd::program_file_test
