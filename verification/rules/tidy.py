@@ -22,7 +22,7 @@ import sources
 JOBS = 2
 RECORD = pathlib.Path(__file__).with_name("tidy_passed.txt")
 PRECOMPILED = re.compile(r" -(Winvalid-pch|fpch-preprocess|Wno-array-bounds|Wno-stringop-overflow|Wno-stringop-overread|Wno-restrict"
-                         r"|include \S*cmake_pch\.hxx)(?= )")
+                         r"|fPIC|fvisibility=hidden|fvisibility-inlines-hidden|include \S*cmake_pch\.hxx)(?= )")
 UNITY = re.compile(r"/Unity/unity_\w+\.cxx$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
