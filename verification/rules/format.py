@@ -22,7 +22,7 @@ def check_files(paths):
 
 
 def check_all():
-    return check_files(sources.tracked("src", "reference", "verification", "benchmarks", "examples"))
+    return check_files(sources.tracked("src", "reference", "verification", "benchmarks", "examples", "python"))
 
 
 def self_test():

@@ -38,6 +38,8 @@ PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forces/pa
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
 # The comparison runs the models of chapter 2 beside the program itself.
 COMPARE_DATA = re.compile(PLAIN_DATA.pattern + r"|(core|bit|forces|simulation)/.+")
+# The Python module stands where the command line does: above all rooms, beside app.
+PYTHON_DATA = re.compile(rf"({'|'.join(sorted(CALIBRATION))})/.+|python/src/.+")
 CGAL_ALLOWED = re.compile(
     r"src/mesh/(files/files|repair/repair_cgal|check/self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
 BOOST_ALLOWED = "reference/literature/surface/planar_boolean.cpp"
@@ -76,6 +78,8 @@ def check_include(path, bracket, target):
                     if path.startswith(folder)), PLAIN_DATA)
     if parts[0] == "reference" and not allowed.fullmatch(target):
         return f'a slow twin may not use "{target}"'
+    if parts[0] == "python" and not PYTHON_DATA.fullmatch(target):
+        return f'the Python module may not use "{target}"'
     if parts[0] == "src":
         if len(parts) < 3 or parts[1] not in ALLOWED:
             return f"the folder of {path} has no line in include_rules.py"
@@ -121,7 +125,7 @@ def included(text):
 
 
 def check_all():
-    texts = {f: sources.read(f) for f in sources.tracked("src", "reference", "verification", "benchmarks")}
+    texts = {f: sources.read(f) for f in sources.tracked("src", "reference", "verification", "benchmarks", "python")}
     problems = [p for f, text in texts.items() for p in check_text(f, text)]
     headers = {f.removeprefix("src/"): included(text) for f, text in texts.items() if f.endswith(".hpp")}
     return problems + ["included in a circle: " + ", ".join(c) for c in circles(headers)]
@@ -137,6 +141,8 @@ def self_test():
             ("reference/rock/cut.cpp", '#include "mesh/triangle_mesh.hpp"'),
             ("reference/compare/ours.cpp", '#include "simulation/step/simulation.hpp"'),
             ("reference/literature/surface/planar_boolean.cpp", "#include <boost/polygon/polygon.hpp>"),
+            ("python/src/runs.cpp", '#include "simulation/result/run.hpp"'),
+            ("python/src/runs.cpp", '#include "python/src/options.hpp"'),
             ("reference/dynamics/top.cpp", '#include "dynamics/loads.hpp"')]
     bad = [("src/core/config/csv.cpp", '#include "mesh/measures.hpp"'),
            ("src/mesh/files/files.cpp", '#include "bit/bit.hpp"'),
@@ -151,6 +157,9 @@ def self_test():
            ("reference/rock/cut.cpp", '#include "rock/cut.hpp"'),
            ("reference/tools/show.cpp", '#include "rock/cut.hpp"'),
            ("reference/mesh/measures.cpp", '#include "mesh/measures.hpp"'),
+           ("python/src/runs.cpp", '#include "app/arguments.hpp"'),
+           ("python/src/runs.cpp", '#include "reference/bit/heel_drag.hpp"'),
+           ("src/app/run_command.cpp", '#include "python/src/options.hpp"'),
            ("reference/dynamics/top.cpp", '#include "dynamics/momenta.hpp"')]
     good += [("src/rock/cut/cut_rock.cpp", '#include "rock/rock.hpp"'), ("src/rock/rock.hpp", '#include "rock/index/near_list.hpp"'),
              ("src/simulation/study/convergence.cpp", '#include "simulation/case/case.hpp"'),

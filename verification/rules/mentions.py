@@ -4,14 +4,14 @@ import re
 
 import sources
 
-FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "validation", "README.md", "CONTRIBUTING.md")
+FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "validation", "python", "README.md", "CONTRIBUTING.md")
 CODE = re.compile(r"`([^`\n]+)`")
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 TEST = re.compile(r"^\s*(?:TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+)\s*,\s*(\w+)", re.MULTILINE)
 # A suite in CamelCase, or a name of so many words that it is no key of a case.
 MENTIONED_TEST = re.compile(r"([A-Z](?=\w*[a-z])\w*)\.([a-z0-9_]+|\*)|(\w+)\.([a-z0-9]+(?:_[a-zA-Z0-9]+){4,})")
 FILE_ENDINGS = ("md", "txt", "py", "cpp", "hpp", "toml", "json", "csv", "cff", "cmake", "ply", "stl", "nc")
-PATH = re.compile(r"(?:src|reference|verification|benchmarks|cases|validation|reports|scripts|examples|cmake)/[\w./*-]+")
+PATH = re.compile(r"(?:src|reference|verification|benchmarks|cases|validation|reports|scripts|examples|cmake|python)/[\w./*-]+")
 ENDINGS = ("", ".hpp", ".cpp", ".py", ".toml")
 
 

@@ -63,7 +63,7 @@ def check_text(path, text):
 
 
 def check_all():
-    files = sources.tracked("src", "reference", "benchmarks")
+    files = sources.tracked("src", "reference", "benchmarks", "python")
     return [p for f in files for p in check_text(f, sources.read(f))]
 
 

@@ -1,0 +1,54 @@
+#include "calibration/laboratory/laboratory_file.hpp"
+#include "calibration/result/calibrate_into.hpp"
+#include "python/src/options.hpp"
+
+namespace tdbd::python {
+namespace {
+
+/// Calls progress(done, total) of cut runs, from whatever thread makes them, and ends them after an exception.
+struct Interrupted {};
+
+std::function<void(long, long)> teller(Watch& watch) {
+  return [&watch](long done, long total) {
+    watch.look(done, total);
+    if (watch.interrupted()) throw Interrupted{};
+  };
+}
+
+void calibrate(const calibration::CalibrationCase& c, const std::string& folder,
+               const std::string& cuts, bool force, long threads, const py::object& progress) {
+  Watch watch(progress);
+  const calibration::CalibrateOptions options{folder, cuts, overwrite_of(force),
+                                              checked_threads(threads), teller(watch)};
+  try {
+    const py::gil_scoped_release released;
+    calibration::calibrate_into(c, options);
+  } catch (const Interrupted&) {
+  }
+  watch.rethrow();
+}
+
+void laboratory(const calibration::LaboratoryCase& c, const std::string& file,
+                const std::string& cuts, bool force, long threads, const py::object& progress) {
+  Watch watch(progress);
+  const calibration::LaboratoryOptions options{file, cuts, overwrite_of(force),
+                                               checked_threads(threads), teller(watch)};
+  try {
+    const py::gil_scoped_release released;
+    calibration::write_records(c, options);
+  } catch (const Interrupted&) {
+  }
+  watch.rethrow();
+}
+
+}  // namespace
+
+void add_calibration(py::module_& m) {
+  using py::arg;
+  m.def("calibrate", &calibrate, arg("case"), arg("folder"), arg("cuts"), arg("force"),
+        arg("threads"), arg("progress"));
+  m.def("laboratory", &laboratory, arg("case"), arg("file"), arg("cuts"), arg("force"),
+        arg("threads"), arg("progress"));
+}
+
+}  // namespace tdbd::python

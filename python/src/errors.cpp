@@ -1,0 +1,46 @@
+#include <cstring>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "python/src/bindings.hpp"
+
+namespace tdbd::python {
+namespace {
+
+/// As a text of Python; bytes of file names that are no UTF-8 are shown as \xNN.
+py::object text_of(const std::string& message) {
+  return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+      message.data(), static_cast<Py_ssize_t>(message.size()), "backslashreplace"));
+}
+
+void raise(const char* name, const std::string& message) {
+  const py::object type = py::module_::import("tdbd.errors").attr(name);
+  PyErr_SetObject(type.ptr(), text_of(message).ptr());
+}
+
+/// Python picks FileNotFoundError, PermissionError, ... by the number.
+void raise_os_error(const std::filesystem::filesystem_error& e) {
+  const py::tuple what =
+      py::make_tuple(e.code().value(), text_of(e.code().message()), text_of(e.path1().string()));
+  PyErr_SetObject(PyExc_OSError, what.ptr());
+}
+
+}  // namespace
+
+void add_errors() {
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const FolderError& e) {
+      raise("FolderError", e.what());
+    } catch (const InputError& e) {
+      raise("CaseError", e.what());
+    } catch (const RunError& e) {
+      raise("RunError", e.what());
+    } catch (const std::filesystem::filesystem_error& e) {
+      raise_os_error(e);
+    }
+  });
+}
+
+}  // namespace tdbd::python

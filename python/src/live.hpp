@@ -1,0 +1,64 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "python/src/watch.hpp"
+#include "simulation/rotate/rotate_simulation.hpp"
+#include "simulation/step/simulation.hpp"
+
+namespace tdbd::python {
+
+/// A simulation in a user's hands, with its case. One thread at a time works on it; a function that a step calls (progress,
+/// a handler of a signal) may look at it in between, hence recursive.
+template <class Case, class State>
+struct Live {
+  std::shared_ptr<const Case> of;
+  State state;
+  int threads = 1;
+  std::unique_ptr<std::recursive_mutex> busy = std::make_unique<std::recursive_mutex>();
+};
+
+/// Calls look(state) on a live one that no other thread works on, without Python's lock.
+template <class Live, class Look>
+auto looked_at(Live& live, Look&& look) {
+  const py::gil_scoped_release released;
+  const std::lock_guard lock(*live.busy);
+  return look(live.state);
+}
+
+inline long steps_done(const simulation::Simulation& s) { return s.state.steps_done; }
+inline long steps_done(const simulation::RotateSimulation& s) { return s.steps_done; }
+
+/// Throws ValueError unless it is 0 or more.
+inline long checked_steps(long steps) {
+  if (steps < 0) throw py::value_error(fmt::format("steps: found {}, expected 0 or more", steps));
+  return steps;
+}
+
+/// Makes so many steps, at most to the case's end, in blocks: advance(state, steps). Looks after each block. Returns how
+/// many were made.
+template <class Live, class Advance>
+long make_steps(Live& live, long steps, long block, const py::object& progress, Advance&& advance) {
+  Watch watch(progress);
+  long made = 0;
+  {
+    const py::gil_scoped_release released;
+    const std::lock_guard lock(*live.busy);
+    const long wanted = std::min(steps, live.of->time.steps - steps_done(live.state));
+    while (made < wanted && !watch.interrupted()) {
+      const long now = std::min(block, wanted - made);
+      advance(live.state, now);
+      made += now;
+      watch.look(made, wanted);
+    }
+  }
+  watch.rethrow();
+  return made;
+}
+
+}  // namespace tdbd::python

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "python/src/watch.hpp"
+#include "simulation/case/case_warning.hpp"
+#include "simulation/result/output_folder.hpp"
+
+namespace tdbd::python {
+
+/// What a user should hear of a run, as the command line prints it.
+using Told = std::vector<std::string>;
+
+inline simulation::Overwrite overwrite_of(bool force) {
+  return force ? simulation::Overwrite::force : simulation::Overwrite::no;
+}
+
+/// As many as the command line allows. Throws ValueError.
+inline int checked_threads(long threads) {
+  constexpr long most = 1024;
+  if (threads < 1 || threads > most)
+    throw py::value_error(fmt::format("threads: found {}, expected 1 to {}", threads, most));
+  return static_cast<int>(threads);
+}
+
+/// RunOptions or RotateOptions with what they have in common.
+template <class Options>
+Options options_for(const std::string& folder, bool force, const Watch& watch, Told& told) {
+  Options options;
+  options.folder = folder;
+  options.overwrite = overwrite_of(force);
+  options.interrupted = &watch.interrupted();
+  options.warn = [&told](const std::string& text) { told.push_back(text); };
+  return options;
+}
+
+}  // namespace tdbd::python

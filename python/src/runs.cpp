@@ -1,0 +1,96 @@
+#include <pybind11/stl.h>
+
+#include "python/src/options.hpp"
+#include "simulation/result/run.hpp"
+#include "simulation/result/stopped_run.hpp"
+#include "simulation/rotate/rotate_run.hpp"
+
+namespace tdbd::python {
+namespace {
+
+namespace sim = simulation;
+
+/// Drills or goes on, without Python's lock.
+template <class Drill>
+Told drilled(const sim::Case& c, sim::RunOptions options, Watch& watch, Told& told, Drill&& drill) {
+  options.progress = [&](const sim::Simulation& s, long total) {
+    watch.look(s.state.steps_done, total);
+  };
+  options.tell = [&](const sim::CaseWarning& w) { told.push_back(sim::with_place(w)); };
+  {
+    const py::gil_scoped_release released;
+    const sim::RunSummary summary = drill(c, options);
+    for (const sim::CaseWarning& w : summary.found_at_end) told.push_back(sim::with_place(w));
+  }
+  watch.rethrow();
+  return told;
+}
+
+Told run(const sim::Case& c, const std::string& folder, bool force, long threads,
+         const py::object& progress) {
+  Watch watch(progress);
+  Told told;
+  auto options = options_for<sim::RunOptions>(folder, force, watch, told);
+  options.threads = checked_threads(threads);
+  return drilled(c, options, watch, told,
+                 [](const sim::Case& of, const sim::RunOptions& o) { return sim::run(of, o); });
+}
+
+Told resume_run(const std::string& folder, long threads, const py::object& progress) {
+  const sim::Case c = sim::read_stopped_case(folder);
+  Watch watch(progress);
+  Told told;
+  auto options = options_for<sim::RunOptions>(folder, false, watch, told);
+  options.threads = checked_threads(threads);
+  return drilled(c, options, watch, told, [](const sim::Case& of, const sim::RunOptions& o) {
+    return sim::resume_run(of, o);
+  });
+}
+
+/// Rotates or goes on, without Python's lock.
+template <class Rotate>
+Told rotated(const sim::RotateCase& c, sim::RotateOptions options, Watch& watch, const Told& told,
+             Rotate&& rotate) {
+  options.progress = [&](long done, long total) { watch.look(done, total); };
+  {
+    const py::gil_scoped_release released;
+    rotate(c, options);
+  }
+  watch.rethrow();
+  return told;
+}
+
+Told rotate(const sim::RotateCase& c, const std::string& folder, bool force,
+            const py::object& progress) {
+  Watch watch(progress);
+  Told told;
+  const auto options = options_for<sim::RotateOptions>(folder, force, watch, told);
+  return rotated(
+      c, options, watch, told,
+      [](const sim::RotateCase& of, const sim::RotateOptions& o) { sim::rotate(of, o); });
+}
+
+Told resume_rotate(const std::string& folder, const py::object& progress) {
+  const sim::RotateCase c = sim::read_stopped_rotate_case(folder);
+  Watch watch(progress);
+  Told told;
+  const auto options = options_for<sim::RotateOptions>(folder, false, watch, told);
+  return rotated(
+      c, options, watch, told,
+      [](const sim::RotateCase& of, const sim::RotateOptions& o) { sim::resume_rotate(of, o); });
+}
+
+}  // namespace
+
+void add_runs(py::module_& m) {
+  using py::arg;
+  m.def("run", &run, arg("case"), arg("folder"), arg("force"), arg("threads"), arg("progress"));
+  m.def("resume_run", &resume_run, arg("folder"), arg("threads"), arg("progress"));
+  m.def("rotate", &rotate, arg("case"), arg("folder"), arg("force"), arg("progress"));
+  m.def("resume_rotate", &resume_rotate, arg("folder"), arg("progress"));
+  m.def(
+      "tidy_if_finished", [](const std::string& folder) { return sim::tidy_if_finished(folder); },
+      arg("folder"));
+}
+
+}  // namespace tdbd::python

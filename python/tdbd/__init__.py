@@ -1,0 +1,31 @@
+"""TDBD from Python: drill bits cutting rock. Arrays are numpy's, always copies; lengths in m, all else in SI.
+
+    c = tdbd.case("cases/bit-b-steady.toml", rock__edge_length="2 mm")
+    r = tdbd.run(c)
+    r.summary["removed_volume_m3"], r.history, r.rock.vertices, r.plot()
+    sim = tdbd.Simulation(c)
+    sim.step(100)
+"""
+
+from tdbd import _core
+from tdbd.calibrations import CalibrationResult, calibrate, laboratory
+from tdbd.cases import Case, case
+from tdbd.errors import CaseError, CaseWarning, FolderError, Mistake, RunError
+from tdbd.live import Rotation, Simulation
+from tdbd.results import Result, RotationResult, RunResult, load
+from tdbd.runs import resume, rotate, run
+from tdbd.studies import Convergence, check, converge
+from tdbd.surfaces import Surface
+
+#: For a `with` around calls of yours to NetCDF or HDF5 while another thread drills: neither library is made for two threads.
+FilesLock = _core.FilesLock
+
+#: Version, commit, compiler and flags, as every summary has them.
+provenance: dict[str, str] = _core.provenance
+__version__: str = provenance["version"]
+
+__all__ = [
+    "CalibrationResult", "Case", "CaseError", "CaseWarning", "Convergence", "FilesLock", "FolderError", "Mistake", "Result",
+    "Rotation", "RotationResult", "RunError", "RunResult", "Simulation", "Surface", "calibrate", "case", "check", "converge",
+    "laboratory", "load", "provenance", "resume", "rotate", "run",
+]

@@ -1,0 +1,87 @@
+"""Cases: files with their overrides, read and checked."""
+
+import os
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from tdbd import _core
+from tdbd.arguments import assignments
+from tdbd.errors import CaseWarning
+
+_READ = {
+    "drilling": _core.read_drilling,
+    "rotation": _core.read_rotation,
+    "calibration": _core.read_calibration,
+    "laboratory": _core.read_laboratory,
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    """A checked case. `tdbd.case` makes it."""
+
+    kind: str  #: "drilling", "rotation", "calibration" or "laboratory"
+    path: str
+    overrides: tuple[str, ...]  #: "rock.edge_length=2 mm", as after --set
+    checked: Any = field(repr=False)  #: what the compiled half read
+
+    @property
+    def resolved(self) -> str:
+        """TOML: every default written out, in SI; itself a case that gives the same result."""
+        return self.checked.resolved
+
+    @property
+    def hash(self) -> str:
+        """Of the resolved values and the content of all files: "case_hash" of a summary."""
+        return self.checked.hash
+
+    @property
+    def quantities(self) -> dict[str, float]:
+        """Every single quantity of a case to drill or to rotate, by its dotted key, in SI."""
+        return dict(self.checked.quantities)
+
+    @property
+    def steps(self) -> int:
+        """Steps of a case to drill or to rotate, from the motion's beginning to the end."""
+        return self.checked.steps
+
+    @property
+    def parts(self) -> list[str]:
+        """Names of the parts of the bit that drills, in the order of arrays by part."""
+        return list(self.checked.parts)
+
+    def replace(self, set: Mapping[str, Any] | None = None, **keys: Any) -> "Case":
+        """The same file with further overrides, which win over earlier ones."""
+        return _read(self.path, [*self.overrides, *assignments(set, keys)])
+
+
+def _read(path: str, overrides: list[str]) -> Case:
+    kind = _core.kind_of(path, overrides)
+    if kind == "unknown":  # the reader of a case to drill says what is missing
+        kind = "drilling"
+    else:
+        _core.require_kind(path, overrides, list(_READ))
+    checked = _READ[kind](path, overrides)
+    for text in getattr(checked, "warnings", ()):
+        warnings.warn(text, CaseWarning, stacklevel=3)
+    return Case(kind, path, tuple(overrides), checked)
+
+
+def case(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None, **keys: Any) -> Case:
+    """Reads and checks a case of any kind: one to drill, to rotate, a calibration, a laboratory.
+
+    Overrides are keywords, with `__` for the dot (`rock__edge_length="2 mm"`), or a dictionary (`set={"rock.edge_length":
+    "2 mm"}`); keywords win. Texts are what `--set` takes; numbers are in SI. Raises CaseError with every mistake.
+    """
+    return _read(os.fspath(path), assignments(set, keys))
+
+
+def of_kind(given: "Case | str | os.PathLike[str]", *kinds: str) -> Case:
+    """The case, or the one of a path. Raises CaseError, in the command line's words, when it is of no such kind."""
+    found = given if isinstance(given, Case) else case(given)
+    if found.kind not in kinds:
+        _core.require_kind(found.path, list(found.overrides), list(kinds))
+        raise TypeError(f"found a case of kind {found.kind}, expected {' or '.join(kinds)}")
+    return found

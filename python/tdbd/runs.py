@@ -1,0 +1,57 @@
+"""The commands run and rotate."""
+
+import os
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+from tdbd import _core
+from tdbd.cases import Case, of_kind
+from tdbd.errors import CaseWarning
+from tdbd.results import RotationResult, RunResult, load
+from tdbd.scratch import folder_for
+
+Folder = str | os.PathLike[str]
+Progress = Callable[[int, int], object]
+
+
+def _warn(told: list[str]) -> None:
+    for text in told:
+        warnings.warn(text, CaseWarning, stacklevel=3)
+
+
+def run(case: Case | Folder, folder: Folder | None = None, *, force: bool = False, threads: int = 1,
+        progress: Progress | None = None) -> RunResult:
+    """Drills a case: `tdbd run`. Leaves the same files in `folder`, or in a temporary one that goes with the result.
+
+    `force` replaces the results in the folder. `progress(done, total)` hears of steps ten times a second. The result does
+    not depend on `threads`. Ctrl-C raises KeyboardInterrupt after the current step; what was recorded is in the folder, and
+    `tdbd.resume` goes on. Raises FolderError before anything is changed, RunError when the computation fails.
+    """
+    drilled = of_kind(case, "drilling")
+    path, keep = folder_for(folder)
+    _warn(_core.run(drilled.checked, path, force, threads, progress))
+    return RunResult(path, keep)
+
+
+def rotate(case: Case | Folder, folder: Folder | None = None, *, force: bool = False,
+           progress: Progress | None = None) -> RotationResult:
+    """Integrates the rotation of a body: `tdbd rotate`. Arguments as of `run`."""
+    rotated = of_kind(case, "rotation")
+    path, keep = folder_for(folder)
+    _warn(_core.rotate(rotated.checked, path, force, progress))
+    return RotationResult(path, keep)
+
+
+def resume(folder: Folder, *, threads: int = 1, progress: Progress | None = None) -> RunResult | RotationResult:
+    """Goes on with a run or a rotation that was stopped or killed; its result is that of one that was not.
+
+    A complete result is returned as it is.
+    """
+    path = os.fspath(folder)
+    if not _core.tidy_if_finished(path):
+        if _core.kind_of(str(Path(path) / "case.toml"), []) == "rotation":
+            _warn(_core.resume_rotate(path, progress))
+        else:
+            _warn(_core.resume_run(path, threads, progress))
+    return load(path)

@@ -1,0 +1,69 @@
+"""The commands check and converge."""
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tdbd import _core, plots
+from tdbd.cases import Case, of_kind
+from tdbd.runs import Folder, Progress
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def check(case: Case | Folder) -> dict[str, Any]:
+    """What a run would take: builds bit and rock, tries the first steps of a case to drill, writes nothing.
+
+    Of one to drill: "triangles", "triangles_at_end", "memory_bytes", "disk_bytes", "seconds", "steps_tried", "warnings"; of
+    one to rotate: "cones", "energy" (J).
+    """
+    found = of_kind(case, "drilling", "rotation")
+    return _core.check_rotation(found.checked) if found.kind == "rotation" else _core.check_drilling(found.checked)
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """What a study found."""
+
+    data: dict[str, Any] = field(repr=False)  #: convergence.json
+    table: str = field(repr=False)  #: as a terminal shows it
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """(levels,) The first quantity that was divided, SI."""
+        return np.array([level["size"] for level in self.data["levels"]])
+
+    @property
+    def errors(self) -> dict[str, np.ndarray]:
+        """For every variable (levels - 1,) differences to the next level, or (levels,) errors against the reference, SI."""
+        name = "errors" if self.data["against"] == "reference" else "differences"
+        return {variable: np.array(found[name]) for variable, found in self.data["variables"].items()}
+
+    @property
+    def orders(self) -> dict[str, float | None]:
+        """The observed order of every variable; None: there is none, `data` says why."""
+        return {variable: found["order"] for variable, found in self.data["variables"].items()}
+
+    def plot(self) -> "Figure":
+        """Errors of all variables over the quantity that was divided."""
+        return plots.errors(self)
+
+
+def converge(case: Case | Folder, over: str | Sequence[str], levels: int = 5, factor: float = 2.0, *,
+             reference: Folder | None = None, folder: Folder | None = None, force: bool = False, threads: int = 1,
+             progress: Progress | None = None) -> Convergence:
+    """Divides quantities (`over`: "time.step") by `factor` again and again and observes orders: `tdbd converge`.
+
+    `reference`: a result, folder or summary.json, that errors are measured against. Without `folder` nothing is written.
+    """
+    found = of_kind(case, "drilling", "rotation")
+    keys = [over] if isinstance(over, str) else list(over)
+    words = _core.StudyWords(keys, levels, factor, None if reference is None else os.fspath(reference))
+    place = None if folder is None else os.fspath(folder)
+    text, table = _core.converge(found.path, list(found.overrides), words, place, force, threads, progress)
+    return Convergence(json.loads(text), table)

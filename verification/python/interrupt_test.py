@@ -1,0 +1,69 @@
+"""Ctrl-C comes back as KeyboardInterrupt, what was recorded is kept, and a run goes on to the bytes of one that was left alone."""
+
+import os
+import signal
+import threading
+import time
+import unittest
+
+from common import COARSE, DRILLING, LONG, TOP, FolderTest
+
+import tdbd
+
+SOON = 0.5  # s, into a computation
+LATE = 20.0  # s, in which it must have ended
+
+
+class Interrupts(FolderTest):
+    def interrupted(self, call):
+        """Calls it, with a Ctrl-C on the way."""
+        timer = threading.Timer(SOON, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        began = time.monotonic()
+        self.assertRaises(KeyboardInterrupt, call)
+        timer.join()
+        self.assertLess(time.monotonic() - began, LATE)
+
+    def test_a_run(self):
+        self.interrupted(lambda: tdbd.run(tdbd.case(DRILLING, set=LONG | {"output.history_every": 1}), self.folder / "a"))
+        result = tdbd.load(self.folder / "a")
+        self.assertEqual(result.summary["status"], "interrupted")
+        self.assertEqual(result.history["time"].size, result.summary["steps"])
+        self.assertTrue((self.folder / "a/checkpoint.nc").is_file())
+
+    def test_a_rotation_and_a_study(self):
+        self.interrupted(lambda: tdbd.rotate(tdbd.case(TOP, time__duration="1e6 s", time__step="1 ms"), self.folder / "a"))
+        self.assertEqual(tdbd.load(self.folder / "a").summary["status"], "interrupted")
+        self.interrupted(lambda: tdbd.converge(tdbd.case(TOP, time__duration="1e4 s", time__step="1 ms"), "time.step", 9))
+
+    def test_steps(self):
+        sim = tdbd.Simulation(tdbd.case(DRILLING, set=LONG))
+        self.interrupted(lambda: sim.step(10**9))
+        made = sim.steps_done
+        self.assertGreater(made, 0)
+        self.assertLess(sim.volume_ledger_defect, 1e-12)
+        self.assertEqual((sim.step(3), sim.steps_done), (3, made + 3))
+
+    def goes_on(self, case, begin):
+        """A run that its progress stops, and that goes on."""
+        def stop(done, total):
+            self.assertLess(done, total)
+            raise LookupError("enough")
+
+        whole = begin(case, self.folder / "whole")
+        self.assertRaises(LookupError, begin, case, self.folder / "part", progress=stop)
+        self.assertEqual(tdbd.load(self.folder / "part").summary["status"], "interrupted")
+        self.assertEqual(tdbd.resume(self.folder / "part").summary["status"], "completed")
+        self.same_files(whole.folder, self.folder / "part")
+        self.assertEqual(tdbd.resume(self.folder / "part").summary["status"], "completed")
+
+    def test_a_run_goes_on(self):
+        self.goes_on(tdbd.case(DRILLING, set=COARSE | {"time.revolutions": 20}), tdbd.run)
+        self.assertRaises(tdbd.CaseError, tdbd.resume, self.folder / "nowhere")
+
+    def test_a_rotation_goes_on(self):
+        self.goes_on(tdbd.case(TOP, time__duration="1e4 s"), tdbd.rotate)
+
+
+if __name__ == "__main__":
+    unittest.main(warnings="ignore")

@@ -1,0 +1,85 @@
+"""What a result holds: figures, history, rock, pictures; folders of others and temporary ones; check and converge."""
+
+import io
+import json
+import os
+import unittest
+
+from common import DRILLING, QUICK, TOP, FolderTest, command, words
+
+import numpy as np
+import tdbd
+
+
+def picture(figure):
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png", dpi=50)
+    return buffer.getvalue()
+
+
+class Results(FolderTest):
+    def test_a_run(self):
+        result = tdbd.run(tdbd.case(DRILLING, set=QUICK), self.folder / "a")
+        self.assertEqual(result.summary, json.loads((self.folder / "a/summary.json").read_text()))
+        self.assertEqual(result.timing["threads"], 1)
+        history = result.history
+        self.assertEqual(history["time"].size, 20)
+        self.assertEqual(history["removed_volume_total"].values[-1], result.summary["removed_volume_m3"])
+        self.assertEqual(history["removed_volume_total"].attrs["units"], "m3")
+        self.assertEqual(history["removed_volume_by_part"].dims, ("time", "part"))
+        n = len(result.rock.vertices)
+        self.assertEqual((result.rock.vertices.shape, result.rock.faces.shape), ((n, 3), (result.summary["rock_triangles_end"], 3)))
+        self.assertIs(result.rock, result.rock)
+        self.assertTrue(picture(result.plot()).startswith(b"\x89PNG"))
+        self.assertIn("completed", repr(result))
+
+    def test_a_rotation(self):
+        result = tdbd.rotate(tdbd.case(TOP, time__duration="2 s"))
+        self.assertEqual(result.history["axis_W"].dims, ("time", "xyz"))
+        self.assertTrue(picture(result.plot()).startswith(b"\x89PNG"))
+
+    def test_folders_of_the_command_line(self):
+        command("run", DRILLING, *words(QUICK), "-o", self.folder / "run", "--quiet")
+        command("rotate", TOP, "-o", self.folder / "rotate", "--quiet")
+        self.assertIsInstance(tdbd.load(self.folder / "run"), tdbd.RunResult)
+        self.assertIsInstance(tdbd.load(self.folder / "rotate"), tdbd.RotationResult)
+        self.assertRaises(FileNotFoundError, tdbd.load, self.folder / "none")
+
+    def test_a_temporary_folder_goes_with_its_result(self):
+        result = tdbd.rotate(tdbd.case(TOP, time__duration="1 s"))
+        folder = result.folder
+        self.assertTrue(folder.is_dir())
+        del result
+        self.assertFalse(folder.parent.exists())
+
+    def test_a_path_in_place_of_a_case(self):
+        os.chdir(self.folder)
+        resolved = tdbd.case(DRILLING, set=QUICK)
+        (self.folder / "again.toml").write_text(resolved.resolved)
+        self.assertEqual(tdbd.run("again.toml").summary["case_hash"], resolved.hash)
+        self.assertEqual(resolved.replace(time__revolutions=0.1).steps, 10)
+        self.assertEqual(resolved.replace(time__revolutions=0.1).quantities["rock.edge_length"], 8e-3)
+
+    def test_check(self):
+        found = tdbd.check(tdbd.case(DRILLING, set=QUICK))
+        told = command("check", DRILLING, *words(QUICK)).stdout
+        self.assertIn(f"{found['triangles']} triangles of rock", told)
+        self.assertGreater(min(found[key] for key in ("triangles_at_end", "memory_bytes", "disk_bytes", "seconds", "steps_tried")), 0)
+        self.assertEqual(tdbd.check(TOP)["cones"], 0)
+
+    def test_converge(self):
+        heard = []
+        study = tdbd.converge(tdbd.case(TOP, time__duration="2 s"), ["time.step"], levels=6, progress=lambda *at: heard.append(at))
+        np.testing.assert_allclose(study.sizes, 0.01 / 2.0 ** np.arange(6))
+        self.assertTrue(all(abs(order - 2) < 0.02 for order in study.orders.values() if order is not None), study.table)
+        self.assertGreater(sum(order is not None for order in study.orders.values()), 3)
+        self.assertTrue(all(errors.shape == (5,) for errors in study.errors.values()))
+        self.assertTrue(picture(study.plot()).startswith(b"\x89PNG"))
+        self.assertTrue(heard)
+        golden = tdbd.rotate(tdbd.case(TOP, time__duration="2 s", time__step="0.1 ms", integrator__order=4), self.folder / "golden")
+        against = tdbd.converge(tdbd.case(TOP, time__duration="2 s"), "time.step", 3, reference=golden.folder)
+        self.assertTrue(all(errors.shape == (3,) for errors in against.errors.values()))
+
+
+if __name__ == "__main__":
+    unittest.main(warnings="ignore")
