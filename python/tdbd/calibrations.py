@@ -42,7 +42,7 @@ class CalibrationResult:
     folder: Path
 
     def __init__(self, folder: Folder, keep: Scratch | None = None) -> None:
-        self.folder = Path(folder)
+        self.folder = Path(folder).absolute()
         self._keep = keep
 
     @functools.cached_property

@@ -56,6 +56,10 @@ class Case:
         """The same file with further overrides, which win over earlier ones."""
         return _read(self.path, [*self.overrides, *assignments(set, keys)])
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Another process reads the file again."""
+        return _read, (self.path, list(self.overrides))
+
 
 def _read(path: str, overrides: list[str]) -> Case:
     kind = _core.kind_of(path, overrides)

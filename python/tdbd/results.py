@@ -21,7 +21,7 @@ class Result:
     folder: Path  #: where the files are; of a run without a folder a temporary one, which goes with the result
 
     def __init__(self, folder: str | os.PathLike[str], keep: Scratch | None = None) -> None:
-        self.folder = Path(folder)
+        self.folder = Path(folder).absolute()
         self._keep = keep
 
     def __repr__(self) -> str:

@@ -14,7 +14,7 @@ class Drilling(FolderTest):
                      tdbd.case(DRIVEN, rock__edge_length="6 mm", time__duration="0.03 s", output__energy_order="off")):
             with self.subTest(case.path):
                 sim = tdbd.Simulation(case, threads=2)
-                made = [sim.step(7), sim.step(0), sim.step(10**9), sim.step()]
+                made = [sim.step(np.int64(7)), sim.step(0), sim.step(10**9), sim.step()]
                 self.assertEqual((sum(made), made[1], made[3]), (case.steps, 0, 0))
                 self.assertTrue(sim.done)
                 result = tdbd.run(case)

@@ -3,9 +3,12 @@
 import io
 import json
 import os
+import pickle
+import subprocess
+import sys
 import unittest
 
-from common import DRILLING, QUICK, TOP, FolderTest, command, words
+from common import DRILLING, PACKAGES, QUICK, TOP, FolderTest, command, words
 
 import numpy as np
 import tdbd
@@ -59,6 +62,22 @@ class Results(FolderTest):
         self.assertEqual(tdbd.run("again.toml").summary["case_hash"], resolved.hash)
         self.assertEqual(resolved.replace(time__revolutions=0.1).steps, 10)
         self.assertEqual(resolved.replace(time__revolutions=0.1).quantities["rock.edge_length"], 8e-3)
+
+    def test_cases_go_to_other_processes(self):
+        case = tdbd.case(DRILLING, set=QUICK)
+        again = pickle.loads(pickle.dumps(case))
+        self.assertEqual((again.hash, again.overrides), (case.hash, case.overrides))
+        drill = "import pickle, sys, tdbd; print(tdbd.run(pickle.load(sys.stdin.buffer)).summary['steps'])"
+        done = subprocess.run([sys.executable, "-B", "-c", drill], input=pickle.dumps(case), capture_output=True, check=True,
+                              env=os.environ | {"PYTHONPATH": str(PACKAGES)})
+        self.assertEqual(done.stdout.strip(), b"20")
+
+    def test_a_relative_folder_stays_where_it_was(self):
+        os.chdir(self.folder)
+        result = tdbd.rotate(tdbd.case(TOP, time__duration="1 s"), "a")
+        os.chdir("/")
+        self.assertEqual(result.folder, self.folder / "a")
+        self.assertEqual(result.summary["status"], "completed")
 
     def test_check(self):
         found = tdbd.check(tdbd.case(DRILLING, set=QUICK))
