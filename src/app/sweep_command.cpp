@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "app/arguments.hpp"
-#include "app/case_kind.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/progress.hpp"
 #include "core/error.hpp"
+#include "simulation/case/case_kind.hpp"
 #include "sweep/sweep.hpp"
 
 namespace tdbd::app {
@@ -79,7 +79,7 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
 int sweep_points(const SweepArguments& a) {
   const sweep::Shard shard = shard_of(a.shard);
   const fs::path table = table_path(a);
-  require_kind(a.design, {}, {CaseKind::sweep});
+  simulation::require_kind(a.design, {}, {simulation::CaseKind::sweep});
   const sweep::Design d = sweep::read_design(a.design);
   if (a.points) return list_points(d);
   if (a.figures) return list_figures(d, table);

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/memory_left.hpp"
+#include "core/netcdf_lock.hpp"
 #include "core/plain_path.hpp"
 #include "core/provenance.hpp"
 #include "core/whole_file.hpp"
@@ -141,6 +142,7 @@ void put_head(const TableFile& f, const Design& d) {
 void write_netcdf(const std::filesystem::path& file, const Table& t) {
   constexpr std::size_t own = 8'000'000, by_cell = 64;
   demand_memory(own + by_cell * t.points.size());
+  const NetcdfLock lock(netcdf_mutex());
   simulation::leave_files_alone_at_exit();
   TableFile f{partial_path(file)};
   errno = 0;
