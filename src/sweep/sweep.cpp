@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -126,21 +127,44 @@ class Workers {
   std::exception_ptr failure_;
 };
 
-/// Points of the shard that no journal has.
+/// Points of the shard, of those that are run, that no journal has.
 std::vector<long> points_to_do(const Shard& shard, const std::vector<std::string>& keys,
-                               const PointRecords& records, SweepResult& result) {
+                               const PointRecords& records, const Judged& judged,
+                               SweepResult& result) {
   std::vector<long> todo;
-  for (long i = shard.i - 1; i < static_cast<long>(keys.size()); i += shard.n) {
+  long run = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!judged.keeps(i) || run++ % shard.n != shard.i - 1) continue;
     ++result.of_shard;
-    if (records.contains(keys[static_cast<std::size_t>(i)]))
+    if (records.contains(keys[i]))
       ++result.found;
     else
-      todo.push_back(i);
+      todo.push_back(static_cast<long>(i));
   }
   return todo;
 }
 
+/// The filter's figure at every point: each shard needs all of them, and takes those that are there.
+Judged judge_points(const Design& d, const Points& points, Journal& journal, SweepOptions options) {
+  const Design planar = planar_design(d);
+  const std::vector<std::string> keys = point_keys(planar, points);
+  const fs::path folder = points_folder(options.table);
+  SweepResult all;
+  options.progress = {};
+  std::vector<long> todo = points_to_do({}, keys, read_journals(folder), {}, all);
+  Workers(planar, points, keys, std::move(todo), journal, options, all.found).work();
+  const PointRecords records = read_journals(folder);
+  std::vector<double> figure;
+  for (const std::string& key : keys) {
+    const auto found = records.find(key);
+    figure.push_back(found == records.end() ? std::numeric_limits<double>::quiet_NaN()
+                                            : found->second.outcome.figures.front());
+  }
+  return judged_by(*d.filter, std::move(figure));
+}
+
 void count(const Table& t, SweepResult& result) {
+  result.points = points_to_run(t);
   result.done = done_points(t);
   result.on_front = std::ranges::count(t.on_front, 1);
   for (const PointRecord* point : t.points) {
@@ -158,9 +182,9 @@ fs::path points_folder(const fs::path& table) {
 
 std::vector<std::string> point_keys(const Design& d, const Points& points) {
   const Provenance& p = provenance();
-  const std::string same =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", p.version, p.commit, p.flags, name_of(d.command),
-                  d.penetration, content_of(d, points), fmt::join(d.figures, "\n"));
+  const std::string same = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n", p.version, p.commit,
+                                       p.flags, name_of(d.command), d.penetration, d.normal_ratio,
+                                       content_of(d, points), fmt::join(d.figures, "\n"));
   std::vector<std::string> keys;
   for (long i = 0; i < points.count; ++i)
     keys.push_back(
@@ -175,14 +199,20 @@ SweepResult run_sweep(const Design& d, const SweepOptions& options) {
   const std::vector<std::string> keys = point_keys(d, points);
   const fs::path folder = points_folder(options.table);
   Journal journal(folder / fmt::format("{}-of-{}", options.shard.i, options.shard.n));
-  result.points = points.count;
-  std::vector<long> todo = points_to_do(options.shard, keys, read_journals(folder), result);
-  Workers(d, points, keys, std::move(todo), journal, options, result.found).work();
-  result.interrupted = options.interrupted != nullptr && *options.interrupted;
+  const auto is_interrupted = [&] {
+    return options.interrupted != nullptr && *options.interrupted;
+  };
+  const Judged judged = d.filter ? judge_points(d, points, journal, options) : Judged{};
+  if (!is_interrupted()) {
+    std::vector<long> todo =
+        points_to_do(options.shard, keys, read_journals(folder), judged, result);
+    Workers(d, points, keys, std::move(todo), journal, options, result.found).work();
+  }
+  result.interrupted = is_interrupted();
   const PointRecords records = read_journals(folder);
-  const Table t = table_of(d, points, keys, records);
+  const Table t = table_of(d, points, keys, records, judged);
   count(t, result);
-  if (result.done < result.points) return result;
+  if (result.interrupted || result.done < result.points) return result;
   write_table(options.table, t);
   result.written = true;
   return result;

@@ -87,6 +87,39 @@ TEST(Sweep, rotates_and_analyses_too) {
   EXPECT_NE(found.at(keys[1]).outcome.figures[0], analysis["imbalance_of_unit_law"]);
 }
 
+/// The planar model judges all points; those it finds best are run, whoever runs them.
+TEST(Sweep, runs_what_the_planar_model_finds_best) {
+  const fs::path folder = empty_folder("filter");
+  const std::string turned =
+      "[[factors]]\nkey = \"bit.set.adjust.blade.2.azimuth\"\nfrom = \"-6 deg\"\nto = \"6 deg\"\n"
+      "count = 7\n";
+  const std::string filter = "[filter]\nfigure = \"imbalance\"\nkeep = 2\n";
+  const Design d = design_from(folder, small_hole(turned + filter));
+  const SweepResult whole = swept(d, folder / "t.nc");
+  EXPECT_EQ(whole.points, 2);
+  std::string judge = small_hole(turned);
+  judge.replace(judge.find("figures = [") + 11,
+                judge.find("]\n[set]") - judge.find("figures = [") - 11, "\"imbalance\"");
+  judge.insert(judge.find("figures"), "command = \"planar\"\n");
+  const Design planar = design_from(folder, judge);
+  swept(planar, folder / "p.nc");
+  const PointRecords found = read_journals(points_folder(folder / "p.nc"));
+  std::vector<double> figure;
+  for (const std::string& key : point_keys(planar, points_of(planar)))
+    figure.push_back(found.at(key).outcome.figures[0]);
+  const std::vector<char> kept = judged_by(*d.filter, figure).kept;
+  const PointRecords records = read_journals(points_folder(folder / "t.nc"));
+  const std::vector<std::string> keys = point_keys(d, points_of(d));
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    EXPECT_EQ(records.contains(keys[i]), kept[i] != 0) << i;
+  swept(d, folder / "s.nc", 1, {2, 2});
+  EXPECT_FALSE(fs::exists(folder / "s.nc"));
+  swept(d, folder / "s.nc", 1, {1, 2});
+  EXPECT_EQ(text_of(folder / "s.nc"), text_of(folder / "t.nc"));
+  EXPECT_EQ(text_of(folder / "s.csv"), text_of(folder / "t.csv"));
+  EXPECT_NE(text_of(folder / "t.csv").find(",left-out,"), std::string::npos);
+}
+
 /// On one thread and on two, in one process and in three shards: the same bytes.
 TEST(Sweep, table_has_the_same_bytes_however_it_is_made) {
   const fs::path folder = empty_folder("bytes");

@@ -40,6 +40,16 @@ double imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& 
   return imbalance_vector(cutters, areas).norm();
 }
 
+double planar_imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& areas,
+                        double normal_ratio) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < cutters.size(); ++k) {
+    const Vec3 way(-std::sin(cutters[k].azimuth), std::cos(cutters[k].azimuth), 0.0);
+    sum -= areas[k] * (normal_ratio * profile_normal_B(cutters[k]) + way);
+  }
+  return sum.head<2>().norm() / -sum.z();
+}
+
 double mean_redundancy(const std::vector<int>& cutting) {
   double sum = 0.0, weight = 0.0;
   for (std::size_t k = 0; k < cutting.size(); ++k) {

@@ -19,6 +19,12 @@ Vec3 imbalance_vector(const std::vector<Cutter>& cutters, const std::vector<doub
 /// The magnitude of imbalance_vector.
 double imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& areas);
 
+/// Imbalance of the classical planar model (Warren and Sinor 1986): every cutter resists its way with
+/// its area and is pushed back along its profile's normal with `normal_ratio` times that. The lateral
+/// resultant of both over the weight; NaN without weight.
+double planar_imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& areas,
+                        double normal_ratio);
+
 /// Mean number of cutters that cut at a radius, weighted by the area of the hole: how well the bit
 /// survives the loss of one. `cutting`: as in Engagement.
 double mean_redundancy(const std::vector<int>& cutting);

@@ -10,7 +10,7 @@
 namespace tdbd::sweep {
 
 /// What is done at each point.
-enum class Command { run, rotate, calibrate, bit };
+enum class Command { run, rotate, calibrate, bit, planar };
 
 /// How the intervals of factors are filled.
 enum class Sampling { none, latin_hypercube, sobol };
@@ -46,6 +46,12 @@ struct Goal {
   Sense sense = Sense::smaller;
 };
 
+/// Points are first judged by the planar model, and only the best are run.
+struct Filter {
+  Goal goal;      ///< a figure of the command planar
+  long keep = 1;  ///< points
+};
+
 /// A sweep: every combination of the levels, at each of them every sample.
 struct Design {
   std::string file, title;  ///< as given; what the design is about
@@ -58,8 +64,10 @@ struct Design {
   std::uint64_t seed = 2007;
   std::vector<std::string>
       figures;  ///< numbers of the summary, dotted: "wob_mean_n", "sections.0.mean_area_m2"
-  std::vector<Goal> goals;   ///< figures of the non-dominated front
-  double penetration = 0.0;  ///< m per revolution; of the command bit
+  std::vector<Goal> goals;    ///< figures of the non-dominated front
+  double penetration = 0.0;   ///< m per revolution; of the command bit
+  double normal_ratio = 0.8;  ///< normal over cutting force; of the planar model
+  std::optional<Filter> filter;
 };
 
 /// More points than this are refused.
@@ -68,7 +76,10 @@ inline constexpr long most_points = 10'000'000;
 /// Reads a design. Throws InputError that lists every mistake: file, line, key, found, expected.
 Design read_design(const std::string& file);
 
-/// "run", "rotate", "calibrate", "bit".
+/// The design of a filter: its figure by the planar model, at the same points.
+Design planar_design(const Design& d);
+
+/// "run", "rotate", "calibrate", "bit", "planar".
 const char* name_of(Command command);
 
 }  // namespace tdbd::sweep

@@ -16,7 +16,8 @@ inline constexpr ChoiceKey<Command> command{.name = "command",
                                             .values = {{{"run", Command::run},
                                                         {"rotate", Command::rotate},
                                                         {"calibrate", Command::calibrate},
-                                                        {"bit", Command::bit}}},
+                                                        {"bit", Command::bit},
+                                                        {"planar", Command::planar}}},
                                             .fallback = Command::run,
                                             .meaning = "that takes the case"};
 inline constexpr TextsKey figures{
@@ -43,6 +44,12 @@ inline constexpr QuantityKey penetration{.name = "penetration",
                                          .fallback = 5e-3,
                                          .range = Range::positive(),
                                          .meaning = "per revolution, of the command bit"};
+
+inline constexpr QuantityKey normal_ratio{
+    .name = "normal_ratio",
+    .fallback = 0.8,
+    .range = Range::positive(),
+    .meaning = "normal over cutting force, of the planar model"};
 
 }  // namespace sweep_keys
 
@@ -79,5 +86,16 @@ inline constexpr ChoiceKey<Sense> better{
     .meaning = "which of two values is preferred"};
 
 }  // namespace goal_keys
+
+namespace filter_keys {
+
+inline constexpr TableKey table{"filter",
+                                "points are judged by the planar model, and the best are run"};
+
+inline constexpr TextKey figure{.name = "figure", .meaning = "of the command planar"};
+inline constexpr IntegerKey keep{
+    .name = "keep", .lo = 1, .hi = most_points, .meaning = "points that are run"};
+
+}  // namespace filter_keys
 
 }  // namespace tdbd::sweep

@@ -79,6 +79,19 @@ void read_goals(Config& c, Design& d) {
   }
 }
 
+/// The planar model knows cutters of a case that is drilled.
+void read_filter(Config& c, Config& sweep, Design& d) {
+  if (d.command == Command::planar || c.has(filter_keys::table))
+    d.normal_ratio = sweep.read(sweep_keys::normal_ratio);
+  if (!c.has(filter_keys::table)) return;
+  Config filter = c.table(filter_keys::table);
+  d.filter = Filter{{filter.read(filter_keys::figure), filter.read(goal_keys::better)},
+                    filter.read(filter_keys::keep)};
+  if (d.command != Command::run)
+    filter.problem("", fmt::format("the command {}", name_of(d.command)),
+                   "run: the planar model filters cases that are drilled");
+}
+
 void read_what(Config& sweep, Design& d) {
   d.case_file = sweep.read(sweep_keys::case_file);
   d.command = sweep.read(sweep_keys::command);
@@ -109,6 +122,7 @@ Design read_design(const std::string& file) {
   if (d.factors.empty())
     c.problem("factors", "no factor, and so no points", "at least one table [[factors]]");
   read_goals(c, d);
+  read_filter(c, sweep, d);
   check_keys(c, d);
   check_sampling(sweep, d);
   check_count(c, points);
@@ -124,10 +138,21 @@ const char* name_of(Command command) {
       return "rotate";
     case Command::calibrate:
       return "calibrate";
+    case Command::planar:
+      return "planar";
     case Command::bit:
       break;
   }
   return "bit";
+}
+
+Design planar_design(const Design& d) {
+  Design planar = d;
+  planar.command = Command::planar;
+  planar.figures = {d.filter->goal.figure};
+  planar.goals.clear();
+  planar.filter.reset();
+  return planar;
 }
 
 }  // namespace tdbd::sweep

@@ -18,6 +18,7 @@
 #include "simulation/rotate/rotate_summary.hpp"
 #include "simulation/step/energy_order.hpp"
 #include "sweep/point/figures.hpp"
+#include "sweep/point/planar.hpp"
 
 namespace tdbd::sweep {
 namespace {
@@ -82,6 +83,11 @@ Summary analyse(const Design& d, const Words& overrides) {
   return {fnv1a_hex(read.fingerprint), bit::analysis_json(read.bit, options)};
 }
 
+Summary judge(const Design& d, const Words& overrides) {
+  const sim::Case c = sim::read_case(d.case_file, overrides);
+  return {c.hash, planar_summary(c, d.normal_ratio).dump()};
+}
+
 Summary summary_of(const Design& d, const Words& overrides, const std::filesystem::path& cuts,
                    const std::atomic<bool>* interrupted) {
   switch (d.command) {
@@ -91,6 +97,8 @@ Summary summary_of(const Design& d, const Words& overrides, const std::filesyste
       return rotate(d, overrides, interrupted);
     case Command::calibrate:
       return fit(d, overrides, cuts);
+    case Command::planar:
+      return judge(d, overrides);
     case Command::bit:
       break;
   }
@@ -130,6 +138,7 @@ PointOutcome run_point(const Design& d, const Words& overrides, const std::files
 Words files_of(const Design& d, const Words& overrides) {
   switch (d.command) {
     case Command::run:
+    case Command::planar:
       return sim::read_case(d.case_file, overrides).files;
     case Command::rotate:
       return sim::read_rotate_case(d.case_file, overrides).files;

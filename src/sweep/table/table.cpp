@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/whole_file.hpp"
 #include "sweep/table/front.hpp"
@@ -51,7 +53,9 @@ std::string header_of(const FactorColumn& f) {
 
 std::string number_cell(double x) { return std::isfinite(x) ? fmt::format("{}", x) : "nan"; }
 
-std::string status_of(const PointRecord* point) {
+std::string status_of(const Table& t, std::size_t i) {
+  const PointRecord* point = t.points[i];
+  if (!t.judged.keeps(i)) return "left-out";
   if (point == nullptr) return "missing";
   return point->outcome.status == PointStatus::done ? "done" : "failed";
 }
@@ -62,11 +66,12 @@ std::string row_of(const Table& t, std::size_t i) {
     row += "," + (t.factors[k].numbers ? number_cell(*t.levels[i][k].number)
                                        : cell(t.levels[i][k].word.text));
   const PointRecord* point = t.points[i];
+  if (t.design->filter) row += "," + number_cell(t.judged.figure[i]);
   for (std::size_t k = 0; k < t.design->figures.size(); ++k)
     row += "," + (point == nullptr ? "nan" : number_cell(point->outcome.figures[k]));
   if (!t.design->goals.empty()) row += fmt::format(",{}", static_cast<int>(t.on_front[i]));
   row +=
-      fmt::format(",{},{},{}\n", status_of(point), point == nullptr ? "" : point->outcome.case_hash,
+      fmt::format(",{},{},{}\n", status_of(t, i), point == nullptr ? "" : point->outcome.case_hash,
                   cell(point == nullptr ? "" : point->outcome.message));
   return row;
 }
@@ -81,14 +86,16 @@ std::string timing_csv(const Table& t) {
 }  // namespace
 
 Table table_of(const Design& d, const Points& points, const std::vector<std::string>& keys,
-               const PointRecords& records) {
+               const PointRecords& records, const Judged& judged) {
   Table t;
+  t.judged = judged;
   t.design = &d;
   for (const Factor& f : d.factors) t.factors.push_back(column_of(f));
   for (long i = 0; i < points.count; ++i) {
     t.levels.push_back(levels_at(d, points, i));
     const auto found = records.find(keys[static_cast<std::size_t>(i)]);
-    t.points.push_back(found == records.end() ? nullptr : &found->second);
+    const bool left_out = !judged.keeps(static_cast<std::size_t>(i));
+    t.points.push_back(found == records.end() || left_out ? nullptr : &found->second);
   }
   t.on_front = front_in(t);
   return t;
@@ -98,9 +105,29 @@ long done_points(const Table& t) {
   return std::ranges::count_if(t.points, [](const PointRecord* p) { return p != nullptr; });
 }
 
+long points_to_run(const Table& t) {
+  long count = 0;
+  for (std::size_t i = 0; i < t.points.size(); ++i) count += t.judged.keeps(i) ? 1 : 0;
+  return count;
+}
+
+Judged judged_by(const Filter& filter, std::vector<double> figure) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < figure.size(); ++i)
+    if (std::isfinite(figure[i])) order.push_back(i);
+  const double sign = filter.goal.sense == Sense::smaller ? 1.0 : -1.0;
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return sign * figure[i]; });
+  Judged judged{std::move(figure), {}};
+  judged.kept.assign(judged.figure.size(), 0);
+  for (std::size_t k = 0; k < order.size() && k < static_cast<std::size_t>(filter.keep); ++k)
+    judged.kept[order[k]] = 1;
+  return judged;
+}
+
 std::string to_csv(const Table& t) {
   std::string text = "point";
   for (const FactorColumn& f : t.factors) text += "," + header_of(f);
+  if (t.design->filter) text += ",planar." + cell(t.design->filter->goal.figure);
   for (const std::string& figure : t.design->figures) text += "," + cell(figure);
   text +=
       t.design->goals.empty() ? ",status,case_hash,message\n" : ",front,status,case_hash,message\n";

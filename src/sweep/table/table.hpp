@@ -15,6 +15,17 @@ struct FactorColumn {
   bool numbers = false;
 };
 
+/// What the planar model said of the points, and which of them are run.
+struct Judged {
+  std::vector<double> figure;  ///< NaN: it could not say; empty: there is no filter
+  std::vector<char> kept;      ///< empty: all are
+  bool keeps(std::size_t point) const { return kept.empty() || kept[point] != 0; }
+};
+
+/// The best of a filter, in number at most what it keeps; points of equal figures in their order, those that are no
+/// number never.
+Judged judged_by(const Filter& filter, std::vector<double> figure);
+
 /// All points of a design with what they came to, in the order of the design.
 struct Table {
   const Design* design = nullptr;
@@ -22,14 +33,16 @@ struct Table {
   std::vector<std::vector<Level>> levels;  ///< of each point
   std::vector<const PointRecord*> points;  ///< null: not done yet
   std::vector<char> on_front;              ///< of a design with goals: not dominated
+  Judged judged;                           ///< of a design with a filter
 };
 
 /// The table of a design as far as its points are done; the records must outlive it.
 Table table_of(const Design& d, const Points& points, const std::vector<std::string>& keys,
-               const PointRecords& records);
+               const PointRecords& records, const Judged& judged = {});
 
-/// Points that are done, of either status.
+/// Points that are done, of either status; and those that are run at all.
 long done_points(const Table& t);
+long points_to_run(const Table& t);
 
 /// NAME.nc for xarray: dimension point; one variable for each factor (under its key) and each
 /// figure, status, message, case_hash, and front; the design's goals and text as attributes. The

@@ -96,14 +96,15 @@ void put_outcomes(const TableFile& f, const Table& t) {
   const auto outcome = [&](std::size_t i) {
     return t.points[i] == nullptr ? PointOutcome{} : t.points[i]->outcome;
   };
-  put_flags(f, "status", "done failed missing", "how the point ended",
+  put_flags(f, "status", "done failed missing left_out", "how the point ended",
             column<signed char>(t,
                                 [&](std::size_t i) {
+                                  if (!t.judged.keeps(i)) return static_cast<signed char>(3);
                                   if (t.points[i] == nullptr) return static_cast<signed char>(2);
                                   return static_cast<signed char>(
                                       t.points[i]->outcome.status == PointStatus::failed ? 1 : 0);
                                 }),
-            {0, 1, 2});
+            {0, 1, 2, 3});
   if (!t.design->goals.empty())
     put_flags(f, "front", "dominated not_dominated",
               "whether no other point is as good in every goal and better in one",
@@ -117,6 +118,9 @@ void put_outcomes(const TableFile& f, const Table& t) {
 }
 
 void put_figures(const TableFile& f, const Table& t) {
+  if (t.design->filter)
+    put_numbers(f, "planar." + t.design->filter->goal.figure, "",
+                "filter planar." + t.design->filter->goal.figure, t.judged.figure);
   for (std::size_t k = 0; k < t.design->figures.size(); ++k)
     put_numbers(f, t.design->figures[k], "", "figure " + t.design->figures[k],
                 column<double>(t, [&](std::size_t i) {

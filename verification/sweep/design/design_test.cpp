@@ -58,6 +58,11 @@ TEST(Design, refuses_with_line_and_key) {
        "goals[0].figure: found step, expected one of sweep.figures: steps"},
       {head + "penetration = \"1 mm\"\n" + factor("values = [1]\n"),
        "sweep.penetration: found an unknown key"},
+      {head + factor("values = [1]\n") + "[filter]\nfigure = \"imbalance\"\nkeep = 0\n",
+       "filter.keep: found 0, expected a whole number from 1"},
+      {head + "command = \"rotate\"\n" + factor("values = [1]\n") +
+           "[filter]\nfigure = \"imbalance\"\nkeep = 1\n",
+       "filter: found the command rotate, expected run"},
   };
   for (const Wrong& w : all) {
     const std::string found = mistake_in(w.text);

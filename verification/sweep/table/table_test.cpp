@@ -38,4 +38,18 @@ TEST(Table, has_a_row_for_each_point) {
             "3,2,7,nan,nan,0,missing,,\n");
 }
 
+/// The best ones, the first of equals, never what is no number; larger is better where it says so.
+TEST(Judged, keeps_the_best) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> figure{3.0, none, 1.0, 2.0, 1.0};
+  const auto kept = [&](Sense sense, long keep) {
+    return judged_by({{"x", sense}, keep}, figure).kept;
+  };
+  EXPECT_EQ(kept(Sense::smaller, 1), (std::vector<char>{0, 0, 1, 0, 0}));
+  EXPECT_EQ(kept(Sense::smaller, 3), (std::vector<char>{0, 0, 1, 1, 1}));
+  EXPECT_EQ(kept(Sense::larger, 2), (std::vector<char>{1, 0, 0, 1, 0}));
+  EXPECT_EQ(kept(Sense::smaller, 9), (std::vector<char>{1, 0, 1, 1, 1}));
+  EXPECT_TRUE(Judged{}.keeps(7));
+}
+
 }  // namespace tdbd::sweep::table_test

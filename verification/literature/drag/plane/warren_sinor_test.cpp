@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "battery/generators.hpp"
+#include "bit/profile/bit_analysis.hpp"
 #include "core/angles.hpp"
 #include "core/error.hpp"
 #include "literature/drag/example_cutters.hpp"
@@ -182,4 +183,20 @@ TEST(WarrenSinor, says_what_it_cannot_do) {
 }
 
 }  // namespace
+/// The analysis before drilling has the model's imbalance in closed form.
+TEST(WarrenSinor, imbalance_is_that_of_the_analysis_before_drilling) {
+  constexpr double rounding = 1e-13;
+  for (const char name : {'a', 'b', 'c'}) {
+    const std::vector<bit::Cutter> cutters = example_cutters(name);
+    for (const double ratio : {0.5, 0.8, 1.3}) {
+      DragRock rock = rock_k();
+      rock.normal_ratio = ratio;
+      const WarrenSinorLoad load = warren_sinor(cutters, 3 * mm, rock, fine());
+      std::vector<double> areas;
+      for (const WarrenSinorCutter& c : load.cutters) areas.push_back(c.area);
+      EXPECT_NEAR(bit::planar_imbalance(cutters, areas, ratio), load.imbalance(), rounding) << name;
+    }
+  }
+}
+
 }  // namespace tdbd::reference::warren_sinor_test
