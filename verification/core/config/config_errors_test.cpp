@@ -291,6 +291,22 @@ TEST(ConfigErrors, of_keys_and_tables_without_end) {
                   {key_of(33) + "=1"}});
 }
 
+/// Each line counts for itself, the first one too.
+TEST(ConfigErrors, of_keys_count_the_names_of_a_line) {
+  const std::string longest = key_of(32), beyond = key_of(33);
+  EXPECT_EQ(read_failure(write_temporary(".toml", "[" + longest + "]\n" + longest + " = 1\n")),
+            "no error");
+  const std::string path = write_temporary(".toml", beyond + " = 1\n");
+  EXPECT_EQ(read_failure(path), path + ":1: found a key of more names, expected at most 32");
+}
+
+TEST(ConfigErrors, of_texts) {
+  expect_message({"t = [\"a\", 3]\n",
+                  [](Config& c) { c.texts("t", {}); },
+                  "FILE:1: t: found 3, expected an array of texts",
+                  {}});
+}
+
 TEST(ConfigErrors, dots_in_texts_comments_and_numbers_are_none_of_a_key) {
   const std::string dots(100, '.');
   const std::string path =

@@ -211,4 +211,22 @@ RC_GTEST_PROP(Config, every_text_survives_the_resolved_file, (const std::string&
   RC_ASSERT(Config::read_file(path, {}).text("t", {}) == ascii);
 }
 
+/// Where a path may be left out by an empty text, one that is given is still the file's.
+TEST(Config, knows_the_files_that_it_names) {
+  const std::string named = write_temporary(".csv", "x\n");
+  const std::string path = write_temporary(".toml", "a = \"" + named + "\"\nb = \"\"\nc = 3\n");
+  Config c = Config::read_file(path, {});
+  EXPECT_EQ(c.path("a", ""), named);
+  EXPECT_EQ(c.path("b", ""), "");
+  EXPECT_EQ(c.integer("c", {}, 0, 9), 3);
+  EXPECT_NO_THROW(c.finish());
+  EXPECT_EQ(c.files(), (std::vector<std::string>{path, named}));
+}
+
+TEST(Config, an_empty_array_of_tables_is_known) {
+  Config c = Config::read_file(write_temporary(".toml", "layers = []\n"), {});
+  EXPECT_TRUE(c.tables("layers").empty());
+  EXPECT_NO_THROW(c.finish());
+}
+
 }  // namespace tdbd::config_test

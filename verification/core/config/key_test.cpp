@@ -91,6 +91,39 @@ TEST(Key, is_required_without_a_default) {
             "1: steel: found nothing, expected one of mild, hard (the key is required)");
 }
 
+/// Whatever kind of value it had.
+TEST(Key, of_every_kind_tells_a_former_name) {
+  const auto told = [](const auto& key) {
+    Config c = config_of("old = 1\n");
+    if constexpr (requires { c.read(key); })
+      c.read(key);
+    else
+      c.read(key, std::nullopt);
+    return problems_of(c);
+  };
+  const std::string expected = "1: old: found \"old\", expected its new name \"new\"";
+  EXPECT_EQ(told(QuantityKey{.name = "new", .unit = "m", .fallback = 1.0, .former = {"old"}}),
+            expected);
+  EXPECT_EQ(told(VectorKey{.name = "new", .unit = "m", .fallback = {{0, 0, 0}}, .former = {"old"}}),
+            expected);
+  EXPECT_EQ(told(IntegerKey{.name = "new", .fallback = 1, .former = {"old"}}), expected);
+  EXPECT_EQ(told(FlagKey{.name = "new", .fallback = false, .former = {"old"}}), expected);
+  EXPECT_EQ(told(TextKey{.name = "new", .fallback = "", .former = {"old"}}), expected);
+  Config c = config_of("old = 1\n");
+  c.read(ListKey{.name = "new", .unit = "m", .former = {"old"}}, std::vector<double>{});
+  EXPECT_EQ(problems_of(c), expected);
+  c = config_of("old = 1\n");
+  c.read(PairsKey{.name = "new", .unit = "m", .former = {"old"}},
+         std::vector<std::pair<double, double>>{});
+  EXPECT_EQ(problems_of(c), expected);
+  c = config_of("old = 1\n");
+  c.read(MatrixKey{.name = "new", .unit = "m", .former = {"old"}}, Mat3(Mat3::Identity()));
+  EXPECT_EQ(problems_of(c), expected);
+  c = config_of("old = 1\n");
+  c.read(TextsKey{.name = "new", .former = {"old"}}, std::vector<std::string>{});
+  EXPECT_EQ(problems_of(c), expected);
+}
+
 TEST(Key, tells_a_former_name_the_new_one) {
   Config c = config_of("[chuck]\nweight = 3\n");
   c.table("chuck").read(mass);

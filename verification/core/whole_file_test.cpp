@@ -1,0 +1,82 @@
+#include "core/whole_file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "core/folder_lock.hpp"
+#include "core/read_file.hpp"
+#include "verification/core/temporary_folder.hpp"
+
+namespace tdbd::whole_file_test {
+
+namespace fs = std::filesystem;
+
+fs::path some_file(const std::string& name) {
+  const fs::path path = tdbd::temporary_folder() + "tdbd_whole_" + name;
+  fs::remove_all(path);
+  return path;
+}
+
+template <class F>
+std::string message_of(F f) {
+  try {
+    f();
+  } catch (const RunError& e) {
+    return e.what();
+  }
+  return "nothing";
+}
+
+TEST(WholeFile, appears_with_its_commit_and_not_before) {
+  const fs::path path = some_file("late");
+  WholeFile file(path);
+  file.stream() << "bytes";
+  EXPECT_FALSE(fs::exists(path));
+  EXPECT_TRUE(fs::exists(partial_path(path)));
+  file.commit();
+  EXPECT_EQ(read_file(path, "a file"), "bytes");
+  EXPECT_FALSE(fs::exists(partial_path(path)));
+}
+
+TEST(WholeFile, without_commit_leaves_what_was_there) {
+  const fs::path path = some_file("kept");
+  write_text(path, "old");
+  { WholeFile(path).stream() << "new"; }
+  EXPECT_EQ(read_file(path, "a file"), "old");
+  EXPECT_FALSE(fs::exists(partial_path(path)));
+}
+
+/// Longer first: nothing of an older partial file stays.
+TEST(WholeFile, begins_an_older_partial_file_anew) {
+  const fs::path path = some_file("anew");
+  write_text(partial_path(path), "of a run that was killed");
+  write_text(path, "short");
+  EXPECT_EQ(read_file(path, "a file"), "short");
+}
+
+TEST(WholeFile, says_which_file_and_why) {
+  const fs::path path = "/proc/no/such.csv";
+  EXPECT_EQ(message_of([&] { WholeFile file(path); }),
+            "cannot write /proc/no/such.csv: No such file or directory");
+  EXPECT_EQ(message_of([&] { put_on_disk(path); }),
+            "cannot write /proc/no/such.csv: No such file or directory");
+  EXPECT_EQ(message_of([&] { rename_partial(path); }),
+            "cannot write /proc/no/such.csv: No such file or directory");
+}
+
+/// A program without standard input gets its number, 0, for the next file that it opens.
+TEST(WholeFile, and_a_folder_lock_may_have_the_number_0) {
+  const fs::path path = some_file("zero");
+  write_text(path, "bytes");
+  const int kept = dup(STDIN_FILENO);
+  close(STDIN_FILENO);
+  EXPECT_EQ(message_of([&] { put_on_disk(path); }), "nothing");
+  EXPECT_EQ(message_of([&] { FolderLock lock(path.parent_path()); }), "nothing");
+  if (kept >= 0) {
+    dup2(kept, STDIN_FILENO);
+    close(kept);
+  }
+}
+
+}  // namespace tdbd::whole_file_test
