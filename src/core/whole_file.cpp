@@ -47,7 +47,6 @@ WholeFile::WholeFile(std::filesystem::path path)
 /// Takes no memory: it may run because there is none.
 WholeFile::~WholeFile() {
   if (committed_) return;
-  stream_.close();
   std::error_code ignored;
   std::filesystem::remove(partial_, ignored);
 }

@@ -29,6 +29,18 @@ TEST(FolderLock, holds_a_folder_for_one_at_a_time) {
   EXPECT_NO_THROW(FolderLock fourth(folder));
 }
 
+/// A refusal keeps no file open.
+TEST(FolderLock, that_is_refused_leaves_nothing_open) {
+  const auto open_files = [] {
+    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+  };
+  const fs::path folder = some_folder("open");
+  const FolderLock lock(folder);
+  const auto before = open_files();
+  EXPECT_THROW(FolderLock second(folder), InputError);
+  EXPECT_EQ(open_files(), before);
+}
+
 TEST(FolderLock, of_a_folder_that_cannot_be_opened_is_no_lock) {
   EXPECT_THROW(FolderLock lock(some_folder("gone") / "missing"), RunError);
 }

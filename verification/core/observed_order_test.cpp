@@ -139,4 +139,13 @@ RC_GTEST_PROP(LeastSquaresOrder, does_not_depend_on_units, ()) {
   RC_ASSERT(std::abs(least_squares_order(s.steps, s.errors) - order) < 1e-10);
 }
 
+/// Of logarithms 0, 1, 2 of the steps and 0, 0, 3 of the errors by hand: 3/2. Each point counts.
+TEST(ObservedOrder, is_the_slope_of_least_squares) {
+  const double e = std::exp(1.0);
+  const std::vector<double> steps{1.0, e, e * e}, errors{1.0, 1.0, e * e * e};
+  EXPECT_NEAR(least_squares_order(steps, errors), 1.5, 1e-14);
+  EXPECT_NEAR(least_squares_order(steps, std::vector{1.0, e, e * e}), 1.0, 1e-14);
+  EXPECT_NEAR(least_squares_order(steps, std::vector{e * e * e, 1.0, 1.0}), -1.5, 1e-14);
+}
+
 }  // namespace tdbd::observed_order_test

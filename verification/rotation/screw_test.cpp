@@ -108,4 +108,14 @@ TEST(Screw, translation_has_no_turn) {
   EXPECT_EQ(carried(v, 2.0).p, p);
 }
 
+/// The twist of a small turn is found to the last digits: its series has two terms up to 1e-3.
+TEST(Screw, twist_of_a_small_turn_is_found_to_rounding) {
+  for (const double angle : {1e-6, 3e-4, 9e-4, 9.99e-4, 1.01e-3})
+    for (const double x : {1.0, 0.3, -0.7}) {
+      const Twist v{angle * Vec3::UnitZ(), Vec3(x, 0.5, 0.25)};
+      const Twist found = twist_from(Pose{}, carried(v, 1.0), 1.0);
+      EXPECT_LT((found.linear_B - v.linear_B).norm(), 0.6 * rounding) << angle;
+    }
+}
+
 }  // namespace tdbd::rotation::screw_test

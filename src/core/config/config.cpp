@@ -68,8 +68,7 @@ std::vector<std::string> Config::given() const {
   std::vector<std::string> names;
   if (node == nullptr || !node->is_table()) return names;
   for (const auto& [name, value] : *node->as_table()) names.emplace_back(name.str());
-  std::sort(names.begin(), names.end());
-  return names;
+  return names;  // sorted, as the table is
 }
 
 std::string Config::full(std::string_view key) const {

@@ -296,8 +296,17 @@ TEST(ConfigErrors, of_keys_count_the_names_of_a_line) {
   const std::string longest = key_of(32), beyond = key_of(33);
   EXPECT_EQ(read_failure(write_temporary(".toml", "[" + longest + "]\n" + longest + " = 1\n")),
             "no error");
+  EXPECT_EQ(read_failure(write_temporary(".toml", longest + " = 1\n")), "no error");
   const std::string path = write_temporary(".toml", beyond + " = 1\n");
   EXPECT_EQ(read_failure(path), path + ":1: found a key of more names, expected at most 32");
+}
+
+/// Arrays count as tables do.
+TEST(ConfigErrors, of_arrays_within_arrays) {
+  std::string nested = "1";
+  for (int k = 0; k < 9; ++k) nested = "[{" + key_of(30) + " = " + nested + "}]";
+  const std::string path = write_temporary(".toml", "b = " + nested + "\n");
+  EXPECT_EQ(read_failure(path), path + ":1: found a value in more tables, expected at most 256");
 }
 
 TEST(ConfigErrors, of_texts) {

@@ -229,4 +229,11 @@ TEST(Config, an_empty_array_of_tables_is_known) {
   EXPECT_NO_THROW(c.finish());
 }
 
+TEST(Config, knows_the_names_that_a_table_has) {
+  Config c = Config::read_text("z = 1\na = 2\n[t]\ny = 3\nx = 4\n", "made-up.toml");
+  EXPECT_EQ(c.given(), (std::vector<std::string>{"a", "t", "z"}));
+  EXPECT_EQ(c.table("t").given(), (std::vector<std::string>{"x", "y"}));
+  EXPECT_TRUE(c.table("none").given().empty());
+}
+
 }  // namespace tdbd::config_test
