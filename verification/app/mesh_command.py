@@ -104,6 +104,10 @@ def check_grading(folder):
     again = folder / "again.obj"
     tdbd("mesh", folder / "cube.stl", "--grade", "--edge", "1 mm", "--face", "10 mm", "-o", again)
     assert again.read_bytes() == out.read_bytes()
+    even = tdbd("mesh", folder / "cube.stl", "--grade", "--edge", "8 mm", "--face", "8 mm", "--growth", "0", "-o",
+                folder / "even.obj")
+    assert even.returncode == 0, even
+    refused(tdbd("mesh", folder / "cube.stl", "--grade", "--growth", "-0.1", "-o", folder / "no.obj"), "--growth: found -0.1")
     refused(tdbd("mesh", folder / "cube.stl", "--grade", "--edge", "3 mm", "--face", "2 mm", "-o",
                  folder / "no.obj"), "--face: found 2 mm, expected at least --edge")
     refused(tdbd("mesh", folder / "cube.stl", "--grade", "--repair", "-o", folder / "no.obj"),

@@ -124,4 +124,13 @@ RC_GTEST_PROP(Exp, does_not_jump_where_its_formula_changes, ()) {
   RC_ASSERT(distance(step, (above - below) * skew(u)) < 1e-15);
 }
 
+/// What is small in a small rotation keeps its digits: (1 - cos) / angle^2 off the diagonal, where no sine stands.
+TEST(Exp, of_a_small_turn_has_all_its_digits_off_the_diagonal) {
+  for (const double a : {1e-6, 2e-5, 7e-5, 8e-5, 1e-3}) {
+    const double angle = a * std::sqrt(2.0), half = std::sin(0.5 * angle);
+    const double expected = 2.0 * half * half / 2.0;  // over angle^2, times a^2
+    EXPECT_NEAR(exp(Vec3(a, a, 0.0))(0, 1) / expected, 1.0, 1e-14) << a;
+  }
+}
+
 }  // namespace tdbd::rotation::rotation_vector_test

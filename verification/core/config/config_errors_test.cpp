@@ -304,7 +304,7 @@ TEST(ConfigErrors, of_keys_count_the_names_of_a_line) {
 /// Arrays count as tables do.
 TEST(ConfigErrors, of_arrays_within_arrays) {
   std::string nested = "1";
-  for (int k = 0; k < 9; ++k) nested = "[{" + key_of(30) + " = " + nested + "}]";
+  for (int k = 0; k < 50; ++k) nested = "[{" + key_of(5) + " = " + nested + "}]";
   const std::string path = write_temporary(".toml", "b = " + nested + "\n");
   EXPECT_EQ(read_failure(path), path + ":1: found a value in more tables, expected at most 256");
 }

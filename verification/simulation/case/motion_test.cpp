@@ -8,6 +8,7 @@
 
 #include "core/random.hpp"
 #include "rotation/rotation_vector.hpp"
+#include "simulation/case/step_check.hpp"
 
 namespace tdbd::simulation::motion_test {
 
@@ -184,6 +185,22 @@ TEST(Motion, legs_are_the_closed_form) {
   expect_at(2.2, start + 2.0 * down + 0.2 * aside, 8.0 * pi);
   expect_at(3.1, start + 1.4 * down + 0.5 * aside, 6.8 * pi);
   expect_at(9.0, start + 1.0 * down + 0.5 * aside, 6.0 * pi);
+}
+
+/// How fast the bit goes along a path does not depend on where the path begins.
+TEST(SpeedsOf, a_path_are_those_of_its_pieces_wherever_it_lies) {
+  const Vec3 aside(70.0, -20.0, 300.0);
+  for (const Vec3& from : {Vec3(Vec3::Zero()), aside}) {
+    const Motion m = along({{0.0, from, Vec3::Zero()},
+                            {2.0, from + Vec3(3.0, 0.0, 4.0), Vec3::Zero()},
+                            {2.5, from + Vec3(3.0, 1.0, 4.0), Vec3(0.0, 0.0, 0.5)}});
+    const std::vector<Speeds> speeds = speeds_of(m);
+    ASSERT_EQ(speeds.size(), 2U);
+    EXPECT_NEAR(speeds[0].shift, 2.5, 1e-13);
+    EXPECT_NEAR(speeds[0].w_B.norm(), 0.0, 1e-15);
+    EXPECT_NEAR(speeds[1].shift, 2.0, 1e-13);
+    EXPECT_NEAR(speeds[1].w_B.z(), 1.0, 1e-14);
+  }
 }
 
 }  // namespace tdbd::simulation::motion_test

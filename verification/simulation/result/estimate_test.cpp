@@ -59,6 +59,12 @@ TEST(RunEstimate, grows_with_triangles_and_frames) {
            coarse.disk_bytes;
   };
   EXPECT_NEAR(frames_of("10") / frames_of("20"), 2.0, 1e-9);
+  // half the rows, half of what they take
+  const auto rows_of = [&](const std::string& every) {
+    return of({"rock.edge_length=0.008", "output.history_every=" + every}).disk_bytes;
+  };
+  EXPECT_NEAR((rows_of("2") - rows_of("4")) / (rows_of("4") - rows_of("8")), 2.0, 1e-6);
+  EXPECT_GT(rows_of("2"), rows_of("4"));
 }
 
 /// Nothing is left to be made.
