@@ -34,10 +34,14 @@ TEST(BadOutput, a_wrong_case_keeps_the_old_result_even_with_force) {
 
 TEST(BadOutput, force_leaves_no_old_frame_and_deletes_nothing_foreign) {
   const SmallCase c;
-  ASSERT_EQ(c.run({"--set", "output.frames_every=1"}).exit_code, 0);
+  const auto first = c.run({"--set", "output.frames_every=1"});
+  ASSERT_EQ(first.exit_code, 0);
+  EXPECT_NE(first.out.find("to look at it: "), std::string::npos) << first.out;
   for (const char* foreign : {"out/notes.txt", "out/frames/mine.vtp", "out/frames/rock.vtp"})
     c.write(foreign, "mine");
-  ASSERT_EQ(c.run({"--force", "--set", "output.frames_every=0"}).exit_code, 0);
+  const auto second = c.run({"--force", "--set", "output.frames_every=0"});
+  ASSERT_EQ(second.exit_code, 0);
+  EXPECT_EQ(second.out.find("to look at it: "), std::string::npos) << second.out;
   for (const char* foreign : {"out/notes.txt", "out/frames/mine.vtp", "out/frames/rock.vtp"})
     EXPECT_EQ(read(c.path(foreign)), "mine") << foreign;
   EXPECT_FALSE(fs::exists(c.path("out/frames/rock-000001.vtp")));

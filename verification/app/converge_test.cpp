@@ -192,6 +192,21 @@ void expect_study_refused(const RotateFolder& c, std::vector<std::string> more,
   EXPECT_FALSE(std::filesystem::exists(c.path("orders")));
 }
 
+/// The same numbers on any number of threads, which must be one at least.
+TEST(Converge, takes_threads) {
+  const RotateFolder c;
+  const std::vector<std::string> study{"--over", "time.step", "--levels", "3", "--threads"};
+  const auto with = [&](const std::string& threads) {
+    std::vector<std::string> more = study;
+    more.push_back(threads);
+    return more;
+  };
+  EXPECT_EQ(c.converge(with("2"), "two").exit_code, 0);
+  EXPECT_EQ(c.converge(with("1"), "one").exit_code, 0);
+  EXPECT_EQ(read(c.path("two/convergence.csv")), read(c.path("one/convergence.csv")));
+  EXPECT_EQ(c.converge(with("0"), "none").exit_code, 2);
+}
+
 TEST(Converge, a_wrong_study_is_refused) {
   const RotateFolder c;
   const std::vector<std::string> levels{"--levels", "4"};

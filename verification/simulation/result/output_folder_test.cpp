@@ -58,6 +58,14 @@ TEST(OutputFolder, that_is_empty_is_taken) {
   EXPECT_EQ(refusal(path), "not refused");
 }
 
+TEST(OutputFolder, whose_frames_are_a_file_is_refused) {
+  const fs::path path = nothing_at("frames");
+  fs::create_directories(path);
+  write(path / "frames", "notes");
+  EXPECT_EQ(refusal(path, Overwrite::force), "its frames is a file");
+  EXPECT_TRUE(fs::exists(path / "frames"));
+}
+
 TEST(OutputFolder, with_files_needs_force) {
   const fs::path path = folder_of("full", {"summary.json"});
   EXPECT_EQ(refusal(path), "exists; --force overwrites");
