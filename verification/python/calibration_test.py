@@ -15,6 +15,7 @@ FEW = COARSE | {"laboratory.rates": ["10 m/h"], "laboratory.pressures": ["3000 p
 
 class Calibration(FolderTest):
     def test_files(self):
+        self.demand_one_commit()
         done = command("calibrate", CUTTERS, "-o", self.folder / "a", "--quiet")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         result = tdbd.calibrate(CUTTERS, self.folder / "b")

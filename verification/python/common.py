@@ -38,6 +38,11 @@ class FolderTest(unittest.TestCase):
         self.addCleanup(made.cleanup)
         self.folder = pathlib.Path(made.name)
 
+    def demand_one_commit(self):
+        """Summaries name their commit: where only one of the two was built anew, no bytes are the same."""
+        import tdbd
+        self.assertIn(f"commit {tdbd.provenance['commit']}\n", command("--version").stdout, "build program and module both")
+
     def same_files(self, one, other, but=("timing.json",)):
         """Every file of one folder is in the other, with the same bytes."""
         names = lambda folder: sorted(str(f.relative_to(folder)) for f in folder.rglob("*") if f.is_file())

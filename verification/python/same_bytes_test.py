@@ -14,6 +14,10 @@ RUNS = {
 
 
 class SameBytes(FolderTest):
+    def setUp(self):
+        super().setUp()
+        self.demand_one_commit()
+
     def test_run(self):
         for name, (case, settings) in RUNS.items():
             with self.subTest(name):
