@@ -5,10 +5,11 @@
 
 NAME_effects.svg: each figure over each factor, all points, the means of its levels (main effects) and the share of
 the variance that they explain. NAME_parallel.svg: one line for each point through all factors and figures, coloured by
-the first figure; points of the non-dominated front stand out.
+the first figure; points of the non-dominated front stand out. NAME_effects.csv: the means and shares as numbers.
 """
 
 import argparse
+import csv
 import sys
 from pathlib import Path
 
@@ -55,6 +56,18 @@ def effects(table):
         axes[i][0].set_ylabel(figure.label)
     fig.suptitle(f"{table.title}: means of levels, and their share of the variance")
     return fig
+
+
+def write_effects(table, path):
+    """A row for each figure and factor: the share of the variance, and the means over the factor's places."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(["figure", "factor", "share", "means at places"])
+        for figure in table.figures:
+            for factor in table.factors:
+                places, means, share = sweep_table.main_effect(factor, figure)
+                names = [factor.words[round(p)] if factor.words else f"{p:.4g}" for p in places]
+                out.writerow([figure.label, factor.label, f"{share:.3f}", "; ".join(f"{m:.4g} at {n}" for m, n in zip(means, names))])
 
 
 def scaled(column):
@@ -112,6 +125,9 @@ def main():
         figure.savefig(path, metadata={"Date": None, "Creator": None})
         plt.close(figure)
         print(path)
+    effects_csv = folder / f"{arguments.table.stem}_effects.csv"
+    write_effects(table, effects_csv)
+    print(effects_csv)
     if table.failed:
         print(f"{table.failed} points are not drawn: they failed, or are missing")
 

@@ -17,6 +17,7 @@ void add_check(CLI::App& app, int& exit_code);
 void add_keys(CLI::App& app, int& exit_code);
 void add_bit(CLI::App& app, int& exit_code);
 void add_laboratory(CLI::App& app, int& exit_code);
+void add_new(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 

@@ -83,6 +83,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 the computation failed, 2 the input is wrong, 130 interrupted.");
   int exit_code = 0;
+  tdbd::app::add_new(app, exit_code);
   tdbd::app::add_run(app, exit_code);
   tdbd::app::add_rotate(app, exit_code);
   tdbd::app::add_converge(app, exit_code);

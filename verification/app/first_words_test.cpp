@@ -39,11 +39,11 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
   expect_told({"help", "convrge"},
               "found the command convrge, expected converge? (tdbd alone lists all)");
   expect_told({"drill"},
-              "found the command drill, expected one of run, rotate, converge, calibrate, check, "
-              "keys, bit, laboratory, mesh");
+              "found the command drill, expected one of new, run, rotate, converge, calibrate, "
+              "check, keys, bit, laboratory, sweep, mesh");
   expect_told({"q"},
-              "found the command q, expected one of run, rotate, converge, calibrate, check, "
-              "keys, bit, laboratory, mesh");
+              "found the command q, expected one of new, run, rotate, converge, calibrate, "
+              "check, keys, bit, laboratory, sweep, mesh");
 }
 
 /// A file that is given to a command of another kind.

@@ -19,6 +19,7 @@ PROGRAMS = {
     "dynamics": (["verify_dynamics", "verify_drilling"], ["verify_simulation"]),
     "simulation": (["verify_simulation"], ["verify_calibration", "verify_app"]),
     "calibration": (["verify_calibration", "verify_calibrate"], []),
+    "sweep": (["verify_sweep"], []),
     "app": (["verify_app", "verify_calibrate"], []),
 }
 # These call the program tdbd, which is linked with the mutant as well.

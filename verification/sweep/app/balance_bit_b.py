@@ -1,5 +1,5 @@
 """The shipped design balances bit B: its imbalance falls from 5 % and more to less than 2 %, by the planar model and by ours.
-balance_bit_b.py TDBD FOLDER"""
+balance_bit_b.py TDBD FOLDER [CSV]: the third word is a file for the numbers"""
 
 import csv
 import pathlib
@@ -15,7 +15,19 @@ def swept(tdbd, design, table):
     return [row for row in csv.DictReader(table.with_suffix(".csv").open()) if row["status"] == "done"]
 
 
-def main(tdbd, folder):
+def write_csv(before, by_planar, by_ours, path):
+    """Azimuths, and what both models say of the bit as it is, of the planar model's best place and of ours."""
+    turned = [name for name in by_ours if "blade" in name]
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(["bit B", "blades 2 to 5 turned, deg", "planar imbalance, %", "imbalance, %", "weight's deviation, N", "specific energy, MPa"])
+        for name, row in (("as it is", before), ("the planar model's best", by_planar), ("the best of 24", by_ours)):
+            out.writerow([name, ", ".join(f"{float(row.get(t, 0)):.2f}" for t in turned), f"{100 * float(row['planar.imbalance']):.2f}",
+                          f"{100 * float(row['imbalance']):.2f}", f"{float(row['wob_std_n']):.1f}",
+                          f"{1e-6 * float(row['mechanical_specific_energy_pa']):.2f}"])
+
+
+def main(tdbd, folder, table=None):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     shipped = (SWEEPS / "balance-bit-b.toml").read_text()
@@ -26,6 +38,8 @@ def main(tdbd, folder):
     rows = swept(tdbd, SWEEPS / "balance-bit-b.toml", folder / "after.nc")
     assert len(rows) == 24
     best = min(rows, key=lambda row: float(row["imbalance"]))
+    if table:
+        write_csv(before, min(rows, key=lambda row: float(row["planar.imbalance"])), best, table)
     text = ", ".join(f"{name} {100 * float(before[name]):.2f} % before, {100 * float(best[name]):.2f} % after"
                      for name in ("planar.imbalance", "imbalance"))
     assert float(before["imbalance"]) > 0.05 and float(before["planar.imbalance"]) > 0.07, text
@@ -35,4 +49,4 @@ def main(tdbd, folder):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], pathlib.Path(sys.argv[2]))
+    main(sys.argv[1], pathlib.Path(sys.argv[2]), *sys.argv[3:])
