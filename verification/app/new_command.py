@@ -43,7 +43,7 @@ folder.mkdir(parents=True)
 for kind in SHORT:
     check(kind)
 (folder / "mine").write_text("mine")
-for words, message in ((("new", "pcd", "a"), "KIND: found pcd, expected pdc"), (("new", "bit", "a"), "KIND: found bit, expected one of pdc, cones"),
+for words, message in ((("new", "cone", "a"), "KIND: found cone, expected cones"), (("new", "bit", "a"), "KIND: found bit, expected one of pdc, cones"),
                        (("new", "top", "mine"), "NAME: found mine, which is there"), (("new", "top"), "name is required")):
     refused = tdbd(*words)
     assert refused.returncode == 2 and message in refused.stderr, (words, refused)
