@@ -184,6 +184,16 @@ void check_continued_cones(Config c, const Case& read) {
               "0: what cones remember of their contacts is in no file");
 }
 
+/// The bit's file, and the choices of [update] that its parts and their search hang on.
+std::string bit_hash(Config& update, const bit::BitFile& bit, const rock::CuttingOptions& cutting) {
+  return fnv1a_hex(fmt::format(
+      "{}\n{} {} {} {} {} {}", bit.fingerprint,
+      static_cast<int>(update.read(update_keys::directions)),
+      static_cast<int>(update.read(update_keys::inside_cutters)),
+      static_cast<int>(update.read(update_keys::gage_teeth)), static_cast<int>(cutting.search),
+      static_cast<int>(cutting.directions), static_cast<int>(cutting.exit_from)));
+}
+
 /// All tables, and what must hold between them.
 bit::BitFile read_tables(Config& c, Case& read) {
   Config update = c.table(update_keys::table);
@@ -193,6 +203,7 @@ bit::BitFile read_tables(Config& c, Case& read) {
   read.motion = read_motion(c.table(motion_keys::table), read.bit);
   read.time = read_time(c.table(time_keys::table), read.motion);
   read.update = read_update(update);
+  read.bit_hash = bit_hash(update, file, read.update.cutting);
   read.maintenance = read_maintenance(c.table(maintenance_keys::table));
   read.measure = read_measure(c.table(measure_keys::table));
   read.output = read_output(c.table(output_keys::table), read.time, read.motion.kind);

@@ -96,6 +96,8 @@ struct Case {
   std::vector<CaseWarning> warnings;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
   std::string hash;      ///< of the resolved values and the content of all files
+  std::string
+      bit_hash;  ///< of all that rock::prepare_cutting_bit looks at: bit file, [bit.set], [update]
   std::map<std::string, double> quantities;  ///< of the case file, by dotted key, in SI
 };
 

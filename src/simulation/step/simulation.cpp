@@ -44,11 +44,11 @@ State start_state(const Case& c) {
 
 }  // namespace
 
-Work start_work(const Case& c, const State& state) {
+Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
   Work w;
   w.limits = limits_of(c);
   w.trim_height = trim_height(c);
-  w.cutting = rock::prepare_cutting_bit(c.bit, c.update.cutting);
+  w.cutting = std::move(cutting);
   rock::turn_cones(w.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
   w.cut_work.most_passes = c.update.most_passes;
   w.cut_work.list_margins = list_margins_for(c.measure, c.rock.edge_length);
@@ -72,10 +72,18 @@ Statistics start_statistics(const Case& c) {
 
 Simulation start(const Case& c) { return resume(c, start_state(c), start_statistics(c)); }
 
+Simulation start(const Case& c, const rock::CuttingBit& prepared) {
+  Simulation s;
+  s.state = start_state(c);
+  s.work = start_work(c, s.state, prepared);
+  s.statistics = start_statistics(c);
+  return s;
+}
+
 Simulation resume(const Case& c, State state, Statistics statistics) {
   Simulation s;
   s.state = std::move(state);
-  s.work = start_work(c, s.state);
+  s.work = start_work(c, s.state, rock::prepare_cutting_bit(c.bit, c.update.cutting));
   s.statistics = std::move(statistics);
   return s;
 }

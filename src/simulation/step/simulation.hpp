@@ -93,6 +93,9 @@ struct Simulation {
 /// than its largest cutter's radius, or the rock cannot be built.
 Simulation start(const Case& c);
 
+/// The same with a bit that was prepared for a case of the same `bit_hash`.
+Simulation start(const Case& c, const rock::CuttingBit& prepared);
+
 /// One time step, thesis fig. 4.2: the bit drifts to its next place, its parts cut, what they met
 /// is measured, the force laws are evaluated, the motion takes their kick, and when it is due the
 /// surface is maintained, its wall trimmed and its mesh renumbered (step.hpp). Throws RunError where a step cannot be
@@ -103,7 +106,8 @@ void step(const Case& c, Simulation& s);
 /// as if it had not been interrupted.
 Simulation resume(const Case& c, State state, Statistics statistics);
 
-Work start_work(const Case& c, const State& state);
+/// `cutting`: the prepared bit of the case.
+Work start_work(const Case& c, const State& state, rock::CuttingBit cutting);
 Statistics start_statistics(const Case& c);
 
 /// |start + removed + maintenance - trimmed - now| over the largest of them: tolerance::ledger

@@ -19,6 +19,7 @@
 #include "simulation/step/energy_order.hpp"
 #include "sweep/point/figures.hpp"
 #include "sweep/point/planar.hpp"
+#include "sweep/point/prepared_bits.hpp"
 
 namespace tdbd::sweep {
 namespace {
@@ -38,7 +39,7 @@ void stop_if(bool interrupted) {
 /// As `tdbd run` does it, without its files.
 Summary drill(const Design& d, const Words& overrides, const std::atomic<bool>* interrupted) {
   const sim::Case c = sim::read_case(d.case_file, overrides);
-  sim::Simulation s = sim::start(c);
+  sim::Simulation s = sim::start(c, *prepared_bit(c));
   const sim::EnergyOrderPlan plan = sim::plan_energy_order(c);
   sim::EnergyOrder order;
   order.residual.reason = plan.at < 0 ? plan.reason : "the run ended before its window";
