@@ -1,6 +1,15 @@
 #include "python/src/watch.hpp"
 
+#include <string>
+#include <utility>
+
 namespace tdbd::python {
+
+Watch::Watch(py::object progress) : progress_(std::move(progress)) {
+  if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0)
+    throw py::type_error(std::string("progress: found ") + Py_TYPE(progress_.ptr())->tp_name +
+                         ", expected a function of done and total");
+}
 
 bool Watch::is_due(long done, long total) {
   constexpr std::chrono::milliseconds between{100};

@@ -13,8 +13,8 @@ namespace tdbd::python {
 /// An exception that either of them raises sets a flag, so that the computation ends in good order; rethrow() passes it on.
 class Watch {
  public:
-  /// `progress`: a callable, or None. With Python's lock held.
-  explicit Watch(py::object progress) : progress_(std::move(progress)) {}
+  /// `progress`: a callable, or None; throws TypeError for anything else. With Python's lock held.
+  explicit Watch(py::object progress);
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 

@@ -79,7 +79,10 @@ def case(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None, **k
     Overrides are keywords, with `__` for the dot (`rock__edge_length="2 mm"`), or a dictionary (`set={"rock.edge_length":
     "2 mm"}`); keywords win. Texts are what `--set` takes; numbers are in SI. Raises CaseError with every mistake.
     """
-    return _read(os.fspath(path), assignments(set, keys))
+    name = os.fsdecode(path)
+    if "\0" in name:
+        raise ValueError(f"path: found {name!r} with a zero byte, expected a file's name")
+    return _read(name, assignments(set, keys))
 
 
 def of_kind(given: "Case | str | os.PathLike[str]", *kinds: str) -> Case:

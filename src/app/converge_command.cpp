@@ -69,7 +69,7 @@ void add_convergence_options(CLI::App& command, ConvergeArguments& a) {
       ->allow_extra_args(false);
   command.add_option("--levels", a.plan.levels, "how many values, the case's own first")
       ->required()
-      ->check(CLI::Range(2, 60));
+      ->check(CLI::Range(sim::least_levels, sim::most_levels));
   command.add_option("--factor", a.plan.factor, "what the quantity is divided by")
       ->capture_default_str();
   command.add_option("--reference", a.reference,

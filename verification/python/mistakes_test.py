@@ -55,6 +55,8 @@ class Mistakes(FolderTest):
             with self.subTest(file), self.assertRaises(tdbd.CaseError) as raised:
                 tdbd.case(self.folder / file)
             self.assertEqual(str(raised.exception), self.told("run", self.folder / file, "-o", self.folder / "never"), file)
+        self.assertRaisesRegex(ValueError, "zero byte", tdbd.case, f"{DRILLING}\0")
+        self.assertEqual(tdbd.case(bytes(DRILLING)).path, str(DRILLING))
         with self.assertRaises(tdbd.CaseError) as raised:
             tdbd.case(self.folder / "no.toml")
         self.assertEqual((raised.exception.file, raised.exception.line), (str(self.folder / "no.toml"), 1))
@@ -71,6 +73,18 @@ class Mistakes(FolderTest):
         with self.assertRaisesRegex(tdbd.CaseError, "found a bit, with a table .*try: tdbd bit"):
             tdbd.case(BIT)
 
+    def test_studies(self):
+        for levels, factor, over, text in ((1, 2, "time.step", "--levels: found 1, expected 2 to 60"), (61, 2, "time.step", "--levels: found 61"),
+                                           (3, 1, "time.step", "--factor: found 1, expected a number > 1"),
+                                           (3, 2, [], "--over: found none"), (3, 2, "time.stepp", "--over: found time.stepp, expected a quantity")):
+            with self.subTest(text), self.assertRaisesRegex(tdbd.CaseError, text):
+                tdbd.converge(TOP, over, levels, factor, folder=self.folder / "a")
+        self.assertFalse((self.folder / "a").exists())
+        told = self.told("converge", TOP, "--over", "time.stepp", "--levels", 3, "-o", self.folder / "a")
+        with self.assertRaises(tdbd.CaseError) as raised:
+            tdbd.converge(TOP, "time.stepp", 3)
+        self.assertEqual(str(raised.exception), told)
+
     def test_types(self):
         for value in (None, {"a": 1}, b"2 mm", object()):
             with self.subTest(value), self.assertRaisesRegex(TypeError, "rock.edge_length: found .*, expected a text"):
@@ -79,6 +93,9 @@ class Mistakes(FolderTest):
             tdbd.case(DRILLING, "rock.edge_length=2 mm")
         with self.assertRaises(TypeError):
             tdbd.run(tdbd.case(DRILLING, set=QUICK), self.folder / "a", 5)
+        with self.assertRaisesRegex(TypeError, "progress: found int, expected a function of done and total"):
+            tdbd.run(tdbd.case(DRILLING, set=QUICK), self.folder / "a", progress=5)
+        self.assertFalse((self.folder / "a").exists())
 
     def test_values(self):
         legs = [{"duration": 1}]

@@ -202,6 +202,10 @@ std::string error_name(const ConvergencePlan& plan) {
 }
 
 ConvergenceStart check(const ConvergencePlan& plan) {
+  if (plan.keys.empty()) throw InputError("--over: found none, expected a quantity of the case");
+  if (plan.levels < least_levels || plan.levels > most_levels)
+    throw InputError(fmt::format("--levels: found {}, expected {} to {}", plan.levels, least_levels,
+                                 most_levels));
   if (!(plan.factor > 1.0) || !std::isfinite(plan.factor))
     throw InputError(fmt::format("--factor: found {}, expected a number > 1", plan.factor));
   const ConvergenceStart first = check_first(plan);

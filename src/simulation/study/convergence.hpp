@@ -9,6 +9,9 @@
 
 namespace tdbd::simulation {
 
+/// How many levels a study may have: it divides at least once, and halves no double more often.
+inline constexpr int least_levels = 2, most_levels = 60;
+
 /// A study: quantities of a case divided again and again, all by the same factor.
 struct ConvergencePlan {
   std::string case_file;
@@ -30,8 +33,8 @@ struct Convergence {
 };
 
 /// The case with its own values of the quantities, checked. Throws InputError: a wrong case, a key
-/// that is no positive quantity of it or comes twice, a factor of 1 or less, a second or last level
-/// that is no right case or ends at another time.
+/// that is no positive quantity of it or comes twice, no key, a factor of 1 or less, a number of
+/// levels out of range, a second or last level that is no right case or ends at another time.
 struct ConvergenceStart {
   std::vector<double> sizes;
   std::string title, case_hash;
