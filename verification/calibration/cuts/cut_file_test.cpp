@@ -66,6 +66,21 @@ TEST(CutFile, without_one_of_its_variables_is_none) {
   }
 }
 
+TEST(CutFile, without_its_depth_or_its_parts_is_none) {
+  for (const bool depth : {true, false}) {
+    const fs::path file = written(made_up_run(made_up_bits()[0], 1e-3));
+    int id = -1, part = -1;
+    ASSERT_EQ(nc_open(file.c_str(), NC_WRITE, &id), NC_NOERR);
+    ASSERT_EQ(nc_redef(id), NC_NOERR);
+    ASSERT_EQ(nc_inq_dimid(id, "part", &part), NC_NOERR);
+    ASSERT_EQ(depth ? nc_del_att(id, NC_GLOBAL, "depth_m") : nc_rename_dim(id, part, "piece"),
+              NC_NOERR);
+    ASSERT_EQ(nc_close(id), NC_NOERR);
+    seal_file(file);
+    EXPECT_FALSE(read_cut_run(file).has_value()) << depth;
+  }
+}
+
 TEST(CutFile, that_is_torn_is_none) {
   const fs::path file = written(made_up_run(made_up_bits()[0], 1e-3));
   const auto whole = fs::file_size(file);
