@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "calibration/fit/bounded_map.hpp"
+#include "calibration/fit/polish.hpp"
+#include "calibration/fit/solve.hpp"
 #include "calibration/fit/trust_region.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "calibration/twin_readings.hpp"
@@ -84,6 +86,19 @@ TEST(Fit, its_search_stops_where_it_is_done) {
   for (Eigen::Index k = 0; k < search.values.size(); ++k) search.free.push_back(k);
   EXPECT_EQ(search_from_values(search), GSL_SUCCESS);
   EXPECT_LT(search.evaluations, 61);
+}
+
+/// A place that was polished needs one more step to be known as such: four evaluations for each derivative.
+TEST(Fit, its_polish_counts_its_evaluations) {
+  const CalibrationCase c = noisy(well_conditioned_case());
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const Data data = data_of(p);
+  Search search{p, data, solve(p, data, truth_of(p, hidden_law())).values, {}};
+  for (Eigen::Index k = 0; k < search.values.size(); ++k) search.free.push_back(k);
+  polish(search);
+  const long before = search.evaluations;
+  polish(search);
+  EXPECT_EQ(search.evaluations - before, 4 * search.values.size());
 }
 
 /// The search without its free variable's end says so, where fit takes the unknown out.
