@@ -24,7 +24,8 @@ def score(name, rows):
 
 
 def is_home(row):
-    programs = {"dynamics": ("verify_dynamics", "verify_drilling"), "calibration": ("verify_calibration", "verify_calibrate")}
+    programs = {"dynamics": ("verify_dynamics", "verify_drilling"), "calibration": ("verify_calibration", "verify_calibrate"),
+                "app": ("verify_app", "verify_calibrate")}
     return row["killer"].split(" ")[0] in programs.get(row["room"], ("verify_" + row["room"],))
 
 
