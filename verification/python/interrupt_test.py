@@ -63,7 +63,7 @@ class Interrupts(FolderTest):
         self.assertRaises(tdbd.CaseError, tdbd.resume, self.folder / "nowhere")
 
     def test_a_rotation_goes_on(self):
-        self.goes_on(tdbd.case(TOP, time__duration="1e4 s"), tdbd.rotate)
+        self.goes_on(tdbd.case(TOP, time__duration="1e5 s"), tdbd.rotate)
 
 
 if __name__ == "__main__":

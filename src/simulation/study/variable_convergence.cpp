@@ -42,12 +42,12 @@ void estimate_uncertainty(const Levels& levels, double nominal_order, double ran
 
 /// (10): the finest values, moved on by what the last difference leaves of its series.
 void extrapolate(const Levels& levels, std::size_t v, VariableConvergence& r) {
+  // an interrupted study may have one level only, and then there is no uncertainty
+  if (!r.uncertainty || r.uncertainty->basis != UncertaintyBasis::observed_order) return;
   const StateVariable& fine = levels.back().end.variables[v];
-  const bool is_attitude = fine.factor != 1.0;
-  if (fine.values.size() != levels[levels.size() - 2].end.variables[v].values.size()) return;
-  if (!r.uncertainty || r.uncertainty->basis != UncertaintyBasis::observed_order || is_attitude)
-    return;
   const ConvergenceLevel& before = levels[levels.size() - 2];
+  const bool is_attitude = fine.factor != 1.0;
+  if (is_attitude || fine.values.size() != before.end.variables[v].values.size()) return;
   const double ratio =
       std::pow(before.sizes.front() / levels.back().sizes.front(), r.uncertainty->order);
   for (std::size_t k = 0; k < fine.values.size(); ++k)

@@ -45,4 +45,13 @@ TEST(VariableConvergence, against_a_reference_has_the_errors_of_every_level) {
   EXPECT_NEAR(x.order.order, 2.0, 1e-9);
 }
 
+/// A study that was interrupted after its first level, or before its end.
+TEST(VariableConvergence, of_one_level_has_no_difference_and_no_limit) {
+  const VariableConvergence x = observe(quadratic(1), {{}, 2.0}).at(0);
+  EXPECT_TRUE(x.differences.empty());
+  EXPECT_TRUE(x.extrapolated.empty());
+  EXPECT_FALSE(x.uncertainty);
+  EXPECT_TRUE(observe({}, {{}, 2.0}).empty());
+}
+
 }  // namespace tdbd::simulation::variable_convergence_test
