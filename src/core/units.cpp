@@ -1,34 +1,25 @@
 #include "core/units.hpp"
 
 #include <fmt/format.h>
-#include <udunits2.h>
 
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
-#include "core/memory_left.hpp"
 #include "core/text.hpp"
+#include "core/units/unit_database.hpp"
 
 namespace tdbd {
 namespace {
 
-/// UDUNITS-2 is not made for two threads at once: every function that others see holds this.
-using UnitsLock = std::lock_guard<std::recursive_mutex>;
-
-std::recursive_mutex& units_mutex() {
-  static std::recursive_mutex mutex;
-  return mutex;
-}
-
-using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+using units::find_unit;
+using units::Unit;
+using units::UnitPowers;
 
 /// The dimensions of the program's input, for messages.
 constexpr std::array<std::pair<const char*, const char*>, 20> dimension_names{{
@@ -54,108 +45,15 @@ constexpr std::array<std::pair<const char*, const char*>, 20> dimension_names{{
     {"K", "temperature"},
 }};
 
-/// What UDUNITS-2 may need for its database, and for a text, bytes: where it gets none it crashes.
-constexpr std::size_t memory_of_database = 8'000'000, memory_of_text = 1'000'000;
-
-Unit parse_unit(ut_system* system, const std::string& text) {
-  demand_memory(memory_of_text);
-  return {ut_parse(system, text.c_str(), UT_ASCII), &ut_free};
-}
-
-/// Adds a name that UDUNITS-2 lacks; one that it already has keeps its meaning.
-void add_alias(ut_system* system, const char* name, const std::string& definition) {
-  if (parse_unit(system, name)) return;
-  const Unit unit = parse_unit(system, definition);
-  ut_map_name_to_unit(name, UT_ASCII, unit.get());
-}
-
-/// The database that the library came with. UDUNITS2_XML_PATH, which would change units without a word, only counts where
-/// there is none.
-ut_system* read_database() {
-  constexpr const char* variable = "UDUNITS2_XML_PATH";
-  const char* elsewhere = std::getenv(variable);
-  if (elsewhere == nullptr) return ut_read_xml(nullptr);
-  const std::string path = elsewhere;
-  unsetenv(variable);
-  ut_system* system = ut_read_xml(nullptr);
-  setenv(variable, path.c_str(), 1);
-  return system != nullptr ? system : ut_read_xml(nullptr);
-}
-
-ut_system* load_units() {
-  demand_memory(memory_of_database);
-  ut_set_error_message_handler(&ut_ignore);
-  ut_system* system = read_database();
-  if (system == nullptr) throw RunError("units: the database of UDUNITS-2 cannot be read");
-  add_alias(system, "deg", "arc_degree");
-  add_alias(system, "rev", "revolution");
-  add_alias(system, "rpm", "revolution/minute");
-  add_alias(system, "lbf", "pound_force");
-  add_alias(system, "klbf", "1000 pound_force");
-  add_alias(system, "psi", "pound_force/inch^2");
-  add_alias(system, "ppg", "pound/(231 inch^3)");
-  return system;
-}
-
-/// Loaded once and kept until the program ends.
-ut_system* unit_system() {
-  static ut_system* const system = load_units();
-  return system;
-}
-
-/// Powers of the base units. We compare dimensions ourselves, since UDUNITS-2 treats the radian as a plain number and
-/// converts seconds to 1/s by taking the reciprocal.
-using Dimension = std::map<std::string, int>;
-
-void add_power(const ut_unit* base, int power, void* dimension) {
-  const char* symbol = ut_get_symbol(base, UT_ASCII);
-  const char* name = symbol != nullptr ? symbol : ut_get_name(base, UT_ASCII);
-  (*static_cast<Dimension*>(dimension))[name != nullptr ? name : "?"] += power;
-}
-
-/// Collects the dimension of a unit: a base unit, powers of base units, or one of these scaled and shifted.
-ut_visitor dimension_visitor() {
-  ut_visitor visitor{};
-  visitor.visit_basic = [](const ut_unit* base, void* dimension) {
-    add_power(base, 1, dimension);
-    return UT_SUCCESS;
-  };
-  visitor.visit_product = [](const ut_unit*, int count, const ut_unit* const* bases,
-                             const int* powers, void* dimension) {
-    for (int i = 0; i < count; ++i) add_power(bases[i], powers[i], dimension);
-    return UT_SUCCESS;
-  };
-  visitor.visit_galilean = [](const ut_unit*, double, const ut_unit* inner, double, void* result) {
-    const ut_visitor again = dimension_visitor();
-    return ut_accept_visitor(inner, &again, result);
-  };
-  visitor.visit_timestamp = [](const ut_unit*, const ut_unit*, double, void* dimension) {
-    ++(*static_cast<Dimension*>(dimension))["date"];
-    return UT_SUCCESS;
-  };
-  visitor.visit_logarithmic = [](const ut_unit*, double, const ut_unit*, void* dimension) {
-    ++(*static_cast<Dimension*>(dimension))["logarithm"];
-    return UT_SUCCESS;
-  };
-  return visitor;
-}
-
-Dimension powers_of(const Unit& unit) {
-  const ut_visitor visitor = dimension_visitor();
-  Dimension powers;
-  ut_accept_visitor(unit.get(), &visitor, &powers);
-  return powers;
-}
-
-bool same_dimension(const Unit& a, const Unit& b) { return powers_of(a) == powers_of(b); }
+bool same_dimension(const Unit& a, const Unit& b) { return a.powers() == b.powers(); }
 
 /// dimension_names with the powers of their units, parsed once: a case asks for hundreds.
-const std::vector<std::pair<Dimension, const char*>>& named_dimensions() {
+const std::vector<std::pair<UnitPowers, const char*>>& named_dimensions() {
   static const auto named = [] {
-    std::vector<std::pair<Dimension, const char*>> all;
+    std::vector<std::pair<UnitPowers, const char*>> all;
     all.reserve(dimension_names.size());
     for (const auto& [symbol, name] : dimension_names)
-      all.emplace_back(powers_of(parse_unit(unit_system(), symbol)), name);
+      all.emplace_back(find_unit(symbol)->powers(), name);
     return all;
   }();
   return named;
@@ -163,12 +61,12 @@ const std::vector<std::pair<Dimension, const char*>>& named_dimensions() {
 
 /// "length", or the unit in SI base units when the dimension has no name here.
 std::string dimension_of(const Unit& unit) {
-  const Dimension powers = powers_of(unit);
+  const UnitPowers powers = unit.powers();
   for (const auto& [named, name] : named_dimensions())
     if (named == powers) return name;
-  std::array<char, 128> buffer{};
-  const int n = ut_format(unit.get(), buffer.data(), buffer.size(), UT_ASCII | UT_DEFINITION);
-  return n > 0 ? fmt::format("a unit of dimension {}", buffer.data()) : "a unit without dimension";
+  const std::string definition = unit.definition();
+  return definition.empty() ? "a unit without dimension"
+                            : fmt::format("a unit of dimension {}", definition);
 }
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -188,8 +86,8 @@ bool has_second_number(std::string_view unit) {
 }
 
 /// The unit that the program itself requests.
-Unit wanted_unit(const std::string& si_unit) {
-  Unit unit = parse_unit(unit_system(), si_unit);
+std::unique_ptr<Unit> wanted_unit(const std::string& si_unit) {
+  std::unique_ptr<Unit> unit = find_unit(si_unit);
   if (!unit) throw RunError(fmt::format("units: {} is no unit", si_unit));
   return unit;
 }
@@ -215,12 +113,6 @@ std::pair<double, std::string> split(std::string_view text, const std::string& s
   return {number, name.empty() ? "1" : name};
 }
 
-double convert(double x, const Unit& from, const Unit& to) {
-  const std::unique_ptr<cv_converter, decltype(&cv_free)> converter{
-      ut_get_converter(from.get(), to.get()), &cv_free};
-  return cv_convert_double(converter.get(), x);
-}
-
 }  // namespace
 
 UnitError::UnitError(const std::string& found_text, const std::string& expected_text)
@@ -229,20 +121,18 @@ UnitError::UnitError(const std::string& found_text, const std::string& expected_
       expected(expected_text) {}
 
 std::string describe_unit(const std::string& si_unit) {
-  const UnitsLock lock(units_mutex());
   if (si_unit == "1") return dimension_names.front().second;
-  return fmt::format("{} in {}", dimension_of(wanted_unit(si_unit)), si_unit);
+  return fmt::format("{} in {}", dimension_of(*wanted_unit(si_unit)), si_unit);
 }
 
 double to_si(std::string_view text, const std::string& si_unit) {
-  const UnitsLock lock(units_mutex());
-  const Unit target = wanted_unit(si_unit);
+  const std::unique_ptr<Unit> target = wanted_unit(si_unit);
   const auto [number, name] = split(text, si_unit);
-  const Unit unit = parse_unit(unit_system(), name);
+  const std::unique_ptr<Unit> unit = find_unit(name);
   if (!unit) throw refused(text, fmt::format("unknown unit {}", name), si_unit);
-  if (!same_dimension(unit, target))
-    throw refused(text, fmt::format("{} is {}", name, dimension_of(unit)), si_unit);
-  const double value = convert(number, unit, target);
+  if (!same_dimension(*unit, *target))
+    throw refused(text, fmt::format("{} is {}", name, dimension_of(*unit)), si_unit);
+  const double value = unit->convert(number, *target);
   if (!std::isfinite(value)) throw refused(text, "is out of range in SI", si_unit);
   return value;
 }

@@ -19,7 +19,7 @@ ALLOWED = {
 # The sub-folders of each room, from the lowest to the highest; "." are the files of the room itself, but for
 # those that stand here by name.
 SUB_FOLDERS = {
-    "core": (".", "config"),
+    "core": (".", "units", "units.cpp", "config"),
     "rotation": (".",),
     "mesh": (".", "shape", "search", "check", "files", "repair", "grade"),
     "bit": (".", "cutter", "cone", "profile", "body", "pdc", "report", "files"),

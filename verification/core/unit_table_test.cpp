@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/units/unit_database.hpp"
+
+namespace tdbd::core::unit_table_test {
+
+using units::find_in_table;
+using units::find_in_udunits;
+
+/// Each with an SI unit of its dimension.
+const std::vector<std::pair<std::string, std::string>> names{{"1", "1"},
+                                                             {"%", "1"},
+                                                             {"percent", "1"},
+                                                             {"m", "m"},
+                                                             {"mm", "m"},
+                                                             {"cm", "m"},
+                                                             {"dm", "m"},
+                                                             {"km", "m"},
+                                                             {"um", "m"},
+                                                             {"nm", "m"},
+                                                             {"meter", "m"},
+                                                             {"meters", "m"},
+                                                             {"millimeters", "m"},
+                                                             {"metre", "m"},
+                                                             {"micron", "m"},
+                                                             {"in", "m"},
+                                                             {"inch", "m"},
+                                                             {"ft", "m"},
+                                                             {"foot", "m"},
+                                                             {"feet", "m"},
+                                                             {"yd", "m"},
+                                                             {"yard", "m"},
+                                                             {"g", "kg"},
+                                                             {"kg", "kg"},
+                                                             {"mg", "kg"},
+                                                             {"kilogram", "kg"},
+                                                             {"t", "kg"},
+                                                             {"tonne", "kg"},
+                                                             {"lb", "kg"},
+                                                             {"pound", "kg"},
+                                                             {"s", "s"},
+                                                             {"ms", "s"},
+                                                             {"us", "s"},
+                                                             {"second", "s"},
+                                                             {"seconds", "s"},
+                                                             {"min", "s"},
+                                                             {"minute", "s"},
+                                                             {"minutes", "s"},
+                                                             {"h", "s"},
+                                                             {"hr", "s"},
+                                                             {"hour", "s"},
+                                                             {"hours", "s"},
+                                                             {"d", "s"},
+                                                             {"day", "s"},
+                                                             {"Hz", "1/s"},
+                                                             {"kHz", "1/s"},
+                                                             {"1/s", "1/s"},
+                                                             {"s-1", "1/s"},
+                                                             {"K", "K"},
+                                                             {"degC", "K"},
+                                                             {"rad", "rad"},
+                                                             {"mrad", "rad"},
+                                                             {"deg", "rad"},
+                                                             {"degree", "rad"},
+                                                             {"degrees", "rad"},
+                                                             {"rev", "rad"},
+                                                             {"revolution", "rad"},
+                                                             {"revolutions", "rad"},
+                                                             {"rpm", "rad/s"},
+                                                             {"rev/min", "rad/s"},
+                                                             {"deg/s", "rad/s"},
+                                                             {"N", "N"},
+                                                             {"kN", "N"},
+                                                             {"MN", "N"},
+                                                             {"kgf", "N"},
+                                                             {"lbf", "N"},
+                                                             {"klbf", "N"},
+                                                             {"Pa", "Pa"},
+                                                             {"kPa", "Pa"},
+                                                             {"MPa", "Pa"},
+                                                             {"GPa", "Pa"},
+                                                             {"bar", "Pa"},
+                                                             {"atm", "Pa"},
+                                                             {"psi", "Pa"},
+                                                             {"J", "N m"},
+                                                             {"kJ", "N m"},
+                                                             {"W", "W"},
+                                                             {"kW", "W"},
+                                                             {"m/h", "m/s"},
+                                                             {"ft/h", "m/s"},
+                                                             {"ft/hr", "m/s"},
+                                                             {"mm/s", "m/s"},
+                                                             {"m/min", "m/s"},
+                                                             {"m/s2", "m/s2"},
+                                                             {"m/s^2", "m/s2"},
+                                                             {"mm2", "m2"},
+                                                             {"in2", "m2"},
+                                                             {"mm^3", "m3"},
+                                                             {"kg/m3", "kg/m3"},
+                                                             {"g/cm3", "kg/m3"},
+                                                             {"ppg", "kg/m3"},
+                                                             {"lb/ft3", "kg/m3"},
+                                                             {"N m", "N m"},
+                                                             {"kN m", "N m"},
+                                                             {"N.m", "N m"},
+                                                             {"ft lbf", "N m"},
+                                                             {"N m/rad", "N m/rad"},
+                                                             {"N m/deg", "N m/rad"},
+                                                             {"N m s/rad", "N m s/rad"},
+                                                             {"kg m2", "kg m2"},
+                                                             {"N/m", "N/m"},
+                                                             {"kN/mm", "N/m"},
+                                                             {"lbf/in", "N/m"},
+                                                             {"N s/m", "N s/m"},
+                                                             {"N/mm2", "Pa"},
+                                                             {"MJ/m3", "Pa"}};
+
+/// Of a conversion, relative: ours and the library's product of factors round at different places.
+constexpr double rounding = 6e-16;  // 4.8e-16 seen
+
+// Every name that the table knows means what UDUNITS-2 means by it.
+TEST(UnitTable, converts_as_udunits_does) {
+  double worst = 0.0;
+  for (const auto& [name, si] : names) {
+    const auto ours = find_in_table(name), its = find_in_udunits(name);
+    ASSERT_TRUE(its) << name;
+    ASSERT_TRUE(ours) << name;
+    EXPECT_EQ(ours->powers(), its->powers()) << name;
+    for (const double x : {1.0, 120.0, 0.3, -7.25, 8.5, 3000.0}) {
+      const double a = ours->convert(x, *find_in_table(si)),
+                   b = its->convert(x, *find_in_udunits(si));
+      worst = std::max(worst, std::abs(a - b) / std::abs(b));
+      EXPECT_NEAR(a, b, rounding * std::abs(b)) << x << " " << name;
+    }
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST(UnitTable, refuses_what_it_does_not_know) {
+  for (const char* name : {"", "furlong", "m m/", "mm//s", "kin", "mft", "degC2", "degC/m", "m 2",
+                           "m^", "/s", "2 m", "kkg", "mdeg"})
+    EXPECT_FALSE(find_in_table(name)) << name;
+}
+
+/// A word of letters that units have.
+rc::Gen<std::string> like_a_unit() {
+  return rc::gen::container<std::string>(
+      rc::gen::elementOf(std::string("mkgsNPaHzradin ftlb/2.^-1Mh")));
+}
+
+// What it accepts of nonsense, UDUNITS-2 accepts in the same dimension: it never reads a unit as another.
+RC_GTEST_PROP(UnitTable, reads_no_unit_as_another, ()) {
+  const std::string name = *rc::gen::resize(8, like_a_unit());
+  const auto ours = find_in_table(name);
+  if (!ours) return;
+  const auto its = find_in_udunits(name);
+  RC_ASSERT(its);
+  RC_ASSERT(ours->powers() == its->powers());
+}
+
+}  // namespace tdbd::core::unit_table_test
