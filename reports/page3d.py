@@ -32,7 +32,7 @@ import page3d_scene as scene
 from figures import render, rock_scene
 
 HERE = Path(__file__).resolve().parent
-SCRIPTS = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "draw.js", "legend.js", "traces.js", "controls.js", "page3d.js")
+SCRIPTS = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "draw.js", "legend.js", "traces.js", "controls.js", "scene.js", "page3d.js")
 STILL = 480  # pixels to a side of the picture for browsers that cannot draw
 
 

@@ -1,43 +1,11 @@
 // Puts the page together: reads the data, shows a frame, plays, and draws when something changed.
 
 const PLAYED = 6;  // s for all frames
-const place = id => document.getElementById(id);
-
-function newScene(gl, canvas, run, frames, bit) {
-  const {program, at} = drawingProgram(gl);
-  gl.useProgram(program);
-  gl.enable(gl.DEPTH_TEST);
-  const textures = {bit: colourTexture(gl, run.bit.colours), depth: colourTexture(gl, run.colours.depth.ramp)};
-  for (const mode of ["part", "quality"]) textures[mode] = colourTexture(gl, run.colours[mode].colours);
-  const state = {frame: frames.length - 1, mode: "depth", bit: "cutting", lines: false, cuts: false, cutAngle: 68, cutMove: 0, plays: false};
-  const scene = {gl, at, canvas, run, frames, textures, state, camera: homeCamera(run.box), rock: newMesh(gl), bit: newMesh(gl)};
-  fill(gl, scene.bit, corners(bit.points, bit.corners, t => bit.colour[t]));
-  return scene;
-}
-
-function fillRock(scene) {
-  const {gl, run, state} = scene, frame = scene.frames[state.frame];
-  fill(gl, scene.rock, corners(frame.points, frame.corners, rockColour(run, frame, state.mode)));
-}
 
 // In words what the picture shows, for those who hear the page.
 function wordsOf(run, state) {
   const f = run.frames[state.frame], turns = (f.time_s * run.revolutions_per_s).toFixed(2);
   return `Frame ${f.number} of ${run.listed}: ${Number(f.time_s.toPrecision(4))} s, ${turns} revolutions, ${f.triangles} triangles`;
-}
-
-// Draws at most once for each picture of the screen.
-function drawer(scene, showTime) {
-  let waits = false;
-  return () => {
-    if (waits) return;
-    waits = true;
-    requestAnimationFrame(() => {
-      waits = false;
-      draw(scene);
-      showTime(scene.run.frames[scene.state.frame].time_s);
-    });
-  };
 }
 
 function connect(scene, changed) {
@@ -66,20 +34,6 @@ function connect(scene, changed) {
   place("home").addEventListener("click", home);
   listenToChoices(scene, changed, () => show(state.frame));
   show(state.frame);
-}
-
-// Colours, bit, lines and section.
-function listenToChoices(scene, changed, refill) {
-  const {state, run} = scene;
-  const choice = (id, event, act) => place(id).addEventListener(event, () => { act(place(id)); changed(); });
-  const colour = () => { state.mode = place("colour").value; showLegend(place("legend"), run.colours, state.mode); refill(); };
-  place("colour").addEventListener("change", colour);
-  showLegend(place("legend"), run.colours, state.mode);
-  choice("bit", "change", c => { state.bit = c.value; });
-  choice("lines", "change", c => { state.lines = c.checked; });
-  choice("cut", "change", c => { state.cuts = c.checked; place("cut-where").hidden = !c.checked; });
-  choice("cut-angle", "input", c => { state.cutAngle = Number(place("cut-angle-is").value = c.value); });
-  choice("cut-move", "input", c => { state.cutMove = Number(place("cut-move-is").value = c.value); });
 }
 
 async function start() {

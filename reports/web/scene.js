@@ -1,0 +1,58 @@
+// What is drawn, and the choices of how: colours, bit, lines, section.
+
+const place = id => document.getElementById(id);
+
+// Takes another run into a scene: its colours, its bit, and an eye that sees all of its first rock.
+function showRun(scene, run, frames, bit) {
+  const {gl} = scene, old = Object.values(scene.textures || {});
+  const textures = {bit: colourTexture(gl, run.bit.colours), depth: colourTexture(gl, run.colours.depth.ramp)};
+  for (const mode of ["part", "quality"]) textures[mode] = colourTexture(gl, run.colours[mode].colours);
+  old.forEach(texture => gl.deleteTexture(texture));
+  Object.assign(scene, {run, frames, textures});
+  scene.state.frame = frames.length - 1;
+  Object.assign(scene.camera, homeCamera(run.box));
+  fill(gl, scene.bit, corners(bit.points, bit.corners, t => bit.colour[t]));
+}
+
+function newScene(gl, canvas, run, frames, bit) {
+  const {program, at} = drawingProgram(gl);
+  gl.useProgram(program);
+  gl.enable(gl.DEPTH_TEST);
+  const state = {frame: 0, mode: "depth", bit: "cutting", lines: false, cuts: false, cutAngle: 68, cutMove: 0, plays: false};
+  const scene = {gl, at, canvas, state, camera: {}, rock: newMesh(gl), bit: newMesh(gl)};
+  showRun(scene, run, frames, bit);
+  return scene;
+}
+
+function fillRock(scene) {
+  const {gl, run, state} = scene, frame = scene.frames[state.frame];
+  fill(gl, scene.rock, corners(frame.points, frame.corners, rockColour(run, frame, state.mode)));
+}
+
+// Draws at most once for each picture of the screen.
+function drawer(scene, showTime) {
+  let waits = false;
+  return () => {
+    if (waits) return;
+    waits = true;
+    requestAnimationFrame(() => {
+      waits = false;
+      draw(scene);
+      showTime(scene.run.frames[scene.state.frame].time_s);
+    });
+  };
+}
+
+// Colours, bit, lines and section.
+function listenToChoices(scene, changed, refill) {
+  const {state} = scene;
+  const choice = (id, event, act) => place(id).addEventListener(event, () => { act(place(id)); changed(); });
+  const colour = () => { state.mode = place("colour").value; showLegend(place("legend"), scene.run.colours, state.mode); refill(); };
+  place("colour").addEventListener("change", colour);
+  showLegend(place("legend"), scene.run.colours, state.mode);
+  choice("bit", "change", c => { state.bit = c.value; });
+  choice("lines", "change", c => { state.lines = c.checked; });
+  choice("cut", "change", c => { state.cuts = c.checked; place("cut-where").hidden = !c.checked; });
+  choice("cut-angle", "input", c => { state.cutAngle = Number(place("cut-angle-is").value = c.value); });
+  choice("cut-move", "input", c => { state.cutMove = Number(place("cut-move-is").value = c.value); });
+}
