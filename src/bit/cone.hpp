@@ -49,6 +49,9 @@ struct ShellPoint {
 /// A cone as drawn: where its journal is, its shell, a stack of frustums, and its rows of teeth.
 /// The frames are those of cone_frame.hpp. Thesis: 1.2, 3.1, fig. 3.5.
 struct ConeLayout {
+  static constexpr double usual_density = 7850.0;  // kg/m3
+  static constexpr int usual_segments = 96, usual_facets = 16;
+
   double journal_angle = 0.0;     ///< rad, of the journal below the plane normal to the bit's axis
   double offset = 0.0;            ///< m, of the journal, in the direction of the bit's rotation
   double skew = 0.0;              ///< rad, of the journal's outer end, in the same direction
@@ -58,9 +61,9 @@ struct ConeLayout {
   std::vector<ShellPoint> shell;  ///< s rising, from the nose to the base
   std::vector<ToothRow> rows;     ///< from the nose to the base
   Cutting body = Cutting::never;  ///< whether the shell crushes the rock left between prints
-  double density = 7850.0;        ///< kg/m3
-  int segments = 96;              ///< of the shell's mesh
-  int facets = 16;                ///< of an insert's mesh, a multiple of 4
+  double density = usual_density;  ///< kg/m3
+  int segments = usual_segments;   ///< of the shell's mesh
+  int facets = usual_facets;       ///< of an insert's mesh, a multiple of 4
 };
 
 /// A cone of a bit: its layout, and its frame K in the bit frame B at the cone's angle 0.

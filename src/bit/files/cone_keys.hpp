@@ -110,12 +110,12 @@ namespace cone_mesh_keys {
 inline constexpr TableKey table{"mesh", "the meshes of cones and teeth"};
 
 inline constexpr IntegerKey segments{.name = "segments",
-                                     .fallback = ConeLayout{}.segments,
+                                     .fallback = ConeLayout::usual_segments,
                                      .lo = 8,
                                      .hi = 4096,
                                      .meaning = "around the shell's mesh"};
 inline constexpr IntegerKey facets{.name = "facets",
-                                   .fallback = ConeLayout{}.facets,
+                                   .fallback = ConeLayout::usual_facets,
                                    .lo = 8,
                                    .hi = 128,
                                    .meaning = "around an insert's mesh, a multiple of 4"};
@@ -130,7 +130,7 @@ inline constexpr QuantityKey azimuth{
     .name = "azimuth", .unit = "rad", .meaning = "of the journal about the bit's axis"};
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
-                                     .fallback = ConeLayout{}.density,
+                                     .fallback = ConeLayout::usual_density,
                                      .range = any_density,
                                      .meaning = "of the shell"};
 inline constexpr FlagKey body_cuts{

@@ -21,7 +21,7 @@ inline constexpr QuantityKey spiral{.name = "spiral",
                                     .meaning = "angle by which a blade trails at the gage"};
 inline constexpr QuantityKey clearance{.name = "clearance",
                                        .unit = "m",
-                                       .fallback = PdcDesign{}.clearance,
+                                       .fallback = PdcDesign::usual_clearance,
                                        .range = bit_length,
                                        .meaning = "smallest gap between two cutters"};
 

@@ -53,12 +53,14 @@ struct GageRow {
 
 /// What a designer decides about a PDC bit. SI. Thesis: 3.2.2, app. A; the rules are ours.
 struct PdcDesign {
+  static constexpr double usual_clearance = 5e-4;  // m
+
   ProfileDesign profile;
   std::vector<BladeDesign> blades;
-  double first_radius = 0.0;  ///< m, of the tip nearest to the axis
-  double spiral = 0.0;        ///< rad, by which a blade trails at the gage
-  double clearance = 5e-4;    ///< m, least gap between the solids of two cutters
-  RegionChoice diameter;      ///< m
+  double first_radius = 0.0;           ///< m, of the tip nearest to the axis
+  double spiral = 0.0;                 ///< rad, by which a blade trails at the gage
+  double clearance = usual_clearance;  ///< m, least gap between the solids of two cutters
+  RegionChoice diameter;               ///< m
   RegionLaw overlap;    ///< least share of a diameter by which neighbours on the profile overlap
   RegionLaw back_rake;  ///< rad
   RegionLaw side_rake;  ///< rad

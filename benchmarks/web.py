@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+"""What drilling in a browser costs: size of the program, first picture, simulated over real seconds, and agreement with the command line.
+
+    scripts/web && benchmarks/web.py TDBD build/web/web [--times 5] [--folder reports/studies/browser]
+
+TDBD: the program; then the folder of tdbd.js and tdbd.wasm. Writes cost.csv (Chromium, without a graphics card) and agreement.csv (node).
+Medians over the times.
+"""
+
+import argparse
+import csv
+import gzip
+import json
+import re
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "verification/reports"), str(ROOT / "verification/web")]
+import browser  # noqa: E402
+import built  # noqa: E402
+
+CASES = ("bit-a-steady", "bit-b-whirl", "bit-c-3000psi", "bit-r-rolling", "drill-bit-b", "drill-bit-r")
+SHORTER = {"edge_length": '"3 mm"', "revolutions": "1", "duration": '"0.5 s"'}
+WATCHED = 5.0  # s of drilling, after the first picture
+PATIENCE = 60  # s
+
+
+def opened(page):
+    """(s to the first picture, simulated over real seconds) of one opening of the page, which drills bit B at 3 mm edges."""
+    with browser.Browser(size=(1200, 1000)) as window:
+        start = time.perf_counter()
+        window.open(page)
+        while not window.value("live.scene !== null && live.last !== null") and time.perf_counter() < start + PATIENCE:
+            time.sleep(0.01)
+        window.drawn()
+        first = time.perf_counter() - start
+        before, real = window.value("live.last.time_s"), time.perf_counter()
+        while window.value("live.state") == "drilling" and time.perf_counter() < real + WATCHED:
+            time.sleep(0.05)
+        return first, (window.value("live.last.time_s") - before) / (time.perf_counter() - real)
+
+
+def costs(wish):
+    """Rows of cost.csv."""
+    with tempfile.TemporaryDirectory() as made:
+        page = Path(made) / "tdbd.html"
+        subprocess.run([sys.executable, "-B", ROOT / "web/make.py", wish.web, "-o", page], check=True, capture_output=True)
+        seen = [opened(page) for _ in range(wish.times)]
+        size = page.stat().st_size
+    packed = len(gzip.compress((wish.web / "tdbd.wasm").read_bytes(), 9))
+    return [{"what": "program, gzipped", "found": packed / 1e6, "unit": "MB", "wanted": "at most 1"},
+            {"what": "page, one file", "found": size / 1e6, "unit": "MB", "wanted": ""},
+            {"what": "first picture after opening", "found": statistics.median(f for f, _ in seen), "unit": "s", "wanted": "at most 3"},
+            {"what": "simulated over real time, bit B, 3 mm edges", "found": statistics.median(r for _, r in seen), "unit": "1", "wanted": "at least 1"}]
+
+
+def points_of(path):
+    found = path.read_bytes()
+    start = found.index(b"end_header\n") + len(b"end_header\n")
+    count = int(re.search(rb"element vertex (\d+)", found).group(1))
+    return np.frombuffer(found, "<f8", 3 * count, start).reshape(-1, 3), found[start + 24 * count:]
+
+
+def processor_seconds(call):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    made = call()
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return made, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def agreement(wish, name):
+    """A row of agreement.csv."""
+    with tempfile.TemporaryDirectory() as made:
+        folder = Path(made)
+        subprocess.run(["cp", "-r", ROOT / "cases", folder], check=True)
+        text = (ROOT / "cases" / f"{name}.toml").read_text(encoding="utf-8")
+        for key, value in SHORTER.items():
+            text = re.sub(rf"^{key} = .*$", f"{key} = {value}", text, flags=re.M)
+        case = folder / "cases/short.toml"
+        case.write_text(text, encoding="utf-8")
+        native, web = [], []
+        for _ in range(wish.times):
+            native.append(processor_seconds(lambda: subprocess.run([wish.program, "run", case, "-o", folder / "out", "--quiet", "--force"], check=True))[1])
+            look, seconds = processor_seconds(lambda: built.drilled(ROOT, wish.web, folder / "cases", "short.toml", 1_000_000, folder / "web.ply"))
+            web.append(seconds)
+        run = json.loads((folder / "out/summary.json").read_text(encoding="utf-8"))
+        (points, triangles), (web_points, web_triangles) = points_of(folder / "out/rock_final.ply"), points_of(folder / "web.ply")
+    volumes, same = np.array(list(run["removed_volume_by_part_m3"].values())), triangles == web_triangles
+    apart = np.abs(np.array(look["removed_by_part_m3"]) - volumes).max() / volumes.max()
+    return {"case": name, "steps": run["steps"], "triangles": look["triangles"], "same triangles": "yes" if same else "no",
+            "vertices apart, m": float(np.abs(points - web_points).max()) if same else None, "volumes apart, relative": float(apart),
+            "command line, s": statistics.median(native), "node, s": statistics.median(web)}
+
+
+def write(path, rows):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        table = csv.DictWriter(file, rows[0], lineterminator="\n")
+        table.writeheader()
+        for row in rows:
+            table.writerow({k: f"{v:.3g}" if isinstance(v, float) else v for k, v in row.items()})
+            print(row)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("program", type=Path, help="tdbd")
+    parser.add_argument("web", type=Path, help="holds tdbd.js and tdbd.wasm")
+    parser.add_argument("--times", type=int, default=5)
+    parser.add_argument("--folder", type=Path, default=ROOT / "reports/studies/browser")
+    wish = parser.parse_args()
+    write(wish.folder / "cost.csv", costs(wish))
+    write(wish.folder / "agreement.csv", [agreement(wish, name) for name in CASES])
+
+
+if __name__ == "__main__":
+    main()

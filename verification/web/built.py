@@ -1,0 +1,40 @@
+"""The program for browsers as scripts/web built it, its tests' common ground."""
+
+import json
+import shutil
+import subprocess
+import sys
+
+SKIPPED = 77
+NODE = shutil.which("node")
+
+
+def commit_of(program):
+    """What `tdbd --version` says."""
+    return subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout
+
+
+def require(program, root, folder):
+    """Exits with SKIPPED where there is nothing to test."""
+    if not (folder / "tdbd.wasm").is_file() or NODE is None:
+        print("skipped: there is no program for browsers (bash scripts/web --test)")
+        sys.exit(SKIPPED)
+    facts = drilled(root, folder, root / "cases", "bit-b-steady.toml", 0)
+    if facts["commit"] not in commit_of(program):
+        print(f"skipped: the program for browsers is of {facts['commit']}, this one is not (bash scripts/web --test)")
+        sys.exit(SKIPPED)
+
+
+class Refused(Exception):
+    """What the program says of a case."""
+
+
+def drilled(root, folder, cases, name, steps, surface="/dev/null"):
+    """The last look at a case of a folder after so many steps, under node. Raises Refused."""
+    words = [NODE, root / "verification/web/run_case.js", folder / "tdbd.js", cases, name, str(steps), surface]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    if done.returncode == 2:
+        raise Refused(done.stderr.strip())
+    if done.returncode:
+        raise RuntimeError(done.stderr[-2000:])
+    return json.loads(done.stdout)
