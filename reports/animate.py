@@ -3,7 +3,7 @@
 
     reports/animate.py RESULT_FOLDER OUT.gif [--pixels 400] [--seconds 5]
 
-Needs rock.pvd and bit.pvd with their frames: run with --set output.frames_every=STEPS.
+Needs rock.pvd with its frames and bit_poses.csv: run with --set output.frames_every=STEPS.
 """
 
 import argparse
@@ -19,7 +19,7 @@ from matplotlib.colors import Normalize
 from matplotlib.font_manager import findfont
 from PIL import Image, ImageDraw, ImageFont
 
-from figures import bit_in_hole, bit_scene, render, results, rock_data, rock_scene
+from figures import bit_in_hole, bit_motion, bit_scene, render, results, rock_data, rock_scene
 
 COLOURS = 64  # of the whole picture: a GIF has 256 at most, and fewer are smaller
 INK = (29, 39, 51)
@@ -36,15 +36,13 @@ def scene(rock, bit, norm):
 
 
 def frames(folder):
-    """[(time, rock, bit)] of a run; s."""
-    rocks, bits = rock_data.frames(folder), rock_data.frames(folder, "bit")
-    return [(time, rock, bit) for (time, rock), (_, bit) in zip(rocks, bits)]
+    """[(time, file of the rock, poses of the bit's bodies)] of a run; s."""
+    return [(time, rock, poses) for (time, rock), (_, poses) in zip(rock_data.frames(folder), bit_motion.poses(folder))]
 
 
-def camera_of(first, last, pixels):
+def camera_of(bit, last, pixels):
     """Sees the bit at the start and the hole at the end, so that nothing but the bit moves."""
-    bit = cutting_parts(rock_data.read(first[2])).corners.reshape(-1, 3)
-    points = np.concatenate([rock_data.read(last[1]).points, bit])
+    points = np.concatenate([rock_data.read(last[1]).points, cutting_parts(bit).corners.reshape(-1, 3)])
     return rock_scene.camera(points, rock_scene.INTO_HOLE, (pixels, pixels), dpi=1, margin=1.06)
 
 
@@ -61,12 +59,13 @@ def animate(folder, out, pixels=400, seconds=5.0):
     if len(made) < 2:
         raise ValueError(f"{folder}: found {len(made)} frame, expected several; run with --set output.frames_every=STEPS")
     depths = [1e3 * rock_data.read(made[k][1]).point_values["depth_m"].max() for k in (0, -1)]
-    norm, camera = Normalize(*depths), camera_of(made[0], made[-1], pixels)
+    rest = bit_motion.at_rest(rock_data.final(folder, "bit"), made[-1][2])
+    norm, camera = Normalize(*depths), camera_of(bit_motion.placed(*rest, made[0][2]), made[-1], pixels)
     images = []
-    for time, rock, bit in made:
+    for time, rock, poses in made:
         words = (f"{run['title']}: {run['revolutions'] * time / run['duration_s']:.1f} revolutions\n"
                  f"depth z: yellow {depths[0]:.0f} mm and less, blue {depths[1]:.0f} mm")
-        images.append(picture(rock_data.read(rock), rock_data.read(bit), camera, norm, words))
+        images.append(picture(rock_data.read(rock), bit_motion.placed(*rest, poses), camera, norm, words))
     palette = images[-1].quantize(COLOURS)
     few = [i.quantize(palette=palette, dither=Image.Dither.NONE) for i in images]
     few[0].save(out, save_all=True, append_images=few[1:], duration=int(1000 * seconds / len(few)), loop=0, optimize=True)

@@ -29,7 +29,7 @@ import page3d_facts
 import page3d_frames
 import page3d_pack as pack
 import page3d_scene as scene
-from figures import render, rock_scene
+from figures import bit_motion, render, rock_scene
 
 HERE = Path(__file__).resolve().parent
 SCRIPTS = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "draw.js", "legend.js", "traces.js", "controls.js", "scene.js", "page3d.js")
@@ -52,14 +52,6 @@ def in_script(value):
     return Markup(json.dumps(value, separators=(",", ":")).replace("<", "\\u003c"))
 
 
-def moved(bit, bodies, frame):
-    """The bit where it is in a frame."""
-    points = np.empty_like(bit.points)
-    for k, pose in enumerate(frame.poses):
-        points[bodies == k] = bit.points[bodies == k] @ pose[:, :3].T + pose[:, 3]
-    return type(bit)(points, bit.triangles, bit.point_values, bit.cell_values)
-
-
 def html_of(folder, most):
     """(page, frames). Raises ValueError."""
     run = page3d_facts.summary(folder)
@@ -77,7 +69,7 @@ def html_of(folder, most):
     page = environment.get_template("page3d.html.j2").render(
         run=run, missing=read.missing, count=len(entries), header=in_script(header), data=base64.b64encode(pack.deflated([*parts, bit_part])).decode(),
         facts=page3d_facts.facts(run), provenance=page3d_facts.provenance(run), diagnosis=page3d_facts.diagnosis(run),
-        case=case.read_text(encoding="utf-8") if case.is_file() else "", still=still(read.found, moved(read.bit, read.bodies, read.found[-1])),
+        case=case.read_text(encoding="utf-8") if case.is_file() else "", still=still(read.found, bit_motion.placed(read.bit, read.bodies, read.found[-1].poses)),
         style=Markup((HERE / "web/page3d.css").read_text(encoding="utf-8")),
         script=Markup("\n".join((HERE / "web" / name).read_text(encoding="utf-8") for name in SCRIPTS)))
     return page, read

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "bit/cone/part_pose.hpp"
 #include "bit/part_kind.hpp"
+#include "bit/report/bit_motion.hpp"
 #include "core/provenance.hpp"
 
 namespace tdbd::web {
@@ -22,18 +22,12 @@ Json pose_json(const Pose& X) {
   return rows;
 }
 
-/// Of the bit, then of each cone: its parts move as one rigid body.
+/// Of the bit, then of each cone.
 Json poses_json(const Session& s) {
-  const Pose& X_WB = s.state.state.place.X_WB;
+  Json poses = Json::array();
   const std::vector<double> angles = simulation::angles_of(s.state.state.cones);
-  Json poses = Json::array({pose_json(X_WB)});
-  for (std::size_t k = 0; k < angles.size(); ++k)
-    for (const bit::Part& part : s.of.bit.parts) {
-      if (part.cone != static_cast<int>(k)) continue;
-      poses.push_back(
-          pose_json(X_WB * bit::part_pose(s.of.bit, part, angles) * inverse(part.X_BP)));
-      break;
-    }
+  for (const Pose& X : bit::body_poses(s.of.bit, s.state.state.place.X_WB, angles, 0.0).X_WB)
+    poses.push_back(pose_json(X));
   return poses;
 }
 
@@ -56,7 +50,8 @@ double torque_on_bit(const Session& s) {
 std::string facts_json(const Session& s) {
   Json parts = Json::array();
   for (const bit::Part& p : s.of.bit.parts)
-    parts.push_back({{"name", p.name}, {"kind", bit::kind_name(p.kind)}, {"body", 1 + p.cone}});
+    parts.push_back(
+        {{"name", p.name}, {"kind", bit::kind_name(p.kind)}, {"body", bit::body_of(p)}});
   Json warnings = Json::array();
   for (const simulation::CaseWarning& w : s.of.warnings) warnings.push_back(with_place(w));
   const Json facts{{"title", s.of.bit.name},

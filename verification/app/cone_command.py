@@ -180,7 +180,7 @@ def check_rolling(folder):
     first = drilled(folder, "free", *short, case="bit-r-rolling")
     again = drilled(folder, "free-2", *short, case="bit-r-rolling", more=("--threads", "2"))
     assert first == again
-    for file in ("history.nc", "history.csv", "rock_final.ply", "frames/bit_final.vtp", "case.toml"):
+    for file in ("history.nc", "history.csv", "rock_final.ply", "frames/bit_final.vtp", "bit_poses.csv", "case.toml"):
         assert (folder / "free" / file).read_bytes() == (folder / "free-2" / file).read_bytes(), file
     history = xarray.open_dataset(folder / "free/history.nc", decode_times=False)
     assert dict(history["cone_angle"].sizes) == {"time": first["steps"], "cone": 3}

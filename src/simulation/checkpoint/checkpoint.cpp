@@ -10,6 +10,12 @@
 namespace tdbd::simulation {
 
 template <class A>
+void fields(A& a, Of<A, bit::BodyPoses>& x) {
+  a("time", x.time);
+  a("X_WB", x.X_WB);
+}
+
+template <class A>
 void fields(A& a, Of<A, HistoryWindow>& x) {
   a("steps", x.steps);
   a("sum", x.sum);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "bit/report/bit_motion.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/checkpoint/history_window.hpp"
 #include "simulation/step/energy_order.hpp"
@@ -19,7 +20,8 @@ using FrameList = std::vector<std::pair<double, std::string>>;
 struct WrittenSoFar {
   long rows = 0;  ///< of the history
   HistoryWindow window;
-  FrameList rock_frames, bit_frames;
+  FrameList rock_frames;
+  std::vector<bit::BodyPoses> bit_frames;
   EnergyOrder order;  ///< as far as it was observed
 };
 

@@ -13,7 +13,8 @@ namespace tdbd::simulation {
 namespace {
 
 // Bytes as files of this program have them (`RunEstimate.is_near_what_a_run_takes` compares).
-constexpr double frame_per_triangle = 43.0, final_per_triangle = 25.0;
+constexpr double frame_per_triangle = 43.0, animation_per_triangle = 20.0,
+                 final_per_triangle = 25.0;
 constexpr double checkpoint_per_triangle = 110.0;
 constexpr double csv_per_number = 18.0, bit_level_columns = 25.0;
 constexpr double numbers_per_part = 8.0, numbers_per_cutter = 10.0;
@@ -37,10 +38,12 @@ double history_bytes(const Case& c, double steps) {
 double disk_bytes(const Case& c, double triangles, double steps) {
   double frames = 1.0;
   if (c.output.frames_every > 0) frames += steps / static_cast<double>(c.output.frames_every);
-  const double per_frame = frame_per_triangle * (triangles + triangles_of(c.bit));
+  const double of_bit =
+      frames > 1.0 ? frame_per_triangle + animation_per_triangle : frame_per_triangle;
   constexpr double two = 2.0;  // checkpoints are kept while the run goes on
-  return frames * per_frame + final_per_triangle * triangles +
-         two * checkpoint_per_triangle * triangles + history_bytes(c, steps);
+  return frames * frame_per_triangle * triangles + of_bit * triangles_of(c.bit) +
+         final_per_triangle * triangles + two * checkpoint_per_triangle * triangles +
+         history_bytes(c, steps);
 }
 
 mesh::Box box_of(const mesh::Surface& s) {

@@ -41,15 +41,18 @@ void write_bit(const std::filesystem::path& path, const Case& c, const Simulatio
   bit::write_bit_vtp(path, bit::turned(c.bit, angles_of(s.state.cones)), s.state.place.X_WB);
 }
 
+bit::BodyPoses poses_of(const Case& c, const Simulation& s) {
+  return bit::body_poses(c.bit, s.state.place.X_WB, angles_of(s.state.cones),
+                         time_at(c.time, s.state.steps_done));
+}
+
 }  // namespace
 
 void Frames::add(const Case& c, const Simulation& s) {
-  const auto rock = folder_.frame("rock", s.state.steps_done),
-             bit = folder_.frame("bit", s.state.steps_done);
+  const auto rock = folder_.frame("rock", s.state.steps_done);
   write_rock(rock, s.state.rock);
-  write_bit(bit, c, s);
   rock_.emplace_back(time_at(c.time, s.state.steps_done), "frames/" + rock.filename().string());
-  bit_.emplace_back(time_at(c.time, s.state.steps_done), "frames/" + bit.filename().string());
+  bit_.push_back(poses_of(c, s));
 }
 
 void Frames::write_final(const Case& c, const Simulation& s) {
@@ -57,7 +60,18 @@ void Frames::write_final(const Case& c, const Simulation& s) {
   write_stamped_rock(folder_.path / "rock_final.ply", c, s);
   write_bit(folder_.frames() / "bit_final.vtp", c, s);
   write_collection("rock", rock_, time_at(c.time, s.state.steps_done));
-  write_collection("bit", bit_, time_at(c.time, s.state.steps_done));
+  write_collection("bit", {}, time_at(c.time, s.state.steps_done));
+  write_motion(c, s);
+}
+
+/// An animation of one place says no more than the mesh.
+void Frames::write_motion(const Case& c, const Simulation& s) const {
+  std::vector<bit::BodyPoses> frames = bit_;
+  const bit::BodyPoses end = poses_of(c, s);
+  if (!frames.empty() && frames.back().time == end.time) frames.pop_back();
+  frames.push_back(end);
+  bit::write_bit_poses(folder_.path / "bit_poses.csv", c.bit, frames);
+  if (frames.size() > 1) bit::write_bit_animation(folder_.path / "bit.glb", c.bit, frames);
 }
 
 void Frames::write_collection(const std::string& name, FrameList frames, double end) const {

@@ -10,8 +10,8 @@
 
 namespace tdbd::simulation {
 
-/// Writes the rock and the bit as VTP frames with their collections rock.pvd and bit.pvd, which
-/// ParaView plays.
+/// Writes the rock as VTP frames with their collection rock.pvd, which ParaView plays, and of the rigid bit its mesh once
+/// with its poses: bit_poses.csv, and as an animation bit.glb.
 class Frames {
  public:
   explicit Frames(OutputFolder folder) : folder_(std::move(folder)) {}
@@ -20,20 +20,22 @@ class Frames {
 
   /// The frames so far, and those of a run that goes on.
   const FrameList& rock_frames() const { return rock_; }
-  const FrameList& bit_frames() const { return bit_; }
-  void set_frames(FrameList rock, FrameList bit) {
+  const std::vector<bit::BodyPoses>& bit_frames() const { return bit_; }
+  void set_frames(FrameList rock, std::vector<bit::BodyPoses> bit) {
     rock_ = std::move(rock);
     bit_ = std::move(bit);
   }
 
-  /// frames/rock_final.vtp and rock_final.ply, and the collections.
+  /// frames/rock_final.vtp and rock_final.ply, frames/bit_final.vtp, the collections, and the poses.
   void write_final(const Case& c, const Simulation& s);
 
  private:
   void write_collection(const std::string& name, FrameList frames, double end) const;
+  void write_motion(const Case& c, const Simulation& s) const;
 
   OutputFolder folder_;
-  FrameList rock_, bit_;
+  FrameList rock_;
+  std::vector<bit::BodyPoses> bit_;
 };
 
 }  // namespace tdbd::simulation
