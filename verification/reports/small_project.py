@@ -105,6 +105,15 @@ class Project:
                               capture_output=True, text=True, env=own, check=False)
         return done.returncode, done.stdout, done.stderr
 
+    def make_or_complain(self, test, words, arguments=()):
+        """What it printed; fails the test unless it complained with all these words, or ended well where there are none."""
+        code, made, complaints = self.make(*arguments)
+        test.assertNotIn("Traceback", complaints)
+        test.assertEqual(code, 1 if words else 0, complaints)
+        for word in words:
+            test.assertIn(word, complaints)
+        return made
+
     def calls(self):
         log = self.build / "calls"
         return log.read_text().splitlines() if log.exists() else []

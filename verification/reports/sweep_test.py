@@ -9,28 +9,14 @@ import unittest
 import numpy as np
 
 TDBD, ROOT = (pathlib.Path(word).resolve() for word in sys.argv[1:])
-sys.path.insert(0, str(ROOT / "reports"))
+sys.path[:0] = [str(ROOT / "reports"), str(ROOT / "verification/sweep/app")]
 import sweep  # noqa: E402
 import sweep_table  # noqa: E402
+from small_sweeps import tops  # noqa: E402
 
-DESIGN = f"""title = "tops"
-[sweep]
-case = "{ROOT}/cases/slow-top.toml"
-command = "rotate"
-figures = ["steps", "energy_drift_max"]
-[set]
-time.duration = 20
-[[factors]]
-key = "time.step"
-values = [0.005, 0.01, 0.02]
-[[factors]]
-key = "integrator.drift"
-values = ["lie-mean", "lie-midpoint"]
-[[goals]]
-figure = "steps"
-[[goals]]
-figure = "energy_drift_max"
-"""
+FIGURES = ("steps", "energy_drift_max")
+DESIGN = tops(20, ("time.step", "values = [0.005, 0.01, 0.02]"), ("integrator.drift", 'values = ["lie-mean", "lie-midpoint"]'),
+              title="tops", figures=FIGURES, goals=FIGURES)
 
 
 def column(values, words=()):

@@ -1,7 +1,6 @@
 """Kills sweeps at random and goes on: nothing is lost, nothing is done twice, and the table has the bytes of a sweep that
 was left alone. kill_sweeps.py TDBD FOLDER [KILLS] [SEED]"""
 
-import json
 import pathlib
 import random
 import shutil
@@ -9,30 +8,9 @@ import subprocess
 import sys
 import time
 
-CASES = pathlib.Path(__file__).resolve().parents[3] / "cases"
-DESIGN = f"""[sweep]
-case = "{CASES}/bit-b-6000psi.toml"
-figures = ["wob_mean_n", "removed_volume_m3"]
-sampling = "latin-hypercube"
-samples = 12
-[set]
-rock.edge_length = "6 mm"
-time.revolutions = 0.2
-output.means_from = "0.01 s"
-[[factors]]
-key = "motion.rate_of_penetration"
-from = "5 m/h"
-to = "20 m/h"
-[[factors]]
-key = "bit.set.adjust.back_rake"
-values = ["0 deg", "5 deg"]
-"""
+from small_sweeps import assert_same_tables, drilling, keys_in
 
-
-def keys_in(points):
-    """The keys of all whole lines; no point may stand in two."""
-    lines = [line for file in sorted(points.glob("*/points.jsonl")) for line in file.read_bytes().split(b"\n")[:-1]]
-    return [json.loads(line[17:])["key"] for line in lines]
+DESIGN = drilling("latin-hypercube", 12, 0.2, [0, 5])
 
 
 def main(tdbd, folder, kills=12, seed=2007):
@@ -65,8 +43,7 @@ def main(tdbd, folder, kills=12, seed=2007):
             assert len(keys) >= done, "a point was lost"
             done = len(keys)
         assert done == 24
-        for kind in (".nc", ".csv"):
-            assert (folder / f"killed{kind}").read_bytes() == (folder / f"whole{kind}").read_bytes(), kind
+        assert_same_tables(folder, "killed", "whole")
     print(f"kill_sweeps: {killed} kills, {rounds} sweeps, each with the bytes of one that was left alone")
 
 

@@ -1,37 +1,15 @@
 """256 points on Slurm in 8 tasks, one of them killed on its way and submitted again: the table has the bytes of a single
 process, no point was done twice. slurm_sweep.py TDBD FOLDER; ends with 77 where there is no Slurm."""
 
-import json
 import pathlib
 import shutil
 import subprocess
 import sys
 
 import slurm_cluster
+from small_sweeps import ROOT, assert_same_tables, drilling, keys_in
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-DESIGN = f"""[sweep]
-case = "{ROOT}/cases/bit-b-6000psi.toml"
-figures = ["wob_mean_n", "removed_volume_m3"]
-sampling = "sobol"
-samples = 64
-[set]
-rock.edge_length = "6 mm"
-time.revolutions = 0.4
-output.means_from = "0.01 s"
-[[factors]]
-key = "motion.rate_of_penetration"
-from = "5 m/h"
-to = "20 m/h"
-[[factors]]
-key = "bit.set.adjust.back_rake"
-values = ["-3 deg", "0 deg", "3 deg", "6 deg"]
-"""
-
-
-def keys_in(points):
-    lines = [line for file in sorted(points.glob("*/points.jsonl")) for line in file.read_bytes().split(b"\n")[:-1]]
-    return [json.loads(line[17:])["key"] for line in lines]
+DESIGN = drilling("sobol", 64, 0.4, [-3, 0, 3, 6])
 
 
 def main(tdbd, folder):
@@ -60,8 +38,7 @@ def main(tdbd, folder):
     keys = keys_in(folder / "cluster.points")
     assert len(keys) == len(set(keys)) == 256, (len(keys), len(set(keys)))
     subprocess.run([tdbd, "sweep", design, "-o", folder / "single.nc", "--quiet", "--threads", "2"], check=True)
-    for kind in (".nc", ".csv"):
-        assert (folder / f"cluster{kind}").read_bytes() == (folder / f"single{kind}").read_bytes(), kind
+    assert_same_tables(folder, "cluster", "single")
     print(f"slurm_sweep: 256 points in 8 tasks, task 1 killed after {done - 224} of its points and submitted again: "
           "the bytes of a single process")
 

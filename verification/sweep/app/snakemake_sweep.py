@@ -7,19 +7,9 @@ import shutil
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-DESIGN = f"""[sweep]
-case = "{ROOT}/cases/slow-top.toml"
-command = "rotate"
-figures = ["energy_drift_max", "steps"]
-[set]
-time.duration = 2000
-[[factors]]
-key = "time.step"
-from = 0.25
-to = 2.0
-count = 10
-"""
+from small_sweeps import ROOT, assert_same_tables, tops
+
+DESIGN = tops(2000, ("time.step", "from = 0.25\nto = 2.0\ncount = 10"))
 
 
 def main(tdbd, folder):
@@ -38,8 +28,7 @@ def main(tdbd, folder):
         done = subprocess.run(words, env=surroundings, capture_output=True, text=True)
         assert done.returncode == 0 and expected in done.stdout + done.stderr, (expected, done.stdout, done.stderr)
     subprocess.run([tdbd, "sweep", design, "-o", folder / "single.nc", "--quiet"], check=True)
-    for kind in (".nc", ".csv"):
-        assert (folder / f"shards{kind}").read_bytes() == (folder / f"single{kind}").read_bytes(), kind
+    assert_same_tables(folder, "shards", "single")
     print("snakemake_sweep: four shards, the bytes of a single process")
 
 

@@ -7,27 +7,12 @@ import subprocess
 import sys
 
 import xarray
+from small_sweeps import ROOT, tops
 
-CASES = pathlib.Path(__file__).resolve().parents[3] / "cases"
+CASES = ROOT / "cases"
 TDBD, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
-DESIGN = f"""title = "six tops"
-[sweep]
-case = "{CASES}/slow-top.toml"
-command = "rotate"
-figures = ["energy_drift_max", "steps"]
-[set]
-time.duration = 2000
-[[factors]]
-key = "time.step"
-values = [0.5, 1.0, 2.0]
-[[factors]]
-key = "integrator.order"
-values = [2, 8]
-[[goals]]
-figure = "energy_drift_max"
-[[goals]]
-figure = "steps"
-"""
+DESIGN = tops(2000, ("time.step", "values = [0.5, 1.0, 2.0]"), ("integrator.order", "values = [2, 8]"), title="six tops",
+              goals=["energy_drift_max", "steps"])
 
 
 def tdbd(*words):
