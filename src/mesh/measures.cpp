@@ -12,8 +12,9 @@ namespace {
 
 QualityFigures figures_of(std::vector<double> qualities) {
   if (qualities.empty()) return {};
-  std::sort(qualities.begin(), qualities.end());
-  return {qualities.front(), qualities[qualities.size() / 100]};
+  const auto one_percent = qualities.begin() + static_cast<std::ptrdiff_t>(qualities.size() / 100);
+  std::nth_element(qualities.begin(), one_percent, qualities.end());
+  return {*std::min_element(qualities.begin(), one_percent + 1), *one_percent};
 }
 
 }  // namespace

@@ -73,6 +73,7 @@ class Workers {
         todo_(std::move(todo)),
         journal_(journal),
         options_(options),
+        starts_(options.keeping),
         found_(found) {}
 
   /// Throws what a journal threw; the threads end after their points.
@@ -88,7 +89,9 @@ class Workers {
  private:
   void take_points() {
     try {
-      for (std::size_t k = next_++; k < todo_.size(); k = next_++) take(todo_[k]);
+      PointSurroundings around{points_folder(options_.table) / "cuts", options_.interrupted,
+                               starts_};
+      for (std::size_t k = next_++; k < todo_.size(); k = next_++) take(todo_[k], around);
     } catch (const Interrupted&) {
       next_ = todo_.size();
     } catch (...) {
@@ -98,12 +101,11 @@ class Workers {
     }
   }
 
-  void take(long index) {
+  void take(long index, PointSurroundings& around) {
     if (options_.interrupted != nullptr && *options_.interrupted) throw Interrupted{};
     const auto begun = std::chrono::steady_clock::now();
     PointRecord record;
-    record.outcome = run_point(design_, overrides_at(design_, points_, index),
-                               points_folder(options_.table) / "cuts", options_.interrupted);
+    record.outcome = run_point(design_, overrides_at(design_, points_, index), around);
     record.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     const std::lock_guard hold(mutex_);
@@ -121,6 +123,7 @@ class Workers {
   std::vector<long> todo_;
   Journal& journal_;
   const SweepOptions& options_;
+  Starts starts_;
   long found_, done_ = 0;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;

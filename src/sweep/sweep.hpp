@@ -21,6 +21,7 @@ struct SweepOptions {
   const std::atomic<bool>* interrupted =
       nullptr;  ///< set from outside: points under way are given up
   std::function<void(long, long)> progress = {};  ///< points done and in all, of this shard
+  Keeping keeping = Keeping::on;  ///< changes the time that a sweep takes, nothing else
 };
 
 /// What came of it.

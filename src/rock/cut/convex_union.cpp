@@ -20,10 +20,10 @@ Plane plane_of(const mesh::ConvexSolid& s, std::size_t i) { return {mesh::normal
 
 double height(const Plane& p, const Vec3& x) { return p.n.dot(x) - p.b; }
 
-/// The same plane with the same side, for a solid of this size.
+/// The same plane with the same side, for a solid of this size. Most differ in what is asked first.
 bool coincide(const Plane& p, const Plane& q, double size) {
-  return (p.n - q.n).norm() <= tolerance::convex &&
-         std::abs(p.b - q.b) <= 2.0 * tolerance::convex * size;
+  return std::abs(p.b - q.b) <= 2.0 * tolerance::convex * size &&
+         (p.n - q.n).norm() <= tolerance::convex;
 }
 
 template <class Has>

@@ -121,7 +121,7 @@ UpdatePlan read_update(Config& c) {
 }
 
 /// The case's bit; its mistakes join those of the case.
-bit::BitFile read_bit_of(Config& c, Config& update) {
+bit::BitFile read_bit_of(Config& c, Config& update, const BitReader& read_bit) {
   Config table = c.table(bit_keys::table);
   const std::string file = table.read(bit_keys::file);
   const std::vector<std::string> changes = table.table(bit_keys::set).assignments();
@@ -129,8 +129,7 @@ bit::BitFile read_bit_of(Config& c, Config& update) {
   const auto inside = update.read(update_keys::inside_cutters);
   bit::BitFile bit;
   try {
-    if (!file.empty())
-      bit = bit::read_bit(file, directions, inside, bit::Densities::as_given, changes);
+    if (!file.empty()) bit = read_bit(file, directions, inside, changes);
   } catch (const InputError& e) {
     c.other_file(e.what());
   }
@@ -195,9 +194,9 @@ std::string bit_hash(Config& update, const bit::BitFile& bit, const rock::Cuttin
 }
 
 /// All tables, and what must hold between them.
-bit::BitFile read_tables(Config& c, Case& read) {
+bit::BitFile read_tables(Config& c, const BitReader& read_bit, Case& read) {
   Config update = c.table(update_keys::table);
-  bit::BitFile file = read_bit_of(c, update);
+  bit::BitFile file = read_bit_of(c, update, read_bit);
   read.bit = file.bit;
   read.rock = read_rock(c.table(rock_keys::table));
   read.motion = read_motion(c.table(motion_keys::table), read.bit);
@@ -218,16 +217,15 @@ bit::BitFile read_tables(Config& c, Case& read) {
   return file;
 }
 
-}  // namespace
-
-Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  return read_case(Config::read_file(path, overrides), path);
+bit::BitFile read_now(const std::string& path, bit::DirectionRule directions,
+                      bit::InsideRule inside, const std::vector<std::string>& overrides) {
+  return bit::read_bit(path, directions, inside, bit::Densities::as_given, overrides);
 }
 
-Case read_case(Config c, const std::string& path) {
+Case read_case_with(Config c, const std::string& path, const BitReader& read_bit) {
   Case result;
   result.path = path;
-  const bit::BitFile bit = read_tables(c, result);
+  const bit::BitFile bit = read_tables(c, read_bit, result);
   Config rock = c.table(rock_keys::table);
   result.places = {rock.place(rock_keys::edge_length), c.place(motion_keys::table.name),
                    rock.place(rock_keys::file), rock.place(rock_keys::profile),
@@ -239,6 +237,21 @@ Case read_case(Config c, const std::string& path) {
   result.quantities = c.quantities();
   result.hash = fnv1a_hex(c.fingerprint() + bit.fingerprint);
   return result;
+}
+
+}  // namespace
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+  return read_case(path, overrides, read_now);
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides,
+               const BitReader& read_bit) {
+  return read_case_with(Config::read_file(path, overrides), path, read_bit);
+}
+
+Case read_case(Config c, const std::string& path) {
+  return read_case_with(std::move(c), path, read_now);
 }
 
 }  // namespace tdbd::simulation

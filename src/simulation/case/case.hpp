@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "bit/files/bit_file.hpp"
 #include "core/config/config.hpp"
 #include "rock/cut/cutting_bit.hpp"
 #include "rock/maintain/maintain.hpp"
@@ -103,6 +105,13 @@ struct Case {
 
 /// Reads and checks everything, runs nothing. Throws InputError that lists every mistake.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides);
+
+/// bit::read_bit, or what gives the same sooner.
+using BitReader =
+    std::function<bit::BitFile(const std::string& path, bit::DirectionRule, bit::InsideRule,
+                               const std::vector<std::string>& overrides)>;
+Case read_case(const std::string& path, const std::vector<std::string>& overrides,
+               const BitReader& read_bit);
 
 /// The same of a file or text that is parsed already; `path` names it.
 Case read_case(Config config, const std::string& path);

@@ -67,19 +67,6 @@ std::string in_one_line(const std::string& lines) {
   return text;
 }
 
-mesh::TriangleMesh from_file(const Case& c) {
-  require_same_time(c);
-  mesh::TriangleMesh m = mesh::read_mesh(c.rock.file, c.rock.unit);
-  const auto defects = mesh::check_surface(m);
-  if (!defects.empty())
-    refuse(c, in_one_line(mesh::describe(defects, 8)), "one open, consistently oriented surface");
-  require_facing_up(c, m);
-  require_plausible_edges(c, m);
-  require_memory(c, mesh::area(m), mesh::bounding_box(m));
-  require_no_intersections(c, c.rock.file, m);
-  return m;
-}
-
 mesh::Box box_of(const std::vector<rock::MeridianPoint>& curve) {
   mesh::Box box;
   for (const rock::MeridianPoint& p : curve) {
@@ -89,70 +76,98 @@ mesh::Box box_of(const std::vector<rock::MeridianPoint>& curve) {
   return box;
 }
 
-mesh::TriangleMesh make_borehole(const Case& c, const std::vector<rock::MeridianPoint>& curve) {
+double area_of(const std::vector<rock::MeridianPoint>& curve) {
   double area = 0.0;
   for (std::size_t i = 1; i < curve.size(); ++i)
     area += std::numbers::pi * (curve[i - 1].r + curve[i].r) *
             std::hypot(curve[i].r - curve[i - 1].r, curve[i].z - curve[i - 1].z);
-  require_memory(c, area, box_of(curve));
-  return rock::borehole(curve, c.rock.edge_length);
+  return area;
 }
 
-mesh::TriangleMesh conforming(const Case& c) {
+std::vector<rock::MeridianPoint> conforming(const Case& c) {
   const double spacing = 0.25 * c.rock.edge_length;
   std::vector<rock::MeridianPoint> curve;
   for (const bit::ProfilePoint& p : bit::exposure_profile(bit::swept_parts(c.bit), spacing))
     curve.push_back({p.r, p.z});
-  return make_borehole(c, rock::with_wall(std::move(curve), c.rock.wall));
+  return rock::with_wall(std::move(curve), c.rock.wall);
 }
 
 /// A flat bottom at the depth of the bit's lowest cutting point in a turn of its cones.
-mesh::TriangleMesh flat(const Case& c) {
+std::vector<rock::MeridianPoint> flat(const Case& c) {
   double lowest = -1e300;
   for (const bit::Part& p : bit::swept_parts(c.bit))
     for (const Vec3& x_P : p.mesh_P.positions) lowest = std::max(lowest, (p.X_BP * x_P).z());
   const double radius = c.rock.radius > 0.0 ? c.rock.radius : c.bit.gage_radius;
-  return make_borehole(c, rock::flat_bottom(radius, lowest, c.rock.wall));
+  return rock::flat_bottom(radius, lowest, c.rock.wall);
 }
 
-mesh::TriangleMesh rough(const Case& c) {
-  mesh::TriangleMesh m = flat(c);
-  rock::roughen_bottom(m, c.rock.roughness);
-  return m;
-}
-
-/// Any meridian: one that crosses itself makes no rock.
-mesh::TriangleMesh of_profile(const Case& c) {
-  mesh::TriangleMesh m = make_borehole(c, c.rock.profile);
-  require_no_intersections(c, c.places.profile, m);
-  return m;
-}
-
-mesh::TriangleMesh start_mesh(const Case& c) {
+std::vector<rock::MeridianPoint> meridian(const Case& c) {
   switch (c.rock.shape) {
     case RockShape::conforming:
       return conforming(c);
     case RockShape::flat:
-      return flat(c);
     case RockShape::rough:
-      return rough(c);
+      return flat(c);
     case RockShape::profile:
-      return of_profile(c);
     case RockShape::file:
-      return from_file(c);
+      break;
   }
-  return {};
+  return c.rock.profile;
+}
+
+/// Any meridian may be given: one that crosses itself makes no rock.
+StartSurface of_revolution(const Case& c) {
+  constexpr double cube_over_edge = 8.0;
+  const std::vector<rock::MeridianPoint> curve = meridian(c);
+  StartSurface start{{}, area_of(curve), box_of(curve)};
+  require_memory(c, start.area, start.box_W);
+  mesh::TriangleMesh m = rock::borehole(curve, c.rock.edge_length);
+  if (c.rock.shape == RockShape::rough) rock::roughen_bottom(m, c.rock.roughness);
+  if (c.rock.shape == RockShape::profile) require_no_intersections(c, c.places.profile, m);
+  start.surface =
+      mesh::make_surface(rock::in_order_of_space(m, cube_over_edge * c.rock.edge_length));
+  return start;
+}
+
+/// A file keeps its numbers, so that a run goes on from it as it would have without.
+StartSurface from_file(const Case& c) {
+  require_same_time(c);
+  const mesh::TriangleMesh m = mesh::read_mesh(c.rock.file, c.rock.unit);
+  const auto defects = mesh::check_surface(m);
+  if (!defects.empty())
+    refuse(c, in_one_line(mesh::describe(defects, 8)), "one open, consistently oriented surface");
+  require_facing_up(c, m);
+  require_plausible_edges(c, m);
+  StartSurface start{{}, mesh::area(m), mesh::bounding_box(m)};
+  require_memory(c, start.area, start.box_W);
+  require_no_intersections(c, c.rock.file, m);
+  start.surface = mesh::make_surface(m);
+  return start;
 }
 
 }  // namespace
 
-/// A file keeps its numbers, so that a run goes on from it as it would have without.
-rock::Rock start_rock(const Case& c) {
-  constexpr double cube_over_edge = 8.0;
-  mesh::TriangleMesh m = start_mesh(c);
-  if (c.rock.shape != RockShape::file)
-    m = rock::in_order_of_space(m, cube_over_edge * c.rock.edge_length);
-  return indexed_rock(c, mesh::make_surface(m));
+StartSurface start_surface(const Case& c) {
+  return c.rock.shape == RockShape::file ? from_file(c) : of_revolution(c);
+}
+
+std::string start_surface_key(const Case& c) {
+  const RockStart& r = c.rock;
+  if (r.shape == RockShape::file) return "";
+  std::string key = fmt::format("{} {} {} {} {} {} {} {} {}", c.bit_hash, static_cast<int>(r.shape),
+                                r.edge_length, r.wall, r.radius, r.roughness.amplitude,
+                                r.roughness.correlation_length, r.roughness.seed,
+                                static_cast<int>(r.intersections));
+  for (const rock::MeridianPoint& p : r.profile) key += fmt::format(" {} {}", p.r, p.z);
+  return key;
+}
+
+rock::Rock start_rock(const Case& c) { return start_rock(c, start_surface(c)); }
+
+/// Another case of the same surface may have a longer way to go.
+rock::Rock start_rock(const Case& c, StartSurface start) {
+  require_memory(c, start.area, start.box_W);
+  return indexed_rock(c, std::move(start.surface));
 }
 
 rock::Rock indexed_rock(const Case& c, mesh::Surface surface) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "simulation/start/rock_start.hpp"
 #include "simulation/start/start_check.hpp"
 #include "simulation/step/drive.hpp"
 
@@ -24,7 +23,7 @@ rock::MaintenanceLimits limits_of(const Case& c) {
   return l;
 }
 
-State start_state(const Case& c) {
+State start_state(const Case& c, rock::Rock rock) {
   State s;
   s.steps_done = c.time.first;
   s.place = place_at(c.motion, time_at(c.time, s.steps_done));
@@ -34,7 +33,7 @@ State start_state(const Case& c) {
   }
   s.start_turned = s.place.turned;
   s.cones = start_cones(c);
-  s.rock = start_rock(c);
+  s.rock = std::move(rock);
   require_free_start(c, s.rock.surface);
   s.start_triangles = s.rock.surface.triangle_count();
   s.ledger.hole_start = mesh::hole_volume(s.rock.surface, Vec3::Zero());
@@ -70,12 +69,14 @@ Statistics start_statistics(const Case& c) {
   return s;
 }
 
-Simulation start(const Case& c) { return resume(c, start_state(c), start_statistics(c)); }
+Simulation start(const Case& c) {
+  return resume(c, start_state(c, start_rock(c)), start_statistics(c));
+}
 
-Simulation start(const Case& c, const rock::CuttingBit& prepared) {
+Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& surface) {
   Simulation s;
-  s.state = start_state(c);
-  s.work = start_work(c, s.state, prepared);
+  s.state = start_state(c, start_rock(c, surface));
+  s.work = start_work(c, s.state, std::move(prepared));
   s.statistics = start_statistics(c);
   return s;
 }

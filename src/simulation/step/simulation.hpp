@@ -10,6 +10,7 @@
 #include "rock/maintain/renumber.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/motion.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/load_figures.hpp"
@@ -93,8 +94,9 @@ struct Simulation {
 /// than its largest cutter's radius, or the rock cannot be built.
 Simulation start(const Case& c);
 
-/// The same with a bit that was prepared for a case of the same `bit_hash`.
-Simulation start(const Case& c, const rock::CuttingBit& prepared);
+/// The same with a bit that was prepared for a case of the same `bit_hash`, and the surface of a case of
+/// the same start_surface_key.
+Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& surface);
 
 /// One time step, thesis fig. 4.2: the bit drifts to its next place, its parts cut, what they met
 /// is measured, the force laws are evaluated, the motion takes their kick, and when it is due the

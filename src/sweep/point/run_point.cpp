@@ -5,6 +5,7 @@
 #include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "bit/files/bit_file.hpp"
 #include "bit/report/bit_report.hpp"
@@ -19,7 +20,6 @@
 #include "simulation/step/energy_order.hpp"
 #include "sweep/point/figures.hpp"
 #include "sweep/point/planar.hpp"
-#include "sweep/point/prepared_bits.hpp"
 
 namespace tdbd::sweep {
 namespace {
@@ -37,19 +37,20 @@ void stop_if(bool interrupted) {
 }
 
 /// As `tdbd run` does it, without its files.
-Summary drill(const Design& d, const Words& overrides, const std::atomic<bool>* interrupted) {
-  const sim::Case c = sim::read_case(d.case_file, overrides);
-  sim::Simulation s = sim::start(c, *prepared_bit(c));
+Summary drill(const Design& d, const Words& overrides, PointSurroundings& around) {
+  const sim::Case c = read_case(d.case_file, overrides, around.starts);
+  sim::Simulation s = start(c, around.starts, std::move(around.room));
   const sim::EnergyOrderPlan plan = sim::plan_energy_order(c);
   sim::EnergyOrder order;
   order.residual.reason = plan.at < 0 ? plan.reason : "the run ended before its window";
   while (s.state.steps_done < c.time.steps) {
-    stop_if(interrupted != nullptr && *interrupted);
+    stop_if(around.interrupted != nullptr && *around.interrupted);
     if (s.state.steps_done == plan.at) order = sim::observe_energy_order(c, s);
     sim::step(c, s);
   }
   sim::RunSummary summary = sim::summary_of(c, s, sim::RunStatus::completed);
   if (summary.drive) summary.drive->order = order;
+  around.room = std::move(s.work.cutting);
   return {c.hash, sim::to_json(summary)};
 }
 
@@ -89,15 +90,14 @@ Summary judge(const Design& d, const Words& overrides) {
   return {c.hash, planar_summary(c, d.normal_ratio).dump()};
 }
 
-Summary summary_of(const Design& d, const Words& overrides, const std::filesystem::path& cuts,
-                   const std::atomic<bool>* interrupted) {
+Summary summary_of(const Design& d, const Words& overrides, PointSurroundings& around) {
   switch (d.command) {
     case Command::run:
-      return drill(d, overrides, interrupted);
+      return drill(d, overrides, around);
     case Command::rotate:
-      return rotate(d, overrides, interrupted);
+      return rotate(d, overrides, around.interrupted);
     case Command::calibrate:
-      return fit(d, overrides, cuts);
+      return fit(d, overrides, around.cuts);
     case Command::planar:
       return judge(d, overrides);
     case Command::bit:
@@ -118,12 +118,11 @@ std::string from_folder(const Design& d, std::string message) {
 
 }  // namespace
 
-PointOutcome run_point(const Design& d, const Words& overrides, const std::filesystem::path& cuts,
-                       const std::atomic<bool>* interrupted) {
+PointOutcome run_point(const Design& d, const Words& overrides, PointSurroundings& around) {
   PointOutcome outcome;
   bool ended = false;
   try {
-    const Summary summary = summary_of(d, overrides, cuts, interrupted);
+    const Summary summary = summary_of(d, overrides, around);
     ended = true;
     outcome.case_hash = summary.case_hash;
     outcome.figures = figures_of(Json::parse(summary.text), d.figures);
@@ -154,7 +153,9 @@ Words files_of(const Design& d, const Words& overrides) {
 }
 
 Words figures_on_offer(const Design& d, const Words& overrides, const std::filesystem::path& cuts) {
-  return figure_names(Json::parse(summary_of(d, overrides, cuts, nullptr).text));
+  Starts starts(Keeping::off);
+  PointSurroundings around{cuts, nullptr, starts};
+  return figure_names(Json::parse(summary_of(d, overrides, around).text));
 }
 
 }  // namespace tdbd::sweep

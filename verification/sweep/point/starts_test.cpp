@@ -1,0 +1,84 @@
+#include "sweep/point/starts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/read_file.hpp"
+#include "sweep/sweep.hpp"
+#include "verification/sweep/small_design.hpp"
+
+namespace tdbd::sweep::starts_test {
+
+namespace fs = std::filesystem;
+
+/// A few steps of bit R.
+std::string design(const std::string& levels) {
+  return "[sweep]\ncase = \"" TDBD_SOURCE_DIR
+         "/cases/bit-r-rolling.toml\"\nfigures = [\"removed_volume_m3\", \"rock_triangles_start\", "
+         "\"rock_quality_min\"]\n[set]\nrock.wall = \"20 mm\"\ntime.revolutions = 0.02\n" +
+         levels;
+}
+
+const std::string cones =
+    "[[factors]]\nkey = \"rock.edge_length\"\nvalues = [\"12 mm\", \"10 mm\"]\n"
+    "[[factors]]\nkey = \"update.gage_teeth\"\nvalues = [\"normal\", \"down\"]\n"
+    "[[factors]]\nkey = \"motion.rate_of_penetration\"\nvalues = [\"10 m/h\", \"20 m/h\"]\n";
+
+const std::string cutters =
+    "[[factors]]\nkey = \"bit.set.adjust.back_rake\"\nvalues = [\"0 deg\", \"5 deg\"]\n"
+    "[[factors]]\nkey = \"update.directions\"\nvalues = [\"hybrid\", \"all-down\"]\n"
+    "[[factors]]\nkey = \"update.inside_cutters\"\nvalues = [\"down\", \"plus-x\"]\n"
+    "[[factors]]\nkey = \"update.exit_from\"\nvalues = [\"parts\", \"whole\"]\n"
+    "[[factors]]\nkey = \"motion.rate_of_penetration\"\nvalues = [\"10 m/h\", \"20 m/h\"]\n";
+
+/// The same of bit B.
+std::string with_bit_b(std::string text) {
+  const std::string cones_case = "bit-r-rolling", pdc_case = "bit-b-steady";
+  return text.replace(text.find(cones_case), cones_case.size(), pdc_case)
+      .replace(text.find("[set]\n"), 6, "[set]\nrock.edge_length = \"8 mm\"\n");
+}
+
+/// The bytes of the table's two files.
+std::string table_of(const Design& d, const fs::path& table, int threads, Keeping keeping) {
+  SweepOptions options;
+  options.table = table;
+  options.threads = threads;
+  options.keeping = keeping;
+  const SweepResult r = run_sweep(d, options);
+  EXPECT_TRUE(r.written);
+  EXPECT_EQ(r.failed, 0) << r.first_failure;
+  return read_file(table, "a table") +
+         read_file(fs::path(table).replace_extension(".csv"), "a table");
+}
+
+void expect_same_bytes(const std::string& name, const std::string& text) {
+  const fs::path folder = empty_folder("starts_" + name);
+  const Design d = design_from(folder, text);
+  const std::string alone = table_of(d, folder / "alone.nc", 1, Keeping::off);
+  EXPECT_EQ(table_of(d, folder / "kept.nc", 1, Keeping::on), alone);
+  EXPECT_EQ(table_of(d, folder / "two.nc", 2, Keeping::on), alone);
+}
+
+TEST(Starts, change_no_byte_of_a_table_of_cones) { expect_same_bytes("cones", design(cones)); }
+
+TEST(Starts, change_no_byte_of_a_table_of_cutters) {
+  expect_same_bytes("cutters", with_bit_b(design(cutters)));
+}
+
+/// Points of one bit and one rock share them, others do not.
+TEST(Starts, are_made_once) {
+  Starts kept(Keeping::on);
+  const auto bit_of = [&](std::vector<std::string> overrides) {
+    overrides.push_back("rock.edge_length=12 mm");
+    const simulation::Case c =
+        read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml", overrides, kept);
+    start(c, kept, {});
+    const auto none = [] { return rock::CuttingBit{}; };
+    return kept.bits.get(c.bit_hash, none, [](const rock::CuttingBit&) { return 1.0; });
+  };
+  const auto first = bit_of({});
+  EXPECT_FALSE(first->groups.empty());
+  EXPECT_EQ(bit_of({"motion.rate_of_penetration=3 m/h"}), first);
+  EXPECT_NE(bit_of({"bit.set.adjust.back_rake=2 deg"}), first);
+}
+
+}  // namespace tdbd::sweep::starts_test
