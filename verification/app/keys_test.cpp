@@ -42,4 +42,36 @@ TEST(KeysCommand, made_the_tables_of_the_documentation) {
   EXPECT_EQ(o.out, read(TDBD_SOURCE_DIR "/src/simulation/case/KEYS.md"));
 }
 
+/// `tdbd keys --design --markdown > src/sweep/design/KEYS.md` makes it right again.
+TEST(KeysCommand, made_the_tables_of_designs) {
+  const battery::Outcome o = battery::run_tdbd({"keys", "--design", "--markdown"});
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_EQ(o.out, read(TDBD_SOURCE_DIR "/src/sweep/design/KEYS.md"));
+}
+
+TEST(KeysCommand, prints_the_tables_of_designs_alone) {
+  const battery::Outcome all = battery::run_tdbd({"keys", "--design"});
+  EXPECT_EQ(all.exit_code, 0);
+  for (const char* table : {"top of the file of tdbd sweep", "[sweep] of tdbd sweep", "\n[set] of",
+                            "[[factors]] of", "[[goals]] of", "[filter] of"})
+    EXPECT_TRUE(has(all.out, table)) << table;
+  EXPECT_FALSE(has(all.out, "[rock]"));
+  const battery::Outcome one = battery::run_tdbd({"keys", "--design", "filter"});
+  EXPECT_EQ(one.out.rfind("[filter] of tdbd sweep: ", 0), 0u) << one.out;
+  EXPECT_FALSE(has(one.out, "[sweep]")) << one.out;
+  expect_refusal(battery::run_tdbd({"keys", "--design", "rock"}),
+                 "TABLE: found \"rock\", expected a table that `tdbd keys --design` lists");
+}
+
+/// Also where a file names its own keys.
+TEST(KeysCommand, says_of_every_table_what_it_holds) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"keys", "--markdown"}, {"keys", "--design", "--markdown"}}) {
+    const std::string page = battery::run_tdbd(words).out;
+    EXPECT_EQ(page.find("|---|---|---|---|---|\n\n"), std::string::npos)
+        << page.substr(0, page.find("|---|---|---|---|---|\n\n"));
+    EXPECT_FALSE(page.ends_with("|---|\n"));
+  }
+}
+
 }  // namespace tdbd::app::keys_test

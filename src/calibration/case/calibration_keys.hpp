@@ -33,6 +33,10 @@ inline constexpr ChoiceKey<Pressures> pressures{
     .meaning = "one set of coefficients for all bottom hole pressures, or one for each"};
 
 inline constexpr TableKey bits{"bits", "NAME = \"file\": the bits of the records"};
+inline constexpr AnyKey any_bit{.name = "NAME",
+                                .kind = "file",
+                                .usual = "no such bit",
+                                .meaning = "the bit file of the bit that records call NAME"};
 inline constexpr TableKey rocks{"rocks.NAME",
                                 "a rock by its numbers, for records that name it (column rock)"};
 
@@ -95,6 +99,10 @@ inline constexpr ListKey range{.name = "range",
                                .usual = "that of the coefficient",
                                .meaning = "[lowest, highest], in the coefficient's unit"};
 inline constexpr TableKey fixed{"fixed", "KEY = value: coefficients that are not fitted"};
+inline constexpr AnyKey any_coefficient{.name = "KEY",
+                                        .kind = "that of the coefficient",
+                                        .usual = "the coefficient's, or fitted",
+                                        .meaning = "a coefficient of the law, as [forces] has it"};
 
 inline constexpr TableKey intervals{"intervals", "how sure the result is"};
 inline constexpr QuantityKey level{.name = "level",

@@ -12,7 +12,7 @@ std::vector<KeyTable> calibration_tables() {
   return {
       key_table(command, calibration_keys::table,
                 rows(law, records, fit_bits, predict_bits, leave_out, calibration_keys::pressures)),
-      key_table(command, bits, {}),
+      key_table(command, bits, rows(any_bit)),
       key_table(command, cutter, rows(diameter, back_rake, wear_flat, chamfer)),
       key_table(command, calibration_keys::rock,
                 rows(material, edge_length, confinement, pore_pressure, overburden)),
@@ -20,7 +20,7 @@ std::vector<KeyTable> calibration_tables() {
       key_table(command, calibration_keys::time, rows(revolutions, steps_per_revolution)),
       key_table(command, noise, rows(reading, test, rop)),
       key_table(command, unknown, rows(start, prior_sd, range)),
-      key_table(command, fixed, {}),
+      key_table(command, fixed, rows(any_coefficient)),
       key_table(command, intervals, rows(level, bootstrap, seed))};
 }
 

@@ -24,5 +24,9 @@ inline constexpr QuantityKey rotary_speed{
     .name = "rotary_speed", .unit = "rad/s", .range = Range::positive(), .meaning = "of all tests"};
 inline constexpr IntegerKey seed{.name = "seed", .fallback = 1, .meaning = "of the noise"};
 inline constexpr TableKey truth{"truth", "KEY = value: the true coefficients"};
+inline constexpr AnyKey any_coefficient{.name = "KEY",
+                                        .kind = "that of the coefficient",
+                                        .usual = "the coefficient's",
+                                        .meaning = "a coefficient of the law, as [forces] has it"};
 
 }  // namespace tdbd::calibration::laboratory_keys

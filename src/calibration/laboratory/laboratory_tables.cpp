@@ -9,7 +9,7 @@ std::vector<KeyTable> laboratory_tables() {
   const std::string command = "laboratory";
   return {key_table(command, laboratory_keys::table,
                     rows(law, bits, pressures, rates, rotary_speed, seed)),
-          key_table(command, truth, {})};
+          key_table(command, truth, rows(any_coefficient))};
 }
 
 }  // namespace tdbd::calibration

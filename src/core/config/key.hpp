@@ -118,6 +118,28 @@ struct TextKey {
   constexpr operator std::string_view() const { return name; }
 };
 
+/// A text, a number or a flag, as the file has it (Config::word), and an array of them (Config::words).
+struct WordKey {
+  std::string_view name;
+  std::string_view usual = {};
+  std::string_view meaning = {};
+  constexpr operator std::string_view() const { return name; }
+};
+struct WordsKey {
+  std::string_view name;
+  std::string_view usual = {};
+  std::string_view meaning = {};
+  constexpr operator std::string_view() const { return name; }
+};
+
+/// Stands in lists of keys for those that are declared elsewhere, or that a file names itself.
+struct AnyKey {
+  std::string_view name;  ///< "KEY"
+  std::string_view kind;  ///< in words
+  std::string_view usual = {};
+  std::string_view meaning = {};
+};
+
 /// An existing file, relative to the folder of the file that names it.
 struct PathKey {
   std::string_view name;

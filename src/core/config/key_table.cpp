@@ -100,6 +100,18 @@ KeyRow row(const TextKey& key) {
   return key.fallback ? with_fallback(std::move(r), fmt::format("\"{}\"", *key.fallback)) : r;
 }
 
+KeyRow row(const WordKey& key) {
+  return array_row(key.name, "value with unit", key.usual, key.meaning);
+}
+
+KeyRow row(const WordsKey& key) {
+  return array_row(key.name, "list of values", key.usual, key.meaning);
+}
+
+KeyRow row(const AnyKey& key) {
+  return array_row(key.name, std::string(key.kind), key.usual, key.meaning);
+}
+
 KeyRow row(const PathKey& key) { return array_row(key.name, "file", key.usual, key.meaning); }
 
 KeyRow row(const NameKey& key) {
@@ -155,7 +167,8 @@ std::string keys_as_markdown(std::span<const KeyTable> tables) {
   return out;
 }
 
-std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::string& name) {
+std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::string& name,
+                                   const std::string& listed_by) {
   std::vector<KeyTable> found;
   std::vector<std::string> names;
   for (const KeyTable& table : tables) {
@@ -165,7 +178,7 @@ std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::
   if (!found.empty()) return found;
   const auto near = nearest_name(name, names);
   throw InputError(fmt::format("TABLE: found \"{}\", expected {}", name,
-                               near ? *near : "a table that `tdbd keys` lists"));
+                               near ? *near : fmt::format("a table that `{}` lists", listed_by)));
 }
 
 }  // namespace tdbd

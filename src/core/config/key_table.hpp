@@ -41,6 +41,9 @@ KeyRow row(const TextKey& key);
 KeyRow row(const PathKey& key);
 KeyRow row(const NameKey& key);
 KeyRow row(const TextsKey& key);
+KeyRow row(const WordKey& key);
+KeyRow row(const WordsKey& key);
+KeyRow row(const AnyKey& key);
 
 /// A choice with its names; `fallback` is the name of the fallback, or empty.
 KeyRow choice_row(std::string_view name, const std::vector<std::string_view>& names,
@@ -74,7 +77,8 @@ std::string keys_as_text(std::span<const KeyTable> tables);
 std::string keys_as_markdown(std::span<const KeyTable> tables);
 
 /// The tables of this name and those inside them ("motion": also "motion.whirl"). Throws InputError
-/// with the nearest name when there is none.
-std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::string& name);
+/// with the nearest name, or the command that lists them, when there is none.
+std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::string& name,
+                                   const std::string& listed_by = "tdbd keys");
 
 }  // namespace tdbd

@@ -177,7 +177,7 @@ std::vector<KeyTable> rotate_tables() {
 
 std::vector<KeyTable> all_tables() {
   std::vector<KeyTable> all{key_table("run", bit_keys::table, rows(bit_keys::file)),
-                            key_table("run", bit_keys::changes, {})};
+                            key_table("run", bit_keys::changes, rows(bit_keys::any))};
   const auto add = [&all](const std::vector<KeyTable>& tables) {
     all.insert(all.end(), tables.begin(), tables.end());
   };

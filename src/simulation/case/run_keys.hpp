@@ -25,6 +25,12 @@ inline constexpr PathKey file{.name = "file", .meaning = "the bit file (TOML)"};
 inline constexpr TableKey set{"set", "keys of the bit file, in place of its own"};
 inline constexpr TableKey changes{
     "bit.set", "keys of the bit file, in place of its own: bit.set.adjust.back_rake = \"2 deg\""};
+inline constexpr AnyKey any{.name = "KEY",
+                            .kind = "as in the bit file",
+                            .usual = "the bit file's",
+                            .meaning =
+                                "any key of the tables of `tdbd bit` below, dotted: "
+                                "gage_diameter, cutters.chamfer, adjust.blade.2.azimuth"};
 
 }  // namespace bit_keys
 

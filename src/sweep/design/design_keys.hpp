@@ -6,6 +6,28 @@
 /// The keys of a sweep's design.
 namespace tdbd::sweep {
 
+namespace top_keys {
+
+inline constexpr TableKey table{"", "what the design is"};
+
+inline constexpr TextKey title{
+    .name = "title", .fallback = "", .meaning = "an attribute of the table"};
+
+}  // namespace top_keys
+
+namespace set_keys {
+
+inline constexpr TableKey table{"set", "keys of the case, the same at all points"};
+
+inline constexpr AnyKey any{.name = "KEY",
+                            .kind = "as in the case",
+                            .usual = "the case's",
+                            .meaning =
+                                "any key of the case, dotted: time.revolutions; of its bit "
+                                "file behind bit.set: bit.set.adjust.back_rake"};
+
+}  // namespace set_keys
+
 namespace sweep_keys {
 
 inline constexpr TableKey table{"sweep", "what is done at each point"};
@@ -58,14 +80,19 @@ namespace factor_keys {
 inline constexpr TableKey table{"factors", "a key of the case that varies", Repeats::yes};
 
 inline constexpr TextKey key{.name = "key", .meaning = "dotted, as --set has it"};
-inline constexpr const char* values = "values";  ///< words
-inline constexpr const char* from = "from";      ///< a word: number and unit
-inline constexpr const char* to = "to";
+inline constexpr WordsKey values{.name = "values",
+                                 .usual = "required without from and to",
+                                 .meaning = "the levels, as the key takes them"};
+inline constexpr WordKey from{.name = "from",
+                              .usual = "required without values",
+                              .meaning = "the lowest level, or where samples begin"};
+inline constexpr WordKey to{
+    .name = "to", .usual = "required with from", .meaning = "the highest, in the unit of from"};
 inline constexpr IntegerKey count{.name = "count",
-                                  .fallback = 0,
+                                  .usual = "none: the factor is sampled",
                                   .lo = 2,
                                   .hi = 4'000'000'000,
-                                  .meaning = "of levels, ends included"};
+                                  .meaning = "of levels, both ends included"};
 inline constexpr ChoiceKey<Scale> scale{
     .name = "scale",
     .values = {{{"linear", Scale::linear}, {"log", Scale::log}}},

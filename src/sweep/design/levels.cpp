@@ -34,7 +34,7 @@ Interval read_interval(Config& factor) {
   Interval i{from.number.value_or(0.0), to.number.value_or(1.0), from.unit,
              factor.read(factor_keys::scale)};
   if (factor.problem_count() > 0) return i;
-  const auto expect = [&](bool right, const char* key, const std::string& found,
+  const auto expect = [&](bool right, std::string_view key, const std::string& found,
                           const char* expected) {
     if (!right) factor.problem(key, found, expected);
   };

@@ -35,8 +35,8 @@ Factor read_factor(Config c, double& points) {
     return f;
   }
   f.interval = read_interval(c);
-  const long count = c.read(factor_keys::count);
   if (!c.has(factor_keys::count)) return f;
+  const long count = c.read(factor_keys::count);
   points *= static_cast<double>(count);
   check_count(c, points);
   c.stop_at_problems();
@@ -111,10 +111,10 @@ Design read_design(const std::string& file) {
   Config c = Config::read_file(file, {});
   Design d;
   d.file = file;
-  d.title = c.text("title", "");
+  d.title = c.read(top_keys::title);
   Config sweep = c.table(sweep_keys::table);
   read_what(sweep, d);
-  d.fixed = c.table("set").assignments();
+  d.fixed = c.table(set_keys::table).assignments();
   double points = static_cast<double>(d.samples);
   check_count(c, points);
   for (const Config& factor : c.tables(factor_keys::table))

@@ -147,6 +147,12 @@ TEST(Key, is_described_in_words) {
   EXPECT_EQ(words(row(label)), "label|text|\"none\"||for the report");
   EXPECT_EQ(words(row(shape)), "shape|one of|\"square\"|round, square|of the jaws");
   EXPECT_EQ(words(row(steel)), "steel|one of|required|mild, hard|what it is made of");
+  EXPECT_EQ(words(row(WordKey{"from", "none", "where it begins"})),
+            "from|value with unit|none||where it begins");
+  EXPECT_EQ(words(row(WordsKey{"levels", {}, "all of them"})),
+            "levels|list of values|required||all of them");
+  EXPECT_EQ(words(row(AnyKey{"KEY", "as in the drill", "the drill's", "any of its keys"})),
+            "KEY|as in the drill|the drill's||any of its keys");
 }
 
 TEST(Key, stands_in_its_table) {

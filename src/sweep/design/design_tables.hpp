@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "core/config/key_table.hpp"
+
+namespace tdbd::sweep {
+
+/// The tables of a design, for `tdbd keys --design`.
+std::vector<KeyTable> design_tables();
+
+}  // namespace tdbd::sweep
