@@ -14,7 +14,7 @@ namespace tdbd::app {
 namespace fs = std::filesystem;
 
 void add_case(CLI::App& command, ResultArguments& a, const ResultHelp& help) {
-  command.add_option("case", a.case_file, help.case_file)->required();
+  command.add_option("case", a.case_file, help.case_file)->required()->type_name(a_toml_file);
 }
 
 void add_set(CLI::App& command, std::vector<std::string>& overrides, const std::string& help) {
@@ -32,7 +32,8 @@ void add_threads(CLI::App& command, int& threads) {
 }
 
 void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp& help) {
-  command.add_option("-o,--output", a.folder, "result folder; default " + help.folder);
+  command.add_option("-o,--output", a.folder, "result folder; default " + help.folder)
+      ->type_name(a_folder);
   add_set(command, a.overrides,
           "override a key, as often as needed: " + help.set + "; `tdbd keys` lists the keys");
   command.add_flag("--force", a.force, "replace the results in the folder");
@@ -42,6 +43,7 @@ void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp&
 void add_resume(CLI::App& command, ResultArguments& a) {
   CLI::Option* resumed = command.add_option(
       "--resume", a.resumed, "in place of a case: go on with the run of this folder");
+  resumed->type_name(a_folder);
   command.get_option("case")->required(false)->excludes(resumed);
   for (const char* other : {"--output", "--set", "--force"})
     command.get_option(other)->excludes(resumed);

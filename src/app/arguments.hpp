@@ -13,6 +13,12 @@
 
 namespace tdbd::app {
 
+/// What files and folders are called in help. Completion knows by these, and by {a,b,c}, what may
+/// stand there; FILE.a|b is one of these endings.
+inline constexpr const char* a_folder = "FOLDER";
+inline constexpr const char* a_toml_file = "FILE.toml";
+inline constexpr const char* a_mesh_file = "FILE.stl|obj|ply|off";
+
 /// What every command is given that reads a case and writes a result folder.
 struct ResultArguments {
   std::string case_file, folder;

@@ -115,11 +115,15 @@ void add_bit(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("bit", "Build and inspect a bit: table, mass properties, meshes");
   auto choices = std::make_shared<BitChoices>();
-  command->add_option("bit", choices->file, "the bit file (TOML)")->required();
-  command->add_option("-o,--output", choices->folder,
-                      "write bit.toml with parts/, solids.toml with bit.stl, bit.json, "
-                      "cutters.csv, profile.csv and "
-                      "bit.vtp here");
+  command->add_option("bit", choices->file, "the bit file (TOML)")
+      ->required()
+      ->type_name(a_toml_file);
+  command
+      ->add_option("-o,--output", choices->folder,
+                   "write bit.toml with parts/, solids.toml with bit.stl, bit.json, "
+                   "cutters.csv, profile.csv and "
+                   "bit.vtp here")
+      ->type_name(a_folder);
   command->add_option("--format", choices->format, "of the parts' meshes: ply, off, obj or stl")
       ->check(CLI::IsMember({"ply", "off", "obj", "stl"}))
       ->capture_default_str();

@@ -74,9 +74,11 @@ void add_calibrate(CLI::App& app, int& exit_code) {
                         .quiet = "no progress, no table"};
   add_case(*command, *a, help);
   add_result_options(*command, *a, help);
-  command->add_option("--cuts", a->cuts,
-                      "folder where cut runs are kept and found again; default: cuts, beside the "
-                      "result folder");
+  command
+      ->add_option("--cuts", a->cuts,
+                   "folder where cut runs are kept and found again; default: cuts, beside the "
+                   "result folder")
+      ->type_name(a_folder);
   add_threads(*command, a->threads);
   command->footer(
       "The keys of a calibration: tdbd keys calibration.\n"

@@ -61,7 +61,7 @@ void add_check(CLI::App& app, int& exit_code) {
       "check", "Read everything, report every mistake and where it is, and what a run would take");
   auto file = std::make_shared<std::string>();
   auto overrides = std::make_shared<std::vector<std::string>>();
-  command->add_option("case", *file, "the case file (TOML)")->required();
+  command->add_option("case", *file, "the case file (TOML)")->required()->type_name(a_toml_file);
   add_set(*command, *overrides, "override a key");
   command->footer("Example: tdbd check cases/bit-b-steady.toml");
   command->callback([file, overrides, &exit_code] {

@@ -72,8 +72,10 @@ void add_convergence_options(CLI::App& command, ConvergeArguments& a) {
       ->check(CLI::Range(sim::least_levels, sim::most_levels));
   command.add_option("--factor", a.plan.factor, "what the quantity is divided by")
       ->capture_default_str();
-  command.add_option("--reference", a.reference,
-                     "measure errors against this result (folder or summary.json)");
+  command
+      .add_option("--reference", a.reference,
+                  "measure errors against this result (folder or summary.json)")
+      ->type_name(a_folder);
   add_result_options(command, a, help);
   add_threads(command, a.threads);
 }

@@ -5,6 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/command_help.hpp"
+#include "app/completion.hpp"
+#include "app/manual.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 
@@ -27,14 +30,6 @@ std::string meant_by(const std::string& word, const std::vector<std::string>& na
   return fmt::format("one of {}", fmt::join(names, ", "));
 }
 
-/// The line of a command's help that begins with "Example: ", without that.
-std::string example_of(const CLI::App& command) {
-  const std::string text = command.get_footer(), head = "Example: ";
-  const auto at = text.find(head);
-  if (at == std::string::npos) return "tdbd " + command.get_name() + " --help";
-  return text.substr(at + head.size(), text.find('\n', at) - at - head.size());
-}
-
 }  // namespace
 
 std::string overview(const CLI::App& app) {
@@ -43,6 +38,13 @@ std::string overview(const CLI::App& app) {
     text += fmt::format("{:<11} {}\n            {}\n", command->get_name(),
                         command->get_description(), example_of(*command));
   return text + "\nAll options of one: tdbd COMMAND --help.\n" + app.get_footer() + "\n";
+}
+
+std::optional<std::string> page_asked_for(const CLI::App& app,
+                                          const std::vector<std::string>& words) {
+  if (words == std::vector<std::string>{"help", "--man"}) return manual_page(app);
+  if (words == std::vector<std::string>{"help", "--completion"}) return bash_completion(app);
+  return {};
 }
 
 std::vector<std::string> understood(const CLI::App& app, std::vector<std::string> words) {

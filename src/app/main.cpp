@@ -56,6 +56,10 @@ int tell(const CLI::App& app, const CLI::ParseError& error) {
 
 /// Reads the words and runs their command. CLI11 takes them last first.
 int obey(CLI::App& app, int& exit_code, std::vector<std::string> words) {
+  if (const auto page = tdbd::app::page_asked_for(app, words)) {
+    tdbd::app::write_out(*page);
+    return 0;
+  }
   words = tdbd::app::understood(app, std::move(words));
   if (words.empty()) {
     tdbd::app::write_out(tdbd::app::overview(app));

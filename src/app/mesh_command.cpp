@@ -153,7 +153,9 @@ void add_mesh(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("mesh", "Inspect a mesh file; repair or grade it into another one");
   auto choices = std::make_shared<MeshChoices>();
-  command->add_option("mesh", choices->file, "the mesh file (STL, OBJ, PLY or OFF)")->required();
+  command->add_option("mesh", choices->file, "the mesh file (STL, OBJ, PLY or OFF)")
+      ->required()
+      ->type_name(a_mesh_file);
   command->add_option("--unit", choices->unit,
                       "length of the file's unit; default 1 mm, of a rock that a run wrote 1 m");
   command->add_flag("--repair", choices->repair,
@@ -178,9 +180,10 @@ void add_mesh(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--deviation", choices->deviation, "how far the surface may move at most")
       ->capture_default_str();
-  command->add_option(
-      "-o,--output", choices->output,
-      "the file to write, in the format of its extension; the input stays as it is");
+  command
+      ->add_option("-o,--output", choices->output,
+                   "the file to write, in the format of its extension; the input stays as it is")
+      ->type_name(a_mesh_file);
   command->add_flag("--force", choices->force, "replace the output file");
   command->footer("Example: tdbd mesh bit.stl --repair -o bit-repaired.stl");
   command->callback(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/templates.hpp"
@@ -66,9 +67,10 @@ int write_new(const NewArguments& a) {
 void add_new(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("new", "Write a case to begin with, with all that it needs");
   auto a = std::make_shared<NewArguments>();
-  command->add_option("kind", a->kind, fmt::format("one of {}", fmt::join(kinds(), ", ")))
-      ->required();
-  command->add_option("name", a->folder, "the folder to make")->required();
+  command->add_option("kind", a->kind, "what it drills, rotates, sweeps or fits")
+      ->required()
+      ->type_name(fmt::format("{{{}}}", fmt::join(kinds(), ",")));
+  command->add_option("name", a->folder, "the folder to make")->required()->type_name(a_folder);
   command->footer(
       "pdc: a PDC bit drills; cones: a roller cone bit drills; top: a heavy top; sweep: a design "
       "of\n"

@@ -102,8 +102,11 @@ int sweep_points(const SweepArguments& a) {
 void add_sweep(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("sweep", "Run a design of many cases into one table");
   auto a = std::make_shared<SweepArguments>();
-  command->add_option("design", a->design, "the design (TOML): case, factors, figures")->required();
-  command->add_option("-o,--output", a->table, "the table, NAME.nc; default: results/DESIGN.nc");
+  command->add_option("design", a->design, "the design (TOML): case, factors, figures")
+      ->required()
+      ->type_name(a_toml_file);
+  command->add_option("-o,--output", a->table, "the table, NAME.nc; default: results/DESIGN.nc")
+      ->type_name("FILE.nc");
   command->add_option("--shard", a->shard, "every n-th point, beginning with the i-th: I/N")
       ->capture_default_str();
   command->add_flag("--points", a->points, "print what each point sets, and run nothing");

@@ -93,6 +93,12 @@ TEST(FirstWords, a_number_a_thousand_times_too_large_asks_for_its_unit) {
               "--set: rock.edge_length: found -2.5, expected length in m, in [1e-05, 0.1]");
 }
 
+TEST(FirstWords, help_of_an_option_that_there_is_not_is_told) {
+  expect_told({"help", "--mna"},
+              "found the command --mna, expected one of new, run, rotate, converge, calibrate, "
+              "check, keys, bit, laboratory, sweep, mesh");
+}
+
 TEST(FirstWords, version_tells_what_a_summary_tells) {
   const auto o = battery::run_tdbd({"--version"});
   EXPECT_EQ(o.exit_code, 0);

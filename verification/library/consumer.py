@@ -31,6 +31,13 @@ def check_no_build_paths(prefix, folders):
                 sys.exit(f"{file.relative_to(prefix)} names {folder}")
 
 
+def check_pages(prefix):
+    """The manual page and bash's completion are those of the installed program."""
+    for file, word in (("man/man1/tdbd.1", "--man"), ("bash-completion/completions/tdbd", "--completion")):
+        if (prefix / "share" / file).read_text(encoding="utf-8") != run(prefix / "bin/tdbd", "help", word):
+            sys.exit(f"{file} is not what the program prints")
+
+
 def build(a, prefix, work, name):
     folder = work / name
     run(a.cmake, "-S", a.source / "examples" / name, "-B", folder, "-G", "Ninja",
@@ -75,6 +82,7 @@ def main():
         prefix = work / "prefix"
         os.rename(work / "installed", prefix)
         check_no_build_paths(prefix, [a.source, a.build, work])
+        check_pages(prefix)
         check_drilling(a, prefix, work)
         print(run(build(a, prefix, work, "rotate_body_with_cones")))
         print(run(build(a, prefix, work, "ask_force_law")))
