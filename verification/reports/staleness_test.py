@@ -6,22 +6,28 @@ import unittest
 from small_project import CLAIMS, EVIDENCE, FIGURE, MANIFEST, PROGRAM, Project
 
 
-class Report(unittest.TestCase):
+class OfOneProject(unittest.TestCase):
+    """Each test has a copy of a project that was made once."""
+
     @classmethod
     def setUpClass(cls):
-        cls.made = tempfile.TemporaryDirectory()
-        code, _, complaints = Project(cls.made.name).make()
-        assert (code, complaints) == (0, ""), complaints
+        made = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(made.cleanup)
+        cls.made = made.name
+        cls.make_first(Project(cls.made))
 
     @classmethod
-    def tearDownClass(cls):
-        cls.made.cleanup()
+    def make_first(cls, project):
+        code, _, complaints = project.make()
+        assert (code, complaints) == (0, ""), complaints
 
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.project = Project(self.folder.name, copy_of=self.made.name)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.project = Project(folder.name, copy_of=self.made)
 
+
+class Report(OfOneProject):
     def assert_made(self):
         code, _, complaints = self.project.make()
         self.assertEqual((code, complaints), (0, ""))
@@ -241,28 +247,20 @@ def write(folder, path):
 """
 
 
-class BitPages(unittest.TestCase):
+class BitPages(OfOneProject):
     """The pages of bits are made of their results, again when anything behind them changed."""
 
     list, script, page_of, helper, source, kind = "bit_pages", "bit_page.py", "bits/one.html", "page_tables.py", BIT_PAGE, "page"
 
     @classmethod
-    def setUpClass(cls):
-        cls.made = tempfile.TemporaryDirectory()
-        project = Project(cls.made.name)
+    def make_first(cls, project):
         project.write("reports/manifest.toml", f'{cls.list} = ["one"]\n' + MANIFEST)
         project.write(f"reports/{cls.script}", cls.source)
         code, made, complaints = project.make()
         assert (code, made.count("made one ("), complaints) == (0, 2, ""), complaints  # the result and its page
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.made.cleanup()
-
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.project = Project(self.folder.name, copy_of=self.made.name)
+        super().setUp()
         self.page = self.project.out / self.page_of
 
     def make(self, *words):
