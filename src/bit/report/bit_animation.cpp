@@ -6,6 +6,7 @@
 
 #include "bit/part_kind.hpp"
 #include "bit/report/bit_motion.hpp"
+#include "core/single.hpp"
 #include "core/whole_file.hpp"
 
 namespace tdbd::bit {
@@ -35,17 +36,17 @@ std::size_t add_numbers(Gltf& g, const std::vector<Number>& numbers, const char*
   g.views.push_back({{"buffer", 0}, {"byteOffset", g.bytes.size()}, {"byteLength", size}});
   g.bytes.append(reinterpret_cast<const char*>(numbers.data()), size);
   g.accessors.push_back({{"bufferView", g.views.size() - 1},
-                         {"componentType", std::is_same_v<Number, float> ? of_floats : of_indices},
+                         {"componentType", std::is_same_v<Number, Single> ? of_floats : of_indices},
                          {"count", numbers.size() / width},
                          {"type", shape}});
   return g.accessors.size() - 1;
 }
 
 /// The format asks for the ranges of places and times.
-void note_range(Gltf& g, std::size_t accessor, const std::vector<float>& numbers,
+void note_range(Gltf& g, std::size_t accessor, const std::vector<Single>& numbers,
                 std::size_t width) {
-  std::vector<float> low(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(width));
-  std::vector<float> high = low;
+  std::vector<Single> low(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(width));
+  std::vector<Single> high = low;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     low[i % width] = std::min(low[i % width], numbers[i]);
     high[i % width] = std::max(high[i % width], numbers[i]);
@@ -82,7 +83,7 @@ std::size_t add_material(Gltf& g, PartKind kind) {
 
 /// The triangles of a body's parts of one kind, at rest.
 struct KindMesh {
-  std::vector<float> places;
+  std::vector<Single> places;
   std::vector<std::uint32_t> corners;
 };
 
@@ -90,7 +91,7 @@ void add_part(const Part& part, KindMesh& m) {
   const auto first = static_cast<std::uint32_t>(m.places.size() / 3);
   for (const Vec3& x_P : part.mesh_P.positions) {
     const Vec3 x_B = part.X_BP * x_P;
-    for (int i = 0; i < 3; ++i) m.places.push_back(static_cast<float>(x_B(i)));
+    for (int i = 0; i < 3; ++i) m.places.push_back(static_cast<Single>(x_B(i)));
   }
   for (const mesh::Triangle& t : part.mesh_P.triangles)
     for (const int v : t) m.corners.push_back(first + static_cast<std::uint32_t>(v));
@@ -130,7 +131,7 @@ void add_bodies(Gltf& g, const Bit& bit, std::size_t count) {
 }
 
 /// STEP: between two frames nothing was computed, and the shortest turn need not be the bit's.
-void add_channel(Gltf& g, std::size_t body, std::size_t times, const std::vector<float>& numbers,
+void add_channel(Gltf& g, std::size_t body, std::size_t times, const std::vector<Single>& numbers,
                  const char* shape, std::size_t width) {
   g.samplers.push_back({{"input", times},
                         {"output", add_numbers(g, numbers, shape, width)},
@@ -141,16 +142,16 @@ void add_channel(Gltf& g, std::size_t body, std::size_t times, const std::vector
 }
 
 void add_motion(Gltf& g, const std::vector<BodyPoses>& frames) {
-  std::vector<float> times;
-  for (const BodyPoses& f : frames) times.push_back(static_cast<float>(f.time));
+  std::vector<Single> times;
+  for (const BodyPoses& f : frames) times.push_back(static_cast<Single>(f.time));
   const std::size_t input = add_numbers(g, times, "SCALAR", 1);
   note_range(g, input, times, 1);
   for (std::size_t body = 0; body < frames.front().X_WB.size(); ++body) {
-    std::vector<float> places, turns;
+    std::vector<Single> places, turns;
     for (const BodyPoses& f : frames) {
-      const Eigen::Quaternionf q(Eigen::Quaterniond(f.X_WB[body].R).cast<float>());
-      for (int i = 0; i < 3; ++i) places.push_back(static_cast<float>(f.X_WB[body].p(i)));
-      turns.insert(turns.end(), {q.x(), q.y(), q.z(), q.w()});
+      const Eigen::Quaterniond q(f.X_WB[body].R);
+      for (int i = 0; i < 3; ++i) places.push_back(static_cast<Single>(f.X_WB[body].p(i)));
+      for (int i = 0; i < 4; ++i) turns.push_back(static_cast<Single>(q.coeffs()(i)));  // x y z w
     }
     add_channel(g, body, input, places, "VEC3", 3);
     add_channel(g, body, input, turns, "VEC4", 4);

@@ -235,7 +235,7 @@ class TableUnit final : public Unit {
 }  // namespace
 
 std::unique_ptr<Unit> find_in_table(const std::string& name) {
-  std::optional<Measure> unit = parsed(trimmed(name));
+  std::optional<Measure> unit = parsed(name);
   if (!unit) return nullptr;
   return std::make_unique<TableUnit>(std::move(*unit));
 }

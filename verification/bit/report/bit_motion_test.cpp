@@ -4,10 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include "bit/cone/part_pose.hpp"
-#include "bit/files/mesh_bit.hpp"
-#include "bit/generate.hpp"
+#include "bit/files/bit_reading.hpp"
 #include "bit/report/bit_output.hpp"
 #include "core/error.hpp"
+#include "core/temporary_folder.hpp"
 #include "rotation/rotation_vector.hpp"
 
 namespace tdbd::bit::bit_motion_test {
@@ -40,7 +40,7 @@ RC_GTEST_PROP(BodyPoses, take_the_bit_at_rest_to_where_it_is, ()) {
 TEST(BodyPoses, that_cannot_be_written_leave_nothing_behind) {
   const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
   const std::vector<BodyPoses> frames{body_poses(bit, Pose{}, {}, 0.0)};
-  const std::filesystem::path nowhere = std::filesystem::path(test_folder()) / "nowhere";
+  const std::filesystem::path nowhere = std::filesystem::path(temporary_folder()) / "nowhere";
   EXPECT_THROW(write_bit_poses(nowhere / "bit_poses.csv", bit, frames), RunError);
   EXPECT_THROW(write_bit_animation(nowhere / "bit.glb", bit, frames), RunError);
   EXPECT_FALSE(std::filesystem::exists(nowhere));
