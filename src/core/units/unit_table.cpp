@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -7,7 +8,6 @@
 #include <optional>
 #include <string_view>
 
-#include "core/text.hpp"
 #include "core/units/unit_database.hpp"
 
 namespace tdbd::units {
@@ -183,16 +183,25 @@ void multiply(Measure& unit, const Measure& by, int sign) {
   for (const auto& [base, exponent] : by.powers) unit.powers[base] += sign * exponent;
 }
 
-/// +1 after a sign of a product, -1 after that of a quotient; 0 where neither stands.
+std::string_view without_leading_blanks(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+/// +1 after a sign of a product, -1 after that of a quotient; 0 where neither stands. Blanks may stand about all but a point.
 int take_sign(std::string_view& text) {
-  const std::string_view whole = text;
-  text = trimmed(text);
-  if (!text.empty() && (text.front() == '/' || text.front() == '*' || text.front() == '.')) {
-    const int sign = text.front() == '/' ? -1 : 1;
-    text = trimmed(text.substr(1));
+  if (!text.empty() && text.front() == '.') {
+    text.remove_prefix(1);
+    return 1;
+  }
+  const std::string_view rest = without_leading_blanks(text);
+  if (!rest.empty() && (rest.front() == '/' || rest.front() == '*')) {
+    const int sign = rest.front() == '/' ? -1 : 1;
+    text = without_leading_blanks(rest.substr(1));
     return sign;
   }
-  return text.size() < whole.size() ? 1 : 0;
+  const bool has_blank = rest.size() < text.size();
+  text = rest;
+  return has_blank ? 1 : 0;
 }
 
 std::optional<Measure> parsed(std::string_view text) {
