@@ -30,6 +30,7 @@ double time_of_turn(const rotation::Twist& twist, double turn) {
 void face_strips(const FaceColumns& face, const ForwardSpeed& v, const SpeedRange& range,
                  double lead, double longest_time, std::vector<FaceStrip>& strips) {
   strips.clear();
+  if (lead == 0.0) return strips.push_back({0, face.columns.size(), 0.0});
   const double slowest = std::max(range.slowest, lead / longest_time);
   if (std::max(range.fastest, slowest) <= ratio * slowest)
     return strips.push_back({0, face.columns.size(), lead / slowest});

@@ -69,6 +69,18 @@ int edges_of_rim(const FaceColumns& face) {
 }
 
 /// The edge along the cut is no rim, in millimetres as in kilometres.
+/// Also where a point of the face does not go forwards: 0 m at 0 m/s take no time.
+TEST(FaceStrips, without_a_lead_stay_where_they_are) {
+  FaceColumns face;
+  make_columns(cut_circle(1.0, 0.2).outline, nullptr, face);
+  std::vector<FaceStrip> strips;
+  face_strips(face, {1.0, Vec2(1.0, 0.0)}, {0.0, 2.0}, 0.0, 1.0, strips);
+  ASSERT_EQ(strips.size(), 1u);
+  EXPECT_EQ(strips[0].first, 0u);
+  EXPECT_EQ(strips[0].end, face.columns.size());
+  EXPECT_EQ(strips[0].ahead, 0.0);
+}
+
 TEST(FaceColumns, know_the_cut_at_any_size) {
   for (const double angle : {0.0, 0.2, -0.37, 0.9}) {
     const CutCircle c = cut_circle(1.0, angle);
