@@ -30,8 +30,8 @@ struct FaceStrip {
 
 /// Divides a face into strips such that the least speeds X . v of a strip's columns are within a
 /// factor of 1.5. A strip is carried for lead / (its least speed), so that every point of it comes
-/// at least `lead` (m) ahead, but never for longer than `longest_time` (s), and without a lead not at all. No point of the face
-/// may go backwards, and at least one must go forwards.
+/// at least `lead` (m) ahead, but never for longer than `longest_time` (s), and without a lead not
+/// at all. No point of the face may go backwards, and at least one must go forwards.
 void face_strips(const FaceColumns& face, const ForwardSpeed& v, const SpeedRange& range,
                  double lead, double longest_time, std::vector<FaceStrip>& strips);
 
