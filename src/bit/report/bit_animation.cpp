@@ -143,6 +143,7 @@ void add_channel(Gltf& g, std::size_t body, std::size_t times, const std::vector
 
 void add_motion(Gltf& g, const std::vector<BodyPoses>& frames) {
   std::vector<Single> times;
+  times.reserve(frames.size());
   for (const BodyPoses& f : frames) times.push_back(static_cast<Single>(f.time));
   const std::size_t input = add_numbers(g, times, "SCALAR", 1);
   note_range(g, input, times, 1);

@@ -20,7 +20,7 @@ BodyPoses body_poses(const Bit& bit, const Pose& X_WB, const std::vector<double>
                      double time);
 
 /// The body of a part in BodyPoses.
-inline std::size_t body_of(const Part& part) { return static_cast<std::size_t>(1 + part.cone); }
+inline std::size_t body_of(const Part& part) { return at(1 + part.cone); }
 
 /// Writes a table, one row for each time and body: time [s], body ("bit", or the cone's name), x, y, z [m], and the rotation
 /// matrix row by row. Digits that read back to the bit. Throws RunError.
