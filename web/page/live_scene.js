@@ -1,7 +1,7 @@
 // The rock and the bit of now, as the 3-D page draws one frame of a run.
 
 const HULL = "bit-body";  // what hides the bottom
-const QUALITY = 2;
+const HIGH = 0.06;  // m over the lowest point: gage pads reach far up the wall
 
 // Pieces of one body each, the hull last; triangles in their order.
 function bitPieces(bit, parts, looks) {
@@ -55,7 +55,7 @@ function cuttingDepths(bit, pieces) {
       }
     first += piece.triangles;
   }
-  return [Math.max(low, high - 0.06), high].map(d => 1e3 * d);  // gage pads reach far up the wall
+  return [Math.max(low, high - HIGH), high].map(d => 1e3 * d);
 }
 
 // Puts the rock of now into the run and its one frame.

@@ -22,22 +22,23 @@ function gridBox(x) {
 
 const column = (from, k, count, of) => Int32Array.from({length: count}, (_, i) => of(from[3 * i + k]));
 
-// The mesh that the program shows, as the drawing has it: columns on the grid of a box, corners, one number each.
-function shownMesh(numberOf) {
+// The mesh that the program shows, as the drawing has it: columns on the grid of a box, corners, and what numberOf makes of the
+// number of each point or triangle.
+function shownMesh(numbered, numberOf = n => n) {
   const points = call("vertex_count", "number"), count = call("triangle_count", "number");
   const at = (name, Kind, length) => new Kind(tdbd.HEAPU8.buffer, call(name, "number"), length);
   const x = at("positions", Float64Array, 3 * points), t = at("triangles", Int32Array, 3 * count), box = gridBox(x);
-  const numbers = at("numbers", Int32Array, numberOf ? points : count);
+  const numbers = at("numbers", Int32Array, numbered === "points" ? points : count);
   const corners = [0, 1, 2].map(k => column(t, k, count, v => v));
   return {box, points: box.origin.map((o, k) => column(x, k, points, v => Math.round(GRID * (v - o) / box.size[k]))), corners,
-    numbers: Int32Array.from(numbers, numberOf || (n => n))};
+    numbers: Int32Array.from(numbers, numberOf)};
 }
 
 const buffersOf = mesh => [...mesh.points, ...mesh.corners, mesh.numbers].map(a => a.buffer);
 
 function sendRock(kind, more = {}) {
   call("show_rock", null);
-  const rock = shownMesh(part => part < 0 ? 0 : groups[part]), look = told("look");
+  const rock = shownMesh("points", part => part < 0 ? 0 : groups[part]), look = told("look");
   postMessage({kind, look, rock, samples, ...more}, buffersOf(rock));
   samples = emptySamples();
   canDraw = false;
@@ -102,7 +103,7 @@ const orders = {
     const facts = told("facts"), found = groupsOf(facts.parts);
     groups = found.numbers;
     call("show_bit", null);
-    const bit = shownMesh(null);
+    const bit = shownMesh("triangles");
     sendRock("started", {facts, bit, names: found.names, groups});
     runs = true;
     turn.port2.postMessage(null);
