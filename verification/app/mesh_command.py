@@ -112,6 +112,23 @@ def check_grading(folder):
                  folder / "no.obj"), "--face: found 2 mm, expected at least --edge")
     refused(tdbd("mesh", folder / "cube.stl", "--grade", "--repair", "-o", folder / "no.obj"),
             "found --repair as well")
+    refused(tdbd("mesh", folder / "cube.stl", "--grade"), "--output: found no file")
+    (folder / "open.stl").write_text(solid("a", SIDES[:-1]))
+    refused(tdbd("mesh", folder / "open.stl", "--grade", "-o", folder / "no.obj"), "hole: 3 times")
+    assert not (folder / "no.obj").exists()
+
+
+def check_growth(folder):
+    """The slower edges grow, the more of them there are; solids that are not asked for stay as they are."""
+    (folder / "two.stl").write_text(solid("a") + solid("b", points=[(x + 100, y, z) for x, y, z in CUBE]))
+    facets = []
+    for growth in ("0", "0.2", "2"):
+        done = tdbd("mesh", folder / "two.stl", "--grade", "--only", "b*", "--edge", "4 mm", "--face", "20 mm", "--growth", growth,
+                    "-o", folder / f"growth-{growth}.obj")
+        assert done.returncode == 0 and "b: 12 facets to " in done.stdout and "a: " not in done.stdout, done
+        facets.append(int(re.search("b: 12 facets to ([0-9]+),", done.stdout).group(1)))
+        assert done.stdout.splitlines()[-2].split()[:3] == ["a", "8", "12"], done
+    assert facets[0] > 1.2 * facets[1] > 1.2 * 1.2 * facets[2], facets
 
 
 def check_units(folder):
@@ -192,6 +209,6 @@ def check_rock_of_a_run(folder):
 
 with tempfile.TemporaryDirectory() as name:
     test_folder = pathlib.Path(name)
-    for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_units,
+    for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_growth, check_units,
                   check_densities, check_round_trips, check_rock_of_a_run):
         check(test_folder)

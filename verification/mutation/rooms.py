@@ -53,4 +53,5 @@ def targets(rooms, home_only=False):
 def test_folders(programs):
     """Where the sources of test programs are."""
     homes = {"verify_drilling": "dynamics", "verify_calibrate": "calibration"}
-    return sorted({homes.get(n, n.removeprefix("verify_")) for n in programs} | {"battery"})
+    scripts = {"sweep/app"} if "verify_app" in programs else set()
+    return sorted({homes.get(n, n.removeprefix("verify_")) for n in programs} | {"battery"} | scripts)

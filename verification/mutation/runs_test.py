@@ -11,6 +11,7 @@ import build
 import scripts
 import tests
 import watch
+from rooms import ROOT
 
 # Says what a GoogleTest program would say of tests that are called after what they do.
 PROGRAM = """#!/bin/bash
@@ -90,13 +91,15 @@ class Commands(unittest.TestCase):
 
 class Scripts(unittest.TestCase):
     def test_are_met_by_the_command_line_alone_its_own_first(self):
-        self.assertEqual(scripts.of_file("src/app/mesh_command.cpp"), (["mesh_command"], ["bit_command", "closed_pipe", "cone_command"]))
+        self.assertEqual(scripts.of_file("src/app/mesh_command.cpp"), (["mesh_command"], ["bit_command", "closed_pipe", "cone_command", "new_command", "sweep_command", "terminal"]))
         self.assertEqual(scripts.of_file("src/mesh/edit.cpp"), ([], []))
 
     def test_have_the_inputs_of_the_test(self):
-        told = (scripts.FOLDER / "CMakeLists.txt").read_text(encoding="utf-8")
-        for name, given in scripts.INPUTS.items():
-            self.assertRegex(told, rf'{name}\.py" \$<TARGET_FILE:tdbd>\s+"\$\{{PROJECT_SOURCE_DIR\}}/{given}"\)')
+        told = "".join((ROOT / f"verification/{room}/CMakeLists.txt").read_text(encoding="utf-8") for room in ("app", "sweep"))
+        for name in scripts.NAMES:
+            given = rf"PROJECT_SOURCE_DIR\}}/{scripts.INPUTS[name]}" if name in scripts.INPUTS else r"CMAKE_CURRENT_BINARY_DIR\}/\w+"
+            self.assertRegex(told, rf'{name}\.py" \$<TARGET_FILE:tdbd>\s+"\$\{{{given}"\)')
+            self.assertTrue(scripts.path_of(name).is_file())
 
     def test_fail_with_a_program_that_is_wrong_and_end_with_one_that_waits(self):
         with tempfile.TemporaryDirectory() as folder:

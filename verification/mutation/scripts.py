@@ -1,4 +1,4 @@
-"""Tests of the program tdbd that are Python scripts: verification/app/NAME.py PROGRAM INPUT. Mutants of the room app meet them."""
+"""Tests of the program tdbd that are Python scripts: NAME.py PROGRAM INPUT, or NAME.py PROGRAM FOLDER, a new one. Mutants of the room app meet them."""
 
 import functools
 import hashlib
@@ -13,24 +13,34 @@ import time
 from rooms import ROOT
 from watch import Outcome
 
-FOLDER = ROOT / "verification/app"
-# As in the CMakeLists.txt there; without those that kill or limit runs on purpose, which take minutes.
+# As in the CMakeLists.txt of these rooms; without those that kill or limit runs on purpose, which take minutes.
 INPUTS = {"bit_command": "cases/bits/bit-b.toml", "closed_pipe": "cases/bits/bit-b.toml", "cone_command": "cases/bits/bit-r.toml",
-          "mesh_command": "cases/bits/bit-b.toml"}
+          "mesh_command": "cases/bits/bit-b.toml", "terminal": "cases"}
+WRITE = ("new_command", "sweep_command")
+NAMES = sorted((*INPUTS, *WRITE))
 
 
 def of_file(file):
     """(the scripts that are written for a source, the others); none for a room that is not app."""
     if not file.startswith("src/app/"):
         return [], []
-    own = [name for name in INPUTS if name == pathlib.Path(file).stem]
-    return own, [name for name in INPUTS if name not in own]
+    own = [name for name in NAMES if name == pathlib.Path(file).stem]
+    return own, [name for name in NAMES if name not in own]
+
+
+def path_of(name):
+    return ROOT / "verification" / ("sweep/app" if name == "sweep_command" else "app") / f"{name}.py"
+
+
+def words(name, program, folder):
+    """The script's command; what it writes is below this folder."""
+    return [sys.executable, "-B", str(path_of(name)), str(program), str(pathlib.Path(folder) / name if name in WRITE else ROOT / INPUTS[name])]
 
 
 def run(name, program, folder, limit):
     """Outcome of a script with this program; limit: s."""
-    process = subprocess.Popen([sys.executable, "-B", str(FOLDER / f"{name}.py"), str(program), str(ROOT / INPUTS[name])], cwd=folder,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+    process = subprocess.Popen(words(name, program, folder), cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               start_new_session=True)
     try:
         code = process.wait(timeout=limit)
     except subprocess.TimeoutExpired:
@@ -47,10 +57,10 @@ def limits(build):
     key, path = hashlib.sha256(program.read_bytes()).hexdigest(), build.folder / "mutants/seconds-scripts.json"
     if path.is_file() and (kept := json.loads(path.read_text(encoding="utf-8")))["program"] == key:
         found = kept["seconds"]
-    for name in INPUTS.keys() - found.keys():
+    for name in set(NAMES) - found.keys():
         started = time.monotonic()
         if run(name, program, build.work, 600.0).verdict != "passed":
-            raise ValueError(f"{FOLDER / name}.py: fails without any mutant")
+            raise ValueError(f"{path_of(name)}: fails without any mutant")
         found[name] = time.monotonic() - started
     path.write_text(json.dumps({"program": key, "seconds": found}), encoding="utf-8")
     return {name: 10.0 * s + 60.0 for name, s in found.items()}

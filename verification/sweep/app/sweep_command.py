@@ -51,9 +51,13 @@ def main():
         assert [float(r["energy_drift_max"]) for r in rows] == list(data["energy_drift_max"].values)
     assert len((FOLDER / "tops_timing.csv").read_text().splitlines()) == 7
 
+    # a point that fails is told, and the others are kept
+    (FOLDER / "one.toml").write_text(DESIGN.replace("values = [2, 8]", "values = [2, 3]").replace("values = [0.5, 1.0, 2.0]", "values = [2.0]"))
+    expect(0, ["sweep", FOLDER / "one.toml", "-o", FOLDER / "one.nc"], "warning: 1 of 2 points failed, the first with: ", "integrator.order", "2 points done")
+
     # what is wrong is named, and nothing is lost
     before = table.read_bytes()
-    for shard in ("9/8", "0/4", "1", "a/b", "1/2x", "-1/2"):
+    for shard in ("9/8", "0/4", "1", "1/", "1x2", "a/b", "1/2x", "-1/2"):
         expect(2, ["sweep", design, "-o", table, f"--shard={shard}"], f"--shard: found {shard}, expected I/N")
     expect(2, ["sweep", design, "-o", FOLDER / "tops.csv"], "expected a file NAME.nc")
     expect(2, ["sweep", CASES / "slow-top.toml"], "found a body to rotate", "try: tdbd rotate")
