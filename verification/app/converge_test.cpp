@@ -86,6 +86,10 @@ TEST(Converge, prints_a_table_and_writes_two_files) {
   const RotateFolder c;
   const auto o = c.converge({"--over", "time.step", "--levels", "4"});
   EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_NE(o.err.find("100 %  step 200 of 200  0.0 s left  level 1 of 4\n"), std::string::npos)
+      << o.err;
+  EXPECT_NE(o.err.find("100 %  step 1600 of 1600  0.0 s left  level 4 of 4\n"), std::string::npos)
+      << o.err;
   EXPECT_NE(o.out.find("\ntime.step [s]                             0.01       0.005      0.0025"),
             std::string::npos)
       << o.out;

@@ -41,9 +41,10 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
   expect_told({"drill"},
               "found the command drill, expected one of new, run, rotate, converge, calibrate, "
               "check, keys, bit, laboratory, sweep, mesh");
-  expect_told({"q"},
-              "found the command q, expected one of new, run, rotate, converge, calibrate, "
-              "check, keys, bit, laboratory, sweep, mesh");
+  for (const std::string word : {"q", "rotaxxx"})  // three slips are too many
+    expect_told({word}, "found the command " + word +
+                            ", expected one of new, run, rotate, converge, calibrate, "
+                            "check, keys, bit, laboratory, sweep, mesh");
 }
 
 /// A file that is given to a command of another kind.
@@ -77,6 +78,10 @@ TEST(FirstWords, a_setting_without_its_option_is_told) {
   const std::string drill = cases + "bit-b-steady.toml";
   expect_told({"check", drill, "--set", "time.revolutions=2", "time.step=1 ms"},
               "found time.step=1 ms alone, expected --set before it: --set 'time.step=1 ms'");
+  for (const std::string word : {"more", "--more=1"})
+    expect_told({"check", drill, word},
+                "found " + word +
+                    ", which the command does not expect; tdbd COMMAND --help lists what it takes");
   const auto o = battery::run_tdbd(
       {"check", "--set", "time.revolutions=2", drill, "--set", "rock.edge_length=8 mm"});
   EXPECT_EQ(o.exit_code, 0) << o.err;
