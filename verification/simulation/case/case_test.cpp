@@ -82,15 +82,102 @@ TEST(ReadCase, knows_all_files_that_it_read) {
   EXPECT_NE(c.files.back().find("bit-b.csv"), std::string::npos);
 }
 
-TEST(ReadCase, revolutions_need_a_turning_bit) {
+TEST(ReadCase, gives_every_number_its_place) {
+  const Case c = case_with(
+      {"maintenance={every=2, rest=3, longest_wait=11, renumber_every=7, shortest_edge=0.3, "
+       "longest_edge=1.9, worst_quality=0.11, flip_quality=0.22, smooth_quality=0.33}",
+       "measure={section='ahead', section_lead=0.4, contact='on', contact_gap=0.15, "
+       "section_every=5}",
+       "update.most_passes=17",
+       "output={history_every=3, frames_every=4, checkpoint_every=9, means_from=0.25}",
+       "rock.trim=0.2", "time.first_step=100"});
+  EXPECT_EQ(c.maintenance.every, 2);
+  EXPECT_EQ(c.maintenance.rest, 3);
+  EXPECT_EQ(c.maintenance.longest_wait, 11);
+  EXPECT_EQ(c.maintenance.renumber_every, 7);
+  EXPECT_EQ(c.maintenance.shortest_edge, 0.3);
+  EXPECT_EQ(c.maintenance.longest_edge, 1.9);
+  EXPECT_EQ(c.maintenance.worst_quality, 0.11);
+  EXPECT_EQ(c.maintenance.flip_quality, 0.22);
+  EXPECT_EQ(c.maintenance.smooth_quality, 0.33);
+  EXPECT_EQ(c.measure.section_lead, 0.4);
+  EXPECT_EQ(c.measure.contact_gap, 0.15);
+  EXPECT_EQ(c.measure.section_every, 5);
+  EXPECT_EQ(c.update.most_passes, 17);
+  EXPECT_EQ(c.output.history_every, 3);
+  EXPECT_EQ(c.output.frames_every, 4);
+  EXPECT_EQ(c.output.checkpoint_every, 9);
+  EXPECT_EQ(c.output.means_from, 0.25);
+  EXPECT_EQ(c.rock.trim, 0.2);
+  EXPECT_EQ(c.time.first, 100);
+}
+
+/// Of what is left to run: two seconds, or one and a half.
+TEST(ReadCase, means_are_those_of_the_second_half_unless_told) {
+  EXPECT_DOUBLE_EQ(case_with({}).output.means_from, 1.0);
+  EXPECT_DOUBLE_EQ(case_with({"time.first_step=500"}).output.means_from, 0.75);
+}
+
+/// What is refused, in its own words; empty: nothing.
+std::string refusal(const std::vector<std::string>& overrides) {
   try {
-    case_with({"motion.rotary_speed=0"});
-    FAIL() << "not refused";
+    case_with(overrides);
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("time.revolutions: found a motion without rotary speed"),
-              std::string::npos)
-        << e.what();
+    return e.what();
   }
+  return "";
+}
+
+/// This mistake and no other.
+void expect_refused(const std::vector<std::string>& overrides, const std::string& message) {
+  const std::string found = refusal(overrides);
+  EXPECT_TRUE(found.ends_with(message)) << found;
+  EXPECT_EQ(found.find('\n'), std::string::npos) << found;
+}
+
+TEST(ReadCase, revolutions_need_a_turning_bit) {
+  expect_refused({"motion.rotary_speed=0"},
+                 "time.revolutions: found a motion without rotary speed, expected time.duration "
+                 "instead");
+}
+
+TEST(ReadCase, has_one_length) {
+  expect_refused({"time.duration=1"},
+                 "time.revolutions: found duration as well, expected one of the two");
+}
+
+/// Two seconds: no step at all, or more than any machine makes, or one that turns too far.
+TEST(ReadCase, has_steps_that_fit) {
+  EXPECT_EQ(refusal({"time.step=0.04"}), "");
+  expect_refused({"motion.rotary_speed=0.01", "time={step=7, duration=3}"},
+                 "time.step: found 7 s for a run of 3 s, expected at most the duration");
+  expect_refused({"time.step=1e-10"},
+                 "time.step: found 1e-10 s for a run of 2 s, which makes 2e+10 steps, expected at "
+                 "most 1e+10 steps");
+  expect_refused({"time.step=0.1"},
+                 "time.step: found a turn of 0.628 rad in one step, expected at most 0.5 rad");
+  EXPECT_EQ(refusal({"time.first_step=1999"}), "");
+  expect_refused({"time.first_step=2000"},
+                 "time.first_step: found 2000 of 2000 steps, expected a step before the end of the "
+                 "run");
+}
+
+TEST(ReadCase, that_goes_on_has_no_cones_that_remember) {
+  const std::string bit = TDBD_SOURCE_DIR "/cases/bits/bit-r.toml";
+  const std::vector<std::string> rolling{"bit.file=" + bit, "motion.cone_speeds=rolling"};
+  EXPECT_EQ(refusal(rolling), "");
+  expect_refused({rolling[0], rolling[1], "time.first_step=10"},
+                 "time.first_step: found 10 with rolling cones, expected 0: what cones remember "
+                 "of their contacts is in no file");
+}
+
+TEST(ReadCase, tells_the_mistakes_of_a_bit_once) {
+  const std::string bit = write_temporary(".bit.toml", "name = 1\n");
+  const std::string found =
+      refusal({"bit.file=" + bit, "forces={law='detournay', eps=3e7, zeta=0.6}",
+               "rock.material=berea-sandstone"});
+  EXPECT_NE(found.find("name: found 1"), std::string::npos) << found;
+  EXPECT_EQ(found.find("forces"), std::string::npos) << found;
 }
 
 }  // namespace tdbd::simulation::case_test

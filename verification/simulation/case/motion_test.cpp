@@ -170,6 +170,14 @@ TEST(Motion, a_tilted_bit_turns_about_its_axis) {
               100.0 * rounding);
 }
 
+/// No row turns farther than a quarter from the one before, and none is spare.
+TEST(Motion, legs_have_a_row_for_every_quarter_turn) {
+  const Vec3 down(0, 0, 0.004);
+  EXPECT_EQ(path_of({{2.0, down, 4.0 * pi}}, Vec3::Zero()).size(), 1U + 16U);
+  EXPECT_EQ(path_of({{1.0, down, -0.51 * pi}}, Vec3::Zero()).size(), 1U + 2U);
+  EXPECT_EQ(path_of({{1.0, down, 0.49 * pi}, {1.0, down, 0.0}}, Vec3::Zero()).size(), 1U + 2U);
+}
+
 TEST(Motion, legs_are_the_closed_form) {
   const Vec3 start(0.1, 0.2, 0.3), down(0, 0, 0.004), aside(0.003, -0.001, 0);
   Motion m;

@@ -144,6 +144,18 @@ TEST(History, a_row_for_other_parts_is_refused) {
   EXPECT_THROW(history.append(HistoryRow{}), RunError);
 }
 
+TEST(History, a_row_without_what_the_run_has_is_refused) {
+  for (const bool drives : {true, false}) {
+    HistoryExtent extent;
+    (drives ? extent.drive : extent.forces) = true;
+    History history(folder("lacking") / "history.nc", parts, extent);
+    const double by_part[] = {0.0, 0.0};
+    HistoryRow row;
+    row.removed_volume_by_part = by_part;
+    EXPECT_THROW(history.append(row), RunError) << drives;
+  }
+}
+
 TEST(History, a_folder_that_does_not_exist_is_an_error) {
   EXPECT_THROW(History("/proc/no/history.nc", parts), RunError);
 }

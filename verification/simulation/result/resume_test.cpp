@@ -140,6 +140,21 @@ TEST_F(ResumeOne, holds_its_folder_before_the_start) {
   EXPECT_NE(reason().find("in use"), std::string::npos) << reason();
 }
 
+/// Until it ends again, the folder is that of no finished run. What pictures it had may be gone.
+TEST_F(ResumeOne, forgets_the_end_that_it_had) {
+  run_until(15, c, options(), false);
+  const std::vector<fs::path> ends{folder / "summary.json", folder / "timing.json"};
+  for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));
+  fs::remove_all(folder / "frames");
+  RunOptions o = options();
+  o.started = [&] {
+    for (const fs::path& file : ends) EXPECT_FALSE(fs::exists(file)) << file;
+  };
+  resume_run(c, o);
+  for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));
+  EXPECT_TRUE(fs::exists(folder / "frames/rock_final.vtp"));
+}
+
 TEST_F(ResumeOne, refuses_a_folder_without_a_run) {
   fs::create_directories(folder);
   EXPECT_THROW(read_stopped_case(folder), InputError);

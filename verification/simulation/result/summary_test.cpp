@@ -64,6 +64,9 @@ TEST(Summary, holds_the_names_that_scripts_rely_on) {
                           "gage_radius_m",
                           "maintenance"})
     EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["command"], "run");
+  EXPECT_EQ(json["title"], "a \"quoted\" case");
+  EXPECT_EQ(json["case_hash"], "abc");
   EXPECT_EQ(json["status"], "interrupted");
   EXPECT_EQ(json["version"], provenance().version);
   EXPECT_EQ(json["maintenance"]["flips"], 7);
@@ -87,6 +90,22 @@ TEST(Summary, timing_holds_what_depends_on_the_machine) {
   EXPECT_EQ(json["wall_seconds"], 10.0);
   EXPECT_EQ(json["threads"], 2);
   EXPECT_GT(json["peak_memory_bytes"].get<long>(), 1000000);
+}
+
+/// The median of an even number of steps is the longer of the two in the middle.
+TEST(Summary, timing_of_steps_is_their_mean_and_their_median) {
+  const Timing t = timing_of({5.0, 1.0, 9.0, 3.0, 2.0}, 21.5, 4);
+  EXPECT_EQ(t.seconds_per_step_mean, 4.0);
+  EXPECT_EQ(t.seconds_per_step_median, 3.0);
+  EXPECT_EQ(t.wall_seconds, 21.5);
+  EXPECT_EQ(t.threads, 4);
+  EXPECT_GT(t.peak_memory_bytes, 1000000);
+  EXPECT_LT(t.peak_memory_bytes, 1L << 40);
+  EXPECT_EQ(timing_of({4.0, 1.0, 3.0, 2.0}, 10.0, 1).seconds_per_step_median, 3.0);
+  const Timing none = timing_of({}, 1.0, 1);
+  EXPECT_EQ(none.seconds_per_step_mean, 0.0);
+  EXPECT_EQ(none.seconds_per_step_median, 0.0);
+  EXPECT_GT(none.peak_memory_bytes, 1000000);
 }
 
 TEST(Summary, a_mean_over_no_step_is_null) {

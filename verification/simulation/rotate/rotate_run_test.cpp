@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 
 #include "core/error.hpp"
@@ -70,6 +72,69 @@ TEST_F(RotateResumeOne, begins_anew_where_no_checkpoint_was_written) {
   fs::remove(folder / "checkpoint.nc");
   resume_rotate(c, {.folder = folder});
   expect_same_result_files(whole, folder);
+}
+
+/// Until it ends again, the folder is that of no finished run.
+TEST_F(RotateResumeOne, forgets_the_end_that_it_had) {
+  rotate_until(5, c, {.folder = folder}, false);
+  const std::vector<fs::path> ends{folder / "summary.json", folder / "timing.json"};
+  for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));
+  RotateOptions o{.folder = folder};
+  o.started = [&] {
+    for (const fs::path& file : ends) EXPECT_FALSE(fs::exists(file)) << file;
+  };
+  resume_rotate(c, o);
+  for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));
+}
+
+/// A row of the last good state, however seldom the case asks for one.
+TEST(RotateFailure, keeps_the_state_before_it) {
+  const fs::path folder = test_folder();
+  const RotateCase c = read_rotate_case(
+      write_file(folder / "case.toml",
+                 "[body]\ninertia = [[2, 0, 0], [0, 2.6, 0], [0, 0, 3]]\n"
+                 "angular_velocity = [0.7, -0.5, 2]\n[[cones]]\naxis = [0.8, 0, 0.6]\n"
+                 "axial_inertia = 0.1\nspin = -7\n[load]\nspace_torque = [0, 0, 90]\n"
+                 "[integrator]\ndrift = \"lie-mean\"\n[output]\nhistory_every = 1000\n"
+                 "[time]\nstep = 0.02\nduration = 200\n"),
+      {});
+  std::string failure;
+  try {
+    rotate(c, {.folder = folder / "out"});
+  } catch (const RunError& e) {
+    failure = e.what();
+  }
+  long steps = 0;
+  ASSERT_EQ(std::sscanf(failure.c_str(), "failed after %ld of 10000 steps", &steps), 1) << failure;
+  ASSERT_NE(steps % 1000, 0);
+  const std::string csv = result_files(folder / "out").at("history.csv");
+  const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
+  EXPECT_NEAR(std::stod(last), 0.02 * static_cast<double>(steps), 1e-9);
+  EXPECT_EQ(result_files(folder / "out").at("failure.txt"), failure + "\n");
+  EXPECT_FALSE(fs::exists(folder / "out/summary.json"));
+}
+
+/// Whatever of its state it is: the angle of the first cone, or a momentum of the last.
+TEST(RotateFailure, is_a_state_that_is_no_number) {
+  const RotateCase c = rotated_case(rotated_cases()[2]);
+  const auto refused = [&](auto&& change) {
+    RotateSimulation s = start(c);
+    change(s.rotating.state);
+    try {
+      advance(c, s, 0);
+    } catch (const RunError&) {
+      return true;
+    }
+    return false;
+  };
+  using State = dynamics::RotationState;
+  EXPECT_FALSE(refused([](State&) {}));
+  for (std::size_t k = 0; k < start(c).rotating.state.cone_angles.size(); ++k) {
+    EXPECT_TRUE(refused([&](State& s) { s.cone_angles[k] = NAN; })) << k;
+    EXPECT_TRUE(refused([&](State& s) { s.cone_momenta[k] = INFINITY; })) << k;
+  }
+  EXPECT_TRUE(refused([](State& s) { s.momentum_W.y() = NAN; }));
+  EXPECT_TRUE(refused([](State& s) { s.q_WB.w() = NAN; }));
 }
 
 TEST_F(RotateResumeOne, is_named_where_the_other_command_is_asked) {

@@ -1,97 +1,104 @@
 #include "simulation/start/rock_start.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <set>
+#include <numbers>
 
 #include "core/error.hpp"
+#include "mesh/files/files.hpp"
+#include "rock/start/borehole.hpp"
+#include "simulation/mesh_bit.hpp"
+#include "simulation/start/rock_memory.hpp"
 
 namespace tdbd::simulation::rock_start_test {
 
-using Words = std::vector<std::string>;
-
-Case case_with(Words overrides) {
-  overrides.insert(overrides.begin(), "rock.edge_length=12 mm");
-  return read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml", overrides);
+Case with(std::vector<std::string> settings) {
+  settings.emplace_back("time.revolutions=0.1");
+  return read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml", settings);
 }
 
-std::string bytes_of(const mesh::Surface& s) {
-  std::string bytes;
-  for (int v = 0; v < s.vertex_slots(); ++v)
-    bytes.append(reinterpret_cast<const char*>(s.position(v).data()), sizeof(Vec3));
-  for (const mesh::Triangle& t : s.triangles)
-    bytes.append(reinterpret_cast<const char*>(t.data()), sizeof(t));
-  return bytes;
+/// What start_rock refuses, in its own words; empty: nothing.
+std::string refusal(const Case& c) {
+  try {
+    start_rock(c);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
 }
 
-Case case_of(const std::function<void(RockStart&)>& change) {
-  Case c = case_with({});
-  change(c.rock);
-  return c;
+Case of_profile(const std::string& points, const std::string& edge,
+                const std::string& check = "on") {
+  return with({"rock={shape='profile', profile=" + points + ", edge_length=" + edge +
+               ", intersection_check='" + check + "'}"});
 }
 
-void roughen(RockStart& r, double amplitude, double length, std::uint64_t seed = 1) {
-  r.shape = RockShape::rough;
-  r.roughness = {amplitude, length, seed};
+/// Its flank cuts through its bottom.
+TEST(RockOfAProfile, may_not_cross_itself) {
+  const std::string plain = "[[0, 0.1], [0.2, 0.1], [0.2, 0]]",
+                    crossing = "[[0, 0.1], [0.2, 0.1], [0.2, 0], [0.1, 0.15], [0.3, 0]]";
+  EXPECT_EQ(refusal(of_profile(plain, "0.02")), "");
+  const std::string found = refusal(of_profile(crossing, "0.02"));
+  EXPECT_NE(found.find("rock.profile: found "), std::string::npos) << found;
+  EXPECT_NE(found.find(" pairs of triangles that intersect, the first "), std::string::npos);
+  EXPECT_EQ(refusal(of_profile(crossing, "0.02", "off")), "");
 }
 
-void turn(RockStart& r, double radius) {
-  r.shape = RockShape::profile;
-  r.profile = {{0.0, 0.1}, {0.1, 0.1}, {radius, 0.0}};
+/// Before it is made: too much rock is refused by the size of what the meridian sweeps.
+TEST(RockOfAProfile, needs_room_for_all_around_its_axis) {
+  const Case c = of_profile("[[0, 0.1], [1, 0.1], [1, -0.9]]", "1e-5");
+  mesh::Box box = reach_W(c);
+  box.add(Vec3(-1.0, -1.0, -0.9));
+  box.add(Vec3(1.0, 1.0, 0.1));
+  const double area = 3.0 * std::numbers::pi;  // the disc, and the cylinder's wall
+  const RockNeed rock = need_of(area, box, c.rock.edge_length), wall = need_of_new_wall(c);
+  const std::string expected = fmt::format("which makes {:.1e} triangles and {:.1e} cells of rock",
+                                           rock.triangles + wall.triangles, rock.cells);
+  const std::string found = refusal(c);
+  EXPECT_NE(found.find(expected), std::string::npos) << found << "\nexpected " << expected;
 }
 
-/// Each has another surface.
-std::vector<Case> others() {
-  return {case_with({}),
-          case_with({"bit.set.adjust.back_rake=4 deg"}),
-          case_of([](RockStart& r) { r.edge_length = 9e-3; }),
-          case_of([](RockStart& r) { r.wall = 20e-3; }),
-          case_of([](RockStart& r) { r.shape = RockShape::flat; }),
-          case_of([](RockStart& r) { r.shape = RockShape::flat, r.radius = 0.12; }),
-          case_of([](RockStart& r) { roughen(r, 1e-3, 30e-3); }),
-          case_of([](RockStart& r) { roughen(r, 2e-3, 30e-3); }),
-          case_of([](RockStart& r) { roughen(r, 1e-3, 40e-3); }),
-          case_of([](RockStart& r) { roughen(r, 1e-3, 30e-3, 2); }),
-          case_of([](RockStart& r) { turn(r, 0.11); }),
-          case_of([](RockStart& r) { turn(r, 0.12); })};
+/// A flat hole of 0.2 m whose rim leans by `lean` (m per m) toward x, in a file.
+mesh::TriangleMesh leaning_hole(double lean) {
+  mesh::TriangleMesh m = rock::borehole(rock::flat_bottom(0.2, 0.1, 0.1), 0.02);
+  for (Vec3& p : m.positions) p.z() += lean * p.x();
+  return m;
 }
 
-TEST(StartSurface, of_another_rock_or_bit_has_another_key) {
-  std::set<std::string> surfaces, keys;
-  for (const Case& c : others()) {
-    EXPECT_TRUE(surfaces.insert(bytes_of(start_surface(c).surface)).second) << surfaces.size();
-    EXPECT_TRUE(keys.insert(start_surface_key(c)).second) << keys.size();
+Case of_file(const mesh::TriangleMesh& m, const std::string& unit = "1 m",
+             const std::string& edge = "20 mm") {
+  const auto path = test_folder() / "hole.ply";
+  mesh::write_mesh(path, m);
+  return with({"rock={shape='file', file='" + path.string() + "', unit='" + unit +
+               "', edge_length='" + edge + "'}"});
+}
+
+TEST(RockOfAFile, faces_up_however_it_leans) {
+  for (const double lean : {0.0, 0.2, -0.2}) {
+    mesh::TriangleMesh m = leaning_hole(lean);
+    EXPECT_EQ(refusal(of_file(m)), "") << lean;
+    for (mesh::Triangle& t : m.triangles) std::swap(t[0], t[1]);
+    EXPECT_NE(refusal(of_file(m)).find("found all facets flipped"), std::string::npos) << lean;
   }
 }
 
-TEST(StartSurface, has_the_key_of_the_same_rock_under_another_motion) {
-  const Case one = case_with({}), other = case_with({"motion.rate_of_penetration=3 m/h"});
-  EXPECT_EQ(start_surface_key(one), start_surface_key(other));
-  EXPECT_NE(one.hash, other.hash);
-  EXPECT_EQ(bytes_of(start_surface(one).surface), bytes_of(start_surface(other).surface));
+/// Edges may be 20 times as long as edge_length, or as short.
+TEST(RockOfAFile, has_edges_of_about_the_edge_length) {
+  const mesh::TriangleMesh m = leaning_hole(0.0);  // edges of about 20 mm
+  for (const char* edge : {"2 mm", "90 mm"})
+    EXPECT_EQ(refusal(of_file(m, "1 m", edge)), "") << edge;
+  EXPECT_NE(refusal(of_file(m, "1 m", "0.5 mm")).find("found edges of about "), std::string::npos);
+  EXPECT_NE(refusal(of_file(m, "1 mm")).find("with rock.unit = 0.001 m, expected edges near"),
+            std::string::npos);
 }
 
-/// A check that a case waives is not waived for the next.
-TEST(StartSurface, that_may_intersect_itself_has_another_key) {
-  const Case checked = case_of([](RockStart& r) { turn(r, 0.11); });
-  Case waived = checked;
-  waived.rock.intersections = IntersectionCheck::none;
-  EXPECT_NE(start_surface_key(checked), start_surface_key(waived));
-}
-
-/// Files have no key: what is in them is looked at each time.
-TEST(StartSurface, of_a_file_has_no_key) {
-  EXPECT_EQ(start_surface_key(case_of([](RockStart& r) { r.shape = RockShape::file; })), "");
-}
-
-TEST(StartSurface, of_a_short_way_is_refused_where_the_way_needs_more_memory) {
-  const Case near = case_with({});
-  const StartSurface start = start_surface(near);
-  EXPECT_EQ(bytes_of(start_rock(near, start).surface), bytes_of(start_rock(near).surface));
-  Case far = near;
-  far.motion.rate_of_penetration *= 1e9;
-  EXPECT_THROW(start_rock(far, start), InputError);
+TEST(RockOfAFile, keeps_the_order_of_its_vertices) {
+  const mesh::TriangleMesh m = leaning_hole(0.0);
+  const rock::Rock rock = start_rock(of_file(m));
+  ASSERT_EQ(static_cast<std::size_t>(rock.surface.vertex_slots()), m.positions.size());
+  for (std::size_t v = 0; v < m.positions.size(); ++v)
+    EXPECT_EQ(rock.surface.position(static_cast<int>(v)), m.positions[v]);
 }
 
 }  // namespace tdbd::simulation::rock_start_test

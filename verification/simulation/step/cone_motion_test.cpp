@@ -150,6 +150,27 @@ TEST(ConeMotion, a_wheel_rolls_at_R_over_rho) {
   EXPECT_NEAR(2.0 * half - slip, 0.0, 5e-4);
 }
 
+/// Of the steps in which the bit turned; rolling is positive.
+TEST(ConeMotion, has_the_extremes_of_single_steps) {
+  std::vector<ConeState> cones(1);
+  std::vector<ConeStatistics> statistics(1);
+  const auto turn = [&](double bit, double cone) {
+    cones[0].turned = cone;
+    add(bit, cones, statistics);
+  };
+  turn(0.1, -0.15);
+  EXPECT_DOUBLE_EQ(statistics[0].least, 1.5);
+  EXPECT_DOUBLE_EQ(statistics[0].greatest, 1.5);
+  turn(0.1, -0.12);
+  turn(0.0, -0.3);
+  turn(0.1, -0.17);
+  turn(0.1, -0.16);
+  EXPECT_DOUBLE_EQ(statistics[0].least, 1.2);
+  EXPECT_DOUBLE_EQ(statistics[0].greatest, 1.7);
+  EXPECT_EQ(statistics[0].ratio.count, 4);
+  EXPECT_DOUBLE_EQ(statistics[0].bit_turned, 0.4);
+}
+
 double mean_ratio(const std::string& step) {
   const Case c = wheel_case(wheel_motion, "step = " + step + "\nrevolutions = 1.5");
   return wheel_figures(c).mean_speed_ratio;

@@ -80,6 +80,13 @@ TEST(FacePaths, are_those_of_the_step_when_faces_go_anywhere_fast) {
   for (int i = 0; i < faces(bit); ++i) EXPECT_FALSE(creeps(paths, i));
 }
 
+/// The speed below which the faces' law slips; of no law there is none.
+TEST(FacePaths, creep_below_the_slip_speed_of_the_law) {
+  const Case shipped = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml", {});
+  EXPECT_EQ(creep_of_faces(shipped.forces), creep);
+  EXPECT_EQ(creep_of_faces(ForcePlan{}), 0.0);
+}
+
 TEST(FacePaths, are_none_before_the_first_step) { EXPECT_FALSE(creeps({}, 0)); }
 
 }  // namespace tdbd::simulation::face_paths_test

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "rotation/screw.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::simulation::measure_test {
@@ -59,6 +61,48 @@ TEST(SectionsInTurn, count_once_each) {
     EXPECT_EQ(spreads.area.count, 11) << i;  // in the first step, and ten times in its turn
     EXPECT_EQ(spreads.swept.count, spreads.area.count);
     EXPECT_EQ(spreads.removed.count, 41);
+  }
+}
+
+/// The bit a quarter of a metre down in rock that it has not opened, turning: no face sees the
+/// rock's surface. `share`: of what its face sweeps, what each cutter is said to have removed.
+Measures measured_deep_in_rock(const Case& c, double share) {
+  const Simulation s = start(c);
+  constexpr double dt = 1e-3, w = 12.0;  // s, rad/s
+  const Pose deep{Mat3::Identity(), Vec3(0.0, 0.0, 0.25)};
+  const Move move{deep, deep * rotation::carried({w * Vec3::UnitZ(), Vec3::Zero()}, dt), dt, w * dt,
+                  0};
+  rock::CutReport cut;
+  cut.removed_by_part.assign(c.bit.parts.size(), 0.0);
+  for (std::size_t i = 0; i < c.bit.parts.size(); ++i) {
+    const bit::Part& part = c.bit.parts[i];
+    if (part.kind != bit::PartKind::face) continue;
+    const bit::Cutter& cutter = c.bit.cutters[at(part.cutter)];
+    const double ahead = cutter.X_BC.R.col(0).dot(w * Vec3::UnitZ().cross(cutter.X_BC.p));
+    const double area = 0.25 * std::numbers::pi * cutter.diameter * cutter.diameter;
+    cut.removed_by_part[i] = share * area * ahead * dt;
+  }
+  MeasurePlan plan = c.measure;
+  plan.contact = ContactMeasure::off;
+  MeasureWork work;
+  Measures m;
+  measure_cut(s.state.rock, plan, s.work.faces,
+              {c.bit, s.work.cutting, s.work.cut_work, cut, move, c.rock.edge_length, 0, {}}, work,
+              m);
+  return m;
+}
+
+/// A face out of sight of the rock's surface is in the open, or deep in rock: then it removes more
+/// than half of what it sweeps. Some of that is worn away: a share of 0.8 is enough, 0.3 is not.
+TEST(SectionsDeepInRock, are_refused_where_a_face_removes_what_it_sweeps) {
+  const Case c = steady_case(1);
+  const Measures deep = measured_deep_in_rock(c, 0.8), open = measured_deep_in_rock(c, 0.3);
+  ASSERT_EQ(deep.sections.size(), c.bit.cutters.size());
+  for (std::size_t i = 0; i < deep.sections.size(); ++i) {
+    if (c.bit.cutters[i].X_BC.p.head<2>().norm() < 0.02) continue;  // across the axis
+    EXPECT_EQ(deep.sections[i].sight, rock::Sight::none) << i;
+    EXPECT_TRUE(std::isnan(deep.sections[i].area)) << i;
+    EXPECT_EQ(open.sections[i].area, 0.0) << i;
   }
 }
 

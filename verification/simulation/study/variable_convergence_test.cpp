@@ -45,6 +45,20 @@ TEST(VariableConvergence, against_a_reference_has_the_errors_of_every_level) {
   EXPECT_NEAR(x.order.order, 2.0, 1e-9);
 }
 
+/// Attitudes are no vectors, and what grows has nothing to be compared with.
+TEST(VariableConvergence, of_attitudes_and_of_what_grows_has_no_limit) {
+  auto attitudes = quadratic(5), growing = quadratic(5);
+  for (ConvergenceLevel& level : attitudes) level.end.variables[0].factor = 0.5;
+  growing.back().end.variables[0].values.push_back(0.0);
+  for (const auto& levels : {attitudes, growing}) {
+    const VariableConvergence x = observe(levels, {{}, 2.0}).at(0);
+    EXPECT_NEAR(x.order.order, 2.0, 1e-9);
+    ASSERT_TRUE(x.uncertainty);
+    EXPECT_EQ(x.uncertainty->basis, UncertaintyBasis::observed_order);
+    EXPECT_TRUE(x.extrapolated.empty());
+  }
+}
+
 /// A study that was interrupted after its first level, or before its end.
 TEST(VariableConvergence, of_one_level_has_no_difference_and_no_limit) {
   const VariableConvergence x = observe(quadratic(1), {{}, 2.0}).at(0);

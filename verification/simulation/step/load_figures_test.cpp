@@ -1,0 +1,115 @@
+#include "simulation/step/load_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace tdbd::simulation::load_figures_test {
+
+constexpr double pi = std::numbers::pi, rounding = 1e-12;
+
+/// Two parts of one cutter, and a pad.
+bit::Bit small_bit() {
+  bit::Bit bit;
+  bit.gage_radius = 0.1;
+  bit.parts.resize(3);
+  const char* names[] = {"cutter-1/face", "cutter-1/chamfer", "gage-pad-1"};
+  for (std::size_t i = 0; i < 3; ++i) bit.parts[i].name = names[i];
+  bit.parts[0].cutter = bit.parts[1].cutter = 0;
+  bit.parts[2].cutter = -1;
+  return bit;
+}
+
+/// A step of 10 ms: a bit on its axis, quarter turned, under the weight `w` (N).
+void add_step(double w, LoadStatistics& s, Trace& t) {
+  BitLoads loads;
+  loads.force_W = Vec3(0.0, 300.0, -w);
+  loads.torque_W = Vec3(1.0, 2.0, -0.02 * w);
+  loads.power = 50.0;
+  loads.parts.resize(3);
+  loads.parts[0] = {Vec3::Zero(), Vec3::Zero(), w, 0.5 * w, 30.0};
+  loads.parts[1] = {Vec3::Zero(), Vec3::Zero(), 7.0, 3.0, 20.0};
+  BitVelocity v;
+  v.v_W = Vec3(0.0, 0.0, 0.004);
+  v.w_W = Vec3(0.0, 0.0, 12.0);
+  const Pose X_WB{Eigen::AngleAxisd(0.5 * pi, Vec3::UnitZ()).toRotationMatrix(),
+                  Vec3(1e-3, 2e-3, 0.0)};
+  const std::vector<double> removed{4e-9, 1e-9, 0.0};
+  const LoadedStep step{loads, v, X_WB, removed, 0.01};
+  add(step, s);
+  add(step, t);
+}
+
+struct Sums {
+  LoadStatistics s;
+  Trace t;
+};
+
+const Sums& two_steps() {
+  static const Sums sums = [] {
+    Sums made;
+    for (const double w : {900.0, 1100.0}) add_step(w, made.s, made.t);
+    return made;
+  }();
+  return sums;
+}
+
+TEST(LoadFigures, are_means_and_deviations_of_steps) {
+  const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
+  EXPECT_EQ(f.steps, 2);
+  EXPECT_NEAR(f.from, 4.98, rounding);
+  EXPECT_EQ(f.to, 5.0);
+  EXPECT_NEAR(f.wob.mean, 1000.0, rounding * 1000.0);
+  EXPECT_NEAR(f.wob.deviation, 100.0, rounding * 1000.0);
+  EXPECT_NEAR(f.tob.mean, 20.0, rounding * 20.0);
+  EXPECT_NEAR(f.tob.deviation, 2.0, rounding * 20.0);
+  EXPECT_EQ(f.rop.mean, 0.004);
+  EXPECT_NEAR(f.rotary_speed.mean, 12.0, rounding * 12.0);
+  EXPECT_NEAR(f.power, 50.0, rounding * 50.0);
+}
+
+/// 3 T/(D W); W/A + w T/(A v); the side force over the weight, in the bit's frame a quarter back.
+TEST(LoadFigures, have_the_ratios_of_drilling) {
+  const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
+  const double area = pi * 0.01;
+  EXPECT_NEAR(f.aggressiveness, 3.0 * 20.0 / (0.2 * 1000.0), rounding);
+  EXPECT_NEAR(f.specific_energy, 1000.0 / area + 12.0 * 20.0 / (area * 0.004), 1e-3);
+  EXPECT_NEAR(f.imbalance, 0.3, rounding);
+  EXPECT_NEAR(f.imbalance_azimuth, 0.0, rounding);
+}
+
+/// What a part removed is what its whole cutter did; parts without a force are left out.
+TEST(LoadFigures, have_every_part_with_a_force) {
+  const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
+  ASSERT_EQ(f.parts.size(), 2U);
+  EXPECT_EQ(f.parts[0].name, "cutter-1/face");
+  EXPECT_NEAR(f.parts[0].normal.mean, 1000.0, 1e-9);
+  EXPECT_NEAR(f.parts[0].tangential.mean, 500.0, 1e-9);
+  EXPECT_NEAR(f.parts[0].power, 30.0, 1e-9);
+  EXPECT_NEAR(f.parts[0].removed, 1e-8, 1e-20);
+  EXPECT_NEAR(f.parts[0].specific_energy, 0.6 / 1e-8, 1.0);
+  EXPECT_EQ(f.parts[1].name, "cutter-1/chamfer");
+  EXPECT_NEAR(f.parts[1].removed, 1e-8, 1e-20);
+}
+
+TEST(LoadFigures, of_no_step_are_nothing) {
+  const LoadFigures f = figures_of(small_bit(), {}, 5.0);
+  EXPECT_EQ(f.steps, 0);
+  EXPECT_EQ(f.aggressiveness, 0.0);
+  EXPECT_EQ(f.specific_energy, 0.0);
+  EXPECT_EQ(f.power, 0.0);
+  EXPECT_TRUE(f.parts.empty());
+}
+
+TEST(LoadFigures, leave_a_trace) {
+  const Trace& t = two_steps().t;
+  EXPECT_EQ(t.dt, 0.01);
+  EXPECT_EQ(t.wob, (std::vector{900.0, 1100.0}));
+  ASSERT_EQ(t.rotary_speed.size(), 2U);
+  EXPECT_NEAR(t.rotary_speed[1], 12.0, rounding * 12.0);
+  ASSERT_EQ(t.centre_W.size(), 2U);
+  EXPECT_EQ(t.centre_W[0], Eigen::Vector2d(1e-3, 2e-3));
+}
+
+}  // namespace tdbd::simulation::load_figures_test
