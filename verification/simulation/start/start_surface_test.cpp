@@ -1,11 +1,10 @@
-#include "simulation/start/rock_start.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <set>
 
 #include "core/error.hpp"
+#include "simulation/start/rock_start.hpp"
 
 namespace tdbd::simulation::start_surface_test {
 
