@@ -6,6 +6,7 @@
 
 import argparse
 import base64
+import io
 import json
 import subprocess
 import sys
@@ -42,7 +43,6 @@ def looks():
 
 def still():
     """The picture of a bottom hole, small, as an address that holds it."""
-    import io
     image = Image.open(ROOT / "reports/bottom_hole.png").convert("RGB")
     image.thumbnail((STILL, STILL))
     file = io.BytesIO()

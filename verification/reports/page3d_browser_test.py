@@ -1,7 +1,6 @@
 """page3d_browser_test.py PROGRAM ROOT [PICTURES]: the 3-D page in a headless Chromium: pixels, slider, keys, mouse, both colour
 schemes, a missing frame, no WebGL 2, no complaint. Exit code 77: there is no Chromium. PICTURES: a folder for what was seen."""
 
-import io
 import json
 import pathlib
 import subprocess
@@ -12,7 +11,7 @@ import unittest
 import browser
 import numpy as np
 import page3d_data
-from PIL import Image
+import page_pixels
 
 PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
 PICTURES = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
@@ -25,19 +24,8 @@ FRAMES = 6
 SETTINGS = ("rock.edge_length=4 mm", "time.step=5 ms", "time.revolutions=0.6", "output.frames_every=10")
 LOST = 3  # the frame that the page with a gap lacks
 GRID_QUALITY = 1.5e-3  # an edge of 4 mm, off by half a step of 3 um in each direction at both ends
-READABLE = 4.5  # contrast of text, WCAG 2.1 AA
 SUMS = "frames.map(f => [f.points, f.corners, f.last].map(a => a.map(c => c.reduce((sum, v, i) => sum + v * (i % 97 + 1), 0))))"
 QUALITY = """started.then(s => { const f = s.frames[s.frames.length - 1]; return Array.from(f.corners[0], (_, t) => qualityOf(f, s.run.box, t)); })"""
-CONTRAST = """(() => { const c = getComputedStyle(document.body); return [c.color, c.backgroundColor].map(x => x.match(/\\d+/g).slice(0, 3).map(Number)); })()"""
-
-
-def contrast(ink, paper):
-    """Of two colours, as WCAG 2.1 defines it."""
-    def light(colour):
-        share = np.array(colour) / 255
-        return np.dot([0.2126, 0.7152, 0.0722], np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4))
-    low, high = sorted((light(ink), light(paper)))
-    return (high + 0.05) / (low + 0.05)
 
 
 class Page(unittest.TestCase):
@@ -72,12 +60,7 @@ class Page(unittest.TestCase):
 
     def seen(self, name=None):
         """The pixels of the 3-D picture."""
-        image = Image.open(io.BytesIO(self.browser.picture())).convert("RGB")
-        if PICTURES and name:
-            PICTURES.mkdir(exist_ok=True)
-            image.save(PICTURES / f"{name}.png")
-        x, y, wide, high = self.browser.value("(r => [r.x, r.y, r.width, r.height])(place('view').getBoundingClientRect())")
-        return np.asarray(image.crop([round(x) + 2, round(y) + 2, round(x + wide) - 2, round(y + high) - 2])).astype(int)
+        return page_pixels.pixels(self.browser, PICTURES, name)
 
     def state(self, name):
         return self.browser.value(f"started.then(s => s.state.{name})")
@@ -206,9 +189,9 @@ class Page(unittest.TestCase):
         for scheme in ("light", "dark"):
             self.browser.prefer(scheme)
             self.seen(f"scheme-{scheme}")
-            ink, paper = self.browser.value(CONTRAST)
+            ink, paper = self.browser.value(page_pixels.INK_AND_PAPER)
             papers.append(np.mean(paper))
-            self.assertGreater(contrast(ink, paper), READABLE, scheme)
+            self.assertGreater(page_pixels.contrast(ink, paper), page_pixels.READABLE, scheme)
             self.assertGreater(self.rock_share(), 0.25, scheme)
         self.browser.prefer("light")
         self.assertTrue(papers[0] > 200 and papers[1] < 60, papers)

@@ -3,7 +3,6 @@ not built."""
 
 import json
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -14,22 +13,12 @@ import numpy as np
 
 PROGRAM, ROOT, WEB = map(pathlib.Path, sys.argv[1:4])
 AGREE = 1e-12  # relative: of what the strongest part removed, and of a metre
-CASES = ("bit-a-steady", "bit-b-whirl", "bit-c-3000psi", "bit-r-rolling", "drill-bit-b")
-SHORTER = {"edge_length": '"3 mm"', "revolutions": "1", "duration": '"0.5 s"'}
 STEPS = 1_000_000  # no case has more
 REFUSED = {
     'rotary_speed = "120 rpm"': ('rotary_speed = "120 furlongs/s"', ("furlongs/s", "expected angular speed in rad/s")),
     'edge_length = "3 mm"': ('edge_length = "3 kg"', ("kg is mass", "length in m")),
     'kind = "steady"': ('kind = "stedy"', ("stedy",)),
 }
-
-
-def surface(path):
-    """(points, bytes of the triangles) of a PLY."""
-    found = path.read_bytes()
-    start = found.index(b"end_header\n") + len(b"end_header\n")
-    count = int(re.search(rb"element vertex (\d+)", found).group(1))
-    return np.frombuffer(found, "<f8", 3 * count, start).reshape(-1, 3), found[start + 24 * count:]
 
 
 class Cases(unittest.TestCase):
@@ -39,28 +28,22 @@ class Cases(unittest.TestCase):
         self.folder = pathlib.Path(self.made.name)
         subprocess.run(["cp", "-r", ROOT / "cases", self.folder], check=True)
 
-    def shortened(self, name):
-        text = (ROOT / "cases" / f"{name}.toml").read_text(encoding="utf-8")
-        for key, value in SHORTER.items():
-            text = re.sub(rf"^{key} = .*$", f"{key} = {value}", text, flags=re.M)
-        return text
-
     def write(self, text):
         (self.folder / "cases/short.toml").write_text(text, encoding="utf-8")
 
     def native(self):
         out = self.folder / "native"
         subprocess.run([PROGRAM, "run", self.folder / "cases/short.toml", "-o", out, "--quiet", "--force"], check=True, capture_output=True)
-        return json.loads((out / "summary.json").read_text(encoding="utf-8")), surface(out / "rock_final.ply")
+        return json.loads((out / "summary.json").read_text(encoding="utf-8")), built.surface(out / "rock_final.ply")
 
     def in_browser(self):
         rock = self.folder / "web.ply"
-        return built.drilled(ROOT, WEB, self.folder / "cases", "short.toml", STEPS, rock), surface(rock)
+        return built.drilled(ROOT, WEB, self.folder / "cases", "short.toml", STEPS, rock), built.surface(rock)
 
     def test_drills_as_the_command_line_does(self):
-        for name in CASES:
+        for name in built.CASES:
             with self.subTest(name):
-                self.write(self.shortened(name))
+                self.write(built.shortened(ROOT, name))
                 (run, (points, triangles)), (look, (web_points, web_triangles)) = self.native(), self.in_browser()
                 self.assertEqual(look["steps"], run["steps"])
                 self.assertEqual(web_triangles, triangles)
@@ -73,7 +56,7 @@ class Cases(unittest.TestCase):
     def test_says_what_is_wrong_as_the_command_line_does(self):
         for right, (wrong, words) in REFUSED.items():
             with self.subTest(wrong):
-                text = self.shortened("bit-b-steady")
+                text = built.shortened(ROOT, "bit-b-steady")
                 self.assertIn(right, text)
                 self.write(text.replace(right, wrong))
                 native = subprocess.run([PROGRAM, "run", self.folder / "cases/short.toml", "-o", self.folder / "no"], capture_output=True, text=True, check=False)

@@ -1,7 +1,6 @@
 """page_test.py PROGRAM ROOT WEB [PICTURES]: the page that drills, in a headless Chromium: pixels, all bits, whirl, pause, tables good
 and bad, downloads, keys, both colour schemes, no WebGL 2, no complaint. Exit code 77: nothing built, or no Chromium."""
 
-import io
 import json
 import pathlib
 import subprocess
@@ -12,27 +11,16 @@ import unittest
 
 import built
 import numpy as np
-from PIL import Image
 
 PROGRAM, ROOT, WEB = map(pathlib.Path, sys.argv[1:4])
 PICTURES = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
 sys.path.insert(0, str(ROOT / "verification/reports"))
 import browser  # noqa: E402
+import page_pixels  # noqa: E402
 
 PATIENCE = 60  # s for what the page is asked for
-READABLE = 4.5  # contrast of text, WCAG 2.1 AA
 AGREE = 1e-12  # of the page's volumes and the command line's
 SHORT = {"edge": 5, "revolutions": 0.2}
-CONTRAST = "(c => [c.color, c.backgroundColor].map(x => x.match(/\\d+/g).slice(0, 3).map(Number)))(getComputedStyle(document.body))"
-
-
-def contrast(ink, paper):
-    """Of two colours, as WCAG 2.1 defines it."""
-    def light(colour):
-        share = np.array(colour) / 255
-        return np.dot([0.2126, 0.7152, 0.0722], np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4))
-    low, high = sorted((light(ink), light(paper)))
-    return (high + 0.05) / (low + 0.05)
 
 
 class Driven(unittest.TestCase):
@@ -88,12 +76,7 @@ class Driven(unittest.TestCase):
 
     def seen(self, name=None):
         """The pixels of the 3-D picture."""
-        image = Image.open(io.BytesIO(self.browser.picture())).convert("RGB")
-        if PICTURES and name:
-            PICTURES.mkdir(exist_ok=True)
-            image.save(PICTURES / f"{name}.png")
-        x, y, wide, high = self.value("(r => [r.x, r.y, r.width, r.height])(place('view').getBoundingClientRect())")
-        return np.asarray(image.crop([round(x) + 2, round(y) + 2, round(x + wide) - 2, round(y + high) - 2])).astype(int)
+        return page_pixels.pixels(self.browser, PICTURES, name)
 
 
 class Page(Driven):
@@ -199,9 +182,9 @@ class Page(Driven):
         inks = []
         for scheme in ("light", "dark"):
             self.browser.prefer(scheme)
-            ink, paper = self.value(CONTRAST)
+            ink, paper = self.value(page_pixels.INK_AND_PAPER)
             inks.append(ink)
-            self.assertGreater(contrast(ink, paper), READABLE)
+            self.assertGreater(page_pixels.contrast(ink, paper), page_pixels.READABLE)
         self.assertNotEqual(*inks)
         self.seen("dark")
         self.browser.prefer("light")

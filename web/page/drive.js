@@ -2,7 +2,7 @@
 
 const constants = JSON.parse(place("constants").textContent);
 const live = {worker: null, scene: null, run: null, facts: null, groups: null, bars: null, depths: null, changed: () => {}, files: null,
-  looks: [], shown: 0, state: "loading", traces: [], table: null};
+  last: null, pace: [], shown: 0, state: "loading", traces: [], table: null};
 
 const number = id => place(id).value.trim();
 
@@ -47,9 +47,9 @@ function pauseOrResume() {
 // Simulated over real seconds, of the last five real ones.
 function pace(look) {
   const now = performance.now();
-  live.looks.push({now, time: look.time_s});
-  while (live.looks.length > 2 && now - live.looks[0].now > 5000) live.looks.shift();
-  const first = live.looks[0];
+  live.pace.push({now, time: look.time_s});
+  while (live.pace.length > 2 && now - live.pace[0].now > 5000) live.pace.shift();
+  const first = live.pace[0];
   return now > first.now + 200 ? 1000 * (look.time_s - first.time) / (now - first.now) : NaN;
 }
 
@@ -96,7 +96,7 @@ function showRock(message) {
 
 function showStart(message) {
   const pieces = bitPieces(message.bit, message.facts.parts, constants.looks);
-  Object.assign(live, {facts: message.facts, groups: message.groups, depths: cuttingDepths(message.bit, pieces), looks: [], shown: 0, last: null,
+  Object.assign(live, {facts: message.facts, groups: message.groups, depths: cuttingDepths(message.bit, pieces), pace: [], shown: 0, last: null,
     run: liveRun(message.facts, pieces.run, message.names, constants.looks), traces: [emptyTrace("WOB", "kN", 1e-3), emptyTrace("TOB", "N m", 1)]});
   live.bars = volumeBars(place("bars"), message.names);
   const frame = takeRock(live.run, live.depths, message.rock, message.look), radius = Math.ceil(1000 * message.facts.gage_radius_m);

@@ -1,8 +1,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "bit/part_kind.hpp"
 #include "bit/report/bit_motion.hpp"
