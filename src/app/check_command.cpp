@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
@@ -14,23 +15,29 @@
 namespace tdbd::app {
 namespace {
 
+/// Two significant digits without an exponent: "0.42", "4.2", "42", "420".
+std::string rounded(double x) {
+  if (x < 10.0) return fmt::format("{:.2g}", x);
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return fmt::format("{:.0f}", std::round(x / unit) * unit);
+}
+
 /// "42 s", "7.2 min", "3.1 h".
 std::string time_text(double seconds) {
   constexpr double minute = 60.0, hour = 3600.0;
-  if (seconds < 2.0 * minute) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 2.0 * hour) return fmt::format("{:.2g} min", seconds / minute);
-  return fmt::format("{:.2g} h", seconds / hour);
+  if (seconds < 2.0 * minute) return rounded(seconds) + " s";
+  if (seconds < 2.0 * hour) return rounded(seconds / minute) + " min";
+  return rounded(seconds / hour) + " h";
 }
 
 /// "38 MB", "1.4 GB".
 std::string bytes_text(double bytes) {
   constexpr double mega = 1e6, giga = 1e9;
-  return bytes < giga ? fmt::format("{:.2g} MB", bytes / mega)
-                      : fmt::format("{:.2g} GB", bytes / giga);
+  return bytes < giga ? rounded(bytes / mega) + " MB" : rounded(bytes / giga) + " GB";
 }
 
 void print_estimate(const simulation::RunEstimate& e) {
-  say("about {:.2g} triangles at the end, {} of memory, {} on disk", e.triangles,
+  say("about {} triangles at the end, {} of memory, {} on disk", rounded(e.triangles),
       bytes_text(e.memory_bytes), bytes_text(e.disk_bytes));
   if (e.steps_tried > 0)
     say(", {} here ({} steps were tried)", time_text(e.seconds), e.steps_tried);

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <regex>
 
 #include "app/command_help.hpp"
 #include "app/completion.hpp"
@@ -29,6 +31,29 @@ std::string meant_by(const std::string& word, const std::vector<std::string>& na
     return *nearest + "? (tdbd alone lists all)";
   return fmt::format("one of {}", fmt::join(names, ", "));
 }
+
+constexpr const char* listed = "; tdbd COMMAND --help lists what it takes";
+
+/// What was wrong with words that the command did not expect, and what to write instead.
+std::string unexpected(const std::string& words) {
+  if (words.find('=') != std::string::npos && !words.starts_with('-'))
+    return fmt::format("found {} alone, expected --set before it: --set '{}'", words, words);
+  return fmt::format("found {}, which the command does not expect{}", words, listed);
+}
+
+/// How CLI11 says what is wrong, and how this program does. A text that is none of these stays.
+struct Rewording {
+  const char *said, *ours;
+};
+constexpr std::array rewordings{
+    Rewording{R"((\S+) is required)", "found no $1, expected one"},
+    Rewording{R"((\S+): (?:Value )?(.+) not in (?:range )?(.+))", "$1: found $2, expected $3"},
+    Rewording{R"((\S+): 1 required (?:INT:|FLOAT:|TEXT:)?(.+) missing)",
+              "$1: found nothing, expected $2"},
+    Rewording{R"(Could not convert: (\S+) = (.*))", "$1: found $2, expected a number"},
+    Rewording{R"((\S+): At Most 1 required but received (\d+))",
+              "$1: found $2 times, expected once"},
+    Rewording{R"((\S+) excludes (\S+))", "found $1 and $2, expected one of them"}};
 
 }  // namespace
 
@@ -59,13 +84,16 @@ std::vector<std::string> understood(const CLI::App& app, std::vector<std::string
                                meant_by(words.front(), names)));
 }
 
-std::string unexpected(const std::string& word) {
-  if (word.find('=') != std::string::npos && !word.starts_with('-'))
-    return fmt::format("found {} alone, expected --set before it: --set '{}'", word, word);
-  return fmt::format(
-      "found {}, which the command does not expect; tdbd COMMAND --help lists what "
-      "it takes",
-      word);
+std::string mistake(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    return unexpected(
+        text.substr(text.find(": ") + 2));  // "...not expected: WORD" or "...: WORD WORD"
+  const auto said = std::ranges::find_if(
+      rewordings, [&](const Rewording& r) { return std::regex_match(text, std::regex(r.said)); });
+  return (said == rewordings.end() ? text
+                                   : std::regex_replace(text, std::regex(said->said), said->ours)) +
+         listed;
 }
 
 }  // namespace tdbd::app

@@ -6,7 +6,8 @@
 
 namespace CLI {
 class App;
-}
+class ParseError;
+}  // namespace CLI
 
 namespace tdbd::app {
 
@@ -22,7 +23,7 @@ std::optional<std::string> page_asked_for(const CLI::App& app,
 /// `COMMAND --help`. Throws InputError, with the nearest command, when the first word is none.
 std::vector<std::string> understood(const CLI::App& app, std::vector<std::string> words);
 
-/// What was wrong with words that the command did not expect, and what to write instead.
-std::string unexpected(const std::string& word);
+/// What was wrong with words that CLI11 refused: found, expected.
+std::string mistake(const CLI::ParseError& error);
 
 }  // namespace tdbd::app

@@ -45,13 +45,9 @@ std::string version_text() {
 
 /// 2 for words that are no command line; 0 after --help and --version.
 int tell(const CLI::App& app, const CLI::ParseError& error) {
-  if (const auto* extra = dynamic_cast<const CLI::ExtrasError*>(&error)) {
-    const std::string text = extra->what();  // "...not expected: WORD" or "...: WORD WORD"
-    std::fprintf(stderr, "tdbd: %s\n",
-                 tdbd::app::unexpected(text.substr(text.find(": ") + 2)).c_str());
-    return 2;
-  }
-  return app.exit(error) == 0 ? 0 : 2;
+  if (error.get_exit_code() == 0) return app.exit(error);
+  std::fprintf(stderr, "tdbd: %s\n", tdbd::app::mistake(error).c_str());
+  return 2;
 }
 
 /// Reads the words and runs their command. CLI11 takes them last first.

@@ -10,7 +10,8 @@
 namespace tdbd::app {
 namespace {
 
-/// Text as it stands: no character of it is a request of the formatter, none is set as another.
+/// Text as it stands: no character of it is set as another. None begins with a full stop, which groff
+/// would take for a request: the test of the page asks for its warnings.
 std::string plain(const std::string& text) {
   std::string out;
   for (const char c : text) switch (c) {
@@ -35,7 +36,7 @@ std::string plain(const std::string& text) {
       default:
         out += c;
     }
-  return out.starts_with('.') ? "\\&" + out : out;
+  return out;
 }
 
 std::string bold(const std::string& text) { return "\\fB" + plain(text) + "\\fR"; }

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
+#include <regex>
 
 #include "app/small_case.hpp"
 
@@ -51,6 +53,18 @@ TEST(CheckEstimate, tells_memory_of_its_triangles) {
   EXPECT_GT(1e6 * t.memory, 240.0 * t.triangles);  // two digits of each
   EXPECT_LT(1e6 * t.memory, 700.0 * t.triangles);
   EXPECT_GT(t.tried, 0);
+}
+
+/// 1300, not 1.3e+03.
+TEST(CheckEstimate, has_no_exponents) {
+  const std::regex two_digits(R"(about [1-9]\d0* triangles at the end, .*\n)");
+  for (const std::string edge : {"4 mm", "8 mm", "16 mm"}) {
+    const auto o = SmallCase().check({"--set", "rock.edge_length=" + edge});
+    ASSERT_EQ(o.exit_code, 0) << o.err;
+    const std::string line = o.out.substr(std::min(o.out.find("about "), o.out.size()));
+    EXPECT_TRUE(std::regex_match(line, two_digits)) << line;
+    EXPECT_FALSE(std::regex_search(line, std::regex(R"(\de[+-]\d)"))) << line;
+  }
 }
 
 /// A thousand times the frames take a thousand times the room, in the next unit.

@@ -41,10 +41,39 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
   expect_told({"drill"},
               "found the command drill, expected one of new, run, rotate, converge, calibrate, "
               "check, keys, bit, laboratory, sweep, mesh");
-  for (const std::string word : {"q", "rotaxxx"})  // three slips are too many
+  // three slips are too many, and none of its letters may be right by chance
+  for (const std::string word : {"q", "r", "rx", "rotaxxx"})
     expect_told({word}, "found the command " + word +
                             ", expected one of new, run, rotate, converge, calibrate, "
                             "check, keys, bit, laboratory, sweep, mesh");
+}
+
+TEST(FirstWords, a_command_without_its_case_asks_for_it) {
+  for (const std::string command : {"run", "rotate"})
+    expect_told({command}, "found no case, expected a case file, or --resume FOLDER");
+}
+
+TEST(FirstWords, wrong_words_are_told_as_found_and_expected) {
+  struct Refused {
+    std::vector<std::string> words;
+    std::string message;
+  };
+  const std::string top = cases + "slow-top.toml";
+  const std::vector<Refused> all{
+      {{"check"}, "found no case, expected one"},
+      {{"converge", top, "--over", "time.step"}, "found no --levels, expected one"},
+      {{"converge", top, "--levels", "3", "--over"}, "--over: found nothing, expected KEY"},
+      {{"converge", top, "--levels", "1", "--over", "time.step"},
+       "--levels: found 1, expected 2 to 60"},
+      {{"converge", top, "--levels", "3", "--over", "time.step", "--factor", "two"},
+       "--factor: found two, expected a number"},
+      {{"run", top, "--threads", "some"}, "--threads: found some, expected 1 to 1024"},
+      {{"run", top, "--threads"}, "--threads: found nothing, expected INT in [1 - 1024]"},
+      {{"run", top, "--threads", "1", "--threads", "2"}, "--threads: found 2 times, expected once"},
+      {{"run", top, "--resume", "results"}, "found case and --resume, expected one of them"},
+      {{"bit", top, "--format", "jpg"}, "--format: found jpg, expected {ply,off,obj,stl}"}};
+  for (const Refused& r : all)
+    expect_told(r.words, r.message + "; tdbd COMMAND --help lists what it takes");
 }
 
 /// A file that is given to a command of another kind.

@@ -33,6 +33,13 @@ TEST(KeysCommand, tells_the_nearest_table) {
   expect_refusal(battery::run_tdbd({"keys", "motoin"}), "TABLE: found \"motoin\", expected motion");
   expect_refusal(battery::run_tdbd({"keys", "zzz"}),
                  "TABLE: found \"zzz\", expected a table that `tdbd keys` lists");
+  for (const std::string design : {"", "--design"}) {
+    std::vector<std::string> words{"keys", "x"};
+    if (!design.empty()) words.push_back(design);
+    expect_refusal(battery::run_tdbd(words),
+                   "TABLE: found \"x\", expected a table that `tdbd keys" +
+                       (design.empty() ? "" : " " + design) + "` lists");
+  }
 }
 
 /// `tdbd keys --markdown > src/simulation/case/KEYS.md` makes it right again.

@@ -48,6 +48,9 @@ class ManualPage(unittest.TestCase):
         for command in commands():
             head, *lines = tdbd(command, "--help").splitlines()
             self.assertIn(f"{head}.", self.text)
+            places = lines[lines.index("Positionals:") + 1:lines.index("Options:") - 1] if "Positionals:" in lines else []
+            for place in filter(None, (re.match(r"  (\w+) (?:TEXT:)?([^ ]+)", line) for line in places)):
+                self.assertIn(f"{place[1]} ({place[2]}", self.text, command)
             for line in lines:
                 if line.startswith("Example: "):
                     self.assertIn(line.removeprefix("Example: "), self.text, command)

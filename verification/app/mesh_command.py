@@ -114,7 +114,8 @@ def check_grading(folder):
             "found --repair as well")
     refused(tdbd("mesh", folder / "cube.stl", "--grade"), "--output: found no file")
     (folder / "open.stl").write_text(solid("a", SIDES[:-1]))
-    refused(tdbd("mesh", folder / "open.stl", "--grade", "-o", folder / "no.obj"), "hole: 3 times")
+    refused(tdbd("mesh", folder / "open.stl", "--grade", "-o", folder / "no.obj"), "hole: 3 times",
+            "to repair: tdbd mesh ")
     assert not (folder / "no.obj").exists()
 
 

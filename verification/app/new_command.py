@@ -44,7 +44,7 @@ for kind in SHORT:
     check(kind)
 (folder / "mine").write_text("mine")
 for words, message in ((("new", "cone", "a"), "KIND: found cone, expected cones"), (("new", "bit", "a"), "KIND: found bit, expected one of pdc, cones"),
-                       (("new", "top", "mine"), "NAME: found mine, which is there"), (("new", "top"), "name is required")):
+                       (("new", "top", "mine"), "NAME: found mine, which is there"), (("new", "top"), "found no name, expected one")):
     refused = tdbd(*words)
     assert refused.returncode == 2 and message in refused.stderr, (words, refused)
 assert (folder / "mine").read_text() == "mine" and not (folder / "a").exists()

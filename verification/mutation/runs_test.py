@@ -91,12 +91,19 @@ class Commands(unittest.TestCase):
 
 class Scripts(unittest.TestCase):
     def test_are_met_by_the_command_line_alone_its_own_first(self):
-        self.assertEqual(scripts.of_file("src/app/mesh_command.cpp"), (["mesh_command"], ["bit_command", "closed_pipe", "cone_command", "new_command", "sweep_command", "terminal"]))
+        self.assertEqual(scripts.of_file("src/app/mesh_command.cpp"),
+                         (["mesh_command"], ["bit_command", "closed_pipe", "completion_test", "cone_command", "manual_test", "new_command", "sweep_command",
+                                             "terminal"]))
+        self.assertEqual(scripts.of_file("src/app/manual.cpp")[0], ["manual_test"])
         self.assertEqual(scripts.of_file("src/mesh/edit.cpp"), ([], []))
 
     def test_have_the_inputs_of_the_test(self):
         told = "".join((ROOT / f"verification/{room}/CMakeLists.txt").read_text(encoding="utf-8") for room in ("app", "sweep"))
-        for name in scripts.NAMES:
+        self.assertRegex(told, r'\$\{page\}_test\.py" \$<TARGET_FILE:tdbd>\)')
+        for name in scripts.PRINTED:
+            self.assertRegex(told, rf"foreach\(page [a-z ]*{name.removesuffix('_test')}\b")
+            self.assertTrue(scripts.path_of(name).is_file())
+        for name in (*scripts.INPUTS, *scripts.WRITE):
             given = rf"PROJECT_SOURCE_DIR\}}/{scripts.INPUTS[name]}" if name in scripts.INPUTS else r"CMAKE_CURRENT_BINARY_DIR\}/\w+"
             self.assertRegex(told, rf'{name}\.py" \$<TARGET_FILE:tdbd>\s+"\$\{{{given}"\)')
             self.assertTrue(scripts.path_of(name).is_file())

@@ -1,4 +1,5 @@
-"""Tests of the program tdbd that are Python scripts: NAME.py PROGRAM INPUT, or NAME.py PROGRAM FOLDER, a new one. Mutants of the room app meet them."""
+"""Tests of the program tdbd that are Python scripts: NAME.py PROGRAM, and behind it an INPUT or a new FOLDER for some. Mutants of the room app meet
+them."""
 
 import functools
 import hashlib
@@ -17,14 +18,15 @@ from watch import Outcome
 INPUTS = {"bit_command": "cases/bits/bit-b.toml", "closed_pipe": "cases/bits/bit-b.toml", "cone_command": "cases/bits/bit-r.toml",
           "mesh_command": "cases/bits/bit-b.toml", "terminal": "cases"}
 WRITE = ("new_command", "sweep_command")
-NAMES = sorted((*INPUTS, *WRITE))
+PRINTED = ("completion_test", "manual_test")  # of what the program prints
+NAMES = sorted((*INPUTS, *WRITE, *PRINTED))
 
 
 def of_file(file):
     """(the scripts that are written for a source, the others); none for a room that is not app."""
     if not file.startswith("src/app/"):
         return [], []
-    own = [name for name in NAMES if name == pathlib.Path(file).stem]
+    own = [name for name in NAMES if name.removesuffix("_test") == pathlib.Path(file).stem]
     return own, [name for name in NAMES if name not in own]
 
 
@@ -34,7 +36,8 @@ def path_of(name):
 
 def words(name, program, folder):
     """The script's command; what it writes is below this folder."""
-    return [sys.executable, "-B", str(path_of(name)), str(program), str(pathlib.Path(folder) / name if name in WRITE else ROOT / INPUTS[name])]
+    given = [] if name in PRINTED else [str(pathlib.Path(folder) / name if name in WRITE else ROOT / INPUTS[name])]
+    return [sys.executable, "-B", str(path_of(name)), str(program), *given]
 
 
 def run(name, program, folder, limit):

@@ -172,7 +172,7 @@ std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::
   std::vector<KeyTable> found;
   std::vector<std::string> names;
   for (const KeyTable& table : tables) {
-    names.push_back(table.name);
+    if (!table.name.empty()) names.push_back(table.name);  // the top of a file has none
     if (table.name == name || table.name.starts_with(name + ".")) found.push_back(table);
   }
   if (!found.empty()) return found;

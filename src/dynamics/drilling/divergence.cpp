@@ -50,12 +50,6 @@ std::string too_fast(const DrillingVelocity& v, const DivergenceBounds& b) {
   return "";
 }
 
-/// What there was to begin with and what went in and out, J.
-double throughput(const EnergyLedger& l) {
-  return std::abs(l.start) + std::abs(l.top) + std::abs(l.gravity) + std::abs(l.cut_bit) +
-         std::abs(l.cut_rock);
-}
-
 /// Where most of the energy is.
 const char* largest_store(const StoredEnergy& e) {
   const std::array<std::pair<double, const char*>, 7> stores{

@@ -1,5 +1,7 @@
 #include "dynamics/drilling/energy_ledger.hpp"
 
+#include <cmath>
+
 #include "dynamics/momenta.hpp"
 
 namespace tdbd::dynamics {
@@ -28,6 +30,11 @@ double residual(const StoredEnergy& now, const EnergyLedger& l) {
   const double lost =
       l.damped_string + l.damped_bearings + l.damped_rock + l.wall_loss + l.wall_friction;
   return (total(now) - l.start) - put_in + lost;
+}
+
+double throughput(const EnergyLedger& l) {
+  return std::abs(l.start) + std::abs(l.top) + std::abs(l.gravity) + std::abs(l.cut_bit) +
+         std::abs(l.cut_rock);
 }
 
 }  // namespace tdbd::dynamics

@@ -39,4 +39,8 @@ struct EnergyLedger {
 /// second order and bounded.
 double residual(const StoredEnergy& now, const EnergyLedger& ledger);
 
+/// What there was to begin with and what went in and out at the top, by gravity and at the cut, each
+/// by its size, J: the scale of the rounding in a ledger.
+double throughput(const EnergyLedger& ledger);
+
 }  // namespace tdbd::dynamics

@@ -105,7 +105,6 @@ std::vector<PartKind> followers(const Config& c) {
 /// What the tables say in vain.
 void warn_of_idle(Config& c, const bit::Bit& bit, const forces::Law& common, const ForcePlan& plan,
                   std::vector<CaseWarning>& warnings) {
-  if (bit.parts.empty()) return;  // its own mistakes are told
   const std::string name(force_keys::table.name);
   warnings = idle_coefficients(c, {name, common, read_fit(c), followers(c)}, bit);
   for (const KindKey& k : kind_keys) {

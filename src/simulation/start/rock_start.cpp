@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -94,7 +95,7 @@ std::vector<rock::MeridianPoint> conforming(const Case& c) {
 
 /// A flat bottom at the depth of the bit's lowest cutting point in a turn of its cones.
 std::vector<rock::MeridianPoint> flat(const Case& c) {
-  double lowest = -1e300;
+  double lowest = -std::numeric_limits<double>::infinity();
   for (const bit::Part& p : bit::swept_parts(c.bit))
     for (const Vec3& x_P : p.mesh_P.positions) lowest = std::max(lowest, (p.X_BP * x_P).z());
   const double radius = c.rock.radius > 0.0 ? c.rock.radius : c.bit.gage_radius;

@@ -44,12 +44,6 @@ Simulation at_window(const Case& finer, const Simulation& s, int parts) {
   return resume(finer, std::move(state), start_statistics(finer));
 }
 
-/// J that were stored, came and went.
-double energy_scale(const dynamics::EnergyLedger& l) {
-  return std::abs(l.start) + std::abs(l.top) + std::abs(l.gravity) + std::abs(l.cut_bit) +
-         std::abs(l.cut_rock);
-}
-
 struct Windows {
   const Case& c;
   const Simulation& s;
@@ -67,7 +61,7 @@ struct Windows {
           dynamics::stored_energy(c.drilling.system, copy.work.drive.at, copy.state.drive->state),
           copy.state.drive->ledger));
     }
-    w.scale = energy_scale(copy.state.drive->ledger);
+    w.scale = dynamics::throughput(copy.state.drive->ledger);
     return w;
   }
 };

@@ -46,6 +46,24 @@ TEST(EnergyLedger, every_entry_converges_to_the_twins_with_order_two) {
   }
 }
 
+/// Each by its size, whatever its sign; what dampers and the wall took is no part of it.
+TEST(EnergyLedger, throughput_is_the_sum_of_sizes) {
+  for (int signs = 0; signs < 32; ++signs) {
+    const auto sized = [signs](int k, double size) { return (signs >> k) % 2 == 0 ? size : -size; };
+    const EnergyLedger l{.start = sized(0, 1.0),
+                         .top = sized(1, 2.0),
+                         .gravity = sized(2, 4.0),
+                         .cut_bit = sized(3, 8.0),
+                         .cut_rock = sized(4, 16.0),
+                         .damped_string = 32.0,
+                         .damped_bearings = 64.0,
+                         .damped_rock = 128.0,
+                         .wall_loss = 256.0,
+                         .wall_friction = 512.0};
+    EXPECT_EQ(throughput(l), 31.0) << signs;
+  }
+}
+
 /// Constant forces and torques on bit, cones and rock, and dampers: the step is exact in energy.
 TEST(EnergyLedger, closes_to_rounding_where_the_step_is_exact) {
   DrillingSystem s = plain_bit();

@@ -120,4 +120,13 @@ TEST(ReadDrilling, refuses_a_start_that_the_string_cannot_carry) {
   EXPECT_EQ(refusal({"string.torsional_stiffness=0", "motion.torque_at_start=0"}), "");
 }
 
+/// A wrong case may have senseless stiffnesses: only when all else is right is its step judged.
+TEST(ReadDrilling, asks_for_a_stable_step_when_all_else_is_right) {
+  const std::string stiff = "string.lateral_stiffness='1e10 N/m'",
+                    wrong = "measure.section_every=4";
+  EXPECT_NE(refusal({stiff}).find("expected a stable step"), std::string::npos);
+  EXPECT_NE(refusal({stiff, wrong}).find("measure.section_every: found 4"), std::string::npos);
+  EXPECT_EQ(refusal({stiff, wrong}).find("expected a stable step"), std::string::npos);
+}
+
 }  // namespace tdbd::simulation::case_drilling_test
