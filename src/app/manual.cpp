@@ -10,8 +10,8 @@
 namespace tdbd::app {
 namespace {
 
-/// Text as it stands: no character of it is set as another. None begins with a full stop, which groff
-/// would take for a request: the test of the page asks for its warnings.
+/// Text as it stands: no character of it is set as another. The test of the page sees that no text
+/// has a caret or a tilde, and that none begins with a full stop, a request of the formatter.
 std::string plain(const std::string& text) {
   std::string out;
   for (const char c : text) switch (c) {
@@ -26,12 +26,6 @@ std::string plain(const std::string& text) {
         break;
       case '`':
         out += "\\(ga";
-        break;
-      case '^':
-        out += "\\(ha";
-        break;
-      case '~':
-        out += "\\(ti";
         break;
       default:
         out += c;

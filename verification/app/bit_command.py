@@ -1,5 +1,6 @@
 """tdbd bit: writes a bit that reads back, in every format, and refuses a part that is no solid."""
 
+import csv
 import json
 import math
 import pathlib
@@ -28,6 +29,20 @@ def check_round_trip(folder, form):
         assert (folder / form / name).stat().st_size > 0, name
     again = tdbd(folder / form / "bit.toml")
     assert mass_line(first) == mass_line(again) != [], (mass_line(first), mass_line(again))
+
+
+def check_table(folder):
+    """The table that is printed is the one that is written, in mm and degrees."""
+    printed = [line.split() for line in tdbd(BIT).stdout.splitlines()[2:30]]
+    assert tdbd(BIT, "-o", folder / "table", "--quiet").returncode == 0
+    with (folder / "table/cutters.csv").open(newline="") as file:
+        written = list(csv.DictReader(file))
+    assert len(written) == len(printed) == 28
+    for row, (name, blade, zone, *numbers) in zip(written, printed, strict=True):
+        assert (row["cutter"], row["blade"], row["zone"]) == (name, blade, zone), (row, name)
+        for column, number in zip(("r_tip_mm", "phi_deg", "h_tip_mm", "profile_angle_deg", "back_rake_deg", "side_rake_deg", "dia_mm"), numbers,
+                                  strict=True):
+            assert abs(float(row[column]) - float(number)) <= 0.5001 * 10.0 ** -len(number.partition(".")[2]), (row, column, number)
 
 
 def check_analysis(a):
@@ -109,6 +124,7 @@ with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     for form in ("ply", "off", "obj", "stl"):
         check_round_trip(folder, form)
+    check_table(folder)
     check_report(folder)
     check_quiet(folder)
     check_refusals(folder)

@@ -63,6 +63,11 @@ class ManualPage(unittest.TestCase):
         self.assertIn("--set time.step='2 ms'; `tdbd keys` lists the keys", self.text)
         self.assertIn(r"\-\-set time.step=\(aq2 ms\(aq; \(gatdbd keys\(ga lists the keys", tdbd("help", "--man"))
 
+    def test_has_no_text_that_needs_more_escapes(self):
+        """groff sets a caret and a tilde as accents, and takes a line that begins with a full stop for a request."""
+        for command in commands():
+            self.assertNotRegex(tdbd(command, "--help"), r"[\^~]|(?m:^ *\.)", command)
+
     def test_ends_with_the_exit_codes(self):
         self.assertIn("EXIT STATUS Exit codes: 0 done, 1 the computation failed, 2 the input is wrong, 130 interrupted.", self.text)
 

@@ -4,6 +4,7 @@
 import os
 import pathlib
 import pty
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,40 @@ time.duration = 2
 [[factors]]
 key = "time.step"
 values = [0.5, 1.0]
+"""
+LABORATORY = """[laboratory]
+law = "hanson-hansen"
+pressures = ["3000 psi"]
+rates = ["10 m/h", "20 m/h", "30 m/h"]
+rotary_speed = "120 rpm"
+[truth]
+A1 = 1.3
+A3 = "22 deg"
+A5 = 1.4
+A6 = 0.4
+"""
+CALIBRATION = """[calibration]
+law = "hanson-hansen"
+records = "lab.csv"
+fit_bits = ["B", "C"]
+[unknowns.A1]
+start = 1.0
+[fixed]
+A3 = "22 deg"
+A5 = 1.4
+A6 = 0.4
+"""
+BIT = f"""[bits]
+B = "{CASES}/bits/bit-b.toml"
+C = "{CASES}/bits/bit-c.toml"
+[rock]
+material = "mancos-shale"
+edge_length = "8 mm"
+[time]
+revolutions = 2
+steps_per_revolution = 40
+[noise]
+reading = 0.03
 """
 
 
@@ -45,6 +80,8 @@ def check(folder, *words):
     assert shown.startswith("\r[") and shown.count("\n") == 1 and shown.endswith("\r\n"), (words, shown)
     last = shown[shown.rindex("\r["):]
     assert last.startswith(FULL), (words, shown)
+    steps = [tuple(map(int, pair)) for pair in re.findall(r" step ([0-9]+) of ([0-9]+) ", shown)]
+    assert steps == sorted(steps) and all(done <= total for done, total in steps), (words, steps)
     assert told, words
     quiet, _ = on_terminal(folder, *words, "--quiet", "--force")
     assert quiet == "", (words, quiet)
@@ -52,8 +89,12 @@ def check(folder, *words):
 
 with tempfile.TemporaryDirectory() as name:
     (pathlib.Path(name) / "design.toml").write_text(DESIGN)
+    (pathlib.Path(name) / "lab.toml").write_text(LABORATORY + BIT)
+    (pathlib.Path(name) / "fit.toml").write_text(CALIBRATION + BIT)
     top = CASES / "slow-top.toml"
     check(name, "rotate", top, "--set", "time.duration=2", "-o", "top")
     check(name, "converge", top, "--set", "time.duration=2", "--over", "time.step", "--levels", "3", "-o", "orders")
-    check(name, "run", CASES / "bit-b-steady.toml", "--set", "rock.edge_length=8 mm", "--set", "time.revolutions=0.01", "-o", "hole")
+    check(name, "run", CASES / "bit-b-steady.toml", "--set", "rock.edge_length=4 mm", "--set", "time.revolutions=12", "-o", "hole")  # a second: several draws
     check(name, "sweep", "design.toml", "-o", "table.nc")
+    on_terminal(name, "laboratory", "lab.toml", "-o", "lab.csv")
+    check(name, "calibrate", "fit.toml", "--cuts", "others", "-o", "fit")
