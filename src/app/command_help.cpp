@@ -10,7 +10,6 @@ constexpr const char* example_head = "Example: ";
 
 /// "INT" of "INT:INT in [1 - 8]", "{a,b}" of "TEXT:{a,b}".
 std::string value_of(const CLI::Option& option) {
-  if (option.get_type_size() == 0) return "";
   const std::string type = option.get_type_name();
   const auto colon = type.find(':');
   if (colon == std::string::npos) return type;
@@ -25,7 +24,7 @@ WordHelp help_of(const CLI::Option& option) {
                 .is_required = option.get_required()};
   for (const std::string& name : option.get_snames()) word.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) word.names.push_back("--" + name);
-  if (option.get_positional()) word.names = {option.get_name(true, false)};
+  if (option.get_positional()) word.names = {option.get_name()};
   return word;
 }
 

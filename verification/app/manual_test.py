@@ -1,5 +1,6 @@
 """manual_test.py TDBD: the manual page is one that groff takes without a warning, and holds every command's help."""
 
+import collections
 import re
 import shutil
 import subprocess
@@ -62,6 +63,13 @@ class ManualPage(unittest.TestCase):
         """Debian's macros set plain ones as they are typed, others do not."""
         self.assertIn("--set time.step='2 ms'; `tdbd keys` lists the keys", self.text)
         self.assertIn(r"\-\-set time.step=\(aq2 ms\(aq; \(gatdbd keys\(ga lists the keys", tdbd("help", "--man"))
+
+    def test_tells_the_defaults_that_help_tells(self):
+        options = "\n".join(tdbd(command, "--help") for command in commands())
+        told = re.findall(r"^  -[^ ]+ (?!KEY=)[A-Z][^=\n]*=(\S+(?: \S+)?)(?: REQUIRED)?(?:  |$)", options, re.MULTILINE)
+        held = re.findall(r"; default: (.*)$", tdbd("help", "--man"), re.MULTILINE)
+        self.assertIn("5 mm", told)
+        self.assertEqual(collections.Counter(told) - collections.Counter(held), {})
 
     def test_has_no_text_that_needs_more_escapes(self):
         """groff sets a caret and a tilde as accents, and takes a line that begins with a full stop for a request."""
