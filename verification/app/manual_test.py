@@ -69,6 +69,7 @@ class ManualPage(unittest.TestCase):
         told = re.findall(r"^  -[^ ]+ (?!KEY=)[A-Z][^=\n]*=(\S+(?: \S+)?)(?: REQUIRED)?(?:  |$)", options, re.MULTILINE)
         held = re.findall(r"; default: (.*)$", tdbd("help", "--man"), re.MULTILINE)
         self.assertIn("5 mm", told)
+        self.assertNotIn("", held)
         self.assertEqual(collections.Counter(told) - collections.Counter(held), {})
 
     def test_has_no_text_that_needs_more_escapes(self):

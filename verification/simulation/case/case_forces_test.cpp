@@ -38,6 +38,14 @@ TEST(ReadForces, lets_a_kind_have_its_own) {
   law<forces::NoForce>(c, PartKind::cutter_body);
 }
 
+/// The bit has no cone.
+TEST(ReadForces, warns_of_a_coefficient_in_vain_by_the_whole_name_of_its_key) {
+  const Case c = shale({"forces.cone.law=friction", "forces.cone.mu=0.25",
+                        "forces.cone.stress='20 MPa'", "forces.cone.cap=2"});
+  ASSERT_EQ(c.warnings.size(), 1u);
+  EXPECT_EQ(c.warnings.front().key, "forces.cone.cap");
+}
+
 TEST(ReadForces, takes_coefficients_by_name_and_changes_them) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml",
                            {"rock.edge_length='4 mm'", "rock.material='berea-sandstone'",
