@@ -47,7 +47,7 @@ def programs_of(room, home_only=False):
 def targets(rooms, home_only=False):
     """What must be built for the rooms."""
     wanted = {p for room in rooms for programs in programs_of(room, home_only) for p in programs}
-    return sorted(wanted) + (["tdbd"] if wanted & CALL_TDBD else [])
+    return sorted(wanted) + (["tdbd"] if wanted & CALL_TDBD or "sweep" in rooms else [])  # which has a script
 
 
 def test_folders(programs):

@@ -90,11 +90,12 @@ class Commands(unittest.TestCase):
 
 
 class Scripts(unittest.TestCase):
-    def test_are_met_by_the_command_line_alone_its_own_first(self):
+    def test_are_met_by_the_command_line_and_sweeps_its_own_first(self):
         self.assertEqual(scripts.of_file("src/app/mesh_command.cpp"),
                          (["mesh_command"], ["bit_command", "closed_pipe", "completion_test", "cone_command", "manual_test", "new_command", "sweep_command",
                                              "terminal"]))
         self.assertEqual(scripts.of_file("src/app/manual.cpp")[0], ["manual_test"])
+        self.assertEqual(scripts.of_file("src/sweep/table/journal.cpp"), ([], ["sweep_command"]))
         self.assertEqual(scripts.of_file("src/mesh/edit.cpp"), ([], []))
 
     def test_have_the_inputs_of_the_test(self):

@@ -1,5 +1,5 @@
 """Tests of the program tdbd that are Python scripts: NAME.py PROGRAM, and behind it an INPUT or a new FOLDER for some. Mutants of the room app meet
-them."""
+them, and those of sweep the one of the command sweep."""
 
 import functools
 import hashlib
@@ -23,7 +23,9 @@ NAMES = sorted((*INPUTS, *WRITE, *PRINTED))
 
 
 def of_file(file):
-    """(the scripts that are written for a source, the others); none for a room that is not app."""
+    """(the scripts that are written for a source, the others); none for rooms but app and sweep."""
+    if file.startswith("src/sweep/"):
+        return [], ["sweep_command"]
     if not file.startswith("src/app/"):
         return [], []
     own = [name for name in NAMES if name.removesuffix("_test") == pathlib.Path(file).stem]
