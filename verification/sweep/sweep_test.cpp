@@ -178,6 +178,25 @@ TEST(Sweep, keeps_a_point_that_fails_with_its_message) {
   EXPECT_EQ(swept(d, folder / "t.nc").found, 2);
 }
 
+/// A message names files from the design's folder, wherever that lies.
+TEST(Sweep, fails_with_the_same_words_in_any_folder) {
+  const auto table_in = [](const std::string& name) {
+    const fs::path folder = empty_folder(name);
+    fs::copy_file(TDBD_SOURCE_DIR "/cases/bit-b-6000psi.toml", folder / "case.toml");
+    std::ofstream(folder / "wrong.toml") << "no = \"bit\"\n";
+    std::string text = small_hole("[[factors]]\nkey = \"bit.file\"\nvalues = [\"" TDBD_SOURCE_DIR
+                                  "/cases/bits/bit-b.toml\", \"wrong.toml\"]\n");
+    const std::string shipped = TDBD_SOURCE_DIR "/cases/bit-b-6000psi.toml";
+    text.replace(text.find(shipped), shipped.size(), "case.toml");
+    EXPECT_EQ(swept(design_from(folder, text), folder / "t.nc").failed, 1);
+    return text_of(folder / "t.csv");
+  };
+  const std::string text = table_in("here");
+  EXPECT_EQ(text, table_in("a_folder_of_a_longer_name"));
+  EXPECT_NE(text.find("wrong.toml:1: no: "), std::string::npos) << text;
+  EXPECT_EQ(text.find("tdbd_sweep_here"), std::string::npos) << text;
+}
+
 /// A design that no point can obey is refused before anything is written.
 TEST(Sweep, refuses_a_key_or_figure_that_the_case_does_not_have) {
   const fs::path folder = empty_folder("refuses");

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -87,6 +89,25 @@ TEST(Journal, refuses_a_line_that_was_changed) {
         std::string(e.what()).find("points.jsonl:1: found a line that is not as it was written"),
         std::string::npos);
   }
+}
+
+/// A line that does not fit is taken back, as where a disk is full.
+TEST(Journal, keeps_no_half_of_a_line_that_cannot_be_written) {
+  const fs::path folder = empty_folder("full"), file = folder / "1-of-1" / "points.jsonl";
+  Journal journal(folder / "1-of-1");
+  journal.add("a", record(1.0));
+  const std::string before = bytes_of(file);
+  const auto of_signal = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit usual{};
+  getrlimit(RLIMIT_FSIZE, &usual);
+  const rlimit tight{before.size() + 10, usual.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &tight);
+  EXPECT_THROW(journal.add("b", record(2.0)), RunError);
+  setrlimit(RLIMIT_FSIZE, &usual);
+  std::signal(SIGXFSZ, of_signal);
+  EXPECT_EQ(bytes_of(file), before);
+  journal.add("c", record(3.0));
+  EXPECT_EQ(read_journals(folder).size(), 2u);
 }
 
 TEST(Journal, has_one_writer) {

@@ -38,6 +38,22 @@ TEST(Table, has_a_row_for_each_point) {
             "3,2,7,nan,nan,0,missing,,\n");
 }
 
+TEST(Table, of_a_filter_has_what_was_judged_and_what_was_left_out) {
+  Design d = two_by_two();
+  d.goals.clear();
+  d.filter = Filter{{"imbalance", Sense::smaller}, 1};
+  const PointRecords records{{"2", record_with(1.0, 1.0)}, {"3", record_with(2.0, 1.0)}};
+  const Table t = table_of(d, points_of(d), {"0", "1", "2", "3"}, records,
+                           judged_by(*d.filter, {0.5, 0.25, 0.125, 4.0}));
+  EXPECT_EQ(points_to_run(t), 1);
+  EXPECT_EQ(to_csv(t),
+            "point,size [mm],kind,planar.imbalance,cost,gain,status,case_hash,message\n"
+            "0,1,\"a, b\",0.5,nan,nan,left-out,,\n"
+            "1,1,7,0.25,nan,nan,left-out,,\n"
+            "2,2,\"a, b\",0.125,1,1,done,h,\n"
+            "3,2,7,4,nan,nan,left-out,,\n");
+}
+
 /// The best ones, the first of equals, never what is no number; larger is better where it says so.
 TEST(Judged, keeps_the_best) {
   const double none = std::numeric_limits<double>::quiet_NaN();
