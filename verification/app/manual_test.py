@@ -72,6 +72,12 @@ class ManualPage(unittest.TestCase):
         self.assertNotIn("", held)
         self.assertEqual(collections.Counter(told) - collections.Counter(held), {})
 
+    def test_sets_examples_and_remarks_apart(self):
+        page = tdbd("help", "--man")
+        self.assertIn("\n.PP\npdc: a PDC bit drills; ", page)
+        self.assertEqual(page.count("\n.PP\nExample:\n.PP\n.EX\n    tdbd "), len(commands()))
+        self.assertNotIn(".PP\n.PP", page)
+
     def test_has_no_text_that_needs_more_escapes(self):
         """groff sets a caret and a tilde as accents, and takes a line that begins with a full stop for a request."""
         for command in commands():

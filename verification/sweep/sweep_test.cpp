@@ -10,6 +10,7 @@
 #include "bit/report/bit_report.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
+#include "core/whole_file.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 #include "sweep/point/figures.hpp"
@@ -164,6 +165,44 @@ TEST(Sweep, knows_the_content_of_its_files) {
   swept(design_from(folder, text), folder / "t.nc");
   std::ofstream(own, std::ios::app) << "# another byte\n";
   EXPECT_EQ(swept(design_from(folder, text), folder / "t.nc").found, 0);
+}
+
+/// Not only the first one's: a file that only a level of the second factor names.
+TEST(Sweep, knows_the_content_of_files_that_any_factor_names) {
+  const fs::path folder = empty_folder("factor_content");
+  const std::string shipped = TDBD_SOURCE_DIR "/cases/bits/bit-a.toml";
+  const fs::path own = folder / "own.toml";
+  write_text(own, text_of(shipped));
+  fs::copy_file(TDBD_SOURCE_DIR "/cases/bits/bit-a.csv", folder / "bit-a.csv");
+  const std::string factors =
+      "[[factors]]\nkey = \"motion.rate_of_penetration\"\nvalues = [\"10 m/h\"]\n"
+      "[[factors]]\nkey = \"bit.file\"\nvalues = [\"" +
+      shipped + "\", \"" + own.string() + "\"]\n";
+  swept(design_from(folder, small_hole(factors)), folder / "t.nc");
+  EXPECT_EQ(swept(design_from(folder, small_hole(factors)), folder / "t.nc").found, 2);
+  std::ofstream(own, std::ios::app) << "# another byte\n";
+  EXPECT_EQ(swept(design_from(folder, small_hole(factors)), folder / "t.nc").found, 0);
+}
+
+TEST(Sweep, goes_on_where_the_first_point_fails) {
+  const fs::path folder = empty_folder("first_fails");
+  const Design d = design_from(
+      folder, small_hole("[[factors]]\nkey = \"time.step\"\nvalues = [\"1 s\", \"1 ms\"]\n"));
+  EXPECT_EQ(swept(d, folder / "t.nc").failed, 1);
+}
+
+/// The filter's points are judged in silence: what is counted are those that are run.
+TEST(Sweep, tells_its_progress_in_points_that_are_run) {
+  const fs::path folder = empty_folder("progress");
+  const Design d =
+      design_from(folder, small_hole("[[factors]]\nkey = \"bit.set.adjust.blade.2.azimuth\"\n"
+                                     "values = [\"0 deg\", \"2 deg\", \"4 deg\", \"6 deg\"]\n"
+                                     "[filter]\nfigure = \"imbalance\"\nkeep = 2\n"));
+  std::vector<std::pair<long, long>> told;
+  SweepOptions options{folder / "t.nc", {}, 1};
+  options.progress = [&told](long done, long total) { told.emplace_back(done, total); };
+  run_sweep(d, options);
+  EXPECT_EQ(told, (std::vector<std::pair<long, long>>{{1, 2}, {2, 2}}));
 }
 
 TEST(Sweep, keeps_a_point_that_fails_with_its_message) {

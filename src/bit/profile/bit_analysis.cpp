@@ -47,7 +47,8 @@ double planar_imbalance(const std::vector<Cutter>& cutters, const std::vector<do
     const Vec3 way(-std::sin(cutters[k].azimuth), std::cos(cutters[k].azimuth), 0.0);
     sum -= areas[k] * (normal_ratio * profile_normal_B(cutters[k]) + way);
   }
-  return sum.head<2>().norm() / -sum.z();
+  const double weight = -sum.z();
+  return weight > 0.0 ? sum.head<2>().norm() / weight : std::numeric_limits<double>::quiet_NaN();
 }
 
 double mean_redundancy(const std::vector<int>& cutting) {

@@ -94,26 +94,4 @@ TEST(Engagement, of_a_worn_cutter_is_cut_short) {
   EXPECT_NEAR(deepest, -2e-3, 1e-15);
 }
 
-TEST(BitAnalysis, of_small_bits_is_computed_by_hand) {
-  Cutter a = flat_cutter(0.0), b = flat_cutter(pi / 2);
-  a.profile_angle = b.profile_angle = pi / 2;
-  EXPECT_NEAR(imbalance({a}, {2.0}), 1.0, 1e-15);
-  EXPECT_NEAR(imbalance({a, b}, {3.0, 4.0}), 5.0 / 7.0, 1e-15);
-  const Vec3 expected(3.0 / 7.0, 4.0 / 7.0, 0.0);
-  EXPECT_LT((imbalance_vector({a, b}, {3.0, 4.0}) - expected).norm(), 1e-15);
-  EXPECT_EQ(imbalance_vector({}, {}).norm(), 0.0);
-  b.azimuth = pi;
-  EXPECT_NEAR(imbalance({a, b}, {3.0, 3.0}), 0.0, 1e-15);
-  a.profile_angle = 30 * degree;
-  EXPECT_NEAR(imbalance({a}, {1.0}), 0.5, 1e-15);
-  b.tip_radius = 0.053;
-  b.tip_height = 0.004;
-  Cutter backup = a;
-  backup.under_exposure = 1e-3;
-  const std::vector<double> overlap = overlaps({b, backup, a});
-  EXPECT_NEAR(overlap[2], 0.75, 1e-14);
-  EXPECT_TRUE(std::isnan(overlap[0]) && std::isnan(overlap[1]));
-  EXPECT_NEAR(mean_redundancy({1, 3}), (1.0 + 3 * 3.0) / 4.0, 1e-15);
-}
-
 }  // namespace tdbd::bit::engagement_test

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/read_file.hpp"
+#include "sweep/design/design_tables.hpp"
 #include "verification/sweep/small_design.hpp"
 
 namespace tdbd::sweep::design_test {
@@ -21,6 +23,12 @@ TEST(Design, reads_what_it_says) {
   EXPECT_EQ(d.factors[0].key, "time.step");
   EXPECT_EQ(d.factors[0].levels.size(), 3u);
   EXPECT_EQ(d.factors[0].levels[0].word.toml, "0.5");
+}
+
+/// `tdbd keys --design --markdown` makes the page of them.
+TEST(Design, has_the_keys_of_its_page) {
+  const std::string page = read_file(TDBD_SOURCE_DIR "/src/sweep/design/KEYS.md", "a page");
+  EXPECT_TRUE(page.ends_with(keys_as_markdown(design_tables())));
 }
 
 /// What is wrong, and what the message must say of it.
