@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "bit/files/bit_file.hpp"
 #include "bit/report/bit_report.hpp"
@@ -73,6 +75,16 @@ TEST(Sweep, rotates_and_analyses_too) {
   const PointRecords records = read_journals(points_folder(folder / "top.nc"));
   EXPECT_EQ(records.at(point_keys(top, points_of(top))[3]).outcome.figures,
             figures_of(summary, top.figures));
+
+  const Design deep =
+      design_from(folder, "[sweep]\ncase = \"" TDBD_SOURCE_DIR
+                          "/cases/bits/bit-b.toml\"\ncommand = \"bit\"\npenetration = \"3 mm\"\n"
+                          "figures = [\"penetration_m_per_rev\"]\n"
+                          "[[factors]]\nkey = \"adjust.blade.2.azimuth\"\nvalues = [\"5 deg\"]\n");
+  swept(deep, folder / "deep.nc");
+  EXPECT_EQ(
+      read_journals(points_folder(folder / "deep.nc")).begin()->second.outcome.figures.front(),
+      3e-3);
 
   const Design bits = design_from(
       folder, "[sweep]\ncase = \"" TDBD_SOURCE_DIR
@@ -272,6 +284,33 @@ TEST(Sweep, gives_up_points_under_way_when_interrupted) {
   EXPECT_FALSE(r.written);
   EXPECT_EQ(r.done, 2);
   EXPECT_EQ(swept(d, folder / "t.nc").found, 2);
+}
+
+/// In the middle of a point that would last for days.
+TEST(Sweep, gives_up_a_long_point_when_interrupted) {
+  const fs::path folder = empty_folder("long");
+  std::string text = small_top();
+  text.replace(text.find("time.duration = 2000"), 20, "time.duration = 2e9");
+  std::atomic<bool> stop = false;
+  SweepOptions options;
+  options.table = folder / "t.nc";
+  options.interrupted = &stop;
+  std::jthread later([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop = true;
+  });
+  const SweepResult r = run_sweep(design_from(folder, text), options);
+  EXPECT_TRUE(r.interrupted);
+  EXPECT_EQ(r.done, 0);
+  EXPECT_TRUE(read_journals(points_folder(folder / "t.nc")).empty());
+}
+
+TEST(Sweep, goes_to_its_end_where_nobody_interrupts) {
+  const fs::path folder = empty_folder("not_interrupted");
+  const std::atomic<bool> stop = false;
+  SweepOptions options{folder / "t.nc", {}, 1};
+  options.interrupted = &stop;
+  EXPECT_TRUE(run_sweep(design_from(folder, small_hole(rakes_and_rates)), options).written);
 }
 
 }  // namespace tdbd::sweep::sweep_test

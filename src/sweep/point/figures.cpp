@@ -53,8 +53,10 @@ std::vector<double> figures_of(const Json& summary, const std::vector<std::strin
   std::string missing;
   for (const std::string& name : names) {
     const auto found = numbers.find(name);
-    figures.push_back(found == numbers.end() ? 0.0 : found->second);
-    if (found != numbers.end()) continue;
+    if (found != numbers.end()) {
+      figures.push_back(found->second);
+      continue;
+    }
     const auto nearest = nearest_name(name, figure_names(summary));
     missing +=
         fmt::format("{}sweep.figures: found {}, expected a number of the summary{}",

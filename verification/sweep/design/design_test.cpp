@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "core/read_file.hpp"
@@ -23,6 +24,31 @@ TEST(Design, reads_what_it_says) {
   EXPECT_EQ(d.factors[0].key, "time.step");
   EXPECT_EQ(d.factors[0].levels.size(), 3u);
   EXPECT_EQ(d.factors[0].levels[0].word.toml, "0.5");
+}
+
+TEST(Design, has_a_title_and_the_ratio_of_the_planar_model) {
+  const std::string rest = "case = \"" TDBD_SOURCE_DIR
+                           "/cases/bit-b-steady.toml\"\nfigures = [\"imbalance\"]\n",
+                    ratio = "normal_ratio = 0.5\n", steps = factor("values = [\"1 ms\"]\n");
+  const auto read = [&](const std::string& text) {
+    return design_from(empty_folder("ratio"), "title = \"What for\"\n[sweep]\n" + rest + text);
+  };
+  const Design planar = read("command = \"planar\"\n" + ratio + steps);
+  EXPECT_EQ(planar.title, "What for");
+  EXPECT_EQ(planar.normal_ratio, 0.5);
+  const std::string filter = "[filter]\nfigure = \"imbalance\"\nkeep = 1\n";
+  EXPECT_EQ(read(ratio + steps + filter).normal_ratio, 0.5);
+  EXPECT_NE(
+      mistake_in("[sweep]\n" + rest + ratio + steps).find("normal_ratio: found an unknown key"),
+      std::string::npos);
+}
+
+/// One mistake has one line.
+TEST(Design, tells_a_factor_without_values_once) {
+  const std::string told = mistake_in(head + factor(""));
+  EXPECT_NE(told.find("found neither values nor from and to, expected one of the two"),
+            std::string::npos);
+  EXPECT_EQ(std::ranges::count(told, '\n'), 0) << told;
 }
 
 /// `tdbd keys --design --markdown` makes the page of them.

@@ -54,6 +54,17 @@ TEST(Table, of_a_filter_has_what_was_judged_and_what_was_left_out) {
             "3,2,7,4,nan,nan,left-out,,\n");
 }
 
+/// The first point of Sobol is the middle.
+TEST(Table, has_sampled_factors_as_numbers) {
+  Design d;
+  d.figures = {"cost"};
+  d.factors = {{"size", {}, Interval{1.0, 2.0, "mm", Scale::linear}}};
+  d.sampling = Sampling::sobol;
+  d.samples = 1;
+  EXPECT_EQ(to_csv(table_of(d, points_of(d), {"0"}, {})),
+            "point,size [mm],cost,status,case_hash,message\n0,1.5,nan,missing,,\n");
+}
+
 /// The best ones, the first of equals, never what is no number; larger is better where it says so.
 TEST(Judged, keeps_the_best) {
   const double none = std::numeric_limits<double>::quiet_NaN();
