@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/small_case.hpp"
 
 /// The first minute with the program: words that are no command, files of another kind, units.
@@ -24,6 +26,16 @@ TEST(FirstWords, none_show_every_command_with_an_example) {
     EXPECT_NE(alone.out.find("\n            tdbd " + std::string(command) + " "), std::string::npos)
         << command;
   }
+}
+
+/// Two lines for each command, beside the first, the last two and empty ones between.
+TEST(FirstWords, none_show_an_example_that_is_one_line) {
+  const std::string shown = battery::run_tdbd({}).out, before = "\n            tdbd ";
+  long commands = 0;
+  for (auto at = shown.find(before); at != std::string::npos; at = shown.find(before, at + 1))
+    ++commands;
+  EXPECT_GE(commands, 11);
+  EXPECT_EQ(std::ranges::count(shown, '\n'), 2 * commands + 5) << shown;
 }
 
 TEST(FirstWords, help_of_a_command_is_the_commands_help) {
