@@ -179,21 +179,23 @@ TEST(Sweep, knows_the_content_of_its_files) {
   EXPECT_EQ(swept(design_from(folder, text), folder / "t.nc").found, 0);
 }
 
-/// Not only the first one's: a file that only a level of the second factor names.
+/// A file that only the second level of a factor names, whichever factor that is.
 TEST(Sweep, knows_the_content_of_files_that_any_factor_names) {
   const fs::path folder = empty_folder("factor_content");
   const std::string shipped = TDBD_SOURCE_DIR "/cases/bits/bit-a.toml";
   const fs::path own = folder / "own.toml";
-  write_text(own, text_of(shipped));
   fs::copy_file(TDBD_SOURCE_DIR "/cases/bits/bit-a.csv", folder / "bit-a.csv");
-  const std::string factors =
-      "[[factors]]\nkey = \"motion.rate_of_penetration\"\nvalues = [\"10 m/h\"]\n"
-      "[[factors]]\nkey = \"bit.file\"\nvalues = [\"" +
-      shipped + "\", \"" + own.string() + "\"]\n";
-  swept(design_from(folder, small_hole(factors)), folder / "t.nc");
-  EXPECT_EQ(swept(design_from(folder, small_hole(factors)), folder / "t.nc").found, 2);
-  std::ofstream(own, std::ios::app) << "# another byte\n";
-  EXPECT_EQ(swept(design_from(folder, small_hole(factors)), folder / "t.nc").found, 0);
+  const std::string rate =
+      "[[factors]]\nkey = \"motion.rate_of_penetration\"\nvalues = [\"10 m/h\"]\n";
+  const std::string bits =
+      "[[factors]]\nkey = \"bit.file\"\nvalues = [\"" + shipped + "\", \"" + own.string() + "\"]\n";
+  for (const std::string& factors : {rate + bits, bits + rate}) {
+    write_text(own, text_of(shipped));
+    swept(design_from(folder, small_hole(factors)), folder / "t.nc");
+    EXPECT_EQ(swept(design_from(folder, small_hole(factors)), folder / "t.nc").found, 2);
+    std::ofstream(own, std::ios::app) << "# another byte\n";
+    EXPECT_EQ(swept(design_from(folder, small_hole(factors)), folder / "t.nc").found, 0);
+  }
 }
 
 TEST(Sweep, goes_on_where_the_first_point_fails) {

@@ -50,8 +50,7 @@ Interval read_interval(Config& factor) {
 }
 
 double place_in(const Interval& i, double u) {
-  if (u >= 1.0) return i.to;
-  if (u <= 0.0) return i.from;
+  if (u >= 1.0) return i.to;  // exact, as the other end is
   return i.scale == Scale::log ? i.from * std::pow(i.to / i.from, u) : i.from + (i.to - i.from) * u;
 }
 

@@ -1,5 +1,6 @@
 #include "sweep/design/design.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,6 +42,16 @@ TEST(Design, has_a_title_and_the_ratio_of_the_planar_model) {
   EXPECT_NE(
       mistake_in("[sweep]\n" + rest + ratio + steps).find("normal_ratio: found an unknown key"),
       std::string::npos);
+}
+
+/// 4000 of 4000 values.
+TEST(Design, refuses_more_points_than_anybody_runs) {
+  std::string values = "values = [0";
+  for (int k = 1; k < 4000; ++k) values += fmt::format(", {}", k);
+  const std::string other = "[[factors]]\nkey = \"integrator.order\"\n";
+  EXPECT_NE(mistake_in(head + factor(values + "]\n") + other + values + "]\n")
+                .find("found 16000000 points, expected at most 10000000"),
+            std::string::npos);
 }
 
 /// One mistake has one line.
