@@ -136,9 +136,21 @@ TEST(UnitTable, converts_as_udunits_does) {
                    b = its->convert(x, *find_in_udunits(si));
       worst = std::max(worst, std::abs(a - b) / std::abs(b));
       EXPECT_NEAR(a, b, rounding * std::abs(b)) << x << " " << name;
+      const double size =
+          name == "degC" ? std::abs(a) : std::abs(x);  // a sum rounds as its larger part does
+      EXPECT_NEAR(find_in_table(si)->convert(a, *ours), x, 2.0 * rounding * size) << name;
     }
   }
   RecordProperty("worst", std::to_string(worst));
+}
+
+/// 20 degC are 293 150 mK: a shift and a scale at once, there and back.
+TEST(UnitTable, converts_temperatures_with_prefixes) {
+  const auto celsius = find_in_table("degC"), milli = find_in_table("mK");
+  ASSERT_TRUE(celsius && milli);
+  EXPECT_NEAR(celsius->convert(20.0, *milli), 293150.0, rounding * 293150.0);
+  EXPECT_NEAR(milli->convert(293150.0, *celsius), 20.0, rounding * 293.15);
+  EXPECT_NEAR(find_in_udunits("degC")->convert(20.0, *find_in_udunits("mK")), 293150.0, 1e-10);
 }
 
 TEST(UnitTable, refuses_what_it_does_not_know) {
