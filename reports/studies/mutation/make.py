@@ -1,4 +1,5 @@
-"""make.py OUT: the score of each room, and the mutants that no test noticed, from mutants.csv."""
+"""make.py OUT: the score of each room, and the mutants that no test noticed, from mutants.csv; the same of fresh.csv, a draw for which no test
+was written."""
 
 import csv
 import sys
@@ -33,17 +34,34 @@ def code(text):
     return f"`{text}`"
 
 
-def write(rows, out):
+HEAD = ["room", "killed", "of", "%", "wanted", "by the room's own tests", "timed out", "survived", "equivalent", "refused by the compiler"]
+
+
+def table_of(rows):
     rooms = sorted({row["room"] for row in rows})
     scores = [score(room, [row for row in rows if row["room"] == room]) for room in rooms] + [score("all", rows)]
     survivors = [[f"{row['file']}:{row['line']}", row["operator"], code(row["before"]), code(row["after"])]
                  for row in rows if row["verdict"] == "survived"]
-    text = markdown_table(["room", "killed", "of", "%", "wanted", "by the room's own tests", "timed out", "survived", "equivalent", "refused by the compiler"],
-                          scores)
-    text += "\n" + markdown_table(["survivor", "operator", "line", "became"], survivors)
+    return markdown_table(HEAD, scores) + "\n" + markdown_table(["survivor", "operator", "line", "became"], survivors)
+
+
+def not_in(known, rows):
+    """Those of a draw that are in no other: a line may have moved."""
+    seen = {(row["file"], row["before"], row["after"]) for row in known}
+    return [row for row in rows if (row["file"], row["before"], row["after"]) not in seen]
+
+
+def rows_of(name):
+    with (HERE / name).open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def write(out):
+    rows, fresh = rows_of("mutants.csv"), rows_of("fresh.csv")
+    text = ("The sample of each room, asked again until its tests were written.\n\n" + table_of(rows) +
+            "\nA second draw, as its mutants first met the tests; those of the first are left out.\n\n" + table_of(not_in(rows, fresh)))
     (Path(out) / "table.md").write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
-    with (HERE / "mutants.csv").open(newline="", encoding="utf-8") as file:
-        write(list(csv.DictReader(file)), sys.argv[1])
+    write(sys.argv[1])

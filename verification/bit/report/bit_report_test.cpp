@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
 #include "bit/generate.hpp"
 
@@ -33,6 +34,20 @@ TEST(BitReport, has_the_axes_of_every_cutter) {
     EXPECT_EQ(vector_of(cutters[k].at("y_axis")), X_BC.R.col(1));
     EXPECT_EQ(vector_of(cutters[k].at("z_axis")), X_BC.R.col(2));
   }
+}
+
+/// Cones with their rows, their tracking and what is assumed of them; none of a bit without.
+TEST(BitReport, has_cones_where_the_bit_has_some) {
+  const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
+  const nlohmann::json a = analysis_of(bit);
+  ASSERT_EQ(a.at("cones").size(), bit.cones.size());
+  EXPECT_EQ(a.at("cones")[0].at("rows").size(), bit.cones[0].layout.rows.size());
+  EXPECT_TRUE(a.contains("tracking"));
+  std::vector<Cutter> three = table('b');
+  three.resize(3);
+  const nlohmann::json without = analysis_of(pdc_bit("three", three, {}));
+  EXPECT_FALSE(without.contains("cones"));
+  EXPECT_FALSE(without.contains("tracking"));
 }
 
 }  // namespace tdbd::bit::bit_report_test

@@ -32,6 +32,17 @@ TEST(HansonHansen, of_a_face_is_the_reconstruction_by_hand) {
   EXPECT_LT((f.force - Vec3(-f.tangential, 0, -f.normal)).norm(), rounding(Ft));
 }
 
+/// Rake and A3 together beyond 80 degrees: the ratio stays at tan 80 degrees.
+TEST(HansonHansen, of_a_face_has_a_bounded_ratio_of_forces) {
+  const double most = std::tan(80 * degree);
+  for (const double A3 : {62 * degree, 69 * degree, 85 * degree}) {
+    HansonHansen law = example();
+    law.A3 = A3;
+    const PartForce f = law_force(law, plain_cut(PartKind::face));
+    EXPECT_NEAR(f.normal, most * f.tangential, 1e-13 * f.normal);
+  }
+}
+
 TEST(HansonHansen, of_a_chamfer_presses_with_a_share_of_the_strength) {
   const PartForce f = law_force(example(), plain_cut(PartKind::chamfer));
   EXPECT_NEAR(f.normal, 1.3 * 100e6 * 4e-6, 1e-10);

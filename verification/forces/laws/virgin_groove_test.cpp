@@ -51,6 +51,7 @@ RC_GTEST_PROP(GrooveDepth, is_the_inverse_of_the_area, ()) {
 TEST(GrooveDepth, of_nothing_is_none_and_of_too_much_the_whole_face) {
   const GrooveCutter c{.diameter = 16e-3, .back_rake = 20 * degree};
   EXPECT_EQ(groove_depth(c, 0.0).depth, 0.0);
+  EXPECT_EQ(groove_depth(c, 0.0).iterations, 0);
   EXPECT_NEAR(groove_depth(c, 1.0).depth, 16e-3 * std::cos(c.back_rake), 1e-17);
 }
 

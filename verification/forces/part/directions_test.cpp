@@ -43,6 +43,16 @@ TEST(CutFrame, of_a_plunge_pushes_back_alone) {
   EXPECT_EQ(f.e2, Vec3::Zero());
 }
 
+/// At any speed: what rounding leaves of the slip is none, whatever the unit of length.
+TEST(CutFrame, of_a_plunge_askew_by_rounding_is_that_of_a_plunge_at_any_speed) {
+  const Vec3 normal = Vec3(0.48, -0.64, 0.6);  // of length 1 but for rounding
+  for (const double speed : {1e-9, 1e-3, 1.0, 1e3, 1e9}) {
+    const CutFrame f = cut_frame(speed * normal, normal);
+    EXPECT_LT((f.e1 - normal).norm(), 1e-15) << speed;
+    EXPECT_EQ(f.e2, Vec3::Zero()) << speed;
+  }
+}
+
 /// A part that leaves along the normal is let go; one that leaves askew feels no pull.
 TEST(CutFrame, of_a_part_that_leaves_the_rock_holds_nothing_along_the_normal) {
   const CutFrame straight = cut_frame(Vec3(0, 0, -0.3), Vec3(0, 0, 1));
