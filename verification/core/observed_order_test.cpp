@@ -83,6 +83,19 @@ TEST(ObservedOrder, the_floor_rises_with_the_number_of_time_steps) {
             OrderVerdict::exact);
 }
 
+/// As many errors as an order needs, all of them good.
+TEST(ObservedOrder, the_fewest_errors_that_make_an_order_do) {
+  std::vector<double> steps, errors;
+  for (int k = 0; k < order_least_errors; ++k) {
+    steps.push_back(std::pow(0.5, k));
+    errors.push_back(3.0 * steps.back() * steps.back());
+  }
+  const ObservedOrder o = observed_order(steps, errors, 1.0);
+  EXPECT_EQ(o.verdict, OrderVerdict::order);
+  EXPECT_EQ(o.used, order_least_errors);
+  EXPECT_NEAR(o.order, 2.0, 1e-14);
+}
+
 TEST(ObservedOrder, two_errors_give_none) {
   const ObservedOrder o = observe(study(2, [](double h) { return h * h; }));
   EXPECT_EQ(o.verdict, OrderVerdict::too_few);

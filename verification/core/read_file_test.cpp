@@ -1,6 +1,7 @@
 #include "core/read_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -30,6 +31,25 @@ TEST(ReadFile, gives_every_byte) {
 /// Their size is told as 0.
 TEST(ReadFile, gives_files_that_do_not_tell_their_size) {
   EXPECT_FALSE(read_file("/proc/self/status", "a text").empty());
+}
+
+/// The machine lacks something: the file is not at fault.
+TEST(ReadFile, of_a_program_with_too_many_open_files_is_no_mistake_of_the_input) {
+  const std::string file = write_temporary(".txt", "text");
+  rlimit usual{};
+  getrlimit(RLIMIT_NOFILE, &usual);
+  const rlimit none{0, usual.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &none);
+  std::string told;
+  try {
+    read_file(file, "a table");
+  } catch (const RunError& e) {
+    told = e.what();
+  } catch (const InputError&) {
+    told = "the input's";
+  }
+  setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_EQ(told, file + ": cannot open: Too many open files");
 }
 
 /// A pipe waits for its writer, and /dev/zero has no end.

@@ -90,6 +90,14 @@ TEST(Units, refuses_what_is_not_a_number) {
   expect_refusal("1e308 km", "m", {"range"});
 }
 
+/// The library would print its own words beside ours.
+TEST(Units, refuses_in_its_own_words_alone) {
+  testing::internal::CaptureStderr();
+  EXPECT_THROW(to_si("1 frobnicate", "m"), UnitError);
+  EXPECT_THROW(to_si("1 m)(", "m"), UnitError);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(Units, refuses_what_is_not_a_unit) {
   expect_refusal("8.5", "m", {"no unit", "length"});
   expect_refusal("8.5 inn", "m", {"unknown unit inn", "length"});

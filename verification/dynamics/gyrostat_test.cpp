@@ -31,6 +31,13 @@ TEST(InertiaProblem, is_none_for_a_small_body_and_a_large_one) {
   }
 }
 
+/// Rounding beside large elements is none beside an element of 0.
+TEST(InertiaProblem, is_none_where_rounding_makes_it_unsymmetric) {
+  Mat3 rounded = diagonal(2, 2.6, 3);
+  rounded(0, 1) = 1e-17;
+  EXPECT_EQ(problem(rounded), "");
+}
+
 TEST(InertiaProblem, names_a_broken_triangle_inequality_unless_the_check_is_off) {
   EXPECT_NE(problem(diagonal(1, 2, 3.1)).find("triangle inequality"), std::string::npos);
   EXPECT_NE(problem(diagonal(1, 2, 3.1)).find("3.1"), std::string::npos);

@@ -227,6 +227,20 @@ int gone_of(const std::vector<int>& before, const Surface& after) {
   return gone;
 }
 
+/// Two triangles at an edge: either may go, whichever corner of the other faces it.
+TEST(RemovalKeepsDisc, of_an_ear_at_any_corner) {
+  for (int first = 0; first < 3; ++first)
+    for (int second = 0; second < 3; ++second) {
+      TriangleMesh m;
+      m.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+      const Triangle a{0, 1, 2}, b{0, 2, 3};
+      m.triangles = {{a[at(first)], a[at((first + 1) % 3)], a[at((first + 2) % 3)]},
+                     {b[at(second)], b[at((second + 1) % 3)], b[at((second + 2) % 3)]}};
+      const Surface s = make_surface(m);
+      for (const int t : {0, 1}) EXPECT_TRUE(removal_keeps_disc(s, t)) << first << second << t;
+    }
+}
+
 /// A sheet loses triangles at its boundary, one after the other, until none may go.
 RC_GTEST_PROP(RemoveTriangle, keeps_a_disc_and_names_the_vertex_that_went, ()) {
   Surface s = random_sheet();

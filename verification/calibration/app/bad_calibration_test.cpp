@@ -27,6 +27,14 @@ const Mistake mistakes[] = {
      "4: calibration.fit_bits: found 'c18', which is not in [bits] or [cutters], expected c13?"},
     {"bit_without_records", "[cutters.c13]", "[cutters.c99]",
      "4: calibration.fit_bits: found 'c13', which is not in [bits] or [cutters], expected c16?"},
+    {"bit_to_predict_unknown", "predict_bits = [\"c16\"]", "predict_bits = [\"d16\"]",
+     "5: calibration.predict_bits: found 'd16', which is not in [bits] or [cutters], expected "
+     "c16?"},
+    {"bit_without_a_record", "fit_bits = [\"c13\", \"c19\"]\npredict_bits = [\"c16\"]\n",
+     "fit_bits = [\"c13\", \"c20\"]\npredict_bits = [\"c16\"]\n[cutters.c20]\ndiameter = \"20 "
+     "mm\"\n",
+     "4: calibration.fit_bits: found 'c20', of which there are no records, expected one of c13, "
+     "c16, c19"},
     {"bit_twice", "[\"c13\", \"c19\"]", "[\"c13\", \"c13\"]",
      "4: calibration.fit_bits: found 'c13' twice, expected each name once"},
     {"no_bit", "[\"c13\", \"c19\"]", "[]",

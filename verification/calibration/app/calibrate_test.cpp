@@ -31,9 +31,20 @@ TEST(Calibrate, leaves_its_files_and_finds_the_truth_within_its_intervals) {
   EXPECT_EQ(found["degrees_of_freedom"], 24 - 5);
   EXPECT_LT(found["withheld_bit_error_normal_rms"], 0.1);
   EXPECT_EQ(found["singular_values"].size(), 5u);
+  double squares = 0.0;  // of a direction of length 1
+  for (const auto& share : found["weakest_direction"])
+    squares += share.get<double>() * share.get<double>();
+  EXPECT_NEAR(squares, 1.0, 1e-12);
   EXPECT_EQ(lines_of(c.path("out/predictions.csv")), 1 + 6);
   EXPECT_EQ(lines_of(c.path("out/residuals.csv")), 1 + 12);
   EXPECT_NE(o.out.find("seen least: "), std::string::npos);
+}
+
+TEST(Laboratory, makes_the_folder_of_its_records) {
+  const BitFolder c;
+  const auto o = c.laboratory({"--cuts", c.path("lab-cuts")}, "new/folder/lab.csv");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_GT(lines_of(c.path("new/folder/lab.csv")), 4);
 }
 
 TEST(Calibrate, leaves_the_same_bytes_again_and_with_more_threads) {

@@ -56,6 +56,12 @@ TEST(Identifiability, the_weakest_direction_stretches_least) {
 }
 
 /// Of the two signs that of the largest component, whichever it is.
+TEST(Identifiability, of_nothing_that_is_fitted_is_not_asked) {
+  const Problem nothing;
+  EXPECT_NO_THROW(require_identifiable(nothing));
+  EXPECT_EQ(in_words(nothing, {}), "nothing was fitted");
+}
+
 TEST(Identifiability, the_weakest_direction_points_up) {
   const CalibrationCase c = read_case(made_up_case());
   const Problem p = fitted_problem(c, made_up_cuts(c));

@@ -38,6 +38,16 @@ TEST(DrillingSystem, refuses_what_is_no_system) {
   EXPECT_EQ(problem([](S& s) { s.rock.damping = -1.0; }), "a rock mount's damping of -1");
 }
 
+/// A stiff spring along one way has none across it but for rounding, whatever its unit.
+TEST(DrillingSystem, takes_a_spring_along_one_way) {
+  const Vec3 way = Vec3(0.3, -0.5, 0.7).normalized();
+  for (const double stiffness : {1e-6, 1.0, 1e6, 1e14})
+    EXPECT_EQ(
+        problem([&](DrillingSystem& s) { s.string.stiffness = stiffness * way * way.transpose(); }),
+        "")
+        << stiffness;
+}
+
 /// A damping without coupling is its own principal form: along x, y, z in this order, exactly.
 TEST(DrillingSystem, uncoupled_dampers_stay_as_given) {
   DrillingSystem s = plain_bit();

@@ -71,7 +71,7 @@ TEST(EnergyLedger, closes_to_rounding_where_the_step_is_exact) {
   s.bearing_damping = {0.2};
   s.string.damping.diagonal() = Vec3(90.0, 40.0, 3e3);
   s.string.turn_damping.diagonal() = Vec3(3.0, 2.0, 5.0);
-  s.rock = {280.0, 0.0, 700.0};
+  s.rock = {0.7, 0.0, 1.5};
   s.gravity = 9.81;
   s.top = {{}, AxialMode::load, {}, constant(9e3)};
   s = make_drilling_system(s);
@@ -82,6 +82,7 @@ TEST(EnergyLedger, closes_to_rounding_where_the_step_is_exact) {
   for (int i = 0; i < 1000; ++i) step(s, steady, 0.01, d);
   const double through = std::abs(d.ledger.cut_bit) + d.ledger.top + d.ledger.cut_rock;
   EXPECT_GT(through, 1e4);
+  EXPECT_GT(d.ledger.damped_rock, 1e4);
   EXPECT_NEAR(residual(s, d), 0.0, 1e-12 * through);
 }
 
