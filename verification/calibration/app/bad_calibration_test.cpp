@@ -31,7 +31,8 @@ const Mistake mistakes[] = {
      "5: calibration.predict_bits: found 'd16', which is not in [bits] or [cutters], expected "
      "c16?"},
     {"bit_without_a_record", "fit_bits = [\"c13\", \"c19\"]\npredict_bits = [\"c16\"]\n",
-     "fit_bits = [\"c13\", \"c20\"]\npredict_bits = [\"c16\"]\n[cutters.c20]\ndiameter = \"20 "
+     "fit_bits = [\"c13\", \"c20\"]\npredict_bits = [\"c16\"]\n[cutters.c20]\nback_rake = "
+     "0.3\ndiameter = \"20 "
      "mm\"\n",
      "4: calibration.fit_bits: found 'c20', of which there are no records, expected one of c13, "
      "c16, c19"},
