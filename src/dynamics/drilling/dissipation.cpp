@@ -48,7 +48,6 @@ double damp(const Sweeping& w, const Direction& direction, double coefficient) {
 
 /// Friction that slows; returns what it took, J.
 double rub(const Sweeping& w, const Direction& direction, double force, double slip_speed) {
-  if (force == 0.0) return 0.0;
   const Along a = along(w.system, w.at, w.state, direction);
   const double j = friction_impulse(a, force, slip_speed, w.time);
   give_impulse(direction, j, w.state);

@@ -91,6 +91,11 @@ TEST(BitAnimation, is_a_file_whose_numbers_fill_it) {
       for (const auto& attribute : primitive.at("attributes"))
         named.insert(attribute.get<std::size_t>());
     }
+  std::set<std::size_t> shown;
+  for (const auto& node : g.text.at("nodes"))
+    if (node.contains("mesh")) shown.insert(node.at("mesh").get<std::size_t>());
+  EXPECT_EQ(shown.size(), g.text.at("meshes").size());
+  EXPECT_EQ(*shown.rbegin(), g.text.at("meshes").size() - 1);
   EXPECT_EQ(named.size(), g.text.at("accessors").size());
   EXPECT_EQ(*named.rbegin(), g.text.at("accessors").size() - 1);
 }

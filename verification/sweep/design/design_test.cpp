@@ -44,6 +44,18 @@ TEST(Design, has_a_title_and_the_ratio_of_the_planar_model) {
       std::string::npos);
 }
 
+TEST(Design, of_a_filter_has_a_planar_one_with_its_figure) {
+  const std::string rest = "[sweep]\ncase = \"" TDBD_SOURCE_DIR
+                           "/cases/bit-b-steady.toml\"\nfigures = [\"removed_volume_m3\"]\n";
+  const Design d =
+      design_from(empty_folder("planar"), rest + factor("values = [\"1 ms\"]\n") +
+                                              "[filter]\nfigure = \"imbalance\"\nkeep = 1\n");
+  const Design planar = planar_design(d);
+  EXPECT_EQ(planar.command, Command::planar);
+  EXPECT_EQ(planar.figures, std::vector<std::string>{"imbalance"});
+  EXPECT_FALSE(planar.filter);
+}
+
 /// 4000 of 4000 values.
 TEST(Design, refuses_more_points_than_anybody_runs) {
   std::string values = "values = [0";

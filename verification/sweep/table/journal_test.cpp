@@ -91,6 +91,14 @@ TEST(Journal, refuses_a_line_that_was_changed) {
   }
 }
 
+/// Two shards may have run the same point: the first by name counts, whichever is read first.
+TEST(Journal, of_a_point_that_stands_twice_counts_the_first_folder) {
+  const fs::path folder = empty_folder("twice");
+  for (const int shard : {3, 1, 9, 4, 2, 8, 5, 7, 6})
+    Journal(folder / (std::to_string(shard) + "-of-9")).add("a", record(shard));
+  EXPECT_EQ(read_journals(folder).at("a").outcome.figures[0], 1.0);
+}
+
 /// A line that does not fit is taken back, as where a disk is full.
 TEST(Journal, keeps_no_half_of_a_line_that_cannot_be_written) {
   const fs::path folder = empty_folder("full"), file = folder / "1-of-1" / "points.jsonl";
