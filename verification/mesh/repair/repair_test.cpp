@@ -194,6 +194,8 @@ TEST(Repair, refuses_an_odd_edge) {
   m.triangles = wall;
   EXPECT_NE(repair(m).refusal.find("3 facets meet at an edge of triangle "), std::string::npos)
       << repair(m).refusal;
+  for (const RepairStep& step : repair(m).steps)  // what was refused is not told as done
+    EXPECT_EQ(step.what.find("more than two facets"), std::string::npos) << step.what;
 }
 
 TEST(Repair, refuses_a_one_sided_surface) {
