@@ -81,6 +81,21 @@ TEST(CutFile, without_its_depth_or_its_parts_is_none) {
   }
 }
 
+TEST(CutFile, that_does_not_tell_its_commit_or_tells_another_is_none) {
+  for (const bool other : {true, false}) {
+    const fs::path file = written(made_up_run(made_up_bits()[0], 1e-3));
+    int id = -1;
+    ASSERT_EQ(nc_open(file.c_str(), NC_WRITE, &id), NC_NOERR);
+    ASSERT_EQ(nc_redef(id), NC_NOERR);
+    ASSERT_EQ(other ? nc_put_att_text(id, NC_GLOBAL, "commit", 5, "other")
+                    : nc_del_att(id, NC_GLOBAL, "commit"),
+              NC_NOERR);
+    ASSERT_EQ(nc_close(id), NC_NOERR);
+    seal_file(file);
+    EXPECT_FALSE(read_cut_run(file).has_value()) << other;
+  }
+}
+
 TEST(CutFile, that_is_torn_is_none) {
   const fs::path file = written(made_up_run(made_up_bits()[0], 1e-3));
   const auto whole = fs::file_size(file);
