@@ -159,6 +159,23 @@ TEST(RotateCase, steps_fit_the_duration) {
   EXPECT_EQ(read(text + "1e-7").time.steps, 10'000'000);
 }
 
+TEST(RotateCase, refuses_steps_that_are_longer_than_the_run_or_without_number) {
+  const std::string text =
+      "[body]\ninertia = [[1,0,0],[0,1,0],[0,0,1]]\n[time]\nduration = 1\nstep = ";
+  const auto refusal = [&](const std::string& step) -> std::string {
+    try {
+      read(text + step);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal("1.1").find("time.step: found 1.1 s for a run of 1 s, expected at most the"),
+            std::string::npos);
+  EXPECT_NE(refusal("1e-16").find("time.step: found 1e-16 s, which makes 1e+16 steps, expected at"),
+            std::string::npos);
+}
+
 TEST(RotateCase, is_told_from_a_run) {
   const std::string path = tdbd::temporary_folder() + "rotate_or_run.toml";
   std::ofstream(path) << "[bit]\nfile = \"x\"\n";

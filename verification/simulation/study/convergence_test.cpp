@@ -204,4 +204,17 @@ TEST(Convergence, names_a_reference_that_is_of_another_case) {
             "--reference: found body_momentum with 4 values, expected as many as in the case");
 }
 
+/// An end is the same to a part in a billion, however long the run is.
+TEST(Convergence, takes_a_reference_that_ends_at_the_same_time_but_for_rounding) {
+  for (const char* duration : {"0.2", "1", "30"}) {
+    ConvergencePlan plan = of_body(2);
+    plan.overrides = {std::string("time.duration=") + duration};
+    plan.reference = converge(plan, {}).levels.back().end;
+    plan.reference->duration *= 1.0 + 5e-10;
+    EXPECT_EQ(refusal(plan), "") << duration;
+    plan.reference->duration *= 1.0 + 2e-9;
+    EXPECT_NE(refusal(plan), "") << duration;
+  }
+}
+
 }  // namespace tdbd::simulation::convergence_test
