@@ -40,6 +40,19 @@ TEST(CheckOperation, notices_volume_that_was_not_reported) {
   EXPECT_THROW(require_promises_around(rock, before, 0.0, "smoothings"), RunError);
 }
 
+/// What is small is measured by the triangles around, not by how far from the origin they are.
+TEST(CheckOperation, notices_a_small_volume_far_from_the_origin) {
+  mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.1, 7);
+  for (Vec3& x_W : m.positions) x_W += Vec3(100.0, -200.0, 300.0);
+  Rock rock = make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
+  const LocalState before = local_state(rock.surface, {inner});
+  EXPECT_LT(before.size, 0.5);
+  Vec3& x_W = rock.surface.stars[inner].x;
+  x_W.z() += 1e-8;
+  rock.grid.move(inner, x_W);
+  EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M5"), std::string::npos);
+}
+
 TEST(CheckOperation, notices_wrong_adjacency_and_an_index_out_of_step) {
   Rock rock = sheet();
   const LocalState before = local_state(rock.surface, {inner});
