@@ -40,6 +40,15 @@ TEST(Calibrate, leaves_its_files_and_finds_the_truth_within_its_intervals) {
   EXPECT_NE(o.out.find("seen least: "), std::string::npos);
 }
 
+TEST(Calibrate, warns_of_a_discrepancy_that_nobody_knows) {
+  const CalibrationFolder c;
+  const std::string warning = "the law's discrepancy is unknown, intervals hold noise alone: ";
+  const auto both = c.calibrate({"--force"}),
+             one = c.calibrate({"--force", "--set", "calibration.fit_bits=[\"c13\"]"});
+  EXPECT_EQ(both.err.find(warning), std::string::npos) << both.err;
+  EXPECT_NE(one.err.find("tdbd: warning: " + warning), std::string::npos) << one.err;
+}
+
 TEST(Laboratory, makes_the_folder_of_its_records) {
   const BitFolder c;
   const auto o = c.laboratory({"--cuts", c.path("lab-cuts")}, "new/folder/lab.csv");
