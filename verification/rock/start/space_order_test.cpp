@@ -73,6 +73,17 @@ RC_GTEST_PROP(SpaceOrder, of_a_surface_goes_cube_by_cube_and_cell_by_cell, ()) {
   }
 }
 
+/// Places, not numbers, make the order: given backwards, points come out in the same one.
+RC_GTEST_PROP(SpaceOrder, of_points_does_not_know_their_numbers, ()) {
+  std::vector<Vec3> points;
+  for (int k = 0; k < 40; ++k) points.push_back(*battery::point(1.0));
+  constexpr double cube = 1e-2;  // so small that no two points are in one
+  const std::vector<int> order = order_of_space(points, cube);
+  std::ranges::reverse(points);
+  const std::vector<int> other = order_of_space(points, cube);
+  for (std::size_t i = 0; i < points.size(); ++i) RC_ASSERT(other[i] == 39 - order[i]);
+}
+
 TEST(SpaceOrder, is_the_same_when_it_is_asked_for_again) {
   const mesh::TriangleMesh once = in_order_of_space(hole(0.004), 0.032),
                            twice = in_order_of_space(once, 0.032);
