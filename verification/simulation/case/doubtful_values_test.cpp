@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "verification/battery/shapes.hpp"
+
 namespace tdbd::simulation::doubtful_values_test {
 
 std::vector<CaseWarning> doubts(const std::string& name, const std::vector<std::string>& settings) {
@@ -26,6 +28,23 @@ TEST(DoubtfulValues, are_edges_longer_than_half_of_a_cutter) {
 TEST(DoubtfulValues, are_edges_longer_than_half_of_a_tooth) {
   EXPECT_TRUE(doubts("bit-r-steady", {"rock.edge_length=4 mm"}).empty());
   EXPECT_EQ(doubts("bit-r-steady", {"rock.edge_length=8 mm"}).size(), 1u);
+}
+
+/// The middle one of a part's three sizes; what does not cut, or has no mesh yet, has no say.
+TEST(NarrowestWidth, is_that_of_the_narrowest_part_that_cuts) {
+  bit::Bit b;
+  EXPECT_EQ(narrowest_width(b), 0.0);
+  const auto add = [&](const Vec3& size, bit::Cutting cutting) {
+    bit::Part& part = b.parts.emplace_back();
+    part.cutting = cutting;
+    if (size.x() > 0.0) part.mesh_P = battery::box(Vec3::Zero(), size);
+  };
+  add({1e-3, 2e-3, 3e-3}, bit::Cutting::never);
+  EXPECT_EQ(narrowest_width(b), 0.0);
+  add({30e-3, 10e-3, 20e-3}, bit::Cutting::cuts);
+  add(Vec3::Zero(), bit::Cutting::cuts);
+  add({25e-3, 40e-3, 50e-3}, bit::Cutting::cuts);
+  EXPECT_EQ(narrowest_width(b), 20e-3);
 }
 
 TEST(DoubtfulValues, are_weights_that_break_teeth) {

@@ -45,6 +45,10 @@ TEST(EndWarnings, tell_an_advance_that_only_a_body_could_cut) {
             Texts{"the bit advances 7.4 m/s, 3.87e+03 mm in a revolution: more than the 18.4 mm of "
                   "its narrowest cutting part, so that its body would have to cut"});
   EXPECT_EQ(texts(drilling({}), 0.09, 1e-3, 1e-6), Texts{}) << "slow, and it hardly turns";
+  for (const double speed :
+       {-12.0, 6.0, 0.1})  // either way round, and at less than a turn a second
+    EXPECT_EQ(texts(drilling({}), 7.4, speed, 1e-6).size(), 1U) << speed;
+  EXPECT_EQ(texts(drilling({}), 7.4, 0.0, 1e-6), Texts{}) << "it does not turn";
 }
 
 TEST(EndWarnings, tell_an_advance_that_steps_do_not_resolve) {

@@ -118,6 +118,7 @@ TEST(SummaryOfARun, has_its_steps_turns_and_volumes) {
   EXPECT_EQ(s.loads->steps, c.time.steps);
   EXPECT_EQ(s.faces.size(), c.bit.cutters.size());
   EXPECT_FALSE(s.drive);
+  EXPECT_EQ(s.rock_triangles_start, start(c).state.rock.surface.triangle_count());
 }
 
 }  // namespace tdbd::simulation::run_test

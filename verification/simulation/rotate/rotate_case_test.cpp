@@ -7,6 +7,8 @@
 
 #include "core/error.hpp"
 #include "dynamics/momenta.hpp"
+#include "mesh/files/files.hpp"
+#include "verification/battery/shapes.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation::rotate_case_test {
@@ -157,6 +159,23 @@ TEST(RotateCase, steps_fit_the_duration) {
   EXPECT_EQ(read(text + "0.6").time.steps, 2);
   EXPECT_EQ(read(text + "0.33333333333").time.steps, 3);  // whole to 1e-10 of a step
   EXPECT_EQ(read(text + "1e-7").time.steps, 10'000'000);
+}
+
+/// A cube of 40 m is asked whether it is one of 40 mm, unless it is said to be right.
+TEST(RotateCase, asks_for_the_unit_of_a_mesh) {
+  mesh::write_mesh(tdbd::temporary_folder() + "rotate_case_cube.ply",
+                   battery::box({-20, -20, -20}, {20, 20, 20}));
+  const auto refusal = [](const std::string& more) -> std::string {
+    try {
+      read("[body]\nmesh = \"rotate_case_cube.ply\"\ndensity = 7800\nunit = \"1 m\"\n" + more +
+           "[time]\nstep = 0.1\nduration = 1\n");
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal("").find("body.unit: found a size of 40000 mm"), std::string::npos);
+  EXPECT_EQ(refusal("unit_check = \"off\"\n"), "");
 }
 
 TEST(RotateCase, refuses_steps_that_are_longer_than_the_run_or_without_number) {
