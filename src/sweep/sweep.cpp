@@ -216,7 +216,7 @@ SweepResult run_sweep(const Design& d, const SweepOptions& options) {
   const Table t = table_of(d, points, keys, records, judged);
   count(t, result);
   if (result.interrupted || result.done < result.points) return result;
-  write_table(options.table, t);
+  write_table(options.table, t, journal.folder());
   result.written = true;
   return result;
 }

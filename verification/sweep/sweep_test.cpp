@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -151,6 +152,29 @@ TEST(Sweep, table_has_the_same_bytes_however_it_is_made) {
     EXPECT_EQ(text_of(folder / (std::string("one") + kind)),
               text_of(folder / (std::string("shards") + kind)));
   }
+}
+
+/// Whoever finds all points done writes the table, also where several do at the same time.
+TEST(Sweep, shards_that_end_together_all_write_the_table) {
+  const fs::path folder = empty_folder("together");
+  const Design d = design_from(folder, small_top());
+  swept(d, folder / "t.nc");
+  const std::string table = text_of(folder / "t.csv");
+  constexpr int shards = 4, times = 50;
+  std::atomic<int> written = 0;
+  {
+    std::vector<std::jthread> running;
+    for (int i = 1; i <= shards; ++i)
+      running.emplace_back([&, i] {
+        for (int k = 0; k < times; ++k) try {
+            written += swept(d, folder / "t.nc", 1, {i, shards}).written ? 1 : 0;
+          } catch (const std::exception& e) {
+            ADD_FAILURE() << e.what();
+          }
+      });
+  }
+  EXPECT_EQ(written, shards * times);
+  EXPECT_EQ(text_of(folder / "t.csv"), table);
 }
 
 /// What is done is done: nothing is run again, of a larger design only what is new.

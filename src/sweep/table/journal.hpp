@@ -33,6 +33,9 @@ class Journal {
   /// Appends one line, all of it or nothing. Throws RunError.
   void add(const std::string& key, const PointRecord& record);
 
+  /// Where no other process writes as long as this lives.
+  std::filesystem::path folder() const { return file_.parent_path(); }
+
  private:
   std::filesystem::path file_;
   FolderLock lock_;

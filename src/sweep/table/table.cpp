@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <system_error>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/whole_file.hpp"
 #include "sweep/table/front.hpp"
 #include "sweep/table/table_netcdf.hpp"
 
 namespace tdbd::sweep {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// Levels that are all numbers in one unit are numbers.
@@ -76,6 +81,13 @@ std::string row_of(const Table& t, std::size_t i) {
   return row;
 }
 
+/// Within a file system: whoever reads it sees the former file or this one.
+void move(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw RunError(fmt::format("cannot write {}: {}", to.string(), error.message()));
+}
+
 std::string timing_csv(const Table& t) {
   std::string text = "point,seconds\n";
   for (std::size_t i = 0; i < t.points.size(); ++i)
@@ -135,13 +147,15 @@ std::string to_csv(const Table& t) {
   return text;
 }
 
-void write_table(const std::filesystem::path& netcdf_file, const Table& t) {
-  std::filesystem::path csv = netcdf_file, timing = netcdf_file;
+void write_table(const fs::path& netcdf_file, const Table& t, const fs::path& own_folder) {
+  fs::path csv = netcdf_file, timing = netcdf_file;
   csv.replace_extension(".csv");
   timing.replace_filename(timing.stem().string() + "_timing.csv");
-  write_text(timing, timing_csv(t));
-  write_text(csv, to_csv(t));
-  write_netcdf(netcdf_file, t);
+  const auto here = [&own_folder](const fs::path& file) { return own_folder / file.filename(); };
+  write_text(here(timing), timing_csv(t));
+  write_text(here(csv), to_csv(t));
+  write_netcdf(here(netcdf_file), t);
+  for (const fs::path& file : {timing, csv, netcdf_file}) move(here(file), file);
 }
 
 }  // namespace tdbd::sweep

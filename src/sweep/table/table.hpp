@@ -47,8 +47,10 @@ long points_to_run(const Table& t);
 /// NAME.nc for xarray: dimension point; one variable for each factor (under its key) and each
 /// figure, status, message, case_hash, and front; the design's goals and text as attributes. The
 /// bytes depend on design and program alone. NAME.csv the same as text, NAME_timing.csv the seconds
-/// of each point. Throws RunError.
-void write_table(const std::filesystem::path& netcdf_file, const Table& t);
+/// of each point. All are written in a folder on the same disk that is this process's own, and then
+/// moved: shards that end together may all write the table. Throws RunError.
+void write_table(const std::filesystem::path& netcdf_file, const Table& t,
+                 const std::filesystem::path& own_folder);
 
 /// The text of NAME.csv.
 std::string to_csv(const Table& t);
