@@ -77,9 +77,12 @@ function(tdbd_library name)
 endfunction()
 
 # What tests include: reading it takes longer than compiling most of them.
+option(TDBD_OBSERVE "Let checks of tests note how much of their tolerance they use up (scripts/tolerances)" OFF)
 function(tdbd_test_headers)
+  set(observe "$<$<BOOL:${TDBD_OBSERVE}>:${PROJECT_SOURCE_DIR}/verification/tolerance/observe.hpp>")
   tdbd_precompiled(tdbd_test_headers LINKS GTest::gtest rapidcheck rapidcheck_gtest
-    HEADERS <gtest/gtest.h> <rapidcheck.h> <rapidcheck/gtest.h> <Eigen/Dense> <filesystem> <fstream> <string> <vector>)
+    HEADERS <gtest/gtest.h> <rapidcheck.h> <rapidcheck/gtest.h> <Eigen/Dense> <filesystem> <fstream> <string> <vector>
+            ${observe})
 endfunction()
 
 # All programs that scripts/report needs.
@@ -97,7 +100,7 @@ function(tdbd_tests name)
   target_link_libraries(${name} PRIVATE tdbd_eigen ${ARG_LINKS} GTest::gtest_main rapidcheck rapidcheck_gtest)
   target_precompile_headers(${name} REUSE_FROM tdbd_test_headers)
   tdbd_by_folder(${name} ${ARG_SOURCES})
-  target_compile_options(${name} PRIVATE ${TDBD_PRECOMPILED_OPTIONS})
+  target_compile_options(${name} PRIVATE ${TDBD_PRECOMPILED_OPTIONS} $<$<BOOL:${TDBD_OBSERVE}>:-Wno-parentheses>)
   set(labels "")
   if("tdbd_evidence" IN_LIST ARG_LINKS)
     set(labels LABELS evidence)

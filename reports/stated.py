@@ -28,7 +28,7 @@ NOT_PROSE = [re.compile(pattern, flags) for pattern, flags in (
     (r"^(?: {4}|\|).*$", re.MULTILINE),  # code and tables
     (r"`[^`\n]*`", 0),
     (r"\]\([^)\n]*\)", 0),
-    (r"\^\S+", 0),  # an exponent
+    (r"\d*\^-?[\d.]+", 0),  # an exponent
     (r"\b\d{4}-\d{2}-\d{2}(?:(?:,| and| to) -?\d{2})*\b", 0),
     (r"\b(?:[Tt]hesis|figs?\.|[Ff]igures?|ch\.|app\.|eqs?\.|[Tt]ables?|[Cc]hapters?|[Ss]ections?) \d[\d.]*(?:(?:,| and| to) \d[\d.]*)*", 0),
     (r"\b[\w/]+ (?:\(\d+\)(?:,? (?:and |to )?)?)+", 0),  # rock (12)

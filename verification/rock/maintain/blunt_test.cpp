@@ -75,6 +75,8 @@ TEST(Blunt, is_part_of_maintenance) {
   MaintenanceReport report;
   maintain(rock, limits(), work, report);
   EXPECT_EQ(report.carried_out(Operation::blunting), 1);
+  for (const long refused : report.refused[static_cast<std::size_t>(Operation::blunting)])
+    EXPECT_EQ(refused, 0);  // asked once, though many triangles have the tip
   EXPECT_GT(rock.surface.position(tip).z(), before);  // z down
 }
 

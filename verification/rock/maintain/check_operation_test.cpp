@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "mesh/edit.hpp"
+#include "rock/maintain/collapse.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
 namespace tdbd::rock::check_operation_test {
@@ -28,6 +29,27 @@ TEST(CheckOperation, finds_nothing_wrong_with_a_bisection) {
   register_vertex(rock, m, -1);
   EXPECT_EQ(describe(check_around(rock, before, 0.0)), "");
   EXPECT_NO_THROW(require_promises_around(rock, before, 0.0, "bisections"));
+}
+
+/// One of the vertices that were there before is no more.
+TEST(CheckOperation, finds_nothing_wrong_with_a_collapse_but_its_volume) {
+  Rock rock = sheet();
+  const mesh::Surface& s = rock.surface;
+  const int c = s.corner_of[inner];
+  const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+  std::vector<int> around{a, b};
+  for (const int v : {a, b})
+    around.insert(around.end(), s.ring(s.star(v)), s.ring(s.star(v)) + s.star(v).size);
+  const LocalState before = local_state(s, around);
+  MaintenanceLimits limits = limits_for(1.0);
+  limits.volume_per_operation = limits.farthest = limits.ridge_cut = 1.0;
+  SurfaceDrift drift;
+  MaintenanceReport report;
+  ASSERT_TRUE(try_collapse(rock, a, b, limits, around, drift, report));
+  EXPECT_NE(s.is_alive(a), s.is_alive(b));
+  EXPECT_EQ(describe(check_around(rock, before, report.volume_change)), "");
+  EXPECT_NE(describe(check_around(rock, before, report.volume_change + 1e-6)).find("M5"),
+            std::string::npos);
 }
 
 TEST(CheckOperation, notices_volume_that_was_not_reported) {

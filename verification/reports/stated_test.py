@@ -1,0 +1,96 @@
+"""stated_test.py ROOT: every number in the prose of studies comes from data or was chosen; one that was edited is named."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "reports"))
+import stated  # noqa: E402
+
+TEXT = """# Does a snail keep its speed?
+
+    snail --legs 8
+
+Measured 2026-11-23, thesis 4.1.2, figs. 4.7 and 4.9, rock (12), `rk8`, 2^16 places; on edges of 2 mm. Its speed is 1.2 mm/s
+over all days, within
+7 % of what it was, and its defect 2e-7.
+"""
+MODULE = '''
+GIVEN = ["edges of 2 mm"]
+
+
+def stated():
+    yield "Its speed is {:.1f} mm/s over all days, within {:.0f} % of", 1.24, 7.2
+    yield "its defect {:.0e}", 2.1e-7
+'''
+
+
+class Shipped(unittest.TestCase):
+    def test_all_numbers_come_from_somewhere(self):
+        self.assertEqual(stated.problems(ROOT), [])
+        self.assertGreater(len(stated.find(ROOT)[0]), 20)
+
+
+class Made(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.study = self.root / "reports/studies/snail"
+        self.study.mkdir(parents=True)
+        self.readme = self.study / "README.md"
+        self.write(TEXT, MODULE)
+
+    def write(self, text, module=None):
+        self.readme.write_text(text, encoding="utf-8")
+        if module is not None:
+            (self.study / "stated.py").write_text(module, encoding="utf-8")
+
+    def problem(self):
+        [problem] = stated.problems(self.root)
+        return problem
+
+    def test_what_the_data_say_is_right(self):
+        self.assertEqual(stated.problems(self.root), [])
+
+    def test_an_edited_number_is_named_with_its_line_and_written_anew(self):
+        self.write(TEXT.replace("7 % of", "6 % of"))
+        self.assertRegex(self.problem(), r"studies/snail/README.md, line 7: found 6 in .*, the data say 7; run scripts/report --readme")
+        self.assertEqual(stated.write(self.root), [])
+        self.assertEqual(self.readme.read_text(encoding="utf-8"), TEXT)
+
+    def test_changed_data_are_noticed_in_every_place_of_a_phrase(self):
+        self.write(TEXT, MODULE.replace("1.24, 7.2", "1.26, 7.2"))
+        self.assertIn("found 1.2 in", self.problem())
+        self.write(TEXT, MODULE.replace("2.1e-7", "2.1e-8"))
+        self.assertIn("found 2e-7 in", self.problem())
+        self.assertEqual(stated.write(self.root), [])
+        self.assertIn("its defect 2e-8.", self.readme.read_text(encoding="utf-8"))
+
+    def test_a_number_from_nowhere_is_named(self):
+        self.write(TEXT + "\nIt weighs 12.5 g.\n")
+        self.assertIn("line 9: 12.5 comes from no file", self.problem())
+
+    def test_a_study_without_stated_numbers_is_named(self):
+        (self.study / "stated.py").unlink()
+        self.assertIn("4 numbers and no stated.py", self.problem())
+
+    def test_what_the_text_no_longer_says_is_named(self):
+        self.write(TEXT.replace("Its speed is 1.2 mm/s\nover all days, within\n7 % of what it was, and i", "I"))
+        self.assertIn("found 0 pieces of text like 'Its speed", "\n".join(stated.problems(self.root)))
+        self.write(TEXT, MODULE.replace("edges of 2 mm", "edges of 3 mm"))
+        self.assertTrue(any("which the text has not" in p for p in stated.problems(self.root)))
+
+    def test_a_phrase_with_too_few_numbers_is_named(self):
+        self.write(TEXT, MODULE.replace("1.24, 7.2", "1.24"))
+        self.assertIn("gives 1 numbers", "\n".join(stated.problems(self.root)))
+
+    def test_what_is_there_twice_is_named(self):
+        self.write(TEXT + "\nAgain: its defect 2e-7.\n")
+        self.assertIn("found 2 pieces of text like 'its defect", "\n".join(stated.problems(self.root)))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,175 @@
+#pragma once
+// Notes how much of its tolerance each check uses up. In a build with TDBD_OBSERVE (preset mutate) every test reads this
+// first; the macros of GoogleTest and RapidCheck then do what they did, and note the two sides.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <concepts>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace tdbd::observed {
+
+/// Where a check stands, and its words for what is allowed.
+struct Place {
+  const char* file;
+  int line;
+  const char* allowed;
+};
+
+/// What one check saw, over all times that it was asked.
+struct Seen {
+  long times = 0;
+  double share = 0.0;     ///< largest of observed over allowed
+  double observed = 0.0;  ///< with that share
+  double allowed = 0.0;   ///< with that share
+};
+
+/// All checks of this process. With TDBD_OBSERVED in the environment, a folder, they are written
+/// there at the end: file, line, times, share, observed, allowed, words.
+class Ledger {
+ public:
+  void note(const Place& place, double observed, double allowed) {
+    if (folder_ == nullptr || !(allowed > 0.0)) return;
+    const std::lock_guard lock(mutex_);
+    Seen& seen = checks_[{place.file, place.line, place.allowed}];
+    ++seen.times;
+    if (const double share = observed / allowed; seen.times == 1 || share > seen.share)
+      seen = {seen.times, share, observed, allowed};
+  }
+
+  ~Ledger() {
+    if (folder_ == nullptr || checks_.empty()) return;
+    const std::string name = std::string(folder_) + "/" + std::to_string(getpid()) + ".tsv";
+    std::FILE* file = std::fopen(name.c_str(), "w");
+    if (file == nullptr) std::abort();
+    for (const auto& [key, seen] : checks_)
+      std::fprintf(file, "%s\t%d\t%ld\t%.3g\t%.3g\t%.3g\t%s\n", std::get<0>(key).c_str(),
+                   std::get<1>(key), seen.times, seen.share, seen.observed, seen.allowed,
+                   std::get<2>(key).c_str());
+    std::fclose(file);
+  }
+
+ private:
+  const char* folder_ = std::getenv("TDBD_OBSERVED");
+  std::mutex mutex_;
+  std::map<std::tuple<std::string, int, std::string>, Seen> checks_;
+};
+
+inline Ledger& ledger() {
+  static Ledger all;
+  return all;
+}
+
+template <class T>
+concept Real = std::floating_point<std::remove_cvref_t<T>>;
+
+/// The left side below the right one: a tolerance only if that is a real number.
+template <class A, class B>
+void note_below(const Place& place, const A& a, const B& b) {
+  if constexpr (Real<A> && Real<B>)
+    ledger().note(place, std::abs(static_cast<double>(a)), static_cast<double>(b));
+}
+
+/// In place of GoogleTest's comparisons.
+struct Less {
+  Place place;
+  template <class A, class B>
+  testing::AssertionResult operator()(const char* a_words, const char* b_words, const A& a,
+                                      const B& b) const {
+    note_below(place, a, b);
+    return testing::internal::CmpHelperLT(a_words, b_words, a, b);
+  }
+};
+
+struct LessOrEqual {
+  Place place;
+  template <class A, class B>
+  testing::AssertionResult operator()(const char* a_words, const char* b_words, const A& a,
+                                      const B& b) const {
+    note_below(place, a, b);
+    return testing::internal::CmpHelperLE(a_words, b_words, a, b);
+  }
+};
+
+struct Near {
+  Place place;
+  testing::AssertionResult operator()(const char* a_words, const char* b_words, const char* words,
+                                      double a, double b, double most) const {
+    ledger().note(place, std::abs(a - b), most);
+    return testing::internal::DoubleNearPredFormat(a_words, b_words, words, a, b, most);
+  }
+};
+
+/// The left side of what RC_ASSERT is given: Check{place} <= a < b is (Check{place} <= a) < b.
+template <class A>
+struct Left {
+  Place place;
+  const A& a;
+  template <class B>
+  bool operator<(const B& b) const {
+    note_below(place, a, b);
+    return a < b;
+  }
+  template <class B>
+  bool operator<=(const B& b) const {
+    note_below(place, a, b);
+    return a <= b;
+  }
+  template <class B>
+  bool operator>(const B& b) const {
+    return a > b;
+  }
+  template <class B>
+  bool operator>=(const B& b) const {
+    return a >= b;
+  }
+  template <class B>
+  bool operator==(const B& b) const {
+    return a == b;
+  }
+  template <class B>
+  bool operator!=(const B& b) const {
+    return a != b;
+  }
+  explicit operator bool() const { return static_cast<bool>(a); }
+};
+
+struct Check {
+  Place place;
+  template <class A>
+  Left<A> operator<=(const A& a) const {
+    return {place, a};
+  }
+};
+
+}  // namespace tdbd::observed
+
+#define TDBD_PLACE(words) (::tdbd::observed::Place{__FILE__, __LINE__, words})
+
+#undef EXPECT_LT
+#undef EXPECT_LE
+#undef ASSERT_LT
+#undef ASSERT_LE
+#undef EXPECT_NEAR
+#undef ASSERT_NEAR
+#undef RC_ASSERT
+#define EXPECT_LT(a, b) EXPECT_PRED_FORMAT2(::tdbd::observed::Less{TDBD_PLACE(#b)}, a, b)
+#define EXPECT_LE(a, b) EXPECT_PRED_FORMAT2(::tdbd::observed::LessOrEqual{TDBD_PLACE(#b)}, a, b)
+#define ASSERT_LT(a, b) ASSERT_PRED_FORMAT2(::tdbd::observed::Less{TDBD_PLACE(#b)}, a, b)
+#define ASSERT_LE(a, b) ASSERT_PRED_FORMAT2(::tdbd::observed::LessOrEqual{TDBD_PLACE(#b)}, a, b)
+#define EXPECT_NEAR(a, b, most) \
+  EXPECT_PRED_FORMAT3(::tdbd::observed::Near{TDBD_PLACE(#most)}, a, b, most)
+#define ASSERT_NEAR(a, b, most) \
+  ASSERT_PRED_FORMAT3(::tdbd::observed::Near{TDBD_PLACE(#most)}, a, b, most)
+#define RC_ASSERT(expression)                                                                      \
+  RC_INTERNAL_CONDITIONAL_RESULT(                                                                  \
+      Failure, static_cast<bool>(::tdbd::observed::Check{TDBD_PLACE(#expression)} <= expression), \
+      true, "RC_ASSERT", )
