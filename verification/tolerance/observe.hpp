@@ -108,11 +108,12 @@ struct Near {
   }
 };
 
-/// The left side of what RC_ASSERT is given: Check{place} <= a < b is (Check{place} <= a) < b.
-template <class A>
+/// The left side of what RC_ASSERT is given, if that is a real number: Check{place} <= a < b is
+/// (Check{place} <= a) < b.
+template <Real A>
 struct Left {
   Place place;
-  const A& a;
+  A a;
   template <class B>
   bool operator<(const B& b) const {
     note_below(place, a, b);
@@ -123,30 +124,18 @@ struct Left {
     note_below(place, a, b);
     return a <= b;
   }
-  template <class B>
-  bool operator>(const B& b) const {
-    return a > b;
-  }
-  template <class B>
-  bool operator>=(const B& b) const {
-    return a >= b;
-  }
-  template <class B>
-  bool operator==(const B& b) const {
-    return a == b;
-  }
-  template <class B>
-  bool operator!=(const B& b) const {
-    return a != b;
-  }
-  explicit operator bool() const { return static_cast<bool>(a); }
+  operator A() const { return a; }
 };
 
 struct Check {
   Place place;
-  template <class A>
+  template <Real A>
   Left<A> operator<=(const A& a) const {
     return {place, a};
+  }
+  template <class A>
+  const A& operator<=(const A& a) const {
+    return a;
   }
 };
 
@@ -169,7 +158,7 @@ struct Check {
   EXPECT_PRED_FORMAT3(::tdbd::observed::Near{TDBD_PLACE(#most)}, a, b, most)
 #define ASSERT_NEAR(a, b, most) \
   ASSERT_PRED_FORMAT3(::tdbd::observed::Near{TDBD_PLACE(#most)}, a, b, most)
-#define RC_ASSERT(expression)                                                                      \
-  RC_INTERNAL_CONDITIONAL_RESULT(                                                                  \
+#define RC_ASSERT(expression)                                                                     \
+  RC_INTERNAL_CONDITIONAL_RESULT(                                                                 \
       Failure, static_cast<bool>(::tdbd::observed::Check{TDBD_PLACE(#expression)} <= expression), \
       true, "RC_ASSERT", )
