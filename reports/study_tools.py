@@ -12,6 +12,12 @@ def read_csv(path):
     return {h: numbers(values) for h, values in columns.items()}
 
 
+def read_rows(path):
+    """The same as a list of rows, {column: value} each."""
+    columns = read_csv(path)
+    return [dict(zip(columns, values, strict=True)) for values in zip(*columns.values(), strict=True)]
+
+
 def numbers(words):
     try:
         return [float(w) for w in words]
