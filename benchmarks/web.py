@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """What drilling in a browser costs: size of the program, first picture, simulated over real seconds, and agreement with the command line.
 
-    scripts/web && benchmarks/web.py TDBD build/web/web [--times 5] [--folder reports/studies/browser]
+    scripts/web && benchmarks/web.py TDBD build/web/web [--times 5] [--folder reports/studies/browser] [--only sensitivity]
 
-TDBD: the program; then the folder of tdbd.js and tdbd.wasm. Writes cost.csv (Chromium, without a graphics card) and agreement.csv (node).
-Medians over the times.
+TDBD: the program; then the folder of tdbd.js and tdbd.wasm. Writes cost.csv (Chromium, without a graphics card), agreement.csv (node) and
+sensitivity.csv (the command line alone). Medians over the times.
 """
 
 import argparse
@@ -26,7 +26,9 @@ sys.path[:0] = [str(ROOT / "verification/reports"), str(ROOT / "verification/web
 import browser  # noqa: E402
 import built  # noqa: E402
 
-CASES = (*built.CASES, "drill-bit-r")  # the last grows differences: see the study
+SENSITIVE = "drill-bit-r"  # grows differences: see the study
+CASES = (*built.CASES, SENSITIVE)
+WEIGHT, NUDGED = '"60 kN"', '"60.00000000000001 kN"'
 WATCHED = 5.0  # s of drilling, after the first picture
 PATIENCE = 60  # s
 
@@ -88,6 +90,26 @@ def agreement(wish, name):
             "command line, s": statistics.median(native), "node, s": statistics.median(web)}
 
 
+def volumes_of(wish, text):
+    """Removed by each part, m3, in a case that the command line runs."""
+    with tempfile.TemporaryDirectory() as made:
+        folder = Path(made)
+        subprocess.run(["cp", "-r", ROOT / "cases", folder], check=True)
+        case = folder / "cases/short.toml"
+        case.write_text(text, encoding="utf-8")
+        subprocess.run([wish.program, "run", case, "-o", folder / "out", "--quiet"], check=True)
+        return np.array(list(json.loads((folder / "out/summary.json").read_text(encoding="utf-8"))["removed_volume_by_part_m3"].values()))
+
+
+def sensitivity(wish):
+    """The row of sensitivity.csv: what the last digit of the weight does."""
+    text = built.shortened(ROOT, SENSITIVE)
+    assert WEIGHT in text
+    as_it_is, nudged = volumes_of(wish, text), volumes_of(wish, text.replace(WEIGHT, NUDGED))
+    apart = float(np.abs(nudged - as_it_is).max() / as_it_is.max())
+    return {"case": SENSITIVE, "weight": WEIGHT.strip('"'), "nudged": NUDGED.strip('"'), "volumes apart, relative": apart}
+
+
 def write(path, rows):
     with open(path, "w", encoding="utf-8", newline="") as file:
         table = csv.DictWriter(file, rows[0], lineterminator="\n")
@@ -97,15 +119,19 @@ def write(path, rows):
             print(row)
 
 
+TABLES = {"cost": costs, "agreement": lambda wish: [agreement(wish, name) for name in CASES], "sensitivity": lambda wish: [sensitivity(wish)]}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program", type=Path, help="tdbd")
     parser.add_argument("web", type=Path, help="holds tdbd.js and tdbd.wasm")
     parser.add_argument("--times", type=int, default=5)
     parser.add_argument("--folder", type=Path, default=ROOT / "reports/studies/browser")
+    parser.add_argument("--only", choices=list(TABLES), help="one of the tables")
     wish = parser.parse_args()
-    write(wish.folder / "cost.csv", costs(wish))
-    write(wish.folder / "agreement.csv", [agreement(wish, name) for name in CASES])
+    for name in [wish.only] if wish.only else TABLES:
+        write(wish.folder / f"{name}.csv", TABLES[name](wish))
 
 
 if __name__ == "__main__":
