@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""How a bit stands: the shipped stick-slip, and the same bit not turned, at several edges and steps. Writes sticks.csv and
-plunges.csv beside itself, two minutes; wants a release build.
+"""How a bit stands: the shipped stick-slip, and the same bit not turned, at several edges and steps. Writes sticks.csv,
+plunges.csv and case.csv beside itself, two minutes; wants a release build.
 
     measure.py
     measure.py --program PROGRAM --explicit     another build's tdbd: that of before, explicit in every step
@@ -20,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
 EDGES, STEPS = (3.0, 2.0), (3.0, 2.0, 1.0, 0.5)  # mm, ms
 STICK, QUIET = 0.5, 0.04  # rad/s, s: the bit is stuck where it turns slower for so long on both sides
+FALLEN = 1.0  # s: by then faces and bodies bear a bit that is not turned
 STICKS = {"time.duration": "6 s"}
 PLUNGE = {"time.duration": "3 s", "motion.rotary_speed": "0 rpm", "motion.torque_at_start": 0}
 WHOLE = {"time.duration": "20 s"}
@@ -28,7 +29,7 @@ WHOLE = {"time.duration": "20 s"}
 def drill(program, folder, settings):
     out = pathlib.Path(folder) / "run"
     command = [str(program), "run", str(ROOT / "cases/stick-slip.toml"), "-o", str(out), "--force"]
-    for key, value in settings.items():
+    for key, value in {**settings, "output.history_every": 1}.items():  # a row for each step
         command += ["--set", f"{key}={value!r}"]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     if result.returncode != 0:
@@ -67,9 +68,10 @@ def sticks(program, folder, edges, step):
 def plunges(program, folder, edges, step):
     """From the first second on: until then the bit falls into the rock."""
     history, summary = drill(program, folder, with_mesh(PLUNGE, edges, step))
-    late = history.time.values[1:] > 1.0
+    late = history.time.values[1:] > FALLEN
     change, creep = figures(history, step * 1e-3, late)
     return {"edges, mm": edges, "step, ms": step, "change of weight": f"{change:.1e}", "creep, mm/s": f"{creep:.3f}",
+            "depth at 1 s, mm": f"{1e3 * np.interp(FALLEN, history.time.values, history.position_z.values):.2f}",
             "depth at 3 s, mm": f"{1e3 * history.position_z.values[-1]:.2f}", **searches(summary)}
 
 

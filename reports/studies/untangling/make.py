@@ -7,7 +7,8 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1]))
 from csv_tables import write_tables  # noqa: E402
 
-TABLES = {"pairs.csv": "Intersecting pairs of triangles."}
+TABLES = {"pairs.csv": "Intersecting pairs of triangles, 2026-11-22.",
+          "now.csv": "The same cases with untangling, 2026-11-25."}
 
 if __name__ == "__main__":
     write_tables(HERE, TABLES, sys.argv[1])
