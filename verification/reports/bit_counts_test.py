@@ -40,7 +40,6 @@ COUNTS = [
      ("generated", "back-ups")),
     ("reports/studies/rolling-bit-r/README.md", "Bit R, {} inserts", ("bit-r", "teeth")),
     ("reports/studies/steady-bit-b/README.md", "(8.5 in, {} cutters)", ("bit-b", "cutters")),
-    ("reports/studies/step-in-parts/README.md", "searches a step serve {} faces", ("standard", "cutters")),
 ]
 COUNTING = re.compile(r"\b\d+ (?:cutters|teeth|inserts|discs|blades)\b")
 
