@@ -59,6 +59,8 @@ def take_benchmarks(measured, found):
         entry["value"] = float(f"{figure(row, entry):.3g}")
         if "over_ours" in entry:
             entry["over_ours"] = round(row["cgal/tdbd"])
+        if "triangles" in row:
+            entry["triangles"] = round(row["triangles"])
 
 
 def rounded(value):
@@ -105,9 +107,14 @@ def remark(entry):
     return f"goal: {entry['goal']}" if "goal" in entry else ""
 
 
+def what(entry):
+    """One iteration in words, with the size of the rock where the program told it."""
+    return f"{entry['what']}, {entry['triangles']} triangles" if "triangles" in entry else entry["what"]
+
+
 def row(entry):
     value = f"{entry['value']:g} {entry['unit']}" if entry["value"] is not None else "not measured"
-    return (f"| `{pathlib.Path(entry['program']).name}` | `{entry['name']}` | {entry['what']} | {value} | {remark(entry)} "
+    return (f"| `{pathlib.Path(entry['program']).name}` | `{entry['name']}` | {what(entry)} | {value} | {remark(entry)} "
             f"| {entry['date'] or ''} |\n")
 
 
