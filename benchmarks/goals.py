@@ -6,9 +6,6 @@ import pathlib
 
 GOALS = pathlib.Path(__file__).resolve().parent / "goals.json"
 
-# Another machine: Manifold's boolean with the volume of every cutter, and our height field of 0.5 mm beside it.
-MANIFOLD_MS, MANIFOLD_Z_MAP_MS = 109, 0.178
-
 
 def find(data, path):
     """The figure at a path of keys; a list is searched for the row that has the key as name or surface. None where nothing is."""
@@ -51,14 +48,6 @@ def goal_row(goal, all_figures, before):
     return f"| {goal['goal']} | {asked} | {told(value)} | {'' if was is None else told(was)} | {verdict(value, limit, is_least)} |\n"
 
 
-def manifold_row(all_figures):
-    """A step of Manifold and of ours in steps of the height field that ran beside each."""
-    ours = find(all_figures, ["rivals", "warm", "standard-1.0", "over_z_map"])
-    theirs = MANIFOLD_MS / MANIFOLD_Z_MAP_MS
-    faster = f"{theirs / ours:.0f}" if ours else "not measured"
-    return f"| times faster than Manifold's boolean ({theirs:.0f} height fields of 0.5 mm) | stated | {faster} |  |  |\n"
-
-
 THREADS_ASKED = 1.6
 
 
@@ -73,7 +62,7 @@ def goals_table(measured):
     now, before = figures(measured), figures(measured.get("before", {}))
     head = "| goal | asked | measured | before | |\n|---|---|---|---|---|\n"
     rows = [goal_row(g, now, before) for g in json.loads(GOALS.read_text(encoding="utf-8"))]
-    return head + "".join(rows) + threads_row(now) + manifold_row(now)
+    return head + "".join(rows) + threads_row(now)
 
 
 def instructions_of(row, counted):
