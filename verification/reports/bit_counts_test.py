@@ -14,8 +14,8 @@ sys.path.insert(0, str(ROOT / "reports"))
 from stated import pattern_of  # noqa: E402
 
 BITS = ["bit-a", "bit-b", "bit-c", "bit-r", "generated", "standard"]
-PAGES = ["README.md", "benchmarks/measured.json", "benchmarks/README.md", "cases/README.md", "cases/bits/README.md", "reports/manifest.toml",
-         *sorted(str(f.relative_to(ROOT)) for f in (ROOT / "reports/studies").glob("*/README.md"))]
+PAGES = ["README.md", "benchmarks/measured.json", "benchmarks/README.md", "cases/README.md", "cases/bits/README.md",
+         "reports/manifest.toml", *sorted(str(f.relative_to(ROOT)) for f in (ROOT / "reports/studies").glob("*/README.md"))]
 # Where a page counts: the text, with a place for each number, and what it counts.
 COUNTS = [
     ("README.md", "8.5 in PDC bit of {} cutters", ("bit-b", "cutters")),
@@ -29,15 +29,15 @@ COUNTS = [
     ("cases/bits/README.md", "| `bit-a.csv` | 8.5 in | {} | {} of", ("bit-a", "blades"), ("bit-a", "cutters")),
     ("cases/bits/README.md", "| `bit-b.csv` | 8.5 in | {} | {} of", ("bit-b", "blades"), ("bit-b", "cutters")),
     ("cases/bits/README.md", "| `bit-c.csv` | 8.5 in | {} | {} of", ("bit-c", "blades"), ("bit-c", "cutters")),
-    ("cases/bits/README.md", "lays out {} cutters of 13.44 mm on {} blades, {} of them back-ups", ("generated", "cutters"), ("generated", "blades"),
-     ("generated", "back-ups")),
+    ("cases/bits/README.md", "lays out {} cutters of 13.44 mm on {} blades, {} of them back-ups",
+     ("generated", "cutters"), ("generated", "blades"), ("generated", "back-ups")),
     ("cases/bits/README.md", "no real bit: {} discs", ("standard", "cutters")),
     ("cases/bits/README.md", "{} rows, {} inserts", ("bit-r", "rows"), ("bit-r", "teeth")),
     ("reports/manifest.toml", "{} blades with {} cutters of 16 mm", ("bit-a", "blades"), ("bit-a", "cutters")),
     ("reports/manifest.toml", "{} blades with {} cutters of 19 mm", ("bit-b", "blades"), ("bit-b", "cutters")),
     ("reports/manifest.toml", "{} blades with {} cutters of 13.44 mm", ("bit-c", "blades"), ("bit-c", "cutters")),
-    ("reports/manifest.toml", "lays out {} cutters on {} blades, {} of them back-up cutters", ("generated", "cutters"), ("generated", "blades"),
-     ("generated", "back-ups")),
+    ("reports/manifest.toml", "lays out {} cutters on {} blades, {} of them back-up cutters",
+     ("generated", "cutters"), ("generated", "blades"), ("generated", "back-ups")),
     ("reports/studies/rolling-bit-r/README.md", "Bit R, {} inserts", ("bit-r", "teeth")),
     ("reports/studies/steady-bit-b/README.md", "(8.5 in, {} cutters)", ("bit-b", "cutters")),
 ]

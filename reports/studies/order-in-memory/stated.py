@@ -7,8 +7,8 @@ from study_tools import read_csv
 
 HERE = Path(__file__).parent
 STEPS, DEFAULT = 5000, 2500  # of 10 revolutions; between two renumberings
-GIVEN = ["The standard workload (1.0 mm)", "in 16 to 24 blocks of 100 steps", "after 20 revolutions", "10 and 20 revolutions", "in 5000 steps",
-         "with 2500 it is", "The default is 2500", "A run of 20 revolutions"]
+GIVEN = ["The standard workload (1.0 mm)", "in 16 to 24 blocks of 100 steps", "after 20 revolutions", "10 and 20 revolutions",
+         "in 5000 steps", "with 2500 it is", "The default is 2500", "A run of 20 revolutions"]
 
 
 def gains(start, revolutions):

@@ -8,7 +8,8 @@ from study_tools import read_csv
 
 HERE = Path(__file__).parent
 EQUAL_ERROR = ("rivals", "warm", "standard-0.7-volumes", "over_z_map")
-GIVEN = ["Langeveld's 120 of 500 nodes", "our surface at t = 0", "those within 3 mm of its tip", "2 < r < 106 mm, against a height field of 0.1 mm cells",
+GIVEN = ["Langeveld's 120 of 500 nodes", "our surface at t = 0", "those within 3 mm of its tip",
+         "2 < r < 106 mm, against a height field of 0.1 mm cells",
          "Asked at 1.0 mm: 0.02 / 0.06 mm", "our 0.7 mm stand beside cells of 0.5 mm", "comes within 0.05 % of", "% at 1.0 mm: the mesh"]
 
 

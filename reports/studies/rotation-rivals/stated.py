@@ -5,7 +5,8 @@ from pathlib import Path
 from study_tools import read_csv
 
 ERRORS = ["1e-3", "1e-6", "1e-9"]
-GIVEN = ["the 50-digit", "at a tolerance of 1e-9", "a factor of sqrt(2), tolerances", "|R - R_ref|_F / sqrt(2)", "to errors of 1e-3, 1e-6 and 1e-9"]
+GIVEN = ["the 50-digit", "at a tolerance of 1e-9", "a factor of sqrt(2), tolerances", "|R - R_ref|_F / sqrt(2)",
+         "to errors of 1e-3, 1e-6 and 1e-9"]
 
 
 def evaluations_and_us(cell):

@@ -20,8 +20,9 @@ def around():
 def stated():
     noise = read_csv(HERE / "noise.csv")
     of = dict(zip(noise["figure"], noise["value"]))
-    yield ("volumes scatter by {:.1f} % in the median, sections by {:.2f} %, at worst by {:.2f} %", of["rms of one step, volume removed: median, %"],
-           of["rms of one step, section: median, %"], of["rms of one step, section: worst, %"])
+    yield ("volumes scatter by {:.1f} % in the median, sections by {:.2f} %, at worst by {:.2f} %",
+           of["rms of one step, volume removed: median, %"], of["rms of one step, section: median, %"],
+           of["rms of one step, section: worst, %"])
     yield "{:.3f} times the volume in the median", of["mean of section's volume rate over volume removed: median"]
     yield "and {:.4f} to {:.4f} times for all", of["least of the others"], of["largest of the others"]
     yield "whose section is {:.3f} times its", of["the cutter beside the axis"]

@@ -22,9 +22,10 @@ def spread(values):
 def of_sticks():
     now, before = read_csv(HERE / "sticks.csv"), read_csv(HERE / "sticks-before.csv")
     change, depth = "change of weight", "depth at 6 s, mm"
-    yield ("weight changed by {:.2f} to {:.2f} of itself in every step it now changes by {:.0e} to {:.0e}", min(before[change]), max(before[change]),
-           min(now[change]), max(now[change]))
-    yield ("within {:.1f} % over all steps and within {:.1f} % over both meshes", max(spread(chosen(now, depth, e)) for e in EDGES), spread(now[depth]))
+    yield ("weight changed by {:.2f} to {:.2f} of itself in every step it now changes by {:.0e} to {:.0e}",
+           min(before[change]), max(before[change]), min(now[change]), max(now[change]))
+    yield ("within {:.1f} % over all steps and within {:.1f} % over both meshes",
+           max(spread(chosen(now, depth, e)) for e in EDGES), spread(now[depth]))
     yield "(before: {:.0f} to {:.0f} mm)", min(before[depth]), max(before[depth])
     yield "the creep within {:.0f} %", max(spread(chosen(now, "creep, mm/s", e)) for e in EDGES)
 
@@ -32,7 +33,8 @@ def of_sticks():
 def of_the_case():
     now, before = read_csv(HERE / "case.csv"), read_csv(HERE / "case-before.csv")
     for phrase, column in (("comes out differently: {:.2f} mm/s instead of {:.2f}", "rate of penetration, mm/s"),
-                           ("stuck for {:.2f} of the time instead of {:.2f}", "stuck share"), ("at {:.3f} Hz instead of {:.3f}", "frequency, Hz")):
+                           ("stuck for {:.2f} of the time instead of {:.2f}", "stuck share"),
+                           ("at {:.3f} Hz instead of {:.3f}", "frequency, Hz")):
         yield phrase, *now[column], *before[column]
 
 

@@ -7,9 +7,9 @@ from study_tools import read_csv
 
 HERE = Path(__file__).parent
 ASKED = {"standard, 1.0 mm": 220.0, "standard, 0.7 mm": 360.0}  # us
-SHARES = ["exits, moves, volumes", "sections", "maintenance", "contact", "what may be swept", "near lists", "motions of groups"]
-GIVEN = ["is 0.22 ms at 1.0 mm edges and 0.36 ms at 0.7 mm", "Runs at 0.7 mm differ", "count 100 steps after a revolution", "every 4th step",
-         "the standard workload at 1.0 mm went"]
+PHASES = ["exits, moves, volumes", "sections", "maintenance", "contact", "what may be swept", "near lists", "motions of groups"]
+GIVEN = ["is 0.22 ms at 1.0 mm edges and 0.36 ms at 0.7 mm", "Runs at 0.7 mm differ", "count 100 steps after a revolution",
+         "every 4th step", "the standard workload at 1.0 mm went"]
 
 
 def missed_by():
@@ -49,5 +49,5 @@ def stated():
     yield "by a factor of {:.1f} and {:.1f} on the machine", *missed_by()
     yield "went from {:.2f} to {:.2f} million instructions", 1e-3 * sum(before.values()), 1e-3 * total
     yield ("exits, moves and volumes {:.0f} %, sections {:.0f} %, maintenance {:.0f} %, contact {:.0f} %, what may be swept {:.0f} %, "
-           "near lists {:.0f} %, motions of groups {:.0f} %", *[100.0 * now[phase] / total for phase in SHARES])
+           "near lists {:.0f} %, motions of groups {:.0f} %", *[100.0 * now[phase] / total for phase in PHASES])
     yield from of_parts()

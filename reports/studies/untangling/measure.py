@@ -13,6 +13,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1]))
 from study_runs import ROOT, build_folder, found, write_csv  # noqa: E402
 
+COARSE_STEPS = {"motion.rate_of_penetration": "'60 m/h'", "time.step": "'5 ms'", "time.revolutions": "4"}
 # the row of pairs.csv, the case, its settings, how often its surface is looked at
 CASES = [
     ("`bit-b-continues`, 20 rows", "bit-b-continues", {}, 20),
@@ -20,13 +21,14 @@ CASES = [
     ("`bit-r-steady`, 20 m/h, 3 mm, 20 revolutions, 20 rows", "bit-r-steady",
      {"motion.rate_of_penetration": "'20 m/h'", "rock.edge_length": "'3 mm'", "time.revolutions": "20"}, 20),
     ("`bit-c-steady`, 60 m/h in steps of 5 ms, 2 mm, 4 revolutions, 4 rows", "bit-c-steady",
-     {"motion.rate_of_penetration": "'60 m/h'", "time.step": "'5 ms'", "rock.edge_length": "'2 mm'", "time.revolutions": "4"}, 4),
+     {**COARSE_STEPS, "rock.edge_length": "'2 mm'"}, 4),
     ("the same at 3 mm", "bit-c-steady",
-     {"motion.rate_of_penetration": "'60 m/h'", "time.step": "'5 ms'", "rock.edge_length": "'3 mm'", "time.revolutions": "4"}, 4),
+     {**COARSE_STEPS, "rock.edge_length": "'3 mm'"}, 4),
     ("`bit-r-steady`, 20 m/h, 2.5 mm, 50 revolutions, 10 rows", "bit-r-steady",
      {"motion.rate_of_penetration": "'20 m/h'", "rock.edge_length": "'2.5 mm'", "time.revolutions": "50"}, 10),
 ]
-HEADINGS = ["case", "pairs at most", "pairs at the end", "worst triangle", "disturbed at most", "untanglings", "us a touched triangle at most"]
+HEADINGS = ["case", "pairs at most", "pairs at the end", "worst triangle", "disturbed at most", "untanglings",
+            "us a touched triangle at most"]
 
 
 def drilled(program, case, settings, rows):
@@ -44,7 +46,8 @@ def figures(told):
     rows = [line.split() for line in lines[:next(i for i, line in enumerate(lines) if line.startswith("vertices moved"))]]
     pairs, worst, disturbed, ns = ([float(row[i]) for row in rows] for i in (3, 4, 6, 9))
     untanglings = found(r"(?m)^untanglings (\d+)", told)[0] if "\nuntanglings " in told else 0
-    return [f"{max(pairs):.0f}", f"{pairs[-1]:.0f}", f"{min(worst):.3f}", f"{max(disturbed):.1e}", f"{untanglings:.0f}", f"{1e-3 * max(ns):.1f}"]
+    return [f"{max(pairs):.0f}", f"{pairs[-1]:.0f}", f"{min(worst):.3f}", f"{max(disturbed):.1e}", f"{untanglings:.0f}",
+            f"{1e-3 * max(ns):.1f}"]
 
 
 def main():

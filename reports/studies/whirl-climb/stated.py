@@ -25,6 +25,6 @@ def stated():
     yield "travels at {:.0f} m/s where the centre goes around at {:.1f} m/s", -shipped["travel, m/s"], shipped["centre's speed, m/s"]
     yield "so that {:.1f} mrad lift the bit at {:.0f} mm/s", -shipped["lean, mrad"], shipped["lean times travel, mm/s"]
     yield "and drills {:.1f} to {:.1f} mm/s", min(drills), max(drills)
-    yield ("it leans {:.1f} times as far and climbs {:.0f} mm/s out of its hole, {:.0f} mm/s less", fifth["lean, mrad"] / same_edges["lean, mrad"],
-           fifth["climb, mm/s"], fifth["lean times travel, mm/s"] - fifth["climb, mm/s"])
+    yield ("it leans {:.1f} times as far and climbs {:.0f} mm/s out of its hole, {:.0f} mm/s less",
+           fifth["lean, mrad"] / same_edges["lean, mrad"], fifth["climb, mm/s"], fifth["lean times travel, mm/s"] - fifth["climb, mm/s"])
     yield "makes it climb at {:.0f} mm/s instead of {:.0f}", tenth["climb, mm/s"], other["climb, mm/s"]
