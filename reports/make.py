@@ -26,6 +26,7 @@ import manifest as manifests
 import page
 import page_contents
 import readme
+import stated
 import studies
 import thesis_index
 from data import Data
@@ -109,6 +110,7 @@ def report(chosen):
         tables = {t for f in manifest.figures for t in f.tables}
         return unproved + gather([(lambda t: evidence.table(folder, chosen.build, t), t)
                                   for t in sorted(tables)])
+    unproved += stated.problems(chosen.root)
     data = Data(chosen.root, chosen.build, chosen.output / "data")
     drawing = Drawing(manifest, data, folder, chosen.output / "figures", chosen.quick)
     pages = [bit_pages.BitPages(manifest, data, chosen.output / "bits"),

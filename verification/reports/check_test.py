@@ -89,6 +89,10 @@ class Check(unittest.TestCase):
         file.write_text(file.read_text(encoding="utf-8").replace("2.00", "2.01"), encoding="utf-8")
         self.assert_named("README.md, line 5", "2.01")
 
+    def test_names_a_number_in_prose_that_comes_from_nowhere(self):
+        self.project.write("benchmarks/README.md", "# A snail\n\nIt does 3.5 mm/s.\n")
+        self.assert_named("benchmarks/README.md", "1 numbers and no stated.py")
+
     def test_names_a_claim_without_evidence(self):
         claims = self.project.root / "reports/claims.toml"
         claims.write_text(claims.read_text(encoding="utf-8") + '[[claims]]\nslug = "ours/speed"\nclaim = "Fast"\nwhere = "ours"\n', encoding="utf-8")

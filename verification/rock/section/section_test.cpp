@@ -102,8 +102,8 @@ TEST(Section, has_its_edge_centroid_on_upright_sides_too) {
   FaceOutline face = face_along_x(radius, 3, 0.0);
   face.rim_F = {{-0.1, -0.05}, {0.05, -0.05}, {0.12, 0.2}, {-0.1, 0.2}};
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
-  const Section s = section_of(rock, face, {Mat3::Identity(), Vec3(0.0, 0.013, 0.05)}, along_x,
-                               {0.12, 0.15});
+  const Section s =
+      section_of(rock, face, {Mat3::Identity(), Vec3(0.0, 0.013, 0.05)}, along_x, {0.12, 0.15});
   const double left = 0.1, lower = 0.15, right = std::hypot(0.028, 0.1);
   const Vec3 sum_F =
       left * Vec3(0, -0.1, 0) + lower * Vec3(0, -0.025, -0.05) + right * Vec3(0, 0.064, 0);

@@ -1,0 +1,78 @@
+"""What the checks of tests observed, and what kind of check each is."""
+
+import csv
+import pathlib
+import re
+from dataclasses import dataclass
+
+MOST = 3.0  # a tolerance may be so many times what is observed
+ROUNDING = 1e-12  # below it an observation hangs on the order in which a compiler adds
+LITERAL = re.compile(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+)(?:e[-+]?\d+)?(?![\w.])")
+COMPARISON = re.compile(r"<=?(?![<=\w:]*>)")
+REASON = "wide:"  # a comment at the check that begins so says why its tolerance is wider
+
+
+@dataclass(frozen=True)
+class Check:
+    file: str
+    line: int
+    words: str  # what is allowed; for RC_ASSERT all of its words
+    times: int
+    share: float  # the largest of observed over allowed
+    observed: float
+    allowed: float
+
+
+def read(folder, root):
+    """The checks of all processes that wrote into the folder, each with its largest share."""
+    found = {}
+    for file in sorted(pathlib.Path(folder).rglob("*.tsv")):
+        with file.open(encoding="utf-8", newline="") as text:
+            for path, line, times, share, observed, allowed, words in csv.reader(text, delimiter="\t", quoting=csv.QUOTE_NONE):
+                where = (str(pathlib.Path(path).relative_to(root)), int(line), words)
+                check = Check(*where, int(times), float(share), float(observed), float(allowed))
+                known = found.get(where)
+                if known:
+                    worse = max(known, check, key=lambda c: c.share)
+                    check = Check(*where, known.times + check.times, worse.share, worse.observed, worse.allowed)
+                found[where] = check
+    return [found[where] for where in sorted(found)]
+
+
+def allowed_words(words):
+    """Behind the first comparison, if there is one: `a < b && c` allows b."""
+    parts = COMPARISON.split(words, maxsplit=1)
+    return re.split(r"&&|\|\|", parts[-1])[0].strip() if len(parts) == 2 else words
+
+
+def constants(text):
+    """Names of the numbers that a file declares: constexpr double rounding = 1e-12."""
+    return set(re.findall(r"constexpr double (\w+)\s*=", text)) | set(re.findall(r"constexpr double [^;]*?, (\w+)\s*=", text))
+
+
+def is_tolerance(words, text):
+    """A number or a constant stands in what is allowed; else it is a bound: one thing that was computed, below another."""
+    allowed = allowed_words(words)
+    return bool(LITERAL.search(allowed)) or bool(set(re.findall(r"\w+", allowed)) & constants(text)) or "tolerance::" in allowed
+
+
+def says_why(lines, line):
+    """Whether a comment at the check, in its statement or just above it, says why its tolerance is wide."""
+    end = line
+    while end < len(lines) and end < line + 4 and not lines[end - 1].split("//")[0].rstrip().endswith(";"):
+        end += 1
+    first = line
+    while first > 1 and lines[first - 2].strip().startswith("//"):
+        first -= 1
+    return any(REASON in text for text in lines[first - 1:end])
+
+
+def kind(check, text):
+    """tight, rounding, bound, said or loose."""
+    if check.share * MOST >= 1.0:
+        return "tight"
+    if not is_tolerance(check.words, text):
+        return "bound"
+    if says_why(text.split("\n"), check.line):
+        return "said"
+    return "rounding" if check.allowed <= ROUNDING else "loose"
