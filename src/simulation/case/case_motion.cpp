@@ -128,7 +128,7 @@ void read_top(Config& c, Motion& m) {
 }
 
 void read_rolling(Config& c, const bit::Bit& bit, Motion& m) {
-  constexpr double remembered_turn = 0.1;  // rad of the bit, a third of a gage row's pitch
+  constexpr double remembered_turn = 0.1;  // rad of the bit, well below a gage row's pitch
   m.cone_drive = c.read(motion_keys::cone_drive);
   m.cone_memory = c.read(motion_keys::cone_memory, time_of_turn(remembered_turn, m.rotary_speed));
   if (bit.cones.empty() && !bit.parts.empty())
