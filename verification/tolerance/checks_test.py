@@ -49,11 +49,18 @@ class Kinds(unittest.TestCase):
 
     def test_named_constants_are_tolerances(self):
         self.assertEqual(kind(9, "error <= rounding * scale"), "loose")
-        self.assertEqual(kind(9, "tolerance::ledger"), "loose")
+
+    def test_a_promise_of_the_program_is_a_bound(self):
+        self.assertEqual(kind(9, "depth < tolerance::inside * 2.0"), "bound")
+
+    def test_constants_are_read_where_they_are_declared(self):
+        text = "constexpr double rounding = 1e-12, near = 0.5; ///< m\nstatic constexpr double wide = 2.0 * near;\nconstexpr int n = 3;"
+        self.assertEqual(checks.constants(text), {"rounding": 1e-12, "near": 0.5})
 
     def test_rounding_is_no_measure(self):
         self.assertEqual(kind(3, "1e-14", allowed=1e-14), "rounding")
         self.assertEqual(kind(3, "1e-11", allowed=1e-11), "loose")
+        self.assertEqual(kind(3, "1e-12 * scale", allowed=1e-9), "rounding")
 
 
 class Reading(unittest.TestCase):

@@ -75,7 +75,7 @@ concept Real = std::floating_point<std::remove_cvref_t<T>>;
 template <class A, class B>
 void note_below(const Place& place, const A& a, const B& b) {
   if constexpr (Real<A> && Real<B>)
-    ledger().note(place, std::abs(static_cast<double>(a)), static_cast<double>(b));
+    ledger().note(place, static_cast<double>(a), static_cast<double>(b));
 }
 
 /// In place of GoogleTest's comparisons.
