@@ -3,7 +3,7 @@
 import csv
 import pathlib
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 MOST = 3.0  # a tolerance may be so many times what is observed
 ROUNDING = 1e-12  # below it an observation hangs on the order in which a compiler adds
@@ -22,6 +22,7 @@ class Check:
     share: float  # the largest of observed over allowed
     observed: float
     allowed: float
+    scale: float = 0.0  # the larger of what is compared
 
 
 def read(folder, root):
@@ -29,13 +30,13 @@ def read(folder, root):
     found = {}
     for file in sorted(pathlib.Path(folder).rglob("*.tsv")):
         with file.open(encoding="utf-8", newline="") as text:
-            for path, line, times, share, observed, allowed, words in csv.reader(text, delimiter="\t", quoting=csv.QUOTE_NONE):
+            for path, line, times, share, observed, allowed, scale, words in csv.reader(text, delimiter="\t", quoting=csv.QUOTE_NONE):
                 where = (str(pathlib.Path(path).relative_to(root)), int(line), words)
-                check = Check(*where, int(times), float(share), float(observed), float(allowed))
+                check = Check(*where, int(times), *map(float, (share, observed, allowed, scale)))
                 known = found.get(where)
                 if known:
                     worse = max(known, check, key=lambda c: c.share)
-                    check = Check(*where, known.times + check.times, worse.share, worse.observed, worse.allowed)
+                    check = replace(worse, times=known.times + check.times)
                 found[where] = check
     return [found[where] for where in sorted(found)]
 
@@ -78,4 +79,4 @@ def kind(check, text):
         return "bound"
     if says_why(text.split("\n"), check.line):
         return "said"
-    return "rounding" if check.allowed <= ROUNDING or min(found) <= ROUNDING else "loose"
+    return "rounding" if check.allowed <= ROUNDING * max(1.0, check.scale) or min(found) <= ROUNDING else "loose"

@@ -22,8 +22,8 @@ TEST(A, b) {
 """
 
 
-def check(line, words, share=0.1, allowed=0.02):
-    return Check("a_test.cpp", line, words, 1, share, share * allowed, allowed)
+def check(line, words, share=0.1, allowed=0.02, scale=0.0):
+    return Check("a_test.cpp", line, words, 1, share, share * allowed, allowed, scale)
 
 
 def kind(*arguments, **named):
@@ -61,15 +61,17 @@ class Kinds(unittest.TestCase):
         self.assertEqual(kind(3, "1e-14", allowed=1e-14), "rounding")
         self.assertEqual(kind(3, "1e-11", allowed=1e-11), "loose")
         self.assertEqual(kind(3, "1e-12 * scale", allowed=1e-9), "rounding")
+        self.assertEqual(kind(3, "1e-9", allowed=1e-9, scale=2e3), "rounding")
+        self.assertEqual(kind(3, "1e-9", allowed=1e-9, scale=2e2), "loose")
 
 
 class Reading(unittest.TestCase):
     def test_has_the_largest_share_of_all_processes(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, share, seen in (("1", "0.1", "0.002"), ("2", "0.4", "0.008"), ("3", "0.2", "0.004")):
-                row = ("/root/a_test.cpp", "3", "5", share, seen, "0.02", 'e < 0.02 && s == "x"')
+                row = ("/root/a_test.cpp", "3", "5", share, seen, "0.02", "7", 'e < 0.02 && s == "x"')
                 (pathlib.Path(folder) / f"{name}.tsv").write_text("\t".join(row) + "\n", encoding="utf-8")
-            self.assertEqual(checks.read(folder, "/root"), [Check("a_test.cpp", 3, 'e < 0.02 && s == "x"', 15, 0.4, 0.008, 0.02)])
+            self.assertEqual(checks.read(folder, "/root"), [Check("a_test.cpp", 3, 'e < 0.02 && s == "x"', 15, 0.4, 0.008, 0.02, 7.0)])
 
 
 if __name__ == "__main__":

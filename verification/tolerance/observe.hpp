@@ -7,12 +7,14 @@
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace tdbd::observed {
@@ -30,19 +32,20 @@ struct Seen {
   double share = 0.0;     ///< largest of observed over allowed
   double observed = 0.0;  ///< with that share
   double allowed = 0.0;   ///< with that share
+  double scale = 0.0;     ///< with that share: the larger of what is compared; 0 if only one is
 };
 
 /// All checks of this process. With TDBD_OBSERVED in the environment, a folder, they are written
-/// there at the end: file, line, times, share, observed, allowed, words.
+/// there at the end: file, line, times, share, observed, allowed, scale, words.
 class Ledger {
  public:
-  void note(const Place& place, double observed, double allowed) {
+  void note(const Place& place, double observed, double allowed, double scale = 0.0) {
     if (folder_ == nullptr || !(allowed > 0.0)) return;
     const std::lock_guard lock(mutex_);
     Seen& seen = checks_[{place.file, place.line, place.allowed}];
     ++seen.times;
     if (const double share = observed / allowed; seen.times == 1 || share > seen.share)
-      seen = {seen.times, share, observed, allowed};
+      seen = {seen.times, share, observed, allowed, scale};
   }
 
   ~Ledger() {
@@ -51,9 +54,9 @@ class Ledger {
     std::FILE* file = std::fopen(name.c_str(), "w");
     if (file == nullptr) std::abort();
     for (const auto& [key, seen] : checks_)
-      std::fprintf(file, "%s\t%d\t%ld\t%.3g\t%.3g\t%.3g\t%s\n", std::get<0>(key).c_str(),
+      std::fprintf(file, "%s\t%d\t%ld\t%.3g\t%.3g\t%.3g\t%.3g\t%s\n", std::get<0>(key).c_str(),
                    std::get<1>(key), seen.times, seen.share, seen.observed, seen.allowed,
-                   std::get<2>(key).c_str());
+                   seen.scale, std::get<2>(key).c_str());
     std::fclose(file);
   }
 
@@ -103,7 +106,7 @@ struct Near {
   Place place;
   testing::AssertionResult operator()(const char* a_words, const char* b_words, const char* words,
                                       double a, double b, double most) const {
-    ledger().note(place, std::abs(a - b), most);
+    ledger().note(place, std::abs(a - b), most, std::max(std::abs(a), std::abs(b)));
     return testing::internal::DoubleNearPredFormat(a_words, b_words, words, a, b, most);
   }
 };
@@ -129,15 +132,24 @@ struct Left {
 
 struct Check {
   Place place;
-  template <Real A>
-  Left<A> operator<=(const A& a) const {
-    return {place, a};
-  }
-  template <class A>
-  const A& operator<=(const A& a) const {
-    return a;
-  }
 };
+
+template <Real A>
+Left<A> operator<=(const Check& check, const A& a) {
+  return {check.place, a};
+}
+
+template <class A>
+const A& operator<=(const Check&, const A& a) {
+  return a;
+}
+
+/// Else the standard's comparison of a value with an optional number would be taken, which is true
+/// of none.
+template <class A>
+const std::optional<A>& operator<=(const Check&, const std::optional<A>& a) {
+  return a;
+}
 
 }  // namespace tdbd::observed
 
