@@ -45,10 +45,10 @@ TEST(Units, converts_what_drillers_write) {
   EXPECT_DOUBLE_EQ(to_si("120 rpm", "rad/s"), 4 * pi);
   EXPECT_DOUBLE_EQ(to_si("12 deg", "rad"), pi / 15);
   EXPECT_DOUBLE_EQ(to_si("-12 deg", "rad"), -pi / 15);
-  EXPECT_NEAR(to_si("20 klbf", "N"), 20e3 * 0.45359237 * 9.80665, 1e-9);
+  EXPECT_DOUBLE_EQ(to_si("20 klbf", "N"), 20e3 * 0.45359237 * 9.80665);
   EXPECT_NEAR(to_si("1 lbf", "N"), 0.45359237 * 9.80665, 1e-14);
-  EXPECT_NEAR(to_si("3000 psi", "Pa"), 3000 * 0.45359237 * 9.80665 / (0.0254 * 0.0254), 1e-6);
-  EXPECT_NEAR(to_si("10 ppg", "kg/m3"), 4.5359237 / (231 * 0.0254 * 0.0254 * 0.0254), 1e-9);
+  EXPECT_DOUBLE_EQ(to_si("3000 psi", "Pa"), 3000 * 0.45359237 * 9.80665 / (0.0254 * 0.0254));
+  EXPECT_DOUBLE_EQ(to_si("10 ppg", "kg/m3"), 4.5359237 / (231 * 0.0254 * 0.0254 * 0.0254));
   EXPECT_DOUBLE_EQ(to_si("30 MPa", "Pa"), 30e6);
   EXPECT_DOUBLE_EQ(to_si("2.65 g/cm3", "kg/m3"), 2650);
   EXPECT_DOUBLE_EQ(to_si("1 min", "s"), 60);

@@ -111,7 +111,7 @@ RC_GTEST_PROP(Exp, has_the_derivatives_of_a_rotation_at_zero, ()) {
   for (const double h : {0.2, 0.1, 0.05, 0.025, 0.0125}) {
     const Mat3 quadratic = Mat3::Identity() + h * S + 0.5 * h * h * S * S;
     const double remainder = (exp(h * v) - quadratic).norm();
-    if (before > 0.0) RC_ASSERT(std::abs(std::log2(before / remainder) - 3.0) < 0.01);
+    if (before > 0.0) RC_ASSERT(std::abs(std::log2(before / remainder) - 3.0) < 0.0024);
     before = remainder;
   }
 }

@@ -77,7 +77,7 @@ RC_GTEST_PROP(Screw, velocity_is_the_rate_of_the_motion, ()) {
   const Vec3 x_B = *battery::point(1.0);
   constexpr double h = 1e-5;
   const Vec3 rate = (carried(v, h) * x_B - carried(v, -h) * x_B) / (2.0 * h);
-  RC_ASSERT((rate - velocity_B(v, x_B)).norm() < 1e-8);
+  RC_ASSERT((rate - velocity_B(v, x_B)).norm() < 2e-9);
 }
 
 /// Wherever the bit stands: turns of up to 3 rad, as the function promises.

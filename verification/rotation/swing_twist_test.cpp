@@ -11,7 +11,7 @@ namespace tdbd::rotation::swing_twist_test {
 using Jet3 = battery::Dual<3>;
 
 constexpr double rounding = 1e-13;
-constexpr double near_the_end = 1e-8;  // slope of f from a difference of nearly equal numbers
+constexpr double near_the_end = 2e-10;  // slope of f from a difference of nearly equal numbers
 
 double between(int lo, int hi) { return 1e-4 * *rc::gen::inRange(10'000 * lo, 10'000 * hi); }
 
