@@ -65,6 +65,7 @@ RC_GTEST_PROP(Force, is_continuous_in_the_velocity, ()) {
   const double change = slip_speed * std::pow(10.0, -number(1.0, 6.0));  // m/s
   b.velocity += change * any_direction();
   const Vec3 difference = force(law, a).force - force(law, b).force;
+  // wide: 9.6 of 12 in 3e6 cuts, far less in a hundred
   RC_ASSERT(difference.norm() <= 12.0 * largest_force(law, a) * change / slip_speed);
 }
 
@@ -80,8 +81,8 @@ RC_GTEST_PROP(Force, turns_with_the_problem, ()) {
   const PartForce f = force(law, c), g = force(law, turned);
   // A velocity along the normal keeps a rest of sideways motion by rounding: its direction is free.
   const Vec3 slip = c.velocity - c.velocity.dot(c.normal) * c.normal;
-  RC_PRE(c.velocity.isZero(0.0) || slip.norm() > 1e-6 * c.velocity.norm());
-  RC_ASSERT((R * f.force - g.force).norm() <= 1e-8 * size(f));
+  RC_PRE(c.velocity.isZero(0.0) || slip.norm() > 1e-3 * c.velocity.norm());
+  RC_ASSERT((R * f.force - g.force).norm() <= 1e-12 * size(f));
 }
 
 RC_GTEST_PROP(Force, of_a_part_that_touches_nothing_is_none, ()) {
@@ -136,7 +137,7 @@ RC_GTEST_PROP(Force, does_not_depend_on_the_units, ()) {
   const PartForce f = force(law, c);
   for (const LawField& field : law_fields(law)) *field.value *= scale(field.unit);
   const Vec3 g = force(law, d).force;
-  RC_ASSERT((g * newton - f.force).norm() <= 1e-9 * size(f));
+  RC_ASSERT((g * newton - f.force).norm() <= 1e-12 * size(f));
 }
 
 TEST(SweptArea, of_a_cut_does_not_depend_on_the_step) {

@@ -61,17 +61,17 @@ struct Row {
   double weight, torque, imbalance;  // N, N m, % of the weight
 };
 
-/// The planar model of Warren and Sinor, at 3 mm per revolution, with its tolerances: 0.05 %, of
-/// the imbalance 0.05 % of the weight.
+/// The planar model of Warren and Sinor, at 3 mm per revolution, printed to 0.1 N and 0.01 %. The
+/// torque is eps R^2 d/2 whatever the layout.
 TEST(WholeBit, of_sharp_cutters_has_the_loads_of_warren_and_sinors_model) {
-  for (const Row& r : {Row{'a', 22779.2, 1747.98, 0.85},
-                       {'b', 22414.8, 1747.98, 7.94},
-                       {'c', 22589.3, 1747.98, 2.54}}) {
+  for (const Row& r : {Row{'a', 22779.2, 1747.980375, 0.85},
+                       {'b', 22414.8, 1747.980375, 7.94},
+                       {'c', 22589.3, 1747.980375, 2.54}}) {
     const auto cutters = cutters_of(r.bit);
     const BitLoad b = load_of(cutters, reference::planar_cut(cutters, advance, column));
-    EXPECT_NEAR(b.weight, r.weight, 5e-4 * r.weight) << r.bit;
-    EXPECT_NEAR(b.torque, r.torque, 5e-4 * r.torque) << r.bit;
-    EXPECT_NEAR(b.imbalance.norm() / b.weight * 100, r.imbalance, 0.05) << r.bit;
+    EXPECT_NEAR(b.weight, r.weight, 0.1) << r.bit;
+    EXPECT_NEAR(b.torque, r.torque, 1e-12 * r.torque) << r.bit;
+    EXPECT_NEAR(b.imbalance.norm() / b.weight * 100, r.imbalance, 0.015) << r.bit;
   }
 }
 
@@ -84,7 +84,7 @@ TEST(WholeBit, with_its_core_carries_a_little_less_weight) {
     const BitLoad turned = load_of(cutters, bit::engagement(cutters, advance, column));
     EXPECT_LT(turned.weight, 0.9955 * plane.weight) << letter;
     EXPECT_GT(turned.weight, 0.9915 * plane.weight) << letter;
-    EXPECT_NEAR(turned.torque, plane.torque, 5e-4 * plane.torque) << letter;
+    EXPECT_NEAR(turned.torque, plane.torque, 1.4e-4 * plane.torque) << letter;
   }
 }
 
@@ -93,7 +93,7 @@ TEST(WholeBit, of_sharp_cutters_has_the_torque_of_its_volume) {
   for (const char letter : {'a', 'b', 'c'}) {
     const auto cutters = cutters_of(letter);
     const BitLoad b = load_of(cutters, bit::engagement(cutters, advance, column));
-    EXPECT_NEAR(b.torque, 100 * MPa * b.volume / (2 * pi), rounding(28 * b.torque)) << letter;
+    EXPECT_NEAR(b.torque, 100 * MPa * b.volume / (2 * pi), rounding(b.torque)) << letter;
   }
 }
 

@@ -28,7 +28,7 @@ struct Row {
   double share, depth, normal, drag;  // 1, in, lbf, lbf
 };
 
-/// Whole, half and quarter of the groove of 0.06 in; printed to five digits.
+/// Whole, half and quarter of the groove of 0.06 in; printed to five digits: half of the last.
 TEST(Glowka, on_the_effective_depth_is_that_of_the_literature) {
   const double whole = groove_area({0.5 * inch, 20 * degree}, 0.06 * inch);
   EXPECT_NEAR(whole, 0.01373336 * inch * inch, 1e-8 * inch * inch);
@@ -37,10 +37,10 @@ TEST(Glowka, on_the_effective_depth_is_that_of_the_literature) {
                        {0.25, 0.0234203, 21.236, 27.330}}) {
     const PartCut c = cutter_j(r.share * whole);
     EXPECT_NEAR(groove_depth({c.diameter, c.back_rake}, c.cut_area).depth, r.depth * inch,
-                1e-7 * inch);
+                5e-8 * inch);
     const PartForce f = law_force(berea(), c);
     EXPECT_NEAR(f.normal, r.normal * lbf, 1e-3 * lbf);
-    EXPECT_NEAR(f.tangential, r.drag * lbf, 1e-3 * lbf);
+    EXPECT_NEAR(f.tangential, r.drag * lbf, 5e-4 * lbf);
   }
 }
 

@@ -45,15 +45,15 @@ TEST(HansonHansen, of_a_face_has_a_bounded_ratio_of_forces) {
 
 TEST(HansonHansen, of_a_chamfer_presses_with_a_share_of_the_strength) {
   const PartForce f = law_force(example(), plain_cut(PartKind::chamfer));
-  EXPECT_NEAR(f.normal, 1.3 * 100e6 * 4e-6, 1e-10);
-  EXPECT_NEAR(f.tangential, 0.6 * f.normal, 1e-10);
+  EXPECT_DOUBLE_EQ(f.normal, 1.3 * 100e6 * 4e-6);
+  EXPECT_DOUBLE_EQ(f.tangential, 0.6 * f.normal);
 }
 
 TEST(HansonHansen, of_other_surfaces_has_their_own_coefficients) {
   for (const PartKind kind : {PartKind::cse, PartKind::cutter_body}) {
     const PartForce f = law_force(example(), plain_cut(kind));
-    EXPECT_NEAR(f.normal, 0.5 * 100e6 * 4e-6, 1e-10);
-    EXPECT_NEAR(f.tangential, 0.3 * f.normal, 1e-10);
+    EXPECT_DOUBLE_EQ(f.normal, 0.5 * 100e6 * 4e-6);
+    EXPECT_DOUBLE_EQ(f.tangential, 0.3 * f.normal);
   }
 }
 
@@ -120,7 +120,7 @@ TEST(HansonHansen, is_recovered_from_forces_by_linear_least_squares) {
   }
   const Eigen::VectorXd found = rows.colPivHouseholderQr().solve(forces);
   const auto factors = linear_coefficients(h);
-  for (int j = 0; j < hanson_hansen_terms; ++j) EXPECT_NEAR(found[j], factors[j], 1e-11);
+  for (int j = 0; j < hanson_hansen_terms; ++j) EXPECT_NEAR(found[j], factors[j], 1e-12);
 }
 
 }  // namespace tdbd::forces::hanson_hansen_test

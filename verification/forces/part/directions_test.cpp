@@ -27,8 +27,8 @@ RC_GTEST_PROP(CutFrame, is_continuous_in_the_velocity, ()) {
   const Vec3 n = any_direction(), v = any_direction();
   const CutFrame a = cut_frame(v, n), b = cut_frame(v + 1e-7 * any_direction(), n);
   // Slopes: of e1 1/|v| and of its removed part; of e2 at most 1/(0.5) of the same.
-  RC_ASSERT((a.e1 - b.e1).norm() < 4e-7);
-  RC_ASSERT((a.e2 - b.e2).norm() < 8e-7);
+  RC_ASSERT((a.e1 - b.e1).norm() < 2e-7);
+  RC_ASSERT((a.e2 - b.e2).norm() < 5e-7);
 }
 
 TEST(CutFrame, at_rest_is_the_normal_alone) {
