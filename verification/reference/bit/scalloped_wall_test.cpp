@@ -46,10 +46,10 @@ TEST(ScallopedWall, of_discs_is_their_arcs_side_by_side) {
   for (const int count : {1, 3}) {
     const ScallopedWall wall = scalloped_wall(discs(count), advance, 1000);
     const double pitch = advance / count;
-    EXPECT_NEAR(wall.reach, middle + a, 1e-9);
+    EXPECT_NEAR(wall.reach, middle + a, 1e-12);
     EXPECT_NEAR(wall.volume, volume(pitch), 3e-5 * wall.volume);
     const double cusp = middle + std::sqrt(a * a - 0.25 * pitch * pitch);
-    EXPECT_NEAR(*std::ranges::min_element(wall.radius), cusp, 2e-6);
+    EXPECT_NEAR(*std::ranges::min_element(wall.radius), cusp, 1.4e-6);
   }
 }
 

@@ -13,7 +13,7 @@
 namespace tdbd::reference::closed_forms_test {
 
 /// Rounding of a Runge-Kutta run, up to 100 rad; scale: 1 + rates.
-constexpr double agreement = 1e-11;
+constexpr double agreement = 1e-12;
 
 Mat3 some_attitude() { return Mat3(Eigen::AngleAxisd(0.7, Vec3(1, -2, 3).normalized())); }
 
@@ -80,7 +80,7 @@ TEST(ClosedForms, free_asymmetric_body_on_the_separatrix) {
     const Turning start{some_attitude(), w_B};
     EXPECT_LE(free_difference(principal, start, 2.0), agreement);
     const Vec3 late = free_asymmetric_body(principal, start, 40.0).w_B;
-    EXPECT_NEAR(std::abs(late.y()), late.norm(), 1e-6);
+    EXPECT_NEAR(std::abs(late.y()), late.norm(), 1e-12);
   }
 }
 
@@ -90,7 +90,8 @@ TEST(ClosedForms, free_asymmetric_body_is_the_golden_one) {
     const Turning start{c.states[0].R_WB, c.states[0].w_B};
     for (const battery::GoldenState& s : c.states) {
       const Turning end = free_asymmetric_body(c.gyrostat.inertia_B.diagonal(), start, s.time);
-      EXPECT_LE((end.R_WB - s.R_WB).norm() + (end.w_B - s.w_B).norm(), agreement) << name << s.time;
+      // Of the unstable rotation: rounding of the start grows.
+      EXPECT_LE((end.R_WB - s.R_WB).norm() + (end.w_B - s.w_B).norm(), 7e-12) << name << s.time;
     }
   }
 }
@@ -113,7 +114,7 @@ RC_GTEST_PROP(ClosedForms, free_asymmetric_body_keeps_its_invariants, ()) {
   const Turning whole = free_asymmetric_body(principal, start, 1.0);
   const Turning pieces =
       free_asymmetric_body(principal, free_asymmetric_body(principal, start, 0.4), 0.6);
-  RC_ASSERT((whole.R_WB - pieces.R_WB).norm() + (whole.w_B - pieces.w_B).norm() < 1e-11);
+  RC_ASSERT((whole.R_WB - pieces.R_WB).norm() + (whole.w_B - pieces.w_B).norm() < 1e-12);
 }
 
 TEST(ClosedForms, steady_precession_agrees_with_the_twin) {

@@ -14,7 +14,7 @@
 namespace tdbd::reference::jointed_bodies_test {
 
 /// Two formulations, each with its rounding after 10 s; scale: 1 + momentum, angles in rad.
-constexpr double agreement = 1e-11;
+constexpr double agreement = 1e-12;
 /// Constraints that nothing pulls back, after 10 s; scale: 1 m, 1 rad.
 constexpr double drift = 1e-12;
 

@@ -140,7 +140,7 @@ RC_GTEST_PROP(BruteForceExit, does_not_depend_on_the_frame, ()) {
       brute_force_exit(battery::placed(X, part), X * q0, X * q1, X.rotate(u), X.rotate(u), 3);
   RC_TAG(here.swept ? "swept" : "missed");
   RC_ASSERT(here.swept == there.swept);
-  RC_ASSERT(std::abs(here.t - there.t) < 1e-9);
+  RC_ASSERT(std::abs(here.t - there.t) < 1e-12);
 }
 
 }  // namespace tdbd::reference::brute_force_exit_test
