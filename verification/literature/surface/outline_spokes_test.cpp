@@ -63,7 +63,8 @@ TEST(OutlineSpokes, a_disc_in_the_plane_of_a_spoke_leaves_its_own_outline) {
   const PlanarFace untouched = rock.rock[1];
   const double before = area({rock.rock[0]});
   cut_sweep(rock, {swept_body(disc_B(a, Vec3(0.05, 0, 0), 64), {})}, {});
-  EXPECT_NEAR(before - area({rock.rock[0]}), polygon_area(a, 64) / 2.0, 1e-3 * a * 0.2e-3);
+  // m2: corners rounded to the grid.
+  EXPECT_NEAR(before - area({rock.rock[0]}), polygon_area(a, 64) / 2.0, 1.8e-12);
   EXPECT_EQ(rock.rock[1].border, untouched.border);
 }
 
@@ -75,8 +76,8 @@ TEST(OutlineSpokes, a_step_takes_all_between_its_ends) {
   const SweptBody body =
       swept_body(disc_B(a, Vec3(0.07, 0, 0), 64), {Mat3::Identity(), Vec3(-way, 0, 0)});
   cut_sweep(rock, {body}, {});
-  EXPECT_NEAR(before - area({rock.rock[0]}), polygon_area(a, 64) / 2.0 + way * a,
-              1e-3 * a * 0.2e-3);
+  // m2: corners rounded to the grid.
+  EXPECT_NEAR(before - area({rock.rock[0]}), polygon_area(a, 64) / 2.0 + way * a, 9e-13);
 }
 
 /// The cutter of `one_depth_for_each_node_takes_the_rock_above_an_undercut` (spokes_test): half a
@@ -108,9 +109,9 @@ TEST(OutlineSpokes, a_loose_chip_is_removed) {
   const double before = area({rock.rock[0]});
   cut_spoke(rock, 0, {{0.06, -0.01}, {0.061, -0.01}, {0.061, 0.02}, {0.06, 0.02}});
   cut_spoke(rock, 0, {{0.04, 0.019}, {0.061, 0.019}, {0.061, 0.02}, {0.04, 0.02}});
-  EXPECT_NEAR(before - area({rock.rock[0]}), 0.001 * 0.02 + 0.02 * 0.001, 1e-9);
+  EXPECT_NEAR(before - area({rock.rock[0]}), 0.001 * 0.02 + 0.02 * 0.001, 1e-12 * before);
   cut_spoke(rock, 0, {{0.04, -0.01}, {0.041, -0.01}, {0.041, 0.02}, {0.04, 0.02}});
-  EXPECT_NEAR(before - area({rock.rock[0]}), 0.021 * 0.02, 1e-9);
+  EXPECT_NEAR(before - area({rock.rock[0]}), 0.021 * 0.02, 1e-12 * before);
 }
 
 TEST(OutlineSpokes, a_tool_within_the_rock_leaves_a_cavity) {
@@ -167,8 +168,8 @@ TEST(OutlineSpokes, agree_with_langevelds_on_a_height_field) {
     sum += off;
     worst = std::max(worst, off);
   }
-  EXPECT_LE(sum / static_cast<double>(seen.depth.size()), 0.02 * spacing);
-  EXPECT_LE(worst, spacing);
+  EXPECT_LE(sum / static_cast<double>(seen.depth.size()), 8e-4 * spacing);
+  EXPECT_LE(worst, 0.55 * spacing);
 }
 
 const std::vector<int> spoke_counts{30, 60, 120, 240, 480};
@@ -200,7 +201,7 @@ TEST(OutlineSpokes, see_a_tilted_plane_with_second_order_in_the_number_of_spokes
     }
     errors.push_back(sum);
   }
-  EXPECT_NEAR(least_squares_order(angles_between(spoke_counts), errors), 2.0, 0.05);
+  EXPECT_NEAR(least_squares_order(angles_between(spoke_counts), errors), 2.0, 2e-4);
   EXPECT_LT(errors.back(), 2e-7);
 }
 
@@ -229,7 +230,7 @@ TEST(OutlineSpokes, find_a_balls_volume_with_order_two_or_better_in_the_number_o
     errors.push_back(std::abs(removed / (pi * under * under * (radius - under / 3.0)) - 1.0));
   }
   EXPECT_GE(least_squares_order(angles_between(spoke_counts), errors), 2.0);
-  EXPECT_LT(errors.back(), 3e-4);
+  EXPECT_LT(errors.back(), 9.5e-5);
 }
 
 /// However often and wherever it is cut, a spoke has as many nodes as its length asks for, and the
@@ -258,6 +259,7 @@ RC_GTEST_PROP(OutlineSpokes, keep_their_nodes_few, ()) {
     measure(rock.rock[0].border);
     for (const Outline& cavity : rock.rock[0].cavities) measure(cavity);
     constexpr double corners_of_the_frame = 8;
+    // wide: the bound that outline_nodes.hpp promises of any cuts
     RC_ASSERT(static_cast<double>(nodes) <=
               3.0 * length / (widest_spacing * spacing) + corners_of_the_frame);
   }

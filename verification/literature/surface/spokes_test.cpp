@@ -55,7 +55,7 @@ TEST(Spokes, a_turning_disc_leaves_its_circle_at_every_node) {
       const double off = rock.node_radius(j) - centre_radius;
       const double expected = std::abs(off) < a ? std::sqrt(a * a - off * off) : 0.0;
       if (std::abs(std::abs(off) - a) < 1e-5) continue;  // the rim, where the circle is upright
-      ASSERT_NEAR(rock.depth[static_cast<std::size_t>(k * rock.nodes + j)], expected, 2e-6)
+      ASSERT_NEAR(rock.depth[static_cast<std::size_t>(k * rock.nodes + j)], expected, 1.1e-6)
           << "spoke " << k << " node " << j;
     }
 }
@@ -71,7 +71,7 @@ TEST(Spokes, a_turning_disc_removes_its_half_circle_times_its_way) {
     for (int j = 0; j < after.nodes; ++j)
       removed += after.depth[static_cast<std::size_t>(k * after.nodes + j)] * after.node_radius(j) *
                  after.node_spacing() * 2.0 * pi / after.spokes;
-  EXPECT_NEAR(removed, exact, 1e-3 * exact);
+  EXPECT_NEAR(removed, exact, 1.7e-4 * exact);
 }
 
 /// A box over the axis: every spoke starts inside it.
@@ -99,7 +99,7 @@ TEST(Spokes, a_box_on_the_axis_is_seen_by_every_spoke) {
                                        std::abs(std::sin(rock.azimuth(k)))),
                         2) *
                2.0 * pi / 16;
-  EXPECT_NEAR(removed, 0.25 * sectors, 0.01);
+  EXPECT_NEAR(removed, 0.25 * sectors, 0.0047);
 }
 
 TEST(Spokes, depth_between_nodes_is_exact_for_a_cone) {
@@ -115,8 +115,8 @@ TEST(Spokes, depth_between_nodes_is_exact_for_a_cone) {
 /// Figure 2.1: at the gage the spokes are as far apart as the radius makes them.
 TEST(Spokes, spread_with_the_radius) {
   const Spokes langeveld = flat_spokes(107.95e-3, 0.0, 120, 500);
-  EXPECT_NEAR(spoke_spacing(langeveld, 107.95e-3), 5.652e-3, 1e-6);
-  EXPECT_NEAR(langeveld.node_spacing(), 0.2159e-3, 1e-7);
+  EXPECT_NEAR(spoke_spacing(langeveld, 107.95e-3), 5.65225e-3, 3e-9);
+  EXPECT_DOUBLE_EQ(langeveld.node_spacing(), 0.2159e-3);
 }
 
 /// A cutter takes a half disc out of an upright wall, 50 mm below its top. The hole grows by half
@@ -142,8 +142,8 @@ TEST(Spokes, one_depth_for_each_node_takes_the_rock_above_an_undercut) {
   for (int j = 0; j < rock.nodes; ++j)
     if (rock.node_radius(j) > wall)
       area += rock.depth[static_cast<std::size_t>(j)] * rock.node_spacing();
-  EXPECT_NEAR(area, below * r + pi * r * r / 4.0, 2e-3 * area);
-  EXPECT_NEAR(area / (pi * r * r / 2.0), 5.25, 0.02);
+  EXPECT_NEAR(area, below * r + pi * r * r / 4.0, 2.7e-5 * area);
+  EXPECT_NEAR(area / (pi * r * r / 2.0), 5.25, 0.0025);
 }
 
 }  // namespace tdbd::reference::spokes_test

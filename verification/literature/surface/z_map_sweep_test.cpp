@@ -55,7 +55,7 @@ TEST(ZMapSweep, height_between_cells_converges_with_order_two) {
       worst = std::max(worst, std::abs(height_at(map, x, 0.1) - x * x));
     return worst;
   };
-  EXPECT_NEAR(std::log2(error(32) / error(64)), 2.0, 0.1);
+  EXPECT_NEAR(std::log2(error(32) / error(64)), 2.0, 2.2e-4);
 }
 
 }  // namespace tdbd::reference::z_map_sweep_test
