@@ -41,8 +41,8 @@ TEST(EnergyLedger, every_entry_converges_to_the_twins_with_order_two) {
       EXPECT_EQ(errors[e].back(), 0.0) << names[e];  // restitution 1 loses nothing
       continue;
     }
-    EXPECT_NEAR(least_squares_order(steps, errors[e]), 2.0, 0.1) << names[e];
-    EXPECT_LT(errors[e].back(), 1e-4 * std::abs(exact[e])) << names[e];
+    EXPECT_NEAR(least_squares_order(steps, errors[e]), 2.0, 0.015) << names[e];
+    EXPECT_LT(errors[e].back(), 6e-6 * std::abs(exact[e])) << names[e];
   }
 }
 
@@ -161,7 +161,7 @@ TEST(EnergyLedger, counts_cone_impulses_at_the_end_of_a_step) {
     }
     EXPECT_NEAR(d.ledger.cut_bit - cut_before, work, 1e-14);
   }
-  EXPECT_LT(std::abs(residual(s, d)), 1e-2 * std::abs(d.ledger.start));
+  EXPECT_LT(std::abs(residual(s, d)), 3e-4 * std::abs(d.ledger.start));
 }
 
 }  // namespace tdbd::dynamics::energy_ledger_test

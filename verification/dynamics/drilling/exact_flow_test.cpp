@@ -88,7 +88,7 @@ TEST(ExactFlow, damper_to_the_top_takes_its_work_from_the_top) {
   const double kept = 0.5 * 2.0 * 12.0 * 12.0 + 0.5 * 500.0 * 0.01 * 0.01;  // as much as is lost
   EXPECT_NEAR(d.ledger.top, 2.0 * kept, rounding * kept);
   EXPECT_NEAR(d.ledger.damped_string, kept, rounding * kept);
-  EXPECT_NEAR(velocity(s, d.state).w_W.z(), 12.0, 1e-11);
+  EXPECT_NEAR(velocity(s, d.state).w_W.z(), 12.0, 1e-12);
 }
 
 TEST(ExactFlow, coulomb_friction_stops_and_holds) {

@@ -75,7 +75,7 @@ TEST(StickSlip, small_swings_grow_or_die_as_the_slope_of_the_torque_says) {
     const double found = std::log(second / first) / (2.0 * period);
     worst = std::max(worst, std::abs(found - exact) / (slope / 82.0));
   }
-  EXPECT_LE(worst, 0.01);
+  EXPECT_LE(worst, 6e-4);  // 0.01 is required
   battery::record({"ours/lumped-instabilities",
                    "growth of stick-slip on both sides of its onset: deviation over slope/(2 I)",
                    worst, "1", "<= 0.01",
@@ -98,7 +98,7 @@ TEST(StickSlip, a_fast_top_drills_smoothly) {
   DrillingSystem s = long_string(30.0);
   DrillingRun d = steady_turning(s, 20.0, 5.0);
   swing(s, weakening_law, 1e-3, 40.0, d);
-  EXPECT_LT(swing(s, weakening_law, 1e-3, 5.0, d).size(), 0.1);
+  EXPECT_LT(swing(s, weakening_law, 1e-3, 5.0, d).size(), 1.6e-4);
 }
 
 /// Blades that cut what the blade before left: force in proportion to the depth since one delay.
@@ -209,7 +209,7 @@ TEST(BitBounce, vibration_grows_until_contact_is_lost) {
 TEST(BitBounce, starting_up_follows_the_worked_example) {
   AxialRun r{1000.0, 5e5, 7e5, 6.0 * 7.593e6, 0.5 / 6.0, 15.0 / 3600.0, DamperEnd::space};
   const AxialMotion damped = regenerate(r, false, 7.0, 8.0);
-  EXPECT_NEAR(damped.mean, 2.933e-3, 0.005 * 2.933e-3);
+  EXPECT_NEAR(damped.mean, 2.933e-3, 0.0038 * 2.933e-3);
   EXPECT_EQ(damped.lost, 0);
   r.damping = 0.0;
   EXPECT_GT(regenerate(r, false, 7.0, 8.0).lost, 0);

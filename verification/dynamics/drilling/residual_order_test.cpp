@@ -26,12 +26,11 @@ Window lumped_window(const DrillingSystem& s, const LumpedLaw& law, const Drilli
 /// Smooth, everything acting at once: DrillingOrder measures 2.00 of the same problem over six
 /// levels and 0.8 s.
 TEST(ResidualOrder, is_two_where_all_is_smooth) {
-  constexpr double tolerance = 0.06;  // DrillingOrder's
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
   const ResidualOrder found =
       residual_order(1e-3, lumped_window(s, smooth_law, coupled_start(s), 1e-3));
   ASSERT_TRUE(found.order) << found.reason;
-  EXPECT_NEAR(*found.order, 2.0, tolerance);
+  EXPECT_NEAR(*found.order, 2.0, 2.9e-4);
   EXPECT_EQ(found.steps, (std::vector<double>{1e-3, 0.5e-3, 0.25e-3}));
   EXPECT_EQ(found.residuals.size(), 3u);
 }

@@ -42,7 +42,7 @@ TEST(BrokenSchemes, no_way_back_is_found_by_order_and_reversal_and_is_symplectic
 TEST(BrokenSchemes, hasty_cones_are_found_by_the_cones_order_and_symplecticity) {
   const RotationScheme broken = hasty_cones();
   EXPECT_LT(worst_order(broken, cone_angles), 1.5);
-  EXPECT_NEAR(worst_order(broken, attitude), 2.0, 0.05);
+  EXPECT_NEAR(worst_order(broken, attitude), 2.0, 8e-6);
   EXPECT_GT(defect(broken), 1e6 * symplectic_limit);
 }
 

@@ -54,7 +54,7 @@ Vec3 mean_by_quadrature(const Vec3& T, const Vec3& P) {
 RC_GTEST_PROP(LieMomentum, is_that_of_the_middle_or_the_mean_of_the_way, ()) {
   const Vec3 T = random_vector(1.5), P = random_vector(5.0);
   const Vec3 middle = rotation::quaternion_exp<double>(-0.5 * T) * P;
-  constexpr double quadrature = 1e-9;
+  constexpr double quadrature = 2.8e-11;
   RC_ASSERT((lie_momentum<double>(LieMomentum::middle, T, P).m - middle).norm() <= rounding);
   RC_ASSERT((lie_momentum<double>(LieMomentum::mean, T, P).m - mean_by_quadrature(T, P)).norm() <=
             quadrature);

@@ -11,7 +11,7 @@ namespace tdbd::battery::energy_test {
 /// A body that can be built, three unequal cones, gravity: T = 5e4 s.
 constexpr double step = 0.04;  ///< s
 constexpr long steps = 1'250'000;
-constexpr double no_trend = 2e-5;  ///< of the energy, last fifth against first
+constexpr double no_trend = 1.7e-6;  ///< of the energy, last fifth against first
 
 double trend(const EnergyRecord& e) { return e.mean_of_fifth.back() - e.mean_of_fifth.front(); }
 
@@ -26,7 +26,7 @@ TEST(LongEnergy, the_thesis_drift_changes_the_energy_for_ever_with_spinning_cone
         production("lie-midpoint", {dynamics::Drift::lie_midpoint, drifts, 2});
     const EnergyRecord e = long_run(scheme);
     const double last = e.mean_of_fifth.back();
-    EXPECT_GT(std::abs(trend(e)), 100.0 * no_trend) << drifts;
+    EXPECT_GT(std::abs(trend(e)), 2000.0 * no_trend) << drifts;
     if (drifts == 1) {
       EXPECT_GE(last, 0.08);
       EXPECT_LE(last, 0.15);
@@ -55,12 +55,12 @@ TEST(LongEnergy, symplectic_drifts_show_no_trend_over_a_million_steps) {
 }
 
 TEST(LongEnergy, of_the_slow_top_is_bounded_for_all_drifts) {
-  constexpr double top_step = 0.02;
+  constexpr double top_step = 0.02, no_trend_of_the_top = 1.9e-7;
   const GoldenCase c = read_golden_case("slow_top");
   for (const RotationScheme& scheme : composed_schemes(2)) {
     const EnergyRecord e = energy_record(scheme, c, top_step, 1'000'000);
     EXPECT_LE(e.largest, 1.05 * e.largest_of_first_hundredth) << scheme.name;
-    EXPECT_LE(std::abs(trend(e)), no_trend) << scheme.name;
+    EXPECT_LE(std::abs(trend(e)), no_trend_of_the_top) << scheme.name;
     record({scheme.name == "lie-midpoint" ? "chapter5/energy" : "ours/energy",
             scheme.name + ": largest energy error over 1e6 steps, slow_top, h = 0.02 s", e.largest,
             "1",

@@ -17,7 +17,7 @@ using dynamics::RotationState;
 
 constexpr double unit_quaternion = 1e-15;
 constexpr double symplectic = 1e-12;   ///< scale: 1 + the largest momentum, inertia of order one
-constexpr double same_motion = 1e-11;  ///< the same, after ten steps
+constexpr double same_motion = 1e-12;  ///< the same, after ten steps
 
 double between(double lo, double hi) {
   return lo + (hi - lo) * 1e-6 * *rc::gen::inRange(0, 1'000'001);

@@ -51,7 +51,7 @@ TEST(Step, that_is_too_long_is_refused_with_the_state_as_it_was_and_the_step_tha
     ASSERT_TRUE(std::regex_search(message, found, std::regex("a step of ([0-9.e-]+) s would")))
         << message;
     const double would = std::strtod(found[1].str().c_str(), nullptr);
-    EXPECT_LT(would, 2.0);
+    EXPECT_THROW(advance({drift}, 2.0 * would, r), RunError);
     EXPECT_NO_THROW(advance({drift}, would, r));
   }
 }
@@ -70,7 +70,7 @@ TEST(Step, counts_the_windings_of_the_twist) {
     for (const double speed : {5.0, -5.0}) {
       Rotating r = start(g, {}, make_state(g, Mat3::Identity(), Vec3(0.0, 0.0, speed), {}, {}));
       for (int i = 0; i < 1000; ++i) step(g, {}, {Drift::split, drifts}, 0.01, r);
-      EXPECT_NEAR(rotation::twist_angle(r.state.q_WB, r.state.turns), 10.0 * speed, 1e-11);
+      EXPECT_NEAR(rotation::twist_angle(r.state.q_WB, r.state.turns), 10.0 * speed, 1e-12);
     }
 }
 
@@ -128,7 +128,7 @@ TEST(Step, composes_to_the_order_it_says) {
     const int steps = order == 8 ? 5 : 20;
     const double coarse = (end(order, steps) - exact).norm();
     const double fine = (end(order, 2 * steps) - exact).norm();
-    EXPECT_NEAR(std::log2(coarse / fine), order, 0.5) << order;
+    EXPECT_NEAR(std::log2(coarse / fine), order, 0.02) << order;
   }
 }
 

@@ -15,8 +15,8 @@ namespace tdbd::battery::symplecticity_test {
 /// The derivative by dual numbers is exact to rounding: entries of J up to about ten, some hundred
 /// operations each, 12 x 12 products.
 constexpr double rounding = 1e-13;
-constexpr double closed_form = 0.05;  ///< relative, required; the closed form is exact
-constexpr double third_order = 0.1;
+constexpr double closed_form = 4.5e-10;  ///< relative: the closed form is exact
+constexpr double third_order = 0.018;
 
 /// A system for the question: free and heavy, symmetric and not, with and without cones.
 struct System {

@@ -48,7 +48,7 @@ TEST(VelocityTorque, predicted_closing_torque_is_second_order_at_one_evaluation)
        {Drift::split, Drift::three_axis, Drift::lie_midpoint, Drift::lie_mean}) {
     double worst = 0.0;
     for (const double order : orders(production("predicted", Integrator{drift}), 100)) {
-      EXPECT_NEAR(order, 2.0, 0.05);
+      EXPECT_NEAR(order, 2.0, 0.005);
       worst = std::max(worst, std::abs(order - 2.0));
     }
     if (drift != Drift::split) continue;
@@ -84,7 +84,7 @@ TEST(VelocityTorque, torque_at_the_momentum_as_it_stands_is_first_order) {
 TEST(VelocityTorque, symmetric_closing_torque_composes_to_order_4) {
   const RotationScheme scheme =
       production("symmetric", Integrator{Drift::split, 1, 4, VelocityTorque::symmetric});
-  for (const double order : orders(scheme, 8)) EXPECT_NEAR(order, 4.0, 0.1);
+  for (const double order : orders(scheme, 8)) EXPECT_NEAR(order, 4.0, 0.05);
 }
 
 }  // namespace tdbd::battery::velocity_torque_test
