@@ -81,7 +81,7 @@ TEST(MassProperties, of_a_cylinder_are_those_of_its_prism_and_converge_with_orde
     EXPECT_NEAR(p.inertia(1, 1), 0.5 * axial + mass / 3, 1e-13);
   }
   const auto error = [&](int n) { return std::abs(of_prism(n).inertia(0, 0) - pi / 16); };
-  for (const int n : {32, 64, 128}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.02);
+  for (const int n : {32, 64, 128}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.018);
 }
 
 /// The twin throws points: five standard errors, of which none is the program's.

@@ -182,7 +182,7 @@ TEST(BladeBody, has_the_junk_slot_area_of_its_sectors) {
   for (const BladeStrip& blade : shape.blades) slots -= std::asin(blade.width / top);
   const double area =
       pi * (b.gage_radius * b.gage_radius - top * top) + slots / 2 * (top * top - floor * floor);
-  EXPECT_NEAR(junk_slot_area(shape, b.options, b.gage_radius) / area, 1.0, 1e-4);
+  EXPECT_NEAR(junk_slot_area(shape, b.options, b.gage_radius) / area, 1.0, 3.3e-6);
 }
 
 std::string problem_of(const Bladed& b) {

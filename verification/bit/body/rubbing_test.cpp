@@ -97,7 +97,7 @@ TEST(Rubbing, is_what_points_of_turning_rims_leave) {
     for (const double azimuth : {0.3, 1.9, 4.0}) {
       const Vec3 x(r * std::cos(azimuth), r * std::sin(azimuth), -0.02);
       EXPECT_NEAR(rubbing(cutters, points({x}), 4e-3, column).clearance,
-                  swept_clearance(cutters, x, 4e-3), 5e-6)
+                  swept_clearance(cutters, x, 4e-3), 2.9e-6)
           << r << ' ' << azimuth;
     }
 }

@@ -95,7 +95,7 @@ RC_GTEST_PROP(ConeRolling, does_not_depend_on_azimuth_or_weight, ()) {
   const double speed = balanced(slip_balance(cone_pose(cone, 0.0), bit, contacts));
   for (ConeContact& c : contacts) c = {turn * c.x_B, factor * c.weight};
   const SlipBalance turned = slip_balance(cone_pose(turned_cone, 1.0), turned_bit, contacts);
-  RC_ASSERT(std::abs(balanced(turned) - speed) <= 1e-9 * (1.0 + std::abs(speed)));
+  RC_ASSERT(std::abs(balanced(turned) - speed) <= rounding * (1.0 + std::abs(speed)));
 }
 
 /// A tooth's tip is as far from the journal as its row says, at every angle.

@@ -40,7 +40,7 @@ TEST(CutterOverlap, of_parallel_cylinders_is_a_lens) {
   ASSERT_EQ(overlaps.size(), 1u);
   const double r = 8e-3, half = std::acos(5e-3 / r);
   const double lens = 2 * r * r * (half - std::sin(half) * std::cos(half));
-  EXPECT_NEAR(overlaps[0].volume / (lens * 13e-3), 1.0, 2e-3);
+  EXPECT_NEAR(overlaps[0].volume / (lens * 13e-3), 1.0, 1e-3);
 }
 
 /// A cutter at the place of another shares all of it: the sum over its parts.
@@ -51,7 +51,7 @@ TEST(CutterOverlap, of_a_cutter_with_itself_is_its_volume) {
     if (part.cutter == 0 && part.density > 0.0) volume += mesh::enclosed_volume(part.mesh_P);
   const auto overlaps = cutter_overlaps(bit);
   ASSERT_EQ(overlaps.size(), 1u);
-  EXPECT_NEAR(overlaps[0].volume, volume, 1e-6 * volume);
+  EXPECT_NEAR(overlaps[0].volume, volume, 1e-12 * volume);
 }
 
 TEST(CutterOverlap, of_cutters_that_are_clear_is_nothing) {

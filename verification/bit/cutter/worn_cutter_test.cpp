@@ -61,7 +61,7 @@ TEST(WornCutter, loses_a_circular_segment_with_order_2) {
   const auto error = [&](int n) {
     return kept * c.length - volume_of(cutter_parts(c, {Grading::graded, n, 2e-3}));
   };
-  for (const int n : {64, 128, 256}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.1);
+  for (const int n : {64, 128, 256}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.019);
   EXPECT_LT(error(1024), 1e-5 * kept * c.length);
 }
 

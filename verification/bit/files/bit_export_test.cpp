@@ -74,7 +74,7 @@ TEST(BitExport, writes_the_exposure_profile) {
   std::getline(in, line);
   EXPECT_EQ(line, "r_m,z_m");
   while (std::getline(in, line)) last = line;
-  EXPECT_NEAR(std::stod(last), read(bit_b).gage_radius, 1e-5);
+  EXPECT_NEAR(std::stod(last), read(bit_b).gage_radius, 2.8e-6);
 }
 
 }  // namespace tdbd::bit::bit_export_test

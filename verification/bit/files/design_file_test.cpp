@@ -41,7 +41,7 @@ std::string message_after(const std::string& from, const std::string& to) {
 TEST(DesignFile, gives_a_bit_of_its_gage) {
   const Bit b = read(generated);
   EXPECT_EQ(b.cutters.size(), 61u);
-  EXPECT_NEAR(b.gage_radius, 107.95e-3, 5e-5);
+  EXPECT_NEAR(b.gage_radius, 107.95e-3, 1e-15);
   EXPECT_EQ(b.parts.size(), 61u * 3 + 6 + 1);
 }
 

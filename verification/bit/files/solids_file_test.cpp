@@ -69,7 +69,7 @@ TEST_P(WholeBit, keeps_its_cones) {
     EXPECT_EQ(again.parts[i].cone, original.parts[i].cone);
     expect_same_part(original.parts[i], again.parts[i]);
   }
-  EXPECT_NEAR(again.gage_radius, original.gage_radius, 1e-4);
+  EXPECT_NEAR(again.gage_radius, original.gage_radius, 1e-15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, WholeBit, ::testing::Values("stl", "obj", "ply", "off"));

@@ -41,7 +41,7 @@ TEST(HeelDrag, far_from_the_axis_is_that_of_a_plane) {
   c.X_BC = cutter_pose(c);
   const double s = (c.length - chamfer_depth(c)) / 64.0;
   EXPECT_NEAR(heel_drag({"far", {}, {c}, 0.0, {}, {}, {}}, advance).front(),
-              -s * std::sin(c.back_rake), 1e-7);
+              -s * std::sin(c.back_rake), 3e-10);
 }
 
 TEST(HeelDrag, is_used_up_by_a_fast_enough_advance) {
@@ -78,7 +78,7 @@ TEST(HeelDrag, a_wear_flat_at_the_gage_drags_by_the_bend_of_its_path) {
   const double r = 0.10795, step = 13e-3 / 64;
   const Cutter c = worn_cutter(r, pi / 2, 1e-3);
   const double e = c.wear / std::tan(c.back_rake);
-  EXPECT_NEAR(drag_of(c, 5e-3), e * e / (2 * r), 2 * e * step / r);
+  EXPECT_NEAR(drag_of(c, 5e-3), e * e / (2 * r), 1.9 * e * step / r);
 }
 
 /// A cutter that is not worn is measured as before; more wear never drags less.

@@ -213,7 +213,7 @@ RC_GTEST_PROP(PdcGenerator, lets_blades_follow_their_cutters, ()) {
     const auto blade = std::ranges::find(shape.blades, c.blade, &BladeStrip::blade);
     RC_ASSERT(blade != shape.blades.end());
     const double front = front_at(*blade, place_of(shape, c));
-    RC_ASSERT(std::abs(std::remainder(front - c.azimuth, 2 * pi)) < 1e-9);
+    RC_ASSERT(std::abs(std::remainder(front - c.azimuth, 2 * pi)) < 1e-14);
   }
 }
 

@@ -43,8 +43,8 @@ RC_GTEST_PROP(ProfileDesign, is_a_smooth_curve_in_arc_length, ()) {
   const double ds = 1e-6 * p.gage_radius, end = region_ends(p)[3];
   const double s = number(0.001, 0.999) * end;
   const ProfileSpot a = spot_at(p, s - ds), b = spot_at(p, s + ds), here = spot_at(p, s);
-  RC_ASSERT(std::abs((b.r - a.r) / (2 * ds) - std::cos(here.angle)) < 1e-5);
-  RC_ASSERT(std::abs((b.h - a.h) / (2 * ds) - std::sin(here.angle)) < 1e-5);
+  RC_ASSERT(std::abs((b.r - a.r) / (2 * ds) - std::cos(here.angle)) < 3.4e-10);
+  RC_ASSERT(std::abs((b.h - a.h) / (2 * ds) - std::sin(here.angle)) < 4.8e-10);
 }
 
 RC_GTEST_PROP(ProfileDesign, starts_on_the_axis_touches_zero_and_reaches_the_gage, ()) {

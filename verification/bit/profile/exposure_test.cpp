@@ -35,8 +35,8 @@ RC_GTEST_PROP(Exposure, of_two_equal_cutters_side_by_side_is_the_height_between_
 
 TEST(Exposure, of_a_backup_behind_its_cutter_is_its_under_exposure) {
   const auto found = exposures({flat_cutter(0.05, 0.0), flat_cutter(0.05, 1e-3)});
-  EXPECT_NEAR(found[0], 1e-3, of_chords);
-  EXPECT_NEAR(found[1], -1e-3, of_chords);
+  EXPECT_NEAR(found[0], 1e-3, 1e-15);
+  EXPECT_NEAR(found[1], -1e-3, 1e-15);
 }
 
 TEST(Exposure, is_not_told_where_no_other_rim_is_near) {
