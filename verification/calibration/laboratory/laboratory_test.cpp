@@ -67,8 +67,8 @@ TEST(Laboratory, readings_scatter_as_they_should) {
         count += 1.0;
       }
   EXPECT_EQ(count, 2400.0);
-  EXPECT_NEAR(std::sqrt(squares / count), 0.03, 0.0012);
-  EXPECT_NEAR(sum / count, 0.0, 0.0018);
+  EXPECT_NEAR(std::sqrt(squares / count), 0.03, 0.0011);
+  EXPECT_NEAR(sum / count, 0.0, 0.0014);
 }
 
 TEST(Laboratory, its_records_are_read_as_they_were_drilled) {
