@@ -67,7 +67,7 @@ TEST(Points, of_a_latin_hypercube_follow_the_seed) {
   EXPECT_EQ(first, samples_of(d));
   double product = 0.0;
   for (const auto& row : first) product += 12.0 * (row[0] - 0.5) * (row[1] - 0.5) / 64.0;
-  EXPECT_LT(std::abs(product), 0.4);  // correlation; three deviations of 64 independent pairs
+  EXPECT_LT(std::abs(product), 3.0 / 8.0);  // wide: three deviations of 64 independent pairs
   d.seed = 1;
   EXPECT_NE(first, samples_of(d));
 }
