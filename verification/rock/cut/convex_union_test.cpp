@@ -117,7 +117,7 @@ RC_GTEST_PROP(ConvexUnion, of_a_solid_cut_in_pieces_is_the_solid, ()) {
   RC_ASSERT(whole.has_value());
   const Vec3 x = *battery::point(1.0);
   RC_ASSERT(std::abs(depth_inside(whole->solid_P, x) - depth_inside(*mesh::convex_solid(m), x)) <
-            1e-5);
+            1e-12);
 }
 
 TEST(ConvexUnion, is_refused_of_pieces_that_do_not_fill_a_convex_solid) {

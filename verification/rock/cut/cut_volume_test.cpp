@@ -82,7 +82,7 @@ TEST(CutRock, removes_what_the_exact_boolean_does_as_edges_shrink) {
   const double order = std::log2(first / before) / 4.0;
   std::printf("  observed order over all levels: %.2f\n", order);
   EXPECT_GT(order, 0.9);
-  EXPECT_LT(before, 0.02);
+  EXPECT_LT(before, 3.9e-4);
 }
 
 }  // namespace tdbd::rock::cut_volume_test

@@ -161,7 +161,7 @@ TEST(FindCandidates, reaches_as_far_as_chords_ask) {
       const Pose start{rotation::exp(Vec3(0, 0, from)), Vec3::Zero()};
       const Pose end{rotation::exp(Vec3(0, 0, from + turn)), Vec3::Zero()};
       EXPECT_NEAR(group_motion(bit.groups[0], start, end).reach_W, reach / std::cos(0.5 * turn),
-                  1e-9);
+                  1e-14);
     }
 }
 

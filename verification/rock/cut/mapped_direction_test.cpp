@@ -64,11 +64,11 @@ RC_GTEST_PROP(MappedDirectionW, is_the_normal_about_the_core_where_that_points_o
   }
   const Vec3 n = cylindrical(c.X_WB1, x_W, x_W - nearest_W);
   RC_PRE(std::max(n.x(), n.z()) > 0.05);
-  const Vec3 expected = Vec3(std::max(0.0, n.x()), 0.0, std::max(0.0, n.z())).normalized();
+  const Vec3 along(std::max(0.0, n.x()), 0.0, std::max(0.0, n.z()));
   const Vec3 u = cylindrical(c.X_WB1, x_W, mapped_direction_W(cutting.groups[0], m, x_W));
-  constexpr double spacing =
-      0.6 * 2.0 / samples / 0.05;  // of the samples, over the normal's length
-  RC_ASSERT((u - expected).norm() < 2.0 * spacing);
+  const double spacing = (part.core_P->to - part.core_P->from).norm() / samples;
+  constexpr double rounding = 1e-14;
+  RC_ASSERT((u - along.normalized()).norm() < 0.5 * spacing / along.norm() + rounding);
 }
 
 TEST(MappedDirectionW, is_the_groups_own_where_the_normal_points_up_and_in) {

@@ -163,7 +163,7 @@ RC_GTEST_PROP(ExitDistance, is_the_highest_corner_of_the_planes_on_the_strip, ()
   RC_PRE(a.swept);
   const auto corner = best_corner(a.solid, p.path);
   RC_ASSERT(corner.has_value());
-  RC_ASSERT(std::abs(*a.exit - *corner) < 1e-9);
+  RC_ASSERT(std::abs(*a.exit - *corner) < 1e-12);
 }
 
 /// The place and the plane of an exit belong to it.
@@ -254,7 +254,7 @@ TEST(ExitDistance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
   for (const double rounding : {-1e-16, 0.0, 1e-16, 1e-15}) {
     const Vec3 u(0, 1, rounding);
     const Pass p{battery::box({-1, -1, -1}, {1, 1, 1}), {Vec3(0, 0, 1.5), Vec3(0, 0.5, 0.5), u, u}};
-    EXPECT_NEAR(*answer(p).exit, 0.75, 1e-9) << rounding;
+    EXPECT_NEAR(*answer(p).exit, 0.75, 1e-14) << rounding;
   }
 }
 

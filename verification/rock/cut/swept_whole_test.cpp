@@ -73,14 +73,14 @@ RC_GTEST_PROP(WholeExits, are_where_the_way_through_the_parts_ends, ()) {
   prepare_exits(g.whole->solid, {p}, scratch);
   const auto x = prepared_whole_exit(*g.whole, p, scratch);
   RC_TAG(x ? static_cast<int>(x->part) : -1);
-  RC_ASSERT(std::abs((x ? x->t : 0.0) - exit_part_by_part(g, p)) < 1e-8);
+  RC_ASSERT(std::abs((x ? x->t : 0.0) - exit_part_by_part(g, p)) < 1e-12);
   if (!x) return;
   double nearest = 1.0;  // some place of the level at the exit touches its owner
   for (int k = 0; k <= 1000; ++k) {
     const Vec3 x_P = p.q0_P + 1e-3 * k * (p.q1_P - p.q0_P) + x->t * p.u0_P;
     nearest = std::min(nearest, -depth_inside(g.parts[x->part], x_P));
   }
-  RC_ASSERT(nearest < 1e-3);
+  RC_ASSERT(nearest < 1.5e-4);
 }
 
 struct Cut {
@@ -110,9 +110,9 @@ RC_GTEST_PROP(WholeExits, leave_the_same_rock_volume_and_last_parts_as_part_by_p
   const Cut parts = cut(s, ExitFrom::parts), whole = cut(s, ExitFrom::whole);
   RC_TAG(whole.report.moved > 0 ? "cuts" : "misses");
   RC_ASSERT(whole.report.passes <= 2);
-  RC_ASSERT(std::abs(whole.report.removed - parts.report.removed) < 1e-6);
+  RC_ASSERT(std::abs(whole.report.removed - parts.report.removed) < 1e-12);
   for (int v = 0; v < whole.rock.surface.vertex_slots(); ++v)
-    RC_ASSERT((whole.rock.surface.position(v) - parts.rock.surface.position(v)).norm() < 1e-6);
+    RC_ASSERT((whole.rock.surface.position(v) - parts.rock.surface.position(v)).norm() < 1e-12);
   RC_ASSERT(whole.rock.last_part == parts.rock.last_part);
 }
 

@@ -72,9 +72,9 @@ TEST(Section, of_flat_rock_on_a_straight_path_is_a_circular_segment) {
   const double order = std::log2(errors.front() / errors.back()) / 4.0;
   fmt::print("area: order {:.3f}, last error {:.2e}; edge: last error {:.2e}\n", order,
              errors.back(), edge_errors.back());
-  EXPECT_NEAR(order, 2.0, 0.1);         // a polygon's area in its circle
-  EXPECT_LT(errors.back(), 2e-5);       // of the area
-  EXPECT_LT(edge_errors.back(), 2e-5);  // of the arc
+  EXPECT_NEAR(order, 2.0, 0.01);          // a polygon's area in its circle
+  EXPECT_LT(errors.back(), 2e-5);         // of the area
+  EXPECT_LT(edge_errors.back(), 1.8e-5);  // of the arc
 }
 
 TEST(Section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
@@ -83,7 +83,7 @@ TEST(Section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
   const double below_centre =
       2.0 * std::pow(radius * std::sin(half), 3) / (3.0 * segment_area(radius, height));
   const Vec3 expected = below_centre * Vec3(-std::sin(rake), 0.0, std::cos(rake));
-  EXPECT_LT((s.centroid_B - expected).norm(), 1e-5 * radius);
+  EXPECT_LT((s.centroid_B - expected).norm(), 9e-7 * radius);
   EXPECT_NEAR(s.angle_of_attack, 0.5 * pi - rake, 1e-12);
   EXPECT_NEAR(s.volume_rate, s.area * 2.0 * std::cos(rake), 1e-12 * s.volume_rate);
 }
@@ -93,7 +93,7 @@ TEST(Section, has_its_edge_centroid_where_an_arc_has_it) {
   const Vec3 arc_F(0.0, 0.0, -radius * std::sin(half) / half);
   const Section s = of_flat_rock(1024);
   EXPECT_LT((s.edge_centroid_B - face_along_x(radius, 1024, rake).X_BF * arc_F).norm(),
-            2e-5 * radius);
+            1.7e-5 * radius);
 }
 
 /// A trapezium of which the left side is upright and the right one leans; the rock comes up to
@@ -107,7 +107,7 @@ TEST(Section, has_its_edge_centroid_on_upright_sides_too) {
   const double left = 0.1, lower = 0.15, right = std::hypot(0.028, 0.1);
   const Vec3 sum_F =
       left * Vec3(0, -0.1, 0) + lower * Vec3(0, -0.025, -0.05) + right * Vec3(0, 0.064, 0);
-  EXPECT_NEAR(s.engaged_edge, left + lower + right, 1e-8);
+  EXPECT_NEAR(s.engaged_edge, left + lower + right, 1e-14);
   EXPECT_LT((s.edge_centroid_B - face.X_BF * Vec3(sum_F / (left + lower + right))).norm(), 1e-8);
 }
 
@@ -174,11 +174,12 @@ RC_GTEST_PROP(Section, is_what_columns_of_the_carried_face_find_in_the_rock, ())
   X_WF.p += a.X_WB.R * a.twist.linear_B * (lead / forward);
   const double width = 2.0 * a.face.rim_F[0].norm();
   const auto columns = reference::section_by_columns(a.rock_W, X_WF, a.face.rim_F, 2000);
-  RC_ASSERT(std::abs(s.area - columns.area) <= 2e-3 * width * width / 4.0);
+  // wide: other seeds see half of it
+  RC_ASSERT(std::abs(s.area - columns.area) <= 1e-5 * width * width / 4.0);
   if (columns.area < 1e-3 * width * width) return;
   const Vec2 centroid_F = columns.moment / columns.area;
   const Vec3 centroid_B = a.face.X_BF * Vec3(0.0, centroid_F.x(), centroid_F.y());
-  RC_ASSERT((s.centroid_B - centroid_B).norm() <= 2e-3 * width * width * width / columns.area);
+  RC_ASSERT((s.centroid_B - centroid_B).norm() <= 6e-7 * width * width * width / columns.area);
 }
 
 /// The part of the outline that goes forward, by Sutherland and Hodgman's clipping.
@@ -211,7 +212,8 @@ RC_GTEST_PROP(Section, of_a_turning_face_is_that_of_its_forward_part, ()) {
                                {hardly, longest_edge(a.rock_W), -1, hardly});
   const auto columns = reference::section_by_columns(a.rock_W, a.X_WB * a.face.X_BF, forward, 2000);
   const double radius_of_face = a.face.rim_F[0].norm();
-  RC_ASSERT(std::abs(s.area - columns.area) <= 2e-3 * radius_of_face * radius_of_face);
+  // wide: other seeds see half of it
+  RC_ASSERT(std::abs(s.area - columns.area) <= 2e-6 * radius_of_face * radius_of_face);
 }
 
 /// Cells as large as the rock offer every triangle; small ones must find all that count. The turn
@@ -297,7 +299,7 @@ RC_GTEST_PROP(Section, turns_with_rock_and_bit, ()) {
   for (Vec3& x_W : a.rock_W.positions) x_W = turn * x_W;
   const Section t = section_of(rock_of(a.rock_W, 0.1), a.face, turn * a.X_WB, a.twist, place);
   RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
-  RC_ASSERT(std::abs(s.engaged_edge - t.engaged_edge) <= 1e-10);
+  RC_ASSERT(std::abs(s.engaged_edge - t.engaged_edge) <= 1e-12);
   RC_ASSERT(std::abs(s.volume_rate - t.volume_rate) <= 1e-12);
 }
 
@@ -312,7 +314,7 @@ RC_GTEST_PROP(Section, depends_on_the_path_and_not_on_the_speed_along_it, ()) {
   const Section t = section_of(rock, a.face, a.X_WB, twice, place);
   RC_ASSERT(std::abs(s.area - t.area) <= 1e-12);  // of 0.1 m2
   RC_ASSERT(std::abs(2.0 * s.volume_rate - t.volume_rate) <= 1e-12);
-  RC_ASSERT(std::abs(s.angle_of_attack - t.angle_of_attack) <= 1e-9);
+  RC_ASSERT(std::abs(s.angle_of_attack - t.angle_of_attack) <= 1e-15);
 }
 
 TEST(Section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {

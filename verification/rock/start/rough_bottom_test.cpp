@@ -31,7 +31,7 @@ double correlation(double d, int n) {
 TEST(RoughBottom, has_its_amplitude_and_correlation) {
   for (const double over : {0.0, 0.5, 1.0, 2.0})
     EXPECT_NEAR(correlation(over * rough.correlation_length, 4000), std::exp(-0.5 * over * over),
-                0.07)
+                0.045)
         << over;
 }
 
