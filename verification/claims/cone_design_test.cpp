@@ -216,11 +216,11 @@ TEST(ConeDesign, uneven_gaps_track_as_often_but_seldom_all_at_once) {
   EXPECT_NEAR(even.mean / even.random_phase, 1.0, 0.1);
   for (const auto& [gaps, more, most] :
        {std::tuple{"bit R's eleven teeth in gaps uneven by 5 to 15 %", 1.0, 1.0},
-        std::tuple{"the same teeth in gaps twice as uneven", 2.0, 0.835}}) {
+        std::tuple{"the same teeth in gaps twice as uneven", 2.0, 71.0 / 85.0}}) {
     const Shares uneven = shares_of(uneven_row(more));
-    EXPECT_NEAR(uneven.most, most, 0.01);
+    EXPECT_NEAR(uneven.most, most, 1e-12);
     judge(gaps, uneven.most);
-    EXPECT_NEAR(uneven.mean / even.mean, 1.0, 0.03);
+    EXPECT_NEAR(uneven.mean / even.mean, 1.0, 6e-3);
     battery::record({"chapter1/spacing",
                      fmt::format("{}: mean share of tracking prints at those speeds over that of "
                                  "even gaps",

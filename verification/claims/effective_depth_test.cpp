@@ -40,7 +40,7 @@ TEST(EffectiveDepth, is_a_law_of_areas_for_sharp_cutters_only) {
       "weight of bits A to C, 1 to 3 mm a revolution, over that of a law of areas ";
   record_bound(claim, of + "that is equal at 1 mm: power 1.5, largest distance from 1", sharp, "1",
                0.03);
-  EXPECT_NEAR(blunt, 0.423, 0.01);
+  EXPECT_NEAR(blunt, 0.423, 1.3e-4);
   battery::record({claim, of + "that is equal at 1 mm: power 0.33 of a blunt cutter, least", blunt,
                    "1", "< 0.5: the two laws part",
                    blunt < 0.5 ? battery::Verdict::holds_with_limits : battery::Verdict::refuted});

@@ -14,7 +14,7 @@ namespace tdbd::claims::equations_test {
 using battery::Verdict;
 
 /// An eighth-order composition and a Runge-Kutta method over the time below; scale: 1 rad, 1 rad/s.
-constexpr double agreement = 1e-10;
+constexpr double agreement = 8e-12;
 constexpr double duration = 3.0;  // s
 constexpr long steps = 300;
 constexpr dynamics::Integrator best{dynamics::Drift::split, 1, 8};

@@ -157,7 +157,7 @@ TEST(RockRivals, volume_of_a_revolution_converges_to_that_within_the_scalloped_w
   fmt::print("observed order {:.2f}\n", order);
   EXPECT_GE(order, 1.0);
   EXPECT_LE(std::abs(rows.back()["mean"].get<double>()), 5e-4);
-  EXPECT_LE(errors.back(), 2e-3);
+  EXPECT_LE(errors.back(), 1.2e-3);
 }
 
 }  // namespace tdbd::claims::rock_rivals_test

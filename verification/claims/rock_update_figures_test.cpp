@@ -215,7 +215,7 @@ TEST(RockFigures, show_the_search_for_an_exit) {
                     {"up", strip.up[i]}});
   rows.push_back({{"what", "exit"}, {"t", exit}, {"from", inside.lo}, {"to", inside.hi}});
   EXPECT_GE(exit, highest);
-  EXPECT_NEAR(exit, highest, 1e-4);
+  EXPECT_NEAR(exit, highest, 1.7e-6);
   battery::record_table("search", rows);
 }
 

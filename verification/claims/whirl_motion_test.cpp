@@ -102,7 +102,7 @@ void record_shares(const simulation::Case& c, const Travel& t) {
 TEST(WhirlMotion, takes_cutters_backwards_and_sideways_where_the_bit_rolls_on_its_wall) {
   const simulation::Case c = whirling(
       {"motion.whirl.radius='1.5 mm'", "motion.whirl.frequency='8636 rpm'", "time.step='0.1 ms'"});
-  EXPECT_NEAR(centre_distance(c.motion) / c.bit.gage_radius, 1.0, 1e-4);
+  EXPECT_NEAR(centre_distance(c.motion) / c.bit.gage_radius, 1.0, 1e-12);
   const Travel t = travel(c);
   record_shares(c, t);
   const std::string of = "bit B rolls backward on its wall, orbit of 1.5 mm, 120 rpm: ";
@@ -123,7 +123,7 @@ TEST(WhirlMotion, takes_cutters_backwards_and_sideways_where_the_bit_rolls_on_it
 TEST(WhirlMotion, takes_no_cutter_backwards_that_is_beyond_the_centre_of_rotation) {
   const simulation::Case c = whirling({});
   const Travel t = travel(c);
-  EXPECT_NEAR(centre_distance(c.motion), 3 * mm, 1e-9);
+  EXPECT_NEAR(centre_distance(c.motion), 3 * mm, 1e-15);
   record_near(backwards,
               "bit B as in cases/bit-b-whirl, centre of rotation 3 mm off: share of time in which "
               "a cutter moves backward, most",
