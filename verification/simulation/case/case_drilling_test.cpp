@@ -71,12 +71,12 @@ TEST(ReadDrilling, adds_the_string_to_the_bit) {
   const dynamics::DrillingSystem more =
       with({"string.mass=1900", "string.torsional_inertia=31", "string.bending_inertia=23"})
           .drilling.system;
-  EXPECT_NEAR(more.mass, s.mass + 1000.0, 1e-9);
+  EXPECT_NEAR(more.mass, s.mass + 1000.0, 1e-12);
   EXPECT_EQ(more.centre_B, s.centre_B);
   const Mat3 added = more.gyrostat.inertia_B - s.gyrostat.inertia_B;
-  EXPECT_LT((added - Mat3(Vec3(10.0, 10.0, 20.0).asDiagonal())).norm(), 1e-9);
+  EXPECT_LT((added - Mat3(Vec3(10.0, 10.0, 20.0).asDiagonal())).norm(), 1e-13);
   const double bit = bit::mass_properties(c.bit).mass;
-  EXPECT_NEAR(s.mass, bit + 900.0, 1e-9);
+  EXPECT_NEAR(s.mass, bit + 900.0, 1e-12);
 }
 
 /// Its springs hold what the case says, less the bit's own weight.

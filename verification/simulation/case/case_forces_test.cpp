@@ -56,12 +56,14 @@ TEST(ReadForces, takes_coefficients_by_name_and_changes_them) {
   EXPECT_LT(cutting.eps, 60e6);
 }
 
-/// Mancos shale under 3000 psi: 16.5 ksi.
+/// Mancos shale, 65 MPa and 23.8 degrees, under 3000 psi: 16.5 ksi.
 TEST(ReadFormation, confines_the_rock) {
   const Case c = shale({});
   ASSERT_EQ(c.forces.rock.strengths.size(), 1u);
   constexpr double psi = 6894.757293168361;  // Pa
-  EXPECT_NEAR(c.forces.rock.strengths.front().confined / psi, 16.5e3, 50.0);
+  const double sine = std::sin(23.8 * std::numbers::pi / 180.0);
+  const double expected = 65e6 + 3000.0 * psi * (1.0 + sine) / (1.0 - sine);
+  EXPECT_NEAR(c.forces.rock.strengths.front().confined, expected, 1e-12 * expected);
 }
 
 TEST(ReadFormation, has_layers_that_dip) {

@@ -60,7 +60,7 @@ TEST(Motion, whirl_circles_at_its_radius_frequency_and_sense) {
       const Vec3 p = pose_at(m, t).p, later = pose_at(m, t + 0.01).p;
       EXPECT_NEAR(p.head<2>().norm(), 0.002, 1e-15);
       const double turned = std::atan2(p.cross(later).z(), p.head<2>().dot(later.head<2>()));
-      EXPECT_NEAR(turned, sign * 30.0 * 0.01, 1e-11);
+      EXPECT_NEAR(turned, sign * 30.0 * 0.01, rounding);
     }
   }
 }

@@ -51,19 +51,19 @@ TEST(RunEstimate, grows_with_triangles_and_frames) {
     return estimate(c, s);
   };
   const RunEstimate coarse = of({"rock.edge_length=0.008"}), fine = of({"rock.edge_length=0.004"});
-  EXPECT_NEAR(fine.triangles / coarse.triangles, 4.0, 0.8);
+  EXPECT_NEAR(fine.triangles / coarse.triangles, 4.0, 9e-3);
   EXPECT_GT(fine.memory_bytes, 2.0 * coarse.memory_bytes);
   // twice the frames, twice what they take, beside the bit's animation, which is there once
   const auto frames_of = [&](const std::string& every) {
     return of({"rock.edge_length=0.008", "output.frames_every=" + every}).disk_bytes;
   };
-  EXPECT_NEAR((frames_of("5") - frames_of("10")) / (frames_of("10") - frames_of("20")), 2.0, 1e-9);
+  EXPECT_NEAR((frames_of("5") - frames_of("10")) / (frames_of("10") - frames_of("20")), 2.0, 1e-12);
   EXPECT_GT(frames_of("20"), coarse.disk_bytes);
   // half the rows, half of what they take
   const auto rows_of = [&](const std::string& every) {
     return of({"rock.edge_length=0.008", "output.history_every=" + every}).disk_bytes;
   };
-  EXPECT_NEAR((rows_of("2") - rows_of("4")) / (rows_of("4") - rows_of("8")), 2.0, 1e-6);
+  EXPECT_NEAR((rows_of("2") - rows_of("4")) / (rows_of("4") - rows_of("8")), 2.0, 1e-12);
   EXPECT_GT(rows_of("2"), rows_of("4"));
 }
 

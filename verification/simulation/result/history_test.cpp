@@ -169,7 +169,7 @@ TEST(History, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond)
   const std::clock_t start = std::clock();  // the processor's time: other programs cost none of it
   for (int i = 0; i < 2048; ++i) history.append(row);
   const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  EXPECT_LT(spent / 2048, 1e-4);
+  EXPECT_LT(spent / 2048, 1e-4);  // wide: what is required; a slower processor takes longer
 }
 
 }  // namespace tdbd::simulation::history_test

@@ -141,7 +141,8 @@ RC_GTEST_PROP(HistoryWindow, has_means_sums_extremes_and_last_values, ()) {
     RC_ASSERT(triangles[r] == static_cast<double>(last.row.rock_triangles));
     RC_ASSERT(std::abs(removed[r] - sum_removed) <= single * sum_removed);
     RC_ASSERT(std::abs(normal[r] - sum_normal / count) <= single * sum_normal / count);
-    RC_ASSERT(std::abs(centroid[r] - last.sections[0].centroid_B.x()) <= single);
+    RC_ASSERT(std::abs(centroid[r] - last.sections[0].centroid_B.x()) <=
+              single * std::abs(centroid[r]));
   }
 }
 

@@ -109,7 +109,7 @@ TEST(RotateFailure, keeps_the_state_before_it) {
   ASSERT_NE(steps % 1000, 0);
   const std::string csv = result_files(folder / "out").at("history.csv");
   const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
-  EXPECT_NEAR(std::stod(last), 0.02 * static_cast<double>(steps), 1e-9);
+  EXPECT_NEAR(std::stod(last), 0.02 * static_cast<double>(steps), 1e-12);
   EXPECT_EQ(result_files(folder / "out").at("failure.txt"), failure + "\n");
   EXPECT_FALSE(fs::exists(folder / "out/summary.json"));
 }

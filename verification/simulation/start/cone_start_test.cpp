@@ -51,7 +51,7 @@ TEST(ConeStart, a_bit_that_turns_in_its_conforming_hole_takes_almost_nothing) {
   const Case c = conforming("step = \"4 ms\"\nduration = \"0.5 s\"");
   Simulation s = start(c);
   while (s.state.steps_done < c.time.steps) step(c, s);
-  EXPECT_LT(s.state.ledger.removed.value(), 0.5e-6);
+  EXPECT_LT(s.state.ledger.removed.value(), 5.4e-8);
   EXPECT_LE(ledger_defect(s), 1e-12);
 }
 

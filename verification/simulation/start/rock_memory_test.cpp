@@ -56,16 +56,16 @@ TEST(RockNeed, is_that_of_equilateral_triangles_and_of_the_cells_of_the_box) {
   box.add(Vec3::Zero());
   box.add(Vec3(0.2, 0.4, 0.6));
   const RockNeed need = need_of(std::sqrt(3.0), box, 0.1);
-  EXPECT_NEAR(need.triangles, 400.0, 1e-9);
+  EXPECT_NEAR(need.triangles, 400.0, 1e-12);
   EXPECT_NEAR(need.cells, 2.0 * 3.0 * 4.0, 1e-12);
-  EXPECT_NEAR(need.bytes, bytes_of_triangles(400.0) + 4.2 * 24.0, 1e-9);
+  EXPECT_DOUBLE_EQ(need.bytes, bytes_of_triangles(400.0) + 4.2 * 24.0);
 }
 
 /// The cylinder that the gage leaves.
 TEST(RockNeed, of_the_new_wall_is_that_of_the_gages_cylinder) {
   const Case c = drilling(2.0);
-  EXPECT_NEAR(need_of_new_wall(c).triangles, 2.0 * pi * 0.1 * 2.0 / (std::sqrt(3.0) / 4.0 * 1e-6),
-              1.0);
+  EXPECT_DOUBLE_EQ(need_of_new_wall(c).triangles,
+                   2.0 * pi * 0.1 * 2.0 / (std::sqrt(3.0) / 4.0 * 1e-6));
 }
 
 /// What is refused, in its own words; empty: nothing.

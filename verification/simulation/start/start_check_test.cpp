@@ -19,7 +19,7 @@ TEST(CoverAbove, is_nothing_in_the_hole) {
 
 TEST(CoverAbove, is_the_depth_below_the_bottom) {
   for (const Vec3& x : {Vec3(0, 0, 0.06), Vec3(0.05, 0.03, 0.06), Vec3(0.01, 0, 0.06)})
-    EXPECT_NEAR(cover_above(bowl(), x), 0.01, 1e-9);
+    EXPECT_NEAR(cover_above(bowl(), x), 0.01, 1e-15);
 }
 
 TEST(CoverAbove, is_nothing_where_there_is_no_surface_above) {

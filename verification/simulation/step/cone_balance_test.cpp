@@ -49,7 +49,7 @@ TEST(ConeBalance, gives_each_cone_the_impulse_at_the_spin_that_it_leads_to) {
     const double torque =
         cone_torque(c.forces, c.bit, static_cast<int>(k), X_WB, motion, dt, s.work.cuts);
     const double scale = cone.axial_inertia * (1.0 + std::abs(motion.cone_speeds[k]));
-    EXPECT_NEAR(momentum, before.rotation.cone_momenta[k] + dt * torque, 1e-9 * scale) << k;
+    EXPECT_NEAR(momentum, before.rotation.cone_momenta[k] + dt * torque, 1e-12 * scale) << k;
   }
 }
 

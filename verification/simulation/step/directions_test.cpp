@@ -148,14 +148,14 @@ TEST(Directions, hybrid_drills_a_deep_hole_and_has_the_best_mesh) {
   const Outcome hybrid = deep_hole("hybrid");
   EXPECT_EQ(hybrid.stopped, "");
   EXPECT_LT(hybrid.ledger, tolerance::ledger);
-  EXPECT_NEAR(hybrid.volume, 1.0, 0.01);
+  EXPECT_NEAR(hybrid.volume, 1.0, 4.5e-4);
   EXPECT_LT(hybrid.added, tolerance::ledger * hybrid.removed);
-  EXPECT_LT(hybrid.maintenance, 1e-3 * hybrid.removed);
+  EXPECT_LT(hybrid.maintenance, 5e-5 * hybrid.removed);
   EXPECT_EQ(hybrid.pairs, 0u);
   for (const char* extreme : {"all-down", "along-profile"}) {
     const Outcome o = deep_hole(extreme);
     EXPECT_LT(o.ledger, tolerance::ledger);
-    EXPECT_NEAR(o.volume, 1.0, 0.02);
+    EXPECT_NEAR(o.volume, 1.0, 3.3e-3);
     EXPECT_LT(o.worst_quality, hybrid.worst_quality);
   }
 }

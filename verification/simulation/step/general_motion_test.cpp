@@ -114,7 +114,7 @@ TEST(Sideways, a_disc_undercuts_the_wall) {
     fmt::print("edges of {:.1f} mm: volume {:.4f}, roof {:.4f} of the exact, {} pairs\n",
                1e3 * edge, volume, roof, pairs);
     EXPECT_NEAR(volume, 1.0, 60.0 * edge);
-    EXPECT_NEAR(roof, 1.0, 100.0 * edge);
+    EXPECT_NEAR(roof, 1.0, 57.0 * edge);
     EXPECT_LE(ledger_defect(s), tolerance::ledger);
     EXPECT_TRUE(mesh::check_surface(mesh::compact(s.state.rock.surface)).empty());
     if (edge == 2e-3) {  // at 1 mm maintenance makes folds of a micrometre: src/rock/README.md
@@ -149,7 +149,7 @@ TEST(Sideways, going_up_from_an_undercut_takes_its_roof) {
   const double up = 15e-3;
   const double volume = s.state.ledger.removed.value() / (u.area() * (u.disc.height + up));
   fmt::print("sideways and up: {:.4f} of the exact volume\n", volume);
-  EXPECT_NEAR(volume, 1.0, 0.12);
+  EXPECT_NEAR(volume, 1.0, 0.032);
 }
 
 constexpr double gage = 47.5e-3;  ///< m, of cases/bits/outside.toml
@@ -268,7 +268,7 @@ TEST(Reaming, a_bit_put_back_removes_nothing_more) {
   }
   expect_sound(s);
   fmt::print("pulling back removed {:.2e} of what drilling did\n", up / drilled);
-  EXPECT_LT(std::abs(up), 1e-2 * drilled);
+  EXPECT_LT(std::abs(up), 3.5e-4 * drilled);
 }
 
 /// A run that is cut in two at a maintenance, its rock saved and read again, goes on as one that
@@ -333,7 +333,7 @@ TEST(RoughStart, is_forgotten) {
       "shape = \"rough\"\namplitude = 0.002\ncorrelation_length = 0.01\nseed = 7");
   const double flat = eighth_revolution("shape = \"flat\"");
   fmt::print("eighth revolution from a rough over that from a flat start: {:.5f}\n", rough / flat);
-  EXPECT_NEAR(rough / flat, 1.0, 0.005);
+  EXPECT_NEAR(rough / flat, 1.0, 3e-4);
 }
 
 }  // namespace tdbd::simulation::general_motion_test

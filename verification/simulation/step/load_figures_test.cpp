@@ -74,7 +74,7 @@ TEST(LoadFigures, have_the_ratios_of_drilling) {
   const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
   const double area = pi * 0.01;
   EXPECT_NEAR(f.aggressiveness, 3.0 * 20.0 / (0.2 * 1000.0), rounding);
-  EXPECT_NEAR(f.specific_energy, 1000.0 / area + 12.0 * 20.0 / (area * 0.004), 1e-3);
+  EXPECT_DOUBLE_EQ(f.specific_energy, 1000.0 / area + 12.0 * 20.0 / (area * 0.004));
   EXPECT_NEAR(f.imbalance, 0.3, rounding);
   EXPECT_NEAR(f.imbalance_azimuth, 0.0, rounding);
 }
@@ -84,11 +84,11 @@ TEST(LoadFigures, have_every_part_with_a_force) {
   const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
   ASSERT_EQ(f.parts.size(), 2U);
   EXPECT_EQ(f.parts[0].name, "cutter-1/face");
-  EXPECT_NEAR(f.parts[0].normal.mean, 1000.0, 1e-9);
-  EXPECT_NEAR(f.parts[0].tangential.mean, 500.0, 1e-9);
-  EXPECT_NEAR(f.parts[0].power, 30.0, 1e-9);
+  EXPECT_DOUBLE_EQ(f.parts[0].normal.mean, 1000.0);
+  EXPECT_DOUBLE_EQ(f.parts[0].tangential.mean, 500.0);
+  EXPECT_DOUBLE_EQ(f.parts[0].power, 30.0);
   EXPECT_NEAR(f.parts[0].removed, 1e-8, 1e-20);
-  EXPECT_NEAR(f.parts[0].specific_energy, 0.6 / 1e-8, 1.0);
+  EXPECT_DOUBLE_EQ(f.parts[0].specific_energy, 0.6 / 1e-8);
   EXPECT_EQ(f.parts[1].name, "cutter-1/chamfer");
   EXPECT_NEAR(f.parts[1].removed, 1e-8, 1e-20);
 }

@@ -87,9 +87,9 @@ void expect_equal_rock(const Simulation& a, const Simulation& b) {
 
 class OptionCombinations : public testing::TestWithParam<Kind> {};
 
-/// The whole cutter and its parts one after another lead to the same places but for rounding, which a decision of
-/// maintenance may magnify: total volumes agree to this share.
-constexpr double same_volume = 1e-6;
+/// The whole cutter and its parts one after another lead to the same places but for rounding, and to the same
+/// decisions of maintenance: total volumes agree to this share.
+constexpr double same_volume = 1e-12;
 
 TEST_P(OptionCombinations, keep_the_rock_sound) {
   const bool by_forces = is_moved_by_forces(GetParam());

@@ -31,7 +31,7 @@ TEST(Spread, of_nothing_and_about_nothing_is_told_as_none) {
 
 /// Small differences of large numbers keep their digits.
 TEST(Spread, loses_no_digits_to_a_large_mean) {
-  EXPECT_NEAR(deviation(of({1e9 - 1.0, 1e9, 1e9 + 1.0})), std::sqrt(2.0 / 3.0), 1e-9);
+  EXPECT_NEAR(deviation(of({1e9 - 1.0, 1e9, 1e9 + 1.0})), std::sqrt(2.0 / 3.0), 1e-15);
 }
 
 }  // namespace tdbd::simulation::spread_test

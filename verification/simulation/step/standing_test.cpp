@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, Standing,
                          });
 
 TEST_P(Standing, takes_the_forces_of_the_laws_at_the_velocity_of_the_next_drift) {
-  constexpr double bound = 3e-7;  // of the weight; the search settles to 1e-9 in another measure
+  // of the weight, and that times 1 m; the search settles to 1e-9 in another measure
+  constexpr double of_forces = 6e-9, of_torques = 7e-11;
   const Case c = standing(GetParam());
   Simulation s = start(c);
   drill(c, s, 60);
@@ -77,8 +78,8 @@ TEST_P(Standing, takes_the_forces_of_the_laws_at_the_velocity_of_the_next_drift)
       BitLoads laws;
       sum_loads(c.forces, c.bit, move.X_WB1, s.work.velocity, move.dt, s.work.cuts, laws);
       const double scale = laws.force_W.norm();
-      EXPECT_LT((laws.force_W - s.work.loads.force_W).norm(), bound * scale);
-      EXPECT_LT((laws.torque_W - s.work.loads.torque_W).norm(), bound * scale);  // arms of 1 m
+      EXPECT_LT((laws.force_W - s.work.loads.force_W).norm(), of_forces * scale);
+      EXPECT_LT((laws.torque_W - s.work.loads.torque_W).norm(), of_torques * scale);
       ++stood;
     }
     const BitVelocity told = s.work.velocity;
@@ -109,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, StandingTwin, testing::Values("stick-slip", "dri
                          });
 
 TEST_P(StandingTwin, finds_the_velocity_that_relaxation_finds) {
-  constexpr double bound = 3e-8;  // of the velocity
+  constexpr double bound = 5e-11;  // of the velocity
   const Case c = standing(GetParam());
   Simulation s = start(c);
   drill(c, s, 60);
@@ -147,7 +148,7 @@ TEST_P(Standing, takes_energy_by_every_part) {
 
 /// Bit B falls some 2 mm into the rock until bodies and faces bear it, then it stands.
 TEST(Stands, under_its_weight_on_faces) {
-  constexpr double bound = 1e-3;  // rms of a step's change of the weight, over it; required
+  constexpr double bound = 6e-4;  // rms of a step's change of the weight, over it; required: 1e-3
   std::vector<std::string> settings = unturned;
   settings.insert(settings.end(), {"time.step='1 ms'", "time.duration='1 s'"});
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/stick-slip.toml", settings);
@@ -160,11 +161,12 @@ TEST(Stands, under_its_weight_on_faces) {
     const double change = -s.work.loads.force_W.z() - weight;
     weight += change;
     squares += change * change / (weight * weight);
-    EXPECT_NEAR((s.state.place.X_WB.p.z() - z) / c.time.step, told, 0.05 * told);  // required
+    EXPECT_NEAR((s.state.place.X_WB.p.z() - z) / c.time.step, told,
+                3.2e-7 * told);  // required: 0.05
     EXPECT_GT(told, 0.0);
   }
   EXPECT_LT(std::sqrt(squares / 500.0), bound);
-  EXPECT_NEAR(weight, 60e3, 600.0);
+  EXPECT_NEAR(weight, 60e3, 130.0);
 }
 
 /// What a run of stick-slip shows of its sticks: whenever the bit has turned slower than 0.5 rad/s
@@ -213,13 +215,13 @@ TEST(Stands, alike_at_every_step_of_stick_slip) {
         "{}: change {:.1e}, creep {:.4f} mm/s, depth {:.4f} mm, residual {:.4f} J, {} steps\n",
         step, found.change, 1e3 * found.creep, 1e3 * found.depth, found.residual, found.steps);
     EXPECT_GT(static_cast<double>(found.steps) * c.time.step, 0.5);
-    EXPECT_LT(found.change, 3e-3);  // required at 3 mm edges
+    EXPECT_LT(found.change, 5e-4);  // required at 3 mm edges: 3e-3
   }
   for (const Sticks& found : levels) {
     EXPECT_NEAR(found.depth, levels.back().depth, 5e-3 * levels.back().depth);  // required
     EXPECT_NEAR(found.creep, levels.back().creep, 0.05 * levels.back().creep);  // required
   }
-  EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.2);  // required
+  EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 4.4e-4);  // required: 0.2
 }
 
 class Steepness : public testing::TestWithParam<const char*> {};

@@ -51,7 +51,7 @@ class SteadyBitB : public testing::Test {
 };
 
 TEST_F(SteadyBitB, removes_the_gage_circle_times_the_advance) {
-  constexpr double within = 0.003;  // of the whole, required
+  constexpr double within = 0.002;  // of the whole; required: 0.003
   const double r = case_->bit.gage_radius;
   const double expected = std::numbers::pi * r * r * advance(*case_);
   for (std::size_t k = 1; k < 3; ++k) {
@@ -62,7 +62,7 @@ TEST_F(SteadyBitB, removes_the_gage_circle_times_the_advance) {
 }
 
 TEST_F(SteadyBitB, gives_every_cutter_what_the_radial_plane_gives_it) {
-  constexpr double median_within = 3.5e-3, worst_within = 0.03, counts_from = 0.01;
+  constexpr double median_within = 3.4e-3, worst_within = 0.03, counts_from = 0.01;
   const auto expected =
       reference::radial_plane_engagement(case_->bit, advance(*case_), 20.0 * micron);
   const std::vector<double> removed = by_cutter(revolution(2));

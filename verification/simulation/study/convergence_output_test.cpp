@@ -53,7 +53,7 @@ TEST(ConvergenceOutput, as_json_has_sizes_states_and_what_every_variable_shows) 
   EXPECT_EQ(j["levels"][1]["state"]["y"], c.levels[1].end.variables[1].values);
   const Json& x = j["variables"]["x"];
   EXPECT_EQ(x["verdict"], "order");
-  EXPECT_NEAR(x["order"].get<double>(), 2.0, 1e-9);
+  EXPECT_NEAR(x["order"].get<double>(), 2.0, 1e-12);
   EXPECT_EQ(x["differences"].size(), 4U);
   EXPECT_EQ(x["extrapolated"], c.variables[0].extrapolated);
   EXPECT_EQ(x["uncertainty"]["basis"], "observed order");

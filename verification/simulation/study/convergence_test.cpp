@@ -68,7 +68,7 @@ TEST(Convergence, halves_the_step_and_sees_the_order_of_every_variable) {
   }
   ASSERT_EQ(c.variables.size(), 7U);
   EXPECT_EQ(c.variables[0].name, "attitude");
-  EXPECT_NEAR(c.variables[0].order.order, 2.0, 0.1);
+  EXPECT_NEAR(c.variables[0].order.order, 2.0, 6.5e-4);
 }
 
 TEST(Convergence, tells_how_far_each_level_is) {

@@ -27,7 +27,7 @@ TEST(VariableConvergence, between_levels_has_the_order_the_scale_and_the_limit) 
   EXPECT_EQ(x.scale, 9.0);  // the largest
   ASSERT_EQ(x.differences.size(), 4U);
   EXPECT_NEAR(x.differences[0], 3.0 * 0.01 * 0.75, 1e-14);
-  EXPECT_NEAR(x.order.order, 2.0, 1e-9);
+  EXPECT_NEAR(x.order.order, 2.0, 1e-12);
   ASSERT_EQ(x.extrapolated.size(), 1U);
   EXPECT_NEAR(x.extrapolated[0], 7.0, 1e-12);
 }
@@ -42,7 +42,7 @@ TEST(VariableConvergence, against_a_reference_has_the_errors_of_every_level) {
   ASSERT_EQ(x.differences.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(x.differences[i], 3.0 * std::pow(levels[i].sizes[0], 2), 1e-14);
-  EXPECT_NEAR(x.order.order, 2.0, 1e-9);
+  EXPECT_NEAR(x.order.order, 2.0, 1e-12);
 }
 
 /// Attitudes are no vectors, and what grows has nothing to be compared with.
@@ -52,7 +52,7 @@ TEST(VariableConvergence, of_attitudes_and_of_what_grows_has_no_limit) {
   growing.back().end.variables[0].values.push_back(0.0);
   for (const auto& levels : {attitudes, growing}) {
     const VariableConvergence x = observe(levels, {{}, 2.0}).at(0);
-    EXPECT_NEAR(x.order.order, 2.0, 1e-9);
+    EXPECT_NEAR(x.order.order, 2.0, 1e-12);
     ASSERT_TRUE(x.uncertainty);
     EXPECT_EQ(x.uncertainty->basis, UncertaintyBasis::observed_order);
     EXPECT_TRUE(x.extrapolated.empty());
