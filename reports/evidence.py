@@ -85,6 +85,7 @@ def collect(folder, build, claims):
             found.stale.append(str(stale))
     found.stale.extend(f"reports/claims.toml: no evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
                        for slug, written in found.by_claim.items() if not written and slug not in open_claims)
+    found.wrong.extend(loose_limits(e for written in found.by_claim.values() for e in written))
     found.wrong.extend(f"claims.toml: {slug} is open, and a test measures it"
                        for slug in sorted(open_claims) if found.by_claim[slug])
     return found
@@ -110,10 +111,32 @@ def share_of_limit(e):
     met ("0, to the bit"). 0 where the limit is given in other words."""
     if bound := re.search(rf"<= {NUMBER}", e.limit):
         return abs(e.measured) / float(bound[1]) if float(bound[1]) else 1.0
-    if band := re.fullmatch(rf"{NUMBER} \+- {NUMBER}", e.limit):
+    if band := re.match(rf"{NUMBER} \+- {NUMBER}", e.limit):
         return abs(e.measured - float(band[1])) / float(band[2])
     exact = re.match(NUMBER, e.limit)
     return float(exact is not None and float(exact[1]) == e.measured)
+
+
+MOST = 3.0  # a limit may be so many times what is measured
+ROUNDING = 1e-12  # below it what is measured hangs on the order in which a compiler adds
+
+
+def allowed(limit):
+    """What a limit leaves room for: X of "<= X" and of "Y +- X"; 0 where it is given in other words."""
+    found = re.match(rf"(?:<=|{NUMBER} \+-) {NUMBER}", limit)
+    return float(found[2]) if found else 0.0
+
+
+def loose_limits(evidence):
+    """Limits that are wider than three times the worst that one test measures against them, and do not say why ("<= 0.1; wide: REASON"),
+    as a list of problems."""
+    worst = {}
+    for e in evidence:
+        if allowed(e.limit) > ROUNDING and not re.search(r"; wide: \w", e.limit):
+            key = (e.claim, e.test, e.limit)
+            worst[key] = max(worst.get(key, 0.0), share_of_limit(e))
+    return [f"evidence of {claim}: {test} has the limit {limit!r}, of which at most {share:.2g} is used up; tighten it, or say why it "
+            "is wide" for (claim, test, limit), share in sorted(worst.items()) if share * MOST < 1.0]
 
 
 def deciding(evidence):

@@ -15,7 +15,9 @@ struct Evidence {
   std::string what;       ///< one line: what was measured, on which case
   double measured = 0.0;  ///< finite
   std::string unit;       ///< "J", "rad"; "1" when it has none
-  std::string limit;      ///< "<= 1e-12", "2 +- 0.05"; for with_limits also the range of validity
+  /// "<= 1e-12", "2 +- 0.05"; for with_limits also the range of validity. At most three times what is measured, or it says
+  /// why: "<= 0.08; wide: REASON" (reports/evidence.py).
+  std::string limit;
   Verdict verdict = Verdict::refuted;
 };
 

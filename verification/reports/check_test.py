@@ -68,6 +68,11 @@ class Check(unittest.TestCase):
         page.touch()  # newer than the orphan: that alone is wrong
         self.assert_named("evidence/chapter5/other/what.json", "an orphan", "claims.toml has no chapter5/other")
 
+    def test_names_a_limit_that_is_too_wide(self):
+        self.project.measure(EVIDENCE | {"limit": "2 +- 0.05"})
+        (self.project.out / "index.html").touch()  # newer than the evidence: its width alone is wrong
+        self.assert_named("chapter5/order", "Order.is_two has the limit '2 +- 0.05'", "say why")
+
     def test_names_a_claim_of_no_chapter(self):
         claims = self.project.root / "reports/claims.toml"
         claims.write_text(claims.read_text(encoding="utf-8").replace("chapter5/order", "chapter9/order"), encoding="utf-8")

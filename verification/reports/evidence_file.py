@@ -10,6 +10,10 @@ def slug(text):
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
 
 
+def because(wide):
+    return f"; wide: {wide}" if wide else ""
+
+
 class Recorder:
     """Records what a test measured with a program of the build folder."""
 
@@ -28,8 +32,9 @@ class Recorder:
         partial.rename(file)
         return holds
 
-    def bound(self, claim, what, measured, unit, limit):
-        return self.record(claim, what, measured, unit, f"<= {limit:g}", measured <= limit)
+    def bound(self, claim, what, measured, unit, limit, wide=""):
+        """`wide`: why the limit is more than three times what is measured."""
+        return self.record(claim, what, measured, unit, f"<= {limit:g}{because(wide)}", measured <= limit)
 
-    def near(self, claim, what, measured, expected, room):
-        return self.record(claim, what, measured, "1", f"{expected:g} +- {room:g}", abs(measured - expected) <= room)
+    def near(self, claim, what, measured, expected, room, wide=""):
+        return self.record(claim, what, measured, "1", f"{expected:g} +- {room:g}{because(wide)}", abs(measured - expected) <= room)

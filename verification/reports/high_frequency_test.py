@@ -53,7 +53,7 @@ class HighFrequency(unittest.TestCase):
         return Recorder(BUILD, TDBD, f"HighFrequency.{self.id().split('.')[-1].removeprefix('test_')}")
 
     def test_a_laboratory_s_rate_keeps_the_spectrum(self):
-        """Seen: at most 2.5e-4 with the low pass; 0.5 to 29 without, where maintenance of the mesh folds into an empty band."""
+        """Without the low pass, maintenance of the mesh folds into an empty band."""
         for case, rock in WORDS.items():
             for name, load in LOADS.items():
                 x = self.samples(case, name)
@@ -61,7 +61,7 @@ class HighFrequency(unittest.TestCase):
                        for way, make in (("filtered", resample.resampled), ("naive", resample.interpolated))}
                 self.assertTrue(self.recorder().bound(
                     CLAIM, f"{rock}: density of the {load} at 512 Hz over that at 1000 Hz, 2 to 220 Hz, farthest from 1",
-                    off["filtered"], "1", 5e-4))
+                    off["filtered"], "1", 3e-4))
                 self.assertTrue(self.recorder().record(
                     CLAIM, f"{rock}: the same of the {load} without a low pass, which must be seen", off["naive"], "1",
                     "more than 0.3", off["naive"] > 0.3))
@@ -73,7 +73,7 @@ class HighFrequency(unittest.TestCase):
             frequency, _ = spectra.strongest(x, RATE, 1)[0]
             self.assertTrue(self.recorder().near(
                 CLAIM, f"homogeneous rock: strongest line of the {load} over blades times rotation",
-                frequency / lines.blades, 1.0, 0.1))
+                frequency / lines.blades, 1.0, 0.09))
             self.assertTrue(self.recorder().bound(
                 CLAIM, f"homogeneous rock: rms of the {load} over its mean", x.std() / x.mean(), "1", 0.015))
 
@@ -98,7 +98,7 @@ class HighFrequency(unittest.TestCase):
                 "in a second, k whole, m 1 or 3, so four lines in 2 Hz", max(away), "Hz", 0.06))
             self.assertTrue(self.recorder().near(
                 CLAIM, f"dipping beds: strongest line of the {load} over blades times f less b",
-                found[0][0] / (lines.blades - lines.beds), 1.0, 0.01))
+                found[0][0] / (lines.blades - lines.beds), 1.0, 0.0085))
 
     def test_dipping_beds_excite_the_shaft(self):
         lines = self.lines["high-frequency-beds"]

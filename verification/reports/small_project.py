@@ -55,7 +55,7 @@ claim = "Second <order>"
 where = "abstract"
 """
 EVIDENCE = {"claim": "chapter5/order", "what": "order of the attitude", "measured": 2.0012345678901234,
-            "unit": "1", "limit": "2 +- 0.05", "verdict": "holds", "test": "Order.is_two", "program": "verify"}
+            "unit": "1", "limit": "2 +- 0.003", "verdict": "holds", "test": "Order.is_two", "program": "verify"}
 
 
 class Project:

@@ -191,7 +191,7 @@ class Report(OfOneProject):
     def test_the_page_says_what_the_files_say(self):
         page = (self.project.out / "index.html").read_text().replace("<wbr>", "")  # where a line may break
         self.assertRegex(page, 'title="2.001234567890123[0-9]"')  # every digit, on hover
-        for words in ("Second &lt;order&gt;", "order of the attitude", "2.001", "2 +- 0.05", "Order.is_two",
+        for words in ("Second &lt;order&gt;", "order of the attitude", "2.001", "2 +- 0.003", "Order.is_two",
                       "<b>Reconstructed:</b> all of it",
                       "tdbd rotate cases/one.toml --set &#39;time.step=0.1 s&#39;", "data:image/png;base64,"):
             self.assertTrue(words in page, words)
@@ -224,8 +224,8 @@ class Worst(unittest.TestCase):
             return row[row.index("number "):][:len("number 0")]
 
     def test_the_one_that_takes_most_of_its_limit(self):
-        self.assertEqual(self.shown((1e-15, "<= 1e-11", "holds"), (3e-12, "<= 1e-11", "holds"),
-                                    (5e-12, "<= 1e-10", "holds")), "number 1")
+        self.assertEqual(self.shown((1e-15, "<= 4e-12", "holds"), (3e-12, "<= 4e-12", "holds"),
+                                    (5e-12, "<= 1e-11", "holds")), "number 1")
         self.assertEqual(self.shown((2.01, "2 +- 0.05", "holds"), (1.96, "2 +- 0.05", "holds")), "number 1")
 
     def test_a_limit_without_room_is_taken_whole(self):
@@ -234,10 +234,12 @@ class Worst(unittest.TestCase):
     def test_the_one_of_the_worst_verdict_that_goes_farthest_beyond(self):
         self.assertEqual(self.shown((0.9, "<= 1", "holds"), (0.02, "<= 0.05", "refuted"),
                                     (4e-4, "a symplectic drift has <= 1e-13", "refuted")), "number 2")
+        self.assertEqual(self.shown((1.09, "1 +- 0.1", "holds with limits"),
+                                    (1.4, "1 +- 0.1 is missed: it rained", "holds with limits")), "number 1")
 
     def test_words_that_tell_no_limit_come_last(self):
         self.assertEqual(self.shown((4.5, "none", "holds"), (1.05, "<= 1.05 times that of the first", "holds"),
-                                    (0.1, "<= 1", "holds")), "number 2")
+                                    (0.4, "<= 1", "holds")), "number 2")
 
 
 BIT_PAGE = """

@@ -1,0 +1,67 @@
+"""limits_test.py ROOT: a limit of a claim may be three times what is measured against it, or says why it is wider."""
+
+import pathlib
+import sys
+import unittest
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "reports"))
+import evidence  # noqa: E402
+
+
+def measured(value, limit, test="Snail.creeps", claim="ours/speed"):
+    return evidence.Evidence(claim, "its speed", value, "m/s", limit, "holds", test, "verify_snails")
+
+
+class Limits(unittest.TestCase):
+    def assert_tight(self, *found):
+        self.assertEqual(evidence.loose_limits(found), [])
+
+    def assert_loose(self, *found):
+        [problem] = evidence.loose_limits(found)
+        return problem
+
+    def test_of_three_times_the_measurement_are_tight(self):
+        self.assert_tight(measured(0.1, "<= 0.299"), measured(-0.1, "<= 0.298"), measured(2.1, "2 +- 0.299"), measured(1.9, "2 +- 0.298"))
+
+    def test_that_are_wider_are_named_with_what_they_leave(self):
+        self.assertRegex(self.assert_loose(measured(0.1, "<= 0.4")), r"of ours/speed: Snail.creeps has the limit '<= 0.4', .* 0.25 is used")
+        self.assert_loose(measured(-0.1, "<= 0.4"))
+        self.assert_loose(measured(2.1, "2 +- 0.301"))
+        self.assert_loose(measured(-1.9, "-2 +- 0.301"))
+        self.assert_loose(measured(1.9, "2 +- 3.01e-1"))
+
+    def test_of_a_measurement_that_meets_them_exactly_are_wide(self):
+        self.assert_loose(measured(0.0, "<= 1e-9"))
+        self.assert_loose(measured(2.0, "2 +- 1e-9"))
+
+    def test_that_say_why_may_be_wide(self):
+        self.assert_tight(measured(0.1, "<= 0.4; wide: five standard deviations"), measured(2.0, "2 +- 1; wide: a chaotic run"))
+
+    def test_with_other_words_after_the_number_do_not_say_why(self):
+        self.assert_loose(measured(0.1, "<= 0.4; GSL takes 0.9"))
+        self.assert_loose(measured(2.1, "2 +- 0.4 where it rains"))
+        self.assert_loose(measured(0.1, "<= 0.4; wide: "))
+
+    def test_that_are_missed_are_not_wide_whatever_they_say(self):
+        self.assert_tight(measured(1.4, "1 +- 0.1 is missed: it sleeps"), measured(0.7, "<= 0.1 was asked"))
+
+    def test_in_other_words_are_not_judged(self):
+        self.assert_tight(measured(0.0, ">= 0"), measured(0.0, "0, to the bit"), measured(1.0, "below 9"), measured(0.0, "<= 0"),
+                          measured(1.0, "<= 5 times that of the first steps"), measured(1.0, "a fast one has <= 9"))
+
+    def test_of_rounding_may_be_wide(self):
+        self.assert_tight(measured(0.0, "<= 1e-12"), measured(2.0, "2 +- 1e-12"), measured(1e-15, "<= 3e-13"))
+        self.assert_loose(measured(1e-15, "<= 2e-12"))
+
+    def test_are_as_tight_as_the_worst_of_a_test_s_measurements(self):
+        self.assert_tight(measured(0.1, "<= 1"), measured(0.5, "<= 1"), measured(0.0, "<= 1"))
+        self.assert_loose(measured(0.1, "<= 1"), measured(0.3, "<= 1"))
+
+    def test_are_not_excused_by_another_test_or_claim_or_limit(self):
+        for other in (measured(0.5, "<= 1", test="Snail.sleeps"), measured(0.5, "<= 1", claim="ours/rest"), measured(0.5, "<= 1.1")):
+            self.assertIn("Snail.creeps has the limit '<= 1'", self.assert_loose(measured(0.1, "<= 1"), other))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
