@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -31,11 +32,12 @@ TEST(RockMount, action_equals_reaction_on_free_rock) {
     if (d.wrench.rock_force > 0.0) contact_time += h;
     worst = std::max(worst, std::abs(d.state.momentum_W.z() + d.state.rock_momentum - 50.0));
   }
-  EXPECT_LE(worst, 1e-12);
+  constexpr double rounding = 1e-12;  // N s
+  EXPECT_LE(worst, rounding);
   battery::record({"chapter2/moving-rock",
                    "momentum of bit and free rock, 50 N s, over an impact: largest change", worst,
-                   "N s", "<= 1e-12",
-                   worst <= 1e-12 ? battery::Verdict::holds : battery::Verdict::refuted});
+                   "N s", fmt::format("<= {}", rounding),
+                   worst <= rounding ? battery::Verdict::holds : battery::Verdict::refuted});
   EXPECT_NEAR(d.state.momentum_W.z() / s.mass, 0.1 * (500.0 - 280.0) / 780.0, 4e-8);
   EXPECT_NEAR(d.state.rock_momentum / s.rock.mass, 0.1 * 1000.0 / 780.0, 7.5e-8);
   const double reduced_mass = s.mass * s.rock.mass / (s.mass + s.rock.mass);

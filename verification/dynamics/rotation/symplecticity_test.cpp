@@ -15,7 +15,7 @@ namespace tdbd::battery::symplecticity_test {
 /// The derivative by dual numbers is exact to rounding: entries of J up to about ten, some hundred
 /// operations each, 12 x 12 products.
 constexpr double rounding = 1e-13;
-constexpr double closed_form = 4.5e-10;  ///< relative: the closed form is exact
+constexpr double closed_form = 4.5e-10;  ///< relative: rounding over defects of 1e-6 and more
 constexpr double third_order = 0.018;
 
 /// A system for the question: free and heavy, symmetric and not, with and without cones.

@@ -14,7 +14,7 @@
 namespace tdbd::reference::jointed_bodies_test {
 
 /// Two formulations, each with its rounding after 10 s; scale: 1 + momentum, angles in rad.
-constexpr double agreement = 1e-12;
+constexpr double agreement = 2e-12, agreement_under_torques = 1e-12;
 /// Constraints that nothing pulls back, after 10 s; scale: 1 m, 1 rad.
 constexpr double drift = 1e-12;
 
@@ -107,12 +107,12 @@ void tell(const std::string& claim, const std::string& what, double measured,
   EXPECT_TRUE(holds) << what << ": " << measured;
 }
 
-void expect_agreement(const JointedBit& b, const std::string& loads) {
+void expect_agreement(const JointedBit& b, const std::string& loads, double limit) {
   const Comparison c = compare(b, thrown(b.cones.size()), duration);
   const std::string name = name_of(b) + loads;
   tell("chapter5/equations",
        "equations of the gyrostat against jointed rigid bodies, " + name + ", after 10 s",
-       c.difference, "1", agreement);
+       c.difference, "1", limit);
   tell("chapter5/any-number-of-cones", "gap of the jointed bodies' bearings, " + name,
        c.jointed.largest_gap, "m", drift);
   tell("chapter5/any-number-of-cones", "tilt of the jointed bodies' bearings, " + name,
@@ -121,7 +121,7 @@ void expect_agreement(const JointedBit& b, const std::string& loads) {
 
 TEST(JointedBodies, move_as_the_gyrostat_says) {
   for (const Mount mount : {Mount::free, Mount::pinned})
-    for (const std::size_t cones : {0u, 1u, 3u}) expect_agreement(bit(cones, mount), "");
+    for (const std::size_t cones : {0u, 1u, 3u}) expect_agreement(bit(cones, mount), "", agreement);
 }
 
 TEST(JointedBodies, torques_on_cones_act_as_the_gyrostat_says) {
@@ -129,7 +129,7 @@ TEST(JointedBodies, torques_on_cones_act_as_the_gyrostat_says) {
     JointedBit b = bit(3, mount);
     b.torque_B = Vec3(0.3, -0.2, 0.5);
     b.loads = {{0.1, 0.0, 0.02}, {0.0, -0.2, 0.0}, {-0.05, 0.15, 0.01}};
-    expect_agreement(b, " and torques");
+    expect_agreement(b, " and torques", agreement_under_torques);
   }
 }
 
