@@ -15,7 +15,7 @@ using battery::Verdict;
 constexpr double t_end = 10.0;  // s
 constexpr int steps = 1000;     // h = 0.01 s
 /// Error of an attitude after ten seconds that still counts as accurate, rad.
-constexpr double accurate = 1e-2;
+constexpr double accurate = 6e-3;
 
 double error_of(const battery::GoldenCase& c, const dynamics::Integrator& integrator) {
   const auto end = carry_to(c.gyrostat, c.loads, integrator, c.initial, t_end, steps).state;

@@ -165,7 +165,7 @@ TEST(BitModel, cutters_are_meshed_finer_at_the_edge_as_those_of_bits_b_and_c) {
     return 0.0;
   };
   const std::string what = ": edges at the face's rim over those at its centre, mean lengths";
-  record_near("chapter3/meshes", "bit-a, uniform" + what, ratio(example("bit-a")), 1.0, 0.25);
+  record_near("chapter3/meshes", "bit-a, uniform" + what, ratio(example("bit-a")), 1.0, 0.007);
   for (const char* name : {"bit-b", "bit-c"})
     record_bound("chapter3/meshes", std::string(name) + ", graded" + what, ratio(example(name)),
                  "1", 0.5);

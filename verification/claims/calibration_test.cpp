@@ -72,6 +72,8 @@ double mean_objective(const std::vector<Calibration>& draws) {
 
 constexpr int draws_of_the_known_law = 25, draws_of_others = 6;
 constexpr double outside_of_95 = 0.08;  // share of readings or coefficients; 0.05 is meant
+const std::string few_draws =
+    "5 % is meant; 3 % more are 1.8 standard deviations of 175 independent coefficients";
 
 TEST(BlindLaboratory, predicts_the_withheld_bit_of_a_law_that_it_knows) {
   // Bit A lies between B and C in rake, size and number of cutters; B and C lie outside of the others.
@@ -95,7 +97,7 @@ TEST(BlindLaboratory, finds_the_coefficients_that_made_the_records) {
     const std::string from = fmt::format("bits {} and {}", p.fitted[0], p.fitted[1]);
     record_bound(chapter(p) + "/calibration",
                  from + ": share of coefficients outside their 95 % intervals, 25 draws",
-                 share_missed(draws, truth), "1", outside_of_95);
+                 share_missed(draws, truth), "1", outside_of_95, few_draws);
     for (const auto& [key, limit] : limits)
       record_bound(chapter(p) + "/calibration", from + ": error of " + key + ", rms of 25 draws",
                    rms(errors_of(draws, key, truth.at(key))), "1", limit);
@@ -104,6 +106,7 @@ TEST(BlindLaboratory, finds_the_coefficients_that_made_the_records) {
 
 TEST(BlindLaboratory, separate_pressures_lower_the_objective_and_hardly_move_the_error) {
   const int n = draws_of_the_known_law;
+  const std::map<std::string, double> limits{{"A", 0.008}, {"B", 0.013}, {"C", 0.008}};
   for (const Pairing& p : pairings()) {
     const Judged together = judged("hanson-hansen", p, "", n);
     const Judged apart = judged("hanson-hansen", p, "-separate", n);
@@ -116,7 +119,7 @@ TEST(BlindLaboratory, separate_pressures_lower_the_objective_and_hardly_move_the
     record_bound(
         chapter(p) + "/objectives",
         in_words(p) + ": change of the withheld bit's error by separate fits, rms of 25 draws",
-        std::abs(rms(apart.errors) - rms(together.errors)), "1", 0.014);
+        std::abs(rms(apart.errors) - rms(together.errors)), "1", limits.at(p.withheld));
   }
 }
 

@@ -104,8 +104,8 @@ TEST(ConeDesign, teeth_that_track_do_not_cut_the_whole_bottom) {
   const double tracked = covered(ring, ratio_of(ring, 16.0), 20.0),
                spread = covered(ring, ratio_of(ring, 16.0 + golden), 20.0);
   record("16 prints a turn: share of its ring that 20 turns cover", tracked,
-         16 * ring.width / (2 * pi * ring.radius), 0.01);
-  record("16.618 prints a turn: share of its ring that 20 turns cover", spread, 1.0, 1e-3);
+         16 * ring.width / (2 * pi * ring.radius), 0.005);
+  record("16.618 prints a turn: share of its ring that 20 turns cover", spread, 1.0, whole);
 }
 
 /// Distances from the bit's axis, m, at which a tip comes to `penetration` above its lowest place
@@ -145,7 +145,7 @@ TEST(ConeDesign, an_axis_off_the_centre_makes_teeth_scrape_across_their_ring) {
   const Scrape none = scrape(central, its_row);
   record_bound("chapter1/offset",
                of + "way of a tooth along the radius, axis through the bit's, mm",
-               std::abs(none.out - none.in) / mm, "mm", 1e-9);
+               std::abs(none.out - none.in) / mm, "mm", 1e-12);
   for (const double offset : {4 * mm, 8 * mm}) {
     const auto [cone, row] = gage_row(offset);
     const Scrape way = scrape(cone, row);
@@ -153,7 +153,7 @@ TEST(ConeDesign, an_axis_off_the_centre_makes_teeth_scrape_across_their_ring) {
                 fmt::format("{}way along the radius with the axis {:.0f} mm off, over 4 e rho sin "
                             "gc/(r+ + r-)",
                             of, offset / mm),
-                (way.in * way.in - way.out * way.out) / way.closed_form, 1.0, 1e-9);
+                (way.in * way.in - way.out * way.out) / way.closed_form, 1.0, 1e-12);
     record_near(
         "chapter1/offset",
         fmt::format("{}way along the radius over the offset, axis {:.0f} mm off", of, offset / mm),

@@ -13,8 +13,9 @@ namespace tdbd::claims::equations_test {
 
 using battery::Verdict;
 
-/// An eighth-order composition and a Runge-Kutta method over the time below; scale: 1 rad, 1 rad/s.
-constexpr double agreement = 8e-12;
+/// An eighth-order composition and a Runge-Kutta method over the time below; scale: 1 rad, 1 rad/s. The more cones,
+/// the more rounding.
+constexpr double agreement = 7e-12, agreement_of_three = 2.5e-12;
 constexpr double duration = 3.0;  // s
 constexpr long steps = 300;
 constexpr dynamics::Integrator best{dynamics::Drift::split, 1, 8};
@@ -74,23 +75,26 @@ double disagreement(std::size_t cones) {
   return worst;
 }
 
-void check(const std::string& claim, std::size_t cones) {
+void check(const std::string& claim, std::size_t cones, double limit) {
   const double worst = disagreement(cones);
-  EXPECT_LE(worst, agreement) << cones << " cones";
+  EXPECT_LE(worst, limit) << cones << " cones";
   battery::record(
       {claim,
        fmt::format(
            "number of cones {}, heavy, torques on body and cones: largest difference from separate "
            "rigid bodies in bearings (constraint forces as multipliers) after {} s",
            cones, duration),
-       worst, "rad, rad/s, N m s", fmt::format("<= {}", agreement),
-       worst <= agreement ? Verdict::holds : Verdict::refuted});
+       worst, "rad, rad/s, N m s", fmt::format("<= {}", limit),
+       worst <= limit ? Verdict::holds : Verdict::refuted});
 }
 
-TEST(EquationsOfMotion, are_those_of_body_and_cones_in_bearings) { check("chapter5/equations", 3); }
+TEST(EquationsOfMotion, are_those_of_body_and_cones_in_bearings) {
+  check("chapter5/equations", 3, agreement_of_three);
+}
 
 TEST(EquationsOfMotion, hold_for_any_number_of_cones) {
-  for (const std::size_t cones : {0u, 1u, 2u, 5u, 7u}) check("chapter5/any-number-of-cones", cones);
+  for (const std::size_t cones : {0u, 1u, 2u, 5u, 7u})
+    check("chapter5/any-number-of-cones", cones, agreement);
 }
 
 }  // namespace tdbd::claims::equations_test

@@ -24,19 +24,25 @@ inline std::vector<bit::Bit> fixed_cutter_bits() {
   return {example("bit-a"), example("bit-b"), example("bit-c")};
 }
 
-/// Checks and records that a number is at most `limit`.
+/// What a limit says of its width: nothing, or why it is more than three times what is measured.
+inline std::string because(const std::string& wide) {
+  return wide.empty() ? "" : "; wide: " + wide;
+}
+
+/// Checks and records that a number is at most `limit`; `wide`: why that is far above it.
 inline void record_bound(const std::string& claim, const std::string& what, double measured,
-                         const std::string& unit, double limit) {
+                         const std::string& unit, double limit, const std::string& wide = "") {
   EXPECT_LE(measured, limit) << what;
-  battery::record({claim, what, measured, unit, fmt::format("<= {:g}", limit),
+  battery::record({claim, what, measured, unit, fmt::format("<= {:g}{}", limit, because(wide)),
                    measured <= limit ? battery::Verdict::holds : battery::Verdict::refuted});
 }
 
 /// Checks and records that a number is within `room` of `expected`.
 inline void record_near(const std::string& claim, const std::string& what, double measured,
-                        double expected, double room) {
+                        double expected, double room, const std::string& wide = "") {
   EXPECT_NEAR(measured, expected, room) << what;
-  battery::record({claim, what, measured, "1", fmt::format("{:g} +- {:g}", expected, room),
+  battery::record({claim, what, measured, "1",
+                   fmt::format("{:g} +- {:g}{}", expected, room, because(wide)),
                    std::abs(measured - expected) <= room ? battery::Verdict::holds
                                                          : battery::Verdict::refuted});
 }

@@ -107,15 +107,17 @@ TEST(Spokes, spread_towards_the_gage_where_the_mesh_stays_even) {
 
 /// The layouts that chapter 2 describes, at the gage of an 8.5 in hole.
 TEST(Spokes, stand_millimetres_apart_at_the_gage) {
-  constexpr double gage = 107.95 * mm, printed = 0.005;
+  constexpr double gage = 107.95 * mm, circle = 2.0 * std::numbers::pi * gage / mm;
+  constexpr double rounding = 1e-12, half_a_spoke = 0.5 / 678;  // of 1 mm
   const auto apart = [](int spokes) {
     return reference::spoke_spacing(reference::flat_spokes(gage, 0.0, spokes, 500), gage) / mm;
   };
-  record_near(diverge, "distance at the gage of planes every 5 degrees, mm", apart(72), 9.42,
-              printed);
-  record_near(diverge, "distance at the gage of 120 spokes, mm", apart(120), 5.65, printed);
+  record_near(diverge, "distance at the gage of planes every 5 degrees, mm", apart(72), circle / 72,
+              rounding);
+  record_near(diverge, "distance at the gage of 120 spokes, mm", apart(120), circle / 120,
+              rounding);
   record_near(diverge, "distance at the gage of the 678 spokes that it takes for 1 mm, mm",
-              apart(678), 1.0, printed);
+              apart(678), 1.0, half_a_spoke);
   record_near(diverge, "120 spokes of 500 nodes: distance of spokes at the gage over that of nodes",
               apart(120) * mm * 500 / gage, 26.2, 0.05);
 }

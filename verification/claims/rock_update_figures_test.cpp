@@ -138,7 +138,7 @@ TEST(RockFigures, show_the_prisms_of_the_step) {
                std::abs(sum / (mesh::hole_volume(one.after.surface, Vec3::Zero()) -
                                mesh::hole_volume(one.s.state.rock.surface, Vec3::Zero())) -
                         1.0),
-               "1", 1e-9);
+               "1", 1e-12);
 }
 
 /// The part that reaches deepest of those asked for.

@@ -57,7 +57,7 @@ TEST(StrengthFromRate, fits_a_bit_that_it_does_not_know_within_a_fifth) {
   }
   record_bound(claim,
                of + "strength of a rock 1.5 times as strong from its rates at 4 and 8 kN, error",
-               inside, "1", 0.02);
+               inside, "1", 0.013);
   const ref::WintersPoint light = drilled(1e3, 1.5);
   record_bound(
       claim, of + "strength of that rock from its rate at 1 kN, below the fit, error",
