@@ -41,9 +41,9 @@ void face_strips(const FaceColumns& face, const ForwardSpeed& v, const SpeedRang
         strips.empty() || std::max(greatest, speed) > ratio * std::min(least, speed);
     least = begins ? speed : std::min(least, speed);
     greatest = begins ? speed : std::max(greatest, speed);
-    if (begins) strips.push_back({i, i, 0.0});
-    strips.back().end = i + 1;
-    strips.back().ahead = lead / least;
+    const std::size_t first = begins ? i : strips.back().first;
+    if (begins) strips.emplace_back();
+    strips.back() = {first, i + 1, lead / least};
   }
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -220,6 +222,83 @@ TEST(Coarsen, takes_edges_below_four_fifths_of_the_target_and_makes_none_above_f
                fine = make_grade_surface(m, options(1.49, 1.49, 0.0, 0.0));
   EXPECT_EQ(coarsen(coarse), 2U);
   EXPECT_EQ(coarsen(fine), 0U);
+}
+
+/// Edges of a surface whose facets meet at more than the angle, smaller vertex first.
+std::set<std::pair<int, int>> sharp_edges(const Surface& s, double angle) {
+  const auto normal = [&](int t) {
+    return area_vector(s.position(s.vertex(3 * t)), s.position(s.vertex(3 * t + 1)),
+                       s.position(s.vertex(3 * t + 2)))
+        .normalized();
+  };
+  std::set<std::pair<int, int>> sharp;
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
+    if (!s.triangle_is_alive(c / 3)) continue;
+    const int a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
+    if (normal(c / 3).dot(normal(s.opposite_of(c) / 3)) < std::cos(angle))
+      sharp.insert({std::min(a, b), std::max(a, b)});
+  }
+  return sharp;
+}
+
+/// A vertex on a straight feature, on none, or at a corner of an outline.
+Place place_by_hand(const GradeSurface& g, int v) {
+  std::vector<Vec3> ways;
+  for (const auto& [a, b] : g.features)
+    if (a == v || b == v)
+      ways.push_back((g.s.position(a == v ? b : a) - g.s.position(v)).normalized());
+  if (ways.empty()) return Place::face;
+  return ways.size() == 2 && ways[0].dot(ways[1]) < -0.7 ? Place::crease : Place::corner;
+}
+
+/// Whatever the steps do to a prism: its features are where facets meet at an angle, every vertex knows its place, and
+/// the outline has all its corners.
+RC_GTEST_PROP(GradeSteps, keep_features_and_places_in_step_with_the_shape, ()) {
+  const TriangleMesh m =
+      *rc::gen::arbitrary<bool>()
+          ? battery::prism(battery::star_outline(1, 0.4, *rc::gen::inRange(3, 7)), 0, 0.5)
+          : battery::prism(battery::l_outline(1, 0.3), -0.5, 0.5);
+  const double edge = 0.05 * *rc::gen::inRange(3, 12);
+  GradeSurface g = make_grade_surface(
+      m, options(edge, edge * *rc::gen::inRange(1, 6), 0.1 * *rc::gen::inRange(0, 8), 0.0));
+  const auto corners = std::ranges::count(g.place, Place::corner);
+  for (int k = *rc::gen::inRange(1, 8); k > 0; --k) {
+    switch (*rc::gen::inRange(0, 4)) {
+      case 0:
+        refine(g);
+        break;
+      case 1:
+        g.options.edge *= 1.5;
+        g.options.face *= 1.5;
+        coarsen(g);
+        break;
+      case 2:
+        flip(g);
+        break;
+      default:
+        relax(g);
+    }
+    RC_ASSERT(adjacency_is_consistent(g.s));
+    RC_ASSERT(g.features == sharp_edges(g.s, g.options.angle));
+    std::ptrdiff_t kept = 0;
+    for (int v = 0; v < g.s.vertex_slots(); ++v) {
+      if (!g.s.is_alive(v)) continue;
+      RC_ASSERT(g.place[at(v)] == place_by_hand(g, v));
+      kept += g.place[at(v)] == Place::corner;
+    }
+    RC_ASSERT(kept == corners);
+    RC_ASSERT(std::abs(enclosed_volume(compact(g.s)) - enclosed_volume(m)) < rounding);
+  }
+}
+
+/// Longest first: after the two long sides of a box with a square end come the short ones.
+TEST(Refine, leaves_no_edge_above_four_thirds_of_the_target_and_splits_none_below) {
+  const TriangleMesh m = battery::box({0, 0, 0}, {1, 1, 1});
+  GradeSurface coarse = make_grade_surface(m, options(1.07, 1.07, 0.0, 0.0));  // 4/3 of it: 1.427
+  EXPECT_EQ(refine(coarse), 0U);
+  GradeSurface fine = make_grade_surface(m, options(1.05, 1.05, 0.0, 0.0));  // 1.4: the diagonals
+  EXPECT_EQ(refine(fine), 6U);
+  EXPECT_EQ(fine.s.vertex_count(), 14);
 }
 
 /// A prism over a slender kite, both ends cut along it: cut across they have far better facets.

@@ -230,6 +230,33 @@ RC_GTEST_PROP(CutRock, does_not_depend_on_the_numbering_of_the_rock, ()) {
     RC_ASSERT(std::abs(r.report.removed_by_part[i] - c.report.removed_by_part[i]) < 1e-15 * scale);
 }
 
+/// All that is in the region of a group's list, in its place, after every step; and the list knows of every change, so
+/// that the next step need not make it anew.
+RC_GTEST_PROP(CutRock, tells_the_near_lists_what_it_moved, ()) {
+  const Scene s = *scene();
+  const CuttingBit bit = prepare_cutting_bit(s.bit);
+  Rock rock = rock_of(s);
+  CutWorkspace work;
+  CutReport report;
+  const Pose motion = inverse(s.X_WB0) * s.X_WB1;
+  Pose X_WB = s.X_WB0;
+  for (int step = 0; step < 3; ++step, X_WB = X_WB * motion) {
+    cut_rock(rock, bit, X_WB, X_WB * motion, work, report);
+    for (const NearList& list : rock.near_lists) {
+      if (list.v.empty()) continue;
+      RC_ASSERT(list.changes == rock.grid.changes());
+      for (int v = 0; v < rock.surface.vertex_slots(); ++v) {
+        const Vec3& x_W = rock.surface.position(v);
+        if (!is_between(list.region_W.slabs, x_W)) continue;
+        const auto i = static_cast<std::size_t>(std::ranges::find(list.v, v) - list.v.begin());
+        RC_ASSERT(i < list.v.size());
+        const Vec3 place_W = list.origin_W + Vec3(list.x[i], list.y[i], list.z[i]);
+        RC_ASSERT((place_W - x_W).norm() < single_slack(list.region_W.box));
+      }
+    }
+  }
+}
+
 /// The size of the index's cells decides in which order vertices are found, and nothing else.
 RC_GTEST_PROP(CutRock, does_not_depend_on_the_index, ()) {
   const Scene s = *scene();

@@ -258,6 +258,26 @@ TEST(ExitDistance, is_not_cut_short_by_a_face_that_the_ray_grazes) {
   }
 }
 
+/// A roof of three planes above x = 0 to 2, through which a vertex goes straight along x: up with slope 2 to (0.5, 1),
+/// up with slope 1 / sqrt(3) to the top, and down. The second grows by exactly 1 on the way, which is not 0.
+TEST(ExitDistance, goes_on_to_the_top_where_the_exit_still_grows) {
+  mesh::ConvexSolid solid;
+  const Vec3 flat(-0.5, 0.0, std::sqrt(0.75)), steep = Vec3(-2, 0, 1).normalized(),
+                                               down = Vec3(2, 0, 1).normalized();
+  const Vec3 knee(0.5, 0, 1), top = knee + 1.2 * Vec3(flat.z(), 0, -flat.x());
+  mesh::add_plane(solid, steep, steep.dot(knee));
+  mesh::add_plane(solid, flat, flat.dot(knee));
+  mesh::add_plane(solid, down, down.dot(top));
+  mesh::add_plane(solid, -Vec3::UnitZ(), 1.0);
+  mesh::add_plane(solid, Vec3::UnitY(), 1.0);
+  mesh::add_plane(solid, -Vec3::UnitY(), 1.0);
+  mesh::pad(solid);
+  const Vec3 u = Vec3::UnitZ(), q0(0.1, 0, 0), q1 = q0 + 2.0 * Vec3::UnitX();
+  PlaneStrip strip;
+  EXPECT_NEAR(*exit_distance(solid, {q0, q1, u, u}, 0.0, strip), top.z(), 1e-14);
+  EXPECT_NEAR(*exit_distance(solid, {q1, q0, u, u}, 0.0, strip), top.z(), 1e-14);
+}
+
 /// More planes than a strip has room for: prepared parts of that many have a tree instead.
 TEST(ExitDistance, refuses_a_solid_of_too_many_planes) {
   mesh::ConvexSolid solid;

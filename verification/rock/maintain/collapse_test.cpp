@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "mesh/edit.hpp"
+#include "mesh/facet.hpp"
 #include "mesh/measures.hpp"
 #include "rock/maintain/invariants.hpp"
 #include "rock/maintain/maintain.hpp"
@@ -70,6 +74,110 @@ RC_GTEST_PROP(Collapse, is_judged_alike_at_one_place_and_at_three, ()) {
     RC_ASSERT((best != three.end()) == is_accepted(one));
     if (best != three.end()) RC_ASSERT(best->x_W == one.x_W && best->volume == one.volume);
   }
+}
+
+/// The triangles that a collapse of (a, b) to x leaves around it.
+std::vector<mesh::Facet> left_by(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
+  std::vector<mesh::Facet> left;
+  for (const mesh::Triangle& t : s.triangles) {
+    const auto has = [&](int v) { return t[0] == v || t[1] == v || t[2] == v; };
+    if (has(a) == has(b)) continue;
+    const auto place = [&](int v) -> Vec3 { return v == a || v == b ? x_W : s.position(v); };
+    left.push_back({place(t[0]), place(t[1]), place(t[2])});
+  }
+  return left;
+}
+
+double worst_of(const std::vector<mesh::Facet>& facets) {
+  double worst = 1.0;
+  for (const mesh::Facet& f : facets)
+    worst = std::min(worst, mesh::triangle_quality(f.a, f.b, f.c));
+  return worst;
+}
+
+/// The quality below which no triangle may come: 0.3, or that of the worst one at either end.
+double floor_of(const mesh::Surface& s, int a, int b) {
+  double worst = 0.3;
+  for (const mesh::Triangle& t : s.triangles)
+    if (std::ranges::count(t, a) + std::ranges::count(t, b) > 0)
+      worst = std::min(
+          worst, mesh::triangle_quality(s.position(t[0]), s.position(t[1]), s.position(t[2])));
+  return worst;
+}
+
+double longest_at(const std::vector<mesh::Facet>& facets, const Vec3& x_W) {
+  double longest = 0.0;
+  for (const mesh::Facet& f : facets)
+    for (const Vec3& y_W : {f.a, f.b, f.c}) longest = std::max(longest, (y_W - x_W).norm());
+  return longest;
+}
+
+/// Everything is allowed but what a test takes back.
+MaintenanceLimits lax() {
+  MaintenanceLimits l = limits_for(h);
+  l.longest_edge = l.volume_per_operation = l.farthest = l.ridge_cut = 1e3;
+  l.least_normal_cosine = -1.0;
+  l.steepest_overhang = 2.0;
+  return l;
+}
+
+/// Calls visit(a, b, verdict) for the three places of inner edges that may collapse.
+template <class Visit>
+void visit_places(const mesh::Surface& s, const MaintenanceLimits& l, Visit&& visit) {
+  for (int c = *battery::integer(0, 6); c < 3 * s.triangle_slots(); c += 7) {
+    const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+    for (const CollapseVerdict& v : judge_collapses(s, a, b, l, {}))
+      if (v.corner >= 0 && v.refused != Refusal::topology) visit(a, b, v);
+  }
+}
+
+/// Of uneven sheets: no triangle below both 0.3 and the worst of before.
+RC_GTEST_PROP(Collapse, is_refused_for_the_quality_that_it_would_leave, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.35)));
+  const mesh::Surface& s = rock.surface;
+  visit_places(s, lax(), [&](int a, int b, const CollapseVerdict& v) {
+    const double worst = worst_of(left_by(s, a, b, v.x_W)), floor = floor_of(s, a, b);
+    if (std::abs(worst - floor) < 1e-12) return;
+    RC_ASSERT(v.refused == (worst < floor ? std::optional(Refusal::quality) : std::nullopt));
+  });
+}
+
+/// Where quality does not count: no new edge longer than the limit.
+RC_GTEST_PROP(Collapse, is_refused_for_the_longest_edge_that_it_would_make, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.35)));
+  const mesh::Surface& s = rock.surface;
+  MaintenanceLimits l = lax();
+  l.longest_edge = *battery::number(0.4, 0.8);
+  visit_places(s, l, [&](int a, int b, const CollapseVerdict& v) {
+    const std::vector<mesh::Facet> left = left_by(s, a, b, v.x_W);
+    if (worst_of(left) < floor_of(s, a, b)) return;
+    RC_ASSERT(v.refused == (longest_at(left, v.x_W) > l.longest_edge
+                                ? std::optional(Refusal::too_long)
+                                : std::nullopt));
+  });
+}
+
+/// The volume that is told is that of the hole; the three places come with the least change first, and one that
+/// changes more than allowed is refused for it.
+RC_GTEST_PROP(Collapse, knows_the_volume_of_each_place, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.3)));
+  const mesh::Surface& s = rock.surface;
+  MaintenanceLimits l = lax();
+  l.volume_per_operation = *battery::number(0.0, 0.003);
+  const double before = mesh::hole_volume(s, Vec3::Zero());
+  double last = 0.0;
+  int last_corner = -1;
+  visit_places(s, l, [&](int a, int b, const CollapseVerdict& v) {
+    mesh::Surface after = s;
+    mesh::collapse_edge(after, v.corner, v.x_W);
+    RC_ASSERT(std::abs(mesh::hole_volume(after, Vec3::Zero()) - before - v.volume) < 1e-14);
+    RC_ASSERT((v.refused == Refusal::volume) == (std::abs(v.volume) > l.volume_per_operation));
+    if (v.corner == last_corner) RC_ASSERT(std::abs(v.volume) >= last);
+    last = std::abs(v.volume);
+    last_corner = v.corner;
+    const Vec3 &x_a = s.position(a), &x_b = s.position(b);
+    RC_ASSERT(v.x_W == x_a || v.x_W == x_b || v.x_W == Vec3(0.5 * (x_a + x_b)));
+  });
 }
 
 /// Ridges and valleys side by side: whichever end of an edge between them stays, one is cut.

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "mesh/measures.hpp"
 #include "rock/maintain/invariants.hpp"
@@ -97,6 +100,114 @@ TEST(Flip, that_cuts_a_ridge_or_changes_too_much_is_refused_by_name) {
   l = limits();
   l.least_normal_cosine = 0.999;
   EXPECT_EQ(refused(kite(0.03), l), Refusal::normal);
+}
+
+/// Everything is allowed but to leave the triangles no better.
+MaintenanceLimits lax() {
+  MaintenanceLimits l = limits();
+  l.shortest_edge = 0.0;
+  l.longest_edge = l.volume_per_operation = l.farthest = l.ridge_cut = 1e3;
+  l.least_normal_cosine = -1.0;
+  l.steepest_overhang = 2.0;
+  l.flip_quality = 2.0;  // no triangle is so good that its flip may change no volume
+  return l;
+}
+
+/// Distance between the lines through two pairs of points, by the foot points on both.
+double distance_of_lines(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
+  Eigen::Matrix<double, 3, 2> A;
+  A << b - a, p - q;
+  const Eigen::Vector2d x = A.colPivHouseholderQr().solve(p - a);
+  return (A * x - (p - a)).norm();
+}
+
+/// An inner edge of which a flip may be asked, by hand.
+struct Edge {
+  int c;
+  Vec3 a, b, p, q;
+  double before, after, volume, distance;
+};
+
+template <class Visit>
+void visit_edges(const mesh::Surface& s, Visit&& visit) {
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
+    if (s.opposite_of(c) < 0) continue;
+    Edge e{c,
+           s.position(s.vertex(mesh::next_corner(c))),
+           s.position(s.vertex(mesh::previous_corner(c))),
+           s.position(s.vertex(c)),
+           s.position(s.vertex(s.opposite_of(c))),
+           0,
+           0,
+           0,
+           0};
+    e.before =
+        std::min(mesh::triangle_quality(e.p, e.a, e.b), mesh::triangle_quality(e.q, e.b, e.a));
+    e.after =
+        std::min(mesh::triangle_quality(e.p, e.a, e.q), mesh::triangle_quality(e.q, e.b, e.p));
+    e.volume = std::abs((e.b - e.a).cross(e.p - e.a).dot(e.q - e.a)) / 6.0;
+    e.distance = distance_of_lines(e.a, e.b, e.p, e.q);
+    visit(e);
+  }
+}
+
+/// The worse of the two must gain a tenth.
+RC_GTEST_PROP(Flip, is_refused_unless_the_worse_triangle_gains, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
+  visit_edges(rock.surface, [&](const Edge& e) {
+    if (std::abs(e.after / e.before - 1.1) < 1e-9) return;
+    const auto refused = judge_flip(rock.surface, e.c, lax()).refused;
+    if (refused == Refusal::topology) return;
+    RC_ASSERT(refused ==
+              (e.after > 1.1 * e.before ? std::nullopt : std::optional(Refusal::quality)));
+  });
+}
+
+/// Each limit alone, where the quality gains. The better the triangles already are, the less volume may change.
+RC_GTEST_PROP(Flip, is_refused_for_lengths_volume_and_distance_beyond_their_limits, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
+  constexpr double close =
+      1e-6;  // of a limit: rounding decides, also of volumes of thin tetrahedra
+  const auto judge = [&](int c, double figure, double MaintenanceLimits::*limit, Refusal why,
+                         double sign) {
+    for (const double part : {1.0 - close, 1.0 + close}) {
+      MaintenanceLimits l = lax();
+      l.*limit = part * figure;
+      const bool is_beyond = sign * (part - 1.0) < 0.0;
+      RC_ASSERT(judge_flip(rock.surface, c, l).refused ==
+                (is_beyond ? std::optional(why) : std::nullopt));
+    }
+  };
+  visit_edges(rock.surface, [&](const Edge& e) {
+    if (judge_flip(rock.surface, e.c, lax()).refused) return;
+    const double length = (e.q - e.p).norm();
+    judge(e.c, length, &MaintenanceLimits::longest_edge, Refusal::too_long, 1.0);
+    judge(e.c, length, &MaintenanceLimits::shortest_edge, Refusal::too_short, -1.0);
+    if (e.distance < 1e-3) return;
+    RC_ASSERT(std::abs(judge_flip(rock.surface, e.c, lax()).drift - e.distance) < 1e-12);
+    judge(e.c, e.volume / (1.0 - e.before / 2.0), &MaintenanceLimits::volume_per_operation,
+          Refusal::volume, 1.0);
+    judge(e.c, e.distance, &MaintenanceLimits::farthest, Refusal::distance, 1.0);
+    if (is_sharp(rock.surface, e.c, lax()))
+      judge(e.c, e.distance, &MaintenanceLimits::ridge_cut, Refusal::ridge, 1.0);
+  });
+}
+
+/// Both new neighbours have the drift, and all four corners are touched.
+TEST(Flip, notes_its_drift_at_the_new_edge_and_touches_its_corners) {
+  Rock r = kite(0.005).rock();
+  const int c = Kite::diagonal(r);
+  const double expected = judge_flip(r.surface, c, limits()).drift;
+  EXPECT_NEAR(expected, 0.005, 1e-15);
+  SurfaceDrift drift;
+  MaintenanceReport report;
+  ASSERT_TRUE(try_flip(r, c, limits(), drift, report));
+  EXPECT_EQ(drift.of(2), expected);
+  EXPECT_EQ(drift.of(3), expected);
+  EXPECT_EQ(drift.of(0), 0.0);
+  EXPECT_EQ(drift.of(1), 0.0);
+  std::ranges::sort(r.touched_list);
+  EXPECT_EQ(r.touched_list, (std::vector{0, 1, 2, 3}));
 }
 
 TEST(Flip, is_refused_once_the_maintenance_has_moved_the_surface_far) {

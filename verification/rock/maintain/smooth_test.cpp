@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "mesh/measures.hpp"
+#include "reference/mesh/hausdorff.hpp"
 #include "rock/maintain/invariants.hpp"
 #include "rock/maintain/star.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
@@ -74,6 +77,121 @@ RC_GTEST_PROP(Smooth, keeps_normals_boundary_and_distance, ()) {
     RC_ASSERT(describe(check_distance(before.surface, rock.surface, l)) == "");
   }
   RC_PRE(smoothed > 0);  // most of uneven sheets' are refused
+}
+
+/// What smoothing at an inner vertex would do, by hand: the mean of the neighbours, without the part along the sum of
+/// the area vectors.
+struct ByHand {
+  Vec3 x_W;
+  double worst_before = 1.0, worst_after = 1.0, shortest = 1e300, longest = 0.0, swept = 0.0;
+  std::vector<mesh::Facet> before, after;
+};
+
+ByHand by_hand(const mesh::Surface& s, int v) {
+  ByHand h;
+  Vec3 sum = Vec3::Zero(), area = Vec3::Zero();
+  for (mesh::Triangle t : s.triangles) {
+    if (std::ranges::count(t, v) == 0) continue;
+    std::ranges::rotate(t, std::ranges::find(t, v));
+    const mesh::Facet f{s.position(t[0]), s.position(t[1]), s.position(t[2])};
+    h.before.push_back(f);
+    sum += f.b;
+    area += mesh::area_vector(f.a, f.b, f.c);
+  }
+  const Vec3 way = sum / static_cast<double>(h.before.size()) - s.position(v),
+             n = area.normalized();
+  h.x_W = s.position(v) + way - n * n.dot(way);
+  for (const mesh::Facet& f : h.before) {
+    h.after.push_back({h.x_W, f.b, f.c});
+    h.worst_before = std::min(h.worst_before, mesh::triangle_quality(f.a, f.b, f.c));
+    h.worst_after = std::min(h.worst_after, mesh::triangle_quality(h.x_W, f.b, f.c));
+    h.shortest = std::min(h.shortest, (f.b - h.x_W).norm());
+    h.longest = std::max(h.longest, (f.b - h.x_W).norm());
+    h.swept += std::abs((f.b - f.a).cross(f.c - f.a).dot(h.x_W - f.a)) / 6.0;  // tetrahedra
+  }
+  return h;
+}
+
+/// Of a place from the nearest of some triangles.
+double distance_from(const std::vector<mesh::Facet>& facets, const Vec3& x_W) {
+  double least = 1e300;
+  for (const mesh::Facet& f : facets)
+    least = std::min(least, reference::distance_to_triangle(x_W, f.a, f.b, f.c));
+  return least;
+}
+
+/// Everything is allowed but to leave the triangles no better.
+MaintenanceLimits lax() {
+  MaintenanceLimits l = limits();
+  l.shortest_edge = 0.0;
+  l.longest_edge = l.volume_per_operation = l.farthest = 1e3;
+  l.least_normal_cosine = l.sharp_cosine = -1.0;
+  l.steepest_overhang = 2.0;
+  return l;
+}
+
+/// Calls visit(v, by hand) for inner vertices of an uneven sheet.
+template <class Visit>
+void visit_inner(const mesh::Surface& s, Visit&& visit) {
+  for (int v = 0; v < s.vertex_slots(); ++v)
+    if (!s.is_boundary(v)) visit(v, by_hand(s, v));
+}
+
+/// The worst quality must rise by a fiftieth.
+RC_GTEST_PROP(Smooth, is_refused_unless_the_worst_triangle_gains, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
+  visit_inner(rock.surface, [&](int v, const ByHand& h) {
+    const SmoothVerdict found = judge_smooth(rock.surface, v, lax());
+    RC_ASSERT((found.x_W - h.x_W).norm() < 1e-14);
+    if (std::abs(h.worst_after / h.worst_before - 1.02) < 1e-9) return;
+    RC_ASSERT(
+        found.refused ==
+        (h.worst_after > 1.02 * h.worst_before ? std::nullopt : std::optional(Refusal::quality)));
+  });
+}
+
+/// Each limit alone, where the quality gains.
+RC_GTEST_PROP(Smooth, is_refused_for_lengths_volume_and_distance_beyond_their_limits, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
+  const mesh::Surface& s = rock.surface;
+  constexpr double close = 1e-9;  // of a limit: rounding decides
+  const auto judge = [&](int v, double figure, double MaintenanceLimits::*limit, Refusal why,
+                         double sign) {
+    for (const double part : {1.0 - close, 1.0 + close}) {
+      MaintenanceLimits l = lax();
+      l.*limit = part * figure;
+      const bool is_beyond = sign * (part - 1.0) < 0.0;
+      RC_ASSERT(judge_smooth(s, v, l).refused == (is_beyond ? std::optional(why) : std::nullopt));
+    }
+  };
+  visit_inner(s, [&](int v, const ByHand& h) {
+    if (judge_smooth(s, v, lax()).refused) return;
+    judge(v, h.longest, &MaintenanceLimits::longest_edge, Refusal::too_long, 1.0);
+    judge(v, h.shortest, &MaintenanceLimits::shortest_edge, Refusal::too_short, -1.0);
+    judge(v, h.swept, &MaintenanceLimits::volume_per_operation, Refusal::volume, 1.0);
+    const double moved =
+        std::max(distance_from(h.after, s.position(v)), distance_from(h.before, h.x_W));
+    RC_ASSERT(std::abs(judge_smooth(s, v, lax()).drift - moved) < 1e-12);
+    if (moved > 1e-4) judge(v, moved, &MaintenanceLimits::farthest, Refusal::distance, 1.0);
+  });
+}
+
+/// What was moved before, at the vertex or beside it, counts too (M6).
+TEST(Smooth, adds_to_the_largest_drift_around) {
+  const Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.3, 4));
+  int asked = 0;
+  visit_inner(rock.surface, [&](int v, const ByHand&) {
+    const SmoothVerdict alone = judge_smooth(rock.surface, v, lax());
+    if (alone.refused) return;
+    ++asked;
+    SurfaceDrift drift;
+    const mesh::VertexStar& star = rock.surface.star(v);
+    drift.note(rock.surface.ring(star)[star.size - 1], 0.25);
+    EXPECT_DOUBLE_EQ(judge_smooth(rock.surface, v, lax(), drift).drift, alone.drift + 0.25);
+    drift.note(v, 0.5);
+    EXPECT_DOUBLE_EQ(judge_smooth(rock.surface, v, lax(), drift).drift, alone.drift + 0.5);
+  });
+  EXPECT_GT(asked, 10);
 }
 
 /// A gable roof whose ridge runs along x: its vertices would slide, but may leave the ridge.

@@ -1,12 +1,16 @@
 #include "rock/section/contact_area.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "mesh/measures.hpp"
 #include "reference/mesh/convex_hull.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/rock/cut/cutting_scene.hpp"
 
 namespace tdbd::rock::contact_area_test {
 
@@ -149,6 +153,63 @@ TEST(ContactArea, of_blocks_that_slide_is_that_of_each) {
   EXPECT_NEAR(s.contacts[1].area, 0.08, rounding);
   EXPECT_LT((s.contacts[0].centroid_W - Vec3(-0.4, 0.0, 0.02)).norm(), rounding);
   EXPECT_LT((s.contacts[1].centroid_W - Vec3(0.5, 0.0, 0.02)).norm(), rounding);
+}
+
+/// What part i of a scene's bit holds at the end, one vertex after the other: what it moved, and what no triangle's
+/// plane has outside by more than the gap.
+std::vector<char> held_by_hand(const Rock& rock, const rock::Scene& s, const CuttingBit& bit, int i,
+                               double gap) {
+  const bit::Part& part = s.bit.parts[at(i)];
+  const auto group = std::ranges::find_if(bit.groups, [&](const CuttingGroup& g) {
+    return std::ranges::any_of(g.parts, [&](const CuttingPart& p) { return p.part == i; });
+  });
+  std::vector<char> held;
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v) {
+    const Vec3 x_P = inverse(s.X_WB1 * part.X_BP) * rock.surface.position(v);
+    const double depth = depth_behind_triangles(part.mesh_P, x_P);
+    if (std::abs(depth + gap) < 1e-9) RC_DISCARD("on the border");
+    const bool is_moved = is_moved_now(rock, v) && rock.last_part[at(v)] == i;
+    held.push_back(
+        is_moved || (depth > -gap && !is_far_from(*group, x_P, gaps_around_hull * gap)) ? 1 : 0);
+  }
+  return held;
+}
+
+/// Random bits and steps, whether the step was told of the gap or not, after a step before: the triangles all of whose
+/// corners the part holds.
+RC_GTEST_PROP(ContactArea, is_that_of_the_triangles_whose_corners_a_part_holds, ()) {
+  const rock::Scene s = *scene();
+  const CuttingBit bit = prepare_cutting_bit(s.bit);
+  Rock rock = rock_of(s);
+  const double gap = *rc::gen::element(1e-3, 0.02);
+  CutWorkspace work;
+  work.contact_gap = *rc::gen::element(-1.0, 0.5 * gap, gap, 2.0 * gap);
+  CutReport report;
+  const Pose between{s.X_WB0.R, 0.5 * (s.X_WB0.p + s.X_WB1.p)};
+  cut_rock(rock, bit, s.X_WB0, between, work, report);
+  cut_rock(rock, bit, between, s.X_WB1, work, report);
+  ContactWork contact_work;
+  std::vector<PartContact> found;
+  contact_areas(rock, bit, work, gap, contact_work, found);
+  RC_ASSERT(found.size() == s.bit.parts.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<char> held = held_by_hand(rock, s, bit, static_cast<int>(i), gap);
+    double area = 0.0;
+    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+    for (const auto& [a, b, c] : rock.surface.triangles) {
+      if (held[at(a)] == 0 || held[at(b)] == 0 || held[at(c)] == 0) continue;
+      const Vec3 &x = rock.surface.position(a), &y = rock.surface.position(b),
+                 &z = rock.surface.position(c);
+      const Vec3 one = mesh::area_vector(x, y, z);
+      area += one.norm();
+      sum += one;
+      moment += one.norm() / 3.0 * (x + y + z);
+    }
+    RC_TAG(area > 0.0 ? "touches" : "does not");
+    RC_ASSERT(std::abs(found[i].area - area) < rounding);
+    RC_ASSERT((found[i].area_vector_W - sum).norm() < rounding);
+    RC_ASSERT((found[i].centroid_W * area - moment).norm() < rounding);
+  }
 }
 
 }  // namespace tdbd::rock::contact_area_test

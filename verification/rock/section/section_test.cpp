@@ -96,19 +96,25 @@ TEST(Section, has_its_edge_centroid_where_an_arc_has_it) {
             1.7e-5 * radius);
 }
 
-/// A trapezium of which the left side is upright and the right one leans; the rock comes up to
-/// 0.1 above its lower side.
+/// A trapezium of which one side is upright and the other leans, and its mirror image; the rock comes up to 0.1 above
+/// its lower side. A side of which a part is engaged counts for as much, at its own middle: outlines have short ones.
 TEST(Section, has_its_edge_centroid_on_upright_sides_too) {
-  FaceOutline face = face_along_x(radius, 3, 0.0);
-  face.rim_F = {{-0.1, -0.05}, {0.05, -0.05}, {0.12, 0.2}, {-0.1, 0.2}};
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
-  const Section s =
-      section_of(rock, face, {Mat3::Identity(), Vec3(0.0, 0.013, 0.05)}, along_x, {0.12, 0.15});
-  const double left = 0.1, lower = 0.15, right = std::hypot(0.028, 0.1);
-  const Vec3 sum_F =
-      left * Vec3(0, -0.1, 0) + lower * Vec3(0, -0.025, -0.05) + right * Vec3(0, 0.064, 0);
-  EXPECT_NEAR(s.engaged_edge, left + lower + right, 1e-14);
-  EXPECT_LT((s.edge_centroid_B - face.X_BF * Vec3(sum_F / (left + lower + right))).norm(), 1e-8);
+  const ConvexPolygon left_upright{{-0.1, -0.05}, {0.05, -0.05}, {0.12, 0.2}, {-0.1, 0.2}},
+      right_upright{{-0.12, 0.2}, {-0.05, -0.05}, {0.1, -0.05}, {0.1, 0.2}};
+  const double upright = 0.1, lower = 0.15, leaning = std::hypot(0.028, 0.1),
+               whole = upright + lower + leaning;
+  const Vec3 sum_F = upright * Vec3(0, -0.1, 0.075) + lower * Vec3(0, -0.025, -0.05) +
+                     leaning * Vec3(0, 0.085, 0.075);
+  for (const bool is_mirrored : {false, true}) {
+    FaceOutline face = face_along_x(radius, 3, 0.0);
+    face.rim_F = is_mirrored ? right_upright : left_upright;
+    const Section s =
+        section_of(rock, face, {Mat3::Identity(), Vec3(0.0, 0.013, 0.05)}, along_x, {0.12, 0.15});
+    const Vec3 centroid_F(0.0, (is_mirrored ? -1.0 : 1.0) * sum_F.y() / whole, sum_F.z() / whole);
+    EXPECT_NEAR(s.engaged_edge, whole, 1e-12);
+    EXPECT_LT((s.edge_centroid_B - face.X_BF * centroid_F).norm(), 1e-12);
+  }
 }
 
 TEST(Section, is_nothing_above_the_rock_and_behind_its_edge) {
