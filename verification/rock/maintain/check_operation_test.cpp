@@ -87,6 +87,20 @@ TEST(CheckOperation, notices_wrong_adjacency_and_an_index_out_of_step) {
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("index"), std::string::npos);
 }
 
+/// Also behind a vertex that is no more.
+TEST(CheckOperation, notices_an_index_out_of_step_whatever_died_before) {
+  Rock rock = sheet();
+  const mesh::Surface& s = rock.surface;
+  const int c = s.corner_of[inner];
+  const int keep = s.vertex(mesh::next_corner(c)), gone = s.vertex(mesh::previous_corner(c));
+  const LocalState before = local_state(s, {gone, keep});
+  const Vec3 x_W = s.position(keep);
+  mesh::collapse_edge(rock.surface, c, x_W);
+  rock.grid.remove(gone);
+  rock.grid.move(keep, x_W + Vec3(0.0, 0.0, 1e-3));
+  EXPECT_NE(describe(check_around(rock, before, 0.0)).find("index"), std::string::npos);
+}
+
 /// Corner 0 is a corner like others: the triangle beyond its edge notices that it points elsewhere.
 TEST(CheckOperation, notices_a_wrong_neighbour_of_the_first_corner) {
   Rock rock = sheet();
