@@ -209,19 +209,48 @@ TEST(Target, grows_from_the_edges_up_to_that_of_the_faces) {
     }
 }
 
+/// The corners of a regular polygon on the unit circle.
+std::vector<Eigen::Vector2d> regular(int corners) {
+  std::vector<Eigen::Vector2d> outline;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2.0 * std::numbers::pi / corners * k;
+    outline.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return outline;
+}
+
 /// The middle of a hexagon of side 1 goes to a corner, which makes a diagonal of 2 in return: allowed from a target of
 /// 1.5, where its edges of 1 are below four fifths of it.
 TEST(Coarsen, takes_edges_below_four_fifths_of_the_target_and_makes_none_above_four_thirds) {
-  std::vector<Eigen::Vector2d> hexagon;
-  for (int k = 0; k < 6; ++k) {
-    const double angle = std::numbers::pi / 3.0 * k;
-    hexagon.emplace_back(std::cos(angle), std::sin(angle));
-  }
-  const TriangleMesh m = fan_prism(hexagon, {0, 0});
+  const TriangleMesh m = fan_prism(regular(6), {0, 0});
   GradeSurface coarse = make_grade_surface(m, options(1.51, 1.51, 0.0, 0.0)),
                fine = make_grade_surface(m, options(1.49, 1.49, 0.0, 0.0));
   EXPECT_EQ(coarsen(coarse), 2U);
   EXPECT_EQ(coarsen(fine), 0U);
+}
+
+/// Where the middle goes to a corner, the corner beside it gets a facet of 180 degrees less a turn: of quality 0.302 in a
+/// polygon of 12 corners, 0.279 in one of 13.
+TEST(Coarsen, leaves_no_facet_of_a_quality_below_three_tenths) {
+  constexpr double coarse = 10.0;
+  GradeSurface twelve = make_grade_surface(fan_prism(regular(12), {0, 0}),
+                                           options(coarse, coarse, 0.0, 0.0)),
+               thirteen = make_grade_surface(fan_prism(regular(13), {0, 0}),
+                                             options(coarse, coarse, 0.0, 0.0));
+  EXPECT_EQ(coarsen(twelve), 2U);
+  EXPECT_EQ(coarsen(thirteen), 0U);
+}
+
+/// One of the two middles stands out by 0.01, which is how far the surface moves if it goes.
+TEST(Coarsen, moves_the_surface_by_no_more_than_the_deviation) {
+  TriangleMesh m = fan_prism(regular(6), {0, 0});
+  m.positions.back().z() += 0.01;
+  GradeSurface loose = make_grade_surface(m, options(2.0, 2.0, 0.0, 0.0101)),
+               tight = make_grade_surface(m, options(2.0, 2.0, 0.0, 0.0099));
+  EXPECT_EQ(coarsen(loose), 2U);
+  EXPECT_EQ(coarsen(tight), 1U);
+  const double moved = *std::ranges::max_element(loose.moved);
+  EXPECT_NEAR(moved, 0.01, 1e-15);
 }
 
 /// Edges of a surface whose facets meet at more than the angle, smaller vertex first.

@@ -13,13 +13,14 @@ namespace tdbd::rock::check_operation_test {
 
 constexpr int inner = 60;  // the middle of 11 x 11 vertices
 
-Rock sheet() {
-  const mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.1, 7);
-  return make_rock(mesh::make_surface(m), 0.5, mesh::bounding_box(m));
+/// Edges of 0.3 m, or as many times that.
+Rock sheet(double size = 1.0) {
+  mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.1, 7);
+  for (Vec3& x_W : m.positions) x_W *= size;
+  return make_rock(mesh::make_surface(m), 0.5 * size, mesh::bounding_box(m));
 }
 
-TEST(CheckOperation, finds_nothing_wrong_with_a_bisection) {
-  Rock rock = sheet();
+void expect_nothing_wrong_with_a_bisection(Rock rock) {
   const int c = rock.surface.corner_of[inner];
   const int a = rock.surface.vertex(mesh::next_corner(c)),
             b = rock.surface.vertex(mesh::previous_corner(c));
@@ -29,6 +30,10 @@ TEST(CheckOperation, finds_nothing_wrong_with_a_bisection) {
   register_vertex(rock, m, -1);
   EXPECT_EQ(describe(check_around(rock, before, 0.0)), "");
   EXPECT_NO_THROW(require_promises_around(rock, before, 0.0, "bisections"));
+}
+
+TEST(CheckOperation, finds_nothing_wrong_with_a_bisection) {
+  for (const double size : {1.0, 1e-3, 1e3}) expect_nothing_wrong_with_a_bisection(sheet(size));
 }
 
 /// One of the vertices that were there before is no more.

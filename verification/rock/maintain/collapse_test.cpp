@@ -11,6 +11,7 @@
 #include "mesh/edit.hpp"
 #include "mesh/facet.hpp"
 #include "mesh/measures.hpp"
+#include "reference/mesh/hausdorff.hpp"
 #include "rock/maintain/invariants.hpp"
 #include "rock/maintain/maintain.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
@@ -121,10 +122,11 @@ MaintenanceLimits lax() {
   return l;
 }
 
-/// Calls visit(a, b, verdict) for the three places of inner edges that may collapse.
+/// Calls visit(a, b, verdict) for the three places of inner edges that may collapse, of one in `every`.
 template <class Visit>
-void visit_places(const mesh::Surface& s, const MaintenanceLimits& l, Visit&& visit) {
-  for (int c = *battery::integer(0, 6); c < 3 * s.triangle_slots(); c += 7) {
+void visit_places(const mesh::Surface& s, const MaintenanceLimits& l, Visit&& visit,
+                  int every = 7) {
+  for (int c = *battery::integer(0, every - 1); c < 3 * s.triangle_slots(); c += every) {
     const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
     for (const CollapseVerdict& v : judge_collapses(s, a, b, l, {}))
       if (v.corner >= 0 && v.refused != Refusal::topology) visit(a, b, v);
@@ -157,6 +159,57 @@ RC_GTEST_PROP(Collapse, is_refused_for_the_longest_edge_that_it_would_make, ()) 
   });
 }
 
+double distance_from(const std::vector<mesh::Facet>& facets, const Vec3& x_W) {
+  double least = 1e300;
+  for (const mesh::Facet& f : facets)
+    least = std::min(least, reference::distance_to_triangle(x_W, f.a, f.b, f.c));
+  return least;
+}
+
+/// How far a collapse moves the surface: of the ends and the middles of the old edges from the new triangles, and of the
+/// middles of the new edges from the old ones.
+double strayed_by_hand(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
+  const std::vector<mesh::Facet> left = left_by(s, a, b, x_W);
+  std::vector<mesh::Facet> old;
+  double farthest =
+      std::max(distance_from(left, s.position(a)), distance_from(left, s.position(b)));
+  for (const mesh::Triangle& t : s.triangles) {
+    if (std::ranges::count(t, a) + std::ranges::count(t, b) == 0) continue;
+    old.push_back({s.position(t[0]), s.position(t[1]), s.position(t[2])});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int v = t[k], w = t[(k + 1) % 3];
+      if (v != a && v != b && w != a && w != b) continue;
+      farthest = std::max(farthest, distance_from(left, 0.5 * (s.position(v) + s.position(w))));
+    }
+  }
+  for (const mesh::Facet& f : left)
+    for (const Vec3& y_W : {f.a, f.b, f.c})
+      farthest = std::max(farthest, distance_from(old, 0.5 * (x_W + y_W)));
+  return farthest;
+}
+
+/// Of every place that is allowed, and refused from there on.
+RC_GTEST_PROP(Collapse, knows_how_far_it_moves_the_surface, ()) {
+  const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.35)));
+  const mesh::Surface& s = rock.surface;
+  visit_places(
+      s, lax(),
+      [&](int a, int b, const CollapseVerdict& v) {
+        if (v.refused) return;
+        const double strayed = strayed_by_hand(s, a, b, v.x_W);
+        RC_ASSERT(std::abs(v.drift - strayed) < 1e-12);
+        for (const double part : {0.999, 1.001}) {
+          MaintenanceLimits l = lax();
+          l.farthest = part * strayed;
+          for (const CollapseVerdict& again : judge_collapses(s, a, b, l, {}))
+            if (again.x_W == v.x_W)
+              RC_ASSERT(again.refused ==
+                        (part < 1.0 ? std::optional(Refusal::distance) : std::nullopt));
+        }
+      },
+      71);
+}
+
 /// The volume that is told is that of the hole; the three places come with the least change first, and one that
 /// changes more than allowed is refused for it.
 RC_GTEST_PROP(Collapse, knows_the_volume_of_each_place, ()) {
@@ -178,6 +231,46 @@ RC_GTEST_PROP(Collapse, knows_the_volume_of_each_place, ()) {
     const Vec3 &x_a = s.position(a), &x_b = s.position(b);
     RC_ASSERT(v.x_W == x_a || v.x_W == x_b || v.x_W == Vec3(0.5 * (x_a + x_b)));
   });
+}
+
+TEST(Collapse, of_a_boundary_vertex_is_refused_by_name) {
+  const mesh::Surface s = mesh::make_surface(battery::bumpy_rock(1.5, 10, 0.0, 7));
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
+    const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+    const bool is_at_boundary = s.is_boundary(a) || s.is_boundary(b);
+    EXPECT_EQ(judge_collapse(s, a, b, lax()).refused == Refusal::boundary, is_at_boundary);
+    EXPECT_EQ(judge_collapse(s, a, b, lax()).corner >= 0, !is_at_boundary);
+  }
+}
+
+/// A neighbour of one vertex that is none of the other, nor the other itself.
+int neighbour_of_one(const mesh::Surface& s, int one, int other) {
+  const auto ring = [&](int v) {
+    return std::vector<int>(s.ring(s.star(v)), s.ring(s.star(v)) + s.star(v).size);
+  };
+  const std::vector<int> of_other = ring(other);
+  for (const int w : ring(one))
+    if (w != other && std::ranges::count(of_other, w) == 0) return w;
+  return -1;
+}
+
+/// What was moved before beside either end counts (M6).
+TEST(Collapse, adds_to_the_largest_drift_around_its_ends) {
+  const mesh::Surface s = mesh::make_surface(battery::bumpy_rock(1.5, 10, 0.2, 5));
+  int asked = 0;
+  for (int c = 0; c < 3 * s.triangle_slots(); c += 5) {
+    const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+    const CollapseVerdict alone = judge_collapse(s, a, b, lax());
+    if (!is_accepted(alone)) continue;
+    for (const int w : {neighbour_of_one(s, a, b), neighbour_of_one(s, b, a)}) {
+      if (w < 0) continue;
+      ++asked;
+      SurfaceDrift drift;
+      drift.note(w, 0.25);
+      EXPECT_DOUBLE_EQ(judge_collapse(s, a, b, lax(), drift).drift, alone.drift + 0.25);
+    }
+  }
+  EXPECT_GT(asked, 50);
 }
 
 /// Ridges and valleys side by side: whichever end of an edge between them stays, one is cut.
