@@ -14,6 +14,7 @@
 #include "reference/mesh/hausdorff.hpp"
 #include "rock/maintain/invariants.hpp"
 #include "rock/maintain/maintain.hpp"
+#include "verification/mesh/random_edit.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock::collapse_test {
@@ -73,7 +74,10 @@ RC_GTEST_PROP(Collapse, is_judged_alike_at_one_place_and_at_three, ()) {
     for (const CollapseVerdict& v : three) RC_ASSERT(v.corner == one.corner);
     const auto best = std::ranges::find_if(three, is_accepted);
     RC_ASSERT((best != three.end()) == is_accepted(one));
-    if (best != three.end()) RC_ASSERT(best->x_W == one.x_W && best->volume == one.volume);
+    if (best != three.end())
+      RC_ASSERT(best->x_W == one.x_W && best->volume == one.volume);
+    else
+      RC_ASSERT(one.refused == three[0].refused);  // the first reason is told
   }
 }
 
@@ -240,6 +244,21 @@ TEST(Collapse, of_a_boundary_vertex_is_refused_by_name) {
     const bool is_at_boundary = s.is_boundary(a) || s.is_boundary(b);
     EXPECT_EQ(judge_collapse(s, a, b, lax()).refused == Refusal::boundary, is_at_boundary);
     EXPECT_EQ(judge_collapse(s, a, b, lax()).corner >= 0, !is_at_boundary);
+  }
+}
+
+/// After random edits, which leave vertices of few neighbours.
+RC_GTEST_PROP(Collapse, is_refused_at_all_places_where_it_would_pinch, ()) {
+  mesh::Surface s = mesh::make_surface(battery::bumpy_rock(1.0, 4, 0.1, 7));
+  for (int k = 0; k < 60; ++k) mesh::random_edit(s, *battery::integer(0, 1 << 20));
+  for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
+    if (!s.triangle_is_alive(c / 3)) continue;
+    const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+    if (s.is_boundary(a) || s.is_boundary(b)) continue;
+    const bool pinches = !mesh::collapse_keeps_topology(s, mesh::corner_facing(s, a, b));
+    RC_ASSERT((judge_collapse(s, a, b, lax()).refused == Refusal::topology) == pinches);
+    for (const CollapseVerdict& v : judge_collapses(s, a, b, lax(), {}))
+      RC_ASSERT((v.refused == Refusal::topology) == pinches);
   }
 }
 
