@@ -46,6 +46,7 @@ struct Rewording {
   const char *said, *ours;
 };
 constexpr std::array rewordings{
+    Rewording{R"(A subcommand is required)", "found no command, expected one"},
     Rewording{R"((\S+) is required)", "found no $1, expected one"},
     Rewording{R"((\S+): (?:Value )?(.+) not in (?:range )?(.+))", "$1: found $2, expected $3"},
     Rewording{R"((\S+): 1 required (?:INT:|FLOAT:|TEXT:)?(.+) missing)",

@@ -29,7 +29,6 @@ void demand_file(const std::filesystem::path& path, std::string_view expected) {
   if (!fs::status_known(status)) refuse_file(path, error.message(), expected);
   if (fs::is_directory(status)) refuse_file(path, "a folder", expected);
   if (!fs::is_regular_file(status)) refuse_file(path, "no regular file", expected);
-  errno = 0;
   if (std::ifstream(path)) return;
   if (is_shortage({errno, std::generic_category()}))
     throw RunError(fmt::format("{}: cannot open: {}", path.string(), std::strerror(errno)));

@@ -60,6 +60,12 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
                             "check, keys, bit, laboratory, sweep, mesh");
 }
 
+/// Options that no command follows are no way to do nothing.
+TEST(FirstWords, without_a_command_are_refused) {
+  for (const std::string word : {"--", "--quiet"})
+    expect_told({word}, "found no command, expected one; tdbd COMMAND --help lists what it takes");
+}
+
 TEST(FirstWords, a_command_without_its_case_asks_for_it) {
   for (const std::string command : {"run", "rotate"})
     expect_told({command}, "found no case, expected a case file, or --resume FOLDER");

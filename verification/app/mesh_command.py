@@ -132,6 +132,20 @@ def check_growth(folder):
     assert facets[0] > 1.2 * facets[1] > 1.2 * 1.2 * facets[2], facets
 
 
+def check_usual_grading(folder):
+    """What the help tells of a length that is not given is what grading takes."""
+    cube, told = folder / "cube.stl", tdbd("mesh", "--help").stdout
+    options = ("--edge", "--face", "--growth", "--angle", "--deviation")
+    usual = {o: re.search(rf"^  {o} [A-Z]+=(.+?)  ", told, re.MULTILINE) for o in options}
+    assert all(usual.values()), told
+    words = [word for option, match in usual.items() for word in (option, match[1])]
+    assert words == ["--edge", "0.5 mm", "--face", "3 mm", "--growth", "0.5", "--angle", "25 deg", "--deviation", "0.005 mm"], words
+    for name, given in (("usual", []), ("given", words)):
+        done = tdbd("mesh", cube, "--unit", "0.1 mm", "--grade", *given, "-o", folder / f"{name}.obj")
+        assert done.returncode == 0, done
+    assert (folder / "usual.obj").read_bytes() == (folder / "given.obj").read_bytes()
+
+
 def check_units(folder):
     """A cube of 40 mm said to be in m, and one of 40 m in mm: each asks."""
     bit = folder / "unit.toml"
@@ -210,6 +224,6 @@ def check_rock_of_a_run(folder):
 
 with tempfile.TemporaryDirectory() as name:
     test_folder = pathlib.Path(name)
-    for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_growth, check_units,
+    for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_growth, check_usual_grading, check_units,
                   check_densities, check_round_trips, check_rock_of_a_run):
         check(test_folder)

@@ -33,6 +33,16 @@ TEST(ReadFile, gives_files_that_do_not_tell_their_size) {
   EXPECT_FALSE(read_file("/proc/self/status", "a text").empty());
 }
 
+/// The kernel tells a page for some that hold a line.
+TEST(ReadFile, gives_no_more_than_a_file_holds) {
+  const fs::path file = "/sys/devices/system/cpu/online";
+  std::error_code none;
+  if (fs::file_size(file, none) < 1000 || none) GTEST_SKIP() << "this system has no such file";
+  const std::string text = read_file(file, "a text");
+  EXPECT_LT(text.size(), 1000u);
+  EXPECT_EQ(text.back(), '\n');
+}
+
 /// The machine lacks something: the file is not at fault.
 TEST(ReadFile, of_a_program_with_too_many_open_files_is_no_mistake_of_the_input) {
   const std::string file = write_temporary(".txt", "text");

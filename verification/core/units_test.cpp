@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/temporary_file.hpp"
 
 namespace tdbd::units_test {
 
@@ -112,6 +116,25 @@ TEST(Units, refuses_what_is_not_a_unit) {
 TEST(Units, the_program_itself_must_request_a_unit) {
   EXPECT_THROW(to_si("1 m", "metres per fortnigth"), RunError);
   EXPECT_THROW(describe_unit("inn"), RunError);
+}
+
+/// In a process of its own: the database is read once.
+void exit_with_fortnights_beside(const char* elsewhere) {
+  setenv("UDUNITS2_XML_PATH", elsewhere, 1);
+  const bool same = to_si("1 fortnight", "s") == 14.0 * 86400.0;
+  const char* kept = std::getenv("UDUNITS2_XML_PATH");
+  _exit(same && kept != nullptr && std::string(kept) == elsewhere ? 0 : 1);
+}
+
+/// Units are those of the library's own database, whatever another file says, and other programs' setting stays.
+TEST(UnitsDeathTest, are_not_changed_by_a_database_elsewhere) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const std::string other = write_temporary(
+      ".xml",
+      "<?xml version=\"1.0\" encoding=\"US-ASCII\"?>\n<unit-system>\n<unit><base/><name><singular>"
+      "second</singular></name><symbol>s</symbol></unit>\n<unit><def>3 second</def><name><singular>"
+      "fortnight</singular></name></unit>\n</unit-system>\n");
+  EXPECT_EXIT(exit_with_fortnights_beside(other.c_str()), testing::ExitedWithCode(0), "");
 }
 
 RC_GTEST_PROP(Units, any_text_is_a_finite_value_or_an_error, (const std::string& tail)) {

@@ -65,6 +65,12 @@ TEST(WholeFile, says_which_file_and_why) {
             "cannot write /proc/no/such.csv: No such file or directory");
 }
 
+/// Where there is no disk behind a file, the system says so, and closing it hides nothing.
+TEST(WholeFile, that_the_system_cannot_put_on_a_disk_is_told) {
+  EXPECT_EQ(message_of([] { put_on_disk("/dev/null"); }),
+            "cannot write /dev/null: Invalid argument");
+}
+
 /// A program without standard input gets its number, 0, for the next file that it opens.
 TEST(WholeFile, and_a_folder_lock_may_have_the_number_0) {
   const fs::path path = some_file("zero");

@@ -227,6 +227,16 @@ TEST(ConfigErrors, overrides_are_named_as_such) {
        [](Config& c) { c.integer("b", {}, 0, 9); },
        "--set: b.c: found a value where its table should be, expected a key inside a table",
        {"b.c=1"}});
+  const auto read_list = [](Config& c) {
+    for (Config l : c.tables("l")) l.quantity("x", "m", 0.0);
+  };
+  for (const std::string beyond : {"l[1]", "l[0].m[0]"})
+    expect_message(
+        {"[[l]]\nx = 1\n",
+         read_list,
+         "--set: " + beyond +
+             ".x: found a value where its table should be, expected a key inside a table",
+         {beyond + ".x=5"}});
 }
 
 TEST(ConfigErrors, the_callers_own_checks_are_located) {

@@ -46,6 +46,18 @@ TEST(ReadForces, warns_of_a_coefficient_in_vain_by_the_whole_name_of_its_key) {
   EXPECT_EQ(c.warnings.front().key, "forces.cone.cap");
 }
 
+/// What is usual is what the named coefficients have, not what the law has without them. Bit B has no cse.
+TEST(ReadForces, knows_what_is_usual_from_the_coefficients_that_are_named) {
+  const auto warned = [](const std::string& A7) {
+    return shale({"forces.coefficients='hanson-hansen-sharp'", "forces.A7=" + A7}).warnings;
+  };
+  EXPECT_TRUE(warned("0.5").empty());
+  for (const std::string other : {"0", "0.4"}) {
+    ASSERT_EQ(warned(other).size(), 1u) << other;
+    EXPECT_EQ(warned(other).front().key, "forces.A7");
+  }
+}
+
 TEST(ReadForces, takes_coefficients_by_name_and_changes_them) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml",
                            {"rock.edge_length='4 mm'", "rock.material='berea-sandstone'",

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "verification/battery/out_of_memory.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 
 namespace tdbd::simulation::checkpoint_file_test {
@@ -77,6 +78,16 @@ TEST(CheckpointFile, is_told_from_other_files) {
   EXPECT_THROW(read_checkpoint_file(path), RunError) << "no file";
   write_bytes(path, "solid of a mesh");
   EXPECT_THROW(read_checkpoint_file(path), RunError);
+}
+
+/// NetCDF would crash in the middle of its work: it is not even begun. Without the demand these would say that there is no such
+/// folder.
+TEST(MemoryLeftForCheckpoints, is_demanded_first) {
+  const auto of_none = [] { return CheckpointFile{"v", "hash", "[time]\n", {}}; };
+  EXPECT_TRUE(battery::throws_for_want_of_memory(
+      of_none, [](const CheckpointFile& f) { write_checkpoint_file("/no/checkpoint.nc", f); }));
+  EXPECT_TRUE(battery::throws_for_want_of_memory(
+      of_none, [](const CheckpointFile&) { read_checkpoint_file("/no/checkpoint.nc"); }));
 }
 
 }  // namespace tdbd::simulation::checkpoint_file_test

@@ -10,9 +10,11 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <thread>
 
 #include "core/error.hpp"
+#include "verification/battery/out_of_memory.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation::history_test {
@@ -170,6 +172,22 @@ TEST(History, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond)
   for (int i = 0; i < 2048; ++i) history.append(row);
   const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_LT(spent / 2048, 1e-4);  // wide: what is required; a slower processor takes longer
+}
+
+/// NetCDF and HDF5 would crash in the middle of their work: it is not even begun.
+TEST(MemoryLeftForHistories, is_demanded_before_each_call) {
+  const auto begun = [] {
+    auto h = std::make_unique<History>(folder("memory") / "history.nc", parts);
+    append_rows(*h, 0, 511);
+    return h;
+  };
+  EXPECT_TRUE(
+      battery::throws_for_want_of_memory([] { return fs::path("/no/history.nc"); },
+                                         [](const fs::path& path) { History(path, parts); }));
+  EXPECT_TRUE(battery::throws_for_want_of_memory(
+      begun, [](std::unique_ptr<History>& h) { append_rows(*h, 511, 512); }));
+  EXPECT_TRUE(
+      battery::throws_for_want_of_memory(begun, [](std::unique_ptr<History>& h) { h->close(); }));
 }
 
 }  // namespace tdbd::simulation::history_test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -119,6 +120,21 @@ TEST(SummaryOfARun, has_its_steps_turns_and_volumes) {
   EXPECT_EQ(s.faces.size(), c.bit.cutters.size());
   EXPECT_FALSE(s.drive);
   EXPECT_EQ(s.rock_triangles_start, start(c).state.rock.surface.triangle_count());
+}
+
+/// A step that ends at output.means_from is not in the means, the next one is; time counts from the case's first step.
+TEST(SummaryOfARun, has_the_means_of_the_steps_after_their_start) {
+  for (const std::string from : {"0", "0.0078125", "0.01171875", "0.0125"}) {
+    const Case c =
+        read_case(TDBD_SOURCE_DIR "/cases/bit-b-3000psi.toml",
+                  {"rock.edge_length='8 mm'", "time={step=0.00390625, duration=0.0234375}",
+                   "output.means_from=" + from});
+    const RunSummary s = run(c, {.folder = test_folder(), .overwrite = Overwrite::force});
+    ASSERT_TRUE(s.loads);
+    const double left_out = std::floor(std::stod(from) / 0.00390625);
+    EXPECT_EQ(s.loads->steps, 6 - std::lround(left_out)) << from;
+    EXPECT_NEAR(s.loads->from, left_out * 0.00390625, 1e-15) << from;
+  }
 }
 
 }  // namespace tdbd::simulation::run_test

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bit/cone/cone_bit.hpp"
+#include "bit/cone/part_pose.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "rotation/screw.hpp"
 #include "simulation/step/simulation.hpp"
@@ -69,6 +70,33 @@ RC_GTEST_PROP(ConeMotion, a_twist_takes_points_where_the_poses_do, ()) {
   const double dt = number(0.001, 0.01);
   const Pose X_BB1 = rotation::carried(rotation::twist_from(X_WB0, X_WB1, dt), dt);
   RC_ASSERT((X_WB0 * (X_BB1 * x_B) - X_WB1 * x_B).norm() < 1e-14);
+}
+
+/// A tooth of this cone that removed rock, where its tip is; nothing else is one.
+RC_GTEST_PROP(ConeMotion, has_the_contacts_of_the_teeth_of_one_cone, ()) {
+  const bit::Bit b =
+      bit::cone_bit("any", {bit::toothed_cone(), bit::toothed_cone()}, std::nullopt, {});
+  const std::vector<double> angles{number(-9, 9), number(-9, 9)};
+  rock::CutReport cut;
+  for (std::size_t i = 0; i < b.parts.size(); ++i)
+    cut.removed_by_part.push_back(*rc::gen::inRange(0, 3) > 0 ? 1e-9 * number(1, 9) : 0.0);
+  // A report may end early, and what once stood behind its end is no part of it.
+  const auto told = *rc::gen::inRange<std::size_t>(0, b.parts.size());
+  cut.removed_by_part.resize(told);
+  for (const int cone : {0, 1}) {
+    std::vector<bit::ConeContact> expected;
+    for (std::size_t i = 0; i < told; ++i)
+      if (b.parts[i].kind == bit::PartKind::tooth && b.parts[i].cone == cone &&
+          cut.removed_by_part[i] > 0.0)
+        expected.push_back({bit::turned(b, angles).parts[i].X_BP * bit::tooth_tip_P(b.parts[i]),
+                            cut.removed_by_part[i]});
+    const auto found = contacts_of(b, cone, angles, cut);
+    RC_ASSERT(found.size() == expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      RC_ASSERT((found[k].x_B - expected[k].x_B).norm() < 1e-15);
+      RC_ASSERT(found[k].weight == expected[k].weight);
+    }
+  }
 }
 
 /// Exact for a screw motion.

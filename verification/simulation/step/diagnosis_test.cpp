@@ -131,6 +131,13 @@ TEST(StrongestFrequency, is_found_of_one_period) {
   EXPECT_NEAR(strongest_frequency(samples, dt), 1.0 / (steps * dt), 0.45 / (steps * dt));
 }
 
+/// Every other sample at the mean: the spectrum is the same at k and n/2 - k, and the slower one is named.
+TEST(StrongestFrequency, is_the_lower_one_of_two_that_are_as_strong) {
+  const std::vector<double> x{1.0, 0.0, -1.0, 0.0, -1.0, 0.0, 1.0, 0.0};
+  const double found = strongest_frequency(x, dt) * 8.0 * dt;
+  EXPECT_LT(found, 2.0);
+}
+
 TEST(StrongestFrequency, is_found_between_lines) {
   constexpr int count = 1000;
   for (int k = 0; k < 40; ++k) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <new>
+
+namespace tdbd::battery {
+
+/// From now on this process gets no block of 500 kB or more, and little below.
+inline bool take_all_memory() {
+  constexpr std::size_t block = 500'000;
+  const rlimit none{0, 0};
+  if (setrlimit(RLIMIT_DATA, &none) != 0) return false;
+  void* volatile taken = nullptr;  // volatile: blocks that nobody uses would not be asked for
+  do taken = std::malloc(block);
+  while (taken != nullptr);
+  return true;
+}
+
+/// Whether a call that comes `after` another throws std::bad_alloc where there is no memory left; in a process of its own, which
+/// ends there. For suites whose name has MemoryLeft in it: sanitizers need memory of their own, and leave those out.
+template <class Before, class Call>
+bool throws_for_want_of_memory(Before before, Call call) {
+  const pid_t child = fork();
+  if (child == 0) {
+    auto made = before();
+    int code = take_all_memory() ? 1 : 2;
+    try {
+      call(made);
+    } catch (const std::bad_alloc&) {
+      code = 0;
+    } catch (...) {
+      code = 3;
+    }
+    _exit(code);
+  }
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace tdbd::battery
