@@ -109,8 +109,8 @@ TEST(Config, the_resolved_file_names_units_and_defaults) {
   EXPECT_EQ(config.resolved(), "d = 0.1  # m\n\n[hole]\ndepth = 0.5  # m\n");
 }
 
-/// What TOML has no number for stays a default that nobody writes.
-TEST(Config, the_resolved_file_leaves_out_what_is_not_finite) {
+/// It stays a default, which a remark tells.
+TEST(Config, the_resolved_file_has_no_value_that_is_not_finite) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Config config = Config::read_text("", "made-up.toml");
   Mat3 m = Mat3::Identity();
@@ -121,7 +121,8 @@ TEST(Config, the_resolved_file_leaves_out_what_is_not_finite) {
   config.pairs("p", "1", std::vector<std::pair<double, double>>{{1.0, 2.0}, {inf, 3.0}});
   config.vector("v", "1", Vec3(1.0, inf, 2.0));
   config.integer("n", 3, 0, 9);
-  EXPECT_EQ(config.resolved(), "n = 3\n");
+  EXPECT_EQ(config.resolved(),
+            "# l: no limit\n# m: no limit\nn = 3\n# p: no limit\n# q: no limit\n# v: no limit\n");
 }
 
 TEST(Config, overrides_replace_values_and_make_tables) {

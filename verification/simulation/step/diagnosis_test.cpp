@@ -123,6 +123,98 @@ TEST(Diagnosis, does_not_take_rocking_for_whirl) {
   EXPECT_EQ(diagnosis_of(m).whirl, WhirlKind::none);
 }
 
+/// Four corners of a square of which the middle is the mean: three quarters of a turn in three steps.
+TEST(Diagnosis, of_a_square_orbit_is_exact) {
+  Trace t;
+  t.dt = 0.1;
+  t.wob = {2.0, 1.0, 0.0, 1.0};
+  t.rotary_speed = {0.45, 0.55, 0.6, 38.4};  // mean 10, a twentieth of it 0.5
+  for (const auto& x : {Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(-1.0, 1.0),
+                        Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, -1.0)})
+    t.centre_W.emplace_back(Eigen::Vector2d(0.5, 0.25) + 0.003 * x);
+  const Diagnosis d = diagnose(t);
+  EXPECT_NEAR(d.orbit_radius, 0.003 * std::numbers::sqrt2, 1e-16);
+  EXPECT_NEAR(d.orbit_frequency, 2.5, 1e-12);
+  EXPECT_EQ(d.whirl, WhirlKind::forward);  // at 15.7 rad/s
+  EXPECT_DOUBLE_EQ(d.stick_slip_severity, (38.4 - 0.45) / 20.0);
+  EXPECT_EQ(d.stuck_share, 0.25);
+  EXPECT_EQ(d.lost_contact_share, 0.25);
+  EXPECT_EQ(d.wob_swing, 1.0);
+}
+
+/// Two steps are the fewest that can differ.
+TEST(Diagnosis, needs_two_steps) {
+  Trace t;
+  t.dt = dt;
+  t.wob = {3.0};
+  t.rotary_speed = {9.0};
+  t.centre_W = {Eigen::Vector2d::Zero()};
+  EXPECT_EQ(diagnose(t).wob_swing, 0.0);
+  EXPECT_EQ(diagnose(t).text, Diagnosis{}.text);
+  t.wob.push_back(1.0);
+  t.rotary_speed.push_back(11.0);
+  t.centre_W.emplace_back(0.0, 0.0);
+  EXPECT_DOUBLE_EQ(diagnose(t).wob_swing, 0.5);
+  EXPECT_DOUBLE_EQ(diagnose(t).stick_slip_severity, 0.1);
+}
+
+/// Severities and swings from one half, lost contact from a hundredth.
+TEST(Diagnosis, names_what_is_beyond_its_thresholds) {
+  const auto speeds = [](double severity) {
+    Made m;
+    m.rotary_speed = [=](double t) { return speed * (1.0 + severity * std::sin(two_pi * t)); };
+    return diagnosis_of(m).text;
+  };
+  EXPECT_EQ(speeds(0.45), "steady");
+  EXPECT_EQ(speeds(0.6).rfind("stick-slip, severity 0.60, at 1 Hz, stuck 0 % of the time", 0), 0U)
+      << speeds(0.6);
+  const auto weights = [](double swing) {
+    Made m;
+    m.wob = [=](double t) { return 1e4 * (1.0 + swing * std::sin(two_pi * t)); };
+    return diagnosis_of(m).text;
+  };
+  EXPECT_EQ(weights(0.45), "steady");
+  EXPECT_EQ(weights(0.6), "axial vibration, weight swings by 60 % at 1 Hz");
+  const auto losing = [](int every) {
+    Made m;
+    m.wob = [=](double t) { return std::lround(t / dt) % every == 0 ? 0.0 : 1e4; };
+    return diagnosis_of(m).text;
+  };
+  EXPECT_EQ(losing(110).rfind("axial vibration", 0), 0U) << losing(110);
+  EXPECT_EQ(losing(86).rfind("bit bounce, without contact 1 % of the time", 0), 0U) << losing(86);
+}
+
+/// An orbit from a tenth of a millimetre, within a tenth of the bit's speed, or another.
+TEST(Diagnosis, tells_whirls_by_thresholds_of_radius_and_speed) {
+  const auto kind = [](double radius, double of_the_bits_speed) {
+    Made m;
+    m.centre = [=](double t) { return circle(radius, of_the_bits_speed * speed / two_pi, t); };
+    return diagnosis_of(m).whirl;
+  };
+  EXPECT_EQ(kind(0.9e-4, -3.0), WhirlKind::none);
+  EXPECT_EQ(kind(1.2e-4, -3.0), WhirlKind::backward);
+  for (const double same : {0.92, 1.08})
+    EXPECT_EQ(kind(1e-3, same), WhirlKind::synchronous) << same;
+  for (const double other : {0.88, 1.12}) EXPECT_EQ(kind(1e-3, other), WhirlKind::forward) << other;
+}
+
+/// So many steps of an eighth of a turn on and so many back, again and again: whirl where half of all turning goes one way.
+TEST(Diagnosis, takes_turning_that_mostly_goes_one_way_for_whirl) {
+  const auto kind = [](int on, int back) {
+    int eighths = 0;
+    Made m;
+    m.centre = [&, on, back](double t) {
+      const bool goes_on = std::lround(t / dt) % (on + back) < on;
+      eighths += goes_on ? 1 : -1;
+      return circle(1e-3, 1.0, eighths / 8.0);
+    };
+    return diagnosis_of(m).whirl;
+  };
+  EXPECT_EQ(kind(4, 1), WhirlKind::forward);   // 3/5
+  EXPECT_EQ(kind(1, 4), WhirlKind::backward);  // 3/5
+  EXPECT_EQ(kind(7, 3), WhirlKind::none);      // 4/10
+}
+
 /// Between two lines of the spectrum, whatever the phase: within a twentieth of a line.
 /// The longest wave that a record can show; to half a line, since the mean has no part in it.
 TEST(StrongestFrequency, is_found_of_one_period) {
@@ -135,6 +227,7 @@ TEST(StrongestFrequency, is_found_of_one_period) {
 TEST(StrongestFrequency, is_the_lower_one_of_two_that_are_as_strong) {
   const std::vector<double> x{1.0, 0.0, -1.0, 0.0, -1.0, 0.0, 1.0, 0.0};
   const double found = strongest_frequency(x, dt) * 8.0 * dt;
+  EXPECT_GT(found, 0.5);
   EXPECT_LT(found, 2.0);
 }
 

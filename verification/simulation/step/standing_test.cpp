@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <cmath>
 
 #include "core/observed_order.hpp"
@@ -258,6 +261,39 @@ TEST_P(Steepness, is_below_its_bound) {
     maintain(c, s.state, s.work);
   }
   EXPECT_GT(bounded, 20);
+}
+
+/// The largest singular value of L^T C L, A = L L^T, once the cones have given way; where its norm is below 1 that will do.
+TEST_P(Steepness, is_how_far_an_explicit_impulse_goes_of_the_velocity) {
+  constexpr double rounding = 1e-11;  // 3e-13 seen
+  const Case c = read_case(std::string(TDBD_SOURCE_DIR "/cases/") + GetParam() + ".toml",
+                           {"rock.edge_length='4 mm'", "time.duration='0.1 s'"});
+  Simulation s = start(c);
+  drill(c, s, 60);
+  int compared = 0;
+  for (int i = 0; i < 5; ++i) {
+    const Move move = half_step(c, s);
+    StandingWork& room = s.work.standing_work;
+    dynamics::find_response(c.drilling.system, move.dt, *s.state.drive, s.work.drive,
+                            room.responding, room.response);
+    const ResistedMotion m = motion_of(c, s, move);
+    prepare(m, room.implicit);
+    const double found = steepness(m, m.response.free, room.implicit);
+    const Eigen::MatrixXd L =
+        Eigen::MatrixXd(0.5 * (m.response.A + m.response.A.transpose())).llt().matrixL();
+    const Eigen::MatrixXd B = L.transpose() * room.implicit.C * L;
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(B.rows(), B.cols());
+    Eigen::MatrixXd cones = Eigen::MatrixXd::Zero(B.rows(), B.cols());
+    for (int k = 0; k < static_cast<int>(c.bit.cones.size()); ++k) cones(6 + k, 6 + k) = 1.0;
+    const Eigen::MatrixXd rest = (one - cones) * (B * (one + cones * B).inverse()) * (one - cones);
+    const double norm = rest.norm(), largest = rest.jacobiSvd().singularValues()(0);
+    EXPECT_NEAR(found, norm <= 1.0 ? norm : largest, rounding * largest);
+    compared += s.work.cuts.empty() ? 0 : 1;
+    kick(c, move, s.state, s.work);
+    ++s.state.steps_done;
+    maintain(c, s.state, s.work);
+  }
+  EXPECT_GT(compared, 0);
 }
 
 /// A bit that drills is far from it: its steps are explicit, as if nothing were asked.
