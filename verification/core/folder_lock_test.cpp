@@ -1,20 +1,16 @@
 #include "core/folder_lock.hpp"
 
 #include <gtest/gtest.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstddef>
 #include <optional>
 
 #include "core/error.hpp"
+#include "verification/battery/refused_call.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::folder_lock_test {
@@ -66,35 +62,20 @@ TEST(FolderLock, leaves_no_file_and_ends_with_a_killed_process) {
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
-/// From now on the system refuses this process every lock, as a network's file system without locks does.
-bool refuse_locks() {
-  std::array<sock_filter, 4> rules{{{BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
-                                    {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, __NR_flock},
-                                    {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | ENOLCK},
-                                    {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW}}};
-  const sock_fprog program{rules.size(), rules.data()};
-  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
-}
-
-/// Runs go there too: without a lock is better than not at all.
+/// On a network's file system that has no locks. Runs go there too: without a lock is better than not at all.
 TEST(FolderLock, is_not_asked_for_where_a_file_system_has_none) {
   const fs::path folder = some_folder("without");
-  const pid_t child = fork();
-  if (child == 0) {
-    if (!refuse_locks()) _exit(2);
+  const auto goes = battery::in_a_process([&]() -> std::optional<bool> {
+    if (!battery::refuse_call(__NR_flock, ENOLCK)) return std::nullopt;
     try {
       const FolderLock lock(folder);
     } catch (const std::exception&) {
-      _exit(1);
+      return false;
     }
-    _exit(0);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFEXITED(status));
-  if (WEXITSTATUS(status) == 2) GTEST_SKIP() << "this system takes no filter";
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+    return true;
+  });
+  if (!goes) GTEST_SKIP() << "this system refuses no call";
+  EXPECT_TRUE(*goes);
 }
 
 }  // namespace tdbd::folder_lock_test

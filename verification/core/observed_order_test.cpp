@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <span>
 
 namespace tdbd::observed_order_test {
 
@@ -83,6 +84,41 @@ TEST(ObservedOrder, the_floor_rises_with_the_number_of_time_steps) {
             OrderVerdict::exact);
 }
 
+/// Errors of these local orders between steps that are halved.
+Study of_local_orders(const std::vector<double>& orders) {
+  Study s{{1.0}, {1e-3}};
+  for (const double p : orders) {
+    s.steps.push_back(0.5 * s.steps.back());
+    s.errors.push_back(std::pow(0.5, p) * s.errors.back());
+  }
+  return s;
+}
+
+/// Within a twentieth of the finest local order, whatever that is.
+TEST(ObservedOrder, has_settled_to_a_part_of_itself) {
+  EXPECT_EQ(observe(of_local_orders({3.85, 4.0, 4.0})).used, 4);
+  EXPECT_EQ(observe(of_local_orders({3.75, 4.0, 4.0})).used, 3);
+  EXPECT_EQ(observe(of_local_orders({4.25, 4.0, 4.0})).used, 3);
+  EXPECT_EQ(observe(of_local_orders({0.48, 0.5, 0.5})).used, 4);
+  EXPECT_EQ(observe(of_local_orders({0.47, 0.5, 0.5})).used, 3);
+  EXPECT_EQ(observe(of_local_orders({-0.97, -1.0, -1.0})).used, 4) << "diverges, steadily";
+}
+
+/// What lies at the floor is not above it.
+TEST(ObservedOrder, counts_errors_at_the_floor_as_rounding) {
+  const double floor = 3.0 * order_floor;
+  Study s = study(3, [&](double) { return order_exact * floor; });
+  EXPECT_EQ(observe(s, 3.0).verdict, OrderVerdict::exact);
+  s.errors[1] = 1.01 * order_exact * floor;
+  EXPECT_EQ(observe(s, 3.0).verdict, OrderVerdict::too_few);
+  s.errors = {4.0 * floor, 2.0 * floor, floor};
+  EXPECT_EQ(observe(s, 3.0).above_floor, 2);
+  EXPECT_TRUE(std::isnan(observe(s, 3.0).local_orders[1]));
+  s.errors = {floor, 4.0 * floor, 2.0 * floor};
+  EXPECT_EQ(observe(s, 3.0).above_floor, 2);
+  EXPECT_TRUE(std::isnan(observe(s, 3.0).local_orders[0]));
+}
+
 /// As many errors as an order needs, all of them good.
 TEST(ObservedOrder, the_fewest_errors_that_make_an_order_do) {
   std::vector<double> steps, errors;
@@ -159,6 +195,10 @@ TEST(ObservedOrder, is_the_slope_of_least_squares) {
   EXPECT_NEAR(least_squares_order(steps, errors), 1.5, 1e-14);
   EXPECT_NEAR(least_squares_order(steps, std::vector{1.0, e, e * e}), 1.0, 1e-14);
   EXPECT_NEAR(least_squares_order(steps, std::vector{e * e * e, 1.0, 1.0}), -1.5, 1e-14);
+  // of a part of a longer study, what stands beside it has no say
+  const std::vector<double> wider{0.0, 1.0, e, e * e, 0.0};
+  const std::span<const double> part = std::span(wider).subspan(1, 3);
+  EXPECT_NEAR(least_squares_order(part, part), 1.0, 1e-14);
 }
 
 }  // namespace tdbd::observed_order_test

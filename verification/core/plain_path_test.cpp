@@ -1,6 +1,7 @@
 #include "core/plain_path.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <string>
@@ -20,6 +21,24 @@ TEST(PlainPath, names_the_same_file_without_what_stands_in_its_folders_names) {
     EXPECT_EQ(std::string(plain.c_str()).find_first_of(" \\:#"), std::string::npos);
     std::ofstream(plain.c_str()) << name;
     EXPECT_EQ(read_file(folder / "history.nc", "a text"), name);
+  }
+}
+
+/// Also without standard input, where the folder gets the number 0.
+TEST(PlainPath, leaves_no_folder_open) {
+  const int kept = dup(STDIN_FILENO);
+  for (const bool has_input : {true, false}) {
+    if (!has_input) close(STDIN_FILENO);
+    const int before = dup(STDERR_FILENO);
+    close(before);
+    { const PlainPath plain(fs::path(tdbd::temporary_folder()) / "history.nc"); }
+    const int after = dup(STDERR_FILENO);
+    close(after);
+    EXPECT_EQ(after, before) << has_input;
+  }
+  if (kept >= 0) {
+    dup2(kept, STDIN_FILENO);
+    close(kept);
   }
 }
 

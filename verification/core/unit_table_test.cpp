@@ -57,6 +57,7 @@ const std::vector<std::pair<std::string, std::string>> names{{"1", "1"},
                                                              {"hours", "s"},
                                                              {"d", "s"},
                                                              {"day", "s"},
+                                                             {"days", "s"},
                                                              {"Hz", "1/s"},
                                                              {"kHz", "1/s"},
                                                              {"1/s", "1/s"},
@@ -156,7 +157,7 @@ TEST(UnitTable, converts_temperatures_with_prefixes) {
 
 TEST(UnitTable, refuses_what_it_does_not_know) {
   for (const char* name : {"", "furlong", "m m/", "mm//s", "kin", "mft", "degC2", "degC/m", "m 2",
-                           "m^", "/s", "2 m", "kkg", "mdeg"})
+                           "m^", "/s", "2 m", "kkg", "mdeg", "12", "10/s", "m/12", "1.5"})
     EXPECT_FALSE(find_in_table(name)) << name;
 }
 
@@ -176,6 +177,76 @@ RC_GTEST_PROP(UnitTable, reads_no_unit_as_another, ()) {
     RC_ASSERT(its);
     RC_ASSERT(ours->powers() == its->powers());
   }
+}
+
+/// "m.s-1" of its powers.
+std::string base_of(const units::UnitPowers& powers) {
+  std::string text;
+  for (const auto& [base, power] : powers)
+    text += (text.empty() ? "" : ".") + base + std::to_string(power);
+  return text.empty() ? "1" : text;
+}
+
+/// As it is written, with one character more, less, or another one.
+std::vector<std::string> near(const std::string& name) {
+  std::vector<std::string> all{name};
+  for (std::size_t i = 0; i <= name.size(); ++i) {
+    if (i < name.size()) all.push_back(std::string(name).erase(i, 1));
+    for (const char c : std::string("kmMGdcunsNtgrx_12^/.- ")) {
+      all.push_back(std::string(name).insert(i, 1, c));
+      if (i < name.size()) (all.emplace_back(name))[i] = c;
+    }
+  }
+  return all;
+}
+
+/// "mins": UDUNITS-2 has no plurals of symbols.
+bool is_a_plural(const std::string& name) {
+  for (std::size_t at = 0; (at = name.find('s', at)) != std::string::npos; ++at)
+    if (find_in_udunits(std::string(name).erase(at, 1))) return true;
+  return false;
+}
+
+/// A slip of the finger gives the unit that UDUNITS-2 reads, of the same size, or none;
+/// but for plurals of symbols.
+TEST(UnitTable, reads_names_that_are_nearly_units_as_udunits_does) {
+  long read = 0;
+  for (const auto& [name, si] : names)
+    for (const std::string& nearly : near(name)) {
+      const auto ours = find_in_table(nearly);
+      if (!ours) continue;
+      const auto its = find_in_udunits(nearly);
+      if (!its) {
+        EXPECT_TRUE(is_a_plural(nearly)) << nearly;
+        continue;
+      }
+      ASSERT_EQ(ours->powers(), its->powers()) << nearly;
+      const std::string base = base_of(ours->powers());
+      const double a = ours->convert(3.0, *find_in_table(base)),
+                   b = its->convert(3.0, *find_in_udunits(base));
+      EXPECT_NEAR(a, b, 10.0 * rounding * std::abs(b)) << nearly;  // of powers; 6e-16 seen
+      ++read;
+    }
+  EXPECT_GT(read, 1000);
+}
+
+/// Blanks about an asterisk are no mistake here, though UDUNITS-2 takes none.
+TEST(UnitTable, multiplies_by_asterisks) {
+  for (const char* name : {"N*m", "N * m", "N *m", "N* m"}) {
+    ASSERT_TRUE(find_in_table(name)) << name;
+    EXPECT_EQ(find_in_table(name)->powers(), find_in_table("J")->powers()) << name;
+  }
+}
+
+/// For messages: in base units, with its scale.
+TEST(UnitTable, defines_units_in_base_units) {
+  const auto definition = [](const char* name) { return find_in_table(name)->definition(); };
+  EXPECT_EQ(definition("m"), "m");
+  EXPECT_EQ(definition("1"), "");
+  EXPECT_EQ(definition("N"), "kg.m.s-2");
+  EXPECT_EQ(definition("kN/mm2"), "1e+09 kg.m-1.s-2");
+  EXPECT_EQ(definition("rad/s"), "rad.s-1");
+  EXPECT_EQ(definition("cm"), "0.01 m");
 }
 
 }  // namespace tdbd::core::unit_table_test

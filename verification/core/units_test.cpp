@@ -15,6 +15,8 @@
 
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
+#include "core/units/unit_database.hpp"
+#include "verification/battery/out_of_memory.hpp"
 
 namespace tdbd::units_test {
 
@@ -81,6 +83,7 @@ TEST(Units, refuses_a_wrong_dimension_naming_both) {
   expect_refusal("3 s/m", "m/s", {"speed"});
   expect_refusal("3 seconds since 2000-01-01", "s", {"time"});
   expect_refusal("3 dBZ", "m", {"length"});
+  expect_refusal("3 candela mol A kg2/K3", "m", {"is a unit of dimension kg2.A.K-3.mol.cd)"});
 }
 
 TEST(Units, refuses_what_is_not_a_number) {
@@ -99,6 +102,7 @@ TEST(Units, refuses_in_its_own_words_alone) {
   testing::internal::CaptureStderr();
   EXPECT_THROW(to_si("1 frobnicate", "m"), UnitError);
   EXPECT_THROW(to_si("1 m)(", "m"), UnitError);
+  EXPECT_THROW(to_si("1 m^999", "m"), UnitError);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
@@ -110,6 +114,8 @@ TEST(Units, refuses_what_is_not_a_unit) {
   expect_refusal("8 5 in", "m", {"second number"});
   for (const char* text : {"8 - 5 in", "8 in 3", "8 in*3", "8 in @ 3", "8 in.3", "8 1/2in", "8 -5"})
     expect_refusal(text, "m", {"second number"});
+  for (const char* text : {"8 1/ s", "8 1/(s)", "8 1/", "8 1"})
+    expect_refusal(text, "1/s", {"second number"});
   EXPECT_DOUBLE_EQ(to_si("2 m s-1", "m/s"), to_si("2 m.s^-1", "m/s"));
 }
 
@@ -135,6 +141,29 @@ TEST(UnitsDeathTest, are_not_changed_by_a_database_elsewhere) {
       "second</singular></name><symbol>s</symbol></unit>\n<unit><def>3 second</def><name><singular>"
       "fortnight</singular></name></unit>\n</unit-system>\n");
   EXPECT_EXIT(exit_with_fortnights_beside(other.c_str()), testing::ExitedWithCode(0), "");
+}
+
+/// The library would crash in the middle of its work: it is not even begun.
+TEST(MemoryLeftForUnits, is_demanded_before_a_text_is_read) {
+  EXPECT_TRUE(
+      battery::throws_for_want_of_memory([] { return units::find_in_udunits("m") != nullptr; },
+                                         [](bool) { units::find_in_udunits("furlong"); }));
+}
+
+/// With room for a text, but not for the database.
+void exit_with_the_demand_of_the_database() {
+  if (!battery::limit_memory(6'000'000)) _exit(2);
+  try {
+    units::find_in_udunits("m");
+  } catch (const std::bad_alloc&) {
+    _exit(0);
+  }
+  _exit(1);
+}
+
+TEST(MemoryLeftForUnitsDeathTest, is_demanded_before_the_database_is_read) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(exit_with_the_demand_of_the_database(), testing::ExitedWithCode(0), "");
 }
 
 RC_GTEST_PROP(Units, any_text_is_a_finite_value_or_an_error, (const std::string& tail)) {

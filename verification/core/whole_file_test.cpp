@@ -1,11 +1,16 @@
 #include "core/whole_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/folder_lock.hpp"
 #include "core/read_file.hpp"
+#include "verification/battery/refused_call.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::whole_file_test {
@@ -69,6 +74,50 @@ TEST(WholeFile, says_which_file_and_why) {
 TEST(WholeFile, that_the_system_cannot_put_on_a_disk_is_told) {
   EXPECT_EQ(message_of([] { put_on_disk("/dev/null"); }),
             "cannot write /dev/null: Invalid argument");
+}
+
+/// Of a call that went well errno says nothing: it has what went wrong before.
+TEST(WholeFile, does_not_believe_an_old_error) {
+  const fs::path path = some_file("old_error");
+  write_text(path, "bytes");
+  errno = EACCES;
+  EXPECT_EQ(message_of([&] { put_on_disk(path); }), "nothing");
+  WholeFile file(path);
+  file.stream().setstate(std::ios::badbit);
+  errno = EACCES;
+  EXPECT_EQ(message_of([&] { file.commit(); }),
+            "cannot write " + path.string() + ": a write failed");
+}
+
+/// The partial file of whoever writes it next is none of its business.
+TEST(WholeFile, that_is_committed_touches_nothing_more) {
+  const fs::path path = some_file("twice");
+  std::optional<WholeFile> first(std::in_place, path);
+  first->commit();
+  WholeFile second(path);
+  second.stream() << "second";
+  first.reset();
+  EXPECT_EQ(message_of([&] { second.commit(); }), "nothing");
+  EXPECT_EQ(read_file(path, "a file"), "second");
+}
+
+/// As on disks that are full, and over networks: the first call that fails says why.
+TEST(WholeFile, tells_why_it_did_not_come_to_the_disk) {
+  const fs::path path = some_file("lost");
+  write_text(path, "bytes");
+  const std::string told = "cannot write " + path.string() + ": ";
+  const auto tells = [&](const std::string& reason, bool syncs) {
+    return battery::in_a_process([&]() -> std::optional<bool> {
+      if (!syncs && !battery::refuse_call(__NR_fsync, ENOSPC)) return std::nullopt;
+      if (!battery::refuse_call(__NR_close, EIO)) return std::nullopt;
+      return message_of([&] { put_on_disk(path); }) == told + reason;
+    });
+  };
+  const auto full = tells("No space left on device", false),
+             lost = tells("Input/output error", true);
+  if (!full || !lost) GTEST_SKIP() << "this system refuses no call";
+  EXPECT_TRUE(*full);
+  EXPECT_TRUE(*lost);
 }
 
 /// A program without standard input gets its number, 0, for the next file that it opens.

@@ -4,28 +4,21 @@
 
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
-#include "core/config/toml_text.hpp"
 
 namespace tdbd {
 namespace {
 
 constexpr const char* a_word = "a text, a number, or true or false";
 
-std::string toml_of(const toml::node& node) {
-  if (const auto text = node.as_string()) return toml_string(text->get());
-  return describe(&node);
-}
-
 /// Nothing of a table or an array.
 std::optional<ConfigWord> word_of(const toml::node& node) {
   if (!node.is_string() && !node.is_number() && !node.is_boolean()) return std::nullopt;
   const auto text = node.as_string();
-  return ConfigWord{text != nullptr ? text->get() : describe(&node), toml_of(node)};
+  return ConfigWord{text != nullptr ? text->get() : describe(&node), describe(&node)};
 }
 
 /// A value of any kind as one line of TOML.
 std::string one_line(const toml::node& node) {
-  if (node.is_string()) return toml_of(node);
   std::ostringstream out;
   if (const toml::array* array = node.as_array()) {
     const char* comma = "";

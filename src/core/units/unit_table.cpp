@@ -158,11 +158,16 @@ bool is_part_of_name(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_' || c == '%';
 }
 
+/// The 1 of "1/s"; no other number is a unit.
+bool starts_with_one(std::string_view text) {
+  return text.starts_with('1') && text.find_first_of("0123456789.", 1) != 1;
+}
+
 /// Takes "m", "m2", "m^2" or "m-1" from the front of a text.
 std::optional<Measure> take_factor(std::string_view& text) {
   std::size_t n = 0;
   while (n < text.size() && is_part_of_name(text[n])) ++n;
-  if (n == 0 && text.substr(0, 1) == "1") n = 1;
+  if (n == 0 && starts_with_one(text)) n = 1;
   std::optional<Measure> unit = named_unit(text.substr(0, n));
   if (n == 0 || !unit) return std::nullopt;
   text.remove_prefix(n);

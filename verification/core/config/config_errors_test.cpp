@@ -168,6 +168,45 @@ TEST(ConfigErrors, unknown_keys_name_the_nearest) {
                   "FILE:4: l[1].y: found an unknown key, expected x"});
 }
 
+/// Tables of an array are looked into; what is no table, or not all tables, is one wrong value.
+TEST(ConfigErrors, an_unknown_array_is_told_once) {
+  const auto read = [](Config& c) { c.quantity("radius", "m", 1.0); };
+  for (const std::string array : {"[1, 2]", "[{y = 1}, 2]", "[]"})
+    expect_message({"radios = " + array + "\n", read,
+                    "FILE:1: radios: found an unknown key, expected radius"});
+  expect_message({"a = [{b = 1}]\n", read,
+                  "FILE:1: a[0].b: found an unknown key, expected one of radius in place of a"});
+}
+
+/// A thousandth is asked for where it would do, and no unit was given.
+TEST(ConfigErrors, a_length_or_time_out_of_its_range_asks_for_its_unit) {
+  const auto told = [](const std::string& unit, const std::string& value) {
+    Config c = Config::read_text("x = " + value + "\n", "x.toml");
+    c.quantity("x", unit, {}, Range::within(1e-5, 0.1));
+    return finish_message(c);
+  };
+  const std::string metres = "expected length in m, in [1e-05, 0.1]";
+  EXPECT_EQ(told("m", "2.5"), "x.toml:1: x: found 2.5, " + metres +
+                                  "; without a unit it counts in m: is \"2.5 mm\" meant?");
+  EXPECT_EQ(told("s", "100"),
+            "x.toml:1: x: found 100, expected time in s, in [1e-05, 0.1]; without a unit it counts "
+            "in s: is \"100 ms\" meant?");
+  for (const std::string other : {"101", "-2.5", "\"2.5 m\""})
+    EXPECT_EQ(told("m", other), "x.toml:1: x: found " + other + ", " + metres);
+  EXPECT_EQ(told("kg", "2.5"), "x.toml:1: x: found 2.5, expected mass in kg, in [1e-05, 0.1]");
+}
+
+/// A table that an override makes has no line of its own.
+TEST(ConfigErrors, a_table_that_an_override_made_is_at_the_start_of_the_file) {
+  expect_message({"b = 1\n",
+                  [](Config& c) {
+                    c.integer("b", {}, 0, 9);
+                    c.quantity("new", "m", 1.0);
+                  },
+                  "FILE:1: new: found a table, expected length in m, or a text with a unit",
+                  {"new.sub=1"}});
+}
+
 TEST(ConfigErrors, a_bracket_that_none_opens_belongs_to_a_name) {
   const auto read = [](Config& c) { c.quantity("a.d", "m", 1.0); };
   expect_message(
@@ -317,6 +356,20 @@ TEST(ConfigErrors, of_arrays_within_arrays) {
   for (int k = 0; k < 50; ++k) nested = "[{" + key_of(5) + " = " + nested + "}]";
   const std::string path = write_temporary(".toml", "b = " + nested + "\n");
   EXPECT_EQ(read_failure(path), path + ":1: found a value in more tables, expected at most 256");
+}
+
+/// A table for each name of a key, one for each array and each of its tables: 1 + 42 x 6 + 3 is as deep as may be.
+TEST(ConfigErrors, of_values_that_are_one_table_too_deep) {
+  const auto failure_of = [](int names_of_the_last) {
+    std::string nested = "[{" + key_of(names_of_the_last) + " = 1}]";
+    for (int k = 0; k < 42; ++k) nested = "[{" + key_of(5) + " = " + nested + "}]";
+    return read_failure(write_temporary(".toml", "b = " + nested + "\n"));
+  };
+  EXPECT_EQ(failure_of(1), "no error");
+  EXPECT_EQ(failure_of(2), "no error");
+  EXPECT_NE(failure_of(3).find(":1: found a value in more tables, expected at most 256"),
+            std::string::npos)
+      << failure_of(3);
 }
 
 TEST(ConfigErrors, of_texts) {

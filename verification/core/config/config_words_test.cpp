@@ -56,4 +56,12 @@ TEST(ConfigWords, of_a_table_are_overrides) {
   EXPECT_NE(c.resolved().find("y = \"2 mm\""), std::string::npos);
 }
 
+/// A name with a dot in it cannot be said as an override: it is an unknown key, and the others are read.
+TEST(ConfigWords, of_a_table_leave_out_names_that_are_no_keys) {
+  Config c = config_of("[set]\n\"a.b\" = 1\nz = 2\n");
+  EXPECT_EQ(c.table("set").assignments(), std::vector<std::string>{"z=2"});
+  EXPECT_EQ(problems_of(c).rfind("words.toml:1: set.a.b: found an unknown key", 0), 0u)
+      << problems_of(c);
+}
+
 }  // namespace tdbd::config_words_test

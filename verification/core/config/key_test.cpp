@@ -109,6 +109,8 @@ TEST(Key, of_every_kind_tells_a_former_name) {
   EXPECT_EQ(told(IntegerKey{.name = "new", .fallback = 1, .former = {"old"}}), expected);
   EXPECT_EQ(told(FlagKey{.name = "new", .fallback = false, .former = {"old"}}), expected);
   EXPECT_EQ(told(TextKey{.name = "new", .fallback = "", .former = {"old"}}), expected);
+  EXPECT_EQ(told(PathKey{.name = "new", .former = {"old"}}), expected);
+  EXPECT_EQ(told(NameKey{.name = "new", .names = &steel_names, .former = {"old"}}), expected);
   Config c = config_of("old = 1\n");
   c.read(ListKey{.name = "new", .unit = "m", .former = {"old"}}, std::vector<double>{});
   EXPECT_EQ(problems_of(c), expected);
@@ -155,6 +157,27 @@ TEST(Key, is_described_in_words) {
             "KEY|as in the drill|the drill's||any of its keys");
 }
 
+TEST(Key, without_a_default_is_described_as_required) {
+  const auto words = [](const KeyRow& r) {
+    return r.name + "|" + r.kind + "|" + r.fallback + "|" + r.allowed + "|" + r.meaning;
+  };
+  EXPECT_EQ(words(row(QuantityKey{.name = "x", .unit = "m", .meaning = "y"})), "x|m|required||y");
+  EXPECT_EQ(words(row(VectorKey{.name = "x", .unit = "m", .meaning = "y"})),
+            "x|three m|required||y");
+  EXPECT_EQ(words(row(ListKey{.name = "x", .unit = "m", .meaning = "y"})),
+            "x|list of m|required||y");
+  EXPECT_EQ(words(row(PairsKey{.name = "x", .unit = "m", .meaning = "y"})),
+            "x|pairs of m|required||y");
+  EXPECT_EQ(words(row(MatrixKey{.name = "x", .unit = "m", .meaning = "y"})),
+            "x|3 x 3 m|required||y");
+  EXPECT_EQ(words(row(TextsKey{.name = "x", .meaning = "y"})), "x|list of texts|required||y");
+  EXPECT_EQ(words(row(IntegerKey{.name = "x", .lo = 2, .meaning = "y"})),
+            "x|whole number|required|>= 2|y");
+  EXPECT_EQ(words(row(FlagKey{.name = "x", .meaning = "y"})), "x|on or off|required||y");
+  EXPECT_EQ(words(row(TextKey{.name = "x", .meaning = "y"})), "x|text|required||y");
+  EXPECT_EQ(words(row(PathKey{.name = "x", .meaning = "y"})), "x|file|required||y");
+}
+
 TEST(Key, stands_in_its_table) {
   const std::vector<KeyTable> all{key_table("run", table, {row(teeth)}),
                                   key_table("run", {"drill", "the drill"}, {row(mass)})};
@@ -164,6 +187,13 @@ TEST(Key, stands_in_its_table) {
             "\n"
             "[drill] of tdbd run: the drill\n"
             "  mass  kg  required  of it\n");
+  // every column is as wide as its widest cell
+  EXPECT_EQ(
+      keys_as_text(std::vector{key_table("run", table, {row(teeth), row(length), row(mass)})}),
+      "[drill.chuck] of tdbd run: a made-up table\n"
+      "  teeth   whole number  3         how many (1 to 9)\n"
+      "  length  m             0.5 m     of the chuck (> 0)\n"
+      "  mass    kg            required  of it\n");
   EXPECT_EQ(tables_named(all, "drill").size(), 2u);
   EXPECT_EQ(tables_named(all, "drill.chuck").size(), 1u);
   try {
