@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "bit/cone/cone_measures.hpp"
+#include "bit/cone/cone_rolling.hpp"
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "simulation/case/case.hpp"
@@ -99,6 +103,29 @@ TEST(ReadDrilling, starts_with_the_motion_of_the_top) {
   EXPECT_LT(
       (start.momentum_W / s.mass - Vec3(0.0, 0.0, 25.0 / 3600.0) - w.cross(s.centre_B)).norm(),
       1e-12);
+}
+
+/// Cones roll from the start: they turn against the bit as their gage rows do, and are carried by it.
+TEST(ReadDrilling, starts_with_cones_that_roll) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-r.toml",
+                           {"rock.edge_length='6 mm'", "time.duration='0.1 s'",
+                            "string.bearing_damping=0.75", "motion.rotary_speed='90 rpm'"});
+  const dynamics::DrillingSystem& s = c.drilling.system;
+  const dynamics::RotationState& start = c.drilling.start.rotation;
+  ASSERT_EQ(c.bit.cones.size(), 3u);
+  EXPECT_EQ(s.bearing_damping, std::vector<double>(3, 0.75));
+  EXPECT_EQ(start.cone_angles, std::vector<double>(3, 0.0));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bit::Cone& cone = c.bit.cones[k];
+    const double inertia = bit::cone_mass(c.bit, static_cast<int>(k)).axial_inertia;
+    const Vec3 axis = cone.X_BK.R.col(2);
+    EXPECT_LT((s.gyrostat.cones[k].axis_B - axis).norm(), 1e-15);
+    EXPECT_DOUBLE_EQ(s.gyrostat.cones[k].axial_inertia, inertia);
+    const double spin = -bit::rolling_ratio_of_gage_row(cone) * c.motion.rotary_speed;
+    EXPECT_LT(spin * axis.z(), 0.0);
+    EXPECT_NEAR(start.cone_momenta[k], inertia * (spin + axis.z() * c.motion.rotary_speed),
+                1e-12 * inertia * std::abs(spin));
+  }
 }
 
 std::string refusal(const std::vector<std::string>& settings) {

@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <string>
 
 #include "verification/battery/out_of_memory.hpp"
+#include "verification/battery/refused_call.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 
 namespace tdbd::simulation::checkpoint_file_test {
@@ -78,6 +84,52 @@ TEST(CheckpointFile, is_told_from_other_files) {
   EXPECT_THROW(read_checkpoint_file(path), RunError) << "no file";
   write_bytes(path, "solid of a mesh");
   EXPECT_THROW(read_checkpoint_file(path), RunError);
+}
+
+const CheckpointFile some_file{"v", "hash", "[time]\n", {}};
+
+/// On a disk that is full the old one stays, and what was begun is taken away.
+TEST(CheckpointFile, that_does_not_come_to_the_disk_is_none) {
+  const fs::path path = test_folder() / "checkpoint.nc";
+  write_checkpoint_file(path, some_file);
+  const std::string before = bytes_of(path);
+  const auto told = battery::in_a_process([&]() -> std::optional<bool> {
+    if (!battery::refuse_call(__NR_fsync, ENOSPC)) return std::nullopt;
+    try {
+      write_checkpoint_file(path, {"w", "hash", "[time]\n", {}});
+    } catch (const RunError& e) {
+      return std::string(e.what()) ==
+             "cannot write " + path.string() + ".partial: No space left on device";
+    }
+    return false;
+  });
+  if (!told) GTEST_SKIP() << "this system refuses no call";
+  EXPECT_TRUE(*told);
+  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_FALSE(fs::exists(path.string() + ".partial"));
+}
+
+/// Also without standard input, where they get the number 0.
+TEST(CheckpointFile, leaves_nothing_open) {
+  const fs::path path = test_folder() / "checkpoint.nc";
+  const auto open_files = [] {
+    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+  };
+  const int kept = dup(STDIN_FILENO);
+  close(STDIN_FILENO);
+  const auto before = open_files();
+  std::string failure;
+  try {
+    write_checkpoint_file(path, some_file);
+  } catch (const std::exception& e) {
+    failure = e.what();
+  }
+  EXPECT_EQ(open_files(), before);
+  EXPECT_EQ(failure, "");
+  if (kept >= 0) {
+    dup2(kept, STDIN_FILENO);
+    close(kept);
+  }
 }
 
 /// NetCDF would crash in the middle of its work: it is not even begun. Without the demand these would say that there is no such

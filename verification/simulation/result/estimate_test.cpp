@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "simulation/result/run.hpp"
+#include "simulation/start/rock_memory.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation::estimate_test {
@@ -65,6 +66,49 @@ TEST(RunEstimate, grows_with_triangles_and_frames) {
   };
   EXPECT_NEAR((rows_of("2") - rows_of("4")) / (rows_of("4") - rows_of("8")), 2.0, 1e-12);
   EXPECT_GT(rows_of("2"), rows_of("4"));
+}
+
+/// Bytes of a triangle in a frame, in an animation, in the final surface, in each of two checkpoints; of a number in a row.
+TEST(RunEstimate, adds_up_what_its_files_hold) {
+  for (const long frames_every : {0L, 7L})
+    for (const long history_every : {1L, 5L}) {
+      const Case c = case_with({"rock.edge_length=0.008",
+                                "output.frames_every=" + std::to_string(frames_every),
+                                "output.history_every=" + std::to_string(history_every)});
+      Simulation s = start(c);
+      s.state.steps_done = c.time.steps;
+      const double steps = static_cast<double>(c.time.steps);
+      const mesh::Surface& rock = s.state.rock.surface;
+      const double triangles =
+          static_cast<double>(rock.triangle_count()) + need_of_new_wall(c).triangles;
+      double of_bit = 0.0;
+      for (const bit::Part& p : c.bit.parts)
+        of_bit += static_cast<double>(p.mesh_P.triangles.size());
+      const double frames =
+          frames_every > 0 ? 1.0 + steps / static_cast<double>(frames_every) : 1.0;
+      const double numbers = 25.0 + 8.0 * static_cast<double>(c.bit.parts.size()) +
+                             10.0 * static_cast<double>(c.bit.cutters.size());
+      const double row = (history_every > 1 ? 2.0 : 8.0) * numbers + 18.0 * 25.0;
+      const double expected = 43.0 * frames * triangles + (frames > 1.0 ? 63.0 : 43.0) * of_bit +
+                              (25.0 + 2.0 * 110.0) * triangles +
+                              row * steps / static_cast<double>(history_every);
+      const RunEstimate e = estimate(c, s);
+      EXPECT_DOUBLE_EQ(e.triangles, triangles);
+      EXPECT_NEAR(e.disk_bytes / expected, 1.0, 1e-14);
+    }
+}
+
+/// Triangles at the end, the grid of the rock and that of the wall that will be made.
+TEST(RunEstimate, adds_up_memory_of_triangles_and_cells) {
+  const Case c = case_with({"rock.edge_length=0.008"});
+  Simulation s = start(c);
+  s.state.steps_done = c.time.steps;
+  mesh::Box box;
+  for (int v = 0; v < s.state.rock.surface.vertex_slots(); ++v)
+    if (s.state.rock.surface.is_alive(v)) box.add(s.state.rock.surface.position(v));
+  const double cells = need_of(0.0, box, 0.008).cells + need_of_new_wall(c).cells;
+  const RunEstimate e = estimate(c, s);
+  EXPECT_NEAR(e.memory_bytes / (250.0 * e.triangles + 4.2 * cells), 1.0, 1e-14);
 }
 
 /// Nothing is left to be made.
