@@ -74,6 +74,24 @@ TEST(ConeAssumptions, bound_the_swing_of_the_inertia_of_a_turned_bit) {
   }
 }
 
+/// By hand, in m, kg and s: the rest of what is told follows from the cone's mass, its centre's distance from
+/// its axis, its speed and standard gravity.
+TEST(ConeAssumptions, are_those_of_a_mass_that_goes_round) {
+  const Bit b = lopsided(50.0);
+  const ConeMass c = cone_mass(b, 0);
+  const double mass = c.body_K.mass, e = c.centre_off_axis, speed = -12.0 * 1.4;
+  const ConeAssumptions a = cone_assumptions(b, 0, -12.0, 1.4);
+  constexpr double rounding = 2e-15;
+  EXPECT_NEAR(a.cone_speed, speed, rounding * 12.0);
+  EXPECT_NEAR(a.unbalance_force / (mass * e * speed * speed), 1.0, rounding);
+  EXPECT_NEAR(a.unbalance_share * mass_properties(b).mass * 9.80665 / a.unbalance_force, 1.0,
+              rounding);
+  EXPECT_NEAR(a.gravity_torque / (mass * e * 9.80665), 1.0, rounding);
+  EXPECT_NEAR(a.frequency * 2.0 * pi / -speed, 1.0, rounding);
+  EXPECT_NEAR(a.torque_share * c.axial_inertia * speed * speed / a.torque_error, 1.0, rounding);
+  EXPECT_GT(a.unbalance_force, 1.0);
+}
+
 /// Parallel to the bit's axis only the eccentric mass swings, by 2 m e r; on the bit's axis and tilted
 /// only the products of inertia do. Either is told exactly.
 TEST(ConeAssumptions, tell_either_swing_by_itself) {

@@ -3,14 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstring>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <set>
-
 #include "bit/cone/part_pose.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/report/bit_output.hpp"
+#include "core/config/csv.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
 #include "core/temporary_folder.hpp"
@@ -43,61 +39,34 @@ RC_GTEST_PROP(BodyPoses, take_the_bit_at_rest_to_where_it_is, ()) {
     }
 }
 
-/// The parts of a glTF file: the text in JSON, and the bytes behind it.
-struct Gltf {
-  nlohmann::json text;
-  std::size_t bytes = 0;
-};
-
-Gltf read_gltf(const std::filesystem::path& file) {
-  const std::string all = read_file(file, "an animation");
-  std::uint32_t length = 0, bytes = 0;
-  std::memcpy(&length, all.data() + 12, 4);  // behind 12 bytes of a head: length, kind, chunk
-  std::memcpy(&bytes, all.data() + 20 + length, 4);
-  EXPECT_EQ(all.size(), 28 + length + bytes);
-  return {nlohmann::json::parse(all.substr(20, length)), bytes};
-}
-
-/// Views lie one behind the other and fill the buffer; each accessor fills its view, and is named by what
-/// reads it.
-TEST(BitAnimation, is_a_file_whose_numbers_fill_it) {
+/// One row for each time and body, in this order, with digits that read back to the bit.
+TEST(BodyPoses, are_written_as_rows_of_times_and_bodies) {
   const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
   std::vector<BodyPoses> frames;
-  for (const double time : {0.0, 0.5, 1.0})
-    frames.push_back(body_poses(bit, Pose{}, {0.1, 0.2, 0.3}, time));
-  const std::filesystem::path file = std::filesystem::path(temporary_folder()) / "motion.glb";
-  write_bit_animation(file, bit, frames);
-  const Gltf g = read_gltf(file);
-  std::size_t end = 0;
-  for (const auto& view : g.text.at("bufferViews")) {
-    EXPECT_EQ(view.at("byteOffset"), end);
-    end += view.at("byteLength").get<std::size_t>();
-  }
-  EXPECT_EQ(end, g.text.at("buffers")[0].at("byteLength"));
-  EXPECT_LE(g.bytes - end, 3U);
-  const std::map<std::string, std::size_t> widths{{"SCALAR", 1}, {"VEC3", 3}, {"VEC4", 4}};
-  for (std::size_t k = 0; k < g.text.at("accessors").size(); ++k) {
-    const auto& a = g.text.at("accessors")[k];
-    EXPECT_EQ(a.at("bufferView"), k);
-    EXPECT_EQ(4 * a.at("count").get<std::size_t>() * widths.at(a.at("type")),
-              g.text.at("bufferViews")[k].at("byteLength"));
-  }
-  std::set<std::size_t> named;
-  for (const auto& sampler : g.text.at("animations")[0].at("samplers"))
-    for (const char* key : {"input", "output"}) named.insert(sampler.at(key).get<std::size_t>());
-  for (const auto& shape : g.text.at("meshes"))
-    for (const auto& primitive : shape.at("primitives")) {
-      named.insert(primitive.at("indices").get<std::size_t>());
-      for (const auto& attribute : primitive.at("attributes"))
-        named.insert(attribute.get<std::size_t>());
+  for (const double time : {0.1, 0.7})
+    frames.push_back(
+        body_poses(bit, Pose{rotation::exp(Vec3(0.3, -1.1, time)), Vec3(0.1, 0.2, time / 3.0)},
+                   {0.1, 2.2, -time}, time));
+  const std::filesystem::path file = std::filesystem::path(temporary_folder()) / "bit_poses.csv";
+  write_bit_poses(file, bit, frames);
+  std::vector<CsvRow> rows = read_csv_rows(file.string());
+  rows.erase(rows.begin());  // the header
+  ASSERT_EQ(rows.size(), 2U * 4U);
+  EXPECT_EQ(read_file(file, "poses").substr(0, read_file(file, "poses").find('\n')),
+            "time [s],body,x [m],y [m],z [m],xx,xy,xz,yx,yy,yz,zx,zy,zz");
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const BodyPoses& frame = frames[k / 4];
+    const Pose& X = frame.X_WB[k % 4];
+    ASSERT_EQ(rows[k].cells.size(), 14U);
+    const auto cell = [&](std::size_t i) { return csv_number<double>(rows[k].cells[i]).value(); };
+    EXPECT_EQ(cell(0), frame.time);
+    EXPECT_EQ(rows[k].cells[1], k % 4 == 0 ? "bit" : bit.cones[k % 4 - 1].name);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(cell(static_cast<std::size_t>(2 + i)), X.p(i));
+      for (int j = 0; j < 3; ++j)
+        EXPECT_EQ(cell(static_cast<std::size_t>(5 + 3 * i + j)), X.R(i, j));
     }
-  std::set<std::size_t> shown;
-  for (const auto& node : g.text.at("nodes"))
-    if (node.contains("mesh")) shown.insert(node.at("mesh").get<std::size_t>());
-  EXPECT_EQ(shown.size(), g.text.at("meshes").size());
-  EXPECT_EQ(*shown.rbegin(), g.text.at("meshes").size() - 1);
-  EXPECT_EQ(named.size(), g.text.at("accessors").size());
-  EXPECT_EQ(*named.rbegin(), g.text.at("accessors").size() - 1);
+  }
 }
 
 TEST(BodyPoses, that_cannot_be_written_leave_nothing_behind) {

@@ -2,12 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "bit/body/body_overlap.hpp"
+#include "bit/cutter/rim_reach.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
 #include "bit/generate.hpp"
+#include "bit/mass_properties.hpp"
+#include "bit/profile/bit_analysis.hpp"
+#include "bit/profile/engagement.hpp"
+#include "bit/profile/exposure.hpp"
+#include "bit/profile/exposure_profile.hpp"
+#include "bit/report/body_report.hpp"
+#include "mesh/measures.hpp"
 
 namespace tdbd::bit::bit_report_test {
 
@@ -21,10 +31,22 @@ Vec3 vector_of(const nlohmann::json& j) {
   return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
 }
 
-TEST(BitReport, has_the_axes_of_every_cutter) {
+/// Three cutters of bit B, of which no two have a number in common.
+std::vector<Cutter> three_cutters() {
   std::vector<Cutter> three = table('b');
   three.resize(3);
-  const Bit bit = pdc_bit("three", three, {});
+  for (std::size_t k = 0; k < three.size(); ++k) {
+    three[k].under_exposure = 1e-4 * static_cast<double>(k + 1);
+    three[k].wear = 3e-4 * static_cast<double>(k + 1);
+    three[k].side_rake = 0.02 * static_cast<double>(k + 1);
+    three[k].diameter -= 1e-3 * static_cast<double>(k);
+    three[k].X_BC = cutter_pose(three[k]);
+  }
+  return three;
+}
+
+TEST(BitReport, has_the_axes_of_every_cutter) {
+  const Bit bit = pdc_bit("three", three_cutters(), {});
   const nlohmann::json cutters = analysis_of(bit).at("cutters");
   ASSERT_EQ(cutters.size(), bit.cutters.size());
   for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
@@ -33,7 +55,143 @@ TEST(BitReport, has_the_axes_of_every_cutter) {
     EXPECT_EQ(vector_of(cutters[k].at("x_axis")), X_BC.R.col(0));
     EXPECT_EQ(vector_of(cutters[k].at("y_axis")), X_BC.R.col(1));
     EXPECT_EQ(vector_of(cutters[k].at("z_axis")), X_BC.R.col(2));
+    EXPECT_EQ(vector_of(cutters[k].at("tip_m")), tip_B(bit.cutters[k]));
+    EXPECT_EQ(vector_of(cutters[k].at("profile_normal")), profile_normal_B(bit.cutters[k]));
   }
+}
+
+/// Each number of a cutter's row in the table under its own key.
+TEST(BitReport, has_every_number_of_every_cutter) {
+  const Bit bit = pdc_bit("three", three_cutters(), {});
+  const nlohmann::json cutters = analysis_of(bit).at("cutters");
+  const std::vector<std::pair<const char*, double Cutter::*>> keys{
+      {"diameter_m", &Cutter::diameter},
+      {"tip_radius_m", &Cutter::tip_radius},
+      {"tip_height_m", &Cutter::tip_height},
+      {"azimuth_rad", &Cutter::azimuth},
+      {"profile_angle_rad", &Cutter::profile_angle},
+      {"back_rake_rad", &Cutter::back_rake},
+      {"side_rake_rad", &Cutter::side_rake},
+      {"under_exposure_m", &Cutter::under_exposure},
+      {"wear_m", &Cutter::wear}};
+  for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
+    const Cutter& c = bit.cutters[k];
+    for (const auto& [key, number] : keys) EXPECT_EQ(cutters[k].at(key), c.*number) << key;
+    EXPECT_EQ(cutters[k].at("name"), "cutter-" + std::to_string(c.id));
+    EXPECT_EQ(cutters[k].at("blade"), c.blade);
+    EXPECT_EQ(cutters[k].at("zone"), c.zone);
+    const std::vector<Vec3> outline = turned_outline(c, 72);
+    ASSERT_EQ(cutters[k].at("outline_rz_m").size(), outline.size());
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      EXPECT_EQ(cutters[k].at("outline_rz_m")[i].at(0), outline[i].x());
+      EXPECT_EQ(cutters[k].at("outline_rz_m")[i].at(1), outline[i].z());
+    }
+  }
+}
+
+const Bit& bit_b() {
+  static const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
+  return bit;
+}
+
+/// At a penetration of 3 mm.
+const nlohmann::json& analysis_of_b() {
+  static const nlohmann::json json = [] {
+    ReportOptions options;
+    options.advance = 3e-3;
+    return nlohmann::json::parse(analysis_json(bit_b(), options));
+  }();
+  return json;
+}
+
+void expect_number(const nlohmann::json& found, double expected) {
+  if (std::isnan(expected))
+    EXPECT_TRUE(found.is_null());
+  else
+    EXPECT_EQ(found, expected);
+}
+
+/// What the cutters do together, at the penetration that was asked for.
+TEST(BitReport, has_what_the_cutters_share) {
+  const Bit& bit = bit_b();
+  const nlohmann::json& a = analysis_of_b();
+  const Engagement e = engagement(bit.cutters, 3e-3, report_column_width);
+  const std::vector<double> overlap = overlaps(bit.cutters), exposure = exposures(bit.cutters);
+  ASSERT_EQ(a.at("cutters").size(), bit.cutters.size());
+  for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
+    const nlohmann::json& cutter = a.at("cutters")[k];
+    EXPECT_EQ(cutter.at("area_m2"), e.area[k]);
+    EXPECT_EQ(cutter.at("volume_m3_per_rev"), e.volume[k]);
+    expect_number(cutter.at("overlap_with_next"), overlap[k]);
+    expect_number(cutter.at("exposure_m"), exposure[k]);
+  }
+  EXPECT_EQ(a.at("penetration_m_per_rev"), 3e-3);
+  EXPECT_EQ(a.at("imbalance_of_unit_law"), imbalance(bit.cutters, e.area));
+  EXPECT_EQ(vector_of(a.at("imbalance_vector_of_unit_law")), imbalance_vector(bit.cutters, e.area));
+  EXPECT_EQ(a.at("mean_redundancy"), mean_redundancy(e.cutting));
+  EXPECT_EQ(a.at("column_width_m"), e.column_width);
+  EXPECT_EQ(a.at("cutters_cutting_at_radius"), e.cutting);
+  EXPECT_EQ(a.at("cutters_in_body_m3"), cutters_in_body(bit));
+}
+
+TEST(BitReport, has_the_mass_and_every_part) {
+  const Bit& bit = bit_b();
+  const nlohmann::json& a = analysis_of_b();
+  const MassProperties mass = mass_properties(bit);
+  EXPECT_EQ(a.at("schema"), 1);
+  EXPECT_EQ(a.at("name"), bit.name);
+  EXPECT_EQ(a.at("gage_radius_m"), bit.gage_radius);
+  EXPECT_EQ(a.at("mass_kg"), mass.mass);
+  EXPECT_EQ(vector_of(a.at("centre_m")), mass.centre);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(vector_of(a.at("inertia_kg_m2").at(static_cast<std::size_t>(i))),
+              Vec3(mass.inertia.row(i)));
+  ASSERT_EQ(a.at("parts").size(), bit.parts.size());
+  for (std::size_t k = 0; k < bit.parts.size(); ++k) {
+    const Part& p = bit.parts[k];
+    const nlohmann::json& found = a.at("parts")[k];
+    EXPECT_EQ(found.at("name"), p.name);
+    EXPECT_EQ(found.at("kind"), kind_name(p.kind));
+    EXPECT_EQ(found.at("cuts"), p.cutting == Cutting::cuts);
+    EXPECT_EQ(found.at("cutter"), p.cutter);
+    EXPECT_EQ(found.at("cone"), p.cone);
+    EXPECT_EQ(found.at("volume_m3"), mesh::enclosed_volume(p.mesh_P));
+    EXPECT_EQ(found.at("density_kg_m3"), p.density);
+    EXPECT_EQ(vector_of(found.at("origin_m")), p.X_BP.p);
+    EXPECT_EQ(vector_of(found.at("update_direction")), p.update_direction_B);
+  }
+}
+
+/// The profile of the body is what it would touch if it cut; a shank above cones has none.
+TEST(BitReport, has_the_profile_of_a_body_below_no_cones) {
+  const Bit& bit = bit_b();
+  std::vector<Part> body;
+  for (const Part& p : bit.parts)
+    if (p.kind == PartKind::bit_body) body.push_back(p);
+  ASSERT_FALSE(body.empty());
+  for (Part& p : body) p.cutting = Cutting::cuts;
+  const std::vector<ProfilePoint> profile = exposure_profile(body, 1e-3);
+  const nlohmann::json found = analysis_of_b().at("body_profile_rz_m");
+  ASSERT_EQ(found.size(), profile.size());
+  for (std::size_t k = 0; k < profile.size(); ++k) {
+    EXPECT_EQ(found[k].at(0), profile[k].r);
+    EXPECT_EQ(found[k].at(1), profile[k].z);
+  }
+  Bit bare = pdc_bit("three", three_cutters(), {});
+  std::erase_if(bare.parts, [](const Part& p) { return p.kind == PartKind::bit_body; });
+  EXPECT_FALSE(analysis_of(bare).contains("body_profile_rz_m"));
+  EXPECT_FALSE(
+      analysis_of(read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml")).contains("body_profile_rz_m"));
+}
+
+/// "body" is of blades, and absent without them.
+TEST(BitReport, has_a_body_where_the_bit_has_blades) {
+  PdcOptions options;
+  options.blades.emplace().edge = 12e-3;
+  const Bit with = pdc_bit("bladed", table('b'), options);
+  ASSERT_TRUE(with.blades);
+  EXPECT_EQ(analysis_of(with).at("body"), nlohmann::json(body_json(with, ReportOptions{}.advance)));
+  EXPECT_FALSE(analysis_of(pdc_bit("three", three_cutters(), {})).contains("body"));
 }
 
 /// Cones with their rows, their tracking and what is assumed of them; none of a bit without.
@@ -43,10 +201,11 @@ TEST(BitReport, has_cones_where_the_bit_has_some) {
   ASSERT_EQ(a.at("cones").size(), bit.cones.size());
   EXPECT_EQ(a.at("cones")[0].at("rows").size(), bit.cones[0].layout.rows.size());
   EXPECT_TRUE(a.contains("tracking"));
-  std::vector<Cutter> three = table('b');
-  three.resize(3);
-  const nlohmann::json without = analysis_of(pdc_bit("three", three, {}));
+  EXPECT_TRUE(a.at("cones")[0].contains("assumptions"));
+  EXPECT_FALSE(a.contains("cutters_in_body_m3"));
+  const nlohmann::json without = analysis_of(pdc_bit("three", three_cutters(), {}));
   EXPECT_FALSE(without.contains("cones"));
+  EXPECT_FALSE(without.contains("clearances"));
   EXPECT_FALSE(without.contains("tracking"));
 }
 

@@ -38,6 +38,63 @@ TEST(DrillingSystem, refuses_what_is_no_system) {
   EXPECT_EQ(problem([](S& s) { s.rock.damping = -1.0; }), "a rock mount's damping of -1");
 }
 
+/// Every number of wall, rock and bearings must be finite and not negative; 0 is none, and fine.
+TEST(DrillingSystem, refuses_a_number_that_is_negative_or_none) {
+  using Of = std::function<double&(DrillingSystem&)>;
+  const std::vector<std::pair<std::string, Of>> numbers{
+      {"a wall's stiffness", [](auto& s) -> double& { return s.wall.stiffness; }},
+      {"a wall's clearance", [](auto& s) -> double& { return s.wall.clearance; }},
+      {"a wall's ring of radius", [](auto& s) -> double& { return s.wall.ring_radius; }},
+      {"a wall's restitution", [](auto& s) -> double& { return s.wall.restitution; }},
+      {"a wall's friction", [](auto& s) -> double& { return s.wall.friction; }},
+      {"a wall's slip speed", [](auto& s) -> double& { return s.wall.slip_speed; }},
+      {"a rock's mass", [](auto& s) -> double& { return s.rock.mass; }},
+      {"a rock mount's stiffness", [](auto& s) -> double& { return s.rock.stiffness; }},
+      {"a rock mount's damping", [](auto& s) -> double& { return s.rock.damping; }},
+      {"a bearing's damping", [](auto& s) -> double& { return s.bearing_damping[1]; }}};
+  for (const auto& [name, of] : numbers) {
+    EXPECT_EQ(problem([&](DrillingSystem& s) { of(s) = 0.0; }), "") << name;
+    EXPECT_EQ(problem([&](DrillingSystem& s) { of(s) = -1e-9; }), name + " of -1e-09");
+    EXPECT_EQ(problem([&](DrillingSystem& s) { of(s) = INFINITY; }), name + " of inf");
+  }
+}
+
+/// Each matrix and each vector by its name; a wall may give all back.
+TEST(DrillingSystem, names_what_is_not_finite_or_not_positive) {
+  using S = DrillingSystem;
+  EXPECT_EQ(problem([](S& s) { s.mass = INFINITY; }), "a mass of inf kg");
+  EXPECT_EQ(problem([](S& s) { s.centre_B.y() = INFINITY; }),
+            "a centre of mass that is not finite");
+  EXPECT_EQ(problem([](S& s) { s.wall.restitution = 1.0; }), "");
+  for (const auto& [matrix, name] :
+       {std::pair{&DrillString::stiffness, "a string's stiffness"},
+        {&DrillString::damping, "a string's damping"},
+        {&DrillString::turn_stiffness, "a string's stiffness in turning"},
+        {&DrillString::turn_damping, "a string's damping in turning"}}) {
+    const std::string that = std::string(name) + " that is not ";
+    EXPECT_EQ(problem([&](S& s) { (s.string.*matrix)(1, 2) = INFINITY; }), that + "finite");
+    EXPECT_EQ(problem([&](S& s) { (s.string.*matrix)(1, 2) += 1.0; }), that + "symmetric");
+    EXPECT_EQ(problem([&](S& s) { s.string.*matrix = Vec3(-3.0, 1.0, 1.0).asDiagonal(); }),
+              that + "positive: principal value -3");
+  }
+  for (Vec3 DrillString::*const place : {&DrillString::attachment_B, &DrillString::rest_W})
+    EXPECT_EQ(problem([&](S& s) { (s.string.*place).x() = INFINITY; }),
+              "a string's attachment or rest that is not finite");
+}
+
+/// What is negative by rounding alone is so beside the matrix's largest element.
+TEST(DrillingSystem, tells_rounding_by_the_size_of_the_matrix) {
+  const auto with = [](double size, double least) {
+    return problem([&](DrillingSystem& s) {
+      s.string.stiffness = Vec3(size, size, least * size).asDiagonal();
+    });
+  };
+  for (const double size : {1e-9, 1.0, 1e9}) {
+    EXPECT_EQ(with(size, -1e-10), "");
+    EXPECT_NE(with(size, -1e-8), "");
+  }
+}
+
 /// A stiff spring along one way has none across it but for rounding, whatever its unit.
 TEST(DrillingSystem, takes_a_spring_along_one_way) {
   const Vec3 way = Vec3(0.3, -0.5, 0.7).normalized();

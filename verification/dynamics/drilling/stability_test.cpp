@@ -121,7 +121,11 @@ TEST(Stability, problem_says_the_limit_and_the_step_that_would_do) {
 }
 
 TEST(Stability, nothing_limits_a_free_bit) {
-  EXPECT_EQ(stability_limit(make_drilling_system(plain_bit()), {}).step, INFINITY);
+  const StabilityLimit limit = stability_limit(make_drilling_system(plain_bit()), {});
+  EXPECT_EQ(limit.step, INFINITY);
+  EXPECT_EQ(limit.frequency, 0.0);
+  EXPECT_EQ(limit.rate, 0.0);
+  EXPECT_EQ(limit.mode, StabilityLimit{}.mode);
   EXPECT_EQ(stability_problem(make_drilling_system(plain_bit()), {}, 1e9), "");
 }
 

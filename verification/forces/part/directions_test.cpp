@@ -142,7 +142,8 @@ TEST(PressingForce, pushes_along_the_normal_and_drags_against_the_slip) {
 RC_GTEST_PROP(PressingForce, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
   PartCut c = plain_cut(bit::PartKind::tooth);
   c.normal = any_direction();
-  const double speed = number(-2.0, 2.0), beside = std::pow(10.0, -number(8.0, 18.0));
+  const double scale = std::pow(10.0, number(-6.0, 6.0));  // of the unit of speed
+  const double speed = scale * number(-2.0, 2.0), beside = std::pow(10.0, -number(8.0, 18.0));
   c.velocity = speed * (c.normal + beside * any_direction());
   const PartForce f = pressing_force(c, 100.0, {.mu = 3.0}, 0.0);
   RC_ASSERT(f.force.dot(c.velocity) <= rounding(size(f) * std::abs(speed)));
@@ -156,7 +157,8 @@ RC_GTEST_PROP(PressingForce, has_friction_as_soon_as_it_slips, ()) {
   const Vec3 across = c.normal.cross(any_direction());
   RC_PRE(across.norm() > 1e-3);
   const double beside = std::pow(10.0, -number(1.0, 13.0));
-  c.velocity = number(0.1, 2.0) * (c.normal + beside * across.normalized());
+  const double scale = std::pow(10.0, number(-6.0, 6.0));  // of the unit of speed
+  c.velocity = scale * number(0.1, 2.0) * (c.normal + beside * across.normalized());
   const PartForce f = pressing_force(c, 100.0, {.mu = 0.4}, 0.0);
   RC_ASSERT(std::abs(f.tangential - 40.0) <= rounding(40.0));
 }
