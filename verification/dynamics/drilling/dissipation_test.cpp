@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics::dissipation_test {
@@ -54,8 +56,8 @@ void expect_same(const Left& a, const Left& b) {
 TEST(Dissipation, goes_with_coefficient_times_time) {
   for (const Sweep sweep : {Sweep::forward, Sweep::backward})
     for (const DamperEnd end : {DamperEnd::space, DamperEnd::top}) {
-      const Left once = left_after(dampers_of(1.0, end), sweep, 0.01),
-                 half = left_after(dampers_of(2.0, end), sweep, 0.005);
+      const Left once = left_after(dampers_of(1.0, end), sweep, 0.2),
+                 half = left_after(dampers_of(2.0, end), sweep, 0.1);
       expect_same(once, half);
       for (const double loss : {once.ledger.damped_string, once.ledger.damped_bearings,
                                 once.ledger.damped_rock, once.ledger.wall_friction})
@@ -75,10 +77,9 @@ TEST(Dissipation, at_the_wall_goes_with_what_it_does_not_give_back) {
   };
   const Left soft = left_after(wall(2e5, 0.6), Sweep::forward, 1e-3);
   expect_same(soft, left_after(wall(4e5, 0.6), Sweep::forward, 5e-4));
-  expect_same(soft, left_after(wall(2e5 * 2.0, std::sqrt(1.0 - 0.5 * 0.64)), Sweep::forward, 1e-3));
+  expect_same(soft, left_after(wall(4e5, std::sqrt(1.0 - 0.5 * 0.64)), Sweep::forward, 1e-3));
   EXPECT_GT(soft.ledger.wall_loss, 1e-3);
-  expect_same(left_after(wall(2e5, 1.0), Sweep::forward, 1e-3),
-              left_after(wall(0.0, 1.0), Sweep::forward, 0.0));
+  EXPECT_EQ(left_after(wall(2e5, 1.0), Sweep::forward, 1e-3).ledger.wall_loss, 0.0);
 }
 
 /// Where the ring lets go the wall presses with e^2 of its force, and so does friction.
