@@ -30,4 +30,30 @@ RC_GTEST_PROP(ConeSpacing, rises_within_one_turn_from_any_first_angle, ()) {
   }
 }
 
+/// A tooth stands on its place of the shell, sunk along the normal there; its Z leans from the normal towards
+/// the base, its X is along the meridian; all of it turns with the cone.
+RC_GTEST_PROP(ToothPose, stands_on_the_shell_and_leans_towards_the_base, ()) {
+  const ConeLayout c = any_cone();
+  const std::size_t i = *rc::gen::inRange<std::size_t>(1, c.shell.size());
+  const ShellPoint &a = c.shell[i - 1], &b = c.shell[i];
+  ToothRow row;
+  const double share = number(0.1, 0.9), angle = number(-7.0, 7.0);
+  row.s = a.s + share * (b.s - a.s);
+  row.sink = number(-2e-3, 2e-3);
+  row.lean = number(-0.5, 0.5);
+  const Pose X_KT = tooth_pose(c, row, angle);
+  const Vec3 radial(std::cos(angle), std::sin(angle), 0.0), base = -Vec3::UnitZ();
+  const double length = std::hypot(b.s - a.s, b.r - a.r);
+  const Vec3 along = ((b.s - a.s) * base + (b.r - a.r) * radial) / length,
+             out = ((b.s - a.s) * radial - (b.r - a.r) * base) / length;
+  const Vec3 place = row.s * base + (a.r + share * (b.r - a.r)) * radial - row.sink * out;
+  constexpr double rounding = 2e-15;
+  RC_ASSERT((X_KT.p - place).norm() < 0.1 * rounding);
+  RC_ASSERT((X_KT.R.col(2) - std::cos(row.lean) * out - std::sin(row.lean) * along).norm() <
+            rounding);
+  RC_ASSERT((X_KT.R.col(0) - std::cos(row.lean) * along + std::sin(row.lean) * out).norm() <
+            rounding);
+  RC_ASSERT((X_KT.R.col(2).cross(X_KT.R.col(0)) - X_KT.R.col(1)).norm() < rounding);
+}
+
 }  // namespace tdbd::bit::cone_parts_test
