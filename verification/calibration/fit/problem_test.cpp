@@ -125,5 +125,71 @@ TEST(Problem, an_empty_load_is_no_reading) {
   EXPECT_TRUE(std::ranges::all_of(p.places, [](const auto& at) { return at.load == axial; }));
 }
 
+/// Derivatives of fourth order in steps of a thousandth of each value, straight from the loads.
+Eigen::MatrixXd wide_derivatives(const Problem& p, const Data& data,
+                                 const Eigen::VectorXd& values) {
+  Eigen::MatrixXd J(p.rows(), values.size());
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    const double h = 1e-3 * values[k];
+    const auto at = [&](double step) {
+      Eigen::VectorXd moved = values;
+      moved[k] += step;
+      return residuals_at(p, data, moved);
+    };
+    J.col(k) = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
+  }
+  return J;
+}
+
+/// Relative to the norm of a column: of the first or the second order in steps of 1e-5.
+double difference(const Problem& p, const Data& data, const Eigen::VectorXd& values,
+                  Difference order) {
+  const Eigen::MatrixXd twin = wide_derivatives(p, data, values), J = jacobian_at(p, values, order);
+  return ((J - twin).colwise().norm().array() / twin.colwise().norm().array()).maxCoeff();
+}
+
+/// With the priors' rows among the others.
+TEST(Jacobian, is_of_second_order_or_of_first_for_half_the_price) {
+  CalibrationCase c = noisy_case();
+  c.unknowns[1].prior_sd = 0.3;
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const Data data = data_of(p);
+  const Eigen::VectorXd values = truth_of(p, hidden_law());
+  EXPECT_LT(difference(p, data, values, Difference::central), 2.5e-9);    // 8e-10 seen
+  EXPECT_LT(difference(p, data, values, Difference::one_sided), 1.3e-5);  // 5e-6 seen
+  EXPECT_GT(difference(p, data, values, Difference::one_sided), 1e-7);
+}
+
+/// The step goes with the value, also where that is far below its start.
+TEST(Jacobian, has_its_digits_far_below_the_starts) {
+  const CalibrationCase c = noisy_case();
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  const Eigen::VectorXd values = 3e-3 * truth_of(p, hidden_law());
+  EXPECT_LT(difference(p, data_of(p), values, Difference::one_sided), 7e-6);  // 3e-6 seen
+}
+
+/// At 0, the end of a range, a thousandth of the start stands for the value, and the difference goes inwards.
+TEST(Jacobian, goes_on_at_the_end_of_a_range) {
+  const CalibrationCase c = noisy_case();
+  const Problem p = fitted_problem(c, made_up_cuts(c));
+  Eigen::VectorXd values = truth_of(p, hidden_law());
+  const Eigen::Index A6 = 3;
+  ASSERT_EQ(p.unknowns[A6].key, "A6");
+  values[A6] = 0.0;
+  Eigen::VectorXd inside = values;
+  inside[A6] = 1e-3;
+  const Eigen::MatrixXd at_end = jacobian_at(p, values), near = jacobian_at(p, inside);
+  EXPECT_TRUE(at_end.allFinite());
+  EXPECT_LT((at_end.col(A6) - near.col(A6)).norm(), 1e-2 * near.col(A6).norm());
+}
+
+/// Own, test's and rate's variances of a reading add up; its own deviation stands before the usual.
+TEST(ReadingVariance, adds_up_what_is_uncertain) {
+  const Noise noise{.reading = 0.03, .test = 0.04, .rop = 0.05};
+  EXPECT_DOUBLE_EQ(reading_variance(noise, {}, 0.0), 9e-4 + 16e-4);
+  EXPECT_DOUBLE_EQ(reading_variance(noise, {}, 2.0), 9e-4 + 16e-4 + 4.0 * 25e-4);
+  EXPECT_DOUBLE_EQ(reading_variance(noise, {200.0, 12.0}, 0.0), 36e-4 + 16e-4);
+}
+
 }  // namespace
 }  // namespace tdbd::calibration::problem_test

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/fit/solve.hpp"
 #include "calibration/made_up_laboratory.hpp"
+#include "core/random.hpp"
 
 namespace tdbd::calibration::bootstrap_test {
 namespace {
@@ -45,6 +50,56 @@ TEST(Bootstrap, of_one_replicate_scatters_by_nothing) {
     EXPECT_EQ(f.low, f.mean);
     EXPECT_EQ(f.high, f.mean);
   }
+}
+
+/// Mean, deviation and quartiles of five replicates, by hand from their fits: sorted, the second and the fourth.
+TEST(Bootstrap, has_the_figures_of_its_replicates) {
+  const Fit f = good_fit();
+  const Bootstrap b = bootstrap(f, {0.5, 5, 7});
+  ASSERT_EQ(b.replicates, 5);
+  ASSERT_EQ(b.failed, 0);
+  Random seeds{7};
+  std::vector<Eigen::VectorXd> fits;
+  for (int i = 0; i < 5; ++i) {
+    const Data drawn = drawn_data(f.problem, f.values, seeds.next());
+    fits.push_back(solve(f.problem, drawn, f.values, Precision::replicate).values);
+  }
+  for (std::size_t k = 0; k < b.coefficients.size(); ++k) {
+    std::vector<double> v;
+    for (const Eigen::VectorXd& values : fits) v.push_back(values[static_cast<Eigen::Index>(k)]);
+    std::ranges::sort(v);
+    const double mean = (v[0] + v[1] + v[2] + v[3] + v[4]) / 5.0;
+    double squares = 0.0;
+    for (const double x : v) squares += (x - mean) * (x - mean);
+    constexpr double rounding = 5e-15;
+    EXPECT_NEAR(b.coefficients[k].mean, mean, rounding);
+    EXPECT_NEAR(b.coefficients[k].se, std::sqrt(squares / 4.0), rounding);
+    EXPECT_NEAR(b.coefficients[k].low, v[1], rounding);
+    EXPECT_NEAR(b.coefficients[k].high, v[3], rounding);
+    const Bootstrap wide = bootstrap(f, {0.75, 5, 7});  // half way between the first and the second
+    EXPECT_NEAR(wide.coefficients[k].low, 0.5 * (v[0] + v[1]), rounding);
+    EXPECT_NEAR(wide.coefficients[k].high, 0.5 * (v[3] + v[4]), rounding);
+  }
+}
+
+/// Centres of priors are drawn around the fitted values by the priors' deviations; unknowns without one keep theirs.
+TEST(Bootstrap, draws_the_centres_of_priors) {
+  CalibrationCase c = well_conditioned_case();
+  unknown(c, "A3")->prior_sd = 0.1;
+  read_loads(c, made_up_cuts(c), hidden_law(), {0.02, 0.0}, 8);
+  const Fit f = fit(fitted_problem(c, made_up_cuts(c)), c.intervals);
+  const Eigen::Index A3 = 1;
+  ASSERT_EQ(f.problem.unknowns[A3].key, "A3");
+  constexpr int draws = 2000;
+  double mean = 0.0, squares = 0.0;
+  for (std::uint64_t seed = 1; seed <= draws; ++seed) {
+    const Eigen::VectorXd centres = drawn_data(f.problem, f.values, seed).prior_centres;
+    mean += (centres[A3] - f.values[A3]) / draws;
+    squares += std::pow(centres[A3] - f.values[A3], 2) / draws;
+    EXPECT_EQ(centres[0], f.problem.unknowns[0].start);
+  }
+  EXPECT_NEAR(mean, 0.0, 3.0 * 0.1 / std::sqrt(draws));
+  EXPECT_NEAR(std::sqrt(squares), 0.1, 0.1 * 0.05);
 }
 
 TEST(Bootstrap, of_no_replicates_is_not_made) {

@@ -172,5 +172,30 @@ TEST(Prediction, errors_are_the_root_of_mean_squares_and_the_95th_of_100) {
   EXPECT_EQ(errors[turning].readings, 0);
 }
 
+/// Of few readings the 95th percentile is the largest error, from 20 on the one below it.
+TEST(Prediction, the_95th_percentile_of_few_is_the_largest) {
+  for (const int n : {1, 2, 19, 20, 21, 40}) {
+    std::vector<Prediction> all;
+    for (int i = 1; i <= n; ++i) all.push_back(with_error(1e-3 * i));
+    const int place = n < 20 ? n : (19 * n + 19) / 20;
+    EXPECT_NEAR(errors_of(all)[axial].p95, 1e-3 * place, 1e-12) << n;
+  }
+}
+
+/// A load that nothing reads and whose coefficients are all held scatters by noise alone.
+TEST(Prediction, of_coefficients_at_bounds_has_no_standard_error) {
+  CalibrationCase c = well_conditioned_case();
+  const CutStore cuts = made_up_cuts(c);
+  read_loads(c, cuts, hidden_law(), {0.03, 0.0}, 2);
+  Fit f = fit(fitted_problem(c, cuts), c.intervals);
+  f.covariance.setZero();
+  const Record r = records_of(c, c.predict).front();
+  const Sample s = sample_of(cut_run_of(cuts, r), r, strength_of(c.rock, r), c.law);
+  for (const PredictedLoad& load : predict(f, s, r, c.noise, {}, 0.95).loads) {
+    EXPECT_EQ(load.se, 0.0);
+    EXPECT_NEAR(std::log(load.high / load.mean), 1.959963984540054 * c.noise.reading, 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace tdbd::calibration::prediction_test
