@@ -120,6 +120,18 @@ TEST(ToothFaults, leave_a_half_ball_some_shank) {
             "embedding: 125 mm, more than the half-ball reaches below the shell, 125 mm");
 }
 
+/// Of a tooth without a size nothing else is told: the rest follows from it.
+TEST(ToothFaults, tell_sizes_that_are_none_alone) {
+  for (const ToothKind kind : all_tooth_kinds) {
+    ToothShape t = tooth_of(kind);
+    t.protrusion = -0.25;
+    EXPECT_EQ(refused(t), "protrusion: -250 mm, a length above 0");
+    t.embedding = 0.0;
+    EXPECT_EQ(refused(t),
+              "protrusion: -250 mm, a length above 0, embedding: 0 mm, a length above 0");
+  }
+}
+
 /// A crest may be as long and as wide as what it stands on, and no more.
 TEST(ToothFaults, keep_a_crest_on_its_tooth) {
   ToothShape t = tooth_of(ToothKind::chisel);

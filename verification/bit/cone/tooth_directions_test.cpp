@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bit/cone/cone_bit.hpp"
+#include "bit/cone/cone_frame.hpp"
 #include "bit/cone_generate.hpp"
 
 namespace tdbd::bit::tooth_directions_test {
@@ -32,6 +33,72 @@ RC_GTEST_PROP(DirectTeeth, knows_four_rules_at_the_gage, ()) {
   RC_ASSERT(std::abs(row.norm() - 1.0) < 1e-14);
   RC_ASSERT(!gage_tooth(GageRule::row).core_P);
   RC_ASSERT(gage_tooth(GageRule::normal).core_P.has_value());
+}
+
+/// Where the row stands deepest its teeth point along their Z: what of it is outward and downward, and neither up
+/// nor inward. Of a journal that meets the bit's axis, by its frame.
+RC_GTEST_PROP(DirectTeeth, follows_the_rows_normal_at_its_deepest_place, ()) {
+  ConeLayout cone = toothed_cone();
+  cone.journal_angle = number(5 * degree, 70 * degree);
+  cone.offset = cone.skew = 0.0;
+  ToothRow& row = cone.rows[1];
+  row.lean = number(-1.5, 1.5);
+  Bit bit;
+  bit.cones.push_back({"cone-1", cone, cone_pose(cone, 0.0)});
+  bit.parts = cone_parts(bit.cones[0], 0);
+  direct_teeth(bit, GageRule::row);
+  const Mat3& R = bit.cones[0].X_BK.R;
+  const Vec3 in_B = R.col(2), down_B = (Vec3::UnitZ() - in_B.z() * in_B).normalized(),
+             out_B = -Vec3(in_B.x(), in_B.y(), 0.0).normalized();
+  const Vec3 z_K = tooth_pose(cone, row, 0.0).R.col(2);
+  const Vec3 z_B = z_K.x() * down_B + z_K.z() * in_B;
+  Vec3 expected(std::max(0.0, out_B.dot(z_B)), 0.0, std::max(0.0, z_B.z()));
+  if (expected.norm() == 0.0)
+    expected = Vec3::UnitZ();
+  else
+    RC_PRE(expected.norm() > 1e-3);
+  RC_ASSERT((bit.parts.back().update_direction_B - expected.normalized()).norm() < 1e-12);
+}
+
+/// Up and inward at once: straight down then.
+TEST(DirectTeeth, goes_down_where_a_row_points_up_and_inward) {
+  ConeLayout cone;
+  cone.journal_angle = 36 * degree;
+  cone.shell = {{0.01, 0.01}, {0.04, 0.03}};
+  ToothRow row;
+  row.s = 0.02;
+  row.place = RowPlace::gage;
+  row.angles = {0.0};
+  row.lean = -2.5;
+  cone.rows = {row};
+  Bit bit;
+  bit.cones.push_back({"cone-1", cone, cone_pose(cone, 0.0)});
+  bit.parts = cone_parts(bit.cones[0], 0);
+  direct_teeth(bit, GageRule::row);
+  EXPECT_EQ(bit.parts.back().update_direction_B, Vec3(Vec3::UnitZ()));
+}
+
+/// From the lower end to the centre of the round end, or no farther than the lower end.
+TEST(DirectTeeth, puts_the_core_on_the_tooths_axis) {
+  ConeLayout cone;
+  cone.shell = {{0.01, 0.01}, {0.04, 0.03}};
+  ToothRow row;
+  row.s = 0.02;
+  row.place = RowPlace::gage;
+  row.angles = {0.0};
+  row.shape = {.diameter = 12e-3, .protrusion = 7e-3, .embedding = 4e-3};
+  for (const auto& [protrusion, top] : {std::pair{7e-3, 1e-3}, {3e-3, -3e-3}, {1e-3, -4e-3}}) {
+    row.shape.protrusion = protrusion;
+    cone.rows = {row};
+    Bit bit;
+    bit.cones.push_back({"cone-1", cone, cone_pose(cone, 0.0)});
+    bit.parts = cone_parts(bit.cones[0], 0);
+    direct_teeth(bit, GageRule::normal);
+    const Segment core = bit.parts.back().core_P.value();
+    EXPECT_EQ(core.from, Vec3(0.0, 0.0, -4e-3));
+    EXPECT_NEAR(core.to.z(), top, 1e-17);
+    EXPECT_EQ(core.to.head<2>().norm(), 0.0);
+  }
 }
 
 /// The round end of an insert with a half-ball is its own: the core ends at the ball's centre, from

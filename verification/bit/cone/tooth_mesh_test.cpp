@@ -74,6 +74,67 @@ TEST(ToothMesh, of_a_milled_tooth_has_the_volume_of_its_prismoid) {
   EXPECT_NEAR(mesh::enclosed_volume(tooth_mesh(t, 16)), t.embedding * area(0) + wedge, 1e-20);
 }
 
+/// Volume of a shank, a frustum and a ball's cap, which is what a conical insert is: to second order.
+TEST(ToothMesh, of_a_conical_insert_converges_with_order_2) {
+  ToothShape t;
+  t.kind = ToothKind::conical;
+  t.diameter = 2.0;
+  t.protrusion = 1.6;
+  t.embedding = 1.0;
+  t.tip_radius = 0.5;
+  t.half_angle = 0.6;
+  const double c = std::cos(0.6), s = std::sin(0.6), r = 0.5 * c;  // where flank and ball touch
+  const double flank = (1.0 - r) / std::tan(0.6), cap = 0.5 * (1.0 - s),
+               shank = 1.0 + 1.6 - cap - flank;
+  const double volume =
+      pi * shank + pi * flank / 3.0 * (1.0 + r + r * r) + pi * cap * cap / 3.0 * (3.0 * 0.5 - cap);
+  const auto error = [&](int facets) {
+    return volume - mesh::enclosed_volume(tooth_mesh(t, facets));
+  };
+  EXPECT_GT(error(32), 0.0);  // inscribed
+  for (const int n : {16, 32, 64}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.05);
+}
+
+/// The box of what stands at the top of a tooth.
+Vec3 crest_of(const mesh::TriangleMesh& m, double top) {
+  mesh::TriangleMesh crest;
+  for (const Vec3& x : m.positions)
+    if (x.z() > top - 1e-9) crest.positions.push_back(x);
+  return mesh::bounding_box(crest).size();
+}
+
+/// A crest is as long along X and as wide along Y as told, a chisel's but for the facets of its shank.
+TEST(ToothMesh, has_the_crest_that_was_asked) {
+  ToothShape t;
+  t.kind = ToothKind::milled_chisel;
+  const Vec3 milled = crest_of(tooth_mesh(t, 16), t.protrusion);
+  EXPECT_NEAR(milled.x(), t.crest_length, 1e-15);
+  EXPECT_NEAR(milled.y(), t.crest_width, 1e-15);
+  t.kind = ToothKind::chisel;
+  for (const int facets : {8, 16, 64}) {
+    const double short_of = std::cos(pi / facets);
+    const Vec3 chisel = crest_of(tooth_mesh(t, facets), t.protrusion);
+    EXPECT_NEAR(chisel.x(), t.crest_length * short_of, 1e-15);
+    EXPECT_NEAR(chisel.y(), t.crest_width * short_of, 1e-15);
+  }
+}
+
+/// As many facets around as asked, and a quarter as many rings up a ball, two at least.
+TEST(ToothMesh, is_as_fine_as_asked) {
+  ToothShape t;
+  for (const int facets : {8, 16, 32}) {
+    const auto n = static_cast<std::size_t>(facets), rings = std::max<std::size_t>(2, n / 4);
+    t.kind = ToothKind::hemispherical;
+    EXPECT_EQ(tooth_mesh(t, facets).positions.size(), n * (1 + rings) + 1);
+    t.kind = ToothKind::conical;
+    EXPECT_EQ(tooth_mesh(t, facets).positions.size(), n * (2 + rings) + 1);
+    t.kind = ToothKind::chisel;
+    EXPECT_EQ(tooth_mesh(t, facets).positions.size(), 3 * n);
+    t.kind = ToothKind::milled_chisel;
+    EXPECT_EQ(tooth_mesh(t, facets).positions.size(), 12U);
+  }
+}
+
 std::string first_fault(const ToothShape& t) {
   const auto faults = tooth_faults(t);
   return faults.empty() ? "" : faults.front().key;

@@ -82,6 +82,34 @@ TEST(Dissipation, at_the_wall_goes_with_what_it_does_not_give_back) {
   EXPECT_EQ(left_after(wall(2e5, 1.0), Sweep::forward, 1e-3).ledger.wall_loss, 0.0);
 }
 
+/// Rock that is held takes nothing, and nothing else is taken twice in its place.
+TEST(Dissipation, is_the_same_beside_rock_that_is_held_or_loose) {
+  DrillingSystem loose = dampers_of(1.0, DamperEnd::space), held = loose;
+  loose.rock.damping = 0.0;
+  held.rock.mass = 0.0;
+  for (const Sweep sweep : {Sweep::forward, Sweep::backward}) {
+    const Left a = left_after(loose, sweep, 0.2), b = left_after(held, sweep, 0.2);
+    expect_same(a, b);
+    EXPECT_EQ(a.ledger.wall_friction, b.ledger.wall_friction);
+    EXPECT_EQ(b.ledger.damped_rock, 0.0);
+  }
+}
+
+/// A ring that stands off its wall feels none of it.
+TEST(Dissipation, has_no_wall_where_the_ring_does_not_touch) {
+  DrillingSystem s = dampers_of(1.0, DamperEnd::space);
+  s.wall.clearance = 1.0;
+  s.wall.restitution = 0.5;
+  s = make_drilling_system(s);
+  Left left{coupled_start(s), {}};
+  Configuration at;
+  configure(s, left.state, at);
+  ASSERT_EQ(at.contact.depth, 0.0);
+  dissipate(s, at, Sweep::forward, 0.2, left.state, left.ledger);
+  EXPECT_EQ(left.ledger.wall_loss, 0.0);
+  EXPECT_EQ(left.ledger.wall_friction, 0.0);
+}
+
 /// Where the ring lets go the wall presses with e^2 of its force, and so does friction.
 TEST(Dissipation, by_friction_goes_with_what_presses) {
   const auto rubbed = [](double restitution, double outward) {
