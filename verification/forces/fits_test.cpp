@@ -67,6 +67,24 @@ void expect_rounded(double at_mm, double power, const PowerLaw& found) {
   EXPECT_NEAR(power, found.n, 0.005);
 }
 
+/// Zijsling's and the sharp cutters' fits know a face alone: what is assumed of chamfers and other surfaces is the
+/// same in all, and nothing of edges.
+TEST(KnownFits, of_faces_share_what_is_assumed_of_other_surfaces) {
+  int found = 0;
+  for (const Fit& fit : known_fits()) {
+    const auto* law = std::get_if<HansonHansen>(&fit.law);
+    if (law == nullptr) continue;
+    ++found;
+    EXPECT_EQ(law->A5, 1.34) << fit.name;
+    EXPECT_EQ(law->A6, 0.6) << fit.name;
+    EXPECT_EQ(law->A7, 0.5) << fit.name;
+    EXPECT_EQ(law->A8, 0.3) << fit.name;
+    EXPECT_EQ(law->A2, 0.0) << fit.name;
+    EXPECT_EQ(law->A4, 0.0) << fit.name;
+  }
+  EXPECT_EQ(found, 3);
+}
+
 TEST(KnownFits, of_power_laws_are_least_squares_of_measured_rows) {
   for (const auto& [name, rows] :
        {std::pair{"glowka-berea-0.5in", "J BSS 0.5in BR20 sharp"},

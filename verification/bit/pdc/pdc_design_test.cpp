@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "bit/generate_design.hpp"
 
 namespace tdbd::bit::pdc_design_test {
@@ -70,6 +72,29 @@ TEST(PdcDesign, says_which_cutters_are_in_the_way) {
   EXPECT_EQ(problem_after([](PdcDesign& d) { d.gage.cutters = 4; }),
             "gage.cutters: gage cutter 3 reaching 51.072 mm up the gage, at most the gage's "
             "length, 50 mm");
+}
+
+/// From the axis to the ends of cone, nose and shoulder its four values, linear between them along the profile, and
+/// the last all along the gage.
+RC_GTEST_PROP(LawAt, is_linear_from_end_to_end_of_the_regions, ()) {
+  const ProfileDesign p = any_profile();
+  const RegionLaw law = any_law(-1.0, 1.0);
+  const std::array<double, 4> ends = region_ends(p);
+  const std::array<double, 5> s{0.0, ends[0], ends[1], ends[2], ends[3]},
+      value{law.axis, law.nose, law.shoulder, law.gage, law.gage};
+  const std::size_t k = *rc::gen::inRange<std::size_t>(0, 4);
+  const double w = number(0.0, 0.999);
+  constexpr double rounding = 3e-13;  // of places beside the shortest region's length
+  RC_ASSERT(std::abs(law_at(law, p, s[k] + w * (s[k + 1] - s[k])) -
+                     ((1.0 - w) * value[k] + w * value[k + 1])) < rounding);
+}
+
+TEST(ChoiceIn, has_one_value_in_each_region) {
+  const RegionChoice choice{1.0, 2.0, 3.0, 4.0};
+  EXPECT_EQ(choice_in(choice, Region::cone), 1.0);
+  EXPECT_EQ(choice_in(choice, Region::nose), 2.0);
+  EXPECT_EQ(choice_in(choice, Region::shoulder), 3.0);
+  EXPECT_EQ(choice_in(choice, Region::gage), 4.0);
 }
 
 }  // namespace tdbd::bit::pdc_design_test

@@ -116,6 +116,22 @@ TEST(Step, the_message_names_the_drift_and_the_angle_of_the_step) {
   }
 }
 
+/// 2 s would do, 4 s would not: found by 60 halvings at the most.
+TEST(Step, the_message_looks_for_a_step_by_60_halvings) {
+  const Gyrostat g = make_gyrostat(Vec3(2.0, 2.0, 3.0).asDiagonal(), {});
+  const Integrator integrator{Drift::lie_midpoint};
+  const Rotating r = turning_about_its_axis(g, {});
+  const auto ends_with = [](const std::string& text, const std::string& end) {
+    return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
+  };
+  for (const int halvings : {1, 30, 60})
+    EXPECT_TRUE(ends_with(too_long_message(g, {}, integrator, std::ldexp(2.0, halvings), r),
+                          "; a step of 2 s would"))
+        << halvings;
+  EXPECT_TRUE(ends_with(too_long_message(g, {}, integrator, std::ldexp(2.0, 61), r),
+                        "; no shorter one was found that would"));
+}
+
 /// Halving the step divides the error at 1 s by 2^order; rounding is far below.
 TEST(Step, composes_to_the_order_it_says) {
   const auto end = [](int order, int steps) {
