@@ -76,6 +76,32 @@ TEST(ContactSlopes, of_a_blunt_face_count_its_edge) {
               30e6 * 5.0 * area / depth, of_strips * 30e6 * 5.0 * area / depth);
 }
 
+/// Whatever the law makes of a cut: its depth, rake, edge and diameter, the rock's strength.
+TEST(ContactSlopes, of_a_face_are_those_of_its_law) {
+  const double rake = 0.3, height = depth / std::cos(rake), radius = 0.008;
+  forces::PartCut cut;
+  cut.kind = bit::PartKind::face;
+  cut.cut_area = std::cos(rake) * area_up_to(height, 2.0 * radius);
+  cut.engaged_edge = 2.0 * radius * std::acos(1.0 - height / radius);
+  cut.depth = cut.cut_area / cut.engaged_edge;
+  cut.back_rake = rake;
+  cut.diameter = 2.0 * radius;
+  cut.velocity = Vec3::UnitX();
+  cut.normal = Vec3::UnitZ();
+  cut.strength = strength(80e6);
+  bit::Bit bit;
+  bit.cutters = {cutter(2.0 * radius, rake, 0.0)};
+  const forces::Law laws[] = {forces::HansonHansen{.A1 = 1.2, .A3 = 0.3},
+                              forces::Glowka{.Cn = 3e3, .nn = 1.4, .Cd = 5e3, .nd = 1.3}};
+  for (const forces::Law& law : laws) {
+    const double expected = forces::force(law, cut).normal / depth;
+    EXPECT_GT(expected, 0.0) << forces::law_name(law);
+    EXPECT_NEAR(contact_slopes(bit, plan_of(bit::PartKind::face, law)).axial_stiffness / expected,
+                1.0, 10.0 * of_strips)
+        << forces::law_name(law);
+  }
+}
+
 /// No more than the lower half of a small cutter is in the rock.
 TEST(ContactSlopes, of_a_small_cutter_are_those_of_half_its_disc) {
   const double radius = 0.7e-3, half = 0.5 * std::numbers::pi * radius * radius;
