@@ -23,5 +23,16 @@ TEST(RimReach, has_columns_no_wider_than_asked) {
   }
 }
 
+/// The rim starts at the tip, which stands on the outer edge of the chamfer.
+TEST(TurnedOutline, starts_at_the_tip) {
+  for (const Cutter& c : table('b')) {
+    ASSERT_GT(c.chamfer, 0.0);
+    const Vec3 first = turned_outline(c, 12).front();
+    EXPECT_NEAR(first.x(), c.tip_radius, 1e-15);
+    EXPECT_NEAR(first.y(), c.azimuth, 1e-13);
+    EXPECT_NEAR(first.z(), -c.tip_height, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace tdbd::bit::rim_reach_test

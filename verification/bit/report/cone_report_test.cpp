@@ -159,6 +159,10 @@ TEST(ConeReport, has_the_clearances_between_cones) {
     EXPECT_EQ(found[k].at("part_b"), c.part_b);
     EXPECT_EQ(found[k].at("distance_m"), c.distance);
     EXPECT_EQ(found[k].at("angle_a_rad"), c.angle_a);
+    for (const double angle : {c.angle_a, c.angle_b}) {
+      EXPECT_GE(angle, 0.0);
+      EXPECT_LT(angle, full_turn);
+    }
     EXPECT_EQ(found[k].at("angle_b_rad"), c.angle_b);
     EXPECT_EQ(vector_of(found[k].at("place_m")), c.place_B);
     EXPECT_NE(text.find("between cones: " + clearance_text(c) + "\n"), text.npos);
