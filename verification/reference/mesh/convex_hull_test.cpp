@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/measures.hpp"
+#include "reference/mesh/exact_volume.hpp"
 
 namespace tdbd::reference::convex_hull_test {
 
@@ -38,7 +38,7 @@ TEST(ConvexHull, of_a_prism_has_its_corners_and_volume) {
     EXPECT_EQ(m.positions.size(), 2u * n);
     EXPECT_EQ(m.triangles.size(), 4u * n - 4u);
     const double area = 0.5 * n * std::sin(2.0 * std::numbers::pi / n);
-    EXPECT_NEAR(mesh::enclosed_volume(m), area, 1e-14);  // outward: positive
+    EXPECT_NEAR(enclosed_volume_exact(m), area, 1e-14);  // outward: positive
     EXPECT_TRUE(std::is_sorted(m.triangles.begin(), m.triangles.end()));
   }
 }
