@@ -56,6 +56,8 @@ TEST(InertiaProblem, names_what_the_equations_cannot_use_even_when_the_check_is_
               std::string::npos);
     EXPECT_NE(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), -0.1}}, check).find("-0.1"),
               std::string::npos);
+    EXPECT_EQ(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), 0.0}}, check),
+              "cone 1: an axial inertia of 0 kg m2");
     EXPECT_NE(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), 1.0}}, check).find("heavier"),
               std::string::npos);
   }

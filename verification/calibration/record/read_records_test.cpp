@@ -164,6 +164,14 @@ const Bad mistakes[] = {
 INSTANTIATE_TEST_SUITE_P(One, BadRecords, ::testing::ValuesIn(mistakes),
                          [](const auto& one) { return std::string(one.param.name); });
 
+/// All mistakes of a header at once, also those behind a name that is none.
+TEST(ReadRecords, an_unknown_column_hides_no_mistake_behind_it) {
+  const std::string found = refusal(
+      "test,bit,speed [m/s],pressure [psi],rotary_speed [rpm],wob\nB-1,B,1,3000,120,42.5\n");
+  EXPECT_NE(found.find("FILE:1: speed: found a column that nothing reads"), std::string::npos);
+  EXPECT_NE(found.find("FILE:1: wob: found no unit"), std::string::npos) << found;
+}
+
 TEST(ReadRecords, a_file_that_is_not_there_is_refused) {
   EXPECT_THROW(read_records(temporary_folder() + "absent.csv"), InputError);
 }
