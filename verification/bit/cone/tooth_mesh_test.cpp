@@ -92,7 +92,7 @@ TEST(ToothMesh, of_a_conical_insert_converges_with_order_2) {
     return volume - mesh::enclosed_volume(tooth_mesh(t, facets));
   };
   EXPECT_GT(error(32), 0.0);  // inscribed
-  for (const int n : {16, 32, 64}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.05);
+  for (const int n : {16, 32, 64}) EXPECT_NEAR(std::log2(error(n) / error(2 * n)), 2.0, 0.025);
 }
 
 /// The box of what stands at the top of a tooth.

@@ -96,7 +96,7 @@ TEST(ConeFile, takes_shank_and_gage) {
   const std::string gage_row = "[[cones.rows]]\ns = \"55 mm\"\nteeth = 8\ngage = true\n";
   const Bit bit = read(file_of("gage_diameter = \"170 mm\"\n[journal]\nangle = \"36 deg\"\n" +
                                shank + cone + gage_row));
-  EXPECT_NEAR(bit.gage_radius, 0.085, 1e-9);
+  EXPECT_NEAR(bit.gage_radius, 0.085, 1e-12);
   EXPECT_DOUBLE_EQ(bit.shank.radius, 0.05);
   EXPECT_DOUBLE_EQ(bit.shank.length, 0.12);
   EXPECT_DOUBLE_EQ(bit.shank.height, 0.11);

@@ -127,8 +127,8 @@ void expect_section(const Cone& cone, const Meridian& meridian, const Json& sect
     EXPECT_EQ(section.at("meridian_sr_m")[i].at(1), meridian[i].r);
     const auto [radius, z] = deepest(cone, meridian[i]);
     const Json& there = section.at("meridian_rz_m")[i];
-    EXPECT_NEAR(there.at(1).get<double>(), z, 3e-9);       // m, of depth: second order
-    EXPECT_NEAR(there.at(0).get<double>(), radius, 2e-5);  // m, along the circle: r pi / n
+    EXPECT_NEAR(there.at(1).get<double>(), z, 1e-12);
+    EXPECT_NEAR(there.at(0).get<double>(), radius, 1e-12);
   }
 }
 

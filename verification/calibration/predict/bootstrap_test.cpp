@@ -98,6 +98,7 @@ TEST(Bootstrap, draws_the_centres_of_priors) {
     squares += std::pow(centres[A3] - f.values[A3], 2) / draws;
     EXPECT_EQ(centres[0], f.problem.unknowns[0].start);
   }
+  // wide: three standard errors, and as much of the deviation
   EXPECT_NEAR(mean, 0.0, 3.0 * 0.1 / std::sqrt(draws));
   EXPECT_NEAR(std::sqrt(squares), 0.1, 0.1 * 0.05);
 }

@@ -129,7 +129,7 @@ TEST(Dissipation, by_friction_goes_with_what_presses) {
   };
   const double in = rubbed(1.0, 500.0), out = rubbed(1.0, -500.0);
   EXPECT_NEAR(rubbed(0.5, 500.0) / in, 1.0, 1e-12);
-  EXPECT_NEAR(rubbed(0.5, -500.0) / out, 0.25, 1e-4);  // of second order in the impulse
+  EXPECT_NEAR(rubbed(0.5, -500.0) / out, 0.25, 8e-7);  // of second order in the impulse
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ TEST(Directions, hybrid_drills_a_deep_hole_and_has_the_best_mesh) {
   const Outcome hybrid = deep_hole("hybrid");
   EXPECT_EQ(hybrid.stopped, "");
   EXPECT_LT(hybrid.ledger, tolerance::ledger);
-  EXPECT_NEAR(hybrid.volume, 1.0, 4.5e-4);
+  EXPECT_NEAR(hybrid.volume, 1.0, 4.4e-4);
   EXPECT_LT(hybrid.added, tolerance::ledger * hybrid.removed);
   EXPECT_LT(hybrid.maintenance, 5e-5 * hybrid.removed);
   EXPECT_EQ(hybrid.pairs, 0u);

@@ -218,7 +218,7 @@ TEST(Stands, alike_at_every_step_of_stick_slip) {
         "{}: change {:.1e}, creep {:.4f} mm/s, depth {:.4f} mm, residual {:.4f} J, {} steps\n",
         step, found.change, 1e3 * found.creep, 1e3 * found.depth, found.residual, found.steps);
     EXPECT_GT(static_cast<double>(found.steps) * c.time.step, 0.5);
-    EXPECT_LT(found.change, 5e-4);  // required at 3 mm edges: 3e-3
+    EXPECT_LT(found.change, 4.9e-4);  // required at 3 mm edges: 3e-3
   }
   for (const Sticks& found : levels) {
     EXPECT_NEAR(found.depth, levels.back().depth, 5e-3 * levels.back().depth);  // required
@@ -265,7 +265,7 @@ TEST_P(Steepness, is_below_its_bound) {
 
 /// The largest singular value of L^T C L, A = L L^T, once the cones have given way; where its norm is below 1 that will do.
 TEST_P(Steepness, is_how_far_an_explicit_impulse_goes_of_the_velocity) {
-  constexpr double rounding = 1e-11;  // 3e-13 seen
+  constexpr double rounding = 1e-12;
   const Case c = read_case(std::string(TDBD_SOURCE_DIR "/cases/") + GetParam() + ".toml",
                            {"rock.edge_length='4 mm'", "time.duration='0.1 s'"});
   Simulation s = start(c);
