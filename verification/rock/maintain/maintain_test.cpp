@@ -228,6 +228,7 @@ RC_GTEST_PROP(Maintain, keeps_a_height_field_but_for_upright_walls, ()) {
     if (!s.triangle_is_alive(t)) continue;
     const auto x = [&](int i) { return s.position(s.vertex(3 * t + i)); };
     const Vec3 area = mesh::area_vector(x(0), x(1), x(2));
+    // wide: a promise of maintenance, mostly kept by far
     RC_ASSERT(area.z() <= limits.steepest_overhang * area.norm() * (1.0 + 1e-9));
   }
 }
