@@ -38,7 +38,7 @@ def parse(words):
     parser.add_argument("--only", default="", metavar="WORD", help="mutants of sources with WORD in their path, or WORD = PATH:LINE")
     parser.add_argument("--home", action="store_true", help="runs the room's own programs alone")
     parser.add_argument("--longest", type=float, default=float("inf"), metavar="S", help="leaves out tests that take longer, unmutated")
-    parser.add_argument("--table", type=pathlib.Path, metavar="CSV", help="writes the verdicts there, in place of the room's rows")
+    parser.add_argument("--table", type=pathlib.Path, metavar="CSV", help="writes the verdicts there, in place of the room's rows; asks first what killed a mutant there before")
     parser.add_argument("--check", action="store_true", help="says which entries of equivalent.toml are no longer in the source; runs nothing")
     parser.add_argument("--targets", action="store_true", help="prints what must be built; runs nothing")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutate", metavar="FOLDER")

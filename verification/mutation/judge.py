@@ -10,8 +10,8 @@ from rooms import CALL_TDBD
 from watch import run_tests
 
 
-def judge(mutant, build, seconds, programs, text):
-    """A record {verdict, killer, seconds, tests_run}; verdict "same code" when the compiler makes the same of both."""
+def judge(mutant, build, seconds, programs, text, first=""):
+    """A record {verdict, killer, seconds, ran, words}; verdict "same code" when the compiler makes the same of both. first: what killed it before."""
     started = time.monotonic()
     record = {"verdict": "survived", "killer": "", "ran": 0, "words": ""}
     made, complaint = build.compile(mutant.file, mutants.mutated(text, mutant))
@@ -20,14 +20,14 @@ def judge(mutant, build, seconds, programs, text):
     elif build.is_same_code(mutant.file, made):
         record["verdict"] = "same code"
     else:
-        run_stages(record, mutant, build, seconds, programs, made)
+        run_stages(record, mutant, build, (seconds, programs, first), made)
     record["seconds"] = round(time.monotonic() - started, 1)
     return record
 
 
-def run_stages(record, mutant, build, seconds, programs, made):
-    own, others = scripts.of_file(mutant.file)
-    for program, outcome in itertools.chain(run_scripts(own, mutant, build, made), run_programs(mutant, build, seconds, programs, made),
+def run_stages(record, mutant, build, asked, made):
+    own, others = scripts.of_file(mutant.file, asked[-1])
+    for program, outcome in itertools.chain(run_scripts(own, mutant, build, made), run_programs(mutant, build, *asked, made),
                                             run_scripts(others, mutant, build, made)):
         record["ran"] += outcome.ran
         if outcome.verdict != "passed":
@@ -35,10 +35,10 @@ def run_stages(record, mutant, build, seconds, programs, made):
             return
 
 
-def run_programs(mutant, build, seconds, programs, made):
+def run_programs(mutant, build, seconds, programs, first, made):
     """(program, outcome) of each stage of its tests."""
     linked = {}
-    for program, names in tests.stages(programs, mutant.file, seconds):
+    for program, names in tests.stages(programs, mutant.file, seconds, first):
         if program not in linked:
             linked[program] = link(program, mutant, build, made)
         yield program, run_tests(linked[program], names, lambda test, p=program: tests.limit(seconds[p].get(test, 0.0)),

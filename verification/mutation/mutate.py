@@ -37,7 +37,8 @@ def verdict_of(m, asked, cache):
     record = cache.find(key, asked["tests"])
     if record is None:
         text = (ROOT / m.file).read_text(encoding="utf-8")
-        record = {**judge(m, asked["build"], asked["seconds"], asked["programs"], text), "tests": asked["tests"]}
+        first = asked["killers"].get(equivalents.key(m), "")
+        record = {**judge(m, asked["build"], asked["seconds"], asked["programs"], text, first), "tests": asked["tests"]}
         cache.add(key, record)
     return record
 
@@ -46,7 +47,7 @@ def sample(room, chosen, build, cache, judged):
     """Rows of the room's sample: `count` that ran or were judged, and beside them those that the compiler refused."""
     programs = rooms.programs_of(room, chosen.home)
     asked = {"build": build, "judged": judged, "programs": programs, "tests": results.of_tests(sum(programs, []), chosen.longest),
-             "seconds": tests.Seconds(build, chosen.longest)}
+             "seconds": tests.Seconds(build, chosen.longest), "killers": results.killers(chosen.table)}
     rows, counted = [], 0
     for m in drawn(room, chosen):
         record = verdict_of(m, asked, cache)

@@ -44,6 +44,14 @@ class Cache:
             file.write(json.dumps({"key": key, **record}) + "\n")
 
 
+def killers(path):
+    """{(file, before, after): what killed it} of a table; nothing of one that is not there yet."""
+    if path is None or not pathlib.Path(path).is_file():
+        return {}
+    with pathlib.Path(path).open(newline="", encoding="utf-8") as file:
+        return {(row["file"], row["before"], row["after"]): row["killer"] for row in csv.DictReader(file) if row["verdict"] in KILLED}
+
+
 def write_table(path, room, rows):
     """The table with the room's rows in place of those that it had."""
     path, kept = pathlib.Path(path), []

@@ -42,6 +42,12 @@ class Table(InFolder):
         lines = path.read_text(encoding="utf-8").splitlines()
         self.assertEqual([line.split(",")[:3] for line in lines[1:]], [["mesh", "src/rock/a.cpp", "3"], ["rock", "src/rock/a.cpp", "20"]])
 
+    def test_tells_what_killed_a_mutant_before(self):
+        path = self.folder / "a.csv"
+        self.assertEqual((results.killers(None), results.killers(path)), ({}, {}))
+        results.write_table(path, "rock", [ROW, {**ROW, "line": 9, "after": "a > b", "verdict": "survived", "killer": ""}])
+        self.assertEqual(results.killers(path), {("src/rock/a.cpp", "a < b", "a <= b"): "verify_rock A.b"})
+
     def test_the_score_leaves_out_equivalents_and_the_compiler(self):
         rows = [{**ROW, "verdict": v} for v in ("failed", "crashed", "timed out", "survived", "equivalent", "compiler")]
         self.assertIn("3 of 4 killed, 75.0 %", results.score_line("rock", rows))

@@ -128,6 +128,13 @@ class Stages(unittest.TestCase):
                          [("verify_rock", [".".join(own)]), ("verify_rock", [".".join(near)]), ("verify_rock", ["A.quick"]), ("verify_rock", ["A.medium"]),
                           ("verify_rock", ["A.slow"]), ("verify_simulation", ["B.b"])])
 
+    def test_what_killed_it_before_comes_first_where_it_is_still_there(self):
+        seconds = {"verify_rock": {"A.slow": 9.0, "A.quick": 0.001}}
+        for first, got in (("verify_rock A.slow", ["A.slow"]), ("verify_rock A.gone", ["A.quick"]), ("verify_mesh A.slow", ["A.quick"]), ("", ["A.quick"])):
+            self.assertEqual(next(tests.stages((["verify_rock"], []), "src/rock/none.cpp", seconds, first)), ("verify_rock", got))
+        self.assertEqual(scripts.of_file("src/app/mesh_command.cpp", "verify_app terminal.py")[0], ["terminal", "mesh_command"])
+        self.assertEqual(scripts.of_file("src/sweep/table/journal.cpp", "verify_app sweep_command.py"), (["sweep_command"], []))
+
     def test_an_instance_of_a_suite_is_its_own(self):
         self.assertTrue(tests.is_own("Formats/WholeBit.keeps/0", {("WholeBit", "keeps")}))
         self.assertFalse(tests.is_own("WholeBits.keeps", {("WholeBit", "keeps")}))

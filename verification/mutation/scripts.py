@@ -22,13 +22,16 @@ PRINTED = ("completion_test", "manual_test")  # of what the program prints
 NAMES = sorted((*INPUTS, *WRITE, *PRINTED))
 
 
-def of_file(file):
-    """(the scripts that are written for a source, the others); none for rooms but app and sweep."""
+def of_file(file, first=""):
+    """(the scripts that are written for a source, the others); none for rooms but app and sweep. One that killed the mutant before, "verify_app
+    NAME.py", counts as its own."""
+    killer = first.removeprefix("verify_app ").removesuffix(".py")
     if file.startswith("src/sweep/"):
-        return [], ["sweep_command"]
+        return ([killer], []) if killer == "sweep_command" else ([], ["sweep_command"])
     if not file.startswith("src/app/"):
         return [], []
-    own = [name for name in NAMES if name.removesuffix("_test") == pathlib.Path(file).stem]
+    own = [name for name in NAMES if name == killer or name.removesuffix("_test") == pathlib.Path(file).stem]
+    own.sort(key=lambda name: name != killer)
     return own, [name for name in NAMES if name not in own]
 
 

@@ -86,13 +86,16 @@ def by_speed(program, names, seconds):
             yield high, (program, chosen)
 
 
-def stages(programs, file, seconds):
-    """(program, tests) in the order of the run: own tests, those of its folder, the room's other ones, then other programs'; of each
-    the quick ones first.
+def stages(programs, file, seconds, first=""):
+    """(program, tests) in the order of the run: the first one, own tests, those of its folder, the room's other ones, then other programs';
+    of each the quick ones first.
 
-    programs: of the room, and others. seconds: {program: {test: s}}.
+    programs: of the room, and others. seconds: {program: {test: s}}. first: "PROGRAM TEST" that killed the mutant before, if it still does.
     """
     homes, others = programs
+    program, _, test = first.partition(" ")
+    if program in homes + others and test in seconds[program]:
+        yield program, [test]
     left = {p: list(seconds[p]) for p in homes}
     for wanted in (own_tests(file), near_tests(file), None):
         of_program = {p: [t for t in left[p] if wanted is None or is_own(t, wanted)] for p in homes}
