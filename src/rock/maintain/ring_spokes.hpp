@@ -14,6 +14,11 @@ struct alignas(32) RingColumn {
   Single at[2 * single_lanes] = {};
 };
 
+/// A flag of each triangle, repeated behind the last: all bits set or none.
+struct alignas(32) RingFlags {
+  int at[2 * single_lanes] = {};
+};
+
 /// The neighbours less the vertex, m: triangle i has the spokes i and i + 1.
 struct Spokes {
   RingColumn x, y, z;

@@ -13,14 +13,16 @@ using mesh::VertexStar;
 constexpr std::uint8_t all_lean = 0xff;
 
 /// The area vectors of the triangles over the sums of the squares of their spokes, and whether they
-/// lean: all bits set or none.
+/// lean.
 struct Areas {
   RingColumn x, y, z;
-  alignas(32) int leans[2 * single_lanes];
+  RingFlags leans;
 };
 
 /// Repeats the first eight behind the n-th.
-void repeat(RingColumn& c, std::size_t n, const WideSingle& first) {
+template <class Ring, class Wide>
+void repeat(Ring& c, std::size_t n, const Wide& first) {
+  static_assert(sizeof(Ring) == 2 * sizeof(Wide));  // n is at most eight
   TDBD_STORE(first, c.at);
   TDBD_STORE(first, c.at + n);
 }
@@ -42,8 +44,7 @@ TDBD_WIDE void sift_leaning(const Spokes& d, std::size_t n, Single sine2, Areas&
   repeat(a.x, n, ax);
   repeat(a.y, n, ay);
   repeat(a.z, n, az);
-  TDBD_STORE(leans, a.leans);
-  TDBD_STORE(leans, a.leans + n);
+  repeat(a.leans, n, leans);
   leaning = bits_of(leans);
 }
 
@@ -56,14 +57,14 @@ TDBD_WIDE void sift_pairs(const Areas& a, std::size_t n, unsigned& turned) {
   TDBD_LOAD(x, a.x.at);
   TDBD_LOAD(y, a.y.at);
   TDBD_LOAD(z, a.z.at);
-  TDBD_LOAD(leans, a.leans);
+  TDBD_LOAD(leans, a.leans.at);
   for (std::size_t k = 1; k <= n / 2; ++k) {
     WideSingle ox, oy, oz;
     WideFlags other_leans;
     TDBD_LOAD(ox, a.x.at + k);
     TDBD_LOAD(oy, a.y.at + k);
     TDBD_LOAD(oz, a.z.at + k);
-    TDBD_LOAD(other_leans, a.leans + k);
+    TDBD_LOAD(other_leans, a.leans.at + k);
     found |= ~(x * ox + y * oy + z * oz > far_from_rounding) & (leans | other_leans);
   }
   turned = bits_of(found);
