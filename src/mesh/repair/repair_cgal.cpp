@@ -23,10 +23,12 @@ namespace processing = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
+Kernel::Point_3 to_cgal(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+
 SurfaceMesh to_cgal(const TriangleMesh& m) {
   using Vertex = SurfaceMesh::Vertex_index;
   SurfaceMesh surface;
-  for (const Vec3& x : m.positions) surface.add_vertex(Kernel::Point_3(x[0], x[1], x[2]));
+  for (const Vec3& x : m.positions) surface.add_vertex(to_cgal(x));
   for (const Triangle& t : m.triangles)
     surface.add_face(Vertex(static_cast<SurfaceMesh::size_type>(t[0])),
                      Vertex(static_cast<SurfaceMesh::size_type>(t[1])),
@@ -89,7 +91,7 @@ bool remesh(TriangleMesh& m) {
 std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
   std::vector<Kernel::Point_3> points;
   points.reserve(loop.size());
-  for (const Vec3& x : loop) points.emplace_back(x.x(), x.y(), x.z());
+  for (const Vec3& x : loop) points.push_back(to_cgal(x));
   std::vector<CGAL::Triple<int, int, int>> patch;
   processing::triangulate_hole_polyline(points, std::back_inserter(patch));
   std::vector<Triangle> triangles;
