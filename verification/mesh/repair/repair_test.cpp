@@ -53,6 +53,26 @@ TEST(Repair, leaves_a_sound_mesh_unchanged) {
   }
 }
 
+/// Neither a point that no facet has nor two at one place makes a mesh unsound.
+TEST(Repair, of_a_sound_mesh_leaves_also_what_it_need_not_have) {
+  TriangleMesh m = unit_box;
+  m.positions.push_back({0.5, 0.5, 3.0});
+  m.positions.push_back(m.positions[0]);
+  ASSERT_TRUE(check_solid(m).empty());
+  const Repaired r = repair(m);
+  EXPECT_EQ(steps_of(r), "");
+  EXPECT_EQ(r.mesh.positions, m.positions);
+}
+
+/// A weld is asked for: a sound mesh is welded too, also where nothing is left of it.
+TEST(Repair, welds_a_sound_mesh_when_told) {
+  EXPECT_EQ(repair(unit_box, {2.0}).refusal, "no facet is left");
+  EXPECT_EQ(repair(unit_box, {1.0}).refusal, "no facet is left");
+  const Repaired r = repair(unit_box, {0.5});
+  EXPECT_EQ(r.refusal, "");
+  EXPECT_EQ(r.mesh.triangles, unit_box.triangles);
+}
+
 TEST(Repair, merges_equal_points) {
   TriangleMesh soup;
   for (const Triangle& t : unit_box.triangles) {
