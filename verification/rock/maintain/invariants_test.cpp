@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "rock/maintain/maintain.hpp"
 #include "verification/battery/generators.hpp"
@@ -105,6 +106,37 @@ TEST(Invariants, notice_repairs_left_undone) {
   limits.worst_quality = 0.99;
   limits.volume_per_operation = 1.0;
   EXPECT_TRUE(names(check_repairs(rock.surface, everywhere, limits), Invariant::quality));
+}
+
+/// How many triangles have a quality below `worst` and a shortest edge that would collapse, edge by edge.
+std::ptrdiff_t shapes_to_collapse(const mesh::Surface& s, const MaintenanceLimits& limits) {
+  std::ptrdiff_t count = 0;
+  for (int t = 0; t < s.triangle_slots(); ++t) {
+    std::vector<std::tuple<double, int, int>> edges;
+    for (int c = 3 * t; c < 3 * t + 3; ++c) {
+      const auto [a, b] =
+          std::minmax({s.vertex(mesh::next_corner(c)), s.vertex(mesh::previous_corner(c))});
+      edges.emplace_back((s.position(a) - s.position(b)).norm(), a, b);
+    }
+    const auto& [length, a, b] = *std::ranges::min_element(edges);
+    count += quality(facet_at(s, 3 * t)) < limits.worst_quality &&
+             is_accepted(judge_collapse(s, a, b, limits));
+  }
+  return count;
+}
+
+/// A thin triangle is mended at its shortest edge, whatever the longest one allows.
+RC_GTEST_PROP(Invariants, notice_thin_triangles_whose_shortest_edge_would_collapse, ()) {
+  const mesh::Surface s = mesh::make_surface(battery::bumpy_rock(
+      1.5, *battery::integer(6, 12), *battery::number(0.0, 0.2), *battery::integer(0, 1000)));
+  MaintenanceLimits limits = limits_for(*battery::number(0.2, 0.6));
+  limits.shortest_edge = 0.0;
+  limits.flip_quality = 0.0;
+  limits.worst_quality = *battery::number(0.5, 1.0);
+  limits.volume_per_operation = 1.0;
+  const auto found =
+      check_repairs(s, std::vector(s.stars.size(), RepairScope::no_bisections), limits);
+  RC_ASSERT(std::ssize(found) == shapes_to_collapse(s, limits));
 }
 
 TEST(Invariants, notice_a_normal_turned_over) {

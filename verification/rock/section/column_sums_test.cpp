@@ -32,11 +32,11 @@ FaceColumns columns_of(const ConvexPolygon& rim_F) {
 
 FaceColumns any_face() { return columns_of(any_rim()); }
 
-/// Ends that stand upright are edges of no column.
+/// Upright ends, which are edges of no column, under a sloped top and over a sloped bottom, anywhere.
 ConvexPolygon any_box() {
-  const double half = *battery::number(0.1, 0.4), low = *battery::number(-0.4, -0.1),
-               high = *battery::number(0.1, 0.4);
-  return {{-half, low}, {half, low}, {half, high}, {-half, high}};
+  const double left = *battery::number(-0.8, 0.4), right = left + *battery::number(0.2, 0.8);
+  const auto low = battery::number(-0.4, -0.1), high = battery::number(0.1, 0.4);
+  return {{left, *low}, {right, *low}, {right, *high}, {left, *high}};
 }
 
 /// How much of the edge from p to q lies below the line through a and b.
@@ -129,6 +129,20 @@ RC_GTEST_PROP(ColumnSums, of_a_segment_across_the_face_have_the_rim_below_it, ()
       engaged += static_cast<double>(units) / sums.per_length;
     RC_ASSERT(std::abs(sign * engaged - below) <= 1e-12);  // of some 1 m
   }
+}
+
+/// Corners of one upright edge that differ by a rounding, wherever the face is and however wide.
+RC_GTEST_PROP(FaceColumns, are_none_between_corners_at_one_place, ()) {
+  const double left = *battery::number(-2.0, 2.0), right = left + *battery::number(0.1, 3.0),
+               low = *battery::number(-2.0, 2.0), high = low + *battery::number(0.1, 3.0);
+  const double rounding = *battery::number(0.0, 0.9e-12) * (right - left);
+  const FaceColumns face =
+      columns_of({{left, low}, {right - rounding, low}, {right, high}, {left + rounding, high}});
+  RC_ASSERT(face.columns.size() == 1U);
+  RC_ASSERT(std::abs(face.columns[0].y1 - face.columns[0].y0 - (right - left)) <= 2e-12);
+  const FaceColumns apart = columns_of(
+      {{left, low}, {right, low}, {right, high}, {left + 1.1e-12 * (right - left) + 1e-15, high}});
+  RC_ASSERT(apart.columns.size() == 2U);
 }
 
 /// They are copied before they have an outline. Written as volatile, so that what was there before stays.
