@@ -186,9 +186,9 @@ CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
 std::array<CollapseVerdict, 3> judge_collapses(const mesh::Surface& s, int a, int b,
                                                const MaintenanceLimits& limits,
                                                const SurfaceDrift& drift) {
-  std::array<CollapseVerdict, 3> all;
-  all.fill(judge_edge(s, a, b));
-  if (all[0].corner < 0 || all[0].refused) return all;
+  const CollapseVerdict edge = judge_edge(s, a, b);
+  std::array<CollapseVerdict, 3> all{edge, edge, edge};
+  if (edge.corner < 0 || edge.refused) return all;
   const double floor = quality_floor(s, a, b);
   const std::array<Trial, 3> places = trials(s, a, b);
   for (std::size_t i = 0; i < 3; ++i) judge_place(s, a, b, places[i], floor, limits, drift, all[i]);
