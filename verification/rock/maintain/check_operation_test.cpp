@@ -57,14 +57,17 @@ TEST(CheckOperation, finds_nothing_wrong_with_a_collapse_but_its_volume) {
             std::string::npos);
 }
 
+/// However small or large the triangles are.
 TEST(CheckOperation, notices_volume_that_was_not_reported) {
-  Rock rock = sheet();
-  const LocalState before = local_state(rock.surface, {inner});
-  Vec3& x_W = rock.surface.stars[inner].x;
-  x_W.z() += 1e-6;
-  rock.grid.move(inner, x_W);
-  EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M5"), std::string::npos);
-  EXPECT_THROW(require_promises_around(rock, before, 0.0, "smoothings"), RunError);
+  for (const double size : {1.0, 1e-6, 1e3}) {
+    Rock rock = sheet(size);
+    const LocalState before = local_state(rock.surface, {inner});
+    Vec3& x_W = rock.surface.stars[inner].x;
+    x_W.z() += 1e-6 * size;
+    rock.grid.move(inner, x_W);
+    EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M5"), std::string::npos) << size;
+    EXPECT_THROW(require_promises_around(rock, before, 0.0, "smoothings"), RunError);
+  }
 }
 
 /// What is small is measured by the triangles around, not by how far from the origin they are.
