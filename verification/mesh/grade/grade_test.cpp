@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -129,6 +130,17 @@ TEST(Grade, refuses_what_bounds_no_solid) {
   TriangleMesh open = battery::box({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
   EXPECT_THROW(grade(open, {}), InputError);
+}
+
+/// No surface moves by less than nothing.
+TEST(Grade, names_a_deviation_that_it_could_not_keep) {
+  try {
+    grade(battery::box({0, 0, 0}, {1, 1, 1}), options(0.5, 1.0, 0.5, -1e-3));
+    FAIL();
+  } catch (const RunError& e) {
+    EXPECT_NE(std::string(e.what()).find("more than -0.001 m"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("surface moved by"), std::string::npos) << e.what();
+  }
 }
 
 /// Prisms over stars and Ls, tori, cylinders; any targets; with and without a deviation.

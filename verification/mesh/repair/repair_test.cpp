@@ -142,6 +142,16 @@ TriangleMesh box_with_flat_facet(double along, std::size_t first) {
   return m;
 }
 
+TEST(Inspect, counts_facets_without_area) {
+  EXPECT_EQ(inspect(unit_box).degenerate, 0u);
+  TriangleMesh m = box_with_flat_facet(0.5, 0);
+  EXPECT_EQ(inspect(m).degenerate, 1u);
+  m.triangles.push_back(m.triangles.back());
+  EXPECT_EQ(inspect(m).degenerate, 2u);
+  m.positions.back() += 1e-6 * Vec3::Ones();  // flat no more, but thin
+  EXPECT_EQ(inspect(m).degenerate, 0u);
+}
+
 TEST(Repair, removes_facets_without_area) {
   for (const double along : {0.25, 0.5, 0.75})
     for (const std::size_t first : {0u, 1u, 2u}) {
