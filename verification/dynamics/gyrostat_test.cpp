@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/tolerance.hpp"
 
 namespace tdbd::dynamics::gyrostat_test {
 
@@ -29,6 +30,42 @@ TEST(InertiaProblem, is_none_for_a_small_body_and_a_large_one) {
     EXPECT_EQ(problem(scale * diagonal(2, 2.6, 3), {{Vec3(0.8, 0, 0.6), scale * 0.1}}), "");
     EXPECT_NE(problem(scale * diagonal(1, 2, 3.1)), "");
   }
+}
+
+/// Of the tolerance half is nothing and twice is too much, in any unit.
+TEST(InertiaProblem, is_none_within_the_tolerance_of_the_largest_inertia) {
+  for (const double scale : {1e-12, 1.0, 1e12}) {
+    const auto unsymmetric = [&](double tolerances) {
+      Mat3 I = scale * diagonal(2, 2.6, 3);
+      I(0, 1) = tolerances * tolerance::inertia * I.maxCoeff();
+      return problem(I, {}, InertiaCheck::off);
+    };
+    EXPECT_EQ(unsymmetric(0.5), "");
+    EXPECT_NE(unsymmetric(2.0).find("not symmetric"), std::string::npos);
+    // A disc of 0.9 with a plate of 0.3: together they have nothing to spare about x.
+    const auto lacking = [&](double inertia) {
+      return problem(scale * (diagonal(0.45, 0.75, 1.2) - diagonal(inertia, 0, 0)),
+                     {{Vec3::UnitZ(), scale * 0.9}});
+    };
+    EXPECT_EQ(lacking(0.1 * tolerance::inertia), "");
+    EXPECT_NE(lacking(10.0 * tolerance::inertia), "");
+  }
+}
+
+/// The rest is bounded by rounding, so that a heavy cone is told as such in any unit.
+TEST(InertiaProblem, names_a_heavy_cone_in_any_unit) {
+  for (const double scale : {1e-12, 1.0, 1e12})
+    EXPECT_NE(
+        problem(scale * diagonal(0.4, 0.9, 1.0), {{Vec3::UnitZ(), scale * 0.9}}).find("heavier"),
+        std::string::npos);
+}
+
+/// Of nothing all is symmetric; and where the tolerance is all that is left, the cones took the rest.
+TEST(InertiaProblem, of_a_bound_that_is_just_met_has_its_own_name) {
+  EXPECT_NE(problem(Mat3::Zero()).find("not positive"), std::string::npos);
+  EXPECT_NE(problem(diagonal(tolerance::inertia, 1, 1), {}, InertiaCheck::off).find("heavier"),
+            std::string::npos);
+  EXPECT_EQ(problem(diagonal(2.0 * tolerance::inertia, 1, 1), {}, InertiaCheck::off), "");
 }
 
 /// Rounding beside large elements is none beside an element of 0.
