@@ -1,9 +1,11 @@
 #include "dynamics/drilling/dissipation.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
+#include "verification/battery/generators.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics::dissipation_test {
@@ -108,6 +110,22 @@ TEST(Dissipation, has_no_wall_where_the_ring_does_not_touch) {
   dissipate(s, at, Sweep::forward, 0.2, left.state, left.ledger);
   EXPECT_EQ(left.ledger.wall_loss, 0.0);
   EXPECT_EQ(left.ledger.wall_friction, 0.0);
+}
+
+/// Not even rounding: a wall without friction leaves every bit where it is, however the ring slips.
+RC_GTEST_PROP(Dissipation, by_friction_is_none_on_a_smooth_wall, ()) {
+  DrillingSystem s = dampers_of(0.0, DamperEnd::space);
+  s.wall.slip_speed = *battery::number(1e-3, 10.0);
+  Left left{coupled_start(s), {}};
+  left.state.momentum_W += *battery::point(100.0);
+  const DrillingState before = left.state;
+  Configuration at;
+  configure(s, left.state, at);
+  RC_ASSERT(at.contact.depth > 0.0);
+  dissipate(s, at, Sweep::forward, 1e-3, left.state, left.ledger);
+  RC_ASSERT(left.ledger.wall_friction == 0.0);
+  RC_ASSERT(left.state.momentum_W == before.momentum_W);
+  RC_ASSERT(left.state.rotation.momentum_W == before.rotation.momentum_W);
 }
 
 /// Where the ring lets go the wall presses with e^2 of its force, and so does friction.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/observed_order.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics::residual_order_test {
@@ -84,6 +85,24 @@ TEST(ResidualOrder, names_the_first_level_at_rounding) {
       "the residual is at rounding: 1e-30 J with a step of 0.0025 s, where 8 J came and went");
   EXPECT_EQ(reason_where({2, 4}),
             "the residual is at rounding: 1e-30 J with a step of 0.005 s, where 8 J came and went");
+}
+
+/// Rounding grows with the steps that were made: with the instants, and with the parts of each.
+TEST(ResidualOrder, counts_the_rounding_of_every_part_of_a_step) {
+  const auto found_at = [](double share, int level, std::size_t instants) {
+    return residual_order(0.01, [=](int parts) {
+      const double scale = 8.0;
+      const double rounding =
+          order_rounding_per_step * static_cast<double>(instants) * parts * scale;
+      return WindowResiduals{
+          std::vector<double>(instants, (parts == level ? share : 1.01) * rounding), scale};
+    });
+  };
+  for (const std::size_t instants : {1U, 3U, 24U})
+    for (const int level : {1, 2, 4}) {
+      EXPECT_FALSE(found_at(0.99, level, instants).order) << level;
+      EXPECT_TRUE(found_at(1.01, level, instants).order) << level;
+    }
 }
 
 }  // namespace tdbd::dynamics::residual_order_test
