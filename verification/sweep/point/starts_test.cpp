@@ -81,4 +81,42 @@ TEST(Starts, are_made_once) {
   EXPECT_NE(bit_of({"bit.set.adjust.back_rake=2 deg"}), first);
 }
 
+/// What is kept is bounded: 16 bits, and a million triangles of rock, together and alone.
+TEST(Starts, keep_no_more_than_memory_has_room_for) {
+  Starts kept(Keeping::on);
+  int made = 0;
+  const auto weighs = [](double weight) { return [weight](const auto&) { return weight; }; };
+  const auto surface = [&](const char* key, double triangles) {
+    const auto make = [&] {
+      ++made;
+      return simulation::StartSurface{};
+    };
+    kept.surfaces.get(key, make, weighs(triangles));
+  };
+  surface("a", 1e6);
+  surface("a", 1e6);
+  EXPECT_EQ(made, 1);
+  surface("too large", 1.1e6);
+  surface("too large", 1.1e6);
+  EXPECT_EQ(made, 3);
+  surface("b", 1e5);  // and a goes
+  surface("a", 1e6);
+  EXPECT_EQ(made, 5);
+
+  int bits = 0;
+  const auto bit = [&](int key) {
+    const auto make = [&] {
+      ++bits;
+      return rock::CuttingBit{};
+    };
+    kept.bits.get(std::to_string(key), make, weighs(1.0));
+  };
+  for (int twice = 0; twice < 2; ++twice)
+    for (int i = 1; i <= 16; ++i) bit(i);
+  EXPECT_EQ(bits, 16);
+  bit(17);  // and 1 goes
+  bit(1);
+  EXPECT_EQ(bits, 18);
+}
+
 }  // namespace tdbd::sweep::starts_test
