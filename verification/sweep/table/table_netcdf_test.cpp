@@ -4,11 +4,17 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <new>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/provenance.hpp"
+#include "core/whole_file.hpp"
+#include "verification/battery/out_of_memory.hpp"
+#include "verification/battery/refused_call.hpp"
 #include "verification/sweep/small_design.hpp"
 
 /// What the file holds, down to its last attribute.
@@ -173,6 +179,61 @@ TEST(TableNetcdf, that_cannot_be_written_leaves_what_was_there) {
   EXPECT_THROW(write_netcdf(folder / "t.nc", table_of(d, points_of(d), {"0", "1", "2", "3"}, {})),
                RunError);
   EXPECT_EQ(fs::file_size(folder / "t.nc"), 3u);
+}
+
+/// A table of so many points, none of which is done.
+Table empty_table(const Design& d, std::size_t points) {
+  Table t;
+  t.design = &d;
+  t.points.assign(points, nullptr);
+  return t;
+}
+
+/// Memory goes with the points. What is there is left alone where it would not do: no file is begun.
+TEST(TableNetcdfMemoryLeft, is_demanded_for_every_point_before_a_file_is_begun) {
+  const fs::path folder = empty_folder("memory");
+  const Design d = two_by_two();
+  const auto refuses = [&](std::size_t points) {
+    return battery::in_a_process([&]() -> std::optional<bool> {
+      Design plain = d;
+      plain.figures.clear();
+      const Table t = empty_table(plain, points);
+      if (!battery::limit_memory(50'000'000)) return std::nullopt;
+      try {
+        write_netcdf(folder / "t.nc", t);
+      } catch (const std::bad_alloc&) {
+        return !fs::exists(partial_path(folder / "t.nc"));
+      }
+      return false;
+    });
+  };
+  for (const std::size_t points : {10, 150'000}) {
+    EXPECT_EQ(refuses(points), std::optional(false)) << points;
+    EXPECT_TRUE(fs::remove(folder / "t.nc")) << points;
+  }
+  EXPECT_EQ(refuses(1'000'000), std::optional(true));
+}
+
+/// Ends with an open file of the library behind it, as where a disk was full and it could not be closed.
+void exit_beside_an_open_file(const fs::path& folder) {
+  const Design d = two_by_two();
+  write_netcdf(folder / "t.nc", empty_table(d, 4));
+  int id = -1;
+  require(nc_create((folder / "open.nc").c_str(), NC_NETCDF4 | NC_CLOBBER, &id));
+  require(nc_put_att_text(id, NC_GLOBAL, "title", 4, "open"));
+  std::exit(0);
+}
+
+/// HDF5 would write to files again at the end, and crash where it cannot.
+TEST(TableNetcdfDeathTest, leaves_files_alone_at_exit) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  constexpr const char* of_parent = "TDBD_FOLDER_AT_EXIT";  // the process that ends has the same
+  setenv(of_parent, empty_folder("at_exit").c_str(), 0);
+  const fs::path folder = std::getenv(of_parent);
+  EXPECT_EXIT(exit_beside_an_open_file(folder), testing::ExitedWithCode(0), "");
+  EXPECT_TRUE(fs::exists(folder / "t.nc"));
+  int id = -1;
+  EXPECT_NE(nc_open((folder / "open.nc").c_str(), NC_NOWRITE, &id), NC_NOERR);
 }
 
 }  // namespace tdbd::sweep::table_netcdf_test
