@@ -66,6 +66,10 @@ TEST(InertiaProblem, of_a_bound_that_is_just_met_has_its_own_name) {
   EXPECT_NE(problem(diagonal(tolerance::inertia, 1, 1), {}, InertiaCheck::off).find("heavier"),
             std::string::npos);
   EXPECT_EQ(problem(diagonal(2.0 * tolerance::inertia, 1, 1), {}, InertiaCheck::off), "");
+  const double least = tolerance::inertia;  // the body's share about x is less than nothing by it
+  const std::string left =
+      problem(diagonal(least, 1.0 - least, 1.0), {{Vec3::UnitZ(), 4.0 * least}});
+  EXPECT_NE(left.find("leaves an inertia"), std::string::npos) << left;
 }
 
 /// Rounding beside large elements is none beside an element of 0.
