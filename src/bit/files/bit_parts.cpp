@@ -18,10 +18,10 @@
 namespace tdbd::bit {
 namespace {
 
+/// Of a file that is not named this tells nothing more: a key has one problem.
 mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
   const std::string file = c.read(part_file_keys::file);
   const double unit = c.read(part_file_keys::unit);
-  if (file.empty()) return {};
   const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
   try {
     mesh::TriangleMesh m = mesh::read_mesh(file, unit);

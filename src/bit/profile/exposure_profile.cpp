@@ -77,7 +77,8 @@ void add_edge(const Vec3& a_B, const Vec3& b_B, Fan& fan) {
 
 /// A flat triangle folds in (r, z) where it passes the axis: at each height the point nearest to
 /// the axis lies in the vertical plane through the axis and the triangle's normal. There the border
-/// of its image is no edge's image.
+/// of its image is no edge's image. A chord that jumps over the axis misses the rays beside it: the
+/// profile's first point is then that of a ray farther out.
 void add_fold(const std::array<Vec3, 3>& x_B, Fan& fan) {
   const Vec3 across = Vec3::UnitZ().cross(mesh::area_vector(x_B[0], x_B[1], x_B[2]));
   std::vector<Vec3> ends;

@@ -92,6 +92,15 @@ TEST(BitParts, names_the_missing_file) {
   expect_words(complaint(file), {"bit.toml:4: parts[0].file:", "there is no", "part.ply"});
 }
 
+TEST(BitParts, tells_once_of_a_part_without_a_file) {
+  const std::string message =
+      complaint(write_file(test_folder() / "bit.toml",
+                           "name = \"tool\"\n[[parts]]\nname = \"tool\"\nkind = \"tooth\"\n"));
+  const std::size_t first = message.find("parts[0].file: found nothing");
+  ASSERT_NE(first, std::string::npos) << message;
+  EXPECT_EQ(message.find("parts[0]", first + 1), std::string::npos) << message;
+}
+
 TEST(BitParts, refuses_what_is_no_mesh) {
   const fs::path folder = test_folder();
   const std::string file = write_one_part_bit(folder, box, "kind = \"tooth\"\n");

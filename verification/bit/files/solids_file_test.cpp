@@ -108,6 +108,16 @@ TEST(SolidsFile, takes_kinds_and_groups_from_names) {
   for (const Part& part : b.parts) EXPECT_EQ(part.density, 0.0);  // unless a rule says one
 }
 
+TEST(SolidsFile, lets_no_body_of_a_cone_cut_unless_a_rule_does) {
+  const std::string as_cone = "[[solids.rules]]\nmatch = \"gage-pad-1\"\nkind = \"cone\"\n";
+  const auto cutting_of = [](const std::string& rules) {
+    return read(write_drawn(rules)).parts[2].cutting;
+  };
+  EXPECT_EQ(cutting_of(""), Cutting::cuts);
+  EXPECT_EQ(cutting_of(as_cone), Cutting::never);
+  EXPECT_EQ(cutting_of(as_cone + "cutting = true\n"), Cutting::cuts);
+}
+
 TEST(SolidsFile, lays_later_rules_over_earlier_ones) {
   const Bit b = read(write_drawn(R"([[solids.rules]]
 match = "*"

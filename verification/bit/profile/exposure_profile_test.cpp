@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "bit/generate.hpp"
 #include "verification/battery/shapes.hpp"
@@ -127,6 +128,40 @@ TEST(ExposureProfile, has_no_slit_at_the_axis) {
   const double circle =
       -c.tip_height - radius + std::sqrt(radius * radius - c.tip_radius * c.tip_radius);
   EXPECT_NEAR(exposure_profile(bit.parts, 1e-3).front().z, circle, 2.5e-3);
+}
+
+/// A tetrahedron about the axis, in millimetres, symmetric about the plane y = 0, in which two corners lie. Its lowest
+/// face rises towards one side: at each radius it is lowest in that plane, where no edge of it is.
+Part tilted_tetrahedron(std::array<int, 4> numbers, int first) {
+  const std::array<Vec3, 4> corners{Vec3(20, 0, 20), Vec3(-10, -15, 12.5), Vec3(-10, 15, 12.5),
+                                    Vec3(40, 0, -10)};
+  Part part;
+  part.cutting = Cutting::cuts;
+  part.mesh_P.positions.resize(4);
+  for (std::size_t i = 0; i < 4; ++i)
+    part.mesh_P.positions[static_cast<std::size_t>(numbers[i])] = 1e-3 * corners[i];
+  for (mesh::Triangle t : {mesh::Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    std::ranges::rotate(t, t.begin() + first);
+    for (int& v : t) v = numbers[static_cast<std::size_t>(v)];
+    part.mesh_P.triangles.push_back(t);
+  }
+  return part;
+}
+
+/// Down to the corner in the plane, and from there along the edge in it to the middle of its height, whatever
+/// the order of corners and of their numbers. Nearer to the axis than a chord the profile may be wrong.
+TEST(ExposureProfile, of_a_tetrahedron_about_the_axis_is_its_outline) {
+  constexpr double chord = 0.2e-3;  // m
+  const std::vector<ProfilePoint> outline{{0.0, 15e-3}, {20e-3, 20e-3}, {30e-3, 5e-3}};
+  std::array<int, 4> numbers{0, 1, 2, 3};
+  do {
+    for (int first = 0; first < 3; ++first) {
+      const auto profile = exposure_profile({tilted_tetrahedron(numbers, first)}, 1e-3);
+      for (const ProfilePoint& p : profile)
+        EXPECT_LT(p.r > chord ? distance_to_line(p, outline) : 0.0, 1e-12);
+      EXPECT_NEAR(profile.back().r, 30e-3, 1e-7);  // a point on the ray beside
+    }
+  } while (std::ranges::next_permutation(numbers).found);
 }
 
 /// A thin disc in the half-plane: its meridian is its own rim, from where the rays first touch it.

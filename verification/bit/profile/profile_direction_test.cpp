@@ -50,6 +50,20 @@ TEST(ProfileDirection, is_the_normal_of_a_straight_profile) {
   EXPECT_EQ(along({0, 0.01}, {0.1, 0.01}), Vec3(-1, 0, 0));
 }
 
+/// A profile that is flat up to some way outside of the part's middle and rises there, as points
+/// 0.3 mm apart. The part is 10 mm high: the first points 5 mm away are at 5.1 mm.
+TEST(ProfileDirection, looks_as_far_to_both_sides_as_the_part_is_large) {
+  const auto flat_up_to = [](double flat) {
+    const double middle = 0.5 * (std::hypot(25e-3, 40e-3) + std::hypot(35e-3, 40e-3));
+    std::vector<ProfilePoint> line;
+    for (int k = -40; k <= 40; ++k)
+      line.push_back({middle + 0.3e-3 * k, 0.01 - std::max(0.0, 0.3e-3 * k - flat)});
+    return profile_direction(line, {ball()}, DirectionRule::along_profile, InsideRule::down);
+  };
+  EXPECT_LT((flat_up_to(5.2e-3) - Vec3::UnitZ()).norm(), 1e-12);
+  EXPECT_LT((flat_up_to(4.9e-3) - Vec3(0.2, 0.0, 10.2).normalized()).norm(), 1e-12);
+}
+
 /// Saw teeth of 45 degrees, 2 mm apart, on a flat profile: their own normals are far from down.
 TEST(ProfileDirection, averages_scallops_out) {
   std::vector<ProfilePoint> line;
