@@ -26,7 +26,7 @@ double ratio(const GradeSurface& g, int a, int b) {
   return (y - x).norm() / target(g, 0.5 * (x + y));
 }
 
-/// Edges whose ratio `is_wanted` picks, in the order of their vertices.
+/// Edges whose ratio `is_wanted` picks, in the order of their corners.
 template <class Wanted>
 std::vector<RatedEdge> edges(const GradeSurface& g, Wanted is_wanted) {
   std::vector<RatedEdge> found;

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 #include "calibration/made_up_laboratory.hpp"
 #include "calibration/twin_readings.hpp"
 #include "core/angles.hpp"
+#include "core/error.hpp"
 #include "core/random.hpp"
 
 namespace tdbd::calibration::solve_test {
@@ -39,6 +43,24 @@ TEST(DrawnStart, is_well_inside_each_range) {
     EXPECT_LE(std::abs(start[0] - 11.0), 0.5);
     EXPECT_LE(std::abs(start[1] + 1.0), 1.0);
     EXPECT_LE(std::abs(std::log2(start[2] / 4.0)), 1.0);
+  }
+}
+
+/// The case's own start is no number, every drawn one has a sum of squares beyond all numbers: two reasons.
+TEST(SolveFromStarts, tells_why_the_cases_own_start_failed) {
+  Problem p;
+  p.unknowns.resize(1);
+  p.unknowns[0].range = Range::within(0.0, 1.0);
+  p.unknowns[0].start = std::numeric_limits<double>::quiet_NaN();
+  p.unknowns[0].prior_sd = 1e-200;
+  const Data data{Eigen::VectorXd(), Eigen::VectorXd::Constant(1, 0.1)};
+  const std::string own = solve(p, data, Eigen::VectorXd::Constant(1, p.unknowns[0].start)).reason;
+  EXPECT_NE(own, solve(p, data, drawn_start(p, 1)).reason);
+  try {
+    solve_from_starts(p, data, 1);
+    FAIL();
+  } catch (const RunError& e) {
+    EXPECT_EQ(e.what(), "the fit converges from none of 21 starts; from the case's: " + own);
   }
 }
 

@@ -1,6 +1,9 @@
 #include "calibration/fit/trust_region.hpp"
 
+#include <gsl/gsl_errno.h>
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace tdbd::calibration::trust_region_test {
 namespace {
@@ -11,6 +14,31 @@ Unknown within(double lo, double hi) {
   u.range = Range::within(lo, hi);
   u.start = 0.5 * (lo + hi);
   return u;
+}
+
+/// No readings: a row for each prior, (value - centre)/sd. GSL must not end the program.
+struct Priors {
+  Problem problem;
+  Data data{Eigen::VectorXd(), Eigen::VectorXd(2)};
+
+  Priors() {
+    gsl_set_error_handler_off();
+    problem.unknowns.assign(2, within(1.0, 3.0));
+    for (Unknown& u : problem.unknowns) u.prior_sd = 1.0;
+    data.prior_centres << 2.0, 2.0;
+  }
+};
+
+/// A misfit that no free unknown changes, 1e8, is so large that rounding hides what is left to gain: the search cannot go
+/// lower and has ended, whichever row it is.
+TEST(SearchFromValues, has_ended_where_rounding_hides_the_rest) {
+  for (const auto& [held, free] : {std::pair(0, 1), std::pair(1, 0)}) {
+    Priors p;
+    p.data.prior_centres[held] = 1e8;
+    Search search{p.problem, p.data, Eigen::Vector2d(2.0, 2.0), {free}};
+    search.values[free] = 2.1;
+    EXPECT_EQ(search_from_values(search), GSL_SUCCESS) << held;
+  }
 }
 
 /// Beyond the lower end the objective falls where its gradient is positive, beyond the upper one where it is negative.
