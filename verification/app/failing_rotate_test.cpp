@@ -62,7 +62,7 @@ TEST(FailingRotate, the_history_ends_with_the_last_good_state) {
   ASSERT_NE(steps % 1000, 0);
   const std::string csv = read(c.path("out/history.csv"));
   const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
-  EXPECT_NEAR(std::stod(last), 0.02 * static_cast<double>(steps), 1e-9);
+  EXPECT_DOUBLE_EQ(std::stod(last), 0.02 * static_cast<double>(steps));
   EXPECT_TRUE(history_opens(c.path("out/history.nc"), lines_of(c.path("out/history.csv")) - 1));
   EXPECT_GT(step_that_would(failure), 0.0) << failure;
 }

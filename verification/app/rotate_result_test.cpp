@@ -84,7 +84,7 @@ TEST(RotateResult, a_free_body_keeps_its_momenta_to_the_bit) {
     EXPECT_EQ(s["cone_momentum_drift_max"], 0.0) << order;
     EXPECT_EQ(s["space_momentum"], s["space_momentum_start"]) << order;
     EXPECT_LE(s["unit_quaternion_defect_max"].get<double>(), 1e-15) << order;
-    EXPECT_LT(s["energy_drift_max"].get<double>(), 1e-2) << order;
+    EXPECT_LT(s["energy_drift_max"].get<double>(), 3e-6) << order;
     EXPECT_GT(s["energy_drift_max"].get<double>(), 0.0) << order;
   }
 }

@@ -171,7 +171,7 @@ void expect_triangles(const Gltf& g, const Bit& bit, std::size_t body) {
     EXPECT_TRUE(shown.insert(node.at("name")).second);
     const Corners own = corners_of(g, node), expected = corners_of(bit, body, node.at("name"));
     ASSERT_EQ(own.size(), expected.size());
-    constexpr double single = 3e-8;  // wide: m, half of the last place of 0.2 m, three times
+    constexpr double single = 2.9e-8;  // m, half of the last place of 0.2 m, three times
     for (std::size_t i = 0; i < own.size(); ++i) EXPECT_LT((own[i] - expected[i]).norm(), single);
   }
   EXPECT_EQ(shown, kinds);

@@ -135,13 +135,17 @@ RC_GTEST_PROP(ColumnSums, of_a_segment_across_the_face_have_the_rim_below_it, ()
 RC_GTEST_PROP(FaceColumns, are_none_between_corners_at_one_place, ()) {
   const double left = *battery::number(-2.0, 2.0), right = left + *battery::number(0.1, 3.0),
                low = *battery::number(-2.0, 2.0), high = low + *battery::number(0.1, 3.0);
-  const double rounding = *battery::number(0.0, 0.9e-12) * (right - left);
+  constexpr double same = 1e-12;  // of the width
+  const double rounding = 0.9 * same * *battery::number(0.0, 1.0) * (right - left);
   const FaceColumns face =
       columns_of({{left, low}, {right - rounding, low}, {right, high}, {left + rounding, high}});
   RC_ASSERT(face.columns.size() == 1U);
-  RC_ASSERT(std::abs(face.columns[0].y1 - face.columns[0].y0 - (right - left)) <= 2e-12);
-  const FaceColumns apart = columns_of(
-      {{left, low}, {right, low}, {right, high}, {left + 1.1e-12 * (right - left) + 1e-15, high}});
+  RC_ASSERT(std::abs(face.columns[0].y1 - face.columns[0].y0 - (right - left)) <=
+            same * (right - left));
+  const FaceColumns apart = columns_of({{left, low},
+                                        {right, low},
+                                        {right, high},
+                                        {left + 1.1 * same * (right - left) + 1e-15, high}});
   RC_ASSERT(apart.columns.size() == 2U);
 }
 
