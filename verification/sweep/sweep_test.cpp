@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "bit/files/bit_file.hpp"
@@ -310,6 +311,21 @@ TEST(Sweep, gives_up_points_under_way_when_interrupted) {
   EXPECT_FALSE(r.written);
   EXPECT_EQ(r.done, 2);
   EXPECT_EQ(swept(d, folder / "t.nc").found, 2);
+}
+
+/// While the first thread tells of its point for a while, others would take the next ones.
+TEST(Sweep, works_with_no_more_threads_than_told) {
+  const fs::path folder = empty_folder("threads");
+  std::set<std::thread::id> seen;
+  SweepOptions options;
+  options.table = folder / "t.nc";
+  options.threads = 1;
+  options.progress = [&](long done, long) {
+    seen.insert(std::this_thread::get_id());
+    if (done == 1) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  };
+  EXPECT_TRUE(run_sweep(design_from(folder, small_top()), options).written);
+  EXPECT_EQ(seen.size(), 1u);
 }
 
 /// In the middle of a point that would last for days.

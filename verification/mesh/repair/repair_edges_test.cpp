@@ -66,6 +66,19 @@ RC_GTEST_PROP(SplitNonManifold, parts_wedges_that_meet_at_an_edge, ()) {
     RC_ASSERT(std::abs(enclosed_volume(submesh(m, piece)) - volume / count) < 1e-12);
 }
 
+/// Nor does it matter which corner is the origin: of the facets at the edge none is seen from there.
+TEST(SplitNonManifold, parts_wedges_around_any_origin) {
+  const TriangleMesh three = wedges(3);
+  for (const Vec3& origin : three.positions) {
+    TriangleMesh m = battery::placed({Mat3::Identity(), -origin}, three);
+    std::string refusal;
+    EXPECT_EQ(split_non_manifold(m, refusal), 4u) << refusal;
+    EXPECT_TRUE(check_closed(m).empty());
+    for (const auto& piece : connected_pieces(m.triangles))
+      EXPECT_NEAR(enclosed_volume(submesh(m, piece)), enclosed_volume(m) / 3.0, 1e-15);
+  }
+}
+
 /// What is refused changed nothing.
 TEST(SplitNonManifold, refuses_three_facets_at_an_edge_and_counts_nothing) {
   TriangleMesh m;

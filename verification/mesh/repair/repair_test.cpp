@@ -303,6 +303,8 @@ TEST(Inspect, counts_what_is_wrong) {
   EXPECT_EQ(i.duplicates, 1u);
   EXPECT_EQ(i.flipped_edges + i.non_manifold_edges, 6u);
   EXPECT_FALSE(i.is_oriented());
+  EXPECT_EQ(inspect(m).box.lo, bounding_box(m).lo);
+  EXPECT_EQ(inspect(m).box.hi, bounding_box(m).hi);
   EXPECT_DOUBLE_EQ(inspect(unit_box).longest_edge, std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(inspect(unit_box).shortest_edge, 1.0);
   EXPECT_DOUBLE_EQ(inspect(unit_box).mean_edge, (12.0 + 6.0 * std::sqrt(2.0)) / 18.0);
