@@ -107,6 +107,16 @@ TEST(Stability, dampers_of_the_string_do_not_shorten_the_step) {
   }
 }
 
+/// However light: any mass above 0 is one that moves.
+TEST(Stability, light_rock_swings_on_its_spring) {
+  DrillingSystem s = plain_bit();
+  s.rock.mass = 0.25;
+  s.rock.stiffness = 1e6;  // 2000 rad/s
+  const StabilityLimit limit = stability_limit(make_drilling_system(s), {});
+  EXPECT_NEAR(limit.step, 1e-3, 1e-15);
+  EXPECT_EQ(limit.mode, "the rock along z");
+}
+
 TEST(Stability, problem_says_the_limit_and_the_step_that_would_do) {
   DrillingSystem s = plain_bit();
   s.string.stiffness = (5e8 * Mat3::Identity()).eval();
