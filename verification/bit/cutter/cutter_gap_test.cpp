@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "bit/generate.hpp"
 
 namespace tdbd::bit::cutter_gap_test {
@@ -27,6 +29,15 @@ TEST(CutterGap, of_parallel_cylinders_is_known) {
   expect_gap(c, standing({0, 0.009, 0.012}), 0.005);  // side by side
   expect_gap(c, standing({0.012, 0, 0}), 0.002);      // one behind the other
   expect_gap(c, standing({0.013, 0.014, 0}), 0.005);  // edge to edge
+}
+
+/// Sizes that are whole in binary: the gap is exact, and a clearance as large as it is kept.
+TEST(CutterGap, that_equals_the_clearance_is_wide_enough) {
+  constexpr double size = 1.0 / 64.0, gap = 1.0 / 128.0;
+  Cutter a = standing(Vec3::Zero()), b = standing({size + gap, 0, 0});
+  for (Cutter* c : {&a, &b}) c->diameter = c->length = size;
+  EXPECT_FALSE(closer_than(a, b, gap));
+  EXPECT_TRUE(closer_than(a, b, std::nextafter(gap, 1.0)));
 }
 
 TEST(CutterGap, of_crossed_cylinders_is_known) {

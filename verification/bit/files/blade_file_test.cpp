@@ -1,10 +1,14 @@
 #include "bit/files/blade_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_reading.hpp"
@@ -48,6 +52,33 @@ TEST(BladeFile, gives_a_table_bit_blades_that_rub) {
             Cutting::never);
   EXPECT_EQ(read(write_bit(std::string(plain) + "cuts = true")).parts.back().cutting,
             Cutting::cuts);
+}
+
+TEST(BladeFile, takes_every_key) {
+  const std::vector<std::pair<const char*, double BladeOptions::*>> keys{
+      {"exposure", &BladeOptions::exposure},
+      {"slot_depth", &BladeOptions::slot_depth},
+      {"width", &BladeOptions::width},
+      {"wall", &BladeOptions::wall},
+      {"gage_length", &BladeOptions::gage_length},
+      {"neck", &BladeOptions::neck},
+      {"shank_radius", &BladeOptions::shank_radius},
+      {"shank_length", &BladeOptions::shank_length},
+      {"edge", &BladeOptions::edge},
+      {"density", &BladeOptions::density}};
+  std::string text = "[blades]\n";
+  double value = 0.125;
+  for (const auto& [key, member] : keys) {
+    const bool is_edge = std::string(key) == "edge";
+    text += fmt::format("{} = {}\n", key, is_edge ? 0.0078125 : value += 0.0625);
+  }
+  Config c = Config::read_text(text, "bit.toml");
+  const std::optional<BladeOptions> b = read_blades(c);
+  c.finish();
+  ASSERT_TRUE(b);
+  value = 0.125;
+  for (const auto& [key, member] : keys)
+    EXPECT_EQ(*b.*member, std::string(key) == "edge" ? 0.0078125 : value += 0.0625) << key;
 }
 
 TEST(BladeFile, meshes_the_body_as_finely_as_told) {
