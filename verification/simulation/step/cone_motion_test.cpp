@@ -111,6 +111,21 @@ RC_GTEST_PROP(ConeMotion, finds_the_twist_of_a_step, ()) {
   RC_ASSERT((twist.linear_B - Vec3(0, 0, v)).norm() * dt < 1e-14);
 }
 
+/// Each turns against its Z by its speed over the bit's.
+TEST(ConeMotion, cones_of_given_speeds_have_each_its_own) {
+  Case c;
+  c.bit.cones.resize(3);
+  c.time.step = 1e-3;
+  c.motion.rotary_speed = 5.0;
+  c.motion.cone_speeds = {1.25, 1.5, 0.75};
+  std::vector<ConeState> cones = start_cones(c);
+  for (long done = 0; done < 3; ++done) turn_cones(c, done, {}, cones);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(cones[k].speed, -c.motion.cone_speeds[k] * 5.0, 1e-12) << k;
+    EXPECT_NEAR(cones[k].angle, -c.motion.cone_speeds[k] * 5.0 * 3e-3, 1e-16) << k;
+  }
+}
+
 TEST(ConeMotion, a_cone_without_contact_rolls_purely_and_keeps_its_speed) {
   Case c = wheel_case(wheel_motion, "step = 0.005\nduration = 0.1");
   std::vector<ConeState> cones = start_cones(c);
