@@ -62,6 +62,20 @@ TEST(Identifiability, of_nothing_that_is_fitted_is_not_asked) {
   EXPECT_EQ(in_words(nothing, {}), "nothing was fitted");
 }
 
+/// Shares of the largest component, wherever it stands; one below 3 % says nothing.
+TEST(Identifiability, of_a_direction_names_every_unknown_that_counts) {
+  Problem p;
+  p.unknowns.resize(4);
+  for (std::size_t k = 0; k < 4; ++k) p.unknowns[k].key = std::string(1, "abcd"[k]);
+  const auto told = [&](std::vector<double> direction) {
+    return in_words(p, {{5.0, 2.0, 1.0, 0.25}, std::move(direction)});
+  };
+  EXPECT_EQ(told({0.25, 0.5, -0.125, 0.01}),
+            "b up 100 % with a up 50 % with c down 25 % moves the readings by 0.5 of their noise");
+  EXPECT_EQ(told({-0.01, 0.25, 0.25, 0.5}),
+            "d up 100 % with b up 50 % with c up 50 % moves the readings by 0.5 of their noise");
+}
+
 TEST(Identifiability, the_weakest_direction_points_up) {
   CalibrationCase c = read_case(made_up_case());
   Random random{3};

@@ -48,5 +48,18 @@ TEST(Sample, depth_slopes_are_below_one_for_a_blunt_bit) {
   }
 }
 
+/// Faces alone whose wear flats grow with the depth: area and depth count, so that loads go as the depth.
+TEST(Sample, depth_slopes_are_one_where_a_flat_grows_with_the_depth) {
+  const CalibrationCase c = made_up_case();
+  const Record& r = c.records.rows.front();
+  Sample s = sample_of(made_up_run(made_up_bits()[1], depth_of_run(r)), r, strength_of(c.rock, r),
+                       hidden_law());
+  std::erase_if(s.cuts, [](const forces::PartCut& cut) { return cut.kind != bit::PartKind::face; });
+  ASSERT_FALSE(s.cuts.empty());
+  const forces::Detournay growing{
+      .eps = 50e6, .zeta = 0.6, .sigma = 40e6, .mu = 0.5, .l = 1.0, .kappa = 5.0};
+  for (const double slope : depth_slopes(growing, s)) EXPECT_NEAR(slope, 1.0, 1e-8);
+}
+
 }  // namespace
 }  // namespace tdbd::calibration::sample_test
