@@ -40,6 +40,17 @@ TEST(FailingRun, keeps_what_is_recorded_and_is_no_result) {
   EXPECT_TRUE(fs::exists(c.path("out/rock_final.ply")));
 }
 
+/// Threads may be wanted where no exception leads out: that ends with a line and exit code 1, too.
+TEST(FailingRun, that_gets_no_thread_ends_with_a_line) {
+  for (const char* threads : {"1", "2"}) {
+    const SmallCase c;
+    const auto o = c.run({"--threads", threads}, "out", {.has_threads = false});
+    if (o.exit_code == 126) GTEST_SKIP() << "the system takes no rule that refuses threads";
+    EXPECT_EQ(o.exit_code, 1) << threads << o.err;
+    EXPECT_NE(o.err.find("Resource temporarily unavailable\n"), std::string::npos) << o.err;
+  }
+}
+
 /// A bound on passes that is hit names place and parts. What is kept can be looked at and is rock
 /// that another run reads.
 TEST(FailingRun, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_back) {

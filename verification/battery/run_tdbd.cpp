@@ -3,14 +3,18 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <thread>
+
+#include "battery/refused_call.hpp"
 
 namespace tdbd::battery {
 namespace {
@@ -36,14 +40,16 @@ const char* program() {
 }
 
 [[noreturn]] void become_tdbd(const std::vector<std::string>& arguments, const fs::path& out,
-                              const fs::path& err, long largest_file) {
+                              const fs::path& err, const Surroundings& around) {
   redirect(STDOUT_FILENO, out);
   redirect(STDERR_FILENO, err);
-  if (largest_file >= 0) {
-    const auto bytes = static_cast<rlim_t>(largest_file);
+  if (around.largest_file >= 0) {
+    const auto bytes = static_cast<rlim_t>(around.largest_file);
     const rlimit limit{bytes, bytes};
     if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(127);
   }
+  if (!around.has_threads && !(refuse_call(__NR_clone3, EAGAIN) && refuse_call(__NR_clone, EAGAIN)))
+    _exit(126);
   std::vector<char*> argv{const_cast<char*>(program())};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
@@ -87,8 +93,7 @@ Outcome run_tdbd(const std::vector<std::string>& arguments, const Surroundings& 
   const fs::path out = own + ".out", err = own + ".err";
   const bool captured = around.standard_output.empty();
   const pid_t child = fork();
-  if (child == 0)
-    become_tdbd(arguments, captured ? out : around.standard_output, err, around.largest_file);
+  if (child == 0) become_tdbd(arguments, captured ? out : around.standard_output, err, around);
   Outcome outcome;
   outcome.exit_code = wait_for(child, around);
   if (captured) outcome.out = take(out);
