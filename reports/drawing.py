@@ -1,7 +1,9 @@
 """Draws the figures and writes the tables of the manifest whose inputs changed."""
 
+import hashlib
 import importlib
 import json
+import re
 from importlib.metadata import version
 from pathlib import Path
 
@@ -48,6 +50,13 @@ class Inputs:
         return {str(f.relative_to(self.root)): f.read_text(encoding="utf-8") for f in self.sources}
 
 
+def with_named_clips(svg, figure):
+    """Clip paths named after the figure and their place in it: matplotlib names one that is no rectangle after its address."""
+    clips = dict.fromkeys(re.findall(r'<clipPath id="(\w+)"', svg))
+    names = {clip: f"p{hashlib.sha256(f'{figure} {i}'.encode()).hexdigest()[:10]}" for i, clip in enumerate(clips)}
+    return re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), svg)
+
+
 def save(made, path):
     """A matplotlib figure, or a table {"heads": [...], "rows": [[...], ...]}; the same one gives the same bytes."""
     if path.suffix == SUFFIX["table"]:
@@ -57,6 +66,7 @@ def save(made, path):
         import matplotlib
         with matplotlib.rc_context({"svg.hashsalt": "tdbd"}):
             made.savefig(path, metadata={"Date": None, "Creator": None})
+        path.write_text(with_named_clips(path.read_text(encoding="utf-8"), path.name), encoding="utf-8")
     else:
         made.savefig(path, dpi=DPI, metadata={"Software": None})
 

@@ -192,6 +192,15 @@ class Forms(unittest.TestCase):
         self.assertIn(b"<svg", first)
         self.assertRegex(page, r'<img alt="First" aria-describedby="shows-first" width="384" src="data:image/svg\+xml;base64,')
 
+    def test_a_line_drawing_within_a_circle(self):
+        script = ("from matplotlib.figure import Figure\nfrom matplotlib.patches import Circle\ndef draw(inputs):\n    f = Figure(figsize=(3, 2))\n"
+                  "    axes = f.subplots()\n    [line] = axes.plot([0, 1], [1, 0])\n"
+                  "    line.set_clip_path(Circle((0.5, 0.5), 0.4, transform=axes.transData))\n    return f\n")
+        _, first, second, _ = self.made("svg", script)
+        self.assertEqual(first, second)
+        [clip] = {c for c in re.findall(rb'clipPath id="(\w+)"', first) if first.count(b"url(#" + c) == 1}
+        self.assertIn(b"url(#" + clip + b")", first)
+
     def test_a_source_that_names_no_file(self):
         with tempfile.TemporaryDirectory() as folder:
             project = Project(folder)
