@@ -8,6 +8,7 @@ import importlib
 from importlib.metadata import version
 from pathlib import Path
 
+import comparison_costs
 import comparison_tables
 import fingerprint
 from calibrations import Set
@@ -33,7 +34,7 @@ FIGURES = {
         "axis the plane knows no core and no side of a cutter; at the gage cuts are thin."),
     "compare_noise": (
         "Noise of the torque over cost",
-        "Bit A at 3 mm a revolution, each rock made finer from left to right: rms deviation of one step's torque over its mean, and CPU time for a simulated second. "
+        "Bit A at 3 mm a revolution, each rock made finer from left to right: rms deviation of one step's torque over its mean, and CPU time for a simulated second, measured once. "
         "A model without noise is not shown. By crossing: a force acts only in the steps in which its cutter crosses a spoke, as the literature is read; "
         "spread: it counts until the cutter would be at the next spoke, which removes the noise in steady drilling. Our mesh with forces from sections, the default, and from volumes."),
     "compare_rates": ("Rate of penetration over weight", "Drag bits and the roller cone bit, each model at the protocol's rates, or at the reference weight."),
@@ -67,7 +68,7 @@ class Comparisons:
     def __init__(self, root, build, output, is_quick):
         self.root, self.build, self.output, self.is_quick = Path(root), Path(build), Path(output), is_quick
         self.data = ComparisonData(root, build, self.output / "data")
-        self.file = self.root / "reports/protocol.toml"
+        self.file, self.costs = self.root / "reports/protocol.toml", self.root / "reports" / comparison_costs.NAME
         self.asked = list(protocol(self.file)) if self.file.is_file() else []
 
     def found(self):
@@ -90,16 +91,18 @@ class Comparisons:
 
     def results(self):
         """{group: [(settings, Result)]} of all runs."""
-        groups = {}
+        groups, costs = {}, comparison_costs.read(self.costs)
         for run in self.asked:
-            groups.setdefault(run.group, []).append((run.settings, Result(self.data.result(run))))
+            result = Result(self.data.result(run), comparison_costs.of_run(costs, run.name, self.costs))
+            groups.setdefault(run.group, []).append((run.settings, result))
         return groups
 
     def inputs(self):
         """Fingerprint of what decides tables and figures."""
         scripts = [SCRIPTS / f"{s}.py" for s in (*FIGURES, "style")]
-        own = [HERE / n for n in ("comparison.py", "comparison_results.py", "comparison_tables.py", "comparison_verdicts.py", "study_tools.py")]
+        own = [HERE / n for n in ("comparison.py", "comparison_costs.py", "comparison_results.py", "comparison_tables.py", "comparison_verdicts.py", "study_tools.py")]
         runs = [[r.name, fingerprint.read(self.data.stamp(r))] for r in self.asked]
+        own += [self.costs] if self.costs.is_file() else []
         return fingerprint.of_value([runs, fingerprint.of_scripts(SCRIPTS, *scripts), [fingerprint.of_file(f) for f in own], version("matplotlib")])
 
     def products(self, _section):

@@ -1,4 +1,4 @@
-"""Reads one result folder of tdbd-compare: comparison.csv, parts.csv, comparison.json, comparison.nc, timing.json."""
+"""Reads one result folder of tdbd-compare: comparison.csv, parts.csv, comparison.json, comparison.nc."""
 
 import csv
 import json
@@ -17,8 +17,9 @@ def rows_of(path):
 class Result:
     """What the models said about one case."""
 
-    def __init__(self, folder):
-        self.folder = Path(folder)
+    def __init__(self, folder, costs=None):
+        """costs: {model: CPU seconds a simulated second} (comparison_costs.py)."""
+        self.folder, self.costs = Path(folder), costs or {}
 
     def document(self, name):
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
@@ -61,8 +62,7 @@ class Result:
 
     def cost(self, model):
         """CPU seconds a simulated second; None of a model without time."""
-        timing = self.document("timing.json")["models"][model]
-        return timing["cpu_s"] / timing["simulated_s"] if timing["simulated_s"] else None
+        return self.costs.get(model)
 
     @property
     def advance(self):

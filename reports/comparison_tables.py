@@ -39,7 +39,7 @@ def numbers_of(result):
     """A row for each quantity that any model says, a column for each model; the cost last."""
     rows = [[f"{words(q)} ({unit})" if unit != "1" else words(q), *(number(result.value(m, q)) for m in result.titles)]
             for q, unit in result.quantities.items() if any(result.value(m, q) is not None for m in result.titles)]
-    rows.append(["CPU time over simulated time", *(number(result.cost(m)) for m in result.titles)])
+    rows.append(["CPU time over simulated time, measured once", *(number(result.cost(m)) for m in result.titles)])
     notes = "".join(f"- {m['title']}: {note}\n" for m in result.info["models"] for note in m.get("notes", []))
     return markdown_table(["", *result.titles.values()], rows) + (f"\n{notes}" if notes else "")
 

@@ -20,9 +20,8 @@ struct Surroundings {
   std::filesystem::path signal_after = {};  ///< send `signal` once this file exists; empty: never
   double signal_after_seconds = -1.0;       ///< or after so many seconds; < 0: never
   int signal = SIGINT;
-  int second_signal = 0;  ///< sent with it, both before the program runs on; 0: none
-  bool has_threads =
-      true;  ///< false: the system starts none; if it takes no such rule, exit code 126
+  int second_signal = 0;    ///< sent with it, both before the program runs on; 0: none
+  bool has_threads = true;  ///< false: the system starts none; 126: it takes no such rule
 };
 
 /// Runs the built program with these arguments and waits for it.

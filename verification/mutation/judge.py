@@ -20,14 +20,14 @@ def judge(mutant, build, seconds, programs, text, first=""):
     elif build.is_same_code(mutant.file, made):
         record["verdict"] = "same code"
     else:
-        run_stages(record, mutant, build, (seconds, programs, first), made)
+        run_stages(record, mutant, build, seconds, programs, made, first)
     record["seconds"] = round(time.monotonic() - started, 1)
     return record
 
 
-def run_stages(record, mutant, build, asked, made):
-    own, others = scripts.of_file(mutant.file, asked[-1])
-    for program, outcome in itertools.chain(run_scripts(own, mutant, build, made), run_programs(mutant, build, *asked, made),
+def run_stages(record, mutant, build, seconds, programs, made, first):
+    own, others = scripts.of_file(mutant.file, first)
+    for program, outcome in itertools.chain(run_scripts(own, mutant, build, made), run_programs(mutant, build, seconds, programs, made, first),
                                             run_scripts(others, mutant, build, made)):
         record["ran"] += outcome.ran
         if outcome.verdict != "passed":
@@ -35,7 +35,7 @@ def run_stages(record, mutant, build, asked, made):
             return
 
 
-def run_programs(mutant, build, seconds, programs, first, made):
+def run_programs(mutant, build, seconds, programs, made, first):
     """(program, outcome) of each stage of its tests."""
     linked = {}
     for program, names in tests.stages(programs, mutant.file, seconds, first):

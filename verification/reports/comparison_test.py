@@ -8,6 +8,7 @@ import unittest
 from small_project import REPORTS, Project
 
 sys.path.insert(0, str(REPORTS))
+import comparison_costs  # noqa: E402
 import comparison_verdicts  # noqa: E402
 from comparison import protocol  # noqa: E402
 from comparison_results import Result  # noqa: E402
@@ -20,7 +21,7 @@ sweep = {"motion.rate_of_penetration" = ["15 m/h"]}
 """
 # A tdbd-compare of two models, of which Behr's finds a weight that is FACTOR times ours, and no wear.
 COMPARE = """#!/usr/bin/python3
-import json, math, pathlib, sys
+import json, math, pathlib, sys, time
 import netCDF4
 out = pathlib.Path(sys.argv[sys.argv.index("-o") + 1])
 says = {"tdbd": {"weight": 1000.0, "torque": 20.0}, "behr": {"weight": 1000.0 * FACTOR, "torque": 20.0}}
@@ -28,7 +29,7 @@ units = {"weight": "N", "torque": "N m", "largest_wear_flat": "m2"}
 rows = [",".join([m, q, u, str(says[m][q]) + "," if q in says[m] else ',"no law, of wear"']) for m in says for q, u in units.items()]
 (out / "comparison.csv").write_text("model,quantity,unit,value,reason\\n" + "\\n".join(rows) + "\\n")
 (out / "parts.csv").write_text("model,part,radius_m,quantity,unit,value\\n" + "".join(f"{m},cutter-1,0.05,area,m2,1e-5\\n" for m in says))
-(out / "timing.json").write_text(json.dumps({"models": {m: {"cpu_s": 2.0, "simulated_s": 1.0, "steps": 10} for m in says}}))
+(out / "timing.json").write_text(json.dumps({"models": {m: {"cpu_s": 1.0 + time.time() % 1.0, "simulated_s": 1.0, "steps": 10} for m in says}}))
 (out / "comparison.json").write_text(json.dumps({
     "units": units, "advance_m_per_revolution": 2e-3, "gage_radius_m": 0.1, "rotary_speed_rad_per_s": 12.0, "reference_weight_n": 1000.0,
     "models": [{"name": "tdbd", "title": "TDBD"}, {"name": "behr", "title": "Behr et al."}]}))
@@ -43,6 +44,9 @@ with netCDF4.Dataset(out / "comparison.nc", "w") as file:
 """
 
 
+COSTS = "run,model,cpu_s,simulated_s\nbit-b/15m/h,tdbd,3.0,1.5\nbit-b/15m/h,behr,0.01,0.0\n"
+
+
 class Made(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -51,6 +55,7 @@ class Made(unittest.TestCase):
         for script in [REPORTS / "figures/style.py", *(REPORTS / "figures").glob("compare_*.py")]:
             shutil.copy(script, self.project.root / "reports/figures")
         self.project.write("reports/protocol.toml", PROTOCOL)
+        self.project.write("reports/comparison_costs.csv", COSTS)
         self.project.write("cases/compare/b.toml", "[bit]\n")
         self.give("1.01")
 
@@ -81,6 +86,24 @@ class Made(unittest.TestCase):
         self.give("1.2")
         self.assertTrue(self.make())
         self.assertRegex(self.section("table-expected"), r"worst 20 % \(.*?\)</td>\s*<td><strong>not as expected")
+
+    def test_made_from_nothing_it_has_the_same_bytes_whatever_the_runs_cost(self):
+        made = []
+        for _ in range(2):
+            self.assertTrue(self.make())
+            made.append({p.name: p.read_bytes() for p in (self.project.out / "comparison").iterdir() if p.suffix in (".md", ".png")})
+            shutil.rmtree(self.project.out / "comparison")
+        self.assertEqual(made[0], made[1])
+        self.assertIn(b"| CPU time over simulated time, measured once | 2 | \xe2\x80\x93 |", made[0]["numbers.md"])
+
+    def test_a_run_whose_cost_was_never_measured_is_named(self):
+        self.project.write("reports/comparison_costs.csv", COSTS.replace("bit-b/15m/h", "bit-b/7.2m/h"))
+        self.make("comparison_costs.csv: found no processor time of the run bit-b/15m/h", "reports/comparison_costs.py")
+        self.project.write("reports/comparison_costs.csv", COSTS + "bit-b/15m/h,behr,much,1.0\n")
+        self.make("comparison_costs.csv:4: found 'bit-b/15m/h,behr,much,1.0', expected run,model,cpu_s,simulated_s")
+        self.project.write("reports/comparison_costs.csv", COSTS.replace("3.0", "4.5"))
+        self.assertTrue(self.make())
+        self.assertIn("<td>3</td>", self.section("table-numbers"))
 
     def test_is_made_again_when_a_case_or_a_bit_changed(self):
         self.make()
@@ -118,6 +141,10 @@ class Protocol(unittest.TestCase):
         self.assertEqual(len({r.name for r in runs}), len(runs))
         for run in runs:
             self.assertTrue((root / run.case).is_file(), run.case)
+        costs = comparison_costs.read(REPORTS / comparison_costs.NAME)
+        self.assertEqual(set(costs), {r.name for r in runs})
+        for run, models in costs.items():
+            self.assertGreater(max(c for c in models.values() if c is not None), 0.0, run)
         groups = {r.group for r in runs}
         self.assertLessEqual({"bit-a", "bit-b", "bit-c", "bit-r", "whirl-1500", "whirl-3000"}, groups)
 

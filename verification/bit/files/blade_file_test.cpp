@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include "bit/files/bit_export.hpp"
@@ -55,30 +54,28 @@ TEST(BladeFile, gives_a_table_bit_blades_that_rub) {
 }
 
 TEST(BladeFile, takes_every_key) {
-  const std::vector<std::pair<const char*, double BladeOptions::*>> keys{
-      {"exposure", &BladeOptions::exposure},
-      {"slot_depth", &BladeOptions::slot_depth},
-      {"width", &BladeOptions::width},
-      {"wall", &BladeOptions::wall},
-      {"gage_length", &BladeOptions::gage_length},
-      {"neck", &BladeOptions::neck},
-      {"shank_radius", &BladeOptions::shank_radius},
-      {"shank_length", &BladeOptions::shank_length},
-      {"edge", &BladeOptions::edge},
-      {"density", &BladeOptions::density}};
+  struct Given {
+    const char* key;
+    double BladeOptions::*member;
+    double value;
+  };
+  const std::vector<Given> all{{"exposure", &BladeOptions::exposure, 0.1875},
+                               {"slot_depth", &BladeOptions::slot_depth, 0.25},
+                               {"width", &BladeOptions::width, 0.3125},
+                               {"wall", &BladeOptions::wall, 0.375},
+                               {"gage_length", &BladeOptions::gage_length, 0.4375},
+                               {"neck", &BladeOptions::neck, 0.5},
+                               {"shank_radius", &BladeOptions::shank_radius, 0.5625},
+                               {"shank_length", &BladeOptions::shank_length, 0.625},
+                               {"edge", &BladeOptions::edge, 0.0078125},
+                               {"density", &BladeOptions::density, 0.75}};
   std::string text = "[blades]\n";
-  double value = 0.125;
-  for (const auto& [key, member] : keys) {
-    const bool is_edge = std::string(key) == "edge";
-    text += fmt::format("{} = {}\n", key, is_edge ? 0.0078125 : value += 0.0625);
-  }
+  for (const Given& g : all) text += fmt::format("{} = {}\n", g.key, g.value);
   Config c = Config::read_text(text, "bit.toml");
   const std::optional<BladeOptions> b = read_blades(c);
   c.finish();
   ASSERT_TRUE(b);
-  value = 0.125;
-  for (const auto& [key, member] : keys)
-    EXPECT_EQ(*b.*member, std::string(key) == "edge" ? 0.0078125 : value += 0.0625) << key;
+  for (const Given& g : all) EXPECT_EQ(*b.*g.member, g.value) << g.key;
 }
 
 TEST(BladeFile, meshes_the_body_as_finely_as_told) {
