@@ -155,15 +155,17 @@ std::optional<double> best_corner(const mesh::ConvexSolid& s, const RelativePath
   return reference::exit_by_corners(planes, p.q0_P, p.q1_P, p.u0_P, p.u1_P);
 }
 
-/// Also where u turns, ten times as far as in a step: the same number but for rounding, which a
-/// sharp angle between two planes on the strip makes larger.
+/// Also where u turns, up to a hundred times as far as in a step: the same number but for rounding,
+/// which a sharp angle between two planes on the strip makes larger. For directions that turn by
+/// 0.3 rad this is no longer true: the solid may cut the strip in two, and the exit is that of the
+/// piece that contains the path.
 RC_GTEST_PROP(ExitDistance, is_the_highest_corner_of_the_planes_on_the_strip, ()) {
-  const Pass p = *pass(*rc::gen::element(0.0, 0.01));
+  const Pass p = *pass(*rc::gen::element(0.0, 0.01, 0.1));
   const Answer a = answer(p);
   RC_PRE(a.swept);
   const auto corner = best_corner(a.solid, p.path);
   RC_ASSERT(corner.has_value());
-  RC_ASSERT(std::abs(*a.exit - *corner) < 1e-12);
+  RC_ASSERT(std::abs(*a.exit - *corner) < 2e-12);  // 1.0e-12 in 300 000 passes
 }
 
 /// The place and the plane of an exit belong to it.
