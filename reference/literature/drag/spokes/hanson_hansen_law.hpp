@@ -12,7 +12,8 @@ enum class HansonHansenLaw { area, edges };
 
 /// Coefficients of `edges`. A face drags Scc (A1 (1 + A2 tan B) A + A4 te De) and presses tan(B + A3) times that, with
 /// A the area in rock, De the length of its edge in rock and B the effective back rake; a chamfer presses A5 Scc Ach
-/// and drags A6 times that; other contact, of a cutter that moves with its back ahead, A7 Scc As and A8.
+/// and drags A6 times that; other contact, of a cutter that moves with its back ahead, A7 Scc As and A8. B is that of
+/// forces (2): the angle between the face's normal and the motion, without a sign, so that side rake counts.
 struct EdgeCoefficients {
   double strength = 0.0;                          ///< Scc, Pa
   double A1 = 1.0, A2 = 0.0, A3 = 0.0, A4 = 0.0;  ///< A3: rad

@@ -1,8 +1,13 @@
 #include "reference/literature/drag/spokes/hanson_hansen_law.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
+
+#include "forces/laws/hanson_hansen.hpp"
+#include "forces/part/directions.hpp"
+#include "verification/battery/generators.hpp"
 
 namespace tdbd::reference::hanson_hansen_law_test {
 namespace {
@@ -57,6 +62,34 @@ TEST(HansonHansenLaw, rubs_where_the_back_is_ahead) {
   const double normal = 0.5 * 50e6 * 5 * mm * 1 * mm;
   EXPECT_NEAR(F.z(), -normal, 1e-9 * normal);
   EXPECT_NEAR(F.y(), 0.3 * normal, 1e-9 * normal);
+}
+
+/// One law, one effective back rake, forces (2): wherever the face looks. Left out: what only TDBD bounds, near a
+/// plunge and beyond 80 degrees, faces that look back, and angles near 0, where a cosine has half the digits.
+RC_GTEST_PROP(HansonHansenLaw, of_a_face_is_that_of_tdbd, ()) {
+  const Vec3 face_W = *battery::direction(), normal_W = *battery::direction(),
+             v_W = 2.0 * *battery::direction();
+  const HansonHansenRock rock = edges();
+  const double ahead_share = face_W.dot(v_W) / v_W.norm(),
+               B = std::acos(std::min(ahead_share, 1.0));
+  RC_PRE(ahead_share > 0.0 && B > 1e-3 && B + rock.edges.A3 < forces::steepest_rake);
+  RC_PRE(std::abs(normal_W.dot(v_W)) < 0.8 * v_W.norm() && normal_W.dot(v_W) >= 0.0);
+  forces::HansonHansen law;
+  law.A1 = rock.edges.A1, law.A2 = rock.edges.A2, law.A3 = rock.edges.A3, law.A4 = rock.edges.A4;
+  law.te = rock.edges.te;
+  law.slip_speed = 0.0;
+  forces::PartCut face_cut;
+  face_cut.cut_area = cut.area;
+  face_cut.engaged_edge = cut.edge;
+  face_cut.back_rake = forces::effective_back_rake(face_W, v_W);
+  face_cut.velocity = v_W;
+  face_cut.normal = normal_W;
+  face_cut.strength.confined = face_cut.strength.unconfined = rock.edges.strength;
+  SpokeCutter sharp = cutter();
+  sharp.chamfer = 0.0;
+  const Vec3 F = hanson_hansen_force(rock, sharp, cut, normal_W, face_W, v_W),
+             expected = forces::law_force(law, face_cut).force;
+  RC_ASSERT((F - expected).norm() <= 1e-12 * expected.norm());
 }
 
 TEST(HansonHansenLaw, shares_the_law_of_areas_with_the_other_models) {
