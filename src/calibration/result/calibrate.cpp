@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/error.hpp"
@@ -82,6 +83,22 @@ void warn(const FittedSet& set, std::vector<std::string>& warnings) {
                                    set.replicates.failed, set.replicates.replicates));
 }
 
+/// Of separate fits: each pressure of predicted records at which none was fitted.
+void warn_of_nearest_sets(const std::vector<FittedSet>& sets, const std::vector<Record>& predicted,
+                          std::vector<std::string>& warnings) {
+  constexpr double MPa = 1e6;
+  std::map<double, double> used;  // pressure of the set, by that of the records
+  for (const Record& r : predicted) {
+    const FittedSet& set = set_for(sets, r);
+    if (set.pressure && *set.pressure != r.pressure) used[r.pressure] = *set.pressure;
+  }
+  for (const auto& [pressure, fitted] : used)
+    warnings.push_back(fmt::format(
+        "predictions at {:.4g} MPa use the coefficients fitted at {:.4g} MPa, the nearest pressure "
+        "fitted: separate fits are not interpolated",
+        pressure / MPa, fitted / MPa));
+}
+
 }  // namespace
 
 Calibration calibrate(const CalibrationCase& c, const CutStore& cuts) {
@@ -92,6 +109,7 @@ Calibration calibrate(const CalibrationCase& c, const CutStore& cuts) {
   result.predictions = predictions_of(c, cuts, result.sets, withheld);
   result.extrapolates = extrapolations(samples_of(c, cuts, fitted), samples_of(c, cuts, withheld));
   for (const FittedSet& set : result.sets) warn(set, result.warnings);
+  warn_of_nearest_sets(result.sets, withheld, result.warnings);
   return result;
 }
 

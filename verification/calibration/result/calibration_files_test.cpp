@@ -186,6 +186,28 @@ TEST(Calibration, of_separate_fits_predicts_by_the_nearest_pressure) {
   EXPECT_FALSE(found.extrapolates.empty());
 }
 
+/// Once for each pressure without a set; not for one fit at all pressures, nor where each pressure was fitted.
+TEST(Calibration, of_separate_fits_warns_of_predictions_at_other_pressures) {
+  const auto warnings_of = [](const CalibrationCase& c) {
+    std::vector<std::string> warnings = found_for(c).warnings;
+    std::erase_if(warnings, [](const std::string& w) { return !w.starts_with("predictions"); });
+    return warnings;
+  };
+  CalibrationCase c = separate_case();
+  EXPECT_TRUE(warnings_of(c).empty());
+  const double low = c.records.rows.front().pressure, high = c.records.rows.back().pressure;
+  for (Record& r : c.records.rows)
+    if (r.tool == "A") r.pressure = r.pressure == low ? 0.6 * low + 0.4 * high : 2.0 * high;
+  EXPECT_EQ(warnings_of(c),
+            (std::vector<std::string>{
+                "predictions at 28.96 MPa use the coefficients fitted at 20.68 MPa, the nearest "
+                "pressure fitted: separate fits are not interpolated",
+                "predictions at 82.74 MPa use the coefficients fitted at 41.37 MPa, the nearest "
+                "pressure fitted: separate fits are not interpolated"}));
+  c.pressures = Pressures::combined;
+  EXPECT_TRUE(warnings_of(c).empty());
+}
+
 /// Without unknowns there is one set, whatever the pressures.
 TEST(Calibration, of_nothing_has_one_set) {
   CalibrationCase c = separate_case();
