@@ -68,6 +68,9 @@ struct BladeFigures {
   double junk_slot_area = 0.0;  ///< m2, across the gage
 };
 
+/// Where the numbers of the cutters come from: a table or a design, or the meshes of their parts.
+enum class CuttersFrom { table, meshes };
+
 /// A bit: parts in the bit frame B. B's origin is the nose tip on the axis, its z points down, in
 /// the direction of drilling; mass_properties gives the centre of mass.
 struct Bit {
@@ -78,6 +81,7 @@ struct Bit {
   std::vector<Cone> cones;
   Shank shank;  ///< of a bit with cones
   std::optional<BladeFigures> blades = std::nullopt;
+  CuttersFrom cutters_from = CuttersFrom::table;
 };
 
 /// A part's mesh in the bit frame (cones at angle 0), m.

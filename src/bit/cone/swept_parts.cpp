@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bit/cone/cone_parts.hpp"
@@ -38,6 +40,51 @@ Part swept_row(const Cone& cone, std::size_t row, int segments) {
 
 bool stands_in_a_row(const Part& part) { return part.cone >= 0 && part.kind == PartKind::tooth; }
 
+/// Where a tooth is on its cone, the same for all teeth of a row: means and limits of s and r, m.
+using RowSignature = std::array<double, 5>;
+
+RowSignature signature_of(const Cone& cone, const Part& tooth) {
+  const Pose X_KP = inverse(cone.X_BK) * tooth.X_BP;
+  const auto count = static_cast<double>(tooth.mesh_P.positions.size());
+  RowSignature row{0.0, 0.0, 1e300, -1e300, 0.0};
+  for (const Vec3& x_P : tooth.mesh_P.positions) {
+    const Vec3 x_K = X_KP * x_P;
+    const double s = -x_K.z(), r = x_K.head<2>().norm();
+    row[0] += s / count;
+    row[1] += r / count;
+    row[2] = std::min(row[2], s);
+    row[3] = std::max(row[3], s);
+    row[4] = std::max(row[4], r);
+  }
+  return row;
+}
+
+bool is_same_row(const RowSignature& a, const RowSignature& b) {
+  constexpr double rounding = 1e-6;  // m, of files with single precision
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) < rounding; });
+}
+
+/// What the teeth of a cone without a layout sweep, one part for each row. Teeth that are not convex
+/// are replaced by a convex part around what they sweep.
+void add_swept_meshes(const Bit& bit, int cone_index, int segments, std::vector<Part>& parts) {
+  const Cone& cone = bit.cones[static_cast<std::size_t>(cone_index)];
+  std::vector<RowSignature> rows;
+  for (const Part& tooth : bit.parts) {
+    if (tooth.cone != cone_index || tooth.row >= 0 || !stands_in_a_row(tooth)) continue;
+    const RowSignature row = signature_of(cone, tooth);
+    if (std::ranges::any_of(rows, [&](const RowSignature& r) { return is_same_row(r, row); }))
+      continue;
+    rows.push_back(row);
+    Part swept;
+    swept.name = fmt::format("{}/row-{}", cone.name, rows.size());
+    swept.kind = PartKind::tooth;
+    swept.X_BP = cone.X_BK;
+    const Meridian meridian = swept_meridian(tooth.mesh_P, inverse(cone.X_BK) * tooth.X_BP);
+    swept.mesh_P = turned_about_journal(meridian, segments);
+    parts.push_back(std::move(swept));
+  }
+}
+
 }  // namespace
 
 std::vector<Part> swept_parts(const Bit& bit, int segments) {
@@ -47,6 +94,8 @@ std::vector<Part> swept_parts(const Bit& bit, int segments) {
   for (const Cone& cone : bit.cones)
     for (std::size_t row = 0; row < cone.layout.rows.size(); ++row)
       parts.push_back(swept_row(cone, row, segments));
+  for (std::size_t cone = 0; cone < bit.cones.size(); ++cone)
+    add_swept_meshes(bit, static_cast<int>(cone), segments, parts);
   return parts;
 }
 

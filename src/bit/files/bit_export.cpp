@@ -21,6 +21,17 @@
 namespace tdbd::bit {
 namespace {
 
+/// A cutter's parts are written in the cutter's frame, from which their update direction follows.
+Part for_export(const Bit& bit, Part part) {
+  if (part.cutter < 0) return part;
+  const Pose& X_BC = bit.cutters[static_cast<std::size_t>(part.cutter)].X_BC;
+  if (X_BC.R == part.X_BP.R && X_BC.p == part.X_BP.p) return part;
+  const Pose X_CP = inverse(X_BC) * part.X_BP;
+  for (Vec3& x : part.mesh_P.positions) x = X_CP * x;
+  part.X_BP = X_BC;
+  return part;
+}
+
 std::string part_text(const Part& part, const std::string& file) {
   std::string text = fmt::format(
       "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n{}"
@@ -39,7 +50,7 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw RunError(fmt::format("{}: {}", folder.string(), error.message()));
 }
 
-std::string rule_text(const Part& part, const std::string& match) {
+std::string rule_text(const Bit& bit, const Part& part, const std::string& match) {
   std::string text = fmt::format(
       "\n[[solids.rules]]\nmatch = {}\nname = {}\nkind = {}\ncutting = {}\ndensity = {}  # "
       "kg/m3\ngroup = {}\n",
@@ -47,8 +58,9 @@ std::string rule_text(const Part& part, const std::string& match) {
       part.cutting == Cutting::cuts, part.density, part.group);
   if (part.cutter < 0)
     return text + fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
+  const Pose& X_BC = bit.cutters[static_cast<std::size_t>(part.cutter)].X_BC;
   return text + fmt::format("cutter_position = {}  # m\ncutter_rotation_vector = {}  # rad\n",
-                            toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
+                            toml_vector(X_BC.p), toml_vector(rotation::log(X_BC.R)));
 }
 
 }  // namespace
@@ -56,7 +68,8 @@ std::string rule_text(const Part& part, const std::string& match) {
 void export_bit(const std::filesystem::path& folder, const Bit& bit, const std::string& format) {
   std::string toml =
       fmt::format("# A bit as the meshes of its parts.\nname = {}\n", toml_string(bit.name));
-  for (const Part& part : bit.parts) {
+  for (const Part& each : bit.parts) {
+    const Part part = for_export(bit, each);
     const std::string file = fmt::format("parts/{}.{}", part.name, format);
     make_folder((folder / file).parent_path());
     mesh::write_mesh(folder / file, part.mesh_P);
@@ -67,7 +80,7 @@ void export_bit(const std::filesystem::path& folder, const Bit& bit, const std::
 }
 
 void write_cutter_table(const std::filesystem::path& folder, const Bit& bit) {
-  if (bit.cutters.empty()) return;
+  if (bit.cutters.empty() || bit.cutters_from == CuttersFrom::meshes) return;
   write_text(folder / "cutters.csv", cutter_table_text(bit.name, bit.cutters));
 }
 
@@ -89,7 +102,7 @@ void export_solids(const std::filesystem::path& folder, const Bit& bit, const st
       toml_string(bit.name), format);
   for (const Part& part : bit.parts) {
     solids.push_back({part.name, mesh_B(part)});
-    toml += rule_text(part, has_names ? part.name : fmt::format("solid-{}", solids.size()));
+    toml += rule_text(bit, part, has_names ? part.name : fmt::format("solid-{}", solids.size()));
   }
   for (const Cone& cone : bit.cones) toml += cone_text_of(cone);
   mesh::write_solids(folder / ("bit." + format), solids);

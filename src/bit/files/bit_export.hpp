@@ -23,7 +23,7 @@ void export_bit(const std::filesystem::path& folder, const Bit& bit, const std::
 void export_solids(const std::filesystem::path& folder, const Bit& bit, const std::string& format);
 
 /// cutters.csv: the cutter table, from which `table = "cutters.csv"` builds the same cutters to the
-/// last bit. Writes nothing for a bit without a table. Throws RunError when it cannot be written.
+/// last bit. Writes nothing for a bit without a table or design. Throws RunError when it cannot be written.
 void write_cutter_table(const std::filesystem::path& folder, const Bit& bit);
 
 /// profile.csv: the exposure profile (r_m, z_m) from the axis to the gage; for a bit with cones,

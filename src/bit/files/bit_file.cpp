@@ -13,6 +13,7 @@
 #include "bit/files/cone_file.hpp"
 #include "bit/files/design_file.hpp"
 #include "bit/files/design_keys.hpp"
+#include "bit/files/mesh_cutters.hpp"
 #include "bit/files/pdc_keys.hpp"
 #include "bit/files/solid_cones.hpp"
 #include "bit/files/solids_file.hpp"
@@ -134,6 +135,7 @@ BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directio
   direct_by_profile(read, directions, inside);
   bit.parts = std::move(read.parts);
   bit.cones = std::move(read.cones);
+  add_cutters(read, bit);
   bit.gage_radius = largest_turned_radius(bit);
   return {std::move(bit), c.files(), c.fingerprint(), std::move(read.without_density)};
 }

@@ -37,6 +37,13 @@ bool has_frame(const Config& c) {
   return c.has(part_file_keys::position) && c.has(part_file_keys::rotation_vector);
 }
 
+/// With a direction of its own a part may have any frame.
+std::optional<Pose> frame_of_cutter(const Config& c, const Part& part) {
+  if (!belongs_to_a_cutter(part.kind) || !has_frame(c) || c.has(part_file_keys::update_direction))
+    return std::nullopt;
+  return part.X_BP;
+}
+
 /// The direction that follows from kind and frame.
 Vec3 derived_direction(const Config& c, const Part& part, DirectionRule directions,
                        InsideRule inside) {
@@ -117,6 +124,7 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
     const Part& part = read.parts.emplace_back(read_part(c, directions, inside));
     read.has_direction.push_back(c.has(part_file_keys::update_direction) || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
+    read.frames.push_back(frame_of_cutter(c, part));
     if (!c.has(part_file_keys::density)) read.without_density.push_back(part.name);
     if (!c.has(part_file_keys::density) && densities == Densities::required)
       c.problem(part_file_keys::density, "none of " + part.name, density_wanted);

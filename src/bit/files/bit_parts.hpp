@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct PartsFromFiles {
   std::vector<std::uint8_t> has_direction;   ///< 0: a cutter's part without direction or frame
   std::vector<Cone> cones;                   ///< with which parts turn
   std::vector<std::string> without_density;  ///< names of parts without a density
+  std::vector<std::optional<Pose>> frames;   ///< of each part's cutter; none: not known
 };
 
 /// The parts of a bit from mesh files: the [[parts]] of a bit file. Thesis: 3.1.
@@ -26,7 +28,8 @@ struct PartsFromFiles {
 ///   file, unit            STL, OBJ, PLY or OFF; length of the file's unit, default 1 mm
 ///   cutting               default: all but the bit body
 ///   density               kg/m3; 0: counted elsewhere; none: the mass is unknown
-///   position, rotation_vector  part frame in the bit frame; default: the bit frame
+///   position, rotation_vector  part frame in the bit frame; default: the bit frame. Of a cutter's
+///                         part without update_direction: the cutter's frame (mesh_cutters.hpp)
 ///   group                 parts with the same number share frame and update direction
 ///   update_direction      (x, 0, z) at azimuth 0. Default: of eq. 4.2 for the parts of a cutter,
 ///                         from its frame (position and rotation_vector) if that is given, else

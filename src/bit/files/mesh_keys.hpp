@@ -43,7 +43,9 @@ inline constexpr QuantityKey unit{.name = "unit",
 inline constexpr FlagKey cutting{
     .name = "cutting", .usual = "on, except kind bit-body", .meaning = "whether it removes rock"};
 inline constexpr FlagKey rubs{
-    .name = "rubs", .fallback = false, .meaning = "not cutting: whether its clearance is measured"};
+    .name = "rubs",
+    .fallback = false,
+    .meaning = "not cutting: whether it bears on rock, by the law of its kind"};
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .fallback = 0.0,
@@ -104,12 +106,16 @@ inline constexpr IntegerKey group{.name = "group",
                                   .lo = -1,
                                   .hi = std::numeric_limits<int>::max(),
                                   .meaning = "as of parts"};
-inline constexpr VectorKey cutter_position{.name = "cutter_position",
-                                           .unit = "m",
-                                           .usual = "none",
-                                           .meaning = "of the frame of the solid's cutter"};
+inline constexpr VectorKey cutter_position{
+    .name = "cutter_position",
+    .unit = "m",
+    .usual = "none",
+    .meaning = "centre of the face of the solid's cutter; with it a face carries forces"};
 inline constexpr VectorKey cutter_rotation_vector{
-    .name = "cutter_rotation_vector", .unit = "rad", .usual = "none", .meaning = "of that frame"};
+    .name = "cutter_rotation_vector",
+    .unit = "rad",
+    .usual = "none",
+    .meaning = "of the cutter's frame: X out of the face, -Z towards the rock"};
 inline constexpr auto update_direction = part_file_keys::update_direction;
 
 }  // namespace solid_rule_keys

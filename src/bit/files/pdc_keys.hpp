@@ -172,7 +172,9 @@ inline constexpr QuantityKey density{.name = "density",
                                      .range = any_density,
                                      .meaning = "of the body"};
 inline constexpr FlagKey rubs{
-    .name = "rubs", .fallback = true, .meaning = "whether the clearance of the body is measured"};
+    .name = "rubs",
+    .fallback = true,
+    .meaning = "whether its clearance is measured, and it bears by forces.bit_body"};
 inline constexpr FlagKey cuts{
     .name = "cuts", .fallback = false, .meaning = "whether the body removes rock"};
 

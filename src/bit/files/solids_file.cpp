@@ -125,6 +125,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     part.update_direction_B = direction_of(rule, part, directions, inside);
     read.has_direction.push_back(rule.update_direction_B || rule.X_BC ||
                                  !belongs_to_a_cutter(part.kind));
+    read.frames.push_back(rule.X_BC);
     read.parts.push_back(std::move(part));
   }
   check_parts(file, read.parts);

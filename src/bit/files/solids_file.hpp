@@ -18,7 +18,8 @@ namespace tdbd::bit {
 ///     density        kg/m3; 0: counted elsewhere; none: the mass is unknown
 ///     group          default: the solids cutter-N/... are one group
 ///     cutter_position, cutter_rotation_vector   frame of the solid's cutter in the bit frame: sets
-///                    the update direction (eq. 4.2). The mesh stays where it is
+///                    the update direction (eq. 4.2), and makes the solids a cutter whose face
+///                    carries forces (mesh_cutters.hpp). The mesh stays where it is
 ///     update_direction   as in [[parts]]; default: from the cutter's frame if that is given, else
 ///                    from the exposure profile for the parts of a cutter
 ///   [[solids.cones]] journals of cones whose solids turn (solid_cones.hpp)

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bit/files/bit_export.hpp"
@@ -89,6 +90,55 @@ TEST(ExportedBit, drills_the_same_hole_from_one_file) {
     EXPECT_NEAR(again.all / original.all, 1.0, 1e-12) << format;
     EXPECT_LE(worst_part(original, again), 1e-12) << format;
   }
+}
+
+/// Mean weight and torque of 60 steps.
+std::array<double, 2> mean_loads(const fs::path& folder, const std::string& bit_file) {
+  const Case c =
+      read_case(write_case(folder, bit_file,
+                           "shape = \"conforming\"\nedge_length = \"3 mm\"\nwall = \"15 mm\"\n"
+                           "material = \"mancos-shale\"",
+                           "step = \"2 ms\"\nduration = \"120 ms\"\n[forces]\n"
+                           "coefficients = \"hanson-hansen-shale\""),
+                {});
+  Simulation s = start(c);
+  std::array<double, 2> loads{};
+  while (s.state.steps_done < c.time.steps) {
+    step(c, s);
+    loads[0] -= s.work.loads.force_W.z() / static_cast<double>(c.time.steps);
+    loads[1] -= s.work.loads.torque_W.z() / static_cast<double>(c.time.steps);
+  }
+  return loads;
+}
+
+/// Faces and chamfers carry what they carry as cutters of a table.
+TEST(ExportedBit, carries_the_same_forces) {
+  const fs::path folder = test_folder();
+  const std::array<double, 2> original = mean_loads(folder, bit_b);
+  EXPECT_GT(original[0], 1e3);
+  bit::export_solids(folder, bit::read(bit_b), "stl");
+  for (const std::string& file :
+       {(folder / "solids.toml").string(), exported(folder / "parts", "ply")}) {
+    const std::array<double, 2> again = mean_loads(folder, file);
+    EXPECT_NEAR(again[0] / original[0], 1.0, 1e-9) << file;
+    EXPECT_NEAR(again[1] / original[1], 1.0, 1e-9) << file;
+  }
+}
+
+/// A rock that conforms to a bit with cones is the same whether its teeth are designed or meshes.
+TEST(ExportedBit, starts_in_the_same_hole_with_cones) {
+  const fs::path folder = test_folder();
+  bit::export_solids(folder, bit::read(bit_r), "ply");
+  const auto hole_of = [&](const std::string& file) {
+    return start(read_case(write_case(folder, file,
+                                      "shape = \"conforming\"\nedge_length = \"4 mm\"\n"
+                                      "wall = \"90 mm\"",
+                                      "step = \"1 ms\"\nduration = \"1 ms\""),
+                           {"motion.cone_speeds=rolling"}))
+        .state.ledger.hole_start;
+  };
+  const double designed = hole_of(bit_r);
+  EXPECT_NEAR(hole_of((folder / "solids.toml").string()) / designed, 1.0, 1e-4);
 }
 
 /// Blades that may cut, 1.5 mm behind their cutters, at 8.3 mm a revolution: they remove rock, no
