@@ -1,0 +1,142 @@
+#include "rock/section/rubbing_contact.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/battery/generators.hpp"
+#include "verification/battery/shapes.hpp"
+
+namespace tdbd::rock::rubbing_contact_test {
+
+constexpr double rounding = 1e-12;  // of areas below 10 m2
+
+bit::Part part_of(mesh::TriangleMesh mesh_P) {
+  bit::Part part;
+  part.mesh_P = std::move(mesh_P);
+  return part;
+}
+
+/// Flat rock at z = 0 over |x|, |y| <= half, of edges of 0.1 to 0.15.
+Rock flat(double half) {
+  const mesh::TriangleMesh m = battery::flat_rock(half, 0.0, static_cast<int>(20.0 * half));
+  return make_rock(mesh::make_surface(m), 0.2, mesh::bounding_box(m));
+}
+
+PartContact contact_of(const Rock& rock, const bit::Part& part, const Pose& X_WP,
+                       double edge = 0.15) {
+  RubbingWork work;
+  return rubbing_contact(rock, prepare_rubbing_part(part, 0), X_WP, edge, work);
+}
+
+/// A block of any sides, whichever way it is turned about the normal, and however its sides cut the
+/// triangles.
+RC_GTEST_PROP(RubbingContact, of_a_block_is_its_base, ()) {
+  const double a = *battery::number(0.02, 0.7), b = *battery::number(0.02, 0.7);
+  const double angle = *battery::number(0.0, 6.0), depth = *battery::number(0.001, 0.9);
+  const Pose X_WP{Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(),
+                  Vec3(*battery::number(-0.3, 0.3), *battery::number(-0.3, 0.3), depth)};
+  const bit::Part block = part_of(battery::box(Vec3(-a, -b, -1.0), Vec3(a, b, 0.0)));
+  const PartContact c = contact_of(flat(2.0), block, X_WP);
+  RC_ASSERT(std::abs(c.area - 4.0 * a * b) < rounding);
+  RC_ASSERT((c.area_vector_W + Vec3(0.0, 0.0, 4.0 * a * b)).norm() < rounding);
+  RC_ASSERT((c.centroid_W - Vec3(X_WP.p.x(), X_WP.p.y(), 0.0)).norm() < 1e-11);
+}
+
+/// Twin: the section of a convex mesh by the plane z = 0 from the points where its edges cross the
+/// plane, in the order of their directions from their mean.
+struct Section {
+  double area = 0.0;
+  Vec3 centroid = Vec3::Zero();
+};
+
+Section section_of(const mesh::TriangleMesh& m, const Pose& X_WP) {
+  std::vector<Vec3> points;
+  Vec3 mean = Vec3::Zero();
+  for (const mesh::Triangle& t : m.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 a = X_WP * m.positions[at(t[k])], b = X_WP * m.positions[at(t[(k + 1) % 3])];
+      if ((a.z() > 0.0) != (b.z() > 0.0)) points.push_back(a + a.z() / (a.z() - b.z()) * (b - a));
+    }
+  for (const Vec3& x : points) mean += x / static_cast<double>(points.size());
+  const auto direction = [&](const Vec3& x) {
+    return std::atan2(x.y() - mean.y(), x.x() - mean.x());
+  };
+  std::ranges::sort(points, {}, direction);
+  Section s;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec3 a = points[k] - mean, b = points[(k + 1) % points.size()] - mean;
+    const double area = 0.5 * (a.x() * b.y() - a.y() * b.x());
+    s.area += area;
+    s.centroid += area * (mean + (a + b) / 3.0);
+  }
+  if (s.area > 0.0) s.centroid /= s.area;
+  return s;
+}
+
+RC_GTEST_PROP(RubbingContact, of_any_convex_part_is_its_section, ()) {
+  const mesh::TriangleMesh m = *battery::convex_polyhedron();
+  const Pose X_WP = *battery::pose(0.4);
+  const PartContact c = contact_of(flat(2.5), part_of(m), X_WP);
+  const Section s = section_of(m, X_WP);
+  RC_ASSERT(std::abs(c.area - s.area) < 1e-8);  // planes stand out by tolerance::convex
+  RC_ASSERT((c.area_vector_W + c.area * Vec3::UnitZ()).norm() < rounding);
+  if (s.area > 1e-3) RC_ASSERT((c.centroid_W - s.centroid).norm() < 1e-5);
+}
+
+/// Of a prism that is not convex: between vertices the distance from its sides is exactly linear but
+/// at corners.
+RC_GTEST_PROP(RubbingContact, of_an_l_is_its_outline_but_for_corners, ()) {
+  const mesh::TriangleMesh l = battery::prism(battery::l_outline(1.0, 0.4), -1.0, 0.0);
+  const Pose X_WP{Eigen::AngleAxisd(*battery::number(0.0, 6.0), Vec3::UnitZ()).toRotationMatrix(),
+                  Vec3(*battery::number(-0.1, 0.1), *battery::number(-0.1, 0.1), 0.5)};
+  const PartContact c = contact_of(flat(2.5), part_of(l), X_WP);
+  double whole = 0.0;
+  for (const mesh::Triangle& t : l.triangles) {
+    const Vec3 v =
+        mesh::area_vector(l.positions[at(t[0])], l.positions[at(t[1])], l.positions[at(t[2])]);
+    whole += std::max(0.0, v.z());
+  }
+  constexpr double of_corners = 6 * 0.15 * 0.15;  // m2: a triangle at each of six corners
+  RC_ASSERT(std::abs(c.area - whole) < 0.5 * of_corners);
+}
+
+TEST(RubbingContact, is_none_above_the_rock) {
+  const bit::Part block = part_of(battery::box(Vec3(-0.3, -0.3, -1.0), Vec3(0.3, 0.3, 0.0)));
+  const PartContact c = contact_of(flat(1.0), block, {Mat3::Identity(), Vec3(0, 0, -1e-6)});
+  EXPECT_EQ(c.area, 0.0);
+  EXPECT_EQ(c.area_vector_W, Vec3::Zero());
+}
+
+/// Buffers of one call do not reach into the next.
+TEST(RubbingContact, is_the_same_with_used_buffers) {
+  const Rock rock = flat(1.0);
+  RubbingWork work;
+  const RubbingPart block =
+      prepare_rubbing_part(part_of(battery::box(Vec3(-0.3, -0.3, -1.0), Vec3(0.3, 0.3, 0.0))), 0);
+  const RubbingPart ring = prepare_rubbing_part(part_of(battery::torus(0.4, 0.2, 24, 12)), 1);
+  const Pose here{Mat3::Identity(), Vec3(0.01, 0.02, 0.1)},
+      there{Mat3::Identity(), Vec3(0.5, 0, 0.1)};
+  const PartContact first = rubbing_contact(rock, block, here, 0.15, work);
+  const PartContact around = rubbing_contact(rock, ring, there, 0.15, work);
+  const PartContact again = rubbing_contact(rock, block, here, 0.15, work);
+  EXPECT_EQ(first.area, again.area);
+  EXPECT_EQ(first.centroid_W, again.centroid_W);
+  RubbingWork fresh;
+  EXPECT_EQ(rubbing_contact(rock, ring, there, 0.15, fresh).area, around.area);
+}
+
+TEST(DepthInRock, is_the_distance_of_rock_from_the_surface_of_the_part) {
+  const Rock rock = flat(1.0);
+  const bit::Part block = part_of(battery::box(Vec3(-0.5, -0.5, -1.0), Vec3(0.5, 0.5, 0.0)));
+  const auto depth = [&](double z) {
+    return depth_in_rock(rock.surface, block, {Mat3::Identity(), Vec3(0.0, 0.0, z)});
+  };
+  EXPECT_NEAR(depth(0.2), 0.2, 1e-15);
+  EXPECT_NEAR(depth(0.9), 0.1, 1e-15);  // the top of the block is nearer
+  EXPECT_EQ(depth(-0.1), 0.0);
+}
+
+}  // namespace tdbd::rock::rubbing_contact_test
