@@ -84,11 +84,19 @@ const Wrong wrongs[] = {
     {"a_law_that_knows_no_part_of_the_bit",
      "drill-bit-r",
      {"forces.law=depth-of-cut", "forces.kn='1 MPa'", "forces.kt='1 MPa'"},
-     "--set: forces.law: found depth-of-cut, expected a law that knows a part of this bit"},
+     "--set: forces.law: found depth-of-cut, expected a law that acts on a part of this bit "
+     "(cone, tooth): friction, indentation"},
+    {"a_weight_that_nothing_bears",
+     "drill-bit-b",
+     {"forces={law='none', cutter_body={law='none'}}"},
+     "motion.weight_on_bit: found 3e+04 N, expected 0 N: no part of the bit has a force law that "
+     "carries weight"},
     {"a_face_without_a_cutter",
      "outside-bit",
      {"rock.material=mancos-shale", "forces.coefficients=hanson-hansen-shale"},
-     ", a part without a cutter of a table, expected cutters whose places are known"},
+     ", a part without a cutter whose place is known, expected a cutter table, or the frame of its "
+     "cutter (cutter_position of [[solids.rules]], position and rotation_vector of [[parts]]) with "
+     "a face flat across X; or forces.face.law = \"none\""},
     {"forces_without_sections",
      "bit-b-3000psi",
      {"measure.section=off"},

@@ -137,17 +137,20 @@ bit::BitFile read_bit_of(Config& c, Config& update, const BitReader& read_bit) {
   return bit;
 }
 
-/// Refuses a weight more than ten times what the bit would carry with everything that cuts a gage
-/// radius deep in rock: a mistake of units.
-void check_overload(Config c, const Case& read, double axial_stiffness) {
+/// Rejects a weight that no part can carry, and one more than ten times what the bit would carry with
+/// everything that cuts a gage radius deep in rock: a mistake of units.
+void check_overload(Config c, const Case& read) {
   constexpr double by_orders = 10.0;
-  const double most = by_orders * axial_stiffness * read.bit.gage_radius;
+  const double most = by_orders * weight_borne(read.bit, read.forces, read.bit.gage_radius);
+  const std::string limit =
+      most > 0.0 ? fmt::format(
+                       "at most {:.4g} N: ten times what the bit would carry buried to its "
+                       "gage radius",
+                       most)
+                 : "0 N: no part of the bit has a force law that carries weight";
   for (const double load : read.drilling.system.top.load.values)
     if (load > most)
-      return c.problem(motion_keys::weight_on_bit, fmt::format("{:.4g} N", load),
-                       fmt::format("at most {:.4g} N: ten times what the bit would carry buried to "
-                                   "its gage radius",
-                                   most));
+      return c.problem(motion_keys::weight_on_bit, fmt::format("{:.4g} N", load), limit);
 }
 
 /// What a bit that drills by itself needs, and cannot have.
@@ -168,7 +171,7 @@ void check_drilling_case(Config& c, const Case& read) {
                  "first order");
   if (c.problem_count() > 0) return;
   const dynamics::ContactSlopes slopes = contact_slopes(read.bit, read.forces);
-  check_overload(c.table(motion_keys::table), read, slopes.axial_stiffness);
+  check_overload(c.table(motion_keys::table), read);
   const std::string unstable =
       dynamics::stability_problem(read.drilling.system, slopes, read.time.step);
   if (!unstable.empty())

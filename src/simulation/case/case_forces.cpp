@@ -44,8 +44,8 @@ constexpr std::array<KindKey, bit::part_kinds.size()> kind_keys{
      {PartKind::chamfer, FollowsRun::yes},
      {PartKind::cse, FollowsRun::yes},
      {PartKind::cutter_body, FollowsRun::no},
-     {PartKind::gage_pad, FollowsRun::no},
-     {PartKind::bit_body, FollowsRun::no},
+     {PartKind::gage_pad, FollowsRun::yes},
+     {PartKind::bit_body, FollowsRun::yes},
      {PartKind::cone, FollowsRun::yes},
      {PartKind::tooth, FollowsRun::yes}}};
 
@@ -120,26 +120,54 @@ bool has_force(const ForcePlan& plan, PartKind kind) {
   return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
 }
 
-/// What is made of a section belongs to a cutter whose place is known: of a table, or of solids
-/// with rules that give it.
+/// What is made of a section belongs to a cutter whose place is known: of a table, or of meshes with
+/// the cutter's frame.
 bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
   return kind == PartKind::face ||
          (kind == PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
+}
+
+bool meets_rock(const bit::Part& p) { return p.cutting != bit::Cutting::never; }
+
+/// The laws that act on a part of this bit, and on which kinds: "a law that acts on a part of this bit
+/// (gage pad): friction".
+std::string acting_laws(const Config& c, const bit::Bit& bit) {
+  std::vector<PartKind> kinds = followers(c);
+  std::erase_if(kinds, [&](PartKind kind) {
+    return std::ranges::none_of(
+        bit.parts, [&](const bit::Part& p) { return p.kind == kind && meets_rock(p); });
+  });
+  std::string words, names;
+  for (const PartKind kind : kinds)
+    words += fmt::format("{}{}", words.empty() ? "" : ", ", bit::kind_words(kind));
+  for (const std::string_view name : forces::law_names()) {
+    const forces::Law law = forces::law_named(name);
+    const bool acts = std::ranges::any_of(kinds, [&](PartKind kind) {
+      return forces::law_problem(law, kind, cutter_diameter(bit)).empty();
+    });
+    if (acts && !std::holds_alternative<forces::NoForce>(law))
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  }
+  if (names.empty()) return "none, and a law for a kind of part in a table [forces.KIND]";
+  return fmt::format("a law that acts on a part of this bit ({}): {}", words, names);
 }
 
 /// The law must have a part to act on, and every part what its law needs.
 void require_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
                    const ForcePlan& plan) {
   if (bit.parts.empty()) return;  // its own mistakes are told
-  if (std::ranges::none_of(bit.parts, [&](const bit::Part& p) {
-        return law_of(plan, p.kind).index() == common.index();
+  const bool is_none = std::holds_alternative<forces::NoForce>(common);
+  if (!is_none && std::ranges::none_of(bit.parts, [&](const bit::Part& p) {
+        return meets_rock(p) && law_of(plan, p.kind).index() == common.index();
       }))
-    c.problem(force_keys::law, std::string(forces::law_name(common)),
-              "a law that knows a part of this bit");
+    c.problem(force_keys::law, std::string(forces::law_name(common)), acting_laws(c, bit));
   for (const bit::Part& p : bit.parts)
     if (p.cutter < 0 && has_force(plan, p.kind) && needs_a_cutter(plan, p.kind))
-      return c.problem("", fmt::format("{}, a part without a cutter of a table", p.name),
-                       "cutters whose places are known, or the law \"none\" for such parts");
+      return c.problem("", fmt::format("{}, a part without a cutter whose place is known", p.name),
+                       fmt::format("a cutter table, or the frame of its cutter (cutter_position of "
+                                   "[[solids.rules]], position and rotation_vector of [[parts]]) "
+                                   "with a face flat across X; or forces.{}.law = \"none\"",
+                                   bit::kind_key(p.kind)));
 }
 
 /// Sections and contact areas are what forces are made of.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulation/case/part_bearing.hpp"
+
 namespace tdbd::simulation {
 namespace {
 
@@ -50,22 +52,35 @@ forces::PartCut print_of(const bit::ToothRow& row, const forces::Strength& stren
   return cut;
 }
 
+/// A formation has at least one layer.
+const forces::Strength& strongest_of(const ForcePlan& plan) {
+  return *std::ranges::max_element(plan.rock.strengths, {},
+                                   [](const forces::Strength& s) { return s.confined; });
+}
+
 }  // namespace
 
 dynamics::ContactSlopes contact_slopes(const bit::Bit& bit, const ForcePlan& plan) {
-  const auto strongest = std::ranges::max_element(
-      plan.rock.strengths, {}, [](const forces::Strength& s) { return s.confined; });
+  const forces::Strength& strongest = strongest_of(plan);
   dynamics::ContactSlopes slopes;
   for (const bit::Cutter& c : bit.cutters) {
-    const double slope = normal_force(plan, cut_of(c, *strongest)) / depth;
+    const double slope = normal_force(plan, cut_of(c, strongest)) / depth;
     const double down = std::cos(c.profile_angle), out = std::sin(c.profile_angle);
     slopes.axial_stiffness += slope * down * down;
     slopes.lateral_stiffness += 0.5 * slope * out * out;
   }
   for (const bit::Cone& cone : bit.cones)
     for (const bit::ToothRow& row : cone.layout.rows)
-      slopes.axial_stiffness += normal_force(plan, print_of(row, *strongest)) / depth;
+      slopes.axial_stiffness += normal_force(plan, print_of(row, strongest)) / depth;
+  const PartBearing others = bearing_of_parts(bit, plan, strongest);
+  slopes.axial_stiffness += others.slope;
+  slopes.lateral_stiffness += others.lateral_slope;
   return slopes;
+}
+
+double weight_borne(const bit::Bit& bit, const ForcePlan& plan, double depth_of_bit) {
+  return bearing_of_parts(bit, plan, strongest_of(plan)).at_touch +
+         contact_slopes(bit, plan).axial_stiffness * depth_of_bit;
 }
 
 }  // namespace tdbd::simulation

@@ -6,9 +6,15 @@
 
 namespace tdbd::simulation {
 
-/// How steeply the laws' forces rise as the bit goes into the rock, all cutters and one tooth of
-/// each row of a cone together: the secant of a cut of 1 mm along the profile's normal, of a
-/// circular segment by a face, of a spherical cap by a tooth. An estimate, for the step's limit.
+/// How steeply the laws' forces rise as the bit goes into the rock, summed over all parts that have a
+/// law: the secant of a cut of 1 mm. Cutters: a circular segment cut by the face, along the profile's
+/// normal. Designed cones: a spherical cap for one tooth of each row. All other parts: from their
+/// meshes (bearing_of_parts), less the force at touch, which does not rise with depth. An estimate,
+/// for the largest stable time step.
 dynamics::ContactSlopes contact_slopes(const bit::Bit& bit, const ForcePlan& plan);
+
+/// Estimate of the weight (N) that the bit carries when all that cuts or rubs is this deep in rock
+/// (m). 0: no part has a law that carries weight.
+double weight_borne(const bit::Bit& bit, const ForcePlan& plan, double depth_of_bit);
 
 }  // namespace tdbd::simulation

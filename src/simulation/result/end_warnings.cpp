@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "bit/cone/part_pose.hpp"
+#include "rock/section/rubbing_contact.hpp"
 #include "simulation/case/doubtful_values.hpp"
 #include "simulation/start/reach.hpp"
 
@@ -38,6 +41,29 @@ std::string fast(const Case& c, const LoadStatistics& loads) {
   return "";
 }
 
+/// Rock moves away from what cuts; what only rubs, and a body, may come to lie in it.
+bool may_lie_in_rock(const bit::Part& part) {
+  return part.cutting == bit::Cutting::rubs ||
+         (part.cutting == bit::Cutting::never && part.kind == bit::PartKind::bit_body);
+}
+
+/// Empty unless the part is deeper in rock than an edge of the rock is long, and deeper than a
+/// millimetre.
+std::string deep_in_rock(const Case& c, const Simulation& s, const bit::Part& part) {
+  constexpr double least = 1e-3;  // m
+  const Pose X_WP =
+      over_rock(s.state.place) * bit::part_pose(c.bit, part, angles_of(s.state.cones));
+  const double depth = rock::depth_in_rock(s.state.rock.surface, part, X_WP);
+  if (depth <= std::max(least, c.rock.edge_length)) return "";
+  const bool has_law = c.forces.forces == Forces::on && part.cutting == bit::Cutting::rubs &&
+                       !std::holds_alternative<forces::NoForce>(law_of(c.forces, part.kind));
+  return fmt::format(
+      "{} is {:.3g} mm deep in rock at the end of the run, after {:.4g} s: it removes "
+      "none{}",
+      part.name, 1e3 * depth, time_at(c.time, s.state.steps_done),
+      has_law ? "" : ", and no force acts on it");
+}
+
 }  // namespace
 
 std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
@@ -45,6 +71,9 @@ std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
   const auto add = [&](const std::string& text) {
     warnings.push_back({c.places.motion, std::string(motion_keys::table.name), text});
   };
+  for (const bit::Part& part : c.bit.parts)
+    if (may_lie_in_rock(part))
+      if (const std::string text = deep_in_rock(c, s, part); !text.empty()) add(text);
   if (s.state.ledger.removed.value() == 0.0) {
     if (s.state.steps_done > c.time.first) add(no_rock(c, s));
     return warnings;

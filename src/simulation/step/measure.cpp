@@ -94,6 +94,15 @@ MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cuttin
   return m;
 }
 
+std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan) {
+  std::vector<rock::RubbingPart> parts;
+  for (std::size_t i = 0; i < bit.parts.size(); ++i)
+    if (bit.parts[i].cutting == bit::Cutting::rubs && plan.forces == Forces::on &&
+        !std::holds_alternative<forces::NoForce>(law_of(plan, bit.parts[i].kind)))
+      parts.push_back(rock::prepare_rubbing_part(bit.parts[i], static_cast<int>(i)));
+  return parts;
+}
+
 rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length) {
   if (plan.section == SectionMeasure::off) return {};
   constexpr double strip = 1.5;  // what a strip of a face comes ahead, over the least (face_strips)

@@ -5,6 +5,7 @@
 
 #include "bit/bit.hpp"
 #include "rock/section/contact_area.hpp"
+#include "rock/section/rubbing_contact.hpp"
 #include "rock/section/section.hpp"
 #include "simulation/case/plans.hpp"
 #include "simulation/step/face_paths.hpp"
@@ -22,6 +23,9 @@ struct MeasuredFaces {
 /// A cutter's parts are a group, whose list of near vertices covers what is ahead of its face, too.
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
                              const MeasurePlan& plan);
+
+/// The parts that rub and have a law, prepared once for their contacts.
+std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan);
 
 /// How far the lists of vertices near the bit must reach for these measures.
 rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length);

@@ -8,6 +8,7 @@
 #include "rock/cut/cut_rock.hpp"
 #include "rock/maintain/maintain.hpp"
 #include "rock/maintain/renumber.hpp"
+#include "rock/section/rubbing_contact.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/motion.hpp"
 #include "simulation/start/rock_start.hpp"
@@ -56,6 +57,7 @@ struct Work {
   rock::CuttingBit cutting;  ///< the bit prepared, its cones at the angles of the last step
   MeasuredFaces faces;       ///< the cutters' faces prepared
   double creep = 0.0;        ///< m/s, creep_of_faces
+  std::vector<rock::RubbingPart> rubbing;  ///< the parts that rub and have a law
   // Of the last step.
   Measures measures;
   std::vector<CutOfPart> cuts;  ///< none without forces
@@ -68,6 +70,7 @@ struct Work {
   rock::TrimWorkspace trim_work;
   rock::RenumberWork renumber_work;
   MeasureWork measure_work;
+  rock::RubbingWork rubbing_work;
   StandingWork standing_work;
   dynamics::DrillingWork drive;
   dynamics::Drilling drive_before;  ///< the motion before the step at work

@@ -31,6 +31,21 @@ TEST(ReadForces, gives_the_law_to_the_kinds_that_it_knows) {
   law<forces::NoForce>(c, PartKind::gage_pad);
 }
 
+/// Friction acts on pads and bodies; on a cutter's body only where a table says so.
+TEST(ReadForces, gives_friction_to_pads_and_bodies) {
+  const Case c = shale({"forces={law='friction', stress='20 MPa', mu=0.25}"});
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::gage_pad).stress, 20e6);
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::bit_body).stress, 20e6);
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::chamfer).stress, 20e6);
+  EXPECT_GT(law<forces::Friction>(c, PartKind::cutter_body).stress, 1e300);
+  law<forces::NoForce>(c, PartKind::face);
+}
+
+TEST(ReadForces, accepts_no_law_where_every_kind_has_its_own) {
+  const Case c = shale({"forces={law='none', gage_pad={law='friction', stress='1 MPa', mu=0.1}}"});
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::gage_pad).mu, 0.1);
+}
+
 TEST(ReadForces, lets_a_kind_have_its_own) {
   const Case c = shale({"forces.gage_pad.law=friction", "forces.gage_pad.mu=0.25",
                         "forces.gage_pad.stress='20 MPa'", "forces.cutter_body.law=none"});

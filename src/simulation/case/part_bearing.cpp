@@ -1,0 +1,140 @@
+#include "simulation/case/part_bearing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mesh/measures.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+constexpr double full_depth = 1e-3;      // m
+constexpr double depth_at_touch = 1e-5;  // m: flat parts of a mesh are flat to much less
+constexpr double pressing_speed = 1.0;   // m/s
+
+/// The mean of the part's vertices, in the bit frame.
+Vec3 middle_B(const bit::Part& part) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& x_P : part.mesh_P.positions) sum += x_P;
+  return part.X_BP * (sum / static_cast<double>(part.mesh_P.positions.size()));
+}
+
+/// The circle on which a point turns about a cone's journal.
+struct Circle {
+  int cone = -1;
+  double along = 0.0, radius = 0.0;  ///< m
+};
+
+Circle circle_of(const bit::Bit& bit, const bit::Part& part) {
+  const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
+  const Vec3 x_K = inverse(X_BK) * middle_B(part);
+  return {part.cone, x_K.z(), x_K.head<2>().norm()};
+}
+
+bool is_same(const Circle& a, const Circle& b) {
+  constexpr double apart = 1e-3;  // m, well below the distance of two rows
+  return a.cone == b.cone && std::abs(a.along - b.along) < apart &&
+         std::abs(a.radius - b.radius) < apart;
+}
+
+/// Area vector of the part of a triangle above a height, m2.
+Vec3 area_vector_above(const std::array<Vec3, 3>& x, const std::array<double, 3>& height) {
+  std::array<Vec3, 4> kept;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (height[i] >= 0.0) kept[count++] = x[i];
+    if ((height[i] >= 0.0) != (height[j] >= 0.0))
+      kept[count++] = x[i] + height[i] / (height[i] - height[j]) * (x[j] - x[i]);
+  }
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 2; i < count; ++i) sum += mesh::area_vector(kept[0], kept[i - 1], kept[i]);
+  return sum;
+}
+
+bool has_law(const ForcePlan& plan, bit::PartKind kind) {
+  return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
+}
+
+/// Where faces have a law they carry a cutter's weight.
+bool presses(const ForcePlan& plan, const bit::Part& part) {
+  using bit::PartKind;
+  const bool follows_a_face = part.cutter >= 0 && has_law(plan, PartKind::face);
+  return part.cutting != bit::Cutting::never && part.kind != PartKind::face && !follows_a_face &&
+         part.row < 0 && has_law(plan, part.kind);
+}
+
+double normal_force(const ForcePlan& plan, const bit::Part& part, double area,
+                    const forces::Strength& strength) {
+  forces::PartCut cut;
+  cut.kind = part.kind;
+  cut.contact_area = area;
+  cut.depth = full_depth;
+  cut.velocity = pressing_speed * Vec3::UnitZ();
+  cut.normal = Vec3::UnitZ();
+  cut.strength = strength;
+  return forces::force(law_of(plan, part.kind), cut).normal;
+}
+
+}  // namespace
+
+Vec3 contact_direction_B(const bit::Bit& bit, const bit::Part& part) {
+  const Vec3 middle = middle_B(part);
+  if (part.cone < 0) {
+    const double r = middle.head<2>().norm();
+    const Vec3 out = r > 0.0 ? Vec3(middle.x() / r, middle.y() / r, 0.0) : Vec3(Vec3::UnitX());
+    return part.update_direction_B.x() * out + part.update_direction_B.z() * Vec3::UnitZ();
+  }
+  const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
+  const Vec3 s = X_BK.R.col(2), arm = middle - X_BK.p, out = arm - arm.dot(s) * s;
+  const double r = out.norm();
+  if (!(r > 0.0)) return Vec3::UnitZ();
+  return std::sqrt(std::max(0.0, 1.0 - s.z() * s.z())) / r * out + s.z() * s;
+}
+
+double area_at_depth(const bit::Part& part, const Vec3& direction_B, double depth) {
+  const Vec3 u = part.X_BP.R.transpose() * direction_B;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const Vec3& x : part.mesh_P.positions) farthest = std::max(farthest, u.dot(x));
+  double area = 0.0;  // of a closed mesh, the facets beyond the plane and the section close
+  for (const mesh::Triangle& t : part.mesh_P.triangles) {
+    std::array<Vec3, 3> x;
+    std::array<double, 3> height{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      x[i] = part.mesh_P.positions[static_cast<std::size_t>(t[i])];
+      height[i] = u.dot(x[i]) - (farthest - depth);
+    }
+    area += u.dot(area_vector_above(x, height));
+  }
+  return std::max(0.0, area);
+}
+
+PartBearing bearing_of_parts(const bit::Bit& bit, const ForcePlan& plan,
+                             const forces::Strength& strength) {
+  PartBearing sum;
+  std::vector<Circle> rows;
+  for (const bit::Part& part : bit.parts) {
+    if (!presses(plan, part)) continue;
+    if (part.cone >= 0) {
+      const Circle circle = circle_of(bit, part);
+      if (std::ranges::any_of(rows, [&](const Circle& row) { return is_same(row, circle); }))
+        continue;
+      rows.push_back(circle);
+    }
+    const Vec3 u = contact_direction_B(bit, part);
+    const double down = part.cone < 0 ? u.z() : 1.0,
+                 out = std::sqrt(std::max(0.0, 1.0 - down * down));
+    const double first = normal_force(plan, part, area_at_depth(part, u, depth_at_touch), strength);
+    const double last = normal_force(plan, part, area_at_depth(part, u, full_depth), strength);
+    const double slope = std::max(0.0, last - first) / full_depth;
+    sum.at_touch += std::max(0.0, down) * first;
+    sum.slope += down * down * slope;
+    sum.lateral_slope += 0.5 * out * out * slope;
+  }
+  return sum;
+}
+
+}  // namespace tdbd::simulation

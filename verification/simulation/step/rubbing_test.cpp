@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "simulation/case/case.hpp"
+#include "simulation/result/end_warnings.hpp"
+#include "simulation/step/simulation.hpp"
+#include "verification/battery/shapes.hpp"
+#include "verification/simulation/mesh_bit.hpp"
+
+/// Parts that rub: they remove no rock, and their law acts on the rock that is inside them.
+namespace tdbd::simulation::rubbing_test {
+
+/// Two flat blocks of 30 mm x 2 mm and 10 mm x 8 mm at a radius of 80 mm: the first cuts; the second is
+/// 0.5 mm higher and a sixth of a revolution ahead. The bit advances 3 mm in a revolution.
+std::string rubbing_case(const std::string& second, const std::string& forces) {
+  const auto folder = test_folder();
+  mesh::write_mesh(folder / "a.off", battery::box({65, -2, -20}, {95, 0, 0}));
+  mesh::write_mesh(folder / "b.off", battery::box({75, -4, -20}, {85, 4, 0}));
+  const std::string bit_file = write_file(
+      folder / "bit.toml",
+      "name = \"two\"\n[[parts]]\nname = \"cutter\"\nkind = \"gage-pad\"\nfile = \"a.off\"\n"
+      "update_direction = [0, 0, 1]\n[[parts]]\nname = \"tooth\"\nkind = \"cse\"\n"
+      "file = \"b.off\"\nposition = [0, 0, \"-0.5 mm\"]\n"
+      "rotation_vector = [0, 0, \"60 deg\"]\nupdate_direction = [0, 0, 1]\n" +
+          second);
+  return write_file(folder / "case.toml",
+                    "[bit]\nfile = \"" + bit_file +
+                        "\"\n[rock]\nshape = \"flat\"\nradius = \"110 mm\"\nwall = \"5 mm\"\n"
+                        "edge_length = \"2 mm\"\n" +
+                        (forces.empty() ? "" : "material = \"mancos-shale\"\n") +
+                        "[motion]\n"
+                        "rotary_speed = \"60 rpm\"\nrate_of_penetration = \"3 mm/s\"\n[time]\n"
+                        "step = \"2 ms\"\nduration = \"0.6 s\"\n" +
+                        forces);
+}
+
+const std::string rubs = "cutting = false\nrubs = true\n";
+const std::string flat_law =
+    "[forces]\nlaw = \"friction\"\nstress = \"10 MPa\"\nmu = 0.5\nfull_angle = 0\n";
+
+Simulation ended(const Case& c) {
+  Simulation s = start(c);
+  while (s.state.steps_done < c.time.steps) step(c, s);
+  return s;
+}
+
+/// After 0.6 s the part is 1.3 mm deep in rock that the other, six tenths of a revolution on its way,
+/// has not cut yet: it bears with its whole base of 80 mm2.
+TEST(PartsThatRub, bear_load_and_remove_no_rock) {
+  const Case c = read_case(rubbing_case(rubs, flat_law), {});
+  const Simulation s = ended(c);
+  EXPECT_EQ(s.state.ledger.removed_by_part[1].value(), 0.0);
+  EXPECT_GT(s.state.ledger.removed_by_part[0].value(), 0.0);
+  const PartLoad& load = s.work.loads.parts.at(1);
+  EXPECT_NEAR(s.work.measures.contacts[1].area, 80e-6, 1e-9);
+  EXPECT_NEAR(-load.force_W.z(), 800.0, 0.5);
+  EXPECT_NEAR(load.tangential, 400.0, 0.5);
+}
+
+/// Without a law it neither bears nor is its contact measured.
+TEST(PartsThatRub, cost_nothing_without_a_law) {
+  const Case c = read_case(rubbing_case(rubs, flat_law + "[forces.cse]\nlaw = \"none\"\n"), {});
+  const Simulation s = ended(c);
+  EXPECT_TRUE(s.work.rubbing.empty());
+  EXPECT_EQ(s.work.measures.contacts[1].area, 0.0);
+  EXPECT_TRUE(
+      ended(read_case(rubbing_case("cutting = false\n", flat_law), {})).work.rubbing.empty());
+}
+
+std::vector<std::string> warnings(const Case& c) {
+  std::vector<std::string> texts;
+  for (const CaseWarning& w : end_warnings(c, ended(c))) texts.push_back(w.text);
+  return texts;
+}
+
+/// Deeper than an edge of 1 mm and than 1 mm; not while it is less deep.
+TEST(PartsThatRub, are_told_when_they_are_deep_in_rock) {
+  const std::vector<std::string> fine{"rock.edge_length='1 mm'"};
+  EXPECT_EQ(
+      warnings(read_case(rubbing_case(rubs, flat_law), fine)),
+      std::vector<std::string>{"tooth is 1.3 mm deep in rock at the end of the run, after 0.6 s: "
+                               "it removes none"});
+  EXPECT_EQ(
+      warnings(read_case(rubbing_case(rubs, ""), fine)),
+      std::vector<std::string>{"tooth is 1.3 mm deep in rock at the end of the run, after 0.6 s: "
+                               "it removes none, and no force acts on it"});
+  EXPECT_EQ(warnings(read_case(rubbing_case(rubs, flat_law), {})), std::vector<std::string>{});
+  EXPECT_EQ(warnings(read_case(rubbing_case("cutting = false\n", flat_law), fine)),
+            std::vector<std::string>{})
+      << "a cse that neither cuts nor rubs is not there";
+}
+
+}  // namespace tdbd::simulation::rubbing_test
