@@ -75,7 +75,7 @@ class BitPage(unittest.TestCase):
         self.assertEqual(page, self.page("cones", OF_CONES, OF_CUTTERS))
 
     def test_of_a_bit_of_meshes(self):
-        self.page("meshes", ["Exposure profile"], OF_CUTTERS + OF_CONES)
+        self.page("meshes", OF_CUTTERS, OF_CONES)
 
     def test_keys_that_the_page_does_not_know_are_shown(self):
         bit = bit_data.read(self.folder / "meshes")

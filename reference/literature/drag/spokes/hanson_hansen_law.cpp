@@ -33,9 +33,9 @@ Vec3 edges_force(const EdgeCoefficients& c, const SpokeCutter& cutter, const Cro
   const double size = across.norm();
   const Vec3 E2 = size > 0.0 ? Vec3(across / size) : Vec3::Zero();
   const double ahead = face_W.dot(E1);
-  const EdgeLoads loads =
-      ahead > 0.0 ? face_and_chamfer(c, cutter, cut, std::acos(std::min(ahead, 1.0)))
-                  : other_contact(c, cut);
+  const EdgeLoads loads = ahead > 0.0
+                              ? face_and_chamfer(c, cutter, cut, std::acos(std::min(ahead, 1.0)))
+                              : other_contact(c, cut);
   return -loads.tangential * E1 - loads.normal * E2;
 }
 
