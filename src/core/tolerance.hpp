@@ -15,6 +15,10 @@ inline constexpr double swept = 1e-12;
 /// Single-precision STL files round coordinates by 6e-8.
 inline constexpr double convex = 5e-7;
 
+/// A vertex of a mesh lies in the plane of a cutter's face if it is no farther from it than this; scale: the cutter's
+/// diameter. Far above the rounding of single-precision files, far below a chamfer.
+inline constexpr double face_plane = 1e-5;
+
 /// The volume ledger closes to within this; scale: the largest volume in it (rock (11)).
 inline constexpr double ledger = 1e-12;
 

@@ -59,33 +59,45 @@ RowSignature signature_of(const Cone& cone, const Part& tooth) {
   return row;
 }
 
-bool is_same_row(const RowSignature& a, const RowSignature& b) {
-  constexpr double rounding = 1e-6;  // m, of files with single precision
-  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) < rounding; });
+bool is_same_row(const RowSignature& a, const RowSignature& b, double apart) {
+  return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) < apart; });
 }
 
 /// What the teeth of a cone without a layout sweep, one part for each row. Teeth that are not convex
 /// are replaced by a convex part around what they sweep.
 void add_swept_meshes(const Bit& bit, int cone_index, int segments, std::vector<Part>& parts) {
+  constexpr double rounding = 1e-6;  // m, of files with single precision
   const Cone& cone = bit.cones[static_cast<std::size_t>(cone_index)];
-  std::vector<RowSignature> rows;
-  for (const Part& tooth : bit.parts) {
-    if (tooth.cone != cone_index || tooth.row >= 0 || !stands_in_a_row(tooth)) continue;
-    const RowSignature row = signature_of(cone, tooth);
-    if (std::ranges::any_of(rows, [&](const RowSignature& r) { return is_same_row(r, row); }))
-      continue;
-    rows.push_back(row);
+  int row = 0;
+  for (const int tooth : one_tooth_of_each_row(bit, cone_index, rounding)) {
+    const Part& part = bit.parts[static_cast<std::size_t>(tooth)];
     Part swept;
-    swept.name = fmt::format("{}/row-{}", cone.name, rows.size());
+    swept.name = fmt::format("{}/row-{}", cone.name, ++row);
     swept.kind = PartKind::tooth;
     swept.X_BP = cone.X_BK;
-    const Meridian meridian = swept_meridian(tooth.mesh_P, inverse(cone.X_BK) * tooth.X_BP);
+    const Meridian meridian = swept_meridian(part.mesh_P, inverse(cone.X_BK) * part.X_BP);
     swept.mesh_P = turned_about_journal(meridian, segments);
     parts.push_back(std::move(swept));
   }
 }
 
 }  // namespace
+
+std::vector<int> one_tooth_of_each_row(const Bit& bit, int cone, double apart) {
+  std::vector<RowSignature> rows;
+  std::vector<int> teeth;
+  for (std::size_t i = 0; i < bit.parts.size(); ++i) {
+    const Part& part = bit.parts[i];
+    if (part.cone != cone || part.row >= 0 || !stands_in_a_row(part)) continue;
+    const RowSignature row = signature_of(bit.cones[static_cast<std::size_t>(cone)], part);
+    if (std::ranges::any_of(rows,
+                            [&](const RowSignature& r) { return is_same_row(r, row, apart); }))
+      continue;
+    rows.push_back(row);
+    teeth.push_back(static_cast<int>(i));
+  }
+  return teeth;
+}
 
 std::vector<Part> swept_parts(const Bit& bit, int segments) {
   std::vector<Part> parts;

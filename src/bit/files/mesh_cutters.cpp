@@ -8,13 +8,10 @@
 
 #include "bit/cutter/cutter_frame.hpp"
 #include "core/angles.hpp"
+#include "core/tolerance.hpp"
 
 namespace tdbd::bit {
 namespace {
-
-/// Over the cutter's diameter: vertices of one rim lie in a plane to this, also in files with single
-/// precision.
-constexpr double in_plane = 1e-5;
 
 /// Vertices of the face and its chamfers in the cutter's frame.
 std::vector<Vec3> front_C(const Pose& X_BC, const std::vector<Part>& parts) {
@@ -41,7 +38,7 @@ double widest(const std::vector<Vec3>& vertices, const Counts& counts) {
 /// Diameter and chamfer, from the rim of the face in front and the widest rim behind it.
 bool take_shape(const std::vector<Vec3>& vertices, Cutter& c) {
   const double rim = widest(vertices, [](const Vec3&) { return true; }),
-               slack = 2.0 * rim * in_plane;
+               slack = 2.0 * rim * tolerance::face_plane;
   if (!(rim > 0.0)) return false;
   double plane = -2.0 * rim;
   for (const Vec3& x : vertices)
@@ -117,11 +114,11 @@ void number(std::vector<Cutter>& cutters) {
 
 std::optional<Cutter> cutter_from_meshes(Pose X_BC, const std::vector<Part>& parts) {
   Cutter c;
-  double front = 0.0;
   std::vector<Vec3> vertices = front_C(X_BC, parts);
   if (vertices.empty()) return std::nullopt;
-  front = std::ranges::max(vertices, {}, [](const Vec3& x) { return x.x(); }).x();
-  if (std::abs(front) > in_plane * 2.0 * widest(vertices, [](const Vec3&) { return true; })) {
+  const double front = std::ranges::max(vertices, {}, [](const Vec3& x) { return x.x(); }).x();
+  if (std::abs(front) >
+      tolerance::face_plane * 2.0 * widest(vertices, [](const Vec3&) { return true; })) {
     X_BC.p += front * X_BC.R.col(0);
     vertices = front_C(X_BC, parts);
   }

@@ -4,16 +4,13 @@
 #include <cmath>
 
 #include "bit/cutter/cutter_frame.hpp"
+#include "core/tolerance.hpp"
 
 namespace tdbd::rock {
 namespace {
 
 /// Scale: the cutter's diameter. Far above rounding, far below a mesh's edge.
 constexpr double same_place = 1e-9;
-
-/// Over the cutter's diameter: meshes from files with single precision have the vertices of a plane in
-/// it to this.
-constexpr double in_plane = 1e-5;
 
 double turns_left(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
@@ -78,7 +75,8 @@ FaceOutline face_outline(const bit::Cutter& c, int index, const std::vector<bit:
     const Pose X_FP = inverse(face.X_BF) * part.X_BP;
     for (const Vec3& x_P : part.mesh_P.positions) {
       const Vec3 x_F = X_FP * x_P;
-      if (std::abs(x_F.x()) <= in_plane * c.diameter) points.emplace_back(x_F.y(), x_F.z());
+      if (std::abs(x_F.x()) <= tolerance::face_plane * c.diameter)
+        points.emplace_back(x_F.y(), x_F.z());
     }
   }
   if (points.size() >= 3) face.rim_F = convex_hull(std::move(points), slack);

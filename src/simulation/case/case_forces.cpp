@@ -116,10 +116,6 @@ void warn_of_idle(Config& c, const bit::Bit& bit, const forces::Law& common, con
   }
 }
 
-bool has_force(const ForcePlan& plan, PartKind kind) {
-  return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
-}
-
 /// What is made of a section belongs to a cutter whose place is known: of a table, or of meshes with
 /// the cutter's frame.
 bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
@@ -162,7 +158,7 @@ void require_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
       }))
     c.problem(force_keys::law, std::string(forces::law_name(common)), acting_laws(c, bit));
   for (const bit::Part& p : bit.parts)
-    if (p.cutter < 0 && has_force(plan, p.kind) && needs_a_cutter(plan, p.kind))
+    if (p.cutter < 0 && has_law(plan, p.kind) && needs_a_cutter(plan, p.kind))
       return c.problem("", fmt::format("{}, a part without a cutter whose place is known", p.name),
                        fmt::format("a cutter table, or the frame of its cutter (cutter_position of "
                                    "[[solids.rules]], position and rotation_vector of [[parts]]) "

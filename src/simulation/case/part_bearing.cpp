@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "bit/cone/swept_parts.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::simulation {
@@ -22,22 +23,16 @@ Vec3 middle_B(const bit::Part& part) {
   return part.X_BP * (sum / static_cast<double>(part.mesh_P.positions.size()));
 }
 
-/// The circle on which a point turns about a cone's journal.
-struct Circle {
-  int cone = -1;
-  double along = 0.0, radius = 0.0;  ///< m
-};
-
-Circle circle_of(const bit::Bit& bit, const bit::Part& part) {
-  const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
-  const Vec3 x_K = inverse(X_BK) * middle_B(part);
-  return {part.cone, x_K.z(), x_K.head<2>().norm()};
-}
-
-bool is_same(const Circle& a, const Circle& b) {
+/// The parts to be summed: all but the teeth of cones from mesh files, of which one of each row is.
+std::vector<const bit::Part*> counted_parts(const bit::Bit& bit) {
   constexpr double apart = 1e-3;  // m, well below the distance of two rows
-  return a.cone == b.cone && std::abs(a.along - b.along) < apart &&
-         std::abs(a.radius - b.radius) < apart;
+  std::vector<const bit::Part*> parts;
+  for (const bit::Part& part : bit.parts)
+    if (part.cone < 0 || part.kind != bit::PartKind::tooth) parts.push_back(&part);
+  for (std::size_t k = 0; k < bit.cones.size(); ++k)
+    for (const int tooth : bit::one_tooth_of_each_row(bit, static_cast<int>(k), apart))
+      parts.push_back(&bit.parts[static_cast<std::size_t>(tooth)]);
+  return parts;
 }
 
 /// Area vector of the part of a triangle above a height, m2.
@@ -53,10 +48,6 @@ Vec3 area_vector_above(const std::array<Vec3, 3>& x, const std::array<double, 3>
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 2; i < count; ++i) sum += mesh::area_vector(kept[0], kept[i - 1], kept[i]);
   return sum;
-}
-
-bool has_law(const ForcePlan& plan, bit::PartKind kind) {
-  return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
 }
 
 /// Where faces have a law they carry a cutter's weight.
@@ -115,15 +106,9 @@ double area_at_depth(const bit::Part& part, const Vec3& direction_B, double dept
 PartBearing bearing_of_parts(const bit::Bit& bit, const ForcePlan& plan,
                              const forces::Strength& strength) {
   PartBearing sum;
-  std::vector<Circle> rows;
-  for (const bit::Part& part : bit.parts) {
+  for (const bit::Part* counted : counted_parts(bit)) {
+    const bit::Part& part = *counted;
     if (!presses(plan, part)) continue;
-    if (part.cone >= 0) {
-      const Circle circle = circle_of(bit, part);
-      if (std::ranges::any_of(rows, [&](const Circle& row) { return is_same(row, circle); }))
-        continue;
-      rows.push_back(circle);
-    }
     const Vec3 u = contact_direction_B(bit, part);
     const double down = part.cone < 0 ? u.z() : 1.0,
                  out = std::sqrt(std::max(0.0, 1.0 - down * down));

@@ -5,8 +5,8 @@
 
 namespace tdbd::simulation {
 
-/// The force along the axis with which the rock carries a part that is pressed into flat rock,
-/// linear in the depth d: at_touch + slope d.
+/// The axial force of flat rock on parts that are pressed into it, linear in the depth d:
+/// at_touch + slope d.
 struct PartBearing {
   double at_touch = 0.0;       ///< N: of a flat part, all of its force
   double slope = 0.0;          ///< N/m, of the axial force over the axial depth
@@ -24,7 +24,7 @@ double area_at_depth(const bit::Part& part, const Vec3& direction_B, double dept
 
 /// Sum over all parts with a law, except faces, other parts of a cutter whose face has a law, and
 /// teeth of designed cones: each part is pressed 1 mm into flat rock along contact_direction_B, at the
-/// full stress of its law. Of the teeth of a cone on one circle about the journal, one counts.
+/// full stress of its law. Of the teeth of a cone's row, one counts.
 PartBearing bearing_of_parts(const bit::Bit& bit, const ForcePlan& plan,
                              const forces::Strength& strength);
 

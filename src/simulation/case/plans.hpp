@@ -36,6 +36,11 @@ inline const forces::Law& law_of(const ForcePlan& plan, bit::PartKind kind) {
   return plan.laws[static_cast<std::size_t>(kind)];
 }
 
+/// Whether parts of this kind have a force.
+inline bool has_law(const ForcePlan& plan, bit::PartKind kind) {
+  return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
+}
+
 /// The bit, the string, the wall and the rock's mount of a bit that forces move, and how they start
 /// (thesis: eqs. 2.1 to 2.3).
 struct DrillingPlan {

@@ -79,7 +79,7 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
                  std::vector<CutOfPart>& cuts) {
   cuts.clear();
   for (std::size_t i = 0; i < step.bit.parts.size(); ++i) {
-    if (std::holds_alternative<forces::NoForce>(law_of(plan, step.bit.parts[i].kind))) continue;
+    if (!has_law(plan, step.bit.parts[i].kind)) continue;
     CutOfPart c;
     c.part = static_cast<int>(i);
     c.cone = step.bit.parts[i].cone;

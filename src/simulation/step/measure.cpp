@@ -98,7 +98,7 @@ std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePla
   std::vector<rock::RubbingPart> parts;
   for (std::size_t i = 0; i < bit.parts.size(); ++i)
     if (bit.parts[i].cutting == bit::Cutting::rubs && plan.forces == Forces::on &&
-        !std::holds_alternative<forces::NoForce>(law_of(plan, bit.parts[i].kind)))
+        has_law(plan, bit.parts[i].kind))
       parts.push_back(rock::prepare_rubbing_part(bit.parts[i], static_cast<int>(i)));
   return parts;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/rock/plane_section.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -45,42 +46,11 @@ RC_GTEST_PROP(RubbingContact, of_a_block_is_its_base, ()) {
   RC_ASSERT((c.centroid_W - Vec3(X_WP.p.x(), X_WP.p.y(), 0.0)).norm() < 1e-11);
 }
 
-/// Twin: the section of a convex mesh by the plane z = 0 from the points where its edges cross the
-/// plane, in the order of their directions from their mean.
-struct Section {
-  double area = 0.0;
-  Vec3 centroid = Vec3::Zero();
-};
-
-Section section_of(const mesh::TriangleMesh& m, const Pose& X_WP) {
-  std::vector<Vec3> points;
-  Vec3 mean = Vec3::Zero();
-  for (const mesh::Triangle& t : m.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 a = X_WP * m.positions[at(t[k])], b = X_WP * m.positions[at(t[(k + 1) % 3])];
-      if ((a.z() > 0.0) != (b.z() > 0.0)) points.push_back(a + a.z() / (a.z() - b.z()) * (b - a));
-    }
-  for (const Vec3& x : points) mean += x / static_cast<double>(points.size());
-  const auto direction = [&](const Vec3& x) {
-    return std::atan2(x.y() - mean.y(), x.x() - mean.x());
-  };
-  std::ranges::sort(points, {}, direction);
-  Section s;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Vec3 a = points[k] - mean, b = points[(k + 1) % points.size()] - mean;
-    const double area = 0.5 * (a.x() * b.y() - a.y() * b.x());
-    s.area += area;
-    s.centroid += area * (mean + (a + b) / 3.0);
-  }
-  if (s.area > 0.0) s.centroid /= s.area;
-  return s;
-}
-
 RC_GTEST_PROP(RubbingContact, of_any_convex_part_is_its_section, ()) {
   const mesh::TriangleMesh m = *battery::convex_polyhedron();
   const Pose X_WP = *battery::pose(0.4);
   const PartContact c = contact_of(flat(2.5), part_of(m), X_WP);
-  const Section s = section_of(m, X_WP);
+  const reference::PlaneSection s = reference::plane_section(m, X_WP);
   RC_ASSERT(std::abs(c.area - s.area) < 1e-8);  // planes stand out by tolerance::convex
   RC_ASSERT((c.area_vector_W + c.area * Vec3::UnitZ()).norm() < rounding);
   if (s.area > 1e-3) RC_ASSERT((c.centroid_W - s.centroid).norm() < 1e-5);

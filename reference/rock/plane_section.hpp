@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/pose.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace tdbd::reference {
+
+struct PlaneSection {
+  double area = 0.0;             ///< m2
+  Vec3 centroid = Vec3::Zero();  ///< m, in W
+};
+
+/// The section of a convex closed mesh at the pose X_WP by the plane z = 0 of W: the points where its
+/// edges cross the plane, in the order of their directions from their mean. Twin of
+/// rock::rubbing_contact on flat rock.
+PlaneSection plane_section(const mesh::TriangleMesh& convex_P, const Pose& X_WP);
+
+}  // namespace tdbd::reference
