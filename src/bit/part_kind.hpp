@@ -30,8 +30,8 @@ constexpr bool belongs_to_a_cutter(PartKind kind) {
          kind == PartKind::cutter_body;
 }
 
-/// Whether a part removes rock. Thesis: 3.1. A part that rubs leaves the rock as it is: rock may be
-/// inside it, and bears it by the law of its kind (rock/section/rubbing_contact.hpp). The clearance of
+/// Whether a part removes rock. Thesis: 3.1. A part that rubs moves no rock, so rock may be inside it;
+/// the law of its kind acts on the surface of that rock (rock/section/rubbing_contact.hpp). The clearance of
 /// a bit body from the rock that the cutters leave is measured (body/rubbing.hpp).
 enum class Cutting { cuts, rubs, never };
 

@@ -17,7 +17,7 @@ enum class ChamferMeasure { edge, triangles };
 namespace force_keys {
 
 inline constexpr TableKey table{
-    "forces", "the force law of all kinds of part that it knows, except cutter bodies"};
+    "forces", "the force law of every kind of part that it supports, except cutter bodies"};
 inline constexpr TableKey kind_table{
     "forces.KIND",
     "another law for one kind of part (KIND): face, chamfer, cse, cutter_body, gage_pad, bit_body, "

@@ -55,13 +55,13 @@ std::string deep_in_rock(const Case& c, const Simulation& s, const bit::Part& pa
       over_rock(s.state.place) * bit::part_pose(c.bit, part, angles_of(s.state.cones));
   const double depth = rock::depth_in_rock(s.state.rock.surface, part, X_WP);
   if (depth <= std::max(least, c.rock.edge_length)) return "";
-  const bool has_law = c.forces.forces == Forces::on && part.cutting == bit::Cutting::rubs &&
-                       !std::holds_alternative<forces::NoForce>(law_of(c.forces, part.kind));
+  const bool bears = c.forces.forces == Forces::on && part.cutting == bit::Cutting::rubs &&
+                     has_law(c.forces, part.kind);
   return fmt::format(
       "{} is {:.3g} mm deep in rock at the end of the run, after {:.4g} s: it removes "
-      "none{}",
+      "no rock{}",
       part.name, 1e3 * depth, time_at(c.time, s.state.steps_done),
-      has_law ? "" : ", and no force acts on it");
+      bears ? "" : ", and no force acts on it");
 }
 
 }  // namespace

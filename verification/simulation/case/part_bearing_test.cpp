@@ -183,8 +183,7 @@ TEST(WeightOnBit, is_refused_beyond_ten_times_what_the_pad_can_carry) {
       << message;
 }
 
-/// Laws that act on no part of the bit, and what would.
-TEST(RunLaw, names_those_that_act_on_the_bit) {
+TEST(RunLaw, that_acts_on_no_part_is_rejected_with_those_that_do) {
   const std::string message = refusal(weighted_case("gage-pad", "law = \"indentation\"\n"));
   EXPECT_NE(
       message.find("forces.law: found indentation, expected a law that acts on a part of this "

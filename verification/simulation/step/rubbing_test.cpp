@@ -73,16 +73,16 @@ std::vector<std::string> warnings(const Case& c) {
 }
 
 /// Deeper than an edge of 1 mm and than 1 mm; not while it is less deep.
-TEST(PartsThatRub, are_told_when_they_are_deep_in_rock) {
+TEST(PartsThatRub, produce_a_warning_when_deep_in_rock) {
   const std::vector<std::string> fine{"rock.edge_length='1 mm'"};
   EXPECT_EQ(
       warnings(read_case(rubbing_case(rubs, flat_law), fine)),
       std::vector<std::string>{"tooth is 1.3 mm deep in rock at the end of the run, after 0.6 s: "
-                               "it removes none"});
+                               "it removes no rock"});
   EXPECT_EQ(
       warnings(read_case(rubbing_case(rubs, ""), fine)),
       std::vector<std::string>{"tooth is 1.3 mm deep in rock at the end of the run, after 0.6 s: "
-                               "it removes none, and no force acts on it"});
+                               "it removes no rock, and no force acts on it"});
   EXPECT_EQ(warnings(read_case(rubbing_case(rubs, flat_law), {})), std::vector<std::string>{});
   EXPECT_EQ(warnings(read_case(rubbing_case("cutting = false\n", flat_law), fine)),
             std::vector<std::string>{})
