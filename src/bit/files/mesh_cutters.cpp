@@ -137,6 +137,7 @@ void add_cutters(const PartsFromFiles& read, Bit& bit) {
     if (face.kind != PartKind::face || face.cutting != Cutting::cuts || !read.frames[i]) continue;
     const std::vector<std::size_t> members = members_of(bit.parts, i);
     std::vector<Part> parts;
+    parts.reserve(members.size());
     for (const std::size_t k : members) parts.push_back(bit.parts[k]);
     std::optional<Cutter> cutter = cutter_from_meshes(*read.frames[i], parts);
     if (!cutter) continue;
