@@ -14,11 +14,13 @@
 namespace tdbd::calibration {
 namespace {
 
-/// For each unknown whether it is driven out at the values of a search.
-std::vector<bool> driven_out(Search& s) {
-  const Eigen::VectorXd gradient =
-      jacobian_at(s.problem, s.values).transpose() * residuals_at(s.problem, s.data, s.values);
+Eigen::VectorXd gradient_at(Search& s) {
   s.evaluations += 2 * s.values.size() + 1;
+  return jacobian_at(s.problem, s.values).transpose() * residuals_at(s.problem, s.data, s.values);
+}
+
+/// For each unknown whether it is driven out at the values of a search.
+std::vector<bool> driven_out(const Search& s, const Eigen::VectorXd& gradient) {
   std::vector<bool> out;
   for (Eigen::Index k = 0; k < s.values.size(); ++k)
     out.push_back(
@@ -35,10 +37,33 @@ bool hold(Search& s, const std::vector<bool>& out) {
   return std::erase_if(s.free, is_out) > 0;
 }
 
-/// Whether all that are held would still leave their range.
-bool still_held(const Search& s, const std::vector<bool>& out) {
-  const auto held = s.values.size() - static_cast<Eigen::Index>(s.free.size());
-  return std::ranges::count(out, true) == held;
+/// Whether all that are held belong there: the objective falls outwards, or its minimum is so near the
+/// end that nothing is to be gained.
+bool are_well_held(const Search& s, const Eigen::VectorXd& gradient) {
+  constexpr double no_gain = 1e-3;  // of the half sum of squares
+  const std::vector<bool> out = driven_out(s, gradient);
+  for (Eigen::Index k = 0; k < s.values.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (out[i] || std::ranges::binary_search(s.free, k)) continue;
+    if (std::abs(gradient[k]) * end_width(s.problem.unknowns[i]) > no_gain) return false;
+  }
+  return true;
+}
+
+/// Frees those again that are held though the objective falls inwards, now that the others have moved;
+/// each a few times at most. One whose minimum is nearer to the end than what counts as the end would
+/// come back for ever. Whether there were any.
+bool release(Search& s, const std::vector<bool>& out, std::vector<int>& releases) {
+  constexpr int most_releases = 3;
+  const std::size_t before = s.free.size();
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (out[k] || releases[k] == most_releases || std::ranges::binary_search(s.free, i)) continue;
+    ++releases[k];
+    s.values[i] = inside_of(s.problem.unknowns[k], s.values[i]);
+    s.free.insert(std::ranges::lower_bound(s.free, i), i);
+  }
+  return s.free.size() > before;
 }
 
 }  // namespace
@@ -51,11 +76,14 @@ Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
   for (Eigen::Index k = 0; k < start.size(); ++k) search.free.push_back(k);
   int status = GSL_SUCCESS;
   std::vector<bool> out;
+  std::vector<int> releases(p.unknowns.size(), 0);
+  Eigen::VectorXd gradient;
   do {
     status = search_from_values(search);
-    out = driven_out(search);
-  } while (hold(search, out));
-  const bool settled = status == GSL_SUCCESS && still_held(search, out);
+    gradient = gradient_at(search);
+    out = driven_out(search, gradient);
+  } while (hold(search, out) || (status == GSL_SUCCESS && release(search, out, releases)));
+  const bool settled = status == GSL_SUCCESS && are_well_held(search, gradient);
   if (settled && precision == Precision::full) polish(search);
   Solution s;
   s.values = search.values;

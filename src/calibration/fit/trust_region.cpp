@@ -102,13 +102,23 @@ bool is_driven_out(const Unknown& u, double value, double gradient) {
   return is_nearer_to_lower_end(u.range, value) ? gradient >= 0.0 : gradient <= 0.0;
 }
 
-double end_of(const Unknown& u, double value) {
-  constexpr double share = 1e-5 * at_bound_share;
-  const Range& r = u.range;
-  if (!std::isfinite(r.hi)) return r.lo + share * (u.start - r.lo);
-  const double room = share * (r.hi - r.lo);
-  return is_nearer_to_lower_end(r, value) ? r.lo + room : r.hi - room;
+double end_width(const Unknown& u) {
+  return at_bound_share * ((std::isfinite(u.range.hi) ? u.range.hi : u.start) - u.range.lo);
 }
+
+namespace {
+
+/// So many widths inside of the end that the value is at.
+double beside_end(const Unknown& u, double value, double widths) {
+  const double room = widths * end_width(u);
+  return is_nearer_to_lower_end(u.range, value) ? u.range.lo + room : u.range.hi - room;
+}
+
+}  // namespace
+
+double end_of(const Unknown& u, double value) { return beside_end(u, value, 1e-5); }
+
+double inside_of(const Unknown& u, double value) { return beside_end(u, value, 10.0); }
 
 int search_from_values(Search& search) {
   constexpr double tolerance = 1e-5;

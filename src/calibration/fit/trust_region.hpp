@@ -35,4 +35,10 @@ bool is_driven_out(const Unknown& unknown, double value, double gradient);
 /// Where a coefficient stays that is driven out: at its end, a billionth of the range inside.
 double end_of(const Unknown& unknown, double value);
 
+/// How much of an unknown's range counts as its end.
+double end_width(const Unknown& unknown);
+
+/// Where one that is freed again starts: ten times that inside.
+double inside_of(const Unknown& unknown, double value);
+
 }  // namespace tdbd::calibration

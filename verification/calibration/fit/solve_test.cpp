@@ -30,6 +30,25 @@ TEST(Recovery, of_seven_coefficients_from_twenty_starts) {
   }
 }
 
+/// Unknowns just inside an end of their range: on the way they are driven out and held, and have to be
+/// freed again.
+TEST(Recovery, of_coefficients_near_the_ends_of_their_ranges) {
+  CalibrationCase c = made_up_case();
+  const CutStore cuts = made_up_cuts(c);
+  forces::HansonHansen law = hidden_law();
+  for (const double inside : {1e-2, 3e-3, 1e-3, 3e-4}) {
+    law.A2 = law.A4 = inside;
+    read_loads(c, cuts, law);
+    const Problem p = fitted_problem(c, cuts);
+    const Eigen::VectorXd truth = truth_of(p, law);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const Solution s = solve(p, data_of(p), drawn_start(p, seed));
+      EXPECT_TRUE(s.converged) << inside << ", " << seed << ": " << s.reason;
+      EXPECT_LT((s.values - truth).norm(), 1e-9) << inside << ", " << seed;
+    }
+  }
+}
+
 /// Within the middle half of a range, wherever it lies; within a factor of two of the case's where it has one end.
 TEST(DrawnStart, is_well_inside_each_range) {
   Problem p;
