@@ -52,10 +52,11 @@ void make_folder(const std::filesystem::path& folder) {
 
 std::string rule_text(const Bit& bit, const Part& part, const std::string& match) {
   std::string text = fmt::format(
-      "\n[[solids.rules]]\nmatch = {}\nname = {}\nkind = {}\ncutting = {}\ndensity = {}  # "
+      "\n[[solids.rules]]\nmatch = {}\nname = {}\nkind = {}\ncutting = {}\n{}density = {}  # "
       "kg/m3\ngroup = {}\n",
       toml_string(match), toml_string(part.name), toml_string(kind_name(part.kind)),
-      part.cutting == Cutting::cuts, part.density, part.group);
+      part.cutting == Cutting::cuts, part.cutting == Cutting::rubs ? "rubs = true\n" : "",
+      part.density, part.group);
   if (part.cutter < 0)
     return text + fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
   const Pose& X_BC = bit.cutters[static_cast<std::size_t>(part.cutter)].X_BC;

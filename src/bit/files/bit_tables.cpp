@@ -108,7 +108,7 @@ KeyTable parts() {
 
 KeyTable solid_rules() {
   using namespace solid_rule_keys;
-  return bit_table(table, match, name, kind, cutting, density, group, cutter_position,
+  return bit_table(table, match, name, kind, cutting, rubs, density, group, cutter_position,
                    cutter_rotation_vector, solid_rule_keys::update_direction);
 }
 

@@ -96,6 +96,10 @@ inline constexpr NameKey kind{.name = "kind",
 inline constexpr FlagKey cutting{.name = "cutting",
                                  .usual = "on, except bodies and cones",
                                  .meaning = "whether it removes rock"};
+inline constexpr FlagKey rubs{
+    .name = "rubs",
+    .usual = "false",
+    .meaning = "not cutting: whether it bears on rock, by the law of its kind"};
 inline constexpr QuantityKey density{.name = "density",
                                      .unit = "kg/m3",
                                      .usual = "none",

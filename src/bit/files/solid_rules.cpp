@@ -27,8 +27,8 @@ SolidRule read_rule(Config& c) {
     c.problem(solid_rule_keys::name, '"' + *rule.name + '"',
               "letters, digits, - and _, with / between");
   if (c.has(solid_rule_keys::kind)) rule.kind = part_kind_named(c.read(solid_rule_keys::kind));
-  if (c.has(solid_rule_keys::cutting))
-    rule.cutting = c.read(solid_rule_keys::cutting) ? Cutting::cuts : Cutting::never;
+  if (c.has(solid_rule_keys::cutting)) rule.cutting = c.read(solid_rule_keys::cutting);
+  if (c.has(solid_rule_keys::rubs)) rule.rubs = c.read(solid_rule_keys::rubs);
   if (c.has(solid_rule_keys::density)) rule.density = c.read(solid_rule_keys::density);
   if (c.has(solid_rule_keys::group)) rule.group = static_cast<int>(c.read(solid_rule_keys::group));
   rule.X_BC = read_frame(c);
@@ -68,6 +68,7 @@ SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name)
     lay_over(all.name, rule.name);
     lay_over(all.kind, rule.kind);
     lay_over(all.cutting, rule.cutting);
+    lay_over(all.rubs, rule.rubs);
     lay_over(all.density, rule.density);
     lay_over(all.group, rule.group);
     lay_over(all.X_BC, rule.X_BC);

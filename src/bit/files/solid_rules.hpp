@@ -19,7 +19,7 @@ struct SolidRule {
   std::string match;
   std::optional<std::string> name;
   std::optional<PartKind> kind;
-  std::optional<Cutting> cutting;
+  std::optional<bool> cutting, rubs;
   std::optional<double> density;  ///< kg/m3
   std::optional<int> group;
   std::optional<Pose> X_BC;                ///< frame of the solid's cutter

@@ -75,8 +75,10 @@ Part part_of(const SolidRule& rule, mesh::Solid solid, PartKind kind) {
   part.name = rule.name.value_or(solid.name);
   part.kind = kind;
   part.mesh_P = std::move(solid.mesh);
-  const bool cuts = kind != PartKind::bit_body && kind != PartKind::cone;
-  part.cutting = rule.cutting.value_or(cuts ? Cutting::cuts : Cutting::never);
+  const bool may_cut = kind != PartKind::bit_body && kind != PartKind::cone;
+  part.cutting = rule.cutting.value_or(may_cut) ? Cutting::cuts
+                 : rule.rubs.value_or(false)    ? Cutting::rubs
+                                                : Cutting::never;
   part.density = rule.density.value_or(0.0);
   return part;
 }

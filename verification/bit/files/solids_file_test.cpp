@@ -118,6 +118,25 @@ TEST(SolidsFile, lets_no_body_of_a_cone_cut_unless_a_rule_does) {
   EXPECT_EQ(cutting_of(as_cone + "cutting = true\n"), Cutting::cuts);
 }
 
+TEST(SolidsFile, lets_what_does_not_cut_rub_where_a_rule_says_so) {
+  const auto cutting_of = [](const std::string& keys) {
+    return read(write_drawn("[[solids.rules]]\nmatch = \"gage-pad-1\"\n" + keys)).parts[2].cutting;
+  };
+  EXPECT_EQ(cutting_of("cutting = false\n"), Cutting::never);
+  EXPECT_EQ(cutting_of("cutting = false\nrubs = true\n"), Cutting::rubs);
+  EXPECT_EQ(cutting_of("rubs = true\n"), Cutting::cuts);
+}
+
+/// Written out and read again.
+TEST(SolidsFile, keeps_what_rubs) {
+  const auto folder = test_folder();
+  export_solids(folder,
+                read(write_drawn("[[solids.rules]]\nmatch = \"gage-pad-1\"\ncutting = false\n"
+                                 "rubs = true\n")),
+                "stl");
+  EXPECT_EQ(read((folder / "solids.toml").string()).parts[2].cutting, Cutting::rubs);
+}
+
 TEST(SolidsFile, lays_later_rules_over_earlier_ones) {
   const Bit b = read(write_drawn(R"([[solids.rules]]
 match = "*"
