@@ -32,6 +32,22 @@ double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
+/// Whether the edge from a to b of a counter-clockwise triangle belongs to it: of two triangles on
+/// either side of an edge, one owns it.
+bool owns(const Vec2& a, const Vec2& b) {
+  return b.y() < a.y() || (b.y() == a.y() && b.x() < a.x());
+}
+
+/// Whether p is in a counter-clockwise triangle, on its edges only where it owns them. The sign for
+/// each edge is that of doubled_area with p first: exactly opposite for the triangle beyond it.
+bool contains(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
+  const auto inside = [&](const Vec2& from, const Vec2& to) {
+    const double beside = doubled_area(p, from, to);
+    return beside > 0.0 || (beside == 0.0 && owns(from, to));
+  };
+  return inside(a, b) && inside(b, c) && inside(c, a);
+}
+
 /// A line along Z through (0, y) meets a triangle: where, and which side of it is up.
 struct Crossing {
   double z, sign;
@@ -40,10 +56,10 @@ struct Crossing {
 std::optional<Crossing> crossing(const Vec3& a, const Vec3& b, const Vec3& c, double y) {
   const Vec2 p(0.0, y), pa = a.head<2>(), pb = b.head<2>(), pc = c.head<2>();
   const double whole = doubled_area(pa, pb, pc);
+  if (whole == 0.0) return {};
+  if (!(whole > 0.0 ? contains(pa, pb, pc, p) : contains(pa, pc, pb, p))) return {};
   const double wa = doubled_area(p, pb, pc), wb = doubled_area(pa, p, pc),
                wc = doubled_area(pa, pb, p);
-  const bool inside = whole > 0.0 ? std::min({wa, wb, wc}) >= 0.0 : std::max({wa, wb, wc}) <= 0.0;
-  if (!inside || whole == 0.0) return {};
   return Crossing{(wa * a.z() + wb * b.z() + wc * c.z()) / whole, whole > 0.0 ? 1.0 : -1.0};
 }
 

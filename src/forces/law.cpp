@@ -33,7 +33,21 @@ auto every_law() { return every_law(std::make_index_sequence<std::variant_size_v
 PartForce force(const Law& law, const PartCut& cut) {
   return std::visit(
       [&cut](const auto& l) {
-        return l.knows(cut.kind) ? law_force(l, cut) : law_force(NoForce{}, cut);
+        if (!l.knows(cut.kind)) return law_force(NoForce{}, cut);
+        if constexpr (requires { law_pressing(l, cut); })
+          return pressing_force(cut, law_pressing(l, cut));
+        else
+          return law_force(l, cut);
+      },
+      law);
+}
+
+std::optional<Pressing> pressing(const Law& law, const PartCut& cut) {
+  return std::visit(
+      [&cut](const auto& l) -> std::optional<Pressing> {
+        if constexpr (requires { law_pressing(l, cut); })
+          if (l.knows(cut.kind)) return law_pressing(l, cut);
+        return std::nullopt;
       },
       law);
 }

@@ -31,6 +31,10 @@ using Law = std::variant<NoForce, HansonHansen, Detournay, DepthOfCut, Glowka, T
 /// allocate. Thesis: app. C.
 PartForce force(const Law& law, const PartCut& cut);
 
+/// How a part presses on rock under a law that presses (friction, indentation); nothing for a law
+/// whose force is a function of the velocity, and for a kind of part that the law does not know.
+std::optional<Pressing> pressing(const Law& law, const PartCut& cut);
+
 /// A coefficient of a given law, to be read into `value`.
 struct LawField {
   std::string_view key;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mesh/surface.hpp"
@@ -14,6 +15,26 @@ struct MovedIn {
   int first = never, last = never;
 };
 
+/// Whether a part of the bit touched a vertex after the last cut: it did, it did before and its inside
+/// is where undisturbed rock was, or maintenance made or moved the vertex beside the contact.
+enum class Hold { held, left, made };
+
+/// A vertex that a part of the bit pressed, and the sum of that part's moves of it while they were in
+/// contact without a break of one step: x - d_W is where undisturbed rock was.
+struct PressedVertex {
+  int v = 0;
+  Vec3 d_W = Vec3::Zero();  ///< m
+  Hold hold = Hold::held;
+};
+
+/// An operation of maintenance made vertex v or moved it along the surface: its displacements
+/// (PressedVertex) become the weighted mean of those of `from`.
+struct CarriedDisplacement {
+  int v = 0;
+  std::array<int, 3> from{};
+  std::array<double, 3> weight{};
+};
+
 /// The rock: a surface whose normal points out of the rock, an index of its vertices, lists of
 /// those near the bit, the part that cut each vertex last and when it did, and the vertices that
 /// changed and have not been maintained since. Frame W. Thesis: 4.1.
@@ -23,9 +44,13 @@ struct Rock {
   std::vector<int> last_part;         ///< per vertex: index into Bit::parts, -1 untouched
   std::vector<std::uint8_t> touched;  ///< per vertex: a mark if listed in touched_list
   std::vector<int> touched_list;
-  int cuts = 0;                      ///< calls of cut_rock so far
-  std::vector<MovedIn> moved_in;     ///< per vertex, in counts of `cuts`
-  std::vector<NearList> near_lists;  ///< per group of the bit that cut last
+  int cuts = 0;                   ///< calls of cut_rock so far
+  std::vector<MovedIn> moved_in;  ///< per vertex, in counts of `cuts`
+  /// Per part of the bit, by vertex: what it held after the last cut, and what maintenance made
+  /// beside it (contact_areas). Empty: contact is not measured.
+  std::vector<std::vector<PressedVertex>> pressed;
+  std::vector<CarriedDisplacement> carried;  ///< since then, in the order of the operations
+  std::vector<NearList> near_lists;          ///< per group of the bit that cut last
 };
 
 /// Builds the index of a surface. `cell`: m; about twice the edge length is quickest. `reach_W`:
@@ -62,5 +87,10 @@ inline bool is_moved_now(const Rock& rock, int v) { return rock.moved_in[at(v)].
 
 /// Extends the per-vertex arrays and the index after a bisection made vertex v.
 void register_vertex(Rock& rock, int v, int last_part);
+
+/// Notes how an operation of maintenance carries displacements, if contact is measured.
+inline void note_carried(Rock& rock, const CarriedDisplacement& carried) {
+  if (!rock.pressed.empty()) rock.carried.push_back(carried);
+}
 
 }  // namespace tdbd::rock

@@ -87,7 +87,7 @@ TEST(Forces, do_not_depend_on_the_step) {
   const auto whole = at("2 ms"), half = at("1 ms");
   record_bound("appendix-c/step",
                "hanson-hansen, bit B: mean weight at half the step over the mean, distance from 1",
-               std::abs(half.wob.mean / whole.wob.mean - 1.0), "1", 1.5e-3);
+               std::abs(half.wob.mean / whole.wob.mean - 1.0), "1", 1.4e-3);
   record_bound("appendix-c/step",
                "hanson-hansen, bit B: mean torque at half the step over the mean, distance from 1",
                std::abs(half.tob.mean / whole.tob.mean - 1.0), "1", 5e-3);

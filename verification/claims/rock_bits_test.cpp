@@ -15,8 +15,8 @@ namespace tdbd::claims::rock_bits_test {
 struct Room {
   double volume, operations, disturbed, poor;
 };
-constexpr Room of_a{.volume = 0.0028, .operations = few, .disturbed = 7e-6, .poor = 8e-4};
-constexpr Room of_c{.volume = 0.0022, .operations = 0.035, .disturbed = 2.5e-5, .poor = 9e-5};
+constexpr Room of_a{.volume = 0.0028, .operations = few, .disturbed = 6.5e-6, .poor = 7e-4};
+constexpr Room of_c{.volume = 0.0015, .operations = 0.035, .disturbed = 2.1e-5, .poor = 9e-5};
 constexpr Room of_r{.volume = 0.009, .operations = 0.04, .disturbed = 3.5e-4, .poor = 0.01};
 
 /// How a bit drills, and how near its last revolutions come to the gage circle's volume.

@@ -65,7 +65,7 @@ void follow_whirl(const Driller& d, const char* sense, double room) {
                 hole_radius(s) / (c.bit.gage_radius + c.motion.whirl.radius), 1.0, room);
 }
 
-TEST(RockMotion, follows_forward_whirl) { follow_whirl(bit_b, "forward", 5e-5); }
+TEST(RockMotion, follows_forward_whirl) { follow_whirl(bit_b, "forward", 4e-5); }
 
 TEST(RockMotion, follows_backward_whirl_of_every_bit) {
   for (const Driller& d : drillers) follow_whirl(d, "backward", 3e-4);

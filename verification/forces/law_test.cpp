@@ -47,26 +47,25 @@ double largest_force(const Law& law, PartCut c) {
 }
 
 /// With a slip speed the force is continuous in the velocity, at rest, in a plunge and in
-/// withdrawal: its slope is at most a few times force over slip speed. Measured on 3e6 cuts: 2.1;
-/// of friction, whose stress may rise over 0.5 rad, 9.6.
+/// withdrawal: its slope is at most a few times force over slip speed. Measured on 3e6 cuts: 2.1.
 RC_GTEST_PROP(Force, is_continuous_in_the_velocity, ()) {
   Law law = any_law();
   double slip_speed = 0.0;
   for (const LawField& f : law_fields(law)) {
     if (f.key == "slip_speed") slip_speed = *f.value = number(0.05, 1.0);
-    if (f.key == "full_angle") *f.value = number(0.5, 1.0);
     if (f.key == "weakening") *f.value = number(0.0, 0.5);
     if (f.key == "weakening_speed") *f.value = number(1.0, 2.0);
   }
   RC_PRE(slip_speed > 0.0);
   PartCut a = any_cut();
+  RC_PRE(!pressing(law, a));  // rigid-plastic: anything between nothing and all as it slides
   a.velocity *= number(0.0, 1.0);
   PartCut b = a;
   const double change = slip_speed * std::pow(10.0, -number(1.0, 6.0));  // m/s
   b.velocity += change * any_direction();
   const Vec3 difference = force(law, a).force - force(law, b).force;
-  // wide: 9.6 of 12 in 3e6 cuts, far less in a hundred
-  RC_ASSERT(difference.norm() <= 12.0 * largest_force(law, a) * change / slip_speed);
+  // wide: 2.1 in 3e6 cuts, far less in a hundred
+  RC_ASSERT(difference.norm() <= 3.0 * largest_force(law, a) * change / slip_speed);
 }
 
 /// Turning the whole problem turns the force.

@@ -15,6 +15,7 @@ namespace {
 /// it, so that rounding a coordinate to single precision does not change the number of chords.
 constexpr double chord = 1.93e-4;
 constexpr int ray_count = 2048;
+constexpr double on_axis = 1e-12;  ///< m; a point nearer to the axis than this is on it
 
 /// The farthest point on one ray; distance 0: none yet.
 struct Ray {
@@ -62,25 +63,59 @@ ProfilePoint in_half_plane(const Vec3& x_B) {
   return {std::sqrt(x_B.x() * x_B.x() + x_B.y() * x_B.y()), x_B.z()};
 }
 
+/// Adds an image's next chord, which begins at `last`.
+struct Pen {
+  ProfilePoint last;
+  double at_last;
+
+  void draw_to(const ProfilePoint& next, Fan& fan) {
+    const double at_next = fan.at(next);
+    fan.add(last, at_last, next, at_next);
+    last = next;
+    at_last = at_next;
+  }
+};
+
+/// Where an edge is nearest to the axis.
+struct Nearest {
+  double share;  ///< of the way from a to b; outside (0, 1) if the edge has no such point inside
+  ProfilePoint point;
+};
+
+Nearest nearest_to_axis(const Vec3& a_B, const Vec3& b_B) {
+  const Vec3 d = b_B - a_B;
+  const double across2 = d.x() * d.x() + d.y() * d.y();
+  if (across2 == 0.0) return {-1.0, {}};
+  const double share = -(a_B.x() * d.x() + a_B.y() * d.y()) / across2;
+  ProfilePoint p = in_half_plane(a_B + share * d);
+  if (p.r < on_axis) p.r = 0.0;
+  return {share, p};
+}
+
+/// In (r, z) an edge that passes the axis has a bend at its nearest point. If the bend is narrower
+/// than a chord, a chord would jump over it and miss the rays beside the axis.
 void add_edge(const Vec3& a_B, const Vec3& b_B, Fan& fan) {
   const int steps = 1 + static_cast<int>((b_B - a_B).norm() / chord);
-  ProfilePoint previous = in_half_plane(a_B);
-  double at_previous = fan.at(previous);
+  const Nearest nearest = nearest_to_axis(a_B, b_B);
+  const bool has_bend = nearest.share > 0.0 && nearest.share < 1.0 && nearest.point.r < chord;
+  Pen pen{in_half_plane(a_B), 0.0};
+  pen.at_last = fan.at(pen.last);
   for (int k = 1; k <= steps; ++k) {
-    const ProfilePoint next = in_half_plane(a_B + (b_B - a_B) * (static_cast<double>(k) / steps));
-    const double at_next = fan.at(next);
-    fan.add(previous, at_previous, next, at_next);
-    previous = next;
-    at_previous = at_next;
+    const double before = static_cast<double>(k - 1) / steps,
+                 share = static_cast<double>(k) / steps;
+    if (has_bend && nearest.share > before && nearest.share <= share)
+      pen.draw_to(nearest.point, fan);
+    pen.draw_to(in_half_plane(a_B + (b_B - a_B) * share), fan);
   }
 }
 
 /// A flat triangle folds in (r, z) where it passes the axis: at each height the point nearest to
 /// the axis lies in the vertical plane through the axis and the triangle's normal. There the border
-/// of its image is no edge's image. A chord that jumps over the axis misses the rays beside it: the
-/// profile's first point is then that of a ray farther out.
+/// of its image is no edge's image. For a level triangle any such plane contains its point on the
+/// axis.
 void add_fold(const std::array<Vec3, 3>& x_B, Fan& fan) {
-  const Vec3 across = Vec3::UnitZ().cross(mesh::area_vector(x_B[0], x_B[1], x_B[2]));
+  Vec3 across = Vec3::UnitZ().cross(mesh::area_vector(x_B[0], x_B[1], x_B[2]));
+  if (across.isZero(0.0)) across = Vec3::UnitX();
   std::vector<Vec3> ends;
   for (int k = 0; k < 3; ++k) {
     const Vec3 &a = x_B[k], &b = x_B[(k + 1) % 3];

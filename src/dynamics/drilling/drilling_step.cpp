@@ -118,13 +118,15 @@ const DrillingState& predicted(const DrillingSystem& system, double h, const Dri
   return work.predicted;
 }
 
-void velocity_after(const DrillingSystem& system, double h, const Drilling& d, const Wrench& wrench,
-                    DrillingWork& work, DrillingVelocity& out) {
+void velocity_after(const DrillingSystem& system, double h, const Drilling& d, KicksLeft kicks,
+                    const Wrench& wrench, DrillingWork& work, DrillingVelocity& out) {
   DrillingState& s = work.predicted;
   s = d.state;
   EnergyLedger unseen;
-  give_impulses(system, 0.5 * h, work.at, wrench, Kick::closing, s);
-  dissipate(system, work.at, Sweep::backward, 0.5 * h, s, unseen);
+  if (kicks == KicksLeft::closing_and_opening) {
+    give_impulses(system, 0.5 * h, work.at, wrench, Kick::closing, s);
+    dissipate(system, work.at, Sweep::backward, 0.5 * h, s, unseen);
+  }
   dissipate(system, work.at, Sweep::forward, 0.5 * h, s, unseen);
   give_impulses(system, 0.5 * h, work.at, wrench, Kick::opening, s);
   velocity(system, work.at, s, out);

@@ -41,11 +41,15 @@ void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
                                DrillingWork& work);
 
-/// Velocity after the closing kick of the open step and the opening one of the next with this
-/// wrench, dampers between them, at positions that stand still: what the next drift moves with.
-/// Works in the state that predicted() returned.
-void velocity_after(const DrillingSystem& system, double h, const Drilling& d, const Wrench& wrench,
-                    DrillingWork& work, DrillingVelocity& out);
+/// The kicks between a state and the next drift: of an open step, its closing kick and the opening
+/// one of the next step, with the dampers between them; of a state between two steps, the damper and
+/// the opening kick.
+enum class KicksLeft { closing_and_opening, opening };
+
+/// The velocity after these kicks with this wrench, at positions that stand still: what the next
+/// drift moves with. Overwrites the state that predicted() returned.
+void velocity_after(const DrillingSystem& system, double h, const Drilling& d, KicksLeft kicks,
+                    const Wrench& wrench, DrillingWork& work, DrillingVelocity& out);
 
 /// Second half: the kick of the new wrench, damping, the ledger.
 void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,

@@ -30,16 +30,16 @@ void to_column(const DrillingSystem& s, const DrillingVelocity& v, Eigen::Vector
   if (s.rock.mass > 0.0) u[6 + cones_of(s)] = v.rock;
 }
 
-void find_response(const DrillingSystem& s, double h, const Drilling& d, DrillingWork& work,
-                   ResponseWork& room, Response& r) {
+void find_response(const DrillingSystem& s, double h, const Drilling& d, KicksLeft kicks,
+                   DrillingWork& work, ResponseWork& room, Response& r) {
   const int n = freedoms(s);
   Wrench& w = room.wrench;
   w.force_W = w.torque_W = Vec3::Zero();
   w.cones.assign(s.gyrostat.cones.size(), 0.0);
   w.rock_force = 0.0;
-  w.cone_impulse = ConeImpulse::at_end;
+  w.cone_impulse = kicks == KicksLeft::opening ? ConeImpulse::halves : ConeImpulse::at_end;
   const auto ask = [&](Eigen::VectorXd& u) {
-    velocity_after(s, h, d, w, work, room.velocity);
+    velocity_after(s, h, d, kicks, w, work, room.velocity);
     to_column(s, room.velocity, u);
   };
   ask(r.free);

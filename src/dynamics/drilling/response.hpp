@@ -27,10 +27,10 @@ struct ResponseWork {
   Eigen::VectorXd column;
 };
 
-/// Asks velocity_after once for each freedom and once without a wrench. Exact with dampers, whose
-/// flows are linear; friction at the wall, which is not, makes it a secant over the probes. In an
-/// open step; cones take their impulse at the step's end.
-void find_response(const DrillingSystem& system, double h, const Drilling& d, DrillingWork& work,
-                   ResponseWork& room, Response& response);
+/// Evaluates velocity_after once for each freedom and once without a wrench. Exact with dampers,
+/// whose flows are linear; friction at the wall, which is not linear, makes it a secant over the
+/// probes. Torques on cones act at the end of an open step, and in halves on a state between two.
+void find_response(const DrillingSystem& system, double h, const Drilling& d, KicksLeft kicks,
+                   DrillingWork& work, ResponseWork& room, Response& response);
 
 }  // namespace tdbd::dynamics

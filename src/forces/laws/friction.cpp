@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "forces/part/directions.hpp"
-
 namespace tdbd::forces {
 namespace {
 
@@ -21,24 +19,13 @@ const std::array<Coefficient<Friction>, 7> friction_coefficients{{
     slip_speed_of<Friction>(),
 }};
 
-/// Share of the contact stress that acts.
-double pressed_share(const Friction& law, const PartCut& cut) {
-  if (law.full_angle == 0.0) return 1.0;
-  const double into = cut.velocity.dot(cut.normal);
-  const double along = (cut.velocity - into * cut.normal).norm();
-  if (into <= 0.0) return 0.0;
-  const double full = along * std::tan(law.full_angle);
-  return into < full ? into / full : 1.0;
-}
-
 }  // namespace
 
 std::span<const Coefficient<Friction>> Friction::coefficients() { return friction_coefficients; }
 
-PartForce law_force(const Friction& law, const PartCut& cut) {
+Pressing law_pressing(const Friction& law, const PartCut& cut) {
   const double stress = std::min(law.stress, law.cap * cut.strength.confined);
-  return pressing_force(cut, stress * cut.contact_area * pressed_share(law, cut), sliding_of(law),
-                        law.slip_speed);
+  return {stress * cut.contact_area, std::tan(law.full_angle), sliding_of(law), law.slip_speed};
 }
 
 }  // namespace tdbd::forces

@@ -4,17 +4,16 @@
 #include <string_view>
 
 #include "forces/part/coefficient.hpp"
-#include "forces/part/part_cut.hpp"
+#include "forces/part/pressing.hpp"
 
 namespace tdbd::forces {
 
 /// Rubbing of gage pads, the body and a cutter's blunt sides, forces (11): a contact stress on the
 /// contact area, never above what the rock carries, and Coulomb friction. Ours.
-///   Fn = min(stress, cap Scc) A s,  Ft = mu Fn,  s = min(1, tan b / tan full_angle), 0 for b < 0
-/// b is the angle between the surface and its motion into the rock. A pad that only slides along
-/// the wall carries nothing (s = 0); moving into it, it soon carries the full stress. With
-/// full_angle 0, for a wear flat, s = 1. mu may fall with speed (friction_at). Directions:
-/// pressing_force.
+///   Fn <= min(stress, cap Scc) A,  Ft <= mu Fn;  forces (4) with ramp = tan full_angle
+/// A pad that only slides along the wall carries nothing; moving into it, it carries the full stress
+/// from full_angle on. full_angle = 0 is a wear flat: rigid-plastic. mu may fall with speed
+/// (friction_at).
 struct Friction {
   double stress = 0.0;           ///< Pa, contact stress
   double mu = 0.0;               ///< 1, coefficient of friction
@@ -31,6 +30,6 @@ struct Friction {
   static std::span<const Coefficient<Friction>> coefficients();
 };
 
-PartForce law_force(const Friction& law, const PartCut& cut);
+Pressing law_pressing(const Friction& law, const PartCut& cut);
 
 }  // namespace tdbd::forces

@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "forces/part/directions.hpp"
-
 namespace tdbd::forces {
 namespace {
 
@@ -22,9 +20,9 @@ std::span<const Coefficient<Indentation>> Indentation::coefficients() {
   return indentation_coefficients;
 }
 
-PartForce law_force(const Indentation& law, const PartCut& cut) {
-  return pressing_force(cut, law.ratio * cut.strength.confined * cut.contact_area, sliding_of(law),
-                        law.slip_speed);
+Pressing law_pressing(const Indentation& law, const PartCut& cut) {
+  return {law.ratio * cut.strength.confined * cut.contact_area, 0.0, sliding_of(law),
+          law.slip_speed};
 }
 
 }  // namespace tdbd::forces

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "forces/part/coefficient.hpp"
-#include "forces/part/part_cut.hpp"
+#include "forces/part/pressing.hpp"
 
 namespace tdbd::forces {
 
@@ -12,7 +12,7 @@ namespace tdbd::forces {
 /// pressure on the contact, and Coulomb friction along the slip, which turns the cones. Ours; the
 /// form is that of element laws in the literature, from memory.
 ///
-///   Fn = ratio Scc A,  Ft = mu Fn          A: contact area seen along `normal`; pressing_force
+///   Fn <= ratio Scc A,  Ft <= mu Fn          A: contact area seen along `normal`; forces (4)
 /// How the force grows with penetration follows from the contact: linear for a wedge, nearly linear
 /// for a sphere, quadratic for a cone. Nothing springs back: a tooth that leaves the rock is
 /// released.
@@ -30,6 +30,6 @@ struct Indentation {
   static std::span<const Coefficient<Indentation>> coefficients();
 };
 
-PartForce law_force(const Indentation& law, const PartCut& cut);
+Pressing law_pressing(const Indentation& law, const PartCut& cut);
 
 }  // namespace tdbd::forces

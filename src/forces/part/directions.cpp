@@ -9,15 +9,6 @@ namespace {
 /// Sine of the angle to a plunge below which e2 shrinks.
 constexpr double plunge = 0.5;
 
-/// The part of a velocity along a surface; none where only rounding leaves any.
-Vec3 slip_of(const Vec3& velocity, const Vec3& normal) {
-  constexpr double rounding = 1e-14;
-  Vec3 slip = velocity - velocity.dot(normal) * normal;
-  if (slip.norm() <= rounding * velocity.norm()) return Vec3::Zero();
-  slip -= slip.dot(normal) * normal;  // of a small slip the first difference leaves some normal
-  return slip;
-}
-
 }  // namespace
 
 double effective_back_rake(const Vec3& face_normal, const Vec3& velocity) {
@@ -53,19 +44,6 @@ PartForce cutting_force(const PartCut& cut, double Ft, double Fn, double slip_sp
           .point = cut.point,
           .normal = share * Fn,
           .tangential = share * Ft};
-}
-
-PartForce pressing_force(const PartCut& cut, double Fn, const Sliding& sliding, double slip_speed) {
-  const double into = cut.velocity.dot(cut.normal);
-  const Vec3 slip = slip_of(cut.velocity, cut.normal);
-  const double speed = slip.norm();
-  const double normal = slip_share(cut.velocity.norm(), slip_speed) * Fn;
-  const double drag = slip_share(speed, slip_speed) * friction_at(sliding, speed) * normal;
-  Vec3 push = cut.normal;
-  if (into < 0.0) push -= into / cut.velocity.squaredNorm() * cut.velocity;
-  PartForce f{.force = -normal * push, .point = cut.point, .normal = normal, .tangential = drag};
-  if (speed > 0.0) f.force -= drag / speed * slip;
-  return f;
 }
 
 }  // namespace tdbd::forces

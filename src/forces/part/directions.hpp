@@ -55,10 +55,4 @@ double friction_at(const Sliding& sliding, double speed);
 /// The force of a cut with the law's Fn and Ft (N, >= 0): -share (Ft e1 + Fn e2), forces (3).
 PartForce cutting_force(const PartCut& cut, double Ft, double Fn, double slip_speed);
 
-/// The force of a surface that presses with Fn (N, >= 0) and slides, forces (4): -share Fn n and,
-/// against the slip (the velocity along the surface), friction times share Fn. Crushed rock does
-/// not spring back: where the part leaves the rock, Fn n loses its component along the velocity, so
-/// that it does no work. F.n <= 0 and F.v <= 0, and continuous, as above. Ours.
-PartForce pressing_force(const PartCut& cut, double Fn, const Sliding& sliding, double slip_speed);
-
 }  // namespace tdbd::forces

@@ -33,6 +33,7 @@ void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& repo
     const std::size_t which = s->which;
     double removed = 0.0;
     for (; s != cut.swept.end() && s->which == which; ++s) {
+      cut.moves.push_back({s->v, g.parts[which].part, s->x_W - rock.surface.position(s->v)});
       removed += take_vertex(rock, *s, g.parts[which]);
       cut.moved.push_back(s->v);
     }
@@ -100,6 +101,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
     cut.candidates.clear();
     cut.swept.clear();
     cut.moved_in_step.clear();
+    cut.moves.clear();
   }
   w.motions.clear();
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
@@ -164,6 +166,7 @@ void note_moves(Rock& rock, CutWorkspace& w) {
   }
   for (std::size_t k = 0; k < w.groups.size(); ++k) {
     GroupCut& cut = w.groups[k];
+    std::ranges::sort(cut.moves, {}, &VertexMove::v);
     note_places(rock, cut);
     for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
       NearList& list = rock.near_lists[i];
@@ -193,6 +196,11 @@ std::string still_moving(const CuttingBit& bit, const CutWorkspace& w, const Roc
 }
 
 }  // namespace
+
+void begin_at_rest(const CuttingBit& bit, const Pose& X_WB, CutWorkspace& work) {
+  CutReport nothing;
+  begin_step(bit, X_WB, X_WB, work, nothing);
+}
 
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {

@@ -36,4 +36,7 @@ struct CutWorkspace {
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report);
 
+/// Prepares the workspace of a bit at rest at X_WB, as contact_areas requires it before any step.
+void begin_at_rest(const CuttingBit& bit, const Pose& X_WB, CutWorkspace& work);
+
 }  // namespace tdbd::rock

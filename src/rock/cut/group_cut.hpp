@@ -23,6 +23,12 @@ struct SweptVertex {
   Vec3 x_W;  ///< m
 };
 
+/// A move of a vertex by a part of the bit.
+struct VertexMove {
+  int v = 0, part = 0;
+  Vec3 d_W = Vec3::Zero();  ///< m
+};
+
 /// One group's share of a step, with its buffers. Groups share nothing, so they are planned in
 /// parallel.
 struct GroupCut {
@@ -33,6 +39,7 @@ struct GroupCut {
   std::vector<SweptVertex> swept;   ///< by part, then by vertex; a vertex may leave several parts
   std::vector<int> moved, unclear;  ///< vertices, by the pass
   std::vector<int> moved_in_step;   ///< in all passes
+  std::vector<VertexMove> moves;    ///< in all passes; at the end sorted by vertex
   mesh::Box moved_box_W;            ///< around them at the end of the step
   VertexChanges moved_places;       ///< of them at the end of the step
   std::vector<Vec3> directions_W;   ///< per candidate

@@ -21,6 +21,7 @@ bool bisect_edge(Rock& rock, int a, int b, const MaintenanceLimits& limits, std:
   if constexpr (check_every_operation) before = local_state(s, {a, b, p, q});
   const int m = mesh::split_edge(s, c, 0.5 * (s.position(a) + s.position(b)));
   register_vertex(rock, m, last_part);
+  note_carried(rock, {m, {a, b, a}, {0.5, 0.5, 0.0}});
   ring.assign({a, b, p, q, m});
   for (const int v : ring) touch(rock, v);
   count_done(report, Operation::bisection, 0.0);

@@ -205,6 +205,10 @@ void collapse(Rock& rock, const CollapseVerdict& verdict, Operation what, std::v
     mesh::visit_corners(s, v, [&](int k) { ring.push_back(s.vertex(mesh::next_corner(k))); });
   LocalState before;
   if constexpr (check_every_operation) before = local_state(s, ring);
+  const Vec3 from_W = s.position(keep), edge_W = s.position(gone) - from_W;
+  const double share = std::clamp(
+      edge_W.dot(verdict.x_W - from_W) / std::max(edge_W.squaredNorm(), 1e-300), 0.0, 1.0);
+  note_carried(rock, {keep, {keep, gone, keep}, {1.0 - share, share, 0.0}});
   mesh::collapse_edge(s, c, verdict.x_W);
   rock.grid.remove(gone);
   rock.grid.move(keep, verdict.x_W);

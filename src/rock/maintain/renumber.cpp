@@ -1,5 +1,7 @@
 #include "rock/maintain/renumber.hpp"
 
+#include <algorithm>
+
 namespace tdbd::rock {
 namespace {
 
@@ -11,6 +13,18 @@ void renumber_list(const std::vector<int>& number, std::vector<int>& vertices) {
   vertices.resize(kept);
 }
 
+/// The new numbers of the vertices in contact; those that were removed leave their lists.
+void renumber_contacts(const std::vector<int>& number, Rock& rock) {
+  for (CarriedDisplacement& c : rock.carried) {
+    c.v = number[at(c.v)];
+    for (int& v : c.from) v = number[at(v)];
+  }
+  for (std::vector<PressedVertex>& part : rock.pressed) {
+    std::erase_if(part, [&](PressedVertex& p) { return (p.v = number[at(p.v)]) < 0; });
+    std::ranges::sort(part, {}, &PressedVertex::v);
+  }
+}
+
 }  // namespace
 
 void renumber(Rock& rock, double cube, RenumberWork& work) {
@@ -20,6 +34,7 @@ void renumber(Rock& rock, double cube, RenumberWork& work) {
   mesh::take_in_order(work.order, rock.touched, work.mesh.bytes);
   mesh::take_in_order(work.order, rock.moved_in, work.moved_in);
   renumber_list(work.mesh.number, rock.touched_list);
+  renumber_contacts(work.mesh.number, rock);
   rock.grid.renumber(work.mesh.number, rock.surface.vertex_slots(), work.blocks);
 }
 

@@ -60,10 +60,18 @@ Linear restricted(const Piece& p, const Linear& f, const Piece& part) {
   return {value_at(p, f, part.y0), value_at(p, f, part.y1)};
 }
 
-/// Where the segment is above the lower edge all along the piece.
+/// Part of edge i, which lies over column c and is `length` long per unit of y.
+void add_engaged(const FaceColumn& c, const Piece& part, double length, std::size_t i,
+                 ColumnSums& sums) {
+  const double width = part.y1 - part.y0, middle = 0.5 * (part.y0 + part.y1) - c.y0;
+  sums.engaged[i] += units(sums.per_length * length * width);
+  sums.engaged_moment[i] += units(sums.per_length_moment * length * width * middle);
+}
+
+/// Where the segment is above the lower edge, that of column i, all along the piece.
 void add_above_lower(const FaceColumn& c, const Piece& p, const Linear& lower, const Linear& h,
-                     double sign, std::int64_t* engaged, std::size_t count, ColumnSums& sums) {
-  engaged[0] += units(sums.per_length * sign * c.lower_length * (p.y1 - p.y0));
+                     double sign, std::size_t i, std::size_t count, ColumnSums& sums) {
+  add_engaged(c, p, sign * c.lower_length, i, sums);
   const Linear whole{c.upper + c.upper_slope * (p.y0 - c.y0) - lower.at0,
                      c.upper + c.upper_slope * (p.y1 - c.y0) - lower.at1};
   const Linear over{h.at0 - whole.at0, h.at1 - whole.at1};
@@ -74,38 +82,45 @@ void add_above_lower(const FaceColumn& c, const Piece& p, const Linear& lower, c
                   sign, sums);
   add_trapezoid(parts.above, restricted(p, lower, parts.above), restricted(p, whole, parts.above),
                 sign, sums);
-  engaged[count] +=
-      units(sums.per_length * sign * c.upper_length * (parts.above.y1 - parts.above.y0));
+  add_engaged(c, parts.above, sign * c.upper_length, count + i, sums);
 }
 
 void add_piece(const FaceColumn& c, const Piece& p, const Linear& segment, double sign,
-               std::int64_t* engaged, std::size_t count, ColumnSums& sums) {
+               std::size_t i, std::size_t count, ColumnSums& sums) {
   const Linear lower{c.lower + c.lower_slope * (p.y0 - c.y0),
                      c.lower + c.lower_slope * (p.y1 - c.y0)};
   const Linear h{segment.at0 - lower.at0, segment.at1 - lower.at1};
   if (h.at0 <= 0.0 && h.at1 <= 0.0) return;
-  if (h.at0 > 0.0 && h.at1 > 0.0)
-    return add_above_lower(c, p, lower, h, sign, engaged, count, sums);
+  if (h.at0 > 0.0 && h.at1 > 0.0) return add_above_lower(c, p, lower, h, sign, i, count, sums);
   const Piece part = split(p, h).above;
   if (part.y0 < part.y1)
-    add_above_lower(c, part, restricted(p, lower, part), restricted(p, h, part), sign, engaged,
-                    count, sums);
+    add_above_lower(c, part, restricted(p, lower, part), restricted(p, h, part), sign, i, count,
+                    sums);
 }
 
-/// The part of an upright edge at y that lies below a segment that passes there.
-void add_end(const FaceColumn& c, double y, const OutlineSegment& s, double sign,
-             std::int64_t& engaged, const ColumnSums& sums) {
+/// The part of an upright edge at y, number i, that lies below a segment that passes there.
+void add_end(const FaceColumn& c, double y, const OutlineSegment& s, double sign, std::size_t i,
+             ColumnSums& sums) {
   if ((s.from.x() <= y) == (s.to.x() <= y)) return;
   const double lower = c.lower + c.lower_slope * (y - c.y0),
                upper = c.upper + c.upper_slope * (y - c.y0);
   const double share = (y - s.from.x()) / (s.to.x() - s.from.x());
   const double z = s.from.y() + share * (s.to.y() - s.from.y());
-  engaged += units(sums.per_length * sign * (std::clamp(z, lower, std::max(lower, upper)) - lower));
+  const double height = std::clamp(z, lower, std::max(lower, upper)) - lower;
+  sums.engaged[i] += units(sums.per_length * sign * height);
+  sums.engaged_moment[i] += units(sums.per_length_moment * sign * 0.5 * height * height);
 }
 
-/// Length of a column's lower edge left of y, in units.
-std::int64_t lower_edge_to(const FaceColumn& c, double y, const ColumnSums& sums) {
-  return units(sums.per_length * c.lower_length * (std::min(y, c.y1) - c.y0));
+/// Length and first moment of length, in units.
+struct EdgeUnits {
+  std::int64_t length, moment;
+};
+
+/// Of a column's lower edge left of y.
+EdgeUnits lower_edge_to(const FaceColumn& c, double y, const ColumnSums& sums) {
+  const double width = std::min(y, c.y1) - c.y0;
+  return {units(sums.per_length * c.lower_length * width),
+          units(sums.per_length_moment * c.lower_length * 0.5 * width * width)};
 }
 
 /// The lower edge between y0 and y1, held by these columns.
@@ -113,8 +128,10 @@ void add_lower_edge(const FaceColumns& face, std::size_t i0, double y0, std::siz
                     std::int64_t sign, ColumnSums& sums) {
   for (std::size_t i = i0; i <= i1; ++i) {
     const FaceColumn& c = face.columns[i];
-    const std::int64_t before = i == i0 ? lower_edge_to(c, y0, sums) : 0;
-    sums.engaged[i] += sign * (lower_edge_to(c, y1, sums) - before);
+    const EdgeUnits before = i == i0 ? lower_edge_to(c, y0, sums) : EdgeUnits{0, 0},
+                    to = lower_edge_to(c, y1, sums);
+    sums.engaged[i] += sign * (to.length - before.length);
+    sums.engaged_moment[i] += sign * (to.moment - before.moment);
   }
 }
 
@@ -127,9 +144,11 @@ void begin_sums(const FaceColumns& face, ColumnSums& sums) {
                reach = std::max(face.lo_F.cwiseAbs().maxCoeff(), face.hi_F.cwiseAbs().maxCoeff());
   sums.area = sums.moment_y = sums.moment_z = 0;
   sums.engaged.assign(2 * face.columns.size() + 2, 0);
+  sums.engaged_moment.assign(sums.engaged.size(), 0);
   sums.per_area = units_per_box / area;
   sums.per_moment = units_per_box / (area * reach);
   sums.per_length = units_per_box / (size.x() + size.y());
+  sums.per_length_moment = sums.per_length / (size.x() + size.y());
 }
 
 void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
@@ -138,9 +157,9 @@ void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
   const double sign = s.from.x() > s.to.x() ? 1.0 : -1.0;
   const Vec2 &left = sign > 0.0 ? s.to : s.from, &right = sign > 0.0 ? s.from : s.to;
   if (first == 0 && face.left_is_rim)
-    add_end(face.columns.front(), face.lo_F.x(), s, sign, sums.engaged[2 * count], sums);
+    add_end(face.columns.front(), face.lo_F.x(), s, sign, 2 * count, sums);
   if (end == count && face.right_is_rim)
-    add_end(face.columns.back(), face.hi_F.x(), s, sign, sums.engaged[2 * count + 1], sums);
+    add_end(face.columns.back(), face.hi_F.x(), s, sign, 2 * count + 1, sums);
   const double begin = std::max(left.x(), face.columns[first].y0),
                stop = std::min(right.x(), face.columns[end - 1].y1);
   if (!(begin < stop)) return;
@@ -151,7 +170,7 @@ void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
     if (c.y1 <= y) continue;
     const Piece p{y, std::min(stop, c.y1)};
     const Linear z{left.y() + slope * (p.y0 - left.x()), left.y() + slope * (p.y1 - left.x())};
-    add_piece(c, p, z, sign, sums.engaged.data() + i, count, sums);
+    add_piece(c, p, z, sign, i, count, sums);
     y = p.y1;
   }
 }

@@ -19,12 +19,16 @@ struct OutlineSegment {
 };
 
 /// Sums over segments in whole multiples of a small unit: integers add up to the same in any order.
-/// One unit is 2^-50 of the outline's box (its area, area times size, size), finer than a double's
-/// rounding; the range is 4096 boxes.
+/// One unit is 2^-50 of the outline's box (its area, area times size, size, size squared), finer
+/// than a double's rounding; the range is 4096 boxes.
 struct ColumnSums {
   std::int64_t area = 0, moment_y = 0, moment_z = 0;
   std::vector<std::int64_t> engaged;  ///< lower edges, upper edges of all columns; left, right end
+  /// The same edges' first moments of length about the start of each: y - y0 along a column, the
+  /// height above the lower corner along an end.
+  std::vector<std::int64_t> engaged_moment;
   double per_area = 0.0, per_moment = 0.0, per_length = 0.0;  ///< units per m2, m3, m
+  double per_length_moment = 0.0;                             ///< units per m2
 };
 
 /// Neighbouring segments inside the columns, joined.

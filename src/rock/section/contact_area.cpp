@@ -1,161 +1,355 @@
 #include "rock/section/contact_area.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
 
-#include "mesh/search/inside.hpp"
-#include "rock/cut/plane_strip.hpp"
+#include "rock/section/contact_end.hpp"
+#include "rock/section/held_vertices.hpp"
+#include "rock/section/stress_share.hpp"
 
 namespace tdbd::rock {
 namespace {
 
-bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
-  return (x.array() >= box.lo.array() - gap).all() && (x.array() <= box.hi.array() + gap).all();
+/// What the group moved in this step, summed for one part and one vertex, m.
+Vec3 moved_by(const GroupCut& cut, int part, int v) {
+  Vec3 sum = Vec3::Zero();
+  for (auto m = std::ranges::lower_bound(cut.moves, v, {}, &VertexMove::v);
+       m != cut.moves.end() && m->v == v; ++m)
+    if (m->part == part) sum += m->d_W;
+  return sum;
 }
 
-/// Adds the vertices that lie in the box of the group at the end of the step.
-void add_within(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, double gap,
-                const std::vector<int>& vertices, ContactRoom& w) {
-  for (const int v : vertices) {
-    const Vec3 x_P = m.X_PW1 * rock.surface.position(v);
-    if (!is_within(g.box_P, x_P, gap)) continue;
-    w.near.push_back(v);
-    w.near_P.push_back(x_P);
+const PressedVertex* find_pressed(const std::vector<PressedVertex>& pressed, int v) {
+  const auto found = std::ranges::lower_bound(pressed, v, {}, &PressedVertex::v);
+  return found != pressed.end() && found->v == v ? &*found : nullptr;
+}
+
+Vec3 displacement_of(const std::vector<PressedVertex>& pressed, int v) {
+  const PressedVertex* found = find_pressed(pressed, v);
+  return found != nullptr ? found->d_W : Vec3(Vec3::Zero());
+}
+
+/// Sets the displacement of a vertex in a sorted list.
+void set_pressed(std::vector<PressedVertex>& pressed, const PressedVertex& p) {
+  const auto place = std::ranges::lower_bound(pressed, p.v, {}, &PressedVertex::v);
+  if (place != pressed.end() && place->v == p.v)
+    *place = p;
+  else
+    pressed.insert(place, p);
+}
+
+/// What the part pressed after the last cut, carried along by what maintenance did since.
+void carry(const Rock& rock, int part, std::span<const CarriedDisplacement> carried,
+           std::vector<PressedVertex>& pressed) {
+  pressed = rock.pressed[at(part)];
+  if (pressed.empty()) return;
+  for (const CarriedDisplacement& c : carried) {
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (c.weight[i] > 0.0) mean += c.weight[i] * displacement_of(pressed, c.from[i]);
+    const PressedVertex* known = find_pressed(pressed, c.v);
+    if (known != nullptr || !mean.isZero(0.0))
+      set_pressed(pressed, {c.v, mean, known != nullptr ? known->hold : Hold::made});
   }
 }
 
-/// What the index has around the group at the end of the step.
-void find_in_index(const Rock& rock, const GroupMotion& m, double gap, ContactRoom& w) {
-  const Region region_W = widened(m.region_W, gap);
-  const mesh::Box& box_W = region_W.box;
-  w.around.clear();
-  if (rock.grid.nearest_to_axis(box_W.lo.z(), box_W.hi.z()) > m.reach_W + gap) return;
-  rock.grid.visit(region_W, w.chains, [&](const VertexGrid::Block& block) {
-    w.around.insert(w.around.end(), block.v.begin(), block.v.begin() + block.count);
-  });
-}
-
-/// What the step moved, and what is in the box of the group at its end: what the step found there,
-/// and what other groups moved there since; or, if that is not known, what the index has. A vertex
-/// may appear twice.
-void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
-               double gap, ContactRoom& w) {
-  const CuttingGroup& g = bit.groups[i];
-  const GroupMotion& m = cut.motions[i];
-  const mesh::Box box_W = widened(m.region_W, gap).box;
-  w.near.clear();
-  w.near_P.clear();
-  if (cut.groups[i].knows_touching && gap <= cut.contact_gap) {
-    add_within(rock, g, m, gap, cut.groups[i].near.touching, w);
-    for (std::size_t k = 0; k < cut.groups.size(); ++k)
-      if (const GroupCut& other = cut.groups[k]; k != i && other.moved_box_W.overlaps(box_W))
-        add_within(rock, g, m, gap, other.moved_in_step, w);
-  } else {
-    find_in_index(rock, m, gap, w);
-    add_within(rock, g, m, gap, w.around, w);
-  }
-  for (const int v : cut.groups[i].moved_in_step) {
-    w.near.push_back(v);
-    w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
+/// Of what maintenance did, that which concerns a vertex of any part's list.
+void keep_concerned(const Rock& rock, ContactWork& work) {
+  work.carried.clear();
+  if (rock.carried.empty()) return;
+  work.mark.resize(rock.surface.stars.size(), 0);
+  ++work.stamp;
+  for (const std::vector<PressedVertex>& part : rock.pressed)
+    for (const PressedVertex& p : part) work.mark[at(p.v)] = work.stamp;
+  const auto is_marked = [&](int v) { return v >= 0 && work.mark[at(v)] == work.stamp; };
+  for (const CarriedDisplacement& c : rock.carried) {
+    if (c.v < 0 || !(is_marked(c.v) || std::ranges::any_of(c.from, is_marked))) continue;
+    work.mark[at(c.v)] = work.stamp;
+    work.carried.push_back(c);
   }
 }
 
-/// The first plane that has the point outside by more than the gap; the number of columns if there
-/// is none.
-TDBD_WIDE std::size_t plane_between(const mesh::ConvexSolid& s, const Vec3& x_P, double gap) {
-  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
-    WidePlanes planes;
-    load(s, i, planes);
-    const auto& [x, y, z, b] = planes;
-    const Wide out = x * x_P.x() + y * x_P.y() + z * x_P.z() - b;
-    for (std::size_t l = 0; l < lanes; ++l)
-      if (out[l] > gap) return i + l;
+/// Notes what the part holds and by how much it has pressed it.
+void take_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
+               std::span<const CarriedDisplacement> carried, ContactScratch& w) {
+  std::ranges::sort(w.held);
+  carry(rock, part, carried, w.inherited);
+  w.pressed.clear();
+  w.places.clear();
+  w.index.resize(w.mark.size());
+  for (const int v : w.held) {
+    const PressedVertex* before = find_pressed(w.inherited, v);
+    Vec3 d_W = moved_by(cut, part, v);
+    if (before != nullptr && before->hold != Hold::left) d_W += before->d_W;
+    w.pressed.push_back({v, d_W, Hold::held});
+    w.index[at(v)] = static_cast<int>(w.places.size());
+    w.places.push_back({m.X_PW1 * rock.surface.position(v), m.X_PW1.R * d_W, true});
   }
-  return s.b.size();
 }
 
-/// Tests first the plane that rejected the last vertex.
-bool touches(const mesh::ConvexSolid& solid, const Vec3& x_P, double gap, std::size_t& plane) {
-  if (plane < solid.planes && mesh::normal(solid, plane).dot(x_P) - solid.b[plane] > gap)
-    return false;
-  const std::size_t between = plane_between(solid, x_P, gap);
-  if (between == solid.b.size()) return true;
-  plane = between;
-  return false;
-}
+/// Of a ContactPatch, in the frame P.
+struct PatchSums {
+  double area = 0.0, weight = 0.0;                             // m2; the weight is the sum of w A
+  Vec3 area_vector_P = Vec3::Zero(), moment_P = Vec3::Zero();  // m2, m3
+};
 
-bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& plane) {
-  if (!part.tree_P) return touches(part.solid_P, x_P, gap, plane);
-  return mesh::inside(*part.tree_P, x_P) || mesh::distance(*part.tree_P, x_P) <= gap;
-}
+struct ContactSums {
+  PatchSums below, sides;
+};
 
-/// Marks what a solid of the part moved or touches; called for each solid of a part.
-void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, double gap,
-          ContactRoom& w) {
-  std::size_t plane = 0;
-  for (std::size_t i = 0; i < w.near.size(); ++i) {
-    const int v = w.near[i];
-    if (w.mark[at(v)] == w.stamp) continue;
-    const bool moved = rock.last_part[at(v)] == part.part && is_moved_now(rock, v);
-    if (!moved && (!touches(part, w.near_P[i], gap, plane) ||
-                   is_far_from(g, w.near_P[i], gaps_around_hull * gap)))
-      continue;
+/// One part's contact at work.
+struct Contact {
+  const Rock& rock;
+  const PressingPart& part;
+  int index;  ///< of the part
+  ContactScratch& w;
+
+  ContactScratch::Place& place(int v) const { return w.places[at(w.index[at(v)])]; }
+  bool is_seen(int v) const { return w.mark[at(v)] == w.stamp; }
+
+  /// Notes a vertex beside the held ones.
+  void see(const GroupMotion& m, int v) const {
+    if (is_seen(v)) return;
     w.mark[at(v)] = w.stamp;
-    w.held.push_back(v);
+    w.index[at(v)] = static_cast<int>(w.places.size());
+    const Vec3 x_P = m.X_PW1 * rock.surface.position(v);
+    ContactScratch::Place p{x_P};
+    p.is_lee = rock.last_part[at(v)] == index && is_on_lee_side(part, x_P);
+    const PressedVertex* before = find_pressed(w.inherited, v);
+    if (before != nullptr) {
+      p.d_P = m.X_PW1.R * before->d_W;
+      p.is_inside = p.is_lee && is_inside(part, x_P - p.d_P);
+      if (before->hold == Hold::made)
+        w.pressed.push_back(*before);
+      else if (p.is_inside)
+        w.pressed.push_back({v, before->d_W, Hold::left});
+      else
+        p.d_P = Vec3::Zero();
+    }
+    w.places.push_back(p);
   }
+
+  bool is_pressed(int v) const { return place(v).is_held && !place(v).is_lee; }
+  bool is_inner(int v) const { return is_pressed(v) || place(v).is_inside; }
+
+  /// On the edge from a pressed vertex, or one inside, to one that is not.
+  ContactEnd end(int in, int out) const {
+    const ContactScratch::Place &p = place(in), &q = place(out);
+    if (!is_pressed(in)) return end_beside_lee_side(part, {p.x_P, p.d_P}, q.x_P - q.d_P);
+    if (q.is_lee) return end_at_lee_side(part, {p.x_P, p.d_P}, q.x_P, q.x_P - q.d_P);
+    if (is_moved_now(rock, out))  // by another part
+      return end_on_undisturbed_rock(part, {p.x_P, Vec3::Zero()}, q.x_P);
+    return end_on_undisturbed_rock(part, {p.x_P, p.d_P}, q.x_P - q.d_P);
+  }
+
+  /// The contact in one triangle: the polygon of its pressed corners and its ends, counter-clockwise,
+  /// and up the sides that press.
+  void add(const std::array<int, 3>& v, ContactSums& sums) const {
+    std::array<Vec3, 7> corners_P;  // of the part's lower surface
+    std::size_t n = 0;
+    ContactEnd last;        // where the polygon leaves the last inner corner's edge
+    int from = -1;          // that corner
+    std::size_t first = 0;  // an inner corner after one that is not: the polygon begins there
+    for (std::size_t i = 0; i < 3; ++i)
+      if (is_inner(v[i]) && !is_inner(v[(i + 2) % 3])) first = i;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = v[(first + k) % 3], b = v[(first + k + 1) % 3];
+      if (is_pressed(a)) corners_P[n++] = place(a).x_P;
+      if (is_inner(a) && is_inner(b) && is_pressed(a) != is_pressed(b))
+        corners_P[n++] = (is_pressed(a) ? end(a, b) : end(b, a)).x_P;
+      if (is_inner(a) && !is_inner(b)) {
+        last = end(a, b);
+        from = a;
+        if (is_pressed(a)) corners_P[n++] = last.foot_P;
+      }
+      if (!is_inner(a) && is_inner(b)) {
+        const ContactEnd back = end(b, a);
+        const std::size_t before = n;
+        add_side(last, back, place(from).d_P, corners_P, n, sums);
+        if (!is_pressed(from) || !is_pressed(b)) n = before;
+        if (is_pressed(b)) corners_P[n++] = back.foot_P;
+      }
+    }
+    add_polygon({corners_P.data(), n}, sums.below);
+  }
+
+  /// The sides between the two ends of a triangle, from their feet up; around an edge between two
+  /// sides both the feet and the tops take a corner.
+  void add_side(const ContactEnd& a, const ContactEnd& b, const Vec3& d_P,
+                std::array<Vec3, 7>& corners_P, std::size_t& n, ContactSums& sums) const {
+    std::array<Vec3, 7> side_P;
+    std::size_t m = 0;
+    const auto put = [&](const Vec3& x_P) {
+      if (m == 0 || x_P != side_P[m - 1]) side_P[m++] = x_P;
+    };
+    const bool a_rises = a.foot_P != a.x_P, b_rises = b.foot_P != b.x_P;
+    std::array<Vec3, 2> edge_P;
+    if (edge_between(part, a, b, d_P, edge_P)) {
+      corners_P[n++] = foot_of_edge(a, b, edge_P, d_P);
+      if (!a_rises) put(corners_P[n - 1]);
+      if (a_rises)
+        for (const Vec3& x_P : {a.foot_P, a.x_P, edge_P[0]}) put(x_P);
+      if (b_rises)
+        for (const Vec3& x_P : {edge_P[1], b.x_P, b.foot_P}) put(x_P);
+      if (a_rises) put(corners_P[n - 1]);
+    } else {
+      for (const Vec3& x_P : {a.foot_P, a.x_P, b.x_P, b.foot_P}) put(x_P);
+    }
+    add_polygon({side_P.data(), m}, sums.sides);
+  }
+
+  /// The lower end of the edge between two sides, at the level of the lower foot.
+  static Vec3 foot_of_edge(const ContactEnd& a, const ContactEnd& b,
+                           const std::array<Vec3, 2>& edge_P, const Vec3& d_P) {
+    const Vec3 u = d_P.normalized();
+    const double level = std::max(u.dot(a.foot_P), u.dot(b.foot_P));
+    return edge_P[0] + (level - u.dot(edge_P[0])) * u;
+  }
+
+  void add_polygon(std::span<const Vec3> x_P, PatchSums& sums) const {
+    for (std::size_t k = 2; k < x_P.size(); ++k) {
+      const Vec3 area_vector_P = mesh::area_vector(x_P[0], x_P[k - 1], x_P[k]);
+      const Vec3 middle_P = (x_P[0] + x_P[k - 1] + x_P[k]) / 3.0;
+      const double area = area_vector_P.norm(), share = share_at(middle_P);
+      sums.area += area;
+      sums.weight += share * area;
+      sums.area_vector_P += share * area_vector_P;
+      sums.moment_P += share * area * middle_P;
+    }
+  }
+
+  double share_at(const Vec3& x_P) const {
+    return part.ramp > 0.0 ? stress_share(part, x_P, nearest_normal(part, x_P)) : 1.0;
+  }
+};
+
+/// Area vectors point out of the rock, normals of the part into it.
+ContactPatch patch_of(const PressingPart& part, const Pose& X_WP, const PatchSums& sums) {
+  ContactPatch patch{sums.area};
+  const double norm = sums.area_vector_P.norm();
+  if (!(sums.weight > 0.0 && norm > 0.0)) return patch;
+  const Vec3 middle_P = sums.moment_P / sums.weight;
+  const double share = stress_share(part, middle_P, -sums.area_vector_P / norm);
+  patch.centroid_W = X_WP * middle_P;
+  if (share > 0.0) patch.area_vector_W = X_WP.R * sums.area_vector_P / share;
+  return patch;
 }
 
-void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c, PartContact& contact) {
-  const Vec3 area_vector_W = mesh::area_vector(a, b, c);
-  const double area = area_vector_W.norm();
-  contact.area += area;
-  contact.area_vector_W += area_vector_W;
-  contact.centroid_W += area / 3.0 * (a + b + c);
+/// Adds the triangles around a vertex that is held, or inside. Each triangle is added at the lowest of
+/// its held vertices, or without them at the lowest that is inside.
+void add_around(const GroupMotion& m, const Contact& c, int v, ContactSums& sums) {
+  const mesh::Surface& s = c.rock.surface;
+  const mesh::VertexStar& star = s.star(v);
+  const int* ring = s.ring(star);
+  for (int i = 0; i < star.size; ++i) c.see(m, ring[i]);
+  const bool is_held = c.place(v).is_held;
+  const auto comes_first = [&](int other) {
+    const ContactScratch::Place& p = c.place(other);
+    return is_held ? p.is_held && other < v : p.is_held || (p.is_inside && other < v);
+  };
+  // Rings may begin anywhere, so the first triangle is the one after the lowest vertex.
+  const auto first = star.open ? 0 : std::min_element(ring, ring + star.size) - ring;
+  for (int i = 0; i < star.size - star.open; ++i) {
+    const int a = ring[(first + i) % star.size], b = ring[(first + i + 1) % star.size];
+    if (!comes_first(a) && !comes_first(b)) c.add({v, a, b}, sums);
+  }
 }
 
 /// Sums in the order of the vertices' numbers, so that they do not depend on the index's order.
-PartContact contact_of_held(const Rock& rock, ContactRoom& w) {
-  const mesh::Surface& s = rock.surface;
+PartContact sum_contact(const GroupMotion& m, const Contact& c) {
+  const mesh::Surface& s = c.rock.surface;
   PartContact contact;
-  if (w.held.size() < 3) return contact;
-  std::ranges::sort(w.held);
-  const auto is_held = [&](int v) { return w.mark[at(v)] == w.stamp; };
-  for (const int v : w.held) {
-    const mesh::VertexStar& star = s.star(v);
-    const int *ring = s.ring(star), last = star.size - 1;
-    for (int i = 0; i < star.size - star.open; ++i) {
-      const int a = ring[i], b = ring[i < last ? i + 1 : 0];
-      if (v < a && v < b && is_held(a) && is_held(b))
-        add_triangle(star.x, s.position(a), s.position(b), contact);
-    }
+  contact.distance = std::numeric_limits<double>::infinity();
+  for (const int v : c.w.held) {
+    ContactScratch::Place& place = c.place(v);
+    place.is_lee = is_on_lee_side(c.part, place.x_P);
+    place.is_inside =
+        place.is_lee && !place.d_P.isZero(0.0) && is_inside(c.part, place.x_P - place.d_P);
+    if (place.is_lee) continue;
+    const TouchedPoint touched = on_surface(c.part, place.x_P);
+    contact.distance = std::min(contact.distance, touched.rise);
+    place.x_P = touched.x_P;
   }
-  if (contact.area > 0.0) contact.centroid_W /= contact.area;
+  if (!std::isfinite(contact.distance)) return {};
+  ContactSums sums;
+  for (const int v : c.w.held) add_around(m, c, v, sums);
+  // Triangles without a vertex that is held.
+  for (const PressedVertex& before : c.w.inherited) {
+    if (before.hold == Hold::made || !s.is_alive(before.v)) continue;
+    c.see(m, before.v);
+    if (!c.place(before.v).is_held && c.place(before.v).is_inside) add_around(m, c, before.v, sums);
+  }
+  contact.below = patch_of(c.part, m.X_WP1, sums.below);
+  contact.sides = patch_of(c.part, m.X_WP1, sums.sides);
   return contact;
 }
 
+/// Keeps what maintenance made near the group and no part has held since.
+void keep_made(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, ContactScratch& w) {
+  constexpr double around = 0.5;  // of the group's size
+  const double margin = around * g.box_P.size().norm();
+  for (const PressedVertex& p : w.inherited)
+    if (p.hold == Hold::made && w.mark[at(p.v)] != w.stamp && rock.surface.is_alive(p.v) &&
+        is_within(g.box_P, m.X_PW1 * rock.surface.position(p.v), margin))
+      w.pressed.push_back(p);
+  std::ranges::sort(w.pressed, {}, &PressedVertex::v);
+}
+
 /// The contacts of the parts of one group.
-void measure_group(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
-                   double gap, ContactRoom& w, std::vector<PartContact>& contact_by_part) {
+void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
+                   const ContactOptions& options, std::span<const CarriedDisplacement> carried,
+                   ContactScratch& w, std::vector<PartContact>& contact_by_part) {
   const CuttingGroup& g = bit.groups[i];
+  const GroupMotion& m = cut.motions[i];
+  const double gap = options.gap;
   find_near(rock, bit, cut, i, gap, w);
-  if (w.near.size() < 3) return;
   w.mark.resize(rock.surface.stars.size(), 0);
   for (std::size_t k = 0; k < g.parts.size();) {
+    const std::size_t from = k;
     const int part = g.parts[k].part;
     ++w.stamp;
     w.held.clear();
     for (; k < g.parts.size() && g.parts[k].part == part; ++k) hold(rock, g, g.parts[k], gap, w);
-    contact_by_part[at(part)] = contact_of_held(rock, w);
+    if (w.held.empty()) {
+      rock.pressed[at(part)].clear();
+      continue;
+    }
+    take_held(rock, m, cut.groups[i], part, carried, w);
+    const PressingPart pressing{
+        {g.parts.data() + from, k - from},
+        m.X_PW1 * m.X_WP0,
+        gap,
+        options.ramp_by_part.empty() ? 0.0 : options.ramp_by_part[at(part)]};
+    contact_by_part[at(part)] = sum_contact(m, {rock, pressing, part, w});
+    keep_made(rock, g, m, w);
+    rock.pressed[at(part)].assign(w.pressed.begin(), w.pressed.end());
   }
 }
 
 }  // namespace
 
-void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, double gap,
-                   ContactWork& work, std::vector<PartContact>& contact_by_part) {
+ContactPatch whole(const PartContact& c) {
+  ContactPatch sum{c.below.area + c.sides.area, c.below.area_vector_W + c.sides.area_vector_W};
+  if (sum.area > 0.0)
+    sum.centroid_W =
+        (c.below.area * c.below.centroid_W + c.sides.area * c.sides.centroid_W) / sum.area;
+  return sum;
+}
+
+void contact_areas(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
+                   const ContactOptions& options, ContactWork& work,
+                   std::vector<PartContact>& contact_by_part) {
   contact_by_part.assign(at(bit.part_count), {});
+  rock.pressed.resize(at(bit.part_count));
+  keep_concerned(rock, work);
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
-    measure_group(rock, bit, cut, at(i), gap, work.rooms.local(), contact_by_part);
+    measure_group(rock, bit, cut, at(i), options, work.carried, work.scratch.local(),
+                  contact_by_part);
   });
+  rock.carried.clear();
 }
 
 }  // namespace tdbd::rock

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -8,33 +9,78 @@
 namespace tdbd::rock {
 
 /// Buffers of one thread.
-struct ContactRoom {
+struct ContactScratch {
   std::vector<int> chains, around;
-  std::vector<int> near;     ///< vertices that a part of the group at work may touch
+  std::vector<int> near;     ///< vertices that a part of the group may touch
   std::vector<Vec3> near_P;  ///< m, the same at the end of the step
   std::vector<int> held;
-  std::vector<int> mark;  ///< per vertex
+  std::vector<int>
+      mark;  ///< per vertex: the stamp of the part that holds it, and where in `places`
+  std::vector<int> index;
   int stamp = 0;
+  /// Vertices of the triangles around the part's contact.
+  struct Place {
+    Vec3 x_P = Vec3::Zero(), d_P = Vec3::Zero();  ///< m
+    bool is_held = false, is_lee = false;
+    bool is_inside = false;  ///< on the lee side, its undisturbed place inside the part
+  };
+  std::vector<Place> places;
+  std::vector<PressedVertex> inherited, pressed;
 };
 
 /// Buffers for the contact areas of a step, kept between steps so that none allocates once warm.
 struct ContactWork {
-  PerThread<ContactRoom> rooms;
+  PerThread<ContactScratch> scratch;
+  std::vector<CarriedDisplacement> carried;
+  std::vector<int> mark;  ///< per vertex
+  int stamp = 0;
 };
 
-/// The rock surface in contact with one part of the bit. All zero: none.
+/// Rock surface in contact with a part of the bit. All zero: none.
+///
+/// Under a law whose stress increases with the angle b of the motion into the rock (forces (4)) every
+/// polygon has the share w = min(1, tan b / ramp) of the full stress, 0 where it does not move into the
+/// rock; without a ramp w = 1. The area vector is
+///   sum(w A n) / w_m
+/// where w_m is the share at the mean normal, sum(w A n), and the mean point: that of the surface which
+/// has the same force under the law if all of it moves like its middle. So a surface that only slides
+/// adds nothing, and it does not matter where exactly a contact ends along it.
+struct ContactPatch {
+  double area = 0.0;                  ///< m2, sum of the areas A of the contact's polygons
+  Vec3 area_vector_W = Vec3::Zero();  ///< m2, n: the polygons' normals out of the rock
+  Vec3 centroid_W = Vec3::Zero();     ///< m, of the polygons, weighted by w A
+};
+
+/// A part's contact. Sides that press and do not face the update direction are apart from the surface
+/// below them: they are crushing rock while that may only slide, as where a pad drags.
 struct PartContact {
-  double area = 0.0;                  ///< m2, sum of the triangles' areas
-  Vec3 area_vector_W = Vec3::Zero();  ///< m2, sum of area times normal, out of the rock
-  Vec3 centroid_W = Vec3::Zero();     ///< m, of the triangles, weighted by area
+  ContactPatch below, sides;
+  /// m, from the part's surface to the nearest vertex that it presses: how far it has risen from the
+  /// rock since, within the gap.
+  double distance = 0.0;
 };
 
-/// The contact area of every part of the bit, rock (14) (reconstructed): the rock triangles whose
-/// three vertices the part moved in this step or touches at its end, that is, has within `gap` (m)
-/// of its surface. A triangle may count for several parts. Call it after cut_rock and before
-/// maintenance; `cut` is the workspace of that step. Cost is proportional to the vertices near the
-/// bit.
-void contact_areas(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, double gap,
-                   ContactWork& work, std::vector<PartContact>& contact_by_part);
+/// Both patches as one, which has one normal.
+ContactPatch whole(const PartContact& contact);
+
+struct ContactOptions {
+  double gap = 0.0;  ///< m, how near counts as touching
+  /// Per part: forces::Pressing::ramp of its law. Empty: all 0.
+  std::span<const double> ramp_by_part;
+};
+
+/// The contact area of every part of the bit, rock (14) (reconstructed). A part holds the vertices
+/// that it moved in this step or touches at its end, that is, has within the gap of its
+/// surface; it presses those of them that are not on its lee side. Of every triangle with such corners the
+/// contact is the polygon of these corners and of the two points at which it ends (contact_end.hpp).
+/// A triangle may count for several parts.
+///
+/// Updates rock.pressed: by how much each held vertex was moved by the part since the two have been
+/// in contact without a break of one step. Where maintenance made or moved vertices since, the
+/// displacements are interpolated on the surface before. Call it once after each cut_rock and before maintenance; `cut` is the
+/// workspace of that step. Cost is proportional to the vertices near the bit.
+void contact_areas(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
+                   const ContactOptions& options, ContactWork& work,
+                   std::vector<PartContact>& contact_by_part);
 
 }  // namespace tdbd::rock

@@ -148,8 +148,8 @@ RubbingPart prepare_rubbing_part(const bit::Part& part, int index) {
   return prepared;
 }
 
-PartContact rubbing_contact(const Rock& rock, const RubbingPart& part, const Pose& X_WP,
-                            double edge, RubbingWork& w) {
+ContactPatch rubbing_contact(const Rock& rock, const RubbingPart& part, const Pose& X_WP,
+                             double edge, RubbingWork& w) {
   find_near(rock, part, X_WP, edge, w);
   if (part.tree_P) find_depths(part, edge, w);
   const Sums sums = sum_triangles(rock, part, inverse(X_WP), edge, w);

@@ -37,8 +37,8 @@ struct RubbingWork {
 /// edges are interpolated linearly between the vertices' signed distances, and triangles without a
 /// vertex inside do not count. Triangles are found if one of their vertices is within `edge` (m), the
 /// length of the rock's longest edges, of the part's box. The sums do not depend on the index.
-PartContact rubbing_contact(const Rock& rock, const RubbingPart& part, const Pose& X_WP,
-                            double edge, RubbingWork& work);
+ContactPatch rubbing_contact(const Rock& rock, const RubbingPart& part, const Pose& X_WP,
+                             double edge, RubbingWork& work);
 
 /// The greatest distance (m) of a rock vertex inside a closed part from the part's surface; 0: no
 /// vertex is inside.

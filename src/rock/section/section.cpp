@@ -80,21 +80,23 @@ void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, Sectio
   end_run(plane.face, run, w.sums);
 }
 
-/// An edge of the outline: where its middle is, and how much of it is engaged.
+/// The engaged part of an edge of the outline: its length and its middle.
 struct EngagedEdge {
   Vec2 middle_F;
   double length;
 };
 
-EngagedEdge edge_of(const FaceColumns& face, std::size_t i, const ColumnSums& sums) {
+EngagedEdge engaged_edge(const FaceColumns& face, std::size_t i, const ColumnSums& sums) {
   const std::size_t count = face.columns.size();
   const double length = static_cast<double>(sums.engaged[i]) / sums.per_length;
+  const double along =
+      static_cast<double>(sums.engaged_moment[i]) / sums.per_length_moment / length;
   const FaceColumn& c = face.columns[i < 2 * count ? i % count : i == 2 * count ? 0 : count - 1];
-  const double half = 0.5 * (c.y1 - c.y0);
-  if (i < count) return {{c.y0 + half, c.lower + half * c.lower_slope}, length};
-  if (i < 2 * count) return {{c.y0 + half, c.upper + half * c.upper_slope}, length};
-  const double dy = i == 2 * count ? 0.0 : c.y1 - c.y0;
-  return {{c.y0 + dy, 0.5 * (c.lower + c.upper + dy * (c.lower_slope + c.upper_slope))}, length};
+  const double width = c.y1 - c.y0, dy = std::clamp(along, 0.0, width);  // rounding of short ones
+  if (i < count) return {{c.y0 + dy, c.lower + dy * c.lower_slope}, length};
+  if (i < 2 * count) return {{c.y0 + dy, c.upper + dy * c.upper_slope}, length};
+  const double y = i == 2 * count ? 0.0 : width;
+  return {{c.y0 + y, c.lower + y * c.lower_slope + std::max(along, 0.0)}, length};
 }
 
 void measure_edge(const FaceColumns& face, const Pose& X_BF, const rotation::Twist& twist,
@@ -103,7 +105,7 @@ void measure_edge(const FaceColumns& face, const Pose& X_BF, const rotation::Twi
   Vec2 middle_F = Vec2::Zero();
   for (std::size_t i = 0; i < sums.engaged.size(); ++i) {
     if (sums.engaged[i] == 0) continue;
-    const EngagedEdge e = edge_of(face, i, sums);
+    const EngagedEdge e = engaged_edge(face, i, sums);
     s.engaged_edge += e.length;
     middle_F += e.length * e.middle_F;
     attack += e.length * angle_of_attack(X_BF, twist, e.middle_F);

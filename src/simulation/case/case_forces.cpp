@@ -116,6 +116,20 @@ void warn_of_idle(Config& c, const bit::Bit& bit, const forces::Law& common, con
   }
 }
 
+/// Parts that rub are there to bear; without a law they do not.
+void warn_of_unborne(const Config& c, const bit::Bit& bit, const ForcePlan& plan,
+                     std::vector<CaseWarning>& warnings) {
+  for (const bit::Part& p : bit.parts) {
+    if (p.cutting != bit::Cutting::rubs || has_law(plan, p.kind)) continue;
+    const std::string key = bit::kind_key(p.kind);
+    warnings.push_back(
+        {c.place(force_keys::table.name), std::string(force_keys::table.name),
+         fmt::format("{} rubs, but no force acts on it: no law is given for a {}; set "
+                     "forces.{}.law, or rubs = false",
+                     p.name, bit::kind_words(p.kind), key)});
+  }
+}
+
 /// What is made of a section belongs to a cutter whose place is known: of a table, or of meshes with
 /// the cutter's frame.
 bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
@@ -197,7 +211,10 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
   for (const KindKey& k : kind_keys) read_law_of(c, k, common, bit, plan);
   require_parts(c, bit, common, plan);
   require_measures(c, bit, measure);
-  if (c.problem_count() == 0) warn_of_idle(c, bit, common, plan, warnings);
+  if (c.problem_count() == 0) {
+    warn_of_idle(c, bit, common, plan, warnings);
+    warn_of_unborne(whole, bit, plan, warnings);
+  }
   plan.rock = read_formation(whole.table(rock_keys::table));
   return plan;
 }

@@ -37,13 +37,9 @@ namespace {
 /// The index is not saved: it follows from the surface.
 void rebuild(const Case& c, rock::Rock& rock) {
   mesh::refresh_stars(rock.surface);
-  rock::Rock saved = std::move(rock);
-  rock = indexed_rock(c, std::move(saved.surface));
-  rock.last_part = std::move(saved.last_part);
-  rock.touched = std::move(saved.touched);
-  rock.touched_list = std::move(saved.touched_list);
-  rock.cuts = saved.cuts;
-  rock.moved_in = std::move(saved.moved_in);
+  rock::Rock indexed = indexed_rock(c, std::move(rock.surface));
+  rock.surface = std::move(indexed.surface);
+  rock.grid = std::move(indexed.grid);
 }
 
 }  // namespace

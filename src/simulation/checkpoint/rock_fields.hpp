@@ -11,6 +11,20 @@ void fields(A& a, Of<A, rock::MovedIn>& x) {
   a.number(x.last);
 }
 
+template <class A>
+void fields(A& a, Of<A, rock::PressedVertex>& x) {
+  a.number(x.v);
+  item(a, x.d_W);
+  a.number(x.hold);
+}
+
+template <class A>
+void fields(A& a, Of<A, rock::CarriedDisplacement>& x) {
+  a.number(x.v);
+  item(a, x.from);
+  item(a, x.weight);
+}
+
 /// The surface with all its slots, dead ones too: vertices and triangles keep their numbers. The
 /// stars' neighbours follow from the rest (refresh_stars).
 template <class A>
@@ -50,6 +64,8 @@ void fields(A& a, Of<A, rock::Rock>& x) {
   a("touched_list", x.touched_list);
   a("cuts", x.cuts);
   a("moved_in", x.moved_in);
+  a("pressed", x.pressed);
+  a("carried", x.carried);
 }
 
 }  // namespace tdbd::simulation

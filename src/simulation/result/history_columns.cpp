@@ -199,8 +199,9 @@ void append_contacts(std::span<const rock::PartContact> contacts, std::vector<do
   const std::size_t total = row.size();
   row.push_back(0.0);
   for (const rock::PartContact& c : contacts) {
-    row[total] += c.area;
-    row.push_back(c.area);
+    const double area = c.below.area + c.sides.area;
+    row[total] += area;
+    row.push_back(area);
   }
 }
 

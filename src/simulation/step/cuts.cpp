@@ -54,7 +54,7 @@ void take_edge(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
   c.cut.point = step.move.X_WB1 * s.edge_centroid_B;
 }
 
-void take_contact(const rock::PartContact& contact, CutOfPart& c) {
+void take_contact(const rock::ContactPatch& contact, CutOfPart& c) {
   const double sum = contact.area_vector_W.norm();
   if (!(sum > 0.0)) return;
   c.cut.contact_area = sum;
@@ -66,7 +66,30 @@ void take_part(const ForcePlan& plan, const MeasuredStep& step, const Measures& 
   if (c.cut.kind == bit::PartKind::face) return take_face(plan, step, m, c);
   if (c.cut.kind == bit::PartKind::chamfer && plan.chamfer == ChamferMeasure::edge)
     return take_edge(step, m, c);
-  if (!m.contacts.empty()) take_contact(m.contacts[at(c.part)], c);
+  if (m.contacts.empty()) return;
+  take_contact(rock::whole(m.contacts[at(c.part)]), c);
+  c.distance = m.contacts[at(c.part)].distance;
+}
+
+/// The sides of a part that presses are a contact of their own: they crush rock where the surface
+/// below them may only slide, and together they would have one normal.
+void split_sides(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart>& cuts) {
+  CutOfPart& below = cuts.back();
+  if (m.contacts.empty() || !forces::pressing(law_of(plan, below.cut.kind), below.cut)) return;
+  const rock::PartContact& contact = m.contacts[at(below.part)];
+  if (!(contact.sides.area > 0.0)) return;
+  CutOfPart sides = below;
+  sides.cut.removed_volume = 0.0;
+  take_contact(contact.sides, sides);
+  sides.distance = 0.0;
+  sides.cut.strength = forces::strength_at(plan.rock, sides.cut.point);
+  below.cut.contact_area = 0.0;
+  take_contact(contact.below, below);
+  below.cut.strength = forces::strength_at(plan.rock, below.cut.point);
+  if (below.cut.contact_area > 0.0)
+    cuts.push_back(sides);
+  else
+    below = sides;
 }
 
 }  // namespace
@@ -88,7 +111,24 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
     take_part(plan, step, m, c);
     if (!(c.face_area > 0.0) && !(c.cut.contact_area > 0.0)) continue;
     c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
+    if (!forces::pressing(law_of(plan, c.cut.kind), c.cut)) c.distance = 0.0;
     cuts.push_back(c);
+    split_sides(plan, m, cuts);
+  }
+}
+
+void gather_touching(const ForcePlan& plan, const bit::Bit& bit,
+                     const std::vector<rock::PartContact>& contacts, std::vector<CutOfPart>& cuts) {
+  cuts.clear();
+  for (std::size_t i = 0; i < bit.parts.size(); ++i) {
+    CutOfPart c;
+    c.part = static_cast<int>(i);
+    c.cone = bit.parts[i].cone;
+    c.cut.kind = bit.parts[i].kind;
+    take_contact(rock::whole(contacts[i]), c);
+    c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
+    const auto law = forces::pressing(law_of(plan, c.cut.kind), c.cut);
+    if (law && law->limit > 0.0 && law->ramp == 0.0) cuts.push_back(c);
   }
 }
 
@@ -99,7 +139,7 @@ forces::PartCut cut_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity&
 
 forces::PartCut cut_at_velocity(const Vec3& v_W, double dt, const CutOfPart& c) {
   forces::PartCut cut = c.cut;
-  cut.velocity = v_W;
+  cut.velocity = v_W - c.distance / dt * c.cut.normal;
   const double speed = cut.velocity.norm();
   cut.path = speed * dt;
   if (!(c.face_area > 0.0)) return cut;

@@ -17,6 +17,7 @@ struct CutOfPart {
   forces::PartCut cut;            ///< in the frame W; velocity and what follows from it are not set
   double face_area = 0.0;         ///< m2, cut by a face, in its plane
   Vec3 forward_W = Vec3::Zero();  ///< unit, the face's normal; of a face only
+  double distance = 0.0;          ///< m, rock::PartContact::distance under a law that presses
 };
 
 /// The cuts of all parts with a law that touched rock in the step, in the order of the parts.
@@ -26,9 +27,15 @@ struct CutOfPart {
 /// - chamfer: engaged edge times the chamfer's width, seen along the profile's normal (edge), or
 ///   the rock triangles in contact (triangles).
 /// - all others: the rock triangles in contact, their centroid, and the direction of their summed
-///   area; contact_area is the length of that sum, so that pressure on a closed patch cancels.
+///   area; contact_area is the length of that sum, so that pressure on a closed patch cancels. Sides
+///   that press under a law that presses (forces (4)) are a second cut of the same part.
 void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures& measures,
                  std::vector<CutOfPart>& cuts);
+
+/// The cuts of parts that press without a ramp (forces (4)) and touch the rock, of a bit that has not
+/// moved yet. With a ramp they carry only what their motion makes them carry.
+void gather_touching(const ForcePlan& plan, const bit::Bit& bit,
+                     const std::vector<rock::PartContact>& contacts, std::vector<CutOfPart>& cuts);
 
 /// Width of a chamfer as the rock sees it along the profile's normal when the face stands at this
 /// back rake (rad): depth cos + width sin, m; land included.
@@ -39,7 +46,8 @@ double chamfer_width(const bit::Cutter& cutter, double back_rake);
 forces::PartCut cut_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, double dt,
                        const CutOfPart& cut);
 
-/// The same where the velocity of the cut's point (m/s) is known.
+/// The same where the velocity of the cut's point (m/s) is known. A surface that has risen from the
+/// rock first comes back to it: its velocity into the rock is less by distance/dt.
 forces::PartCut cut_at_velocity(const Vec3& v_W, double dt, const CutOfPart& cut);
 
 }  // namespace tdbd::simulation

@@ -22,7 +22,7 @@ BitVelocity velocity_of(const dynamics::DrillingSystem& system,
                         const dynamics::DrillingState& state);
 
 /// The loads as the equations of motion take them: torques about the centre of mass, the opposite
-/// force on the rock, the impulses of the cones' own spins at the step's end (cone_balance.hpp).
+/// force on the rock, and the impulses of the cones' own spins at the end of the step.
 /// X_RB: where the loads were summed, about its origin.
 dynamics::Wrench wrench_of(const dynamics::DrillingSystem& system, const BitLoads& loads,
                            const Pose& X_RB);

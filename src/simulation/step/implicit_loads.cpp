@@ -1,5 +1,8 @@
 #include "simulation/step/implicit_loads.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "rotation/rotation_vector.hpp"
 
 namespace tdbd::simulation {
@@ -32,7 +35,8 @@ void evaluate(const ResistedMotion& m, const VectorXd& u, Resistance which, Impl
   for (std::size_t i = 0; i < m.cuts.size(); ++i) {
     const auto& J = w.jacobians[i];
     const Vec3 v = J.lazyProduct(u);
-    w.drags[i] = drag_of(m.plan, m.cuts[i], v, m.dt, which);
+    w.drags[i] =
+        w.pressed[i] ? drag_of(*w.pressed[i], v) : drag_of(m.plan, m.cuts[i], v, m.dt, which);
     w.f += J.transpose().lazyProduct(w.drags[i].force.force);
     w.resisted = w.drags[i].resistance.lazyProduct(J);
     w.C += J.transpose().lazyProduct(w.resisted);
@@ -60,46 +64,104 @@ double residual(const ResistedMotion& m, const VectorXd& u, Resistance which, Im
   return length_in_metric(w.rest, w);
 }
 
-/// Newton's step from work.u, halved until it comes nearer. False: it does not.
-bool take_newton_step(const ResistedMotion& m, double before, ImplicitWork& w) {
+/// Where a solution at the resistances C leads from u: (I + A C) next = free + A (f + C u). With the
+/// secants of all laws that is free alone.
+void solve_linearised(const ResistedMotion& m, ImplicitWork& w) {
   w.trial = w.f;
   w.trial.noalias() += w.C * w.u;
   w.rest = m.response.free;
   w.rest.noalias() += m.response.A * w.trial;
   solve(m, w.rest, w, w.next);
-  constexpr int most_halvings = 4;
+}
+
+/// Newton's step from work.u, halved until it comes nearer. If it never does: with pressing
+/// surfaces, whose forces have kinks, the nearest of the trials is taken all the same; without, false
+/// is returned.
+bool take_newton_step(const ResistedMotion& m, double before, ImplicitWork& w) {
+  solve_linearised(m, w);
+  const bool presses = any_presses(w);
+  const int most_halvings = presses ? 16 : 4;
   constexpr double least_gain = 0.1;
-  double part = 1.0;
+  double part = 1.0, nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_halvings; ++i, part *= 0.5) {
     w.trial = w.u + part * (w.next - w.u);
-    if (residual(m, w.trial, Resistance::secant, w) < (1.0 - least_gain * part) * before) {
+    const double rest = residual(m, w.trial, Resistance::secant, w);
+    if (rest < (1.0 - least_gain * part) * before) {
       w.u.swap(w.trial);
       return true;
     }
+    if (rest >= nearest) continue;
+    nearest = rest;
+    w.nearest = w.trial;
   }
-  return false;
+  if (presses) w.u.swap(w.nearest);
+  return presses;
 }
 
 void take_secant_step(const ResistedMotion& m, ImplicitWork& w) {
   evaluate(m, w.u, Resistance::secant, w);
-  solve(m, m.response.free, w, w.u);
+  solve_linearised(m, w);
+  w.u.swap(w.next);
 }
 
-/// Takes the cones out of B: their own impulse is implicit in every step.
-void eliminate_cones(int cones, MatrixXd& B, ImplicitWork& w) {
-  if (cones == 0) return;
-  w.coupled.setIdentity(cones, cones);
-  w.coupled += B.block(6, 6, cones, cones);
-  w.cone_lu.compute(w.coupled);
-  w.across = B.middleRows(6, cones);
-  w.coupled = w.cone_lu.solve(w.across);
-  w.across = B.middleCols(6, cones);
-  B.noalias() -= w.across * w.coupled;
-  B.middleRows(6, cones).setZero();
-  B.middleCols(6, cones).setZero();
+/// The same with the pressing surfaces' forces as they are estimated.
+void take_last_step(const ResistedMotion& m, ImplicitWork& w) {
+  evaluate(m, w.u, Resistance::secant, w);
+  w.f.setZero();
+  w.C.setZero();
+  for (std::size_t i = 0; i < m.cuts.size(); ++i) {
+    const auto& J = w.jacobians[i];
+    if (w.pressed[i]) {
+      const PressedContact& c = *w.pressed[i];
+      w.f += J.transpose().lazyProduct(Vec3(-c.p * c.normal_W - c.friction_W));
+    } else {
+      w.resisted = w.drags[i].resistance.lazyProduct(J);
+      w.C += J.transpose().lazyProduct(w.resisted);
+    }
+  }
+  w.rest = m.response.free;
+  w.rest.noalias() += m.response.A * w.f;
+  solve(m, w.rest, w, w.u);
+}
+
+/// The penalties: so many times what stops the contact in one step.
+void set_penalties(const ResistedMotion& m, double times, ImplicitWork& w) {
+  for (std::size_t i = 0; i < m.cuts.size(); ++i) {
+    if (!w.pressed[i]) continue;
+    PressedContact& c = *w.pressed[i];
+    w.yields.noalias() = w.jacobians[i] * m.response.A;
+    const Mat3 D = w.yields.lazyProduct(w.jacobians[i].transpose());
+    c.k_n = times / c.normal_W.dot(D * c.normal_W);
+    c.k_t = times / D.norm();
+  }
+}
+
+void update_estimates(const ResistedMotion& m, ImplicitWork& w) {
+  for (std::size_t i = 0; i < m.cuts.size(); ++i)
+    if (w.pressed[i]) update_estimate(*w.pressed[i], w.jacobians[i].lazyProduct(w.u));
+}
+
+/// Newton's method at one estimate of the pressing surfaces. `first_secants`: rounds at secants.
+bool find_velocity(const ResistedMotion& m, double close, int first_secants, int most_rounds,
+                   int& rounds, ImplicitWork& w) {
+  for (int round = 0; round < most_rounds; ++round, ++rounds) {
+    const bool is_newton = round >= first_secants;
+    const double rest = residual(m, w.u, is_newton ? Resistance::tangent : Resistance::secant, w);
+    if (rest <= close) return true;
+    if (!is_newton || !take_newton_step(m, rest, w)) take_secant_step(m, w);
+  }
+  return false;
 }
 
 }  // namespace
+
+bool any_presses(const ImplicitWork& w) {
+  return std::ranges::any_of(w.pressed, [](const auto& contact) { return contact.has_value(); });
+}
+
+std::optional<forces::Pressing> pressing_of(const ForcePlan& plan, const CutOfPart& cut) {
+  return forces::pressing(law_of(plan, cut.cut.kind), cut.cut);
+}
 
 void prepare(const ResistedMotion& m, ImplicitWork& w) {
   w.jacobians.resize(std::max(w.jacobians.size(), m.cuts.size()));
@@ -108,6 +170,10 @@ void prepare(const ResistedMotion& m, ImplicitWork& w) {
   w.matrix = 0.5 * (m.response.A + m.response.A.transpose());
   w.cholesky.compute(w.matrix);
   w.root = w.cholesky.matrixL();
+  w.pressed.assign(m.cuts.size(), std::nullopt);
+  for (std::size_t i = 0; i < m.cuts.size(); ++i)
+    if (const auto law = pressing_of(m.plan, m.cuts[i]); law && law->limit > 0.0)
+      w.pressed[i] = PressedContact{*law, m.cuts[i].cut.normal, m.cuts[i].distance / m.dt};
 }
 
 double steepness(const ResistedMotion& m, const VectorXd& u, ImplicitWork& w) {
@@ -115,27 +181,76 @@ double steepness(const ResistedMotion& m, const VectorXd& u, ImplicitWork& w) {
   w.product.noalias() = w.C * w.root;
   MatrixXd& B = w.steep;
   B.noalias() = w.root.transpose() * w.product;
-  eliminate_cones(cones_of(m), B, w);
   if (B.norm() <= 1.0) return B.norm();  // bounds the singular value
   w.product.noalias() = B.transpose() * B;
   w.eigen.compute(w.product, Eigen::EigenvaluesOnly);
   return std::sqrt(w.eigen.eigenvalues()[B.rows() - 1]);
 }
 
+namespace {
+
+/// The estimates of the pressing surfaces are updated until they repeat themselves.
+bool settle(const ResistedMotion& m, double close, int first_secants, Search& search,
+            ImplicitWork& w) {
+  constexpr int most_rounds = 30, most_updates = 12;
+  constexpr double penalty_growth = 10.0, largest_penalty = 1e5;
+  const bool presses = any_presses(w);
+  double penalty = penalty_growth;
+  for (int update = 0; update < most_updates; ++update) {
+    set_penalties(m, penalty, w);
+    const bool is_near =
+        find_velocity(m, close, update == 0 ? first_secants : 0, most_rounds, search.rounds, w);
+    update_estimates(m, w);
+    if (is_near && (!presses || residual(m, w.u, Resistance::none, w) <= close)) return true;
+    if (!presses) return false;
+    penalty = std::min(penalty_growth * penalty, largest_penalty);
+  }
+  return false;
+}
+
+/// Whether the friction of a pressing surface falls with its slip. Then a contact may both stick and
+/// slip in one step.
+bool weakens(const ImplicitWork& w) {
+  return std::ranges::any_of(w.pressed, [](const auto& c) {
+    return c && c->law.sliding.mu * c->law.sliding.weakening > 0.0;
+  });
+}
+
+/// Holds the slip at which friction and ramp are evaluated, at first 0, solves, and updates it. Forces
+/// decrease and slips increase from one solution to the next, so that this finds the slowest slip,
+/// and a contact that can stick sticks. It continues where an inner search does not settle.
+bool settle_at_held_slip(const ResistedMotion& m, double close, Search& search, ImplicitWork& w) {
+  constexpr int most_updates = 100, most_rounds = 2000;
+  for (auto& c : w.pressed)
+    if (c) c->slip = 0.0;
+  bool is_settled = false;
+  for (int update = 0; update < most_updates && !is_settled && search.rounds < most_rounds;
+       ++update) {
+    settle(m, close, 0, search, w);
+    for (std::size_t i = 0; i < m.cuts.size(); ++i)
+      if (auto& c = w.pressed[i]; c) {
+        const Vec3 v = w.jacobians[i].lazyProduct(w.u);
+        c->slip = forces::slip_velocity(v, c->normal_W).norm();
+      }
+    is_settled = residual(m, w.u, Resistance::none, w) <= close;
+  }
+  for (auto& c : w.pressed)
+    if (c) c->slip.reset();
+  return is_settled;
+}
+
+}  // namespace
+
 Search find_resisted_velocity(const ResistedMotion& m, ImplicitWork& w) {
-  constexpr int secant_rounds = 2, most_rounds = 30;
+  constexpr int secant_rounds = 2;
   constexpr double settled = 1e-9;
   w.rest = m.response.free;
-  const double scale = length_in_metric(w.rest, w);
+  const double close = settled * length_in_metric(w.rest, w);
   Search search{0, false};
-  for (; search.rounds < most_rounds; ++search.rounds) {
-    const bool is_newton = search.rounds >= secant_rounds;
-    const double rest = residual(m, w.u, is_newton ? Resistance::tangent : Resistance::secant, w);
-    search.is_settled = rest <= settled * scale;
-    if (search.is_settled) break;
-    if (!is_newton || !take_newton_step(m, rest, w)) take_secant_step(m, w);
-  }
-  take_secant_step(m, w);
+  search.is_settled = !weakens(w) && settle(m, close, secant_rounds, search, w);
+  if (!search.is_settled && any_presses(w))
+    search.is_settled = settle_at_held_slip(m, close, search, w);
+  take_last_step(m, w);
   return search;
 }
 
@@ -143,10 +258,18 @@ void take_loads(const ResistedMotion& m, const ImplicitWork& w, BitLoads& loads)
   clear(m.bit, loads);
   for (std::size_t i = 0; i < m.cuts.size(); ++i) {
     const CutOfPart& c = m.cuts[i];
-    const PartDrag& drag = w.drags[i];
-    const Vec3 v = w.jacobians[i] * w.u, F = -drag.resistance * v;
-    add({F, drag.force.point, drag.force.normal, drag.force.tangential, -F.dot(v)}, m.bit, m.X_WB,
-        c, loads);
+    const Vec3 v = w.jacobians[i] * w.u;
+    PartLoad load;
+    if (w.pressed[i]) {
+      const PressedContact& p = *w.pressed[i];
+      load = {-p.p * p.normal_W - p.friction_W, c.cut.point, p.p, p.friction_W.norm(), 0.0};
+    } else {
+      const PartDrag& drag = w.drags[i];
+      load = {-drag.resistance * v, drag.force.point, drag.force.normal, drag.force.tangential,
+              0.0};
+    }
+    load.power = -load.force_W.dot(v);
+    add(load, m.bit, m.X_WB, c, loads);
   }
 }
 

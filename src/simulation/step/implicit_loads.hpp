@@ -3,10 +3,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <optional>
 #include <vector>
 
 #include "dynamics/drilling/response.hpp"
-#include "simulation/step/part_drag.hpp"
+#include "simulation/step/pressed_contact.hpp"
 
 namespace tdbd::simulation {
 
@@ -32,30 +33,39 @@ struct Search {
 struct ImplicitWork {
   std::vector<Eigen::Matrix<double, 3, Eigen::Dynamic>> jacobians;  ///< of the cuts' points by u
   std::vector<PartDrag> drags;
-  Eigen::VectorXd f;     ///< N, N m: sum of J^T F
-  Eigen::MatrixXd C;     ///< sum of J^T C J
-  Eigen::MatrixXd root;  ///< L, L L^T the symmetric part of A
-  Eigen::VectorXd u, next, trial, rest;
-  Eigen::Matrix<double, 3, Eigen::Dynamic> resisted;
-  Eigen::MatrixXd matrix, product, steep, across, coupled;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu, cone_lu;
+  std::vector<std::optional<PressedContact>> pressed;  ///< per cut, if its surface presses
+  Eigen::VectorXd f;                                   ///< N, N m: sum of J^T F
+  Eigen::MatrixXd C;                                   ///< sum of J^T C J
+  Eigen::MatrixXd root;                                ///< L, L L^T the symmetric part of A
+  Eigen::VectorXd u, next, trial, nearest, rest;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> resisted, yields;
+  Eigen::MatrixXd matrix, product, steep;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu;
   Eigen::LLT<Eigen::MatrixXd> cholesky;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
 };
+
+/// Whether a pressing surface made this cut, and with which force at most.
+std::optional<forces::Pressing> pressing_of(const ForcePlan& plan, const CutOfPart& cut);
 
 /// Velocities of the cuts' points are J u. Also L: the symmetric part of A is positive, since all that
 /// acts in a step loses energy; if it were not, steepness would be NaN and the step explicit.
 void prepare(const ResistedMotion& m, ImplicitWork& work);
 
-/// How steep the laws are at u beside what the step gives way: the largest singular value of
-/// L^T C L, C the secants' sum; cones, which are light and follow, are eliminated. An explicit
-/// impulse overshoots beyond 1.
+/// Whether one of the cuts is of a pressing surface.
+bool any_presses(const ImplicitWork& work);
+
+/// How steep the laws of the velocity are at u, compared with the compliance of the step: the
+/// largest singular value of L^T C L, C the secants' sum. An explicit impulse overshoots beyond 1.
 double steepness(const ResistedMotion& m, const Eigen::VectorXd& u, ImplicitWork& work);
 
-/// The velocity that the laws' own forces at it lead to, simulation (8): (I + A C(u)) u = free, from
-/// `work.u`, to 1e-9 of `free` in the metric of A. Two rounds at the secants, then Newton's at the
-/// slopes, shortened where they do not come nearer. The last is a solution at the secants of what
-/// was found, so that the forces -C u take energy even if the search did not settle.
+/// Finds the velocity to which the forces of the laws at that velocity lead, simulation (8) and (13):
+/// u = free + A f(u), from `work.u`, to 1e-9 of `free` in the metric of A. Two rounds use the secants
+/// of laws of the velocity, then Newton's method uses the slopes; a Newton step that comes no nearer
+/// is shortened. Around these rounds the estimates of the pressing surfaces are updated until they
+/// repeat themselves, with penalties that increase tenfold. Where friction weakens, or where that
+/// fails, the slip is held and updated outside of these rounds. The last round is a solution at the
+/// secants of what was found, so that the forces -C u take energy even if the search did not settle.
 Search find_resisted_velocity(const ResistedMotion& m, ImplicitWork& work);
 
 /// The forces -C_i v_i at the velocities work.u, by part and summed.

@@ -4,9 +4,10 @@ namespace tdbd::simulation {
 
 PartLoad load_of(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
                  const BitVelocity& motion, double dt, const CutOfPart& c) {
-  const forces::PartCut cut = cut_at(bit, X_WB, motion, dt, c);
+  const Vec3 v_W = velocity_at(bit, X_WB, motion, c.cone, c.cut.point);
+  const forces::PartCut cut = cut_at_velocity(v_W, dt, c);
   const forces::PartForce f = forces::force(law_of(plan, cut.kind), cut);
-  return {f.force, f.point, f.normal, f.tangential, -f.force.dot(cut.velocity)};
+  return {f.force, f.point, f.normal, f.tangential, -f.force.dot(v_W)};
 }
 
 double torque_about_cone(const bit::Bit& bit, const Pose& X_WB, int cone, const PartLoad& load) {
@@ -23,7 +24,13 @@ void clear(const bit::Bit& bit, BitLoads& loads) {
 
 void add(const PartLoad& p, const bit::Bit& bit, const Pose& X_WB, const CutOfPart& c,
          BitLoads& loads) {
-  loads.parts[at(c.part)] = p;
+  PartLoad& part = loads.parts[at(c.part)];
+  const double share = p.force_W.norm(), total = part.force_W.norm() + share;
+  if (total > 0.0) part.point_W += share / total * (p.point_W - part.point_W);
+  part.force_W += p.force_W;
+  part.normal += p.normal;
+  part.tangential += p.tangential;
+  part.power += p.power;
   loads.force_W += p.force_W;
   loads.torque_W += (p.point_W - X_WB.p).cross(p.force_W);
   loads.power += p.power;

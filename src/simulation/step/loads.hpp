@@ -9,7 +9,7 @@ namespace tdbd::simulation {
 /// The rock's force on one part. Frame W.
 struct PartLoad {
   Vec3 force_W = Vec3::Zero();  ///< N, on the bit
-  Vec3 point_W = Vec3::Zero();  ///< m
+  Vec3 point_W = Vec3::Zero();  ///< m; of two contacts of one part their mean, by force
   double normal = 0.0;          ///< N, Fn of its law
   double tangential = 0.0;      ///< N, Ft
   double power = 0.0;           ///< W, spent on the rock: -F . v

@@ -94,6 +94,18 @@ MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cuttin
   return m;
 }
 
+std::vector<double> contact_ramps(const bit::Bit& bit, const ForcePlan& plan) {
+  std::vector<double> ramps(bit.parts.size(), 0.0);
+  if (plan.forces == Forces::off) return ramps;
+  for (std::size_t i = 0; i < bit.parts.size(); ++i) {
+    forces::PartCut cut;
+    cut.kind = bit.parts[i].kind;
+    if (!has_law(plan, cut.kind)) continue;
+    if (const auto law = forces::pressing(law_of(plan, cut.kind), cut)) ramps[i] = law->ramp;
+  }
+  return ramps;
+}
+
 std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan) {
   std::vector<rock::RubbingPart> parts;
   for (std::size_t i = 0; i < bit.parts.size(); ++i)
@@ -109,11 +121,12 @@ rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_leng
   return {section_reach * edge_length, (strip * plan.section_lead + section_reach) * edge_length};
 }
 
-void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
+void measure_cut(rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
                  const MeasuredStep& step, MeasureWork& work, Measures& m) {
   if (plan.contact == ContactMeasure::on)
-    rock::contact_areas(rock, step.cutting, step.cut_work, plan.contact_gap * step.edge_length,
-                        work.contact, m.contacts);
+    rock::contact_areas(rock, step.cutting, step.cut_work,
+                        {plan.contact_gap * step.edge_length, step.contact_ramps}, work.contact,
+                        m.contacts);
   if (faces.faces.empty() || plan.section == SectionMeasure::off) return m.sections.clear();
   measure_sections(rock, plan, faces, step, work.sections, m);
   sum_removed(step, faces.faces.size(), m.removed);

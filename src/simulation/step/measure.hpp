@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct MeasuredFaces {
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
                              const MeasurePlan& plan);
 
+/// Per part the ramp of its law (forces::Pressing); 0: no law, or one without a ramp.
+std::vector<double> contact_ramps(const bit::Bit& bit, const ForcePlan& plan);
+
 /// The parts that rub and have a law, prepared once for their contacts.
 std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan);
 
@@ -37,9 +41,10 @@ struct MeasuredStep {
   const rock::CutWorkspace& cut_work;
   const rock::CutReport& cut;
   const Move& move;
-  double edge_length;      ///< m, of the rock
-  long number;             ///< of the step: whose turn it is
-  const FacePaths& paths;  ///< of the faces
+  double edge_length;                       ///< m, of the rock
+  long number;                              ///< of the step: whose turn it is
+  const FacePaths& paths;                   ///< of the faces
+  std::span<const double> contact_ramps{};  ///< rock::ContactOptions::ramp_by_part
 };
 
 /// The measures of one step.
@@ -59,9 +64,10 @@ struct MeasureWork {
   rock::ContactWork contact;
 };
 
-/// Measures where the bit has come to. To be called between cut_rock and maintenance. A face whose
+/// Measures where the bit has come to. To be called between cut_rock and maintenance, once a
+/// step: the contact's displacements are updated (rock::contact_areas). A face whose
 /// turn it is not keeps the section that stands in `measures`; without any, all are measured.
-void measure_cut(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
+void measure_cut(rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
                  const MeasuredStep& step, MeasureWork& work, Measures& measures);
 
 /// By step: one cutter's section (m2), what it swept and what the cutter's parts removed (m3).

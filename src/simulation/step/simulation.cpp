@@ -56,6 +56,7 @@ Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
   w.measures.sections = state.sections;
   w.creep = creep_of_faces(c.forces);
   w.faces = measured_faces(c.bit, w.cutting, c.measure);
+  w.contact_ramps = contact_ramps(c.bit, c.forces);
   w.rubbing = rubbing_parts(c.bit, c.forces);
   if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);
   return w;
@@ -71,7 +72,9 @@ Statistics start_statistics(const Case& c) {
 }
 
 Simulation start(const Case& c) {
-  return resume(c, start_state(c, start_rock(c)), start_statistics(c));
+  Simulation s = resume(c, start_state(c, start_rock(c)), start_statistics(c));
+  bear_at_start(c, s.state, s.work);
+  return s;
 }
 
 Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& surface) {
@@ -79,6 +82,7 @@ Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& s
   s.state = start_state(c, start_rock(c, surface));
   s.work = start_work(c, s.state, std::move(prepared));
   s.statistics = start_statistics(c);
+  bear_at_start(c, s.state, s.work);
   return s;
 }
 

@@ -40,4 +40,9 @@ void add(const Standing& step, StandingStatistics& statistics);
 /// the step is explicit. Sets work.standing; if it stands, work.loads and work.velocity.
 void stand(const Case& c, const Move& move, const State& state, Work& work);
 
+/// Finds the forces with which a run starts where parts that press touch the rock: those of the
+/// opening kick, at the velocity that the first drift will have. Without them the bit would fall
+/// freely during the first step.
+void bear_at_start(const Case& c, State& state, Work& work);
+
 }  // namespace tdbd::simulation

@@ -6,7 +6,6 @@
 #include "bit/cone/part_pose.hpp"
 #include "core/error.hpp"
 #include "dynamics/drilling/divergence.hpp"
-#include "simulation/step/cone_balance.hpp"
 #include "simulation/step/drive.hpp"
 
 namespace tdbd::simulation {
@@ -40,30 +39,22 @@ void note_removed(std::size_t revolution, const rock::CutReport& cut, VolumeLedg
 }
 
 MeasuredStep measured(const Case& c, const Move& move, const State& state, const Work& work) {
-  return {c.bit, work.cutting,       work.cut_work,    state.cut,
-          move,  c.rock.edge_length, state.steps_done, state.face_paths};
+  return {c.bit,
+          work.cutting,
+          work.cut_work,
+          state.cut,
+          move,
+          c.rock.edge_length,
+          state.steps_done,
+          state.face_paths,
+          work.contact_ramps};
 }
 
-/// The contacts of parts that rub, beside those of parts that cut.
-void measure_rubbing(const Case& c, const Move& move, const State& state, Work& work) {
-  if (c.measure.contact == ContactMeasure::off) return;
-  const double edge = work.limits.longest_edge;
-  for (const rock::RubbingPart& rubbing : work.rubbing) {
-    const Pose X_WP =
-        move.X_WB1 * bit::part_pose(c.bit, c.bit.parts[at(rubbing.part)], angles_of(state.cones));
-    work.measures.contacts[at(rubbing.part)] =
-        rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.rubbing_work);
-  }
-}
-
-/// At the momenta that the last forces predict, the cones at the spins that the new ones give them.
+/// At the momenta that the last forces predict. Cones turn freely: where their teeth press, the step
+/// is implicit (stand).
 BitVelocity predicted_velocity(const Case& c, const Move& move, const State& state, Work& work) {
   const dynamics::DrillingSystem& system = c.drilling.system;
-  const dynamics::DrillingState& ahead =
-      dynamics::predicted(system, move.dt, *state.drive, work.drive);
-  BitVelocity v = velocity_of(system, ahead);
-  v.cone_speeds = balanced_spins(c.forces, c.bit, system, ahead, move.X_WB1, move.dt, v, work.cuts);
-  return v;
+  return velocity_of(system, dynamics::predicted(system, move.dt, *state.drive, work.drive));
 }
 
 /// A diverging step leaves the motion as it was before it.
@@ -126,8 +117,19 @@ void measure(const Case& c, const Move& move, State& state, Work& work) {
   if (state.drive) follow(c.bit, move, work.creep, state.face_paths);
   measure_cut(state.rock, c.measure, work.faces, measured(c, move, state, work), work.measure_work,
               work.measures);
-  measure_rubbing(c, move, state, work);
+  measure_rubbing(c, move.X_WB1, state, work);
   if (c.measure.section_every > 1 || state.drive) state.sections = work.measures.sections;
+}
+
+void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& work) {
+  if (c.measure.contact == ContactMeasure::off) return;
+  const double edge = work.limits.longest_edge;
+  for (const rock::RubbingPart& rubbing : work.rubbing) {
+    const Pose X_WP =
+        X_WB * bit::part_pose(c.bit, c.bit.parts[at(rubbing.part)], angles_of(state.cones));
+    work.measures.contacts[at(rubbing.part)].below =
+        rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.rubbing_work);
+  }
 }
 
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work) {

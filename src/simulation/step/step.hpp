@@ -15,6 +15,9 @@ void cut(const Move& move, State& state, Work& work);
 /// Sections of uncut rock ahead of the faces, and contact areas of all parts.
 void measure(const Case& c, const Move& move, State& state, Work& work);
 
+/// The contacts of parts that rub, beside those of parts that cut, at this pose over the rock.
+void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& work);
+
 /// Evaluates the force laws on the step's cuts: at the velocity of the prescribed motion, or, where
 /// forces move the bit, at the momenta that the last ones predict.
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work);

@@ -1,11 +1,14 @@
 #include "bit/profile/exposure_profile.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "bit/generate.hpp"
+#include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::bit::exposure_profile_test {
@@ -148,20 +151,62 @@ Part tilted_tetrahedron(std::array<int, 4> numbers, int first) {
   return part;
 }
 
-/// Down to the corner in the plane, and from there along the edge in it to the middle of its height, whatever
-/// the order of corners and of their numbers. Nearer to the axis than a chord the profile may be wrong.
+/// From the axis down to the corner in the plane, and from there along the edge in it to the middle of its height,
+/// whatever the order of corners and of their numbers.
 TEST(ExposureProfile, of_a_tetrahedron_about_the_axis_is_its_outline) {
-  constexpr double chord = 0.2e-3;  // m
   const std::vector<ProfilePoint> outline{{0.0, 15e-3}, {20e-3, 20e-3}, {30e-3, 5e-3}};
   std::array<int, 4> numbers{0, 1, 2, 3};
   do {
     for (int first = 0; first < 3; ++first) {
       const auto profile = exposure_profile({tilted_tetrahedron(numbers, first)}, 1e-3);
-      for (const ProfilePoint& p : profile)
-        EXPECT_LT(p.r > chord ? distance_to_line(p, outline) : 0.0, 1e-12);
+      for (const ProfilePoint& p : profile) EXPECT_LT(distance_to_line(p, outline), 1e-12);
       EXPECT_NEAR(profile.back().r, 30e-3, 1e-7);  // a point on the ray beside
     }
   } while (std::ranges::next_permutation(numbers).found);
+}
+
+/// The lowest point on the axis of a convex part around it.
+double lowest_on_axis(const mesh::TriangleMesh& part) {
+  double lowest = -1e300;
+  for (const auto& [a, b, c] : part.triangles) {
+    Mat3 corners;  // weights of the corners at the point on the axis
+    corners << part.positions[a], part.positions[b], part.positions[c];
+    corners.row(2).setOnes();
+    if (std::abs(corners.determinant()) < 1e-12) continue;
+    const Vec3 w = corners.inverse() * Vec3::UnitZ();
+    if (w.minCoeff() < -1e-12) continue;
+    lowest = std::max(lowest, w.x() * part.positions[a].z() + w.y() * part.positions[b].z() +
+                                  w.z() * part.positions[c].z());
+  }
+  return lowest;
+}
+
+/// At the axis the profile is where the axis leaves the part, wherever that is in a triangle, on an edge or at a
+/// corner, and although a second part, above the first, is met by rays beside the axis.
+RC_GTEST_PROP(ExposureProfile, begins_where_the_axis_leaves_the_part, ()) {
+  Part low, high;
+  low.cutting = high.cutting = Cutting::cuts;
+  low.mesh_P = *battery::convex_polyhedron();
+  low.X_BP.p = Vec3(*battery::number(-0.1, 0.1), *battery::number(-0.1, 0.1), 0.0);
+  for (Vec3& x_P : low.mesh_P.positions) x_P = 0.02 * (low.X_BP * x_P);
+  low.X_BP = {};
+  high.mesh_P = battery::box({-1e-3, -1e-3, -0.05}, {1e-3, 2e-3, -0.03});
+  const double lowest = lowest_on_axis(low.mesh_P);
+  const auto profile = exposure_profile({low, high}, 1e-3);
+  RC_ASSERT(std::abs(profile.front().z - lowest) < 1e-12);
+}
+
+/// A level face whose triangle around the axis has no edge near it, above a ring that rays beside the axis would meet.
+TEST(ExposureProfile, is_level_where_a_level_triangle_contains_the_axis) {
+  Part low, high;
+  low.cutting = high.cutting = Cutting::cuts;
+  const Vec3 a(20e-3, 0, 10e-3), b(-10e-3, 15e-3, 10e-3), c(-10e-3, -15e-3, 10e-3),
+      top(1e-3, 2e-3, -5e-3);
+  low.mesh_P = {{a, b, c, top}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}};
+  high.mesh_P = battery::box({-1e-3, -1e-3, -20e-3}, {1e-3, 2e-3, -1e-3});
+  const auto profile = exposure_profile({low, high}, 1e-3);
+  for (std::size_t k = 0; k < profile.size() && profile[k].r < 8e-3; ++k)
+    EXPECT_NEAR(profile[k].z, 10e-3, 1e-12) << profile[k].r;
 }
 
 /// A thin disc in the half-plane: its meridian is its own rim, from where the rays first touch it.

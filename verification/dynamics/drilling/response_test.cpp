@@ -37,7 +37,7 @@ Response response_of(const DrillingSystem& s, double h, DrillingRun& d) {
   open_step(s, h, d, d.work);
   Response response;
   ResponseWork room;
-  find_response(s, h, d, d.work, room, response);
+  find_response(s, h, d, KicksLeft::closing_and_opening, d.work, room, response);
   return response;
 }
 
@@ -61,6 +61,30 @@ TEST(Response, is_the_velocity_of_the_next_drift) {
     to_column(s, v, found);
     EXPECT_LT((told - found).norm(), bound * found.norm()) << seed;
     EXPECT_GT((response.A * column_of(w)).norm(), 0.01 * found.norm()) << seed;
+  }
+}
+
+/// The same of a state between two steps, whose wrench opens the next one.
+TEST(Response, of_the_opening_kick_is_the_velocity_of_the_next_drift) {
+  constexpr double h = 2e-3, bound = 1e-13;  // of the velocity
+  const DrillingSystem s = linear_bit();
+  for (int seed = 0; seed < 5; ++seed) {
+    DrillingRun d = start(s, smooth_law, coupled_start(s));
+    for (int i = 0; i < 10 * seed; ++i) step(s, smooth_law, h, d);
+    Response response;
+    ResponseWork room;
+    find_response(s, h, d, KicksLeft::opening, d.work, room, response);
+    Wrench w = some_wrench(seed);
+    w.cone_impulse = ConeImpulse::halves;
+    const Eigen::VectorXd predicted = response.free + response.A * column_of(w);
+    d.wrench = w;
+    const Configuration before = d.work.at;
+    open_step(s, h, d, d.work);
+    DrillingVelocity v;
+    Eigen::VectorXd found;
+    velocity(s, before, d.state, v);
+    to_column(s, v, found);
+    EXPECT_LT((predicted - found).norm(), bound * found.norm()) << seed;
   }
 }
 

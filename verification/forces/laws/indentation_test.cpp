@@ -23,7 +23,7 @@ PartCut pressed(double area) {
 /// By hand: 11 pi mm2 at 1 mm; 1.2 times 100 MPa on it.
 TEST(Indentation, of_a_sphere_is_the_pressure_on_its_disc) {
   EXPECT_DOUBLE_EQ(disc(1e-3), 11e-6 * pi);
-  EXPECT_DOUBLE_EQ(law_force(smooth(), pressed(disc(1e-3))).force.z(), -120e6 * disc(1e-3));
+  EXPECT_DOUBLE_EQ(force(smooth(), pressed(disc(1e-3))).force.z(), -120e6 * disc(1e-3));
 }
 
 /// The law asked for one contact, or for many patches of it with their own normals: the same force.
@@ -37,9 +37,9 @@ TEST(Indentation, adds_up_over_patches_of_a_curved_contact) {
       PartCut c = pressed(a * a * std::sin(angle) * (edge / rings) * (2 * pi / turns));
       c.normal =
           Vec3(std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), std::cos(angle));
-      sum += law_force(smooth(), c).force;
+      sum += force(smooth(), c).force;
     }
-  const Vec3 whole = law_force(smooth(), pressed(disc(s))).force;
+  const Vec3 whole = force(smooth(), pressed(disc(s))).force;
   // The midpoint rule over the rings: (edge/rings)^2/6 of the whole.
   EXPECT_LT((sum - whole).norm(), 1.5e-6 * whole.norm());
 }
@@ -54,7 +54,7 @@ TEST(Indentation, of_a_wedge_is_the_pressure_on_its_flanks) {
       PartCut c = pressed(length * depth / std::cos(half));
       c.normal = Vec3(side * std::cos(half), 0.0, std::sin(half));
       c.strength.confined = 153.884 * MPa / smooth().ratio;
-      weight -= law_force(smooth(), c).force.z();
+      weight -= force(smooth(), c).force.z();
     }
     const double by_hand = 2.0 * 153.884 * MPa * length * depth * std::tan(half);
     EXPECT_NEAR(weight, by_hand, 1e-12 * by_hand);
@@ -66,13 +66,13 @@ TEST(Indentation, drags_against_the_slip) {
   law.mu = 0.3;
   PartCut c = pressed(10e-6);
   c.velocity = Vec3(0.0, -0.2, 0.1);
-  EXPECT_LT((law_force(law, c).force - Vec3(0.0, 360.0, -1200.0)).norm(), 1e-12);
+  EXPECT_LT((force(law, c).force - Vec3(0.0, 360.0, -1200.0)).norm(), 1e-12);
 }
 
 TEST(Indentation, lets_a_tooth_go_that_leaves_the_rock) {
   PartCut c = pressed(10e-6);
   c.velocity = Vec3(0.0, 0.0, -0.1);
-  EXPECT_LT(law_force(smooth(), c).force.norm(), 1e-12);
+  EXPECT_LT(force(smooth(), c).force.norm(), 1e-12);
 }
 
 }  // namespace tdbd::forces::indentation_test

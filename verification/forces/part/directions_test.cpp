@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "forces/generate.hpp"
+#include "forces/part/pressing.hpp"
 
 namespace tdbd::forces::directions_test {
 
@@ -120,21 +121,51 @@ TEST(FrictionAt, falls_from_its_value_at_rest_to_what_is_left_at_high_speed) {
   EXPECT_NEAR(friction_at({.mu = 0.5, .weakening = 1.0, .weakening_speed = 0.2}, 1e3), 0.0, 1e-15);
 }
 
+/// 100 N at the full stress, without a ramp or a slip speed.
+Pressing sharp(double mu) {
+  return {.limit = 100.0, .ramp = 0.0, .sliding = {.mu = mu}, .slip_speed = 0.0};
+}
+
 /// Pressed into the rock the force is the stress alone; sliding along it Coulomb's; leaving, none.
 TEST(PressingForce, pushes_along_the_normal_and_drags_against_the_slip) {
   PartCut c = plain_cut(bit::PartKind::gage_pad);
   c.velocity = Vec3(0, 0, 0.1);
-  EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3(0, 0, -100));
+  EXPECT_EQ(pressing_force(c, sharp(0.4)).force, Vec3(0, 0, -100));
   c.velocity = Vec3(0.3, 0.4, 0);
-  EXPECT_LT((pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force - Vec3(-24, -32, -100)).norm(),
-            1e-13);
+  EXPECT_LT((pressing_force(c, sharp(0.4)).force - Vec3(-24, -32, -100)).norm(), 1e-13);
   c.velocity = Vec3(0.3, 0.4, 0.2);
-  EXPECT_LT((pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force - Vec3(-24, -32, -100)).norm(),
-            1e-13);
+  EXPECT_LT((pressing_force(c, sharp(0.4)).force - Vec3(-24, -32, -100)).norm(), 1e-13);
   c.velocity = Vec3(0, 0, -0.1);
-  EXPECT_LT(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force.norm(), rounding(100.0));
+  EXPECT_LT(pressing_force(c, sharp(0.4)).force.norm(), rounding(100.0));
   c.velocity = Vec3::Zero();
-  EXPECT_EQ(pressing_force(c, 100.0, {.mu = 0.4}, 0.0).force, Vec3::Zero());
+  EXPECT_EQ(pressing_force(c, sharp(0.4)).force, Vec3::Zero());
+}
+
+/// A pad that slides and lifts has no force at all: friction is never more than mu times the normal
+/// force.
+TEST(PressingForce, is_none_where_the_surface_lifts_while_it_slides) {
+  PartCut c = plain_cut(bit::PartKind::gage_pad);
+  for (const double lift : {1e-6, 0.5, 1.0, 3.0}) {
+    c.velocity = Vec3(1e-3, 0.0, -1e-3 * lift);
+    EXPECT_EQ(pressing_force(c, sharp(0.5)).force, Vec3::Zero()) << lift;
+  }
+}
+
+/// Coulomb's law, no pull and no positive work, for every motion and every coefficient.
+RC_GTEST_PROP(PressingForce, satisfies_coulombs_law_for_every_motion, ()) {
+  PartCut c = plain_cut(bit::PartKind::tooth);
+  c.normal = any_direction();
+  c.velocity = std::pow(10.0, number(-6.0, 3.0)) * any_direction();
+  const double mu = number(0.0, 2.0);
+  const Pressing law{.limit = 100.0,
+                     .ramp = *rc::gen::element(0.0, 0.01, 0.5),
+                     .sliding = {.mu = mu},
+                     .slip_speed = *rc::gen::element(0.0, 1e-3)};
+  const Vec3 F = pressing_force(c, law).force;
+  const double normal = -F.dot(c.normal), tangential = (F + normal * c.normal).norm();
+  RC_ASSERT(normal >= -rounding(100.0) && normal <= 100.0 + rounding(100.0));
+  RC_ASSERT(tangential <= mu * normal + rounding(100.0));
+  RC_ASSERT(F.dot(c.velocity) <= rounding(100.0 * c.velocity.norm()));
 }
 
 /// Along the normal, in any direction, rounding leaves some slip: no force may act along it, the
@@ -145,7 +176,7 @@ RC_GTEST_PROP(PressingForce, has_no_friction_in_a_plunge_or_a_withdrawal, ()) {
   const double scale = std::pow(10.0, number(-6.0, 6.0));  // of the unit of speed
   const double speed = scale * number(-2.0, 2.0), beside = std::pow(10.0, -number(8.0, 18.0));
   c.velocity = speed * (c.normal + beside * any_direction());
-  const PartForce f = pressing_force(c, 100.0, {.mu = 3.0}, 0.0);
+  const PartForce f = pressing_force(c, sharp(3.0));
   RC_ASSERT(f.force.dot(c.velocity) <= rounding(size(f) * std::abs(speed)));
   if (beside < 1e-15) RC_ASSERT(f.tangential == 0.0);
 }
@@ -159,7 +190,7 @@ RC_GTEST_PROP(PressingForce, has_friction_as_soon_as_it_slips, ()) {
   const double beside = std::pow(10.0, -number(1.0, 13.0));
   const double scale = std::pow(10.0, number(-6.0, 6.0));  // of the unit of speed
   c.velocity = scale * number(0.1, 2.0) * (c.normal + beside * across.normalized());
-  const PartForce f = pressing_force(c, 100.0, {.mu = 0.4}, 0.0);
+  const PartForce f = pressing_force(c, sharp(0.4));
   RC_ASSERT(std::abs(f.tangential - 40.0) <= rounding(40.0));
 }
 

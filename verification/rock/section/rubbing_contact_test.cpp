@@ -27,8 +27,8 @@ Rock flat(double half) {
   return make_rock(mesh::make_surface(m), 0.2, mesh::bounding_box(m));
 }
 
-PartContact contact_of(const Rock& rock, const bit::Part& part, const Pose& X_WP,
-                       double edge = 0.15) {
+ContactPatch contact_of(const Rock& rock, const bit::Part& part, const Pose& X_WP,
+                        double edge = 0.15) {
   RubbingWork work;
   return rubbing_contact(rock, prepare_rubbing_part(part, 0), X_WP, edge, work);
 }
@@ -41,7 +41,7 @@ RC_GTEST_PROP(RubbingContact, of_a_block_is_its_base, ()) {
   const Pose X_WP{Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(),
                   Vec3(*battery::number(-0.3, 0.3), *battery::number(-0.3, 0.3), depth)};
   const bit::Part block = part_of(battery::box(Vec3(-a, -b, -1.0), Vec3(a, b, 0.0)));
-  const PartContact c = contact_of(flat(2.0), block, X_WP);
+  const ContactPatch c = contact_of(flat(2.0), block, X_WP);
   RC_ASSERT(std::abs(c.area - 4.0 * a * b) < rounding);
   RC_ASSERT((c.area_vector_W + Vec3(0.0, 0.0, 4.0 * a * b)).norm() < rounding);
   RC_ASSERT((c.centroid_W - Vec3(X_WP.p.x(), X_WP.p.y(), 0.0)).norm() < 1e-11);
@@ -50,7 +50,7 @@ RC_GTEST_PROP(RubbingContact, of_a_block_is_its_base, ()) {
 RC_GTEST_PROP(RubbingContact, of_any_convex_part_is_its_section, ()) {
   const mesh::TriangleMesh m = *battery::convex_polyhedron();
   const Pose X_WP = *battery::pose(0.4);
-  const PartContact c = contact_of(flat(2.5), part_of(m), X_WP);
+  const ContactPatch c = contact_of(flat(2.5), part_of(m), X_WP);
   const reference::PlaneSection s = reference::plane_section(m, X_WP);
   RC_ASSERT(std::abs(c.area - s.area) < of_a_section);
   RC_ASSERT((c.area_vector_W + c.area * Vec3::UnitZ()).norm() < rounding);
@@ -63,7 +63,7 @@ RC_GTEST_PROP(RubbingContact, of_an_l_is_its_outline_but_for_corners, ()) {
   const mesh::TriangleMesh l = battery::prism(battery::l_outline(1.0, 0.4), -1.0, 0.0);
   const Pose X_WP{Eigen::AngleAxisd(*battery::number(0.0, 6.0), Vec3::UnitZ()).toRotationMatrix(),
                   Vec3(*battery::number(-0.1, 0.1), *battery::number(-0.1, 0.1), 0.5)};
-  const PartContact c = contact_of(flat(2.5), part_of(l), X_WP);
+  const ContactPatch c = contact_of(flat(2.5), part_of(l), X_WP);
   double whole = 0.0;
   for (const mesh::Triangle& t : l.triangles) {
     const Vec3 v =
@@ -76,7 +76,7 @@ RC_GTEST_PROP(RubbingContact, of_an_l_is_its_outline_but_for_corners, ()) {
 
 TEST(RubbingContact, is_none_above_the_rock) {
   const bit::Part block = part_of(battery::box(Vec3(-0.3, -0.3, -1.0), Vec3(0.3, 0.3, 0.0)));
-  const PartContact c = contact_of(flat(1.0), block, {Mat3::Identity(), Vec3(0, 0, -1e-6)});
+  const ContactPatch c = contact_of(flat(1.0), block, {Mat3::Identity(), Vec3(0, 0, -1e-6)});
   EXPECT_EQ(c.area, 0.0);
   EXPECT_EQ(c.area_vector_W, Vec3::Zero());
 }
@@ -90,9 +90,9 @@ TEST(RubbingContact, is_the_same_with_used_buffers) {
   const RubbingPart ring = prepare_rubbing_part(part_of(battery::torus(0.4, 0.2, 24, 12)), 1);
   const Pose here{Mat3::Identity(), Vec3(0.01, 0.02, 0.1)},
       there{Mat3::Identity(), Vec3(0.5, 0, 0.1)};
-  const PartContact first = rubbing_contact(rock, block, here, 0.15, work);
-  const PartContact around = rubbing_contact(rock, ring, there, 0.15, work);
-  const PartContact again = rubbing_contact(rock, block, here, 0.15, work);
+  const ContactPatch first = rubbing_contact(rock, block, here, 0.15, work);
+  const ContactPatch around = rubbing_contact(rock, ring, there, 0.15, work);
+  const ContactPatch again = rubbing_contact(rock, block, here, 0.15, work);
   EXPECT_EQ(first.area, again.area);
   EXPECT_EQ(first.centroid_W, again.centroid_W);
   RubbingWork fresh;

@@ -88,35 +88,6 @@ TEST(Section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
   EXPECT_NEAR(s.volume_rate, s.area * 2.0 * std::cos(rake), 1e-12 * s.volume_rate);
 }
 
-TEST(Section, has_its_edge_centroid_where_an_arc_has_it) {
-  const double half = std::acos(1.0 - deepest / std::cos(rake) / radius);
-  const Vec3 arc_F(0.0, 0.0, -radius * std::sin(half) / half);
-  const Section s = of_flat_rock(1024);
-  EXPECT_LT((s.edge_centroid_B - face_along_x(radius, 1024, rake).X_BF * arc_F).norm(),
-            1.7e-5 * radius);
-}
-
-/// A trapezium of which one side is upright and the other leans, and its mirror image; the rock comes up to 0.1 above
-/// its lower side. A side of which a part is engaged counts for as much, at its own middle: outlines have short ones.
-TEST(Section, has_its_edge_centroid_on_upright_sides_too) {
-  const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
-  const ConvexPolygon left_upright{{-0.1, -0.05}, {0.05, -0.05}, {0.12, 0.2}, {-0.1, 0.2}},
-      right_upright{{-0.12, 0.2}, {-0.05, -0.05}, {0.1, -0.05}, {0.1, 0.2}};
-  const double upright = 0.1, lower = 0.15, leaning = std::hypot(0.028, 0.1),
-               whole = upright + lower + leaning;
-  const Vec3 sum_F = upright * Vec3(0, -0.1, 0.075) + lower * Vec3(0, -0.025, -0.05) +
-                     leaning * Vec3(0, 0.085, 0.075);
-  for (const bool is_mirrored : {false, true}) {
-    FaceOutline face = face_along_x(radius, 3, 0.0);
-    face.rim_F = is_mirrored ? right_upright : left_upright;
-    const Section s =
-        section_of(rock, face, {Mat3::Identity(), Vec3(0.0, 0.013, 0.05)}, along_x, {0.12, 0.15});
-    const Vec3 centroid_F(0.0, (is_mirrored ? -1.0 : 1.0) * sum_F.y() / whole, sum_F.z() / whole);
-    EXPECT_NEAR(s.engaged_edge, whole, 1e-12);
-    EXPECT_LT((s.edge_centroid_B - face.X_BF * centroid_F).norm(), 1e-12);
-  }
-}
-
 TEST(Section, is_nothing_above_the_rock_and_behind_its_edge) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const FaceOutline face = face_along_x(radius, 32, rake);

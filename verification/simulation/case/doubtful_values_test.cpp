@@ -30,6 +30,16 @@ TEST(DoubtfulValues, are_edges_longer_than_half_of_a_tooth) {
   EXPECT_EQ(doubts("bit-r-steady", {"rock.edge_length=8 mm"}).size(), 1u);
 }
 
+TEST(DoubtfulValues, are_edges_that_are_coarse_for_the_forces_on_teeth) {
+  EXPECT_TRUE(doubts("drill-bit-r", {"rock.edge_length=1.5 mm"}).empty());
+  const auto warnings = doubts("drill-bit-r", {"rock.edge_length=3 mm"});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "rock.edge_length");
+  EXPECT_TRUE(warnings[0].text.starts_with("edges of 3 mm are coarse for the forces on a tooth "))
+      << warnings[0].text;
+  EXPECT_TRUE(doubts("bit-r-steady", {"rock.edge_length=3 mm"}).empty());  // no forces
+}
+
 /// The middle one of a part's three sizes; what does not cut, or has no mesh yet, has no say.
 TEST(NarrowestWidth, is_that_of_the_narrowest_part_that_cuts) {
   bit::Bit b;

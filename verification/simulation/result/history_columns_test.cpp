@@ -20,7 +20,8 @@ struct Step {
                                                       rock::Sight::clear, Vec3(0.7, 0.8, 0.9)},
                                         rock::Section{2e-6, Vec3(1.1, 1.2, 1.3), 5e-3, 0.6, 8e-7,
                                                       rock::Sight::clear, Vec3(1.7, 1.8, 1.9)}};
-  std::array<rock::PartContact, 2> contacts{rock::PartContact{3e-6}, rock::PartContact{5e-6}};
+  std::array<rock::PartContact, 2> contacts{rock::PartContact{{3e-6}, {}, 0.0},
+                                            rock::PartContact{{5e-6}, {}, 0.0}};
   BitLoads loads;
   BitVelocity velocity;
   /// A quarter about x: the bit's axis points along -y.

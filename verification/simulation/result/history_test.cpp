@@ -88,7 +88,8 @@ fs::path write_measures(const fs::path& where) {
       rock::Section{unknown, Vec3::Constant(unknown), unknown, unknown, unknown,
                     rock::Sight::over_the_top, Vec3::Constant(unknown)}};
   const std::array<double, 2> volumes{1e-9, 2e-9};
-  const std::array<rock::PartContact, 2> contacts{rock::PartContact{3e-6}, rock::PartContact{4e-6}};
+  const std::array<rock::PartContact, 2> contacts{rock::PartContact{{3e-6}, {}, 0.0},
+                                                  rock::PartContact{{4e-6}, {}, 0.0}};
   HistoryRow row;
   row.removed_volume_by_part = volumes;
   row.contacts = contacts;

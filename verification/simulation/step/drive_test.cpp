@@ -103,7 +103,7 @@ TEST(Drive, is_stopped_by_a_law_out_of_all_proportion) {
     if (auto* cutting = std::get_if<forces::HansonHansen>(&law)) cutting->A1 = 1e9;
   const Simulation s = drilled(c);
   EXPECT_GT(s.statistics.standing.steps, 100);
-  EXPECT_LT(s.work.velocity.v_W.norm(), 1.9e-11);
+  EXPECT_LT(s.work.velocity.v_W.norm(), 1.3e-9);  // the search settles to 1e-9
 }
 
 /// A string that is too stiff for the step throws the bit away: the run says so and keeps the state

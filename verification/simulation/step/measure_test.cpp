@@ -67,7 +67,7 @@ TEST(SectionsInTurn, count_once_each) {
 /// The bit a quarter of a metre down in rock that it has not opened, turning: no face sees the
 /// rock's surface. `share`: of what its face sweeps, what each cutter is said to have removed.
 Measures measured_deep_in_rock(const Case& c, double share) {
-  const Simulation s = start(c);
+  Simulation s = start(c);
   constexpr double dt = 1e-3, w = 12.0;  // s, rad/s
   const Pose deep{Mat3::Identity(), Vec3(0.0, 0.0, 0.25)};
   const Move move{deep, deep * rotation::carried({w * Vec3::UnitZ(), Vec3::Zero()}, dt), dt, w * dt,

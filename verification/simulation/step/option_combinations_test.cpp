@@ -87,9 +87,11 @@ void expect_equal_rock(const Simulation& a, const Simulation& b) {
 
 class OptionCombinations : public testing::TestWithParam<Kind> {};
 
-/// The whole cutter and its parts one after another lead to the same places but for rounding, and to the same
-/// decisions of maintenance: total volumes agree to this share.
+/// The whole cutter and its parts one after another lead to the same places but for rounding, and to
+/// the same decisions of maintenance: total volumes agree to this share.
 constexpr double same_volume = 1e-12;
+/// Contact forces depend on which part moved a vertex (rock (14)), and so does a motion by forces.
+constexpr double same_volume_by_forces = 7e-3;
 
 TEST_P(OptionCombinations, keep_the_rock_sound) {
   const bool by_forces = is_moved_by_forces(GetParam());
@@ -109,7 +111,7 @@ TEST_P(OptionCombinations, keep_the_rock_sound) {
         expect_equal_rock(s, drilled(c, 2));
         if (std::string(exit_from) == "parts") expect_equal_rock(s, plain);
         EXPECT_NEAR(s.state.ledger.removed.value() / plain.state.ledger.removed.value(), 1.0,
-                    same_volume);
+                    by_forces ? same_volume_by_forces : same_volume);
       }
   }
 }

@@ -51,7 +51,7 @@ TEST(PartsThatRub, bear_load_and_remove_no_rock) {
   EXPECT_EQ(s.state.ledger.removed_by_part[1].value(), 0.0);
   EXPECT_GT(s.state.ledger.removed_by_part[0].value(), 0.0);
   const PartLoad& load = s.work.loads.parts.at(1);
-  EXPECT_NEAR(s.work.measures.contacts[1].area, 80e-6, 1e-9);
+  EXPECT_NEAR(s.work.measures.contacts[1].below.area, 80e-6, 1e-9);
   EXPECT_NEAR(-load.force_W.z(), 800.0, 0.5);
   EXPECT_NEAR(load.tangential, 400.0, 0.5);
 }
@@ -61,7 +61,7 @@ TEST(PartsThatRub, cost_nothing_without_a_law) {
   const Case c = read_case(rubbing_case(rubs, flat_law + "[forces.cse]\nlaw = \"none\"\n"), {});
   const Simulation s = ended(c);
   EXPECT_TRUE(s.work.rubbing.empty());
-  EXPECT_EQ(s.work.measures.contacts[1].area, 0.0);
+  EXPECT_EQ(s.work.measures.contacts[1].below.area, 0.0);
   EXPECT_TRUE(
       ended(read_case(rubbing_case("cutting = false\n", flat_law), {})).work.rubbing.empty());
 }
@@ -70,6 +70,22 @@ std::vector<std::string> warnings(const Case& c) {
   std::vector<std::string> texts;
   for (const CaseWarning& w : end_warnings(c, ended(c))) texts.push_back(w.text);
   return texts;
+}
+
+TEST(PartsThatRub, produce_a_warning_without_a_law) {
+  const auto texts = [](const std::string& second, const std::string& forces) {
+    std::vector<std::string> found;
+    for (const CaseWarning& w : read_case(rubbing_case(second, forces), {}).warnings)
+      found.push_back(w.text);
+    return found;
+  };
+  const std::string without = flat_law + "[forces.cse]\nlaw = \"none\"\n";
+  EXPECT_EQ(texts(rubs, without),
+            std::vector<std::string>{
+                "tooth rubs, but no force acts on it: no law is given for a cse; set "
+                "forces.cse.law, or rubs = false"});
+  EXPECT_EQ(texts(rubs, flat_law), std::vector<std::string>{});
+  EXPECT_EQ(texts("cutting = false\n", without), std::vector<std::string>{});
 }
 
 /// Deeper than an edge of 1 mm and than 1 mm; not while it is less deep.
