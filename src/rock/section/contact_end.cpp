@@ -83,18 +83,26 @@ Sides sides_of(const PressingPart& part, const Vec3& x_P) {
 /// The half-planes a t + c s <= r that the planes of a solid cut out of the points
 /// U + t (q - U) + s u, and the way through them.
 struct Shadow {
-  const mesh::ConvexSolid& solid;
-  Vec3 U, e, u, x;
-
   struct Row {
     double a, c, r;
   };
+
+  const mesh::ConvexSolid& solid;
+  Vec3 U, e, u, x;
+  std::array<Row, mesh::most_planes> rows;  // of the solid's planes only
+
   /// A pressed vertex that only touches lies outside of its planes by up to the gap: they are moved
   /// out to it.
-  Row row(std::size_t i) const {
-    const Vec3 n = mesh::normal(solid, i);
-    return {n.dot(e), n.dot(u), std::max(solid.b[i], n.dot(x)) - n.dot(U)};
+  Shadow(const mesh::ConvexSolid& s, const Vec3& from, const Vec3& way, const Vec3& along,
+         const Vec3& pressed)
+      : solid(s), U(from), e(way), u(along), x(pressed) {
+    for (std::size_t i = 0; i < solid.planes; ++i) {
+      const Vec3 n = mesh::normal(solid, i);
+      rows[i] = {n.dot(e), n.dot(u), std::max(solid.b[i], n.dot(x)) - n.dot(U)};
+    }
   }
+
+  const Row& row(std::size_t i) const { return rows[i]; }
 };
 
 constexpr double parallel = 1e-9;  // cosine
