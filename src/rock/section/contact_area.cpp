@@ -136,7 +136,15 @@ struct Contact {
   bool is_inner(int v) const { return is_pressed(v) || place(v).is_inside; }
 
   /// On the edge from a pressed vertex, or one inside, to one that is not.
-  ContactEnd end(int in, int out) const {
+  const ContactEnd& end(int in, int out) const {
+    const auto hash = static_cast<std::size_t>(in) * 31 + static_cast<std::size_t>(out);
+    ContactScratch::KnownEnd& known = w.ends[hash % w.ends.size()];
+    if (known.stamp != w.stamp || known.in != in || known.out != out)
+      known = {in, out, w.stamp, find_end(in, out)};
+    return known.end;
+  }
+
+  ContactEnd find_end(int in, int out) const {
     const ContactScratch::Place &p = place(in), &q = place(out);
     if (!is_pressed(in)) return end_beside_lee_side(part, {p.x_P, p.d_P}, q.x_P - q.d_P);
     if (q.is_lee) return end_at_lee_side(part, {p.x_P, p.d_P}, q.x_P, q.x_P - q.d_P);

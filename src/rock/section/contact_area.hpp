@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "core/parallel.hpp"
 #include "rock/cut/cut_rock.hpp"
+#include "rock/section/contact_end.hpp"
 
 namespace tdbd::rock {
 
@@ -25,6 +27,12 @@ struct ContactScratch {
     bool is_inside = false;  ///< on the lee side, its undisturbed place inside the part
   };
   std::vector<Place> places;
+  /// Where the contact ends on an edge that two triangles share; of the part with this stamp.
+  struct KnownEnd {
+    int in = -1, out = -1, stamp = -1;
+    ContactEnd end;
+  };
+  std::array<KnownEnd, 256> ends;  ///< by a hash of the edge
   std::vector<PressedVertex> inherited, pressed;
 };
 
