@@ -8,7 +8,6 @@
 
 #include "rock/section/contact_end.hpp"
 #include "rock/section/held_vertices.hpp"
-#include "rock/section/stress_share.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -117,11 +116,10 @@ struct Contact {
     w.index[at(v)] = static_cast<int>(w.places.size());
     const Vec3 x_P = m.X_PW1 * rock.surface.position(v);
     ContactScratch::Place p{x_P};
-    p.is_lee = rock.last_part[at(v)] == index && is_on_lee_side(part, x_P);
     const PressedVertex* before = find_pressed(w.inherited, v);
     if (before != nullptr) {
       p.d_P = m.X_PW1.R * before->d_W;
-      p.is_inside = p.is_lee && is_inside(part, x_P - p.d_P);
+      p.is_inside = is_lee(v, p) && is_inside(part, x_P - p.d_P);
       if (before->hold == Hold::made)
         w.pressed.push_back(*before);
       else if (p.is_inside)
@@ -132,7 +130,13 @@ struct Contact {
     w.places.push_back(p);
   }
 
-  bool is_pressed(int v) const { return place(v).is_held && !place(v).is_lee; }
+  /// Whether a vertex that the part does not hold was left on its lee side.
+  bool is_lee(int v, ContactScratch::Place& p) const {
+    if (!p.is_lee) p.is_lee = rock.last_part[at(v)] == index && is_on_lee_side(part, p.x_P);
+    return *p.is_lee;
+  }
+
+  bool is_pressed(int v) const { return place(v).is_held && !*place(v).is_lee; }
   bool is_inner(int v) const { return is_pressed(v) || place(v).is_inside; }
 
   /// On the edge from a pressed vertex, or one inside, to one that is not.
@@ -145,9 +149,10 @@ struct Contact {
   }
 
   ContactEnd find_end(int in, int out) const {
-    const ContactScratch::Place &p = place(in), &q = place(out);
+    const ContactScratch::Place& p = place(in);
+    ContactScratch::Place& q = place(out);
     if (!is_pressed(in)) return end_beside_lee_side(part, {p.x_P, p.d_P}, q.x_P - q.d_P);
-    if (q.is_lee) return end_at_lee_side(part, {p.x_P, p.d_P}, q.x_P, q.x_P - q.d_P);
+    if (is_lee(out, q)) return end_at_lee_side(part, {p.x_P, p.d_P}, q.x_P, q.x_P - q.d_P);
     if (is_moved_now(rock, out))  // by another part
       return end_on_undisturbed_rock(part, {p.x_P, Vec3::Zero()}, q.x_P);
     return end_on_undisturbed_rock(part, {p.x_P, p.d_P}, q.x_P - q.d_P);
@@ -273,11 +278,11 @@ PartContact sum_contact(const GroupMotion& m, const Contact& c) {
   contact.distance = std::numeric_limits<double>::infinity();
   for (const int v : c.w.held) {
     ContactScratch::Place& place = c.place(v);
-    place.is_lee = is_on_lee_side(c.part, place.x_P);
+    const Touch touched = touch(c.part, place.x_P);
+    place.is_lee = touched.is_lee;
     place.is_inside =
-        place.is_lee && !place.d_P.isZero(0.0) && is_inside(c.part, place.x_P - place.d_P);
-    if (place.is_lee) continue;
-    const TouchedPoint touched = on_surface(c.part, place.x_P);
+        touched.is_lee && !place.d_P.isZero(0.0) && is_inside(c.part, place.x_P - place.d_P);
+    if (touched.is_lee) continue;
     contact.distance = std::min(contact.distance, touched.rise);
     place.x_P = touched.x_P;
   }
@@ -306,6 +311,32 @@ void keep_made(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, Co
   std::ranges::sort(w.pressed, {}, &PressedVertex::v);
 }
 
+/// The contact by triangles whose vertices are all held. Each is added at its lowest vertex.
+PartContact sum_whole_triangles(const Rock& rock, ContactScratch& w) {
+  std::ranges::sort(w.held);
+  ContactPatch patch;
+  for (const int v : w.held) {
+    const mesh::VertexStar& star = rock.surface.star(v);
+    const int* ring = rock.surface.ring(star);
+    const auto comes_later = [&](int u) { return u > v && w.mark[at(u)] == w.stamp; };
+    if (std::count_if(ring, ring + star.size, comes_later) < 2) continue;
+    const auto first = star.open ? 0 : std::min_element(ring, ring + star.size) - ring;
+    for (int i = 0; i < star.size - star.open; ++i) {
+      const int a = ring[(first + i) % star.size], b = ring[(first + i + 1) % star.size];
+      if (!comes_later(a) || !comes_later(b)) continue;
+      const Vec3 &x = rock.surface.position(v), &y = rock.surface.position(a),
+                 &z = rock.surface.position(b);
+      const Vec3 area_vector_W = mesh::area_vector(x, y, z);
+      const double area = area_vector_W.norm();
+      patch.area += area;
+      patch.area_vector_W += area_vector_W;
+      patch.centroid_W += area / 3.0 * (x + y + z);
+    }
+  }
+  if (patch.area > 0.0) patch.centroid_W /= patch.area;
+  return {patch, {}, 0.0};
+}
+
 /// The contacts of the parts of one group.
 void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
                    const ContactOptions& options, std::span<const CarriedDisplacement> carried,
@@ -325,12 +356,14 @@ void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, s
       rock.pressed[at(part)].clear();
       continue;
     }
+    const ContactOfPart how = options.by_part.empty() ? ContactOfPart{} : options.by_part[at(part)];
+    if (how.rule == ContactRule::whole_triangles) {
+      contact_by_part[at(part)] = sum_whole_triangles(rock, w);
+      continue;
+    }
     take_held(rock, m, cut.groups[i], part, carried, w);
     const PressingPart pressing{
-        {g.parts.data() + from, k - from},
-        m.X_PW1 * m.X_WP0,
-        gap,
-        options.ramp_by_part.empty() ? 0.0 : options.ramp_by_part[at(part)]};
+        {g.parts.data() + from, k - from}, m.X_PW1 * m.X_WP0, gap, how.ramp};
     contact_by_part[at(part)] = sum_contact(m, {rock, pressing, part, w});
     keep_made(rock, g, m, w);
     rock.pressed[at(part)].assign(w.pressed.begin(), w.pressed.end());

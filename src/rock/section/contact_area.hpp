@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct ContactScratch {
   /// Vertices of the triangles around the part's contact.
   struct Place {
     Vec3 x_P = Vec3::Zero(), d_P = Vec3::Zero();  ///< m
-    bool is_held = false, is_lee = false;
-    bool is_inside = false;  ///< on the lee side, its undisturbed place inside the part
+    bool is_held = false;
+    std::optional<bool> is_lee{};  ///< found only if the contact depends on it
+    bool is_inside = false;        ///< on the lee side, its undisturbed place inside the part
   };
   std::vector<Place> places;
   /// Where the contact ends on an edge that two triangles share; of the part with this stamp.
@@ -71,10 +73,20 @@ struct PartContact {
 /// Both patches as one, which has one normal.
 ContactPatch whole(const PartContact& contact);
 
+/// How a part's contact is measured.
+enum class ContactRule {
+  clipped,         ///< rock (14)
+  whole_triangles  ///< triangles with three held vertices: too small by half an edge length around
+};
+
+struct ContactOfPart {
+  ContactRule rule = ContactRule::clipped;
+  double ramp = 0.0;  ///< forces::Pressing::ramp of its law
+};
+
 struct ContactOptions {
-  double gap = 0.0;  ///< m, how near counts as touching
-  /// Per part: forces::Pressing::ramp of its law. Empty: all 0.
-  std::span<const double> ramp_by_part;
+  double gap = 0.0;                        ///< m, how near counts as touching
+  std::span<const ContactOfPart> by_part;  ///< empty: the defaults
 };
 
 /// The contact area of every part of the bit, rock (14) (reconstructed). A part holds the vertices

@@ -7,228 +7,45 @@
 
 #include "mesh/search/inside.hpp"
 #include "rock/cut/plane_strip.hpp"
+#include "rock/section/shadow.hpp"
 
 namespace tdbd::rock {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// A displacement along the normal above minus this counts as none, m. It is nearly an angle: a
-/// share of the gap would let contacts grow as the step shrinks.
-double neither(const PressingPart& part, const Vec3& move_P) {
-  constexpr double angle = 1e-4;  // rad
-  return angle * move_P.norm() + standing(part);
-}
-
-/// How far outside x_P is of the planes that moved away and of all others; the farther of the two
-/// is the nearest surface.
-struct Sides {
-  double pressing = -infinite, lee = -infinite;  // m
-};
-
-TDBD_WIDE Sides sides_of(const mesh::ConvexSolid& s, const Vec3& x, const Vec3& move,
-                         double tolerance) {
-  Wide pressing = Wide{} - infinite, lee = pressing;
-  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
-    WidePlanes p;
-    load(s, i, p);
-    const Wide out = p.x * x.x() + p.y * x.y() + p.z * x.z() - p.b;
-    const Wide into = p.x * move.x() + p.y * move.y() + p.z * move.z();
-    const Wide none = Wide{} - infinite;
-    const Wide kept = into >= -tolerance ? out : none, left = into >= -tolerance ? none : out;
-    pressing = kept > pressing ? kept : pressing;
-    lee = left > lee ? left : lee;
-  }
-  Sides sides;
-  for (std::size_t l = 0; l < lanes; ++l) {
-    sides.pressing = std::max(sides.pressing, pressing[l]);
-    sides.lee = std::max(sides.lee, lee[l]);
-  }
-  return sides;
-}
-
-/// The same of the nearest facets of a solid of any shape: negative distances.
-Sides sides_of(const mesh::TriangleTree& tree, const Vec3& x, const Vec3& move, double tolerance) {
-  double pressing2 = infinite, lee2 = infinite;
-  tree.visit(
-      [&](const mesh::Box& box) {
-        const Vec3 beside = x - x.cwiseMax(box.lo).cwiseMin(box.hi);
-        return beside.squaredNorm() <= std::min(pressing2, lee2);
-      },
-      [&](const mesh::Facet& f) {
-        const Vec3 n = (f.b - f.a).cross(f.c - f.a).normalized();
-        double& least = n.dot(move) >= -tolerance ? pressing2 : lee2;
-        least = std::min(least, mesh::squared_distance(f, x));
-        return true;
-      });
-  return {-std::sqrt(pressing2), -std::sqrt(lee2)};
-}
-
-Sides sides_of(const PressingPart& part, const Vec3& x_P) {
-  const Vec3 move_P = displacement_P(part, x_P);
-  const double tolerance = neither(part, move_P);
-  Sides nearest;
-  double least = infinite;
-  for (const CuttingPart& solid : part.solids) {
-    const Sides s = solid.tree_P ? sides_of(*solid.tree_P, x_P, move_P, tolerance)
-                                 : sides_of(solid.solid_P, x_P, move_P, tolerance);
-    const double out = std::abs(std::max(s.pressing, s.lee));
-    if (out >= least) continue;
-    least = out;
-    nearest = s;
-  }
-  return nearest;
-}
-
-/// The half-planes a t + c s <= r that the planes of a solid cut out of the points
-/// U + t (q - U) + s u, and the way through them.
-struct Shadow {
-  struct Row {
-    double a, c, r;
-  };
-
-  const mesh::ConvexSolid& solid;
-  Vec3 U, e, u, x;
-  std::array<Row, mesh::most_planes> rows;  // of the solid's planes only
-
-  /// A pressed vertex that only touches lies outside of its planes by up to the gap: they are moved
-  /// out to it.
-  Shadow(const mesh::ConvexSolid& s, const Vec3& from, const Vec3& way, const Vec3& along,
-         const Vec3& pressed)
-      : solid(s), U(from), e(way), u(along), x(pressed) {
-    for (std::size_t i = 0; i < solid.planes; ++i) {
-      const Vec3 n = mesh::normal(solid, i);
-      rows[i] = {n.dot(e), n.dot(u), std::max(solid.b[i], n.dot(x)) - n.dot(U)};
-    }
-  }
-
-  const Row& row(std::size_t i) const { return rows[i]; }
-};
-
-constexpr double parallel = 1e-9;  // cosine
-
-/// Between which s the line at t is inside, and the planes that bound it; below, s >= 0 unless a
-/// plane does. Planes parallel to u are left out.
-struct Span {
-  double lo = 0.0, hi = infinite;
-  Shadow::Row below{0.0, -1.0, 0.0}, above{};
-};
-
-Span span_at(const Shadow& w, double t) {
-  Span span;
-  for (std::size_t i = 0; i < w.solid.planes; ++i) {
-    const Shadow::Row row = w.row(i);
-    if (std::abs(row.c) <= parallel) continue;
-    const double s = (row.r - row.a * t) / row.c;
-    if (row.c > 0.0 && s < span.hi) {
-      span.hi = s;
-      span.above = row;
-    }
-    if (row.c < 0.0 && s > span.lo) {
-      span.lo = s;
-      span.below = row;
-    }
-  }
-  return span;
-}
-
-/// Where the way leaves the solid on the undisturbed surface, s = 0, and through which plane.
-struct Exit {
-  double t = 1.0;
-  std::size_t plane = 0;
-  bool is_parallel = false, recedes = false;
-};
-
-Exit exit_on_surface(const Shadow& w) {
-  Exit exit;
-  for (std::size_t i = 0; i < w.solid.planes; ++i) {
-    const Shadow::Row row = w.row(i);
-    if (!(row.a > 0.0) || row.r >= row.a * exit.t) continue;
-    exit = {std::max(row.r, 0.0) / row.a, i, std::abs(row.c) <= parallel, row.c < -parallel};
-  }
-  return exit;
-}
-
-/// The largest t, up to that of the planes parallel to u, at which the line is inside for some
-/// s >= 0, by Newton's method from above on the concave function hi - lo: its tangent never ends
-/// before it.
-Vec3 end_of_shadow(const Shadow& w) {
-  constexpr int most_rounds = 100;
-  double t = 1.0;
-  for (std::size_t i = 0; i < w.solid.planes; ++i)
-    if (const Shadow::Row row = w.row(i); std::abs(row.c) <= parallel && row.a > 0.0)
-      t = std::min(t, std::max(row.r, 0.0) / row.a);
-  Span span = span_at(w, t);
-  for (int i = 0; i < most_rounds && span.lo > span.hi && t > 0.0; ++i) {
-    const double level = span.above.r / span.above.c - span.below.r / span.below.c;
-    const double falls = span.above.a / span.above.c - span.below.a / span.below.c;
-    const double next = falls > 0.0 ? std::max(level / falls, 0.0) : 0.0;
-    if (!(next < t)) break;
-    t = next;
-    span = span_at(w, t);
-  }
-  return w.U + t * w.e + std::clamp(span.lo, 0.0, std::max(span.hi, 0.0)) * w.u;
-}
-
 ContactEnd end_at(const Vec3& x_P, int side = -1) { return {x_P, side, x_P}; }
 
-/// A side that pressed is in contact up to the undisturbed surface; one that did not, only at its
-/// lower edge.
-ContactEnd end_of(const PressingPart& part, const Shadow& w) {
-  const Exit exit = exit_on_surface(w);
-  const Vec3 end = w.U + exit.t * w.e;
-  const int side = exit.is_parallel ? static_cast<int>(exit.plane) : -1;
-  if (!exit.is_parallel && !exit.recedes) return end_at(end);
-  const Vec3 move_P = displacement_P(part, end);
-  const bool pressed = mesh::normal(w.solid, exit.plane).dot(move_P) > neither(part, move_P);
-  if (exit.recedes)
+/// On the way U + t e of undisturbed rock, from a vertex now at x_P, displaced along u. A side that
+/// pressed is in contact up to the undisturbed surface; one that did not, only at its lower edge.
+ContactEnd end_of_way(const PressingPart& part, const Vec3& U, const Vec3& e, const Vec3& u,
+                      const Vec3& x_P) {
+  const mesh::ConvexSolid& solid = *convex(part);
+  const Exit exit = exit_of_way(solid, U, e, x_P);
+  const Vec3 end = U + exit.t * e, n_P = mesh::normal(solid, exit.plane);
+  const Facing side_faces = facing(n_P.dot(u));
+  if (exit.t >= 1.0 || side_faces == Facing::up) return end_at(end);
+  const bool pressed = presses(part, displacement_P(part, end), n_P);
+  const Shadow w(solid, U, e, u, x_P);
+  if (side_faces == Facing::down)
     return pressed ? ContactEnd{end, -1, end_of_shadow(w)} : end_at(end_of_shadow(w));
-  const Vec3 foot = end + std::max(span_at(w, exit.t).hi, 0.0) * w.u;
+  const int side = static_cast<int>(exit.plane);
+  const Vec3 foot = w.point(exit.t, reach_at(w, exit.t));
   return pressed ? ContactEnd{end, side, foot} : end_at(foot, side);
-}
-
-/// The surface below a point of the straight way, seen along u.
-struct Below {
-  bool presses = false;
-  double s = 0.0;  ///< m, how far
-};
-
-Below below(const PressingPart& part, const Shadow& w, double t) {
-  double lo = -infinite, hi = infinite;
-  std::size_t plane = 0;
-  for (std::size_t i = 0; i < w.solid.planes; ++i) {
-    const Shadow::Row row = w.row(i);
-    if (std::abs(row.c) <= parallel) {
-      if (row.a * t > row.r) return {};
-      continue;
-    }
-    const double s = (row.r - row.a * t) / row.c;
-    if (row.c > 0.0 && s < hi) {
-      hi = s;
-      plane = i;
-    }
-    if (row.c < 0.0) lo = std::max(lo, s);
-  }
-  if (lo > hi) return {};
-  const Vec3 x_P = w.U + t * w.e + hi * w.u, move_P = displacement_P(part, x_P);
-  return {mesh::normal(w.solid, plane).dot(move_P) >= -neither(part, move_P), hi};
 }
 
 /// The side parallel to u on which x lies, or -1.
 int side_at(const PressingPart& part, const Shadow& w, const Vec3& x_P) {
   constexpr double near = 1e-3;  // of the gap
-  for (std::size_t i = 0; i < w.solid.planes; ++i)
-    if (std::abs(w.row(i).c) <= parallel &&
+  for (std::size_t i = 0; i < w.planes(); ++i)
+    if (facing(w, i) == Facing::parallel &&
         std::abs(mesh::normal(w.solid, i).dot(x_P) - w.solid.b[i]) <= near * part.gap)
       return static_cast<int>(i);
   return -1;
 }
 
-/// The last t of a straight way up to which `holds` does.
+/// The last of lo <= t <= hi up to which `holds` does.
 template <class Holds>
-double last_that(const Holds& holds) {
+double last_that(double lo, double hi, const Holds& holds) {
   constexpr int halvings = 24;
-  double lo = 0.0, hi = 1.0;
   for (int i = 0; i < halvings; ++i) {
     const double t = 0.5 * (lo + hi);
     (holds(t) ? lo : hi) = t;
@@ -236,21 +53,76 @@ double last_that(const Holds& holds) {
   return lo;
 }
 
-/// Whether the exact ways to an end can be taken: one convex solid, and a direction.
-bool is_simple(const PressingPart& part, const Vec3& d_P) {
-  constexpr double pressed = 1e-3;  // of the gap
-  return part.solids.size() == 1 && !part.solids[0].tree_P && d_P.norm() > pressed * part.gap;
+/// The last point of a way whose surface presses or slides. With a direction that is the surface below
+/// the way, otherwise the one nearest to it.
+struct LastPressed {
+  double t = 0.0;
+  Vec3 x_P;
+};
+
+LastPressed last_pressed(const PressingPart& part, const Shadow& w) {
+  Stretch s = first_stretch(w);
+  const auto point = [&](double t) { return w.point(t, w.height(s.plane, t)); };
+  for (std::size_t i = 0; i < w.planes(); ++i) {
+    if (s.to > s.from) {
+      const Vec3 n_P = mesh::normal(w.solid, s.plane);
+      const Vec3 move_P = displacement_P(part, point(s.from));
+      if (!presses_or_slides(part, move_P, n_P)) return {s.from, point(s.from)};
+      const Vec3 change_P = displacement_P(part, point(s.to)) - move_P;
+      const auto holds = [&](double share) {
+        return presses_or_slides(part, move_P + share * change_P, n_P);
+      };
+      if (!holds(1.0)) {
+        const double t = s.from + last_that(0.0, 1.0, holds) * (s.to - s.from);
+        return {t, point(t)};
+      }
+    }
+    if (s.next == mesh::most_planes) break;
+    s = stretch_from(w, s.next, s.to);
+  }
+  return {s.to, point(s.to)};
 }
 
-/// Where a way leaves a convex solid, as a share of the way; it may begin outside by the gap.
-double leave(const mesh::ConvexSolid& solid, const Vec3& from, const Vec3& e, double gap) {
-  double t = 1.0;
-  for (std::size_t i = 0; i < solid.planes; ++i) {
-    const Vec3 n = mesh::normal(solid, i);
-    const double out = n.dot(from) - solid.b[i], across = n.dot(e);
-    if (out + across > gap) t = std::min(t, std::max(-out, 0.0) / across);
+/// The last t at which the surface nearest to x + t e presses or slides. On a solid that is the nearest
+/// at both ends of the way, that is exact.
+double last_pressed_near(const PressingPart& part, const Vec3& x_P, const Vec3& e) {
+  std::size_t nearest_solid = 0;
+  const auto holds = [&](double t) { return !is_on_lee_side(part, x_P + t * e, nearest_solid); };
+  std::size_t at_start = 0;
+  if (part.solids.size() > 1) {
+    holds(0.0);
+    at_start = nearest_solid;
+    holds(1.0);
   }
-  return t;
+  const CuttingPart& solid = part.solids[at_start];
+  if (nearest_solid == at_start && !solid.tree_P)
+    return last_pressed(part, Shadow(solid.solid_P, x_P, e, x_P)).t;
+  return last_that(0.0, 1.0, holds);
+}
+
+/// Whether the part has pressed a vertex by d_P, more than by rounding: ways from it have a direction.
+bool has_direction(const PressingPart& part, const Vec3& d_P) {
+  constexpr double pressed = 1e-3;  // of the gap
+  return d_P.norm() > pressed * part.gap;
+}
+
+/// Where a way leaves a convex solid, as a share of the way. It may begin outside by the gap; if it
+/// begins farther outside, 0.
+TDBD_WIDE double leave(const mesh::ConvexSolid& s, const Vec3& from, const Vec3& e, double gap) {
+  Wide least = Wide{} + 1.0;
+  for (std::size_t i = 0; i < s.b.size(); i += lanes) {
+    WidePlanes p;
+    load(s, i, p);
+    const Wide out = p.x * from.x() + p.y * from.y() + p.z * from.z() - p.b;
+    const auto is_outside = out > gap;
+    if ((is_outside[0] | is_outside[1] | is_outside[2] | is_outside[3]) != 0) return 0.0;
+    const Wide across = p.x * e.x() + p.y * e.y() + p.z * e.z();
+    const auto is_left = out + across > gap;
+    const Wide room = out < 0.0 ? -out : Wide{};
+    const Wide t = room / (is_left & (across > 0.0) ? across : Wide{} + 1.0);
+    least = is_left & (t < least) ? t : least;
+  }
+  return std::min({least[0], least[1], least[2], least[3]});
 }
 
 /// The same of a solid of any shape: the first crossing outwards. A way that crosses nothing is inside
@@ -260,7 +132,7 @@ double leave(const mesh::TriangleTree& tree, const Vec3& from, const Vec3& e) {
   mesh::Box way;
   way.add(from);
   way.add(from + e);
-  double t = infinite;
+  double t = std::numeric_limits<double>::infinity();
   tree.visit([&](const mesh::Box& box) { return box.overlaps(way); },
              [&](const mesh::Facet& f) {
                const auto hit = mesh::meet(f, from, e);
@@ -280,9 +152,6 @@ double leave(const PressingPart& part, const Vec3& from, const Vec3& e) {
     const double before = t;
     for (const CuttingPart& s : part.solids) {
       const Vec3 start = from + t * e, rest = (1.0 - t) * e;
-      const bool is_inside =
-          s.tree_P || sides_of(s.solid_P, start, Vec3::Zero(), 0.0).pressing <= part.gap;
-      if (!is_inside) continue;
       t += (1.0 - t) *
            (s.tree_P ? leave(*s.tree_P, start, rest) : leave(s.solid_P, start, rest, part.gap));
     }
@@ -293,67 +162,42 @@ double leave(const PressingPart& part, const Vec3& from, const Vec3& e) {
 
 }  // namespace
 
-bool is_on_lee_side(const PressingPart& part, const Vec3& x_P) {
-  constexpr double ridge = 1e-6;  // of the gap
-  const Sides s = sides_of(part, x_P);
-  return s.lee > s.pressing + ridge * part.gap;
-}
-
-TouchedPoint on_surface(const PressingPart& part, const Vec3& x_P) {
-  if (part.solids.size() != 1 || part.solids[0].tree_P) return {x_P};
-  const mesh::ConvexSolid& s = part.solids[0].solid_P;
-  double nearest = -infinite;
-  std::size_t plane = 0;
-  for (std::size_t i = 0; i < s.planes; ++i) {
-    const double out = mesh::normal(s, i).dot(x_P) - s.b[i];
-    if (out <= nearest) continue;
-    nearest = out;
-    plane = i;
-  }
-  if (std::abs(nearest) > part.gap) return {x_P};
-  return {x_P - nearest * mesh::normal(s, plane), std::max(nearest, 0.0)};
-}
-
 ContactEnd end_on_undisturbed_rock(const PressingPart& part, const PressedPlace& from,
                                    const Vec3& q_P) {
   const Vec3 U_P = from.x_P - from.d_P, e = q_P - U_P;
-  if (is_simple(part, from.d_P))
-    return end_of(part, {part.solids[0].solid_P, U_P, e, from.d_P.normalized(), from.x_P});
+  const mesh::ConvexSolid* solid = convex(part);
+  if (solid != nullptr && has_direction(part, from.d_P))
+    return end_of_way(part, U_P, e, from.d_P.normalized(), from.x_P);
   return end_at(U_P + leave(part, U_P, e) * e);
-}
-
-bool is_inside(const PressingPart& part, const Vec3& U_P) {
-  if (part.solids.size() != 1 || part.solids[0].tree_P) return false;
-  return sides_of(part.solids[0].solid_P, U_P, Vec3::Zero(), 0.0).pressing <= 0.0;
 }
 
 ContactEnd end_beside_lee_side(const PressingPart& part, const PressedPlace& from,
                                const Vec3& q_P) {
   const Vec3 U_P = from.x_P - from.d_P;
-  return end_of(part, {part.solids[0].solid_P, U_P, q_P - U_P, from.d_P.normalized(), U_P});
+  return end_of_way(part, U_P, q_P - U_P, from.d_P.normalized(), U_P);
 }
 
 ContactEnd end_at_lee_side(const PressingPart& part, const PressedPlace& from, const Vec3& q_P,
                            const Vec3& undisturbed_q_P) {
   const Vec3 e = q_P - from.x_P, U_P = from.x_P - from.d_P, e_U = undisturbed_q_P - U_P;
-  if (!is_simple(part, from.d_P)) {
-    const double t = last_that([&](double s) { return !is_on_lee_side(part, from.x_P + s * e); });
+  const mesh::ConvexSolid* solid = convex(part);
+  if (solid == nullptr || !has_direction(part, from.d_P)) {
+    const double t = last_pressed_near(part, from.x_P, e);
     const double t_U = leave(part, U_P, e_U);
     return t_U < t ? end_at(U_P + t_U * e_U) : end_at(from.x_P + t * e);
   }
-  const mesh::ConvexSolid& solid = part.solids[0].solid_P;
   const Vec3 u = from.d_P.normalized();
-  const Shadow w{solid, from.x_P, e, u, from.x_P}, undisturbed{solid, U_P, e_U, u, from.x_P};
-  const double t = last_that([&](double s) { return below(part, w, s).presses; });
-  if (exit_on_surface(undisturbed).t < t) return end_of(part, undisturbed);
-  const Vec3 end = w.U + t * w.e + below(part, w, t).s * w.u;
-  return end_at(end, side_at(part, w, end));
+  const Shadow w(*solid, from.x_P, e, u, from.x_P);
+  const LastPressed last = last_pressed(part, w);
+  if (exit_of_way(*solid, U_P, e_U, from.x_P).t < last.t)
+    return end_of_way(part, U_P, e_U, u, from.x_P);
+  return end_at(last.x_P, side_at(part, w, last.x_P));
 }
 
 bool edge_between(const PressingPart& part, const ContactEnd& a, const ContactEnd& b,
                   const Vec3& d_P, std::array<Vec3, 2>& points_P) {
-  if (a.side < 0 || b.side < 0 || a.side == b.side || !is_simple(part, d_P)) return false;
-  const mesh::ConvexSolid& solid = part.solids[0].solid_P;
+  if (a.side < 0 || b.side < 0 || a.side == b.side) return false;
+  const mesh::ConvexSolid& solid = *convex(part);
   const Vec3 u = d_P.normalized();
   const Vec3 n1 = mesh::normal(solid, at(a.side)), n2 = mesh::normal(solid, at(b.side));
   Mat3 rows;

@@ -1,44 +1,10 @@
 #pragma once
 
 #include <array>
-#include <span>
 
-#include "rock/cut/cutting_bit.hpp"
+#include "rock/section/pressing_part.hpp"
 
 namespace tdbd::rock {
-
-/// One part of the bit as its contact with rock sees it: its solids at the end of a step, and how
-/// they moved in the step. All points in the frame P of the part's group at the step's end.
-struct PressingPart {
-  std::span<const CuttingPart> solids;  ///< one, or the convex pieces of the part
-  Pose X_P1P0;                          ///< where the step began, seen from where it ended
-  double gap = 0.0;                     ///< m, how near counts as touching
-  double ramp = 0.0;                    ///< ContactOptions::ramp_by_part
-};
-
-/// Shorter displacements are only rounding: the part stands, m.
-inline double standing(const PressingPart& part) { return 1e-7 * part.gap; }
-
-/// The displacement in the step of the part's material at x_P, m.
-inline Vec3 displacement_P(const PressingPart& part, const Vec3& x_P) {
-  return x_P - part.X_P1P0 * x_P;
-}
-
-/// Whether the surface of the part nearest to x_P moved away from the rock: n . v < 0 of its
-/// outward normal n and displacement v. A surface that did neither, to within 1e-4 of |v| and of
-/// the gap, is not on the lee side. Where two surfaces are equally near, as on a ridge, one that
-/// did not move away decides. Rock (14).
-bool is_on_lee_side(const PressingPart& part, const Vec3& x_P);
-
-/// A point of the part's surface, and how far a vertex is outside of it.
-struct TouchedPoint {
-  Vec3 x_P;           ///< m
-  double rise = 0.0;  ///< m, 0 for a vertex inside
-};
-
-/// The point of the part's surface below a vertex that it presses: on the nearest plane of a part of
-/// one convex solid, within the gap; of other parts x_P itself.
-TouchedPoint on_surface(const PressingPart& part, const Vec3& x_P);
 
 /// A vertex that the part presses.
 struct PressedPlace {
@@ -62,9 +28,6 @@ struct ContactEnd {
 /// parts always end on the undisturbed surface. q_P: the undisturbed place of the other vertex, m.
 ContactEnd end_on_undisturbed_rock(const PressingPart& part, const PressedPlace& from,
                                    const Vec3& q_P);
-
-/// Whether undisturbed rock was at U_P inside a part of one convex solid of planes.
-bool is_inside(const PressingPart& part, const Vec3& U_P);
 
 /// The same as end_on_undisturbed_rock from a vertex on the lee side that the part pressed before,
 /// whose undisturbed place is inside the part: where a side that presses joins the lee side.

@@ -27,17 +27,21 @@ void set_jacobian(const ResistedMotion& m, const CutOfPart& c,
   if (rock_moves(m)) J(2, freedoms_of(m) - 1) = -1.0;
 }
 
+enum class Sums { forces, forces_and_resistances };
+
 /// Forces and resistances at u, and their sums. Lazy products: Eigen's blocked ones cost a thousand
 /// instructions on matrices as small as these.
-void evaluate(const ResistedMotion& m, const VectorXd& u, Resistance which, ImplicitWork& w) {
+void evaluate(const ResistedMotion& m, const VectorXd& u, Resistance which, Sums sums,
+              ImplicitWork& w) {
   w.f.setZero(u.size());
-  w.C.setZero(u.size(), u.size());
+  if (sums == Sums::forces_and_resistances) w.C.setZero(u.size(), u.size());
   for (std::size_t i = 0; i < m.cuts.size(); ++i) {
     const auto& J = w.jacobians[i];
     const Vec3 v = J.lazyProduct(u);
     w.drags[i] =
         w.pressed[i] ? drag_of(*w.pressed[i], v) : drag_of(m.plan, m.cuts[i], v, m.dt, which);
     w.f += J.transpose().lazyProduct(w.drags[i].force.force);
+    if (sums == Sums::forces) continue;
     w.resisted = w.drags[i].resistance.lazyProduct(J);
     w.C += J.transpose().lazyProduct(w.resisted);
   }
@@ -56,9 +60,10 @@ double length_in_metric(VectorXd& x, const ImplicitWork& w) {
   return x.norm();
 }
 
-/// |u - free - A f(u)| in the metric of A; leaves forces and resistances at u.
-double residual(const ResistedMotion& m, const VectorXd& u, Resistance which, ImplicitWork& w) {
-  evaluate(m, u, which, w);
+/// |u - free - A f(u)| in the metric of A; leaves the sums at u.
+double residual(const ResistedMotion& m, const VectorXd& u, Resistance which, Sums sums,
+                ImplicitWork& w) {
+  evaluate(m, u, which, sums, w);
   w.rest = u - m.response.free;
   w.rest.noalias() -= m.response.A * w.f;
   return length_in_metric(w.rest, w);
@@ -85,7 +90,7 @@ bool take_newton_step(const ResistedMotion& m, double before, ImplicitWork& w) {
   double part = 1.0, nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_halvings; ++i, part *= 0.5) {
     w.trial = w.u + part * (w.next - w.u);
-    const double rest = residual(m, w.trial, Resistance::secant, w);
+    const double rest = residual(m, w.trial, Resistance::secant, Sums::forces, w);
     if (rest < (1.0 - least_gain * part) * before) {
       w.u.swap(w.trial);
       return true;
@@ -99,16 +104,16 @@ bool take_newton_step(const ResistedMotion& m, double before, ImplicitWork& w) {
 }
 
 void take_secant_step(const ResistedMotion& m, ImplicitWork& w) {
-  evaluate(m, w.u, Resistance::secant, w);
+  evaluate(m, w.u, Resistance::secant, Sums::forces_and_resistances, w);
   solve_linearised(m, w);
   w.u.swap(w.next);
 }
 
 /// The same with the pressing surfaces' forces as they are estimated.
 void take_last_step(const ResistedMotion& m, ImplicitWork& w) {
-  evaluate(m, w.u, Resistance::secant, w);
+  evaluate(m, w.u, Resistance::secant, Sums::forces, w);
   w.f.setZero();
-  w.C.setZero();
+  w.C.setZero(w.u.size(), w.u.size());
   for (std::size_t i = 0; i < m.cuts.size(); ++i) {
     const auto& J = w.jacobians[i];
     if (w.pressed[i]) {
@@ -124,15 +129,19 @@ void take_last_step(const ResistedMotion& m, ImplicitWork& w) {
   solve(m, w.rest, w, w.u);
 }
 
+/// How a contact yields to a force on it in one step.
+Yield yield_of(const ResistedMotion& m, const Vec3& normal_W, std::size_t cut, ImplicitWork& w) {
+  w.yields = w.jacobians[cut].lazyProduct(m.response.A);
+  const Mat3 D = w.yields.lazyProduct(w.jacobians[cut].transpose());
+  return {normal_W.dot(D * normal_W), D.norm()};
+}
+
 /// The penalties: so many times what stops the contact in one step.
-void set_penalties(const ResistedMotion& m, double times, ImplicitWork& w) {
-  for (std::size_t i = 0; i < m.cuts.size(); ++i) {
+void set_penalties(double times, ImplicitWork& w) {
+  for (std::size_t i = 0; i < w.pressed.size(); ++i) {
     if (!w.pressed[i]) continue;
-    PressedContact& c = *w.pressed[i];
-    w.yields.noalias() = w.jacobians[i] * m.response.A;
-    const Mat3 D = w.yields.lazyProduct(w.jacobians[i].transpose());
-    c.k_n = times / c.normal_W.dot(D * c.normal_W);
-    c.k_t = times / D.norm();
+    w.pressed[i]->k_n = times / w.yields_of[i].normal;
+    w.pressed[i]->k_t = times / w.yields_of[i].along;
   }
 }
 
@@ -146,7 +155,8 @@ bool find_velocity(const ResistedMotion& m, double close, int first_secants, int
                    int& rounds, ImplicitWork& w) {
   for (int round = 0; round < most_rounds; ++round, ++rounds) {
     const bool is_newton = round >= first_secants;
-    const double rest = residual(m, w.u, is_newton ? Resistance::tangent : Resistance::secant, w);
+    const double rest = residual(m, w.u, is_newton ? Resistance::tangent : Resistance::secant,
+                                 Sums::forces_and_resistances, w);
     if (rest <= close) return true;
     if (!is_newton || !take_newton_step(m, rest, w)) take_secant_step(m, w);
   }
@@ -174,10 +184,13 @@ void prepare(const ResistedMotion& m, ImplicitWork& w) {
   for (std::size_t i = 0; i < m.cuts.size(); ++i)
     if (const auto law = pressing_of(m.plan, m.cuts[i]); law && law->limit > 0.0)
       w.pressed[i] = PressedContact{*law, m.cuts[i].cut.normal, m.cuts[i].distance / m.dt};
+  w.yields_of.resize(m.cuts.size());
+  for (std::size_t i = 0; i < m.cuts.size(); ++i)
+    if (w.pressed[i]) w.yields_of[i] = yield_of(m, w.pressed[i]->normal_W, i, w);
 }
 
 double steepness(const ResistedMotion& m, const VectorXd& u, ImplicitWork& w) {
-  evaluate(m, u, Resistance::secant, w);
+  evaluate(m, u, Resistance::secant, Sums::forces_and_resistances, w);
   w.product.noalias() = w.C * w.root;
   MatrixXd& B = w.steep;
   B.noalias() = w.root.transpose() * w.product;
@@ -197,11 +210,12 @@ bool settle(const ResistedMotion& m, double close, int first_secants, Search& se
   const bool presses = any_presses(w);
   double penalty = penalty_growth;
   for (int update = 0; update < most_updates; ++update) {
-    set_penalties(m, penalty, w);
+    set_penalties(penalty, w);
     const bool is_near =
         find_velocity(m, close, update == 0 ? first_secants : 0, most_rounds, search.rounds, w);
     update_estimates(m, w);
-    if (is_near && (!presses || residual(m, w.u, Resistance::none, w) <= close)) return true;
+    if (is_near && (!presses || residual(m, w.u, Resistance::none, Sums::forces, w) <= close))
+      return true;
     if (!presses) return false;
     penalty = std::min(penalty_growth * penalty, largest_penalty);
   }
@@ -232,7 +246,7 @@ bool settle_at_held_slip(const ResistedMotion& m, double close, Search& search, 
         const Vec3 v = w.jacobians[i].lazyProduct(w.u);
         c->slip = forces::slip_velocity(v, c->normal_W).norm();
       }
-    is_settled = residual(m, w.u, Resistance::none, w) <= close;
+    is_settled = residual(m, w.u, Resistance::none, Sums::forces, w) <= close;
   }
   for (auto& c : w.pressed)
     if (c) c->slip.reset();

@@ -29,11 +29,17 @@ struct Search {
   bool is_settled = true;
 };
 
+/// How fast a contact moves in a step for a force on it, m/(N s): along its normal, and at most.
+struct Yield {
+  double normal = 0.0, along = 0.0;
+};
+
 /// Room for it, kept from step to step: no allocation once warm.
 struct ImplicitWork {
   std::vector<Eigen::Matrix<double, 3, Eigen::Dynamic>> jacobians;  ///< of the cuts' points by u
   std::vector<PartDrag> drags;
   std::vector<std::optional<PressedContact>> pressed;  ///< per cut, if its surface presses
+  std::vector<Yield> yields_of;                        ///< of these
   Eigen::VectorXd f;                                   ///< N, N m: sum of J^T F
   Eigen::MatrixXd C;                                   ///< sum of J^T C J
   Eigen::MatrixXd root;                                ///< L, L L^T the symmetric part of A

@@ -77,6 +77,12 @@ void begin_revolution(const Move& move, std::size_t cutters, FaceStatistics& s) 
   s.revolutions = move.revolution;
 }
 
+/// Whether a part's force comes from its contact: not from a section, and not from the engaged edge.
+bool bears_by_contact(const ForcePlan& plan, bit::PartKind kind) {
+  return plan.forces == Forces::on && has_law(plan, kind) && kind != bit::PartKind::face &&
+         !(kind == bit::PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
+}
+
 }  // namespace
 
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
@@ -94,16 +100,17 @@ MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cuttin
   return m;
 }
 
-std::vector<double> contact_ramps(const bit::Bit& bit, const ForcePlan& plan) {
-  std::vector<double> ramps(bit.parts.size(), 0.0);
-  if (plan.forces == Forces::off) return ramps;
+std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePlan& plan) {
+  std::vector<rock::ContactOfPart> contacts(bit.parts.size());
   for (std::size_t i = 0; i < bit.parts.size(); ++i) {
     forces::PartCut cut;
     cut.kind = bit.parts[i].kind;
-    if (!has_law(plan, cut.kind)) continue;
-    if (const auto law = forces::pressing(law_of(plan, cut.kind), cut)) ramps[i] = law->ramp;
+    if (!bears_by_contact(plan, cut.kind))
+      contacts[i].rule = rock::ContactRule::whole_triangles;
+    else if (const auto law = forces::pressing(law_of(plan, cut.kind), cut))
+      contacts[i].ramp = law->ramp;
   }
-  return ramps;
+  return contacts;
 }
 
 std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan) {
@@ -125,7 +132,7 @@ void measure_cut(rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces&
                  const MeasuredStep& step, MeasureWork& work, Measures& m) {
   if (plan.contact == ContactMeasure::on)
     rock::contact_areas(rock, step.cutting, step.cut_work,
-                        {plan.contact_gap * step.edge_length, step.contact_ramps}, work.contact,
+                        {plan.contact_gap * step.edge_length, step.contacts}, work.contact,
                         m.contacts);
   if (faces.faces.empty() || plan.section == SectionMeasure::off) return m.sections.clear();
   measure_sections(rock, plan, faces, step, work.sections, m);

@@ -25,8 +25,9 @@ struct MeasuredFaces {
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
                              const MeasurePlan& plan);
 
-/// Per part the ramp of its law (forces::Pressing); 0: no law, or one without a ramp.
-std::vector<double> contact_ramps(const bit::Bit& bit, const ForcePlan& plan);
+/// How the contact of each part is measured: clipped where its force comes from it, otherwise by whole
+/// triangles, which cost less.
+std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePlan& plan);
 
 /// The parts that rub and have a law, prepared once for their contacts.
 std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan);
@@ -41,10 +42,10 @@ struct MeasuredStep {
   const rock::CutWorkspace& cut_work;
   const rock::CutReport& cut;
   const Move& move;
-  double edge_length;                       ///< m, of the rock
-  long number;                              ///< of the step: whose turn it is
-  const FacePaths& paths;                   ///< of the faces
-  std::span<const double> contact_ramps{};  ///< rock::ContactOptions::ramp_by_part
+  double edge_length;                               ///< m, of the rock
+  long number;                                      ///< of the step: whose turn it is
+  const FacePaths& paths;                           ///< of the faces
+  std::span<const rock::ContactOfPart> contacts{};  ///< rock::ContactOptions::by_part
 };
 
 /// The measures of one step.

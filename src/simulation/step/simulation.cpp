@@ -56,7 +56,7 @@ Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
   w.measures.sections = state.sections;
   w.creep = creep_of_faces(c.forces);
   w.faces = measured_faces(c.bit, w.cutting, c.measure);
-  w.contact_ramps = contact_ramps(c.bit, c.forces);
+  w.contacts = contacts_of(c.bit, c.forces);
   w.rubbing = rubbing_parts(c.bit, c.forces);
   if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);
   return w;

@@ -56,9 +56,9 @@ struct Work {
   double trim_height = 0.0;  ///< m, of the trimming plane above the bit's origin; 0: no trimming
   rock::CuttingBit cutting;  ///< the bit prepared, its cones at the angles of the last step
   MeasuredFaces faces;       ///< the cutters' faces prepared
-  std::vector<double> contact_ramps;       ///< per part
-  double creep = 0.0;                      ///< m/s, creep_of_faces
-  std::vector<rock::RubbingPart> rubbing;  ///< the parts that rub and have a law
+  std::vector<rock::ContactOfPart> contacts;  ///< per part: how they are measured
+  double creep = 0.0;                         ///< m/s, creep_of_faces
+  std::vector<rock::RubbingPart> rubbing;     ///< the parts that rub and have a law
   // Of the last step.
   Measures measures;
   std::vector<CutOfPart> cuts;  ///< none without forces

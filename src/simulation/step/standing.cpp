@@ -101,7 +101,7 @@ void bear_at_start(const Case& c, State& state, Work& work) {
   const Pose X_WB = over_rock(state.place);
   rock::begin_at_rest(work.cutting, X_WB, work.cut_work);
   rock::contact_areas(state.rock, work.cutting, work.cut_work,
-                      {c.measure.contact_gap * c.rock.edge_length, work.contact_ramps},
+                      {c.measure.contact_gap * c.rock.edge_length, work.contacts},
                       work.measure_work.contact, work.measures.contacts);
   measure_rubbing(c, X_WB, state, work);
   gather_touching(c.forces, c.bit, work.measures.contacts, work.cuts);

@@ -39,15 +39,9 @@ void note_removed(std::size_t revolution, const rock::CutReport& cut, VolumeLedg
 }
 
 MeasuredStep measured(const Case& c, const Move& move, const State& state, const Work& work) {
-  return {c.bit,
-          work.cutting,
-          work.cut_work,
-          state.cut,
-          move,
-          c.rock.edge_length,
-          state.steps_done,
-          state.face_paths,
-          work.contact_ramps};
+  return {c.bit,        work.cutting,       work.cut_work,    state.cut,
+          move,         c.rock.edge_length, state.steps_done, state.face_paths,
+          work.contacts};
 }
 
 /// At the momenta that the last forces predict. Cones turn freely: where their teeth press, the step

@@ -41,8 +41,19 @@ Response response_of(const DrillingSystem& s, double h, DrillingRun& d) {
   return response;
 }
 
-/// After the step is closed with the wrench and the next one opened: momenta are then those of the
-/// drift, positions still count as they were.
+/// Of the drift that follows when the step is opened: momenta are then those of the drift, positions still
+/// count as they were.
+Eigen::VectorXd velocity_of_next_drift(const DrillingSystem& s, double h, DrillingRun& d) {
+  const Configuration before = d.work.at;
+  open_step(s, h, d, d.work);
+  DrillingVelocity v;
+  Eigen::VectorXd column;
+  velocity(s, before, d.state, v);
+  to_column(s, v, column);
+  return column;
+}
+
+/// After the step is closed with the wrench.
 TEST(Response, is_the_velocity_of_the_next_drift) {
   constexpr double h = 2e-3, bound = 1e-13;  // of the velocity
   const DrillingSystem s = linear_bit();
@@ -53,12 +64,7 @@ TEST(Response, is_the_velocity_of_the_next_drift) {
     const Wrench w = some_wrench(seed);
     const Eigen::VectorXd told = response.free + response.A * column_of(w);
     close_step(s, h, w, d, d.work);
-    const Configuration before = d.work.at;
-    open_step(s, h, d, d.work);
-    DrillingVelocity v;
-    Eigen::VectorXd found;
-    velocity(s, before, d.state, v);
-    to_column(s, v, found);
+    const Eigen::VectorXd found = velocity_of_next_drift(s, h, d);
     EXPECT_LT((told - found).norm(), bound * found.norm()) << seed;
     EXPECT_GT((response.A * column_of(w)).norm(), 0.01 * found.norm()) << seed;
   }
@@ -78,12 +84,7 @@ TEST(Response, of_the_opening_kick_is_the_velocity_of_the_next_drift) {
     w.cone_impulse = ConeImpulse::halves;
     const Eigen::VectorXd predicted = response.free + response.A * column_of(w);
     d.wrench = w;
-    const Configuration before = d.work.at;
-    open_step(s, h, d, d.work);
-    DrillingVelocity v;
-    Eigen::VectorXd found;
-    velocity(s, before, d.state, v);
-    to_column(s, v, found);
+    const Eigen::VectorXd found = velocity_of_next_drift(s, h, d);
     EXPECT_LT((predicted - found).norm(), bound * found.norm()) << seed;
   }
 }

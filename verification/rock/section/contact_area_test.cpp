@@ -30,7 +30,7 @@ struct Scene {
   CutWorkspace work;
   ContactWork contact_work;
   std::vector<PartContact> contacts;
-  std::vector<double> ramps;  ///< per part, or none
+  std::vector<ContactOfPart> how;  ///< per part, or the defaults
 
   explicit Scene(const std::vector<double>& places,
                  const mesh::TriangleMesh& mesh_P = battery::box(Vec3(-0.35, -0.25, -1.0),
@@ -55,7 +55,7 @@ struct Scene {
   void move(const Pose& X_WB0, const Pose& X_WB1) {
     CutReport report;
     cut_rock(rock, cutting, X_WB0, X_WB1, work, report);
-    contact_areas(rock, cutting, work, {1e-6, ramps}, contact_work, contacts);
+    contact_areas(rock, cutting, work, {1e-6, how}, contact_work, contacts);
   }
 
   ContactPatch contact(int i) const { return whole(contacts[at(i)]); }
@@ -180,7 +180,7 @@ struct Pressed {
   CutWorkspace work;
   ContactWork contact_work;
   std::vector<PartContact> found;
-  std::vector<double> ramps;  ///< of the part, or none
+  std::vector<ContactOfPart> how;  ///< of the part, or the default
   Pose X_WP;
   Vec3 move_W = Vec3::Zero();  ///< m, of the last step
 
@@ -199,12 +199,12 @@ struct Pressed {
     for (int i = 0; i < steps; ++i) {
       const Pose next{X_WP.R, X_WP.p + move_W};
       cut_rock(rock, cutting, X_WP, next, work, report);
-      contact_areas(rock, cutting, work, {gap, ramps}, contact_work, found);
+      contact_areas(rock, cutting, work, {gap, how}, contact_work, found);
       X_WP = next;
     }
   }
 
-  double ramp() const { return ramps.empty() ? 0.0 : ramps[0]; }
+  double ramp() const { return how.empty() ? 0.0 : how[0].ramp; }
 
   /// The rock's force over the full stress, m2, as a law with this ramp finds it at the step's motion.
   Vec3 force_W(const ContactPatch& c) const {
@@ -215,62 +215,101 @@ struct Pressed {
     return into >= ramp() * along ? c.area_vector_W : into / (ramp() * along) * c.area_vector_W;
   }
 
-  /// Over the exact area vector.
-  double error() const {
+  mesh::TriangleMesh placed_part() const {
     mesh::TriangleMesh placed = part_P;
     for (Vec3& x : placed.positions) x = X_WP * x;
+    return placed;
+  }
+
+  /// Along which the part moved in the last step, to within 2e-4 rad.
+  bool has_facet_that_slides() const {
+    constexpr double angle = 2e-4;  // rad
+    return std::ranges::any_of(part_P.triangles, [&](const auto& t) {
+      const Vec3 n_W =
+          X_WP.R * mesh::area_vector(part_P.positions[at(t[0])], part_P.positions[at(t[1])],
+                                     part_P.positions[at(t[2])]);
+      return std::abs(n_W.dot(move_W)) < angle * n_W.norm() * move_W.norm();
+    });
+  }
+
+  /// Over the exact area vector.
+  double error() const {
+    const mesh::TriangleMesh placed = placed_part();
     const Vec3 exact_W = reference::contact_area_vector(placed, 0.0, move_W, ramp());
-    const Vec3 found_W = ramps.empty() ? whole(found[0]).area_vector_W
-                                       : Vec3(force_W(found[0].below) + force_W(found[0].sides));
+    const Vec3 found_W = how.empty() ? whole(found[0]).area_vector_W
+                                     : Vec3(force_W(found[0].below) + force_W(found[0].sides));
     return (found_W - exact_W).norm() / exact_W.norm();
   }
 };
 
 /// Against the part's own mesh clipped by the undisturbed plane and by the sign of n . v. Cells of
-/// 0.05 m, parts of 0.8 m with 14 corners.
+/// 0.033 m, parts of 0.8 m with 14 corners. The largest error of 2500 parts is 0.037, of a contact of
+/// a dozen cells.
 RC_GTEST_PROP(ContactArea, of_a_pressed_convex_part_is_that_of_its_facets_in_undisturbed_rock, ()) {
   constexpr double bound = 0.1;
   Random random = any_random();
-  Pressed s(convex_part(random, 14, Vec3::Constant(0.4)), Vec3(0.0, 0.0, -0.01), 40);
+  Pressed s(convex_part(random, 14, Vec3::Constant(0.4)), Vec3(0.0, 0.0, -0.01), 60);
   s.move(Vec3(0.0, 0.0, random.uniform(0.08, 0.16)), 8);
   RC_ASSERT(s.error() < bound);
 }
 
-/// Rounded parts of 60 corners: pointed ones overhang, and rock is pressed straight down.
+/// Rounded parts of 60 corners: pointed ones overhang, and rock is pressed straight down. Facets that
+/// slide to within 1e-4 rad count as contact, but not in the twin, so that parts with one are left out.
+/// The largest error of the other 5833 of 6000 is 0.062.
 RC_GTEST_PROP(ContactArea, of_a_dragged_rounded_part_is_that_of_its_facets_that_move_in, ()) {
-  constexpr double bound = 0.3;
+  constexpr double bound = 0.15;
   Random random = any_random();
-  Pressed s(convex_part(random, 60, Vec3(0.5, 0.4, 0.3)), Vec3(-0.1, 0.0, -0.01), 40);
+  Pressed s(convex_part(random, 60, Vec3(0.5, 0.4, 0.3)), Vec3(-0.1, 0.0, -0.01), 60);
   s.move(Vec3(0.0, 0.0, random.uniform(0.08, 0.14)), 8);
   const double turn = random.uniform(-pi, pi);
   s.move(Vec3(0.2 * std::cos(turn), 0.2 * std::sin(turn), random.uniform(0.0, 0.02)), 20);
+  RC_PRE(!s.has_facet_that_slides());
   RC_ASSERT(s.error() < bound);
 }
 
-/// A generic convex part of 60 corners, unsymmetric, pressed and then dragged along no axis: the
-/// root mean square over 8 places in the cells.
+/// Root mean square errors over places in the cells, of a part that is pressed and then dragged along
+/// no axis.
+struct ErrorsOverEdges {
+  std::vector<double> edges, pressed, dragged;
+};
+
+struct Passes {
+  std::vector<int> cells;  ///< across the rock
+  int places = 8;
+  double depth = 0.13;  ///< m
+  int pressing_steps = 20;
+  std::vector<ContactOfPart> how{};  ///< Pressed::how
+};
+
+ErrorsOverEdges errors_over_edges(const mesh::TriangleMesh& part, Random& random, const Passes& p) {
+  ErrorsOverEdges errors;
+  for (const int n : p.cells) {
+    double pressed = 0.0, dragged = 0.0;
+    for (int i = 0; i < p.places; ++i) {
+      const Vec3 place(random.uniform(0.0, 0.1) - 0.1, random.uniform(0.0, 0.1), -0.01);
+      Pressed s(part, place, n);
+      s.how = p.how;
+      s.move(Vec3(0.0, 0.0, p.depth), p.pressing_steps);
+      pressed += s.error() * s.error();
+      s.move(Vec3(0.2, 0.11, 0.01), 40);
+      dragged += s.error() * s.error();
+    }
+    errors.edges.push_back(2.0 / n);
+    errors.pressed.push_back(std::sqrt(pressed / p.places));
+    errors.dragged.push_back(std::sqrt(dragged / p.places));
+    fmt::print("{:.4f} m: pressed {:.2e}, dragged {:.2e}\n", 2.0 / n, errors.pressed.back(),
+               errors.dragged.back());
+  }
+  return errors;
+}
+
+/// A generic convex part of 60 corners, unsymmetric.
 TEST(ContactArea, converges_with_second_order_in_the_edge_length) {
   Random random{2007};
   const mesh::TriangleMesh part = convex_part(random, 60, Vec3(0.5, 0.35, 0.3));
-  std::vector<double> edges, pressed, dragged;
-  for (const int n : {20, 28, 40, 56, 80}) {
-    double sum_pressed = 0.0, sum_dragged = 0.0;
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 place(random.uniform(0.0, 0.1) - 0.1, random.uniform(0.0, 0.1), -0.01);
-      Pressed s(part, place, n);
-      s.move(Vec3(0.0, 0.0, 0.13), 20);
-      sum_pressed += s.error() * s.error();
-      s.move(Vec3(0.2, 0.11, 0.01), 40);
-      sum_dragged += s.error() * s.error();
-    }
-    edges.push_back(2.0 / n);
-    pressed.push_back(std::sqrt(sum_pressed / 8.0));
-    dragged.push_back(std::sqrt(sum_dragged / 8.0));
-    fmt::print("{:.4f} m: pressed {:.2e}, dragged {:.2e}\n", 2.0 / n, pressed.back(),
-               dragged.back());
-  }
-  EXPECT_GT(least_squares_order(edges, pressed), 1.8);
-  EXPECT_GT(least_squares_order(edges, dragged), 1.8);
+  const ErrorsOverEdges e = errors_over_edges(part, random, {.cells = {20, 28, 40, 56, 80}});
+  EXPECT_GT(least_squares_order(e.edges, e.pressed), 1.8);
+  EXPECT_GT(least_squares_order(e.edges, e.dragged), 1.8);
 }
 
 /// Of facets of one size around the lowest point of a sphere.
@@ -292,26 +331,11 @@ mesh::TriangleMesh ball(double radius, int rings) {
 /// the whole of its edges into the contact.
 TEST(ContactArea, of_a_part_of_many_facets_converges_with_second_order) {
   Random random{2009};
-  const mesh::TriangleMesh part = ball(0.6, 20);
-  std::vector<double> edges, pressed, dragged;
-  for (const int n : {13, 18, 25, 35, 50}) {
-    double sum_pressed = 0.0, sum_dragged = 0.0;
-    for (int i = 0; i < 6; ++i) {
-      const Vec3 place(random.uniform(0.0, 0.1) - 0.1, random.uniform(0.0, 0.1), -0.01);
-      Pressed s(part, place, n);
-      s.move(Vec3(0.0, 0.0, 0.21), 40);
-      sum_pressed += s.error() * s.error();
-      s.move(Vec3(0.2, 0.11, 0.01), 40);
-      sum_dragged += s.error() * s.error();
-    }
-    edges.push_back(2.0 / n);
-    pressed.push_back(std::sqrt(sum_pressed / 6.0));
-    dragged.push_back(std::sqrt(sum_dragged / 6.0));
-    fmt::print("{:.4f} m: pressed {:.2e}, dragged {:.2e}\n", edges.back(), pressed.back(),
-               dragged.back());
-  }
-  EXPECT_GT(least_squares_order(edges, pressed), 1.8);
-  EXPECT_GT(least_squares_order(edges, dragged), 1.8);
+  const Passes passes{
+      .cells = {13, 18, 25, 35, 50}, .places = 6, .depth = 0.21, .pressing_steps = 40};
+  const ErrorsOverEdges e = errors_over_edges(ball(0.6, 20), random, passes);
+  EXPECT_GT(least_squares_order(e.edges, e.pressed), 1.8);
+  EXPECT_GT(least_squares_order(e.edges, e.dragged), 1.8);
 }
 
 /// Under a law with a ramp each surface has its share of the full stress. A polygon across an edge of
@@ -320,30 +344,17 @@ TEST(ContactArea, under_a_ramp_converges_in_the_edge_length) {
   Random random{2008};
   const mesh::TriangleMesh part = convex_part(random, 60, Vec3(0.5, 0.35, 0.3));
   for (const double ramp : {0.1, 0.5, 2.0}) {
-    std::vector<double> edges, dragged;
-    for (const int n : {20, 28, 40, 56, 80}) {
-      double sum = 0.0;
-      for (int i = 0; i < 8; ++i) {
-        const Vec3 place(random.uniform(0.0, 0.1) - 0.1, random.uniform(0.0, 0.1), -0.01);
-        Pressed s(part, place, n);
-        s.ramps = {ramp};
-        s.move(Vec3(0.0, 0.0, 0.13), 20);
-        s.move(Vec3(0.2, 0.11, 0.01), 40);
-        sum += s.error() * s.error();
-      }
-      edges.push_back(2.0 / n);
-      dragged.push_back(std::sqrt(sum / 8.0));
-      fmt::print("ramp {}, {:.4f} m: {:.2e}\n", ramp, edges.back(), dragged.back());
-    }
-    EXPECT_GT(least_squares_order(edges, dragged), 1.1) << ramp;
-    EXPECT_LT(dragged.back(), 0.02) << ramp;
+    const Passes passes{.cells = {20, 28, 40, 56, 80}, .how = {{ContactRule::clipped, ramp}}};
+    const ErrorsOverEdges e = errors_over_edges(part, random, passes);
+    EXPECT_GT(least_squares_order(e.edges, e.dragged), 1.1) << ramp;
+    EXPECT_LT(e.dragged.back(), 0.02) << ramp;
   }
 }
 
 /// A surface that only slides bears nothing.
 TEST(ContactArea, under_a_ramp_is_not_that_of_surfaces_that_slide) {
   Scene s({0.0});
-  s.ramps = {0.5};
+  s.how = {{ContactRule::clipped, 0.5}};
   s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
   EXPECT_LT((s.contact(0).area_vector_W - Vec3(0.0, 0.0, -0.35)).norm(), rounding);
   s.move(at_place(0.0, 0.02), at_place(0.02, 0.02));

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "simulation/result/run.hpp"
 #include "verification/core/temporary_folder.hpp"
@@ -15,8 +16,9 @@ namespace tdbd::simulation::energy_order_test {
 using Json = nlohmann::json;
 
 /// Of an observed order, three levels, forces of a cut whose vertices come into reach one by one.
-/// Drilling.accounts_for_its_energy_to_second_order holds the same tolerance over six levels.
-constexpr double order_tolerance = 0.1;
+/// Drilling.accounts_for_its_energy_to_second_order holds the same tolerance over six levels. Teeth
+/// come into contact and lose it: over eight windows, on edges of 4 and 2 mm, 2.04 to 2.20.
+constexpr double order_tolerance = 0.1, order_tolerance_of_teeth = 0.3;
 
 Case drilling(std::vector<std::string> settings, const std::string& name = "drill-bit-b") {
   settings.insert(settings.end(), {"rock.edge_length='4 mm'", "time.duration='0.1 s'"});
@@ -36,11 +38,12 @@ double residual_of(const Case& c, const Simulation& s) {
 }
 
 TEST(EnergyOrder, is_two_where_rock_is_cut) {
-  for (const char* name : {"drill-bit-b", "drill-bit-r"}) {
+  for (const auto& [name, tolerance] :
+       {std::pair{"drill-bit-b", order_tolerance}, {"drill-bit-r", order_tolerance_of_teeth}}) {
     const Case c = drilling({}, name);
     const EnergyOrder found = observe_energy_order(c, after(c, 50));
     ASSERT_TRUE(found.residual.order) << found.residual.reason;
-    EXPECT_NEAR(*found.residual.order, 2.0, order_tolerance) << name;
+    EXPECT_NEAR(*found.residual.order, 2.0, tolerance) << name;
     EXPECT_EQ(found.from, 0.05);
     EXPECT_EQ(found.window, 0.024);
   }
