@@ -66,7 +66,7 @@ class HighFrequency(unittest.TestCase):
                        for way, make in (("filtered", resample.resampled), ("naive", resample.interpolated))}
                 self.assertTrue(self.recorder().bound(
                     CLAIM, f"{rock}: density of the {load} at 512 Hz over that at 1000 Hz, 2 to 220 Hz, farthest from 1",
-                    off["filtered"], "1", 3e-4))
+                    off["filtered"], "1", 6e-4))
                 self.assertTrue(self.recorder().record(
                     CLAIM, f"{rock}: the same of the {load} without a low pass, which must be seen", off["naive"], "1",
                     "more than 0.3", off["naive"] > 0.3))
@@ -76,10 +76,10 @@ class HighFrequency(unittest.TestCase):
         for name, load in LOADS.items():
             x = self.samples("high-frequency", name)
             self.assertTrue(self.recorder().near(
-                CLAIM, f"homogeneous rock: nearer of the two strongest lines of the {load} over blades times rotation",
-                nearest(spectra.strongest(x, RATE, 2), lines.blades) / lines.blades, 1.0, 0.09))
+                CLAIM, f"homogeneous rock: nearest of the six strongest lines of the {load} over blades times rotation",
+                nearest(spectra.strongest(x, RATE, 6), lines.blades) / lines.blades, 1.0, 0.015))
             self.assertTrue(self.recorder().bound(
-                CLAIM, f"homogeneous rock: rms of the {load} over its mean", x.std() / x.mean(), "1", 0.012))
+                CLAIM, f"homogeneous rock: rms of the {load} over its mean", x.std() / x.mean(), "1", 0.009))
 
     def test_dipping_beds_shake_the_bit(self):
         for name, load in LOADS.items():
@@ -99,11 +99,11 @@ class HighFrequency(unittest.TestCase):
             away = [np.abs(comb - frequency).min() for frequency, _ in found]
             self.assertTrue(self.recorder().bound(
                 CLAIM, f"dipping beds: ten strongest lines of the {load}, farthest from |k f +- m b|: f turns and b pairs of beds "
-                "in a second, k whole, m 1 or 3, so four lines in 2 Hz", max(away), "Hz", 0.06))
+                "in a second, k whole, m 1 or 3, so four lines in 2 Hz", max(away), "Hz", 0.03))
             expected = lines.blades - lines.beds
             self.assertTrue(self.recorder().near(
-                CLAIM, f"dipping beds: nearer of the two strongest lines of the {load} over blades times f less b",
-                nearest(found[:2], expected) / expected, 1.0, 0.006))
+                CLAIM, f"dipping beds: nearest of the six strongest lines of the {load} over blades times f less b",
+                nearest(found[:6], expected) / expected, 1.0, 0.0025))
 
     def test_dipping_beds_excite_the_shaft(self):
         lines = self.lines["high-frequency-beds"]

@@ -63,6 +63,22 @@ void doubt_tooth_forces(const Config& c, const Case& read, std::vector<CaseWarni
                   1e3 * edge, 1e3 * width, 1e3 * width / edges_per_width)));
 }
 
+/// Nearer than the longest edge, a section crosses triangles that the face has reached already.
+void doubt_section_lead(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
+  const double lead = read.measure.section_lead, longest = read.maintenance.longest_edge;
+  const bool has_faces = std::ranges::any_of(read.bit.parts, [](const bit::Part& part) {
+    return part.kind == bit::PartKind::face && part.cutting == bit::Cutting::cuts;
+  });
+  if (!has_faces || read.measure.section == SectionMeasure::off) return;
+  if (read.maintenance.every == 0 || lead >= longest) return;
+  warnings.push_back(warning(
+      c, in_table(measure_keys::table, measure_keys::section_lead.name),
+      fmt::format("sections {:.3g} edge lengths ahead are too small where edges are up to {:.3g} "
+                  "edge lengths long (maintenance.longest_edge): found {:.3g}, expected at least "
+                  "{:.3g}",
+                  lead, longest, lead, longest)));
+}
+
 void doubt_weight(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   if (read.motion.kind != MotionKind::drilling) return;
   const double most = most_weight_per_diameter * 2.0 * read.bit.gage_radius;
@@ -91,6 +107,7 @@ std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read) {
   std::vector<CaseWarning> warnings;
   doubt_edges(c, read, warnings);
   doubt_tooth_forces(c, read, warnings);
+  doubt_section_lead(c, read, warnings);
   doubt_weight(c, read, warnings);
   return warnings;
 }

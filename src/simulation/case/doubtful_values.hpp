@@ -16,8 +16,8 @@ inline constexpr double most_weight_per_diameter = 1.75e6;
 double narrowest_width(const bit::Bit& bit);
 
 /// A warning for each value that can be computed with and that hardly anybody means: a rock whose edges are longer than
-/// half of the narrowest part that cuts is wide (the surface does not show what it cuts), and a weight on bit beyond
-/// most_weight_per_diameter.
+/// half of the narrowest part that cuts is wide (the surface does not show what it cuts), edges that are coarse for the
+/// forces on teeth, sections nearer than the longest edge, and a weight on bit beyond most_weight_per_diameter.
 std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read);
 
 }  // namespace tdbd::simulation

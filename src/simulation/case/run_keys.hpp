@@ -177,9 +177,11 @@ inline constexpr ChoiceKey<SectionMeasure> section{
     .meaning = "the section of uncut rock ahead of every cutter's face"};
 inline constexpr QuantityKey section_lead{
     .name = "section_lead",
-    .fallback = 1.2,
+    .fallback = 1.7,
     .range = Range::within(0.1, 10.0),
-    .meaning = "how far ahead of the face, over rock.edge_length"};
+    .meaning =
+        "how far ahead of the face, over rock.edge_length; more than the longest edge, or "
+        "sections are too small"};
 inline constexpr IntegerKey section_every{
     .name = "section_every",
     .fallback = 1,

@@ -40,6 +40,18 @@ TEST(DoubtfulValues, are_edges_that_are_coarse_for_the_forces_on_teeth) {
   EXPECT_TRUE(doubts("bit-r-steady", {"rock.edge_length=3 mm"}).empty());  // no forces
 }
 
+TEST(DoubtfulValues, are_sections_nearer_than_the_longest_edge) {
+  EXPECT_TRUE(doubts("bit-b-steady", {"maintenance.longest_edge=1.7"}).empty());
+  EXPECT_TRUE(doubts("bit-r-steady", {"measure.section_lead=1.2"}).empty());  // no faces
+  const auto warnings = doubts("bit-b-steady", {"measure.section_lead=1.2"});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "measure.section_lead");
+  EXPECT_EQ(warnings[0].text,
+            "sections 1.2 edge lengths ahead are too small where edges are up to 1.6 edge lengths "
+            "long (maintenance.longest_edge): found 1.2, expected at least 1.6");
+  EXPECT_EQ(doubts("bit-b-steady", {"maintenance.longest_edge=2"}).size(), 1u);
+}
+
 /// The middle one of a part's three sizes; what does not cut, or has no mesh yet, has no say.
 TEST(NarrowestWidth, is_that_of_the_narrowest_part_that_cuts) {
   bit::Bit b;

@@ -137,7 +137,7 @@ TEST_P(Standing, satisfies_the_laws_at_the_velocity_of_the_next_drift) {
 /// Laws of the velocity only: the twin of pressing surfaces is in implicit_loads_test. On faces that
 /// plunge there are several such velocities (the laboratory): no comparison there.
 TEST(Stands, at_the_velocity_that_relaxation_finds) {
-  constexpr double bound = 5e-11;  // of the velocity
+  constexpr double bound = 7e-10;  // of the velocity; the search settles to 1e-9
   Case c = standing();
   c.forces.laws[static_cast<std::size_t>(bit::PartKind::cutter_body)] = forces::NoForce{};
   Simulation s = start(c);
@@ -250,7 +250,7 @@ TEST(Stands, alike_at_every_step_of_stick_slip) {
         "{}: change {:.1e}, creep {:.4f} mm/s, depth {:.4f} mm, residual {:.4f} J, {} steps\n",
         step, found.change, 1e3 * found.creep, 1e3 * found.depth, found.residual, found.steps);
     EXPECT_GT(static_cast<double>(found.steps) * c.time.step, 0.5);
-    EXPECT_LT(found.change, 4.9e-4);  // required at 3 mm edges: 3e-3
+    EXPECT_LT(found.change, 1.2e-3);  // required at 3 mm edges: 3e-3
   }
   for (const Sticks& found : levels) {
     EXPECT_NEAR(found.depth, levels.back().depth,
