@@ -71,6 +71,8 @@ struct Cone {
   std::string name;  ///< "cone-1"
   ConeLayout layout;
   Pose X_BK;
+  /// Of a cone of solids, which has no rows: its speed over the bit's when it rolls; 0: unknown.
+  double rolling_ratio = 0.0;
 };
 
 /// The steel above the cones: a cylinder about the bit's axis that never cuts and represents both

@@ -22,15 +22,19 @@ ConeMass cone_mass(const Bit& bit, int cone) {
   return c;
 }
 
+Vec3 deepest_B(const Cone& cone, double radius, double z_K) {
+  const Vec3 z_B = cone.X_BK.R.col(2);
+  const Vec3 down_B = (Vec3::UnitZ() - z_B.z() * z_B).normalized();
+  return cone.X_BK * Vec3(0.0, 0.0, z_K) + radius * down_B;
+}
+
 RowMeasures row_measures(const Cone& cone, const ToothRow& row) {
   constexpr double on_axis = 1e-9;  // m
   const Vec3 tip_K = tooth_pose(cone.layout, row, 0.0) * Vec3(0.0, 0.0, row.shape.protrusion);
-  const Vec3 z_B = cone.X_BK.R.col(2);
   const double radius = tip_K.x();
-  const Vec3 down_B = (Vec3::UnitZ() - z_B.z() * z_B).normalized();
-  const Vec3 deepest_B = cone.X_BK * Vec3(0.0, 0.0, tip_K.z()) + radius * down_B;
-  const double bit_radius = deepest_B.head<2>().norm();
-  return {radius, bit_radius, -deepest_B.z(),
+  const Vec3 lowest_B = deepest_B(cone, radius, tip_K.z());
+  const double bit_radius = lowest_B.head<2>().norm();
+  return {radius, bit_radius, -lowest_B.z(),
           reach_of(cone.X_BK, row_meridian(cone.layout, row)).radius,
           radius > on_axis ? bit_radius / radius : 0.0};
 }

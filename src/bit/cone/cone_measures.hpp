@@ -26,6 +26,9 @@ struct RowMeasures {
   double rolling_ratio = 0.0;  ///< bit_radius / radius: cone's speed over the bit's; 0 on the axis
 };
 
+/// Where a point of a cone, at `radius` (m) from the journal's axis and z_K (m) along it, is deepest.
+Vec3 deepest_B(const Cone& cone, double radius, double z_K);
+
 /// The measures of a row of a cone.
 RowMeasures row_measures(const Cone& cone, const ToothRow& row);
 

@@ -25,6 +25,7 @@ Vec3 tooth_tip_P(const Part& tooth) {
 }
 
 double rolling_ratio_of_gage_row(const Cone& cone) {
+  if (cone.layout.rows.empty()) return cone.rolling_ratio;
   RowMeasures outermost;
   bool found_gage = false;
   for (const ToothRow& row : cone.layout.rows) {
@@ -35,6 +36,28 @@ double rolling_ratio_of_gage_row(const Cone& cone) {
     found_gage = found_gage || at_gage;
   }
   return outermost.rolling_ratio;
+}
+
+double rolling_ratio_of_parts(const Cone& cone, int index, const std::vector<Part>& parts) {
+  const auto turns = [&](const Part& p) { return p.cone == index && p.cutting == Cutting::cuts; };
+  const bool has_teeth = std::ranges::any_of(
+      parts, [&](const Part& p) { return turns(p) && p.kind == PartKind::tooth; });
+  double farthest = 0.0, ratio = 0.0;
+  for (const Part& part : parts) {
+    if (!turns(part) || (has_teeth && part.kind != PartKind::tooth)) continue;
+    double radius = 0.0, z_K = 0.0;
+    for (const Vec3& x_P : part.mesh_P.positions) {
+      const Vec3 x_K = inverse(cone.X_BK) * (part.X_BP * x_P);
+      if (x_K.head<2>().norm() <= radius) continue;
+      radius = x_K.head<2>().norm();
+      z_K = x_K.z();
+    }
+    const double bit_radius = deepest_B(cone, radius, z_K).head<2>().norm();
+    if (radius == 0.0 || bit_radius <= farthest) continue;
+    farthest = bit_radius;
+    ratio = bit_radius / radius;
+  }
+  return ratio;
 }
 
 }  // namespace tdbd::bit

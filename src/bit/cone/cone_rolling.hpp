@@ -32,7 +32,13 @@ Vec3 tooth_tip_P(const Part& tooth);
 
 /// The cone's speed over the bit's at which its gage row rolls on the bottom without slip
 /// (RowMeasures::rolling_ratio). Among several gage rows, or without any, the row farthest from the
-/// bit's axis counts. Usual values: 1.2 to 1.5 (from memory, without a source).
+/// bit's axis counts; for a cone of solids, without rows, Cone::rolling_ratio. Usual values: 1.2 to
+/// 1.5 (from memory, without a source).
 double rolling_ratio_of_gage_row(const Cone& cone);
+
+/// The same of a cone whose shape is known from its parts alone (ours): that of the tooth whose tip,
+/// where it is deepest, is farthest from the bit's axis. A tip is a tooth's vertex farthest from the
+/// journal's axis. Without teeth all parts that cut count; 0 if there are none. `index`: of the cone.
+double rolling_ratio_of_parts(const Cone& cone, int index, const std::vector<Part>& parts);
 
 }  // namespace tdbd::bit

@@ -114,7 +114,8 @@ KeyTable solid_rules() {
 
 KeyTable solid_cones() {
   using namespace solid_cone_keys;
-  return bit_table(table, name, azimuth, journal_angle, offset, skew, apex, foot_height);
+  return bit_table(table, name, azimuth, journal_angle, offset, skew, apex, foot_height,
+                   rolling_ratio);
 }
 
 }  // namespace

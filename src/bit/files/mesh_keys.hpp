@@ -157,6 +157,13 @@ inline constexpr QuantityKey foot_height{.name = "foot_height",
                                          .fallback = 0.0,
                                          .range = bit_place,
                                          .meaning = "of the journal's foot above the bit's origin"};
+inline constexpr QuantityKey rolling_ratio{
+    .name = "rolling_ratio",
+    .fallback = 0.0,
+    .range = Range::within(0.0, 10.0),
+    .meaning =
+        "of a cone that rolls: its speed over the bit's; 0: that of the tooth whose tip is "
+        "farthest from the bit's axis"};
 
 }  // namespace solid_cone_keys
 

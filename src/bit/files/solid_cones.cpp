@@ -7,6 +7,7 @@
 
 #include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_reach.hpp"
+#include "bit/cone/cone_rolling.hpp"
 #include "bit/files/mesh_keys.hpp"
 #include "core/config/toml_text.hpp"
 
@@ -23,6 +24,7 @@ std::vector<Cone> read_solid_cones(Config& solids) {
     cone.layout.skew = c.read(solid_cone_keys::skew);
     cone.layout.apex = c.read(solid_cone_keys::apex);
     cone.layout.foot_height = c.read(solid_cone_keys::foot_height);
+    cone.rolling_ratio = c.read(solid_cone_keys::rolling_ratio);
     cone.X_BK = cone_pose(cone.layout, 0.0);
     cones.push_back(cone);
   }
@@ -53,8 +55,9 @@ std::string cone_text_of(const Cone& cone) {
   const ConeLayout& c = cone.layout;
   return fmt::format(
       "\n[[solids.cones]]\nname = {}\nazimuth = {}  # rad\njournal_angle = {}  # rad\noffset = {}  "
-      "# m\nskew = {}  # rad\napex = {}  # m\nfoot_height = {}  # m\n",
-      toml_string(cone.name), c.azimuth, c.journal_angle, c.offset, c.skew, c.apex, c.foot_height);
+      "# m\nskew = {}  # rad\napex = {}  # m\nfoot_height = {}  # m\nrolling_ratio = {}\n",
+      toml_string(cone.name), c.azimuth, c.journal_angle, c.offset, c.skew, c.apex, c.foot_height,
+      rolling_ratio_of_gage_row(cone));
 }
 
 }  // namespace tdbd::bit

@@ -11,6 +11,7 @@ namespace tdbd::bit {
 /// The journals of cones whose solids are drawn in a file at the cone angle 0: [[solids.cones]].
 ///   name       "cone-1"; the solids cone-1/... turn with it
 ///   azimuth, journal_angle, offset, skew, apex, foot_height    as in ConeLayout
+///   rolling_ratio                                              Cone::rolling_ratio
 /// Their shells and rows are the solids themselves, so gaps between cones are not checked.
 std::vector<Cone> read_solid_cones(Config& solids);
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "bit/cone/cone_rolling.hpp"
 #include "bit/files/mesh_keys.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/files/solid_cones.hpp"
@@ -130,6 +131,9 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     read.frames.push_back(rule.X_BC);
     read.parts.push_back(std::move(part));
   }
+  for (std::size_t i = 0; i < read.cones.size(); ++i)
+    if (Cone& cone = read.cones[i]; cone.rolling_ratio == 0.0)
+      cone.rolling_ratio = rolling_ratio_of_parts(cone, static_cast<int>(i), read.parts);
   check_parts(file, read.parts);
   if (checks_units(file)) ask_for_unit(c, "unit", read.parts, c.read(solids_keys::unit));
   if (densities == Densities::required && !read.without_density.empty())

@@ -1,11 +1,13 @@
 #include "bit/cone/cone_rolling.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone_generate.hpp"
+#include "bit/files/bit_reading.hpp"
 
 namespace tdbd::bit::cone_rolling_test {
 
@@ -136,6 +138,24 @@ TEST(ConeRolling, takes_the_ratio_of_the_gage_row) {
   layout.rows.push_back(gage);
   layout.rows.back().place = RowPlace::inner;
   EXPECT_EQ(ratio(), outermost);
+}
+
+/// A cone of solids has no rows: its teeth say nearly what they say. A tip of a mesh is a vertex that is
+/// a little off the tooth's axis.
+TEST(ConeRolling, takes_the_ratio_of_a_cone_without_rows_from_its_teeth) {
+  constexpr double bound = 1e-4;
+  const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
+  for (std::size_t k = 0; k < bit.cones.size(); ++k) {
+    const double of_row = rolling_ratio_of_gage_row(bit.cones[k]);
+    Cone cone = bit.cones[k];
+    cone.layout.rows.clear();
+    EXPECT_EQ(rolling_ratio_of_gage_row(cone), 0.0);
+    cone.rolling_ratio = rolling_ratio_of_parts(cone, static_cast<int>(k), bit.parts);
+    EXPECT_NEAR(rolling_ratio_of_gage_row(cone), of_row, bound * of_row) << k;
+    fmt::print("cone {}: {:.4f} of its gage row, {:.4f} of its teeth\n", k, of_row,
+               cone.rolling_ratio);
+  }
+  EXPECT_EQ(rolling_ratio_of_parts(bit.cones[0], 3, bit.parts), 0.0);  // no part of such a cone
 }
 
 }  // namespace tdbd::bit::cone_rolling_test

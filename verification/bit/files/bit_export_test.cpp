@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bit/cone/cone_rolling.hpp"
 #include "bit/cone/part_pose.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
@@ -64,6 +65,9 @@ TEST(BitExport, reads_back_with_cones_that_turn) {
     EXPECT_EQ(original.parts[i].cone, again.parts[i].cone);
     EXPECT_EQ(original.parts[i].mesh_P.positions, again.parts[i].mesh_P.positions);
   }
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(rolling_ratio_of_gage_row(original.cones[k]),
+              rolling_ratio_of_gage_row(again.cones[k]));
 }
 
 TEST(BitExport, writes_the_exposure_profile) {
