@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "reference/mesh/convex_hull.hpp"
@@ -30,6 +31,8 @@ rc::Gen<Vec3> point(double half) {
   return rc::gen::apply([](double x, double y, double z) { return Vec3(x, y, z); },
                         number(-half, half), number(-half, half), number(-half, half));
 }
+
+Random any_random() { return Random{*rc::gen::arbitrary<std::uint64_t>()}; }
 
 rc::Gen<Vec3> direction() {
   return rc::gen::map(rotation(), [](const Mat3& R) { return Vec3(R.col(2)); });

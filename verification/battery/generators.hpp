@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 
 #include "core/pose.hpp"
+#include "core/random.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 /// RapidCheck generators. Every double is made from an integer, so that counterexamples shrink to
@@ -18,6 +19,9 @@ rc::Gen<double> number(double lo, double hi);
 
 /// Points of the cube [-half, half]^3.
 rc::Gen<Vec3> point(double half);
+
+/// A stream of random numbers with an arbitrary seed. To be called within a property.
+Random any_random();
 
 /// Unit vectors, all directions.
 rc::Gen<Vec3> direction();

@@ -359,6 +359,7 @@ void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, s
     const ContactOfPart how = options.by_part.empty() ? ContactOfPart{} : options.by_part[at(part)];
     if (how.rule == ContactRule::whole_triangles) {
       contact_by_part[at(part)] = sum_whole_triangles(rock, w);
+      rock.pressed[at(part)].clear();
       continue;
     }
     take_held(rock, m, cut.groups[i], part, carried, w);

@@ -76,7 +76,7 @@ ContactPatch whole(const PartContact& contact);
 /// How a part's contact is measured.
 enum class ContactRule {
   clipped,         ///< rock (14)
-  whole_triangles  ///< triangles with three held vertices: too small by half an edge length around
+  whole_triangles  ///< triangles with three held vertices: lacks a strip along the border
 };
 
 struct ContactOfPart {

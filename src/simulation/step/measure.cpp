@@ -77,10 +77,10 @@ void begin_revolution(const Move& move, std::size_t cutters, FaceStatistics& s) 
   s.revolutions = move.revolution;
 }
 
-/// Whether a part's force comes from its contact: not from a section, and not from the engaged edge.
-bool bears_by_contact(const ForcePlan& plan, bit::PartKind kind) {
-  return plan.forces == Forces::on && has_law(plan, kind) && kind != bit::PartKind::face &&
-         !(kind == bit::PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
+/// Whether the section ahead of a face gives the force on a part of this kind.
+bool has_section(const ForcePlan& plan, bit::PartKind kind) {
+  return kind == bit::PartKind::face ||
+         (kind == bit::PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
 }
 
 }  // namespace
@@ -105,9 +105,9 @@ std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePla
   for (std::size_t i = 0; i < bit.parts.size(); ++i) {
     forces::PartCut cut;
     cut.kind = bit.parts[i].kind;
-    if (!bears_by_contact(plan, cut.kind))
-      contacts[i].rule = rock::ContactRule::whole_triangles;
-    else if (const auto law = forces::pressing(law_of(plan, cut.kind), cut))
+    if (has_section(plan, cut.kind)) contacts[i].rule = rock::ContactRule::whole_triangles;
+    if (plan.forces == Forces::off || !has_law(plan, cut.kind)) continue;
+    if (const auto law = forces::pressing(law_of(plan, cut.kind), cut))
       contacts[i].ramp = law->ramp;
   }
   return contacts;

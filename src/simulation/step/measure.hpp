@@ -25,8 +25,9 @@ struct MeasuredFaces {
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
                              const MeasurePlan& plan);
 
-/// How the contact of each part is measured: clipped where its force comes from it, otherwise by whole
-/// triangles, which cost less.
+/// How the contact of each part is measured: by whole triangles, which cost less, if the section
+/// ahead of a face gives the part's force (faces, and chamfers under ChamferMeasure::edge); clipped
+/// otherwise.
 std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePlan& plan);
 
 /// The parts that rub and have a law, prepared once for their contacts.

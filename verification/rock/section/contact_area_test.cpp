@@ -14,6 +14,7 @@
 #include "mesh/measures.hpp"
 #include "reference/mesh/convex_hull.hpp"
 #include "reference/rock/contact_polygon.hpp"
+#include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
 
@@ -160,8 +161,6 @@ TEST(ContactArea, of_blocks_that_slide_is_that_of_each) {
   EXPECT_NEAR(s.contacts[1].sides.area, 0.006, rounding);
 }
 
-Random any_random() { return Random{*rc::gen::arbitrary<std::uint64_t>()}; }
-
 mesh::TriangleMesh convex_part(Random& random, int corner_count, const Vec3& half_axes) {
   std::vector<Vec3> corners;
   for (int i = 0; i < corner_count; ++i) {
@@ -247,7 +246,7 @@ struct Pressed {
 /// a dozen cells.
 RC_GTEST_PROP(ContactArea, of_a_pressed_convex_part_is_that_of_its_facets_in_undisturbed_rock, ()) {
   constexpr double bound = 0.1;
-  Random random = any_random();
+  Random random = battery::any_random();
   Pressed s(convex_part(random, 14, Vec3::Constant(0.4)), Vec3(0.0, 0.0, -0.01), 60);
   s.move(Vec3(0.0, 0.0, random.uniform(0.08, 0.16)), 8);
   RC_ASSERT(s.error() < bound);
@@ -258,7 +257,7 @@ RC_GTEST_PROP(ContactArea, of_a_pressed_convex_part_is_that_of_its_facets_in_und
 /// The largest error of the other 5833 of 6000 is 0.062.
 RC_GTEST_PROP(ContactArea, of_a_dragged_rounded_part_is_that_of_its_facets_that_move_in, ()) {
   constexpr double bound = 0.15;
-  Random random = any_random();
+  Random random = battery::any_random();
   Pressed s(convex_part(random, 60, Vec3(0.5, 0.4, 0.3)), Vec3(-0.1, 0.0, -0.01), 60);
   s.move(Vec3(0.0, 0.0, random.uniform(0.08, 0.14)), 8);
   const double turn = random.uniform(-pi, pi);
@@ -349,6 +348,17 @@ TEST(ContactArea, under_a_ramp_converges_in_the_edge_length) {
     EXPECT_GT(least_squares_order(e.edges, e.dragged), 1.1) << ramp;
     EXPECT_LT(e.dragged.back(), 0.02) << ramp;
   }
+}
+
+/// The vertices within the block are at multiples of 0.1, up to 0.3 and 0.2 from its centre.
+TEST(ContactArea, by_whole_triangles_is_that_of_triangles_with_three_held_vertices) {
+  Scene s({0.0});
+  s.how = {{ContactRule::whole_triangles, 0.0}};
+  s.move(at_place(0.0, -0.05), at_place(0.0, 0.02));
+  EXPECT_NEAR(s.contact(0).area, 0.6 * 0.4, rounding);
+  EXPECT_LT((s.contact(0).area_vector_W - Vec3(0.0, 0.0, -0.24)).norm(), rounding);
+  EXPECT_LT((s.contact(0).centroid_W - Vec3(0.0, 0.0, 0.02)).norm(), rounding);
+  EXPECT_TRUE(s.rock.pressed[0].empty());
 }
 
 /// A surface that only slides bears nothing.

@@ -28,6 +28,26 @@ bool is_same(const rock::Section& a, const rock::Section& b) {
 
 }  // namespace
 
+/// Bit B has faces, chamfers, cutter bodies and gage pads; the law acts on all but the pads.
+TEST(ContactsOf, are_by_whole_triangles_where_a_section_gives_the_force) {
+  using rock::ContactRule;
+  for (const auto& [settings, of_chamfers] :
+       {std::pair{std::vector<std::string>{}, ContactRule::whole_triangles},
+        {{"forces.chamfer_contact='triangles'"}, ContactRule::clipped}}) {
+    const Case c = read_case(TDBD_SOURCE_DIR "/cases/bit-b-3000psi.toml", settings);
+    const auto contacts = contacts_of(c.bit, c.forces);
+    ASSERT_EQ(contacts.size(), c.bit.parts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const bit::PartKind kind = c.bit.parts[i].kind;
+      const ContactRule expected = kind == bit::PartKind::face      ? ContactRule::whole_triangles
+                                   : kind == bit::PartKind::chamfer ? of_chamfers
+                                                                    : ContactRule::clipped;
+      EXPECT_EQ(contacts[i].rule, expected) << c.bit.parts[i].name;
+      EXPECT_EQ(contacts[i].ramp > 0.0, kind == bit::PartKind::cutter_body) << c.bit.parts[i].name;
+    }
+  }
+}
+
 /// The motion is prescribed, so that both runs cut the same rock.
 TEST(SectionsInTurn, are_those_of_every_step_in_a_faces_turn_and_stay_in_between) {
   constexpr long every = 3;
