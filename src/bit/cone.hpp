@@ -71,7 +71,7 @@ struct Cone {
   std::string name;  ///< "cone-1"
   ConeLayout layout;
   Pose X_BK;
-  /// Of a cone of solids, which has no rows: its speed over the bit's when it rolls; 0: unknown.
+  /// Speed of the rolling cone over the bit's, of a cone of solids, which has no rows; 0: unknown.
   double rolling_ratio = 0.0;
 };
 

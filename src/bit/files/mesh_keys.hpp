@@ -162,8 +162,8 @@ inline constexpr QuantityKey rolling_ratio{
     .fallback = 0.0,
     .range = Range::within(0.0, 10.0),
     .meaning =
-        "of a cone that rolls: its speed over the bit's; 0: that of the tooth whose tip is "
-        "farthest from the bit's axis"};
+        "speed of a rolling cone over the bit's; 0: computed from the tooth whose tip is farthest "
+        "from the bit's axis"};
 
 }  // namespace solid_cone_keys
 

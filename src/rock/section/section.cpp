@@ -21,9 +21,9 @@ SpeedRange speed_range(const ConvexPolygon& outline_F, const ForwardSpeed& v) {
   return range;
 }
 
-/// A face that plunges comes ahead slowly, and as far ahead it would be deep below the rock that it cuts.
-/// So it is measured nearer: at 0.7 of the lead where X . v is less than half of |v| in its middle,
-/// increasing to all of it at 0.8.
+/// A face that plunges moves mostly along its own plane. Carried the whole lead ahead, it would be deep
+/// below the rock that it cuts. So it is carried 0.7 of the lead where X . v < 0.5 |v| at its middle, the
+/// whole lead from 0.8 |v| on, and a cubic share between them.
 double lead_of(const FaceColumns& columns, const Pose& X_BF, const ForwardSpeed& v,
                const rotation::Twist& twist, double lead) {
   constexpr double plunging = 0.5, cutting = 0.8, nearest = 0.7;

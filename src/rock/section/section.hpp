@@ -9,9 +9,8 @@ namespace tdbd::rock {
 /// Where the rock ahead of a face is measured. At its own place the face is half-way through the
 /// triangles; beyond their longest edge they are as the cutters before it left them.
 struct SectionPlace {
-  double lead =
-      0.0;  ///< m > 0, least distance ahead; more than the rock's longest edge; less of it
-            ///< where a face plunges
+  double lead = 0.0;   ///< m > 0, least distance ahead; more than the rock's longest edge; reduced
+                       ///< where a face plunges
   double reach = 0.0;  ///< m, how far around the face to search for rock; about an edge length
   int near_list = -1;  ///< index of the rock's list that may cover the place; -1: none
   double largest_turn = 0.5;  ///< rad: near the bit's axis never farther ahead than this

@@ -140,8 +140,7 @@ TEST(ConeRolling, takes_the_ratio_of_the_gage_row) {
   EXPECT_EQ(ratio(), outermost);
 }
 
-/// A cone of solids has no rows: its teeth say nearly what they say. A tip of a mesh is a vertex that is
-/// a little off the tooth's axis.
+/// A cone of solids has no rows; the ratio is computed from its teeth.
 TEST(ConeRolling, takes_the_ratio_of_a_cone_without_rows_from_its_teeth) {
   constexpr double bound = 1e-4;
   const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");

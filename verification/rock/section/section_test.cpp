@@ -77,6 +77,33 @@ TEST(Section, of_flat_rock_on_a_straight_path_is_a_circular_segment) {
   EXPECT_LT(edge_errors.back(), 1.8e-5);  // of the arc
 }
 
+/// Distance ahead over the lead, of an upright face whose path goes down by `angle`: the area is that of
+/// the segment at the depth to which the face has been carried.
+double share_of_lead(double angle) {
+  constexpr double lead = 0.05, depth = 0.05;
+  const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
+  const rotation::Twist path{Vec3::Zero(), Vec3(std::cos(angle), 0.0, std::sin(angle))};
+  const Pose X_WB{Mat3::Identity(), Vec3(-0.07, 0.013, depth - radius)};
+  const double area =
+      section_of(rock, face_along_x(radius, 4096, 0.0), X_WB, path, {lead, 0.3}).area;
+  double lo = 0.0, hi = radius;  // m, depth of a segment of this area
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (lo + hi);
+    (segment_area(radius, middle) < area ? lo : hi) = middle;
+  }
+  return (lo - depth) / std::tan(angle) / lead;
+}
+
+/// The whole lead up to 37 degrees, 0.7 of it from 60 degrees, and between them a cubic.
+TEST(Section, of_a_face_that_plunges_is_measured_nearer) {
+  constexpr double bound = 3e-5;  // of a polygon of 4096 corners
+  EXPECT_NEAR(share_of_lead(0.2), 1.0, bound);
+  EXPECT_NEAR(share_of_lead(std::acos(0.81)), 1.0, bound);
+  EXPECT_NEAR(share_of_lead(std::acos(0.65)), 0.85, bound);
+  EXPECT_NEAR(share_of_lead(std::acos(0.49)), 0.7, bound);
+  EXPECT_NEAR(share_of_lead(1.2), 0.7, bound);
+}
+
 TEST(Section, of_flat_rock_has_the_centroid_and_the_angles_of_the_segment) {
   const Section s = of_flat_rock(2048);
   const double height = deepest / std::cos(rake), half = std::acos(1.0 - height / radius);
