@@ -6,7 +6,7 @@ from study_tools import read_rows
 
 HERE = Path(__file__).parent
 EXACT = "work of a turn over exact"
-GIVEN = ["eps 100 MPa, zeta 0.8", "W d/(2 pi), the work of a turn over 2 pi", "pi R^2 d eps on", "pi R^2 d from 1.4 mm", "eps R^2 d/2 is T",
+GIVEN = ["The number asked for is 0.2 %", "eps 100 MPa, zeta 0.8", "W d/(2 pi), the work of a turn over 2 pi", "work pi R^2 d eps", "pi R^2 d from 1.4 mm", "must be eps R^2 d/2 is",
          "at 120 rpm", "With edges of 0.5 mm", "at 1, 2.08 and 3 mm a revolution", "With the 1 mm and 1 ms", "of 1 mm a revolution by several blades",
          "the longest edge, 1.6, it", "default of 1.2 the error of bit C at 3 mm", "% at 1 mm to", "% at 0.5 mm instead", "The default is now 1.7"]
 
