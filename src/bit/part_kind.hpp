@@ -30,6 +30,11 @@ constexpr bool belongs_to_a_cutter(PartKind kind) {
          kind == PartKind::cutter_body;
 }
 
+/// Whether parts of this kind are surfaces of a cutter beside its face and chamfer.
+constexpr bool is_side_of_a_cutter(PartKind kind) {
+  return kind == PartKind::cse || kind == PartKind::cutter_body;
+}
+
 /// Whether a part removes rock. Thesis: 3.1. A part that rubs moves no rock, so rock may be inside it;
 /// the law of its kind acts on the surface of that rock (rock/section/rubbing_contact.hpp). The clearance of
 /// a bit body from the rock that the cutters leave is measured (body/rubbing.hpp).

@@ -35,9 +35,9 @@ PartForce force(const Law& law, const PartCut& cut) {
       [&cut](const auto& l) {
         if (!l.knows(cut.kind)) return law_force(NoForce{}, cut);
         if constexpr (requires { law_pressing(l, cut); })
-          return pressing_force(cut, law_pressing(l, cut));
-        else
-          return law_force(l, cut);
+          if (l.presses(cut.kind)) return pressing_force(cut, law_pressing(l, cut));
+        if constexpr (requires { law_force(l, cut); }) return law_force(l, cut);
+        return law_force(NoForce{}, cut);
       },
       law);
 }
@@ -46,7 +46,7 @@ std::optional<Pressing> pressing(const Law& law, const PartCut& cut) {
   return std::visit(
       [&cut](const auto& l) -> std::optional<Pressing> {
         if constexpr (requires { law_pressing(l, cut); })
-          if (l.knows(cut.kind)) return law_pressing(l, cut);
+          if (l.presses(cut.kind)) return law_pressing(l, cut);
         return std::nullopt;
       },
       law);

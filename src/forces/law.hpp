@@ -18,7 +18,8 @@
 namespace tdbd::forces {
 
 /// The force laws: plain structs of coefficients. A law is one header with such a struct, its
-/// `name`, `knows` (which kinds of part), `coefficients` and `law_force`, and `needs_diameter` if
+/// `name`, `knows` (which kinds of part) and `coefficients`; `law_force` if it cuts, forces (3), and
+/// `law_pressing` with `presses` (which kinds of part) if it presses, forces (4); `needs_diameter` if
 /// it needs the cutter's. Here it only needs its place in this list; README.md gives the five
 /// steps.
 using Law = std::variant<NoForce, HansonHansen, Detournay, DepthOfCut, Glowka, ThinCut, Friction,
@@ -31,8 +32,8 @@ using Law = std::variant<NoForce, HansonHansen, Detournay, DepthOfCut, Glowka, T
 /// allocate. Thesis: app. C.
 PartForce force(const Law& law, const PartCut& cut);
 
-/// How a part presses on rock under a law that presses (friction, indentation); nothing for a law
-/// whose force is a function of the velocity, and for a kind of part that the law does not know.
+/// How a part presses on rock, forces (4); nothing if the law's force on this kind of part is a
+/// function of the velocity, forces (3), and for a kind of part that the law does not know.
 std::optional<Pressing> pressing(const Law& law, const PartCut& cut);
 
 /// A coefficient of a given law, to be read into `value`.

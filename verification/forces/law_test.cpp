@@ -22,6 +22,25 @@ RC_GTEST_PROP(Force, never_pulls_the_bit_into_the_rock, ()) {
   RC_ASSERT(f.force.dot(c.normal) <= rounding(size(f)));
 }
 
+/// Every surface but faces and chamfers, under every law that knows it: Coulomb's law for every
+/// motion, and no force where it lifts.
+RC_GTEST_PROP(Force, of_a_surface_that_presses_satisfies_coulombs_law, ()) {
+  const Law law = any_law();
+  const PartCut c = any_cut();
+  const bool cuts = c.kind == bit::PartKind::face || c.kind == bit::PartKind::chamfer;
+  const bool has_force = knows(law, c.kind) && law_name(law) != "none";
+  RC_PRE(!cuts && has_force);
+  const std::optional<Pressing> presses = pressing(law, c);
+  RC_ASSERT(presses.has_value());
+  const Vec3 F = force(law, c).force;
+  const double normal = -F.dot(c.normal);
+  constexpr double rounding = 1e-14;
+  RC_ASSERT((F + normal * c.normal).norm() <=
+            presses->sliding.mu * normal + rounding * presses->limit);
+  RC_ASSERT(normal <= presses->limit * (1.0 + rounding));
+  if (c.velocity.dot(c.normal) < -1e-9 * c.velocity.norm()) RC_ASSERT(F == Vec3::Zero());
+}
+
 RC_GTEST_PROP(Force, is_finite_and_acts_at_the_contact, ()) {
   const PartCut c = any_cut();
   const PartForce f = force(any_law(), c);

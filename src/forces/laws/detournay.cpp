@@ -42,4 +42,8 @@ PartForce law_force(const Detournay& law, const PartCut& cut) {
   return cutting_force(cut, cutting + mu * rubbing, law.zeta * cutting + rubbing, law.slip_speed);
 }
 
+Pressing law_pressing(const Detournay& law, const PartCut& cut) {
+  return {law.sigma * cut.contact_area, 0.0, sliding_of(law), law.slip_speed};
+}
+
 }  // namespace tdbd::forces

@@ -5,13 +5,15 @@
 
 #include "forces/part/coefficient.hpp"
 #include "forces/part/part_cut.hpp"
+#include "forces/part/pressing.hpp"
 
 namespace tdbd::forces {
 
 /// Cutting and friction of Detournay and Defourny (1992), forces (7), with the growing contact of
 /// Detournay, Richard and Shepherd (2008) on wear flats that are not in the mesh:
 ///   face:    Ft = eps Acut + mu Ff,  Fn = zeta eps Acut + Ff,  Ff = sigma De min(kappa depth, l)
-///   other surfaces of a cutter: Fn = sigma A,  Ft = mu Fn      A: contact area, of worn meshes
+///   chamfer: Fn = sigma A,  Ft = mu Fn         A: contact area, of worn meshes
+///   other surfaces of a cutter: Fn <= sigma A,  Ft <= mu Fn,  forces (4)
 /// mu may fall with speed (friction_at).
 /// Summed over a bit: T = eps R^2 d/2, W = zeta eps R d, and the friction line E = E0 + mu S of
 /// specific energy over drilling strength, E0 = (1 - mu zeta) eps (gamma = 1 for even wear).
@@ -29,9 +31,14 @@ struct Detournay {
 
   static constexpr std::string_view name = "detournay";
   static constexpr bool knows(bit::PartKind kind) { return bit::belongs_to_a_cutter(kind); }
+  static constexpr bool presses(bit::PartKind kind) { return bit::is_side_of_a_cutter(kind); }
   static std::span<const Coefficient<Detournay>> coefficients();
 };
 
+/// Of faces and chamfers, forces (3).
 PartForce law_force(const Detournay& law, const PartCut& cut);
+
+/// Of the other surfaces of a cutter, forces (4).
+Pressing law_pressing(const Detournay& law, const PartCut& cut);
 
 }  // namespace tdbd::forces

@@ -27,6 +27,7 @@ struct Friction {
   static constexpr bool knows(bit::PartKind kind) {
     return kind != bit::PartKind::face && kind != bit::PartKind::tooth;
   }
+  static constexpr bool presses(bit::PartKind kind) { return knows(kind); }
   static std::span<const Coefficient<Friction>> coefficients();
 };
 

@@ -65,7 +65,7 @@ double face_ratio(const HansonHansen& law, const PartCut& cut) {
   return std::max(0.0, bounded_tan(cut.back_rake + law.A3));
 }
 
-/// What a factor of 1 gives, N, term by term.
+/// What a factor of 1 gives on a face or chamfer, N, term by term.
 struct UnitForces {
   Terms tangential{}, normal{};
 };
@@ -81,8 +81,7 @@ UnitForces unit_forces(const HansonHansen& law, const PartCut& cut) {
     for (int k = 0; k < 3; ++k) unit.normal[k] = B2 * unit.tangential[k];
     return unit;
   }
-  const int first = cut.kind == PartKind::chamfer ? 3 : 5;
-  unit.normal[first] = unit.tangential[first + 1] = Scc * cut.contact_area;
+  unit.normal[3] = unit.tangential[4] = Scc * cut.contact_area;
   return unit;
 }
 
@@ -109,7 +108,24 @@ PartForce law_force(const HansonHansen& law, const PartCut& cut) {
                        law.slip_speed);
 }
 
+Pressing law_pressing(const HansonHansen& law, const PartCut& cut) {
+  const double limit = law.A7 * strength(law, cut.strength) * cut.contact_area;
+  return {limit, 0.0, {.mu = law.A8}, law.slip_speed};
+}
+
 std::array<Vec3, hanson_hansen_terms> force_basis(const HansonHansen& law, const PartCut& cut) {
+  if (law.presses(cut.kind)) {
+    HansonHansen unit = law;
+    unit.A7 = unit.A8 = 1.0;
+    const Pressing rough = law_pressing(unit, cut);
+    unit.A8 = 0.0;
+    const Vec3 normal = pressing_force(cut, law_pressing(unit, cut)).force;
+    std::array<Vec3, hanson_hansen_terms> basis;
+    basis.fill(Vec3::Zero());
+    basis[5] = normal;
+    basis[6] = pressing_force(cut, rough).force - normal;
+    return basis;
+  }
   const UnitForces unit = unit_forces(law, cut);
   const CutFrame frame = cut_frame(cut.velocity, cut.normal);
   const double share = slip_share(cut.velocity.norm(), law.slip_speed);

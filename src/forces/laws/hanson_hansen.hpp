@@ -6,6 +6,7 @@
 
 #include "forces/part/coefficient.hpp"
 #include "forces/part/part_cut.hpp"
+#include "forces/part/pressing.hpp"
 
 namespace tdbd::forces {
 
@@ -16,8 +17,8 @@ namespace tdbd::forces {
 ///   B1   = A1 (1 + A2 tan Ebr),  B2 = tan(Ebr + A3), not below 0
 ///   face:    Ft = Scc (B1 Acut + A4 te De),  Fn = B2 Ft
 ///   chamfer: Fn = A5 Scc A,  Ft = A6 Fn      A: contact area
-///   other surfaces of a cutter (cse, cutter_body):  Fn = A7 Scc A,  Ft = A8 Fn
-///   F    = -Ft E1 - Fn E2                    directions.hpp
+///   F    = -Ft E1 - Fn E2 for both           forces (3), directions.hpp
+///   other surfaces of a cutter (cse, cutter_body):  Fn <= A7 Scc A,  Ft <= A8 Fn,  forces (4)
 /// The thesis's Rs is taken as the slope of Scc over pressure: pressure_share times the rock's. Ebr
 /// + A3 is held within 80 degrees of 0. A7 and A8 act on no part of a bit without cse, unless the
 /// law is given to cutter bodies by name. Thesis: app. C.1 to C.4.
@@ -36,10 +37,15 @@ struct HansonHansen {
 
   static constexpr std::string_view name = "hanson-hansen";
   static constexpr bool knows(bit::PartKind kind) { return bit::belongs_to_a_cutter(kind); }
+  static constexpr bool presses(bit::PartKind kind) { return bit::is_side_of_a_cutter(kind); }
   static std::span<const Coefficient<HansonHansen>> coefficients();
 };
 
+/// Of faces and chamfers, forces (3).
 PartForce law_force(const HansonHansen& law, const PartCut& cut);
+
+/// Of the other surfaces of a cutter, forces (4).
+Pressing law_pressing(const HansonHansen& law, const PartCut& cut);
 
 /// Terms in which the force is linear: A1, A1 A2, A4 (face), A5, A5 A6 (chamfer), A7, A7 A8
 /// (other).

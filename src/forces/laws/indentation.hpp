@@ -27,6 +27,7 @@ struct Indentation {
   static constexpr bool knows(bit::PartKind kind) {
     return kind == bit::PartKind::tooth || kind == bit::PartKind::cone;
   }
+  static constexpr bool presses(bit::PartKind kind) { return knows(kind); }
   static std::span<const Coefficient<Indentation>> coefficients();
 };
 

@@ -102,9 +102,11 @@ RC_GTEST_PROP(Detournay, of_a_sharp_cutter_spends_eps_on_every_volume, ()) {
 
 /// A wear flat that the mesh has: contact stress on its area, friction, nothing cut.
 TEST(Detournay, of_a_wear_flat_in_the_mesh_is_friction) {
-  const PartForce f = law_force(blunt(), plain_cut(PartKind::cutter_body));
-  EXPECT_NEAR(f.normal, 60e6 * 4e-6, 1e-12);
-  EXPECT_NEAR(f.tangential, 0.6 * 60e6 * 4e-6, 1e-12);
+  for (const PartKind kind : {PartKind::chamfer, PartKind::cutter_body}) {
+    const PartForce f = force(Law{blunt()}, plain_cut(kind));
+    EXPECT_NEAR(f.normal, 60e6 * 4e-6, 1e-12);
+    EXPECT_NEAR(f.tangential, 0.6 * 60e6 * 4e-6, 1e-12);
+  }
 }
 
 }  // namespace tdbd::forces::detournay_test

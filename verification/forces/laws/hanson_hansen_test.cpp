@@ -51,7 +51,7 @@ TEST(HansonHansen, of_a_chamfer_presses_with_a_share_of_the_strength) {
 
 TEST(HansonHansen, of_other_surfaces_has_their_own_coefficients) {
   for (const PartKind kind : {PartKind::cse, PartKind::cutter_body}) {
-    const PartForce f = law_force(example(), plain_cut(kind));
+    const PartForce f = force(Law{example()}, plain_cut(kind));
     EXPECT_DOUBLE_EQ(f.normal, 0.5 * 100e6 * 4e-6);
     EXPECT_DOUBLE_EQ(f.tangential, 0.3 * f.normal);
   }
@@ -100,7 +100,7 @@ RC_GTEST_PROP(HansonHansen, is_the_sum_of_coefficients_times_its_basis, ()) {
   const auto basis = force_basis(h, c);
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < hanson_hansen_terms; ++k) sum += factors[k] * basis[k];
-  const PartForce f = law_force(h, c);
+  const PartForce f = force(law, c);
   RC_ASSERT((sum - f.force).norm() <= rounding(f.normal + f.tangential));
 }
 
@@ -116,7 +116,7 @@ TEST(HansonHansen, is_recovered_from_forces_by_linear_least_squares) {
     c.engaged_edge *= 1.0 + 0.3 * (k % 5);
     const auto basis = force_basis(h, c);
     for (int j = 0; j < hanson_hansen_terms; ++j) rows.block<3, 1>(3 * k, j) = basis[j];
-    forces.segment<3>(3 * k) = law_force(h, c).force;
+    forces.segment<3>(3 * k) = force(Law{h}, c).force;
   }
   const Eigen::VectorXd found = rows.colPivHouseholderQr().solve(forces);
   const auto factors = linear_coefficients(h);
