@@ -5,16 +5,18 @@ from pathlib import Path
 from study_tools import read_csv
 
 CONTINUES = "`bit-b-continues`, 20 rows"
-COARSE_STEPS = "`bit-c-steady`, 60 m/h in steps of 5 ms, 2 mm, 4 revolutions, 4 rows"
-GIVEN = ["in steps of 5 ms at 2 mm edges"]
+GIVEN = ["60 m/h", "is 1 mm in radius", "down by 8.3 mm, four", "(now 0.4 of one)", "6 of the 20 runs still", "because three edges form", "up to 20 mm high", "by 2 L_min"]
 
 
 def stated():
-    now = read_csv(Path(__file__).parent / "now.csv")
+    folder = Path(__file__).parent
+    now, core = read_csv(folder / "now.csv"), read_csv(folder / "core.csv")
     row = {case: {column: values[i] for column, values in now.items()} for i, case in enumerate(now["case"])}
-    others = [r["pairs at most"] for case, r in row.items() if case not in (CONTINUES, COARSE_STEPS)]
-    yield "ends with {:.0f} pairs, and", row[COARSE_STEPS]["pairs at the end"]
-    yield "has up to {:.0f} on its way", row[CONTINUES]["pairs at most"]
-    yield "other cases of the table have {:.0f} at every look", max(others)
+    others = [r["pairs at most"] for case, r in row.items() if case != CONTINUES]
+    ends = [pairs for column, values in core.items() if column.startswith("at the end") for pairs in values]
+    yield "has up to {:.0f} between two", row[CONTINUES]["pairs at most"]
+    yield "second table have {:.0f} at every", max(others)
     yield "has a quality of {:.3f}", min(now["worst triangle"])
+    yield "of {:.0f} runs of", len(ends)
+    yield "m/h, {:.0f} end with", sum(pairs > 0 for pairs in ends)
     yield "takes up to {:.1f} us a touched", row[CONTINUES]["us a touched triangle at most"]
