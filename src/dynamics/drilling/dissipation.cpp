@@ -46,69 +46,7 @@ double damp(const Sweeping& w, const Direction& direction, double coefficient) {
   return -energy_of_impulse(a, j);
 }
 
-/// Friction that slows; returns what it took, J.
-double rub(const Sweeping& w, const Direction& direction, double force, double slip_speed) {
-  const Along a = along(w.system, w.at, w.state, direction);
-  const double j = friction_impulse(a, force, slip_speed, w.time);
-  give_impulse(direction, j, w.state);
-  return -energy_of_impulse(a, j);
-}
-
-Direction radial(const WallContact& c) { return {c.outward_W, c.ring_arm_W.cross(c.outward_W)}; }
-Direction at_touch(const WallContact& c, const Vec3& along_W) {
-  return {along_W, c.touch_arm_W.cross(along_W)};
-}
-
-/// How the touching point slips over the wall, around it and along z, and what impulses do to that.
-struct WallSlip {
-  Eigen::Vector2d speed;     ///< m/s
-  Eigen::Matrix2d mobility;  ///< 1/kg
-};
-
-WallSlip slip_on_wall(const Sweeping& w) {
-  const Direction around = at_touch(w.at.contact, w.at.contact.tangent_W),
-                  down = at_touch(w.at.contact, Vec3::UnitZ());
-  const Along a = along(w.system, w.at, w.state, around), z = along(w.system, w.at, w.state, down);
-  const double across = around.torque_W.dot(w.at.mobility_W * down.torque_W);
-  WallSlip slip{{a.speed, z.speed}, {}};
-  slip.mobility << a.mobility, across, across, z.mobility;
-  return slip;
-}
-
-/// Friction's own way, of the slip's: the mean of where it points before and after, so that the
-/// step keeps its order where friction turns it. No direction at rest.
-Eigen::Vector2d mean_direction(const WallSlip& slip, double force, double slip_speed, double time) {
-  const double speed = slip.speed.norm();
-  if (speed == 0.0) return Eigen::Vector2d::UnitX();
-  const Eigen::Vector2d e = slip.speed / speed;
-  const double j = friction_impulse({speed, e.dot(slip.mobility * e)}, force, slip_speed, time);
-  // Friction stops the slip at the most, so that the sum keeps a part along e.
-  return (2.0 * slip.speed + j * slip.mobility * e).normalized();
-}
-
-/// k p while pressing and e^2 k p while letting go are the mean spring and a friction of half the
-/// difference.
-void lose_at_wall(const Sweeping& w) {
-  const Wall& wall = w.system.wall;
-  const double half_difference =
-      0.5 * wall.stiffness * (1.0 - wall.restitution * wall.restitution) * w.at.contact.depth;
-  w.ledger.wall_loss += rub(w, radial(w.at.contact), half_difference, 0.0);
-}
-
-void rub_on_wall(const Sweeping& w) {
-  const Wall& wall = w.system.wall;
-  if (wall.friction == 0.0) return;
-  const Along a = along(w.system, w.at, w.state, radial(w.at.contact));
-  const double e2 = a.speed < 0.0 ? wall.restitution * wall.restitution : 1.0;
-  const double normal = wall.stiffness * e2 * w.at.contact.depth;
-  const double force = wall.friction * normal;
-  const Eigen::Vector2d e = mean_direction(slip_on_wall(w), force, wall.slip_speed, w.time);
-  const Vec3 way_W = e.x() * w.at.contact.tangent_W + e.y() * Vec3::UnitZ();
-  w.ledger.wall_friction += rub(w, at_touch(w.at.contact, way_W), force, wall.slip_speed);
-}
-
-/// The i-th of all that takes energy: three and three of the string, bearings, rock, two of the
-/// wall.
+/// The i-th of all that takes energy: three and three of the string, bearings, rock.
 void take(const Sweeping& w, std::size_t i) {
   const std::size_t cones = w.system.gyrostat.cones.size();
   if (i < 3) return damp_translation(w, w.system.dampers[i]);
@@ -121,10 +59,6 @@ void take(const Sweeping& w, std::size_t i) {
     Direction mount;
     mount.rock = 1.0;
     w.ledger.damped_rock += damp(w, mount, w.system.rock.damping);
-  } else if (w.at.contact.depth > 0.0 && i == 7 + cones) {
-    lose_at_wall(w);
-  } else if (w.at.contact.depth > 0.0 && i == 8 + cones) {
-    rub_on_wall(w);
   }
 }
 
@@ -133,7 +67,7 @@ void take(const Sweeping& w, std::size_t i) {
 void dissipate(const DrillingSystem& system, const Configuration& at, Sweep sweep, double time,
                DrillingState& state, EnergyLedger& ledger) {
   const Sweeping w{system, at, time, state, ledger};
-  const std::size_t n = 9 + system.gyrostat.cones.size();
+  const std::size_t n = 7 + system.gyrostat.cones.size();
   for (std::size_t i = 0; i < n; ++i) take(w, sweep == Sweep::forward ? i : n - 1 - i);
 }
 

@@ -9,14 +9,8 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// The two kicks of a step h, h/2 each.
-enum class Kick { opening, closing };
-
-/// Share of h/2 over which a wrench's cone torques act in a kick.
-double cone_share(ConeImpulse impulse, Kick kick) {
-  if (impulse == ConeImpulse::halves) return 1.0;
-  return kick == Kick::closing ? 2.0 : 0.0;
-}
+/// Whether forces and resistances act in one flow, (19); else one after the other, (13).
+bool has_wall(const DrillingSystem& s) { return s.wall.stiffness > 0.0; }
 
 /// Held rock takes none.
 void add_impulse(const DrillingSystem& system, double h, const Wrench& w, double cone_share,
@@ -29,20 +23,31 @@ void add_impulse(const DrillingSystem& system, double h, const Wrench& w, double
 }
 
 void give_impulses(const DrillingSystem& system, double h, const Configuration& at,
-                   const Wrench& wrench, Kick which, DrillingState& s) {
+                   const Wrench& wrench, Half which, DrillingState& s) {
   add_impulse(system, h, at.conservative, 1.0, s);
   add_impulse(system, h, wrench, cone_share(wrench.cone_impulse, which), s);
 }
 
 /// A kick, the mean velocity over it, and the work of the wrench.
-void kick(const DrillingSystem& system, double h, Kick which, Drilling& d, DrillingWork& work) {
-  DrillingVelocity& mean = which == Kick::opening ? work.opening : work.closing;
+void kick(const DrillingSystem& system, double h, Half which, Drilling& d, DrillingWork& work) {
+  DrillingVelocity& mean = which == Half::opening ? work.opening : work.closing;
   velocity(system, work.at, d.state, work.before);
   give_impulses(system, h, work.at, d.wrench, which, d.state);
   velocity(system, work.at, d.state, mean);
   mean_velocity(work.before, mean, mean);
   d.ledger.cut_bit += h * power_on_bit(d.wrench, mean, cone_share(d.wrench.cone_impulse, which));
   d.ledger.cut_rock += h * power_on_rock(d.wrench, mean);
+}
+
+/// A half step in one flow, and the work of the wrench.
+void wall_half(const DrillingSystem& system, double h, Half which, Drilling& d,
+               DrillingWork& work) {
+  DrillingVelocity& mean = which == Half::opening ? work.opening : work.closing;
+  const double share = cone_share(d.wrench.cone_impulse, which);
+  take_half_step(system, {h, which, work.at, work.middle, d.wrench, share}, d.state, d.ledger,
+                 work.half, mean);
+  d.ledger.cut_bit += 0.5 * h * power_on_bit(d.wrench, mean, share);
+  d.ledger.cut_rock += 0.5 * h * power_on_rock(d.wrench, mean);
 }
 
 /// Where the top's work is counted: before the drift and after it.
@@ -95,8 +100,13 @@ DrillingWork drilling_work(const DrillingSystem& system, const Drilling& d) {
 void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work) {
   work.step_start = d.state;
   const EnergyLedger ledger_start = d.ledger;
-  dissipate(system, work.at, Sweep::forward, 0.5 * h, d.state, d.ledger);
-  kick(system, 0.5 * h, Kick::opening, d, work);
+  if (has_wall(system)) {
+    find_middle(system, h, work.at, d.wrench, d.state, work.half, work.middle);
+    wall_half(system, h, Half::opening, d, work);
+  } else {
+    dissipate(system, work.at, Sweep::forward, 0.5 * h, d.state, d.ledger);
+    kick(system, 0.5 * h, Half::opening, d, work);
+  }
   const TopAction before = top_action(d.state, work.at);
   if (!drift_all(system, h, d)) {
     d.state = work.step_start;
@@ -112,8 +122,14 @@ void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
                                DrillingWork& work) {
   work.predicted = d.state;
-  give_impulses(system, 0.5 * h, work.at, d.wrench, Kick::opening, work.predicted);
   EnergyLedger unseen;
+  if (has_wall(system)) {
+    const double share = cone_share(d.wrench.cone_impulse, Half::opening);  // none at the end
+    take_half_step(system, {h, Half::closing, work.at, work.middle, d.wrench, share},
+                   work.predicted, unseen, work.half, work.before);
+    return work.predicted;
+  }
+  give_impulses(system, 0.5 * h, work.at, d.wrench, Half::opening, work.predicted);
   dissipate(system, work.at, Sweep::backward, 0.5 * h, work.predicted, unseen);
   return work.predicted;
 }
@@ -123,19 +139,30 @@ void velocity_after(const DrillingSystem& system, double h, const Drilling& d, K
   DrillingState& s = work.predicted;
   s = d.state;
   EnergyLedger unseen;
+  if (has_wall(system)) {
+    const auto take = [&](Half half, const Configuration& middle) {
+      const double share = cone_share(wrench.cone_impulse, half);
+      take_half_step(system, {h, half, work.at, middle, wrench, share}, s, unseen, work.half, out);
+    };
+    if (kicks == KicksLeft::closing_and_opening) take(Half::closing, work.middle);
+    find_middle(system, h, work.at, wrench, s, work.half, work.next_middle);
+    take(Half::opening, work.next_middle);
+    return velocity(system, work.at, s, out);
+  }
   if (kicks == KicksLeft::closing_and_opening) {
-    give_impulses(system, 0.5 * h, work.at, wrench, Kick::closing, s);
+    give_impulses(system, 0.5 * h, work.at, wrench, Half::closing, s);
     dissipate(system, work.at, Sweep::backward, 0.5 * h, s, unseen);
   }
   dissipate(system, work.at, Sweep::forward, 0.5 * h, s, unseen);
-  give_impulses(system, 0.5 * h, work.at, wrench, Kick::opening, s);
+  give_impulses(system, 0.5 * h, work.at, wrench, Half::opening, s);
   velocity(system, work.at, s, out);
 }
 
 void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,
                 DrillingWork& work) {
   d.wrench = wrench;
-  kick(system, 0.5 * h, Kick::closing, d, work);
+  if (has_wall(system)) return wall_half(system, h, Half::closing, d, work);
+  kick(system, 0.5 * h, Half::closing, d, work);
   dissipate(system, work.at, Sweep::backward, 0.5 * h, d.state, d.ledger);
 }
 

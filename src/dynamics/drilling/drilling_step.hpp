@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/drilling/energy_ledger.hpp"
+#include "dynamics/drilling/middle_split.hpp"
 #include "dynamics/drilling/velocity.hpp"
 
 namespace tdbd::dynamics {
@@ -21,6 +22,11 @@ struct DrillingWork {
   DrillingVelocity opening, closing;
   DrillingState predicted, step_start;
   DrillingVelocity before;
+
+  // Of a system with a wall.
+  Configuration middle;       ///< in the middle of the last drift, as its opening half predicted it
+  Configuration next_middle;  ///< and of the drift that velocity_after predicts
+  HalfWork half;
 };
 
 /// At rest with its energies. Give it the wrench of the start where the bit touches rock.
@@ -30,8 +36,8 @@ Drilling start_drilling(const DrillingSystem& system, DrillingState state);
 /// on to the same bits as without the interruption.
 DrillingWork drilling_work(const DrillingSystem& system, const Drilling& d);
 
-/// First half of a step of h (s): damping, the kick of the last wrench and of string, wall and
-/// gravity, the drift. Positions and time are then those of the step's end: cut the rock there.
+/// First half of a step of h (s): damping and the kick of the last wrench and of string, wall and
+/// gravity, one after the other, or in one flow where the system has a wall; then the drift. Positions and time are then those of the step's end: cut the rock there.
 /// Throws RunError when an implicit drift does not converge; `d` is then as it was before the step.
 void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work);
 

@@ -1,6 +1,5 @@
 #include "dynamics/drilling/exact_flow.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "dynamics/momenta.hpp"
@@ -18,23 +17,6 @@ Along along_cone(const DrillingSystem& s, const Configuration& at, const Rotatio
   const Vec3 w_B = at.R_WB.transpose() * angular_velocity_W(s, at, r);
   const double through_bit = cone.axis_B.dot(s.gyrostat.carrier_inverse_B * cone.axis_B);
   return {cone_rate<double>(cone, r.cone_momenta[i], w_B), 1.0 / cone.axial_inertia + through_bit};
-}
-
-/// log(sinh(x)) without overflow, x > 0.
-double log_sinh(double x) { return x + std::log1p(-std::exp(-2.0 * x)) - std::log(2.0); }
-
-/// asinh(exp(y)) without overflow.
-double asinh_exp(double y) {
-  constexpr double large = 20.0;  // exp(-2 y) is below rounding
-  return y > large ? y + std::log(2.0) : std::asinh(std::exp(y));
-}
-
-/// Speed that regularised friction leaves of `speed` > 0.
-double regularised_speed(double speed, double slowed, double slip_speed) {
-  constexpr double creep = 1e-8;  // sinh is its argument to rounding
-  const double x = speed / slip_speed;
-  if (x < creep) return speed * std::exp(-slowed / slip_speed);
-  return slip_speed * asinh_exp(log_sinh(x) - slowed / slip_speed);
 }
 
 }  // namespace
@@ -60,15 +42,6 @@ void give_impulse(const Direction& d, double impulse, DrillingState& state) {
 
 double damper_impulse(const Along& a, double coefficient, double other_end_speed, double time) {
   return (a.speed - other_end_speed) * std::expm1(-coefficient * a.mobility * time) / a.mobility;
-}
-
-double friction_impulse(const Along& a, double force, double slip_speed, double time) {
-  const double speed = std::abs(a.speed), slowed = force * a.mobility * time;
-  if (speed == 0.0) return 0.0;
-  const double left = slip_speed > 0.0
-                          ? std::min(speed, regularised_speed(speed, slowed, slip_speed))
-                          : std::max(speed - slowed, 0.0);
-  return std::copysign(speed - left, -a.speed) / a.mobility;
 }
 
 }  // namespace tdbd::dynamics

@@ -31,11 +31,6 @@ void give_impulse(const Direction& direction, double impulse, DrillingState& sta
 /// exp(-coefficient mobility time).
 double damper_impulse(const Along& a, double coefficient, double other_end_speed, double time);
 
-/// Impulse of friction of at most `force` (N) over a time. Coulomb's own law (slip_speed 0) slows
-/// the speed evenly and stops it; force tanh(speed / slip_speed) has
-/// sinh(speed / slip_speed) fall as exp(-force mobility time / slip_speed).
-double friction_impulse(const Along& a, double force, double slip_speed, double time);
-
 /// Kinetic energy that an impulse adds, J.
 inline double energy_of_impulse(const Along& a, double impulse) {
   return impulse * (a.speed + 0.5 * impulse * a.mobility);

@@ -3,8 +3,6 @@
 namespace tdbd::dynamics {
 namespace {
 
-int cones_of(const DrillingSystem& s) { return static_cast<int>(s.gyrostat.cones.size()); }
-
 /// The entry of a wrench that acts along a freedom.
 double& entry(const DrillingSystem& s, int freedom, Wrench& w) {
   if (freedom < 3) return w.force_W[freedom];
@@ -19,16 +17,6 @@ double probe_along(const DrillingSystem& s, int freedom) {
 }
 
 }  // namespace
-
-int freedoms(const DrillingSystem& s) { return 6 + cones_of(s) + (s.rock.mass > 0.0 ? 1 : 0); }
-
-void to_column(const DrillingSystem& s, const DrillingVelocity& v, Eigen::VectorXd& u) {
-  u.resize(freedoms(s));
-  u.head<3>() = v.v_W;
-  u.segment<3>(3) = v.w_W;
-  for (int k = 0; k < cones_of(s); ++k) u[6 + k] = v.cone_rates[at(k)];
-  if (s.rock.mass > 0.0) u[6 + cones_of(s)] = v.rock;
-}
 
 void find_response(const DrillingSystem& s, double h, const Drilling& d, KicksLeft kicks,
                    DrillingWork& work, ResponseWork& room, Response& r) {

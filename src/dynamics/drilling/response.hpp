@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "dynamics/drilling/columns.hpp"
 #include "dynamics/drilling/drilling_step.hpp"
 
 namespace tdbd::dynamics {
@@ -14,11 +15,6 @@ struct Response {
   Eigen::VectorXd free;  ///< m/s, rad/s
   Eigen::MatrixXd A;     ///< m/s and rad/s for a N and a N m
 };
-
-/// How many velocities bit, cones and rock have.
-int freedoms(const DrillingSystem& system);
-
-void to_column(const DrillingSystem& system, const DrillingVelocity& v, Eigen::VectorXd& u);
 
 /// Kept from step to step: no allocation once warm.
 struct ResponseWork {

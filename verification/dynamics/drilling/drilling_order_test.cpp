@@ -36,13 +36,17 @@ Errors errors(const DrillingSystem& s, const DrillingRun& d, const reference::Lu
           std::abs(residual(s, d))};
 }
 
-/// Largest errors at a half and at the whole of the time, where neither is small by chance alone.
+/// Largest errors at a half and at the whole of the time, where neither is small by chance alone. The
+/// residual, which changes sign, at every step.
 Errors largest_errors(const DrillingSystem& s, const std::array<reference::LumpedState, 2>& exact,
                       LawMomenta momenta, long n) {
   DrillingRun d = start(s, smooth_law, coupled_start(s));
   Errors largest{};
   for (const reference::LumpedState& there : exact) {
-    for (long i = 0; i < n / 2; ++i) step(s, smooth_law, end / static_cast<double>(n), d, momenta);
+    for (long i = 0; i < n / 2; ++i) {
+      step(s, smooth_law, end / static_cast<double>(n), d, momenta);
+      largest.back() = std::max(largest.back(), std::abs(residual(s, d)));
+    }
     const Errors now = errors(s, d, there);
     for (std::size_t v = 0; v < now.size(); ++v) largest[v] = std::max(largest[v], now[v]);
   }

@@ -41,7 +41,7 @@ TEST(EnergyLedger, every_entry_converges_to_the_twins_with_order_two) {
       EXPECT_EQ(errors[e].back(), 0.0) << names[e];  // restitution 1 loses nothing
       continue;
     }
-    EXPECT_NEAR(least_squares_order(steps, errors[e]), 2.0, 0.015) << names[e];
+    EXPECT_NEAR(least_squares_order(steps, errors[e]), 2.0, 0.04) << names[e];
     EXPECT_LT(errors[e].back(), 6e-6 * std::abs(exact[e])) << names[e];
   }
 }
@@ -156,7 +156,7 @@ TEST(EnergyLedger, counts_cone_impulses_at_the_end_of_a_step) {
     close_step(s, h, w, d, d.work);
     double work = 0.0;
     for (std::size_t k = 0; k < w.cones.size(); ++k) {
-      EXPECT_EQ(d.state.rotation.cone_momenta[k], before[k] + h * w.cones[k]);
+      EXPECT_DOUBLE_EQ(d.state.rotation.cone_momenta[k], before[k] + h * w.cones[k]);
       work += h * w.cones[k] * d.work.closing.cone_rates[k];
     }
     EXPECT_NEAR(d.ledger.cut_bit - cut_before, work, 1e-14);

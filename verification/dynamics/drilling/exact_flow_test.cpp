@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dynamics/drilling/dissipation.hpp"
-#include "reference/dynamics/ode.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
@@ -41,7 +40,7 @@ TEST(ExactFlow, damper_is_the_exponential_whatever_the_step) {
   }
 }
 
-/// Everything that takes energy at once, with bodies, cones and steps of any size.
+/// All dampers at once, with bodies, cones and steps of any size.
 DrillingSystem resisting_bit() {
   DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
   const double x = std::pow(10.0, *battery::number(-3.0, 6.0));
@@ -49,13 +48,10 @@ DrillingSystem resisting_bit() {
   s.string.turn_damping *= x;
   for (double& d : s.bearing_damping) d *= x;
   s.rock.damping *= x;
-  s.wall.restitution = *battery::number(0.0, 1.0);
-  s.wall.friction *= x;
-  s.wall.slip_speed = *rc::gen::element(0.0, 1e-6, 1e-3, 1.0);
   return make_drilling_system(s);
 }
 
-RC_GTEST_PROP(ExactFlow, dampers_and_frictions_only_take_energy, ()) {
+RC_GTEST_PROP(ExactFlow, dampers_only_take_energy, ()) {
   const DrillingSystem s = resisting_bit();
   DrillingState x = coupled_start(s);
   x.c_W += *battery::point(0.01);
@@ -69,7 +65,7 @@ RC_GTEST_PROP(ExactFlow, dampers_and_frictions_only_take_energy, ()) {
   for (const Sweep sweep : {Sweep::forward, Sweep::backward}) dissipate(s, at, sweep, h, x, lost);
   const double slack = rounding * before;
   RC_ASSERT(lost.damped_string >= -slack && lost.damped_bearings >= -slack);
-  RC_ASSERT(lost.damped_rock >= -slack && lost.wall_loss >= -slack && lost.wall_friction >= -slack);
+  RC_ASSERT(lost.damped_rock >= -slack);
   RC_ASSERT(std::abs(residual({0, kinetic(s, x)}, lost) - before) <= slack);
   RC_ASSERT(kinetic(s, x) <= before + slack);
 }
@@ -89,42 +85,6 @@ TEST(ExactFlow, damper_to_the_top_takes_its_work_from_the_top) {
   EXPECT_NEAR(d.ledger.top, 2.0 * kept, rounding * kept);
   EXPECT_NEAR(d.ledger.damped_string, kept, rounding * kept);
   EXPECT_NEAR(velocity(s, d.state).w_W.z(), 12.0, 1e-12);
-}
-
-TEST(ExactFlow, coulomb_friction_stops_and_holds) {
-  const Along a{0.3, 0.01};
-  EXPECT_NEAR(friction_impulse(a, 10.0, 0.0, 1.0), -10.0, rounding);  // slows by 0.1 m/s
-  EXPECT_NEAR(friction_impulse(a, 10.0, 0.0, 7.0), -30.0, rounding);  // stops
-  EXPECT_EQ(friction_impulse({0.0, 0.01}, 10.0, 0.0, 1.0), 0.0);      // holds
-  EXPECT_NEAR(friction_impulse({-0.3, 0.01}, 10.0, 0.0, 1.0), 10.0, rounding);
-}
-
-/// Twin: GSL on v' = -force mobility tanh(v / slip_speed), from creeping to a hundred slip speeds.
-TEST(ExactFlow, regularised_friction_is_that_of_its_equation) {
-  constexpr double slip = 1e-2, force = 3.0, mobility = 0.02;
-  for (const double speed : {1e-12, 1e-4, 1e-2, 0.05, 1.0, -0.3})
-    for (const double time : {1e-3, 0.1, 1.0, 20.0}) {
-      std::vector<double> y{speed};
-      reference::integrate(
-          [&](double, std::span<const double> v, std::span<double> dv) {
-            dv[0] = -force * mobility * std::tanh(v[0] / slip);
-          },
-          reference::OdeMethod::rk8pd, {1e-30, 1e-13}, 0.0, time, y);
-      const double left = speed + mobility * friction_impulse({speed, mobility}, force, slip, time);
-      EXPECT_NEAR(left, y[0], 1e-11 * std::abs(speed)) << speed << " m/s, " << time << " s";
-    }
-}
-
-/// What two half steps do is what one step does.
-RC_GTEST_PROP(ExactFlow, friction_of_two_half_times_is_that_of_the_whole, ()) {
-  const Along a{*battery::number(-2.0, 2.0), *battery::number(0.01, 3.0)};
-  const double force = *battery::number(0.0, 5.0), time = *battery::number(0.0, 4.0);
-  const double slip = *rc::gen::element(0.0, 1e-3, 0.5);
-  const double first = friction_impulse(a, force, slip, 0.5 * time);
-  const Along middle{a.speed + a.mobility * first, a.mobility};
-  const double both = first + friction_impulse(middle, force, slip, 0.5 * time);
-  RC_ASSERT(std::abs(both - friction_impulse(a, force, slip, time)) <=
-            rounding * (1.0 + std::abs(both)));
 }
 
 }  // namespace tdbd::dynamics::exact_flow_test

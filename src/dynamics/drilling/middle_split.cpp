@@ -1,0 +1,119 @@
+#include "dynamics/drilling/middle_split.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/drilling/columns.hpp"
+#include "dynamics/drilling/velocity.hpp"
+#include "dynamics/rotation/drift.hpp"
+
+namespace tdbd::dynamics {
+namespace {
+
+/// Whether the wall resists at either end of a half step.
+bool rubs(const Wall& wall, const Configuration& a, const Configuration& b) {
+  return wall_resists(wall) && (a.contact.depth > 0.0 || b.contact.depth > 0.0);
+}
+
+/// A vector turned about z by an angle, from its cosine and sine.
+Vec3 turned(const Vec3& p, double cosine, double sine) {
+  return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y(), p.z()};
+}
+
+/// T: the change of the momenta that turn about z with the contact, from one geometry to another
+/// (22). None where the ring leaves the wall or comes to it.
+Eigen::Matrix<double, 6, 1> turning_impulse(const WallContact& from, const WallContact& to,
+                                            const DrillingState& state) {
+  Eigen::Matrix<double, 6, 1> T = Eigen::Matrix<double, 6, 1>::Zero();
+  if (from.depth <= 0.0 || to.depth <= 0.0) return T;
+  const double cosine = from.outward_W.dot(to.outward_W),
+               sine = from.outward_W.cross(to.outward_W).z();
+  const Vec3 &p = state.momentum_W, &pi = state.rotation.momentum_W;
+  T << turned(p, cosine, sine) - p, turned(pi, cosine, sine) - pi;
+  return T;
+}
+
+/// A quarter step in each geometry, with the turning impulse between them.
+void take_quarters(const DrillingSystem& s, double h, const Configuration& first,
+                   const Configuration& second, DrillingState& state, EnergyLedger& ledger,
+                   HalfWork& w) {
+  const Eigen::Matrix<double, 6, 1> T = turning_impulse(first.contact, second.contact, state);
+  w.flow.force = w.force;
+  w.flow.force.head<6>() -= T / (0.5 * h);
+  resisted_flow(s, first, 0.25 * h, state, ledger, w.flow);
+  w.mean = 0.5 * w.flow.mean;
+  state.momentum_W += T.head<3>();
+  state.rotation.momentum_W += T.tail<3>();
+  resisted_flow(s, second, 0.25 * h, state, ledger, w.flow);
+  w.mean += 0.5 * w.flow.mean;
+}
+
+/// False where the drift does not converge.
+bool coast_halfway(const DrillingSystem& s, double h, const DrillingState& from, DrillingState& to,
+                   Configuration& middle) {
+  to = from;
+  if (coast(s.gyrostat, s.integrator.drift, 1, 0.5 * h, to.rotation) == LieOutcome::too_long)
+    return false;
+  to.rotation.time += 0.5 * h;
+  to.c_W += (0.5 * h / s.mass) * to.momentum_W;
+  if (s.rock.mass > 0.0) to.rock_z += 0.5 * h / s.rock.mass * to.rock_momentum;
+  configure(s, to, middle);
+  return true;
+}
+
+/// Momenta turned as far as a ring that touches goes around the wall in half a step.
+void turn_with_the_ring(const DrillingSystem& s, double h, const Configuration& node,
+                        HalfWork& work) {
+  const WallContact& c = node.contact;
+  if (c.depth <= 0.0) return;
+  DrillingState& x = work.trial;
+  momenta_column(s, x, work.flow.momenta);
+  work.mean.resize(work.flow.momenta.size());
+  velocities_of(s, node, work.flow.momenta, work.mean);
+  const Vec3 ring = work.mean.head<3>() + Vec3(work.mean.segment<3>(3)).cross(c.ring_arm_W);
+  constexpr double most = 0.9;  // a sine
+  const double sine =
+      std::clamp(0.5 * h * ring.dot(c.tangent_W) / (s.wall.clearance + c.depth), -most, most);
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  x.momentum_W = turned(x.momentum_W, cosine, sine);
+  x.rotation.momentum_W = turned(x.rotation.momentum_W, cosine, sine);
+}
+
+}  // namespace
+
+double cone_share(ConeImpulse impulse, Half half) {
+  if (impulse == ConeImpulse::halves) return 1.0;
+  return half == Half::closing ? 2.0 : 0.0;
+}
+
+void take_half_step(const DrillingSystem& s, const HalfStep& step, DrillingState& state,
+                    EnergyLedger& ledger, HalfWork& w, DrillingVelocity& mean) {
+  const auto& [h, half, node, middle, wrench, share] = step;
+  force_column(s, node.conservative, wrench, share, w.force);
+  if (!rubs(s.wall, node, middle)) {
+    w.flow.force = w.force;
+    resisted_flow(s, node, 0.5 * h, state, ledger, w.flow);
+    return from_column(s, w.flow.mean, mean);
+  }
+  const bool opens = half == Half::opening;
+  take_quarters(s, h, opens ? node : middle, opens ? middle : node, state, ledger, w);
+  from_column(s, w.mean, mean);
+}
+
+void find_middle(const DrillingSystem& s, double h, const Configuration& node, const Wrench& wrench,
+                 const DrillingState& state, HalfWork& w, Configuration& middle) {
+  w.trial = state;
+  turn_with_the_ring(s, h, node, w);
+  if (!wall_resists(s.wall) || !coast_halfway(s, h, w.trial, w.halfway, middle)) {
+    middle = node;
+    return;
+  }
+  if (!rubs(s.wall, node, middle)) return;
+  w.trial = state;
+  const double share = cone_share(wrench.cone_impulse, Half::opening);
+  take_half_step(s, {h, Half::opening, node, middle, wrench, share}, w.trial, w.unseen, w,
+                 w.mean_velocity);
+  if (!coast_halfway(s, h, w.trial, w.halfway, middle)) middle = node;
+}
+
+}  // namespace tdbd::dynamics

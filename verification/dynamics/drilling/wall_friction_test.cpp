@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/observed_order.hpp"
+#include "verification/dynamics/drilling/drilling_run.hpp"
+
+/// A block pressed on a wall and pushed along it. Closed forms that hold at any time step.
+namespace tdbd::dynamics::wall_friction_test {
+
+constexpr double mass = 500.0;        ///< kg
+constexpr double pressed = 62'500.0;  ///< N
+constexpr double friction = 0.8;
+constexpr double bound = friction * pressed;  ///< N, of the friction
+constexpr double stiffness = 1e6;             ///< N/m; a stable step may be 40 ms
+constexpr double slip_speed = 1e-3;           ///< m/s
+
+/// The ring has no radius, so that friction turns nothing.
+DrillingSystem block_on_wall(double restitution, double v0 = slip_speed) {
+  DrillingSystem s = plain_bit();
+  s.mass = mass;
+  s.wall = {
+      .stiffness = stiffness, .restitution = restitution, .friction = friction, .slip_speed = v0};
+  return make_drilling_system(s);
+}
+
+LumpedLaw push(double along_z) {
+  return [along_z](const DrillingSystem&, const DrillingState&, const DrillingVelocity&,
+                   Wrench& w) { w.force_W = Vec3(pressed, 0.0, along_z); };
+}
+
+/// At rest where the wall's mean spring pushes back with `spring` times the pressing force.
+DrillingState resting(const DrillingSystem& s, double spring = 1.0) {
+  DrillingState x = at_rest(s);
+  x.c_W.x() = spring * pressed / mean_wall_stiffness(s.wall);
+  return x;
+}
+
+/// Speed of the drifts along z over `steps` steps, after as many for the start to fade.
+double mean_speed(const DrillingSystem& s, const LumpedLaw& law, double h, int steps,
+                  DrillingRun& d) {
+  for (int i = 0; i < steps; ++i) step(s, law, h, d);
+  const double from = d.state.c_W.z();
+  for (int i = 0; i < steps; ++i) step(s, law, h, d);
+  return (d.state.c_W.z() - from) / (steps * h);
+}
+
+/// v0 atanh(F/(mu P)). The normal force is the pressing force P wherever in the band of the wall's
+/// loss the block rests.
+TEST(WallFriction, a_pushed_block_creeps_at_the_speed_that_bears_the_push) {
+  double worst = 0.0;
+  for (const double share : {0.1, 0.5, 0.9})
+    for (const double h : {1e-2, 1e-3, 1e-4, 1e-5})
+      for (const auto& [restitution, spring] :
+           {std::pair{1.0, 1.0}, std::pair{0.5, 0.9}, std::pair{0.5, 1.0}, std::pair{0.5, 1.2}}) {
+        const DrillingSystem s = block_on_wall(restitution);
+        const LumpedLaw law = push(share * bound);
+        DrillingRun d = start(s, law, resting(s, spring));
+        const double radius = d.state.c_W.x();
+        const double exact = slip_speed * std::atanh(share);
+        const double deviation = mean_speed(s, law, h, 400, d) / exact - 1.0;
+        worst = std::max(worst, std::abs(deviation));
+        EXPECT_LT(std::abs(d.state.c_W.x() - radius), 800 * h * 1e-7);  // creep times time
+      }
+  EXPECT_LT(worst, 1e-12);
+}
+
+TEST(WallFriction, a_block_pushed_harder_than_friction_accelerates_by_the_rest) {
+  for (const double h : {1e-2, 1e-3, 1e-4}) {
+    const DrillingSystem s = block_on_wall(0.5);
+    const LumpedLaw law = push(1.5 * bound);
+    DrillingState from = resting(s);
+    from.momentum_W.z() = mass;  // 1 m/s: tanh is 1
+    DrillingRun d = start(s, law, from);
+    for (int i = 0; i < 100; ++i) step(s, law, h, d);
+    const double exact = mass + 0.5 * bound * 100 * h;
+    EXPECT_NEAR(d.state.momentum_W.z(), exact, 1e-11 * exact) << h;
+  }
+}
+
+/// M v^2/(2 mu P) and M v^2/2. It stops within a step, so that its way is known to h v/2.
+TEST(WallFriction, a_thrown_block_slides_as_far_as_its_energy_lasts) {
+  constexpr double v = 1.0;
+  for (const double h : {1e-3, 2.5e-4, 1e-4}) {
+    const DrillingSystem s = block_on_wall(0.5);
+    DrillingState from = resting(s);
+    from.momentum_W.z() = mass * v;
+    DrillingRun d = start(s, push(0.0), from);
+    while (d.state.rotation.time < 0.05) step(s, push(0.0), h, d);
+    EXPECT_NEAR(d.state.c_W.z(), 0.5 * mass * v * v / bound, 2e-5) << h;  // of 5 mm
+    EXPECT_NEAR(d.ledger.wall_friction, 0.5 * mass * v * v, 1e-3) << h;   // of 250 J
+    EXPECT_LT(std::abs(d.state.momentum_W.z()), 1e-9 * mass) << h;
+  }
+}
+
+TEST(WallFriction, coulomb_friction_holds_a_block_that_is_pushed_less_than_its_bound) {
+  for (const double h : {1e-2, 1e-3, 1e-4})
+    for (const double share : {0.1, 0.9, -0.9}) {
+      const DrillingSystem s = block_on_wall(0.5, 0.0);
+      const LumpedLaw law = push(share * bound);
+      DrillingRun d = start(s, law, resting(s));
+      const double speed = mean_speed(s, law, h, 50, d);
+      EXPECT_LT(std::abs(speed), 2e-9) << h << " s, " << share;
+    }
+}
+
+/// A constant force against a damper of rate c/M = 2e4 1/s: F/c at any step, beside the wall and on
+/// it. The kicked step moved it (h/2) F/M coth(h c/2M) in place of that.
+TEST(WallFriction, a_stiff_damper_lets_a_load_go_on_at_force_over_damping) {
+  constexpr double damping = 2e4 * mass, force = 3e4;
+  for (const bool touches : {false, true})
+    for (const double h : {3e-2, 1e-2, 1e-3, 1e-4}) {
+      DrillingSystem s = block_on_wall(0.5);
+      s.string.damping.diagonal().z() = damping;
+      s.wall.friction = 0.0;
+      if (!touches) s.wall.clearance = 10.0;
+      s = make_drilling_system(s);
+      const LumpedLaw law = push(force);
+      DrillingRun d = start(s, law, resting(s));
+      EXPECT_NEAR(mean_speed(s, law, h, 50, d), force / damping, 1e-13 * force / damping) << h;
+    }
+}
+
+/// Of second order once the step resolves the spring against the damper, and never too fast.
+TEST(WallFriction, a_lean_relaxes_against_its_stiff_damper) {
+  constexpr double inertia = 8.0, turn_damping = 1e5, turn_stiffness = 1e7, end = 0.02;
+  DrillingSystem s = plain_bit();
+  s.wall = {.stiffness = 1e8, .clearance = 1.0};
+  s.string.turn_stiffness.diagonal().x() = turn_stiffness;
+  s.string.turn_damping.diagonal().x() = turn_damping;
+  s = make_drilling_system(s);
+  constexpr double lean = 1e-4;
+  const double root = std::sqrt(turn_damping * turn_damping - 4.0 * inertia * turn_stiffness);
+  const double slow = (turn_damping - root) / (2.0 * inertia),
+               fast = (turn_damping + root) / (2.0 * inertia);
+  const double exact =
+      lean * (fast * std::exp(-slow * end) - slow * std::exp(-fast * end)) / (fast - slow);
+  std::vector<double> steps, errors;
+  for (const double h : {1e-3, 5e-4, 2.5e-4, 1.25e-4, 6.25e-5, 3.125e-5, 1.5625e-5}) {
+    DrillingState from = at_rest(s);
+    from.rotation.q_WB = Eigen::AngleAxisd(lean, Vec3::UnitX());
+    DrillingRun d = start(s, nullptr, from);
+    while (d.state.rotation.time < end - 0.5 * h) step(s, nullptr, h, d);
+    const double found = Eigen::AngleAxisd(d.state.rotation.q_WB).angle();
+    steps.push_back(h);
+    errors.push_back(std::abs(found / exact - 1.0));
+  }
+  EXPECT_LT(errors.front(), 0.2);
+  EXPECT_NEAR(least_squares_order(std::span(steps).last(5), std::span(errors).last(5)), 2.0, 0.3);
+}
+
+}  // namespace tdbd::dynamics::wall_friction_test
