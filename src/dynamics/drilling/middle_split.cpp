@@ -1,5 +1,6 @@
 #include "dynamics/drilling/middle_split.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +10,8 @@
 
 namespace tdbd::dynamics {
 namespace {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// Whether the wall resists at either end of a half step.
 bool rubs(const Wall& wall, const Configuration& a, const Configuration& b) {
@@ -20,16 +23,49 @@ Vec3 turned(const Vec3& p, double cosine, double sine) {
   return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y(), p.z()};
 }
 
-/// T: the change of the momenta that turn about z with the contact, from one geometry to another
-/// (22). None where the ring leaves the wall or comes to it.
-Eigen::Matrix<double, 6, 1> turning_impulse(const WallContact& from, const WallContact& to,
-                                            const DrillingState& state) {
-  Eigen::Matrix<double, 6, 1> T = Eigen::Matrix<double, 6, 1>::Zero();
-  if (from.depth <= 0.0 || to.depth <= 0.0) return T;
-  const double cosine = from.outward_W.dot(to.outward_W),
-               sine = from.outward_W.cross(to.outward_W).z();
+using Directions = std::array<Direction, 3>;
+
+/// Speeds of the contact of these momenta: slip around, slip along z, radial, m/s.
+Vec3 speeds_at_contact(const DrillingSystem& s, const Configuration& at,
+                       const Directions& directions, FlowWork& w) {
+  w.start.resize(w.momenta.size());
+  velocities_of(s, at, w.momenta, w.start);
+  Vec3 speeds;
+  for (int i = 0; i < 3; ++i) {
+    const Direction& d = directions[tdbd::at(i)];
+    speeds[i] = d.force_W.dot(w.start.head<3>()) + d.torque_W.dot(w.start.segment<3>(3));
+  }
+  return speeds;
+}
+
+/// T: the impulse that turns the momenta with the contact from one geometry to another, (24). They
+/// are turned about z, and then get the impulse at the contact that leaves its speeds as they were.
+/// None where the ring leaves the wall or comes to it.
+Vec6 turning_impulse(const DrillingSystem& s, const Configuration& from, const Configuration& to,
+                     const DrillingState& state, FlowWork& w) {
+  Vec6 T = Vec6::Zero();
+  if (from.contact.depth <= 0.0 || to.contact.depth <= 0.0) return T;
+  const double cosine = from.contact.outward_W.dot(to.contact.outward_W),
+               sine = from.contact.outward_W.cross(to.contact.outward_W).z();
   const Vec3 &p = state.momentum_W, &pi = state.rotation.momentum_W;
   T << turned(p, cosine, sine) - p, turned(pi, cosine, sine) - pi;
+  const Directions there = contact_directions(to.contact);
+  momenta_column(s, state, w.momenta);
+  const Vec3 before = speeds_at_contact(s, from, contact_directions(from.contact), w);
+  w.momenta.head<6>() += T;
+  const Vec3 after = speeds_at_contact(s, to, there, w);
+  Mat3 mobility;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const Direction &a = there[tdbd::at(i)], &b = there[tdbd::at(j)];
+      mobility(i, j) =
+          a.force_W.dot(b.force_W) / s.mass + a.torque_W.dot(to.mobility_W * b.torque_W);
+    }
+  const Vec3 impulse = mobility.llt().solve(before - after);
+  for (int i = 0; i < 3; ++i) {
+    T.head<3>() += impulse[i] * there[tdbd::at(i)].force_W;
+    T.tail<3>() += impulse[i] * there[tdbd::at(i)].torque_W;
+  }
   return T;
 }
 
@@ -37,7 +73,7 @@ Eigen::Matrix<double, 6, 1> turning_impulse(const WallContact& from, const WallC
 void take_quarters(const DrillingSystem& s, double h, const Configuration& first,
                    const Configuration& second, DrillingState& state, EnergyLedger& ledger,
                    HalfWork& w) {
-  const Eigen::Matrix<double, 6, 1> T = turning_impulse(first.contact, second.contact, state);
+  const Vec6 T = turning_impulse(s, first, second, state, w.flow);
   w.flow.force = w.force;
   w.flow.force.head<6>() -= T / (0.5 * h);
   resisted_flow(s, first, 0.25 * h, state, ledger, w.flow);

@@ -33,7 +33,7 @@ struct HalfStep {
   double cone_share = 1.0;  ///< scales the wrench's torques on cones
 };
 
-/// Forces and all that resists over h/2, (21). Writes the mean velocity to `mean`.
+/// Forces and all that resists over h/2, (23). Writes the mean velocity to `mean`.
 void take_half_step(const DrillingSystem& system, const HalfStep& step, DrillingState& state,
                     EnergyLedger& ledger, HalfWork& work, DrillingVelocity& mean);
 

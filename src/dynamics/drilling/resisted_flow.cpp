@@ -26,13 +26,13 @@ void set_sizes(const DrillingSystem& s, FlowWork& w) {
   w.entries.assign(at(most), nullptr);
 }
 
-/// Adds a direction with the force and the torque of a unit of impulse; returns its column.
-int add_direction(const Vec3& force_W, const Vec3& torque_W, double coefficient,
-                  double EnergyLedger::*entry, FlowWork& w) {
+/// Adds a direction of the bit; returns its column.
+int add_direction(const Direction& d, double coefficient, double EnergyLedger::*entry,
+                  FlowWork& w) {
   const int i = w.resisting++;
   w.directions.col(i).setZero();
-  w.directions.col(i).head<3>() = force_W;
-  w.directions.col(i).segment<3>(3) = torque_W;
+  w.directions.col(i).head<3>() = d.force_W;
+  w.directions.col(i).segment<3>(3) = d.torque_W;
   w.coefficients[i] = coefficient;
   w.end_speeds[i] = 0.0;
   w.entries[at(i)] = entry;
@@ -46,14 +46,14 @@ void add_string_dampers(const DrillingSystem& s, const Configuration& at, double
   const double speed = follows ? value_at(s.top.speed, time) : 0.0;
   for (const PrincipalDamper& d : s.dampers) {
     if (d.coefficient == 0.0) continue;
-    const int i = add_direction(d.axis_W, at.pull.arm_W.cross(d.axis_W), d.coefficient,
-                                &EnergyLedger::damped_string, w);
+    const Direction direction{d.axis_W, at.pull.arm_W.cross(d.axis_W)};
+    const int i = add_direction(direction, d.coefficient, &EnergyLedger::damped_string, w);
     w.end_speeds[i] = rate * d.axis_W.z();
   }
   for (const PrincipalDamper& d : s.turn_dampers) {
     if (d.coefficient == 0.0) continue;
-    const int i =
-        add_direction(Vec3::Zero(), d.axis_W, d.coefficient, &EnergyLedger::damped_string, w);
+    const Direction direction{Vec3::Zero(), d.axis_W};
+    const int i = add_direction(direction, d.coefficient, &EnergyLedger::damped_string, w);
     w.end_speeds[i] = speed * d.axis_W.z();
   }
 }
@@ -62,7 +62,7 @@ void add_other_dampers(const DrillingSystem& s, FlowWork& w) {
   const int cones = cones_of(s);
   const auto add = [&](int freedom, double coefficient, double EnergyLedger::*entry) {
     if (coefficient == 0.0) return;
-    const int i = add_direction(Vec3::Zero(), Vec3::Zero(), coefficient, entry, w);
+    const int i = add_direction({}, coefficient, entry, w);
     w.directions(freedom, i) = 1.0;
   };
   for (int k = 0; k < cones; ++k)
@@ -70,13 +70,11 @@ void add_other_dampers(const DrillingSystem& s, FlowWork& w) {
   if (s.rock.mass > 0.0) add(6 + cones, s.rock.damping, &EnergyLedger::damped_rock);
 }
 
-void add_wall(const WallContact& c, FlowWork& w) {
-  const auto at_touch = [&](const Vec3& along_W) {
-    add_direction(along_W, c.touch_arm_W.cross(along_W), 0.0, &EnergyLedger::wall_friction, w);
-  };
-  at_touch(c.tangent_W);
-  at_touch(Vec3::UnitZ());
-  add_direction(c.outward_W, c.ring_arm_W.cross(c.outward_W), 0.0, &EnergyLedger::wall_loss, w);
+void add_wall(const WallContact& contact, FlowWork& w) {
+  const std::array<Direction, 3> d = contact_directions(contact);
+  add_direction(d[0], 0.0, &EnergyLedger::wall_friction, w);
+  add_direction(d[1], 0.0, &EnergyLedger::wall_friction, w);
+  add_direction(d[2], 0.0, &EnergyLedger::wall_loss, w);
 }
 
 /// What momenta and forces do along the directions.
@@ -231,6 +229,12 @@ WallLaw wall_law(const Wall& wall, double depth) {
 }
 
 }  // namespace
+
+std::array<Direction, 3> contact_directions(const WallContact& c) {
+  return {Direction{c.tangent_W, c.touch_arm_W.cross(c.tangent_W)},
+          Direction{Vec3::UnitZ(), c.touch_arm_W.cross(Vec3::UnitZ())},
+          Direction{c.outward_W, c.ring_arm_W.cross(c.outward_W)}};
+}
 
 bool wall_resists(const Wall& wall) { return wall.friction > 0.0 || wall.restitution < 1.0; }
 

@@ -2,10 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <array>
 #include <vector>
 
 #include "dynamics/drilling/configuration.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
+#include "dynamics/drilling/exact_flow.hpp"
 
 /// All forces and all that resists motion, together, at positions that stand still:
 ///   M u' = F - C(ubar) u,   C = sum_i c_i a_i a_i^T,   ubar: mean of u over the time            (19)
@@ -45,6 +47,9 @@ struct FlowWork {
   Eigen::PartialPivLU<Eigen::MatrixXcd> solver;
   Eigen::VectorXcd stages;
 };
+
+/// The directions in which a wall resists: slip around it, slip along z, the ring's radius.
+std::array<Direction, 3> contact_directions(const WallContact& contact);
 
 /// Whether anything at the wall resists the motion of a ring that touches it.
 bool wall_resists(const Wall& wall);

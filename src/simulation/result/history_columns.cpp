@@ -107,10 +107,11 @@ constexpr std::array load_columns = {
     ColumnOf<LoadedStep>{"velocity_y", "m s-1", "velocity of the bit's origin over the rock, y",
                          [](const LoadedStep& s) { return s.velocity.v_W.y(); }},
     ColumnOf<LoadedStep>{"rate_of_penetration", "m s-1",
-                         "velocity of the bit's origin over the rock, z",
-                         [](const LoadedStep& s) { return s.velocity.v_W.z(); }},
-    ColumnOf<LoadedStep>{"rotary_speed", "rad s-1", "angular velocity of the bit about its axis",
-                         [](const LoadedStep& s) { return s.velocity.w_W.dot(s.X_WB.R.col(2)); }},
+                         "displacement of the bit's origin over the rock in the step, z, over time",
+                         [](const LoadedStep& s) { return s.rates.penetration; }},
+    ColumnOf<LoadedStep>{"rotary_speed", "rad s-1",
+                         "turn of the bit about its axis in the step, over time",
+                         [](const LoadedStep& s) { return s.rates.rotary; }},
 };
 
 /// Of a bit that forces move.

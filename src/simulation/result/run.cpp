@@ -74,8 +74,9 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
 void take_step(const Case& c, const Simulation& s, History& history) {
   const std::vector<double> angles = angles_of(s.state.cones), speeds = speeds_of(s.state.cones);
   HistoryRow row = row_of(c, s, angles, speeds);
-  const LoadedStep loaded{s.work.loads, s.work.velocity, s.state.place.X_WB,
-                          s.state.cut.removed_by_part, c.time.step};
+  const LoadedStep loaded{s.work.loads,       s.work.velocity,
+                          s.state.place.X_WB, s.state.cut.removed_by_part,
+                          c.time.step,        s.work.rates};
   if (c.forces.forces == Forces::on) row.loaded = &loaded;
   const DriveRow drive = s.state.drive ? drive_row(c.drilling.system, *s.state.drive,
                                                    s.work.drive.at, s.state.place.turned)

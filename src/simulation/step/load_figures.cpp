@@ -48,11 +48,19 @@ std::vector<PartLoadFigures> part_figures(const bit::Bit& bit, const LoadStatist
 
 }  // namespace
 
+StepRates rates_of(const Move& move) {
+  return {(move.X_WB1.p.z() - move.X_WB0.p.z()) / move.dt, move.turn / move.dt};
+}
+
+StepRates rates_of(const BitVelocity& velocity, const Pose& X_WB) {
+  return {velocity.v_W.z(), velocity.w_W.dot(X_WB.R.col(2))};
+}
+
 void add(const LoadedStep& step, LoadStatistics& s) {
   add(s.wob, -step.loads.force_W.z());
   add(s.tob, -step.loads.torque_W.z());
-  add(s.rop, step.velocity.v_W.z());
-  add(s.rotary_speed, step.velocity.w_W.dot(step.X_WB.R.col(2)));
+  add(s.rop, step.rates.penetration);
+  add(s.rotary_speed, step.rates.rotary);
   const Vec3 force_B = step.X_WB.R.transpose() * step.loads.force_W;
   s.lateral_B += (force_B - s.lateral_B) / static_cast<double>(s.wob.count);
   s.energy += step.loads.power * step.dt;
@@ -64,7 +72,7 @@ void add(const LoadedStep& step, LoadStatistics& s) {
 void add(const LoadedStep& step, Trace& t) {
   t.dt = step.dt;
   t.wob.push_back(-step.loads.force_W.z());
-  t.rotary_speed.push_back(step.velocity.w_W.dot(step.X_WB.R.col(2)));
+  t.rotary_speed.push_back(step.rates.rotary);
   t.centre_W.emplace_back(step.X_WB.p.head<2>());
 }
 

@@ -21,6 +21,15 @@ struct LoadStatistics {
   std::vector<double> part_energy, part_removed;  ///< J, m3, per part
 };
 
+/// How fast the bit went on in a step. Of a bit that forces move, displacements over the step's time,
+/// so that their means are displacements over time; of a prescribed motion its velocity.
+struct StepRates {
+  double penetration = 0.0;  ///< m/s over the rock along z
+  double rotary = 0.0;       ///< rad/s about the bit's axis
+};
+StepRates rates_of(const Move& move);
+StepRates rates_of(const BitVelocity& velocity, const Pose& X_WB);
+
 /// One step of forces, for the sums and for the history.
 struct LoadedStep {
   const BitLoads& loads;
@@ -28,6 +37,7 @@ struct LoadedStep {
   const Pose& X_WB;
   const std::vector<double>& removed_by_part;  ///< m3
   double dt = 0.0;                             ///< s
+  StepRates rates;
 };
 
 void add(const LoadedStep& step, LoadStatistics& statistics);

@@ -64,6 +64,7 @@ struct Work {
   std::vector<CutOfPart> cuts;  ///< none without forces
   BitVelocity velocity;         ///< over the rock, at which the force laws were evaluated
   BitLoads loads;               ///< about the bit's origin
+  StepRates rates;              ///< how fast the bit went on
   Standing standing;            ///< whether they were solved for with the velocity
   // Room.
   rock::CutWorkspace cut_work;

@@ -69,7 +69,7 @@ void record_loads(const Case& c, const Move& move, const State& state, const Wor
   const double since = c.time.step * static_cast<double>(state.steps_done + 1 - c.time.first);
   if (since <= c.output.means_from) return;
   const LoadedStep loaded{work.loads, work.velocity, move.X_WB1, state.cut.removed_by_part,
-                          move.dt};
+                          move.dt,    work.rates};
   add(loaded, to.loads);
   add(loaded, to.trace);
 }
@@ -147,7 +147,9 @@ void kick(const Case& c, const Move& move, State& state, Work& work) {
 void record(const Case& c, const Move& move, Simulation& s) {
   add(move, s.work.measures, s.statistics.faces);
   add(move.turn, s.state.cones, s.statistics.cones);
-  if (c.forces.forces == Forces::on) record_loads(c, move, s.state, s.work, s.statistics);
+  if (c.forces.forces == Forces::off) return;
+  s.work.rates = s.state.drive ? rates_of(move) : rates_of(s.work.velocity, move.X_WB1);
+  record_loads(c, move, s.state, s.work, s.statistics);
 }
 
 void maintain(const Case& c, State& state, Work& work) {

@@ -46,7 +46,7 @@ void take(const Step& s, History& history) {
   row.sections = s.sections;
   const BitVelocity velocity;
   const Pose X_WB;
-  const LoadedStep loaded{s.loads, velocity, X_WB, s.removed, 0.001};
+  const LoadedStep loaded{s.loads, velocity, X_WB, s.removed, 0.001, {}};
   row.loaded = &loaded;
   history.take(row);
 }

@@ -36,7 +36,7 @@ void add_step(double w, LoadStatistics& s, Trace& t) {
   const Pose X_WB{Eigen::AngleAxisd(0.5 * pi, Vec3::UnitZ()).toRotationMatrix(),
                   Vec3(1e-3, 2e-3, 0.0)};
   const std::vector<double> removed{4e-9, 1e-9, 0.0};
-  const LoadedStep step{loads, v, X_WB, removed, 0.01};
+  const LoadedStep step{loads, v, X_WB, removed, 0.01, rates_of(v, X_WB)};
   add(step, s);
   add(step, t);
 }
@@ -53,6 +53,20 @@ const Sums& two_steps() {
     return made;
   }();
   return sums;
+}
+
+/// Of a move: its way along z and its turn, over the time. Of a velocity: along z, and about the bit's
+/// axis, which here points along -y.
+TEST(LoadFigures, rates_are_displacements_over_time) {
+  const Mat3 R = Eigen::AngleAxisd(0.5 * pi, Vec3::UnitX()).toRotationMatrix();
+  const Move move{{R, Vec3(1.0, 2.0, 0.25)}, {R, Vec3(4.0, 5.0, 0.75)}, 0.125, 3.0, 0};
+  EXPECT_EQ(rates_of(move).penetration, 4.0);
+  EXPECT_EQ(rates_of(move).rotary, 24.0);
+  BitVelocity v;
+  v.v_W = Vec3(1.0, 2.0, 3.0);
+  v.w_W = Vec3(4.0, 5.0, 6.0);
+  EXPECT_EQ(rates_of(v, move.X_WB1).penetration, 3.0);
+  EXPECT_NEAR(rates_of(v, move.X_WB1).rotary, -5.0, rounding);
 }
 
 TEST(LoadFigures, are_means_and_deviations_of_steps) {

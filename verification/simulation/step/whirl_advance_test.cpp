@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "simulation/step/simulation.hpp"
+
+/// Bit B rolling backward in its hole: a shipped case, on rock of 3 mm edges.
+namespace tdbd::simulation::whirl_advance_test {
+
+constexpr double limit = -2.71e-3;  ///< m/s, of steps of 0.06 ms and less: it climbs out of its hole
+
+struct Whirl {
+  double advance = 0.0;   ///< m/s over the second half second
+  double rop_mean = 0.0;  ///< m/s, of the same time
+  double wall_friction = 0.0, residual = 0.0;  ///< J
+};
+
+Whirl whirl(double h) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b-whirl.toml",
+                           {"rock.edge_length='3 mm'", fmt::format("time.step={}", h)});
+  Simulation s = start(c);
+  double from = 0.0;
+  while (s.state.steps_done < c.time.steps) {
+    step(c, s);
+    if (2 * s.state.steps_done == c.time.steps) from = s.state.place.X_WB.p.z();
+  }
+  const dynamics::Drilling& d = *s.state.drive;
+  return {(s.state.place.X_WB.p.z() - from) / 0.5, s.statistics.loads.rop.mean,
+          d.ledger.wall_friction,
+          dynamics::residual(
+              dynamics::stored_energy(c.drilling.system, s.work.drive.at, d.state), d.ledger)};
+}
+
+/// The advance had the other sign at 0.5 ms, and changed by its own size from step to step, where
+/// frictions and dampers were split off the forces.
+TEST(WhirlAdvance, does_not_depend_on_the_step) {
+  const Whirl coarse = whirl(1e-3), shipped = whirl(5e-4), fine = whirl(2.5e-4);
+  EXPECT_NEAR(coarse.advance / limit, 1.0, 0.03);
+  EXPECT_NEAR(shipped.advance / limit, 1.0, 0.01);
+  EXPECT_NEAR(fine.advance / limit, 1.0, 0.003);
+  EXPECT_LT(std::abs(coarse.advance - shipped.advance), 0.03 * std::abs(limit));
+  for (const Whirl& w : {coarse, shipped, fine})
+    EXPECT_NEAR(w.rop_mean, w.advance, 1e-12 * std::abs(w.advance));
+  EXPECT_LT(std::abs(shipped.residual), 1e-3 * shipped.wall_friction);
+  EXPECT_LT(std::abs(fine.residual), 0.3 * std::abs(shipped.residual));
+}
+
+}  // namespace tdbd::simulation::whirl_advance_test
