@@ -6,7 +6,7 @@
 #include "core/observed_order.hpp"
 #include "reference/dynamics/lumped_drilling.hpp"
 #include "verification/battery/evidence.hpp"
-#include "verification/dynamics/drilling/drilling_run.hpp"
+#include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics::wall_test {
 
@@ -265,6 +265,31 @@ TEST(Wall, friction_creates_no_energy) {
   }
   EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.004);
   EXPECT_LT(residuals.front(), 2e-3 * 293.0);
+}
+
+/// The same of a bit on which everything acts at once, whose ring comes to rest along its radius and
+/// is carried on around the wall, a tenth to a third of the time. Of first order where the turn of the
+/// contact sets the ring moving.
+TEST(Wall, the_residual_of_a_ring_that_rests_is_of_second_order) {
+  for (const double friction : {0.0, 0.2}) {
+    DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
+    s.wall.restitution = 0.7;
+    s.wall.friction = friction;
+    s = make_drilling_system(s);
+    std::vector<double> steps, residuals;
+    for (int n = 400; n <= 6400; n *= 2) {
+      DrillingRun d = start(s, smooth_law, coupled_start(s));
+      double worst = 0.0;
+      for (int i = 0; i < n; ++i) {
+        step(s, smooth_law, 0.8 / n, d);
+        worst = std::max(worst, std::abs(residual(s, d)));
+      }
+      steps.push_back(0.8 / n);
+      residuals.push_back(worst);
+    }
+    EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.006) << friction;
+    EXPECT_LT(residuals.back(), 2e-4) << friction;  // J
+  }
 }
 
 }  // namespace tdbd::dynamics::wall_test

@@ -8,11 +8,12 @@
 /// Bit B rolling backward in its hole: a shipped case, on rock of 3 mm edges.
 namespace tdbd::simulation::whirl_advance_test {
 
-constexpr double limit = -2.71e-3;  ///< m/s, of steps of 0.06 ms and less: it climbs out of its hole
+constexpr double limit =
+    -2.71e-3;  ///< m/s, of steps of 0.06 ms and less: it climbs out of its hole
 
 struct Whirl {
-  double advance = 0.0;   ///< m/s over the second half second
-  double rop_mean = 0.0;  ///< m/s, of the same time
+  double advance = 0.0;                        ///< m/s over the second half second
+  double rop_mean = 0.0;                       ///< m/s, of the same time
   double wall_friction = 0.0, residual = 0.0;  ///< J
 };
 
@@ -28,8 +29,8 @@ Whirl whirl(double h) {
   const dynamics::Drilling& d = *s.state.drive;
   return {(s.state.place.X_WB.p.z() - from) / 0.5, s.statistics.loads.rop.mean,
           d.ledger.wall_friction,
-          dynamics::residual(
-              dynamics::stored_energy(c.drilling.system, s.work.drive.at, d.state), d.ledger)};
+          dynamics::residual(dynamics::stored_energy(c.drilling.system, s.work.drive.at, d.state),
+                             d.ledger)};
 }
 
 /// The advance had the other sign at 0.5 ms, and changed by its own size from step to step, where
