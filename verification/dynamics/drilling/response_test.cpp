@@ -89,6 +89,31 @@ TEST(Response, of_the_opening_kick_is_the_velocity_of_the_next_drift) {
   }
 }
 
+/// At a wall that rubs and loses, too, where the map is not linear: velocity_after opens the next step
+/// as the step itself does, in the geometries of node and middle.
+TEST(Response, velocity_after_is_that_of_the_next_drift_at_a_wall_that_resists) {
+  constexpr double h = 2e-3, bound = 1e-14;  // of the velocity
+  DrillingSystem s = coupled_bit(AxialMode::load, DamperEnd::top);
+  s.wall.restitution = 0.7;
+  s = make_drilling_system(s);
+  DrillingRun d = start(s, smooth_law, coupled_start(s));
+  DrillingVelocity v;
+  Eigen::VectorXd predicted;
+  for (int seed = 0; seed < 50; ++seed) {
+    const Wrench w = some_wrench(seed);
+    open_step(s, h, d, d.work);
+    velocity_after(s, h, d, KicksLeft::closing_and_opening, w, d.work, v);
+    to_column(s, v, predicted);
+    close_step(s, h, w, d, d.work);
+    DrillingRun next = d;
+    const Eigen::VectorXd found = velocity_of_next_drift(s, h, next);
+    EXPECT_LT((predicted - found).norm(), bound * found.norm()) << seed;
+    velocity_after(s, h, d, KicksLeft::opening, w, d.work, v);
+    to_column(s, v, predicted);
+    EXPECT_LT((predicted - found).norm(), bound * found.norm()) << seed;
+  }
+}
+
 /// A load on one freedom moves another as much as a load on that one moves the first: not quite,
 /// since dampers act in turn.
 TEST(Response, is_positive_and_nearly_symmetric) {

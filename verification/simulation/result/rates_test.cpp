@@ -83,12 +83,21 @@ INSTANTIATE_TEST_SUITE_P(OfDynamicCases, Rates,
                                          "stick-slip", "bit-bounce", "high-frequency",
                                          "high-frequency-beds", "laboratory"));
 
-/// Cones: turn of the cone over that of the bit.
+/// Turn of the cone over that of the bit; rolling is positive.
 TEST(ConeRates, are_turns_over_turns) {
+  const Case c = with("drill-bit-r", duration);
   const auto folder = test_folder() / "out";
-  run(with("drill-bit-r", duration), {.folder = folder});
+  run(c, {.folder = folder});
   const auto summary = nlohmann::json::parse(result_files(folder).at("summary.json"));
-  std::printf("%s\n", summary.dump(1).substr(0, 6000).c_str());
+  Simulation s = start(c);
+  const std::vector<double> from = angles_of(s.state.cones);
+  const double turned = s.state.place.turned;
+  while (s.state.steps_done < c.time.steps) step(c, s);
+  ASSERT_EQ(summary.at("cones").size(), 3U);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const double ratio = -(s.state.cones[k].angle - from[k]) / (s.state.place.turned - turned);
+    EXPECT_NEAR(summary.at("cones")[k].at("mean_speed_ratio"), ratio, rounding * ratio);
+  }
 }
 
 }  // namespace tdbd::simulation::rates_test

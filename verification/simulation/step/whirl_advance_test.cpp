@@ -12,9 +12,9 @@ constexpr double limit =
     -2.71e-3;  ///< m/s, of steps of 0.06 ms and less: it climbs out of its hole
 
 struct Whirl {
-  double advance = 0.0;                        ///< m/s over the second half second
-  double rop_mean = 0.0;                       ///< m/s, of the same time
-  double wall_friction = 0.0, residual = 0.0;  ///< J
+  double advance = 0.0;                     ///< m/s over the second half second
+  double rop_mean = 0.0;                    ///< m/s, of the same time
+  double throughput = 0.0, residual = 0.0;  ///< J
 };
 
 Whirl whirl(double h) {
@@ -28,7 +28,7 @@ Whirl whirl(double h) {
   }
   const dynamics::Drilling& d = *s.state.drive;
   return {(s.state.place.X_WB.p.z() - from) / 0.5, s.statistics.loads.rop.mean,
-          d.ledger.wall_friction,
+          dynamics::throughput(d.ledger),
           dynamics::residual(dynamics::stored_energy(c.drilling.system, s.work.drive.at, d.state),
                              d.ledger)};
 }
@@ -43,7 +43,7 @@ TEST(WhirlAdvance, does_not_depend_on_the_step) {
   EXPECT_LT(std::abs(coarse.advance - shipped.advance), 0.03 * std::abs(limit));
   for (const Whirl& w : {coarse, shipped, fine})
     EXPECT_NEAR(w.rop_mean, w.advance, 1e-12 * std::abs(w.advance));
-  EXPECT_LT(std::abs(shipped.residual), 1e-3 * shipped.wall_friction);
+  EXPECT_LT(std::abs(shipped.residual), 1e-3 * shipped.throughput);
   EXPECT_LT(std::abs(fine.residual), 0.3 * std::abs(shipped.residual));
 }
 
