@@ -89,7 +89,7 @@ TEST(DrillingOrder, is_two_in_every_variable_under_a_law_of_velocity) {
 /// What the last wrench's prediction is for: without it the law's velocity is a half step old.
 TEST(DrillingOrder, is_one_where_the_law_sees_the_momenta_after_the_drift) {
   const Errors found =
-      orders(coupled_bit(AxialMode::rate, DamperEnd::space), LawMomenta::drifted, 6400);
+      orders(coupled_bit(AxialMode::rate, DamperEnd::space), LawMomenta::drifted, 3200);
   for (std::size_t v = 0; v + 1 < found.size(); ++v)
     EXPECT_NEAR(found[v], 1.0, 0.1) << variables[v];
 }
