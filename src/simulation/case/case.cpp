@@ -22,6 +22,7 @@
 #include "simulation/case/history_rows.hpp"
 #include "simulation/case/run_keys.hpp"
 #include "simulation/case/step_check.hpp"
+#include "simulation/case/title_key.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -228,7 +229,9 @@ bit::BitFile read_now(const std::string& path, bit::DirectionRule directions,
 Case read_case_with(Config c, const std::string& path, const BitReader& read_bit) {
   Case result;
   result.path = path;
+  if (c.has(title_keys::title)) result.title = c.read(title_keys::title);
   const bit::BitFile bit = read_tables(c, read_bit, result);
+  if (result.title.empty()) result.title = result.bit.name;
   Config rock = c.table(rock_keys::table);
   result.places = {rock.place(rock_keys::edge_length), c.place(motion_keys::table.name),
                    rock.place(rock_keys::file), rock.place(rock_keys::profile),

@@ -83,6 +83,7 @@ struct OutputPlan {
 /// A checked case in SI: everything that a run needs, and its resolved text.
 struct Case {
   std::string path;
+  std::string title;  ///< as given, or the bit's name
   CasePlaces places;
   std::vector<std::string> files;  ///< all that were read: case, bit, tables, meshes
   bit::Bit bit;

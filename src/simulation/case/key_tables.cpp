@@ -9,6 +9,7 @@
 #include "simulation/case/rock_keys.hpp"
 #include "simulation/case/rotate_keys.hpp"
 #include "simulation/case/run_keys.hpp"
+#include "simulation/case/title_key.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -176,7 +177,8 @@ std::vector<KeyTable> rotate_tables() {
 }  // namespace
 
 std::vector<KeyTable> all_tables() {
-  std::vector<KeyTable> all{key_table("run", bit_keys::table, rows(bit_keys::file)),
+  std::vector<KeyTable> all{key_table("run", title_keys::table, rows(title_keys::title)),
+                            key_table("run", bit_keys::table, rows(bit_keys::file)),
                             key_table("run", bit_keys::changes, rows(bit_keys::any))};
   const auto add = [&all](const std::vector<KeyTable>& tables) {
     all.insert(all.end(), tables.begin(), tables.end());

@@ -8,13 +8,6 @@
 /// The keys of a case of rotation alone, which has a table [body] (thesis: 5.1 to 5.5).
 namespace tdbd::simulation {
 
-namespace title_keys {
-
-inline constexpr TableKey table{"", "what stands before the first table"};
-inline constexpr TextKey title{.name = "title", .fallback = "", .meaning = "for the summary"};
-
-}  // namespace title_keys
-
 namespace body_keys {
 
 inline constexpr TableKey table{"body", "the body, and how it starts"};

@@ -207,7 +207,7 @@ RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder&
 RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   RunSummary r;
   r.command = "run";
-  r.title = c.bit.name;
+  r.title = c.title;
   r.status = status;
   r.case_hash = c.hash;
   for (const CaseWarning& w : c.warnings) r.warnings.push_back(without_place(w));

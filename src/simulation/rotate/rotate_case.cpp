@@ -8,6 +8,7 @@
 #include "core/hash.hpp"
 #include "simulation/case/history_rows.hpp"
 #include "simulation/case/rotate_keys.hpp"
+#include "simulation/case/title_key.hpp"
 #include "simulation/rotate/rotate_body.hpp"
 #include "simulation/rotate/rotate_loads.hpp"
 

@@ -38,6 +38,16 @@ TEST(ReadCase, gives_si_and_the_defaults) {
   EXPECT_EQ(c.output.frames_every, 0);
 }
 
+/// The hash of a case without a title does not depend on the key.
+TEST(ReadCase, has_a_title_or_the_name_of_its_bit) {
+  EXPECT_EQ(case_with({}).title, "bit-b");
+  EXPECT_EQ(case_with({}).resolved.find("title"), std::string::npos);
+  EXPECT_EQ(case_with({"title="}).title, "bit-b");
+  const Case c = case_with({"title=Bit B in shale"});
+  EXPECT_EQ(c.title, "Bit B in shale");
+  EXPECT_EQ(read_case(write_temporary("_resolved.toml", c.resolved), {}).title, c.title);
+}
+
 TEST(ReadCase, whirl_is_backward_and_grows_over_one_turn_unless_told) {
   const Case c = case_with(
       {"motion.kind=whirl", "motion.whirl.radius=1 mm", "motion.whirl.frequency=10 rad/s"});

@@ -290,7 +290,7 @@ TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
   for (const char* name : {"bit-r-rolling", "bit-r-steady", "drill-bit-r", "laboratory"})
     cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/" + name + ".toml"));
   cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/drill-bit-b.toml"));
-  cases.push_back(small_run(steady, "", {"output.checkpoint_every=100"}));
+  cases.push_back(small_run(steady, "", {"output.checkpoint_every=100", "title=a case"}));
   cases.push_back(small_run(steady, "", {"bit.set.adjust.back_rake=1 deg"}));
   std::set<std::string> read;
   for (const ReadCase& c : cases) {

@@ -99,11 +99,11 @@ TEST(RecordOfARun, has_a_row_for_what_is_left) {
 }
 
 TEST(SummaryOfARun, has_its_steps_turns_and_volumes) {
-  const Case c = with("bit-b-3000psi", {"time.revolutions=0.02"});
+  const Case c = with("bit-b-3000psi", {"title=a bit's first turn", "time.revolutions=0.02"});
   const auto folder = test_folder();
   const RunSummary s = run(c, {.folder = folder});
   EXPECT_EQ(s.command, "run");
-  EXPECT_EQ(s.title, c.bit.name);
+  EXPECT_EQ(s.title, "a bit's first turn");
   EXPECT_EQ(s.case_hash, c.hash);
   EXPECT_EQ(s.steps, c.time.steps);
   EXPECT_NEAR(s.revolutions, 0.02, 1e-12);
