@@ -1,6 +1,7 @@
 #include "simulation/step/implicit_loads.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "rotation/rotation_vector.hpp"
@@ -136,6 +137,36 @@ Yield yield_of(const ResistedMotion& m, const Vec3& normal_W, std::size_t cut, I
   return {normal_W.dot(D * normal_W), D.norm()};
 }
 
+/// The largest entry on the diagonal of A among the velocities of the kind of u[i]: those of points,
+/// those of the bit's rotation, or those of the cones.
+double largest_of_kind(const ResistedMotion& m, const MatrixXd& A, Eigen::Index i) {
+  const Eigen::Index cones = cones_of(m);
+  if (i >= 3 && i < 6) return A.diagonal().segment(3, 3).maxCoeff();
+  if (i >= 6 && i < 6 + cones) return A.diagonal().segment(6, cones).maxCoeff();
+  const double largest = A.diagonal().head(3).maxCoeff();
+  return rock_moves(m) ? std::max(largest, A(A.rows() - 1, A.rows() - 1)) : largest;
+}
+
+/// The metric of lengths and steepness: L of the symmetric part of A. Where a damper or friction at
+/// the wall stops a motion within the step, that part is singular and its small pivots are rounding.
+/// Then L^2 = n diag(A), n the number of velocities, with a floor: for a singular A an upper bound.
+void set_root(const ResistedMotion& m, ImplicitWork& w) {
+  constexpr double rounding = 1e-12;  // of a pivot; lengths then keep their 1e-9 (settled)
+  w.matrix = 0.5 * (m.response.A + m.response.A.transpose());
+  w.cholesky.compute(w.matrix);
+  bool is_positive = w.cholesky.info() == Eigen::Success;
+  w.root = w.cholesky.matrixL();
+  const Eigen::Index n = w.matrix.rows();
+  for (Eigen::Index i = 0; is_positive && i < n; ++i)
+    is_positive = w.root(i, i) * w.root(i, i) > rounding * largest_of_kind(m, w.matrix, i);
+  if (is_positive) return;
+  w.root.setZero();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double floor = rounding * largest_of_kind(m, w.matrix, i);
+    w.root(i, i) = std::sqrt(static_cast<double>(n) * std::max(w.matrix(i, i), floor));
+  }
+}
+
 /// The penalties: so many times what stops the contact in one step.
 void set_penalties(double times, ImplicitWork& w) {
   for (std::size_t i = 0; i < w.pressed.size(); ++i) {
@@ -177,9 +208,7 @@ void prepare(const ResistedMotion& m, ImplicitWork& w) {
   w.jacobians.resize(std::max(w.jacobians.size(), m.cuts.size()));
   w.drags.resize(m.cuts.size());
   for (std::size_t i = 0; i < m.cuts.size(); ++i) set_jacobian(m, m.cuts[i], w.jacobians[i]);
-  w.matrix = 0.5 * (m.response.A + m.response.A.transpose());
-  w.cholesky.compute(w.matrix);
-  w.root = w.cholesky.matrixL();
+  set_root(m, w);
   w.pressed.assign(m.cuts.size(), std::nullopt);
   for (std::size_t i = 0; i < m.cuts.size(); ++i)
     if (const auto law = pressing_of(m.plan, m.cuts[i]); law && law->limit > 0.0)

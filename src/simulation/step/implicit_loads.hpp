@@ -42,7 +42,7 @@ struct ImplicitWork {
   std::vector<Yield> yields_of;                        ///< of these
   Eigen::VectorXd f;                                   ///< N, N m: sum of J^T F
   Eigen::MatrixXd C;                                   ///< sum of J^T C J
-  Eigen::MatrixXd root;                                ///< L, L L^T the symmetric part of A
+  Eigen::MatrixXd root;                                ///< L: the metric of A is L L^T (prepare)
   Eigen::VectorXd u, next, trial, nearest, rest;
   Eigen::Matrix<double, 3, Eigen::Dynamic> resisted, yields;
   Eigen::MatrixXd matrix, product, steep;
@@ -54,8 +54,9 @@ struct ImplicitWork {
 /// Whether a pressing surface made this cut, and with which force at most.
 std::optional<forces::Pressing> pressing_of(const ForcePlan& plan, const CutOfPart& cut);
 
-/// Velocities of the cuts' points are J u. Also L: the symmetric part of A is positive, since all that
-/// acts in a step loses energy; if it were not, steepness would be NaN and the step explicit.
+/// Velocities of the cuts' points are J u. Also L, from Cholesky's factorisation of the symmetric part
+/// of A. That part is not negative, since all that acts in a step loses energy. It is singular where
+/// a damper or the wall stops a motion within the step; then L is diagonal and L L^T bounds it.
 void prepare(const ResistedMotion& m, ImplicitWork& work);
 
 /// Whether one of the cuts is of a pressing surface.

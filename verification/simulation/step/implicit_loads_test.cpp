@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -91,6 +93,19 @@ double misfit(const PadScene& scene) {
   return worst;
 }
 
+/// Between the velocities of the program and of projected Gauss-Seidel, of the free velocity.
+double distance_from_reference(const PadScene& scene) {
+  std::vector<reference::PressedSurface> surfaces;
+  for (std::size_t k = 0; k < scene.cuts.size(); ++k) {
+    const PressedContact& c = *scene.work.pressed[k];
+    surfaces.push_back({scene.work.jacobians[k], c.normal_W, c.law.limit, c.law.ramp, c.free_speed,
+                        c.law.sliding.mu});
+  }
+  const Eigen::VectorXd u =
+      reference::pressed_velocity(scene.response.free, scene.response.A, surfaces);
+  return (scene.work.u - u).norm() / scene.response.free.norm();
+}
+
 std::string name_of(Law law) {
   constexpr std::array names{"rigid", "ramp", "weakening"};
   return names.at(static_cast<std::size_t>(law));
@@ -119,21 +134,62 @@ TEST_P(PressedPads, satisfy_their_laws_and_agree_with_projected_gauss_seidel) {
     }
     worst_law = std::max(worst_law, misfit(scene));
     if (GetParam() != Law::rigid) continue;  // several solutions
-    std::vector<reference::PressedSurface> surfaces;
-    for (std::size_t k = 0; k < scene.cuts.size(); ++k) {
-      const PressedContact& c = *scene.work.pressed[k];
-      surfaces.push_back({scene.work.jacobians[k], c.normal_W, c.law.limit, c.law.ramp,
-                          c.free_speed, c.law.sliding.mu});
-    }
-    const Eigen::VectorXd u =
-        reference::pressed_velocity(scene.response.free, scene.response.A, surfaces);
-    worst_velocity =
-        std::max(worst_velocity, (scene.work.u - u).norm() / scene.response.free.norm());
+    worst_velocity = std::max(worst_velocity, distance_from_reference(scene));
   }
   fmt::print("unsettled {}, laws {:.1e}, velocity {:.1e}\n", unsettled, worst_law, worst_velocity);
   EXPECT_LE(unsettled, most_unsettled);
   EXPECT_LT(worst_law, of_laws);
   EXPECT_LT(worst_velocity, of_velocity);
+}
+
+/// Stops the motion along one direction of velocities in a scene, but for a rounding.
+void stop_motion(Random& random, double rounding, PadScene& scene) {
+  Eigen::VectorXd along(6);
+  for (int i = 0; i < 6; ++i) along[i] = random.uniform(-1.0, 1.0);
+  along.normalize();
+  const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(6, 6) - along * along.transpose();
+  scene.response.A = (rest * scene.response.A * rest).eval();
+  scene.response.A += rounding * along * along.transpose();
+  scene.response.free = (rest * scene.response.free).eval();
+}
+
+/// The largest singular value of S C S, S^2 the symmetric part of A without its negative rounding.
+double steepness_by_definition(const PadScene& scene) {
+  const Eigen::MatrixXd& A = scene.response.A;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (A + A.transpose()));
+  const Eigen::MatrixXd S = eigen.eigenvectors() *
+                            eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                            eigen.eigenvectors().transpose();
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(S * scene.work.C * S).singularValues()[0];
+}
+
+/// A damper or friction at the wall that stops a motion makes the compliance singular. The rounding
+/// on it has either sign, so that Cholesky's factorisation fails or has a pivot of noise.
+TEST(PressedPads, settle_where_the_compliance_is_singular) {
+  constexpr int scenes = 200;
+  constexpr double of_laws = 3e-9, of_velocity = 2e-9, of_rounding = 1e-12;
+  for (const double rounding : {-1e-17, 0.0, 1e-19}) {
+    Random random{38};
+    int unsettled = 0;
+    double worst_law = 0.0, worst_velocity = 0.0;
+    for (int i = 0; i < scenes; ++i) {
+      PadScene scene = random_scene(random, Law::rigid);
+      stop_motion(random, rounding, scene);
+      const ResistedMotion m = scene.motion();
+      scene.work.u = scene.response.free;
+      prepare(m, scene.work);
+      unsettled += find_resisted_velocity(m, scene.work).is_settled ? 0 : 1;
+      worst_law = std::max(worst_law, misfit(scene));
+      worst_velocity = std::max(worst_velocity, distance_from_reference(scene));
+      const double bound = steepness(m, scene.work.u, scene.work);
+      EXPECT_GE(bound * (1.0 + of_rounding), steepness_by_definition(scene)) << rounding << i;
+    }
+    fmt::print("rounding {}: unsettled {}, laws {:.1e}, velocity {:.1e}\n", rounding, unsettled,
+               worst_law, worst_velocity);
+    EXPECT_EQ(unsettled, 0) << rounding;
+    EXPECT_LT(worst_law, of_laws) << rounding;
+    EXPECT_LT(worst_velocity, of_velocity) << rounding;
+  }
 }
 
 }  // namespace tdbd::simulation::implicit_loads_test
