@@ -121,7 +121,8 @@ TEST(Drilling, sticks_and_slips_near_the_frequency_of_its_string) {
       rock_case("stick-slip",
                 {"rock.edge_length='4 mm'", "time.duration='7 s'", "output.means_from='1.5 s'"});
   const simulation::Simulation s = drilled(c);
-  const simulation::Diagnosis d = simulation::diagnose(s.statistics.trace);
+  const simulation::Diagnosis d =
+      simulation::diagnose(s.statistics.trace, s.statistics.loads.tob.mean);
   const double expected =
       simulation::expected_of(c.drilling.system, c.motion.rotary_speed).torsional;
   EXPECT_GT(d.stick_slip_severity, 1.0);

@@ -102,7 +102,7 @@ std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r)
 
 void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
   const dynamics::DrillingSystem& system = c.drilling.system;
-  r.diagnosis = diagnose(s.statistics.trace);
+  r.diagnosis = diagnose(s.statistics.trace, s.statistics.loads.tob.mean);
   std::map<std::string, double> by_part;
   for (std::size_t i = 0; i < s.statistics.energy_by_part.size(); ++i)
     if (s.statistics.energy_by_part[i] != 0.0)

@@ -74,6 +74,23 @@ WhirlKind whirl_of(const Orbit& o, double orbit_speed, double rotary_speed) {
   return orbit_speed * rotary_speed > 0.0 ? WhirlKind::forward : WhirlKind::backward;
 }
 
+/// Whether rock can stop the bit and let it go: see diagnose().
+bool can_stick(const Trace& t, double torque, double mean_speed, double lost_contact_share) {
+  constexpr double most_lost_contact = 0.5, steadiness = 0.5;
+  double turned = 0.0;
+  for (const double w : t.rotary_speed)
+    turned += std::abs(w) / static_cast<double>(t.rotary_speed.size());
+  return lost_contact_share <= most_lost_contact && torque * mean_speed > 0.0 &&
+         std::abs(mean_speed) >= steadiness * turned;
+}
+
+/// Whether the rotary speed swings by more than half of its mean, and by more than rounding does.
+bool swings(const std::vector<double>& speed, double mean_speed) {
+  constexpr double half = 0.5, least = 1e-3;  // rad/s
+  const auto [lowest, highest] = std::ranges::minmax(speed);
+  return 0.5 * (highest - lowest) > std::max(half * std::abs(mean_speed), least);
+}
+
 /// " at 3.2 Hz" after what stands before it; empty where nothing told the frequency.
 std::string at_frequency(const char* before, double frequency) {
   return frequency > 0.0 ? fmt::format("{} at {:.3g} Hz", before, frequency) : "";
@@ -88,13 +105,14 @@ std::string text_of(const Diagnosis& d) {
                     d.stick_slip_severity, at_frequency(",", d.torsional_frequency),
                     100.0 * d.stuck_share));
   if (d.lost_contact_share == 1.0)
-    add("hangs free, without contact all the time");
+    add("off bottom, no contact with rock");
   else if (d.lost_contact_share > bouncing)
     add(fmt::format("bit bounce, without contact {:.0f} % of the time{}",
                     100.0 * d.lost_contact_share, at_frequency(",", d.axial_frequency)));
   else if (d.wob_swing > swinging)
     add(fmt::format("axial vibration, weight swings by {:.0f} %{}", 100.0 * d.wob_swing,
                     at_frequency("", d.axial_frequency)));
+  if (d.twists) add("torsional vibration" + at_frequency("", d.torsional_frequency));
   if (d.whirl != WhirlKind::none)
     add(fmt::format("{} whirl, {:.3g} mm at {:.3g} Hz", whirl_name(d.whirl), 1e3 * d.orbit_radius,
                     d.orbit_frequency));
@@ -141,16 +159,20 @@ std::string whirl_name(WhirlKind w) {
   return "none";
 }
 
-Diagnosis diagnose(const Trace& t) {
+Diagnosis diagnose(const Trace& t, double torque) {
   constexpr double stuck = 0.05;
   Diagnosis d;
   if (t.wob.size() < 2) return d;
   const double speed = mean(t.rotary_speed);
-  d.stick_slip_severity = swing(t.rotary_speed);
-  d.stuck_share = share_below(t.rotary_speed, stuck * speed);
   d.torsional_frequency = strongest_frequency(t.rotary_speed, t.dt);
   d.lost_contact_share =
       static_cast<double>(std::ranges::count(t.wob, 0.0)) / static_cast<double>(t.wob.size());
+  if (can_stick(t, torque, speed, d.lost_contact_share)) {
+    d.stick_slip_severity = swing(t.rotary_speed);
+    d.stuck_share = share_below(t.rotary_speed, stuck * speed);
+  } else {
+    d.twists = swings(t.rotary_speed, speed);
+  }
   d.wob_swing = swing(t.wob);
   d.axial_frequency = strongest_frequency(t.wob, t.dt);
   const Orbit o = orbit_of(t.centre_W);

@@ -29,8 +29,9 @@ enum class WhirlKind { none, forward, backward, synchronous };
 
 /// Thesis 1.3: the three instabilities of drilling, from the record of a run. Ours.
 struct Diagnosis {
-  double stick_slip_severity = 0.0;  ///< (max - min) / (2 mean) of the rotary speed
-  double stuck_share = 0.0;          ///< of time below 5 % of the mean speed
+  double stick_slip_severity =
+      0.0;                   ///< (max - min) / (2 mean) of the rotary speed, or 0 (diagnose)
+  double stuck_share = 0.0;  ///< of time below 5 % of the mean speed, or 0 (diagnose)
   double torsional_frequency = 0.0;  ///< Hz, strongest of the rotary speed
   double lost_contact_share = 0.0;   ///< of time without weight on bit
   double wob_swing = 0.0;            ///< (max - min) / (2 mean)
@@ -38,14 +39,19 @@ struct Diagnosis {
   double orbit_radius = 0.0;         ///< m, root mean square of the centre about its mean
   double orbit_frequency = 0.0;      ///< Hz, mean turn about that mean; > 0 with the bit
   WhirlKind whirl = WhirlKind::none;
+  bool twists =
+      false;         ///< the rotary speed swings by more than half of its mean, without stick-slip
   std::string text;  ///< one line for a reader
 };
 
 /// Names what exceeds its usual limits: stick-slip from a severity of 0.5, bounce when contact is
 /// lost for 1 % of the time, axial vibration when the weight swings by more than half of its mean,
 /// whirl from an orbit of 0.1 mm that goes round steadily; synchronous within 10 % of the rotary
-/// speed.
-Diagnosis diagnose(const Trace& trace);
+/// speed. `torque`: N m, mean torque on bit about +z, positive where the rock resists a positive
+/// rotary speed. A bit can only stick where it touches rock half of the time or longer, the rock's
+/// mean torque resists its mean rotation, and at least half of its turning goes one way. Elsewhere
+/// the severity and the stuck share are 0, and a rotary speed that swings is torsional vibration.
+Diagnosis diagnose(const Trace& trace, double torque);
 
 /// The strongest frequency of equally spaced samples about their mean, Hz: peak of the spectrum
 /// under a Hann window, between lines by a parabola through the logarithms. 0 if nothing varies.

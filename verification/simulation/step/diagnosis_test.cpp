@@ -9,7 +9,8 @@
 namespace tdbd::simulation::diagnosis_test {
 
 constexpr double two_pi = 2.0 * std::numbers::pi, dt = 1e-3;
-constexpr double speed = 10.0;  // rad/s, of the bit
+constexpr double speed = 10.0;     // rad/s, of the bit
+constexpr double resisting = 2e3;  // N m, mean torque on bit
 constexpr int steps = 8000;
 
 /// A record of made-up functions of time.
@@ -21,7 +22,7 @@ struct Made {
   };
 };
 
-Diagnosis diagnosis_of(const Made& m) {
+Diagnosis diagnosis_of(const Made& m, double torque = resisting) {
   Trace t;
   t.dt = dt;
   for (int i = 0; i < steps; ++i) {
@@ -29,7 +30,7 @@ Diagnosis diagnosis_of(const Made& m) {
     t.rotary_speed.push_back(m.rotary_speed(i * dt));
     t.centre_W.push_back(m.centre(i * dt));
   }
-  return diagnose(t);
+  return diagnose(t, torque);
 }
 
 Eigen::Vector2d circle(double radius, double frequency, double t) {
@@ -69,7 +70,56 @@ TEST(Diagnosis, calls_a_bit_that_never_touches_free) {
   m.wob = [](double) { return 0.0; };
   const Diagnosis d = diagnosis_of(m);
   EXPECT_EQ(d.lost_contact_share, 1.0);
-  EXPECT_EQ(d.text, "hangs free, without contact all the time");
+  EXPECT_EQ(d.text, "off bottom, no contact with rock");
+}
+
+/// A bit that swings on its string, about a small mean speed.
+Made swinging(double mean, double amplitude) {
+  Made m;
+  m.rotary_speed = [=](double t) { return mean + amplitude * std::sin(two_pi * 0.5 * t); };
+  return m;
+}
+
+void expect_no_stick_slip(const Diagnosis& d, const std::string& text) {
+  EXPECT_EQ(d.stick_slip_severity, 0.0);
+  EXPECT_EQ(d.stuck_share, 0.0);
+  EXPECT_EQ(d.text, text);
+}
+
+TEST(Diagnosis, of_a_pendulum_off_bottom_is_not_stick_slip) {
+  for (const double mean : {0.1, speed}) {
+    Made m = swinging(mean, speed);
+    m.wob = [](double) { return 0.0; };
+    expect_no_stick_slip(diagnosis_of(m, 0.0),
+                         "off bottom, no contact with rock; torsional vibration at 0.5 Hz");
+  }
+}
+
+/// Each condition of diagnose() by itself, at values next to its threshold.
+TEST(Diagnosis, needs_contact_torque_and_net_rotation_for_stick_slip) {
+  const auto severity = [](const Made& m, double torque) {
+    return diagnosis_of(m, torque).stick_slip_severity;
+  };
+  const Made sticking = swinging(speed, speed);
+  EXPECT_GT(severity(sticking, 1.0), 0.99);
+  expect_no_stick_slip(diagnosis_of(sticking, 0.0), "torsional vibration at 0.5 Hz");
+  expect_no_stick_slip(diagnosis_of(sticking, -1.0), "torsional vibration at 0.5 Hz");
+  EXPECT_GT(severity(swinging(-speed, speed), -1.0), 0.99);
+  for (const auto& [touches, sticks] : {std::pair(51, true), std::pair(49, false)}) {
+    Made m = sticking;
+    m.wob = [n = touches](double t) { return std::lround(t / dt) % 100 < n ? 1e4 : 0.0; };
+    EXPECT_EQ(severity(m, resisting) > 0.0, sticks) << touches;
+  }
+  // mean(|w|) = 2 mean(w) at a mean of 0.3365 of the amplitude
+  EXPECT_GT(severity(swinging(3.4, 10.0), resisting), 0.0);
+  EXPECT_EQ(severity(swinging(3.3, 10.0), resisting), 0.0);
+}
+
+/// Rounding on the speed of a bit that does not turn is no vibration.
+TEST(Diagnosis, of_a_bit_at_rest_is_steady) {
+  expect_no_stick_slip(diagnosis_of(swinging(0.0, 1e-15)), "steady");
+  expect_no_stick_slip(diagnosis_of(swinging(0.0, 0.9e-3)), "steady");
+  expect_no_stick_slip(diagnosis_of(swinging(0.0, 1.1e-3)), "torsional vibration at 0.5 Hz");
 }
 
 /// Of too few steps for a spectrum.
@@ -79,12 +129,12 @@ TEST(Diagnosis, names_no_frequency_where_none_is_known) {
   t.wob = {0.0, 1e4, 0.0, 1e4};
   t.rotary_speed = {0.0, speed, 0.0, speed};
   t.centre_W.assign(4, Eigen::Vector2d::Zero());
-  EXPECT_EQ(diagnose(t).text,
+  EXPECT_EQ(diagnose(t, resisting).text,
             "stick-slip, severity 1.00, stuck 50 % of the time; bit bounce, without contact 50 % "
             "of the time");
   t.wob = {1.0, 1e4, 1.0, 1e4};
   t.rotary_speed.assign(4, speed);
-  EXPECT_EQ(diagnose(t).text, "axial vibration, weight swings by 100 %");
+  EXPECT_EQ(diagnose(t, resisting).text, "axial vibration, weight swings by 100 %");
 }
 
 TEST(Diagnosis, finds_axial_vibration_without_lost_contact) {
@@ -132,7 +182,7 @@ TEST(Diagnosis, of_a_square_orbit_is_exact) {
   for (const auto& x : {Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(-1.0, 1.0),
                         Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, -1.0)})
     t.centre_W.emplace_back(Eigen::Vector2d(0.5, 0.25) + 0.003 * x);
-  const Diagnosis d = diagnose(t);
+  const Diagnosis d = diagnose(t, resisting);
   EXPECT_NEAR(d.orbit_radius, 0.003 * std::numbers::sqrt2, 1e-16);
   EXPECT_NEAR(d.orbit_frequency, 2.5, 1e-12);
   EXPECT_EQ(d.whirl, WhirlKind::forward);  // at 15.7 rad/s
@@ -149,13 +199,13 @@ TEST(Diagnosis, needs_two_steps) {
   t.wob = {3.0};
   t.rotary_speed = {9.0};
   t.centre_W = {Eigen::Vector2d::Zero()};
-  EXPECT_EQ(diagnose(t).wob_swing, 0.0);
-  EXPECT_EQ(diagnose(t).text, Diagnosis{}.text);
+  EXPECT_EQ(diagnose(t, resisting).wob_swing, 0.0);
+  EXPECT_EQ(diagnose(t, resisting).text, Diagnosis{}.text);
   t.wob.push_back(1.0);
   t.rotary_speed.push_back(11.0);
   t.centre_W.emplace_back(0.0, 0.0);
-  EXPECT_DOUBLE_EQ(diagnose(t).wob_swing, 0.5);
-  EXPECT_DOUBLE_EQ(diagnose(t).stick_slip_severity, 0.1);
+  EXPECT_DOUBLE_EQ(diagnose(t, resisting).wob_swing, 0.5);
+  EXPECT_DOUBLE_EQ(diagnose(t, resisting).stick_slip_severity, 0.1);
 }
 
 /// Severities and swings from one half, lost contact from a hundredth.
