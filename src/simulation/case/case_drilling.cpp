@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_rolling.hpp"
 #include "core/error.hpp"
@@ -14,10 +16,16 @@ namespace {
 /// The same in both lateral directions.
 Mat3 about_z(double lateral, double axial) { return Vec3(lateral, lateral, axial).asDiagonal(); }
 
-dynamics::DrillString read_string(Config& c) {
+/// m above the bit's origin; 0 without a mass.
+double height_of_centre(const bit::Bit& bit) {
+  const double height = -bit::mass_properties(bit).centre.z();
+  return std::isfinite(height) ? height : 0.0;
+}
+
+dynamics::DrillString read_string(Config& c, const bit::Bit& bit) {
   using namespace string_keys;
   dynamics::DrillString s;
-  s.attachment_B.z() = -c.read(attachment_height);
+  s.attachment_B.z() = -c.read(attachment_height, height_of_centre(bit));
   s.stiffness = about_z(c.read(lateral_stiffness), c.read(axial_stiffness));
   s.damping = about_z(c.read(lateral_damping), c.read(axial_damping));
   s.turn_stiffness = about_z(c.read(bending_stiffness), c.read(torsional_stiffness));
@@ -103,7 +111,7 @@ DrillingPlan read_drilling(Config& whole, const bit::Bit& bit, const Motion& m) 
   DrillingPlan p;
   p.system.top = m.driven.top;
   Config string = whole.table(string_keys::table);
-  p.system.string = read_string(string);
+  p.system.string = read_string(string, bit);
   const MovingString moving = read_moving_string(string);
   p.system.gravity = string.read(string_keys::gravity);
   if (whole.has(wall_keys::table))

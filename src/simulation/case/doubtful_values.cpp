@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "mesh/measures.hpp"
+#include "simulation/case/drilling_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -92,6 +94,39 @@ void doubt_weight(const Config& c, const Case& read, std::vector<CaseWarning>& w
                           1e-3 * heaviest, 2e3 * read.bit.gage_radius, 1e-3 * most)));
 }
 
+/// The forces along +z with which the string holds a bit off bottom, N: each load less the weight
+/// that the hook carries, or the weight alone where an axial spring carries it.
+std::vector<double> holding_forces(const dynamics::DrillingSystem& s) {
+  const double weight = s.mass * s.gravity;
+  if (s.top.axial == dynamics::AxialMode::rate)
+    return {s.string.stiffness(2, 2) > 0.0 ? -weight : 0.0};
+  std::vector<double> forces = s.top.load.values;
+  for (double& f : forces) f -= weight;
+  return forces;
+}
+
+/// A force F down at a height H above the centre of mass turns a bit that leans by a small angle a
+/// with the moment F H a, and bending stiffness turns it back. Lateral springs do not: off bottom the
+/// centre of mass moves aside instead.
+void doubt_attachment(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
+  if (read.motion.kind != MotionKind::drilling) return;
+  const dynamics::DrillingSystem& s = read.drilling.system;
+  const double height = s.centre_B.z() - s.string.attachment_B.z();
+  const double bending = s.string.turn_stiffness(0, 0);
+  double worst = 0.0;  // N
+  for (const double force : holding_forces(s))
+    if (force * height > worst * height) worst = force;
+  if (worst * height <= bending) return;
+  warnings.push_back(warning(
+      c, in_table(string_keys::table, string_keys::attachment_height),
+      fmt::format(
+          "off bottom the bit topples: the string {} it with {:.4g} N at a point {:.4g} mm "
+          "{} its centre of mass; found a bending stiffness of {:.4g} N m/rad, expected more "
+          "than {:.4g} N m/rad, or the default height",
+          worst < 0.0 ? "holds" : "pushes", std::abs(worst), 1e3 * std::abs(height),
+          height < 0.0 ? "below" : "above", bending, worst * height)));
+}
+
 }  // namespace
 
 double narrowest_width(const bit::Bit& bit) {
@@ -109,6 +144,7 @@ std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read) {
   doubt_tooth_forces(c, read, warnings);
   doubt_section_lead(c, read, warnings);
   doubt_weight(c, read, warnings);
+  doubt_attachment(c, read, warnings);
   return warnings;
 }
 

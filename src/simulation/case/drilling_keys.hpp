@@ -44,9 +44,12 @@ inline constexpr ChoiceKey<dynamics::DamperEnd> dampers_to{
 inline constexpr QuantityKey attachment_height{
     .name = "attachment_height",
     .unit = "m",
-    .fallback = 0.0,
+    .usual = "the bit's centre of mass",
     .range = Range::within(-100.0, 100.0),
-    .meaning = "of the place where the string holds the bit, above the bit's origin"};
+    .meaning =
+        "height above the bit's origin of the point at which lateral and axial springs, dampers "
+        "and the load act; 0: the nose. A bit that hangs from a point below its centre of mass "
+        "topples unless its bending stiffness holds it"};
 inline constexpr QuantityKey gravity{.name = "gravity",
                                      .unit = "m/s2",
                                      .fallback = 9.80665,

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_rolling.hpp"
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
+#include "core/temporary_file.hpp"
 #include "simulation/case/case.hpp"
 
 namespace tdbd::simulation::case_drilling_test {
@@ -15,6 +17,15 @@ namespace tdbd::simulation::case_drilling_test {
 Case with(std::vector<std::string> settings) {
   settings.insert(settings.end(), {"rock.edge_length='5 mm'", "time.duration='0.1 s'"});
   return read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml", settings);
+}
+
+/// A file without the lines that begin with `key`.
+std::string without_line(const std::string& text, const std::string& key) {
+  std::istringstream in(text);
+  std::string left;
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with(key)) left += line + "\n";
+  return left;
 }
 
 /// No two numbers are alike.
@@ -51,6 +62,18 @@ TEST(ReadDrilling, gives_the_string_its_springs_and_dampers) {
   expect_about_z(s.turn_stiffness, 2e6, 6000.0);
   expect_about_z(s.turn_damping, 1100.0, 60.0);
   EXPECT_EQ(s.damper_end, dynamics::DamperEnd::space);
+}
+
+/// A bit hung there neither topples nor rights itself.
+TEST(ReadDrilling, attaches_the_string_at_the_centre_of_mass_by_default) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-r.toml", {});
+  const Case hung =
+      read_case(write_temporary(".toml", without_line(c.resolved, "attachment_height")), {});
+  EXPECT_EQ(hung.drilling.system.string.attachment_B,
+            Vec3(0.0, 0.0, bit::mass_properties(c.bit).centre.z()));
+  const Case again = read_case(write_temporary("_again.toml", hung.resolved), {});
+  EXPECT_EQ(again.drilling.system.string.attachment_B, hung.drilling.system.string.attachment_B);
+  EXPECT_EQ(c.drilling.system.string.attachment_B, Vec3(0.0, 0.0, 0.0));
 }
 
 TEST(ReadDrilling, gives_wall_and_mount_their_numbers) {
