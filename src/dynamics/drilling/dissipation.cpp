@@ -1,5 +1,7 @@
 #include "dynamics/drilling/dissipation.hpp"
 
+#include "dynamics/drilling/following_top.hpp"
+
 namespace tdbd::dynamics {
 namespace {
 
@@ -25,8 +27,7 @@ void damp_string(const Sweeping& w, const PrincipalDamper& damper, const Directi
 }
 
 void damp_translation(const Sweeping& w, const PrincipalDamper& damper) {
-  const bool follows = w.system.string.damper_end == DamperEnd::top;
-  const double rate = follows ? value_at(w.system.top.rate, w.state.rotation.time) : 0.0;
+  const double rate = rate_of_damper_end(w.system, w.state);
   damp_string(w, damper, {damper.axis_W, w.at.pull.arm_W.cross(damper.axis_W)},
               rate * Vec3::UnitZ());
 }
@@ -68,7 +69,9 @@ void dissipate(const DrillingSystem& system, const Configuration& at, Sweep swee
                DrillingState& state, EnergyLedger& ledger) {
   const Sweeping w{system, at, time, state, ledger};
   const std::size_t n = 7 + system.gyrostat.cones.size();
+  if (sweep == Sweep::forward) follow_bit(system, at, time, state);
   for (std::size_t i = 0; i < n; ++i) take(w, sweep == Sweep::forward ? i : n - 1 - i);
+  if (sweep == Sweep::backward) follow_bit(system, at, time, state);
 }
 
 }  // namespace tdbd::dynamics

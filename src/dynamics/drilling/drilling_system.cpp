@@ -85,6 +85,7 @@ std::string drilling_problem(const DrillingSystem& s) {
   if (s.integrator.order != 2)
     return fmt::format("an integrator of order {}: drilling has order 2", s.integrator.order);
   for (const std::string& why : {string_problem(s.string), wall_problem(s.wall), bearing_problem(s),
+                                 number_problem("a top's following time", s.top.following_time),
                                  number_problem("a rock's mass", s.rock.mass),
                                  number_problem("a rock mount's stiffness", s.rock.stiffness),
                                  number_problem("a rock mount's damping", s.rock.damping)})

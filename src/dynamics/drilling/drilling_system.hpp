@@ -42,13 +42,17 @@ enum class AxialMode {
 struct TopDrive {
   Schedule speed;  ///< rad/s about +z
   AxialMode axial = AxialMode::rate;
-  /// m/s along +z. Of a loaded top it is the penetration to expect: dampers that end at the top
-  /// then resist what departs from it, not the drilling itself.
+  /// m/s along +z. Of a loaded top it is the penetration to expect, unless the top follows the bit:
+  /// dampers that end at the top then resist what departs from it, not the drilling itself.
   Schedule rate;
   /// N: the weight on a bit at rest. The hook carries the weight of the bit's own mass, so that
   /// gravity does not come on top of it.
   Schedule load;
   double start_angle = 0.0;  ///< rad, at t = 0: a string that is wound up already
+  /// tau, s: a loaded top goes down at DrillingState::top_rate r, with r' = (v_z - r) / tau after the
+  /// attachment's velocity v_z. The mean of a damper's force is then that of D tau r': 0 in the long
+  /// run. 0: it goes down at `rate`.
+  double following_time = 0.0;
 };
 
 /// A circular wall around space z that a ring of the bit touches. Pressed in by p it pushes back
@@ -107,6 +111,7 @@ struct DrillingState {
   Vec3 momentum_W = Vec3::Zero();  ///< M c', N s
   double rock_z = 0.0;             ///< how far the rock has moved along +z, m
   double rock_momentum = 0.0;      ///< N s
+  double top_rate = 0.0;           ///< m/s along +z, of a top that follows the bit
 };
 
 /// When the impulses of a step h reach the cones' own spins.

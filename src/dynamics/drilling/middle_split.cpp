@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dynamics/drilling/columns.hpp"
+#include "dynamics/drilling/following_top.hpp"
 #include "dynamics/drilling/velocity.hpp"
 #include "dynamics/rotation/drift.hpp"
 
@@ -126,14 +127,17 @@ void take_half_step(const DrillingSystem& s, const HalfStep& step, DrillingState
                     EnergyLedger& ledger, HalfWork& w, DrillingVelocity& mean) {
   const auto& [h, half, node, middle, wrench, share] = step;
   force_column(s, node.conservative, wrench, share, w.force);
-  if (!rubs(s.wall, node, middle)) {
+  const bool opens = half == Half::opening;
+  if (opens) follow_bit(s, node, 0.5 * h, state);
+  if (rubs(s.wall, node, middle)) {
+    take_quarters(s, h, opens ? node : middle, opens ? middle : node, state, ledger, w);
+    from_column(s, w.mean, mean);
+  } else {
     w.flow.force = w.force;
     resisted_flow(s, node, 0.5 * h, state, ledger, w.flow);
-    return from_column(s, w.flow.mean, mean);
+    from_column(s, w.flow.mean, mean);
   }
-  const bool opens = half == Half::opening;
-  take_quarters(s, h, opens ? node : middle, opens ? middle : node, state, ledger, w);
-  from_column(s, w.mean, mean);
+  if (!opens) follow_bit(s, node, 0.5 * h, state);
 }
 
 void find_middle(const DrillingSystem& s, double h, const Configuration& node, const Wrench& wrench,

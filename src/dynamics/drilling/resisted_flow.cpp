@@ -4,6 +4,7 @@
 
 #include "dynamics/drilling/columns.hpp"
 #include "dynamics/drilling/flow_functions.hpp"
+#include "dynamics/drilling/following_top.hpp"
 #include "dynamics/drilling/wall_secants.hpp"
 
 namespace tdbd::dynamics {
@@ -39,11 +40,11 @@ int add_direction(const Direction& d, double coefficient, double EnergyLedger::*
   return i;
 }
 
-void add_string_dampers(const DrillingSystem& s, const Configuration& at, double time,
-                        FlowWork& w) {
-  const bool follows = s.string.damper_end == DamperEnd::top;
-  const double rate = follows ? value_at(s.top.rate, time) : 0.0;
-  const double speed = follows ? value_at(s.top.speed, time) : 0.0;
+void add_string_dampers(const DrillingSystem& s, const Configuration& at,
+                        const DrillingState& state, FlowWork& w) {
+  const bool turns = s.string.damper_end == DamperEnd::top;
+  const double rate = rate_of_damper_end(s, state);
+  const double speed = turns ? value_at(s.top.speed, state.rotation.time) : 0.0;
   for (const PrincipalDamper& d : s.dampers) {
     if (d.coefficient == 0.0) continue;
     const Direction direction{d.axis_W, at.pull.arm_W.cross(d.axis_W)};
@@ -242,7 +243,7 @@ void resisted_flow(const DrillingSystem& s, const Configuration& at, double time
                    DrillingState& state, EnergyLedger& ledger, FlowWork& w) {
   set_sizes(s, w);
   w.resisting = 0;
-  add_string_dampers(s, at, state.rotation.time, w);
+  add_string_dampers(s, at, state, w);
   add_other_dampers(s, w);
   w.dampers = w.resisting;
   const bool rubs = at.contact.depth > 0.0 && wall_resists(s.wall);

@@ -118,12 +118,15 @@ void read_top(Config& c, Motion& m) {
     c.problem("", weight ? "weight_on_bit and rate_of_penetration" : "neither",
               "weight_on_bit or rate_of_penetration");
   top.axial = weight ? AxialMode::load : AxialMode::rate;
-  if (weight) top.load = read_schedule(c, motion_keys::weight_on_bit);
+  m.rotary_speed = dynamics::value_at(top.speed, 0.0);
+  if (weight) {
+    top.load = read_schedule(c, motion_keys::weight_on_bit);
+    top.following_time = c.read(motion_keys::rate_memory);
+  }
   top.rate = weight ? dynamics::constant(c.read(motion_keys::expected_rate))
                     : read_schedule(c, motion_keys::rate_of_penetration);
   m.driven.weight_at_start = c.read(motion_keys::weight_at_start);
   m.driven.torque_at_start = c.read(motion_keys::torque_at_start);
-  m.rotary_speed = dynamics::value_at(top.speed, 0.0);
   m.rate_of_penetration = dynamics::value_at(top.rate, 0.0);
 }
 

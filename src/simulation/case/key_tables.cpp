@@ -31,7 +31,7 @@ KeyTable motion_table() {
   return key_table(
       "run", table,
       rows(kind, start, rotary_speed, rate_of_penetration, file, weight_on_bit, expected_rate,
-           weight_at_start, torque_at_start, cone_speeds, cone_drive, cone_memory));
+           rate_memory, weight_at_start, torque_at_start, cone_speeds, cone_drive, cone_memory));
 }
 
 KeyTable whirl_table() {

@@ -68,6 +68,16 @@ inline constexpr QuantityKey expected_rate{
     .meaning =
         "drilling with weight_on_bit: rate at which the bit starts; dampers to the top "
         "resist what departs from it"};
+inline constexpr QuantityKey rate_memory{
+    .name = "rate_memory",
+    .unit = "s",
+    .fallback = 0.0,
+    .range = Range::non_negative(),
+    .meaning =
+        "drilling with weight_on_bit: time in which the end of the axial damper at the top follows "
+        "the bit's advance, for example one turn; the damper then takes no part of the mean "
+        "weight. "
+        "0: the end moves at expected_rate"};
 inline constexpr QuantityKey weight_at_start{
     .name = "weight_at_start",
     .unit = "N",

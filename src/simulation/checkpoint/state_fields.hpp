@@ -82,6 +82,7 @@ void fields(A& a, Of<A, dynamics::DrillingState>& x) {
   a("momentum_W", x.momentum_W);
   a("rock_z", x.rock_z);
   a("rock_momentum", x.rock_momentum);
+  a("top_rate", x.top_rate);
 }
 
 template <class A>

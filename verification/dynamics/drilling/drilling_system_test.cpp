@@ -48,6 +48,7 @@ TEST(DrillingSystem, refuses_a_number_that_is_negative_or_none) {
       {"a wall's restitution", [](auto& s) -> double& { return s.wall.restitution; }},
       {"a wall's friction", [](auto& s) -> double& { return s.wall.friction; }},
       {"a wall's slip speed", [](auto& s) -> double& { return s.wall.slip_speed; }},
+      {"a top's following time", [](auto& s) -> double& { return s.top.following_time; }},
       {"a rock's mass", [](auto& s) -> double& { return s.rock.mass; }},
       {"a rock mount's stiffness", [](auto& s) -> double& { return s.rock.stiffness; }},
       {"a rock mount's damping", [](auto& s) -> double& { return s.rock.damping; }},

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "rotation/swing_twist.hpp"
@@ -59,6 +63,101 @@ TEST(TopDrive, damper_to_the_top_leaves_the_load_on_the_bit) {
     const double taken = end == DamperEnd::space ? load * 1.4e5 / (1.4e5 + load / rate) : 0.0;
     EXPECT_NEAR(-d.wrench.force_W.z(), load - taken, 6.5e-9 * load);
   }
+}
+
+/// A bit that follows `load` through rock of viscosity c, its damper to a top that follows it.
+struct FollowedBit {
+  double mass = 1e4, damping = 1.4e5, rock = 5e5, load = 2e4, following_time = 0.05;
+
+  DrillingSystem system() const {
+    DrillingSystem s = plain_bit();
+    s.gravity = 9.81;
+    s.mass = mass;
+    s.string.damping(2, 2) = damping;
+    s.string.damper_end = DamperEnd::top;
+    s.top.axial = AxialMode::load;
+    s.top.load = constant(load);
+    s.top.following_time = following_time;
+    return make_drilling_system(s);
+  }
+  /// The same beside a wall that the bit does not touch: forces and dampers act in one flow.
+  DrillingSystem system_with_wall() const {
+    DrillingSystem s = system();
+    s.wall.stiffness = 1e6;
+    s.wall.clearance = 1.0;
+    return s;
+  }
+  LumpedLaw law() const {
+    return [c = rock](const auto&, const auto&, const DrillingVelocity& v, Wrench& w) {
+      w.force_W.z() = -c * v.v_W.z();
+    };
+  }
+  DrillingRun started(double speed, double top_rate) const {
+    const DrillingSystem s = system();
+    DrillingState from = at_rest(s);
+    from.momentum_W.z() = mass * speed;
+    from.top_rate = top_rate;
+    return start(s, law(), from);
+  }
+  /// The velocities of bit and top after a time: M v' = W - c v - D (v - r), r' = (v - r) / tau.
+  Eigen::Vector2d exact(double speed, double top_rate, double time) const {
+    Eigen::Matrix2d A;
+    A << -(rock + damping) / mass, damping / mass, 1.0 / following_time, -1.0 / following_time;
+    const Eigen::Vector2d steady = Eigen::Vector2d::Constant(load / rock);
+    const Eigen::EigenSolver<Eigen::Matrix2d> modes(A);
+    const Eigen::Vector2cd of = modes.eigenvectors().colPivHouseholderQr().solve(
+        (Eigen::Vector2d(speed, top_rate) - steady).cast<std::complex<double>>());
+    const Eigen::Vector2cd grown = (time * modes.eigenvalues().array()).exp() * of.array();
+    return steady + (modes.eigenvectors() * grown).real();
+  }
+};
+
+/// A top that follows the bit: whatever rate was expected, the rock carries the load.
+TEST(TopDrive, that_follows_the_bit_leaves_the_load_on_it) {
+  const FollowedBit bit;
+  for (const DrillingSystem& s : {bit.system(), bit.system_with_wall()})
+    for (const double expected : {0.0, 0.04, 1.0}) {
+      DrillingRun d = bit.started(expected, expected);
+      for (int i = 0; i < 3000; ++i) step(s, bit.law(), h, d);
+      EXPECT_NEAR(-d.wrench.force_W.z(), bit.load, 1e-12 * bit.load) << expected;
+      EXPECT_NEAR(d.state.top_rate, bit.load / bit.rock, 1e-13) << expected;
+    }
+}
+
+TEST(TopDrive, that_follows_the_bit_moves_as_its_equations_do) {
+  const FollowedBit bit;
+  constexpr double time = 0.08, speed = 0.3, top_rate = -0.1;
+  const Eigen::Vector2d exact = bit.exact(speed, top_rate, time);
+  const auto error = [&](const DrillingSystem& s, int count) {
+    DrillingRun d = bit.started(speed, top_rate);
+    for (int i = 0; i < count; ++i) step(s, bit.law(), time / count, d);
+    return Eigen::Array2d(velocity(s, d.state).v_W.z() - exact[0], d.state.top_rate - exact[1]);
+  };
+  for (const DrillingSystem& s : {bit.system(), bit.system_with_wall()})
+    for (const int count : {80, 160}) {
+      const Eigen::Array2d order =
+          (error(s, count) / error(s, 2 * count)).abs().log() / std::log(2.0);
+      EXPECT_NEAR(order[0], 2.0, 0.1) << "bit";
+      EXPECT_NEAR(order[1], 2.0, 0.1) << "top";
+    }
+}
+
+/// The dampers' loss and the top's work are in the ledger: what is left is of second order.
+TEST(TopDrive, that_follows_the_bit_has_a_ledger_of_second_order) {
+  const FollowedBit bit;
+  const auto left = [&](const DrillingSystem& s, int count) {
+    DrillingRun d = bit.started(0.3, -0.1);
+    double lost = 0.0;
+    for (int i = 0; i < count; ++i) {
+      step(s, bit.law(), 0.5 / count, d);
+      EXPECT_GE(d.ledger.damped_string, lost);
+      lost = d.ledger.damped_string;
+    }
+    EXPECT_GT(lost, 0.1 * d.ledger.start);
+    return residual(s, d);
+  };
+  for (const DrillingSystem& s : {bit.system(), bit.system_with_wall()})
+    EXPECT_NEAR(std::log2(left(s, 500) / left(s, 1000)), 2.0, 0.05);
 }
 
 /// Lowered at a rate: the string's spring is stretched by what the rock carries, less the weight.
