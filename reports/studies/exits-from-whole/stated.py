@@ -5,7 +5,7 @@ from pathlib import Path
 from study_tools import read_rows
 
 HERE = Path(__file__).resolve().parent
-GIVEN = ["three revolutions long (1.5 s or 3 revolutions)", "with 0.7 times the edge length"]
+GIVEN = ["three revolutions long (1.5 s or 3 revolutions)", "with 0.7 times the edge length", "a millionth changed the rate by 6 %"]
 LED = ("standard-workload", "bit-b-steady", "bit-a-steady", "bit-r-rolling", "bit-b-whirl")
 SAME = ("removed volume, cm3", "volume of a cutter, greatest change", "section area, mm2", "section area of a cutter, greatest change",
         "worst quality", "1 % quality", "bisections", "triangles at the end")
@@ -64,6 +64,6 @@ def of_drilling(found):
 def of_whirl(found, nudged):
     def three(rows, change):
         return [size(rows["drill-bit-b-whirl", quantity][change]) for quantity in (LOADS[-1], CUTTER, MEAN)]
-    yield "differs by {:.0f} %, the volume of a cutter by up to {:.1f} %, the surfaces by {:.2f} mm", *three(found, WHOLE)
-    yield "(`rounding.csv`): {:.0f} %, {:.1f} % and {:.2f} mm", *three(nudged, NUDGED)
-    yield "the finer mesh makes {:.0f} %, {:.0f} % and {:.2f} mm", *three(found, FINER)
+    yield "differs by {:.2f} %, the volume of a cutter by up to {:.1f} %, the surfaces by {:.2f} mm", *three(found, WHOLE)
+    yield "change them by {:.2f} %, {:.1f} % and {:.2f} mm", *three(nudged, NUDGED)
+    yield "the finer mesh by {:.1f} %, {:.1f} % and {:.2f} mm", *three(found, FINER)

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 """How fast a whirling bit climbs, beside how fast a screw of its lean would: cases/drill-bit-b-whirl with strings that bend
-ever more easily. Writes climb.csv beside itself, ten seconds; wants a release build.
+ever more easily, and its advance over the time step. Writes climb.csv and steps.csv beside itself, two minutes; requires a
+release build.
 
     measure.py
 """
 
 import csv
+import json
 import pathlib
 import subprocess
 import tempfile
@@ -18,19 +20,26 @@ HERE = pathlib.Path(__file__).resolve().parent
 RING_RADIUS, RING_HEIGHT = 0.10795, 0.08  # m: gage radius of bit B, wall.ring_height
 FROM = 0.5  # s: by then the bit rolls
 # bending stiffness in N m/rad, its damping in N m s/rad, edges in mm
-STRINGS = [("1e7", "1e5", "1.5"), ("1e7", "1e5", "3"), ("2e6", "2e4", "3"), ("1e6", "1e4", "3"), ("1e6", "1e3", "3"), ("2e5", "1e3", "3")]
+STRINGS = [("3e7", "3e5", "1.5"), ("3e7", "3e5", "3"), ("1e7", "1e5", "3"), ("2e6", "2e4", "3"), ("1e6", "1e4", "3"), ("1e6", "1e3", "3"),
+           ("2e5", "1e3", "3")]
+SHIPPED = {"string.bending_stiffness": "3e7", "string.bending_damping": "3e5", "motion.weight_on_bit": "10e3", "wall.slip_speed": "60e-3"}
+CLIMBING = {"string.bending_stiffness": "1e7", "string.bending_damping": "1e5", "motion.weight_on_bit": "5e3", "wall.slip_speed": "1e-3"}
+# the case of a row of steps.csv, its settings, edges in mm
+CASES = [("shipped", SHIPPED, "1.5"), ("climbing", CLIMBING, "3")]
+STEPS = [1, 0.5, 0.25, 0.125, 0.0625]  # ms
 
 
-def drill(folder, stiffness, damping, edges):
+def drill(folder, settings, edges):
+    """The history and the means of the second half second."""
     out = pathlib.Path(folder) / "run"
+    settings = {**settings, "rock.edge_length": f"'{edges} mm'"}
     command = [str(ROOT / "build/release/tdbd"), "run", str(ROOT / "cases/drill-bit-b-whirl.toml"), "-o", str(out), "--force",
-               "--set", f'string.bending_stiffness="{stiffness} N m/rad"', "--set", f'string.bending_damping="{damping} N m s/rad"',
-               "--set", f'rock.edge_length="{edges} mm"']
+               *(word for key, value in settings.items() for word in ("--set", f"{key}={value}"))]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     if result.returncode != 0:
         raise SystemExit(result.stderr)
     with xarray.open_dataset(out / "history.nc") as history:
-        return history.load()
+        return history.load(), json.loads((out / "summary.json").read_text(encoding="utf-8"))
 
 
 def axes(history):
@@ -61,17 +70,46 @@ def climb(history):
             "lean, mrad": f"{1e3 * lean[late].mean():.3f}"}
 
 
-def main():
-    rows = []
-    with tempfile.TemporaryDirectory() as folder:
-        for stiffness, damping, edges in STRINGS:
-            given = {"bending stiffness, N m/rad": stiffness, "damping, N m s/rad": damping, "edges, mm": edges}
-            rows.append({**given, **climb(drill(folder, stiffness, damping, edges))})
-            print(rows[-1], flush=True)
-    with open(HERE / "climb.csv", "w", newline="", encoding="utf-8") as file:
+def advance(history):
+    """m/s since FROM, from the place at its beginning and end."""
+    z, first = history.position_z.values, int(np.argmin(np.abs(history.time.values - FROM)))
+    return (z[-1] - z[first]) / (history.time.values[-1] - history.time.values[first])
+
+
+def value_of(summary, key):
+    """The first value of this name anywhere in the summary."""
+    for name, value in summary.items():
+        if name == key:
+            return value
+        if isinstance(value, dict) and (found := value_of(value, key)) is not None:
+            return found
+    return None
+
+
+def write(name, rows):
+    with open(HERE / name, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
+
+
+def main():
+    climbs, steps = [], []
+    with tempfile.TemporaryDirectory() as folder:
+        for stiffness, damping, edges in STRINGS:
+            given = {"bending stiffness, N m/rad": stiffness, "damping, N m s/rad": damping, "edges, mm": edges}
+            settings = {"string.bending_stiffness": stiffness, "string.bending_damping": damping}
+            climbs.append({**given, **climb(drill(folder, settings, edges)[0])})
+            print(climbs[-1], flush=True)
+        for name, settings, edges in CASES:
+            for step in STEPS:
+                history, summary = drill(folder, {**settings, "time.step": step * 1e-3}, edges)
+                steps.append({"case": name, "edges, mm": edges, "step, ms": step, "advance, mm/s": f"{1e3 * advance(history):.3f}",
+                              "rop_mean, mm/s": f"{1e3 * value_of(summary, 'rop_mean_m_per_s'):.3f}",
+                              "weight, kN": f"{1e-3 * value_of(summary, 'wob_mean_n'):.3f}"})
+                print(steps[-1], flush=True)
+    write("climb.csv", climbs)
+    write("steps.csv", steps)
 
 
 if __name__ == "__main__":
