@@ -70,6 +70,7 @@ mass = "1e5 kg"
 gravity = 0
 torsional_inertia = "288.6 kg m2"
 bending_inertia = "288.6 kg m2"
+attachment_height = 0
 lateral_stiffness = "1e8 N/m"
 bending_stiffness = "1e8 N m/rad"
 lateral_damping = "1e5 N s/m"
