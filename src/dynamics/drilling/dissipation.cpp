@@ -1,7 +1,5 @@
 #include "dynamics/drilling/dissipation.hpp"
 
-#include "dynamics/drilling/following_top.hpp"
-
 namespace tdbd::dynamics {
 namespace {
 

@@ -19,6 +19,12 @@ Along along_cone(const DrillingSystem& s, const Configuration& at, const Rotatio
   return {cone_rate<double>(cone, r.cone_momenta[i], w_B), 1.0 / cone.axial_inertia + through_bit};
 }
 
+/// Whether the rate of the top is a part of the state.
+bool top_follows_bit(const DrillingSystem& s) {
+  return s.string.damper_end == DamperEnd::top && s.top.axial == AxialMode::load &&
+         s.top.following_time > 0.0;
+}
+
 }  // namespace
 
 Along along(const DrillingSystem& s, const Configuration& at, const DrillingState& state,
@@ -42,6 +48,19 @@ void give_impulse(const Direction& d, double impulse, DrillingState& state) {
 
 double damper_impulse(const Along& a, double coefficient, double other_end_speed, double time) {
   return (a.speed - other_end_speed) * std::expm1(-coefficient * a.mobility * time) / a.mobility;
+}
+
+double rate_of_damper_end(const DrillingSystem& s, const DrillingState& state) {
+  if (s.string.damper_end == DamperEnd::space) return 0.0;
+  return top_follows_bit(s) ? state.top_rate : value_at(s.top.rate, state.rotation.time);
+}
+
+void follow_bit(const DrillingSystem& s, const Configuration& at, double time,
+                DrillingState& state) {
+  if (!top_follows_bit(s)) return;
+  const Direction down{Vec3::UnitZ(), at.pull.arm_W.cross(Vec3::UnitZ())};
+  const double speed = along(s, at, state, down).speed;
+  state.top_rate -= (speed - state.top_rate) * std::expm1(-time / s.top.following_time);
 }
 
 }  // namespace tdbd::dynamics

@@ -31,6 +31,15 @@ void give_impulse(const Direction& direction, double impulse, DrillingState& sta
 /// exp(-coefficient mobility time).
 double damper_impulse(const Along& a, double coefficient, double other_end_speed, double time);
 
+/// Rate of the upper end of the string's dampers, m/s along +z: that of a loaded top that follows the
+/// bit (TopDrive::following_time), the top's own, or 0 where they end in space.
+double rate_of_damper_end(const DrillingSystem& system, const DrillingState& state);
+
+/// Relaxes the rate of a loaded top that follows the bit towards the attachment's velocity over
+/// `time` (s), exactly while that stands still, dynamics (12a). Without effect on other tops.
+void follow_bit(const DrillingSystem& system, const Configuration& at, double time,
+                DrillingState& state);
+
 /// Kinetic energy that an impulse adds, J.
 inline double energy_of_impulse(const Along& a, double impulse) {
   return impulse * (a.speed + 0.5 * impulse * a.mobility);

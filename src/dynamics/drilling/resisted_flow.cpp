@@ -4,7 +4,6 @@
 
 #include "dynamics/drilling/columns.hpp"
 #include "dynamics/drilling/flow_functions.hpp"
-#include "dynamics/drilling/following_top.hpp"
 #include "dynamics/drilling/wall_secants.hpp"
 
 namespace tdbd::dynamics {
