@@ -3,44 +3,13 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "dynamics/drilling/dissipation.hpp"
 #include "dynamics/rotation/drift.hpp"
 
 namespace tdbd::dynamics {
 namespace {
 
-/// Whether forces and resistances act in one flow, (19); else one after the other, (13).
-bool has_wall(const DrillingSystem& s) { return s.wall.stiffness > 0.0; }
-
-/// Held rock takes none.
-void add_impulse(const DrillingSystem& system, double h, const Wrench& w, double cone_share,
-                 DrillingState& s) {
-  s.momentum_W += h * w.force_W;
-  s.rotation.momentum_W += h * w.torque_W;
-  for (std::size_t k = 0; k < w.cones.size(); ++k)
-    s.rotation.cone_momenta[k] += h * (cone_share * w.cones[k]);
-  if (system.rock.mass > 0.0) s.rock_momentum += h * w.rock_force;
-}
-
-void give_impulses(const DrillingSystem& system, double h, const Configuration& at,
-                   const Wrench& wrench, Half which, DrillingState& s) {
-  add_impulse(system, h, at.conservative, 1.0, s);
-  add_impulse(system, h, wrench, cone_share(wrench.cone_impulse, which), s);
-}
-
-/// A kick, the mean velocity over it, and the work of the wrench.
-void kick(const DrillingSystem& system, double h, Half which, Drilling& d, DrillingWork& work) {
-  DrillingVelocity& mean = which == Half::opening ? work.opening : work.closing;
-  velocity(system, work.at, d.state, work.before);
-  give_impulses(system, h, work.at, d.wrench, which, d.state);
-  velocity(system, work.at, d.state, mean);
-  mean_velocity(work.before, mean, mean);
-  d.ledger.cut_bit += h * power_on_bit(d.wrench, mean, cone_share(d.wrench.cone_impulse, which));
-  d.ledger.cut_rock += h * power_on_rock(d.wrench, mean);
-}
-
 /// A half step in one flow, and the work of the wrench.
-void wall_half(const DrillingSystem& system, double h, Half which, Drilling& d,
+void half_step(const DrillingSystem& system, double h, Half which, Drilling& d,
                DrillingWork& work) {
   DrillingVelocity& mean = which == Half::opening ? work.opening : work.closing;
   const double share = cone_share(d.wrench.cone_impulse, which);
@@ -100,13 +69,8 @@ DrillingWork drilling_work(const DrillingSystem& system, const Drilling& d) {
 void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work) {
   work.step_start = d.state;
   const EnergyLedger ledger_start = d.ledger;
-  if (has_wall(system)) {
-    find_middle(system, h, work.at, d.wrench, d.state, work.half, work.middle);
-    wall_half(system, h, Half::opening, d, work);
-  } else {
-    dissipate(system, work.at, Sweep::forward, 0.5 * h, d.state, d.ledger);
-    kick(system, 0.5 * h, Half::opening, d, work);
-  }
+  find_middle(system, h, work.at, d.wrench, d.state, work.half, work.middle);
+  half_step(system, h, Half::opening, d, work);
   const TopAction before = top_action(d.state, work.at);
   if (!drift_all(system, h, d)) {
     d.state = work.step_start;
@@ -123,14 +87,9 @@ const DrillingState& predicted(const DrillingSystem& system, double h, const Dri
                                DrillingWork& work) {
   work.predicted = d.state;
   EnergyLedger unseen;
-  if (has_wall(system)) {
-    const double share = cone_share(d.wrench.cone_impulse, Half::opening);  // none at the end
-    take_half_step(system, {h, Half::closing, work.at, work.middle, d.wrench, share},
-                   work.predicted, unseen, work.half, work.before);
-    return work.predicted;
-  }
-  give_impulses(system, 0.5 * h, work.at, d.wrench, Half::opening, work.predicted);
-  dissipate(system, work.at, Sweep::backward, 0.5 * h, work.predicted, unseen);
+  const double share = cone_share(d.wrench.cone_impulse, Half::opening);  // none at the end
+  take_half_step(system, {h, Half::closing, work.at, work.middle, d.wrench, share}, work.predicted,
+                 unseen, work.half, work.before);
   return work.predicted;
 }
 
@@ -139,31 +98,20 @@ void velocity_after(const DrillingSystem& system, double h, const Drilling& d, K
   DrillingState& s = work.predicted;
   s = d.state;
   EnergyLedger unseen;
-  if (has_wall(system)) {
-    const auto take = [&](Half half, const Configuration& middle) {
-      const double share = cone_share(wrench.cone_impulse, half);
-      take_half_step(system, {h, half, work.at, middle, wrench, share}, s, unseen, work.half, out);
-    };
-    if (kicks == KicksLeft::closing_and_opening) take(Half::closing, work.middle);
-    find_middle(system, h, work.at, wrench, s, work.half, work.next_middle);
-    take(Half::opening, work.next_middle);
-    return velocity(system, work.at, s, out);
-  }
-  if (kicks == KicksLeft::closing_and_opening) {
-    give_impulses(system, 0.5 * h, work.at, wrench, Half::closing, s);
-    dissipate(system, work.at, Sweep::backward, 0.5 * h, s, unseen);
-  }
-  dissipate(system, work.at, Sweep::forward, 0.5 * h, s, unseen);
-  give_impulses(system, 0.5 * h, work.at, wrench, Half::opening, s);
+  const auto take = [&](Half half, const Configuration& middle) {
+    const double share = cone_share(wrench.cone_impulse, half);
+    take_half_step(system, {h, half, work.at, middle, wrench, share}, s, unseen, work.half, out);
+  };
+  if (kicks == KicksLeft::closing_and_opening) take(Half::closing, work.middle);
+  find_middle(system, h, work.at, wrench, s, work.half, work.next_middle);
+  take(Half::opening, work.next_middle);
   velocity(system, work.at, s, out);
 }
 
 void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,
                 DrillingWork& work) {
   d.wrench = wrench;
-  if (has_wall(system)) return wall_half(system, h, Half::closing, d, work);
-  kick(system, 0.5 * h, Half::closing, d, work);
-  dissipate(system, work.at, Sweep::backward, 0.5 * h, d.state, d.ledger);
+  half_step(system, h, Half::closing, d, work);
 }
 
 }  // namespace tdbd::dynamics

@@ -17,13 +17,11 @@ struct Drilling {
 /// What a step keeps beside it, so that it allocates nothing once warm.
 struct DrillingWork {
   Configuration at;  ///< of the state's positions, when no step is open
-  /// Mean velocity over the opening and over the closing kick of the last step. A force F of the
+  /// Mean velocity over the opening and over the closing flow of the last step. A force F of the
   /// wrench at either end did the work (h/2) F . v there, exactly.
   DrillingVelocity opening, closing;
   DrillingState predicted, step_start;
   DrillingVelocity before;
-
-  // Of a system with a wall.
   Configuration middle;       ///< in the middle of the last drift, as its opening half predicted it
   Configuration next_middle;  ///< and of the drift that velocity_after predicts
   HalfWork half;
@@ -36,8 +34,9 @@ Drilling start_drilling(const DrillingSystem& system, DrillingState state);
 /// on to the same bits as without the interruption.
 DrillingWork drilling_work(const DrillingSystem& system, const Drilling& d);
 
-/// First half of a step of h (s): damping and the kick of the last wrench and of string, wall and
-/// gravity, one after the other, or in one flow where the system has a wall; then the drift. Positions and time are then those of the step's end: cut the rock there.
+/// First half of a step of h (s): the flow of the last wrench, of string, wall and gravity and of
+/// all that resists, then the drift. Positions and time are then those of the step's end: cut the
+/// rock there.
 /// Throws RunError when an implicit drift does not converge; `d` is then as it was before the step.
 void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work);
 
@@ -47,17 +46,16 @@ void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
                                DrillingWork& work);
 
-/// The kicks between a state and the next drift: of an open step, its closing kick and the opening
-/// one of the next step, with the dampers between them; of a state between two steps, the damper and
-/// the opening kick.
+/// The flows between a state and the next drift: of an open step, its closing flow and the opening
+/// one of the next step; of a state between two steps, the opening flow.
 enum class KicksLeft { closing_and_opening, opening };
 
-/// The velocity after these kicks with this wrench, at positions that stand still: what the next
+/// The velocity after these flows with this wrench, at positions that stand still: what the next
 /// drift moves with. Overwrites the state that predicted() returned.
 void velocity_after(const DrillingSystem& system, double h, const Drilling& d, KicksLeft kicks,
                     const Wrench& wrench, DrillingWork& work, DrillingVelocity& out);
 
-/// Second half: the kick of the new wrench, damping, the ledger.
+/// Second half: the flow of the new wrench, and the ledger.
 void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,
                 DrillingWork& work);
 

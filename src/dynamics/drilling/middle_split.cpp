@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "dynamics/drilling/columns.hpp"
-#include "dynamics/drilling/exact_flow.hpp"
 #include "dynamics/drilling/velocity.hpp"
 #include "dynamics/rotation/drift.hpp"
 

@@ -5,6 +5,7 @@
 #include "dynamics/drilling/columns.hpp"
 #include "dynamics/drilling/flow_functions.hpp"
 #include "dynamics/drilling/wall_secants.hpp"
+#include "dynamics/momenta.hpp"
 
 namespace tdbd::dynamics {
 namespace {
@@ -37,6 +38,18 @@ int add_direction(const Direction& d, double coefficient, double EnergyLedger::*
   w.end_speeds[i] = 0.0;
   w.entries[at(i)] = entry;
   return i;
+}
+
+/// Whether the rate of the top is a part of the state.
+bool top_follows_bit(const DrillingSystem& s) {
+  return s.string.damper_end == DamperEnd::top && s.top.axial == AxialMode::load &&
+         s.top.following_time > 0.0;
+}
+
+/// Rate of the upper end of the string's dampers, m/s along +z.
+double rate_of_damper_end(const DrillingSystem& s, const DrillingState& state) {
+  if (s.string.damper_end == DamperEnd::space) return 0.0;
+  return top_follows_bit(s) ? state.top_rate : value_at(s.top.rate, state.rotation.time);
 }
 
 void add_string_dampers(const DrillingSystem& s, const Configuration& at,
@@ -107,6 +120,13 @@ double mean_product(const FlowWork& w, double z_k, double z_l, int k, int l) {
   });
 }
 
+/// The flows of a step share their geometry: modes are computed once for all of them.
+void find_modes(FlowWork& w) {
+  if (w.decomposed.rows() == w.scaled.rows() && w.decomposed == w.scaled) return;
+  w.modes.compute(w.scaled);
+  w.decomposed = w.scaled;
+}
+
 /// The exact flow of the dampers, by the modes of sqrt(c) A^T M^-1 A sqrt(c).
 void exponential(double time, FlowWork& w) {
   const int q = w.dampers;
@@ -114,7 +134,7 @@ void exponential(double time, FlowWork& w) {
   w.scaled.resize(q, q);
   for (int i = 0; i < q; ++i)
     for (int j = 0; j < q; ++j) w.scaled(i, j) = w.scales[i] * w.mobility(i, j) * w.scales[j];
-  w.modes.compute(w.scaled);
+  find_modes(w);
   const Eigen::MatrixXd& V = w.modes.eigenvectors();
   w.mode_start.noalias() = V.transpose() * w.scales.cwiseProduct(w.speeds.head(q));
   w.mode_push.noalias() = V.transpose() * (time * w.scales.cwiseProduct(w.pushes.head(q)));
@@ -234,6 +254,15 @@ std::array<Direction, 3> contact_directions(const WallContact& c) {
   return {Direction{c.tangent_W, c.touch_arm_W.cross(c.tangent_W)},
           Direction{Vec3::UnitZ(), c.touch_arm_W.cross(Vec3::UnitZ())},
           Direction{c.outward_W, c.ring_arm_W.cross(c.outward_W)}};
+}
+
+void follow_bit(const DrillingSystem& s, const Configuration& at, double time,
+                DrillingState& state) {
+  if (!top_follows_bit(s)) return;
+  const Vec3 w_W = at.mobility_W * (state.rotation.momentum_W -
+                                    at.R_WB * cone_momentum_sum(s.gyrostat, state.rotation));
+  const double speed = state.momentum_W.z() / s.mass + w_W.cross(at.pull.arm_W).z();
+  state.top_rate -= (speed - state.top_rate) * std::expm1(-time / s.top.following_time);
 }
 
 bool wall_resists(const Wall& wall) { return wall.friction > 0.0 || wall.restitution < 1.0; }

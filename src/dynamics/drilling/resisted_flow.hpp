@@ -7,7 +7,6 @@
 
 #include "dynamics/drilling/configuration.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
-#include "dynamics/drilling/exact_flow.hpp"
 
 /// All forces and all that resists motion, together, at positions that stand still:
 ///   M u' = F - C(ubar) u,   C = sum_i c_i a_i a_i^T,   ubar: mean of u over the time            (19)
@@ -15,6 +14,13 @@
 /// and along the wall and of its radius, with the secants of wall_secants.hpp as coefficients.
 /// Everything is computed along the directions, in the relative speeds v = A^T u - (top's speed).
 namespace tdbd::dynamics {
+
+/// A direction of the bit in which something resists: the force and the torque that act for a unit of
+/// impulse.
+struct Direction {
+  Vec3 force_W = Vec3::Zero();
+  Vec3 torque_W = Vec3::Zero();  ///< about the centre of mass
+};
 
 /// What is kept from flow to flow, so that nothing is allocated once warm.
 struct FlowWork {
@@ -40,6 +46,7 @@ struct FlowWork {
   // Of the exponential.
   Eigen::VectorXd scales;  ///< square roots of the coefficients
   Eigen::MatrixXd scaled, products;
+  Eigen::MatrixXd decomposed;  ///< the matrix `scaled` of which `modes` has the eigenvectors
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes;
   Eigen::VectorXd mode_start, mode_push, mode_end, mode_mean, mode_lag;
   // Of the Lobatto method.
@@ -53,6 +60,12 @@ std::array<Direction, 3> contact_directions(const WallContact& contact);
 
 /// Whether anything at the wall resists the motion of a ring that touches it.
 bool wall_resists(const Wall& wall);
+
+/// Relaxes the rate of a loaded top that follows the bit (TopDrive::following_time) towards the
+/// attachment's velocity over `time` (s), exactly while that stands still, dynamics (12a). Without
+/// effect on other tops.
+void follow_bit(const DrillingSystem& system, const Configuration& at, double time,
+                DrillingState& state);
 
 /// Advances the momenta of `state` by the flow (19) over `time` (s) under `work.force`. Writes the
 /// mean velocity to `work.mean`, and losses and the top's work on dampers to the ledger.

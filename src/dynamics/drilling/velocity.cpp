@@ -41,15 +41,6 @@ Vec3 hanging_rest_W(const DrillingSystem& s, const DrillingState& state) {
   return bit_pose(s, state) * s.string.attachment_B - stretch;
 }
 
-void mean_velocity(const DrillingVelocity& a, const DrillingVelocity& b, DrillingVelocity& out) {
-  out.v_W = 0.5 * (a.v_W + b.v_W);
-  out.w_W = 0.5 * (a.w_W + b.w_W);
-  out.cone_rates.resize(a.cone_rates.size());
-  for (std::size_t k = 0; k < a.cone_rates.size(); ++k)
-    out.cone_rates[k] = 0.5 * (a.cone_rates[k] + b.cone_rates[k]);
-  out.rock = 0.5 * (a.rock + b.rock);
-}
-
 double power_on_bit(const Wrench& w, const DrillingVelocity& v, double cone_share) {
   double power = w.force_W.dot(v.v_W) + w.torque_W.dot(v.w_W);
   for (std::size_t k = 0; k < w.cones.size(); ++k)

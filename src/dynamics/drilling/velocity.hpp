@@ -27,9 +27,6 @@ DrillingState make_drilling_state(const DrillingSystem& system, const Pose& X_WB
 /// still. Directions in which it has no stiffness stay as slack as they are.
 Vec3 hanging_rest_W(const DrillingSystem& system, const DrillingState& state);
 
-/// Mean of two, into `out`, which may be one of them.
-void mean_velocity(const DrillingVelocity& a, const DrillingVelocity& b, DrillingVelocity& out);
-
 /// Power of a wrench at a velocity, W; `cone_share` scales the torques on the cones' own spins.
 double power_on_bit(const Wrench& wrench, const DrillingVelocity& v, double cone_share = 1.0);
 double power_on_rock(const Wrench& wrench, const DrillingVelocity& v);

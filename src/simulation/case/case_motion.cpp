@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -108,6 +109,12 @@ Schedule read_schedule(Config& c, const QuantityKey& key) {
   return dynamics::constant(0.0);
 }
 
+double fastest(const Schedule& speed) {
+  return speed.values.empty() ? 0.0
+                              : std::abs(*std::ranges::max_element(
+                                    speed.values, {}, [](double v) { return std::abs(v); }));
+}
+
 /// The top's speed, and its rate or its weight. A prescribed motion in `m` is what the bit would do
 /// if it followed its top.
 void read_top(Config& c, Motion& m) {
@@ -121,7 +128,7 @@ void read_top(Config& c, Motion& m) {
   m.rotary_speed = dynamics::value_at(top.speed, 0.0);
   if (weight) {
     top.load = read_schedule(c, motion_keys::weight_on_bit);
-    top.following_time = c.read(motion_keys::rate_memory);
+    top.following_time = c.read(motion_keys::rate_memory, one_turn(fastest(top.speed)));
   }
   top.rate = weight ? dynamics::constant(c.read(motion_keys::expected_rate))
                     : read_schedule(c, motion_keys::rate_of_penetration);

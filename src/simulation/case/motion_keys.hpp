@@ -66,18 +66,16 @@ inline constexpr QuantityKey expected_rate{
     .unit = "m/s",
     .fallback = 0.0,
     .meaning =
-        "drilling with weight_on_bit: rate at which the bit starts; dampers to the top "
-        "resist what departs from it"};
+        "drilling with weight_on_bit: rate at which the bit and the upper end of its damper start"};
 inline constexpr QuantityKey rate_memory{
     .name = "rate_memory",
     .unit = "s",
-    .fallback = 0.0,
+    .usual = "one turn at the fastest rotary_speed",
     .range = Range::non_negative(),
     .meaning =
-        "drilling with weight_on_bit: time in which the end of the axial damper at the top follows "
-        "the bit's advance, for example one turn; the damper then takes no part of the mean "
-        "weight. "
-        "0: the end moves at expected_rate"};
+        "drilling with weight_on_bit: time in which the upper end of the axial damper follows the "
+        "bit's advance, so that the damper takes no part of the mean weight. 0: the end moves at "
+        "expected_rate"};
 inline constexpr QuantityKey weight_at_start{
     .name = "weight_at_start",
     .unit = "N",

@@ -94,16 +94,20 @@ TEST(Stability, limit_of_a_law_of_velocity_is_sharp) {
   }
 }
 
-/// Dampers are exact: the limit of a spring does not change with them.
+/// The limit is that of the spring without dampers. Weak ones do not change it; one that lets the
+/// bit only creep, h D/M = 4000, slows the growth beyond it.
 TEST(Stability, dampers_of_the_string_do_not_shorten_the_step) {
-  for (const double damping : {0.0, 1e3, 1e5, 1e9}) {
+  constexpr double weak = 1e5;
+  for (const double damping : {0.0, 1e3, weak, 1e9}) {
     DrillingSystem s = plain_bit();
     s.string.stiffness = (5e8 * Mat3::Identity()).eval();  // 1000 rad/s
     s.string.damping = (damping * Mat3::Identity()).eval();
     s = make_drilling_system(s);
     EXPECT_NEAR(stability_limit(s, {}).step, 2e-3, 1e-12);
     EXPECT_LT(growth(s, {}, 1.99e-3), 18.0) << damping;
-    EXPECT_GT(growth(s, {}, 2.05e-3), 1e3) << damping;
+    if (damping <= weak) {
+      EXPECT_GT(growth(s, {}, 2.05e-3), 1e3) << damping;
+    }
   }
 }
 

@@ -77,7 +77,12 @@ TEST(ReadMotion, gives_the_top_what_moves_it) {
   EXPECT_EQ(loaded.rate_of_penetration, 0.004);
   EXPECT_DOUBLE_EQ(loaded.rotary_speed, 4.0 * std::numbers::pi);
   EXPECT_EQ(loaded.driven.torque_at_start, 2600.0);
-  EXPECT_EQ(loaded.driven.top.following_time, 0.0);
+  EXPECT_DOUBLE_EQ(loaded.driven.top.following_time, 0.5);  // one turn at 120 rpm
+  EXPECT_EQ(of("drill-bit-b", {"motion.rotary_speed=0"}).motion.driven.top.following_time, 0.0);
+  EXPECT_EQ(of("drill-bit-b",
+               {"motion.rotary_speed={times=[0, 1], values=['0 rpm', '60 rpm'], between='linear'}"})
+                .motion.driven.top.following_time,
+            1.0);
   EXPECT_EQ(of("drill-bit-b", {"motion.rate_memory=3"}).motion.driven.top.following_time, 3.0);
   expect_named(refusal("drill-bit-b", {"motion.rate_of_penetration=0.001"}),
                "found weight_on_bit and rate_of_penetration, expected weight_on_bit or "
