@@ -46,9 +46,26 @@ MovingString read_moving_string(Config& c) {
           about_z(c.read(bending_inertia), c.read(torsional_inertia))};
 }
 
+/// A wall of rock takes none of the keys of a ring.
+void refuse_ring(Config& c) {
+  using namespace wall_keys;
+  const auto refuse = [&](const QuantityKey& key) {
+    if (!c.has(key)) return;
+    c.read(key);
+    c.problem(key, "a key of a ring", "wall.model = \"ring\", or only friction and slip_speed");
+  };
+  for (const QuantityKey& key : {stiffness, clearance, ring_radius, ring_height, restitution})
+    refuse(key);
+}
+
 dynamics::Wall read_wall(Config c, double gage_radius) {
   using namespace wall_keys;
   dynamics::Wall w;
+  if (c.read(model) == WallModel::rock) {
+    refuse_ring(c);
+    w.ring_radius = gage_radius;  // what rolls
+    return w;
+  }
   w.stiffness = c.read(stiffness);
   w.clearance = c.read(clearance);
   w.ring_radius = c.read(ring_radius, gage_radius);

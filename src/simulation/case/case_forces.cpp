@@ -8,6 +8,7 @@
 
 #include "forces/fits.hpp"
 #include "simulation/case/case_rock.hpp"
+#include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/idle_coefficients.hpp"
 
@@ -36,6 +37,38 @@ forces::Law cutter_body_bearing() {
   f.mu = friction;
   f.full_angle = full_angle;
   return f;
+}
+
+/// What gage pads bear where the wall is the rock (WallModel::rock): up to what crushes it.
+forces::Law pad_bearing(Config wall) {
+  forces::Friction f;
+  f.stress = std::numeric_limits<double>::max();
+  f.mu = wall.read(wall_keys::friction);
+  f.slip_speed = wall.read(wall_keys::slip_speed);
+  return f;
+}
+
+bool rock_is_wall(Config& whole) {
+  return whole.has(wall_keys::table) &&
+         whole.table(wall_keys::table).read(wall_keys::model) == WallModel::rock;
+}
+
+/// Gives gage pads their law where the wall is the rock and no table has one for them.
+void bear_on_wall(Config& whole, const Config& forces, const bit::Bit& bit, ForcePlan& plan) {
+  if (!rock_is_wall(whole)) return;
+  Config wall = whole.table(wall_keys::table);
+  const bool has_own = forces.has(bit::kind_key(PartKind::gage_pad));
+  if (!has_own) plan.laws[static_cast<std::size_t>(PartKind::gage_pad)] = pad_bearing(wall);
+  for (const QuantityKey& key : {wall_keys::friction, wall_keys::slip_speed})
+    if (has_own && wall.has(key)) {
+      wall.read(key);
+      wall.problem(key, "[forces.gage_pad] as well", "one of the two");
+    }
+  if (!bit.parts.empty() && std::ranges::none_of(bit.parts, [](const bit::Part& p) {
+        return p.kind == PartKind::gage_pad && p.cutting != bit::Cutting::never;
+      }))
+    wall.problem(wall_keys::model, "\"rock\" and a bit without gage pads",
+                 "gage pads that bear on the wall ([gage_pads] of the bit file), or \"ring\"");
 }
 
 /// Kinds in the order of PartKind.
@@ -209,6 +242,7 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
   plan.chamfer = c.read(force_keys::chamfer_contact);
   const forces::Law common = read_law(c, "");
   for (const KindKey& k : kind_keys) read_law_of(c, k, common, bit, plan);
+  bear_on_wall(whole, c, bit, plan);
   require_parts(c, bit, common, plan);
   require_measures(c, bit, measure);
   if (c.problem_count() == 0) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "mesh/measures.hpp"
 #include "simulation/case/drilling_keys.hpp"
@@ -127,6 +128,42 @@ void doubt_attachment(const Config& c, const Case& read, std::vector<CaseWarning
           height < 0.0 ? "below" : "above", bending, worst * height)));
 }
 
+/// 1/kg: how an impulse along the radius at the ring changes its speed.
+double mobility_of_ring(const dynamics::DrillingSystem& s) {
+  const double arm = s.wall.ring_z_B - s.centre_B.z();
+  const Mat3& turning = s.gyrostat.carrier_inverse_B;
+  return 1.0 / s.mass + arm * arm * std::max(turning(0, 0), turning(1, 1));
+}
+
+/// Where the bit touches its wall for a few steps, or rolls around it in a few, the step does not
+/// resolve the contact. Both limits are those within which the whirling bit of the study whirl-climb
+/// advances within 5 % of its limit.
+void doubt_wall_step(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
+  constexpr double steps_per_touch = 10.0, largest_turn = 0.25;  // rad
+  const dynamics::DrillingSystem& s = read.drilling.system;
+  if (read.motion.kind != MotionKind::drilling || !(s.wall.stiffness > 0.0) || !(s.mass > 0.0))
+    return;
+  const double h = read.time.step;
+  const std::string key = in_table(time_keys::table, time_keys::step);
+  const double touch = std::numbers::pi / std::sqrt(s.wall.stiffness * mobility_of_ring(s));
+  if (touch < steps_per_touch * h)
+    warnings.push_back(warning(
+        c, key,
+        fmt::format(
+            "the bit's impact on the wall lasts {:.2g} ms, {:.2g} steps; resolve it with {} "
+            "steps or more: {:.2g} ms",
+            1e3 * touch, touch / h, steps_per_touch, 1e3 * touch / steps_per_touch)));
+  if (s.wall.friction == 0.0 || s.wall.clearance == 0.0) return;
+  const double rolling = read.motion.rotary_speed * s.wall.ring_radius / s.wall.clearance;
+  if (h * rolling > largest_turn)
+    warnings.push_back(warning(
+        c, key,
+        fmt::format("a bit that rolls around this wall whirls at {:.3g} Hz, {:.2g} rad in a step; "
+                    "rates of a whirling bit are accurate with at most {} rad: {:.2g} ms",
+                    rolling / (2.0 * std::numbers::pi), h * rolling, largest_turn,
+                    1e3 * largest_turn / rolling)));
+}
+
 }  // namespace
 
 double narrowest_width(const bit::Bit& bit) {
@@ -145,6 +182,7 @@ std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read) {
   doubt_section_lead(c, read, warnings);
   doubt_weight(c, read, warnings);
   doubt_attachment(c, read, warnings);
+  doubt_wall_step(c, read, warnings);
   return warnings;
 }
 

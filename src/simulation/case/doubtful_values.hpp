@@ -15,9 +15,10 @@ inline constexpr double most_weight_per_diameter = 1.75e6;
 /// Width of the narrowest part that cuts, m: the middle one of the three sizes of its box. 0 without parts that cut.
 double narrowest_width(const bit::Bit& bit);
 
-/// A warning for each value that can be computed with and that hardly anybody means: a rock whose edges are longer than
-/// half of the narrowest part that cuts is wide (the surface does not show what it cuts), edges that are coarse for the
-/// forces on teeth, sections nearer than the longest edge, and a weight on bit beyond most_weight_per_diameter.
+/// A warning for each value that can be computed with and that is probably not intended: a rock whose edges are longer
+/// than half of the narrowest part that cuts is wide (the surface does not show what it cuts), edges that are coarse for
+/// the forces on teeth, sections nearer than the longest edge, a weight on bit beyond most_weight_per_diameter, an
+/// attachment from which the bit topples, and a time step that does not resolve the bit's contact with its wall.
 std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read);
 
 }  // namespace tdbd::simulation

@@ -58,14 +58,33 @@ inline constexpr QuantityKey gravity{.name = "gravity",
 
 }  // namespace string_keys
 
+/// What keeps the bit in its hole.
+enum class WallModel {
+  ring,  ///< a circle that a ring of the bit touches: casing, or a hole that stays as it is
+  rock,  ///< the rock that the bit cuts; gage pads press on it by the law of friction
+};
+
 namespace wall_keys {
 
-inline constexpr TableKey table{"wall", "drilling: a circular wall that a ring of the bit touches"};
+inline constexpr TableKey table{
+    "wall", "drilling: the wall of the hole: a circle that a ring of the bit touches, or the rock"};
 
-inline constexpr QuantityKey stiffness{
-    .name = "stiffness", .unit = "N/m", .range = above_zero_to_largest, .meaning = "of the wall"};
+inline constexpr ChoiceKey<WallModel> model{
+    .name = "model",
+    .values = {{{"ring", WallModel::ring}, {"rock", WallModel::rock}}},
+    .fallback = WallModel::ring,
+    .meaning =
+        "ring: a circle of fixed clearance, which does not learn what the bit cuts. rock: gage "
+        "pads follow the law \"friction\" at the strength of the rock, unless "
+        "[forces.gage_pad] gives another law; of the keys below, friction and slip_speed"};
+inline constexpr QuantityKey stiffness{.name = "stiffness",
+                                       .unit = "N/m",
+                                       .usual = "required with model ring",
+                                       .range = above_zero_to_largest,
+                                       .meaning = "of the wall"};
 inline constexpr QuantityKey clearance{.name = "clearance",
                                        .unit = "m",
+                                       .usual = "required with model ring",
                                        .range = Range::within(0.0, 10.0),
                                        .meaning = "radius of the hole less that of the ring"};
 inline constexpr QuantityKey ring_radius{.name = "ring_radius",

@@ -131,9 +131,9 @@ KeyTable string_table() {
 
 KeyTable wall_table() {
   using namespace wall_keys;
-  return key_table(
-      "run", table,
-      rows(stiffness, clearance, ring_radius, ring_height, restitution, friction, slip_speed));
+  return key_table("run", table,
+                   rows(model, stiffness, clearance, ring_radius, ring_height, restitution,
+                        friction, slip_speed));
 }
 
 KeyTable rock_mount_table() {

@@ -10,6 +10,7 @@
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
+#include "forces/laws/friction.hpp"
 #include "simulation/case/case.hpp"
 
 namespace tdbd::simulation::case_drilling_test {
@@ -89,6 +90,21 @@ TEST(ReadDrilling, gives_wall_and_mount_their_numbers) {
   EXPECT_EQ(s.rock.mass, 280.0);
   EXPECT_EQ(s.rock.stiffness, 5e5);
   EXPECT_EQ(s.rock.damping, 700.0);
+}
+
+/// Gage pads bear as much as crushes the rock. A law of their own replaces that.
+TEST(ReadDrilling, gives_gage_pads_a_law_where_the_wall_is_the_rock) {
+  const Case c = with({"wall={model='rock', friction=0.8, slip_speed=0.02}"});
+  EXPECT_EQ(c.drilling.system.wall.stiffness, 0.0);
+  const auto& pads = std::get<forces::Friction>(law_of(c.forces, bit::PartKind::gage_pad));
+  EXPECT_EQ(pads.mu, 0.8);
+  EXPECT_EQ(pads.slip_speed, 0.02);
+  EXPECT_EQ(pads.cap, 1.5);
+  EXPECT_GT(pads.stress, 1e30);
+  const Case own =
+      with({"wall={model='rock'}", "forces.gage_pad={law='friction', stress=1e6, mu=0.1}"});
+  EXPECT_EQ(std::get<forces::Friction>(law_of(own.forces, bit::PartKind::gage_pad)).stress, 1e6);
+  EXPECT_FALSE(has_law(with({}).forces, bit::PartKind::gage_pad));
 }
 
 TEST(ReadDrilling, adds_the_string_to_the_bit) {

@@ -52,6 +52,30 @@ TEST(DoubtfulValues, are_sections_nearer_than_the_longest_edge) {
   EXPECT_EQ(doubts("bit-b-steady", {"maintenance.longest_edge=2"}).size(), 1u);
 }
 
+/// The shipped step of 0.5 ms is short enough; the ring's clearance is 3 mm.
+TEST(DoubtfulValues, are_steps_that_are_long_for_a_rolling_bit) {
+  EXPECT_TRUE(doubts("drill-bit-b-whirl", {}).empty());
+  const auto warnings = doubts("drill-bit-b-whirl", {"wall.clearance=2 mm"});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "time.step");
+  EXPECT_EQ(warnings[0].text,
+            "a bit that rolls around this wall whirls at 108 Hz, 0.34 rad in a step; rates of a "
+            "whirling bit are accurate with at most 0.25 rad: 0.37 ms");
+  EXPECT_TRUE(doubts("drill-bit-b-whirl", {"wall.clearance=2 mm", "wall.friction=0"}).empty());
+}
+
+/// 300 kg of string and a bit on a wall of 1e8 N/m: a touch lasts 6 ms.
+TEST(DoubtfulValues, are_steps_that_are_long_for_an_impact_on_the_wall) {
+  const auto warnings = doubts("drill-bit-b-whirl", {"wall.friction=0", "time.step=0.7 ms"});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "time.step");
+  EXPECT_TRUE(warnings[0].text.starts_with("the bit's impact on the wall lasts "))
+      << warnings[0].text;
+  EXPECT_TRUE(
+      doubts("drill-bit-b-whirl", {"wall.stiffness=1e7", "wall.friction=0", "time.step=0.7 ms"})
+          .empty());
+}
+
 /// The middle one of a part's three sizes; what does not cut, or has no mesh yet, has no say.
 TEST(NarrowestWidth, is_that_of_the_narrowest_part_that_cuts) {
   bit::Bit b;

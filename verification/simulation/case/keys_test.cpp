@@ -87,7 +87,8 @@ std::vector<KeyRow> rows_of(const std::string& command, const Resolved& line) {
   for (const KeyTable& table : all_tables())
     if (table.command == command && std::ranges::count(names, table.name) > 0)
       for (const KeyRow& row : table.rows)
-        if (row.name == line.key) rows.push_back(row);
+        if (row.name == line.key || row.name == "KEY")
+          rows.push_back(row);  // KEY: any of the bit's
   return rows;
 }
 

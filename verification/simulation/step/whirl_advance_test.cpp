@@ -65,4 +65,46 @@ TEST(WhirlAdvance, of_the_shipped_case_converges_in_the_step) {
     EXPECT_NEAR(w.rop_mean, w.advance, 1e-12 * std::abs(w.advance));
 }
 
+/// The bit whirling in the rock that it cuts, on edges of 3 mm.
+struct RockWhirl {
+  double orbit = 0.0, frequency = 0.0;                     ///< m, Hz: over the second half second
+  double torque = 0.0;                                     ///< N m
+  double crushed = 0.0, throughput = 0.0, residual = 0.0;  ///< J
+  WhirlKind kind{};
+};
+
+RockWhirl whirl_in_rock(double h) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b-whirl-rock.toml",
+                           {"rock.edge_length=3e-3", fmt::format("time.step={}", h)});
+  Simulation s = start(c);
+  while (s.state.steps_done < c.time.steps) step(c, s);
+  const Diagnosis d = diagnose(s.statistics.trace, s.statistics.loads.tob.mean);
+  const dynamics::Drilling& drilling = *s.state.drive;
+  RockWhirl w{d.orbit_radius, d.orbit_frequency, s.statistics.loads.tob.mean};
+  for (std::size_t i = 0; i < c.bit.parts.size(); ++i)
+    if (c.bit.parts[i].kind == bit::PartKind::gage_pad) w.crushed += s.statistics.energy_by_part[i];
+  w.kind = d.whirl;
+  w.throughput = dynamics::throughput(drilling.ledger);
+  w.residual = dynamics::residual(
+      dynamics::stored_energy(c.drilling.system, s.work.drive.at, drilling.state), drilling.ledger);
+  return w;
+}
+
+/// Pads roll around a hole that they make wider: backward, nearly as fast as without slip.
+TEST(WhirlInRock, is_backward_and_converges_in_the_step) {
+  constexpr double gage = 0.10795, rotary = 2.0;  // m, Hz
+  const RockWhirl coarse = whirl_in_rock(5e-4), shipped = whirl_in_rock(2.5e-4);
+  for (const RockWhirl& w : {coarse, shipped}) {
+    EXPECT_EQ(w.kind, WhirlKind::backward);
+    const double rolling = -rotary * gage / w.orbit;
+    EXPECT_GT(w.frequency, rolling);
+    EXPECT_NEAR(w.frequency / rolling, 0.87, 0.05);
+    EXPECT_GT(w.crushed, 0.1 * w.throughput);
+    EXPECT_LT(std::abs(w.residual), 1e-5 * w.throughput);
+  }
+  EXPECT_NEAR(coarse.orbit / shipped.orbit, 1.0, 0.09);
+  EXPECT_NEAR(coarse.frequency / shipped.frequency, 1.0, 0.07);
+  EXPECT_NEAR(coarse.torque / shipped.torque, 1.0, 0.04);
+}
+
 }  // namespace tdbd::simulation::whirl_advance_test
