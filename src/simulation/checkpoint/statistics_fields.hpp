@@ -59,6 +59,8 @@ template <class A>
 void fields(A& a, Of<A, Trace>& x) {
   a("dt", x.dt);
   a("wob", x.wob);
+  a("tob", x.tob);
+  a("rop", x.rop);
   a("rotary_speed", x.rotary_speed);
   a("centre_W", x.centre_W);
 }

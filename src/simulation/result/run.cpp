@@ -233,7 +233,10 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.gage_radius = c.bit.gage_radius;
   r.maintenance = maintenance_counts(s.state.maintenance);
   r.faces = figures_of(c.bit, s.statistics.faces);
-  if (c.forces.forces == Forces::on) r.loads = figures_of(c.bit, s.statistics.loads, to);
+  if (c.forces.forces == Forces::on) {
+    r.loads = figures_of(c.bit, s.statistics.loads, to);
+    r.loads->uncertainty = sampling_of(s.statistics.trace);
+  }
   if (s.state.drive) add_drive(c, s, r);
   r.sections_refused_deep = s.statistics.faces.refused_deep;
   r.sections_refused_over_the_top = s.statistics.faces.refused_over_the_top;

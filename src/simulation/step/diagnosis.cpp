@@ -125,6 +125,8 @@ void reserve(Trace& t, long steps) {
   constexpr long most = 10'000'000;
   const auto count = static_cast<std::size_t>(std::min(steps, most));
   t.wob.reserve(count);
+  t.tob.reserve(count);
+  t.rop.reserve(count);
   t.rotary_speed.reserve(count);
   t.centre_W.reserve(count);
 }

@@ -7,10 +7,12 @@
 
 namespace tdbd::simulation {
 
-/// What a bit did in every step that counts, for its diagnosis.
+/// What a bit did in every step that counts, for its diagnosis and the uncertainty of its means.
 struct Trace {
   double dt = 0.0;                        ///< s, between steps
   std::vector<double> wob;                ///< N
+  std::vector<double> tob;                ///< N m
+  std::vector<double> rop;                ///< m/s
   std::vector<double> rotary_speed;       ///< rad/s
   std::vector<Eigen::Vector2d> centre_W;  ///< m, of the bit's origin
 };

@@ -20,6 +20,17 @@ Json part_json(const PartLoadFigures& p) {
 
 }  // namespace
 
+/// Under the names of the means.
+Json uncertainty_json(const SamplingUncertainty& u) {
+  const auto known = [](const std::optional<double>& x) { return x ? Json(*x) : Json(); };
+  return {{"wob_mean_n", known(u.wob)},
+          {"tob_mean_n_m", known(u.tob)},
+          {"rop_mean_m_per_s", known(u.rop)},
+          {"rotary_speed_mean_rad_per_s", known(u.rotary_speed)},
+          {"of", "sampling"},
+          {"coverage", sampling_coverage}};
+}
+
 Json to_json(const LoadFigures& f) {
   Json parts = Json::array();
   for (const PartLoadFigures& p : f.parts) parts.push_back(part_json(p));
@@ -34,6 +45,7 @@ Json to_json(const LoadFigures& f) {
           {"rop_std_m_per_s", known(f.rop.deviation)},
           {"rotary_speed_mean_rad_per_s", known(f.rotary_speed.mean)},
           {"rotary_speed_std_rad_per_s", known(f.rotary_speed.deviation)},
+          {"uncertainty", uncertainty_json(f.uncertainty)},
           {"aggressiveness", known(f.aggressiveness)},
           {"mechanical_specific_energy_pa", known(f.specific_energy)},
           {"imbalance", known(f.imbalance)},

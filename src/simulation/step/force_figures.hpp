@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,15 @@ namespace tdbd::simulation {
 /// Mean and standard deviation of steps.
 struct MeanAndDeviation {
   double mean = 0.0, deviation = 0.0;
+};
+
+inline constexpr double sampling_coverage = 0.95;
+
+/// How far means over the steps that count may be from those of an endless run: half-widths of their
+/// intervals of 95 %, by the means of eight equal batches. Null where steps are fewer than batches.
+/// The error of mesh and time step is no part of it (`tdbd converge`).
+struct SamplingUncertainty {
+  std::optional<double> wob, tob, rop, rotary_speed;  ///< N, N m, m/s, rad/s
 };
 
 /// Of one part of the bit.
@@ -26,6 +36,7 @@ struct LoadFigures {
   double from = 0.0, to = 0.0;         ///< s, of the steps that count
   MeanAndDeviation wob, tob;           ///< N, N m
   MeanAndDeviation rop, rotary_speed;  ///< m/s, rad/s
+  SamplingUncertainty uncertainty;
   double aggressiveness = 0.0;         ///< 3 T / (D W); in oilfield units 36 T / (D W)
   double specific_energy = 0.0;        ///< Pa, W/A + w T/(A v), A the gage circle
   double imbalance = 0.0;              ///< mean lateral force in the bit's frame over WOB

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace tdbd::simulation {
 namespace {
@@ -72,8 +73,31 @@ void add(const LoadedStep& step, LoadStatistics& s) {
 void add(const LoadedStep& step, Trace& t) {
   t.dt = step.dt;
   t.wob.push_back(-step.loads.force_W.z());
+  t.tob.push_back(-step.loads.torque_W.z());
+  t.rop.push_back(step.rates.penetration);
   t.rotary_speed.push_back(step.rates.rotary);
   t.centre_W.emplace_back(step.X_WB.p.head<2>());
+}
+
+std::optional<double> batch_uncertainty(const std::vector<double>& samples) {
+  constexpr std::size_t batches = 8;
+  constexpr double student_t = 2.364624;  // of seven degrees of freedom at 97.5 %
+  const std::size_t length = samples.size() / batches;
+  if (length == 0) return std::nullopt;
+  Spread means;
+  auto at = samples.end() - static_cast<std::ptrdiff_t>(batches * length);
+  for (std::size_t k = 0; k < batches; ++k) {
+    const auto next = at + static_cast<std::ptrdiff_t>(length);
+    add(means, std::accumulate(at, next, 0.0) / static_cast<double>(length));
+    at = next;
+  }
+  const double n = batches;
+  return student_t * deviation(means) / std::sqrt(n - 1.0);  // deviation divides by n
+}
+
+SamplingUncertainty sampling_of(const Trace& t) {
+  return {batch_uncertainty(t.wob), batch_uncertainty(t.tob), batch_uncertainty(t.rop),
+          batch_uncertainty(t.rotary_speed)};
 }
 
 MeanAndDeviation figures_of(const Spread& s) { return {s.mean, deviation(s)}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "simulation/step/diagnosis.hpp"
@@ -46,5 +47,11 @@ void add(const LoadedStep& step, Trace& trace);
 MeanAndDeviation figures_of(const Spread& spread);
 
 LoadFigures figures_of(const bit::Bit& bit, const LoadStatistics& statistics, double end);
+
+/// Half-width of the interval of sampling_coverage about the mean of `samples`, by Student's t of the
+/// means of eight consecutive batches of equal length. The first samples that make no whole batch are
+/// left out. None for fewer than eight samples. (Schmeiser, Oper. Res. 30:556, 1982.)
+std::optional<double> batch_uncertainty(const std::vector<double>& samples);
+SamplingUncertainty sampling_of(const Trace& trace);
 
 }  // namespace tdbd::simulation

@@ -23,7 +23,7 @@ enum class Presence { all, with_forces };
 
 /// Where a variable stands in a summary.
 struct Entry {
-  const char* key;
+  const char* key;  ///< of an object in the summary too: "diagnosis/wob_swing"
   const char* name;
   const char* units;
   double factor;
@@ -38,6 +38,12 @@ constexpr Entry force(const char* key, const char* name, const char* units) {
 }
 
 constexpr double per_sqrt2 = 1.0 / std::numbers::sqrt2;
+
+/// Of a bit that forces move. What is small beside `least_scale` is compared with that.
+constexpr Entry diagnosed(const char* key, const char* name, const char* units,
+                          double least_scale) {
+  return {key, name, units, 1.0, least_scale, nullptr, Presence::with_forces};
+}
 
 /// Which part of a cutter, face or chamfer, takes a vertex depends on the step; what the cutter takes
 /// does not.
@@ -66,6 +72,14 @@ constexpr Entry run_entries[] = {
     force("rop_mean_m_per_s", "rop_mean", "m/s"),
     force("rotary_speed_mean_rad_per_s", "rotary_speed_mean", "rad/s"),
     force("drilling_power_mean_w", "drilling_power_mean", "W"),
+    diagnosed("diagnosis/stick_slip_severity", "stick_slip_severity", "1", 1.0),
+    diagnosed("diagnosis/torsional_frequency_hz", "torsional_frequency", "Hz", 0.0),
+    diagnosed("diagnosis/wob_swing", "wob_swing", "1", 1.0),
+    diagnosed("diagnosis/axial_frequency_hz", "axial_frequency", "Hz", 0.0),
+    diagnosed("diagnosis/orbit_radius_m", "orbit_radius", "m", 1e-3),
+    diagnosed("diagnosis/orbit_frequency_hz", "orbit_frequency", "Hz", 0.0),
+    {"cones", "cone_speed_ratios", "1", 1.0, 0.0, nullptr, Presence::with_forces,
+     "mean_speed_ratio"},
     {"forces", "normal_mean_by_part", "N", 1.0, 0.0, nullptr, Presence::with_forces,
      "normal_mean_n"},
 };
@@ -98,6 +112,11 @@ std::vector<double> by_cutter(const Json& by_part) {
   return values;
 }
 
+/// An entry of every object in a list.
+void collect_of_each(const Json& list, const char* key, std::vector<double>& values) {
+  for (const Json& one : list) collect(one.at(key), values);
+}
+
 double size_of(const std::vector<double>& values, double factor) {
   double squared = 0.0;
   for (const double x : values) squared += x * x;
@@ -106,11 +125,14 @@ double size_of(const std::vector<double>& values, double factor) {
 
 StateVariable read_variable(const Json& summary, const Entry& e) {
   StateVariable v{e.name, e.units, {}, e.factor, e.least_scale};
-  if (e.presence == Presence::with_forces && !summary.contains(e.key)) return v;
+  const Json::json_pointer at(fmt::format("/{}", e.key));
+  if (e.presence == Presence::with_forces && !summary.contains(at)) return v;
   if (e.name == cutters)
-    v.values = by_cutter(summary.at(e.key));
+    v.values = by_cutter(summary.at(at));
   else if (e.of_each == nullptr)
-    collect(summary.at(e.key), v.values);
+    collect(summary.at(at), v.values);
+  else if (e.key == std::string_view("cones"))
+    collect_of_each(summary.at(at), e.of_each, v.values);
   else
     collect_by_part(summary, e, v.values);
   v.scale = std::max(v.scale, size_of(v.values, v.factor));
