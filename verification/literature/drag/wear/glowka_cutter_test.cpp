@@ -14,7 +14,8 @@ namespace tdbd::reference::glowka_cutter_test {
 namespace {
 
 constexpr double inch = 25.4e-3, lbf = 4.4482216152605;  // m, N
-constexpr double printed = 1e-6;                         // relative, of the worked numbers
+/// Relative. The worked numbers are this project's own; no paper prints them.
+constexpr double digits = 1e-6;
 
 /// Power fits to the rows of data/single_cutter_fn_fd_doc.csv: Berea sandstone, sharp cutter of half
 /// an inch; Sierra White granite, blunt cutter of three quarters.
@@ -29,14 +30,14 @@ void expect_near(double value, double expected, double relative) {
 }
 
 TEST(GlowkaCutter, segments_of_a_16_mm_face_have_the_worked_areas) {
-  expect_near(segment_area(8e-3, 0.5e-3), 1.867841e-6, printed);
-  expect_near(segment_area(8e-3, 1.0e-3), 5.232189e-6, printed);
-  expect_near(segment_area(8e-3, 2.0e-3), 14.505976e-6, printed);
+  expect_near(segment_area(8e-3, 0.5e-3), 1.867841e-6, digits);
+  expect_near(segment_area(8e-3, 1.0e-3), 5.232189e-6, digits);
+  expect_near(segment_area(8e-3, 2.0e-3), 14.505976e-6, digits);
 }
 
 TEST(GlowkaCutter, a_virgin_cut_of_60_mils_has_the_worked_area_and_forces) {
   const double depth = 0.06 * inch;
-  expect_near(virgin_area(small_face, depth), 0.01373336 * inch * inch, printed);
+  expect_near(virgin_area(small_face, depth), 0.01373336 * inch * inch, digits);
   const GlowkaForces f = glowka_forces(sharp_in_berea, depth, 0.0);
   expect_near(f.normal, 87.079 * lbf, 1e-5);
   expect_near(f.drag, 104.924 * lbf, 1e-5);

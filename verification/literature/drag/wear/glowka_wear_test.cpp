@@ -11,8 +11,9 @@
 namespace tdbd::reference::glowka_wear_test {
 namespace {
 
-constexpr double printed = 1e-6;  // relative, of the worked numbers
-constexpr double ice = 273.15;    // K
+/// Relative. The worked numbers are this project's own; no paper prints them.
+constexpr double digits = 1e-6;
+constexpr double ice = 273.15;  // K
 
 const GlowkaFace face{8e-3, 20.0 * degree};
 
@@ -23,12 +24,12 @@ void expect_near(double value, double expected, double relative) {
 }
 
 TEST(GlowkaWear, flats_of_a_16_mm_cutter_have_the_worked_areas_and_volumes) {
-  expect_near(flat_area(face, 0.5e-3), 5.461200e-6, printed);
-  expect_near(flat_area(face, 1.0e-3), 15.297898e-6, printed);
-  expect_near(flat_area(face, 2.0e-3), 42.412637e-6, printed);
-  expect_near(worn_volume(face, 0.5e-3), 1.029170e-9, printed);
-  expect_near(worn_volume(face, 1.0e-3), 5.782090e-9, printed);
-  expect_near(worn_volume(face, 2.0e-3), 32.252250e-9, printed);
+  expect_near(flat_area(face, 0.5e-3), 5.461200e-6, digits);
+  expect_near(flat_area(face, 1.0e-3), 15.297898e-6, digits);
+  expect_near(flat_area(face, 2.0e-3), 42.412637e-6, digits);
+  expect_near(worn_volume(face, 0.5e-3), 1.029170e-9, digits);
+  expect_near(worn_volume(face, 1.0e-3), 5.782090e-9, digits);
+  expect_near(worn_volume(face, 2.0e-3), 32.252250e-9, digits);
 }
 
 /// Gauss's rule of five points on each of many strips.
