@@ -2,6 +2,7 @@
 (verification/battery/evidence.hpp)."""
 
 import json
+import math
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -86,6 +87,7 @@ def collect(folder, build, claims):
     found.stale.extend(f"reports/claims.toml: no evidence for {slug}: no test wrote any into {folder}; run ctest -L evidence"
                        for slug, written in found.by_claim.items() if not written and slug not in open_claims)
     found.wrong.extend(loose_limits(e for written in found.by_claim.values() for e in written))
+    found.wrong.extend(missed_limits(e for written in found.by_claim.values() for e in written))
     found.wrong.extend(f"claims.toml: {slug} is open, and a test measures it"
                        for slug in sorted(open_claims) if found.by_claim[slug])
     return found
@@ -108,9 +110,11 @@ NUMBER = r"([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\d.e]| times)"
 
 def share_of_limit(e):
     """How much of its limit a measurement uses up: 1 is all of it, also where the limit is an exact value that is
-    met ("0, to the bit"). 0 where the limit is given in other words."""
+    met ("0, to the bit"), and infinity of a limit of 0 that is missed. 0 where the limit is given in other words."""
     if bound := re.search(rf"<= {NUMBER}", e.limit):
-        return abs(e.measured) / float(bound[1]) if float(bound[1]) else 1.0
+        if float(bound[1]):
+            return abs(e.measured) / float(bound[1])
+        return 1.0 if e.measured == 0.0 else math.inf
     if band := re.match(rf"{NUMBER} \+- {NUMBER}", e.limit):
         return abs(e.measured - float(band[1])) / float(band[2])
     exact = re.match(NUMBER, e.limit)
@@ -137,6 +141,15 @@ def loose_limits(evidence):
             worst[key] = max(worst.get(key, 0.0), share_of_limit(e))
     return [f"evidence of {claim}: {test} has the limit {limit!r}, of which at most {share:.2g} is used up; tighten it, or say why it "
             "is wide" for (claim, test, limit), share in sorted(worst.items()) if share * MOST < 1.0]
+
+
+def missed_limits(evidence):
+    """Measurements beyond their limit with the verdict "holds", or with "holds with limits" where no words after the
+    number say what is missed, as a list of problems."""
+    plain = rf"(?:<=|{NUMBER} \+-) {NUMBER}(?:; wide: .*)?"
+    return [f"evidence of {e.claim}: {e.test} measured {e.measured:g} of {e.what!r}, beyond the limit {e.limit!r}, with the verdict "
+            f"{e.verdict!r}; a measurement beyond its limit refutes the claim" for e in evidence
+            if share_of_limit(e) > 1.0 and (e.verdict == "holds" or (e.verdict == "holds with limits" and re.fullmatch(plain, e.limit)))]
 
 
 def deciding(evidence):

@@ -49,7 +49,8 @@ TEST(Accuracy, of_the_thesis_drift_against_the_golden_cases) {
                    worst <= accurate ? Verdict::holds : Verdict::refuted});
 }
 
-/// "Remarkable" is a comparison: with the classical method at equal cost, and with our drift.
+/// "Remarkable" is a comparison: with the classical method at equal cost, and with the default drift.
+/// Unfavourable: the thesis's drift has the larger error in both.
 TEST(Accuracy, of_the_thesis_drift_against_others_at_equal_cost) {
   std::vector<double> to_classical, to_split;
   for (const std::string& name : battery::golden_names()) {
@@ -59,15 +60,16 @@ TEST(Accuracy, of_the_thesis_drift_against_others_at_equal_cost) {
     to_split.push_back(own / error_of(c, dynamics::Integrator{}));
   }
   const auto say = [](const std::string& other, double ratio) {
+    EXPECT_GT(ratio, 1.0) << other;
     battery::record(
         {"chapter5/accuracy",
          fmt::format("thesis drift: attitude error over that of {} at {} torque evaluations, "
                      "median of nine golden cases",
                      other, steps),
-         ratio, "1", "<= 1", ratio <= 1.0 ? Verdict::holds : Verdict::holds_with_limits});
+         ratio, "1", "<= 1", ratio <= 1.0 ? Verdict::holds : Verdict::refuted});
   };
   say("the classical Runge-Kutta method, which conserves nothing,", median(to_classical));
-  say("our split drift", median(to_split));
+  say("the split drift, the default,", median(to_split));
 }
 
 }  // namespace tdbd::claims::accuracy_test

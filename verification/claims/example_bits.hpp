@@ -42,7 +42,7 @@ inline void record_near(const std::string& claim, const std::string& what, doubl
                         double expected, double room, const std::string& wide = "") {
   EXPECT_NEAR(measured, expected, room) << what;
   battery::record({claim, what, measured, "1",
-                   fmt::format("{:g} +- {:g}{}", expected, room, because(wide)),
+                   fmt::format("{} +- {:g}{}", expected, room, because(wide)),
                    std::abs(measured - expected) <= room ? battery::Verdict::holds
                                                          : battery::Verdict::refuted});
 }

@@ -1,4 +1,5 @@
-"""limits_test.py ROOT: a limit of a claim may be three times what is measured against it, or says why it is wider."""
+"""limits_test.py ROOT: a limit of a claim may be three times what is measured against it, or says why it is wider;
+what is beyond its limit does not hold."""
 
 import pathlib
 import sys
@@ -9,8 +10,8 @@ sys.path.insert(0, str(ROOT / "reports"))
 import evidence  # noqa: E402
 
 
-def measured(value, limit, test="Snail.creeps", claim="ours/speed"):
-    return evidence.Evidence(claim, "its speed", value, "m/s", limit, "holds", test, "verify_snails")
+def measured(value, limit, test="Snail.creeps", claim="ours/speed", verdict="holds"):
+    return evidence.Evidence(claim, "its speed", value, "m/s", limit, verdict, test, "verify_snails")
 
 
 class Limits(unittest.TestCase):
@@ -61,6 +62,30 @@ class Limits(unittest.TestCase):
     def test_are_not_excused_by_another_test_or_claim_or_limit(self):
         for other in (measured(0.5, "<= 1", test="Snail.sleeps"), measured(0.5, "<= 1", claim="ours/rest"), measured(0.5, "<= 1.1")):
             self.assertIn("Snail.creeps has the limit '<= 1'", self.assert_loose(measured(0.1, "<= 1"), other))
+
+
+class Missed(unittest.TestCase):
+    def assert_missed(self, found):
+        [problem] = evidence.missed_limits([found])
+        return problem
+
+    def test_what_is_within_its_limit_may_hold(self):
+        for limit, value in (("<= 0.1", 0.1), ("2 +- 0.1", 2.05), ("<= 0", 0.0), ("0, to the bit", 0.0), ("below 1", 4.0)):
+            self.assertEqual(evidence.missed_limits([measured(value, limit)]), [])
+
+    def test_what_is_beyond_its_limit_does_not_hold(self):
+        self.assertIn("Snail.creeps measured 0.11 of 'its speed', beyond the limit '<= 0.1'", self.assert_missed(measured(0.11, "<= 0.1")))
+        for limit, value in (("<= 0.1; wide: it rains", 0.11), ("2 +- 0.1", 2.11), ("<= 0", 1.0), ("<= 1", -1.65)):
+            self.assert_missed(measured(value, limit))
+            self.assert_missed(measured(value, limit, verdict="holds with limits"))
+
+    def test_what_says_that_it_misses_may_hold_with_limits(self):
+        found = measured(1.4, "1 +- 0.1 is missed: it sleeps", verdict="holds with limits")
+        self.assertEqual(evidence.missed_limits([found]), [])
+        self.assert_missed(measured(1.4, "1 +- 0.1 is missed: it sleeps"))
+
+    def test_what_is_refuted_may_be_beyond_its_limit(self):
+        self.assertEqual(evidence.missed_limits([measured(1.65, "<= 1", verdict="refuted")]), [])
 
 
 if __name__ == "__main__":
