@@ -65,11 +65,12 @@ FacetNeighbours neighbours_of(const mesh::TriangleTree& tree) {
 }
 
 std::optional<double> walk_to_exit(const mesh::TriangleTree& tree, const FacetNeighbours& across,
-                                   const Vec3& x, const Vec3& u, int& start) {
+                                   const Vec3& x, const Vec3& u, int& start, long& tested) {
   constexpr int most_steps = 48;
   constexpr double parallel = 1e-12;  // flatter crossings are left to the search
   int facet = start;
   for (int steps = 0; steps < most_steps && facet >= 0; ++steps) {
+    ++tested;
     const auto hit = mesh::cross_plane(tree.facets()[at(facet)], x, u, parallel);
     if (!hit) return std::nullopt;
     const auto least = std::ranges::min_element(hit->beside);

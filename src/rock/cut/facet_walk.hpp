@@ -15,20 +15,22 @@ using FacetNeighbours = std::vector<std::array<int, 3>>;
 FacetNeighbours neighbours_of(const mesh::TriangleTree& tree);
 
 /// Kept between walks over one tree: the facet on which the last one ended, how many walks were
-/// tried, how many found a way out, and how many of those were enough for an answer.
+/// tried, how many found a way out, how many of those were enough for an answer, and how many facets
+/// all walks, and those that found a way out, tested.
 struct WalkMemory {
   const mesh::TriangleTree* of = nullptr;
   int facet = -1;
   long tried = 0, found = 0, answered = 0;
+  long facets_tested = 0, facets_tested_by_found = 0;
 };
 
 /// Walks from facet `start`, always across the edge beyond which the line x + t u passes farthest,
 /// to a facet that the line crosses outwards at t > 0. Returns its t, and its number in `start`;
 /// nothing after too many steps, at an edge without a neighbour, or where the line only enters. The
-/// line leaves the solid there, but perhaps not for the first time. See rock (6); thesis: 4.1.3.4
-/// (reconstructed).
+/// line leaves the solid there, but perhaps not for the first time. Adds the number of facets that
+/// it tested to `tested`. See rock (6); thesis: 4.1.3.4 (reconstructed).
 std::optional<double> walk_to_exit(const mesh::TriangleTree& tree, const FacetNeighbours& across,
-                                   const Vec3& x, const Vec3& u, int& start);
+                                   const Vec3& x, const Vec3& u, int& start, long& tested);
 
 /// The first facet that the line x + t u meets at t > 0.
 struct FacetHit {

@@ -88,8 +88,12 @@ double way_out(const mesh::TriangleTree& solid, const FacetNeighbours& across, c
     memory.facet = 0;
   }
   ++memory.tried;
-  if (const auto t = walk_to_exit(solid, across, ray.x, ray.u, memory.facet)) {
+  long tested = 0;
+  const auto t = walk_to_exit(solid, across, ray.x, ray.u, memory.facet, tested);
+  memory.facets_tested += tested;
+  if (t) {
     ++memory.found;
+    memory.facets_tested_by_found += tested;
     return *t;
   }
   const auto first = first_facet(solid, ray.x, ray.u);

@@ -97,7 +97,10 @@ RC_GTEST_PROP(WalkToExit, finds_the_way_out_of_a_convex_part_from_any_facet, ())
   int found = 0;
   for (std::size_t i = 0; i < tree.facets().size(); ++i) {
     int facet = static_cast<int>(i);
-    const auto t = walk_to_exit(tree, across, l.x, l.u, facet);
+    long tested = 0;
+    const auto t = walk_to_exit(tree, across, l.x, l.u, facet, tested);
+    RC_ASSERT(tested >= 1);
+    RC_ASSERT(!t || (tested == 1) == (facet == static_cast<int>(i)));
     if (!t) {  // it came to the side where the line would enter
       RC_ASSERT(facet == static_cast<int>(i));
       continue;
@@ -116,7 +119,8 @@ RC_GTEST_PROP(WalkToExit, ends_where_the_line_leaves, ()) {
   const auto hits = hits_by_hand(tree, l);
   const FacetNeighbours across = neighbours_of(tree);
   int facet = *rc::gen::inRange(0, static_cast<int>(tree.facets().size()));
-  const auto t = walk_to_exit(tree, across, l.x, l.u, facet);
+  long tested = 0;
+  const auto t = walk_to_exit(tree, across, l.x, l.u, facet, tested);
   RC_TAG(t ? "found" : "not found");
   if (!t) return;
   RC_ASSERT(
@@ -132,7 +136,9 @@ TEST(WalkToExit, ends_at_an_edge_without_a_neighbour) {
   });
   const TriangleTree tree(m);
   int facet = 0;
-  EXPECT_FALSE(walk_to_exit(tree, neighbours_of(tree), {0.1, 0.2, 0}, {0.01, 0.02, 1}, facet));
+  long tested = 0;
+  EXPECT_FALSE(
+      walk_to_exit(tree, neighbours_of(tree), {0.1, 0.2, 0}, {0.01, 0.02, 1}, facet, tested));
   EXPECT_EQ(facet, 0);
 }
 
