@@ -29,15 +29,17 @@ const LaboratoryCase& laboratory(const std::string& law) {
   return read[law];
 }
 
-/// Cuts of all bits and depths: they do not hang on the law.
-const calibration::CutStore& cuts() {
-  static const calibration::CutStore store = [] {
-    const ThreadLimit limit(2);
-    const fs::path folder = fs::temp_directory_path() / fmt::format("tdbd-blind-{}", getpid());
-    auto made = calibration::find_cuts(laboratory("hanson-hansen").setup, folder);
-    fs::remove_all(folder);
-    return made;
-  }();
+calibration::CutStore made_cuts(const calibration::CalibrationCase& c) {
+  const ThreadLimit limit(2);
+  const fs::path folder = fs::temp_directory_path() / fmt::format("tdbd-blind-{}", getpid());
+  auto made = calibration::find_cuts(c, folder);
+  fs::remove_all(folder);
+  return made;
+}
+
+/// Cuts of all bits and depths on the laboratory's mesh and time step, which every hidden law shares.
+const calibration::CutStore& laboratory_cuts() {
+  static const calibration::CutStore store = made_cuts(laboratory("hanson-hansen").setup);
   return store;
 }
 
@@ -54,7 +56,7 @@ std::vector<Record> drilled(const std::string& law, const std::vector<std::strin
   lab.setup.records.rows = tests_of(lab, bits);
   lab.setup.noise = noise;
   lab.seed = static_cast<std::uint64_t>(seed);
-  return calibration::drill(lab, cuts());
+  return calibration::drill(lab, laboratory_cuts());
 }
 
 /// No two draws share a seed, nor do what is fitted and what is judged.
@@ -67,6 +69,16 @@ const calibration::CalibrationCase& case_named(const std::string& name) {
     read[name] = calibration::read_calibration(
         fmt::format("{}/validation/cases/lab-{}.toml", TDBD_SOURCE_DIR, name), {"noise.rop=0"});
   return read[name];
+}
+
+/// The same cuts on the coarser mesh and with the longer time step of the calibration.
+const calibration::CutStore& fitted_cuts() {
+  static const calibration::CutStore store = [] {
+    calibration::CalibrationCase c = case_named("bc-a");
+    c.records = laboratory("hanson-hansen").setup.records;
+    return made_cuts(c);
+  }();
+  return store;
 }
 
 /// Loads that were predicted against those without noise, and intervals against noisy readings.
@@ -110,7 +122,7 @@ const std::vector<Calibration>& calibrated(const std::string& law, const Pairing
       made;
   auto& draws = made[{law, pairing.name, suffix, count}];
   for (int draw = static_cast<int>(draws.size()); draw < count; ++draw)
-    draws.push_back(calibration::calibrate(blind_case(law, pairing, suffix, draw), cuts()));
+    draws.push_back(calibration::calibrate(blind_case(law, pairing, suffix, draw), fitted_cuts()));
   return draws;
 }
 

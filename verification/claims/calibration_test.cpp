@@ -104,9 +104,11 @@ TEST(BlindLaboratory, finds_the_coefficients_that_made_the_records) {
   }
 }
 
-TEST(BlindLaboratory, separate_pressures_lower_the_objective_and_hardly_move_the_error) {
+TEST(BlindLaboratory,
+     separate_pressures_lower_the_objective_and_change_the_rms_error_below_a_percent) {
   const int n = draws_of_the_known_law;
-  const std::map<std::string, double> limits{{"A", 0.008}, {"B", 0.013}, {"C", 0.008}};
+  const std::map<std::string, double> limits{{"A", 0.008}, {"B", 0.012}, {"C", 0.007}};
+  const std::map<std::string, double> most_moved{{"A", 0.03}, {"B", 0.04}, {"C", 0.035}};
   for (const Pairing& p : pairings()) {
     const Judged together = judged("hanson-hansen", p, "", n);
     const Judged apart = judged("hanson-hansen", p, "-separate", n);
@@ -116,10 +118,18 @@ TEST(BlindLaboratory, separate_pressures_lower_the_objective_and_hardly_move_the
         mean_objective(calibrated("hanson-hansen", p, "-separate", n)) /
             mean_objective(calibrated("hanson-hansen", p, "", n)),
         "1", 1.0);
-    record_bound(
-        chapter(p) + "/objectives",
-        in_words(p) + ": change of the withheld bit's error by separate fits, rms of 25 draws",
-        std::abs(rms(apart.errors) - rms(together.errors)), "1", limits.at(p.withheld));
+    record_bound(chapter(p) + "/objectives",
+                 in_words(p) +
+                     ": rms error of the withheld bit's loads in 25 draws, its change from "
+                     "one fit to separate fits",
+                 std::abs(rms(apart.errors) - rms(together.errors)), "1", limits.at(p.withheld));
+    std::vector<double> moved = apart.errors;
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= together.errors[i];
+    record_bound(chapter(p) + "/objectives",
+                 in_words(p) +
+                     ": change of a withheld load from one fit to separate fits, rms of "
+                     "25 draws, over the load",
+                 rms(moved), "1", most_moved.at(p.withheld));
   }
 }
 
