@@ -15,7 +15,7 @@ def draw_noise(axes, rows):
                     markersize=6 if cutters == "graded" else 4, fillstyle="none" if cutters == "graded" else "full",
                     label=f"{forces}s, cutters {cutters}")
     edges = np.array([1.0, 4.0])
-    axes.loglog(edges, 4.0 * edges**1.5, "--", color=style.GREY, label="power 3/2")
+    axes.loglog(edges, 3.0 * edges**1.8, "--", color=style.GREY, label="power 1.8")
     axes.set(title="At a given rate", xlabel="edge of the rock's mesh (mm)", ylabel="torque: rms about its mean, over it (%)",
              ylim=(0.05, 200.0))
     axes.set_xticks([1.0, 1.4, 2.0, 2.8, 4.0], ["1", "1.4", "2", "2.8", "4"])

@@ -115,8 +115,9 @@ TEST(Drilling, accounts_for_its_energy_to_second_order) {
               slope(steps(), residuals), 2.0, 0.001);
 }
 
-/// Two seconds of stick-slip on 2000 m of pipe.
-TEST(Drilling, sticks_and_slips_near_the_frequency_of_its_string) {
+/// Stick-slip on 2000 m of pipe. Unfavourable: while the bit sticks the string winds up, so a period is
+/// longer than that of string and mass, which is all that the equation of the string alone gives.
+TEST(Drilling, sticks_and_slips_below_the_frequency_of_its_string) {
   const simulation::Case c =
       rock_case("stick-slip",
                 {"rock.edge_length='4 mm'", "time.duration='7 s'", "output.means_from='1.5 s'"});
@@ -126,9 +127,17 @@ TEST(Drilling, sticks_and_slips_near_the_frequency_of_its_string) {
   const double expected =
       simulation::expected_of(c.drilling.system, c.motion.rotary_speed).torsional;
   EXPECT_GT(d.stick_slip_severity, 1.0);
-  record_near("chapter2/drill-string",
-              "long string: strongest frequency of the speed over that of string and mass",
-              d.torsional_frequency / expected, 1.0, 0.5);
+  const double ratio = d.torsional_frequency / expected;
+  EXPECT_GT(ratio, 0.6);
+  EXPECT_LT(ratio, 1.0);
+  battery::record(
+      {"chapter2/drill-string",
+       "long string in stick-slip, 7 s, edges of 4 mm: strongest frequency of the speed "
+       "over that of string and mass",
+       ratio, "1",
+       "1 where the bit never sticks; below 1, by the time that it sticks in each "
+       "period, it is no longer that of the string",
+       battery::Verdict::holds_with_limits});
   record_bound("chapter2/drill-string", "long string: defect of the volume ledger",
                simulation::ledger_defect(s), "1", tolerance::ledger);
 }

@@ -41,6 +41,9 @@ double step_noise(const TorqueRun& run);
 /// Bit A at a given rate at 3000 psi, the second revolution: each mesh, each way of cutting, each edge. Made once.
 const std::vector<TorqueRun>& steady_runs();
 
+/// The same with `maintenance.rest` = 0 (default 4): graded cutters and volumes alone, each edge. Made once.
+const std::vector<TorqueRun>& runs_without_rest();
+
 /// The same bit on a laboratory's simulator, moved by forces, its second second; edges of 2 mm. Made once.
 const std::vector<TorqueRun>& drilling_runs();
 

@@ -35,9 +35,8 @@ void record_against(const std::string& what, double measured, double limit) {
                    measured < limit ? battery::Verdict::refuted : battery::Verdict::holds});
 }
 
-/// A step sweeps the rock's vertices in a strip. How many there are is off at the strip's boundary
-/// alone, by the square root of L/e vertices of A/e^2: noise falls as e^(3/2).
-TEST(Noise, of_volumes_falls_with_the_rocks_edge_as_its_power_of_three_halves) {
+/// With the default rest the cutters leave the vertices in better order than at random: see the next test.
+TEST(Noise, of_volumes_falls_with_the_rocks_edge) {
   for (std::size_t mesh = 0; mesh < cutter_meshes.size(); ++mesh) {
     const std::vector<double> all = noises(mesh, volume);
     record_near(
@@ -45,9 +44,21 @@ TEST(Noise, of_volumes_falls_with_the_rocks_edge_as_its_power_of_three_halves) {
         fmt::format("bit A, cutters {}: power of the rock's edge (4 to 1 mm) that the torque's "
                     "noise follows, forces from volumes",
                     cutter_meshes[mesh].name),
-        least_squares_order(rock_edges, all), 1.5, 0.15);
+        least_squares_order(rock_edges, all), 1.8, 0.15);
     for (std::size_t i = 1; i < all.size(); ++i) EXPECT_LT(all[i], 0.8 * all[i - 1]) << mesh;
   }
+}
+
+/// A step sweeps the rock's vertices in a strip. How many there are is off at the strip's boundary
+/// alone, by the square root of L/e vertices of A/e^2: noise falls as e^(3/2) where maintenance, without a
+/// rest, has scattered the vertices at random.
+TEST(Noise, of_volumes_falls_as_the_edge_to_three_halves_without_a_rest) {
+  std::vector<double> all;
+  for (const TorqueRun& r : runs_without_rest()) all.push_back(noise(r));
+  record_near("chapter6/noise",
+              "the same with maintenance.rest = 0 (default 4), cutters graded: power of the rock's "
+              "edge",
+              least_squares_order(rock_edges, all), 1.5, 0.07);
 }
 
 TEST(Noise, of_sections_is_little_and_their_mean_is_that_of_volumes) {
@@ -73,7 +84,7 @@ TEST(Noise, of_sections_is_little_and_their_mean_is_that_of_volumes) {
   record_bound("chapter6/noise",
                "bit A on a laboratory's simulator: the torque's change from step to step, from "
                "sections over that from volumes",
-               drilled, "1", 0.023);
+               drilled, "1", 0.01);
 }
 
 /// Thesis 3.3 blames the even mesh of bit A. A bit that turns cuts a surface of revolution whatever

@@ -17,6 +17,22 @@ double tolerance_of(const RotationScheme& scheme) {
 
 constexpr int least_levels = 5;
 
+/// Free rotation about the middle axis by the split drift of order 8: errors fall faster than with order 8 in all
+/// levels above rounding.
+bool falls_faster(const RotationScheme& scheme, const std::string& name) {
+  return scheme.name == "split order 8" && name == "free_asym_unstable";
+}
+
+void record_faster(const RotationScheme& scheme, const std::string& name, const VariableOrder& o) {
+  EXPECT_GT(o.order, scheme.order) << o.variable;
+  record({"ours/compositions",
+          fmt::format("{}: observed order of {} on {}", scheme.name, o.variable, name), o.order,
+          "1",
+          fmt::format("{} +- {} is missed: errors fall faster in all levels above rounding",
+                      scheme.order, tolerance_of(scheme)),
+          Verdict::holds_with_limits});
+}
+
 /// Checks every variable of every golden case; returns the largest deviation.
 double check_orders(const RotationScheme& scheme) {
   double worst = 0.0;
@@ -25,6 +41,10 @@ double check_orders(const RotationScheme& scheme) {
       const std::string where = fmt::format("{}, {}, {}: order {:.3f} from {} levels", scheme.name,
                                             name, o.variable, o.order, o.levels);
       if (o.exact) continue;
+      if (falls_faster(scheme, name)) {
+        record_faster(scheme, name, o);
+        continue;
+      }
       EXPECT_GE(o.levels, least_levels) << where;
       EXPECT_NEAR(o.order, scheme.order, tolerance_of(scheme)) << where;
       worst = std::max(worst, std::abs(o.order - scheme.order));
@@ -37,9 +57,10 @@ void check_and_record(const RotationScheme& scheme, const std::string& claim) {
   const double worst = check_orders(scheme);
   const double limit = tolerance_of(scheme);
   record({claim,
-          fmt::format("{}: largest deviation of an observed order from {}, nine golden cases, all "
+          fmt::format("{}: largest deviation of an observed order from {}, {} golden cases, all "
                       "state variables",
-                      scheme.name, scheme.order),
+                      scheme.name, scheme.order,
+                      falls_faster(scheme, "free_asym_unstable") ? "eight" : "nine"),
           worst, "1", fmt::format("<= {}", limit),
           worst <= limit ? Verdict::holds : Verdict::refuted});
 }
@@ -57,6 +78,11 @@ TEST(ObservedOrders, suzuki_compositions_are_of_order_4_in_every_variable) {
 
 TEST(ObservedOrders, kahan_li_compositions_are_of_order_6_in_every_variable) {
   for (const RotationScheme& scheme : composed_schemes(6))
+    check_and_record(scheme, "ours/compositions");
+}
+
+TEST(ObservedOrders, kahan_li_compositions_are_of_order_8_in_every_variable) {
+  for (const RotationScheme& scheme : composed_schemes(8))
     check_and_record(scheme, "ours/compositions");
 }
 
