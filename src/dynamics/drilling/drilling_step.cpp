@@ -13,7 +13,7 @@ void half_step(const DrillingSystem& system, double h, Half which, Drilling& d,
                DrillingWork& work) {
   DrillingVelocity& mean = which == Half::opening ? work.opening : work.closing;
   const double share = cone_share(d.wrench.cone_impulse, which);
-  take_half_step(system, {h, which, work.at, work.middle, d.wrench, share}, d.state, d.ledger,
+  take_half_step(system, {h, which, work.at, work.middle, d.wrench, share}, d.state, &d.ledger,
                  work.half, mean);
   d.ledger.cut_bit += 0.5 * h * power_on_bit(d.wrench, mean, share);
   d.ledger.cut_rock += 0.5 * h * power_on_rock(d.wrench, mean);
@@ -86,10 +86,9 @@ void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
                                DrillingWork& work) {
   work.predicted = d.state;
-  EnergyLedger unseen;
   const double share = cone_share(d.wrench.cone_impulse, Half::opening);  // none at the end
   take_half_step(system, {h, Half::closing, work.at, work.middle, d.wrench, share}, work.predicted,
-                 unseen, work.half, work.before);
+                 nullptr, work.half, work.before);
   return work.predicted;
 }
 
@@ -97,10 +96,9 @@ void velocity_after(const DrillingSystem& system, double h, const Drilling& d, K
                     const Wrench& wrench, DrillingWork& work, DrillingVelocity& out) {
   DrillingState& s = work.predicted;
   s = d.state;
-  EnergyLedger unseen;
   const auto take = [&](Half half, const Configuration& middle) {
     const double share = cone_share(wrench.cone_impulse, half);
-    take_half_step(system, {h, half, work.at, middle, wrench, share}, s, unseen, work.half, out);
+    take_half_step(system, {h, half, work.at, middle, wrench, share}, s, nullptr, work.half, out);
   };
   if (kicks == KicksLeft::closing_and_opening) take(Half::closing, work.middle);
   find_middle(system, h, work.at, wrench, s, work.half, work.next_middle);

@@ -71,7 +71,7 @@ Vec6 turning_impulse(const DrillingSystem& s, const Configuration& from, const C
 
 /// A quarter step in each geometry, with the turning impulse between them.
 void take_quarters(const DrillingSystem& s, double h, const Configuration& first,
-                   const Configuration& second, DrillingState& state, EnergyLedger& ledger,
+                   const Configuration& second, DrillingState& state, EnergyLedger* ledger,
                    HalfWork& w) {
   const Vec6 T = turning_impulse(s, first, second, state, w.flow);
   w.flow.force = w.force;
@@ -123,7 +123,7 @@ double cone_share(ConeImpulse impulse, Half half) {
 }
 
 void take_half_step(const DrillingSystem& s, const HalfStep& step, DrillingState& state,
-                    EnergyLedger& ledger, HalfWork& w, DrillingVelocity& mean) {
+                    EnergyLedger* ledger, HalfWork& w, DrillingVelocity& mean) {
   const auto& [h, half, node, middle, wrench, share] = step;
   force_column(s, node.conservative, wrench, share, w.force);
   const bool opens = half == Half::opening;
@@ -150,7 +150,7 @@ void find_middle(const DrillingSystem& s, double h, const Configuration& node, c
   if (!rubs(s.wall, node, middle)) return;
   w.trial = state;
   const double share = cone_share(wrench.cone_impulse, Half::opening);
-  take_half_step(s, {h, Half::opening, node, middle, wrench, share}, w.trial, w.unseen, w,
+  take_half_step(s, {h, Half::opening, node, middle, wrench, share}, w.trial, nullptr, w,
                  w.mean_velocity);
   if (!coast_halfway(s, h, w.trial, w.halfway, middle)) middle = node;
 }

@@ -18,7 +18,6 @@ struct HalfWork {
   FlowWork flow;
   Eigen::VectorXd force, mean;
   DrillingState trial, halfway;
-  EnergyLedger unseen;             ///< of trials
   DrillingVelocity mean_velocity;  ///< of trials
 };
 
@@ -33,9 +32,10 @@ struct HalfStep {
   double cone_share = 1.0;  ///< scales the wrench's torques on cones
 };
 
-/// Forces and all that resists over h/2, (23). Writes the mean velocity to `mean`.
+/// Forces and all that resists over h/2, (23). Writes the mean velocity to `mean`, and losses
+/// to the ledger; a trial has none (null).
 void take_half_step(const DrillingSystem& system, const HalfStep& step, DrillingState& state,
-                    EnergyLedger& ledger, HalfWork& work, DrillingVelocity& mean);
+                    EnergyLedger* ledger, HalfWork& work, DrillingVelocity& mean);
 
 /// Predicts the configuration in the middle of the drift that follows an opening half from `state`.
 /// Returns the node's where a drift does not converge, and where no part of the wall resists.

@@ -152,6 +152,12 @@ void exponential(double time, FlowWork& w) {
   w.lags.head(q).noalias() = V * w.mode_lag;
   w.impulses.head(q).array() *= -time * w.scales.array();
   w.lags.head(q).array() *= time * w.scales.array();
+}
+
+/// Integrals of c v^2 over the flow that exponential() took.
+void damper_losses(double time, FlowWork& w) {
+  const int q = w.dampers;
+  const Eigen::MatrixXd& V = w.modes.eigenvectors();
   w.products.resize(q, q);
   for (int k = 0; k < q; ++k)
     for (int l = 0; l <= k; ++l)
@@ -268,7 +274,7 @@ void follow_bit(const DrillingSystem& s, const Configuration& at, double time,
 bool wall_resists(const Wall& wall) { return wall.friction > 0.0 || wall.restitution < 1.0; }
 
 void resisted_flow(const DrillingSystem& s, const Configuration& at, double time,
-                   DrillingState& state, EnergyLedger& ledger, FlowWork& w) {
+                   DrillingState& state, EnergyLedger* ledger, FlowWork& w) {
   set_sizes(s, w);
   w.resisting = 0;
   add_string_dampers(s, at, state, w);
@@ -284,7 +290,10 @@ void resisted_flow(const DrillingSystem& s, const Configuration& at, double time
   } else if (w.dampers > 0) {
     exponential(time, w);
   }
-  record(w, ledger);
+  if (ledger != nullptr) {
+    if (!rubs && w.dampers > 0) damper_losses(time, w);
+    record(w, *ledger);
+  }
   w.change = time * w.force;
   w.mean = w.start + 0.5 * time * w.pushed;
   for (int i = 0; i < w.resisting; ++i) {

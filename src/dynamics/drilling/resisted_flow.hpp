@@ -68,13 +68,14 @@ void follow_bit(const DrillingSystem& system, const Configuration& at, double ti
                 DrillingState& state);
 
 /// Advances the momenta of `state` by the flow (19) over `time` (s) under `work.force`. Writes the
-/// mean velocity to `work.mean`, and losses and the top's work on dampers to the ledger.
+/// mean velocity to `work.mean`, and losses and the top's work on dampers to
+/// the ledger; a trial has none (null).
 ///
 /// Where the ring does not rub, the flow is the exponential. Where it does, it is the Lobatto IIIC
 /// method, whose stability function 1/(1 + z + z^2/2) is that of a strongly damped exponential too:
 /// a velocity with F = C(u) u stays. Kinetic energy changes by the work of F and of the top less
 /// the losses, to rounding. No loss at the wall is negative.
 void resisted_flow(const DrillingSystem& system, const Configuration& at, double time,
-                   DrillingState& state, EnergyLedger& ledger, FlowWork& work);
+                   DrillingState& state, EnergyLedger* ledger, FlowWork& work);
 
 }  // namespace tdbd::dynamics

@@ -77,7 +77,7 @@ Flow flow_of(const DrillingSystem& s, double time) {
   configure(s, f.state, at);
   FlowWork work;
   work.force = Eigen::VectorXd::Zero(freedoms(s));
-  resisted_flow(s, at, time, f.state, f.ledger, work);
+  resisted_flow(s, at, time, f.state, &f.ledger, work);
   return f;
 }
 

@@ -30,7 +30,7 @@ Flow flow_of(const DrillingSystem& s, const DrillingState& from, const Eigen::Ve
   Configuration at;
   configure(s, from, at);
   f.work.force = force;
-  resisted_flow(s, at, time, f.state, f.ledger, f.work);
+  resisted_flow(s, at, time, f.state, &f.ledger, f.work);
   return f;
 }
 
@@ -223,7 +223,7 @@ TEST(ResistedFlow, converges_to_its_twin) {
     Flow f = flow_of(s, x, force, time / n);
     Configuration at;
     configure(s, x, at);
-    for (int i = 1; i < n; ++i) resisted_flow(s, at, time / n, f.state, f.ledger, f.work);
+    for (int i = 1; i < n; ++i) resisted_flow(s, at, time / n, f.state, &f.ledger, f.work);
     steps.push_back(time / n);
     errors.push_back((momenta(s, f.state) - exact).norm() / exact.norm());
   }
