@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 /// How a twin and the program are compared: each at three levels, within what both may err.
 namespace tdbd::simulation {
@@ -29,21 +30,49 @@ struct Measure {
   double limit = 0.02;
 };
 
+/// A quantity at equal times, at three levels.
+using Trajectories = std::array<std::vector<double>, 3>;
+
+/// The root of the mean square of what two trajectories differ by.
+inline double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  EXPECT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+/// The same for all times together: at a single time two levels may cross.
+inline double uncertainty_of(const Trajectories& x) {
+  const double coarse = distance(x[0], x[1]);
+  return uncertainty_of(Levels{0.0, coarse, coarse + distance(x[1], x[2])});
+}
+
+/// What each has, and how far they are apart.
+struct Compared {
+  double program, own, twin, others, difference, scale;
+};
+
 /// The two agree within the combined uncertainty, and that is below its limit. Writes a row for
 /// reports/studies/coupled-twin.
-inline void expect_agreement(const Measure& m, const Levels& program, const Levels& twin) {
-  const double difference = program[2] - twin[2];
-  const double own = uncertainty_of(program), others = uncertainty_of(twin);
-  const double scale = m.scale > 0.0 ? m.scale : std::abs(twin[2]);
+inline void expect_agreement(const Measure& m, const Compared& c) {
   constexpr double rounding = 1e-9;  // of the scale
-  const std::string row = fmt::format("{:.8g};{:.3g};{:.8g};{:.3g};{:.3g};{:.3g}", program[2], own,
-                                      twin[2], others, difference, scale);
-  testing::Test::RecordProperty(m.quantity, row);
-  std::printf("row;%s;%s\n", m.quantity.c_str(), row.c_str());
-  EXPECT_LE(std::abs(difference), own + others + rounding * scale)
-      << m.quantity << ": program " << program[0] << " " << program[1] << " " << program[2]
-      << ", twin " << twin[0] << " " << twin[1] << " " << twin[2];
-  EXPECT_LE(own + others, m.limit * scale) << m.quantity << ": the uncertainty is too large";
+  fmt::print("row;{};{:.8g};{:.3g};{:.8g};{:.3g};{:.3g};{:.3g}\n", m.quantity, c.program, c.own,
+             c.twin, c.others, c.difference, c.scale);
+  EXPECT_LE(std::abs(c.difference), c.own + c.others + rounding * c.scale) << m.quantity;
+  EXPECT_LE(c.own + c.others, m.limit * c.scale) << m.quantity << ": the uncertainty is too large";
+}
+
+inline void expect_agreement(const Measure& m, const Levels& program, const Levels& twin) {
+  const double scale = m.scale > 0.0 ? m.scale : std::abs(twin[2]);
+  expect_agreement(m, Compared{program[2], uncertainty_of(program), twin[2], uncertainty_of(twin),
+                               program[2] - twin[2], scale});
+}
+
+/// Of trajectories their last values are written, and their distance.
+inline void expect_agreement(const Measure& m, const Trajectories& program,
+                             const Trajectories& twin) {
+  expect_agreement(m, Compared{program[2].back(), uncertainty_of(program), twin[2].back(),
+                               uncertainty_of(twin), distance(program[2], twin[2]), m.scale});
 }
 
 }  // namespace tdbd::simulation

@@ -37,7 +37,7 @@ Case light_cone(const std::string& motion, const std::string& string, int n, dou
                   "torsional_damping = 200\nbending_stiffness = 1e7\nbending_damping = 1e4\n"
                   "attachment_height = 0\n{}\n"
                   "[forces]\nlaw = \"indentation\"\nmu = {}\n[time]\nstep = {}\nduration = {}\n",
-                  1.2e-3 / n, strength, motion, string, mu, 5e-4 / n, duration));
+                  1e-3 / n, strength, motion, string, mu, 4e-4 / n, duration));
   return read_case(file, {});
 }
 
@@ -61,19 +61,27 @@ Case cone(const std::string& motion, const std::string& string, int n, double du
 
 /// What both report: at the end, and means and extremes over the second half.
 struct Found {
-  double depth = 0.0, turned = 0.0, rolled = 0.0, spent = 0.0;  // m, rad, rad, J
-  double weight = 0.0, torque = 0.0;                            // N, N m, means
-  double highest = 1.0, deepest = -1.0;                         // m
-  double off = 0.0;                                             // 1, share of time off the rock
+  std::vector<double> depth, turned;     // m, rad, at equal times
+  double rolled = 0.0, spent = 0.0;      // rad, J
+  double weight = 0.0, torque = 0.0;     // N, N m, means
+  double highest = 1.0, deepest = -1.0;  // m
+  double off = 0.0;                      // 1, share of time off the rock
 };
 
 /// Adds a step of the second half.
-void add(double share, double depth, double weight, double torque, Found& f) {
+void add_mean(double share, double depth, double weight, double torque, Found& f) {
   f.weight += share * weight;
   f.torque += share * torque;
   if (weight == 0.0) f.off += share;
   f.highest = std::min(f.highest, depth);
   f.deepest = std::max(f.deepest, depth);
+}
+
+/// A row after each of 20 equal parts of a run of so many steps.
+void add_row(long done, long steps, double depth, double turned, Found& f) {
+  if (done * 20 / steps == static_cast<long>(f.depth.size())) return;
+  f.depth.push_back(depth);
+  f.turned.push_back(turned);
 }
 
 Found of_program(const Case& c) {
@@ -83,12 +91,12 @@ Found of_program(const Case& c) {
   const long half = c.time.steps / 2;
   while (s.state.steps_done < c.time.steps) {
     step(c, s);
+    add_row(s.state.steps_done, c.time.steps, s.state.drive->state.c_W.z() - from,
+            s.state.place.turned, f);
     if (s.state.steps_done > half)
-      add(1.0 / static_cast<double>(c.time.steps - half), s.state.drive->state.c_W.z() - from,
-          -s.work.loads.force_W.z(), -s.work.loads.torque_W.z(), f);
+      add_mean(1.0 / static_cast<double>(c.time.steps - half), s.state.drive->state.c_W.z() - from,
+               -s.work.loads.force_W.z(), -s.work.loads.torque_W.z(), f);
   }
-  f.depth = s.state.drive->state.c_W.z() - from;
-  f.turned = s.state.place.turned;
   f.rolled = -s.state.cones[0].angle;
   f.spent = -s.state.drive->ledger.cut_bit;
   return f;
@@ -117,12 +125,11 @@ Found of_twin(const Case& c, double duration, double smooth, double grid, double
   const long steps = std::lround(duration / h), half = steps / 2;
   for (long i = 1; i <= steps; ++i) {
     reference::roll(bit, string, h, rock, s);
+    add_row(i, steps, s.height, s.turned, f);
     if (i <= half) continue;
     const reference::RolledLoads loads = reference::rolled_loads(bit, rock, s);
-    add(1.0 / static_cast<double>(steps - half), s.height, loads.weight, loads.torque, f);
+    add_mean(1.0 / static_cast<double>(steps - half), s.height, loads.weight, loads.torque, f);
   }
-  f.depth = s.height;
-  f.turned = s.turned;
   f.rolled = -s.angles[0];
   f.spent = s.spent;
   return f;
@@ -134,9 +141,15 @@ std::array<Found, 3> levels(const Of& of) {
 }
 
 void compare(const std::string& quantity, double scale, const std::array<Found, 3>& program,
-             const std::array<Found, 3>& twin, double (*of)(const Found&)) {
-  expect_agreement({quantity, scale}, {of(program[0]), of(program[1]), of(program[2])},
+             const std::array<Found, 3>& twin, double (*of)(const Found&), double limit = 0.02) {
+  expect_agreement({quantity, scale, limit}, {of(program[0]), of(program[1]), of(program[2])},
                    {of(twin[0]), of(twin[1]), of(twin[2])});
+}
+
+void compare_ways(const std::string& quantity, double scale, const std::array<Found, 3>& program,
+                  const std::array<Found, 3>& twin, std::vector<double> Found::*of) {
+  expect_agreement({quantity, scale}, Trajectories{program[0].*of, program[1].*of, program[2].*of},
+                   Trajectories{twin[0].*of, twin[1].*of, twin[2].*of});
 }
 
 TEST(ConeTwin, rolls_on_flat_rock) {
@@ -146,28 +159,33 @@ TEST(ConeTwin, rolls_on_flat_rock) {
   const auto program = levels([&](int n) { return of_program(cone(motion, string, n, until)); });
   const Case c = cone(motion, string, 1, until);
   const auto twin = levels([&](int n) { return of_twin(c, until, 8e-3 / n, 4e-4 / n, 4e-5 / n); });
-  compare("depth", 0, program, twin, [](const Found& f) { return f.depth; });
-  compare("turn of the bit", 0, program, twin, [](const Found& f) { return f.turned; });
+  compare_ways("depth", 2e-3, program, twin, &Found::depth);
+  compare_ways("turn of the bit", 0.6, program, twin, &Found::turned);
   compare("turn of the cone", 0, program, twin, [](const Found& f) { return f.rolled; });
   compare("weight", 0, program, twin, [](const Found& f) { return f.weight; });
   compare("torque", 0, program, twin, [](const Found& f) { return f.torque; });
   compare("energy spent on the rock", 0, program, twin, [](const Found& f) { return f.spent; });
 }
 
-/// Without a damper the weight leaves the rock and comes back.
+/// Without a damper the bit leaves the rock for an eighth of the time. wide: the uncertainty of weight
+/// and energy is 2.5 % and 2.9 %, of the facets that the program's balls may have; the share of time is
+/// a severity.
 TEST(ConeTwin, bounces_from_tooth_to_tooth) {
-  constexpr double until = 0.06, print = 2e-3;  // s; m, about the deepest
+  constexpr double until = 0.1, print = 2e-3;  // s; m, about the deepest
   const std::string motion = "rotary_speed = \"180 rpm\"\nweight_on_bit = 800";
   const auto program = levels([&](int n) { return of_program(cone(motion, "", n, until)); });
   const Case c = cone(motion, "", 1, until);
   const auto twin = levels([&](int n) { return of_twin(c, until, 8e-3 / n, 4e-4 / n, 4e-5 / n); });
-  compare("depth", print, program, twin, [](const Found& f) { return f.depth; });
+  compare_ways("depth", print, program, twin, &Found::depth);
   compare("highest", print, program, twin, [](const Found& f) { return f.highest; });
   compare("deepest", print, program, twin, [](const Found& f) { return f.deepest; });
   compare("turn of the cone", 0, program, twin, [](const Found& f) { return f.rolled; });
-  compare("weight", 0, program, twin, [](const Found& f) { return f.weight; });
-  compare("share of time off the rock", 1, program, twin, [](const Found& f) { return f.off; });
-  compare("energy spent on the rock", 0, program, twin, [](const Found& f) { return f.spent; });
+  compare(
+      "weight", 0, program, twin, [](const Found& f) { return f.weight; }, 0.03);
+  compare(
+      "share of time off the rock", 1, program, twin, [](const Found& f) { return f.off; }, 0.05);
+  compare(
+      "energy spent on the rock", 0, program, twin, [](const Found& f) { return f.spent; }, 0.03);
 }
 
 }  // namespace tdbd::simulation::cone_twin_test

@@ -97,11 +97,12 @@ inline reference::AxialString axial_string(const Case& c) {
   return a;
 }
 
+/// `columns`: of a face, at the coarsest level.
 inline PdcFound pdc_of_twin(const Case& c, const reference::EdgeLaw& law, double duration, int n,
-                            double time_step) {
+                            int columns, double time_step) {
   const std::string layout = TDBD_SOURCE_DIR "/cases/bits/bit-b.csv";
   const reference::Columns bit = reference::make_columns(
-      reference::read_round_cutters(layout, 0.3e-3, 0.25 * std::numbers::pi, 64), 24 * n,
+      reference::read_round_cutters(layout, 0.3e-3, 0.25 * std::numbers::pi, 64), columns * n,
       0.3e-3 / n, 6e-3);
   const reference::AxialString string = axial_string(c);
   reference::AxialState from;

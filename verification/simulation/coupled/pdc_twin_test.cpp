@@ -1,5 +1,7 @@
 #include "verification/simulation/coupled/pdc_twin.hpp"
 
+#include <cstdlib>
+
 #include "core/angles.hpp"
 #include "verification/simulation/coupled/agreement.hpp"
 
@@ -20,6 +22,13 @@ void compare(const std::string& quantity, double scale, const Three& program, co
                    {of(twin[0]), of(twin[1]), of(twin[2])});
 }
 
+void compare_ways(const std::string& quantity, double scale, const Three& program,
+                  const Three& twin, std::vector<double> PdcFound::*of, double limit) {
+  expect_agreement({quantity, scale, limit},
+                   Trajectories{program[0].*of, program[1].*of, program[2].*of},
+                   Trajectories{twin[0].*of, twin[1].*of, twin[2].*of});
+}
+
 /// From the bottom that fits the bit, of which the program's is a mesh. Means are those of the second
 /// half, when each cutter meets what cutters left.
 TEST(PdcTwin, bit_b_drills) {
@@ -31,7 +40,7 @@ TEST(PdcTwin, bit_b_drills) {
   const double sine = std::sin(23.8 * degree), pressure = 3000 * 6894.757293168361;
   const reference::EdgeLaw law = reference::hanson_hansen_edges(
       {65e6 + pressure * (1 + sine) / (1 - sine), 1.0, 0.3, 18 * degree, 0.5e-4, 1.0, 0.3});
-  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 4e-3); });
+  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 24, 4e-3); });
   compare("depth", 0, program, twin, [](const PdcFound& f) { return f.depth; });
   compare("rate", 0, program, twin, [](const PdcFound& f) { return f.rate; });
   compare("turn", 0, program, twin, [](const PdcFound& f) { return f.turned; });
@@ -40,16 +49,22 @@ TEST(PdcTwin, bit_b_drills) {
   compare("energy spent on the rock", 0, program, twin, [](const PdcFound& f) { return f.spent; });
 }
 
-/// The first swing of the string: the bit slows down, nearly stops and runs off.
+/// The first swing of the string: the bit slows down, nearly stops and runs off. Not in a usual run of
+/// the tests: with edges of 1.5 mm and steps of 0.5 ms the two agree within the combined uncertainty,
+/// but that is 3 % of the weight, 10 % of the depth and 21 % of the highest speed, since the slip begins
+/// at another time at each level.
 TEST(PdcTwin, bit_b_sticks_and_slips) {
-  const PdcCase p{"stick-slip", 6e-3, 2e-3, 2.4};
+  if (std::getenv("TDBD_COUPLED_TWIN_LONG") == nullptr)
+    GTEST_SKIP() << "its uncertainty is too large";
+  const PdcCase p{"stick-slip", 4e-3, 2e-3, 2.0};
   const auto program =
       levels([&](int n) { return pdc_of_program(read_pdc_case(p, n), p.duration); });
   const Case c = read_pdc_case(p, 1);
   const reference::EdgeLaw law =
       reference::detournay_edges({45e6, 0.8, 49e6, 0.9, 3e-3, 5.0, 0.5, 0.3});
-  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 4e-3); });
-  compare("depth", 0, program, twin, [](const PdcFound& f) { return f.depth; });
+  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 10, 8e-4); });
+  compare_ways("depth", 0.015, program, twin, &PdcFound::height, 0.05);
+  compare_ways("rotary speed", 2.0 * full_turn, program, twin, &PdcFound::speed, 0.05);
   compare("rate", 0, program, twin, [](const PdcFound& f) { return f.rate; });
   compare("turn", 0, program, twin, [](const PdcFound& f) { return f.turned; });
   compare("slowest", full_turn, program, twin, [](const PdcFound& f) { return f.slowest; });
