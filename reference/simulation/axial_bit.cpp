@@ -89,6 +89,7 @@ AxialState moved(const AxialState& s, const AxialState& rate, double h) {
   return {s.time + h,
           s.height + h * rate.height,
           s.rate + h * rate.rate,
+          s.end_rate + h * rate.end_rate,
           s.turned + h * rate.turned,
           s.speed + h * rate.speed,
           s.spent + h * rate.spent};
@@ -110,17 +111,20 @@ AxialLoads axial_loads(const Columns& bit, const EdgeLaw& law, const HeightHisto
 
 AxialRun::AxialRun(const Columns& bit, EdgeLaw law, const AxialString& string,
                    const AxialState& start, int bins_per_turn)
-    : bit_(bit), law_(std::move(law)), string_(string), state_(start), history_(bins_per_turn) {}
+    : bit_(bit), law_(std::move(law)), string_(string), state_(start), history_(bins_per_turn) {
+  state_.end_rate = string.rate;
+}
 
 AxialState AxialRun::rates(const AxialState& s) const {
   const AxialLoads rock = axial_loads(bit_, law_, history_, s);
   const AxialString& t = string_;
-  const double force = t.load - t.damping * (s.rate - t.rate) - rock.weight;
+  const double force = t.load - t.damping * (s.rate - s.end_rate) - rock.weight;
   const double twist = t.start_angle + t.speed * s.time - s.turned;
   const double torque = t.stiffness * twist + t.turn_damping * (t.speed - s.speed) - rock.torque;
   return {1.0,
           s.rate,
           force / t.mass,
+          t.following_time > 0.0 ? (s.rate - s.end_rate) / t.following_time : 0.0,
           s.speed,
           torque / t.inertia,
           rock.weight * s.rate + rock.torque * s.speed};

@@ -8,9 +8,10 @@ namespace tdbd::reference {
 /// What turns and loads a bit whose axis stays where it is: dynamics (9) and (11) along and about z,
 /// dampers towards the top.
 struct AxialString {
-  double mass = 0.0, inertia = 0.0;            ///< kg, kg m2
-  double load = 0.0, damping = 0.0;            ///< N, N s/m
-  double rate = 0.0;                           ///< m/s, of the dampers' end
+  double mass = 0.0, inertia = 0.0;  ///< kg, kg m2
+  double load = 0.0, damping = 0.0;  ///< N, N s/m
+  double rate = 0.0;                 ///< m/s, of the dampers' end at the start
+  double following_time = 0.0;       ///< s, in which that end follows the bit; 0: it does not
   double stiffness = 0.0, turn_damping = 0.0;  ///< N m/rad, N m s/rad
   double speed = 0.0, start_angle = 0.0;       ///< rad/s, rad, of the top
 };
@@ -18,6 +19,7 @@ struct AxialString {
 struct AxialState {
   double time = 0.0;
   double height = 0.0, rate = 0.0;   ///< m, m/s, down
+  double end_rate = 0.0;             ///< m/s, of the dampers' end
   double turned = 0.0, speed = 0.0;  ///< rad, rad/s
   double spent = 0.0;                ///< J, on the rock
 };

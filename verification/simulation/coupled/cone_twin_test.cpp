@@ -154,7 +154,7 @@ void compare_ways(const std::string& quantity, double scale, const std::array<Fo
 
 TEST(ConeTwin, rolls_on_flat_rock) {
   constexpr double until = 0.1;
-  const std::string motion = "rotary_speed = \"60 rpm\"\nweight_on_bit = 1500";
+  const std::string motion = "rotary_speed = \"60 rpm\"\nweight_on_bit = 1500\nrate_memory = 0";
   const std::string string = "axial_damping = 2e4";
   const auto program = levels([&](int n) { return of_program(cone(motion, string, n, until)); });
   const Case c = cone(motion, string, 1, until);
@@ -172,7 +172,7 @@ TEST(ConeTwin, rolls_on_flat_rock) {
 /// a severity.
 TEST(ConeTwin, bounces_from_tooth_to_tooth) {
   constexpr double until = 0.1, print = 2e-3;  // s; m, about the deepest
-  const std::string motion = "rotary_speed = \"180 rpm\"\nweight_on_bit = 800";
+  const std::string motion = "rotary_speed = \"180 rpm\"\nweight_on_bit = 800\nrate_memory = 0";
   const auto program = levels([&](int n) { return of_program(cone(motion, "", n, until)); });
   const Case c = cone(motion, "", 1, until);
   const auto twin = levels([&](int n) { return of_twin(c, until, 8e-3 / n, 4e-4 / n, 4e-5 / n); });

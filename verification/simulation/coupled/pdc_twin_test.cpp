@@ -50,19 +50,18 @@ TEST(PdcTwin, bit_b_drills) {
 }
 
 /// The first swing of the string: the bit slows down, nearly stops and runs off. Not in a usual run of
-/// the tests: with edges of 1.5 mm and steps of 0.5 ms the two agree within the combined uncertainty,
-/// but that is 3 % of the weight, 10 % of the depth and 21 % of the highest speed, since the slip begins
-/// at another time at each level.
+/// the tests: it takes two minutes, and fails. With edges of 0.5 mm and steps of 0.25 ms the highest
+/// speed of the program is 6 % below that of the twin (reports/studies/coupled-twin).
 TEST(PdcTwin, bit_b_sticks_and_slips) {
   if (std::getenv("TDBD_COUPLED_TWIN_LONG") == nullptr)
-    GTEST_SKIP() << "its uncertainty is too large";
-  const PdcCase p{"stick-slip", 4e-3, 2e-3, 2.0};
+    GTEST_SKIP() << "a known disagreement, two minutes";
+  const PdcCase p{"stick-slip", 2e-3, 1e-3, 2.0};
   const auto program =
       levels([&](int n) { return pdc_of_program(read_pdc_case(p, n), p.duration); });
   const Case c = read_pdc_case(p, 1);
   const reference::EdgeLaw law =
       reference::detournay_edges({45e6, 0.8, 49e6, 0.9, 3e-3, 5.0, 0.5, 0.3});
-  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 10, 8e-4); });
+  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 16, 4e-4); });
   compare_ways("depth", 0.015, program, twin, &PdcFound::height, 0.05);
   compare_ways("rotary speed", 2.0 * full_turn, program, twin, &PdcFound::speed, 0.05);
   compare("rate", 0, program, twin, [](const PdcFound& f) { return f.rate; });

@@ -52,7 +52,7 @@ Case tooth(const std::string& motion, int meridians, int n, double edge_length, 
       fmt::format("[bit]\nfile = \"bit.toml\"\n[rock]\nshape = \"flat\"\nradius = \"30 mm\"\n"
                   "wall = \"2 mm\"\nedge_length = {}\n[rock.material]\nname = \"made up\"\n"
                   "unconfined_strength = {}\nfriction_angle = 0\n"
-                  "[motion]\nkind = \"drilling\"\nweight_on_bit = 6000\n{}\n"
+                  "[motion]\nkind = \"drilling\"\nweight_on_bit = 6000\nrate_memory = 0\n{}\n"
                   "[string]\nmass = 200\ntorsional_inertia = 1\nbending_inertia = 5\n"
                   "lateral_stiffness = 1e7\nlateral_damping = 2e4\naxial_damping = 4e4\n"
                   "torsional_stiffness = 2e4\ntorsional_damping = 200\n"
