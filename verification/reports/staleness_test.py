@@ -126,7 +126,7 @@ class Report(OfOneProject):
         self.assert_made()
 
     def test_a_page_older_than_a_measurement(self):
-        self.project.measure(EVIDENCE | {"measured": 1.9})
+        self.project.measure(EVIDENCE | {"measured": 2.002})
         self.assert_stale("index.html: older than", "what.json")
         self.assert_remade(runs=0, drawn=False)
 
