@@ -6,7 +6,7 @@ from study_tools import read_rows
 
 HERE = Path(__file__).parent
 GIVEN = ["1.25 times the difference", "that sum at most 2 % of the", "edges of 1 mm", "by 10 % at the", "by 3 % after 0.2 s", "by less than 0.1 %",
-         "bears 0.6 % of its weight", "agree and are below 2 %", "more than 40 facets", "energy agree within 0.6 %",
+         "bears 0.6 % of its weight", "agree and are below 2 %", "at most 40 facets", "energy agree within 0.6 %",
          "differ by 2.4 % and 0.8 %"]
 
 
@@ -19,7 +19,7 @@ def stated():
 
     bounce = [rows["bounces from tooth to tooth", q] for q in ("weight", "energy spent on the rock")]
     fastest, turn = (rows["bit b sticks and slips", q] for q in ("fastest", "turn"))
-    yield "are {:.1f} % and {:.1f} %: the program refuses", *(100.0 * combined(r) / r["twin"] for r in bounce)
+    yield "are {:.1f} % and {:.1f} %: its balls", *(100.0 * combined(r) / r["twin"] for r in bounce)
     yield "program is {:.1f} rad/s and that of the twin {:.1f},", fastest["program"], fastest["twin"]
     yield "turns {:.1f} % less", -100.0 * turn["difference"] / turn["twin"]
     yield "uncertainties are {:.1f} rad/s and {:.1f} %", combined(fastest), 100.0 * combined(turn) / turn["twin"]

@@ -129,19 +129,27 @@ struct RowSolids {
   double reach = 0.0;  ///< m, of a tooth from its frame's origin
 };
 
-mesh::TriangleMesh moved(mesh::TriangleMesh m, const Pose& X) {
-  for (Vec3& x : m.positions) x = X * x;
-  return m;
+mesh::ConvexSolid moved(const mesh::ConvexSolid& solid_T, const Pose& X_KT) {
+  mesh::ConvexSolid solid_K;
+  for (std::size_t i = 0; i < solid_T.planes; ++i) {
+    const Vec3 n_K = X_KT.R * mesh::normal(solid_T, i);
+    mesh::add_plane(solid_K, n_K, solid_T.b[i] + n_K.dot(X_KT.p));
+  }
+  return solid_K;
 }
 
+/// Teeth are convex, however many facets they have.
 RowSolids solids_of(const ConeLayout& cone, const ToothRow& row) {
   RowSolids all;
   const mesh::TriangleMesh mesh_T = tooth_mesh(row.shape, cone.facets);
+  const mesh::ConvexSolid solid_T =
+      mesh::convex_solid(mesh_T, mesh_T.triangles.size()).value_or(mesh::ConvexSolid{});
   for (const Vec3& x : mesh_T.positions) all.reach = std::max(all.reach, x.norm());
   for (const double angle : row.angles) {
-    const mesh::TriangleMesh mesh_K = moved(mesh_T, tooth_pose(cone, row, angle));
-    all.corners_K.push_back(mesh_K.positions);
-    all.solids_K.push_back(mesh::convex_solid(mesh_K).value_or(mesh::ConvexSolid{}));
+    const Pose X_KT = tooth_pose(cone, row, angle);
+    std::vector<Vec3>& corners_K = all.corners_K.emplace_back(mesh_T.positions);
+    for (Vec3& x : corners_K) x = X_KT * x;
+    all.solids_K.push_back(moved(solid_T, X_KT));
   }
   return all;
 }

@@ -41,8 +41,8 @@ std::vector<int> by_falling_area(const TriangleMesh& m) {
   return order;
 }
 
-/// At most one more than `most_planes`.
-std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack) {
+/// At most one more than `most`.
+std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack, std::size_t most) {
   std::vector<Plane> planes;
   for (const int k : by_falling_area(m)) {
     const Triangle& t = m.triangles[at(k)];
@@ -51,7 +51,7 @@ std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack) {
     const bool known = std::any_of(planes.begin(), planes.end(),
                                    [&](const Plane& p) { return lies_on(m, t, area, p, slack); });
     if (!known) planes.push_back({area.normalized(), area.normalized().dot(corner(m, t, 0))});
-    if (planes.size() > most_planes) break;
+    if (planes.size() > most) break;
   }
   return planes;
 }
@@ -72,11 +72,11 @@ void pad(ConvexSolid& s) {
   s.b.resize(n, std::numeric_limits<double>::infinity());
 }
 
-std::optional<ConvexSolid> convex_solid(const TriangleMesh& m) {
+std::optional<ConvexSolid> convex_solid(const TriangleMesh& m, std::size_t most) {
   const double slack = tolerance::convex * bounding_box(m).size().norm();
   ConvexSolid solid;
-  const std::vector<Plane> planes = distinct_planes(m, slack);
-  if (planes.size() > most_planes) return std::nullopt;
+  const std::vector<Plane> planes = distinct_planes(m, slack, most);
+  if (planes.size() > most) return std::nullopt;
   for (const Plane& p : planes) {
     double support = p.b;
     for (const Vec3& x : m.positions) support = std::max(support, p.n.dot(x));

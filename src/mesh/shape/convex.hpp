@@ -27,8 +27,8 @@ void pad(ConvexSolid& solid);
 /// With more planes than this a tree over the facets is faster.
 inline constexpr std::size_t most_planes = 512;
 
-/// The planes of a closed mesh if it is convex to tolerance::convex times its size and has at most `most_planes`, else
+/// The planes of a closed mesh if it is convex to tolerance::convex times its size and has at most `most` of them, else
 /// nothing. Coplanar triangles give one plane; each plane touches the outermost vertex, so the solid contains the mesh.
-std::optional<ConvexSolid> convex_solid(const TriangleMesh& m);
+std::optional<ConvexSolid> convex_solid(const TriangleMesh& m, std::size_t most = most_planes);
 
 }  // namespace tdbd::mesh

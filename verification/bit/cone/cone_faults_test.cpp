@@ -31,6 +31,15 @@ void expect_fault(const ConeLayout& c, int row, const std::string& key, const st
 
 TEST(ConeFaults, are_none_for_a_sound_cone) { EXPECT_TRUE(cone_faults(sound_cone()).empty()); }
 
+/// Of more planes than a part's solid may have (mesh::most_planes), too.
+TEST(ConeFaults, are_none_for_teeth_of_many_facets) {
+  ConeLayout c = sound_cone();
+  c.facets = 64;
+  EXPECT_TRUE(cone_faults(c).empty());
+  c.rows[0].angles = {0.0, 0.05};
+  expect_fault(c, 0, "s", "tooth 2 at 2.865 deg in tooth 1 of row 1");
+}
+
 TEST(ConeFaults, tell_a_profile_that_folds) {
   ConeLayout c = sound_cone();
   c.shell[2].s = 0.03;

@@ -12,8 +12,8 @@ constexpr double R = 40e-3, rho = 20e-3, tooth_radius = 3e-3;  // m: of the tips
 constexpr double strength = 100e6, mu = 0.3;                   // Pa, 1
 constexpr int teeth = 10;
 
-/// Rock, time and facets `n` times finer. (At most 40 facets: with more, the overlap of teeth cannot be
-/// decided by the program, which then refuses them.) The faceted balls are larger by the share that
+/// Rock, time and facets `n` times finer, with at most 40 facets: with 44 a ball has more planes than a
+/// part's solid may have (mesh::most_planes). The faceted balls are larger by the share that
 /// gives them the sphere's section at a depth of half their radius, to second order in the facets.
 Case light_cone(const std::string& motion, const std::string& string, int n, double duration) {
   const int facets = n == 1 ? 12 : 10 * n;
