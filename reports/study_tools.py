@@ -18,6 +18,14 @@ def read_rows(path):
     return [dict(zip(columns, values, strict=True)) for values in zip(*columns.values(), strict=True)]
 
 
+def write_rows(path, rows):
+    """Writes dictionaries with the same keys as a CSV file with a line of headings."""
+    with Path(path).open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def numbers(words):
     try:
         return [float(w) for w in words]

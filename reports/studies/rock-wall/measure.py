@@ -7,7 +7,6 @@ requires a release build.
 """
 
 import argparse
-import csv
 import json
 import pathlib
 import re
@@ -21,6 +20,7 @@ import xarray
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "reports"))
 from study_surfaces import read_ply  # noqa: E402
+from study_tools import write_rows  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = ROOT / "cases/drill-bit-b-whirl-rock.toml"
@@ -83,13 +83,6 @@ def row_of(wall, edge, step, summary):
             "residual, J": f"{summary['energy']['residual_j']:.2f}"}
 
 
-def write(name, rows):
-    with open(HERE / name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--tdbd", default=str(ROOT / "build/release/tdbd"))
@@ -111,11 +104,11 @@ def main():
                         if wall == "rock":
                             radius = section(out, float(history.position_z.values[-1]) - SECTION_ABOVE)
                             print("lobes", lobes(radius))
-                            write("sections.csv", [{"azimuth, deg": k + 0.5, "radius, mm": f"{1e3 * r:.3f}"}
-                                                   for k, r in enumerate(radius)])
-    write("walls.csv", rows)
-    write("orbits.csv", [{"wall": wall, "x, mm": f"{1e3 * x:.4f}", "y, mm": f"{1e3 * y:.4f}"}
-                         for wall, (xs, ys) in orbits.items() for x, y in zip(xs, ys)])
+                            write_rows(HERE / "sections.csv", [{"azimuth, deg": k + 0.5, "radius, mm": f"{1e3 * r:.3f}"}
+                                                               for k, r in enumerate(radius)])
+    write_rows(HERE / "walls.csv", rows)
+    write_rows(HERE / "orbits.csv", [{"wall": wall, "x, mm": f"{1e3 * x:.4f}", "y, mm": f"{1e3 * y:.4f}"}
+                                     for wall, (xs, ys) in orbits.items() for x, y in zip(xs, ys)])
 
 
 if __name__ == "__main__":

@@ -75,4 +75,28 @@ inline void expect_agreement(const Measure& m, const Trajectories& program,
                                uncertainty_of(twin), distance(program[2], twin[2]), m.scale});
 }
 
+/// Three levels of what a side finds, `of` how much finer than the coarsest.
+template <class Of>
+auto levels(const Of& of) {
+  return std::array{of(1), of(2), of(4)};
+}
+
+/// A number of what both sides found.
+template <class Found, class Of>
+void compare(const std::string& quantity, double scale, const std::array<Found, 3>& program,
+             const std::array<Found, 3>& twin, const Of& of, double limit = 0.02) {
+  expect_agreement({quantity, scale, limit}, Levels{of(program[0]), of(program[1]), of(program[2])},
+                   Levels{of(twin[0]), of(twin[1]), of(twin[2])});
+}
+
+/// A trajectory of what both sides found.
+template <class Found>
+void compare_ways(const std::string& quantity, double scale, const std::array<Found, 3>& program,
+                  const std::array<Found, 3>& twin, std::vector<double> Found::*of,
+                  double limit = 0.02) {
+  expect_agreement({quantity, scale, limit},
+                   Trajectories{program[0].*of, program[1].*of, program[2].*of},
+                   Trajectories{twin[0].*of, twin[1].*of, twin[2].*of});
+}
+
 }  // namespace tdbd::simulation

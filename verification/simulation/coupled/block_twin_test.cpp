@@ -102,12 +102,6 @@ std::array<Found, 3> levels(double coarse, const Of& of) {
   return {of(coarse), of(coarse / 2), of(coarse / 4)};
 }
 
-void compare(const std::string& quantity, double scale, const std::array<Found, 3>& program,
-             const std::array<Found, 3>& twin, double (*of)(const Found&)) {
-  expect_agreement({quantity, scale}, {of(program[0]), of(program[1]), of(program[2])},
-                   {of(twin[0]), of(twin[1]), of(twin[2])});
-}
-
 TEST(BlockTwin, slides_and_spins) {
   constexpr double until = 0.03, v0 = 0.2;
   const std::string motion = "rotary_speed = \"20 rad/s\"";

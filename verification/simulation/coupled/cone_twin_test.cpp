@@ -135,23 +135,6 @@ Found of_twin(const Case& c, double duration, double smooth, double grid, double
   return f;
 }
 
-template <class Of>
-std::array<Found, 3> levels(const Of& of) {
-  return {of(1), of(2), of(4)};
-}
-
-void compare(const std::string& quantity, double scale, const std::array<Found, 3>& program,
-             const std::array<Found, 3>& twin, double (*of)(const Found&), double limit = 0.02) {
-  expect_agreement({quantity, scale, limit}, {of(program[0]), of(program[1]), of(program[2])},
-                   {of(twin[0]), of(twin[1]), of(twin[2])});
-}
-
-void compare_ways(const std::string& quantity, double scale, const std::array<Found, 3>& program,
-                  const std::array<Found, 3>& twin, std::vector<double> Found::*of) {
-  expect_agreement({quantity, scale}, Trajectories{program[0].*of, program[1].*of, program[2].*of},
-                   Trajectories{twin[0].*of, twin[1].*of, twin[2].*of});
-}
-
 TEST(ConeTwin, rolls_on_flat_rock) {
   constexpr double until = 0.1;
   const std::string motion = "rotary_speed = \"60 rpm\"\nweight_on_bit = 1500\nrate_memory = 0";

@@ -9,26 +9,6 @@
 /// is what the others left, each at the height at which the bit was when it passed. No mesh of rock.
 namespace tdbd::simulation::pdc_twin_test {
 
-using Three = std::array<PdcFound, 3>;
-
-template <class Of>
-Three levels(const Of& of) {
-  return {of(1), of(2), of(4)};
-}
-
-void compare(const std::string& quantity, double scale, const Three& program, const Three& twin,
-             double (*of)(const PdcFound&), double limit = 0.02) {
-  expect_agreement({quantity, scale, limit}, {of(program[0]), of(program[1]), of(program[2])},
-                   {of(twin[0]), of(twin[1]), of(twin[2])});
-}
-
-void compare_ways(const std::string& quantity, double scale, const Three& program,
-                  const Three& twin, std::vector<double> PdcFound::*of, double limit) {
-  expect_agreement({quantity, scale, limit},
-                   Trajectories{program[0].*of, program[1].*of, program[2].*of},
-                   Trajectories{twin[0].*of, twin[1].*of, twin[2].*of});
-}
-
 /// From the bottom that fits the bit, of which the program's is a mesh. Means are those of the second
 /// half, when each cutter meets what cutters left.
 TEST(PdcTwin, bit_b_drills) {

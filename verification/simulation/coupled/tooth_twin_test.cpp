@@ -100,17 +100,6 @@ Found of_twin(const Case& c, double duration, double smooth, int steps) {
           -run.energy.cut_bit};
 }
 
-template <class Of>
-std::array<Found, 3> levels(const Of& of) {
-  return {of(1), of(2), of(4)};
-}
-
-void compare(const std::string& quantity, double scale, const std::array<Found, 3>& program,
-             const std::array<Found, 3>& twin, double (*of)(const Found&)) {
-  expect_agreement({quantity, scale}, {of(program[0]), of(program[1]), of(program[2])},
-                   {of(twin[0]), of(twin[1]), of(twin[2])});
-}
-
 TEST(ToothTwin, is_pressed_in_by_its_weight) {
   constexpr double until = 0.02;
   const auto program = levels(

@@ -105,17 +105,6 @@ Found of_twin(const Case& c, double duration, int steps) {
   return f;
 }
 
-template <class Of>
-std::array<Found, 3> levels(const Of& of) {
-  return {of(1), of(2), of(4)};
-}
-
-void compare(const std::string& quantity, double scale, const std::array<Found, 3>& program,
-             const std::array<Found, 3>& twin, double (*of)(const Found&), double limit = 0.02) {
-  expect_agreement({quantity, scale, limit}, {of(program[0]), of(program[1]), of(program[2])},
-                   {of(twin[0]), of(twin[1]), of(twin[2])});
-}
-
 /// It rolls from the start; its centre goes around nearly twice. Dampers resist the orbit below the
 /// ring, so that the wheel leans along it and screws itself down against an axial spring. Without slip
 /// the way is that of the screw (dynamics, README).
