@@ -109,8 +109,8 @@ NUMBER = r"([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\d.e]| times)"
 
 
 def share_of_limit(e):
-    """How much of its limit a measurement uses up: 1 is all of it, also where the limit is an exact value that is
-    met ("0, to the bit"), and infinity of a limit of 0 that is missed. 0 where the limit is given in other words."""
+    """The measured value relative to its limit. Returns 1 for an exact limit that is met ("0, bitwise"), infinity for a
+    limit of 0 that is exceeded, and 0 for a limit in other words."""
     if bound := re.search(rf"<= {NUMBER}", e.limit):
         if float(bound[1]):
             return abs(e.measured) / float(bound[1])

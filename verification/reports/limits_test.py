@@ -48,7 +48,7 @@ class Limits(unittest.TestCase):
         self.assert_tight(measured(1.4, "1 +- 0.1 is missed: it sleeps"), measured(0.7, "<= 0.1 was asked"))
 
     def test_in_other_words_are_not_judged(self):
-        self.assert_tight(measured(0.0, ">= 0"), measured(0.0, "0, to the bit"), measured(1.0, "below 9"), measured(0.0, "<= 0"),
+        self.assert_tight(measured(0.0, ">= 0"), measured(0.0, "0, bitwise"), measured(1.0, "below 9"), measured(0.0, "<= 0"),
                           measured(1.0, "<= 5 times that of the first steps"), measured(1.0, "a fast one has <= 9"))
 
     def test_of_rounding_may_be_wide(self):
@@ -70,7 +70,7 @@ class Missed(unittest.TestCase):
         return problem
 
     def test_what_is_within_its_limit_may_hold(self):
-        for limit, value in (("<= 0.1", 0.1), ("2 +- 0.1", 2.05), ("<= 0", 0.0), ("0, to the bit", 0.0), ("below 1", 4.0)):
+        for limit, value in (("<= 0.1", 0.1), ("2 +- 0.1", 2.05), ("<= 0", 0.0), ("0, bitwise", 0.0), ("below 1", 4.0)):
             self.assertEqual(evidence.missed_limits([measured(value, limit)]), [])
 
     def test_what_is_beyond_its_limit_does_not_hold(self):

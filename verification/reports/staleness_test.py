@@ -229,7 +229,7 @@ class Worst(unittest.TestCase):
         self.assertEqual(self.shown((2.01, "2 +- 0.05", "holds"), (1.96, "2 +- 0.05", "holds")), "number 1")
 
     def test_a_limit_without_room_is_taken_whole(self):
-        self.assertEqual(self.shown((6e-16, "<= 1e-15", "holds"), (0.0, "0, to the bit", "holds")), "number 1")
+        self.assertEqual(self.shown((6e-16, "<= 1e-15", "holds"), (0.0, "0, bitwise", "holds")), "number 1")
 
     def test_the_one_of_the_worst_verdict_that_goes_farthest_beyond(self):
         self.assertEqual(self.shown((0.9, "<= 1", "holds"), (0.02, "<= 0.05", "refuted"),

@@ -60,7 +60,7 @@ TEST(Conservation, momentum_of_a_free_gyrostat_stays_to_the_bit_over_1e7_steps) 
     EXPECT_LE(d.unit_quaternion, unit_quaternion) << scheme.name;
     record({momentum_claim(scheme),
             scheme.name + ": change of the spatial momentum over 1e7 steps, gyro_free_sym",
-            d.space_momentum, "N m s", "0, to the bit",
+            d.space_momentum, "N m s", "0, bitwise",
             d.space_momentum == 0.0 ? Verdict::holds : Verdict::refuted});
     record({momentum_claim(scheme),
             scheme.name + ": largest | |q|^2 - 1 | over 1e7 steps, gyro_free_sym",
@@ -76,7 +76,7 @@ TEST(Conservation, vertical_momentum_of_the_top_stays_to_the_bit) {
     EXPECT_EQ(change, 0.0) << scheme.name;
     record({momentum_claim(scheme),
             scheme.name + ": change of the vertical momentum over 1e5 steps, slow_top", change,
-            "N m s", "0, to the bit", change == 0.0 ? Verdict::holds : Verdict::refuted});
+            "N m s", "0, bitwise", change == 0.0 ? Verdict::holds : Verdict::refuted});
   }
 }
 
