@@ -36,6 +36,7 @@ Engaged engaged(const Columns& bit, std::size_t k, const HeightHistory& history,
   const Vec3 forward = bit.cutters[k].X_BF.R.col(0), up = bit.cutters[k].X_BF.R.col(2);
   const std::vector<Column>& columns = bit.columns[k];
   Engaged e;
+  if (columns.empty()) return e;
   Met last = met(bit, k, columns[0], history, s);
   for (std::size_t i = 1; i < columns.size(); ++i) {
     const Column *a = &columns[i - 1], *b = &columns[i];

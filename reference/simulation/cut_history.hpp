@@ -46,7 +46,7 @@ struct Column {
 /// A bit's cutters in columns.
 struct Columns {
   std::vector<RoundCutter> cutters;
-  std::vector<std::vector<Column>> columns;  ///< [cutter]
+  std::vector<std::vector<Column>> columns;  ///< [cutter]; none: it cuts without force
   std::vector<double> marks;                 ///< m up the face
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/angles.hpp"
+
 namespace tdbd::rock {
 namespace {
 
@@ -78,6 +80,12 @@ bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
   return is_seen(plane, outline);
 }
 
+/// A face of a bit that moves.
+struct FacePlace {
+  const Pose &X_WB, &X_BF;
+  const rotation::Twist& twist;
+};
+
 void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
   if (!see_outline(rock, plane, w.outline)) return;
   if (w.sight == Sight::none) w.sight = Sight::clear;
@@ -140,6 +148,38 @@ void measure_area(const Pose& X_BF, const rotation::Twist& twist, const ColumnSu
   s.volume_rate = s.area * X_BF.R.col(0).dot(rotation::velocity_B(twist, s.centroid_B));
 }
 
+/// The face carried ahead along the motion by `times` the time of each of the work's strips.
+Section section_ahead(const Rock& rock, const FaceColumns& columns, const FacePlace& face,
+                      const SectionPlace& place, double times, SectionWork& work) {
+  begin_sums(columns, work.sums);
+  work.sight = Sight::none;
+  const double middle = 0.5 * (columns.lo_F.y() + columns.hi_F.y());
+  for (const FaceStrip& strip : work.strips)
+    add_strip(rock, strip,
+              face_plane(face.X_WB * rotation::carried(face.twist, times * strip.ahead) * face.X_BF,
+                         columns, strip.first, strip.end, place.reach, middle, place.near_list),
+              work);
+  Section s;
+  s.sight = work.sight;
+  measure_area(face.X_BF, face.twist, work.sums, s);
+  measure_edge(columns, face.X_BF, face.twist, work.sums, s);
+  return s;
+}
+
+/// Where the straight line through the values at one and at two leads is at the face.
+Section at_the_face(const Section& one, const Section& two) {
+  Section s = one;
+  s.area = 2.0 * one.area - two.area;
+  s.engaged_edge = 2.0 * one.engaged_edge - two.engaged_edge;
+  if (!(s.area > 0.0) || !(s.engaged_edge > 0.0)) return {};
+  s.volume_rate = std::max(0.0, 2.0 * one.volume_rate - two.volume_rate);
+  s.centroid_B = 2.0 * one.centroid_B - two.centroid_B;
+  s.edge_centroid_B = 2.0 * one.edge_centroid_B - two.edge_centroid_B;
+  s.angle_of_attack =
+      std::clamp(2.0 * one.angle_of_attack - two.angle_of_attack, -right_angle, right_angle);
+  return s;
+}
+
 }  // namespace
 
 SectionFace section_face(FaceOutline outline) {
@@ -150,27 +190,23 @@ SectionFace section_face(FaceOutline outline) {
 
 Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB,
                 const rotation::Twist& twist, const SectionPlace& place, SectionWork& work) {
-  Section s;
   const Pose& X_BF = face.outline.X_BF;
   const ForwardSpeed v = forward_speed(X_BF, twist);
   const SpeedRange range = speed_range(face.outline.rim_F, v);
   const FaceColumns* columns = forward_columns(face, v, range, work);
-  s.sight = Sight::none;
-  if (columns == nullptr) return s;
-  begin_sums(*columns, work.sums);
-  work.sight = Sight::none;
+  if (columns == nullptr) {
+    Section s;
+    s.sight = Sight::none;
+    return s;
+  }
   face_strips(*columns, v, range, lead_of(*columns, X_BF, v, twist, place.lead),
               time_of_turn(twist, place.largest_turn), work.strips);
-  const double middle = 0.5 * (columns->lo_F.y() + columns->hi_F.y());
-  for (const FaceStrip& strip : work.strips)
-    add_strip(rock, strip,
-              face_plane(X_WB * rotation::carried(twist, strip.ahead) * X_BF, *columns, strip.first,
-                         strip.end, place.reach, middle, place.near_list),
-              work);
-  s.sight = work.sight;
-  measure_area(X_BF, twist, work.sums, s);
-  measure_edge(*columns, X_BF, twist, work.sums, s);
-  return s;
+  const FacePlace moving{X_WB, X_BF, twist};
+  const Section one = section_ahead(rock, *columns, moving, place, 1.0, work);
+  if (place.at_face == SectionAtFace::as_ahead || one.sight != Sight::clear || !(one.area > 0.0))
+    return one;
+  const Section two = section_ahead(rock, *columns, moving, place, 2.0, work);
+  return two.sight == Sight::clear ? at_the_face(one, two) : one;
 }
 
 }  // namespace tdbd::rock

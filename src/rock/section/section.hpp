@@ -6,6 +6,11 @@
 
 namespace tdbd::rock {
 
+/// Whether a section is taken to be the same at the face as ahead of it, exact where the bit moves as
+/// the cutters before did, or follows from two sections by a straight line, whose error is of second
+/// order in the lead for any motion.
+enum class SectionAtFace { as_ahead, extrapolated };
+
 /// Where the rock ahead of a face is measured. At its own place the face is half-way through the
 /// triangles; beyond their longest edge they are as the cutters before it left them.
 struct SectionPlace {
@@ -14,6 +19,7 @@ struct SectionPlace {
   double reach = 0.0;  ///< m, how far around the face to search for rock; about an edge length
   int near_list = -1;  ///< index of the rock's list that may cover the place; -1: none
   double largest_turn = 0.5;  ///< rad: near the bit's axis never farther ahead than this
+  SectionAtFace at_face = SectionAtFace::as_ahead;
 };
 
 /// What was found of the rock's outline in the plane of a face. none: nothing, so the face is in
@@ -64,6 +70,11 @@ struct SectionWork {
 /// above (+Z) the outline is therefore not counted; Section::sight reports that. Cost is
 /// proportional to the triangles around the face. Pure: the same surface gives the same bits,
 /// whatever its numbering and its index. X_WB: the bit now; twist: its motion relative to the rock.
+///
+/// SectionAtFace::extrapolated: a second section A2 is measured after twice the time, and 2 A - A2
+/// is returned, at least 0; likewise for edge, centroids, angle and volume. While the advance per
+/// turn changes, as at the start of a run or in stick-slip, A alone is too large by the depth that
+/// the bit gains on its way to where it is measured. Where the second plane sees no rock, A alone.
 Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB,
                 const rotation::Twist& twist, const SectionPlace& place, SectionWork& work);
 

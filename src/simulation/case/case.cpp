@@ -94,6 +94,7 @@ MeasurePlan read_measure(Config c) {
   using namespace measure_keys;
   return {.section = c.read(section),
           .section_lead = c.read(section_lead),
+          .section_at_face = c.read(section_at_face),
           .contact = c.read(contact),
           .contact_gap = c.read(contact_gap),
           .section_every = c.read(section_every)};

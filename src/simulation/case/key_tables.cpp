@@ -77,7 +77,9 @@ KeyTable maintenance_table() {
 
 KeyTable measure_table() {
   using namespace measure_keys;
-  return key_table("run", table, rows(section, section_lead, section_every, contact, contact_gap));
+  return key_table(
+      "run", table,
+      rows(section, section_lead, section_at_face, section_every, contact, contact_gap));
 }
 
 KeyTable output_table() {

@@ -15,6 +15,7 @@ namespace tdbd::simulation {
 struct MeasurePlan {
   SectionMeasure section = *measure_keys::section.fallback;
   double section_lead = *measure_keys::section_lead.fallback;  ///< over the rock's edge length
+  rock::SectionAtFace section_at_face = *measure_keys::section_at_face.fallback;
   ContactMeasure contact = *measure_keys::contact.fallback;
   double contact_gap = *measure_keys::contact_gap.fallback;    ///< over the rock's edge length
   long section_every = *measure_keys::section_every.fallback;  ///< steps

@@ -5,6 +5,7 @@
 #include "core/config/key.hpp"
 #include "rock/cut/cutting_bit.hpp"
 #include "rock/maintain/maintain.hpp"
+#include "rock/section/section.hpp"
 
 namespace tdbd::simulation {
 
@@ -182,6 +183,14 @@ inline constexpr QuantityKey section_lead{
     .meaning =
         "how far ahead of the face, over rock.edge_length; more than the longest edge, or "
         "sections are too small"};
+inline constexpr ChoiceKey<rock::SectionAtFace> section_at_face{
+    .name = "section_at_face",
+    .values = {{{"as_ahead", rock::SectionAtFace::as_ahead},
+                {"extrapolated", rock::SectionAtFace::extrapolated}}},
+    .fallback = rock::SectionAtFace::as_ahead,
+    .meaning =
+        "the section at the face is that ahead of it, exact in steady motion, or follows from two "
+        "at one and two leads; the second costs about a fifth of a step"};
 inline constexpr IntegerKey section_every{
     .name = "section_every",
     .fallback = 1,

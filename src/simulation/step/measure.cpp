@@ -25,8 +25,10 @@ void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const Mea
   parallel_for(static_cast<int>(faces.faces.size()), [&](int face) {
     if (!are_all_due && (face + step.number) % plan.section_every != 0) return;
     const std::size_t i = at(face);
-    const rock::SectionPlace place{plan.section_lead * step.edge_length,
-                                   section_reach * step.edge_length, faces.near_lists[i]};
+    const rock::SectionPlace place{.lead = plan.section_lead * step.edge_length,
+                                   .reach = section_reach * step.edge_length,
+                                   .near_list = faces.near_lists[i],
+                                   .at_face = plan.section_at_face};
     const rock::Section found =
         rock::section(rock, faces.faces[i], step.move.X_WB1,
                       path_of(step.paths, step.bit, face, twist), place, rooms.local());
@@ -125,7 +127,9 @@ std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePla
 rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length) {
   if (plan.section == SectionMeasure::off) return {};
   constexpr double strip = 1.5;  // what a strip of a face comes ahead, over the least (face_strips)
-  return {section_reach * edge_length, (strip * plan.section_lead + section_reach) * edge_length};
+  const double leads = plan.section_at_face == rock::SectionAtFace::extrapolated ? 2.0 : 1.0;
+  return {section_reach * edge_length,
+          (strip * leads * plan.section_lead + section_reach) * edge_length};
 }
 
 void measure_cut(rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,

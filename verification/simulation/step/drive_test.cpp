@@ -40,6 +40,17 @@ TEST(Drive, has_the_velocity_of_its_places) {
   EXPECT_NEAR((to.turned - from.turned) / h, v.w_W.z(), 3.8e-4);  // rad/s
 }
 
+/// The upper end of the damper starts as fast as the bit, whether it follows it or not.
+TEST(Drive, starts_at_the_rate_that_is_expected) {
+  for (const char* memory : {"0.5 s", "0 s"}) {
+    const Case c = drilling(
+        {"motion.expected_rate='9 mm/s'", std::string("motion.rate_memory='") + memory + "'"});
+    const dynamics::Drilling d = start_drive(c);
+    EXPECT_EQ(d.state.top_rate, 9e-3);
+    EXPECT_NEAR(velocity_of(c.drilling.system, d.state).v_W.z(), 9e-3, 1e-15);
+  }
+}
+
 /// Wrench about the centre of mass: the same power on a rigid motion as about the bit's origin.
 TEST(Drive, moves_torques_to_the_centre_of_mass) {
   const Case c = drilling({});
