@@ -3,7 +3,7 @@
 ("parts")? Writes differences.csv and owners.csv beside itself. Wants a release build.
 
     measure.py                     all cases, some minutes
-    measure.py --cases drill-bit-b only these
+    measure.py --cases drill-bit-b only these; rows of other cases are kept
     measure.py --rounding          rounding.csv: what a millionth of the edge length does where forces move the bit
     measure.py --program PROGRAM   another build's tdbd
 
@@ -152,6 +152,20 @@ def write(path, headings, rows):
         csv.writer(file, lineterminator="\n").writerows([headings, *rows])
 
 
+def rows_kept(path, measured):
+    """Rows of the cases that were not measured, if the file exists."""
+    if not path.exists():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return [row for row in list(csv.reader(file))[1:] if row[0] not in measured]
+
+
+def replace(path, headings, rows, measured):
+    """Writes the rows of the measured cases among those of the others, in the order of CASES."""
+    together = rows_kept(path, measured) + rows
+    write(path, headings, sorted(together, key=lambda row: CASES.index(row[0])))
+
+
 HEADINGS = ["case", "quantity", "parts", "whole", "change from parts to whole", "change with 0.7 times the edges"]
 NUDGED_HEADINGS = ["case", "quantity", "parts", "1.000001 times the edges", "change with 1.000001 times the edges",
                    "change with 0.7 times the edges"]
@@ -187,8 +201,8 @@ def main():
         differences += rows_of(case, parts, whole, finer)
         owners += owners_of(case, parts, whole)
         print(case, flush=True)
-    write(arguments.out / "differences.csv", HEADINGS, differences)
-    write(arguments.out / "owners.csv", ["case", "kind of part", "share by parts, %", "share by whole, %"], owners)
+    replace(arguments.out / "differences.csv", HEADINGS, differences, arguments.cases)
+    replace(arguments.out / "owners.csv", ["case", "kind of part", "share by parts, %", "share by whole, %"], owners, arguments.cases)
 
 
 if __name__ == "__main__":

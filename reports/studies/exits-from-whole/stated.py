@@ -67,3 +67,5 @@ def of_whirl(found, nudged):
     yield "differs by {:.2f} %, the volume of a cutter by up to {:.1f} %, the surfaces by {:.2f} mm", *three(found, WHOLE)
     yield "change them by {:.2f} %, {:.1f} % and {:.2f} mm", *three(nudged, NUDGED)
     yield "the finer mesh by {:.1f} %, {:.1f} % and {:.2f} mm", *three(found, FINER)
+    places = found["drill-bit-b-whirl", GREATEST]
+    yield "at single places by {:.1f} mm ({:.1f} mm). Before", size(places[WHOLE]), size(places[FINER])
