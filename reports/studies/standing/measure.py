@@ -7,10 +7,10 @@ plunges.csv and case.csv beside itself, two minutes; wants a release build.
 """
 
 import argparse
-import csv
 import json
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import numpy as np
@@ -18,6 +18,9 @@ import xarray
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(ROOT / "reports"))
+from study_tools import write_rows  # noqa: E402
+
 EDGES, STEPS = (3.0, 2.0), (3.0, 2.0, 1.0, 0.5)  # mm, ms
 STICK, QUIET = 0.5, 0.04  # rad/s, s: the bit is stuck where it turns slower for so long on both sides
 FALLEN = 1.0  # s: by then faces and bodies bear a bit that is not turned
@@ -88,13 +91,6 @@ def whole_case(program, folder, name):
             "severity": f"{seen['stick_slip_severity']:.2f}"}
 
 
-def write(name, rows):
-    with open(HERE / name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def main():
     parser = argparse.ArgumentParser(description="How a bit stands.")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/tdbd")
@@ -103,9 +99,9 @@ def main():
     end = "-before.csv" if arguments.explicit else ".csv"
     levels = [(edges, step) for edges in EDGES for step in STEPS]
     with tempfile.TemporaryDirectory() as folder:
-        write("sticks" + end, [sticks(arguments.program, folder, *level) for level in levels])
-        write("plunges" + end, [plunges(arguments.program, folder, *level) for level in levels])
-        write("case" + end, [whole_case(arguments.program, folder, "explicit" if arguments.explicit else "now")])
+        write_rows(HERE / f"sticks{end}", [sticks(arguments.program, folder, *level) for level in levels])
+        write_rows(HERE / f"plunges{end}", [plunges(arguments.program, folder, *level) for level in levels])
+        write_rows(HERE / f"case{end}", [whole_case(arguments.program, folder, "explicit" if arguments.explicit else "now")])
 
 
 if __name__ == "__main__":

@@ -6,10 +6,10 @@ release build.
     measure.py
 """
 
-import csv
 import json
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import numpy as np
@@ -17,6 +17,9 @@ import xarray
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(ROOT / "reports"))
+from study_tools import write_rows  # noqa: E402
+
 RING_RADIUS, RING_HEIGHT = 0.10795, 0.08  # m: gage radius of bit B, wall.ring_height
 FROM = 0.5  # s: by then the bit rolls
 # bending stiffness in N m/rad, its damping in N m s/rad, edges in mm
@@ -86,13 +89,6 @@ def value_of(summary, key):
     return None
 
 
-def write(name, rows):
-    with open(HERE / name, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def main():
     climbs, steps = [], []
     with tempfile.TemporaryDirectory() as folder:
@@ -108,8 +104,8 @@ def main():
                               "rop_mean, mm/s": f"{1e3 * value_of(summary, 'rop_mean_m_per_s'):.3f}",
                               "weight, kN": f"{1e-3 * value_of(summary, 'wob_mean_n'):.3f}"})
                 print(steps[-1], flush=True)
-    write("climb.csv", climbs)
-    write("steps.csv", steps)
+    write_rows(HERE / "climb.csv", climbs)
+    write_rows(HERE / "steps.csv", steps)
 
 
 if __name__ == "__main__":
