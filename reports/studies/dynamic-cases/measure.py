@@ -15,11 +15,15 @@ import json
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(ROOT / "reports"))
+from study_tools import write_rows  # noqa: E402
+
 CASES = ["drill-bit-b", "drill-bit-b-whirl", "drill-bit-b-whirl-rock", "drill-bit-r", "stick-slip", "bit-bounce",
          "high-frequency", "high-frequency-beds", "laboratory"]
 QUANTITIES = ["wob_mean", "tob_mean", "rop_mean", "rotary_speed_mean", "cone_speed_ratios", "torsional_frequency",
@@ -114,10 +118,7 @@ def main():
         for rows in pool.map(lambda name: list(rows_of(arguments.tdbd, name)), arguments.cases):
             kept += rows
             kept.sort(key=lambda row: CASES.index(row["case"]))
-            with table.open("w", newline="", encoding="utf-8") as file:
-                writer = csv.DictWriter(file, kept[-1].keys(), lineterminator="\n")
-                writer.writeheader()
-                writer.writerows(kept)
+            write_rows(table, kept)
 
 
 if __name__ == "__main__":
