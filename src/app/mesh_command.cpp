@@ -6,8 +6,8 @@
 #include "app/arguments.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
-#include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
+#include "core/wildcard.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/inspect.hpp"
@@ -119,7 +119,7 @@ mesh::GradeOptions grade_options(const MeshChoices& choices) {
 int grade(const MeshChoices& choices, std::vector<Solid> solids) {
   const mesh::GradeOptions options = grade_options(choices);
   for (Solid& solid : solids) {
-    if (!bit::fits(choices.only, solid.name)) continue;
+    if (!fits(choices.only, solid.name)) continue;
     const std::size_t before = solid.mesh.triangles.size();
     mesh::Graded g = mesh::grade(solid.mesh, options);
     say("{}: {} facets to {}, {} feature edges, surface moved by {:.3g} mm at most, volume "

@@ -38,6 +38,22 @@ std::string kind_name(PartKind kind) { return joined_by('-', std::string(kind_wo
 
 std::string kind_key(PartKind kind) { return joined_by('_', std::string(kind_words(kind))); }
 
+std::vector<std::string_view> part_kind_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    all.reserve(part_kinds.size());
+    for (const PartKind kind : part_kinds) all.push_back(kind_name(kind));
+    return all;
+  }();
+  return {names.begin(), names.end()};
+}
+
+PartKind part_kind_named(std::string_view name) {
+  for (const PartKind kind : part_kinds)
+    if (kind_name(kind) == name) return kind;
+  return PartKind::face;
+}
+
 std::string cutting_name(Cutting cutting) {
   switch (cutting) {
     case Cutting::cuts:

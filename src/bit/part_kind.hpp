@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tdbd::bit {
 
@@ -23,6 +24,10 @@ std::string kind_name(PartKind kind);
 
 /// A kind's key in a case: "face", "cutter_body", "gage_pad", ...
 std::string kind_key(PartKind kind);
+
+/// The names of all kinds (kind_name), and the kind that has a name; PartKind::face of no name.
+std::vector<std::string_view> part_kind_names();
+PartKind part_kind_named(std::string_view name);
 
 /// Whether cutters are made of parts of this kind.
 constexpr bool belongs_to_a_cutter(PartKind kind) {

@@ -9,22 +9,6 @@
 /// The keys of a bit whose parts come from mesh files.
 namespace tdbd::bit {
 
-/// The names of all kinds of part, and the kind that has a name.
-inline std::vector<std::string_view> part_kind_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    all.reserve(part_kinds.size());
-    for (const PartKind kind : part_kinds) all.push_back(kind_name(kind));
-    return all;
-  }();
-  return {names.begin(), names.end()};
-}
-inline PartKind part_kind_named(std::string_view name) {
-  for (const PartKind kind : part_kinds)
-    if (kind_name(kind) == name) return kind;
-  return PartKind::face;
-}
-
 namespace part_file_keys {
 
 inline constexpr TableKey table{"parts", "a part of the bit from a mesh file", Repeats::yes};

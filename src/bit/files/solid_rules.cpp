@@ -5,6 +5,7 @@
 
 #include "bit/files/mesh_keys.hpp"
 #include "bit/files/part_keys.hpp"
+#include "core/wildcard.hpp"
 #include "rotation/rotation_vector.hpp"
 
 namespace tdbd::bit {
@@ -43,14 +44,6 @@ void lay_over(std::optional<T>& below, const std::optional<T>& above) {
 }
 
 }  // namespace
-
-bool fits(std::string_view pattern, std::string_view name) {
-  if (pattern.empty()) return name.empty();
-  if (pattern.front() == '*')
-    return fits(pattern.substr(1), name) || (!name.empty() && fits(pattern, name.substr(1)));
-  return !name.empty() && (pattern.front() == '?' || pattern.front() == name.front()) &&
-         fits(pattern.substr(1), name.substr(1));
-}
 
 std::vector<SolidRule> read_rules(Config& solids) {
   std::vector<SolidRule> rules;

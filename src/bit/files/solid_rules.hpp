@@ -2,16 +2,12 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bit/bit.hpp"
 #include "core/config/config.hpp"
 
 namespace tdbd::bit {
-
-/// Whether a name matches a pattern in which * stands for any text and ? for any character.
-bool fits(std::string_view pattern, std::string_view name);
 
 /// What a bit file says about a solid: one of its [[solids.rules]], or all that match taken
 /// together.

@@ -14,6 +14,7 @@
 #include "bit/files/unit_question.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "core/wildcard.hpp"
 #include "mesh/files/solids.hpp"
 
 namespace tdbd::bit {
