@@ -10,6 +10,7 @@
 #include "bit/files/bit_file.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/mass_properties.hpp"
+#include "bit/report/area_report.hpp"
 #include "bit/report/assumption_report.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/bit_report.hpp"
@@ -43,7 +44,7 @@ void print_parts(const bit::Bit& b) {
   for (const bit::Part& p : b.parts) {
     const double volume = mesh::enclosed_volume(p.mesh_P);
     say("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name, bit::kind_name(p.kind),
-        bit::cutting_name(p.cutting), p.mesh_P.triangles.size(), 1e9 * volume,
+        bit::cutting_name(bit::cutting_in_the_end(p)), p.mesh_P.triangles.size(), 1e9 * volume,
         1e3 * p.density * volume);
   }
 }
@@ -91,7 +92,9 @@ int inspect_bit(const BitChoices& choices) {
     print_bit(read);
     say("{}{}{}", bit::assumptions_text(b, bit_speed),
         bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
-    if (choices.report) say("{}{}", bit::tracking_text(b, operation), bit::body_text(b, advance));
+    if (choices.report)
+      say("{}{}{}", bit::areas_report(b), bit::tracking_text(b, operation),
+          bit::body_text(b, advance));
   }
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");

@@ -16,6 +16,16 @@ struct Segment {
   Vec3 from, to;  ///< m
 };
 
+/// What makes a waiting part begin to cut or to rub. Thesis: 3.1, parts decide when they cut.
+enum class StartEvent { depth, time };
+
+/// A part that waits: until the event its Part::cutting is `never`, from then on `then`.
+struct LateStart {
+  StartEvent event = StartEvent::time;
+  double from = 0.0;  ///< m that the bit has gone down since its motion began, or s since then
+  Cutting then = Cutting::cuts;
+};
+
 /// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P. The parts
 /// of one cutter share that cutter's frame. Thesis: 3.1.
 struct Part {
@@ -35,6 +45,9 @@ struct Part {
   std::optional<Segment> core_P;
   int cone = -1;  ///< index into Bit::cones, or -1; X_BP holds at the cone's angle 0
   int row = -1;   ///< for a tooth: index into its cone's rows
+  std::optional<LateStart> start;  ///< none: `cutting` holds from the beginning
+  /// The areas of the bit file that gave density, cutting and start; empty: no area did.
+  std::string density_area, cutting_area, start_area;
 };
 
 /// One row of the cutter table, SI. Thesis: 3.2.2, app. A.
@@ -83,6 +96,11 @@ struct Bit {
   std::optional<BladeFigures> blades = std::nullopt;
   CuttersFrom cutters_from = CuttersFrom::table;
 };
+
+/// What a part does to rock once it has started.
+inline Cutting cutting_in_the_end(const Part& part) {
+  return part.start ? part.start->then : part.cutting;
+}
 
 /// A part's mesh in the bit frame (cones at angle 0), m.
 mesh::TriangleMesh mesh_B(const Part& part);

@@ -97,7 +97,9 @@ std::string expected_of(const AreaSelector& s, const Bit& bit) {
   }
   if (s.names && none({.names = s.names})) return "a pattern of part names, as bit.json lists them";
   if (s.row && none({.row = s.row})) return "a row of a cone of the bit";
-  if (s.cone && none({.cone = s.cone})) return fmt::format("at most {}", bit.cones.size());
+  if (s.cone && none({.cone = s.cone}))
+    return bit.cones.empty() ? "no cone: the bit has none"
+                             : fmt::format("at most {}", bit.cones.size());
   if (s.blade && none({.blade = s.blade}))
     return blades.empty() ? "no blade: the bit has none" : "one of its blades: " + joined(blades);
   if (s.zone && none({.zone = s.zone}))
@@ -123,20 +125,24 @@ void check_selector(Config& c, const AreaSelector& s, const Bit& bit, const std:
 
 Areas read_areas(Config areas, const Bit& bit, const std::string& where) {
   Areas read;
+  std::set<int> wrong;
   for (const std::string& name : areas.given()) {
     if (!is_area_name(name)) {
       areas.problem("", fmt::format("an area named \"{}\"", name),
                     "names of letters, digits, - and _");
       continue;
     }
+    const std::size_t before = areas.problem_count();
     Config c = areas.table(name);
-    const std::size_t before = c.problem_count();
     AreaTable table{{name, c.place(""), read_selector(c)}, c};
     if (c.problem_count() == before) check_selector(c, table.rule.selector, bit, where);
+    if (c.problem_count() != before) wrong.insert(static_cast<int>(read.rules.size()));
     read.rules.push_back(table.rule);
     read.tables.push_back(std::move(table));
   }
   read.of_parts = rules_of_parts(bit, read.rules);
+  for (std::vector<int>& rules : read.of_parts)
+    std::erase_if(rules, [&](int rule) { return wrong.contains(rule); });
   return read;
 }
 

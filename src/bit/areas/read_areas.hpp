@@ -19,7 +19,7 @@ struct AreaTable {
 struct Areas {
   std::vector<AreaTable> tables;
   std::vector<AreaRule> rules;  ///< of the tables
-  RulesOfParts of_parts;
+  RulesOfParts of_parts;        ///< without the rules that have a mistake
 };
 
 /// Reads the tables [areas.NAME] in `areas` (area_keys). Notes as mistakes, at the area's place: a

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+#include "bit/areas/bit_areas.hpp"
 #include "bit/cone/swept_parts.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/cone_file.hpp"
@@ -37,8 +38,9 @@ std::string part_text(const Part& part, const std::string& file) {
       "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n{}"
       "density = {}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
       toml_string(part.name), toml_string(kind_name(part.kind)), toml_string(file),
-      part.cutting == Cutting::cuts, part.cutting == Cutting::rubs ? "rubs = true\n" : "",
-      part.density, part.group, toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
+      cutting_in_the_end(part) == Cutting::cuts,
+      cutting_in_the_end(part) == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group,
+      toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
   if (part.cutter < 0)
     text += fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
   return text;
@@ -55,8 +57,8 @@ std::string rule_text(const Bit& bit, const Part& part, const std::string& match
       "\n[[solids.rules]]\nmatch = {}\nname = {}\nkind = {}\ncutting = {}\n{}density = {}  # "
       "kg/m3\ngroup = {}\n",
       toml_string(match), toml_string(part.name), toml_string(kind_name(part.kind)),
-      part.cutting == Cutting::cuts, part.cutting == Cutting::rubs ? "rubs = true\n" : "",
-      part.density, part.group);
+      cutting_in_the_end(part) == Cutting::cuts,
+      cutting_in_the_end(part) == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group);
   if (part.cutter < 0)
     return text + fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
   const Pose& X_BC = bit.cutters[static_cast<std::size_t>(part.cutter)].X_BC;
@@ -76,6 +78,7 @@ void export_bit(const std::filesystem::path& folder, const Bit& bit, const std::
     mesh::write_mesh(folder / file, part.mesh_P);
     toml += part_text(part, file);
   }
+  toml += areas_text(bit);
   if (!bit.cones.empty()) toml = cone_bit_text(bit);
   write_text(folder / "bit.toml", toml);
 }
@@ -106,6 +109,7 @@ void export_solids(const std::filesystem::path& folder, const Bit& bit, const st
     toml += rule_text(bit, part, has_names ? part.name : fmt::format("solid-{}", solids.size()));
   }
   for (const Cone& cone : bit.cones) toml += cone_text_of(cone);
+  toml += areas_text(bit);
   mesh::write_solids(folder / ("bit." + format), solids);
   write_text(folder / "solids.toml", toml);
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "bit/areas/bit_area_keys.hpp"
+#include "bit/areas/bit_areas.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/adjust_file.hpp"
 #include "bit/files/bit_parts.hpp"
@@ -119,10 +121,13 @@ BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule direction
   adjust_cutters(c.table(adjust_keys::table), cutters);
   check_pads(c, cutters, options.pads);
   if (options.blades) check_blades(c, cutters, *options.blades);
+  c.finish_before(bit_area_keys::areas);
+  Bit bit = pdc_bit(name, cutters, options);
+  require_cutters_inside_gage(bit, gage_radius, designed ? c.files().front() : table);
+  std::vector<std::string> without_density;
+  apply_areas(c, bit, without_density);
   c.finish();
-  BitFile file{pdc_bit(name, cutters, options), c.files(), c.fingerprint()};
-  require_cutters_inside_gage(file.bit, gage_radius, designed ? c.files().front() : table);
-  return file;
+  return {std::move(bit), c.files(), c.fingerprint()};
 }
 
 BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directions,
@@ -131,12 +136,14 @@ BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directio
   bit.name = name;
   PartsFromFiles read = c.has("solids") ? read_solid_parts(c, directions, inside, densities)
                                         : read_parts(c, directions, inside, densities);
-  c.finish();
+  c.finish_before(bit_area_keys::areas);
   direct_by_profile(read, directions, inside);
   bit.parts = std::move(read.parts);
   bit.cones = std::move(read.cones);
   add_cutters(read, bit);
   bit.gage_radius = largest_turned_radius(bit);
+  apply_areas(c, bit, read.without_density);
+  c.finish();
   return {std::move(bit), c.files(), c.fingerprint(), std::move(read.without_density)};
 }
 

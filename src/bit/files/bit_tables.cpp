@@ -1,5 +1,7 @@
 #include "bit/files/bit_tables.hpp"
 
+#include "bit/areas/area_keys.hpp"
+#include "bit/areas/bit_area_keys.hpp"
 #include "bit/files/adjust_file.hpp"
 #include "bit/files/cone_keys.hpp"
 #include "bit/files/design_keys.hpp"
@@ -41,6 +43,14 @@ KeyTable blades() {
   using namespace blade_keys;
   return bit_table(table, exposure, slot_depth, width, wall, gage_length, neck, shank_radius,
                    shank_length, edge, density, rubs, cuts);
+}
+
+/// The keys of an area; those of forces are in the case.
+KeyTable areas() {
+  namespace area = area_keys;
+  return bit_table(bit_area_keys::table, area::kind, area::zone, area::blade, area::cone, area::row,
+                   area::names, area::part, bit_area_keys::density, bit_area_keys::cutting,
+                   bit_area_keys::from_depth, bit_area_keys::from_time);
 }
 
 KeyTable profile() {
@@ -133,7 +143,7 @@ std::vector<KeyTable> bit_tables() {
   for (KeyTable& table :
        std::vector<KeyTable>{journals(), teeth(), cones(), tooth_rows(), shank(), parts(),
                              bit_table(solids_keys::table, solids_keys::file, solids_keys::unit),
-                             solid_rules(), solid_cones()})
+                             solid_rules(), solid_cones(), areas()})
     all.push_back(std::move(table));
   return all;
 }

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "bit/areas/bit_area_keys.hpp"
+#include "bit/areas/bit_areas.hpp"
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_faults.hpp"
 #include "bit/cone/cone_interference.hpp"
@@ -197,12 +199,14 @@ Bit read_cone_bit(Config& file, const std::string& name) {
   layouts.reserve(cones.size());
   for (Config& c : cones) layouts.push_back(read_cone(c, usual_cone, usual_tooth));
   const Shank shank = read_shank(file.table(shank_keys::table));
-  file.finish();
+  file.finish_before(bit_area_keys::areas);
   std::optional<double> gage_radius;
   if (gage < std::numeric_limits<double>::infinity()) gage_radius = 0.5 * gage;
   try {
     Bit bit = build(std::move(layouts), gage_radius, shank, name, cones);
     if (interference == Interference::refuse) note_overlaps(bit, cones);
+    std::vector<std::string> without_density;
+    apply_areas(file, bit, without_density);
     file.finish();
     return bit;
   } catch (const InputError& e) {
@@ -221,7 +225,7 @@ std::string cone_bit_text(const Bit& bit) {
     text += fmt::format("\n[shank]\nradius = {}\nlength = {}\nheight = {}\ndensity = {}\n",
                         bit.shank.radius, bit.shank.length, bit.shank.height, bit.shank.density);
   for (const Cone& cone : bit.cones) text += cone_text(cone.layout);
-  return text;
+  return text + areas_text(bit);
 }
 
 }  // namespace tdbd::bit

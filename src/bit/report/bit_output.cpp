@@ -11,7 +11,8 @@ namespace tdbd::bit {
 
 nlohmann::ordered_json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-void write_bit_files(const std::filesystem::path& folder, const Bit& bit) {
+void write_bit_files(const std::filesystem::path& folder, const Bit& bit,
+                     std::span<const PartLaw> laws) {
   nlohmann::ordered_json cutters = nlohmann::ordered_json::array();
   for (const Cutter& c : bit.cutters)
     cutters.push_back({{"name", "cutter-" + std::to_string(c.id)},
@@ -28,6 +29,7 @@ void write_bit_files(const std::filesystem::path& folder, const Bit& bit) {
   nlohmann::ordered_json file{
       {"schema", 1}, {"name", bit.name}, {"gage_radius_m", bit.gage_radius}, {"cutters", cutters}};
   if (!bit.cones.empty()) file["cones"] = cones_json(bit);
+  file["parts"] = properties_json(bit, laws);
   write_text(folder / "bit.json", file.dump(2) + "\n");
 }
 

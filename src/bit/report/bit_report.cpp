@@ -14,6 +14,7 @@
 #include "bit/profile/engagement.hpp"
 #include "bit/profile/exposure.hpp"
 #include "bit/profile/exposure_profile.hpp"
+#include "bit/report/area_report.hpp"
 #include "bit/report/assumption_report.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/body_report.hpp"
@@ -130,7 +131,7 @@ Json parts_json(const Bit& bit) {
   for (const Part& p : bit.parts)
     parts.push_back({{"name", p.name},
                      {"kind", kind_name(p.kind)},
-                     {"cuts", p.cutting == Cutting::cuts},
+                     {"cuts", cutting_in_the_end(p) == Cutting::cuts},
                      {"cutter", p.cutter},
                      {"cone", p.cone},
                      {"volume_m3", mesh::enclosed_volume(p.mesh_P)},
@@ -183,7 +184,8 @@ std::string analysis_json(const Bit& bit, const ReportOptions& options) {
             {"column_width_m", e.column_width},
             {"cutters_cutting_at_radius", e.cutting},
             {"cutters", cutters_json(bit, e)},
-            {"parts", parts_json(bit)}};
+            {"parts", parts_json(bit)},
+            {"properties", properties_json(bit, {})}};
   add_body_profile(bit, file);
   if (!bit.cones.empty()) {
     add_cones(bit, file);

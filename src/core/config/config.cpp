@@ -148,6 +148,14 @@ void Config::finish() const {
   throw_if_any(*document_, std::move(problems));
 }
 
+void Config::finish_before(const TableKey& later) const {
+  std::vector<ConfigProblem> problems = document_->problems;
+  const std::string inside = std::string(later.name) + ".";
+  for (const ConfigProblem& p : unknown_keys(*document_))
+    if (p.key != later.name && !p.key.starts_with(inside)) problems.push_back(p);
+  throw_if_any(*document_, std::move(problems));
+}
+
 void Config::stop_at_problems() const { throw_if_any(*document_, document_->problems); }
 
 }  // namespace tdbd

@@ -164,6 +164,9 @@ class Config {
   /// sorted by line: "FILE:LINE: KEY: found F, expected E". Mistakes of other files follow.
   void finish() const;
 
+  /// The same without unread keys of a table that is read later, after which finish() is called.
+  void finish_before(const TableKey& later) const;
+
   /// Throws InputError, as finish() does, when there were problems so far; says nothing about keys
   /// that nobody read. For a mistake that leaves open what the rest of the file means.
   void stop_at_problems() const;

@@ -6,11 +6,13 @@
 #include <iterator>
 #include <limits>
 
-#include "forces/fits.hpp"
+#include "simulation/case/case_areas.hpp"
 #include "simulation/case/case_rock.hpp"
 #include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/idle_coefficients.hpp"
+#include "simulation/case/read_law.hpp"
+#include "simulation/case/run_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -65,7 +67,7 @@ void bear_on_wall(Config& whole, const Config& forces, const bit::Bit& bit, Forc
       wall.problem(key, "[forces.gage_pad] as well", "one of the two");
     }
   if (!bit.parts.empty() && std::ranges::none_of(bit.parts, [](const bit::Part& p) {
-        return p.kind == PartKind::gage_pad && p.cutting != bit::Cutting::never;
+        return p.kind == PartKind::gage_pad && cutting_in_the_end(p) != bit::Cutting::never;
       }))
     wall.problem(wall_keys::model, "\"rock\" and a bit without gage pads",
                  "gage pads that bear on the wall ([gage_pads] of the bit file), or \"ring\"");
@@ -81,31 +83,6 @@ constexpr std::array<KindKey, bit::part_kinds.size()> kind_keys{
      {PartKind::bit_body, FollowsRun::yes},
      {PartKind::cone, FollowsRun::yes},
      {PartKind::tooth, FollowsRun::yes}}};
-
-/// A law with coefficients from the literature, which the keys beside it change.
-std::optional<forces::Law> read_fit(Config& c) {
-  if (!c.has(force_keys::coefficients)) return std::nullopt;
-  return forces::fit_named(c.read(force_keys::coefficients)).law;
-}
-
-/// The law that the table names, with its coefficients; a table that names none means `usual`
-/// (empty: it must name one).
-forces::Law read_law(Config& c, const std::string& usual) {
-  const std::optional<forces::Law> fit = read_fit(c);
-  std::optional<std::string> fallback;
-  if (fit)
-    fallback = forces::law_name(*fit);
-  else if (!usual.empty())
-    fallback = usual;
-  const std::string name = c.read(force_keys::law, fallback);
-  if (fit && name != forces::law_name(*fit))
-    c.problem(force_keys::law, name,
-              "the law of forces.coefficients, " + std::string(forces::law_name(*fit)));
-  forces::Law law = fit.value_or(forces::law_named(name));
-  for (const forces::LawField& f : forces::law_fields(law))
-    *f.value = c.read(force_keys::key_of(f), fit ? std::optional(*f.value) : f.fallback);
-  return law;
-}
 
 /// Diameter of the cutters, m; 0: the bit has none.
 double cutter_diameter(const bit::Bit& bit) {
@@ -152,8 +129,9 @@ void warn_of_idle(Config& c, const bit::Bit& bit, const forces::Law& common, con
 /// Parts that rub are there to bear; without a law they do not.
 void warn_of_unborne(const Config& c, const bit::Bit& bit, const ForcePlan& plan,
                      std::vector<CaseWarning>& warnings) {
-  for (const bit::Part& p : bit.parts) {
-    if (p.cutting != bit::Cutting::rubs || has_law(plan, p.kind)) continue;
+  for (std::size_t i = 0; i < bit.parts.size(); ++i) {
+    const bit::Part& p = bit.parts[i];
+    if (cutting_in_the_end(p) != bit::Cutting::rubs || has_law(plan, bit, i)) continue;
     const std::string key = bit::kind_key(p.kind);
     warnings.push_back(
         {c.place(force_keys::table.name), std::string(force_keys::table.name),
@@ -170,7 +148,7 @@ bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
          (kind == PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
 }
 
-bool meets_rock(const bit::Part& p) { return p.cutting != bit::Cutting::never; }
+bool meets_rock(const bit::Part& p) { return cutting_in_the_end(p) != bit::Cutting::never; }
 
 /// The laws that act on a part of this bit, and on which kinds: "a law that acts on a part of this bit
 /// (gage pad): friction".
@@ -200,17 +178,24 @@ void require_parts(Config& c, const bit::Bit& bit, const forces::Law& common,
                    const ForcePlan& plan) {
   if (bit.parts.empty()) return;  // its own mistakes are told
   const bool is_none = std::holds_alternative<forces::NoForce>(common);
-  if (!is_none && std::ranges::none_of(bit.parts, [&](const bit::Part& p) {
-        return meets_rock(p) && law_of(plan, p.kind).index() == common.index();
-      }))
-    c.problem(force_keys::law, std::string(forces::law_name(common)), acting_laws(c, bit));
-  for (const bit::Part& p : bit.parts)
-    if (p.cutter < 0 && has_law(plan, p.kind) && needs_a_cutter(plan, p.kind))
+  bool acts = is_none;
+  for (std::size_t i = 0; i < bit.parts.size() && !acts; ++i)
+    acts = meets_rock(bit.parts[i]) &&
+           law_of(plan, bit.parts[i].kind, static_cast<int>(i)).index() == common.index();
+  if (!acts) c.problem(force_keys::law, std::string(forces::law_name(common)), acting_laws(c, bit));
+  for (std::size_t i = 0; i < bit.parts.size(); ++i)
+    if (const bit::Part& p = bit.parts[i];
+        p.cutter < 0 && has_law(plan, bit, i) && needs_a_cutter(plan, p.kind))
       return c.problem("", fmt::format("{}, a part without a cutter whose place is known", p.name),
                        fmt::format("a cutter table, or the frame of its cutter (cutter_position of "
                                    "[[solids.rules]], position and rotation_vector of [[parts]]) "
                                    "with a face flat across X; or forces.{}.law = \"none\"",
                                    bit::kind_key(p.kind)));
+}
+
+/// "bit-b of cases/bits/bit-b.toml", for messages.
+std::string bit_in_words(Config& whole, const bit::Bit& bit) {
+  return fmt::format("{} of {}", bit.name, whole.table(bit_keys::table).read(bit_keys::file));
 }
 
 /// Sections and contact areas are what forces are made of.
@@ -243,10 +228,13 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
   const forces::Law common = read_law(c, "");
   for (const KindKey& k : kind_keys) read_law_of(c, k, common, bit, plan);
   bear_on_wall(whole, c, bit, plan);
+  std::vector<CaseWarning> area_warnings;
+  read_force_areas(c, bit, bit_in_words(whole, bit), plan, area_warnings);
   require_parts(c, bit, common, plan);
   require_measures(c, bit, measure);
   if (c.problem_count() == 0) {
     warn_of_idle(c, bit, common, plan, warnings);
+    std::ranges::move(area_warnings, std::back_inserter(warnings));
     warn_of_unborne(whole, bit, plan, warnings);
   }
   plan.rock = read_formation(whole.table(rock_keys::table));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "simulation/case/part_bearing.hpp"
 
@@ -22,8 +23,26 @@ Segment segment_of(double diameter, double height) {
   return {a * a * (half - std::sin(half) * std::cos(half)), 2.0 * a * half};
 }
 
-double normal_force(const ForcePlan& plan, const forces::PartCut& cut) {
-  return forces::force(law_of(plan, cut.kind), cut).normal;
+double normal_force(const ForcePlan& plan, const forces::PartCut& cut, std::optional<int> part) {
+  const forces::Law& law = part ? law_of(plan, cut.kind, *part) : law_of(plan, cut.kind);
+  return forces::force(law, cut).normal;
+}
+
+/// The first part that meets a condition; none: the law of its kind holds.
+template <class Condition>
+std::optional<int> first_part(const bit::Bit& bit, const Condition& condition) {
+  const auto found = std::ranges::find_if(bit.parts, condition);
+  if (found == bit.parts.end()) return std::nullopt;
+  return static_cast<int>(found - bit.parts.begin());
+}
+
+std::optional<int> face_of(const bit::Bit& bit, int cutter) {
+  return first_part(
+      bit, [&](const bit::Part& p) { return p.cutter == cutter && p.kind == bit::PartKind::face; });
+}
+
+std::optional<int> tooth_of(const bit::Bit& bit, int cone, int row) {
+  return first_part(bit, [&](const bit::Part& p) { return p.cone == cone && p.row == row; });
 }
 
 forces::PartCut cut_of(const bit::Cutter& c, const forces::Strength& strength) {
@@ -63,15 +82,23 @@ const forces::Strength& strongest_of(const ForcePlan& plan) {
 dynamics::ContactSlopes contact_slopes(const bit::Bit& bit, const ForcePlan& plan) {
   const forces::Strength& strongest = strongest_of(plan);
   dynamics::ContactSlopes slopes;
-  for (const bit::Cutter& c : bit.cutters) {
-    const double slope = normal_force(plan, cut_of(c, strongest)) / depth;
+  for (std::size_t i = 0; i < bit.cutters.size(); ++i) {
+    const bit::Cutter& c = bit.cutters[i];
+    const std::optional<int> face = face_of(bit, static_cast<int>(i));
+    if (face &&
+        cutting_in_the_end(bit.parts[static_cast<std::size_t>(*face)]) != bit::Cutting::cuts)
+      continue;
+    const double slope = normal_force(plan, cut_of(c, strongest), face) / depth;
     const double down = std::cos(c.profile_angle), out = std::sin(c.profile_angle);
     slopes.axial_stiffness += slope * down * down;
     slopes.lateral_stiffness += 0.5 * slope * out * out;
   }
-  for (const bit::Cone& cone : bit.cones)
-    for (const bit::ToothRow& row : cone.layout.rows)
-      slopes.axial_stiffness += normal_force(plan, print_of(row, strongest)) / depth;
+  for (std::size_t k = 0; k < bit.cones.size(); ++k)
+    for (std::size_t j = 0; j < bit.cones[k].layout.rows.size(); ++j)
+      slopes.axial_stiffness +=
+          normal_force(plan, print_of(bit.cones[k].layout.rows[j], strongest),
+                       tooth_of(bit, static_cast<int>(k), static_cast<int>(j))) /
+          depth;
   const PartBearing others = bearing_of_parts(bit, plan, strongest);
   slopes.axial_stiffness += others.slope;
   slopes.lateral_stiffness += others.lateral_slope;

@@ -41,11 +41,13 @@ void doubt_edges(const Config& c, const Case& read, std::vector<CaseWarning>& wa
                   1e3 * edge, 1e3 * width)));
 }
 
-/// The narrowest tooth that bears load, m; 0: none.
+/// The narrowest tooth with a law, m; 0: none.
 double narrowest_bearing_tooth(const Case& read) {
   double narrowest = 0.0;
-  for (const bit::Part& part : read.bit.parts) {
+  for (std::size_t i = 0; i < read.bit.parts.size(); ++i) {
+    const bit::Part& part = read.bit.parts[i];
     if (part.kind != bit::PartKind::tooth || part.cutting != bit::Cutting::cuts) continue;
+    if (!has_law(read.forces, read.bit, i)) continue;
     const double width = width_of(part);
     if (width > 0.0 && (narrowest == 0.0 || width < narrowest)) narrowest = width;
   }
@@ -56,7 +58,7 @@ double narrowest_bearing_tooth(const Case& read) {
 void doubt_tooth_forces(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   constexpr double edges_per_width = 6.0;
   const ForcePlan& forces = read.forces;
-  if (forces.forces == Forces::off || !has_law(forces, bit::PartKind::tooth)) return;
+  if (forces.forces == Forces::off) return;
   const double width = narrowest_bearing_tooth(read), edge = read.rock.edge_length;
   if (width == 0.0 || edges_per_width * edge <= width) return;
   warnings.push_back(warning(

@@ -23,6 +23,17 @@ inline constexpr TableKey kind_table{
     "another law for one kind of part (KIND): face, chamfer, cse, cutter_body, gage_pad, bit_body, "
     "cone, tooth; its coefficients stand beside it"};
 
+inline constexpr TableKey areas_table{"forces.areas.NAME",
+                                      "another law, or other coefficients, for the parts that meet "
+                                      "all criteria given here; of several "
+                                      "areas the one with the most particular criterion decides"};
+inline constexpr TableKey areas{"areas", areas_table.meaning};
+inline constexpr NameKey area_law{
+    .name = "law",
+    .names = &forces::law_names,
+    .usual = "that of coefficients; else that of the parts, with the coefficients given here",
+    .meaning = "its coefficients are keys beside it, as in [forces]"};
+
 /// The names of the sets of coefficients from the literature.
 inline std::vector<std::string_view> fit_names() {
   std::vector<std::string_view> names;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bit/areas/area_keys.hpp"
 #include "bit/files/bit_tables.hpp"
 #include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/force_keys.hpp"
@@ -102,12 +103,19 @@ std::string where_it_acts(const forces::Law& law, const forces::LawField& field)
   return on_all ? "" : kinds;
 }
 
+KeyTable area_table() {
+  namespace area = bit::area_keys;
+  return key_table("run", force_keys::areas_table,
+                   rows(area::kind, area::zone, area::blade, area::cone, area::row, area::names,
+                        area::part, force_keys::area_law, force_keys::coefficients));
+}
+
 /// [forces], and the coefficients of every law that has any.
 std::vector<KeyTable> force_tables() {
   using namespace force_keys;
   std::vector<KeyTable> tables{
       key_table("run", table, rows(law, coefficients, cut, chamfer_contact)),
-      key_table("run", kind_table, rows(law, coefficients))};
+      key_table("run", kind_table, rows(law, coefficients)), area_table()};
   for (const std::string_view name : forces::law_names()) {
     forces::Law each = forces::law_named(name);
     std::vector<KeyRow> fields;

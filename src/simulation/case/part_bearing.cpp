@@ -50,15 +50,28 @@ Vec3 area_vector_above(const std::array<Vec3, 3>& x, const std::array<double, 3>
   return sum;
 }
 
-/// Where faces have a law they carry a cutter's weight.
-bool presses(const ForcePlan& plan, const bit::Part& part) {
-  using bit::PartKind;
-  const bool follows_a_face = part.cutter >= 0 && has_law(plan, PartKind::face);
-  return part.cutting != bit::Cutting::never && part.kind != PartKind::face && !follows_a_face &&
-         part.row < 0 && has_law(plan, part.kind);
+int index_of(const bit::Bit& bit, const bit::Part& part) {
+  return static_cast<int>(&part - bit.parts.data());
 }
 
-double normal_force(const ForcePlan& plan, const bit::Part& part, double area,
+/// Of a cutter without a part for its face, the law of faces decides.
+bool has_face_with_law(const ForcePlan& plan, const bit::Bit& bit, int cutter) {
+  const auto face = std::ranges::find_if(bit.parts, [&](const bit::Part& p) {
+    return p.cutter == cutter && p.kind == bit::PartKind::face;
+  });
+  if (face != bit.parts.end()) return has_law(plan, face->kind, index_of(bit, *face));
+  return has_law(plan, bit::PartKind::face);
+}
+
+/// Where faces have a law they carry a cutter's weight.
+bool presses(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part) {
+  using bit::PartKind;
+  const bool follows_a_face = part.cutter >= 0 && has_face_with_law(plan, bit, part.cutter);
+  return cutting_in_the_end(part) != bit::Cutting::never && part.kind != PartKind::face &&
+         !follows_a_face && part.row < 0 && has_law(plan, part.kind, index_of(bit, part));
+}
+
+double normal_force(const forces::Law& law, const bit::Part& part, double area,
                     const forces::Strength& strength) {
   forces::PartCut cut;
   cut.kind = part.kind;
@@ -67,7 +80,7 @@ double normal_force(const ForcePlan& plan, const bit::Part& part, double area,
   cut.velocity = pressing_speed * Vec3::UnitZ();
   cut.normal = Vec3::UnitZ();
   cut.strength = strength;
-  return forces::force(law_of(plan, part.kind), cut).normal;
+  return forces::force(law, cut).normal;
 }
 
 }  // namespace
@@ -108,12 +121,13 @@ PartBearing bearing_of_parts(const bit::Bit& bit, const ForcePlan& plan,
   PartBearing sum;
   for (const bit::Part* counted : counted_parts(bit)) {
     const bit::Part& part = *counted;
-    if (!presses(plan, part)) continue;
+    if (!presses(plan, bit, part)) continue;
+    const forces::Law& law = law_of(plan, part.kind, index_of(bit, part));
     const Vec3 u = contact_direction_B(bit, part);
     const double down = part.cone < 0 ? u.z() : 1.0,
                  out = std::sqrt(std::max(0.0, 1.0 - down * down));
-    const double first = normal_force(plan, part, area_at_depth(part, u, depth_at_touch), strength);
-    const double last = normal_force(plan, part, area_at_depth(part, u, full_depth), strength);
+    const double first = normal_force(law, part, area_at_depth(part, u, depth_at_touch), strength);
+    const double last = normal_force(law, part, area_at_depth(part, u, full_depth), strength);
     const double slope = std::max(0.0, last - first) / full_depth;
     sum.at_touch += std::max(0.0, down) * first;
     sum.slope += down * down * slope;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "bit/bit.hpp"
 #include "dynamics/drilling/drilling_system.hpp"
@@ -24,22 +26,41 @@ struct MeasurePlan {
 /// Whether a run computes forces at all.
 enum class Forces { off, on };
 
-/// The force laws of a run, by kind of part, and the rock that they act in.
+/// The force laws of a run, by kind of part or by part, and the rock that they act in.
 struct ForcePlan {
   Forces forces = Forces::off;
   CutMeasure cut = *force_keys::cut.fallback;
   ChamferMeasure chamfer = *force_keys::chamfer_contact.fallback;
   std::array<forces::Law, bit::part_kinds.size()> laws;  ///< by PartKind
+  std::vector<forces::Law> part_laws;  ///< by part, if areas give laws (case_areas.hpp); else empty
+  std::vector<std::vector<std::string>> part_areas;  ///< by part: areas that select it; or empty
   forces::Formation rock;
 };
 
+/// The law of a kind of part, where no area gives another one.
 inline const forces::Law& law_of(const ForcePlan& plan, bit::PartKind kind) {
   return plan.laws[static_cast<std::size_t>(kind)];
 }
 
-/// Whether parts of this kind have a force.
+/// The law of a part of this kind. `part`: index into Bit::parts.
+inline const forces::Law& law_of(const ForcePlan& plan, bit::PartKind kind, int part) {
+  return plan.part_laws.empty() ? law_of(plan, kind)
+                                : plan.part_laws[static_cast<std::size_t>(part)];
+}
+
+/// Whether parts of this kind have a force, where no area gives another law.
 inline bool has_law(const ForcePlan& plan, bit::PartKind kind) {
   return !std::holds_alternative<forces::NoForce>(law_of(plan, kind));
+}
+
+/// Whether a part of this kind has a force.
+inline bool has_law(const ForcePlan& plan, bit::PartKind kind, int part) {
+  return !std::holds_alternative<forces::NoForce>(law_of(plan, kind, part));
+}
+
+/// The same of the part at this place in the bit.
+inline bool has_law(const ForcePlan& plan, const bit::Bit& bit, std::size_t part) {
+  return has_law(plan, bit.parts[part].kind, static_cast<int>(part));
 }
 
 /// The bit, the string, the wall and the rock's mount of a bit that forces move, and how they start

@@ -154,6 +154,7 @@ void fields(A& a, Of<A, State>& x) {
   a("ledger", x.ledger);
   a("maintenance", x.maintenance);
   a("trimming", x.trimming);
+  a("started", x.started);
 }
 
 }  // namespace tdbd::simulation

@@ -43,20 +43,22 @@ std::string fast(const Case& c, const LoadStatistics& loads) {
 
 /// Rock moves away from what cuts; what only rubs, and a body, may come to lie in it.
 bool may_lie_in_rock(const bit::Part& part) {
-  return part.cutting == bit::Cutting::rubs ||
+  return cutting_in_the_end(part) == bit::Cutting::rubs ||
          (part.cutting == bit::Cutting::never && part.kind == bit::PartKind::bit_body);
 }
 
 /// Empty unless the part is deeper in rock than an edge of the rock is long, and deeper than a
 /// millimetre.
-std::string deep_in_rock(const Case& c, const Simulation& s, const bit::Part& part) {
+std::string deep_in_rock(const Case& c, const Simulation& s, std::size_t index) {
+  const bit::Part& part = c.bit.parts[index];
   constexpr double least = 1e-3;  // m
   const Pose X_WP =
       over_rock(s.state.place) * bit::part_pose(c.bit, part, angles_of(s.state.cones));
   const double depth = rock::depth_in_rock(s.state.rock.surface, part, X_WP);
   if (depth <= std::max(least, c.rock.edge_length)) return "";
-  const bool bears = c.forces.forces == Forces::on && part.cutting == bit::Cutting::rubs &&
-                     has_law(c.forces, part.kind);
+  const bool bears = c.forces.forces == Forces::on &&
+                     cutting_in_the_end(part) == bit::Cutting::rubs &&
+                     has_law(c.forces, c.bit, index);
   return fmt::format(
       "{} is {:.3g} mm deep in rock at the end of the run, after {:.4g} s: it removes "
       "no rock{}",
@@ -71,9 +73,9 @@ std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
   const auto add = [&](const std::string& text) {
     warnings.push_back({c.places.motion, std::string(motion_keys::table.name), text});
   };
-  for (const bit::Part& part : c.bit.parts)
-    if (may_lie_in_rock(part))
-      if (const std::string text = deep_in_rock(c, s, part); !text.empty()) add(text);
+  for (std::size_t i = 0; i < c.bit.parts.size(); ++i)
+    if (may_lie_in_rock(c.bit.parts[i]))
+      if (const std::string text = deep_in_rock(c, s, i); !text.empty()) add(text);
   if (s.state.ledger.removed.value() == 0.0) {
     if (s.state.steps_done > c.time.first) add(no_rock(c, s));
     return warnings;

@@ -23,6 +23,7 @@
 #include "simulation/result/end_warnings.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
+#include "simulation/result/part_laws.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/step/energy_order.hpp"
 
@@ -281,7 +282,7 @@ RunSummary run(const Case& c, const RunOptions& o) {
   if (o.tell)
     for (const CaseWarning& w : reach_warnings(c, s.state.rock.surface)) o.tell(w);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
-  bit::write_bit_files(folder.path, c.bit);
+  bit::write_bit_files(folder.path, c.bit, part_laws(c));
   Recorder recorder(c, folder, o);
   go_on({}, recorder);
   return finish(c, o, s, recorder);
@@ -293,7 +294,7 @@ RunSummary resume_run(const Case& c, const RunOptions& o) {
   std::optional<Checkpoint> saved = newest_checkpoint(folder, c, o.warn);
   forget_end(folder);
   std::filesystem::create_directories(folder.frames());
-  bit::write_bit_files(folder.path, c.bit);
+  bit::write_bit_files(folder.path, c.bit, part_laws(c));
   Recorder recorder(c, folder, o);
   go_on(saved ? saved->written : WrittenSoFar{}, recorder);
   Simulation s =

@@ -75,7 +75,7 @@ void take_part(const ForcePlan& plan, const MeasuredStep& step, const Measures& 
 /// below them may only slide, and together they would have one normal.
 void split_sides(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart>& cuts) {
   CutOfPart& below = cuts.back();
-  if (m.contacts.empty() || !forces::pressing(law_of(plan, below.cut.kind), below.cut)) return;
+  if (m.contacts.empty() || !forces::pressing(law_of(plan, below), below.cut)) return;
   const rock::PartContact& contact = m.contacts[at(below.part)];
   if (!(contact.sides.area > 0.0)) return;
   CutOfPart sides = below;
@@ -102,7 +102,7 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
                  std::vector<CutOfPart>& cuts) {
   cuts.clear();
   for (std::size_t i = 0; i < step.bit.parts.size(); ++i) {
-    if (!has_law(plan, step.bit.parts[i].kind)) continue;
+    if (!has_law(plan, step.bit, i)) continue;
     CutOfPart c;
     c.part = static_cast<int>(i);
     c.cone = step.bit.parts[i].cone;
@@ -111,7 +111,7 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
     take_part(plan, step, m, c);
     if (!(c.face_area > 0.0) && !(c.cut.contact_area > 0.0)) continue;
     c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
-    if (!forces::pressing(law_of(plan, c.cut.kind), c.cut)) c.distance = 0.0;
+    if (!forces::pressing(law_of(plan, c), c.cut)) c.distance = 0.0;
     cuts.push_back(c);
     split_sides(plan, m, cuts);
   }
@@ -127,7 +127,7 @@ void gather_touching(const ForcePlan& plan, const bit::Bit& bit,
     c.cut.kind = bit.parts[i].kind;
     take_contact(rock::whole(contacts[i]), c);
     c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
-    const auto law = forces::pressing(law_of(plan, c.cut.kind), c.cut);
+    const auto law = forces::pressing(law_of(plan, c), c.cut);
     if (law && law->limit > 0.0 && law->ramp == 0.0) cuts.push_back(c);
   }
 }

@@ -20,6 +20,11 @@ struct CutOfPart {
   double distance = 0.0;          ///< m, rock::PartContact::distance under a law that presses
 };
 
+/// The law of the part that made the cut.
+inline const forces::Law& law_of(const ForcePlan& plan, const CutOfPart& c) {
+  return law_of(plan, c.cut.kind, c.part);
+}
+
 /// The cuts of all parts with a law that touched rock in the step, in the order of the parts.
 /// - face: the section ahead of it (ForcePlan::cut = section): area, centroid, edge; or its removed
 ///   volume over dt and the speed of its tip along X (volume; reconstructed). Normal: the

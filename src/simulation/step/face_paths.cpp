@@ -18,23 +18,34 @@ bool is_on_its_way(const bit::Cutter& cutter, const rotation::Twist& path, doubl
   return cutter.X_BC.R.col(0).dot(v_B) > creep || v_B.norm() > much * creep;
 }
 
-}  // namespace
-
-double creep_of_faces(const ForcePlan& plan) {
-  if (plan.forces == Forces::off) return 0.0;
+double slip_speed_of(const forces::Law& law) {
   return std::visit(
-      [](const auto& law) {
-        if constexpr (requires { law.slip_speed; }) return law.slip_speed;
+      [](const auto& l) {
+        if constexpr (requires { l.slip_speed; }) return l.slip_speed;
         return 0.0;
       },
-      law_of(plan, bit::PartKind::face));
+      law);
 }
 
-void follow(const bit::Bit& bit, const Move& move, double creep, FacePaths& paths) {
+}  // namespace
+
+std::vector<double> creep_of_faces(const bit::Bit& bit, const ForcePlan& plan) {
+  const double usual =
+      plan.forces == Forces::off ? 0.0 : slip_speed_of(law_of(plan, bit::PartKind::face));
+  std::vector<double> creep(bit.cutters.size(), usual);
+  if (plan.forces == Forces::off) return creep;
+  for (std::size_t p = 0; p < bit.parts.size(); ++p)
+    if (const bit::Part& part = bit.parts[p]; part.kind == bit::PartKind::face && part.cutter >= 0)
+      creep[at(part.cutter)] = slip_speed_of(law_of(plan, part.kind, static_cast<int>(p)));
+  return creep;
+}
+
+void follow(const bit::Bit& bit, const Move& move, std::span<const double> creep,
+            FacePaths& paths) {
   const rotation::Twist now = rotation::twist_from(move.X_WB0, move.X_WB1, move.dt);
   if (paths.size() != bit.cutters.size()) paths.assign(bit.cutters.size(), {});
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    paths[i].creeps = !is_on_its_way(bit.cutters[i], now, creep);
+    paths[i].creeps = !is_on_its_way(bit.cutters[i], now, creep[i]);
     if (!paths[i].creeps) paths[i].way = now;
   }
 }

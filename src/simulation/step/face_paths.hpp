@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "bit/bit.hpp"
@@ -21,12 +22,12 @@ struct FacePath {
 /// Per cutter; none: every face goes along the step's own path.
 using FacePaths = std::vector<FacePath>;
 
-/// The slip speed of the faces' law, m/s; 0 where there is none.
-double creep_of_faces(const ForcePlan& plan);
+/// Per cutter, the slip speed of its face's law, m/s; 0 where there is none.
+std::vector<double> creep_of_faces(const bit::Bit& bit, const ForcePlan& plan);
 
 /// Takes over the step's path for the faces that do not creep: those that go forward faster than
-/// `creep` (m/s), or ten times as fast in any direction.
-void follow(const bit::Bit& bit, const Move& move, double creep, FacePaths& paths);
+/// `creep` (m/s, per cutter), or ten times as fast in any direction.
+void follow(const bit::Bit& bit, const Move& move, std::span<const double> creep, FacePaths& paths);
 
 inline bool creeps(const FacePaths& paths, int cutter) {
   return !paths.empty() && paths[at(cutter)].creeps;

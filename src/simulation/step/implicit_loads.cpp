@@ -201,7 +201,7 @@ bool any_presses(const ImplicitWork& w) {
 }
 
 std::optional<forces::Pressing> pressing_of(const ForcePlan& plan, const CutOfPart& cut) {
-  return forces::pressing(law_of(plan, cut.cut.kind), cut.cut);
+  return forces::pressing(law_of(plan, cut), cut.cut);
 }
 
 void prepare(const ResistedMotion& m, ImplicitWork& w) {

@@ -6,7 +6,7 @@ PartLoad load_of(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
                  const BitVelocity& motion, double dt, const CutOfPart& c) {
   const Vec3 v_W = velocity_at(bit, X_WB, motion, c.cone, c.cut.point);
   const forces::PartCut cut = cut_at_velocity(v_W, dt, c);
-  const forces::PartForce f = forces::force(law_of(plan, cut.kind), cut);
+  const forces::PartForce f = forces::force(law_of(plan, c), cut);
   return {f.force, f.point, f.normal, f.tangential, -f.force.dot(v_W)};
 }
 

@@ -25,6 +25,7 @@ void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const Mea
   parallel_for(static_cast<int>(faces.faces.size()), [&](int face) {
     if (!are_all_due && (face + step.number) % plan.section_every != 0) return;
     const std::size_t i = at(face);
+    if (faces.cuts[i] == 0) return;
     const rock::SectionPlace place{.lead = plan.section_lead * step.edge_length,
                                    .reach = section_reach * step.edge_length,
                                    .near_list = faces.near_lists[i],
@@ -96,6 +97,10 @@ MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cuttin
     m.faces.push_back(
         rock::section_face(rock::face_outline(bit.cutters[i], static_cast<int>(i), bit.parts)));
   m.near_lists.assign(m.faces.size(), -1);
+  m.cuts.assign(m.faces.size(), 1);
+  for (const bit::Part& part : bit.parts)
+    if (part.kind == bit::PartKind::face && part.cutter >= 0)
+      m.cuts[at(part.cutter)] = part.cutting == bit::Cutting::cuts;
   for (std::size_t k = 0; k < cutting.groups.size(); ++k)
     if (const int cutter = bit.parts[at(cutting.groups[k].parts.front().part)].cutter; cutter >= 0)
       m.near_lists[at(cutter)] = static_cast<int>(k);
@@ -108,8 +113,8 @@ std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePla
     forces::PartCut cut;
     cut.kind = bit.parts[i].kind;
     if (has_section(plan, cut.kind)) contacts[i].rule = rock::ContactRule::whole_triangles;
-    if (plan.forces == Forces::off || !has_law(plan, cut.kind)) continue;
-    if (const auto law = forces::pressing(law_of(plan, cut.kind), cut))
+    if (plan.forces == Forces::off || !has_law(plan, bit, i)) continue;
+    if (const auto law = forces::pressing(law_of(plan, cut.kind, static_cast<int>(i)), cut))
       contacts[i].ramp = law->ramp;
   }
   return contacts;
@@ -119,7 +124,7 @@ std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePla
   std::vector<rock::RubbingPart> parts;
   for (std::size_t i = 0; i < bit.parts.size(); ++i)
     if (bit.parts[i].cutting == bit::Cutting::rubs && plan.forces == Forces::on &&
-        has_law(plan, bit.parts[i].kind))
+        has_law(plan, bit, i))
       parts.push_back(rock::prepare_rubbing_part(bit.parts[i], static_cast<int>(i)));
   return parts;
 }

@@ -19,6 +19,7 @@ namespace tdbd::simulation {
 struct MeasuredFaces {
   std::vector<rock::SectionFace> faces;  ///< per cutter
   std::vector<int> near_lists;           ///< per cutter: rock::SectionPlace::near_list
+  std::vector<std::uint8_t> cuts;  ///< per cutter: its face cuts; of others no section is taken
 };
 
 /// A cutter's parts are a group, whose list of near vertices covers what is ahead of its face, too.

@@ -28,7 +28,7 @@ Mat3 secant_resistance(const Vec3& v, const Vec3& F) {
 PartDrag drag_of(const ForcePlan& plan, const CutOfPart& cut, const Vec3& v_W, double dt,
                  Resistance which) {
   const Vec3 v = v_W.norm() > smallest_speed ? v_W : Vec3(smallest_speed * cut.cut.normal);
-  const forces::Law& law = law_of(plan, cut.cut.kind);
+  const forces::Law& law = law_of(plan, cut);
   PartDrag drag;
   drag.force = forces::force(law, cut_at_velocity(v, dt, cut));
   if (which == Resistance::secant) drag.resistance = secant_resistance(v, drag.force.force);

@@ -6,6 +6,7 @@
 
 #include "simulation/start/start_check.hpp"
 #include "simulation/step/drive.hpp"
+#include "simulation/step/late_start.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -38,26 +39,35 @@ State start_state(const Case& c, rock::Rock rock) {
   s.start_triangles = s.rock.surface.triangle_count();
   s.ledger.hole_start = mesh::hole_volume(s.rock.surface, Vec3::Zero());
   s.ledger.removed_by_part.resize(c.bit.parts.size());
+  if (std::ranges::any_of(c.bit.parts, [](const bit::Part& p) { return p.start.has_value(); }))
+    s.started.resize(c.bit.parts.size());
   return s;
 }
 
 }  // namespace
 
+void prepare_parts(const Case& c, const State& state, const bit::Bit& bit, rock::CuttingBit cutting,
+                   Work& work) {
+  work.cutting = std::move(cutting);
+  rock::turn_cones(work.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
+  work.faces = measured_faces(bit, work.cutting, c.measure);
+  work.rubbing = rubbing_parts(bit, c.forces);
+}
+
 Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
   Work w;
   w.limits = limits_of(c);
   w.trim_height = trim_height(c);
-  w.cutting = std::move(cutting);
-  rock::turn_cones(w.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
+  prepare_parts(c, state, state.started.empty() ? c.bit : started_bit(c.bit, state.started),
+                std::move(cutting), w);
+  w.waits = any_waits(c.bit, state.started) ? Waits::some : Waits::none;
   w.cut_work.most_passes = c.update.most_passes;
   w.cut_work.list_margins = list_margins_for(c.measure, c.rock.edge_length);
   if (c.measure.contact == ContactMeasure::on)
     w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   w.measures.sections = state.sections;
-  w.creep = creep_of_faces(c.forces);
-  w.faces = measured_faces(c.bit, w.cutting, c.measure);
+  w.creep = creep_of_faces(c.bit, c.forces);
   w.contacts = contacts_of(c.bit, c.forces);
-  w.rubbing = rubbing_parts(c.bit, c.forces);
   if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);
   return w;
 }
@@ -89,7 +99,10 @@ Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& s
 Simulation resume(const Case& c, State state, Statistics statistics) {
   Simulation s;
   s.state = std::move(state);
-  s.work = start_work(c, s.state, rock::prepare_cutting_bit(c.bit, c.update.cutting));
+  s.work = start_work(
+      c, s.state,
+      rock::prepare_cutting_bit(
+          s.state.started.empty() ? c.bit : started_bit(c.bit, s.state.started), c.update.cutting));
   s.statistics = std::move(statistics);
   return s;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -47,7 +48,11 @@ struct State {
   VolumeLedger ledger;
   rock::MaintenanceReport maintenance;
   Trimming trimming;
+  std::vector<std::uint8_t> started;  ///< per part: its late start has come; empty: no part waits
 };
+
+/// Whether parts of the bit still wait for their start (late_start.hpp).
+enum class Waits { none, some };
 
 /// What a step keeps beside the state: all of it follows from the case and the state (start_work).
 struct Work {
@@ -57,8 +62,9 @@ struct Work {
   rock::CuttingBit cutting;  ///< the bit prepared, its cones at the angles of the last step
   MeasuredFaces faces;       ///< the cutters' faces prepared
   std::vector<rock::ContactOfPart> contacts;  ///< per part: how they are measured
-  double creep = 0.0;                         ///< m/s, creep_of_faces
+  std::vector<double> creep;                  ///< m/s, per cutter: creep_of_faces
   std::vector<rock::RubbingPart> rubbing;     ///< the parts that rub and have a law
+  Waits waits = Waits::none;
   // Of the last step.
   Measures measures;
   std::vector<CutOfPart> cuts;  ///< none without forces
@@ -113,7 +119,12 @@ void step(const Case& c, Simulation& s);
 /// as if it had not been interrupted.
 Simulation resume(const Case& c, State state, Statistics statistics);
 
-/// `cutting`: the prepared bit of the case.
+/// Prepares what depends on which parts cut and rub: `bit` is that of the case with the parts that
+/// have started, `cutting` the same prepared.
+void prepare_parts(const Case& c, const State& state, const bit::Bit& bit, rock::CuttingBit cutting,
+                   Work& work);
+
+/// `cutting`: the prepared bit of the case, with the parts that have started.
 Work start_work(const Case& c, const State& state, rock::CuttingBit cutting);
 Statistics start_statistics(const Case& c);
 

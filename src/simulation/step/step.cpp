@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "dynamics/drilling/divergence.hpp"
 #include "simulation/step/drive.hpp"
+#include "simulation/step/late_start.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -77,6 +78,7 @@ void record_loads(const Case& c, const Move& move, const State& state, const Wor
 }  // namespace
 
 void step(const Case& c, Simulation& s) {
+  if (s.work.waits == Waits::some) start_due_parts(c, s.state, s.work);
   const Move move = drift(c, s.state, s.work);
   cut(move, s.state, s.work);
   measure(c, move, s.state, s.work);

@@ -74,6 +74,7 @@ std::vector<std::string> declared_as(const std::string& table) {
   if (table == "cones.rows") return {"cones.rows", "teeth"};
   for (const std::string& kind : part_kinds)
     if (table == "forces." + kind) return {"forces.KIND", "forces"};
+  if (table.starts_with("forces.areas.")) return {"forces.areas.NAME", "forces"};
   for (const char* key : {"rotary_speed", "rate_of_penetration", "weight_on_bit"})
     if (table == std::string("motion.") + key) return {"motion.KEY"};
   if (table.starts_with("bit.set")) return {"bit.set"};
@@ -261,6 +262,19 @@ std::vector<ReadCase> fits() {
                      "rock.material=berea-sandstone"})};
 }
 
+/// Every criterion of an area of forces; bit R has cones.
+std::vector<ReadCase> areas() {
+  const std::string bit_b = std::string(TDBD_SOURCE_DIR) + "/cases/bit-b-3000psi.toml",
+                    bit_r = std::string(TDBD_SOURCE_DIR) + "/cases/drill-bit-r.toml";
+  const auto read = [](const std::string& path, const std::vector<std::string>& settings) {
+    return ReadCase{"run", path, read_case(path, settings).resolved};
+  };
+  return {
+      read(bit_b, {"forces.areas.a={kind='face', zone='nose', blade=1, names='cutter-*', A1=2}",
+                   "forces.areas.b={part='cutter-1/face', coefficients='hanson-hansen-sharp'}"}),
+      read(bit_r, {"forces.areas.a={cone=1, row=1, mu=0.2}"})};
+}
+
 ReadCase rotation(const std::string& body) {
   write("keys_torque.csv", "time_s,x,y,z\n0,1,2,3\n1,4,5,6\n");
   const std::string path = write_temporary(
@@ -286,7 +300,7 @@ std::vector<ReadCase> rotations() {
 
 TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
   std::vector<ReadCase> cases{drilling()};
-  for (const auto& more : {motions_and_rocks(), laws(), fits(), rotations()})
+  for (const auto& more : {motions_and_rocks(), laws(), fits(), areas(), rotations()})
     cases.insert(cases.end(), more.begin(), more.end());
   for (const char* name : {"bit-r-rolling", "bit-r-steady", "drill-bit-r", "laboratory"})
     cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/" + name + ".toml"));

@@ -37,10 +37,14 @@ void expect_along(const bit::Bit& bit, int cutter, const rotation::Twist& path,
   EXPECT_LT((path.linear_B - scale * way.linear_B).norm(), 1e-12 * path.angular_B.norm());
 }
 
+std::vector<double> creep_of_all(const bit::Bit& bit) {
+  return std::vector<double>(bit.cutters.size(), creep);
+}
+
 TEST(FacePaths, are_those_of_the_step_while_faces_go_forward) {
   const bit::Bit& bit = shipped_bit();
   FacePaths paths;
-  follow(bit, move_with(drilling), creep, paths);
+  follow(bit, move_with(drilling), creep_of_all(bit), paths);
   for (int i = 0; i < faces(bit); ++i) {
     EXPECT_FALSE(creeps(paths, i));
     EXPECT_EQ(path_of(paths, bit, i, dithering).linear_B, dithering.linear_B);
@@ -51,8 +55,8 @@ TEST(FacePaths, are_those_of_the_step_while_faces_go_forward) {
 TEST(FacePaths, keep_the_last_way_of_faces_that_creep) {
   const bit::Bit& bit = shipped_bit();
   FacePaths paths;
-  follow(bit, move_with(drilling), creep, paths);
-  follow(bit, move_with(dithering), creep, paths);
+  follow(bit, move_with(drilling), creep_of_all(bit), paths);
+  follow(bit, move_with(dithering), creep_of_all(bit), paths);
   for (int i = 0; i < faces(bit); ++i) {
     ASSERT_TRUE(creeps(paths, i));
     const rotation::Twist path = path_of(paths, bit, i, dithering);
@@ -65,7 +69,7 @@ TEST(FacePaths, keep_the_last_way_of_faces_that_creep) {
 TEST(FacePaths, of_a_bit_that_never_went_are_around_its_axis) {
   const bit::Bit& bit = shipped_bit();
   FacePaths paths;
-  follow(bit, move_with(dithering), creep, paths);
+  follow(bit, move_with(dithering), creep_of_all(bit), paths);
   for (int i = 0; i < faces(bit); ++i) {
     ASSERT_TRUE(creeps(paths, i));
     expect_along(bit, i, path_of(paths, bit, i, dithering), {Vec3::UnitZ(), Vec3::Zero()});
@@ -76,15 +80,16 @@ TEST(FacePaths, of_a_bit_that_never_went_are_around_its_axis) {
 TEST(FacePaths, are_those_of_the_step_when_faces_go_anywhere_fast) {
   const bit::Bit& bit = shipped_bit();
   FacePaths paths;
-  follow(bit, move_with({Vec3::Zero(), -0.5 * Vec3::UnitZ()}), creep, paths);
+  follow(bit, move_with({Vec3::Zero(), -0.5 * Vec3::UnitZ()}), creep_of_all(bit), paths);
   for (int i = 0; i < faces(bit); ++i) EXPECT_FALSE(creeps(paths, i));
 }
 
 /// The speed below which the faces' law slips; of no law there is none.
 TEST(FacePaths, creep_below_the_slip_speed_of_the_law) {
   const Case shipped = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml", {});
-  EXPECT_EQ(creep_of_faces(shipped.forces), creep);
-  EXPECT_EQ(creep_of_faces(ForcePlan{}), 0.0);
+  EXPECT_EQ(creep_of_faces(shipped.bit, shipped.forces), creep_of_all(shipped.bit));
+  EXPECT_EQ(creep_of_faces(shipped.bit, ForcePlan{}),
+            std::vector<double>(shipped.bit.cutters.size(), 0.0));
 }
 
 TEST(FacePaths, are_none_before_the_first_step) { EXPECT_FALSE(creeps({}, 0)); }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bit/part_kind.hpp"
+#include "core/config/key.hpp"
+
+/// What an area of a bit file gives its parts ([areas.NAME]), beside the keys that select them
+/// (area_keys.hpp).
+namespace tdbd::bit::bit_area_keys {
+
+inline constexpr TableKey table{
+    "areas.NAME",
+    "properties of the parts that meet all criteria given here; of several areas the one with the "
+    "most particular criterion decides each property"};
+inline constexpr TableKey areas{"areas", table.meaning};
+
+inline constexpr QuantityKey density{
+    .name = "density",
+    .unit = "kg/m3",
+    .usual = "the part's own",
+    .range = Range::within(0.0, 3e4),
+    .meaning = "of the material; parts whose volume counts elsewhere keep density 0"};
+inline constexpr ChoiceKey<Cutting> cutting{
+    .name = "removal.cutting",
+    .values = {{{"yes", Cutting::cuts}, {"rubs", Cutting::rubs}, {"no", Cutting::never}}},
+    .usual = "the part's own",
+    .meaning =
+        "yes: removes rock; rubs: bears on rock by its force law and removes none; no: neither"};
+inline constexpr QuantityKey from_depth{
+    .name = "removal.from_depth",
+    .unit = "m",
+    .usual = "from the beginning",
+    .range = Range::positive(),
+    .meaning = "the parts neither cut nor rub until the bit has gone down so far"};
+inline constexpr QuantityKey from_time{
+    .name = "removal.from_time",
+    .unit = "s",
+    .usual = "from the beginning",
+    .range = Range::positive(),
+    .meaning = "the parts neither cut nor rub before this time of the motion"};
+
+}  // namespace tdbd::bit::bit_area_keys
