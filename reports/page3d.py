@@ -25,6 +25,7 @@ from matplotlib.colors import Normalize
 from PIL import Image
 
 import animate
+import page3d_areas
 import page3d_facts
 import page3d_frames
 import page3d_pack as pack
@@ -58,7 +59,7 @@ def html_of(folder, most):
     read = page3d_frames.read(folder, most)
     names, group_of_part = scene.groups(run, read.found)
     box, entries, parts = scene.packed_rock(read.found, group_of_part)
-    bit, bit_part = scene.packed_bit(read.bit, read.bodies)
+    bit, bit_part = scene.packed_bit(read.bit, read.bodies, page3d_areas.of_bit(folder))
     header = {"title": run["title"], "box": scene.boxed(box), "frames": entries, "missing": read.missing, "listed": read.listed,
               "bit": bit, "colours": scene.colours(read.found, names),
               "revolutions_per_s": run["revolutions"] / run["duration_s"] if run["duration_s"] else 0.0,
@@ -67,7 +68,7 @@ def html_of(folder, most):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "web"), autoescape=True, trim_blocks=True,
                                      undefined=jinja2.StrictUndefined, lstrip_blocks=True)
     page = environment.get_template("page3d.html.j2").render(
-        run=run, missing=read.missing, count=len(entries), header=in_script(header), data=base64.b64encode(pack.deflated([*parts, bit_part])).decode(),
+        run=run, missing=read.missing, count=len(entries), areas="areas" in bit, header=in_script(header), data=base64.b64encode(pack.deflated([*parts, bit_part])).decode(),
         facts=page3d_facts.facts(run), provenance=page3d_facts.provenance(run), diagnosis=page3d_facts.diagnosis(run),
         case=case.read_text(encoding="utf-8") if case.is_file() else "", still=still(read.found, bit_motion.placed(read.bit, read.bodies, read.found[-1].poses)),
         style=Markup((HERE / "web/page3d.css").read_text(encoding="utf-8")),

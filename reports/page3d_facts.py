@@ -68,7 +68,7 @@ def facts(run):
             ("their quality", f"worst {run['rock_quality_min']:.3f}, 1 % below {run['rock_quality_1_percent']:.3f}")]
     means = (("wob_mean_n", "mean weight on bit", 1e-3, "kN"), ("tob_mean_n_m", "mean torque on bit", 1e-3, "kN m"),
              ("rop_mean_m_per_s", "mean rate of penetration", 3600.0, "m/h"))
-    return rows + [(what, f"{scale * run[key]:.4g} {unit}") for key, what, scale, unit in means if key in run]
+    return rows + [(what, f"{scale * run[key]:.4g} {unit}") for key, what, scale, unit in means if run.get(key) is not None]
 
 
 def provenance(run):

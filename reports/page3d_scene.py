@@ -5,6 +5,7 @@ import colorsys
 import numpy as np
 from matplotlib.colors import to_hex
 
+import page3d_areas
 import page3d_pack as pack
 from figures import bit_in_hole, rock_scene
 
@@ -47,8 +48,8 @@ def packed_rock(frames, group_of_part):
     return box, entries, parts
 
 
-def packed_bit(bit, bodies):
-    """(the header's entry, bytes): pieces of one body each; `hull` is what hides the bottom."""
+def packed_bit(bit, bodies, areas=None):
+    """(the header's entry, bytes): pieces of one body each; `hull` is what hides the bottom; `areas`: page3d_areas.of_bit."""
     box, layer = pack.grid(bit.points), bit_in_hole.bit_layer(bit)
     colours, colour = np.unique(layer.colours, axis=0, return_inverse=True)
     hull = (layer.colours == bit_in_hole.BODY).all(axis=1)
@@ -57,8 +58,13 @@ def packed_bit(bit, bodies):
     arrays = pack.on_grid(bit.points, *box), bit.triangles[order], colour.ravel()[order]
     pieces = [{"hull": bool(h), "body": int(b), "triangles": int(((hull == h) & (body == b)).sum())}
               for h, b in dict.fromkeys(zip(hull[order], body[order]))]
-    return {"box": boxed(box), "points": len(bit.points), "triangles": len(order), "pieces": pieces,
-            "colours": [to_hex(c) for c in colours]}, b"".join(map(pack.along, arrays))
+    entry = {"box": boxed(box), "points": len(bit.points), "triangles": len(order), "pieces": pieces,
+             "colours": [to_hex(c) for c in colours]}
+    if areas:
+        names, area_of_part = areas
+        entry["areas"] = {"names": names, "colours": [page3d_areas.OWN_COLOUR, *group_colours(len(names) - 1)]}
+        arrays += (np.array(area_of_part)[bit.cell_values["part"].astype(int)][order],)
+    return entry, b"".join(map(pack.along, arrays))
 
 
 def boxed(box):

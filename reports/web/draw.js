@@ -48,7 +48,7 @@ function draw(scene) {
   drawMesh(gl, at, run.box, sectionPlane(state), depths, scene.textures[state.mode], state.lines);
   drawPieces(gl, at, scene.rock, [{pose: AT_REST, count: scene.rock.corners, isShown: true}]);
   gl.disable(gl.CULL_FACE);
-  drawMesh(gl, at, run.bit.box, NOWHERE, [0, 0], scene.textures.bit, false);
+  drawMesh(gl, at, run.bit.box, NOWHERE, [0, 0], scene.textures[state.bitColour === "areas" ? "areas" : "bit"], false);
   drawPieces(gl, at, scene.bit, run.bit.pieces.map(p => (
     {pose: entry.poses[p.body], count: 3 * p.triangles, isShown: state.bit === "all" || (state.bit === "cutting" && !p.hull)})));
 }

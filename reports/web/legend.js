@@ -36,3 +36,9 @@ function showLegend(place, colours, mode) {
   const title = Object.assign(document.createElement("p"), {textContent: words[mode]});
   place.replaceChildren(title, ...{depth: depthLegend, part: partLegend, quality: qualityLegend}[mode](colours[mode]));
 }
+
+// The areas of the bit, or nothing.
+function showAreas(place, areas) {
+  const title = Object.assign(document.createElement("p"), {textContent: "Areas of the bit"});
+  place.replaceChildren(...(areas ? [title, ...partLegend(areas)] : []));
+}

@@ -6,19 +6,26 @@ const place = id => document.getElementById(id);
 function showRun(scene, run, frames, bit) {
   const {gl} = scene, old = Object.values(scene.textures || {});
   const textures = {bit: colourTexture(gl, run.bit.colours), depth: colourTexture(gl, run.colours.depth.ramp)};
+  if (run.bit.areas) textures.areas = colourTexture(gl, run.bit.areas.colours);
   for (const mode of ["part", "quality"]) textures[mode] = colourTexture(gl, run.colours[mode].colours);
   old.forEach(texture => gl.deleteTexture(texture));
-  Object.assign(scene, {run, frames, textures});
+  Object.assign(scene, {run, frames, textures, bitMesh: bit});
   scene.state.frame = frames.length - 1;
   Object.assign(scene.camera, homeCamera(run.box));
-  fill(gl, scene.bit, corners(bit.points, bit.corners, t => bit.colour[t]));
+  fillBit(scene);
+}
+
+// In the colours of its kinds of part, or of its areas.
+function fillBit(scene) {
+  const {gl, bitMesh, state} = scene, colour = state.bitColour === "areas" ? bitMesh.area : bitMesh.colour;
+  fill(gl, scene.bit, corners(bitMesh.points, bitMesh.corners, t => colour[t]));
 }
 
 function newScene(gl, canvas, run, frames, bit) {
   const {program, at} = drawingProgram(gl);
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
-  const state = {frame: 0, mode: "depth", bit: "cutting", lines: false, cuts: false, cutAngle: 68, cutMove: 0, plays: false};
+  const state = {frame: 0, mode: "depth", bit: "cutting", bitColour: "kind", lines: false, cuts: false, cutAngle: 68, cutMove: 0, plays: false};
   const scene = {gl, at, canvas, state, camera: {}, rock: newMesh(gl), bit: newMesh(gl)};
   showRun(scene, run, frames, bit);
   return scene;
@@ -51,6 +58,11 @@ function listenToChoices(scene, changed, refill) {
   place("colour").addEventListener("change", colour);
   showLegend(place("legend"), scene.run.colours, state.mode);
   choice("bit", "change", c => { state.bit = c.value; });
+  if (place("bit-colour")) choice("bit-colour", "change", c => {
+    state.bitColour = c.value;
+    fillBit(scene);
+    showAreas(place("bit-legend"), c.value === "areas" ? scene.run.bit.areas : null);
+  });
   choice("lines", "change", c => { state.lines = c.checked; });
   choice("cut", "change", c => { state.cuts = c.checked; place("cut-where").hidden = !c.checked; });
   choice("cut-angle", "input", c => { state.cutAngle = Number(place("cut-angle-is").value = c.value); });

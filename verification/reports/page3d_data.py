@@ -75,6 +75,8 @@ def frames(page):
         made.append(next_frame(numbers, entry, made[-1] if made else None))
     bit = {name: numbers.next(head["bit"][count], columns)
            for name, count, columns in (("points", "points", 3), ("corners", "triangles", 3), ("colour", "triangles", 1))}
+    if "areas" in head["bit"]:
+        bit["area"] = numbers.next(head["bit"]["triangles"], 1)
     assert numbers.place == len(numbers.bytes), "the page has more numbers than its header tells of"
     return made, bit
 

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import json
 import pathlib
 import shutil
 import subprocess
@@ -25,6 +26,8 @@ RUNS = {
     "b": ("bit-b-steady.toml", "rock.edge_length=2.5 mm", "time.step=5 ms", "time.revolutions=0.75", "output.frames_every=3"),
     "r": ("bit-r-rolling.toml", "rock.edge_length=8 mm", "time.step=5 ms", "time.revolutions=0.3", "output.frames_every=10"),
     "forces": ("drill-bit-b-whirl.toml", "rock.edge_length=6 mm", "time.duration=0.1 s", "output.frames_every=100"),
+    "areas": ("bit-b-3000psi.toml", "rock.edge_length=10 mm", "time.step=5 ms", "time.revolutions=0.2",
+              "forces.areas.hard={kind='face', zone='shoulder', A1=1.5}", "bit.set.areas.steel={kind='gage-pad', density=7000}"),
     "end": ("bit-b-steady.toml", "rock.edge_length=10 mm", "time.step=5 ms", "time.revolutions=0.05"),
 }
 
@@ -92,6 +95,23 @@ class Pages(unittest.TestCase):
                 shown = [names[k] for k in frame["last"][:, 0]]
                 last = rock.point_values["last_part"]
                 np.testing.assert_array_equal(shown, [parts[k].rsplit("/", 1)[0] if k >= 0 else "not cut" for k in last])
+
+    def test_colours_the_bit_by_its_areas(self):
+        page, plain = self.page("areas"), self.page("end")
+        self.assertIn('id="bit-colour"', page)
+        self.assertNotIn('id="bit-colour"', plain)
+        head, (_, bit) = page3d_data.header(page), page3d_data.frames(page)
+        self.assertNotIn("areas", page3d_data.header(plain)["bit"])
+        areas = head["bit"]["areas"]
+        self.assertEqual(sorted(areas["names"]), ["hard (law)", "no area", "steel (density)"])
+        self.assertEqual(len(set(areas["colours"])), 3)
+        mesh = rock_data.final(self.folder / "areas", "bit")
+        parts = json.loads((self.folder / "areas/bit.json").read_text(encoding="utf-8"))["parts"]
+        kinds = [parts[int(p)]["kind"] for p in mesh.cell_values["part"]]
+        shoulder = [parts[int(p)]["zone"] == "shoulder" for p in mesh.cell_values["part"]]
+        count = [sum(k == "face" and s for k, s in zip(kinds, shoulder)), kinds.count("gage-pad")]
+        self.assertGreater(min(count), 0)
+        self.assertEqual([int((bit["area"] == areas["names"].index(n)).sum()) for n in ("hard (law)", "steel (density)")], count)
 
     def test_moves_the_bit_and_its_cones_to_where_they_are_in_each_frame(self):
         page = self.page("r")
