@@ -120,17 +120,14 @@ INSTANTIATE_TEST_SUITE_P(One, BadForceAreas, ::testing::ValuesIn(mistakes),
 /// Except for the stamp of the rock, which names the case.
 TEST(ForceAreasResult, of_all_faces_is_bitwise_that_of_a_table_of_the_kind) {
   const std::string law = "law = \"detournay\"\neps = 4e7\nzeta = 0.5\nmu = 0.3\n";
-  {
-    const ForceAreasCase by_kind("[forces.face]\n" + law);
-    ASSERT_EQ(by_kind.run({}, "by_kind").exit_code, 0);
-  }
-  const ForceAreasCase by_area("[forces.areas.all]\nkind = \"face\"\n" + law);
-  ASSERT_EQ(by_area.run({}, "by_area").exit_code, 0);
+  const ForceAreasCase c("[forces.face]\n" + law);
+  ASSERT_EQ(c.run({}, "by_kind").exit_code, 0);
+  c.edit("case.toml", "[forces.face]\n", "[forces.areas.all]\nkind = \"face\"\n");
+  ASSERT_EQ(c.run({}, "by_area").exit_code, 0);
   for (const std::string file : {"history.nc", "history.csv"})
-    EXPECT_TRUE(read(by_area.path("by_kind/" + file)) == read(by_area.path("by_area/" + file)))
-        << file;
-  EXPECT_TRUE(read_unstamped(by_area.path("by_kind/rock_final.ply")) ==
-              read_unstamped(by_area.path("by_area/rock_final.ply")));
+    EXPECT_TRUE(read(c.path("by_kind/" + file)) == read(c.path("by_area/" + file))) << file;
+  EXPECT_TRUE(read_unstamped(c.path("by_kind/rock_final.ply")) ==
+              read_unstamped(c.path("by_area/rock_final.ply")));
 }
 
 }  // namespace tdbd::app::bad_areas_test
