@@ -32,7 +32,6 @@ DrillingState make_drilling_state(const DrillingSystem& s, const Pose& X_WB,
   state.c_W = X_WB * s.centre_B;
   state.momentum_W = s.mass * v.v_W;
   state.rock_momentum = s.rock.mass * v.rock;
-  state.top_rate = value_at(s.top.rate, 0.0);
   return state;
 }
 

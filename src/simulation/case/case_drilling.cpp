@@ -118,6 +118,7 @@ void set_start(const bit::Bit& bit, const Motion& m, DrillingPlan& p) {
   p.start.rotation = dynamics::make_state(s.gyrostat, Mat3::Identity(),
                                           m.rotary_speed * Vec3::UnitZ(), spins, angles);
   p.start.c_W = m.start_W + s.centre_B;
+  p.start.top_rate = m.rate_of_penetration;
   p.start.momentum_W = s.mass * (m.rate_of_penetration * Vec3::UnitZ() +
                                  (m.rotary_speed * Vec3::UnitZ()).cross(s.centre_B));
 }
