@@ -61,7 +61,9 @@ void WholeFile::commit() {
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
   WholeFile file(path);
-  file.stream() << text;
+  errno = 0;
+  file.stream() << text;  // at once, where it is longer than the stream's buffer
+  if (!file.stream()) fail_to_write(path, errno != 0 ? std::strerror(errno) : "a write failed");
   file.commit();
 }
 

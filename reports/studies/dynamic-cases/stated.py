@@ -5,7 +5,7 @@ from pathlib import Path
 from study_tools import read_rows
 
 HERE = Path(__file__).parent
-GIVEN = ["with a factor of 2, and over", "root of 2", "is about 1 (", "shipped step of 0.5 ms", "and 0.0625 ms", "set to 30 kN", "set to 60 kN"]
+GIVEN = ["its severity is 2.04 instead of 1.73", "more than the uncertainty of 1.8 % by edges above", "with a factor of 2, and over", "root of 2", "is about 1 (", "shipped step of 0.5 ms", "and 0.0625 ms", "set to 30 kN", "set to 60 kN"]
 
 
 def of_before(now):

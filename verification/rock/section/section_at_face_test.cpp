@@ -15,7 +15,7 @@
 /// cut: a disc that turns about an axis beside it and goes down into flat rock.
 namespace tdbd::rock::section_at_face_test {
 
-constexpr double radius = 0.3, deepest = 0.1, rake = 0.3;         // m, m, rad
+constexpr double radius = 0.3, deepest = 0.1, rake = 0.3;        // m, m, rad
 constexpr double from_axis = 0.8, turning = 1.3, sinking = 0.3;  // m, rad/s, m/s
 const rotation::Twist screw{Vec3(0.0, 0.0, turning), Vec3(0.0, 0.0, sinking)};
 

@@ -46,7 +46,7 @@ TEST(Drive, starts_at_the_rate_that_is_expected) {
     const Case c = drilling(
         {"motion.expected_rate='9 mm/s'", std::string("motion.rate_memory='") + memory + "'"});
     const dynamics::Drilling d = start_drive(c);
-    EXPECT_EQ(d.state.top_rate, 9e-3);
+    EXPECT_DOUBLE_EQ(d.state.top_rate, 9e-3);
     EXPECT_NEAR(velocity_of(c.drilling.system, d.state).v_W.z(), 9e-3, 1e-15);
   }
 }
@@ -114,7 +114,7 @@ TEST(Drive, is_stopped_by_a_law_out_of_all_proportion) {
     if (auto* cutting = std::get_if<forces::HansonHansen>(&law)) cutting->A1 = 1e9;
   const Simulation s = drilled(c);
   EXPECT_GT(s.statistics.standing.steps, 100);
-  EXPECT_LT(s.work.velocity.v_W.norm(), 1.3e-9);  // the search settles to 1e-9
+  EXPECT_LT(s.work.velocity.v_W.norm(), 1.2e-8);  // m/s; the end of the damper goes down at 7e-3
 }
 
 /// A string that is too stiff for the step throws the bit away: the run says so and keeps the state
