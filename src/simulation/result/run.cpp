@@ -23,7 +23,6 @@
 #include "simulation/result/end_warnings.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
-#include "simulation/result/part_laws.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/step/energy_order.hpp"
 
@@ -34,6 +33,21 @@ std::vector<HistoryPart> history_parts(const bit::Bit& bit) {
   std::vector<HistoryPart> parts;
   for (const bit::Part& p : bit.parts) parts.push_back({p.name, bit::kind_name(p.kind)});
   return parts;
+}
+
+/// The resolved force law of every part, for bit.json; empty if the run computes no forces.
+std::vector<bit::PartLaw> part_laws(const Case& c) {
+  std::vector<bit::PartLaw> laws;
+  if (c.forces.forces == Forces::off) return laws;
+  for (std::size_t i = 0; i < c.bit.parts.size(); ++i) {
+    forces::Law law = law_of(c.forces, c.bit.parts[i].kind, static_cast<int>(i));
+    bit::PartLaw& words = laws.emplace_back();
+    words.law = forces::law_name(law);
+    for (const forces::LawField& f : forces::law_fields(law))
+      words.coefficients.emplace_back(std::string(f.key), *f.value);
+    if (!c.forces.part_areas.empty()) words.areas = c.forces.part_areas[i];
+  }
+  return laws;
 }
 
 HistoryExtent history_extent(const Case& c) {

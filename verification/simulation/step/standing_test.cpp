@@ -137,7 +137,7 @@ TEST_P(Standing, satisfies_the_laws_at_the_velocity_of_the_next_drift) {
 /// Laws of the velocity only: the twin of pressing surfaces is in implicit_loads_test. On faces that
 /// plunge there are several such velocities (the laboratory): no comparison there.
 TEST(Stands, at_the_velocity_that_relaxation_finds) {
-  constexpr double bound = 1e-9;  // of the velocity, to which the search settles
+  constexpr double bound = 7e-10;  // of the velocity; the search settles to 1e-9
   Case c = standing();
   c.forces.laws[static_cast<std::size_t>(bit::PartKind::cutter_body)] = forces::NoForce{};
   Simulation s = start(c);
@@ -253,8 +253,8 @@ TEST(Stands, alike_at_every_step_of_stick_slip) {
     EXPECT_LT(found.change, 1.2e-3);  // required at 3 mm edges: 3e-3
   }
   for (const Sticks& found : levels) {
-    // Of first order, as rock is cut once a step: 1.3 % at 3 ms, 0.9 % at 2 ms, where 5e-3 is required.
-    EXPECT_NEAR(found.depth, levels.back().depth, 0.02 * levels.back().depth);
+    EXPECT_NEAR(found.depth, levels.back().depth,
+                6e-3 * levels.back().depth);  // required to 2 ms: 5e-3
     EXPECT_NEAR(found.creep, levels.back().creep, 0.05 * levels.back().creep);  // required
   }
   EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.015);  // required: 0.2
