@@ -5,7 +5,8 @@ from pathlib import Path
 from study_tools import read_rows
 
 HERE = Path(__file__).parent
-GIVEN = ["its severity is 2.04 instead of 1.73", "more than the uncertainty of 1.8 % by edges above", "with a factor of 2, and over", "root of 2", "is about 1 (", "shipped step of 0.5 ms", "and 0.0625 ms", "set to 30 kN", "set to 60 kN"]
+GIVEN = ["1.8 % where 11 % is not excluded", "with a factor of 2, and over", "root of 2", "is about 1 (",
+         "shipped step of 0.5 ms", "and 0.0625 ms", "set to 30 kN", "set to 60 kN"]
 
 
 def of_before(now):
@@ -28,6 +29,17 @@ def of_before(now):
         yield phrase, *(100.0 * abs(float(r[which].split()[-1]) / float(r["value"]) - 1.0) for r in both)
 
 
+def of_sections():
+    """Edges of the finest level, mm; by how much the two measures of sections differ there, per cent."""
+    ahead, extrapolated = (r for r in read_rows(HERE / "sections.csv") if float(r["edge_length_mm"]) == 0.7)
+
+    def difference(quantity):
+        return 100.0 * abs(float(extrapolated[quantity]) / float(ahead[quantity]) - 1.0)
+
+    yield ("At {:.1f} mm they still differ by {:.0f} % in severity and {:.0f} % in frequency", float(ahead["edge_length_mm"]),
+           difference("stick_slip_severity"), difference("torsional_frequency_hz"))
+
+
 def stated():
     rows = {(r["case"], r["quantity"]): r for r in read_rows(HERE / "cases.csv")}
 
@@ -36,4 +48,5 @@ def stated():
         return 100.0 * float(r["uncertainty_edge"]) / abs(float(r["value"]))
 
     yield "torque to {:.0f} %, frequency to {:.0f} %", share("tob_mean"), share("orbit_frequency")
+    yield from of_sections()
     yield from of_before(rows)
