@@ -126,7 +126,7 @@ void check(const Places& at, const CompareCase& c) {
   if (!c.ours.forces.part_laws.empty())
     throw InputError(at.forces +
                      ": found laws by area ([forces.areas]), expected one law for each kind of "
-                     "part: the models know no others");
+                     "part; the other models have no areas");
   if (c.ours.time.steps - c.ours.time.first < counted_steps(c))
     throw InputError(fmt::format("{}: found {:g}, expected no more revolutions than the run has",
                                  at.counted, c.options.counted_revolutions));

@@ -6,7 +6,7 @@ from study_tools import read_rows
 
 HERE = Path(__file__).parent
 GIVEN = ["1.25 times the difference", "that sum at most 2 % of the", "pressed down at 62 mm/s and 8 rad/s",
-         "is 11 % smaller than", "with edges of 0.25 mm", "differs by 1.8 % in its", "and by 1.2 % in its turn",
+         "is 11 % smaller than", "with edges of 0.25 mm", "differs by 1.8 % in its", "and by 1.2 % in its turn", "runs with edges of 0.5 mm, not",
          "The bodies bear 0.6 % of the", "50 ms after its start", "together 22 % too large", "with edges of 1 mm",
          "speed was 21.3 rad/s with edges of", "0.5 mm, that of the twin 22.6", "agree within 0.4 % beyond",
          "differs by 0.9 %; the sum", "uncertainties is 0.6 %, so", "may be 5 %", "at most 40 facets"]

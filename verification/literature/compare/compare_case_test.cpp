@@ -46,6 +46,10 @@ TEST(CompareCase, refuses_what_cannot_be_compared) {
   EXPECT_NE(mistake({"compare.modles=['tdbd']"}).find("compare.modles"), std::string::npos);
   EXPECT_NE(mistake({"motion.rate_of_penetration=0"}).find("does not advance"), std::string::npos);
   EXPECT_NE(mistake({"rock.edge_length='-1 mm'"}).find("rock.edge_length"), std::string::npos);
+  EXPECT_NE(
+      mistake({"forces.areas.soft={kind='face', law='none'}"})
+          .find("found laws by area ([forces.areas]), expected one law for each kind of part"),
+      std::string::npos);
 }
 
 /// A bit on a string: its weight is the reference weight, and is given once.
