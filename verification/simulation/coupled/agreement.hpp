@@ -52,20 +52,24 @@ struct Compared {
   double program, own, twin, others, difference, scale;
 };
 
-/// The two agree within the combined uncertainty, and that is below its limit. Writes a row for
-/// reports/studies/coupled-twin.
-inline void expect_agreement(const Measure& m, const Compared& c) {
-  constexpr double rounding = 1e-9;  // of the scale
+/// Writes a row for reports/studies/coupled-twin.
+inline void write_row(const Measure& m, const Compared& c) {
   fmt::print("row;{};{:.8g};{:.3g};{:.8g};{:.3g};{:.3g};{:.3g}\n", m.quantity, c.program, c.own,
              c.twin, c.others, c.difference, c.scale);
+}
+
+/// The two agree within the combined uncertainty, and that is below its limit.
+inline void expect_agreement(const Measure& m, const Compared& c) {
+  constexpr double rounding = 1e-9;  // of the scale
+  write_row(m, c);
   EXPECT_LE(std::abs(c.difference), c.own + c.others + rounding * c.scale) << m.quantity;
   EXPECT_LE(c.own + c.others, m.limit * c.scale) << m.quantity << ": the uncertainty is too large";
 }
 
-inline void expect_agreement(const Measure& m, const Levels& program, const Levels& twin) {
+inline Compared compared(const Measure& m, const Levels& program, const Levels& twin) {
   const double scale = m.scale > 0.0 ? m.scale : std::abs(twin[2]);
-  expect_agreement(m, Compared{program[2], uncertainty_of(program), twin[2], uncertainty_of(twin),
-                               program[2] - twin[2], scale});
+  return {program[2],           uncertainty_of(program), twin[2],
+          uncertainty_of(twin), program[2] - twin[2],    scale};
 }
 
 /// Of trajectories their last values are written, and their distance.
@@ -85,8 +89,18 @@ auto levels(const Of& of) {
 template <class Found, class Of>
 void compare(const std::string& quantity, double scale, const std::array<Found, 3>& program,
              const std::array<Found, 3>& twin, const Of& of, double limit = 0.02) {
-  expect_agreement({quantity, scale, limit}, Levels{of(program[0]), of(program[1]), of(program[2])},
-                   Levels{of(twin[0]), of(twin[1]), of(twin[2])});
+  const Measure m{quantity, scale, limit};
+  expect_agreement(m, compared(m, {of(program[0]), of(program[1]), of(program[2])},
+                               {of(twin[0]), of(twin[1]), of(twin[2])}));
+}
+
+/// A number in which the two are known to disagree: a row for the study, and no expectation.
+template <class Found, class Of>
+void report_disagreement(const std::string& quantity, const std::array<Found, 3>& program,
+                         const std::array<Found, 3>& twin, const Of& of) {
+  const Measure m{quantity};
+  write_row(m, compared(m, {of(program[0]), of(program[1]), of(program[2])},
+                        {of(twin[0]), of(twin[1]), of(twin[2])}));
 }
 
 /// A trajectory of what both sides found.

@@ -40,6 +40,7 @@ TEST(PdcTwin, bit_b_sticks_and_slips) {
   compare_ways("depth", 0.015, program, twin, &PdcFound::height, 0.05);
   compare_ways("rotary speed", 2.0 * full_turn, program, twin, &PdcFound::speed, 0.05);
   compare("rate", 0, program, twin, [](const PdcFound& f) { return f.rate; });
+  report_disagreement("turn", program, twin, [](const PdcFound& f) { return f.turned; });
   compare("slowest", full_turn, program, twin, [](const PdcFound& f) { return f.slowest; });
   compare(
       "fastest", 0, program, twin, [](const PdcFound& f) { return f.fastest; }, 0.05);
