@@ -7,24 +7,32 @@
 #include <complex>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <unsupported/Eigen/FFT>
 
 namespace tdbd::simulation {
 namespace {
 
-double mean(const std::vector<double>& x) {
+double mean(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
-double share_below(const std::vector<double>& x, double limit) {
+double share_below(std::span<const double> x, double limit) {
   return static_cast<double>(std::ranges::count_if(x, [&](double v) { return v < limit; })) /
          static_cast<double>(x.size());
 }
 
-double swing(const std::vector<double>& x) {
+/// The last whole cycles of a frequency (Hz), as many as there are; all samples if there is none.
+std::span<const double> whole_cycles(std::span<const double> x, double frequency, double dt) {
+  const double cycles = std::floor(static_cast<double>(x.size()) * dt * frequency);
+  if (!(cycles > 0.0)) return x;
+  const auto count = static_cast<std::size_t>(std::lround(cycles / (frequency * dt)));
+  return x.last(std::min(count, x.size()));
+}
+
+double swing(std::span<const double> x, double of_mean) {
   const auto [least, greatest] = std::ranges::minmax(x);
-  const double m = mean(x);
-  return m != 0.0 ? (greatest - least) / (2.0 * std::abs(m)) : 0.0;
+  return of_mean != 0.0 ? (greatest - least) / (2.0 * std::abs(of_mean)) : 0.0;
 }
 
 std::vector<double> windowed(const std::vector<double>& x) {
@@ -97,10 +105,10 @@ std::string at_frequency(const char* before, double frequency) {
 }
 
 std::string text_of(const Diagnosis& d) {
-  constexpr double severe = 0.5, bouncing = 0.01, swinging = 0.5;
+  constexpr double bouncing = 0.01, swinging = 0.5;
   std::string text;
   const auto add = [&text](const std::string& s) { text += (text.empty() ? "" : "; ") + s; };
-  if (d.stick_slip_severity > severe)
+  if (d.stick_slip_severity > severe_stick_slip)
     add(fmt::format("stick-slip, severity {:.2f}{}, stuck {:.0f} % of the time",
                     d.stick_slip_severity, at_frequency(",", d.torsional_frequency),
                     100.0 * d.stuck_share));
@@ -170,12 +178,14 @@ Diagnosis diagnose(const Trace& t, double torque) {
   d.lost_contact_share =
       static_cast<double>(std::ranges::count(t.wob, 0.0)) / static_cast<double>(t.wob.size());
   if (can_stick(t, torque, speed, d.lost_contact_share)) {
-    d.stick_slip_severity = swing(t.rotary_speed);
-    d.stuck_share = share_below(t.rotary_speed, stuck * speed);
+    const std::span<const double> cycles =
+        whole_cycles(t.rotary_speed, d.torsional_frequency, t.dt);
+    d.stick_slip_severity = swing(t.rotary_speed, mean(cycles));
+    d.stuck_share = share_below(cycles, stuck * mean(cycles));
   } else {
     d.twists = swings(t.rotary_speed, speed);
   }
-  d.wob_swing = swing(t.wob);
+  d.wob_swing = swing(t.wob, mean(t.wob));
   d.axial_frequency = strongest_frequency(t.wob, t.dt);
   const Orbit o = orbit_of(t.centre_W);
   const double time = t.dt * static_cast<double>(t.centre_W.size() - 1);

@@ -31,9 +31,9 @@ enum class WhirlKind { none, forward, backward, synchronous };
 
 /// Thesis 1.3: the three instabilities of drilling, from the record of a run. Ours.
 struct Diagnosis {
-  double stick_slip_severity =
-      0.0;                   ///< (max - min) / (2 mean) of the rotary speed, or 0 (diagnose)
-  double stuck_share = 0.0;  ///< of time below 5 % of the mean speed, or 0 (diagnose)
+  /// (max - min) / (2 mean) of the rotary speed, with the mean of whole cycles; or 0 (diagnose)
+  double stick_slip_severity = 0.0;
+  double stuck_share = 0.0;  ///< of whole cycles below 5 % of that mean, or 0 (diagnose)
   double torsional_frequency = 0.0;  ///< Hz, strongest of the rotary speed
   double lost_contact_share = 0.0;   ///< of time without weight on bit
   double wob_swing = 0.0;            ///< (max - min) / (2 mean)
@@ -46,13 +46,17 @@ struct Diagnosis {
   std::string text;  ///< one line for a reader
 };
 
-/// Names what exceeds its usual limits: stick-slip from a severity of 0.5, bounce when contact is
+inline constexpr double severe_stick_slip = 0.5;  ///< of its severity
+
+/// Names what exceeds its usual limits: stick-slip from that severity, bounce when contact is
 /// lost for 1 % of the time, axial vibration when the weight swings by more than half of its mean,
 /// whirl from an orbit of 0.1 mm that goes round steadily; synchronous within 10 % of the rotary
 /// speed. `torque`: N m, mean torque on bit about +z, positive where the rock resists a positive
 /// rotary speed. A bit can only stick where it touches rock half of the time or longer, the rock's
 /// mean torque resists its mean rotation, and at least half of its turning goes one way. Elsewhere
 /// the severity and the stuck share are 0, and a rotary speed that swings is torsional vibration.
+/// Both count the last whole cycles of the torsional frequency: a record of two and a half cycles has
+/// another mean speed than the bit.
 Diagnosis diagnose(const Trace& trace, double torque);
 
 /// The strongest frequency of equally spaced samples about their mean, Hz: peak of the spectrum

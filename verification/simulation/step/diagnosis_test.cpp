@@ -56,6 +56,22 @@ TEST(Diagnosis, finds_stick_slip_with_its_severity_and_frequency) {
   EXPECT_NE(d.text.find("stick-slip"), std::string::npos);
 }
 
+/// Stick-slip of severity 1, whose record ends within a cycle. Speeds of rectangles: 2 in one half of a
+/// cycle, 0 in the other. Of three and a half cycles the mean speed is 8/7 of the bit's, and more than
+/// half of the time belongs to the faster half.
+TEST(Diagnosis, does_not_depend_on_where_the_record_ends_within_a_cycle) {
+  for (const double frequency : {0.4375, 0.4583, 0.4791}) {  // 3.5, 3.67 and 3.83 cycles in 8 s
+    Made m;
+    m.rotary_speed = [=](double t) {
+      return speed * (1.0 + std::copysign(1.0, std::sin(two_pi * frequency * t)));
+    };
+    const Diagnosis d = diagnosis_of(m);
+    const double of_frequency = 0.01;  // the line between two of a short spectrum
+    EXPECT_NEAR(d.stick_slip_severity, 1.0, of_frequency) << frequency;
+    EXPECT_NEAR(d.stuck_share, 0.5, 0.5 * of_frequency) << frequency;
+  }
+}
+
 TEST(Diagnosis, finds_lost_contact) {
   Made m;
   m.wob = [](double t) { return std::max(0.0, 1e4 * std::sin(two_pi * 7.3 * t)); };
