@@ -5,7 +5,9 @@
 
 Writes cases.csv beside itself: for every case and quantity the value with the shipped settings, the
 values over steps and over edges, observed orders, and the uncertainty of the shipped value by step, by
-mesh and by sampling. Other cases' rows are kept. Forty minutes on one core; requires a release build.
+mesh and by sampling. Other cases' rows are kept. Writes cases/convergence/CASE.json, too: what the case's
+own runs read, `output.convergence`, to state the uncertainty of their means. Forty minutes on one core;
+requires a release build.
 """
 
 import argparse
@@ -28,6 +30,9 @@ CASES = ["drill-bit-b", "drill-bit-b-whirl", "drill-bit-b-whirl-rock", "drill-bi
          "high-frequency", "high-frequency-beds", "laboratory"]
 QUANTITIES = ["wob_mean", "tob_mean", "rop_mean", "rotary_speed_mean", "cone_speed_ratios", "torsional_frequency",
               "axial_frequency", "stick_slip_severity", "wob_swing", "orbit_radius", "orbit_frequency"]
+# What a run reads of a study: src/simulation/case/studied_convergence.hpp.
+READ = ["wob_mean", "tob_mean", "rop_mean", "rotary_speed_mean", "stick_slip_severity", "torsional_frequency", "orbit_radius",
+        "orbit_frequency"]
 SAMPLING = {"wob_mean": "wob_mean_n", "tob_mean": "tob_mean_n_m", "rop_mean": "rop_mean_m_per_s",
             "rotary_speed_mean": "rotary_speed_mean_rad_per_s"}
 STUDIES = {"step": ("time.step", 5, 2.0), "edge": ("rock.edge_length", 4, 2.0**0.5)}  # key, levels, factor
@@ -60,7 +65,7 @@ def study(tdbd, name, which, folder):
     start = ABOVE * own if is_valid(tdbd, name, key, ABOVE * own) else own
     out = pathlib.Path(folder) / f"{name}-{which}"
     command = [tdbd, "converge", ROOT / f"cases/{name}.toml", "--over", key, "--levels", str(levels), "--factor", repr(factor),
-               "--set", f"{key}={start!r}", "--set", "output.energy_order=off", "-o", out, "--quiet"]
+               "--set", f"{key}={start!r}", "--set", "output.energy_order=off", "--set", 'output.convergence=""', "-o", out, "--quiet"]
     subprocess.run(command, check=True)
     result = json.loads((out / "convergence.json").read_text(encoding="utf-8"))
     sizes = [level["size"] for level in result["levels"]]
@@ -73,9 +78,23 @@ def values(result, quantity):
     return [sum(v) / len(v) for v in found] if all(found) else None
 
 
+def write_for_runs(name, results):
+    """The studies of a case, without what its runs do not read."""
+    short = [{"keys": result["keys"],
+              "levels": [{"sizes": level["sizes"], "state": {q: level["state"][q] for q in READ if q in level["state"]}}
+                         for level in result["levels"]],
+              "variables": {q: {"uncertainty": {"value": result["variables"][q]["uncertainty"]["value"]}}
+                            for q in READ if q in result["variables"]}}
+             for result in results]
+    file = ROOT / f"cases/convergence/{name}.json"
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(json.dumps(short, indent=1) + "\n", encoding="utf-8")
+
+
 def mean_of_sampling(tdbd, name, folder):
     out = pathlib.Path(folder) / name
-    subprocess.run([tdbd, "run", ROOT / f"cases/{name}.toml", "-o", out, "--quiet", "--set", "output.energy_order=off"], check=True)
+    subprocess.run([tdbd, "run", ROOT / f"cases/{name}.toml", "-o", out, "--quiet", "--set", "output.energy_order=off",
+                    "--set", 'output.convergence=""'], check=True)
     return json.loads((out / "summary.json").read_text(encoding="utf-8"))["uncertainty"]
 
 
@@ -83,6 +102,7 @@ def rows_of(tdbd, name):
     with tempfile.TemporaryDirectory() as folder:
         studies = {which: study(tdbd, name, which, folder) for which in STUDIES}
         sampling = mean_of_sampling(tdbd, name, folder)
+    write_for_runs(name, [result for result, at in studies.values()])
     for quantity in QUANTITIES:
         if values(studies["step"][0], quantity) is None:
             continue

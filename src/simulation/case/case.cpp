@@ -100,6 +100,15 @@ MeasurePlan read_measure(Config c) {
           .section_every = c.read(section_every)};
 }
 
+void read_convergence(Config& c, OutputPlan& p) {
+  try {
+    const std::string file = c.path(output_keys::convergence, "");
+    if (!file.empty()) p.convergence = read_studied_convergence(file);
+  } catch (const InputError& e) {
+    c.other_file(e.what());
+  }
+}
+
 /// Means are taken over the second half unless the case says otherwise.
 OutputPlan read_output(Config c, const TimeGrid& t, MotionKind kind) {
   using namespace output_keys;
@@ -108,6 +117,7 @@ OutputPlan read_output(Config c, const TimeGrid& t, MotionKind kind) {
                .frames_every = c.read(frames_every),
                .means_from = c.read(means_from, 0.5 * duration)};
   if (c.has(checkpoint_every.name)) p.checkpoint_every = c.read(checkpoint_every);
+  if (c.has(convergence.name)) read_convergence(c, p);
   if (kind != MotionKind::drilling) return p;
   p.energy_order = c.read(energy_order);
   p.energy_order_window = c.read(energy_order_window);

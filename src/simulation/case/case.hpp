@@ -17,6 +17,7 @@
 #include "simulation/case/plans.hpp"
 #include "simulation/case/rock_keys.hpp"
 #include "simulation/case/run_keys.hpp"
+#include "simulation/case/studied_convergence.hpp"
 
 namespace tdbd::simulation {
 
@@ -76,6 +77,7 @@ struct OutputPlan {
       *output_keys::frames_every.fallback;  ///< steps between frames; 0: only the last
   long checkpoint_every = -1;  ///< steps; negative: as often as costs less than 1 % of the time
   double means_from = 0.0;     ///< s since the run's beginning: steps before do not count in means
+  std::vector<StudiedConvergence> convergence = {};  ///< of this case
   EnergyOrderWish energy_order = *output_keys::energy_order.fallback;
   long energy_order_window = *output_keys::energy_order_window.fallback;  ///< steps
 };

@@ -86,8 +86,8 @@ KeyTable measure_table() {
 KeyTable output_table() {
   using namespace output_keys;
   return key_table("run", table,
-                   rows(history_every, frames_every, checkpoint_every, means_from, energy_order,
-                        energy_order_window));
+                   rows(history_every, frames_every, checkpoint_every, means_from, convergence,
+                        energy_order, energy_order_window));
 }
 
 /// The kinds of part on which a coefficient acts, where these are not all that its law knows.

@@ -238,6 +238,12 @@ inline constexpr QuantityKey means_from{
     .usual = "half of the run",
     .range = Range::non_negative(),
     .meaning = "since the run's beginning: steps before do not count in means"};
+inline constexpr PathKey convergence{
+    .name = "convergence",
+    .usual = "none",
+    .meaning =
+        "a convergence.json of this case (`tdbd converge`), or a list of several in one file: "
+        "summary.json then has the numerical uncertainty of its means"};
 inline constexpr ChoiceKey<EnergyOrderWish> energy_order{
     .name = "energy_order",
     .values = {{{"on", EnergyOrderWish::on},

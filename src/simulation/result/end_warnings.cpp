@@ -66,6 +66,21 @@ std::string deep_in_rock(const Case& c, const Simulation& s, std::size_t index) 
       bears ? "" : ", and no force acts on it");
 }
 
+/// Empty unless a bit with cutters sticks and slips while sections are taken to be at the face as they
+/// are ahead of it.
+std::string lagging_sections(const Case& c, const Simulation& s) {
+  if (c.bit.cutters.empty() || c.measure.section == SectionMeasure::off ||
+      c.measure.section_at_face == rock::SectionAtFace::extrapolated)
+    return "";
+  const double severity =
+      diagnose(s.statistics.trace, s.statistics.loads.tob.mean).stick_slip_severity;
+  if (severity <= severe_stick_slip) return "";
+  return fmt::format(
+      "the bit sticks and slips, severity {:.2f}, so that its depth of cut changes from turn to "
+      "turn: measure.section_at_face = \"extrapolated\" is more accurate then",
+      severity);
+}
+
 }  // namespace
 
 std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
@@ -81,7 +96,8 @@ std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
     return warnings;
   }
   if (!s.state.drive || s.statistics.loads.rop.count == 0) return warnings;
-  if (const std::string text = fast(c, s.statistics.loads); !text.empty()) add(text);
+  for (const std::string& text : {fast(c, s.statistics.loads), lagging_sections(c, s)})
+    if (!text.empty()) add(text);
   return warnings;
 }
 

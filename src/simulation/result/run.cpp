@@ -115,6 +115,26 @@ std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r)
   return {counts.begin(), counts.end()};
 }
 
+/// What studies divide, by dotted key, SI. The step is the one that is used.
+std::map<std::string, double> sizes_of(const Case& c) {
+  std::map<std::string, double> sizes = c.quantities;
+  sizes["time.step"] = c.time.step;
+  return sizes;
+}
+
+Figures studied_figures_of(const RunSummary& r) {
+  Figures figures{{"wob_mean_n", r.loads->wob.mean},
+                  {"tob_mean_n_m", r.loads->tob.mean},
+                  {"rop_mean_m_per_s", r.loads->rop.mean},
+                  {"rotary_speed_mean_rad_per_s", r.loads->rotary_speed.mean}};
+  if (!r.drive) return figures;
+  figures["stick_slip_severity"] = r.diagnosis.stick_slip_severity;
+  figures["torsional_frequency_hz"] = r.diagnosis.torsional_frequency;
+  figures["orbit_radius_m"] = r.diagnosis.orbit_radius;
+  figures["orbit_frequency_hz"] = r.diagnosis.orbit_frequency;
+  return figures;
+}
+
 void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
   const dynamics::DrillingSystem& system = c.drilling.system;
   r.diagnosis = diagnose(s.statistics.trace, s.statistics.loads.tob.mean);
@@ -253,6 +273,9 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
     r.loads->uncertainty = sampling_of(s.statistics.trace);
   }
   if (s.state.drive) add_drive(c, s, r);
+  if (r.loads && r.loads->steps > 0)
+    for (const StudiedConvergence& study : c.output.convergence)
+      r.numerical.push_back(numerical_uncertainty(study, sizes_of(c), studied_figures_of(r)));
   r.sections_refused_deep = s.statistics.faces.refused_deep;
   r.sections_refused_over_the_top = s.statistics.faces.refused_over_the_top;
   for (std::size_t k = 0; k < s.state.cones.size(); ++k)

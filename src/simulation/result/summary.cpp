@@ -56,6 +56,18 @@ Json cones_json(const RunSummary& s) {
   return cones;
 }
 
+/// Half-widths under the names of the figures, null with a reason where a study does not tell them.
+Json numerical_json(const RunSummary& s) {
+  Json studies = Json::array();
+  for (const NumericalUncertainty& u : s.numerical) {
+    Json study{{"of", u.keys}};
+    for (const auto& [name, half_width] : u.figures) study[name] = half_width;
+    if (!u.reason.empty()) study["reason"] = u.reason;
+    studies.push_back(study);
+  }
+  return studies;
+}
+
 Json sections_json(const RunSummary& s) {
   Json faces = Json::array();
   for (const FaceFigures& f : s.faces)
@@ -95,6 +107,7 @@ std::string to_json(const RunSummary& s) {
   json.update(removed_json(s));
   json.update(rock_json(s));
   if (s.loads) json.update(to_json(*s.loads));
+  if (s.loads && !s.numerical.empty()) json["uncertainty"]["numerical"] = numerical_json(s);
   if (s.drive) {
     json["energy"] = energy_json(*s.drive);
     const std::optional<double>& order = s.drive->order.residual.order;

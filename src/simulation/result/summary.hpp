@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "simulation/case/case_warning.hpp"
+#include "simulation/case/studied_convergence.hpp"
 #include "simulation/result/drive_figures.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/force_figures.hpp"
@@ -56,6 +57,7 @@ struct RunSummary {
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
   std::optional<LoadFigures> loads;   ///< none: the run had no forces
+  std::vector<NumericalUncertainty> numerical;  ///< by each study of the case
   Diagnosis diagnosis;                ///< with forces
   std::optional<DriveFigures> drive;  ///< of a bit that forces move
   long sections_refused_deep = 0;     ///< FaceStatistics

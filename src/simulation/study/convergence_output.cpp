@@ -142,6 +142,7 @@ std::string to_json(const Convergence& c) {
   Json variables = Json::object();
   for (const VariableConvergence& v : c.variables) variables[v.name] = variable_json(v, errors);
   json.update(Json{{"over", keys_in_words(c.plan)},
+                   {"keys", c.plan.keys},
                    {"factor", c.plan.factor},
                    {"against", c.plan.reference ? "reference" : "next level"},
                    {"nominal_order", c.nominal_order > 0.0 ? Json(c.nominal_order) : Json(nullptr)},

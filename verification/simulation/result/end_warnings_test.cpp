@@ -51,6 +51,35 @@ TEST(EndWarnings, tell_an_advance_that_only_a_body_could_cut) {
   EXPECT_EQ(texts(drilling({}), 7.4, 0.0, 1e-6), Texts{}) << "it does not turn";
 }
 
+/// Of a bit whose rotary speed swings by this share of its mean, which rock resists.
+Texts of_swings(double share, const std::string& section_at_face) {
+  const Case c = drilling({"measure.section_at_face=" + section_at_face});
+  Simulation s = start(c);
+  s.state.steps_done = c.time.steps;
+  s.state.ledger.removed.add(1e-6);
+  s.statistics.loads.rop = {.count = 4, .mean = 5e-3};
+  s.statistics.loads.rotary_speed = {.count = 4, .mean = 12.0};
+  s.statistics.loads.tob = {.count = 4, .mean = 2e3};
+  Trace& t = s.statistics.trace;
+  t.dt = 0.1;
+  for (const double speed : {1.0 + share, 1.0 - share, 1.0 + share, 1.0 - share}) {
+    t.wob.push_back(1e4);
+    t.rotary_speed.push_back(12.0 * speed);
+    t.centre_W.emplace_back(0.0, 0.0);
+  }
+  Texts found;
+  for (const CaseWarning& w : end_warnings(c, s)) found.push_back(w.text);
+  return found;
+}
+
+TEST(EndWarnings, tell_sections_ahead_of_the_faces_of_a_bit_that_sticks_and_slips) {
+  EXPECT_EQ(of_swings(0.51, "as_ahead"),
+            Texts{"the bit sticks and slips, severity 0.51, so that its depth of cut changes from "
+                  "turn to turn: measure.section_at_face = \"extrapolated\" is more accurate then"});
+  EXPECT_EQ(of_swings(0.49, "as_ahead"), Texts{});
+  EXPECT_EQ(of_swings(0.51, "extrapolated"), Texts{});
+}
+
 TEST(EndWarnings, tell_an_advance_that_steps_do_not_resolve) {
   EXPECT_EQ(
       texts(drilling({}), 19.0, 12.0, 1e-6),
