@@ -4,7 +4,7 @@
     sections.py [--tdbd PROGRAM]
 
 Runs cases/stick-slip.toml with both choices of measure.section_at_face and five edge lengths, with the step as shipped, and
-writes sections.csv beside itself. Ten minutes on one core.
+writes sections.csv beside itself. Four minutes on one core.
 """
 
 import argparse
