@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
 
@@ -38,25 +37,36 @@ double ball_radius(const bit::ToothShape& shape) {
   return shape.crest_width / 2.0;
 }
 
-/// Adds a tooth to its row, at the height of its mesh on its axis.
-void add_tooth(RollerRow& row, const bit::Part& tooth, const Pose& X_KP, double apex) {
+/// How far the common perpendicular of a skewed journal and the bit's axis meets the journal inwards of
+/// the layout's foot, m. The line of a skewed journal is that of a plain one at another azimuth: from the
+/// plain one's side, the layout's foot is off its plane by offset * sin(skew).
+double inwards_of_the_foot(const bit::ConeLayout& layout) {
+  return layout.offset * std::sin(layout.skew) / std::cos(layout.journal_angle);
+}
+
+/// Adds a tooth to its row, at the height of its mesh on its axis. `origin`: m, of the cone's frame along
+/// the journal from the foot of the common perpendicular, inwards.
+void add_tooth(RollerRow& row, const bit::Part& tooth, const Pose& X_KP, double origin) {
   double height = 0.0;
   for (const Vec3& x_P : tooth.mesh_P.positions) height = std::max(height, x_P.z());
   const Vec3 tip_K = X_KP * Vec3(0.0, 0.0, height);
-  row.along = -(apex + tip_K.z());
+  row.along = -(origin + tip_K.z());
   row.radius = std::hypot(tip_K.x(), tip_K.y());
   row.angles.push_back(std::atan2(tip_K.y(), tip_K.x()));
 }
 
-void need_a_plain_journal(const bit::Cone& cone, const std::string& model) {
-  constexpr double degrees = 180.0 / std::numbers::pi;
+void need_rows(const bit::Cone& cone, const std::string& model) {
   if (cone.layout.rows.empty())
     throw InputError(model + ": found " + cone.name +
                      " without rows of teeth, expected a cone that is drawn, not read from meshes");
-  if (cone.layout.skew != 0.0)
-    throw InputError(model + ": found a skew of " + std::to_string(cone.layout.skew * degrees) +
-                     " deg of " + cone.name +
-                     ", expected 0: the journal's axis stands in a plane along the bit's axis");
+}
+
+/// A skewed journal along the bit's axis has no azimuth to turn.
+void need_an_azimuth(const bit::Cone& cone, const std::string& model) {
+  constexpr double least_cosine = 1e-6;
+  if (cone.layout.skew != 0.0 && std::cos(cone.layout.journal_angle) < least_cosine)
+    throw InputError(model + ": found a skewed journal along the bit's axis of " + cone.name +
+                     ", expected a skew of 0 or a journal angle below 90 deg");
 }
 
 void need_cones_alone(const bit::Bit& bit, const std::string& model) {
@@ -65,13 +75,21 @@ void need_cones_alone(const bit::Bit& bit, const std::string& model) {
                      " cutters, expected roller cones alone");
   if (bit.cones.empty())
     throw InputError(model + ": found a bit without cones, expected a roller cone bit");
-  for (const bit::Cone& cone : bit.cones) need_a_plain_journal(cone, model);
+  for (const bit::Cone& cone : bit.cones) {
+    need_rows(cone, model);
+    need_an_azimuth(cone, model);
+  }
 }
 
 RollerCone cone_of(const bit::Bit& bit, std::size_t index) {
   const bit::ConeLayout& layout = bit.cones[index].layout;
-  RollerCone cone{
-      layout.azimuth, layout.journal_angle, layout.offset, -layout.foot_height, 0.0, {}};
+  const double inwards = inwards_of_the_foot(layout);
+  RollerCone cone{layout.azimuth + layout.skew,
+                  layout.journal_angle,
+                  layout.offset * std::cos(layout.skew),
+                  inwards * std::sin(layout.journal_angle) - layout.foot_height,
+                  0.0,
+                  {}};
   for (const bit::ToothRow& row : layout.rows)
     cone.rows.push_back({0.0, 0.0, ball_radius(row.shape), {}});
   const Pose X_KB = inverse(bit.cones[index].X_BK);
@@ -80,7 +98,7 @@ RollerCone cone_of(const bit::Bit& bit, std::size_t index) {
     const Pose X_KP = X_KB * part.X_BP;
     cone.inertia += inertia_about_the_journal(part, X_KP);
     if (part.kind == bit::PartKind::tooth && part.row >= 0)
-      add_tooth(cone.rows[at(part.row)], part, X_KP, layout.apex);
+      add_tooth(cone.rows[at(part.row)], part, X_KP, layout.apex - inwards);
   }
   return cone;
 }

@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_measures.hpp"
@@ -25,15 +27,19 @@ bit::Bit shipped(const std::string& name) {
       .bit;
 }
 
-/// Bit R with its cones on journals that meet no model's limits: no skew.
-bit::Bit straight_bit_r() {
-  const bit::Bit skewed = shipped("bit-r");
+/// Bit R, whose journals are skewed, or the same with another skew, journal angle and offset.
+bit::Bit bit_r(double skew, double journal_angle, double offset) {
+  const bit::Bit shipped_r = shipped("bit-r");
   std::vector<bit::ConeLayout> cones;
-  for (bit::Cone cone : skewed.cones) {
-    cone.layout.skew = 0.0;
+  for (bit::Cone cone : shipped_r.cones) {
+    cone.layout.skew = skew;
+    cone.layout.journal_angle = journal_angle;
+    cone.layout.offset = offset;
+    cone.layout.segments = 12;  // coarse and quick: tips are the same
+    cone.layout.facets = 4;
     cones.push_back(cone.layout);
   }
-  return bit::cone_bit("straight bit-r", cones, skewed.gage_radius, skewed.shank);
+  return bit::cone_bit("another bit-r", cones, std::nullopt, shipped_r.shank);
 }
 
 /// Teeth of the model and tips of our meshes, the bit and all cones turned and the bit lowered.
@@ -61,9 +67,26 @@ void expect_same_tips(const bit::Bit& ours) {
 }
 
 RC_GTEST_PROP(RollerBitOf, has_the_tips_of_our_meshes, ()) {
-  static const bit::Bit r = straight_bit_r(), compared = shipped("compare-r-4");
+  static const bit::Bit r = shipped("bit-r"), compared = shipped("compare-r-4");
   expect_same_tips(r);
   expect_same_tips(compared);
+}
+
+/// Far beyond any real journal: skews to 0.5 rad, either sense of skew and offset.
+RC_GTEST_PROP(RollerBitOf, has_the_tips_of_any_skewed_journal, ()) {
+  expect_same_tips(bit_r(*number(-0.5, 0.5), *number(0.0, 1.4), *number(-0.02, 0.02)));
+}
+
+/// The plain journal is the same line: its offset is the distance of the journal from the bit's axis.
+TEST(RollerBitOf, offsets_a_skewed_journal_by_its_distance_from_the_axis) {
+  const bit::Bit r = shipped("bit-r");
+  const RollerBit roller = roller_bit_of(r);
+  for (std::size_t k = 0; k < r.cones.size(); ++k) {
+    ASSERT_NE(r.cones[k].layout.skew, 0.0);
+    const Pose& X_BK = r.cones[k].X_BK;
+    const Vec3 across = X_BK.R.col(2).cross(Vec3::UnitZ()).normalized();
+    EXPECT_NEAR(roller.cones[k].offset, std::abs(across.dot(X_BK.p)), 1e-15);
+  }
 }
 
 /// The comparison's bit has the rows of the literature's worked examples.
@@ -89,7 +112,7 @@ TEST(RollerBitOf, the_compared_bit_has_the_worked_rows) {
 }
 
 TEST(RollerBitOf, has_our_cones_inertia) {
-  const bit::Bit r = straight_bit_r();
+  const bit::Bit r = shipped("bit-r");
   const RollerBit roller = roller_bit_of(r);
   for (std::size_t k = 0; k < r.cones.size(); ++k) {
     const double ours = bit::cone_mass(r, static_cast<int>(k)).axial_inertia;
@@ -99,7 +122,7 @@ TEST(RollerBitOf, has_our_cones_inertia) {
 
 /// Elevation 0 is the lowest tip: a row's lowest point is as high as our measures say.
 TEST(RollerBitOf, stands_as_high_as_our_bit) {
-  const bit::Bit r = straight_bit_r();
+  const bit::Bit r = shipped("bit-r");
   const RollerBit roller = roller_bit_of(r);
   for (std::size_t k = 0; k < r.cones.size(); ++k)
     for (std::size_t j = 0; j < roller.cones[k].rows.size(); ++j) {
@@ -125,10 +148,12 @@ TEST(RollerBitOf, refuses_what_the_models_do_not_know) {
   EXPECT_EQ(refusal(shipped("bit-b")),
             "Ma and Yang: found a bit with 28 cutters, expected roller cones alone");
   EXPECT_EQ(refusal({}), "Ma and Yang: found a bit without cones, expected a roller cone bit");
-  EXPECT_EQ(refusal(shipped("bit-r")),
-            "Ma and Yang: found a skew of 1.500000 deg of cone-1, expected 0: the journal's axis "
-            "stands in a plane along the bit's axis");
-  bit::Bit solid = straight_bit_r();
+  EXPECT_EQ(
+      refusal(bit_r(0.1, std::numbers::pi / 2.0, 0.0)),
+      "Ma and Yang: found a skewed journal along the bit's axis of cone-1, expected a skew of "
+      "0 or a journal angle below 90 deg");
+  EXPECT_EQ(refusal(bit_r(0.0, std::numbers::pi / 2.0, 0.0)), "");
+  bit::Bit solid = shipped("bit-r");
   solid.cones[1].layout.rows.clear();
   EXPECT_EQ(refusal(solid),
             "Ma and Yang: found cone-2 without rows of teeth, expected a cone that is drawn, not "
