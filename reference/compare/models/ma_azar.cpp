@@ -1,34 +1,62 @@
-#include "reference/literature/roller/teeth/ma_azar.hpp"
-
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/roller_case.hpp"
+#include "reference/compare/models/tooth_parts.hpp"
+#include "reference/literature/roller/teeth/contact_run.hpp"
 #include "reference/literature/roller/teeth/contact_statistics.hpp"
 
 namespace tdbd::reference {
+namespace {
+
+/// The case's schedule: the same steps, means over the same revolutions.
+ContactSchedule contact_schedule(const CompareCase& c, const RollerBit& bit) {
+  ContactSchedule s;
+  s.ratios.assign(bit.cones.size(), c.options.roller.cone_ratio.value_or(outer_rolling_ratio(bit)));
+  s.bit_speed = c.ours.motion.rotary_speed;
+  s.penetration = c.options.roller.penetration.value_or(c.advance);
+  s.step = c.ours.time.step;
+  s.duration = s.step * static_cast<double>(c.ours.time.steps);
+  s.settle = s.duration - s.step * static_cast<double>(counted_steps(c));
+  return s;
+}
+
+/// A tooth's share of the time in contact is the mean number of that one tooth.
+void say_contacts(const CompareCase& c, const RollerBit& bit, const ContactRun& run, Findings& f) {
+  say(f, Quantity::teeth_in_contact, run.mean);
+  say(f, Quantity::teeth_in_contact_variance, run.variance);
+  say_rows(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
+  say_teeth(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
+}
+
+/// What the closed form says, where the bit is one that it takes.
+std::string statistics_of(const RollerBit& bit, const ContactSchedule& s) {
+  try {
+    const ContactStatistics all = bit_contact(bit, s.ratios, s.bit_speed, s.penetration).all;
+    return fmt::format(
+        "the statistics of rows that turn independently give {:.4g} teeth, variance {:.4g}",
+        all.mean, all.variance);
+  } catch (const InputError& e) {
+    return fmt::format("no statistics of independent rows: {}", e.what());
+  }
+}
+
+}  // namespace
 
 Findings answer_of_ma_azar(const Question& q) {
   const CompareCase& c = q.asked;
   const RollerBit bit = roller_bit_of(c.ours.bit, "Ma and Azar");
-  const double ratio = c.options.roller.cone_ratio.value_or(outer_rolling_ratio(bit));
-  const double depth = c.options.roller.penetration.value_or(c.advance);
+  const ContactSchedule schedule = contact_schedule(c, bit);
+  const ContactRun run = contact_run(bit, schedule);
   Findings f;
-  std::vector<RowContact> contacts;
-  for (std::size_t k = 0; k < bit.cones.size(); ++k)
-    for (std::size_t r = 0; r < bit.cones[k].rows.size(); ++r) {
-      const RollerRow& row = bit.cones[k].rows[r];
-      contacts.push_back(
-          row_contact(bit.cones[k], row, {depth, ratio, c.ours.motion.rotary_speed}));
-      f.parts.push_back({row_name(c.ours.bit.cones[k].name, r), ring_radius(bit.cones[k], row),
-                         PartQuantity::teeth_in_contact, contacts.back().mean});
-    }
-  const ContactStatistics all = together(contacts);
-  say(f, Quantity::teeth_in_contact, all.mean);
-  say(f, Quantity::teeth_in_contact_variance, all.variance);
+  say_contacts(c, bit, run, f);
+  f.cost.steps = run.steps;
+  f.cost.simulated = schedule.duration;
   f.notes.push_back(fmt::format(
       "given, not found: cones at {:.4f} of the bit's speed, all rows {:.3g} mm in a flat bottom",
-      ratio, 1e3 * depth));
+      schedule.ratios.front(), 1e3 * schedule.penetration));
+  f.notes.push_back(statistics_of(bit, schedule));
   cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
              "kinematics and counting: it has no forces");
   cannot_say(f, of_weight, "kinematics and counting: it has no forces");

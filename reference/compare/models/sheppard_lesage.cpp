@@ -11,7 +11,32 @@
 namespace tdbd::reference {
 namespace {
 
-void say_cones_of_bands(const CompareCase& c, const RollerBit& bit, const SheppardLesage& found,
+/// The rows of a bit that are bands, and which rows of its cones they are. A tooth on a journal is none.
+struct Bands {
+  RollerBit bit;
+  std::vector<std::vector<std::size_t>> rows;
+  std::size_t left_out = 0;
+};
+
+Bands bands_of(const RollerBit& bit) {
+  constexpr double on_the_journal = 1e-9;  // m
+  Bands bands;
+  for (RollerCone cone : bit.cones) {
+    std::vector<RollerRow> rows;
+    bands.rows.emplace_back();
+    for (std::size_t r = 0; r < cone.rows.size(); ++r) {
+      if (cone.rows[r].radius < on_the_journal) continue;
+      rows.push_back(cone.rows[r]);
+      bands.rows.back().push_back(r);
+    }
+    bands.left_out += cone.rows.size() - rows.size();
+    cone.rows = rows;
+    bands.bit.cones.push_back(cone);
+  }
+  return bands;
+}
+
+void say_cones_of_bands(const CompareCase& c, const Bands& bands, const SheppardLesage& found,
                         Findings& f) {
   double sum = 0.0;
   for (std::size_t k = 0; k < found.cones.size(); ++k) {
@@ -21,8 +46,8 @@ void say_cones_of_bands(const CompareCase& c, const RollerBit& bit, const Sheppa
     sum += cone.ratio;
     for (std::size_t r = 0; r < cone.rows.size(); ++r) {
       const double turns = c.ours.motion.rotary_speed / (2.0 * std::numbers::pi);
-      const double radius = ring_radius(bit.cones[k], bit.cones[k].rows[r]);
-      const std::string row = row_name(name, r);
+      const double radius = ring_radius(bands.bit.cones[k], bands.bit.cones[k].rows[r]);
+      const std::string row = row_name(name, bands.rows[k][r]);
       f.parts.push_back(
           {row, radius, PartQuantity::volume_per_revolution, cone.rows[r].volume_rate / turns});
       f.parts.push_back({row, radius, PartQuantity::force_into_rock, -cone.rows[r].force.z()});
@@ -36,7 +61,8 @@ void say_cones_of_bands(const CompareCase& c, const RollerBit& bit, const Sheppa
 Findings answer_of_sheppard_lesage(const Question& q) {
   const CompareCase& c = q.asked;
   const RollerSettings& s = c.options.roller;
-  const RollerBit bit = roller_bit_of(c.ours.bit, "Sheppard and Lesage");
+  const Bands bands = bands_of(roller_bit_of(c.ours.bit, "Sheppard and Lesage"));
+  const RollerBit& bit = bands.bit;
   BandOptions options;
   options.half_angle = s.half_angle;
   Findings f;
@@ -57,7 +83,10 @@ Findings answer_of_sheppard_lesage(const Question& q) {
   say_steady_loads(f, found.weight, found.torque, c.advance);
   say(f, Quantity::removed_per_revolution,
       found.volume_rate * 2.0 * std::numbers::pi / c.ours.motion.rotary_speed);
-  say_cones_of_bands(c, bit, found, f);
+  say_cones_of_bands(c, bands, found, f);
+  if (bands.left_out > 0)
+    f.notes.push_back(
+        fmt::format("rows left out, whose teeth are on the journal's axis: {}", bands.left_out));
   if (q.weight > 0.0) {
     const SheppardLesage under =
         sheppard_lesage_under(bit, rock, c.ours.motion.rotary_speed, q.weight, options);
