@@ -32,8 +32,8 @@ StudiedConvergence study_of(const Json& json) {
     study.levels.push_back(
         {level.at("sizes").get<std::vector<double>>(), figures_of(level.at("state"))});
     if (study.levels.back().sizes.size() != study.keys.size())
-      throw InputError(fmt::format("{} sizes for {} keys", study.levels.back().sizes.size(),
-                                   study.keys.size()));
+      throw InputError(
+          fmt::format("{} sizes for {} keys", study.levels.back().sizes.size(), study.keys.size()));
   }
   if (study.keys.empty() || study.levels.empty()) throw InputError("no key or no level");
   for (const StudiedFigure& f : studied_figures) {
@@ -76,9 +76,8 @@ std::vector<StudiedConvergence> read_studied_convergence(const std::string& file
       studies.push_back(study_of(one));
     return studies;
   } catch (const std::exception& e) {
-    throw InputError(
-        fmt::format("{}: found {}, expected a convergence.json, or a list of such objects", file,
-                    e.what()));
+    throw InputError(fmt::format(
+        "{}: found {}, expected a convergence.json, or a list of such objects", file, e.what()));
   }
 }
 
@@ -104,9 +103,9 @@ NumericalUncertainty numerical_uncertainty(const StudiedConvergence& study,
     if (f.kind == FigureKind::mean &&
         !(std::abs(x - at_level) <= std::abs(at_level - limit) + left)) {
       found.figures.clear();
-      found.reason = fmt::format(
-          "the study is of another case: its level has {} = {:.6g}, the run {:.6g}", name, at_level,
-          x);
+      found.reason =
+          fmt::format("the study is of another case: its level has {} = {:.6g}, the run {:.6g}",
+                      name, at_level, x);
       return found;
     }
     found.figures[name] = std::abs(x - limit) + left;

@@ -56,11 +56,11 @@ struct RunSummary {
   std::map<std::string, long> maintenance;  ///< operation: how often
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
-  std::optional<LoadFigures> loads;   ///< none: the run had no forces
+  std::optional<LoadFigures> loads;             ///< none: the run had no forces
   std::vector<NumericalUncertainty> numerical;  ///< by each study of the case
-  Diagnosis diagnosis;                ///< with forces
-  std::optional<DriveFigures> drive;  ///< of a bit that forces move
-  long sections_refused_deep = 0;     ///< FaceStatistics
+  Diagnosis diagnosis;                          ///< with forces
+  std::optional<DriveFigures> drive;            ///< of a bit that forces move
+  long sections_refused_deep = 0;               ///< FaceStatistics
   long sections_refused_over_the_top = 0;
 };
 

@@ -33,7 +33,7 @@ enum class WhirlKind { none, forward, backward, synchronous };
 struct Diagnosis {
   /// (max - min) / (2 mean) of the rotary speed, with the mean of whole cycles; or 0 (diagnose)
   double stick_slip_severity = 0.0;
-  double stuck_share = 0.0;  ///< of whole cycles below 5 % of that mean, or 0 (diagnose)
+  double stuck_share = 0.0;          ///< of whole cycles below 5 % of that mean, or 0 (diagnose)
   double torsional_frequency = 0.0;  ///< Hz, strongest of the rotary speed
   double lost_contact_share = 0.0;   ///< of time without weight on bit
   double wob_swing = 0.0;            ///< (max - min) / (2 mean)

@@ -22,7 +22,8 @@ Json of_weight() {
   for (const double h : {1.0, 0.5, 0.25})
     study["levels"].push_back(
         {{"sizes", {h}},
-         {"state", {{"wob_mean", {10.0 + 4.0 * h}}, {"tob_mean", {1.0 + 0.4 * h}}, {"y", {h, h}}}}});
+         {"state",
+          {{"wob_mean", {10.0 + 4.0 * h}}, {"tob_mean", {1.0 + 0.4 * h}}, {"y", {h, h}}}}});
   study["variables"] = {{"wob_mean", {{"uncertainty", {{"value", 0.75}}}}},
                         {"tob_mean", {{"uncertainty", nullptr}}},
                         {"y", {{"uncertainty", {{"value", 9.0}}}}}};
@@ -64,8 +65,7 @@ TEST(NumericalUncertainty, is_not_known_between_levels_or_of_another_case) {
     return found.reason;
   };
   EXPECT_EQ(reason(0.3, {{"wob_mean_n", 11.2}}), "no level of the study has time.step = 0.3");
-  const std::string other =
-      "the study is of another case: its level has wob_mean_n = 12, the run ";
+  const std::string other = "the study is of another case: its level has wob_mean_n = 12, the run ";
   EXPECT_EQ(reason(0.5, {{"wob_mean_n", 13.76}}), other + "13.76");
   EXPECT_EQ(reason(0.5, {{"wob_mean_n", 10.24}}), other + "10.24");
   EXPECT_EQ(reason(0.5, {{"wob_mean_n", NAN}}), other + "nan");
@@ -161,9 +161,9 @@ TEST(NumericalUncertainty, stands_beside_the_means_of_a_run) {
     const Json& found = summary["uncertainty"]["numerical"][0];
     EXPECT_EQ(found["of"], Json::array({"time.step"}));
     EXPECT_FALSE(found.contains("reason")) << found;
-    for (const auto& [name, key] : {std::pair("wob_mean", "wob_mean_n"),
-                                    std::pair("rop_mean", "rop_mean_m_per_s"),
-                                    std::pair("stick_slip_severity", "stick_slip_severity")}) {
+    for (const auto& [name, key] :
+         {std::pair("wob_mean", "wob_mean_n"), std::pair("rop_mean", "rop_mean_m_per_s"),
+          std::pair("stick_slip_severity", "stick_slip_severity")}) {
       const double own = study["levels"][at(level)]["state"][name][0],
                    finest = study["levels"][2]["state"][name][0],
                    left = study["variables"][name]["uncertainty"]["value"];

@@ -159,8 +159,7 @@ TEST(ConeTwin, rolls_on_flat_rock) {
 TEST(ConeTwin, bounces_from_tooth_to_tooth) {
   constexpr double step = 2e-4, until = 0.1, print = 2e-3;  // s; m, about the deepest
   const std::string motion = "rotary_speed = \"180 rpm\"\nweight_on_bit = 800\nrate_memory = 0";
-  const auto program =
-      levels([&](int n) { return of_program(cone(motion, "", n, step, until)); });
+  const auto program = levels([&](int n) { return of_program(cone(motion, "", n, step, until)); });
   const Case c = cone(motion, "", 1, step, until);
   const auto twin = levels([&](int n) { return of_twin(c, until, 8e-3 / n, 4e-4 / n, 4e-5 / n); });
   compare_ways("depth", print, program, twin, &Found::depth);

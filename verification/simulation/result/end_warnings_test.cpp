@@ -73,9 +73,10 @@ Texts of_swings(double share, const std::string& section_at_face) {
 }
 
 TEST(EndWarnings, tell_sections_ahead_of_the_faces_of_a_bit_that_sticks_and_slips) {
-  EXPECT_EQ(of_swings(0.51, "as_ahead"),
-            Texts{"the bit sticks and slips, severity 0.51, so that its depth of cut changes from "
-                  "turn to turn: measure.section_at_face = \"extrapolated\" is more accurate then"});
+  EXPECT_EQ(
+      of_swings(0.51, "as_ahead"),
+      Texts{"the bit sticks and slips, severity 0.51, so that its depth of cut changes from "
+            "turn to turn: measure.section_at_face = \"extrapolated\" is more accurate then"});
   EXPECT_EQ(of_swings(0.49, "as_ahead"), Texts{});
   EXPECT_EQ(of_swings(0.51, "extrapolated"), Texts{});
 }

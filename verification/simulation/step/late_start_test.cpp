@@ -102,12 +102,12 @@ TEST(LateStart, by_depth_starts_when_the_bit_has_gone_down) {
   EXPECT_EQ(s.work.waits, Waits::none);
 }
 
-/// Two runs resumed from copies, before and after the start, continue bitwise.
+/// Runs resumed from copies, from two steps before the start to two after it, continue bitwise.
 TEST(LateStart, is_resumed_from_a_copy_of_the_state) {
   const Case c = with_areas({"a.blade=2", fmt::format("a.removal.from_time={}", 8e-3)});
   const long first = std::lround(8e-3 / c.time.step);
   Simulation s = start(c);
-  for (const long steps : {first - 2, 4L}) {
+  for (const long steps : {first - 2, 1L, 1L, 1L, 1L}) {
     for (long i = 0; i < steps; ++i) step(c, s);
     Simulation again = resume(c, s.state, s.statistics);
     EXPECT_EQ(again.work.waits, s.work.waits);
