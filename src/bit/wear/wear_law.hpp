@@ -16,6 +16,7 @@ struct WearContact {
 /// A surface that does not wear.
 struct NoWear {
   static constexpr std::string_view name = "none";
+  bool operator==(const NoWear&) const = default;
 };
 
 /// Archard: the worn volume is proportional to normal force and path, and inversely to hardness.
@@ -23,6 +24,7 @@ struct SlidingWear {
   static constexpr std::string_view name = "sliding";
   double coefficient = 0.0;  ///< k, 1
   double hardness = 0.0;     ///< H, Pa, of the surface, above 0
+  bool operator==(const SlidingWear&) const = default;
 };
 
 /// Glowka's thermal wear: sliding wear that is faster above a threshold of the temperature. That a
@@ -32,6 +34,7 @@ struct ThermalWear {
   SlidingWear sliding;
   double threshold = 0.0;  ///< K
   double growth = 0.0;     ///< K, above 0: an excess by this multiplies the rate by e
+  bool operator==(const ThermalWear&) const = default;
 };
 
 /// Measured wear: volume per work of the normal force over temperature. Linear between the
@@ -40,6 +43,7 @@ struct TableWear {
   static constexpr std::string_view name = "table";
   std::vector<double> temperatures;  ///< K, rising
   std::vector<double> rates;         ///< m3/(N m), one for each temperature
+  bool operator==(const TableWear&) const = default;
 };
 
 using WearLaw = std::variant<NoWear, SlidingWear, ThermalWear, TableWear>;

@@ -96,6 +96,7 @@ struct Case {
   MaintenancePlan maintenance;
   MeasurePlan measure;
   ForcePlan forces;
+  WearPlan wear;
   DrillingPlan drilling;  ///< of a motion that is drilling
   OutputPlan output;
   std::vector<CaseWarning> warnings;

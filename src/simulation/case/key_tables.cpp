@@ -11,6 +11,7 @@
 #include "simulation/case/rotate_keys.hpp"
 #include "simulation/case/run_keys.hpp"
 #include "simulation/case/title_key.hpp"
+#include "simulation/case/wear_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -130,6 +131,20 @@ std::vector<KeyTable> force_tables() {
   return tables;
 }
 
+std::vector<KeyTable> wear_tables() {
+  namespace area = bit::area_keys;
+  using namespace wear_keys;
+  return {key_table("run", table,
+                    rows(law, coefficient, hardness, threshold, growth, temperatures, rates,
+                         acceleration, every_steps, every, largest_growth, friction,
+                         rock_conductivity, rock_diffusivity, cutter_resistance,
+                         fluid_temperature)),
+          key_table("run", areas_table,
+                    rows(area::kind, area::zone, area::blade, area::cone, area::row, area::names,
+                         area::part, law, coefficient, hardness, threshold, growth, temperatures,
+                         rates))};
+}
+
 KeyTable string_table() {
   using namespace string_keys;
   return key_table(
@@ -197,6 +212,7 @@ std::vector<KeyTable> all_tables() {
   add({motion_table(), whirl_table(), tilt_table(), leg_table(), schedule_table()});
   add({time_table(), update_table(), maintenance_table(), measure_table()});
   add(force_tables());
+  add(wear_tables());
   add({string_table(), wall_table(), rock_mount_table(), output_table()});
   add({body_table(), cone_table()});
   add(load_tables());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "bit/wear/wear_law.hpp"
 #include "dynamics/drilling/drilling_system.hpp"
 #include "forces/law.hpp"
 #include "forces/rock/formation.hpp"
@@ -62,6 +63,19 @@ inline bool has_law(const ForcePlan& plan, bit::PartKind kind, int part) {
 inline bool has_law(const ForcePlan& plan, const bit::Bit& bit, std::size_t part) {
   return has_law(plan, bit.parts[part].kind, static_cast<int>(part));
 }
+
+/// How the bit wears.
+struct WearPlan {
+  std::vector<bit::WearLaw> part_laws;  ///< by part; empty: the bit does not wear
+  bit::FlatHeating heating;
+  double acceleration = 1.0;     ///< multiplies the rates of the laws
+  long every_steps = 0;          ///< time steps between two wear steps, at most; 0: no limit
+  double every = 0.0;            ///< m down between two wear steps, at most; 0: no limit
+  double largest_growth = 0.01;  ///< of a flat's height in a wear step, over its cutter's diameter
+};
+
+/// Whether the bit wears.
+inline bool wears(const WearPlan& plan) { return !plan.part_laws.empty(); }
 
 /// The bit, the string, the wall and the rock's mount of a bit that forces move, and how they start
 /// (thesis: eqs. 2.1 to 2.3).

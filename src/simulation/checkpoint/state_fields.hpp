@@ -140,6 +140,34 @@ void fields(A& a, Of<A, Trimming>& x) {
 }
 
 template <class A>
+void fields(A& a, Of<A, CutterWear>& x) {
+  a("volume", x.volume);
+  a("height", x.height);
+  a("window", x.window);
+  a("previous", x.previous);
+  a("last", x.last);
+}
+
+template <class A>
+void fields(A& a, Of<A, CutterRub>& x) {
+  a("force", x.force);
+  a("temperature", x.temperature);
+  a("rate", x.rate);
+}
+
+template <class A>
+void fields(A& a, Of<A, WearState>& x) {
+  a("cutters", x.cutters);
+  a("rubs", x.rubs);
+  a("window_time", x.window_time);
+  a("previous_time", x.previous_time);
+  a("window_steps", x.window_steps);
+  a("window_distance", x.window_distance);
+  a("distance", x.distance);
+  a("steps", x.steps);
+}
+
+template <class A>
 void fields(A& a, Of<A, State>& x) {
   a("steps_done", x.steps_done);
   a("place", x.place);
@@ -155,6 +183,7 @@ void fields(A& a, Of<A, State>& x) {
   a("maintenance", x.maintenance);
   a("trimming", x.trimming);
   a("started", x.started);
+  a("wear", x.wear);
 }
 
 }  // namespace tdbd::simulation

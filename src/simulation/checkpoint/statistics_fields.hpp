@@ -73,6 +73,22 @@ void fields(A& a, Of<A, StandingStatistics>& x) {
 }
 
 template <class A>
+void fields(A& a, Of<A, WearRecord>& x) {
+  a("distance", x.distance);
+  a("width", x.width);
+  a("volume", x.volume);
+  a("temperature", x.temperature);
+  a("force", x.force);
+}
+
+template <class A>
+void fields(A& a, Of<A, WearRecords>& x) {
+  a("every", x.every);
+  a("seen", x.seen);
+  a("records", x.records);
+}
+
+template <class A>
 void fields(A& a, Of<A, Statistics>& x) {
   a("faces", x.faces);
   a("cones", x.cones);
@@ -80,6 +96,7 @@ void fields(A& a, Of<A, Statistics>& x) {
   a("energy_by_part", x.energy_by_part);
   a("trace", x.trace);
   a("standing", x.standing);
+  a("wear", x.wear);
 }
 
 template <class A>

@@ -196,6 +196,36 @@ void add_loads(RecordLayout& layout) {
     layout.columns.push_back({c.name, c.units, c.long_name, 0, InCsv::no, Over::mean});
 }
 
+/// Of a bit that wears, over time and cutter.
+constexpr std::array wear_columns = {
+    ColumnOf<WearRow>{"flat_width", "m", "width of the cutter's wear flat, across the motion",
+                      nullptr},
+    ColumnOf<WearRow>{"worn_volume", "m3", "volume that the cutter has lost in the run", nullptr},
+    ColumnOf<WearRow>{"flat_temperature", "K", "temperature of the cutter's wear flat", nullptr,
+                      Over::mean},
+    ColumnOf<WearRow>{"cutter_normal_force", "N", "normal force on all parts of the cutter",
+                      nullptr, Over::mean},
+};
+
+void add_wear(const std::vector<std::string>& cutters, RecordLayout& layout) {
+  int axis = 0;
+  while (at(axis) < layout.axes.size() && layout.axes[at(axis)].name != "cutter") ++axis;
+  if (at(axis) == layout.axes.size()) {
+    layout.axes.push_back({"cutter", cutters});
+    layout.labels.push_back({"cutter_name", "name of the cutter", axis, cutters});
+  }
+  layout.columns.push_back(
+      {"wear_distance", "m", "distance that the wear stands for: acceleration times the advance"});
+  for (const ColumnOf<WearRow>& c : wear_columns)
+    layout.columns.push_back({c.name, c.units, c.long_name, axis, InCsv::no, c.over});
+}
+
+void append_wear(const WearRow& w, std::vector<double>& row) {
+  row.push_back(w.distance);
+  for (const std::vector<double>* column : {&w.width, &w.volume, &w.temperature, &w.force})
+    row.insert(row.end(), column->begin(), column->end());
+}
+
 void append_contacts(std::span<const rock::PartContact> contacts, std::vector<double>& row) {
   const std::size_t total = row.size();
   row.push_back(0.0);
@@ -233,6 +263,7 @@ RecordLayout step_layout(const std::vector<HistoryPart>& parts, const HistoryExt
   if (extent.contact_areas) add_contact_areas(layout);
   if (!extent.cutters.empty()) add_sections(extent.cutters, layout);
   if (extent.forces) add_loads(layout);
+  if (!extent.worn_cutters.empty()) add_wear(extent.worn_cutters, layout);
   if (!extent.drive) return layout;
   for (const ColumnOf<DriveRow>& c : drive_columns)
     layout.columns.push_back({c.name, c.units, c.long_name});
@@ -251,6 +282,7 @@ void numbers_of(const HistoryRow& step, const HistoryExtent& extent, std::vector
   if (extent.contact_areas) append_contacts(step.contacts, numbers);
   if (!extent.cutters.empty()) append_sections(step.sections, numbers);
   if (extent.forces && step.loaded != nullptr) append_loads(*step.loaded, numbers);
+  if (!extent.worn_cutters.empty() && step.wear != nullptr) append_wear(*step.wear, numbers);
   if (extent.drive && step.drive != nullptr)
     for (const ColumnOf<DriveRow>& c : drive_columns) numbers.push_back(c.value(*step.drive));
 }

@@ -13,6 +13,12 @@
 
 namespace tdbd::simulation {
 
+/// The wear of a step, per cutter.
+struct WearRow {
+  double distance = 0.0;                                  ///< m of wear
+  std::vector<double> width, volume, temperature, force;  ///< m, m3, K, N
+};
+
 /// What one step leaves in the history. Frames: W space (z down), B bit.
 struct HistoryRow {
   double time = 0.0;                               ///< s, at the end of the step
@@ -27,6 +33,7 @@ struct HistoryRow {
   std::span<const rock::PartContact> contacts;     ///< per part, at the end of the step
   const DriveRow* drive = nullptr;                 ///< of a bit that forces move
   const LoadedStep* loaded = nullptr;              ///< forces of the step; none: without forces
+  const WearRow* wear = nullptr;                   ///< of a bit that wears
   long swept_vertices = 0;                         ///< rock vertices moved in this step
   long rock_triangles = 0;                         ///< triangles of the rock surface
 };
@@ -44,6 +51,7 @@ struct HistoryExtent {
   bool contact_areas = false;
   bool forces = false;
   bool drive = false;
+  std::vector<std::string> worn_cutters;  ///< of a bit that wears
 };
 
 /// The columns of a step: those of the bit, then what every part removed, then what the run has

@@ -23,6 +23,7 @@
 #include "simulation/result/end_warnings.hpp"
 #include "simulation/result/frames.hpp"
 #include "simulation/result/history.hpp"
+#include "simulation/result/wear_figures.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/step/energy_order.hpp"
 
@@ -57,6 +58,9 @@ HistoryExtent history_extent(const Case& c) {
   extent.contact_areas = c.measure.contact == ContactMeasure::on;
   extent.forces = c.forces.forces == Forces::on;
   extent.drive = c.motion.kind == MotionKind::drilling;
+  if (wears(c.wear))
+    for (const bit::Cutter& cutter : c.bit.cutters)
+      extent.worn_cutters.push_back(cutter_name(cutter));
   if (c.measure.section == SectionMeasure::off) return extent;
   extent.cutters.reserve(c.bit.cutters.size());
   for (const bit::Cutter& cutter : c.bit.cutters) extent.cutters.push_back(cutter_name(cutter));
@@ -86,7 +90,19 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
   return row;
 }
 
-void take_step(const Case& c, const Simulation& s, History& history) {
+WearRow wear_row(const WearState& s, const WearWork& w) {
+  WearRow row{.distance = s.distance, .width = {}, .volume = {}, .temperature = {}, .force = {}};
+  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
+    row.width.push_back(w.flats[i].width);
+    row.volume.push_back(s.cutters[i].volume);
+    row.temperature.push_back(s.rubs[i].temperature);
+    row.force.push_back(s.rubs[i].force);
+  }
+  return row;
+}
+
+void take_step(const Case& of_run, const Simulation& s, History& history) {
+  const Case& c = case_now(of_run, s.work);
   const std::vector<double> angles = angles_of(s.state.cones), speeds = speeds_of(s.state.cones);
   HistoryRow row = row_of(c, s, angles, speeds);
   const LoadedStep loaded{s.work.loads,       s.work.velocity,
@@ -97,6 +113,8 @@ void take_step(const Case& c, const Simulation& s, History& history) {
                                                    s.work.drive.at, s.state.place.turned)
                                        : DriveRow{};
   if (s.state.drive) row.drive = &drive;
+  const WearRow wear = s.work.wear ? wear_row(*s.state.wear, *s.work.wear) : WearRow{};
+  if (s.work.wear) row.wear = &wear;
   history.take(row);
 }
 
@@ -136,7 +154,7 @@ Figures studied_figures_of(const RunSummary& r) {
 }
 
 void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
-  const dynamics::DrillingSystem& system = c.drilling.system;
+  const dynamics::DrillingSystem& system = case_now(c, s.work).drilling.system;
   r.diagnosis = diagnose(s.statistics.trace, s.statistics.loads.tob.mean);
   std::map<std::string, double> by_part;
   for (std::size_t i = 0; i < s.statistics.energy_by_part.size(); ++i)
@@ -209,7 +227,7 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     r.step_seconds.push_back(seconds_since(before));
     record_step(c, s, r);
     if (c.output.frames_every > 0 && s.state.steps_done % c.output.frames_every == 0)
-      r.frames.add(c, s);
+      r.frames.add(case_now(c, s.work), s);
     if (r.keeper.is_due(s.state.steps_done)) keep_checkpoint(c, s, r);
     if (o.progress) o.progress(s, c.time.steps);
   }
@@ -227,8 +245,14 @@ RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder&
     const RunStatus status = loop(c, s, o, r);
     if (status == RunStatus::interrupted) keep_checkpoint(c, s, r);
     r.history.close();
-    r.frames.write_final(c, s);
+    r.frames.write_final(case_now(c, s.work), s);
     return status;
+  } catch (const WearEnd& e) {
+    ignore_failure([&] { keep_checkpoint(c, s, r); });
+    const std::string failure = failure_text(s.state.steps_done, c.time.steps,
+                                             time_at(c.time, s.state.steps_done), e.what());
+    keep_so_far(case_now(c, s.work), s, failure, r);
+    throw RunError(failure);
   } catch (const std::exception& e) {
     const std::string failure = failure_text(s.state.steps_done, c.time.steps,
                                              time_at(c.time, s.state.steps_done), reason_of(e));
@@ -276,6 +300,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   if (r.loads && r.loads->steps > 0)
     for (const StudiedConvergence& study : c.output.convergence)
       r.numerical.push_back(numerical_uncertainty(study, sizes_of(c), studied_figures_of(r)));
+  if (s.work.wear) r.wear = figures_of_wear(c, s);
   r.sections_refused_deep = s.statistics.faces.refused_deep;
   r.sections_refused_over_the_top = s.statistics.faces.refused_over_the_top;
   for (std::size_t k = 0; k < s.state.cones.size(); ++k)

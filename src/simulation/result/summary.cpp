@@ -121,6 +121,7 @@ std::string to_json(const RunSummary& s) {
   if (!s.faces.empty())
     json["sections_refused"] = {{"deep_in_rock", s.sections_refused_deep},
                                 {"over_the_top", s.sections_refused_over_the_top}};
+  if (s.wear) json["wear"] = wear_json(*s.wear);
   return json.dump(2) + "\n";
 }
 

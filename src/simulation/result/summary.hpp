@@ -13,6 +13,7 @@
 #include "simulation/case/case_warning.hpp"
 #include "simulation/case/studied_convergence.hpp"
 #include "simulation/result/drive_figures.hpp"
+#include "simulation/result/wear_figures.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/force_figures.hpp"
 #include "simulation/step/measure.hpp"
@@ -60,6 +61,7 @@ struct RunSummary {
   std::vector<NumericalUncertainty> numerical;  ///< by each study of the case
   Diagnosis diagnosis;                          ///< with forces
   std::optional<DriveFigures> drive;            ///< of a bit that forces move
+  std::optional<WearFigures> wear;              ///< of a bit that wears
   long sections_refused_deep = 0;               ///< FaceStatistics
   long sections_refused_over_the_top = 0;
 };

@@ -71,6 +71,7 @@ struct Windows {
 EnergyOrderPlan plan_energy_order(const Case& c) {
   if (c.motion.kind != MotionKind::drilling || c.output.energy_order == EnergyOrderWish::off)
     return {-1, "output.energy_order is off"};
+  if (wears(c.wear)) return {-1, "the bit wears"};
   const long window = c.output.energy_order_window, last = c.time.steps - window;
   const long least = least_steps_per_cost * cost_per_step * window;
   if (c.output.energy_order == EnergyOrderWish::on && c.time.steps < least)

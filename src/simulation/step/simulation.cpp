@@ -7,6 +7,7 @@
 #include "simulation/start/start_check.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/late_start.hpp"
+#include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -41,6 +42,7 @@ State start_state(const Case& c, rock::Rock rock) {
   s.ledger.removed_by_part.resize(c.bit.parts.size());
   if (std::ranges::any_of(c.bit.parts, [](const bit::Part& p) { return p.start.has_value(); }))
     s.started.resize(c.bit.parts.size());
+  s.wear = start_wear(c);
   return s;
 }
 
@@ -91,6 +93,7 @@ Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& s
   Simulation s;
   s.state = start_state(c, start_rock(c, surface));
   s.work = start_work(c, s.state, std::move(prepared));
+  s.work.wear = wear_work(c, s.state);
   s.statistics = start_statistics(c);
   bear_at_start(c, s.state, s.work);
   return s;
@@ -99,10 +102,13 @@ Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& s
 Simulation resume(const Case& c, State state, Statistics statistics) {
   Simulation s;
   s.state = std::move(state);
-  s.work = start_work(
-      c, s.state,
-      rock::prepare_cutting_bit(
-          s.state.started.empty() ? c.bit : started_bit(c.bit, s.state.started), c.update.cutting));
+  std::optional<WearWork> wear = wear_work(c, s.state);
+  const Case& now = wear ? wear->worn : c;
+  s.work = start_work(now, s.state,
+                      rock::prepare_cutting_bit(
+                          s.state.started.empty() ? now.bit : started_bit(now.bit, s.state.started),
+                          c.update.cutting));
+  s.work.wear = std::move(wear);
   s.statistics = std::move(statistics);
   return s;
 }

@@ -19,6 +19,7 @@
 #include "simulation/step/measure.hpp"
 #include "simulation/step/standing.hpp"
 #include "simulation/step/trimming.hpp"
+#include "simulation/step/wear.hpp"
 
 namespace tdbd::simulation {
 
@@ -49,10 +50,20 @@ struct State {
   rock::MaintenanceReport maintenance;
   Trimming trimming;
   std::vector<std::uint8_t> started;  ///< per part: its late start has come; empty: no part waits
+  std::optional<WearState> wear;      ///< of a bit that wears
 };
 
 /// Whether parts of the bit still wait for their start (late_start.hpp).
 enum class Waits { none, some };
+
+/// What a wearing bit keeps (wear_step.hpp).
+struct WearWork {
+  Case worn;                           ///< the case with the worn bit and its mass
+  std::vector<bit::WearSolid> solids;  ///< per cutter, of the bit of the case
+  std::vector<bit::WearFlat> flats;    ///< per cutter
+  std::vector<double> due_volume;      ///< m3, per cutter, beyond which a wear step is due
+  std::vector<double> most_volume;     ///< m3, per cutter, of the largest growth
+};
 
 /// What a step keeps beside the state: all of it follows from the case and the state (start_work).
 struct Work {
@@ -65,6 +76,7 @@ struct Work {
   std::vector<double> creep;                  ///< m/s, per cutter: creep_of_faces
   std::vector<rock::RubbingPart> rubbing;     ///< the parts that rub and have a law
   Waits waits = Waits::none;
+  std::optional<WearWork> wear;  ///< of a bit that wears
   // Of the last step.
   Measures measures;
   std::vector<CutOfPart> cuts;  ///< none without forces
@@ -92,6 +104,7 @@ struct Statistics {
   std::vector<double> energy_by_part;  ///< J, power times step since the start
   Trace trace;
   StandingStatistics standing;
+  WearRecords wear;
 };
 
 /// A run between two steps.
@@ -100,6 +113,11 @@ struct Simulation {
   Work work;
   Statistics statistics;
 };
+
+/// The case with the bit as it is worn: `c` itself if the bit does not wear.
+inline const Case& case_now(const Case& c, const Work& work) {
+  return work.wear ? work.wear->worn : c;
+}
 
 /// Builds rock and bit of a case at t = 0. Throws InputError if the bit starts deeper in the rock
 /// than its largest cutter's radius, or the rock cannot be built.

@@ -8,6 +8,7 @@
 #include "dynamics/drilling/divergence.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/late_start.hpp"
+#include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -77,7 +78,9 @@ void record_loads(const Case& c, const Move& move, const State& state, const Wor
 
 }  // namespace
 
-void step(const Case& c, Simulation& s) {
+void step(const Case& of_run, Simulation& s) {
+  if (s.work.wear) wear_if_due(of_run, s);
+  const Case& c = case_now(of_run, s.work);
   if (s.work.waits == Waits::some) start_due_parts(c, s.state, s.work);
   const Move move = drift(c, s.state, s.work);
   cut(move, s.state, s.work);
@@ -85,6 +88,7 @@ void step(const Case& c, Simulation& s) {
   apply_forces(c, move, s.state, s.work);
   kick(c, move, s.state, s.work);
   record(c, move, s);
+  if (s.work.wear) measure_wear(c, move, s.state, s.work);
   ++s.state.steps_done;
   maintain(c, s.state, s.work);
   renumber(c, s.state, s.work);

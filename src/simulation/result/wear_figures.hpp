@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "simulation/step/simulation.hpp"
+
+namespace tdbd::simulation {
+
+/// The wear of a cutter at the end of a run.
+struct CutterWearFigures {
+  std::string name;
+  bit::WearFlat flat;    ///< of run and table; its volume is that of the run
+  double pending = 0.0;  ///< m3, worn since the last wear step and not yet cut from the mesh
+  CutterRub rub;         ///< of the last step
+};
+
+/// The wear of a bit: `wear` of summary.json.
+struct WearFigures {
+  double acceleration = 1.0;
+  double distance = 0.0;  ///< m of wear
+  long steps = 0;         ///< wear steps
+  double ledger_defect = 0.0;
+  double mass_lost = 0.0;  ///< kg, of the cutters
+  bit::DullGrade grade;
+  std::vector<CutterWearFigures> cutters;
+  std::vector<WearRecord> records;
+};
+
+/// The wear of a simulation of this case so far; its bit must wear.
+WearFigures figures_of_wear(const Case& c, const Simulation& s);
+
+nlohmann::ordered_json wear_json(const WearFigures& f);
+
+}  // namespace tdbd::simulation

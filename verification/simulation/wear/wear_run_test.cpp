@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bit/mass_properties.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "simulation/checkpoint/checkpoint.hpp"
+#include "simulation/checkpoint/state_fields.hpp"
+#include "simulation/checkpoint/statistics_fields.hpp"
+#include "simulation/result/run.hpp"
+#include "simulation/step/drive.hpp"
+#include "simulation/step/wear_step.hpp"
+#include "verification/simulation/mesh_bit.hpp"
+
+namespace tdbd::simulation::wear_run_test {
+namespace {
+
+/// Of the volume that a mesh lost to the worn volume, relative.
+constexpr double wear_ledger = 1e-12;
+
+Case wearing(std::vector<std::string> settings = {}) {
+  settings.insert(settings.begin(),
+                  {"rock.edge_length='4 mm'", "time.revolutions=0.2", "wear.every_steps=7"});
+  return read_case(TDBD_SOURCE_DIR "/cases/wear-bit-b.toml", settings);
+}
+
+const std::vector<std::string> drilled_by_forces{
+    "motion={kind='drilling', rotary_speed='120 rpm', weight_on_bit='30 kN', "
+    "expected_rate='25 m/h', torque_at_start='2600 N m'}",
+    "string={mass='1000 kg', torsional_inertia='10 kg m2', bending_inertia='10 kg m2', "
+    "lateral_stiffness='5e7 N/m', lateral_damping='2e5 N s/m', axial_damping='2e5 N s/m', "
+    "torsional_stiffness='5000 N m/rad', torsional_damping='50 N m s/rad', "
+    "bending_stiffness='1e6 N m/rad', bending_damping='1e3 N m s/rad', attachment_height=0}",
+    "time={step='1 ms', duration='60 ms'}"};
+
+Tape numbers_of(Simulation s) {
+  std::ranges::sort(s.state.rock.touched_list);
+  Tape tape;
+  TapeWriter write(tape);
+  write("state", s.state);
+  write("statistics", s.statistics);
+  return tape;
+}
+
+bool same(const Simulation& a, const Simulation& b) {
+  const Tape x = numbers_of(a), y = numbers_of(b);
+  return x.reals.size() == y.reals.size() &&
+         std::memcmp(x.reals.data(), y.reals.data(), x.reals.size() * sizeof(double)) == 0 &&
+         x.wholes == y.wholes && x.ints == y.ints && x.bytes == y.bytes;
+}
+
+void drill(const Case& c, Simulation& s, int steps) {
+  for (int i = 0; i < steps; ++i) step(c, s);
+}
+
+TEST(WearRun, closes_its_ledger_and_removes_mass) {
+  const Case c = wearing();
+  Simulation s = start(c);
+  drill(c, s, 40);
+  EXPECT_GE(s.state.wear->steps, 5);
+  double volume = 0.0, widest = 0.0;
+  for (std::size_t i = 0; i < c.bit.cutters.size(); ++i) {
+    volume += s.state.wear->cutters[i].volume;
+    widest = std::max(widest, s.work.wear->flats[i].width);
+  }
+  EXPECT_GT(volume, 0.0);
+  EXPECT_GT(widest, 0.0);
+  EXPECT_LE(wear_ledger_defect(s.work.wear->solids, *s.state.wear), wear_ledger);
+  EXPECT_LT(bit::mass_properties(s.work.wear->worn.bit).mass, bit::mass_properties(c.bit).mass);
+  EXPECT_LE(ledger_defect(s), 1e-12);
+}
+
+/// In the middle of windows, before a wear step, and with one in the next step.
+TEST(WearRun, continues_from_a_checkpoint_bitwise_identical) {
+  std::vector<std::vector<std::string>> motions{{}, drilled_by_forces};
+  for (const std::vector<std::string>& settings : motions) {
+    const Case c = wearing(settings);
+    for (const int before : {11, 13, 14, 21}) {
+      Simulation whole = start(c);
+      drill(c, whole, before);
+      const auto file = test_folder() / "checkpoint.nc";
+      write_checkpoint(file, c, whole, {});
+      Checkpoint saved = read_checkpoint(file, c);
+      Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));
+      EXPECT_TRUE(same(whole, resumed));
+      drill(c, whole, 17);
+      drill(c, resumed, 17);
+      EXPECT_GT(whole.state.wear->steps, 2);
+      EXPECT_TRUE(same(whole, resumed)) << before << " steps, " << settings.size() << " settings";
+    }
+  }
+}
+
+TEST(WearRun, is_bitwise_identical_on_two_threads) {
+  const Case c = wearing();
+  const auto drilled = [&](int threads) {
+    const ThreadLimit limit(threads);
+    Simulation s = start(c);
+    drill(c, s, 25);
+    return s;
+  };
+  EXPECT_TRUE(same(drilled(1), drilled(2)));
+}
+
+/// Pose and velocity of the bit's origin before and after a wear step. Relative to 1 m and to 1 m/s
+/// and rad/s: a few roundings.
+TEST(WearRun, continues_the_motion_of_a_bit_that_forces_move) {
+  constexpr double rounding = 1e-13;
+  const Case c = wearing(drilled_by_forces);
+  Simulation s = start(c);
+  drill(c, s, 7);
+  const auto motion = [&] {
+    return velocity_of(case_now(c, s.work).drilling.system, s.state.drive->state);
+  };
+  const BitVelocity before = motion();
+  const double mass = case_now(c, s.work).drilling.system.mass;
+  wear_if_due(c, s);
+  ASSERT_EQ(s.state.wear->steps, 1);
+  const BitVelocity after = motion();
+  EXPECT_LT(case_now(c, s.work).drilling.system.mass, mass);
+  EXPECT_LT((after.p_WB - before.p_WB).norm(), rounding);
+  EXPECT_LT((after.v_W - before.v_W).norm(), rounding);
+  EXPECT_LT((after.w_W - before.w_W).norm(), rounding * before.w_W.norm());
+}
+
+/// A flat grows by at most the share that the case allows, however long windows may be.
+TEST(WearRun, flats_grow_by_at_most_the_given_share) {
+  const Case c = wearing({"wear.every_steps=0", "wear.largest_growth=0.002"});
+  Simulation s = start(c);
+  std::vector<bit::WearFlat> flats = s.work.wear->flats;
+  double most = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    step(c, s);
+    for (std::size_t k = 0; k < flats.size(); ++k)
+      most = std::max(most,
+                      (s.work.wear->flats[k].height - flats[k].height) / c.bit.cutters[k].diameter);
+    flats = s.work.wear->flats;
+  }
+  EXPECT_GT(s.state.wear->steps, 1);
+  EXPECT_GT(most, 0.0);
+  EXPECT_LE(most, 0.002);
+}
+
+TEST(WearRun, ends_where_a_flat_is_as_large_as_its_cutter_with_the_state_before) {
+  const Case c = wearing();
+  Simulation s = start(c);
+  drill(c, s, 5);
+  const bit::WearSolid& solid = s.work.wear->solids[3];
+  CutterWear& cutter = s.state.wear->cutters[3];
+  cutter.window = 1.01 * bit::flat_at(solid, solid.largest).volume;
+  s.work.wear->most_volume[3] = s.work.wear->due_volume[3] = 1.0;
+  drill(c, s, 1);
+  const WearState before = *s.state.wear;
+  try {
+    drill(c, s, 20);
+    FAIL() << "no error";
+  } catch (const WearEnd& e) {
+    const std::string expected =
+        "the flat of cutter-" + std::to_string(solid.id) + " is as large as the cutter";
+    EXPECT_EQ(std::string(e.what()).substr(0, expected.size()), expected);
+  }
+  EXPECT_EQ(s.state.wear->cutters[3].height, before.cutters[3].height);
+  EXPECT_EQ(s.state.wear->steps, before.steps);
+}
+
+/// Wear that is far too fast: the message names the setting; the checkpoint is there.
+TEST(WearRun, names_an_acceleration_that_is_too_large_and_saves_the_state) {
+  const Case c = wearing({"wear.acceleration=1e12"});
+  RunOptions options;
+  options.folder = test_folder() / "fast";
+  try {
+    run(c, options);
+    FAIL() << "no error";
+  } catch (const RunError& e) {
+    EXPECT_NE(std::string(e.what()).find("wear.acceleration: found 1e+12"), std::string::npos)
+        << e.what();
+  }
+  EXPECT_TRUE(std::filesystem::exists(options.folder / "checkpoint.nc"));
+  EXPECT_TRUE(std::filesystem::exists(options.folder / "failure.txt"));
+}
+
+TEST(WearRun, reports_its_wear_by_cutter) {
+  const Case c = wearing();
+  RunOptions options;
+  options.folder = test_folder() / "run";
+  const RunSummary summary = run(c, options);
+  ASSERT_TRUE(summary.wear);
+  EXPECT_EQ(summary.wear->cutters.size(), c.bit.cutters.size());
+  EXPECT_NEAR(summary.wear->distance, 6000.0 * 0.2 * 15.0 / 3600.0 * 0.5,
+              1e-12 * summary.wear->distance);
+  std::ifstream in(options.folder / "summary.json");
+  const auto json = nlohmann::json::parse(in);
+  EXPECT_LE(json["wear"]["volume_ledger_defect"].get<double>(), wear_ledger);
+  EXPECT_EQ(json["wear"]["over_distance"]["distance_m"].size(), summary.wear->records.size());
+  EXPECT_GT(summary.wear->records.size(), 2U);
+}
+
+}  // namespace
+}  // namespace tdbd::simulation::wear_run_test
