@@ -5,7 +5,7 @@ from statistics import median
 
 from study_tools import read_rows
 
-GIVEN = ["Bit B after 100 m", "over 100 m", "edges of 2 mm", "12 turns"]
+GIVEN = ["Bit B after 100 m", "12 turns that stand for 100 m, edges of 2 mm"]
 
 
 def ratio(rows):
