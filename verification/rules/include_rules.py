@@ -22,7 +22,7 @@ SUB_FOLDERS = {
     "core": (".", "units", "units.cpp", "config"),
     "rotation": (".",),
     "mesh": (".", "shape", "search", "check", "files", "repair", "grade"),
-    "bit": (".", "cutter", "cone", "profile", "body", "pdc", "areas", "report", "files"),
+    "bit": (".", "cutter", "cone", "profile", "body", "pdc", "wear", "areas", "report", "files"),
     "rock": ("index", ".", "start", "cut", "section", "maintain"),
     "forces": ("named.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),

@@ -134,15 +134,15 @@ std::vector<KeyTable> force_tables() {
 std::vector<KeyTable> wear_tables() {
   namespace area = bit::area_keys;
   using namespace wear_keys;
-  return {key_table("run", table,
-                    rows(law, coefficient, hardness, threshold, growth, temperatures, rates,
-                         acceleration, every_steps, every, largest_growth, friction,
-                         rock_conductivity, rock_diffusivity, cutter_resistance,
-                         fluid_temperature)),
-          key_table("run", areas_table,
-                    rows(area::kind, area::zone, area::blade, area::cone, area::row, area::names,
-                         area::part, law, coefficient, hardness, threshold, growth, temperatures,
-                         rates))};
+  return {
+      key_table("run", table,
+                rows(law, coefficient, hardness, threshold, growth, temperatures, rates,
+                     acceleration, every_steps, every, largest_growth, friction, rock_conductivity,
+                     rock_diffusivity, cutter_resistance, fluid_temperature)),
+      key_table(
+          "run", areas_table,
+          rows(area::kind, area::zone, area::blade, area::cone, area::row, area::names, area::part,
+               law, coefficient, hardness, threshold, growth, temperatures, rates))};
 }
 
 KeyTable string_table() {
