@@ -45,7 +45,7 @@ def rows(tdbd, compare, folder):
                    "flat of TDBD, mm2": round(1e6 * c["flat_area_m2"], 3),
                    "flat of Glowka's model, mm2": round(1e6 * glowka[c["name"], "wear_flat"], 3),
                    "worn volume of TDBD, mm3": round(1e9 * c["worn_volume_m3"], 4),
-                   "temperature in TDBD, degC": round(c["temperature_K"] - 273.15, 1),
+                   "temperature in TDBD, degC": round(c["temperature_k"] - 273.15, 1),
                    "temperature in Glowka's model, degC": round(glowka[c["name"], "temperature"], 1)}
 
 

@@ -17,8 +17,8 @@ WearJson cutter_json(const CutterWearFigures& c) {
           {"flat_area_m2", c.flat.area},
           {"worn_volume_m3", c.flat.volume},
           {"pending_volume_m3", c.pending},
-          {"temperature_K", c.rub.temperature},
-          {"normal_force_N", c.rub.force}};
+          {"temperature_k", c.rub.temperature},
+          {"normal_force_n", c.rub.force}};
 }
 
 WearJson records_json(const WearFigures& f) {
@@ -29,8 +29,8 @@ WearJson records_json(const WearFigures& f) {
     for (const WearRecord& r : f.records) {
       c["flat_width_m"].push_back(r.width[i]);
       c["worn_volume_m3"].push_back(r.volume[i]);
-      c["temperature_K"].push_back(r.temperature[i]);
-      c["normal_force_N"].push_back(r.force[i]);
+      c["temperature_k"].push_back(r.temperature[i]);
+      c["normal_force_n"].push_back(r.force[i]);
     }
   }
   return {{"distance_m", distance}, {"cutters", by_cutter}};
