@@ -139,10 +139,10 @@ std::vector<KeyTable> wear_tables() {
                 rows(law, coefficient, hardness, threshold, growth, temperatures, rates,
                      acceleration, every_steps, every, largest_growth, friction, rock_conductivity,
                      rock_diffusivity, cutter_resistance, fluid_temperature)),
-      key_table(
-          "run", areas_table,
-          rows(area::kind, area::zone, area::blade, area::cone, area::row, area::names, area::part,
-               law, coefficient, hardness, threshold, growth, temperatures, rates))};
+      // Not cone, row: no part of a cone wears.
+      key_table("run", areas_table,
+                rows(area::kind, area::zone, area::blade, area::names, area::part, law, coefficient,
+                     hardness, threshold, growth, temperatures, rates))};
 }
 
 KeyTable string_table() {

@@ -75,6 +75,7 @@ std::vector<std::string> declared_as(const std::string& table) {
   for (const std::string& kind : part_kinds)
     if (table == "forces." + kind) return {"forces.KIND", "forces"};
   if (table.starts_with("forces.areas.")) return {"forces.areas.NAME", "forces"};
+  if (table.starts_with("wear.areas.")) return {"wear.areas.NAME"};
   for (const char* key : {"rotary_speed", "rate_of_penetration", "weight_on_bit"})
     if (table == std::string("motion.") + key) return {"motion.KEY"};
   if (table.starts_with("bit.set")) return {"bit.set"};
@@ -262,6 +263,20 @@ std::vector<ReadCase> fits() {
                      "rock.material=berea-sandstone"})};
 }
 
+/// Every wear law, and every criterion of an area that wears.
+std::vector<ReadCase> wears() {
+  const std::string path = std::string(TDBD_SOURCE_DIR) + "/cases/wear-bit-b.toml";
+  const auto read = [&](const std::vector<std::string>& settings) {
+    return ReadCase{"run", path, read_case(path, settings).resolved};
+  };
+  const std::string of_table = "law='table', temperatures=[300, 400], rates=[0, 1e-15]",
+                    thermal = "law='thermal', coefficient=1e-5, hardness=5e10, threshold=700";
+  return {read({"wear={" + of_table + "}"}),
+          read({"wear.areas.a={kind='chamfer', zone='nose', blade=1, names='cutter-*', " +
+                    of_table + "}",
+                "wear.areas.b={part='cutter-1/body', growth=20, " + thermal + "}"})};
+}
+
 /// Every criterion of an area of forces; bit R has cones.
 std::vector<ReadCase> areas() {
   const std::string bit_b = std::string(TDBD_SOURCE_DIR) + "/cases/bit-b-3000psi.toml",
@@ -300,7 +315,7 @@ std::vector<ReadCase> rotations() {
 
 TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
   std::vector<ReadCase> cases{drilling()};
-  for (const auto& more : {motions_and_rocks(), laws(), fits(), areas(), rotations()})
+  for (const auto& more : {motions_and_rocks(), laws(), fits(), areas(), wears(), rotations()})
     cases.insert(cases.end(), more.begin(), more.end());
   for (const char* name : {"bit-r-rolling", "bit-r-steady", "drill-bit-r", "laboratory"})
     cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/" + name + ".toml"));
