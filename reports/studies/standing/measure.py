@@ -32,7 +32,7 @@ WHOLE = {"time.duration": "20 s"}
 def drill(program, folder, settings):
     out = pathlib.Path(folder) / "run"
     command = [str(program), "run", str(ROOT / "cases/stick-slip.toml"), "-o", str(out), "--force"]
-    for key, value in {**settings, "output.history_every": 1}.items():  # a row for each step
+    for key, value in {**settings, "measure.section_at_face": "as_ahead", "output.history_every": 1}.items():  # a row for each step
         command += ["--set", f"{key}={value!r}"]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     if result.returncode != 0:
