@@ -16,7 +16,7 @@ std::optional<WearWork> wear_work(const Case& c, const State& state);
 /// Takes a wear step if one is due: if the window is as long as the case allows, or a flat might
 /// otherwise grow by more than WearPlan::largest_growth before the end of the next time step. The
 /// parts of the worn cutters are cut from those of the case, the bit is prepared again, and the
-/// motion of a bit that forces move goes on with the worn mass: the velocities of the bit's points
+/// motion of a bit that forces move continues with the worn mass: the velocities of the bit's points
 /// do not change. The worn bit is a part of the one before, so that no contact arises. Throws WearEnd;
 /// the simulation is then as it was.
 void wear_if_due(const Case& c, Simulation& s);

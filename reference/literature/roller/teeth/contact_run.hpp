@@ -13,7 +13,7 @@
 namespace tdbd::reference {
 
 struct ContactSchedule {
-  std::vector<double> ratios;  ///< of each cone's speed to the bit's
+  std::vector<double> ratios;  ///< cone speed over bit speed, one for each cone
   double bit_speed = 0.0;      ///< rad/s
   double penetration = 0.0;    ///< m, of each row's lowest point below the bottom
   double duration = 0.0;       ///< s
