@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/roller_case.hpp"
+#include "reference/compare/models/tooth_parts.hpp"
 #include "reference/literature/roller/craters/huang_cawthorne.hpp"
 #include "reference/literature/roller/craters/ma_zhou_deng.hpp"
 
@@ -38,25 +39,6 @@ void take_case(const CompareCase& c, const RollerBit& bit, CraterDrillingOptions
   drilling.sliding.friction = tooth_friction(c, drilling.model);
   drilling.print.sphere_radius = largest_tooth(bit);
   drilling.first_ratio = outer_rolling_ratio(bit);
-}
-
-/// Sums over the teeth of each row, which stand cone by cone, row by row.
-void say_rows(const CompareCase& c, const RollerBit& bit, const RollerRun& run, double revolutions,
-              Findings& f) {
-  std::size_t tooth = 0;
-  for (std::size_t k = 0; k < bit.cones.size(); ++k)
-    for (std::size_t r = 0; r < bit.cones[k].rows.size(); ++r) {
-      const RollerRow& row = bit.cones[k].rows[r];
-      double force = 0.0, volume = 0.0;
-      for (std::size_t i = 0; i < row.angles.size(); ++i, ++tooth) {
-        force += run.tooth_force[tooth];
-        volume += run.tooth_volume[tooth];
-      }
-      const std::string name = row_name(c.ours.bit.cones[k].name, r);
-      const double radius = ring_radius(bit.cones[k], row);
-      f.parts.push_back({name, radius, PartQuantity::force_into_rock, force});
-      f.parts.push_back({name, radius, PartQuantity::volume_per_revolution, volume / revolutions});
-    }
 }
 
 void say_cones_of_run(const CompareCase& c, const RollerRun& run, Findings& f) {
@@ -118,7 +100,9 @@ Findings findings_of(const Question& q, const RollerBit& bit, const RollerRun& r
   say(f, Quantity::resolution_at_gage, run.bottom.cell());
   say_steps(c, run, schedule, f);
   say_cones_of_run(c, run, f);
-  say_rows(c, bit, run, schedule.revolutions, f);
+  say_rows(c, bit, PartQuantity::force_into_rock, run.tooth_force, f);
+  say_rows(c, bit, PartQuantity::volume_per_revolution,
+           over(run.tooth_volume, schedule.revolutions), f);
   f.bottom = circle_of(c, run.bottom);
   f.cost.steps = static_cast<long>(run.series.time.size());
   f.cost.simulated = schedule.step * static_cast<double>(f.cost.steps);

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "reference/compare/models/answers.hpp"
 #include "reference/compare/models/roller_case.hpp"
+#include "reference/compare/models/tooth_parts.hpp"
 
 /// Hanson and Hansen's roller cone bit under the reference weight.
 namespace tdbd::reference {
@@ -135,26 +136,6 @@ void say_free_cones(const CompareCase& c, const HansonHansenCones& m, const Cone
   say(f, Quantity::cone_speed_ratio, sum / static_cast<double>(m.bit.cones.size()));
 }
 
-/// Teeth stand cone by cone, row by row.
-void say_sphere_rows(const CompareCase& c, const HansonHansenCones& m, const ConesRun& run,
-                     double turns, Findings& f) {
-  std::size_t tooth = 0;
-  for (std::size_t k = 0; k < m.bit.cones.size(); ++k)
-    for (std::size_t r = 0; r < m.bit.cones[k].rows.size(); ++r) {
-      const RollerRow& row = m.bit.cones[k].rows[r];
-      double force = 0.0, volume = 0.0;
-      for (std::size_t i = 0; i < row.angles.size(); ++i, ++tooth) {
-        force += run.sums.tooth_force[tooth];
-        volume += run.removed[tooth];
-      }
-      const std::string name = row_name(c.ours.bit.cones[k].name, r);
-      const double radius = ring_radius(m.bit.cones[k], row);
-      f.parts.push_back({name, radius, PartQuantity::force_into_rock,
-                         force / static_cast<double>(run.sums.contacts.size())});
-      f.parts.push_back({name, radius, PartQuantity::volume_per_revolution, volume / turns});
-    }
-}
-
 BottomCircle cones_bottom(const CompareCase& c, const HansonHansenCones& m) {
   BottomCircle circle{c.options.circle, {}};
   for (int k = 0; k < m.bottom.spokes(); ++k)
@@ -188,7 +169,9 @@ Findings answer_of_hanson_hansen_cones(const Question& q) {
   Findings f;
   say_drilled(q, m, run, n.turns, f);
   say_free_cones(c, m, run, f);
-  say_sphere_rows(c, m, run, n.turns, f);
+  say_rows(c, m.bit, PartQuantity::force_into_rock,
+           over(run.sums.tooth_force, static_cast<double>(run.sums.contacts.size())), f);
+  say_rows(c, m.bit, PartQuantity::volume_per_revolution, over(run.removed, n.turns), f);
   say(f, Quantity::resolution_at_gage,
       turn_of_cones_bit * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = cones_bottom(c, m);

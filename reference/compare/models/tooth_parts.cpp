@@ -8,6 +8,11 @@ std::string tooth_name(const std::string& cone, std::size_t row, std::size_t too
   return fmt::format("{}/tooth-{}", row_name(cone, row), tooth + 1);
 }
 
+std::vector<double> over(std::vector<double> teeth, double count) {
+  for (double& x : teeth) x /= count;
+  return teeth;
+}
+
 void say_rows(const CompareCase& c, const RollerBit& bit, PartQuantity q,
               const std::vector<double>& teeth, Findings& f) {
   std::size_t next = 0;

@@ -12,6 +12,9 @@ namespace tdbd::reference {
 /// "cone-1/row-2/tooth-3", the name of TDBD's part.
 std::string tooth_name(const std::string& cone, std::size_t row, std::size_t tooth);
 
+/// Each value over a number: means of sums over steps or turns.
+std::vector<double> over(std::vector<double> teeth, double count);
+
 /// The sum of the teeth of each row.
 void say_rows(const CompareCase& c, const RollerBit& bit, PartQuantity q,
               const std::vector<double>& teeth, Findings& f);
