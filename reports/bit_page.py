@@ -59,6 +59,13 @@ def cutter_charts(bit):
                 "plane in closed form. The volumes add up to the hole.", bit_charts.loads(bit))
     yield chart("Redundancy", f"How many cutters remove rock at each radius at {advance:.3g} mm a revolution.",
                 bit_charts.redundancy(bit))
+    if "body" in bit.analysis:
+        curve = bit.analysis["body"]["weight_over_depth_of_cut"]
+        n_per_mm = 1e3  # of one metre, at 1 MPa
+        yield chart("Weight over depth of cut", f"{n_per_mm * curve['slope_m']:.3g} N/mm for every MPa of the rock's strength until the body "
+                    f"touches the rock, {n_per_mm * curve['slope_beyond_touch_m']:.3g} N/mm on average beyond. Assumed: cutters are pushed by "
+                    f"{curve['cutting_stress_over_strength']:.3g} strengths times the area that they cut, and what rubs presses with "
+                    f"{curve['pressing_stress_over_strength']:.3g} strengths.", bit_charts.weight(bit))
     yield chart("Imbalance of the unit law", "Each cutter pushes along its profile's normal with its cut area times 1 Pa. Left: the "
                 "lateral pushes head to tail by azimuth, in shares of the sum of all pushes; the thick arrow is what is left over. Right: "
                 "that alone. Seen from above, z away from the reader.", bit_charts.imbalance(bit))

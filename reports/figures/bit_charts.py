@@ -134,6 +134,21 @@ def redundancy(bit):
     return figure
 
 
+def weight(bit):
+    """Weight over depth of cut, per MPa of the rock's strength, with its slopes before and after the body touches."""
+    figure, axes = style.panels(1, 1, (7.4, 3.0))
+    body = bit.analysis["body"]
+    curve = body["weight_over_depth_of_cut"]
+    n_per_m2 = 1e6  # at 1 MPa
+    depth = MM * np.array(curve["depth_of_cut_m_per_rev"])
+    axes.plot(depth, n_per_m2 * curve["slope_m"] * depth / MM, color=style.BLACK, linewidth=1.0, linestyle="--", label="cutters alone")
+    axes.plot(depth, n_per_m2 * np.array(curve["weight_over_strength_m2"]), color=style.BLUE, label="cutters and body")
+    axes.axvline(MM * body["touches_at_m_per_rev"], color=style.RED, linewidth=1.0, label="the body touches")
+    axes.set(xlabel="depth of cut (mm/rev)", ylabel="weight (N per MPa of strength)", xlim=(0, depth[-1]), ylim=(0, None))
+    axes.legend(loc="upper left")
+    return figure
+
+
 def forces(bit):
     """(n, 2): of the unit law, every cutter's lateral push over the sum of all pushes, by azimuth."""
     area = bit.column("area_m2")

@@ -52,6 +52,7 @@ GagePads read_pads(Config c) {
   p.width = c.read(gage_pad_keys::width);
   p.under_gage = c.read(gage_pad_keys::under_gage);
   p.thickness = c.read(gage_pad_keys::thickness);
+  p.behind = c.read(gage_pad_keys::behind);
   return p;
 }
 

@@ -30,7 +30,7 @@ KeyTable meshes() {
 
 KeyTable gage_pads() {
   using namespace gage_pad_keys;
-  return bit_table(table, count, length, width, under_gage, thickness);
+  return bit_table(table, count, length, width, under_gage, thickness, behind);
 }
 
 KeyTable adjust() {

@@ -118,6 +118,12 @@ inline constexpr QuantityKey thickness{.name = "thickness",
                                        .fallback = GagePads{}.thickness,
                                        .range = bit_length,
                                        .meaning = "radial, in the middle"};
+inline constexpr QuantityKey behind{
+    .name = "behind",
+    .unit = "m",
+    .fallback = GagePads{}.behind,
+    .range = bit_place,
+    .meaning = "along the circumference, from the highest cutter back to the first pad's middle"};
 
 }  // namespace gage_pad_keys
 

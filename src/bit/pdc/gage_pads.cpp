@@ -85,7 +85,7 @@ std::vector<Part> gage_pads(const GagePads& pads, const std::vector<Cutter>& cut
     Part& pad = parts.emplace_back();
     pad.name = fmt::format("gage-pad-{}", k + 1);
     pad.kind = PartKind::gage_pad;
-    const double azimuth = top.azimuth + full_turn * k / pads.count;
+    const double azimuth = top.azimuth - pads.behind / gage_radius + full_turn * k / pads.count;
     pad.X_BP.R = Eigen::AngleAxisd(azimuth, Vec3::UnitZ()).toRotationMatrix();
     pad.mesh_P = prism(sides, -start - pads.length, -start);
     pad.update_direction_B = Vec3::UnitX();

@@ -8,13 +8,14 @@
 
 namespace tdbd::bit {
 
-/// Equal pads around the gage, the first at the azimuth of the highest cutter.
+/// Equal pads around the gage, the middle of the first one behind the highest cutter.
 struct GagePads {
   int count = 0;
   double length = 0.05;          ///< m, along the axis
   double width = 0.03;           ///< m, along the circumference
   double under_gage = 0.4e-3;    ///< m, distance inside the gage radius
   double thickness = 0.01;       ///< m, radial, at the middle
+  double behind = 0.0;           ///< m along the circumference, from the cutter to a pad's middle
   std::optional<double> height;  ///< m, lower end above the nose tip; default: highest cutter's top
 };
 

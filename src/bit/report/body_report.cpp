@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "bit/body/rubbing.hpp"
 #include "bit/profile/engagement.hpp"
@@ -21,6 +24,40 @@ Rubbing body_rubbing(const Bit& bit, double advance) {
   return rubbing(bit.cutters, body_of(bit), advance, report_column_width);
 }
 
+/// Weight over depth of cut, for a rock of any strength S (assumed: a sharp cutter spends S on a volume
+/// and is pushed by `cutting` times that; what rubs presses with `pressing` times S).
+struct WeightCurve {
+  static constexpr double cutting = 0.8, pressing = 1.5;
+  static constexpr int values = 41;
+  double touching = 0.0;                   ///< m per revolution
+  std::vector<double> advances;            ///< m per revolution, from 0 to twice what first touches
+  std::vector<double> area;                ///< m2, of all that rubs, along the axis
+  std::vector<double> weight;              ///< m2, over S
+  double slope = 0.0, slope_beyond = 0.0;  ///< m, before it touches, and on average from there on
+};
+
+WeightCurve weight_curve(const Bit& bit) {
+  WeightCurve w;
+  w.touching = body_rubbing(bit, 0.0).touching_advance;
+  constexpr double usual = 0.1;  // gage radii per revolution, where nothing says when it touches
+  const bool touches = w.touching > 0.0 && std::isfinite(w.touching);
+  const double most = touches ? 2.0 * w.touching : usual * bit.gage_radius;
+  for (int k = 0; k < WeightCurve::values; ++k)
+    w.advances.push_back(most * k / (WeightCurve::values - 1));
+  w.area.assign(w.advances.size(), 0.0);
+  for (const Part& part : bit.parts) {
+    if (part.cutting != Cutting::rubs) continue;
+    const auto more = rubbing_areas(bit.cutters, part, w.advances, report_column_width);
+    std::ranges::transform(w.area, more, w.area.begin(), std::plus{});
+  }
+  w.slope = WeightCurve::cutting * bit.gage_radius;
+  for (std::size_t k = 0; k < w.advances.size(); ++k)
+    w.weight.push_back(w.slope * w.advances[k] + WeightCurve::pressing * w.area[k]);
+  w.slope_beyond =
+      w.slope + WeightCurve::pressing * w.area.back() / (most - (touches ? w.touching : 0.0));
+  return w;
+}
+
 std::string place_text(const Vec3& x_B) {
   return fmt::format("radius {:.2f} mm, height {:.2f} mm", 1e3 * x_B.head<2>().norm(),
                      -1e3 * x_B.z());
@@ -31,6 +68,7 @@ std::string place_text(const Vec3& x_B) {
 nlohmann::ordered_json body_json(const Bit& bit, double advance) {
   const Rubbing r = body_rubbing(bit, advance);
   const Cutting cutting = body_of(bit).cutting;
+  const WeightCurve w = weight_curve(bit);
   return {{"exposure_m", bit.blades->exposure},
           {"slot_depth_m", bit.blades->slot_depth},
           {"junk_slot_area_m2", bit.blades->junk_slot_area},
@@ -40,20 +78,33 @@ nlohmann::ordered_json body_json(const Bit& bit, double advance) {
           {"least_axial_clearance_at_m", vector_json(r.clearance_at_B)},
           {"touches_at_m_per_rev", r.touching_advance},
           {"touches_first_at_m", vector_json(r.touching_at_B)},
-          {"vertices_measured", r.vertices},
-          {"vertices_over_uncut_rock", r.over_uncut}};
+          {"points_measured", r.points},
+          {"points_over_uncut_rock", r.over_uncut},
+          {"weight_over_depth_of_cut",
+           {{"cutting_stress_over_strength", WeightCurve::cutting},
+            {"pressing_stress_over_strength", WeightCurve::pressing},
+            {"slope_m", w.slope},
+            {"slope_beyond_touch_m", w.slope_beyond},
+            {"depth_of_cut_m_per_rev", w.advances},
+            {"rubbing_area_m2", w.area},
+            {"weight_over_strength_m2", w.weight}}}};
 }
 
 std::string body_text(const Bit& bit, double advance) {
   if (!bit.blades) return "";
   const Rubbing r = body_rubbing(bit, advance);
+  const WeightCurve w = weight_curve(bit);
+  constexpr double n_per_mm = 1e3;  // of one metre, at 1 MPa
   return fmt::format(
       "blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} mm2\n"
       "rubbing: at {:.3f} mm per revolution the blades clear the rock by {:.3f} mm along the axis "
-      "({})\n  they touch it from {:.3f} mm per revolution on ({})\n",
+      "({})\n  they touch it from {:.3f} mm per revolution on ({})\n"
+      "weight over depth of cut, in rock of strength S: {:.3g} N/mm per MPa of S before they "
+      "touch, {:.3g} "
+      "beyond\n",
       1e3 * bit.blades->exposure, 1e3 * bit.blades->slot_depth, 1e6 * bit.blades->junk_slot_area,
       1e3 * advance, 1e3 * r.clearance, place_text(r.clearance_at_B), 1e3 * r.touching_advance,
-      place_text(r.touching_at_B));
+      place_text(r.touching_at_B), n_per_mm * w.slope, n_per_mm * w.slope_beyond);
 }
 
 }  // namespace tdbd::bit

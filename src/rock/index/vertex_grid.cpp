@@ -65,9 +65,18 @@ Vec3 VertexGrid::middle_of(const Cell& first, double size) const {
   return lo_ + cell_ * (Vec3(first.i, first.j, first.k) + Vec3::Constant(0.5 * size));
 }
 
+std::array<Vec3, 64> VertexGrid::cell_middles(const Mat3& R_PW) const {
+  std::array<Vec3, 64> middles_P;
+  for (int bit = 0; bit < 64; ++bit) {
+    const Cell c = cell_of_bit(Cell{0, 0, 0}, bit);
+    const double middle = 0.5 * (tile_edge - 1);
+    middles_P[at(bit)] = cell_ * (R_PW * (Vec3(c.i, c.j, c.k) - Vec3::Constant(middle)));
+  }
+  return middles_P;
+}
+
 bool VertexGrid::tile_may_meet(const Region& region_W, const Cell& first) const {
-  const Cell last{first.i + tile_edge - 1, first.j + tile_edge - 1, first.k + tile_edge - 1};
-  if (on_border(first) || last.i >= nx_ - 1 || last.j >= ny_ - 1 || last.k >= nz_ - 1) return true;
+  if (!is_inner(first)) return true;
   const Vec3 middle = middle_of(first, tile_edge);
   return std::ranges::all_of(region_W.slabs, [&](const Slab& s) {
     const double at = s.n.dot(middle), spread = 0.5 * tile_edge * cell_ * s.n.lpNorm<1>();

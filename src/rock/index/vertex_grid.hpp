@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "core/pose.hpp"
 #include "core/single.hpp"
 #include "core/types.hpp"
 #include "mesh/measures.hpp"
@@ -121,6 +123,25 @@ class VertexGrid {
       for (; b >= 0; b = blocks_[at(b)].next) visit(blocks_[at(b)]);
   }
 
+  /// How much of the grid a question is about.
+  enum class Span { cell, tile };
+
+  /// The same for every block of every cell in the box for which may(middle_P, Span::cell) is true, in
+  /// a tile for which may(middle_P, Span::tile) is: those whose vertices the caller cannot exclude.
+  /// Their middles are in the frame P of the caller. Cells on the border hold vertices from outside
+  /// them, and are always visited.
+  template <class May, class Visit>
+  void visit_where(const mesh::Box& box_W, const Pose& X_PW, const May& may, Visit&& visit) const {
+    const Cell lo = cell_at(box_W.lo), hi = cell_at(box_W.hi);
+    const auto offsets_P = cell_middles(X_PW.R);
+    for (int tk = lo.k / 4; tk <= hi.k / 4; ++tk)
+      for (int tj = lo.j / 4; tj <= hi.j / 4; ++tj)
+        for (int ti = lo.i / 4; ti <= hi.i / 4; ++ti) {
+          const int number = tile_at_[tile_place(ti, tj, tk)];
+          if (number >= 0) visit_tile_where(tiles_[at(number)], X_PW, offsets_P, may, visit);
+        }
+  }
+
   /// The first blocks of all cells that are not empty and that the region may meet, prefetched.
   void find_chains(const Region& region_W, std::vector<int>& chains) const;
 
@@ -167,6 +188,28 @@ class VertexGrid {
     return static_cast<std::size_t>(row * tiles_x_ + ti);
   }
 
+  template <class May, class Visit>
+  void visit_tile_where(const Tile& tile, const Pose& X_PW, const std::array<Vec3, 64>& offsets_P,
+                        const May& may, Visit&& visit) const {
+    if (tile.occupied == 0) return;
+    const Vec3 middle_P = X_PW * middle_of(tile.first, 4.0);
+    const bool inner = is_inner(tile.first);
+    if (inner && !may(middle_P, Span::tile)) return;
+    for (std::uint64_t cells = tile.occupied; cells != 0; cells &= cells - 1) {
+      const int bit = std::countr_zero(cells);
+      if ((inner || !on_border(cell_of_bit(tile.first, bit))) &&
+          !may(middle_P + offsets_P[at(bit)], Span::cell))
+        continue;
+      for (int b = tile.head[at(bit)]; b >= 0; b = blocks_[at(b)].next) visit(blocks_[at(b)]);
+    }
+  }
+  /// From a tile's middle to those of its cells, turned by R_PW, m.
+  std::array<Vec3, 64> cell_middles(const Mat3& R_PW) const;
+  /// Whether none of a tile's cells is on the border.
+  bool is_inner(const Cell& first) const {
+    return first.i > 0 && first.j > 0 && first.k > 0 && first.i + 4 < nx_ && first.j + 4 < ny_ &&
+           first.k + 4 < nz_;
+  }
   void gather_tile(const Tile& tile, std::uint64_t cells, const Region& region_W,
                    const CellOffsets& offsets, std::vector<int>& chains) const;
   /// Whether a tile may hold a vertex of the slabs.

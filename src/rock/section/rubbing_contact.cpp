@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "core/parallel.hpp"
 #include "mesh/search/inside.hpp"
@@ -20,14 +22,83 @@ Region region_of(const mesh::Box& box_P, const Pose& X_WP) {
   return region;
 }
 
-void find_near(const Rock& rock, const RubbingPart& part, const Pose& X_WP, double edge,
-               RubbingWork& w) {
+/// All near vertices of a convex part.
+void gather(const Rock& rock, const RubbingPart& part, const Pose& X_WP, double edge,
+            RubbingWork& w) {
   const Region region_W = widened(region_of(part.box_P, X_WP), edge);
-  w.near.clear();
   rock.grid.visit(region_W, w.chains, [&](const VertexGrid::Block& block) {
     w.near.insert(w.near.end(), block.v.begin(), block.v.begin() + block.count);
   });
+}
+
+/// Whether the part cannot have come to any rock: neither its axis nor its place has moved far since
+/// it was clear, and the cut is all that changed the rock.
+bool stays_clear(const Rock& rock, const Pose& X_WP, const CutWorkspace& cut, RubbingPart& part) {
+  RubbingPart::Clear& c = part.clear;
+  if (c.changes < 0 || c.changes != cut.changes_before) return false;
+  const double moved =
+      (X_WP.p - c.X_WP.p).norm() + (X_WP.R.col(2) - c.X_WP.R.col(2)).norm() * part.reach;
+  if (moved > part.underside_P.room) return false;
+  const Pose X_PW = inverse(c.X_WP);
+  for (const GroupCut& g : cut.groups)
+    for (const int v : g.moved_in_step)
+      if (may_hold(part.underside_P, Around::vertex, X_PW * rock.surface.position(v), 0.0))
+        return false;
+  c.changes = rock.grid.changes();
+  return true;
+}
+
+/// Those that are not certainly outside the part, and whether it is clear of all.
+void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, RubbingWork& w) {
+  const Pose X_PW = inverse(X_WP);
+  const Underside& u = part.underside_P;
+  const double height =
+      0.5 * rock.grid.cell() * X_PW.R.row(2).lpNorm<1>();  // of half a cell along z
+  const auto may = [&](const Vec3& middle_P, VertexGrid::Span span) {
+    return span == VertexGrid::Span::tile ? may_hold(u, Around::tile, middle_P, 4.0 * height)
+                                          : may_hold(u, Around::cell, middle_P, height);
+  };
+  const mesh::Box box_W = widened(region_of(part.box_P, X_WP), u.room).box;
+  part.clear = {rock.grid.changes(), X_WP};
+  rock.grid.visit_where(box_W, X_PW, may, [&](const VertexGrid::Block& block) {
+    for (std::size_t s = 0; s < static_cast<std::size_t>(block.count); ++s) {
+      const Vec3 x_P = X_PW * Vec3(block.x[s], block.y[s], block.z[s]);
+      if (!may_hold(u, Around::vertex, x_P, 0.0)) continue;
+      part.clear.changes = -1;
+      if (may_hold(u, x_P)) w.near.push_back(block.v[s]);
+    }
+  });
+}
+
+/// Keeps those inside the part and adds their neighbours: no other triangle counts.
+void keep_inside(const Rock& rock, const RubbingPart& part, const Pose& X_WP, RubbingWork& w) {
+  const Pose X_PW = inverse(X_WP);
+  w.depth.assign(w.near.size(), 0.0);
+  parallel_for(static_cast<int>(w.near.size()), [&](int i) {
+    const Vec3 x_P = X_PW * rock.surface.position(w.near[at(i)]);
+    if (part.box_P.contains(x_P) && mesh::inside(*part.tree_P, x_P)) w.depth[at(i)] = 1.0;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < w.near.size(); ++i)
+    if (w.depth[i] > 0.0) w.near[kept++] = w.near[i];
+  w.near.resize(kept);
+  for (std::size_t i = 0; i < kept; ++i) {
+    const mesh::VertexStar& star = rock.surface.star(w.near[i]);
+    const int* ring = rock.surface.ring(star);
+    w.near.insert(w.near.end(), ring, ring + star.size);
+  }
+}
+
+void find_near(const Rock& rock, const Pose& X_WP, double edge, RubbingPart& part, RubbingWork& w) {
+  w.near.clear();
+  if (part.tree_P) {
+    gather_doubtful(rock, X_WP, part, w);
+    keep_inside(rock, part, X_WP, w);
+  } else {
+    gather(rock, part, X_WP, edge, w);
+  }
   std::ranges::sort(w.near);
+  w.near.erase(std::ranges::unique(w.near).begin(), w.near.end());
   const Pose X_PW = inverse(X_WP);
   w.near_P.clear();
   w.slot.resize(rock.surface.stars.size(), -1);
@@ -90,6 +161,20 @@ struct Sums {
   Vec3 area_vector = Vec3::Zero(), moment = Vec3::Zero();
 };
 
+/// About the z axis of P; all in the first one for a convex part.
+constexpr std::size_t sectors = 16;
+using SumsBySector = std::array<Sums, sectors>;
+
+std::size_t sector_of(const Vec3& x_P) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double share = std::atan2(x_P.y(), x_P.x()) / turn + 0.5;
+  return std::min(sectors - 1, static_cast<std::size_t>(share * sectors));
+}
+
+ContactPatch patch_of(const Sums& sums, const Pose& X_WP) {
+  return {sums.area, X_WP.R * sums.area_vector, X_WP * (sums.moment / sums.area)};
+}
+
 void add_polygon(const std::vector<Vec3>& polygon, Sums& sums) {
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Vec3 vector = mesh::area_vector(polygon[0], polygon[i - 1], polygon[i]);
@@ -102,7 +187,8 @@ void add_polygon(const std::vector<Vec3>& polygon, Sums& sums) {
 
 /// Of a triangle, by the places of its vertices in `near`; -1: elsewhere, which is outside the part.
 void add_triangle(const Rock& rock, const RubbingPart& part, const Pose& X_PW,
-                  const std::array<int, 3>& corners, double edge, RubbingWork& w, Sums& sums) {
+                  const std::array<int, 3>& corners, double edge, RubbingWork& w,
+                  SumsBySector& sums) {
   std::array<double, 3> depth{};
   w.polygon.clear();
   for (const int v : corners) {
@@ -116,13 +202,14 @@ void add_triangle(const Rock& rock, const RubbingPart& part, const Pose& X_PW,
     clip(w.polygon, w.clipped, [&](std::size_t i) { return depth[i]; });
   else
     clip_to_planes(part.solid_P, w);
-  add_polygon(w.polygon, sums);
+  if (w.polygon.empty()) return;
+  add_polygon(w.polygon, sums[part.tree_P ? sector_of(w.polygon.front()) : 0]);
 }
 
 /// Each triangle once: from its first vertex that is near.
-Sums sum_triangles(const Rock& rock, const RubbingPart& part, const Pose& X_PW, double edge,
-                   RubbingWork& w) {
-  Sums sums;
+SumsBySector sum_triangles(const Rock& rock, const RubbingPart& part, const Pose& X_PW, double edge,
+                           RubbingWork& w) {
+  SumsBySector sums;
   const mesh::Surface& s = rock.surface;
   const auto comes_later = [&](int v, int other) { return other > v || w.slot[at(other)] < 0; };
   for (const int v : w.near) {
@@ -139,23 +226,37 @@ Sums sum_triangles(const Rock& rock, const RubbingPart& part, const Pose& X_PW, 
 
 }  // namespace
 
-RubbingPart prepare_rubbing_part(const bit::Part& part, int index) {
-  RubbingPart prepared{index, mesh::bounding_box(part.mesh_P), {}, {}};
-  if (auto solid = mesh::convex_solid(part.mesh_P))
+RubbingPart prepare_rubbing_part(const bit::Part& part, int index, double cell) {
+  RubbingPart prepared;
+  prepared.part = index;
+  prepared.box_P = mesh::bounding_box(part.mesh_P);
+  for (const Vec3& x_P : part.mesh_P.positions)
+    prepared.reach = std::max(prepared.reach, x_P.norm());
+  if (auto solid = mesh::convex_solid(part.mesh_P)) {
     prepared.solid_P = std::move(*solid);
-  else
-    prepared.tree_P.emplace(part.mesh_P);
+    return prepared;
+  }
+  prepared.tree_P.emplace(part.mesh_P);
+  prepared.underside_P = underside_of(part.mesh_P, cell);
   return prepared;
 }
 
-ContactPatch rubbing_contact(const Rock& rock, const RubbingPart& part, const Pose& X_WP,
-                             double edge, RubbingWork& w) {
-  find_near(rock, part, X_WP, edge, w);
+ContactPatch rubbing_contact(const Rock& rock, RubbingPart& part, const Pose& X_WP, double edge,
+                             const CutWorkspace& cut, RubbingWork& w) {
+  w.patches.clear();
+  if (part.tree_P && stays_clear(rock, X_WP, cut, part)) return {};
+  find_near(rock, X_WP, edge, part, w);
   if (part.tree_P) find_depths(part, edge, w);
-  const Sums sums = sum_triangles(rock, part, inverse(X_WP), edge, w);
+  Sums whole;
+  for (const Sums& sums : sum_triangles(rock, part, inverse(X_WP), edge, w)) {
+    if (!(sums.area > 0.0)) continue;
+    w.patches.push_back(patch_of(sums, X_WP));
+    whole.area += sums.area;
+    whole.area_vector += sums.area_vector;
+    whole.moment += sums.moment;
+  }
   forget_near(w);
-  if (!(sums.area > 0.0)) return {};
-  return {sums.area, X_WP.R * sums.area_vector, X_WP * (sums.moment / sums.area)};
+  return w.patches.empty() ? ContactPatch{} : patch_of(whole, X_WP);
 }
 
 double depth_in_rock(const mesh::Surface& surface, const bit::Part& part, const Pose& X_WP) {

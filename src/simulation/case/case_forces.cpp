@@ -27,40 +27,53 @@ struct KindKey {
   FollowsRun follows;
 };
 
-/// What a cutter's body bears (ours). In drilling it slides along the groove that the rim cut, and
-/// carries nothing; a bit that sticks, or goes down faster than its edges cut, rests on it. Without
-/// it such a bit would sink into the rock under its weight.
-forces::Law cutter_body_bearing() {
-  constexpr double full_angle = 0.5;  // rad, far above the helix of drilling
+/// Up to what crushes the rock under a surface that does not cut, assumed.
+forces::Friction crushing() {
   constexpr double friction = 0.3, over_strength = 1.5;
   forces::Friction f;
   f.stress = std::numeric_limits<double>::max();
   f.cap = over_strength;
   f.mu = friction;
-  f.full_angle = full_angle;
   return f;
 }
 
-/// What gage pads bear where the wall is the rock (WallModel::rock): up to what crushes it.
+/// What a cutter's body bears (ours). In drilling it slides along the groove that the rim cut, and
+/// carries nothing; a bit that sticks, or goes down faster than its edges cut, rests on it. Without
+/// it such a bit would sink into the rock under its weight.
+forces::Law cutter_body_bearing() {
+  forces::Friction f = crushing();
+  f.full_angle = 0.5;  // rad, far above the helix of drilling
+  return f;
+}
+
+/// What a bit body bears (ours): it removes no rock, so that what is inside it presses with the whole
+/// stress, whichever way the body moves.
+forces::Law body_bearing() {
+  forces::Friction f = crushing();
+  f.full_angle = 0.0;
+  return f;
+}
+
+/// What gage pads bear where the wall is the rock (WallModel::rock).
 forces::Law pad_bearing(Config wall) {
-  forces::Friction f;
-  f.stress = std::numeric_limits<double>::max();
+  forces::Friction f = crushing();
   f.mu = wall.read(wall_keys::friction);
   f.slip_speed = wall.read(wall_keys::slip_speed);
   return f;
 }
 
-bool rock_is_wall(Config& whole) {
-  return whole.has(wall_keys::table) &&
-         whole.table(wall_keys::table).read(wall_keys::model) == WallModel::rock;
-}
-
-/// Gives gage pads their law where the wall is the rock and no table has one for them.
+/// Where no table has a law for gage pads: they have that of the wall where the wall is the rock, and
+/// none where a ring stands for them.
 void bear_on_wall(Config& whole, const Config& forces, const bit::Bit& bit, ForcePlan& plan) {
-  if (!rock_is_wall(whole)) return;
-  Config wall = whole.table(wall_keys::table);
+  if (!whole.has(wall_keys::table)) return;
   const bool has_own = forces.has(bit::kind_key(PartKind::gage_pad));
-  if (!has_own) plan.laws[static_cast<std::size_t>(PartKind::gage_pad)] = pad_bearing(wall);
+  forces::Law& of_pads = plan.laws[static_cast<std::size_t>(PartKind::gage_pad)];
+  Config wall = whole.table(wall_keys::table);
+  if (wall.read(wall_keys::model) != WallModel::rock) {
+    if (!has_own) of_pads = forces::NoForce{};
+    return;
+  }
+  if (!has_own) of_pads = pad_bearing(wall);
   for (const QuantityKey& key : {wall_keys::friction, wall_keys::slip_speed})
     if (has_own && wall.has(key)) {
       wall.read(key);
@@ -209,8 +222,16 @@ void require_measures(Config& c, const bit::Bit& bit, const MeasurePlan& measure
 }  // namespace
 
 forces::Law own_law_of(PartKind kind) {
-  if (kind == PartKind::cutter_body) return cutter_body_bearing();
-  return forces::NoForce{};
+  switch (kind) {
+    case PartKind::cutter_body:
+      return cutter_body_bearing();
+    case PartKind::gage_pad:
+      return crushing();
+    case PartKind::bit_body:
+      return body_bearing();
+    default:
+      return forces::NoForce{};
+  }
 }
 
 bool follows_the_run(PartKind kind) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -66,6 +67,28 @@ std::string deep_in_rock(const Case& c, const Simulation& s, std::size_t index) 
       bears ? "" : ", and no force acts on it");
 }
 
+/// Volumes (m3) that parts of one kind removed in this run at no force at all.
+std::array<double, bit::part_kinds.size()> removed_for_nothing(const Case& c, const Simulation& s) {
+  std::array<double, bit::part_kinds.size()> removed{};
+  for (std::size_t i = 0; i < s.statistics.energy_by_part.size(); ++i)
+    if (s.statistics.energy_by_part[i] == 0.0)
+      removed[static_cast<std::size_t>(c.bit.parts[i].kind)] +=
+          s.state.ledger.removed_by_part[i].value();
+  return removed;
+}
+
+/// Empty unless parts of the kind removed rock without a force: more than a ten-thousandth of all,
+/// since a cutter's body takes some of what the finite time step leaves of the rim's groove.
+std::string free_rock(const Case& c, const Simulation& s, bit::PartKind kind, double removed) {
+  constexpr double mm3_per_m3 = 1e9, percent = 100.0, least_share = 1e-4;
+  if (removed <= least_share * s.state.ledger.removed.value()) return "";
+  return fmt::format(
+      "parts of the kind {} removed {:.3g} mm3 of rock, {:.2g} % of all, at zero force{}",
+      bit::kind_name(kind), mm3_per_m3 * removed,
+      percent * removed / s.state.ledger.removed.value(),
+      has_law(c.forces, kind) ? "" : fmt::format(": set forces.{}.law", bit::kind_key(kind)));
+}
+
 /// Empty unless a bit with cutters sticks and slips while sections are taken to be at the face as they
 /// are ahead of it.
 std::string lagging_sections(const Case& c, const Simulation& s) {
@@ -94,6 +117,13 @@ std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
   if (s.state.ledger.removed.value() == 0.0) {
     if (s.state.steps_done > c.time.first) add(no_rock(c, s));
     return warnings;
+  }
+  if (c.forces.forces == Forces::on) {
+    const auto removed = removed_for_nothing(c, s);
+    for (const bit::PartKind kind : bit::part_kinds)
+      if (const std::string text = free_rock(c, s, kind, removed[static_cast<std::size_t>(kind)]);
+          !text.empty())
+        add(text);
   }
   if (!s.state.drive || s.statistics.loads.rop.count == 0) return warnings;
   for (const std::string& text : {fast(c, s.statistics.loads), lagging_sections(c, s)})

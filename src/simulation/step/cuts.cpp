@@ -92,6 +92,21 @@ void split_sides(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart
     below = sides;
 }
 
+/// A part that rubs bears on each of its patches.
+void split_patches(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart>& cuts) {
+  const CutOfPart whole = cuts.back();
+  const auto of_part = std::ranges::equal_range(m.patches, whole.part, {}, &PatchOfPart::part);
+  if (of_part.empty()) return;
+  cuts.pop_back();
+  for (const PatchOfPart& p : of_part) {
+    CutOfPart c = whole;
+    c.cut.contact_area = 0.0;
+    take_contact(p.patch, c);
+    c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
+    if (c.cut.contact_area > 0.0) cuts.push_back(c);
+  }
+}
+
 }  // namespace
 
 double chamfer_width(const bit::Cutter& c, double back_rake) {
@@ -114,6 +129,7 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
     if (!forces::pressing(law_of(plan, c), c.cut)) c.distance = 0.0;
     cuts.push_back(c);
     split_sides(plan, m, cuts);
+    split_patches(plan, m, cuts);
   }
 }
 

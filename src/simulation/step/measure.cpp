@@ -120,12 +120,13 @@ std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePla
   return contacts;
 }
 
-std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan) {
+std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan,
+                                             double cell) {
   std::vector<rock::RubbingPart> parts;
   for (std::size_t i = 0; i < bit.parts.size(); ++i)
     if (bit.parts[i].cutting == bit::Cutting::rubs && plan.forces == Forces::on &&
         has_law(plan, bit, i))
-      parts.push_back(rock::prepare_rubbing_part(bit.parts[i], static_cast<int>(i)));
+      parts.push_back(rock::prepare_rubbing_part(bit.parts[i], static_cast<int>(i), cell));
   return parts;
 }
 

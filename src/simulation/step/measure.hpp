@@ -32,7 +32,8 @@ MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cuttin
 std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePlan& plan);
 
 /// The parts that rub and have a law, prepared once for their contacts.
-std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan);
+std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan,
+                                             double cell);
 
 /// How far the lists of vertices near the bit must reach for these measures.
 rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length);
@@ -50,6 +51,12 @@ struct MeasuredStep {
   std::span<const rock::ContactOfPart> contacts{};  ///< rock::ContactOptions::by_part
 };
 
+/// A piece of a part's contact, with a normal and a velocity of its own.
+struct PatchOfPart {
+  int part = -1;
+  rock::ContactPatch patch;
+};
+
 /// The measures of one step.
 struct Measures {
   /// Per cutter; none: not measured. NaN where the section is refused: the face is deep in rock
@@ -59,6 +66,7 @@ struct Measures {
   std::vector<std::uint8_t> is_new;         ///< per cutter: the section is of this step
   std::vector<double> removed;              ///< m3, per cutter
   std::vector<rock::PartContact> contacts;  ///< per part; none: not measured
+  std::vector<PatchOfPart> patches;         ///< of the parts that rub, in their order
 };
 
 /// Room for them, kept between steps so that none allocates once warm.

@@ -46,6 +46,16 @@ MeasuredStep measured(const Case& c, const Move& move, const State& state, const
           work.contacts};
 }
 
+/// A patch without what of its normal points along the rotation. In its sides that lead and those that
+/// trail, a body that rubs has rock which only the helix of the advance leaves inside it: neither makes
+/// it press less.
+rock::ContactPatch facing_the_advance(rock::ContactPatch patch, const Pose& X_WB) {
+  const Vec3 axis_W = X_WB.R.col(2), around_W = axis_W.cross(patch.centroid_W - X_WB.p);
+  const double length2 = around_W.squaredNorm();
+  if (length2 > 0.0) patch.area_vector_W -= patch.area_vector_W.dot(around_W) / length2 * around_W;
+  return patch;
+}
+
 /// At the momenta that the last forces predict. Cones turn freely: where their teeth press, the step
 /// is implicit (stand).
 BitVelocity predicted_velocity(const Case& c, const Move& move, const State& state, Work& work) {
@@ -122,13 +132,17 @@ void measure(const Case& c, const Move& move, State& state, Work& work) {
 }
 
 void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& work) {
+  work.measures.patches.clear();
   if (c.measure.contact == ContactMeasure::off) return;
   const double edge = work.limits.longest_edge;
-  for (const rock::RubbingPart& rubbing : work.rubbing) {
-    const Pose X_WP =
-        X_WB * bit::part_pose(c.bit, c.bit.parts[at(rubbing.part)], angles_of(state.cones));
+  for (rock::RubbingPart& rubbing : work.rubbing) {
+    const bit::Part& part = c.bit.parts[at(rubbing.part)];
+    const Pose X_WP = X_WB * bit::part_pose(c.bit, part, angles_of(state.cones));
     work.measures.contacts[at(rubbing.part)].below =
-        rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.rubbing_work);
+        rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.cut_work, work.rubbing_work);
+    for (const rock::ContactPatch& patch : work.rubbing_work.patches)
+      work.measures.patches.push_back(
+          {rubbing.part, part.cone < 0 ? facing_the_advance(patch, X_WB) : patch});
   }
 }
 

@@ -5,6 +5,7 @@
 #include "bit/body/blade_body.hpp"
 #include "bit/cutter/rim_reach.hpp"
 #include "bit/generate_design.hpp"
+#include "mesh/measures.hpp"
 
 namespace tdbd::bit::rubbing_test {
 
@@ -34,7 +35,7 @@ Part points(const std::vector<Vec3>& places_B) {
 TEST(Rubbing, of_a_point_behind_one_cutter_is_that_of_the_helix) {
   const Part p = points({{0.0, -50e-3, -2e-3}});
   const Rubbing r = rubbing({flat_cutter(50e-3)}, p, 3e-3, column);
-  EXPECT_EQ(r.vertices, 1u);
+  EXPECT_EQ(r.points, 1u);
   EXPECT_NEAR(r.clearance, 2e-3 - 3e-3 / 4, sagitta);
   EXPECT_NEAR(r.touching_advance, 8e-3, 4 * sagitta);
 }
@@ -52,7 +53,7 @@ TEST(Rubbing, depends_on_the_cutter_that_passed_last) {
 
 TEST(Rubbing, leaves_out_what_lies_over_uncut_rock) {
   const Rubbing r = rubbing({flat_cutter(50e-3)}, points({{0.0, 10e-3, -2e-3}}), 4e-3, column);
-  EXPECT_EQ(r.vertices, 0u);
+  EXPECT_EQ(r.points, 0u);
   EXPECT_EQ(r.over_uncut, 1u);
 }
 
@@ -70,6 +71,42 @@ RC_GTEST_PROP(Rubbing, of_blades_begins_where_the_clearance_ends, ()) {
   RC_PRE(touching > 0.0);
   RC_ASSERT(std::abs(rubbing(cutters, body, touching, 0.1e-3).clearance) < 1e-12);
   RC_ASSERT(rubbing(cutters, body, 0.9 * touching, 0.1e-3).clearance > 0.0);
+}
+
+/// A flat plate between two azimuths behind a cutter and between two radii, 2 mm above its groove. It
+/// lies in the rock where the bit has sunk by more than that since the cutter passed.
+Part plate(double from, double to, int steps) {
+  Part p;
+  for (int k = 0; k <= steps; ++k)
+    for (const double r : {49e-3, 51e-3}) {
+      const double azimuth = -std::lerp(from, to, 1.0 * k / steps);
+      p.mesh_P.positions.emplace_back(r * std::cos(azimuth), r * std::sin(azimuth), -2e-3);
+    }
+  for (int k = 0; k < steps; ++k) {
+    p.mesh_P.triangles.push_back({2 * k, 2 * k + 2, 2 * k + 1});
+    p.mesh_P.triangles.push_back({2 * k + 1, 2 * k + 2, 2 * k + 3});
+  }
+  for (mesh::Triangle& t : p.mesh_P.triangles) {
+    const auto& x = p.mesh_P.positions;
+    if (mesh::area_vector(x[at(t[0])], x[at(t[1])], x[at(t[2])]).z() < 0.0) std::swap(t[1], t[2]);
+  }
+  return p;
+}
+
+/// At the plate's sides, 1 mm beside its middle, the groove is less deep, and the plate touches sooner.
+/// Facets go from side to side, so that this holds all over it.
+TEST(RubbingAreas, are_those_of_a_sector_behind_the_azimuth_that_touches) {
+  constexpr double from = 0.3, to = 1.5, d = 10e-3, inner = 49e-3, outer = 51e-3;
+  const double first = 2 * pi * 2e-3 / d;  // rad
+  const std::vector<double> areas =
+      rubbing_areas({flat_cutter(50e-3)}, plate(from, to, 400), {0.0, 8e-3, d}, column);
+  EXPECT_EQ(areas[0], 0.0);
+  EXPECT_EQ(areas[1], 0.0) << "it would touch at the azimuth of a quarter of a turn";
+  const double sector = 0.5 * (outer * outer - inner * inner);
+  const double rise = 8e-3 - std::sqrt(8e-3 * 8e-3 - 1e-3 * 1e-3);  // m, of the rim at the sides
+  const double sooner = 2 * pi * rise / d;                          // rad
+  constexpr double of_chords = 6e-5;                                // rad
+  EXPECT_NEAR(areas[2], sector * (to - first + sooner), of_chords * sector);
 }
 
 /// The slow twin: the cutters' rims as points that turn and sink; the rock over a vertex is the

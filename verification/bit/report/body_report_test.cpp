@@ -39,8 +39,8 @@ TEST(BodyReport, has_the_blades_and_how_close_they_come_to_the_rock) {
   EXPECT_EQ(vector_of(found.at("least_axial_clearance_at_m")), r.clearance_at_B);
   EXPECT_EQ(found.at("touches_at_m_per_rev"), r.touching_advance);
   EXPECT_EQ(vector_of(found.at("touches_first_at_m")), r.touching_at_B);
-  EXPECT_EQ(found.at("vertices_measured"), r.vertices);
-  EXPECT_EQ(found.at("vertices_over_uncut_rock"), r.over_uncut);
+  EXPECT_EQ(found.at("points_measured"), r.points);
+  EXPECT_EQ(found.at("points_over_uncut_rock"), r.over_uncut);
 }
 
 TEST(BodyReport, tells_whether_the_body_cuts_or_rubs) {

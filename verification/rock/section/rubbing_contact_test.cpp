@@ -30,7 +30,8 @@ Rock flat(double half) {
 ContactPatch contact_of(const Rock& rock, const bit::Part& part, const Pose& X_WP,
                         double edge = 0.15) {
   RubbingWork work;
-  return rubbing_contact(rock, prepare_rubbing_part(part, 0), X_WP, edge, work);
+  RubbingPart prepared = prepare_rubbing_part(part, 0, rock.grid.cell());
+  return rubbing_contact(rock, prepared, X_WP, edge, {}, work);
 }
 
 /// A block of any sides, whichever way it is turned about the normal, and however its sides cut the
@@ -85,18 +86,43 @@ TEST(RubbingContact, is_none_above_the_rock) {
 TEST(RubbingContact, is_the_same_with_used_buffers) {
   const Rock rock = flat(1.0);
   RubbingWork work;
-  const RubbingPart block =
-      prepare_rubbing_part(part_of(battery::box(Vec3(-0.3, -0.3, -1.0), Vec3(0.3, 0.3, 0.0))), 0);
-  const RubbingPart ring = prepare_rubbing_part(part_of(battery::torus(0.4, 0.2, 24, 12)), 1);
+  RubbingPart block = prepare_rubbing_part(
+      part_of(battery::box(Vec3(-0.3, -0.3, -1.0), Vec3(0.3, 0.3, 0.0))), 0, 0.2);
+  RubbingPart ring = prepare_rubbing_part(part_of(battery::torus(0.4, 0.2, 24, 12)), 1, 0.2);
   const Pose here{Mat3::Identity(), Vec3(0.01, 0.02, 0.1)},
       there{Mat3::Identity(), Vec3(0.5, 0, 0.1)};
-  const ContactPatch first = rubbing_contact(rock, block, here, 0.15, work);
-  const ContactPatch around = rubbing_contact(rock, ring, there, 0.15, work);
-  const ContactPatch again = rubbing_contact(rock, block, here, 0.15, work);
+  const ContactPatch first = rubbing_contact(rock, block, here, 0.15, {}, work);
+  const ContactPatch around = rubbing_contact(rock, ring, there, 0.15, {}, work);
+  const ContactPatch again = rubbing_contact(rock, block, here, 0.15, {}, work);
   EXPECT_EQ(first.area, again.area);
   EXPECT_EQ(first.centroid_W, again.centroid_W);
   RubbingWork fresh;
-  EXPECT_EQ(rubbing_contact(rock, ring, there, 0.15, fresh).area, around.area);
+  EXPECT_EQ(rubbing_contact(rock, ring, there, 0.15, {}, fresh).area, around.area);
+}
+
+/// A part that was clear of the rock is measured again once a cut moved a vertex into it: of what the
+/// step did, it looks at no more than at that.
+TEST(RubbingContact, notices_a_vertex_that_the_cut_moved_into_a_part) {
+  Rock rock = flat(2.0);
+  RubbingPart l = prepare_rubbing_part(
+      part_of(battery::prism(battery::l_outline(1.0, 0.4), -1.0, 0.0)), 0, rock.grid.cell());
+  const Pose X_WP{Mat3::Identity(), Vec3(0, 0, -0.5)};
+  RubbingWork work;
+  EXPECT_EQ(rubbing_contact(rock, l, X_WP, 0.15, {}, work).area, 0.0);
+  ASSERT_EQ(l.clear.changes, rock.grid.changes());
+  CutWorkspace cut;
+  cut.changes_before = rock.grid.changes();
+  int nearest = 0;
+  const Vec3 inside(-0.3, -0.3, -0.6);
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v)
+    if ((rock.surface.position(v) - inside).norm() <
+        (rock.surface.position(nearest) - inside).norm())
+      nearest = v;
+  place_vertex(rock, nearest, inside, Teller::mover);
+  RubbingPart not_told = l;
+  EXPECT_EQ(rubbing_contact(rock, not_told, X_WP, 0.15, cut, work).area, 0.0);
+  cut.groups.emplace_back().moved_in_step = {nearest};
+  EXPECT_GT(rubbing_contact(rock, l, X_WP, 0.15, cut, work).area, 0.0);
 }
 
 TEST(DepthInRock, is_the_distance_of_rock_from_the_surface_of_the_part) {

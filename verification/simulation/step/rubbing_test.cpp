@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 #include "simulation/case/case.hpp"
 #include "simulation/result/end_warnings.hpp"
@@ -103,6 +106,82 @@ TEST(PartsThatRub, produce_a_warning_when_deep_in_rock) {
   EXPECT_EQ(warnings(read_case(rubbing_case("cutting = false\n", flat_law), fine)),
             std::vector<std::string>{})
       << "a cse that neither cuts nor rubs is not there";
+}
+
+/// A flat cutter and, `lag` (rad) behind it and `under` (m) less exposed, a pad that rubs. Their rear
+/// edges lie on radii, so that lag is that of every point of them.
+Case follower_case(double lag, double under, double advance) {
+  const auto folder = test_folder();
+  mesh::write_mesh(folder / "cutter.off", battery::box({65, 0, -20}, {95, 3, 0}));
+  mesh::write_mesh(folder / "pad.off", battery::box({75, 0, -20}, {85, 8, 0}));
+  const std::string bit_file = write_file(
+      folder / "bit.toml",
+      fmt::format("name = \"follower\"\n[[parts]]\nname = \"cutter\"\nkind = \"gage-pad\"\n"
+                  "file = \"cutter.off\"\nupdate_direction = [0, 0, 1]\n"
+                  "[[parts]]\nname = \"ovoid\"\nkind = \"bit-body\"\nfile = \"pad.off\"\n"
+                  "cutting = false\nrubs = true\nposition = [0, 0, {}]\n"
+                  "rotation_vector = [0, 0, {}]\n",
+                  -under, -lag));
+  return read_case(
+      write_file(folder / "case.toml",
+                 fmt::format("[bit]\nfile = \"{}\"\n[rock]\nshape = \"flat\"\n"
+                             "radius = \"110 mm\"\nwall = \"5 mm\"\nedge_length = \"2 mm\"\n"
+                             "material = \"mancos-shale\"\n[motion]\nrotary_speed = \"60 rpm\"\n"
+                             "rate_of_penetration = {}\n[time]\nstep = \"2 ms\"\n"
+                             "duration = \"0.7 s\"\n[forces]\nlaw = \"friction\"\n"
+                             "stress = \"10 MPa\"\nmu = 0.5\n",
+                             bit_file, advance)),
+      {});
+}
+
+/// Depth of cut control: the pad touches at 2 pi under/lag per revolution, exact to a thousandth of
+/// `under`: not when the bit advances a thousandth less, and when it advances a thousandth more.
+TEST(DepthOfCutControl, begins_where_the_bit_sinks_by_the_under_exposure_between_cutter_and_pad) {
+  constexpr double onset_error = 1e-3;
+  for (const auto& [lag, under] : {std::pair{1.0, 0.5e-3}, {0.5, 0.2e-3}, {1.7, 1.1e-3}}) {
+    const double onset = 2.0 * std::numbers::pi * under / lag;  // m per revolution, at 1 a second
+    const auto area = [&](double share) {
+      return ended(follower_case(lag, under, share * onset)).work.measures.contacts[1].below.area;
+    };
+    EXPECT_EQ(area(1.0 - onset_error), 0.0) << lag;
+    EXPECT_GT(area(1.0 + onset_error), 0.0) << lag;
+    const double strip = 10e-3 * 80e-3 * lag * 0.05;  // m2: the rear twentieth of the lag
+    EXPECT_NEAR(area(1.0 / 0.95), strip, 0.01 * strip) << lag;
+  }
+}
+
+/// Bit B drills 12 mm a revolution, so that its body touches. Its contact is what a body shows that was
+/// prepared anew, which knows nothing of earlier steps. Without maintenance, which ends what is known.
+TEST(PartsThatRub, are_measured_alike_however_long_they_were_clear) {
+  const Case c = read_case(
+      write_file(
+          test_folder() / "b.toml",
+          "[bit]\nfile = \"" TDBD_SOURCE_DIR
+          "/cases/bits/bit-b.toml\"\n[rock]\nshape = \"conforming\"\nwall = \"30 mm\"\n"
+          "edge_length = \"3 mm\"\nmaterial = \"mancos-shale\"\n[motion]\n"
+          "rotary_speed = \"120 rpm\"\nrate_of_penetration = \"24 mm/s\"\n[time]\n"
+          "step = \"2 ms\"\nrevolutions = 0.8\n[forces]\nlaw = \"hanson-hansen\"\nA1 = 1\n"
+          "A2 = 0.3\nA3 = \"18 deg\"\nA4 = 0.5\nA5 = 1\nA6 = 0.3\n[maintenance]\nevery = 0\n"),
+      {});
+  constexpr long every = 7;
+  Simulation s = start(c);
+  int clear = 0, touching = 0;
+  while (s.state.steps_done < c.time.steps) {
+    step(c, s);
+    if (s.state.steps_done % every != 0) continue;
+    const rock::RubbingPart& kept = s.work.rubbing.at(0);
+    rock::RubbingPart anew =
+        rock::prepare_rubbing_part(c.bit.parts.at(at(kept.part)), 0, s.state.rock.grid.cell());
+    rock::RubbingWork work;
+    const double area = rock::rubbing_contact(s.state.rock, anew, over_rock(s.state.place),
+                                              s.work.limits.longest_edge, {}, work)
+                            .area;
+    EXPECT_EQ(s.work.measures.contacts[at(kept.part)].below.area, area);
+    clear += kept.clear.changes >= 0 ? 1 : 0;
+    touching += area > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(clear, 2);
+  EXPECT_GT(touching, 2);
 }
 
 }  // namespace tdbd::simulation::rubbing_test

@@ -1,0 +1,126 @@
+#include "rock/section/underside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mesh/measures.hpp"
+
+namespace tdbd::rock {
+namespace {
+
+constexpr double columns_across = 200.0;  ///< over the longer side of the part
+constexpr double rings_over_column = 4.0;
+constexpr double tile_cells = 4.0;
+constexpr double room_over_cell = 0.25;
+constexpr Single nothing = -std::numeric_limits<Single>::infinity();
+
+/// A triangle over the plane z = 0, and the plane through it.
+struct Flat {
+  std::array<Vec3, 3> x;
+  Vec3 normal;       ///< not of unit length
+  double low, high;  ///< m, of its corners' z
+};
+
+Flat flat_of(const mesh::TriangleMesh& m, const mesh::Triangle& t) {
+  Flat f{{m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]}, {}, 0.0, 0.0};
+  f.normal = (f.x[1] - f.x[0]).cross(f.x[2] - f.x[0]);
+  const auto [low, high] = std::minmax({f.x[0].z(), f.x[1].z(), f.x[2].z()});
+  f.low = low;
+  f.high = high;
+  return f;
+}
+
+/// Whether a square about (x, y) lies beyond one side of the triangle.
+bool is_beside(const Flat& f, double x, double y, double half) {
+  const double turn = f.normal.z() < 0.0 ? -1.0 : 1.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &a = f.x[k], &b = f.x[k == 2 ? 0 : k + 1];
+    const double nx = turn * (b.y() - a.y()), ny = turn * (a.x() - b.x());  // outwards
+    if (nx * (x - a.x()) + ny * (y - a.y()) > half * (std::abs(nx) + std::abs(ny))) return true;
+  }
+  return false;
+}
+
+/// No point of the triangle over a square about (x, y) is deeper, m.
+double deepest_over(const Flat& f, double x, double y, double half) {
+  const Vec3& n = f.normal;
+  const double rise = half * (std::abs(n.x()) + std::abs(n.y()));
+  const double across = n.x() * (x - f.x[0].x()) + n.y() * (y - f.x[0].y());
+  if (std::abs(n.z()) * (f.high - f.low) < rise) return f.high;
+  return std::min(f.high, f.x[0].z() - across / n.z() + rise / std::abs(n.z()));
+}
+
+void note(const Flat& f, double column, const Underside& u, std::vector<Single>& deepest) {
+  const auto [x_lo, x_hi] = std::minmax({f.x[0].x(), f.x[1].x(), f.x[2].x()});
+  const auto [y_lo, y_hi] = std::minmax({f.x[0].y(), f.x[1].y(), f.x[2].y()});
+  const auto first = [&](double x, double lo) { return static_cast<int>((x - lo) / column); };
+  const double half = 0.5 * column;
+  for (int j = first(y_lo, u.y_lo); j <= first(y_hi, u.y_lo); ++j)
+    for (int i = first(x_lo, u.x_lo); i <= first(x_hi, u.x_lo); ++i) {
+      const double x = u.x_lo + (i + 0.5) * column, y = u.y_lo + (j + 0.5) * column;
+      if (is_beside(f, x, y, half)) continue;
+      Single& d = deepest[at(j * u.nx + i)];
+      d = std::max(d, static_cast<Single>(deepest_over(f, x, y, half)));
+    }
+}
+
+/// The greatest of each column and its eight neighbours: a place in single precision may be in the
+/// next one.
+std::vector<Single> with_neighbours(const Underside& u, const std::vector<Single>& deepest) {
+  std::vector<Single> wide(deepest.size(), nothing);
+  for (int j = 0; j < u.ny; ++j)
+    for (int i = 0; i < u.nx; ++i)
+      for (int dj = std::max(0, j - 1); dj <= std::min(u.ny - 1, j + 1); ++dj)
+        for (int di = std::max(0, i - 1); di <= std::min(u.nx - 1, i + 1); ++di) {
+          Single& d = wide[at(j * u.nx + i)];
+          d = std::max(d, deepest[at(dj * u.nx + di)]);
+        }
+  return wide;
+}
+
+/// By the distance from the axis: the greatest of all columns that a ring crosses.
+std::vector<Single> by_ring(const Underside& u, double column, double reach) {
+  std::vector<Single> rings;
+  const double half_diagonal = 0.5 * std::numbers::sqrt2 * column;
+  const auto ring = [&](double r) {
+    return at(static_cast<int>(std::max(0.0, r * u.rings_per_m)));
+  };
+  for (int j = 0; j < u.ny; ++j)
+    for (int i = 0; i < u.nx; ++i) {
+      const Single z = u.deepest[at(j * u.nx + i)];
+      if (z == nothing) continue;
+      const double r = std::hypot(u.x_lo + (i + 0.5) * column, u.y_lo + (j + 0.5) * column);
+      const std::size_t first = ring(r - half_diagonal - reach),
+                        last = ring(r + half_diagonal + reach);
+      if (last >= rings.size()) rings.resize(last + 1, nothing);
+      for (std::size_t k = first; k <= last; ++k) rings[k] = std::max(rings[k], z);
+    }
+  return rings;
+}
+
+}  // namespace
+
+Underside underside_of(const mesh::TriangleMesh& mesh_P, double cell) {
+  const mesh::Box box = mesh::bounding_box(mesh_P);
+  const double column = std::max(box.size().x(), box.size().y()) / columns_across;
+  Underside u;
+  u.columns_per_m = 1.0 / column;
+  u.rings_per_m = rings_over_column / column;
+  u.x_lo = box.lo.x() - 2.0 * column;
+  u.y_lo = box.lo.y() - 2.0 * column;
+  u.nx = static_cast<int>(std::ceil(box.size().x() / column)) + 4;
+  u.ny = static_cast<int>(std::ceil(box.size().y() / column)) + 4;
+  std::vector<Single> deepest(at(u.nx) * at(u.ny), nothing);
+  for (const mesh::Triangle& t : mesh_P.triangles) note(flat_of(mesh_P, t), column, u, deepest);
+  u.deepest = with_neighbours(u, deepest);
+  const double half_diagonal = 0.5 * std::numbers::sqrt3 * cell;
+  u.room = room_over_cell * cell;
+  const double beside = u.room + of_single_places;
+  u.deepest_at = {by_ring(u, column, beside), by_ring(u, column, beside + half_diagonal),
+                  by_ring(u, column, beside + tile_cells * half_diagonal)};
+  return u;
+}
+
+}  // namespace tdbd::rock
