@@ -38,10 +38,21 @@ Json reasons_of(const Findings& f) {
   return reasons;
 }
 
-Json units_of_all() {
+Json units_of(std::span<const QuantityText> texts) {
   Json units = Json::object();
-  for (const QuantityText& q : quantity_texts()) units[fmt::format("{}", q.name)] = q.unit;
+  for (const QuantityText& q : texts) units[fmt::format("{}", q.name)] = q.unit;
   return units;
+}
+
+/// The findings of each part together, in the order in which the model names parts.
+Json parts_of(const Findings& f) {
+  Json parts = Json::object();
+  for (const PartFinding& p : f.parts) {
+    Json& part = parts[p.part];
+    part["radius_m"] = p.radius;
+    part[fmt::format("{}", text_of(p.quantity).name)] = p.value;
+  }
+  return parts;
 }
 
 }  // namespace
@@ -78,7 +89,8 @@ std::string comparison_json(const CompareCase& c, const Comparison& all) {
             {"gage_radius_m", c.ours.bit.gage_radius},
             {"reference_weight_n", all.weight},
             {"reference_weight_from", all.weight_from},
-            {"units", units_of_all()},
+            {"units", units_of(quantity_texts())},
+            {"part_units", units_of(part_quantity_texts())},
             {"models", Json::array()},
             {"not_asked", all.not_asked}};
   for (const Answer& a : all.answers)
@@ -88,7 +100,8 @@ std::string comparison_json(const CompareCase& c, const Comparison& all) {
                               {"steps", a.findings.cost.steps},
                               {"notes", a.findings.notes},
                               {"says", values_of(a.findings)},
-                              {"cannot_say", reasons_of(a.findings)}});
+                              {"cannot_say", reasons_of(a.findings)},
+                              {"parts", parts_of(a.findings)}});
   return json.dump(1) + "\n";
 }
 

@@ -18,10 +18,10 @@ void write_comparison(const std::filesystem::path& folder, const CompareCase& c,
 /// comparison.csv: a row for each model and quantity, SI: its value, or the reason for the blank.
 std::string comparison_csv(const Comparison& all);
 
-/// parts.csv: a row for each number about a cutter, a row of teeth or a cone, SI.
+/// parts.csv: a row for each number about a cutter, a tooth, a row of teeth or a cone, SI.
 std::string parts_csv(const Comparison& all);
 
-/// comparison.json: the case, the models, what they say, what they cannot say and why.
+/// comparison.json: the case, the models, what they say of the bit and of its parts, what they cannot say and why.
 std::string comparison_json(const CompareCase& c, const Comparison& all);
 
 /// timing.json: CPU time of each model, which depends on the machine.

@@ -43,6 +43,46 @@ std::string cost_cell(const Cost& cost) {
   return fmt::format("{:.3g} s", cost.cpu);
 }
 
+/// The part of a level for which a model's number is the largest.
+const PartFinding* largest_of(const Findings& f, PartLevel level, PartQuantity quantity) {
+  const PartFinding* largest = nullptr;
+  for (const PartFinding& p : f.parts)
+    if (p.quantity == quantity && level_of(p) == level &&
+        (largest == nullptr || p.value > largest->value))
+      largest = &p;
+  return largest;
+}
+
+/// A column of the table of teeth: the part that carries most.
+struct LoadColumn {
+  const char* head;
+  PartLevel level;
+  PartQuantity quantity;
+};
+
+constexpr std::array load_columns{
+    LoadColumn{"row, mean kN", PartLevel::row, PartQuantity::weight},
+    LoadColumn{"tooth, mean kN", PartLevel::tooth, PartQuantity::weight},
+    LoadColumn{"tooth, a step's kN", PartLevel::tooth, PartQuantity::largest_weight},
+};
+
+/// The rows and teeth that carry most of each model that has teeth.
+std::string teeth_table(const Comparison& all) {
+  std::string rows;
+  for (const Answer& a : all.answers) {
+    if (largest_of(a.findings, PartLevel::tooth, PartQuantity::weight) == nullptr) continue;
+    rows += fmt::format("{:<20}", a.model->name);
+    for (const LoadColumn& c : load_columns)
+      if (const PartFinding* p = largest_of(a.findings, c.level, c.quantity))
+        rows += fmt::format("{:>24}{:>8.3f}", p->part, 1e-3 * p->value);
+    rows += '\n';
+  }
+  if (rows.empty()) return rows;
+  std::string text = fmt::format("{:<20}", "carries most");
+  for (const LoadColumn& c : load_columns) text += fmt::format("{:>32}", c.head);
+  return text + '\n' + rows;
+}
+
 }  // namespace
 
 std::string comparison_table(const Comparison& all) {
@@ -55,7 +95,7 @@ std::string comparison_table(const Comparison& all) {
       text += fmt::format("{:>10}", cell(saying(a.findings, c.quantity), c));
     text += fmt::format("{:>12}\n", cost_cell(a.findings.cost));
   }
-  return text;
+  return text + teeth_table(all);
 }
 
 }  // namespace tdbd::reference

@@ -16,6 +16,13 @@ double work_of_a_turn(double weight, double torque, double advance) {
 
 }  // namespace
 
+PartLevel level_of(const PartFinding& finding) {
+  const std::string& name = finding.part;
+  if (name.find("/tooth-") != std::string::npos) return PartLevel::tooth;
+  if (name.find("/row-") != std::string::npos) return PartLevel::row;
+  return name.starts_with("cutter-") ? PartLevel::cutter : PartLevel::cone;
+}
+
 void say(Findings& f, Quantity q, double value) {
   if (std::isfinite(value))
     saying(f, q) = {value, {}};

@@ -15,13 +15,19 @@ struct Saying {
   std::string reason;
 };
 
-/// What it says about one cutter or one row of teeth.
+/// What it says about one cutter; or one tooth, one row of teeth, one cone.
 struct PartFinding {
-  std::string part;     ///< "cutter-12", "cone-1/row-2", "cone-1"
-  double radius = 0.0;  ///< m, from the bit's axis
+  std::string part;     ///< "cutter-12", "cone-1", "cone-1/row-2", "cone-1/row-2/tooth-3"
+  double radius = 0.0;  ///< m, from the bit's axis; 0 of a cone
   PartQuantity quantity = PartQuantity::area;
   double value = 0.0;
 };
+
+/// A bit's parts contain each other: values of different levels are not summed.
+enum class PartLevel { cutter, cone, row, tooth };
+
+/// By the part's name.
+PartLevel level_of(const PartFinding& finding);
 
 /// Loads of the steps that count.
 struct LoadSeries {

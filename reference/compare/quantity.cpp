@@ -40,7 +40,12 @@ constexpr std::array<QuantityText, part_quantity_count> part_quantities{{
     {"temperature", "degC", "of its wear flat then"},
     {"bending_moment", "N m", "magnitude of the moment about the face's centre"},
     {"cone_speed_ratio", "1", "speed of the cone over the bit's, rolling positive"},
-    {"teeth_in_contact", "1", "mean number of the row's teeth that touch rock"},
+    {"teeth_in_contact", "1",
+     "mean number of its teeth that touch rock; of a tooth, its share of the time"},
+    {"weight", "N",
+     "mean force on the rock along the hole: teeth add up to their row, rows and shell to the "
+     "cone"},
+    {"largest_weight", "N", "largest of that force in a step that counts"},
 }};
 
 }  // namespace

@@ -31,7 +31,7 @@ enum class Quantity {
 };
 inline constexpr std::size_t quantity_count = 21;
 
-/// What it asks for of every cutter, or of every row of teeth.
+/// What it asks for of every cutter; or of every tooth, row of teeth and cone.
 enum class PartQuantity {
   area,
   volume_per_revolution,
@@ -41,9 +41,11 @@ enum class PartQuantity {
   temperature,
   bending_moment,
   cone_speed_ratio,
-  teeth_in_contact
+  teeth_in_contact,
+  weight,
+  largest_weight
 };
-inline constexpr std::size_t part_quantity_count = 9;
+inline constexpr std::size_t part_quantity_count = 11;
 
 /// A quantity in words.
 struct QuantityText {

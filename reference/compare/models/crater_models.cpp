@@ -100,9 +100,10 @@ Findings findings_of(const Question& q, const RollerBit& bit, const RollerRun& r
   say(f, Quantity::resolution_at_gage, run.bottom.cell());
   say_steps(c, run, schedule, f);
   say_cones_of_run(c, run, f);
-  say_rows(c, bit, PartQuantity::force_into_rock, run.tooth_force, f);
-  say_rows(c, bit, PartQuantity::volume_per_revolution,
-           over(run.tooth_volume, schedule.revolutions), f);
+  say_tooth_numbers(c, bit,
+                    {run.tooth_force, run.tooth_largest, run.tooth_contacts,
+                     over(run.tooth_volume, schedule.revolutions)},
+                    f);
   f.bottom = circle_of(c, run.bottom);
   f.cost.steps = static_cast<long>(run.series.time.size());
   f.cost.simulated = schedule.step * static_cast<double>(f.cost.steps);

@@ -33,7 +33,8 @@ struct ConesSums {
   LoadSeries series;
   Eigen::Vector2d lateral_B = Eigen::Vector2d::Zero();  ///< N
   double side = 0.0;                                    ///< N
-  std::vector<double> contacts, tooth_force;            ///< of each step; N, of each tooth
+  std::vector<double> contacts;                         ///< of each step
+  ToothNumbers teeth;                                   ///< sums over the steps
 };
 
 ConesSetup setup_of(const Question& q, const RollerBit& bit) {
@@ -72,13 +73,19 @@ void add_step_of(const HansonHansenCones& m, double angle, ConesSums& sums) {
   sums.lateral_B += Eigen::Rotation2Dd(-angle) * lateral_W;
   sums.side += lateral_W.norm();
   sums.contacts.push_back(teeth_in_contact(m));
-  for (std::size_t i = 0; i < m.teeth.size(); ++i) sums.tooth_force[i] -= m.tooth_force_W[i].z();
+  for (std::size_t i = 0; i < m.teeth.size(); ++i) {
+    const double force = -m.tooth_force_W[i].z();
+    sums.teeth.force[i] += force;
+    sums.teeth.largest[i] = std::max(sums.teeth.largest[i], force);
+    if (!std::isnan(m.met[i])) sums.teeth.contacts[i] += 1.0;
+  }
 }
 
 ConesSums counted_run(HansonHansenCones& m, long steps) {
   ConesSums sums;
   sums.series.step = m.step;
-  sums.tooth_force.resize(m.teeth.size());
+  for (std::vector<double>* values : {&sums.teeth.force, &sums.teeth.largest, &sums.teeth.contacts})
+    values->resize(m.teeth.size());
   for (long i = 0; i < steps; ++i) {
     const double angle = m.state[6];
     advance(m);
@@ -169,9 +176,12 @@ Findings answer_of_hanson_hansen_cones(const Question& q) {
   Findings f;
   say_drilled(q, m, run, n.turns, f);
   say_free_cones(c, m, run, f);
-  say_rows(c, m.bit, PartQuantity::force_into_rock,
-           over(run.sums.tooth_force, static_cast<double>(run.sums.contacts.size())), f);
-  say_rows(c, m.bit, PartQuantity::volume_per_revolution, over(run.removed, n.turns), f);
+  const ToothNumbers& teeth = run.sums.teeth;
+  const double steps = static_cast<double>(run.sums.contacts.size());
+  say_tooth_numbers(c, m.bit,
+                    {over(teeth.force, steps), teeth.largest, over(teeth.contacts, steps),
+                     over(run.removed, n.turns)},
+                    f);
   say(f, Quantity::resolution_at_gage,
       turn_of_cones_bit * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = cones_bottom(c, m);

@@ -26,8 +26,7 @@ ContactSchedule contact_schedule(const CompareCase& c, const RollerBit& bit) {
 void say_contacts(const CompareCase& c, const RollerBit& bit, const ContactRun& run, Findings& f) {
   say(f, Quantity::teeth_in_contact, run.mean);
   say(f, Quantity::teeth_in_contact_variance, run.variance);
-  say_rows(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
-  say_teeth(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
+  say_teeth_and_sums(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
 }
 
 /// What the closed form says, where the bit is one that it takes.

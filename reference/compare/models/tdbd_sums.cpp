@@ -1,11 +1,12 @@
 #include "reference/compare/models/tdbd_sums.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bit/cone/tracking.hpp"
 #include "bit/cutter/cutter_frame.hpp"
+#include "reference/compare/models/roller_case.hpp"
 
 namespace tdbd::reference {
 namespace {
@@ -24,18 +25,36 @@ double area_in_half_plane(const forces::PartCut& cut) {
   return along > 0.0 ? cut.cut_area * cut.velocity.norm() / along : 0.0;
 }
 
+/// To its piece, and to those that contain it.
 void add_cut(const simulation::Case& c, const simulation::Simulation& s, const CutOfPart& cut,
              TdbdSums& sums) {
-  const int index = sums.piece_of_part[at(cut.part)];
-  if (index < 0) return;
-  Piece& piece = sums.pieces[at(index)];
   const simulation::PartLoad& load = s.work.loads.parts[at(cut.part)];
-  piece.normal += load.normal;
-  piece.drag += load.tangential;
-  if (is_of_face(cut.cut.kind))
-    piece.area += area_in_half_plane(
-        simulation::cut_at(c.bit, s.state.place.X_WB, s.work.velocity, c.time.step, cut));
-  if (cut.cut.kind == bit::PartKind::tooth) ++piece.contacts;
+  for (int i = sums.piece_of_part[at(cut.part)]; i >= 0; i = sums.pieces[at(i)].whole) {
+    Piece& piece = sums.pieces[at(i)];
+    piece.normal += load.normal;
+    piece.drag += load.tangential;
+    piece.weight -= load.force_W.z();
+    piece.weight_now -= load.force_W.z();
+    if (is_of_face(cut.cut.kind))
+      piece.area += area_in_half_plane(
+          simulation::cut_at(c.bit, s.state.place.X_WB, s.work.velocity, c.time.step, cut));
+    if (cut.cut.kind == bit::PartKind::tooth) ++piece.contacts;
+  }
+}
+
+void add_cuts(const simulation::Case& c, const simulation::Simulation& s, TdbdSums& sums) {
+  for (Piece& piece : sums.pieces) piece.weight_now = 0.0;
+  double teeth = 0.0;
+  int last = -1;
+  for (const CutOfPart& cut : s.work.cuts) {
+    // A part that touches rock below and beside it has two cuts in succession, and one load.
+    if (std::exchange(last, cut.part) == cut.part) continue;
+    add_cut(c, s, cut, sums);
+    if (cut.cut.kind == bit::PartKind::tooth) teeth += 1.0;
+  }
+  sums.teeth.push_back(teeth);
+  for (Piece& piece : sums.pieces)
+    piece.largest_weight = std::max(piece.largest_weight, piece.weight_now);
 }
 
 void add_backwards(const simulation::Case& c, const simulation::Simulation& s, TdbdSums& sums) {
@@ -47,19 +66,34 @@ void add_backwards(const simulation::Case& c, const simulation::Simulation& s, T
   }
 }
 
-void start_rows(const simulation::Case& c, TdbdSums& sums) {
-  std::vector<std::vector<int>> first(c.bit.cones.size());
-  for (std::size_t k = 0; k < c.bit.cones.size(); ++k) {
-    const bit::Cone& cone = c.bit.cones[k];
-    for (std::size_t r = 0; r < cone.layout.rows.size(); ++r) {
-      first[k].push_back(static_cast<int>(sums.pieces.size()));
-      sums.pieces.push_back({fmt::format("{}/row-{}", cone.name, r + 1),
-                             bit::print_ring(cone, cone.layout.rows[r], usual_print).radius});
+int add_piece(TdbdSums& sums, const std::string& name, double radius, int whole) {
+  Piece piece;
+  piece.name = name;
+  piece.radius = radius;
+  piece.whole = whole;
+  sums.pieces.push_back(piece);
+  return static_cast<int>(sums.pieces.size()) - 1;
+}
+
+/// A cone with its rows; the shell's parts belong to the cone alone.
+void start_cone(const simulation::Case& c, std::size_t k, TdbdSums& sums) {
+  const bit::Cone& cone = c.bit.cones[k];
+  const int whole = add_piece(sums, cone.name, 0.0, -1);
+  std::vector<int> rows;
+  for (std::size_t r = 0; r < cone.layout.rows.size(); ++r)
+    rows.push_back(add_piece(sums, row_name(cone.name, r),
+                             bit::print_ring(cone, cone.layout.rows[r], usual_print).radius,
+                             whole));
+  for (std::size_t p = 0; p < c.bit.parts.size(); ++p) {
+    const bit::Part& part = c.bit.parts[p];
+    if (part.cone != static_cast<int>(k)) continue;
+    if (part.row < 0) {
+      sums.piece_of_part[p] = whole;
+      continue;
     }
+    const int row = rows[at(part.row)];
+    sums.piece_of_part[p] = add_piece(sums, part.name, sums.pieces[at(row)].radius, row);
   }
-  for (std::size_t p = 0; p < c.bit.parts.size(); ++p)
-    if (const bit::Part& part = c.bit.parts[p]; part.cone >= 0 && part.row >= 0)
-      sums.piece_of_part[p] = first[at(part.cone)][at(part.row)];
 }
 
 }  // namespace
@@ -69,10 +103,10 @@ TdbdSums start_sums(const simulation::Case& c) {
   sums.series.step = c.time.step;
   sums.piece_of_part.assign(c.bit.parts.size(), -1);
   for (const bit::Cutter& cutter : c.bit.cutters)
-    sums.pieces.push_back({simulation::cutter_name(cutter), cutter.tip_radius});
+    add_piece(sums, simulation::cutter_name(cutter), cutter.tip_radius, -1);
   for (std::size_t p = 0; p < c.bit.parts.size(); ++p)
     sums.piece_of_part[p] = c.bit.parts[p].cutter;
-  start_rows(c, sums);
+  for (std::size_t k = 0; k < c.bit.cones.size(); ++k) start_cone(c, k, sums);
   return sums;
 }
 
@@ -84,20 +118,15 @@ void add_step(const simulation::Case& c, const simulation::Simulation& s, TdbdSu
   sums.lateral_B += force_B.head<2>();
   sums.side += force_B.head<2>().norm();
   sums.squares += s.state.place.X_WB.p.head<2>().squaredNorm();
-  double teeth = 0.0;
-  for (const CutOfPart& cut : s.work.cuts) {
-    add_cut(c, s, cut, sums);
-    if (cut.cut.kind == bit::PartKind::tooth) teeth += 1.0;
-  }
-  sums.teeth.push_back(teeth);
+  add_cuts(c, s, sums);
   add_backwards(c, s, sums);
 }
 
 std::vector<double> removed_by_piece(const TdbdSums& sums, const simulation::Simulation& s) {
   std::vector<double> removed(sums.pieces.size());
   for (std::size_t p = 0; p < sums.piece_of_part.size(); ++p)
-    if (const int piece = sums.piece_of_part[p]; piece >= 0)
-      removed[at(piece)] += s.state.ledger.removed_by_part[p].value();
+    for (int i = sums.piece_of_part[p]; i >= 0; i = sums.pieces[at(i)].whole)
+      removed[at(i)] += s.state.ledger.removed_by_part[p].value();
   return removed;
 }
 
@@ -112,10 +141,13 @@ void say_pieces(const simulation::Case& c, const TdbdSums& sums, const std::vect
     tell(PartQuantity::volume_per_revolution, volumes[i]);
     tell(PartQuantity::force_into_rock, piece.normal / steps);
     tell(PartQuantity::drag, piece.drag / steps);
-    if (c.bit.cones.empty())
+    if (c.bit.cones.empty()) {
       tell(PartQuantity::area, piece.area / steps);
-    else
-      tell(PartQuantity::teeth_in_contact, static_cast<double>(piece.contacts) / steps);
+      continue;
+    }
+    tell(PartQuantity::weight, piece.weight / steps);
+    tell(PartQuantity::largest_weight, piece.largest_weight);
+    tell(PartQuantity::teeth_in_contact, static_cast<double>(piece.contacts) / steps);
   }
 }
 

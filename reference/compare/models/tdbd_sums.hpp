@@ -8,19 +8,21 @@
 
 namespace tdbd::reference {
 
-/// What is reported together: a cutter with all its parts, or a row of teeth.
+/// What is reported together: a cutter with all its parts; or a tooth, a row of teeth, a cone.
 struct Piece {
   std::string name;
-  double radius = 0.0;              ///< m: of a cutter's tip, or of the ring that a row prints
-  double area = 0.0;                ///< m2, sum over steps
-  double normal = 0.0, drag = 0.0;  ///< N, sums over steps
-  long contacts = 0;                ///< teeth that touched rock, sum over steps
+  double radius = 0.0;  ///< m: of a cutter's tip, or of the ring that a row prints; 0: a cone
+  int whole = -1;       ///< the piece that contains it: a tooth's row, a row's cone; -1: none
+  double area = 0.0;    ///< m2, sum over steps
+  double normal = 0.0, drag = 0.0, weight = 0.0;  ///< N, sums over steps
+  double weight_now = 0.0, largest_weight = 0.0;  ///< N, of the last step and of all steps
+  long contacts = 0;                              ///< teeth that touched rock, sum over steps
 };
 
 /// Sums over the steps of a run that count.
 struct TdbdSums {
   std::vector<Piece> pieces;
-  std::vector<int> piece_of_part;  ///< -1: part of none
+  std::vector<int> piece_of_part;  ///< the smallest that contains the part; -1: part of none
   LoadSeries series;
   Eigen::Vector2d lateral_B = Eigen::Vector2d::Zero();  ///< N, sum of lateral forces, bit frame
   double side = 0.0;                                    ///< N, sum of their magnitudes

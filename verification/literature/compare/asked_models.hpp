@@ -47,17 +47,17 @@ inline std::string refusal(const CompareCase& c, const std::string& model, doubl
 
 inline double value(const Findings& f, Quantity q) { return saying(f, q).value.value(); }
 
-/// What it says of its parts, in their order.
-inline std::vector<double> of_parts(const Findings& f, PartQuantity q) {
+/// What it says of its parts of a level, in their order.
+inline std::vector<double> of_parts(const Findings& f, PartQuantity q, PartLevel level) {
   std::vector<double> values;
   for (const PartFinding& p : f.parts)
-    if (p.quantity == q) values.push_back(p.value);
+    if (p.quantity == q && level_of(p) == level) values.push_back(p.value);
   return values;
 }
 
-inline double sum_of_parts(const Findings& f, PartQuantity q) {
+inline double sum_of_parts(const Findings& f, PartQuantity q, PartLevel level) {
   double sum = 0.0;
-  for (const double v : of_parts(f, q)) sum += v;
+  for (const double v : of_parts(f, q, level)) sum += v;
   return sum;
 }
 

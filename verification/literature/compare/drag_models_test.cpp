@@ -41,8 +41,8 @@ void expect_run(const Findings& f, const PathRun& run) {
   EXPECT_NEAR(asked::value(f, Quantity::torque), run.tob, rounding * run.tob);
   EXPECT_EQ(asked::value(f, Quantity::removed_per_revolution), run.lowered);
   EXPECT_EQ(asked::value(f, Quantity::side_force), run.side);
-  EXPECT_EQ(asked::of_parts(f, PartQuantity::area), run.area);
-  EXPECT_EQ(asked::of_parts(f, PartQuantity::volume_per_revolution), run.volume);
+  EXPECT_EQ(asked::of_parts(f, PartQuantity::area, PartLevel::cutter), run.area);
+  EXPECT_EQ(asked::of_parts(f, PartQuantity::volume_per_revolution, PartLevel::cutter), run.volume);
   EXPECT_EQ(f.cost.steps, run.steps);
 }
 
@@ -61,7 +61,7 @@ TEST(DragModels, warren_and_sinor_say_what_their_plane_says) {
   EXPECT_EQ(asked::value(f, Quantity::removed_per_revolution), at.volume);
   EXPECT_EQ(asked::value(f, Quantity::rate_at_weight), under.rate(c.ours.motion.rotary_speed));
   EXPECT_EQ(asked::value(f, Quantity::torque_at_weight), under.torque);
-  const std::vector<double> drag = asked::of_parts(f, PartQuantity::drag);
+  const std::vector<double> drag = asked::of_parts(f, PartQuantity::drag, PartLevel::cutter);
   ASSERT_EQ(drag.size(), at.cutters.size());
   for (std::size_t i = 0; i < drag.size(); ++i) EXPECT_EQ(drag[i], at.cutters[i].force.cutting);
 }
@@ -94,7 +94,8 @@ TEST(DragModels, glowka_says_what_his_sharp_bit_says) {
   EXPECT_NEAR(asked::value(f, Quantity::rate_at_weight), advance * speed / (2 * std::numbers::pi),
               rounding * speed * advance);
   EXPECT_EQ(asked::value(f, Quantity::torque_at_weight), under.torque);
-  const std::vector<double> bends = asked::of_parts(f, PartQuantity::bending_moment);
+  const std::vector<double> bends =
+      asked::of_parts(f, PartQuantity::bending_moment, PartLevel::cutter);
   ASSERT_EQ(bends.size(), at.cutters.size());
   for (std::size_t i = 0; i < bends.size(); ++i)
     EXPECT_EQ(bends[i], at.cutters[i].moment_B.head<2>().norm());
@@ -103,8 +104,8 @@ TEST(DragModels, glowka_says_what_his_sharp_bit_says) {
 /// Flats of 2 m: the largest and the hottest are those of the cutters that it names.
 TEST(DragModels, glowka_names_his_largest_and_his_hottest_flat) {
   const Findings f = asked::ask(bit_b(), "glowka", weight);
-  const std::vector<double> flats = asked::of_parts(f, PartQuantity::wear_flat),
-                            warm = asked::of_parts(f, PartQuantity::temperature);
+  const std::vector<double> flats = asked::of_parts(f, PartQuantity::wear_flat, PartLevel::cutter),
+                            warm = asked::of_parts(f, PartQuantity::temperature, PartLevel::cutter);
   EXPECT_EQ(asked::value(f, Quantity::largest_wear_flat), *std::ranges::max_element(flats));
   EXPECT_EQ(asked::value(f, Quantity::hottest_flat), *std::ranges::max_element(warm));
   EXPECT_GT(asked::value(f, Quantity::largest_wear_flat), 0.0);
@@ -126,7 +127,7 @@ TEST(DragModels, behr_says_what_the_counted_steps_of_his_planes_say) {
   EXPECT_EQ(asked::value(f, Quantity::weight), noise_of(run.weight, 1).mean);
   EXPECT_EQ(asked::value(f, Quantity::torque), noise_of(run.torque, 1).mean);
   EXPECT_EQ(asked::value(f, Quantity::removed_per_revolution), run.removed());
-  const std::vector<double> areas = asked::of_parts(f, PartQuantity::area);
+  const std::vector<double> areas = asked::of_parts(f, PartQuantity::area, PartLevel::cutter);
   ASSERT_EQ(areas.size(), run.cutters.size());
   for (std::size_t i = 0; i < areas.size(); ++i) EXPECT_EQ(areas[i], run.mean_area(i));
 }
@@ -168,9 +169,12 @@ TEST(DragModels, name_cutters_that_add_up_to_the_bit) {
   for (const auto& [model, tolerance] : tolerances) {
     const Findings f = asked::ask(c, model, weight);
     const double removed = asked::value(f, Quantity::removed_per_revolution);
-    EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::area) / whole, 1.0, tolerance) << model;
-    EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::volume_per_revolution) / removed, 1.0,
-                rounding)
+    EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::area, PartLevel::cutter) / whole, 1.0,
+                tolerance)
+        << model;
+    EXPECT_NEAR(
+        asked::sum_of_parts(f, PartQuantity::volume_per_revolution, PartLevel::cutter) / removed,
+        1.0, rounding)
         << model;
   }
 }

@@ -19,6 +19,16 @@ TEST(Findings, names_of_quantities_are_all_different) {
   EXPECT_EQ(text_of(PartQuantity::teeth_in_contact).name, "teeth_in_contact");
 }
 
+TEST(Findings, levels_of_parts_are_read_from_their_names) {
+  const auto level = [](const char* name) {
+    return level_of({name, 0.0, PartQuantity::weight, 0.0});
+  };
+  EXPECT_EQ(level("cutter-12"), PartLevel::cutter);
+  EXPECT_EQ(level("cone-1"), PartLevel::cone);
+  EXPECT_EQ(level("cone-1/row-2"), PartLevel::row);
+  EXPECT_EQ(level("cone-1/row-2/tooth-3"), PartLevel::tooth);
+}
+
 TEST(Findings, a_number_that_is_not_finite_is_a_blank_with_its_reason) {
   Findings f;
   say(f, Quantity::weight, std::numeric_limits<double>::quiet_NaN());

@@ -57,7 +57,8 @@ TEST(RollerModels, sheppard_and_lesage_say_what_their_bands_say) {
   EXPECT_EQ(asked::value(f, Quantity::torque), at.torque);
   EXPECT_EQ(asked::value(f, Quantity::rate_at_weight), under.rate);
   EXPECT_EQ(asked::value(f, Quantity::torque_at_weight), under.torque);
-  const std::vector<double> ratios = asked::of_parts(f, PartQuantity::cone_speed_ratio);
+  const std::vector<double> ratios =
+      asked::of_parts(f, PartQuantity::cone_speed_ratio, PartLevel::cone);
   ASSERT_EQ(ratios.size(), at.cones.size());
   for (std::size_t k = 0; k < ratios.size(); ++k) EXPECT_EQ(ratios[k], at.cones[k].ratio);
 }
@@ -87,11 +88,8 @@ TEST(RollerModels, ma_and_azar_say_the_teeth_that_the_kinematics_put_into_a_flat
       contact_run(bit, {ratios, c.ours.motion.rotary_speed, c.advance, end, end - counted, 1e-3});
   EXPECT_NEAR(asked::value(f, Quantity::teeth_in_contact), run.mean, rounding);
   EXPECT_NEAR(asked::value(f, Quantity::teeth_in_contact_variance), run.variance, rounding);
-  double teeth = 0.0, rows = 0.0;
-  for (const PartFinding& p : f.parts)
-    (p.part.find("/tooth-") == std::string::npos ? rows : teeth) += p.value;
-  EXPECT_NEAR(teeth, run.mean, rounding);
-  EXPECT_NEAR(rows, run.mean, rounding);
+  for (const PartLevel level : {PartLevel::tooth, PartLevel::row, PartLevel::cone})
+    EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::teeth_in_contact, level), run.mean, rounding);
   constexpr double of_a_pitch = 1.5e-5;  // of the mean; seen: 6e-6
   const BitContact closed = bit_contact(bit, ratios, c.ours.motion.rotary_speed, c.advance);
   EXPECT_NEAR(asked::value(f, Quantity::teeth_in_contact) / closed.all.mean, 1.0, of_a_pitch);
@@ -108,12 +106,12 @@ TEST(RollerModels, answer_about_the_shipped_bit_r_with_its_skewed_journals) {
                            "huang-cawthorne-1", "huang-cawthorne-2", "sheppard-lesage"}) {
     const Findings f = asked::ask(c, name, weight);
     for (const PartFinding& p : f.parts)
-      EXPECT_TRUE(ours.contains(p.part) || p.part.find("/tooth-") != std::string::npos)
-          << name << ": " << p.part;
+      EXPECT_TRUE(ours.contains(p.part)) << name << ": " << p.part;
   }
   const Findings bands = asked::ask(c, "sheppard-lesage", weight);
   EXPECT_EQ(bands.notes.back(), "rows left out, whose teeth are on the journal's axis: 1");
-  EXPECT_EQ(asked::of_parts(bands, PartQuantity::volume_per_revolution).size(), 13u);
+  EXPECT_EQ(asked::of_parts(bands, PartQuantity::volume_per_revolution, PartLevel::row).size(),
+            13u);
 }
 
 /// Cohesion of a rock of 100 MPa without friction: half of it.
@@ -161,11 +159,14 @@ void expect_run(const Findings& f, const RollerRun& run, const RollerSchedule& s
   EXPECT_EQ(asked::value(f, Quantity::rate_at_weight), run.rate);
   EXPECT_EQ(asked::value(f, Quantity::torque_at_weight), run.torque);
   EXPECT_EQ(asked::value(f, Quantity::teeth_in_contact), run.contacts);
+  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::teeth_in_contact, PartLevel::tooth),
+              run.contacts, rounding * run.contacts);
   EXPECT_NEAR(asked::value(f, Quantity::cone_speed_ratio),
               -sum_of(run.cone_ratio) / static_cast<double>(run.cone_ratio.size()), rounding);
-  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::force_into_rock), sum_of(run.tooth_force),
-              rounding * weight);
-  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::volume_per_revolution) * schedule.revolutions,
+  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::force_into_rock, PartLevel::tooth),
+              sum_of(run.tooth_force), rounding * weight);
+  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::volume_per_revolution, PartLevel::tooth) *
+                  schedule.revolutions,
               sum_of(run.tooth_volume), rounding);
 }
 
@@ -208,10 +209,13 @@ void expect_rows_to_carry(const Findings& f) {
   constexpr double bounce =
       5e-3;  // of the weight, by which momentum changes in a revolution; seen: 2e-3
   const double carried = noise_of(f.series.weight, 1).mean;
-  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::force_into_rock), carried, rounding * weight);
+  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::force_into_rock, PartLevel::tooth), carried,
+              rounding * weight);
   EXPECT_NEAR(carried / weight, 1.0, bounce);
   const double removed = asked::value(f, Quantity::removed_per_revolution);
-  EXPECT_NEAR(asked::sum_of_parts(f, PartQuantity::volume_per_revolution) / removed, 1.0, rounding);
+  EXPECT_NEAR(
+      asked::sum_of_parts(f, PartQuantity::volume_per_revolution, PartLevel::tooth) / removed, 1.0,
+      rounding);
 }
 
 /// Flat rock under a soft spring, and a bit that turns evenly, as the comparison sets them up.
@@ -243,7 +247,7 @@ TEST(RollerModels, hanson_and_hansen_say_what_their_cones_say) {
   for (long i = 0; i < counted; ++i) advance(m);
   EXPECT_EQ(f.cost.steps, before + counted);
   EXPECT_EQ(asked::value(f, Quantity::rate_at_weight), (m.state[2] - from[2]) / (m.step * counted));
-  EXPECT_EQ(asked::of_parts(f, PartQuantity::cone_speed_ratio).front(),
+  EXPECT_EQ(asked::of_parts(f, PartQuantity::cone_speed_ratio, PartLevel::cone).front(),
             (from[bit_unknowns] - m.state[bit_unknowns]) / (m.state[6] - from[6]));
   EXPECT_NEAR(asked::value(f, Quantity::removed_per_revolution), m.removed - removed,
               rounding * m.removed);

@@ -75,10 +75,12 @@ struct RollerSeries {
 /// Everything of a run; means are taken after `settle`.
 struct RollerRun {
   RollerSeries series;
-  std::vector<double> tooth_force;   ///< N, mean of each tooth over all time
-  std::vector<double> tooth_volume;  ///< m3 that each tooth dug
-  std::vector<double> cone_ratio;    ///< mean cone speed over bit speed (negative: rolling)
-  double rate = 0.0;                 ///< m/s
+  std::vector<double> tooth_force;     ///< N, mean of each tooth over all time
+  std::vector<double> tooth_largest;   ///< N, largest force of each tooth in a step after `settle`
+  std::vector<double> tooth_contacts;  ///< share of the time that each tooth is in the rock
+  std::vector<double> tooth_volume;    ///< m3 that each tooth dug
+  std::vector<double> cone_ratio;      ///< mean cone speed over bit speed (negative: rolling)
+  double rate = 0.0;                   ///< m/s
   double weight = 0.0, weight_deviation = 0.0;     ///< N
   double torque = 0.0, torque_deviation = 0.0;     ///< N m
   double contacts = 0.0, contacts_variance = 0.0;  ///< teeth

@@ -130,7 +130,8 @@ RollerRun empty_run(const RollerBit& bit, const RollerSchedule& schedule,
                     const CraterDrillingOptions& options) {
   RollerRun run;
   const std::size_t teeth = teeth_of(bit), steps = static_cast<std::size_t>(steps_of(schedule));
-  run.tooth_force.assign(teeth, 0.0);
+  for (std::vector<double>* values : {&run.tooth_force, &run.tooth_largest, &run.tooth_contacts})
+    values->assign(teeth, 0.0);
   run.tooth_volume.assign(teeth, 0.0);
   run.cone_ratio.assign(bit.cones.size(), 0.0);
   RollerSeries& s = run.series;
@@ -160,6 +161,8 @@ void add_step(RollerRun& run, const StepPlace& place, const RollerLoads& loads,
     ++contacts;
     if (!measured) continue;
     run.tooth_force[i] += forces[i];
+    run.tooth_largest[i] = std::max(run.tooth_largest[i], forces[i]);
+    run.tooth_contacts[i] += 1.0;
     s.forces_in_contact.push_back(forces[i]);
   }
   s.time.push_back(place.time);
@@ -187,6 +190,7 @@ void take_means(RollerRun& run, const RollerSchedule& schedule) {
   run.contacts = contacts.mean;
   run.contacts_variance = contacts.variance;
   for (double& force : run.tooth_force) force /= measured;
+  for (double& steps : run.tooth_contacts) steps /= measured;
   const std::size_t cones = run.cone_ratio.size();
   for (std::size_t i = first; i <= last; ++i)
     for (std::size_t k = 0; k < cones; ++k)

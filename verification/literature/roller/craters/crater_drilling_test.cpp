@@ -90,6 +90,10 @@ TEST(CraterDrilling, takes_its_means_after_the_bit_has_settled) {
   EXPECT_NEAR(std::accumulate(r.tooth_volume.begin(), r.tooth_volume.end(), 0.0), r.volumes.dug,
               1e-12 * r.volumes.dug);
   EXPECT_NEAR(static_cast<double>(r.series.forces_in_contact.size()) / 1000.0, r.contacts, 1e-9);
+  EXPECT_NEAR(std::accumulate(r.tooth_contacts.begin(), r.tooth_contacts.end(), 0.0), r.contacts,
+              1e-12 * r.contacts);
+  EXPECT_EQ(*std::ranges::max_element(r.tooth_largest),
+            *std::ranges::max_element(r.series.forces_in_contact));
 }
 
 /// A table's last row is its end: the force stays, and each step of each tooth beyond it is counted.
