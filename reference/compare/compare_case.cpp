@@ -88,6 +88,33 @@ std::optional<DragRock> rock_of(const simulation::ForcePlan& forces) {
   return DragRock{law->eps, law->zeta, law->sigma, law->mu};
 }
 
+/// Chamfers may have a law of their own; sharp they are under any other.
+std::optional<EdgeCoefficients> edges_of(const simulation::ForcePlan& forces) {
+  using forces::HansonHansen;
+  const auto law_of = [&](bit::PartKind kind) {
+    return std::get_if<HansonHansen>(&simulation::law_of(forces, kind));
+  };
+  const HansonHansen* face = law_of(bit::PartKind::face);
+  if (face == nullptr || forces.rock.strengths.size() != 1) return std::nullopt;
+  const forces::Strength& s = forces.rock.strengths.front();
+  EdgeCoefficients c;
+  c.strength = s.unconfined + face->pressure_share * (s.confined - s.unconfined);
+  c.A1 = face->A1, c.A2 = face->A2, c.A3 = face->A3, c.A4 = face->A4, c.te = face->te;
+  const HansonHansen* chamfer = law_of(bit::PartKind::chamfer);
+  c.A5 = chamfer ? chamfer->A5 : 0.0;
+  c.A6 = chamfer ? chamfer->A6 : 0.0;
+  c.A7 = face->A7, c.A8 = face->A8;
+  return c;
+}
+
+/// None without a tangential force: a ratio to it would not be known.
+std::optional<DragRock> tips_of(const simulation::ForcePlan& forces) {
+  const auto* law =
+      std::get_if<forces::DepthOfCut>(&simulation::law_of(forces, bit::PartKind::face));
+  if (law == nullptr || !(law->kt > 0.0)) return std::nullopt;
+  return DragRock{law->kt, law->kn / law->kt, 0.0, 0.0};
+}
+
 /// Where the file gives what only all of it shows to be wrong.
 struct Places {
   std::string motion, forces, counted, circle, weight;
@@ -149,6 +176,8 @@ CompareCase read_compare_case(const std::string& path, const std::vector<std::st
   const simulation::Motion& m = c.ours.motion;
   c.advance = m.rotary_speed > 0.0 ? m.rate_of_penetration * full_circle / m.rotary_speed : 0.0;
   c.rock = rock_of(c.ours.forces);
+  c.edges = edges_of(c.ours.forces);
+  c.tips = tips_of(c.ours.forces);
   c.resolved = c.ours.resolved;
   check(places, c);
   if (is_free(c) && m.driven.top.axial == dynamics::AxialMode::load)

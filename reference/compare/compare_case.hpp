@@ -6,6 +6,7 @@
 
 #include "reference/literature/drag/drag_rock.hpp"
 #include "reference/literature/drag/plane/planar_outline.hpp"
+#include "reference/literature/drag/spokes/hanson_hansen_law.hpp"
 #include "simulation/case/case.hpp"
 
 namespace tdbd::reference {
@@ -54,9 +55,12 @@ struct CompareOptions {
 struct CompareCase {
   simulation::Case ours;
   CompareOptions options;
-  std::optional<DragRock> rock;  ///< none: the faces' law is not linear in the area
-  double advance = 0.0;          ///< m a revolution; of a bit on a string: at its start
-  std::string resolved;          ///< TOML
+  /// The law of the faces as models of drag bits know it; none: they have another.
+  std::optional<DragRock> rock;           ///< "detournay": linear in the area
+  std::optional<EdgeCoefficients> edges;  ///< "hanson-hansen", in rock of one strength
+  std::optional<DragRock> tips;           ///< "depth-of-cut": linear in width times depth
+  double advance = 0.0;                   ///< m a revolution; of a bit on a string: at its start
+  std::string resolved;                   ///< TOML
 };
 
 /// Reads and checks everything, runs nothing. The motion is steady or whirl: prescribed, with a

@@ -28,6 +28,7 @@ struct Model {
   Knows knows = Knows::both;
   Findings (*answer)(const Question&) = nullptr;
   Findings (*free)(const Question&) = nullptr;  ///< of a bit on a string; none: its motion is input
+  std::string_view own_law = {};                ///< of faces, which it knows beside "detournay"
 };
 
 /// All models: ours first, which gives the others their weight, then those of drag bits.

@@ -16,9 +16,9 @@ constexpr std::array all_models{
     Model{"behr", "Behr et al.", "[6]", Knows::drag_bits, answer_of_behr},
     Model{"glowka", "Glowka", "[28], [29], [30]", Knows::drag_bits, answer_of_glowka},
     Model{"langeveld", "Langeveld", "[49], [50]", Knows::drag_bits, answer_of_langeveld,
-          answer_of_free_langeveld},
+          answer_of_free_langeveld, "depth-of-cut"},
     Model{"hanson-hansen", "Hanson and Hansen", "[33], [20]", Knows::both, answer_of_hanson_hansen,
-          answer_of_free_hanson_hansen},
+          answer_of_free_hanson_hansen, "hanson-hansen"},
     Model{"briggs", "Briggs", "[13], [14]", Knows::roller_bits, answer_of_briggs},
     Model{"winters", "Winters, Warren and Onyia", "[77]", Knows::roller_bits, answer_of_winters},
     Model{"ma-azar", "Ma and Azar", "[56], [54]", Knows::roller_bits, answer_of_ma_azar},
@@ -35,6 +35,22 @@ const Model* find(const std::string& name) {
   const auto found = std::find_if(all_models.begin(), all_models.end(),
                                   [&](const Model& m) { return m.name == name; });
   return found == all_models.end() ? nullptr : &*found;
+}
+
+/// Whether the model knows the law of the case's faces.
+bool knows_faces(const Model& model, const CompareCase& c) {
+  if (c.rock) return true;
+  if (model.own_law == "hanson-hansen") return c.edges.has_value();
+  return model.own_law == "depth-of-cut" && c.tips.has_value();
+}
+
+/// What it needs of faces, and of the rock where its own law needs it.
+std::string needed_law(const Model& model) {
+  std::string text = "forces.law = \"detournay\"";
+  if (!model.own_law.empty()) text += fmt::format(" or \"{}\"", model.own_law);
+  if (model.own_law == "hanson-hansen") text += " in rock of one strength";
+  if (model.own_law == "depth-of-cut") text += " with kt above 0";
+  return text;
 }
 
 std::string names_of_all() {
@@ -55,10 +71,9 @@ std::string why_not(const Model& model, const CompareCase& c) {
     return fmt::format("{}: found a bit without cutters, needs a table of cutters", model.title);
   if (is_earlier && c.ours.motion.tilt.angle > 0.0)
     return fmt::format("{}: found a bit that leans, needs an upright one", model.title);
-  if (is_earlier && !cones && model.knows != Knows::roller_bits && !c.rock)
-    return fmt::format(
-        "{}: found faces whose law is not linear in the area, needs forces.law = \"detournay\"",
-        model.title);
+  if (is_earlier && !cones && model.knows != Knows::roller_bits && !knows_faces(model, c))
+    return fmt::format("{}: found faces under a law that it does not know, needs {}", model.title,
+                       needed_law(model));
   if (is_free(c) && model.free == nullptr)
     return fmt::format("{}: found motion.kind = \"drilling\", needs a bit whose motion is given",
                        model.title);

@@ -24,6 +24,8 @@ inline constexpr const char* no_spokes = "no spokes: every cutter is felt in eve
 inline constexpr const char* no_wear = "it has no law of wear";
 inline constexpr const char* given_rate =
     "it is led at a given rate here; its equations of motion find the rate of a weight";
+inline constexpr const char* law_of_tips =
+    "its forces are width times depth of tips that share the radius; those of TDBD act on the area";
 inline constexpr const char* no_cutters = "the bit has no cutters";
 inline constexpr const char* no_weight =
     "no reference weight: neither compare.weight_on_bit nor a model that finds one";

@@ -33,7 +33,7 @@ HansonHansenPdc hanson_hansen_model(const CompareCase& c, const FreeString& s) {
   const dynamics::Wall& wall = c.ours.drilling.system.wall;
   HansonHansenSetup setup;
   setup.system = hanson_hansen_system(c, s);
-  setup.rock.shared = *c.rock;
+  setup.rock = hanson_hansen_rock(c);
   setup.spring = {wall.stiffness, wall.restitution};
   setup.layout = {c.options.spokes, c.options.spoke_spacing};
   setup.step = c.ours.time.step;

@@ -24,7 +24,11 @@ LangeveldSystem langeveld_system(const CompareCase& c, const FreeString& s) {
   l.rate = s.rate, l.speed = s.speed;
   l.top_z = s.top_z, l.top_angle = s.top_angle;
   l.wall.stiffness = c.ours.drilling.system.wall.stiffness;
-  l.rock = *c.rock;
+  l.rock = c.tips ? *c.tips : *c.rock;
+  if (c.tips) {
+    l.law = LangeveldLaw::tip;
+    l.widths = tip_widths(spoke_cutters(c.ours.bit.cutters, "Langeveld"));
+  }
   l.step = c.ours.time.step;
   return l;
 }
@@ -82,6 +86,7 @@ Findings answer_of_free_langeveld(const Question& q) {
       2.0 * std::numbers::pi * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = BottomCircle{c.options.circle, depth_on_circle(m.rock.bottom, c.options.circle)};
   f.notes.push_back(left_out(c, StringTerms::springs));
+  if (c.tips) f.notes.emplace_back(law_of_tips);
   say_free_blanks(f);
   return f;
 }

@@ -16,8 +16,7 @@ Findings answer_of_hanson_hansen(const Question& q) {
   const CompareCase& c = q.asked;
   if (!c.ours.bit.cones.empty()) return answer_of_hanson_hansen_cones(q);
   const std::vector<SpokeCutter> cutters = spoke_cutters(c.ours.bit.cutters, "Hanson and Hansen");
-  HansonHansenRock law;
-  law.shared = *c.rock;
+  const HansonHansenRock law = hanson_hansen_rock(c);
   PathOptions options;
   options.step = c.ours.time.step;
   options.duration = options.step * static_cast<double>(c.ours.time.steps);

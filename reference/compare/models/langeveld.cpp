@@ -18,9 +18,14 @@ LangeveldRock rock_around(const CompareCase& c, const std::vector<SpokeCutter>& 
 }
 
 /// A rim goes into the wall only in whirl.
-CountedRock counted_rock(const CompareCase& c) {
-  return c.ours.motion.kind == simulation::MotionKind::whirl ? CountedRock::within_rim
-                                                             : CountedRock::all_above;
+LangeveldContact contact_of(const CompareCase& c, const std::vector<SpokeCutter>& cutters) {
+  LangeveldContact contact;
+  if (c.ours.motion.kind == simulation::MotionKind::whirl)
+    contact.counted = CountedRock::within_rim;
+  if (!c.tips) return contact;
+  contact.law = LangeveldLaw::tip;
+  contact.widths = tip_widths(cutters);
+  return contact;
 }
 
 }  // namespace
@@ -33,12 +38,14 @@ Findings answer_of_langeveld(const Question& q) {
   options.step = c.ours.time.step;
   options.duration = options.step * static_cast<double>(c.ours.time.steps);
   options.counted = options.step * static_cast<double>(counted_steps(c));
-  const PathRun run = langeveld_path(cutters, *c.rock, rock, path_of(c), options, counted_rock(c));
+  const PathRun run = langeveld_path(cutters, c.tips ? *c.tips : *c.rock, rock, path_of(c), options,
+                                     contact_of(c, cutters));
   Findings f;
   say_led_run(c, run, f);
   say(f, Quantity::resolution_at_gage,
       2.0 * std::numbers::pi * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = BottomCircle{c.options.circle, depth_on_circle(rock.bottom, c.options.circle)};
+  if (c.tips) f.notes.emplace_back(law_of_tips);
   cannot_say(f, of_weight, given_rate);
   cannot_say(f, flats, no_wear);
   cannot_say(f, of_cones, no_cones);

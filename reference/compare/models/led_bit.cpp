@@ -19,6 +19,14 @@ double spoke_reach(const CompareCase& c) {
   return c.ours.bit.gage_radius + c.ours.motion.whirl.radius + margin;
 }
 
+HansonHansenRock hanson_hansen_rock(const CompareCase& c) {
+  HansonHansenRock rock;
+  rock.law = c.edges ? HansonHansenLaw::edges : HansonHansenLaw::area;
+  if (c.edges) rock.edges = *c.edges;
+  if (c.rock) rock.shared = *c.rock;
+  return rock;
+}
+
 CutterNumbers forces_of(const bit::Cutter& cutter, const Vec3& force_B) {
   const Vec3 forward(-std::sin(cutter.azimuth), std::cos(cutter.azimuth), 0.0);
   return {0.0, 0.0, -force_B.dot(bit::profile_normal_B(cutter)), -force_B.dot(forward)};

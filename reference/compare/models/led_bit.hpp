@@ -13,6 +13,9 @@ BitPath path_of(const CompareCase& c);
 /// Radius that spokes must reach, m: the bit's own and that of its whirl, and a little more.
 double spoke_reach(const CompareCase& c);
 
+/// The first kind of force model of Hanson and Hansen under the shared law, the second under its own.
+HansonHansenRock hanson_hansen_rock(const CompareCase& c);
+
 /// Numbers about one cutter, in the order of the case's cutters.
 struct CutterNumbers {
   double area = 0.0, volume = 0.0, normal = 0.0, drag = 0.0;

@@ -10,8 +10,9 @@ namespace tdbd::forces {
 
 /// Force by width and depth of cut, as in the model of Langeveld (1992), forces (8):
 ///   Ft = kt De depth,  Fn = kn De depth
-/// RECONSTRUCTED: its description says "very simple" and no more. For a square-ended cutter De
-/// depth is the cut area; for a round one it is more. Thesis: 2.1 (the earlier models).
+/// RECONSTRUCTED: its description says "very simple" and no more. The depth of PartCut is the mean
+/// thickness, so that De depth is the cut area; the model of Langeveld in reference/literature takes
+/// the depth of the tip. Thesis: 2.1 (the earlier models).
 struct DepthOfCut {
   double kn = 0.0;                       ///< Pa, normal force per width and depth
   double kt = 0.0;                       ///< Pa, tangential force per width and depth

@@ -12,16 +12,6 @@ namespace {
 
 BitPlace langeveld_place(const LangeveldState& y) { return {Vec3(y[0], y[1], y[2]), y[3]}; }
 
-/// Depth of the rock at a radius of a spoke, by the nearest node; beyond the spoke's end nothing is known and nothing
-/// is cut.
-double tip_depth(const LangeveldRock& rock, int spoke, double radius, double z) {
-  const auto node = static_cast<int>(radius / rock.bottom.node_spacing());
-  if (node >= rock.bottom.nodes) return 0.0;
-  const auto i =
-      static_cast<std::size_t>(spoke) * static_cast<std::size_t>(rock.bottom.nodes) + at(node);
-  return std::max(0.0, z - rock.bottom.depth[i]);
-}
-
 CrossingCut felt(const Langeveld& m, std::size_t i, const PlacedCutter& c, int spoke) {
   if (m.system.law == LangeveldLaw::outline)
     return rim_in_rock(m.rock, spoke, c.rim, m.system.counted);
@@ -34,10 +24,7 @@ void check_system(const Langeveld& m) {
   if (!(s.mass > 0.0 && s.inertia > 0.0 && s.step > 0.0))
     throw InputError(
         "Langeveld: found a mass, inertia or step that is not above 0; needs all three");
-  if (s.law == LangeveldLaw::tip && s.widths.size() != m.cutters.size())
-    throw InputError("Langeveld: found " + std::to_string(s.widths.size()) +
-                     " widths of cutters; the law of tips needs one for each of " +
-                     std::to_string(m.cutters.size()));
+  if (s.law == LangeveldLaw::tip) require_widths(s.widths.size(), m.cutters.size());
 }
 
 /// Accelerations of the string's equations under a load.
@@ -54,25 +41,6 @@ void string_rates(const LangeveldSystem& s, double t, const LangeveldState& y,
 }
 
 }  // namespace
-
-std::vector<double> tip_widths(const std::vector<SpokeCutter>& cutters) {
-  constexpr double same = 1e-6;  // m
-  std::vector<double> radii, distinct, widths;
-  for (const SpokeCutter& c : cutters) radii.push_back(std::hypot(c.tip_B.x(), c.tip_B.y()));
-  distinct = radii;
-  std::ranges::sort(distinct);
-  distinct.erase(std::unique(distinct.begin(), distinct.end(),
-                             [](double a, double b) { return b - a < same; }),
-                 distinct.end());
-  for (const double r : radii) {
-    const auto next = std::ranges::upper_bound(distinct, r + same);
-    const auto own = next - 1;
-    const double lo = own == distinct.begin() ? 0.0 : (*own + *(own - 1)) / 2.0,
-                 hi = next == distinct.end() ? *own : (*own + *next) / 2.0;
-    widths.push_back(hi - lo);
-  }
-  return widths;
-}
 
 void langeveld_load(const Langeveld& m, const LangeveldState& y, LangeveldLoad& load) {
   const BitPlace place = langeveld_place(y);

@@ -15,10 +15,6 @@ namespace tdbd::reference {
 ///
 /// The viscous c is ours; 0 is Langeveld's string. The rock stands still during a step; what the step's motion crosses
 /// is cut after it. So the coupled motion is of first order in the step.
-enum class LangeveldLaw {
-  tip,     ///< width times the depth of the tip under the spoke ahead
-  outline  ///< area of the rim under the spoke ahead
-};
 enum class LateralMotion { locked, free };
 
 struct LangeveldSystem {
@@ -69,9 +65,5 @@ void advance(Langeveld& model);
 
 /// Rock and wall on the bit in a state, the rock as it stands. The load's arrays are reused.
 void langeveld_load(const Langeveld& model, const LangeveldState& state, LangeveldLoad& load);
-
-/// Widths that make tips share the radius: from half way to the next smaller radius of a tip to half way to the next
-/// larger. Cutters at one radius have the same width and share the depth.
-std::vector<double> tip_widths(const std::vector<SpokeCutter>& cutters);
 
 }  // namespace tdbd::reference

@@ -4,9 +4,33 @@
 
 namespace tdbd::reference {
 
+/// Langeveld's very simple law of the depth of cut (thesis: 2.1), reconstructed in two ways.
+enum class LangeveldLaw {
+  tip,     ///< width times the depth of the tip in the spoke's rock; acts at the tip
+  outline  ///< area of the rim in the spoke's rock; acts at its middle
+};
+
+/// What a led bit's cutters feel in a spoke.
+struct LangeveldContact {
+  CountedRock counted = CountedRock::all_above;
+  LangeveldLaw law = LangeveldLaw::outline;
+  std::vector<double> widths = {};  ///< m, of each cutter, for LangeveldLaw::tip
+};
+
+/// Widths that make tips share the radius: from half way to the next smaller radius of a tip to half way to the next
+/// larger. Cutters at one radius have the same width and share the depth.
+std::vector<double> tip_widths(const std::vector<SpokeCutter>& cutters);
+
+/// Throws InputError where cutters have no width each.
+void require_widths(std::size_t found, std::size_t cutters);
+
+/// Depth of a tip (z, m) below the rock at a radius of a spoke, on the line through the last two nodes that are not beyond
+/// it: the next may be in the wall. Beyond the spoke's end nothing is known and nothing is cut.
+double tip_depth(const LangeveldRock& rock, int spoke, double radius, double z);
+
 /// Langeveld's bit (thesis: 2.1) led on a path: lateral motion locked or prescribed. SEEN in the
-/// thesis: 120 spokes of 500 points. Reconstructed: the forces, by the area of the cutter's rim in the
-/// rock of the spoke that its tip crosses. Throws InputError ("Langeveld: ...").
+/// thesis: 120 spokes of 500 points. Reconstructed: the forces, of the spoke that the cutter's tip crosses.
+/// Throws InputError ("Langeveld: ...").
 struct LangeveldLayout {
   int spokes = 120, nodes = 500;
   CountedRock counted = CountedRock::all_above;
@@ -26,6 +50,6 @@ PathRun langeveld_steady(const std::vector<bit::Cutter>& cutters, const DragRock
 /// The same on any path through given rock, which it cuts.
 PathRun langeveld_path(const std::vector<SpokeCutter>& cutters, const DragRock& rock,
                        LangeveldRock& bottom, const BitPath& path, const PathOptions& options,
-                       CountedRock counted = CountedRock::all_above);
+                       const LangeveldContact& contact = {});
 
 }  // namespace tdbd::reference

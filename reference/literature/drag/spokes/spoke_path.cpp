@@ -27,10 +27,9 @@ double middle(const CrossingCut& cut, const PlacedCutter& c) {
   return cut.area > 0.0 ? cut.moment / cut.area : c.radius;
 }
 
-/// A load in the bit's frame for so long (s): it acts at the middle of the area, on the spoke of the tip.
-SpokeLoad load_of(const CrossingCut& cut, const PlacedCutter& c, const BitPlace& place,
-                  const Vec3& force_W, double time) {
-  const double r = middle(cut, c);
+/// A load in the bit's frame for so long (s): it acts at this radius, on the spoke of the tip.
+SpokeLoad load_of(double r, const PlacedCutter& c, const BitPlace& place, const Vec3& force_W,
+                  double time) {
   const double x = c.cosine * r - place.p_WB.x(), y = c.sine * r - place.p_WB.y();
   return {back_turned(force_W, place), x * force_W.y() - y * force_W.x(), time};
 }
@@ -121,7 +120,8 @@ void pass(PathFollower& f, const SpokeCrossing& x) {
   const Passage way = passage(c, v_W, f.model.spokes);
   const Vec3 force_W = way.across * f.model.force(x.cutter, cut, turned(place, cutter.normal_B),
                                                   turned(place, cutter.face_B), v_W);
-  cross(f.loads, x.cutter, x.share * f.loads.step, load_of(cut, c, place, force_W, way.time));
+  const double r = f.model.acts == ForceAt::tip ? c.radius : middle(cut, c);
+  cross(f.loads, x.cutter, x.share * f.loads.step, load_of(r, c, place, force_W, way.time));
   if (f.counts) count(f, x, cut, middle(cut, c));
 }
 

@@ -15,6 +15,7 @@ struct CrossingCut {
   double lowered = 0.0;  ///< m2, by which the spoke's rock shrinks; more than the area if the
                          ///< surface cannot hang over
   double edge = 0.0;     ///< m, of the rim's lower branch in rock, where the model needs it
+  double depth = 0.0;    ///< m, of the tip below the rock, where the model needs it
 };
 
 /// How a bit is led through its spokes. The path is followed straight between the ends of a step,
@@ -44,6 +45,9 @@ struct PathRun {
   long steps = 0, crossings = 0;
 };
 
+/// Where on its spoke the force of a cut acts: at the middle of the area, or at the cutter's tip.
+enum class ForceAt { middle_of_area, tip };
+
 /// What a path run asks of a model: the rock's cut at a crossing, and the force of a cut on the bit.
 struct PathModel {
   int spokes = 0;
@@ -53,6 +57,7 @@ struct PathModel {
   std::function<Vec3(std::size_t cutter, const CrossingCut& cut, const Vec3& normal_W,
                      const Vec3& face_W, const Vec3& v_W)>
       force;
+  ForceAt acts = ForceAt::middle_of_area;
 };
 
 /// Even drilling that a model on spokes is asked for.

@@ -92,7 +92,7 @@ TEST(LangeveldPath, sees_cutters_go_backwards_in_whirl) {
   LangeveldRock rock = fitting_rock(rims, 0.0, -0.06, 72, 500, 115e-3);
   const PathRun run =
       langeveld_path(rims, rock_k, rock, whirl_path({reach, 1.5e-3, turn_rate}, advance),
-                     {1.0, 2e-5}, CountedRock::within_rim);
+                     {1.0, 2e-5}, {CountedRock::within_rim});
   EXPECT_NEAR(run.backwards, 0.236, 0.005);  // seen: 0.2348
   EXPECT_GT(run.lowered, 0.9 * pi * reach * reach * advance);
   EXPECT_LT(run.lowered, 1.1 * pi * reach * reach * advance);
