@@ -77,9 +77,6 @@ std::string why_not(const Model& model, const CompareCase& c) {
   if (is_free(c) && model.free == nullptr)
     return fmt::format("{}: found motion.kind = \"drilling\", needs a bit whose motion is given",
                        model.title);
-  if (is_free(c) && is_earlier && cones)
-    return fmt::format(
-        "{}: found a roller cone bit on a string, needs a given motion for its cones", model.title);
   if (model.knows == Knows::roller_bits && !cones)
     return fmt::format("{}: found a bit without cones, needs a roller cone bit", model.title);
   return {};

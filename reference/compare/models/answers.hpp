@@ -9,6 +9,7 @@ Findings answer_of_tdbd(const Question& q);
 /// Bits on strings, where a model has equations of motion.
 Findings answer_of_free_langeveld(const Question& q);
 Findings answer_of_free_hanson_hansen(const Question& q);
+Findings answer_of_free_hanson_hansen_cones(const Question& q);  ///< of bits with cones
 
 Findings answer_of_warren_sinor(const Question& q);
 Findings answer_of_behr(const Question& q);

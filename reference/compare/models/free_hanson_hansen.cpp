@@ -16,18 +16,6 @@ namespace {
 constexpr int free_depth_nodes = 2000;  // where the deepest of several z is read off
 constexpr double spare_depth = 50e-3;   // m, beyond what the start's rate would drill
 
-DrillStringAndRock hanson_hansen_system(const CompareCase& c, const FreeString& s) {
-  DrillStringAndRock d;
-  d.mass = s.mass, d.inertia = s.inertia;
-  d.damping = Vec3(s.lateral_damping, s.lateral_damping, s.axial_damping).asDiagonal();
-  d.stiffness = Vec3(s.lateral_stiffness, s.lateral_stiffness, s.axial_stiffness).asDiagonal();
-  d.turn_damping = s.twist_damping, d.turn_stiffness = s.twist_stiffness;
-  d.rate = s.rate, d.speed = s.speed;
-  const dynamics::RockMount& rock = c.ours.drilling.system.rock;
-  d.rock_mass = rock.mass, d.rock_stiffness = rock.stiffness, d.rock_damping = rock.damping;
-  return d;
-}
-
 /// The setup leads no bit here: it starts as the case says, with the string's top where the case has it.
 HansonHansenPdc hanson_hansen_model(const CompareCase& c, const FreeString& s) {
   const dynamics::Wall& wall = c.ours.drilling.system.wall;
@@ -72,6 +60,7 @@ FreeModel running(HansonHansenPdc& m) {
 
 Findings answer_of_free_hanson_hansen(const Question& q) {
   const CompareCase& c = q.asked;
+  if (!c.ours.bit.cones.empty()) return answer_of_free_hanson_hansen_cones(q);
   constexpr StringTerms terms = StringTerms::springs_and_dampers;
   HansonHansenPdc m = hanson_hansen_model(c, free_string(c, terms, "Hanson and Hansen"));
   Findings f;

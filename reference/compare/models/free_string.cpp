@@ -16,7 +16,7 @@ constexpr double soft = 1e3;  // m that a spring in place of a load is stretched
 bool is_constant(const dynamics::Schedule& s) { return s.values.size() <= 1; }
 
 /// What all such models need of the case.
-void check_string(const CompareCase& c, const std::string& model) {
+void check_string(const CompareCase& c, const std::string& model, StartRock rock) {
   const DrillingSystem& s = c.ours.drilling.system;
   const auto refuse = [&](const char* found, const char* needs) {
     throw InputError(fmt::format("{}: found {}, needs {}", model, found, needs));
@@ -25,7 +25,7 @@ void check_string(const CompareCase& c, const std::string& model) {
     refuse("a top whose speed, rate or load changes", "one that keeps them");
   if (c.ours.motion.start_W.head<2>().norm() > 0.0)
     refuse("motion.start beside the hole's axis", "a bit that starts on it");
-  if (c.ours.rock.shape != simulation::RockShape::conforming)
+  if (rock == StartRock::fits_bit && c.ours.rock.shape != simulation::RockShape::conforming)
     refuse("a rock that does not fit the bit", "rock.shape = \"conforming\"");
   if (!(s.string.turn_stiffness(2, 2) > 0.0))
     refuse("string.torsional_stiffness = 0", "a spring that turns the bit");
@@ -61,8 +61,9 @@ void set_twist(const CompareCase& c, FreeString& f) {
 
 }  // namespace
 
-FreeString free_string(const CompareCase& c, StringTerms terms, const std::string& model) {
-  check_string(c, model);
+FreeString free_string(const CompareCase& c, StringTerms terms, const std::string& model,
+                       StartRock rock) {
+  check_string(c, model, rock);
   const DrillingSystem& s = c.ours.drilling.system;
   FreeString f;
   f.mass = s.mass;
@@ -78,6 +79,18 @@ FreeString free_string(const CompareCase& c, StringTerms terms, const std::strin
   set_axial(c, f);
   set_twist(c, f);
   return f;
+}
+
+DrillStringAndRock hanson_hansen_system(const CompareCase& c, const FreeString& s) {
+  DrillStringAndRock d;
+  d.mass = s.mass, d.inertia = s.inertia;
+  d.damping = Vec3(s.lateral_damping, s.lateral_damping, s.axial_damping).asDiagonal();
+  d.stiffness = Vec3(s.lateral_stiffness, s.lateral_stiffness, s.axial_stiffness).asDiagonal();
+  d.turn_damping = s.twist_damping, d.turn_stiffness = s.twist_stiffness;
+  d.rate = s.rate, d.speed = s.speed;
+  const dynamics::RockMount& rock = c.ours.drilling.system.rock;
+  d.rock_mass = rock.mass, d.rock_stiffness = rock.stiffness, d.rock_damping = rock.damping;
+  return d;
 }
 
 std::string left_out(const CompareCase& c, StringTerms terms) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "reference/compare/compare_case.hpp"
+#include "reference/literature/drag/spokes/hanson_hansen.hpp"
 
 namespace tdbd::reference {
 
@@ -20,9 +21,16 @@ struct FreeString {
 /// What a model has a place for in its equations; the rest is left out, and told.
 enum class StringTerms { springs, springs_and_dampers };
 
+/// The rock in which a model can start: only one that fits the bit, or its own, whatever the case has.
+enum class StartRock { fits_bit, own };
+
 /// Throws InputError, which begins with the model's name. A load of the top becomes a spring so soft that its force
 /// changes by 1e-5 of itself in a centimetre.
-FreeString free_string(const CompareCase& c, StringTerms terms, const std::string& model);
+FreeString free_string(const CompareCase& c, StringTerms terms, const std::string& model,
+                       StartRock rock = StartRock::fits_bit);
+
+/// The same as terms of eqs. (2.1) to (2.3), with the case's rock on its spring; where the top is, is left out.
+DrillStringAndRock hanson_hansen_system(const CompareCase& c, const FreeString& s);
 
 /// What of the case's string and wall such models leave out, in a sentence.
 std::string left_out(const CompareCase& c, StringTerms terms);

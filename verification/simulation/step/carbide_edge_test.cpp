@@ -48,7 +48,7 @@ TEST(CarbideEdge, is_a_part_of_each_cutter_that_a_rule_marks_as_cse) {
 }
 
 /// The motion is given: the rock does not know the law. Powers of two scale a force exactly.
-TEST(CarbideEdge, force_is_exactly_proportional_to_A7_and_its_friction_to_A8) {
+TEST(CarbideEdge, force_is_exactly_proportional_to_its_stress_and_its_friction_to_its_ratio) {
   const Case c = carbide_edge_case({});
   const std::vector<PartLoad> usual = loads_at_end(short_run),
                               stiff = loads_at_end(with(short_run, "forces.A7=1.0")),
@@ -66,7 +66,7 @@ TEST(CarbideEdge, force_is_exactly_proportional_to_A7_and_its_friction_to_A8) {
             4);  // behind the tips of the inner two the flat swings outwards over deeper rock
 }
 
-TEST(CarbideEdge, carries_nothing_without_A7) {
+TEST(CarbideEdge, carries_nothing_without_a_contact_stress) {
   const Case c = carbide_edge_case({});
   const std::vector<PartLoad> none = loads_at_end(with(short_run, "forces.A7=0"));
   for (std::size_t p = 0; p < none.size(); ++p)
@@ -120,7 +120,7 @@ EdgeError edge_error(const std::string& edge_length) {
 }
 
 /// Seen on edges of 1 and 0.5 mm: 6.1e-2, 1.5e-2; friction 5e-6, the share of slip_speed.
-TEST(CarbideEdge, carries_A7_times_the_strength_on_its_wear_flat) {
+TEST(CarbideEdge, carries_its_share_of_the_strength_on_its_wear_flat) {
   const EdgeError coarse = edge_error("1 mm"), fine = edge_error("0.5 mm");
   EXPECT_LT(coarse.normal, 0.1);
   EXPECT_LT(fine.normal, 0.025);

@@ -139,6 +139,7 @@ HansonHansenCones hanson_hansen_cones(const RollerBit& bit, const ConesSetup& se
   const ToothReach reach = tooth_reach(m.teeth);
   m.bottom = flat_outline_spokes({reach.radius + 0.02, reach.z + setup.depth + 0.03}, reach.z,
                                  setup.layout.spokes, setup.layout.spacing);
+  m.start_depth = reach.z;
   m.planes = round_wall(setup.layout.spokes, 0.0).planes;
   m.state[5] = setup.system.rate;
   m.state[7] = setup.system.speed;

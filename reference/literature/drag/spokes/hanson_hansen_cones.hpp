@@ -17,6 +17,7 @@ struct HansonHansenCones {
   double step = 1e-4;  ///< s
   std::vector<SphereTooth> teeth;
   OutlineSpokes bottom;
+  double start_depth = 0.0;  ///< m, z of the flat rock under the bit at z = 0
   std::vector<SpokePlane> planes;
   HansonHansenState state{};
   double time = 0.0;  ///< s
