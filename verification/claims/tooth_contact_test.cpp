@@ -3,9 +3,10 @@
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
 #include "reference/literature/roller/roller_bit_of.hpp"
+#include "reference/literature/roller/teeth/contact_run.hpp"
 #include "reference/literature/roller/teeth/contact_statistics.hpp"
 
-/// Ma and Azar's statistics beside a run of ours on the bit of the comparison.
+/// Ma and Azar's algorithm and statistics beside a run of ours on the bit of the comparison.
 namespace tdbd::claims::tooth_contact_test {
 namespace {
 
@@ -99,6 +100,22 @@ TEST(ToothContact, of_our_run_is_near_that_of_the_statistics) {
   EXPECT_LE(locked, 4.0);
   battery::record({claim, on + "variance over that of cones in step, a third of a pitch apart",
                    locked, "1", "1 to 4: what is above 1, the bottom adds, which is not flat",
+                   battery::Verdict::holds_with_limits});
+
+  // The algorithm turns all cones at the run's mean ratio, with their teeth where the bit has them.
+  const double turn = 2.0 * std::numbers::pi / speed;
+  const reference::ContactRun kinematic = reference::contact_run(
+      bit, {std::vector<double>(3, run.ratio), speed, third, 2.0 * turn, turn, c.time.step});
+  const double agreed = kinematic.mean / apart.mean,
+               beyond = variance(run.counts.pressing) / kinematic.variance;
+  EXPECT_NEAR(agreed, 1.0, 6e-5);  // seen: 1 - 2.1e-5
+  battery::record({claim, on + "mean of the algorithm over that of the statistics", agreed, "1",
+                   "1 within 6e-5: the cones turn almost whole pitches in a revolution",
+                   battery::Verdict::holds});
+  EXPECT_GE(beyond, 1.0);
+  EXPECT_LE(beyond, 6.0);
+  battery::record({claim, on + "variance over that of the algorithm, cones in phase as the bit's",
+                   beyond, "1", "1 to 6: what is above 1, the bottom adds, which is not flat",
                    battery::Verdict::holds_with_limits});
 }
 
