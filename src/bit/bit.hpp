@@ -95,6 +95,7 @@ struct Bit {
   Shank shank;  ///< of a bit with cones
   std::optional<BladeFigures> blades = std::nullopt;
   CuttersFrom cutters_from = CuttersFrom::table;
+  Legs legs = {};  ///< of a bit with cones
 };
 
 /// What a part does to rock once it has started.

@@ -75,13 +75,30 @@ struct Cone {
   double rolling_ratio = 0.0;
 };
 
-/// The steel above the cones: a cylinder about the bit's axis that never cuts and represents both
-/// legs and shank. Lengths in m.
+/// The steel above the cones: a cylinder about the bit's axis that never cuts. Of a bit without legs
+/// it represents them, too. Lengths in m.
 struct Shank {
   double radius = 0.0;  ///< 0: none
   double length = 0.0;
   double height = 0.0;  ///< of its lower end above the bit's origin
   double density = 7850.0;
+};
+
+/// The legs that carry the journals, one for each cone (cone/legs.hpp), and the flush inserts of
+/// carbide in their outer sides. Lengths in m; heights above the bit's origin.
+struct Legs {
+  double width = 0.0;          ///< across the journal; 0: none
+  double under_gage = 1.6e-3;  ///< of the outer side, inside the gage radius
+  double clearance = 2e-3;     ///< from the base of the cone's shell to the leg
+  double tip_radius = 0.0;     ///< of the shirttail, about the journal; 0: that of the shell's base
+  double shoulder = 0.0;       ///< height at which the outer side leaves the gage
+  double top = 0.0;            ///< height at which it meets the shank's side
+  double density = 7850.0;     ///< kg/m3
+  Cutting cutting = Cutting::rubs;
+  int inserts = 0;  ///< on each leg, in a column
+  double insert_diameter = 9.5e-3;
+  double insert_length = 8e-3;
+  double insert_protrusion = 0.5e-3;  ///< of an insert's flat face out of the leg, in its middle
 };
 
 }  // namespace tdbd::bit

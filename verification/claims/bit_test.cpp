@@ -19,7 +19,7 @@ namespace tdbd::claims::bit_test {
 constexpr double rounding = 1e-14;  ///< of a few products of poses; scale: 1 and 1 m
 
 TEST(BitModel, every_part_is_a_closed_outward_surface) {
-  for (const char* name : {"bit-a", "bit-b", "bit-c", "bit-r", "generated"}) {
+  for (const char* name : {"bit-a", "bit-b", "bit-c", "bit-r", "bit-m", "generated"}) {
     const bit::Bit b = example(name);
     double defects = 0.0;
     for (const bit::Part& part : b.parts)

@@ -13,7 +13,7 @@ PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
 sys.path.insert(0, str(ROOT / "reports"))
 from stated import pattern_of  # noqa: E402
 
-BITS = ["bit-a", "bit-b", "bit-c", "bit-r", "generated", "standard"]
+BITS = ["bit-a", "bit-b", "bit-c", "bit-r", "bit-m", "generated", "standard"]
 PAGES = ["README.md", "benchmarks/measured.json", "benchmarks/README.md", "cases/README.md", "cases/bits/README.md",
          "reports/manifest.toml", *sorted(str(f.relative_to(ROOT)) for f in (ROOT / "reports/studies").glob("*/README.md"))]
 # Where a page counts: the text, with a place for each number, and what it counts.
@@ -33,6 +33,7 @@ COUNTS = [
      ("generated", "cutters"), ("generated", "blades"), ("generated", "back-ups")),
     ("cases/bits/README.md", "no real bit: {} discs", ("standard", "cutters")),
     ("cases/bits/README.md", "{} rows, {} inserts", ("bit-r", "rows"), ("bit-r", "teeth")),
+    ("cases/bits/README.md", "{} rows, {} teeth on three cones", ("bit-m", "rows"), ("bit-m", "teeth")),
     ("reports/manifest.toml", "{} blades with {} cutters of 16 mm", ("bit-a", "blades"), ("bit-a", "cutters")),
     ("reports/manifest.toml", "{} blades with {} cutters of 19 mm", ("bit-b", "blades"), ("bit-b", "cutters")),
     ("reports/manifest.toml", "{} blades with {} cutters of 13.44 mm", ("bit-c", "blades"), ("bit-c", "cutters")),

@@ -12,23 +12,6 @@
 namespace tdbd::bit {
 namespace {
 
-/// What turns with a cone: its shell, or a row with its first tooth.
-struct Turning {
-  std::string part;
-  double first_angle;
-  Meridian meridian;
-};
-
-std::vector<Turning> turning_parts(const Cone& cone) {
-  std::vector<Turning> parts{{cone.name + "/body", 0.0, shell_meridian(cone.layout.shell)}};
-  for (std::size_t j = 0; j < cone.layout.rows.size(); ++j) {
-    const ToothRow& row = cone.layout.rows[j];
-    parts.push_back({fmt::format("{}/row-{}/tooth-1", cone.name, j + 1), row.angles.front(),
-                     row_meridian(cone.layout, row)});
-  }
-  return parts;
-}
-
 double within_turn(double angle) {
   const double turned = std::fmod(angle, full_turn);
   return turned < 0.0 ? turned + full_turn : turned;
@@ -66,6 +49,16 @@ void add_pair(const Cone& a, const Cone& b, std::vector<Clearance>& all) {
 }
 
 }  // namespace
+
+std::vector<Turning> turning_parts(const Cone& cone) {
+  std::vector<Turning> parts{{cone.name + "/body", 0.0, shell_meridian(cone.layout.shell)}};
+  for (std::size_t j = 0; j < cone.layout.rows.size(); ++j) {
+    const ToothRow& row = cone.layout.rows[j];
+    parts.push_back({fmt::format("{}/row-{}/tooth-1", cone.name, j + 1), row.angles.front(),
+                     row_meridian(cone.layout, row)});
+  }
+  return parts;
+}
 
 std::vector<Clearance> cone_clearances(const std::vector<Cone>& cones) {
   std::vector<Clearance> all;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "bit/cone/meridian.hpp"
 
 namespace tdbd::bit {
 
@@ -27,6 +28,16 @@ inline constexpr double clearance_tolerance = 1e-5;
 
 /// Whether parts overlap, or may for all that the search can tell.
 inline bool is_clash(const Clearance& c) { return c.distance < 0.0 || !c.is_exact; }
+
+/// What turns with a cone: its shell, or a row, represented by its first tooth.
+struct Turning {
+  std::string part;    ///< "cone-1/body", "cone-1/row-2/tooth-1"
+  double first_angle;  ///< rad, of that tooth
+  Meridian meridian;   ///< of what it sweeps (row_meridian)
+};
+
+/// The shell and the rows of a cone, from the nose to the base.
+std::vector<Turning> turning_parts(const Cone& cone);
 
 /// For every two cones of a bit: every clash between a shell or row of teeth of one and those of
 /// the other or, if there is none, the smallest gap between the two. Cones turn independently, so

@@ -105,6 +105,12 @@ KeyTable tooth_rows() {
   return bit_table(table, s, sink, lean, gage, angles, tooth_row_keys::teeth, first_angle, spacing);
 }
 
+KeyTable legs() {
+  using namespace leg_keys;
+  return bit_table(table, width, under_gage, clearance, tip_radius, shoulder, top, density, rubs,
+                   inserts, insert_diameter, insert_length, insert_protrusion);
+}
+
 KeyTable shank() {
   using namespace shank_keys;
   return bit_table(table, radius, length, height, density);
@@ -141,7 +147,7 @@ std::vector<KeyTable> bit_tables() {
                             blades()};
   for (KeyTable& table : design()) all.push_back(std::move(table));
   for (KeyTable& table :
-       std::vector<KeyTable>{journals(), teeth(), cones(), tooth_rows(), shank(), parts(),
+       std::vector<KeyTable>{journals(), teeth(), cones(), tooth_rows(), shank(), legs(), parts(),
                              bit_table(solids_keys::table, solids_keys::file, solids_keys::unit),
                              solid_rules(), solid_cones(), areas()})
     all.push_back(std::move(table));

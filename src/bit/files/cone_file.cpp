@@ -12,6 +12,8 @@
 #include "bit/cone/cone_faults.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
+#include "bit/cone/leg_clearance.hpp"
+#include "bit/cone/legs.hpp"
 #include "bit/files/cone_keys.hpp"
 #include "bit/files/pdc_keys.hpp"
 #include "core/angles.hpp"
@@ -103,13 +105,53 @@ ConeLayout read_cone_defaults(Config& file) {
   return cone;
 }
 
-Shank read_shank(Config c) {
+Shank read_shank(Config& c) {
   Shank shank;
   shank.radius = c.read(shank_keys::radius);
   shank.length = c.read(shank_keys::length);
   shank.height = c.read(shank_keys::height);
   shank.density = c.read(shank_keys::density);
   return shank;
+}
+
+/// Heights default to those of the shank.
+Legs read_legs(Config& c, const Shank& shank) {
+  Legs legs;
+  legs.width = c.read(leg_keys::width);
+  legs.under_gage = c.read(leg_keys::under_gage);
+  legs.clearance = c.read(leg_keys::clearance);
+  legs.tip_radius = c.read(leg_keys::tip_radius, legs.tip_radius);
+  legs.shoulder = c.read(leg_keys::shoulder, shank.height);
+  legs.top = c.read(leg_keys::top, shank.height + 0.5 * shank.length);
+  legs.density = c.read(leg_keys::density);
+  legs.cutting = c.read(leg_keys::rubs) ? Cutting::rubs : Cutting::never;
+  legs.inserts = static_cast<int>(c.read(leg_keys::inserts));
+  legs.insert_diameter = c.read(leg_keys::insert_diameter);
+  legs.insert_length = c.read(leg_keys::insert_length);
+  legs.insert_protrusion = c.read(leg_keys::insert_protrusion);
+  return legs;
+}
+
+/// The tables of a bit file that its legs depend on.
+struct LegTables {
+  Config legs, shank;
+  std::vector<Config>& cones;
+};
+
+/// Adds the legs; whatever prevents them is noted at its line.
+void build_legs(LegTables& tables, const Legs& legs, Interference interference, Bit& bit) {
+  const std::vector<LegFault> faults = leg_faults(bit, legs);
+  for (const LegFault& f : faults) {
+    Config& at = f.table == LegTable::legs    ? tables.legs
+                 : f.table == LegTable::shank ? tables.shank
+                                              : tables.cones[f.cone];
+    at.problem(f.key, f.found, f.expected);
+  }
+  if (!faults.empty()) return;
+  add_legs(bit, legs);
+  if (interference == Interference::refuse)
+    for (const LegClearance& c : leg_clearances(bit))
+      if (c.distance < 0.0) tables.legs.problem(leg_keys::clearance, clearance_text(c), "a gap");
 }
 
 /// Row of a part "cone-1/row-2/tooth-1" on its cone, or the key of its shell.
@@ -178,6 +220,17 @@ std::string cone_text(const ConeLayout& c) {
   return text;
 }
 
+std::string legs_text(const Legs& l) {
+  const std::string tip = l.tip_radius > 0.0 ? fmt::format("tip_radius = {}\n", l.tip_radius) : "";
+  return fmt::format(
+      "\n[legs]\nwidth = {}\nunder_gage = {}\nclearance = {}\n{}shoulder = {}\ntop = {}\n"
+      "density = {}\nrubs = {}\ninserts = {}\ninsert_diameter = {}\ninsert_length = {}\n"
+      "insert_protrusion = {}\n",
+      l.width, l.under_gage, l.clearance, tip, l.shoulder, l.top, l.density,
+      l.cutting == Cutting::rubs, l.inserts, l.insert_diameter, l.insert_length,
+      l.insert_protrusion);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, ToothKind>> tooth_kinds() {
@@ -198,13 +251,17 @@ Bit read_cone_bit(Config& file, const std::string& name) {
   std::vector<ConeLayout> layouts;
   layouts.reserve(cones.size());
   for (Config& c : cones) layouts.push_back(read_cone(c, usual_cone, usual_tooth));
-  const Shank shank = read_shank(file.table(shank_keys::table));
+  const bool has_legs = file.has(leg_keys::table);
+  LegTables tables{file.table(leg_keys::table), file.table(shank_keys::table), cones};
+  const Shank shank = read_shank(tables.shank);
+  const Legs legs = has_legs ? read_legs(tables.legs, shank) : Legs{};
   file.finish_before(bit_area_keys::areas);
   std::optional<double> gage_radius;
   if (gage < std::numeric_limits<double>::infinity()) gage_radius = 0.5 * gage;
   try {
     Bit bit = build(std::move(layouts), gage_radius, shank, name, cones);
     if (interference == Interference::refuse) note_overlaps(bit, cones);
+    if (has_legs && file.problem_count() == 0) build_legs(tables, legs, interference, bit);
     std::vector<std::string> without_density;
     apply_areas(file, bit, without_density);
     file.finish();
@@ -224,6 +281,7 @@ std::string cone_bit_text(const Bit& bit) {
   if (bit.shank.radius > 0.0)
     text += fmt::format("\n[shank]\nradius = {}\nlength = {}\nheight = {}\ndensity = {}\n",
                         bit.shank.radius, bit.shank.length, bit.shank.height, bit.shank.density);
+  if (bit.legs.width > 0.0) text += legs_text(bit.legs);
   for (const Cone& cone : bit.cones) text += cone_text(cone.layout);
   return text + areas_text(bit);
 }

@@ -12,12 +12,14 @@ namespace tdbd::bit {
 /// A roller cone bit from the [[cones]] of a bit file. Thesis: 1.2, 3.1, fig. 3.5. Lengths and
 /// angles are quantities; those of [journal] and [teeth] are defaults for every cone and every row.
 ///   gage_diameter           cones with a gage row are placed so that it reaches this; optional
-///   interference            "refuse" (default) or "report" overlaps of neighbouring cones
+///   interference            "refuse" (default) or "report" overlaps of cones with one another and legs
 ///   [journal]  angle, offset, skew, apex, foot_height      as in ConeLayout
 ///   [teeth]    kind, diameter, width, protrusion, crest_length, crest_width, tip_radius,
 ///              half_angle, embedding, density              as in ToothShape
 ///   [mesh]     segments, facets
 ///   [shank]    radius, length, height, density             no shank without a radius
+///   [legs]     width, under_gage, clearance, tip_radius, shoulder, top, density, rubs, inserts,
+///              insert_diameter, insert_length, insert_protrusion    as in Legs; needs a shank
 ///   [[cones]]  azimuth, journal_angle, offset, skew, apex, foot_height, density, body_cuts
 ///              (default false; true: the body crushes the rock left between prints), and
 ///              shell = [[s, r], ...] from the nose to the base, s outwards along the journal

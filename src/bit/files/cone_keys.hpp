@@ -211,6 +211,72 @@ inline constexpr QuantityKey density{.name = "density",
 
 }  // namespace shank_keys
 
+namespace leg_keys {
+
+inline constexpr TableKey table{"legs", "the legs that carry the journals, one for each cone"};
+
+inline constexpr QuantityKey width{
+    .name = "width", .unit = "m", .range = bit_length, .meaning = "of a leg, across its journal"};
+inline constexpr QuantityKey under_gage{.name = "under_gage",
+                                        .unit = "m",
+                                        .fallback = Legs{}.under_gage,
+                                        .range = bit_length_or_none,
+                                        .meaning = "how far the outer side is inside the gage"};
+inline constexpr QuantityKey clearance{.name = "clearance",
+                                       .unit = "m",
+                                       .fallback = Legs{}.clearance,
+                                       .range = bit_length,
+                                       .meaning = "from the base of the shell to the leg"};
+inline constexpr QuantityKey tip_radius{.name = "tip_radius",
+                                        .unit = "m",
+                                        .usual = "that of the shell's base",
+                                        .range = bit_length,
+                                        .meaning = "of the shirttail, about the journal"};
+inline constexpr QuantityKey shoulder{
+    .name = "shoulder",
+    .unit = "m",
+    .usual = "shank.height",
+    .range = bit_length,
+    .meaning = "height above the bit's origin at which the outer side leaves the gage"};
+inline constexpr QuantityKey top{
+    .name = "top",
+    .unit = "m",
+    .usual = "the middle of the shank",
+    .range = bit_length,
+    .meaning = "height above the bit's origin at which the outer side meets the shank"};
+inline constexpr QuantityKey density{.name = "density",
+                                     .unit = "kg/m3",
+                                     .fallback = Legs{}.density,
+                                     .range = any_density,
+                                     .meaning = "of the steel"};
+inline constexpr FlagKey rubs{.name = "rubs",
+                              .fallback = true,
+                              .meaning =
+                                  "whether legs and their inserts bear on rock by the laws "
+                                  "of forces.bit_body and forces.gage_pad"};
+inline constexpr IntegerKey inserts{.name = "inserts",
+                                    .fallback = Legs{}.inserts,
+                                    .hi = 64,
+                                    .meaning = "in the outer side of each leg, in a column"};
+inline constexpr QuantityKey insert_diameter{.name = "insert_diameter",
+                                             .unit = "m",
+                                             .fallback = Legs{}.insert_diameter,
+                                             .range = bit_length,
+                                             .meaning = "of an insert"};
+inline constexpr QuantityKey insert_length{.name = "insert_length",
+                                           .unit = "m",
+                                           .fallback = Legs{}.insert_length,
+                                           .range = bit_length,
+                                           .meaning = "of an insert"};
+inline constexpr QuantityKey insert_protrusion{
+    .name = "insert_protrusion",
+    .unit = "m",
+    .fallback = Legs{}.insert_protrusion,
+    .range = bit_length_or_none,
+    .meaning = "of the flat face of an insert out of the leg, in its middle"};
+
+}  // namespace leg_keys
+
 namespace cone_bit_keys {
 
 enum class Interference { refuse, report };
@@ -218,7 +284,7 @@ inline constexpr ChoiceKey<Interference> interference{
     .name = "interference",
     .values = {{{"refuse", Interference::refuse}, {"report", Interference::report}}},
     .fallback = Interference::refuse,
-    .meaning = "whether cones may overlap"};
+    .meaning = "whether cones may overlap one another and legs"};
 
 }  // namespace cone_bit_keys
 

@@ -71,12 +71,17 @@ SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name)
 }
 
 std::optional<PartKind> kind_of_name(const std::string& name) {
-  const std::pair<const char*, PartKind> known[] = {
-      {"cutter-*/face", PartKind::face},        {"cutter-*/chamfer", PartKind::chamfer},
-      {"cutter-*/land", PartKind::chamfer},     {"cutter-*/cse", PartKind::cse},
-      {"cutter-*/body", PartKind::cutter_body}, {"gage-pad-*", PartKind::gage_pad},
-      {"bit-body", PartKind::bit_body},         {"cone-*/row-*/tooth-*", PartKind::tooth},
-      {"cone-*/body", PartKind::cone}};
+  const std::pair<const char*, PartKind> known[] = {{"cutter-*/face", PartKind::face},
+                                                    {"cutter-*/chamfer", PartKind::chamfer},
+                                                    {"cutter-*/land", PartKind::chamfer},
+                                                    {"cutter-*/cse", PartKind::cse},
+                                                    {"cutter-*/body", PartKind::cutter_body},
+                                                    {"gage-pad-*", PartKind::gage_pad},
+                                                    {"bit-body", PartKind::bit_body},
+                                                    {"cone-*/row-*/tooth-*", PartKind::tooth},
+                                                    {"cone-*/body", PartKind::cone},
+                                                    {"leg-*/insert-*", PartKind::gage_pad},
+                                                    {"leg-*", PartKind::bit_body}};
   for (const auto& [pattern, kind] : known)
     if (fits(pattern, name)) return kind;
   return {};

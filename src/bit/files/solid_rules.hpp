@@ -29,7 +29,8 @@ std::vector<SolidRule> read_rules(Config& solids);
 SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name);
 
 /// The kind that follows from a name like those of designed bits: cutter-3/face, /land, /chamfer,
-/// /cse, /body; gage-pad-2; bit-body; cone-1/body; cone-1/row-2/tooth-3. Nothing for any other
+/// /cse, /body; gage-pad-2; bit-body; cone-1/body; cone-1/row-2/tooth-3; leg-1;
+/// leg-1/insert-2. Nothing for any other
 /// name.
 std::optional<PartKind> kind_of_name(const std::string& name);
 

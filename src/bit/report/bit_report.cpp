@@ -6,6 +6,7 @@
 #include "bit/body/body_overlap.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
+#include "bit/cone/leg_clearance.hpp"
 #include "bit/cone/meridian.hpp"
 #include "bit/cutter/cutter_frame.hpp"
 #include "bit/cutter/rim_reach.hpp"
@@ -125,6 +126,14 @@ Json clearance_of(const Clearance& c) {
           {"angle_b_rad", c.angle_b}, {"place_m", vector_json(c.place_B)}};
 }
 
+Json clearance_of(const LegClearance& c) {
+  return {{"leg", c.leg},
+          {"part", c.part},
+          {"distance_m", c.distance},
+          {"angle_rad", c.angle},
+          {"place_m", vector_json(c.place_B)}};
+}
+
 /// Every part, in the order of the numbers in bit.vtp.
 Json parts_json(const Bit& bit) {
   Json parts = Json::array();
@@ -156,7 +165,7 @@ void add_body_profile(const Bit& bit, Json& file) {
 }
 
 /// The cones, each with the meridians of its shell and of what its rows sweep, and the clearances
-/// between cones.
+/// between cones and from legs.
 void add_cones(const Bit& bit, Json& file) {
   file["cones"] = cones_json(bit);
   for (std::size_t k = 0; k < bit.cones.size(); ++k)
@@ -164,6 +173,9 @@ void add_cones(const Bit& bit, Json& file) {
   file["clearances"] = Json::array();
   for (const Clearance& c : cone_clearances(bit.cones))
     file["clearances"].push_back(clearance_of(c));
+  file["leg_clearances"] = Json::array();
+  for (const LegClearance& c : leg_clearances(bit))
+    file["leg_clearances"].push_back(clearance_of(c));
 }
 
 }  // namespace

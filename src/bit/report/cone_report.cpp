@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bit/cone/leg_clearance.hpp"
 #include "bit/report/bit_output.hpp"
 #include "core/angles.hpp"
 
@@ -55,6 +56,8 @@ std::string cones_text(const Bit& bit) {
   for (int i = 0; i < static_cast<int>(bit.cones.size()); ++i) text += cone_text(bit, i);
   for (const Clearance& c : cone_clearances(bit.cones))
     text += "between cones: " + clearance_text(c) + "\n";
+  for (const LegClearance& c : leg_clearances(bit))
+    text += "between legs and cones: " + clearance_text(c) + "\n";
   return text;
 }
 

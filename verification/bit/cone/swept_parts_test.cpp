@@ -7,6 +7,7 @@
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/part_pose.hpp"
 #include "bit/cone_generate.hpp"
+#include "bit/files/bit_reading.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "mesh/measures.hpp"
 
@@ -88,6 +89,22 @@ TEST(SweptParts, are_the_cutting_parts_of_a_bit_without_cones) {
     EXPECT_EQ(profile[k].r, swept[k].r);
     EXPECT_EQ(profile[k].z, swept[k].z);
   }
+}
+
+/// In full turns of their cones, the shipped bits reach every place of the bottom, the axis included.
+TEST(SweptParts, of_shipped_bits_cover_the_whole_bottom) {
+  constexpr double inside = 0.105, spacing = 2e-4;  // m
+  const auto highest = [&](const std::string& name) {
+    const auto profile = exposure_profile(
+        swept_parts(read(TDBD_SOURCE_DIR "/cases/bits/" + name), segments), spacing);
+    EXPECT_LT(profile.front().r, 1e-6);
+    double height = 0.0;
+    for (const ProfilePoint& p : profile)
+      if (p.r < inside) height = std::max(height, -p.z);
+    return height;
+  };
+  EXPECT_NEAR(highest("bit-r.toml"), 7.93e-3, 1e-4);
+  EXPECT_NEAR(highest("bit-m.toml"), 11.05e-3, 1e-4);
 }
 
 }  // namespace tdbd::bit::swept_parts_test

@@ -63,7 +63,13 @@ TEST(BitExport, reads_back_with_cones_that_turn) {
   expect_same_but_for_rounding(turned(original, angles), turned(again, angles), 1e-15);
   for (std::size_t i = 0; i < original.parts.size(); ++i) {
     EXPECT_EQ(original.parts[i].cone, again.parts[i].cone);
-    EXPECT_EQ(original.parts[i].mesh_P.positions, again.parts[i].mesh_P.positions);
+    const auto &there = original.parts[i].mesh_P.positions, &here = again.parts[i].mesh_P.positions;
+    if (!original.parts[i].name.starts_with("leg-")) {
+      EXPECT_EQ(there, here);
+      continue;
+    }
+    ASSERT_EQ(there.size(), here.size());  // legs follow the cones, settled on the bottom once more
+    for (std::size_t k = 0; k < here.size(); ++k) EXPECT_LT((there[k] - here[k]).norm(), 1e-14);
   }
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_EQ(rolling_ratio_of_gage_row(original.cones[k]),

@@ -7,9 +7,11 @@
 
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
+#include "bit/cone/leg_clearance.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
 #include "core/angles.hpp"
+#include "mesh/measures.hpp"
 
 namespace tdbd::bit::cone_file_test {
 namespace {
@@ -104,6 +106,90 @@ TEST(ConeFile, takes_shank_and_gage) {
   EXPECT_EQ(bit.parts.back().name, "bit-body");
 }
 
+const std::string with_shank =
+    "gage_diameter = \"170 mm\"\n[journal]\nangle = \"36 deg\"\n[shank]\nradius = \"50 "
+    "mm\"\nlength "
+    "= \"120 mm\"\nheight = \"90 mm\"\n";
+const std::string gage_rows = "[[cones.rows]]\ns = \"55 mm\"\nteeth = 8\ngage = true\n";
+
+/// Each key of the legs has its own number; heights and the shirttail's radius follow shank and shell.
+TEST(ConeFile, takes_every_key_of_legs) {
+  const Legs all =
+      read(file_of(with_shank +
+                   "[legs]\nwidth = \"40 mm\"\nunder_gage = \"2 mm\"\nclearance = \"3 "
+                   "mm\"\ntip_radius = \"24 mm\"\nshoulder = \"100 mm\"\ntop = \"130 "
+                   "mm\"\ndensity = 7700\nrubs = false\ninserts = 2\ninsert_diameter = \"8 "
+                   "mm\"\ninsert_length = \"7 mm\"\ninsert_protrusion = \"0.3 mm\"\n" +
+                   cone + gage_rows))
+          .legs;
+  EXPECT_DOUBLE_EQ(all.width, 0.04);
+  EXPECT_DOUBLE_EQ(all.under_gage, 2e-3);
+  EXPECT_DOUBLE_EQ(all.clearance, 3e-3);
+  EXPECT_DOUBLE_EQ(all.tip_radius, 24e-3);
+  EXPECT_DOUBLE_EQ(all.shoulder, 0.1);
+  EXPECT_DOUBLE_EQ(all.top, 0.13);
+  EXPECT_EQ(all.density, 7700.0);
+  EXPECT_EQ(all.cutting, Cutting::never);
+  EXPECT_EQ(all.inserts, 2);
+  EXPECT_DOUBLE_EQ(all.insert_diameter, 8e-3);
+  EXPECT_DOUBLE_EQ(all.insert_length, 7e-3);
+  EXPECT_DOUBLE_EQ(all.insert_protrusion, 0.3e-3);
+  const Legs usual =
+      read(file_of(with_shank + "[legs]\nwidth = \"40 mm\"\n" + cone + gage_rows)).legs;
+  EXPECT_DOUBLE_EQ(usual.shoulder, 0.09);
+  EXPECT_DOUBLE_EQ(usual.top, 0.15);
+  EXPECT_EQ(usual.tip_radius, 0.0);
+  EXPECT_EQ(usual.cutting, Cutting::rubs);
+  EXPECT_EQ(usual.inserts, 0);
+}
+
+TEST(ConeFile, names_impossible_legs_at_their_line) {
+  const auto of_legs = [](const std::string& legs) {
+    return complaint(file_of(with_shank + "[legs]\n" + legs + cone + gage_rows));
+  };
+  EXPECT_EQ(of_legs("width = \"40 mm\"\n"), "");
+  expect_words(of_legs("clearance = \"1 mm\"\n"), {"bit.toml:9: legs.width: "});
+  expect_words(of_legs("width = \"40 mm\"\nunder_gage = \"-1 mm\"\n"),
+               {"bit.toml:11: legs.under_gage: found \"-1 mm\", expected length in m, in [0, 10]"});
+  expect_words(of_legs("width = \"40 mm\"\nclearance = \"0 mm\"\n"),
+               {"bit.toml:11: legs.clearance: found \"0 mm\", expected length in m, in (0, 10]"});
+  expect_words(
+      of_legs("width = \"40 mm\"\ntop = \"80 mm\"\n"),
+      {"bit.toml:11: legs.top: found 80 mm, expected a height above the shank's lower end, "
+       "90 mm, and at most its upper one, 210 mm"});
+  expect_words(of_legs("width = \"56 mm\"\n"),
+               {"bit.toml:10: legs.width: found 56 mm, expected at most twice the shirttail's "
+                "radius, 25 mm"});
+  expect_words(of_legs("width = \"40 mm\"\ninserts = 9\n"),
+               {"bit.toml:11: legs.inserts: found 9 of 9.5 mm, expected at most "});
+  expect_words(
+      complaint(file_of("[journal]\nangle = \"36 deg\"\n[legs]\nwidth = \"40 mm\"\n" + cone + row)),
+      {"bit.toml:5: legs.width: found 40 mm, legs without a shank, expected [shank] with a "
+       "radius"});
+  std::string low = with_shank;
+  low.replace(low.find("90 mm"), 5, "60 mm");
+  expect_words(complaint(file_of(low + "[legs]\nwidth = \"40 mm\"\n" + cone + gage_rows)),
+               {"bit.toml:8: shank.height: found 60 mm, where the inner side of leg-1 is ",
+                "meets the leg"});
+  expect_words(complaint(file_of(with_shank + "[legs]\nwidth = \"40 mm\"\n" + cone +
+                                 "journal_angle = \"80 deg\"\n" + row)),
+               {"cones[0].journal_angle: found 80 deg, expected at most 78 deg with legs"});
+}
+
+/// A tooth that stands out of the cone's base meets the leg, unless that is only to be reported.
+TEST(ConeFile, refuses_a_leg_that_meets_a_cone) {
+  const std::string meets =
+      with_shank + "[legs]\nwidth = \"40 mm\"\n" + cone + gage_rows +
+      "[[cones.rows]]\ns = \"62 mm\"\nteeth = 4\nfirst_angle = \"22.5 deg\"\ndiameter = \"6 mm\"\n"
+      "protrusion = \"6 mm\"\n";
+  const Bit bit = read(file_of("interference = \"report\"\n" + meets));
+  const LegClearance clash = leg_clearances(bit).front();
+  EXPECT_LT(clash.distance, 0.0);
+  EXPECT_EQ(clash.part, "cone-1/row-2/tooth-1");
+  expect_words(complaint(file_of(meets)),
+               {"legs.clearance: found " + clearance_text(clash) + ", expected a gap"});
+}
+
 /// What it writes is read as the same bit, whatever it is.
 TEST(ConeFile, is_written_as_it_was_read) {
   const Bit before = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
@@ -137,6 +223,15 @@ TEST(ConeFile, is_written_as_it_was_read) {
             &ToothShape::half_angle, &ToothShape::embedding, &ToothShape::density})
         EXPECT_EQ(a.rows[j].shape.*size, b.rows[j].shape.*size);
     }
+  }
+  ASSERT_EQ(after.parts.size(), before.parts.size());
+  EXPECT_EQ(after.parts.back().name, "leg-3/insert-7");
+  for (std::size_t i = 0; i < before.parts.size(); ++i) {
+    const Part &a = after.parts[i], &b = before.parts[i];
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.cutting, b.cutting);
+    EXPECT_EQ(a.density, b.density);
+    EXPECT_NEAR(mesh::enclosed_volume(a.mesh_P) / mesh::enclosed_volume(b.mesh_P), 1.0, 1e-10);
   }
 }
 

@@ -201,6 +201,8 @@ TEST(SolidsFile, refuses_parts_beside_solids) {
 TEST(SolidRules, names_give_the_kind) {
   EXPECT_EQ(kind_of_name("cone-2/row-3/tooth-14"), PartKind::tooth);
   EXPECT_EQ(kind_of_name("cone-2/body"), PartKind::cone);
+  EXPECT_EQ(kind_of_name("leg-1"), PartKind::bit_body);
+  EXPECT_EQ(kind_of_name("leg-1/insert-2"), PartKind::gage_pad);
   EXPECT_EQ(kind_of_name("cutter-2/land"), PartKind::chamfer);
   EXPECT_EQ(kind_of_name("blade"), std::nullopt);
 }
