@@ -1,7 +1,7 @@
 // The case that a choice of the form means: a text that `tdbd run` takes too.
 
 const STEPS_PER_REVOLUTION = 200;
-const CONES = new Set(["r"]);  // bits whose cones roll
+const CONES = new Set(["r", "m"]);  // bits whose cones roll
 
 // Names that stand in a TOML text and in a path.
 const plainName = name => name.replace(/\.[^.]*$/, "").replace(/[^A-Za-z0-9_-]+/g, "-") || "dropped";
