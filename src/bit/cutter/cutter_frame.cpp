@@ -7,11 +7,11 @@ namespace {
 
 Vec3 radial_B(const Cutter& c) { return {std::cos(c.azimuth), std::sin(c.azimuth), 0.0}; }
 
+}  // namespace
+
 Vec3 direction_of_motion_B(const Cutter& c) {
   return {-std::sin(c.azimuth), std::cos(c.azimuth), 0.0};
 }
-
-}  // namespace
 
 double land_depth(const Cutter& c) { return c.land > 0.0 ? c.land / std::tan(c.land_angle) : 0.0; }
 

@@ -17,6 +17,9 @@ Vec3 tip_C(const Cutter& c);
 /// The tip in the bit frame, m: (r cos phi, r sin phi, -h).
 Vec3 tip_B(const Cutter& c);
 
+/// Direction in which the tip moves as the bit turns, bit frame, unit.
+Vec3 direction_of_motion_B(const Cutter& c);
+
 /// Normal of the bit's profile into the rock at the cutter, bit frame, unit:
 /// n = sin(theta) e_r + cos(theta) e_z, with e_r radial at the cutter's azimuth and e_z down.
 Vec3 profile_normal_B(const Cutter& c);

@@ -12,6 +12,8 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/nearest_name.hpp"
+#include "simulation/case/case_spalling.hpp"
+#include "simulation/case/spalling_keys.hpp"
 
 namespace tdbd::calibration {
 namespace {
@@ -39,6 +41,31 @@ Records read_records_of(Config& c, const std::string& file) {
     c.other_file(e.what());
   }
   return {};
+}
+
+/// Cut runs serve every pressure, so rock breaks out at all or at none.
+void require_low_pressure(Config& table, double most, const CalibrationCase& c) {
+  for (const Record& r : c.records.rows) {
+    forces::BottomHole hole = c.rock.around;
+    hole.pressure = r.pressure;
+    const double confining =
+        forces::confining_pressure(hole, c.rock.confinement, c.rock.materials.at(r.rock).porosity);
+    if (confining > most)
+      return table.problem(simulation::spalling_keys::up_to_pressure,
+                           fmt::format("{:g} Pa and a record of {} in rock confined by {:g} Pa",
+                                       most, r.tool, confining),
+                           "records at which rock breaks out, or no table [spalling]");
+  }
+}
+
+/// Rock that breaks out beside the faces of bits; the pressures of the records are checked.
+std::optional<rock::BreakoutRule> read_breakout(Config& c, const CalibrationCase& result) {
+  if (!c.has(simulation::spalling_keys::table)) return std::nullopt;
+  Config table = c.table(simulation::spalling_keys::table);
+  const rock::BreakoutRule rule = simulation::read_breakout_rule(table);
+  const double most = table.read(simulation::spalling_keys::up_to_pressure);
+  if (c.problem_count() == 0) require_low_pressure(table, most, result);
+  return simulation::breaks_out(rule) ? std::optional(rule) : std::nullopt;
 }
 
 }  // namespace
@@ -83,6 +110,7 @@ CalibrationCase read_calibration(const std::string& path,
   result.records = read_records_of(c, file);
   check_names(top, result);
   choose_records(top, out, result);
+  result.grid.breakout = read_breakout(c, result);
   c.finish();
   check_calibration(result);
   result.files = c.files();

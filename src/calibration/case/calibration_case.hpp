@@ -10,6 +10,7 @@
 #include "calibration/record/read_records.hpp"
 #include "forces/law.hpp"
 #include "forces/rock/rock_material.hpp"
+#include "rock/section/breakout.hpp"
 #include "simulation/case/case_rock.hpp"
 
 namespace tdbd::calibration {
@@ -50,6 +51,7 @@ struct Noise {
 struct CutGrid {
   double edge_length = 0.0;  ///< m
   long revolutions = 0, steps_per_revolution = 0;
+  std::optional<rock::BreakoutRule> breakout = std::nullopt;  ///< none: no rock breaks out
 };
 
 struct Intervals {

@@ -2,6 +2,7 @@
 
 #include "calibration/case/calibration_keys.hpp"
 #include "simulation/case/rock_keys.hpp"
+#include "simulation/case/spalling_keys.hpp"
 
 namespace tdbd::calibration {
 
@@ -18,6 +19,10 @@ std::vector<KeyTable> calibration_tables() {
                 rows(material, edge_length, confinement, pore_pressure, overburden)),
       key_table(command, rocks, rows(name, unconfined_strength, friction_angle, porosity)),
       key_table(command, calibration_keys::time, rows(revolutions, steps_per_revolution)),
+      key_table(
+          command, simulation::spalling_keys::table,
+          rows(simulation::spalling_keys::angle, simulation::spalling_keys::depth_share,
+               simulation::spalling_keys::ahead_share, simulation::spalling_keys::up_to_pressure)),
       key_table(command, noise, rows(reading, test, rop)),
       key_table(command, unknown, rows(start, prior_sd, range)),
       key_table(command, fixed, rows(any_coefficient)),

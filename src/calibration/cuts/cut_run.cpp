@@ -92,13 +92,17 @@ double depth_of_run(const Record& record) {
 }
 
 simulation::Case cut_case(const CalibrationCase& c, const Tool& bit, double depth) {
-  const std::string text = fmt::format(
+  std::string text = fmt::format(
       cut_case_text, fmt::arg("file", toml_string(bit.bit_file)),
       fmt::arg("edge", c.grid.edge_length),
       fmt::arg("speed", 2.0 * std::numbers::pi * turns_per_second),
       fmt::arg("rate", depth * turns_per_second),
       fmt::arg("step", 1.0 / (turns_per_second * static_cast<double>(c.grid.steps_per_revolution))),
       fmt::arg("turns", static_cast<double>(c.grid.revolutions)));
+  if (c.grid.breakout)
+    text += fmt::format("[spalling]\nangle = {}\ndepth_share = {}\nahead_share = {}\n",
+                        c.grid.breakout->angle, c.grid.breakout->depth_share,
+                        c.grid.breakout->ahead_share);
   try {
     return simulation::read_case(Config::read_text(text, c.path), c.path);
   } catch (const InputError&) {

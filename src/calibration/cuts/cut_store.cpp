@@ -101,7 +101,8 @@ CutStore find_cuts(const CalibrationCase& c, const fs::path& folder,
   for (const Key& key : keys_of(c)) {
     const Tool& tool = tool_named(c, key.first);
     if (tool.kind == ToolKind::cutter) {
-      store.runs[key] = groove_cut(tool.cutter, key.second);
+      store.runs[key] =
+          groove_cut(tool.cutter, key.second, c.grid.breakout ? c.grid.breakout->ahead_share : 0.0);
       continue;
     }
     if (!hashes.contains(tool.name)) hashes[tool.name] = bit_hash(c, tool);

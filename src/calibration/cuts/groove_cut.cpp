@@ -19,8 +19,10 @@ const Vec3 arm(0.0, -1.0, 0.0);  // m
 
 }  // namespace
 
-CutRun groove_cut(const SingleCutter& c, double depth) {
-  const double cut_area = forces::groove_area({c.diameter, c.back_rake}, depth);
+CutRun groove_cut(const SingleCutter& c, double depth, double ahead_share) {
+  const forces::GrooveCutter groove{c.diameter, c.back_rake};
+  double cut_area = forces::groove_area(groove, depth);
+  if (ahead_share > 0.0) cut_area -= forces::groove_area(groove, ahead_share * depth);
   const double rim = engaged_rim(c, depth);
   simulation::CutOfPart face;
   face.cut.kind = bit::PartKind::face;

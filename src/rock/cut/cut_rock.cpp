@@ -26,6 +26,11 @@ double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
   return volume;
 }
 
+void note_broken_out(std::size_t part, double volume, CutReport& report) {
+  report.broken_out_by_part.resize(report.removed_by_part.size(), 0.0);
+  report.broken_out_by_part[part] += volume;
+}
+
 /// Moves what the group sweeps, part after part, in the order of the vertices' numbers: sums do not
 /// depend on the order of the index.
 void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& report) {
@@ -38,6 +43,8 @@ void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& repo
       cut.moved.push_back(s->v);
     }
     report.removed_by_part[at(g.parts[which].part)] += removed;
+    if (g.kind == GroupKind::breakout)
+      note_broken_out(static_cast<std::size_t>(g.parts[which].part), removed, report);
     report.removed += removed;
   }
   report.moved += static_cast<long>(cut.moved.size());
@@ -53,7 +60,7 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
     const GroupMotion& m = w.motions[at(i)];
     NearList& list = rock.near_lists[at(i)];
     GroupCut& cut = w.groups[at(i)];
-    if (is_out_of_reach(rock.grid, m)) return;
+    if (g.presence == GroupPresence::away || is_out_of_reach(rock.grid, m)) return;
     bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.list_margins, list);
     find_candidates(g, m, rock.surface, list, gaps_around_hull * w.contact_gap, cut.near);
     cut.knows_touching =
@@ -76,6 +83,7 @@ void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) 
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     std::vector<int>& candidates = w.groups[i].candidates;
     candidates.clear();
+    if (bit.groups[i].presence == GroupPresence::away) continue;
     const mesh::Box& box_W = w.motions[i].region_W.box;
     for (std::size_t k = 0; k < bit.groups.size(); ++k) {
       const std::vector<int>& among = k == i ? w.groups[k].unclear : w.groups[k].moved;
@@ -91,6 +99,7 @@ void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) 
 void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, CutWorkspace& w,
                 CutReport& report) {
   report.removed_by_part.assign(at(bit.part_count), 0.0);
+  std::ranges::fill(report.broken_out_by_part, 0.0);
   report.removed = 0.0;
   report.candidates = report.moved = 0;
   w.groups.resize(bit.groups.size());

@@ -10,9 +10,11 @@ namespace tdbd::rock {
 /// What one step took. Thesis: 4.1, fig. 4.2 (one turn of its loop without maintenance).
 struct CutReport {
   std::vector<double> removed_by_part;  ///< m3, per part of the bit
-  double removed = 0.0;                 ///< m3
-  long candidates = 0;                  ///< vertices tested
-  long moved = 0;                       ///< moves made
+  /// m3, of removed_by_part: what broke out (section/breakout.hpp); empty: nothing did.
+  std::vector<double> broken_out_by_part;
+  double removed = 0.0;  ///< m3
+  long candidates = 0;   ///< vertices tested
+  long moved = 0;        ///< moves made
   int passes = 0;
 };
 

@@ -45,6 +45,12 @@ struct SingleSolid {
   std::array<Single, most> nx{}, ny{}, nz{}, b{};
 };
 
+/// Parts of the bit, or rock that breaks out beside a face (section/breakout.hpp).
+enum class GroupKind { parts, breakout };
+
+/// A group that is away takes no rock.
+enum class GroupPresence { there, away };
+
 /// Parts that share a frame and an update direction: searched for together, processed one by one.
 struct CuttingGroup {
   Pose X_BP;
@@ -61,6 +67,8 @@ struct CuttingGroup {
   DirectionFrame directions = DirectionFrame::bit;
   /// If exits are from the whole and the union of the parts is convex.
   std::optional<CuttingWhole> whole = std::nullopt;
+  GroupKind kind = GroupKind::parts;
+  GroupPresence presence = GroupPresence::there;
 };
 
 /// The parts that cut, in the order in which they take rock (the bit's order).

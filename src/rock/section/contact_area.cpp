@@ -388,8 +388,9 @@ void contact_areas(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
   rock.pressed.resize(at(bit.part_count));
   keep_concerned(rock, work);
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
-    measure_group(rock, bit, cut, at(i), options, work.carried, work.scratch.local(),
-                  contact_by_part);
+    if (bit.groups[at(i)].kind == GroupKind::parts)
+      measure_group(rock, bit, cut, at(i), options, work.carried, work.scratch.local(),
+                    contact_by_part);
   });
   rock.carried.clear();
 }

@@ -194,6 +194,7 @@ Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB,
   const ForwardSpeed v = forward_speed(X_BF, twist);
   const SpeedRange range = speed_range(face.outline.rim_F, v);
   const FaceColumns* columns = forward_columns(face, v, range, work);
+  work.measured = columns;
   if (columns == nullptr) {
     Section s;
     s.sight = Sight::none;

@@ -54,6 +54,8 @@ struct SectionWork {
   FaceColumns forward;      ///< the same in columns
   ColumnSums sums;
   Sight sight = Sight::none;  ///< of the strips so far
+  /// The columns of `sums`, of the face or of this work; null: nothing was measured.
+  const FaceColumns* measured = nullptr;
 };
 
 /// The section of uncut rock by a face, rock (12) and rock (13) (ours, beyond the thesis). The face

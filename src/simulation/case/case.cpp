@@ -16,6 +16,7 @@
 #include "simulation/case/case_forces.hpp"
 #include "simulation/case/case_motion.hpp"
 #include "simulation/case/case_rock.hpp"
+#include "simulation/case/case_spalling.hpp"
 #include "simulation/case/case_wear.hpp"
 #include "simulation/case/contact_slopes.hpp"
 #include "simulation/case/doubtful_values.hpp"
@@ -225,6 +226,7 @@ bit::BitFile read_tables(Config& c, const BitReader& read_bit, Case& read) {
   check_continued_cones(c.table(time_keys::table), read);
   read.forces = read_forces(c, read.bit, read.measure, read.warnings);
   read.wear = read_wear(c, read.bit, read.forces);
+  read.spalling = read_spalling(c, read.bit, read.measure, read.forces, read.warnings);
   if (read.motion.kind == MotionKind::drilling)
     read.drilling = read_drilling(c, read.bit, read.motion);
   check_drilling_case(c, read);

@@ -97,6 +97,7 @@ struct Case {
   MeasurePlan measure;
   ForcePlan forces;
   WearPlan wear;
+  SpallingPlan spalling;
   DrillingPlan drilling;  ///< of a motion that is drilling
   OutputPlan output;
   std::vector<CaseWarning> warnings;

@@ -101,6 +101,20 @@ RockStart read_rock(Config c) {
   return r;
 }
 
+std::vector<Bed> read_beds(Config c, BedMaterial material) {
+  const Surroundings s = read_surroundings(c);
+  const auto bed = [&](Config& of) {
+    Bed b;
+    if (material == BedMaterial::read) b.material = read_material(of);
+    b.confining_pressure = forces::confining_pressure(s.hole, s.confinement, b.material.porosity);
+    return b;
+  };
+  std::vector<Bed> beds{bed(c)};
+  if (material == BedMaterial::read)
+    for (Config& layer : c.tables(formation_keys::layers)) beds.push_back(bed(layer));
+  return beds;
+}
+
 forces::Formation read_formation(Config c) {
   forces::Formation f;
   const Surroundings surroundings = read_surroundings(c);

@@ -10,6 +10,7 @@
 #include "simulation/case/rock_keys.hpp"
 #include "simulation/case/rotate_keys.hpp"
 #include "simulation/case/run_keys.hpp"
+#include "simulation/case/spalling_keys.hpp"
 #include "simulation/case/title_key.hpp"
 #include "simulation/case/wear_keys.hpp"
 
@@ -145,6 +146,16 @@ std::vector<KeyTable> wear_tables() {
                      hardness, threshold, growth, temperatures, rates))};
 }
 
+std::vector<KeyTable> spalling_tables() {
+  namespace area = bit::area_keys;
+  using namespace spalling_keys;
+  return {key_table("run", table, rows(angle, depth_share, ahead_share, up_to_pressure, material)),
+          // Not cone, row: rock breaks out beside faces of cutters alone.
+          key_table("run", areas_table,
+                    rows(area::kind, area::zone, area::blade, area::names, area::part, angle,
+                         depth_share, ahead_share))};
+}
+
 KeyTable string_table() {
   using namespace string_keys;
   return key_table(
@@ -213,6 +224,7 @@ std::vector<KeyTable> all_tables() {
   add({time_table(), update_table(), maintenance_table(), measure_table()});
   add(force_tables());
   add(wear_tables());
+  add(spalling_tables());
   add({string_table(), wall_table(), rock_mount_table(), output_table()});
   add({body_table(), cone_table()});
   add(load_tables());

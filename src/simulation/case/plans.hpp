@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "dynamics/drilling/drilling_system.hpp"
 #include "forces/law.hpp"
 #include "forces/rock/formation.hpp"
+#include "rock/section/breakout.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/run_keys.hpp"
 
@@ -76,6 +79,15 @@ struct WearPlan {
 
 /// Whether the bit wears.
 inline bool wears(const WearPlan& plan) { return !plan.part_laws.empty(); }
+
+/// Rock that breaks out beside faces.
+struct SpallingPlan {
+  std::vector<std::optional<rock::BreakoutRule>> rules;  ///< per cutter; empty: no rock breaks out
+  std::vector<std::uint8_t> beds;  ///< per bed of the formation: whether its rock breaks out
+};
+
+/// Whether rock breaks out beside any face.
+inline bool spalls(const SpallingPlan& plan) { return !plan.rules.empty(); }
 
 /// The bit, the string, the wall and the rock's mount of a bit that forces move, and how they start
 /// (thesis: eqs. 2.1 to 2.3).

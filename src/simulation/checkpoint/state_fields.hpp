@@ -168,6 +168,12 @@ void fields(A& a, Of<A, WearState>& x) {
 }
 
 template <class A>
+void fields(A& a, Of<A, SpallingState>& x) {
+  a("ends", x.ends);
+  a("broken_out", x.broken_out);
+}
+
+template <class A>
 void fields(A& a, Of<A, State>& x) {
   a("steps_done", x.steps_done);
   a("place", x.place);
@@ -184,6 +190,7 @@ void fields(A& a, Of<A, State>& x) {
   a("trimming", x.trimming);
   a("started", x.started);
   a("wear", x.wear);
+  a("spalling", x.spalling);
 }
 
 }  // namespace tdbd::simulation

@@ -301,6 +301,10 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
     for (const StudiedConvergence& study : c.output.convergence)
       r.numerical.push_back(numerical_uncertainty(study, sizes_of(c), studied_figures_of(r)));
   if (s.work.wear) r.wear = figures_of_wear(c, s);
+  if (s.state.spalling)
+    for (std::size_t i = 0; i < c.bit.cutters.size(); ++i)
+      r.broken_out.emplace_back(cutter_name(c.bit.cutters[i]),
+                                s.state.spalling->broken_out[i].value());
   r.sections_refused_deep = s.statistics.faces.refused_deep;
   r.sections_refused_over_the_top = s.statistics.faces.refused_over_the_top;
   for (std::size_t k = 0; k < s.state.cones.size(); ++k)

@@ -80,6 +80,12 @@ Json sections_json(const RunSummary& s) {
   return faces;
 }
 
+Json broken_out_json(const RunSummary& s) {
+  Json by_cutter = Json::object();
+  for (const auto& [name, volume] : s.broken_out) by_cutter[name] = volume;
+  return by_cutter;
+}
+
 }  // namespace
 
 Json summary_head(const std::string& command, const std::string& title, RunStatus status,
@@ -121,6 +127,7 @@ std::string to_json(const RunSummary& s) {
   if (!s.faces.empty())
     json["sections_refused"] = {{"deep_in_rock", s.sections_refused_deep},
                                 {"over_the_top", s.sections_refused_over_the_top}};
+  if (!s.broken_out.empty()) json["broken_out_volume_by_cutter_m3"] = broken_out_json(s);
   if (s.wear) json["wear"] = wear_json(*s.wear);
   return json.dump(2) + "\n";
 }

@@ -61,8 +61,10 @@ struct RunSummary {
   std::vector<NumericalUncertainty> numerical;  ///< by each study of the case
   Diagnosis diagnosis;                          ///< with forces
   std::optional<DriveFigures> drive;            ///< of a bit that forces move
-  std::optional<WearFigures> wear;              ///< of a bit that wears
-  long sections_refused_deep = 0;               ///< FaceStatistics
+  std::vector<std::pair<std::string, double>>
+      broken_out;  ///< m3, by cutter, of what its face removed; empty: no rock breaks out
+  std::optional<WearFigures> wear;  ///< of a bit that wears
+  long sections_refused_deep = 0;   ///< FaceStatistics
   long sections_refused_over_the_top = 0;
 };
 

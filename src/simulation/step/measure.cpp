@@ -15,6 +15,11 @@ rotation::Twist twist_of(const Move& move) {
   return rotation::twist_from(move.X_WB0, move.X_WB1, move.dt);
 }
 
+rock::EngagedEnds ends_of(const rock::Section& s, const rock::SectionWork& work) {
+  if (s.sight != rock::Sight::clear || work.measured == nullptr) return {};
+  return rock::engaged_ends(*work.measured, work.sums);
+}
+
 /// A section is a function of the rock alone, so the faces are measured in parallel.
 void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
                       const MeasuredStep& step, PerThread<rock::SectionWork>& rooms, Measures& m) {
@@ -36,6 +41,7 @@ void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const Mea
     if (!are_all_due && creeps(step.paths, face) && found.sight != rock::Sight::clear) return;
     m.is_new[i] = 1;
     m.sections[i] = found;
+    if (!m.ends.empty()) m.ends[i] = ends_of(found, rooms.local());
   });
 }
 
@@ -44,6 +50,9 @@ void sum_removed(const MeasuredStep& step, std::size_t cutters, std::vector<doub
   for (std::size_t p = 0; p < step.bit.parts.size(); ++p)
     if (const int cutter = step.bit.parts[p].cutter; cutter >= 0)
       removed[at(cutter)] += step.cut.removed_by_part[p];
+  for (std::size_t p = 0; p < step.cut.broken_out_by_part.size(); ++p)
+    if (const int cutter = step.bit.parts[p].cutter; cutter >= 0)
+      removed[at(cutter)] -= step.cut.broken_out_by_part[p];
 }
 
 /// A face deep in rock, its surface out of sight, removes what its whole outline sweeps.

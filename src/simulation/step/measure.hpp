@@ -6,6 +6,7 @@
 
 #include "bit/bit.hpp"
 #include "rock/section/contact_area.hpp"
+#include "rock/section/engaged_ends.hpp"
 #include "rock/section/rubbing_contact.hpp"
 #include "rock/section/section.hpp"
 #include "simulation/case/plans.hpp"
@@ -64,7 +65,8 @@ struct Measures {
   /// In between the turns of a face (MeasurePlan::section_every) its last one.
   std::vector<rock::Section> sections;
   std::vector<std::uint8_t> is_new;         ///< per cutter: the section is of this step
-  std::vector<double> removed;              ///< m3, per cutter
+  std::vector<rock::EngagedEnds> ends;      ///< per cutter, of the section; empty: not measured
+  std::vector<double> removed;              ///< m3, per cutter, without what broke out beside it
   std::vector<rock::PartContact> contacts;  ///< per part; none: not measured
   std::vector<PatchOfPart> patches;         ///< of the parts that rub, in their order
 };

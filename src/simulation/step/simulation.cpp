@@ -43,6 +43,7 @@ State start_state(const Case& c, rock::Rock rock) {
   if (std::ranges::any_of(c.bit.parts, [](const bit::Part& p) { return p.start.has_value(); }))
     s.started.resize(c.bit.parts.size());
   s.wear = start_wear(c);
+  s.spalling = start_spalling(c.spalling);
   return s;
 }
 
@@ -53,6 +54,7 @@ void prepare_parts(const Case& c, const State& state, const bit::Bit& bit, rock:
   work.cutting = std::move(cutting);
   rock::turn_cones(work.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
   work.faces = measured_faces(bit, work.cutting, c.measure);
+  work.breakouts = breakouts_of(c, bit, work.faces, work.cutting);
   work.rubbing = rubbing_parts(bit, c.forces, state.rock.grid.cell());
 }
 
@@ -68,6 +70,7 @@ Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
   if (c.measure.contact == ContactMeasure::on)
     w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   w.measures.sections = state.sections;
+  if (state.spalling) w.measures.ends = state.spalling->ends;
   w.creep = creep_of_faces(c.bit, c.forces);
   w.contacts = contacts_of(c.bit, c.forces);
   if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);

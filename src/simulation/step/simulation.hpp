@@ -17,6 +17,7 @@
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/load_figures.hpp"
 #include "simulation/step/measure.hpp"
+#include "simulation/step/spalling.hpp"
 #include "simulation/step/standing.hpp"
 #include "simulation/step/trimming.hpp"
 #include "simulation/step/wear.hpp"
@@ -51,6 +52,7 @@ struct State {
   Trimming trimming;
   std::vector<std::uint8_t> started;  ///< per part: its late start has come; empty: no part waits
   std::optional<WearState> wear;      ///< of a bit that wears
+  std::optional<SpallingState> spalling;  ///< of a case in which rock breaks out
 };
 
 /// Whether parts of the bit still wait for their start (late_start.hpp).
@@ -72,6 +74,7 @@ struct Work {
   double trim_height = 0.0;  ///< m, of the trimming plane above the bit's origin; 0: no trimming
   rock::CuttingBit cutting;  ///< the bit prepared, its cones at the angles of the last step
   MeasuredFaces faces;       ///< the cutters' faces prepared
+  std::vector<rock::Breakout> breakouts;      ///< of `cutting`
   std::vector<rock::ContactOfPart> contacts;  ///< per part: how they are measured
   std::vector<double> creep;                  ///< m/s, per cutter: creep_of_faces
   std::vector<rock::RubbingPart> rubbing;     ///< the parts that rub and have a law

@@ -93,8 +93,11 @@ void step(const Case& of_run, Simulation& s) {
   const Case& c = case_now(of_run, s.work);
   if (s.work.waits == Waits::some) start_due_parts(c, s.state, s.work);
   const Move move = drift(c, s.state, s.work);
+  if (s.state.spalling)
+    place_breakouts(c, move.X_WB1, s.work.breakouts, *s.state.spalling, s.work.cutting);
   cut(move, s.state, s.work);
   measure(c, move, s.state, s.work);
+  if (s.state.spalling) follow_breakouts(c.bit, s.state.cut, s.work.measures, *s.state.spalling);
   apply_forces(c, move, s.state, s.work);
   kick(c, move, s.state, s.work);
   record(c, move, s);

@@ -74,6 +74,12 @@ const Mistake mistakes[] = {
      "1"},
     {"prior_of_no_width", "[fixed]", "prior_sd = 0\n[fixed]",
      "33: unknowns.pressure_share.prior_sd: found 0, expected a plain number, > 0"},
+    {"spalling_of_no_angle", "[fixed]", "[spalling]\nangle = \"90 deg\"\n[fixed]",
+     "34: spalling.angle: found 90 degrees, expected an angle in (0, 90) degrees"},
+    {"spalling_under_pressure", "[fixed]",
+     "[spalling]\nangle = \"60 deg\"\nup_to_pressure = \"1 MPa\"\n[fixed]",
+     "35: spalling.up_to_pressure: found 1e+06 Pa and a record of c13 in rock confined by "
+     "2.06843e+07 Pa, expected records at which rock breaks out, or no table [spalling]"},
     {"edge_and_its_stress", "[fixed]\nA4 = 0.5",
      "[unknowns.te]\nstart = 1e-4\n[unknowns.A4]\nstart = 1",
      "33: unknowns.te: found a direction that the records do not see: te up 100 % with A4 down 100 "

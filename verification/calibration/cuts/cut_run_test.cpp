@@ -21,6 +21,23 @@ simulation::Case coarse_case() {
   return cut_case(c, {"B", ToolKind::bit, TDBD_SOURCE_DIR "/cases/bits/bit-b.toml", {}}, depth);
 }
 
+TEST(CutCase, has_the_break_out_of_the_calibration) {
+  EXPECT_FALSE(simulation::spalls(coarse_case().spalling));
+  CalibrationCase c = made_up_case();
+  c.grid = {.edge_length = 4e-3, .revolutions = 2, .steps_per_revolution = steps};
+  c.grid.breakout = {1.1, 0.7, 0.3};
+  const simulation::Case made =
+      cut_case(c, {"B", ToolKind::bit, TDBD_SOURCE_DIR "/cases/bits/bit-b.toml", {}}, depth);
+  EXPECT_NE(made.hash, coarse_case().hash);
+  ASSERT_EQ(made.spalling.rules.size(), made.bit.cutters.size());
+  for (const auto& rule : made.spalling.rules) {
+    ASSERT_TRUE(rule);
+    EXPECT_EQ(rule->angle, 1.1);
+    EXPECT_EQ(rule->depth_share, 0.7);
+    EXPECT_EQ(rule->ahead_share, 0.3);
+  }
+}
+
 /// One run of two revolutions: its mean cuts, and every step's cuts of the last one at its motion.
 struct Drilled {
   CutRun mean;

@@ -95,6 +95,24 @@ TEST(GrooveCut, of_a_sharp_cutter_has_a_face_alone) {
   EXPECT_EQ(run.cuts[0].cut.kind, bit::PartKind::face);
 }
 
+/// What is left between the groove and the face's rim raised by what does not chip off, in columns.
+TEST(GrooveCut, is_less_what_chips_off_ahead) {
+  const SingleCutter c{.diameter = 13e-3, .back_rake = 0.3};
+  constexpr double depth = 2e-3, share = 0.4, radius = 6.5e-3;
+  const double in_face = depth / std::cos(c.back_rake), raised = (1.0 - share) * in_face;
+  double area = 0.0;
+  constexpr int columns = 200000;
+  for (int i = 0; i < columns; ++i) {
+    const double y = radius * (2.0 * (i + 0.5) / columns - 1.0);
+    const double rim = radius - std::sqrt(radius * radius - y * y);
+    area += std::max(0.0, std::min(in_face, rim + raised) - rim) * 2.0 * radius / columns;
+  }
+  const CutRun whole = groove_cut(c, depth), left = groove_cut(c, depth, share);
+  EXPECT_NEAR(left.cuts[0].face_area / area, 1.0, 1e-9);
+  EXPECT_EQ(left.cuts[0].cut.engaged_edge, whole.cuts[0].cut.engaged_edge);
+  EXPECT_LT(left.cuts[0].face_area, whole.cuts[0].face_area);
+}
+
 /// What a law asks of a part: its diameter among others, of face and flat alike.
 TEST(GrooveCut, tells_the_cutters_diameter) {
   const CutRun run = groove_cut({.diameter = 13e-3, .back_rake = 0.3, .wear_flat = 1e-6}, 1e-3);

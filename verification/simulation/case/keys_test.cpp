@@ -76,6 +76,7 @@ std::vector<std::string> declared_as(const std::string& table) {
     if (table == "forces." + kind) return {"forces.KIND", "forces"};
   if (table.starts_with("forces.areas.")) return {"forces.areas.NAME", "forces"};
   if (table.starts_with("wear.areas.")) return {"wear.areas.NAME"};
+  if (table.starts_with("spalling.areas.")) return {"spalling.areas.NAME"};
   for (const char* key : {"rotary_speed", "rate_of_penetration", "weight_on_bit"})
     if (table == std::string("motion.") + key) return {"motion.KEY"};
   if (table.starts_with("bit.set")) return {"bit.set"};
@@ -277,6 +278,19 @@ std::vector<ReadCase> wears() {
                 "wear.areas.b={part='cutter-1/body', growth=20, " + thermal + "}"})};
 }
 
+/// Every key of spalling, and every criterion of an area of it.
+std::vector<ReadCase> spallings() {
+  const std::string path = std::string(TDBD_SOURCE_DIR) + "/cases/bit-b-3000psi.toml";
+  const std::string area =
+      "={kind='face', zone='nose', blade=1, names='cutter-*', angle=1, "
+      "depth_share=0.5, ahead_share=0.1}";
+  return {{"run", path,
+           read_case(path, {"rock.pressure=0", "spalling={angle=1, material='mancos-shale'}",
+                            "spalling.areas.a" + area,
+                            "spalling.areas.b={part='cutter-1/face', angle=1}"})
+               .resolved}};
+}
+
 /// Every criterion of an area of forces; bit R has cones.
 std::vector<ReadCase> areas() {
   const std::string bit_b = std::string(TDBD_SOURCE_DIR) + "/cases/bit-b-3000psi.toml",
@@ -315,7 +329,8 @@ std::vector<ReadCase> rotations() {
 
 TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
   std::vector<ReadCase> cases{drilling()};
-  for (const auto& more : {motions_and_rocks(), laws(), fits(), areas(), wears(), rotations()})
+  for (const auto& more :
+       {motions_and_rocks(), laws(), fits(), areas(), wears(), spallings(), rotations()})
     cases.insert(cases.end(), more.begin(), more.end());
   for (const char* name : {"bit-r-rolling", "bit-r-steady", "drill-bit-r", "laboratory"})
     cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/" + name + ".toml"));

@@ -103,6 +103,10 @@ INSTANTIATE_TEST_SUITE_P(
                         {"rock.edge_length='4 mm'", "time.step='4 ms'", "time.revolutions=12"}},
                     Run{"sideways", "bit-b-sideways.toml", {coarse}},
                     Run{"a_leaning_bit", "bit-b-tilt.toml", {coarse, "time.revolutions=4"}},
+                    Run{"spalling",
+                        "bit-b-3000psi.toml",
+                        {coarse, "rock.pressure=0", "time.revolutions=4",
+                         "spalling={angle='70 deg', ahead_share=0.3}"}},
                     Run{"reaming", "bit-b-ream.toml", {coarse}},
                     Run{"a_rough_start", "bit-b-rough.toml", {coarse, "time.revolutions=4"}}),
     [](const auto& instance) { return instance.param.name; });
