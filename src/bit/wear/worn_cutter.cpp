@@ -90,20 +90,8 @@ Beyond beyond_plane(const WearSolid& s, std::size_t i, double height, Section& s
   return polygon;
 }
 
-}  // namespace
-
-std::vector<WearSolid> wear_solids(const Bit& bit) {
-  std::vector<WearSolid> solids;
-  for (const Cutter& c : bit.cutters) solids.push_back(solid_of(c));
-  for (const Part& part : bit.parts) {
-    if (part.cutter < 0) continue;
-    const Cutter& c = bit.cutters[place_of(part.cutter)];
-    if (adds_volume(c, part)) add_part(part, tip_C(c), solids[place_of(part.cutter)]);
-  }
-  return solids;
-}
-
-WearFlat flat_at(const WearSolid& s, double height) {
+/// The section at this height, and the volume beyond it.
+WearFlat section_at(const WearSolid& s, double height) {
   WearFlat flat{.height = height};
   const Vec3 apex = -height * s.normal_C;  // in the plane: the section itself adds no volume
   Section section{s, s.normal_C.cross(s.motion_C), {}, {}};
@@ -119,6 +107,29 @@ WearFlat flat_at(const WearSolid& s, double height) {
   }
   flat.length = section.along.size();
   flat.width = section.across.size();
+  return flat;
+}
+
+}  // namespace
+
+std::vector<WearSolid> wear_solids(const Bit& bit) {
+  std::vector<WearSolid> solids;
+  for (const Cutter& c : bit.cutters) solids.push_back(solid_of(c));
+  for (const Part& part : bit.parts) {
+    if (part.cutter < 0) continue;
+    const Cutter& c = bit.cutters[place_of(part.cutter)];
+    if (adds_volume(c, part)) add_part(part, tip_C(c), solids[place_of(part.cutter)]);
+  }
+  return solids;
+}
+
+WearFlat flat_at(const WearSolid& s, double height) {
+  constexpr double beside = 1e-9;  // of the diameter, beside the flat of the table
+  const double least = s.start + beside * s.diameter;
+  if (height >= least) return section_at(s, height);
+  WearFlat flat = section_at(s, least);
+  flat.volume = section_at(s, height).volume;
+  flat.height = height;
   return flat;
 }
 

@@ -364,7 +364,7 @@ void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, s
     }
     take_held(rock, m, cut.groups[i], part, carried, w);
     const PressingPart pressing{
-        {g.parts.data() + from, k - from}, m.X_PW1 * m.X_WP0, gap, how.ramp};
+        {g.parts.data() + from, k - from}, m.X_PW1 * m.X_WP0, gap, how.ramp, how.left_out_P};
     contact_by_part[at(part)] = sum_contact(m, {rock, pressing, part, w});
     keep_made(rock, g, m, w);
     rock.pressed[at(part)].assign(w.pressed.begin(), w.pressed.end());

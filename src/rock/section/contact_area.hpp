@@ -82,6 +82,9 @@ enum class ContactRule {
 struct ContactOfPart {
   ContactRule rule = ContactRule::clipped;
   double ramp = 0.0;  ///< forces::Pressing::ramp of its law
+  /// Unit, or zero: a plane of a convex part with this outward normal is left out, since its contact
+  /// is measured otherwise. What it holds counts as on the part's lee side.
+  Vec3 left_out_P = Vec3::Zero();
 };
 
 struct ContactOptions {

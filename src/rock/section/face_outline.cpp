@@ -27,6 +27,8 @@ void add_to_chain(ConvexPolygon& chain, std::size_t begin, const Vec2& x, double
   chain.push_back(x);
 }
 
+}  // namespace
+
 /// Counter-clockwise, from the leftmost corner on: the lower chain, then the upper one.
 ConvexPolygon convex_hull(std::vector<Vec2> points, double slack) {
   std::ranges::sort(points, [](const Vec2& a, const Vec2& b) {
@@ -40,8 +42,6 @@ ConvexPolygon convex_hull(std::vector<Vec2> points, double slack) {
   hull.pop_back();
   return hull;
 }
-
-}  // namespace
 
 PolygonMoments moments(const ConvexPolygon& polygon) {
   PolygonMoments m;

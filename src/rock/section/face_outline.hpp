@@ -28,6 +28,9 @@ PolygonMoments moments(const ConvexPolygon& polygon);
 /// Writes the part of the polygon in a half-plane to `inside`, which must be another polygon.
 void clip(const ConvexPolygon& polygon, const HalfPlane& h, ConvexPolygon& inside);
 
+/// The convex hull of points, counter-clockwise, without corners nearer to its lines than `slack` (m).
+ConvexPolygon convex_hull(std::vector<Vec2> points, double slack);
+
 /// Outline of a flat cutter face. Frame F: X the face's outward normal, -Z from the bit towards the
 /// rock, as in the cutter's frame (thesis: 3.2.2), its origin in the plane of the outline.
 struct FaceOutline {

@@ -64,12 +64,20 @@ struct NearestSide {
   bool is_lee = false;
 };
 
-/// Whether all of the nearest planes moved away.
+/// ContactOfPart::left_out_P.
+bool is_left_out(const PressingPart& part, const Vec3& n_P) {
+  constexpr double same_normal = 1e-12;  // of the cosine
+  return part.left_out_P.dot(n_P) > 1.0 - same_normal;
+}
+
+/// Whether all of the nearest planes moved away, or are left out.
 bool all_moved_away(const PressingPart& part, const mesh::ConvexSolid& s, const Vec3& x_P,
                     const NearestPlanes& nearest) {
   const Vec3 move_P = displacement_P(part, x_P);
   for (std::size_t k = 0; k < nearest.count; ++k)
-    if (presses_or_slides(part, move_P, mesh::normal(s, at(nearest.plane[k])))) return false;
+    if (const Vec3 n_P = mesh::normal(s, at(nearest.plane[k]));
+        !is_left_out(part, n_P) && presses_or_slides(part, move_P, n_P))
+      return false;
   return true;
 }
 

@@ -13,6 +13,7 @@ struct PressingPart {
   Pose X_P1P0;                          ///< where the step began, seen from where it ended
   double gap = 0.0;                     ///< m, how near counts as touching
   double ramp = 0.0;                    ///< ContactOfPart::ramp
+  Vec3 left_out_P = Vec3::Zero();       ///< ContactOfPart::left_out_P
 };
 
 /// The planes of a part of one convex solid; null for other parts.

@@ -121,6 +121,25 @@ EngagedEdge engaged_edge(const FaceColumns& face, std::size_t i, const ColumnSum
   return {{c.y0 + y, c.lower + y * c.lower_slope + std::max(along, 0.0)}, length};
 }
 
+/// Adds the flat behind the engaged part of a lower edge, which is taken to be one piece around its
+/// middle.
+void add_flat(const FlatBehind& flat, const FaceColumn& c, const EngagedEdge& e, FlatPiece& sum) {
+  if (!(e.length > 0.0)) return;
+  const double y = e.middle_F.x(), half = 0.5 * e.length / c.lower_length;
+  const FlatPiece piece = flat_between(flat, std::max(c.y0, y - half), std::min(c.y1, y + half));
+  sum.area += piece.area;
+  sum.moment_F += piece.moment_F;
+}
+
+void measure_flat(const FaceColumns& face, const FlatBehind& flat, const Pose& X_BF,
+                  const ColumnSums& sums, Section& s) {
+  FlatPiece sum;
+  for (std::size_t i = 0; i < face.columns.size(); ++i)
+    if (sums.engaged[i] != 0) add_flat(flat, face.columns[i], engaged_edge(face, i, sums), sum);
+  s.flat_area = sum.area;
+  if (sum.area > 0.0) s.flat_centroid_B = X_BF * (sum.moment_F / sum.area);
+}
+
 void measure_edge(const FaceColumns& face, const Pose& X_BF, const rotation::Twist& twist,
                   const ColumnSums& sums, Section& s) {
   double attack = 0.0;
@@ -150,7 +169,8 @@ void measure_area(const Pose& X_BF, const rotation::Twist& twist, const ColumnSu
 
 /// The face carried ahead along the motion by `times` the time of each of the work's strips.
 Section section_ahead(const Rock& rock, const FaceColumns& columns, const FacePlace& face,
-                      const SectionPlace& place, double times, SectionWork& work) {
+                      const FlatBehind& flat, const SectionPlace& place, double times,
+                      SectionWork& work) {
   begin_sums(columns, work.sums);
   work.sight = Sight::none;
   const double middle = 0.5 * (columns.lo_F.y() + columns.hi_F.y());
@@ -163,6 +183,7 @@ Section section_ahead(const Rock& rock, const FaceColumns& columns, const FacePl
   s.sight = work.sight;
   measure_area(face.X_BF, face.twist, work.sums, s);
   measure_edge(columns, face.X_BF, face.twist, work.sums, s);
+  if (!flat.columns.columns.empty()) measure_flat(columns, flat, face.X_BF, work.sums, s);
   return s;
 }
 
@@ -170,6 +191,7 @@ Section section_ahead(const Rock& rock, const FaceColumns& columns, const FacePl
 Section at_the_face(const Section& one, const Section& two) {
   Section s = one;
   s.area = 2.0 * one.area - two.area;
+  s.flat_area = std::max(0.0, 2.0 * one.flat_area - two.flat_area);
   s.engaged_edge = 2.0 * one.engaged_edge - two.engaged_edge;
   if (!(s.area > 0.0) || !(s.engaged_edge > 0.0)) return {};
   s.volume_rate = std::max(0.0, 2.0 * one.volume_rate - two.volume_rate);
@@ -183,7 +205,7 @@ Section at_the_face(const Section& one, const Section& two) {
 }  // namespace
 
 SectionFace section_face(FaceOutline outline) {
-  SectionFace face{std::move(outline), {}};
+  SectionFace face{std::move(outline), {}, {}};
   make_columns(face.outline.rim_F, nullptr, face.columns);
   return face;
 }
@@ -203,10 +225,10 @@ Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB,
   face_strips(*columns, v, range, lead_of(*columns, X_BF, v, twist, place.lead),
               time_of_turn(twist, place.largest_turn), work.strips);
   const FacePlace moving{X_WB, X_BF, twist};
-  const Section one = section_ahead(rock, *columns, moving, place, 1.0, work);
+  const Section one = section_ahead(rock, *columns, moving, face.flat, place, 1.0, work);
   if (place.at_face == SectionAtFace::as_ahead || one.sight != Sight::clear || !(one.area > 0.0))
     return one;
-  const Section two = section_ahead(rock, *columns, moving, place, 2.0, work);
+  const Section two = section_ahead(rock, *columns, moving, face.flat, place, 2.0, work);
   return two.sight == Sight::clear ? at_the_face(one, two) : one;
 }
 

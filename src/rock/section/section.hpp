@@ -3,6 +3,7 @@
 #include "rock/rock.hpp"
 #include "rock/section/crossing_segments.hpp"
 #include "rock/section/face_strips.hpp"
+#include "rock/section/flat_behind.hpp"
 
 namespace tdbd::rock {
 
@@ -36,12 +37,15 @@ struct Section {
   double volume_rate = 0.0;      ///< m3/s, swept by this area: integral of X . v dA
   Sight sight = Sight::clear;
   Vec3 edge_centroid_B = Vec3::Zero();  ///< m, of the engaged edge
+  double flat_area = 0.0;  ///< m2, of the cutter's wear flat behind its engaged edge (FlatBehind)
+  Vec3 flat_centroid_B = Vec3::Zero();  ///< m, of that
 };
 
 /// A face, prepared once for its sections.
 struct SectionFace {
   FaceOutline outline;
   FaceColumns columns;
+  FlatBehind flat;  ///< no columns: none, or not measured
 };
 
 SectionFace section_face(FaceOutline outline);

@@ -13,6 +13,7 @@
 #include "simulation/case/idle_coefficients.hpp"
 #include "simulation/case/read_law.hpp"
 #include "simulation/case/run_keys.hpp"
+#include "simulation/case/wear_keys.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -246,6 +247,8 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
   plan.forces = Forces::on;
   plan.cut = c.read(force_keys::cut);
   plan.chamfer = c.read(force_keys::chamfer_contact);
+  plan.flat = whole.has(wear_keys::table) ? FlatMeasure::edge : FlatMeasure::triangles;
+  if (c.has(force_keys::flat_contact)) plan.flat = c.read(force_keys::flat_contact);
   const forces::Law common = read_law(c, "");
   for (const KindKey& k : kind_keys) read_law_of(c, k, common, bit, plan);
   bear_on_wall(whole, c, bit, plan);

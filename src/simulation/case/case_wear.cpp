@@ -106,6 +106,7 @@ WearPlan read_wear(Config& whole, const bit::Bit& bit, const ForcePlan& forces) 
   for (const bit::Part& part : bit.parts)
     plan.part_laws.push_back(part.cutter < 0 ? bit::WearLaw{bit::NoWear{}} : law);
   plan.acceleration = c.read(wear_keys::acceleration);
+  plan.from = c.read(wear_keys::from);
   plan.every_steps = c.read(wear_keys::every_steps);
   plan.every = c.read(wear_keys::every);
   plan.largest_growth = c.read(wear_keys::largest_growth);

@@ -14,6 +14,10 @@ enum class CutMeasure { section, volume };
 /// triangles that it moved or touches (reconstructed).
 enum class ChamferMeasure { edge, triangles };
 
+/// What the contact of a cutter's wear flat is taken from: the flat behind the engaged part of its
+/// edge (ours), or the rock triangles that the cutter's body moved or touches.
+enum class FlatMeasure { edge, triangles };
+
 namespace force_keys {
 
 inline constexpr TableKey table{
@@ -61,6 +65,14 @@ inline constexpr ChoiceKey<ChamferMeasure> chamfer_contact{
     .values = {{{"edge", ChamferMeasure::edge}, {"triangles", ChamferMeasure::triangles}}},
     .fallback = ChamferMeasure::edge,
     .meaning = "a chamfer's contact: engaged edge times width, or the triangles that it touches"};
+
+inline constexpr ChoiceKey<FlatMeasure> flat_contact{
+    .name = "flat_contact",
+    .values = {{{"edge", FlatMeasure::edge}, {"triangles", FlatMeasure::triangles}}},
+    .usual = "\"edge\" with [wear], else \"triangles\"",
+    .meaning =
+        "what of a cutter's wear flat bears, by the law of its body: the flat behind the "
+        "engaged part of its edge, or the triangles that it touches"};
 
 /// A coefficient of a law as a key.
 inline QuantityKey key_of(const forces::LawField& field) {

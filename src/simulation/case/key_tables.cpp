@@ -116,7 +116,7 @@ KeyTable area_table() {
 std::vector<KeyTable> force_tables() {
   using namespace force_keys;
   std::vector<KeyTable> tables{
-      key_table("run", table, rows(law, coefficients, cut, chamfer_contact)),
+      key_table("run", table, rows(law, coefficients, cut, chamfer_contact, flat_contact)),
       key_table("run", kind_table, rows(law, coefficients)), area_table()};
   for (const std::string_view name : forces::law_names()) {
     forces::Law each = forces::law_named(name);
@@ -138,8 +138,8 @@ std::vector<KeyTable> wear_tables() {
   return {
       key_table("run", table,
                 rows(law, coefficient, hardness, threshold, growth, temperatures, rates,
-                     acceleration, every_steps, every, largest_growth, friction, rock_conductivity,
-                     rock_diffusivity, cutter_resistance, fluid_temperature)),
+                     acceleration, from, every_steps, every, largest_growth, friction,
+                     rock_conductivity, rock_diffusivity, cutter_resistance, fluid_temperature)),
       // Not cone, row: no part of a cone wears.
       key_table("run", areas_table,
                 rows(area::kind, area::zone, area::blade, area::names, area::part, law, coefficient,

@@ -35,6 +35,7 @@ struct ForcePlan {
   Forces forces = Forces::off;
   CutMeasure cut = *force_keys::cut.fallback;
   ChamferMeasure chamfer = *force_keys::chamfer_contact.fallback;
+  FlatMeasure flat = FlatMeasure::triangles;
   std::array<forces::Law, bit::part_kinds.size()> laws;  ///< by PartKind
   std::vector<forces::Law> part_laws;  ///< by part, if areas give laws (case_areas.hpp); else empty
   std::vector<std::vector<std::string>> part_areas;  ///< by part: areas that select it; or empty
@@ -72,6 +73,7 @@ struct WearPlan {
   std::vector<bit::WearLaw> part_laws;  ///< by part; empty: the bit does not wear
   bit::FlatHeating heating;
   double acceleration = 1.0;     ///< multiplies the rates of the laws
+  double from = 0.0;             ///< s, before which the bit does not wear
   long every_steps = 0;          ///< time steps between two wear steps, at most; 0: no limit
   double every = 0.0;            ///< m down between two wear steps, at most; 0: no limit
   double largest_growth = 0.01;  ///< of a flat's height in a wear step, over its cutter's diameter

@@ -58,6 +58,14 @@ inline constexpr QuantityKey acceleration{
     .fallback = 1.0,
     .range = Range::positive(),
     .meaning = "multiplies the rates: a metre drilled wears the bit like so many metres"};
+inline constexpr QuantityKey from{
+    .name = "from",
+    .unit = "s",
+    .fallback = 0.0,
+    .range = Range::non_negative(),
+    .meaning =
+        "the bit does not wear before: the first turns of a run, in which it is not yet "
+        "drilling steadily, would stand for as many metres as all others"};
 inline constexpr IntegerKey every_steps{.name = "every_steps",
                                         .fallback = 0,
                                         .meaning =

@@ -52,6 +52,8 @@ void fields(A& a, Of<A, rock::Section>& x) {
   a("volume_rate", x.volume_rate);
   a("sight", x.sight);
   a("edge_centroid_B", x.edge_centroid_B);
+  a("flat_area", x.flat_area);
+  a("flat_centroid_B", x.flat_centroid_B);
 }
 
 template <class A>
@@ -140,6 +142,12 @@ void fields(A& a, Of<A, Trimming>& x) {
 }
 
 template <class A>
+void fields(A& a, Of<A, WornOff>& x) {
+  a("volume", x.volume);
+  a("height", x.height);
+}
+
+template <class A>
 void fields(A& a, Of<A, CutterWear>& x) {
   a("volume", x.volume);
   a("height", x.height);
@@ -153,6 +161,7 @@ void fields(A& a, Of<A, CutterRub>& x) {
   a("force", x.force);
   a("temperature", x.temperature);
   a("rate", x.rate);
+  a("flat_rate", x.flat_rate);
 }
 
 template <class A>
@@ -163,6 +172,8 @@ void fields(A& a, Of<A, WearState>& x) {
   a("previous_time", x.previous_time);
   a("window_steps", x.window_steps);
   a("window_distance", x.window_distance);
+  a("window_weight", x.window_weight);
+  a("window_torque", x.window_torque);
   a("distance", x.distance);
   a("steps", x.steps);
 }

@@ -75,6 +75,9 @@ void fields(A& a, Of<A, StandingStatistics>& x) {
 template <class A>
 void fields(A& a, Of<A, WearRecord>& x) {
   a("distance", x.distance);
+  a("weight", x.weight);
+  a("torque", x.torque);
+  a("rate", x.rate);
   a("width", x.width);
   a("volume", x.volume);
   a("temperature", x.temperature);

@@ -26,6 +26,7 @@
 #include "simulation/result/wear_figures.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/step/energy_order.hpp"
+#include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -231,6 +232,7 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     if (r.keeper.is_due(s.state.steps_done)) keep_checkpoint(c, s, r);
     if (o.progress) o.progress(s, c.time.steps);
   }
+  wear_at_end(c, s);
   return RunStatus::completed;
 }
 

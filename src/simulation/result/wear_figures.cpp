@@ -23,7 +23,13 @@ WearJson cutter_json(const CutterWearFigures& c) {
 
 WearJson records_json(const WearFigures& f) {
   WearJson distance = WearJson::array(), by_cutter = WearJson::object();
-  for (const WearRecord& r : f.records) distance.push_back(r.distance);
+  WearJson weight = WearJson::array(), torque = WearJson::array(), rate = WearJson::array();
+  for (const WearRecord& r : f.records) {
+    distance.push_back(r.distance);
+    weight.push_back(r.weight);
+    torque.push_back(r.torque);
+    rate.push_back(r.rate);
+  }
   for (std::size_t i = 0; i < f.cutters.size(); ++i) {
     WearJson& c = by_cutter[f.cutters[i].name];
     for (const WearRecord& r : f.records) {
@@ -33,7 +39,15 @@ WearJson records_json(const WearFigures& f) {
       c["normal_force_n"].push_back(r.force[i]);
     }
   }
-  return {{"distance_m", distance}, {"cutters", by_cutter}};
+  return {{"distance_m", distance},
+          {"weight_on_bit_n", weight},
+          {"torque_on_bit_n_m", torque},
+          {"rate_of_penetration_m_per_s", rate},
+          {"cutters", by_cutter}};
+}
+
+double pending_volume(const CutterWear& c, const bit::WearFlat& flat) {
+  return c.window.volume + flat.area * c.window.height;
 }
 
 }  // namespace
@@ -49,8 +63,8 @@ WearFigures figures_of_wear(const Case& c, const Simulation& s) {
   f.mass_lost = bit::mass_properties(c.bit).mass - bit::mass_properties(w.worn.bit).mass;
   f.grade = bit::dull_grade(w.worn.bit);
   for (std::size_t i = 0; i < state.cutters.size(); ++i)
-    f.cutters.push_back(
-        {cutter_name(c.bit.cutters[i]), w.flats[i], state.cutters[i].window, state.rubs[i]});
+    f.cutters.push_back({cutter_name(c.bit.cutters[i]), w.flats[i],
+                         pending_volume(state.cutters[i], w.flats[i]), state.rubs[i]});
   f.records = s.statistics.wear.records;
   return f;
 }

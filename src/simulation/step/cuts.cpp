@@ -54,6 +54,16 @@ void take_edge(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
   c.cut.point = step.move.X_WB1 * s.edge_centroid_B;
 }
 
+/// The wear flat of the cutter behind its engaged edge.
+void take_flat(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
+  const int cutter = step.bit.parts[at(c.part)].cutter;
+  const rock::Section& s = m.sections[at(cutter)];
+  c.cut.contact_area = s.flat_area > 0.0 ? s.flat_area : 0.0;
+  c.cut.normal = step.move.X_WB1.R * bit::profile_normal_B(step.bit.cutters[at(cutter)]);
+  c.cut.point = step.move.X_WB1 * s.flat_centroid_B;
+  c.distance = 0.0;
+}
+
 void take_contact(const rock::ContactPatch& contact, CutOfPart& c) {
   const double sum = contact.area_vector_W.norm();
   if (!(sum > 0.0)) return;
@@ -107,6 +117,19 @@ void split_patches(const ForcePlan& plan, const Measures& m, std::vector<CutOfPa
   }
 }
 
+/// A flat whose contact is measured by its edge is a contact of its own, before those of the rest of
+/// its part.
+void add_flat(const ForcePlan& plan, const MeasuredStep& step, const Measures& m,
+              const CutOfPart& part, std::vector<CutOfPart>& cuts) {
+  if (!bears_on_measured_flat(plan, step.bit, step.bit.parts[at(part.part)])) return;
+  CutOfPart flat = part;
+  flat.cut.removed_volume = 0.0;
+  take_flat(step, m, flat);
+  if (!(flat.cut.contact_area > 0.0)) return;
+  flat.cut.strength = forces::strength_at(plan.rock, flat.cut.point);
+  cuts.push_back(flat);
+}
+
 }  // namespace
 
 double chamfer_width(const bit::Cutter& c, double back_rake) {
@@ -123,6 +146,7 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
     c.cone = step.bit.parts[i].cone;
     c.cut.kind = step.bit.parts[i].kind;
     c.cut.removed_volume = step.cut.removed_by_part[i];
+    add_flat(plan, step, m, c, cuts);
     take_part(plan, step, m, c);
     if (!(c.face_area > 0.0) && !(c.cut.contact_area > 0.0)) continue;
     c.cut.strength = forces::strength_at(plan.rock, c.cut.point);

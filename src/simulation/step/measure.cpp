@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bit/cutter/cutter_frame.hpp"
+
 namespace tdbd::simulation {
 namespace {
 
@@ -66,8 +68,9 @@ bool is_deep_in_rock(const rock::SectionFace& face, const rock::Section& s, doub
 
 void refuse(rock::Section& s) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  s = {unknown, Vec3::Constant(unknown), unknown, unknown, unknown,
-       s.sight, Vec3::Constant(unknown)};
+  s = {
+      unknown, Vec3::Constant(unknown), unknown, unknown, unknown, s.sight, Vec3::Constant(unknown),
+      unknown, Vec3::Constant(unknown)};
 }
 
 void refuse_unknown(const MeasuredFaces& faces, const MeasuredStep& step, Measures& m) {
@@ -97,14 +100,22 @@ bool has_section(const ForcePlan& plan, bit::PartKind kind) {
 
 }  // namespace
 
+bool bears_on_measured_flat(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part) {
+  return plan.flat == FlatMeasure::edge && part.kind == bit::PartKind::cutter_body &&
+         part.cutter >= 0 && bit.cutters[at(part.cutter)].wear > 0.0;
+}
+
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
-                             const MeasurePlan& plan) {
+                             const MeasurePlan& plan, FlatMeasure flat) {
   MeasuredFaces m;
   if (plan.section == SectionMeasure::off) return m;
   m.faces.reserve(bit.cutters.size());
-  for (std::size_t i = 0; i < bit.cutters.size(); ++i)
-    m.faces.push_back(
-        rock::section_face(rock::face_outline(bit.cutters[i], static_cast<int>(i), bit.parts)));
+  for (std::size_t i = 0; i < bit.cutters.size(); ++i) {
+    const int cutter = static_cast<int>(i);
+    m.faces.push_back(rock::section_face(rock::face_outline(bit.cutters[i], cutter, bit.parts)));
+    if (flat == FlatMeasure::edge)
+      m.faces[i].flat = rock::flat_behind(bit.cutters[i], cutter, m.faces[i].outline, bit.parts);
+  }
   m.near_lists.assign(m.faces.size(), -1);
   m.cuts.assign(m.faces.size(), 1);
   for (const bit::Part& part : bit.parts)
@@ -122,6 +133,10 @@ std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePla
     forces::PartCut cut;
     cut.kind = bit.parts[i].kind;
     if (has_section(plan, cut.kind)) contacts[i].rule = rock::ContactRule::whole_triangles;
+    if (bears_on_measured_flat(plan, bit, bit.parts[i])) {
+      const bit::Cutter& cutter = bit.cutters[at(bit.parts[i].cutter)];
+      contacts[i].left_out_P = bit.parts[i].X_BP.R.transpose() * bit::profile_normal_B(cutter);
+    }
     if (plan.forces == Forces::off || !has_law(plan, bit, i)) continue;
     if (const auto law = forces::pressing(law_of(plan, cut.kind, static_cast<int>(i)), cut))
       contacts[i].ramp = law->ramp;

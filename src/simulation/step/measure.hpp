@@ -25,7 +25,11 @@ struct MeasuredFaces {
 
 /// A cutter's parts are a group, whose list of near vertices covers what is ahead of its face, too.
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
-                             const MeasurePlan& plan);
+                             const MeasurePlan& plan, FlatMeasure flat);
+
+/// Whether the flat behind the engaged edge is the contact of this part's flat (FlatMeasure::edge): of
+/// the body of a worn cutter.
+bool bears_on_measured_flat(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part);
 
 /// How the contact of each part is measured: by whole triangles, which cost less, if the section
 /// ahead of a face gives the part's force (faces, and chamfers under ChamferMeasure::edge); clipped

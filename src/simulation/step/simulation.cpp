@@ -53,7 +53,7 @@ void prepare_parts(const Case& c, const State& state, const bit::Bit& bit, rock:
                    Work& work) {
   work.cutting = std::move(cutting);
   rock::turn_cones(work.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
-  work.faces = measured_faces(bit, work.cutting, c.measure);
+  work.faces = measured_faces(bit, work.cutting, c.measure, c.forces.flat);
   work.breakouts = breakouts_of(c, bit, work.faces, work.cutting);
   work.rubbing = rubbing_parts(bit, c.forces, state.rock.grid.cell());
 }

@@ -63,8 +63,7 @@ struct WearWork {
   Case worn;                           ///< the case with the worn bit and its mass
   std::vector<bit::WearSolid> solids;  ///< per cutter, of the bit of the case
   std::vector<bit::WearFlat> flats;    ///< per cutter
-  std::vector<double> due_volume;      ///< m3, per cutter, beyond which a wear step is due
-  std::vector<double> most_volume;     ///< m3, per cutter, of the largest growth
+  std::vector<WornOff> due;  ///< per cutter: what may wear off, either way, before a wear step
 };
 
 /// What a step keeps beside the state: all of it follows from the case and the state (start_work).

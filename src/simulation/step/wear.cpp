@@ -8,36 +8,53 @@
 
 namespace tdbd::simulation {
 
-double volume_after(const WearState& s, const CutterWear& c, double window, double time) {
+namespace {
+
+double extrapolated(double window, double previous, double ratio) {
+  return std::max(0.0, window + 0.5 * ratio * (window - ratio * previous));
+}
+
+}  // namespace
+
+WornOff worn_after(const WearState& s, const CutterWear& c, const WornOff& window, double time) {
   const double ratio = s.previous_time > 0.0 ? time / s.previous_time : 0.0;
-  const double worn = window + 0.5 * ratio * (window - ratio * c.previous);
-  return c.volume + std::max(0.0, worn);
+  return {extrapolated(window.volume, c.previous.volume, ratio),
+          extrapolated(window.height, c.previous.height, ratio)};
+}
+
+std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const CutterWear& c,
+                                        const WornOff& worn) {
+  double volume = c.volume + worn.volume;
+  if (worn.height > 0.0) {
+    const auto half = bit::flat_of_volume(solid, c.volume + 0.5 * worn.volume, c.height);
+    if (!half || half->height + worn.height >= solid.largest) return std::nullopt;
+    volume = bit::flat_at(solid, half->height + worn.height).volume + 0.5 * worn.volume;
+  }
+  return bit::flat_of_volume(solid, volume, c.height);
 }
 
 void take_wear_step(const std::vector<bit::WearSolid>& solids, WearState& s,
                     std::vector<bit::WearFlat>& flats) {
-  std::vector<double> volumes;
   std::vector<bit::WearFlat> next;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const CutterWear& c = s.cutters[i];
-    volumes.push_back(volume_after(s, c, c.window, s.window_time));
-    const auto flat = bit::flat_of_volume(solids[i], volumes.back(), c.height);
+    const auto flat = flat_after(solids[i], c, worn_after(s, c, c.window, s.window_time));
     if (!flat)
-      throw WearEnd(
-          fmt::format("the flat of cutter-{} is as large as the cutter: {:.4g} mm3 are worn off it",
-                      solids[i].id, 1e9 * volumes.back()));
+      throw WearEnd(fmt::format(
+          "the flat of cutter-{} is as large as the cutter; before, {:.4g} mm3 were worn off it",
+          solids[i].id, 1e9 * c.volume));
     next.push_back(*flat);
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
     CutterWear& c = s.cutters[i];
-    c.volume = volumes[i];
+    c.volume = next[i].volume;
     c.height = next[i].height;
-    c.previous = std::exchange(c.window, 0.0);
+    c.previous = std::exchange(c.window, {});
   }
   flats = std::move(next);
   s.previous_time = std::exchange(s.window_time, 0.0);
   s.window_steps = 0;
-  s.window_distance = 0.0;
+  s.window_distance = s.window_weight = s.window_torque = 0.0;
   ++s.steps;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bit/wear/worn_cutter.hpp"
@@ -12,13 +13,20 @@ struct WearEnd : RunError {
   using RunError::RunError;
 };
 
-/// The wear of a cutter in a run. Volumes in m3.
+/// Wear over some time. What a flat loses where it bears is given as a height: under a steady stress it
+/// loses height evenly, however large it has grown.
+struct WornOff {
+  double volume = 0.0;  ///< m3, elsewhere on the cutter
+  double height = 0.0;  ///< m: volume over the area of the flat
+};
+
+/// The wear of a cutter in a run.
 struct CutterWear {
-  double volume = 0.0;    ///< worn in the run, as its meshes have lost it
-  double height = 0.0;    ///< m, of the flat that lost it (WearFlat)
-  double window = 0.0;    ///< rate times time since the last wear step
-  double previous = 0.0;  ///< the same of the window before
-  double last = 0.0;      ///< of the last time step
+  double volume = 0.0;  ///< m3, worn in the run, as its meshes have lost it
+  double height = 0.0;  ///< m, of the flat that lost it (WearFlat)
+  WornOff window{};     ///< rate times time since the last wear step
+  WornOff previous{};   ///< the same of the window before
+  WornOff last{};       ///< of the last time step
 };
 
 /// What rubbed on a cutter in the last step.
@@ -26,6 +34,7 @@ struct CutterRub {
   double force = 0.0;        ///< N, normal, of all its parts
   double temperature = 0.0;  ///< K, of the flat
   double rate = 0.0;         ///< m3/s, of worn volume, not accelerated
+  double flat_rate = 0.0;    ///< m3/s, of that: where the flat bears (FlatMeasure::edge)
 };
 
 /// The wear of a bit, as a restart needs it. Times are times of wear: acceleration times simulated
@@ -36,14 +45,21 @@ struct WearState {
   double window_time = 0.0, previous_time = 0.0;
   long window_steps = 0;         ///< time steps
   double window_distance = 0.0;  ///< m that the bit went down
+  double window_weight = 0.0;    ///< N s of wear, weight on bit times time
+  double window_torque = 0.0;    ///< N m s of wear, torque on bit times time
   double distance = 0.0;         ///< m of wear: acceleration times what the bit went down
   long steps = 0;                ///< wear steps taken
 };
 
-/// The volume of a cutter after a window of this time (s) in which `window` (m3) wore off at the
-/// geometry of its beginning: the method of Adams and Bashforth of order 2 over windows of any
-/// length, simulation (14); the first window is one of Euler's method. Never less than before.
-double volume_after(const WearState& s, const CutterWear& c, double window, double time);
+/// What wears off in a window of this time (s) in which `window` wore off at the geometry of its
+/// beginning: the method of Adams and Bashforth of order 2 over windows of any length, simulation (14);
+/// the first window is one of Euler's method. Never negative.
+WornOff worn_after(const WearState& s, const CutterWear& c, const WornOff& window, double time);
+
+/// The flat of a cutter that loses this: half of the volume, then the height, then the other half,
+/// which is of order 2. None: the flat would be as large as the cutter.
+std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const CutterWear& c,
+                                        const WornOff& worn);
 
 /// A wear step: closes the window, finds the flat of each cutter's volume, and begins the next
 /// window. `flats`: of the bit before and after. Throws WearEnd if a flat becomes as large as its
@@ -56,7 +72,10 @@ double wear_ledger_defect(const std::vector<bit::WearSolid>& solids, const WearS
 
 /// The bit at the distance of a wear step, per cutter.
 struct WearRecord {
-  double distance = 0.0;                                  ///< m of wear
+  double distance = 0.0;  ///< m of wear
+  double weight = 0.0;    ///< N, on bit, mean of the window before
+  double torque = 0.0;    ///< N m, on bit, mean of the window before
+  double rate = 0.0;      ///< m/s, of penetration, of the window before
   std::vector<double> width, volume, temperature, force;  ///< m, m3, K, N
 };
 

@@ -16,29 +16,31 @@ namespace {
 /// for the step that follows.
 constexpr double due_share = 0.5;
 
+double most_growth(const WearPlan& plan, const bit::WearSolid& solid) {
+  return plan.largest_growth * solid.diameter;
+}
+
 /// How far flats may grow from here.
-void limit_growth(const Case& c, const WearState& s, WearWork& w) {
-  w.due_volume.clear();
-  w.most_volume.clear();
+void limit_growth(const WearPlan& plan, const WearState& s, WearWork& w) {
+  w.due.clear();
   for (std::size_t i = 0; i < w.solids.size(); ++i) {
-    const bit::WearSolid& solid = w.solids[i];
-    const double growth = c.wear.largest_growth * solid.diameter;
-    const auto volume = [&](double share) {
-      return bit::flat_at(solid, s.cutters[i].height + share * growth).volume;
-    };
-    w.due_volume.push_back(volume(due_share));
-    w.most_volume.push_back(volume(1.0));
+    const double growth = due_share * most_growth(plan, w.solids[i]);
+    const bit::WearFlat flat = bit::flat_at(w.solids[i], s.cutters[i].height + growth);
+    w.due.push_back({flat.volume - s.cutters[i].volume, growth});
   }
 }
 
-/// Whether the next step, if it wears no more than twice the last one, makes a flat too large.
+/// Whether the next step, if it wears no more than twice the last one, makes a flat too large. A flat
+/// grows with its height, so that the shares of what may wear off in the two ways may be added.
 bool may_grow_too_far(const WearState& s, const WearWork& w) {
   constexpr double care = 2.0;
   const double step = s.window_time / static_cast<double>(s.window_steps);
   for (std::size_t i = 0; i < s.cutters.size(); ++i) {
     const CutterWear& c = s.cutters[i];
-    if (volume_after(s, c, c.window + care * c.last, s.window_time + step) > w.due_volume[i])
-      return true;
+    const WornOff ahead = worn_after(
+        s, c, {c.window.volume + care * c.last.volume, c.window.height + care * c.last.height},
+        s.window_time + step);
+    if (ahead.volume / w.due[i].volume + ahead.height / w.due[i].height > 1.0) return true;
   }
   return false;
 }
@@ -52,7 +54,9 @@ bool is_wear_due(const WearPlan& plan, const WearState& s, const WearWork& w) {
 void require_slow_growth(const WearPlan& plan, const WearState& s, const WearWork& w) {
   for (std::size_t i = 0; i < s.cutters.size(); ++i) {
     const CutterWear& c = s.cutters[i];
-    if (volume_after(s, c, c.window, s.window_time) > w.most_volume[i])
+    const auto flat = flat_after(w.solids[i], c, worn_after(s, c, c.window, s.window_time));
+    const double reached = flat ? flat->height : w.solids[i].largest;
+    if (reached - c.height > most_growth(plan, w.solids[i]))
       throw WearEnd(fmt::format(
           "wear.acceleration: found {:g}, with which the flat of cutter-{} grows in a window of {} "
           "time steps by more than {:g} of its diameter (wear.largest_growth); expected a smaller "
@@ -105,7 +109,8 @@ void carry_motion(const dynamics::DrillingSystem& before, const dynamics::Drilli
 
 /// What rubs on the cutters: forces, paths and areas of their parts that bear.
 struct Rubbing {
-  double force = 0.0, power = 0.0, area = 0.0;  ///< N, W, m2
+  double force = 0.0, power = 0.0;     ///< N, W
+  double area = 0.0, body_area = 0.0;  ///< m2, of all, and of the body
 };
 
 std::vector<Rubbing> rubbing_of(const bit::Bit& bit, const Work& work,
@@ -114,9 +119,13 @@ std::vector<Rubbing> rubbing_of(const bit::Bit& bit, const Work& work,
   const auto bears = [&](std::size_t p) {
     return bit.parts[p].cutter >= 0 && bit.parts[p].kind != bit::PartKind::face;
   };
-  for (const CutOfPart& cut : work.cuts)
-    if (bears(at(cut.part)))
-      rubbing[at(bit.parts[at(cut.part)].cutter)].area += cut.cut.contact_area;
+  for (const CutOfPart& cut : work.cuts) {
+    if (!bears(at(cut.part))) continue;
+    const bit::Part& part = bit.parts[at(cut.part)];
+    Rubbing& r = rubbing[at(part.cutter)];
+    r.area += cut.cut.contact_area;
+    if (part.kind == bit::PartKind::cutter_body) r.body_area += cut.cut.contact_area;
+  }
   for (std::size_t p = 0; p < speeds.size(); ++p) {
     if (!bears(p)) continue;
     Rubbing& r = rubbing[at(bit.parts[p].cutter)];
@@ -136,6 +145,14 @@ std::vector<double> part_speeds(const bit::Bit& bit, const Pose& X_WB, const Wor
   return speeds;
 }
 
+/// Of what wears off a part: that which its flat loses where it bears.
+double flat_share(const Case& c, std::size_t part, const Work& work, const Rubbing& r) {
+  const bit::Part& p = c.bit.parts[part];
+  if (!bears_on_measured_flat(c.forces, c.bit, p) || !(r.body_area > 0.0)) return 0.0;
+  const double area = work.measures.sections[at(p.cutter)].flat_area;
+  return area > 0.0 ? std::min(1.0, area / r.body_area) : 0.0;
+}
+
 void rub(const Case& c, const Pose& X_WB, const Work& work, const WearWork& w,
          std::vector<CutterRub>& rubs) {
   const std::vector<double> speeds = part_speeds(c.bit, X_WB, work);
@@ -152,13 +169,20 @@ void rub(const Case& c, const Pose& X_WB, const Work& work, const WearWork& w,
     CutterRub& on = rubs[at(c.bit.parts[p].cutter)];
     const double force = work.loads.parts[p].normal;
     on.force += force;
-    on.rate += bit::wear_rate(c.wear.part_laws[p], {force, speeds[p], on.temperature});
+    const double rate = bit::wear_rate(c.wear.part_laws[p], {force, speeds[p], on.temperature});
+    on.rate += rate;
+    on.flat_rate += flat_share(c, p, work, rubbing[at(c.bit.parts[p].cutter)]) * rate;
   }
 }
 
-WearRecord record_of(const WearState& s, const WearWork& w) {
+/// After a wear step; `before`: the state ahead of it, with its window.
+WearRecord record_of(const WearPlan& plan, const WearState& before, const WearState& s,
+                     const WearWork& w) {
   WearRecord r;
   r.distance = s.distance;
+  r.weight = before.window_weight / before.window_time;
+  r.torque = before.window_torque / before.window_time;
+  r.rate = plan.acceleration * before.window_distance / before.window_time;
   for (std::size_t i = 0; i < s.cutters.size(); ++i) {
     r.width.push_back(w.flats[i].width);
     r.volume.push_back(s.cutters[i].volume);
@@ -187,26 +211,27 @@ std::optional<WearWork> wear_work(const Case& c, const State& state) {
   wear_case(c, bit_at(c, *state.wear, w.solids), w.worn);
   for (std::size_t i = 0; i < w.solids.size(); ++i)
     w.flats.push_back(bit::flat_at(w.solids[i], state.wear->cutters[i].height));
-  limit_growth(c, *state.wear, w);
+  limit_growth(c.wear, *state.wear, w);
   return w;
 }
 
-void wear_if_due(const Case& c, Simulation& sim) {
+namespace {
+
+void take_wear_step(const Case& c, Simulation& sim) {
   State& state = sim.state;
   WearWork& w = *sim.work.wear;
-  if (!is_wear_due(c.wear, *state.wear, w)) return;
   require_slow_growth(c.wear, *state.wear, w);
   WearState next = *state.wear;
   std::vector<bit::WearFlat> flats = w.flats;
   take_wear_step(w.solids, next, flats);
   bit::Bit worn = bit_at(c, next, w.solids);
-  state.wear = std::move(next);
+  const WearState last = std::exchange(*state.wear, std::move(next));
   w.flats = std::move(flats);
   const dynamics::DrillingSystem before = w.worn.drilling.system;
   wear_case(c, std::move(worn), w.worn);
-  limit_growth(c, *state.wear, w);
+  limit_growth(c.wear, *state.wear, w);
   if (state.drive) carry_motion(before, w.worn.drilling.system, *state.drive);
-  add(record_of(*state.wear, w), sim.statistics.wear);
+  add(record_of(c.wear, last, *state.wear, w), sim.statistics.wear);
   state.rock.near_lists.clear();  // they are by the parts that cut
   const bit::Bit now = state.started.empty() ? w.worn.bit : started_bit(w.worn.bit, state.started);
   std::optional<WearWork> wear = std::move(sim.work.wear);
@@ -214,18 +239,36 @@ void wear_if_due(const Case& c, Simulation& sim) {
   sim.work.wear = std::move(wear);
 }
 
+}  // namespace
+
+void wear_if_due(const Case& c, Simulation& s) {
+  if (is_wear_due(c.wear, *s.state.wear, *s.work.wear)) take_wear_step(c, s);
+}
+
+void wear_at_end(const Case& c, Simulation& s) {
+  if (s.work.wear && s.state.wear->window_steps > 0) take_wear_step(c, s);
+}
+
 void measure_wear(const Case& c, const Move& move, State& state, Work& work) {
   WearState& s = *state.wear;
   rub(c, move.X_WB1, work, *work.wear, s.rubs);
+  if (time_at(c.time, state.steps_done - c.time.first) < c.wear.from) return;
   const double time = c.wear.acceleration * move.dt;
   for (std::size_t i = 0; i < s.cutters.size(); ++i) {
-    s.cutters[i].last = s.rubs[i].rate * time;
-    s.cutters[i].window += s.cutters[i].last;
+    CutterWear& worn = s.cutters[i];
+    const CutterRub& rub = s.rubs[i];
+    const double area = work.wear->flats[i].area;
+    worn.last = {(rub.rate - rub.flat_rate) * time,
+                 rub.flat_rate > 0.0 ? rub.flat_rate * time / area : 0.0};
+    worn.window.volume += worn.last.volume;
+    worn.window.height += worn.last.height;
   }
   const double down = move.X_WB1.p.z() - move.X_WB0.p.z();
   s.window_time += time;
   ++s.window_steps;
   s.window_distance += down;
+  s.window_weight -= work.loads.force_W.z() * time;
+  s.window_torque -= work.loads.torque_W.z() * time;
   s.distance += c.wear.acceleration * down;
 }
 

@@ -21,7 +21,12 @@ std::optional<WearWork> wear_work(const Case& c, const State& state);
 /// the simulation is then as it was.
 void wear_if_due(const Case& c, Simulation& s);
 
-/// Adds the wear of a step that was just made to the window. `c`: the case with the worn bit.
+/// Takes the last wear step of a run, so that its figures are those of all its wear. To be called after
+/// the last time step; the loads and measures of that step are then gone. Does nothing if the bit does not
+/// wear.
+void wear_at_end(const Case& c, Simulation& s);
+
+/// Adds the wear of a step that was just made to the window, from WearPlan::from on. `c`: the case with the worn bit.
 void measure_wear(const Case& c, const Move& move, State& state, Work& work);
 
 }  // namespace tdbd::simulation

@@ -272,7 +272,7 @@ std::vector<ReadCase> wears() {
   };
   const std::string of_table = "law='table', temperatures=[300, 400], rates=[0, 1e-15]",
                     thermal = "law='thermal', coefficient=1e-5, hardness=5e10, threshold=700";
-  return {read({"wear={" + of_table + "}"}),
+  return {read({"wear={" + of_table + "}", "forces.flat_contact='triangles'"}),
           read({"wear.areas.a={kind='chamfer', zone='nose', blade=1, names='cutter-*', " +
                     of_table + "}",
                 "wear.areas.b={part='cutter-1/body', growth=20, " + thermal + "}"})};

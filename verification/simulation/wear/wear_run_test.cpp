@@ -23,8 +23,8 @@ namespace {
 constexpr double wear_ledger = 1e-12;
 
 Case wearing(std::vector<std::string> settings = {}) {
-  settings.insert(settings.begin(),
-                  {"rock.edge_length='4 mm'", "time.revolutions=0.2", "wear.every_steps=7"});
+  settings.insert(settings.begin(), {"rock.edge_length='4 mm'", "time.revolutions=0.2",
+                                     "wear.every_steps=7", "wear.from=0"});
   return read_case(TDBD_SOURCE_DIR "/cases/wear-bit-b.toml", settings);
 }
 
@@ -110,9 +110,11 @@ TEST(WearRun, is_bitwise_identical_on_two_threads) {
 /// and rad/s: a few roundings.
 TEST(WearRun, continues_the_motion_of_a_bit_that_forces_move) {
   constexpr double rounding = 1e-13;
-  const Case c = wearing(drilled_by_forces);
+  std::vector<std::string> settings = drilled_by_forces;
+  settings.insert(settings.end(), {"wear.every_steps=40", "wear.largest_growth=0.1"});
+  const Case c = wearing(settings);
   Simulation s = start(c);
-  drill(c, s, 7);
+  drill(c, s, 40);
   const auto motion = [&] {
     return velocity_of(case_now(c, s.work).drilling.system, s.state.drive->state);
   };
@@ -145,15 +147,15 @@ TEST(WearRun, flats_grow_by_at_most_the_given_share) {
   EXPECT_LE(most, 0.002);
 }
 
-TEST(WearRun, ends_where_a_flat_is_as_large_as_its_cutter_with_the_state_before) {
+TEST(WearRun, ends_where_a_flat_is_as_large_as_its_cutter_with_the_wear_before) {
   const Case c = wearing();
   Simulation s = start(c);
   drill(c, s, 5);
   const bit::WearSolid& solid = s.work.wear->solids[3];
   CutterWear& cutter = s.state.wear->cutters[3];
-  cutter.window = 1.01 * bit::flat_at(solid, solid.largest).volume;
-  s.work.wear->most_volume[3] = s.work.wear->due_volume[3] = 1.0;
-  drill(c, s, 1);
+  cutter.height = solid.largest - 1e-6;
+  cutter.volume = bit::flat_at(solid, cutter.height).volume;
+  cutter.window.height = 2e-6;
   const WearState before = *s.state.wear;
   try {
     drill(c, s, 20);
@@ -165,6 +167,26 @@ TEST(WearRun, ends_where_a_flat_is_as_large_as_its_cutter_with_the_state_before)
   }
   EXPECT_EQ(s.state.wear->cutters[3].height, before.cutters[3].height);
   EXPECT_EQ(s.state.wear->steps, before.steps);
+}
+
+/// In the hands of users: 2.7 mm of wear for every turn, until the cutters are gone.
+TEST(WearRun,
+     a_flat_as_large_as_the_cutter_ends_the_run_with_the_state_saved_and_the_cutter_named) {
+  const Case c = wearing({"motion.rate_of_penetration='60 m/h'", "wear.acceleration=1e6",
+                          "wear.largest_growth=0.1", "wear.every_steps=0", "time.revolutions=3"});
+  RunOptions options;
+  options.folder = test_folder() / "worn-out";
+  try {
+    run(c, options);
+    FAIL() << "no error";
+  } catch (const RunError& e) {
+    const std::string message = e.what();
+    EXPECT_NE(message.find("the flat of cutter-"), std::string::npos) << message;
+    EXPECT_NE(message.find(" is as large as the cutter"), std::string::npos) << message;
+  }
+  EXPECT_TRUE(std::filesystem::exists(options.folder / "failure.txt"));
+  const Checkpoint saved = read_checkpoint(options.folder / "checkpoint.nc", c);
+  EXPECT_GT(saved.state.wear->steps, 5);
 }
 
 /// Wear that is far too fast: the message names the setting; the checkpoint is there.
@@ -183,6 +205,37 @@ TEST(WearRun, names_an_acceleration_that_is_too_large_and_saves_the_state) {
   EXPECT_TRUE(std::filesystem::exists(options.folder / "failure.txt"));
 }
 
+/// The contact of a flat is its area behind the edge times the share that is in rock. Steady drilling
+/// has cutters whose edge on the flat is in rock as a whole: they bear with all of it, in a coarse rock.
+TEST(WearRun, flats_whose_edge_is_in_rock_bear_the_stress_times_their_area_exactly) {
+  constexpr double rounding = 1e-12, stress = 100e6;
+  const Case c = wearing({"forces.cutter_body.cap=10"});
+  Simulation s = start(c);
+  drill(c, s, 300);
+  const Case& now = case_now(c, s.work);
+  int whole = 0;
+  for (std::size_t p = 0; p < now.bit.parts.size(); ++p) {
+    const bit::Part& part = now.bit.parts[p];
+    if (part.kind != bit::PartKind::cutter_body) continue;
+    const rock::FlatPiece all = flat_between(s.work.faces.faces[at(part.cutter)].flat, -1.0, 1.0);
+    const double most = stress * all.area, force = s.work.loads.parts[p].normal;
+    EXPECT_LE(s.work.measures.sections[at(part.cutter)].flat_area, all.area * (1.0 + rounding))
+        << part.name;
+    whole += std::abs(force - most) <= rounding * most ? 1 : 0;
+  }
+  EXPECT_GE(whole, 15);
+}
+
+TEST(WearRun, begins_to_wear_at_the_given_time) {
+  const Case c = wearing({"wear.from='40 ms'"});
+  Simulation s = start(c);
+  drill(c, s, 20);
+  EXPECT_EQ(s.state.wear->distance, 0.0);
+  EXPECT_EQ(s.state.wear->window_steps, 0);
+  drill(c, s, 1);
+  EXPECT_EQ(s.state.wear->window_steps, 1);
+}
+
 TEST(WearRun, reports_its_wear_by_cutter) {
   const Case c = wearing();
   RunOptions options;
@@ -197,6 +250,11 @@ TEST(WearRun, reports_its_wear_by_cutter) {
   EXPECT_LE(json["wear"]["volume_ledger_defect"].get<double>(), wear_ledger);
   EXPECT_EQ(json["wear"]["over_distance"]["distance_m"].size(), summary.wear->records.size());
   EXPECT_GT(summary.wear->records.size(), 2U);
+  // The last wear step is at the end of the run.
+  EXPECT_EQ(summary.wear->records.back().distance, summary.wear->distance);
+  for (const CutterWearFigures& cutter : summary.wear->cutters) EXPECT_EQ(cutter.pending, 0.0);
+  EXPECT_NEAR(summary.wear->records.back().rate, 15.0 / 3600.0, 1e-12);
+  EXPECT_GT(summary.wear->records.back().weight, 0.0);
 }
 
 }  // namespace
