@@ -94,6 +94,8 @@ void add_run(CLI::App& app, int& exit_code) {
   add_resume(*command, *a);
   command->footer(
       "The keys of a case: tdbd keys.\n"
+      "With the table [wear] the cutters of a bit wear over hundreds of metres "
+      "(cases/wear-bit-b.toml).\n"
       "Ctrl-C ends the run after the current step and writes what was recorded; exit code 130.\n"
       "A second one ends it at once.\n"
       "A run that was stopped or killed goes on with --resume, to the same results.\n"

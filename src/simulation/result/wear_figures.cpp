@@ -1,6 +1,7 @@
 #include "simulation/result/wear_figures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "bit/mass_properties.hpp"
@@ -50,6 +51,20 @@ double pending_volume(const CutterWear& c, const bit::WearFlat& flat) {
   return c.window.volume + flat.area * c.window.height;
 }
 
+/// Sums over the cutters.
+void sum_worn(WearFigures& f) {
+  double squares = 0.0, count = 0.0;
+  for (const CutterWearFigures& c : f.cutters) {
+    f.worn += c.flat.volume;
+    f.largest = std::max(f.largest, c.flat.volume);
+    squares += c.flat.volume * c.flat.volume;
+    count += c.flat.volume > 0.0 ? 1.0 : 0.0;
+  }
+  if (!(count > 0.0)) return;
+  const double mean = f.worn / count;
+  f.unevenness = std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean;
+}
+
 }  // namespace
 
 WearFigures figures_of_wear(const Case& c, const Simulation& s) {
@@ -65,6 +80,7 @@ WearFigures figures_of_wear(const Case& c, const Simulation& s) {
   for (std::size_t i = 0; i < state.cutters.size(); ++i)
     f.cutters.push_back({cutter_name(c.bit.cutters[i]), w.flats[i],
                          pending_volume(state.cutters[i], w.flats[i]), state.rubs[i]});
+  sum_worn(f);
   f.records = s.statistics.wear.records;
   return f;
 }
@@ -77,6 +93,9 @@ WearJson wear_json(const WearFigures& f) {
           {"wear_steps", f.steps},
           {"volume_ledger_defect", f.ledger_defect},
           {"mass_lost_kg", f.mass_lost},
+          {"worn_volume_m3", f.worn},
+          {"largest_worn_volume_m3", f.largest},
+          {"worn_volume_unevenness", f.unevenness},
           {"dull_grade_inner", f.grade.inner},
           {"dull_grade_outer", f.grade.outer},
           {"cutters", cutters},

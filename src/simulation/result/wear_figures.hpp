@@ -23,6 +23,10 @@ struct WearFigures {
   long steps = 0;         ///< wear steps
   double ledger_defect = 0.0;
   double mass_lost = 0.0;  ///< kg, of the cutters
+  double worn = 0.0;       ///< m3, of all cutters
+  double largest = 0.0;    ///< m3, of the cutter that is worn most
+  double unevenness =
+      0.0;  ///< standard deviation of worn volumes over their mean, of the cutters that wore
   bit::DullGrade grade;
   std::vector<CutterWearFigures> cutters;
   std::vector<WearRecord> records;

@@ -6,6 +6,7 @@
 #include "simulation/rotate/rotate_case.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 #include "simulation/rotate/rotate_summary.hpp"
+#include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -40,6 +41,7 @@ LevelOutcome drill_level(const std::string& file, const std::vector<std::string>
     if (o.progress) o.progress(number, s.state.steps_done, c.time.steps);
     if (o.interrupted && *o.interrupted) status = RunStatus::interrupted;
   }
+  if (status == RunStatus::completed) wear_at_end(c, s);
   LevelOutcome level{status, c.time.step, s.state.steps_done,
                      read_end_state(to_json(summary_of(c, s, status)), this_level),
                      hole_of(s.state.rock)};

@@ -18,6 +18,7 @@
 #include "simulation/rotate/rotate_run.hpp"
 #include "simulation/rotate/rotate_summary.hpp"
 #include "simulation/step/energy_order.hpp"
+#include "simulation/step/wear_step.hpp"
 #include "sweep/point/figures.hpp"
 #include "sweep/point/planar.hpp"
 
@@ -48,6 +49,7 @@ Summary drill(const Design& d, const Words& overrides, PointSurroundings& around
     if (s.state.steps_done == plan.at) order = sim::observe_energy_order(c, s);
     sim::step(c, s);
   }
+  sim::wear_at_end(c, s);
   sim::RunSummary summary = sim::summary_of(c, s, sim::RunStatus::completed);
   if (summary.drive) summary.drive->order = order;
   around.room = std::move(s.work.cutting);

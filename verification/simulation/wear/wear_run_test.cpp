@@ -255,6 +255,17 @@ TEST(WearRun, reports_its_wear_by_cutter) {
   for (const CutterWearFigures& cutter : summary.wear->cutters) EXPECT_EQ(cutter.pending, 0.0);
   EXPECT_NEAR(summary.wear->records.back().rate, 15.0 / 3600.0, 1e-12);
   EXPECT_GT(summary.wear->records.back().weight, 0.0);
+  std::vector<double> volumes;
+  for (const CutterWearFigures& cutter : summary.wear->cutters)
+    if (cutter.flat.volume > 0.0) volumes.push_back(cutter.flat.volume);
+  double sum = 0.0, squares = 0.0;
+  for (const double v : volumes) sum += v;
+  const double mean = sum / static_cast<double>(volumes.size());
+  for (const double v : volumes) squares += (v - mean) * (v - mean);
+  EXPECT_NEAR(summary.wear->worn, sum, 1e-12 * sum);
+  EXPECT_EQ(summary.wear->largest, std::ranges::max(volumes));
+  EXPECT_NEAR(summary.wear->unevenness,
+              std::sqrt(squares / static_cast<double>(volumes.size())) / mean, 1e-12);
 }
 
 }  // namespace
