@@ -11,10 +11,6 @@ namespace {
 /// Scale: the cutter's diameter. Far above rounding, far below a mesh's edge.
 constexpr double same_plane = 1e-9;
 
-Vec3 direction_of_motion_B(const bit::Cutter& c) {
-  return {-std::sin(c.azimuth), std::cos(c.azimuth), 0.0};
-}
-
 }  // namespace
 
 FlatBehind flat_behind(const bit::Cutter& c, int index, const FaceOutline& outline,
@@ -24,7 +20,7 @@ FlatBehind flat_behind(const bit::Cutter& c, int index, const FaceOutline& outli
   const Mat3 R_FB = outline.X_BF.R.transpose();
   const Vec3 n_B = bit::profile_normal_B(c), n_F = R_FB * n_B;
   const double level = n_B.dot(bit::tip_B(c) - outline.X_BF.p) - c.wear;
-  flat.motion_F = R_FB * direction_of_motion_B(c);
+  flat.motion_F = R_FB * bit::direction_of_motion_B(c);
   flat.edge_F = Vec2(level, -n_F.y()) / n_F.z();
   const double slack = same_plane * c.diameter;
   std::vector<Vec2> points;

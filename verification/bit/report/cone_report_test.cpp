@@ -12,6 +12,7 @@
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone/cone_rolling.hpp"
+#include "bit/cone/leg_clearance.hpp"
 #include "bit/cone/meridian.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/report/assumption_report.hpp"
@@ -223,6 +224,26 @@ TEST(ConeReport, tells_every_cone_in_degrees_and_millimetres) {
               text.npos)
         << text;
   }
+}
+
+/// Of legs, too, and none of a bit without them.
+TEST(ConeReport, has_the_gaps_between_legs_and_cones) {
+  const std::vector<LegClearance> gaps = leg_clearances(lopsided());
+  const Json& found = analysis().at("leg_clearances");
+  ASSERT_EQ(found.size(), 9U);
+  ASSERT_EQ(gaps.size(), 9U);
+  const std::string text = cones_text(lopsided());
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    EXPECT_EQ(found[k].at("leg"), gaps[k].leg);
+    EXPECT_EQ(found[k].at("part"), gaps[k].part);
+    EXPECT_EQ(found[k].at("distance_m"), gaps[k].distance);
+    EXPECT_EQ(found[k].at("angle_rad"), gaps[k].angle);
+    EXPECT_EQ(vector_of(found[k].at("place_m")), gaps[k].place_B);
+    EXPECT_NE(text.find("between legs and cones: " + clearance_text(gaps[k]) + "\n"), text.npos);
+  }
+  Bit bare = lopsided();
+  std::erase_if(bare.parts, [](const Part& p) { return p.name.starts_with("leg-"); });
+  EXPECT_EQ(cones_text(bare).find("legs"), std::string::npos);
 }
 
 TEST(ConeReport, tells_what_is_assumed_of_every_cone) {

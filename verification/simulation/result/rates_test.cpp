@@ -80,9 +80,9 @@ TEST_P(Rates, are_displacements_over_time) {
 
 INSTANTIATE_TEST_SUITE_P(OfDynamicCases, Rates,
                          testing::Values("drill-bit-b", "drill-bit-b-whirl",
-                                         "drill-bit-b-whirl-rock", "drill-bit-r", "stick-slip",
-                                         "bit-bounce", "high-frequency", "high-frequency-beds",
-                                         "laboratory"));
+                                         "drill-bit-b-whirl-rock", "drill-bit-m", "drill-bit-r",
+                                         "stick-slip", "bit-bounce", "high-frequency",
+                                         "high-frequency-beds", "laboratory"));
 
 /// Turn of the cone over that of the bit; rolling is positive.
 TEST(ConeRates, are_turns_over_turns) {
