@@ -1,43 +1,79 @@
-"""convergence.py TDBD FOLDER: the worn volume of cases/wear-bit-b.toml over edges, steps and wear steps, into convergence.csv."""
+"""convergence.py TDBD FOLDER: the worn volume of cases/wear-bit-b.toml over edges, steps and wear steps, into convergence.csv; that
+of its flats alone beside the half-planes, into flats.csv."""
 
+import csv
 import json
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
-sys.path.insert(0, str(ROOT / "reports"))
+sys.path[:0] = [str(ROOT / "reports"), str(HERE)]
+from half_planes import worn_volumes  # noqa: E402
 from study_tools import write_rows  # noqa: E402
 
-SHIPPED = {"rock.edge_length": "3 mm", "time.step": "2 ms", "wear.largest_growth": "0.005", "wear.acceleration": "6000"}
-THRESHOLD = {"thermal": "623.15", "sliding": "1e6"}  # K; a threshold that no flat reaches leaves the sliding law
-TURNS = 8 * 6000  # of the case, times its acceleration
-STUDIES = [("thermal", "rock.edge_length", ["3 mm", "2.1 mm", "1.5 mm", "1.05 mm"]),
-           ("sliding", "rock.edge_length", ["3 mm"]),
-           ("thermal", "time.step", ["4 ms", "2 ms", "1 ms", "0.5 ms"]),
-           ("thermal", "wear.largest_growth", ["0.02", "0.01", "0.005", "0.0025", "0.00125"]),
-           ("thermal", "wear.acceleration", ["24000", "12000", "6000", "3000"])]
+SHIPPED = {"rock.edge_length": "3 mm", "time.step": "2 ms", "wear.largest_growth": "0.005", "wear.acceleration": "6000",
+           "wear.from": "0 s"}
+TURNS = 8 * 6000  # times the acceleration
+STUDIES = [("rock.edge_length", ["3 mm", "2.1 mm", "1.5 mm", "1.05 mm"]),
+           ("time.step", ["1 ms", "0.5 ms"]),
+           ("wear.largest_growth", ["0.02"]),
+           ("wear.acceleration", ["12000", "3000"])]
+EDGES, SEGMENTS = ["3 mm", "2.1 mm", "1.5 mm", "1.05 mm", "0.75 mm"], ["64", "128", "256"]
+START_FLAT, STRESS, GAGE = "0.100", 100e6, 23  # mm; Pa; the cutters before these are not at the gage
 
 
-def worn(tdbd, folder, law, changes):
-    """mm3, of all cutters; the number of wear steps."""
-    out = folder / "run"
+def run(tdbd, case, out, changes):
+    """`wear` of the summary."""
     pairs = [f"{key}='{value}'" if " " in value else f"{key}={value}" for key, value in changes.items()]
-    pairs += [f"wear.threshold={THRESHOLD[law]}", f"time.revolutions={TURNS / float(changes['wear.acceleration'])}"]
     settings = [word for pair in pairs for word in ("--set", pair)]
-    subprocess.run([tdbd, "run", ROOT / "cases/wear-bit-b.toml", "-o", out, "--force", "--quiet", *settings], check=True,
-                   stderr=subprocess.DEVNULL)
-    wear = json.loads((out / "summary.json").read_text(encoding="utf-8"))["wear"]
-    return 1e9 * sum(cutter["worn_volume_m3"] for cutter in wear["cutters"]), wear["wear_steps"]
+    subprocess.run([tdbd, "run", case, "-o", out, "--force", "--quiet", *settings], check=True, stderr=subprocess.DEVNULL)
+    return json.loads((out / "summary.json").read_text(encoding="utf-8"))["wear"]
 
 
-def rows(tdbd, folder):
-    for law, key, values in STUDIES:
+def volume(wear, cutters=None):
+    """mm3, of the first cutters, or all."""
+    return 1e9 * sum(cutter["worn_volume_m3"] for cutter in wear["cutters"][:cutters])
+
+
+def convergence(tdbd, folder):
+    for key, values in STUDIES:
         for value in values:
-            volume, steps = worn(tdbd, folder, law, {**SHIPPED, key: value})
-            yield {"law": law, "key": key, "value": value, "worn volume, mm3": round(volume, 2), "wear steps": steps}
+            changes = {**SHIPPED, key: value}
+            changes["time.revolutions"] = str(TURNS / float(changes["wear.acceleration"]))
+            wear = run(tdbd, ROOT / "cases/wear-bit-b.toml", folder / "run", changes)
+            yield {"key": key, "value": value, "worn volume, mm3": round(volume(wear), 3), "wear steps": wear["wear_steps"]}
+
+
+def flat_case(folder):
+    """The case with sharp cutters that begin with a flat and wear there alone; the rows of its cutter table."""
+    bits = ROOT / "cases/bits"
+    with open(bits / "bit-b.csv", newline="", encoding="utf-8") as file:
+        rows = [{**row, "wear_mm": START_FLAT} for row in csv.DictReader(file)]
+    write_rows(folder / "bit.csv", rows)
+    text = (bits / "bit-b.toml").read_text(encoding="utf-8")
+    (folder / "bit.toml").write_text(text.replace("bit-b.csv", "bit.csv").replace('chamfer = "0.3 mm"', 'chamfer = "0 mm"'))
+    text = (ROOT / "cases/wear-bit-b.toml").read_text(encoding="utf-8").replace("bits/bit-b.toml", "bit.toml")
+    (folder / "flats.toml").write_text(text + '\n[wear.areas.faces]\nkind = "face"\nlaw = "none"\n')
+    return rows
+
+
+def flats(tdbd, folder):
+    rows = flat_case(folder)
+    steady = {"advance": 15 / 3600 / 2, "speed": 4 * np.pi, "turns": 9, "first": 1, "rate": 6000 * 1e-5 / 50e9, "stress": STRESS}
+    limit = 1e9 * sum(worn_volumes(rows, steady)[:GAGE])
+    for edge, segments in [(e, "256") for e in EDGES] + [("1.5 mm", s) for s in SEGMENTS[:-1]]:
+        changes = {"rock.edge_length": edge, "bit.set.mesh.rim_segments": segments, "wear.largest_growth": "0.0025"}
+        wear = run(tdbd, folder / "flats.toml", folder / "run", changes)
+        yield {"edge": edge, "rim segments": int(segments), "worn volume, mm3": round(volume(wear, GAGE), 3),
+               "in half-planes, mm3": round(limit, 3)}
 
 
 if __name__ == "__main__":
-    write_rows(HERE / "convergence.csv", list(rows(sys.argv[1], Path(sys.argv[2]))))
+    where = Path(sys.argv[2]).resolve()
+    where.mkdir(parents=True, exist_ok=True)
+    write_rows(HERE / "flats.csv", list(flats(sys.argv[1], where)))
+    write_rows(HERE / "convergence.csv", list(convergence(sys.argv[1], where)))

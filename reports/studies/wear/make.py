@@ -1,4 +1,4 @@
-"""make.py OUT: the tables of this study, from its CSV files."""
+"""make.py OUT: the tables and the figure of this study, from its CSV files."""
 
 import sys
 from pathlib import Path
@@ -6,9 +6,43 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1]))
 from csv_tables import write_tables  # noqa: E402
+from figures import style  # noqa: E402
+from study_tools import read_rows  # noqa: E402
 
-TABLES = {"cutters.csv": "Bit B after 100 m: flats and temperatures of TDBD and of Glowka's model.",
-          "convergence.csv": "Worn volume of the case wear-bit-b over edges, steps, wear steps and acceleration."}
+TABLES = {"flats.csv": "Worn volume of sharp cutters that wear at their flats alone, all but those at the gage, over edges and the rim "
+                       "segments of a cutter, beside the half-planes.",
+          "convergence.csv": "Worn volume of the case wear-bit-b over edges, steps, wear steps and acceleration.",
+          "cutters.csv": "Bit B after 100 m: flats and temperatures of TDBD and of Glowka's model.",
+          "metres.csv": "Weight at a constant rate and rate at a constant weight over metres."}
+ROCKS = {"medium": style.BLUE, "hard": style.RED}
+
+
+def draw_metres(axes, drive, quantity, label):
+    for rock, colour in ROCKS.items():
+        for source, dash in (("TDBD", "solid"), ("Glowka's model", "dashed")):
+            rows = [r for r in read_rows(HERE / "metres.csv") if (r["rock"], r["source"]) == (rock, f"{source}, constant {drive}")]
+            axes.plot([r["metres"] for r in rows], [r[quantity] for r in rows], color=colour, linestyle=dash, label=f"{source}, {rock} rock")
+    axes.set(xlabel="metres drilled", ylabel=label, title=f"at a constant {drive}")
+
+
+def draw_flats(axes):
+    for rock, colour in ROCKS.items():
+        rows = [r for r in read_rows(HERE / "cutters.csv") if r["rock"] == rock]
+        number = range(1, len(rows) + 1)
+        axes.plot(number, [r["flat of TDBD, mm2"] for r in rows], "o", color=colour)
+        axes.plot(number, [r["flat of Glowka's model, mm2"] for r in rows], "x", color=style.GREY)
+    axes.set(xlabel="cutter, from the axis to the gage", ylabel="flat after 100 m, mm²", title="TDBD (dots), Glowka's model (crosses)")
+
+
+def main(out):
+    write_tables(HERE, TABLES, out)
+    figure, axes = style.panels(1, 3, (13.0, 4.0))
+    draw_flats(axes[0])
+    draw_metres(axes[1], "rate", "weight on bit, kN", "weight on bit, kN")
+    draw_metres(axes[2], "weight", "rate of penetration, m/h", "rate of penetration, m/h")
+    axes[1].legend()
+    figure.savefig(Path(out) / "figure.png", dpi=style.DPI, metadata={"Software": None})
+
 
 if __name__ == "__main__":
-    write_tables(HERE, TABLES, sys.argv[1])
+    main(sys.argv[1])
