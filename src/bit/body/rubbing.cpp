@@ -91,7 +91,10 @@ double touching_share(int rows, const std::vector<double>& touching, double adva
     if (std::ranges::all_of(by, [](double d) { return std::isfinite(d); }))
       share += positive_share(by) / (rows * rows);
   };
-  const auto place = [](int i, int j) { return static_cast<std::size_t>(i * (i + 1) / 2 + j); };
+  const auto place = [](int i, int j) {
+    const auto row = static_cast<std::size_t>(i);
+    return row * (row + 1) / 2 + static_cast<std::size_t>(j);
+  };
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j <= i; ++j) {
       add(place(i, j), place(i + 1, j), place(i + 1, j + 1));
@@ -101,8 +104,9 @@ double touching_share(int rows, const std::vector<double>& touching, double adva
 }
 
 std::vector<Vec3> vertices_of(const Part& part) {
-  std::vector<Vec3> x_B;
-  for (const Vec3& x_P : part.mesh_P.positions) x_B.push_back(part.X_BP * x_P);
+  std::vector<Vec3> x_B(part.mesh_P.positions.size());
+  std::ranges::transform(part.mesh_P.positions, x_B.begin(),
+                         [&](const Vec3& x_P) { return Vec3(part.X_BP * x_P); });
   return x_B;
 }
 
@@ -158,8 +162,9 @@ std::vector<double> rubbing_areas(const std::vector<Cutter>& cutters, const Part
   if (advances.empty()) return areas;
   const RimReaches rims = rim_reaches(cutters, column_width);
   const std::vector<Vec3> x_B = vertices_of(part);
-  std::vector<double> of_vertex;
-  for (const Vec3& x : x_B) of_vertex.push_back(above(rims, x, 0.0).touching);
+  std::vector<double> of_vertex(x_B.size());
+  std::ranges::transform(x_B, of_vertex.begin(),
+                         [&](const Vec3& x) { return above(rims, x, 0.0).touching; });
   const double most = look_at * std::ranges::max(advances);
   const auto near = [&](int v) { return of_vertex[at(v)] < most; };
   for (const mesh::Triangle& t : part.mesh_P.triangles) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/parallel.hpp"
+#include "core/sort_unique.hpp"
 #include "mesh/search/inside.hpp"
 
 namespace tdbd::rock {
@@ -97,8 +98,7 @@ void find_near(const Rock& rock, const Pose& X_WP, double edge, RubbingPart& par
   } else {
     gather(rock, part, X_WP, edge, w);
   }
-  std::ranges::sort(w.near);
-  w.near.erase(std::ranges::unique(w.near).begin(), w.near.end());
+  sort_unique(w.near);
   const Pose X_PW = inverse(X_WP);
   w.near_P.clear();
   w.slot.resize(rock.surface.stars.size(), -1);

@@ -8,6 +8,7 @@
 
 #include "bit/cone/swept_parts.hpp"
 #include "mesh/measures.hpp"
+#include "simulation/case/case_forces.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -63,12 +64,24 @@ bool has_face_with_law(const ForcePlan& plan, const bit::Bit& bit, int cutter) {
   return has_law(plan, bit::PartKind::face);
 }
 
+/// Whether a pad or a bit body bears as it does where a case says nothing of it: it is clear of the rock
+/// while the bit drills, and lies on it only once the cutters have sunk in.
+bool bears_by_default(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part) {
+  if (part.kind != bit::PartKind::gage_pad && part.kind != bit::PartKind::bit_body) return false;
+  const auto* law = std::get_if<forces::Friction>(&law_of(plan, part.kind, index_of(bit, part)));
+  const forces::Law own_law = own_law_of(part.kind);
+  const auto& own = std::get<forces::Friction>(own_law);
+  return law != nullptr && law->stress == own.stress && law->mu == own.mu && law->cap == own.cap &&
+         law->full_angle == own.full_angle && law->slip_speed == own.slip_speed;
+}
+
 /// Where faces have a law they carry a cutter's weight.
 bool presses(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part) {
   using bit::PartKind;
   const bool follows_a_face = part.cutter >= 0 && has_face_with_law(plan, bit, part.cutter);
   return cutting_in_the_end(part) != bit::Cutting::never && part.kind != PartKind::face &&
-         !follows_a_face && part.row < 0 && has_law(plan, part.kind, index_of(bit, part));
+         !follows_a_face && part.row < 0 && has_law(plan, part.kind, index_of(bit, part)) &&
+         !bears_by_default(plan, bit, part);
 }
 
 double normal_force(const forces::Law& law, const bit::Part& part, double area,

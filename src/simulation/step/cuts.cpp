@@ -105,10 +105,11 @@ void split_sides(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart
 /// A part that rubs bears on each of its patches.
 void split_patches(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart>& cuts) {
   const CutOfPart whole = cuts.back();
-  const auto of_part = std::ranges::equal_range(m.patches, whole.part, {}, &PatchOfPart::part);
-  if (of_part.empty()) return;
+  const auto is_of_part = [&](const PatchOfPart& p) { return p.part == whole.part; };
+  if (std::ranges::none_of(m.patches, is_of_part)) return;
   cuts.pop_back();
-  for (const PatchOfPart& p : of_part) {
+  for (const PatchOfPart& p : m.patches) {
+    if (!is_of_part(p)) continue;
     CutOfPart c = whole;
     c.cut.contact_area = 0.0;
     take_contact(p.patch, c);
