@@ -6,7 +6,7 @@ from study_tools import read_rows
 
 HERE = Path(__file__).parent
 GIVEN = ["60 to 75 degrees", "Here 60 and 70 degrees", "and 75 degrees as the end", "(Int. J. Rock Mech. Min. Sci. 9, 1972, 355)",
-         "(Energies 13, 2020, 4496)", "below 1 stands", "the bit of 5 blades", "With cracks at 60 degrees", "With cracks at 75 degrees", "A face of 13 mm at a depth of 3 mm", "edges of 0.5 mm", "edges from 2 mm",
+         "(Energies 13, 2020, 4496)", "below 1 stands", "With cracks at 60 degrees", "With cracks at 75 degrees", "A face of 13 mm at a depth of 3 mm", "edges of 0.5 mm", "edges from 2 mm",
          "edges of 1 mm", "steps of 2 ms to 0.5 ms", "spacing of 9 mm", "at 70 degrees. A law", "energy of 100 MPa", "at 5 mm a turn",
          "breaks out at 60 degrees", "% at 70 degrees", "% at 75 degrees", "edges of 2 mm give", "With 0.3 of the depth",
          "off by up to 1.1 % of the area"]

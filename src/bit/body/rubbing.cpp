@@ -13,9 +13,8 @@ namespace tdbd::bit {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Facets are looked at between corners that touch at less than this times the advance of interest, or
-/// come as near to the rock as the nearest vertex and this, m.
-constexpr double look_at = 1.5, look_within = 1e-3;
+/// Facets are looked at between corners that touch at less than this times the advance of interest.
+constexpr double look_at = 2.0;
 
 /// A rim at any radius, interpolated between the columns' centres; not reached where a neighbouring
 /// column is not.
@@ -146,8 +145,7 @@ Rubbing rubbing(const std::vector<Cutter>& cutters, const Part& part, double adv
   for (const Vec3& x : x_B) note(x, over.emplace_back(above(rims, x, advance)), least);
   const Rubbing of_vertices = least;
   const auto near = [&](int v) {
-    return over[at(v)].touching < look_at * of_vertices.touching_advance ||
-           over[at(v)].rock - x_B[at(v)].z() < of_vertices.clearance + look_within;
+    return over[at(v)].touching < look_at * of_vertices.touching_advance;
   };
   for (const mesh::Triangle& t : part.mesh_P.triangles)
     if (is_worth_a_look(x_B, t, near))

@@ -20,7 +20,7 @@ struct Rubbing {
 /// The radial-plane analysis (engagement.hpp) for a surface that does not cut, bit (7). `advance`
 /// (m per revolution) sets the clearance; the least touching advance is the depth of cut that the
 /// body controls. Of all vertices and, every millimetre, of those facets that face the rock and have a
-/// corner near it; rims are interpolated between columns of at most `column_width` (m). A part without
+/// corner that touches early; rims are interpolated between columns of at most `column_width` (m). A part without
 /// points over cut rock keeps the zeros. Ours.
 Rubbing rubbing(const std::vector<Cutter>& cutters, const Part& part, double advance,
                 double column_width);

@@ -64,14 +64,15 @@ forces::Law pad_bearing(Config wall) {
 }
 
 /// Where no table has a law for gage pads: they have that of the wall where the wall is the rock, and
-/// none where a ring stands for them.
-void bear_on_wall(Config& whole, const Config& forces, const bit::Bit& bit, ForcePlan& plan) {
+/// none where a ring stands for them, unless they follow the law of the run.
+void bear_on_wall(Config& whole, const Config& forces, const bit::Bit& bit, FollowsRun pads,
+                  ForcePlan& plan) {
   if (!whole.has(wall_keys::table)) return;
   const bool has_own = forces.has(bit::kind_key(PartKind::gage_pad));
   forces::Law& of_pads = plan.laws[static_cast<std::size_t>(PartKind::gage_pad)];
   Config wall = whole.table(wall_keys::table);
   if (wall.read(wall_keys::model) != WallModel::rock) {
-    if (!has_own) of_pads = forces::NoForce{};
+    if (!has_own && pads == FollowsRun::no) of_pads = forces::NoForce{};
     return;
   }
   if (!has_own) of_pads = pad_bearing(wall);
@@ -251,7 +252,9 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
   if (c.has(force_keys::flat_contact)) plan.flat = c.read(force_keys::flat_contact);
   const forces::Law common = read_law(c, "");
   for (const KindKey& k : kind_keys) read_law_of(c, k, common, bit, plan);
-  bear_on_wall(whole, c, bit, plan);
+  const bool know_pads =
+      forces::law_problem(common, PartKind::gage_pad, cutter_diameter(bit)).empty();
+  bear_on_wall(whole, c, bit, know_pads ? FollowsRun::yes : FollowsRun::no, plan);
   std::vector<CaseWarning> area_warnings;
   read_force_areas(c, bit, bit_in_words(whole, bit), plan, area_warnings);
   require_parts(c, bit, common, plan);
