@@ -62,14 +62,17 @@ std::string place(const Vec3& x_B) {
 TEST(BodyReport, tells_it_in_millimetres) {
   const Rubbing r = rubbing_of_body();
   const BladeFigures& b = *bladed().blades;
-  EXPECT_EQ(
-      body_text(bladed(), advance),
-      fmt::format("blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} "
-                  "mm2\nrubbing: at 3.000 mm per revolution the blades clear the rock by "
-                  "{:.3f} mm along the axis {}\n  they touch it from {:.3f} mm per "
-                  "revolution on {}\n",
-                  1e3 * b.exposure, 1e3 * b.slot_depth, 1e6 * b.junk_slot_area, 1e3 * r.clearance,
-                  place(r.clearance_at_B), 1e3 * r.touching_advance, place(r.touching_at_B)));
+  const nlohmann::json curve = body_json(bladed(), advance).at("weight_over_depth_of_cut");
+  EXPECT_EQ(body_text(bladed(), advance),
+            fmt::format("blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} "
+                        "mm2\nrubbing: at 3.000 mm per revolution the blades clear the rock by "
+                        "{:.3f} mm along the axis {}\n  they touch it from {:.3f} mm per "
+                        "revolution on {}\nweight over depth of cut, in rock of strength S: {:.3g} "
+                        "N/mm per MPa of S before they touch, {:.3g} beyond\n",
+                        1e3 * b.exposure, 1e3 * b.slot_depth, 1e6 * b.junk_slot_area,
+                        1e3 * r.clearance, place(r.clearance_at_B), 1e3 * r.touching_advance,
+                        place(r.touching_at_B), 1e3 * curve.at("slope_m").get<double>(),
+                        1e3 * curve.at("slope_beyond_touch_m").get<double>()));
   Bit bare = bladed();
   bare.blades.reset();
   EXPECT_EQ(body_text(bare, advance), "");

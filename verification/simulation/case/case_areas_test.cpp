@@ -67,7 +67,7 @@ TEST(ForceAreas, change_a_coefficient_of_the_parts_that_they_select) {
 TEST(ForceAreas, give_another_law) {
   const Case c = with_areas({"pads={kind='gage-pad', law='friction', stress='20 MPa', mu=0.25}"});
   EXPECT_EQ(law<forces::Friction>(c, "gage-pad-1").mu, 0.25);
-  law<forces::NoForce>(c, "bit-body");
+  EXPECT_EQ(law<forces::Friction>(c, "bit-body").mu, 0.3);
 }
 
 /// Coefficients come one by one from the most particular area; a law comes with all of its own.

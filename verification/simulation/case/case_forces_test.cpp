@@ -28,7 +28,8 @@ TEST(ReadForces, gives_the_law_to_the_kinds_that_it_knows) {
   EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::face).A1, 1.0);
   EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::chamfer).A5, 1.0);
   EXPECT_EQ(law<forces::Friction>(c, PartKind::cutter_body).cap, 1.5);
-  law<forces::NoForce>(c, PartKind::gage_pad);
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::gage_pad).full_angle, 0.01);
+  EXPECT_EQ(law<forces::Friction>(c, PartKind::bit_body).full_angle, 0.0);
 }
 
 /// Friction acts on pads and bodies; on a cutter's body only where a table says so.
