@@ -93,7 +93,7 @@ TEST(Spalling, lowers_the_forces_of_the_next_cutters) {
 
 /// With wear steps, which prepare the bit again, and with parts that start late.
 TEST(Spalling, goes_with_wear_and_late_starts) {
-  const Case c = bit_b({on, "spalling.up_to_pressure='1 GPa'", "wear.every_steps=7",
+  const Case c = bit_b({on, "spalling.up_to_pressure='1 GPa'", "wear.every_steps=7", "wear.from=0",
                         "bit.set.areas.a={blade=2, removal.from_time='20 ms'}"},
                        "wear-bit-b");
   const Simulation s = drilled(c, 60);
