@@ -76,7 +76,7 @@ const Wrong wrongs[] = {
      {"forces.gage_pad={law='friction', stress=1e6, mu=0.1}"},
      "wall.friction: found [forces.gage_pad] as well, expected one of the two"},
     {"a_wall_of_rock_that_no_pad_touches",
-     "drill-bit-r",
+     "drill-bit-m",
      {"wall.model=rock"},
      "wall.model: found \"rock\" and a bit without gage pads, expected gage pads that bear on the "
      "wall ([gage_pads] of the bit file), or \"ring\""},
@@ -104,7 +104,7 @@ const Wrong wrongs[] = {
      "drill-bit-r",
      {"forces.law=depth-of-cut", "forces.kn='1 MPa'", "forces.kt='1 MPa'"},
      "--set: forces.law: found depth-of-cut, expected a law that acts on a part of this bit "
-     "(cone, tooth): friction, indentation"},
+     "(gage pad, bit body, cone, tooth): friction, indentation"},
     {"a_weight_that_nothing_bears",
      "drill-bit-b",
      {"forces={law='none', cutter_body={law='none'}}"},

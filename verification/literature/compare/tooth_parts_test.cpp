@@ -88,7 +88,8 @@ TEST(ToothParts, cones_add_up_to_the_bit) {
 TEST(ToothParts, cones_with_shells_that_crush_add_up_to_the_bit) {
   const CompareCase c = asked::compare_case(
       "bit-r-skewed", {"rock.edge_length='4 mm'", "time.step='2 ms'", "time.revolutions=2",
-                       "motion.rate_of_penetration='100 m/h'"});
+                       "motion.rate_of_penetration='100 m/h'", "forces.bit_body={law='none'}",
+                       "forces.gage_pad={law='none'}"});
   const Findings f = asked::ask(c, "tdbd", 0.0);
   const double carried = asked::value(f, Quantity::weight),
                cones = asked::sum_of_parts(f, PartQuantity::weight, PartLevel::cone),
