@@ -105,7 +105,8 @@ TEST(ReadDrilling, gives_gage_pads_a_law_where_the_wall_is_the_rock) {
       with({"wall={model='rock'}", "forces.gage_pad={law='friction', stress=1e6, mu=0.1}"});
   EXPECT_EQ(std::get<forces::Friction>(law_of(own.forces, bit::PartKind::gage_pad)).stress, 1e6);
   EXPECT_EQ(std::get<forces::Friction>(law_of(with({}).forces, bit::PartKind::gage_pad)).mu, 0.3);
-  EXPECT_FALSE(has_law(with({"wall={stiffness=1e8}"}).forces, bit::PartKind::gage_pad));
+  EXPECT_FALSE(
+      has_law(with({"wall={stiffness=1e8, clearance='3 mm'}"}).forces, bit::PartKind::gage_pad));
 }
 
 TEST(ReadDrilling, adds_the_string_to_the_bit) {
