@@ -66,7 +66,7 @@ class HighFrequency(unittest.TestCase):
                        for way, make in (("filtered", resample.resampled), ("naive", resample.interpolated))}
                 self.assertTrue(self.recorder().bound(
                     CLAIM, f"{rock}: density of the {load} at 512 Hz over that at 1000 Hz, 2 to 220 Hz, farthest from 1",
-                    off["filtered"], "1", 6e-4))
+                    off["filtered"], "1", 3e-4))
                 self.assertTrue(self.recorder().record(
                     CLAIM, f"{rock}: the same of the {load} without a low pass, which must be seen", off["naive"], "1",
                     "more than 0.3", off["naive"] > 0.3))
