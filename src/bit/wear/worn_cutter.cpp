@@ -8,6 +8,7 @@
 
 #include "bit/cutter/cutter_frame.hpp"
 #include "core/error.hpp"
+#include "mesh/measures.hpp"
 #include "mesh/shape/clip_convex.hpp"
 
 namespace tdbd::bit {
@@ -23,7 +24,7 @@ bool adds_volume(const Cutter& c, const Part& part) {
 WearSolid solid_of(const Cutter& c) {
   WearSolid s;
   s.id = c.id;
-  const Vec3 motion_B(-std::sin(c.azimuth), std::cos(c.azimuth), 0.0);
+  const Vec3 motion_B = direction_of_motion_B(c);
   s.normal_C = c.X_BC.R.transpose() * profile_normal_B(c);
   s.motion_C = c.X_BC.R.transpose() * motion_B;
   s.start = std::numeric_limits<double>::infinity();
@@ -169,6 +170,23 @@ void wear_cutter(const Bit& fresh, int cutter, double height, Bit& bit) {
   for (std::size_t p = 0; p < fresh.parts.size(); ++p)
     if (fresh.parts[p].cutter == cutter) bit.parts[p].mesh_P = std::move(meshes[p]);
   bit.cutters[place_of(cutter)].wear = std::max(0.0, height);
+}
+
+LostVolume lost_volume(const Bit& fresh, const Bit& worn, int cutter) {
+  const Cutter& c = worn.cutters[place_of(cutter)];
+  const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
+  const double limit = n_C.dot(tip_C(c)) - c.wear;
+  LostVolume lost;
+  for (std::size_t p = 0; p < fresh.parts.size(); ++p) {
+    if (fresh.parts[p].cutter != cutter || !adds_volume(c, fresh.parts[p])) continue;
+    const mesh::TriangleMesh& whole_P = fresh.parts[p].mesh_P;
+    const mesh::TriangleMesh piece_P = mesh::clipped_convex(whole_P, -n_C, -limit);
+    if (!piece_P.triangles.empty()) lost.beyond_flat += mesh::enclosed_volume(piece_P);
+    const double volume = mesh::enclosed_volume(whole_P);
+    lost.whole += volume;
+    lost.by_meshes += volume - mesh::enclosed_volume(worn.parts[p].mesh_P);
+  }
+  return lost;
 }
 
 WornBit worn_bit(const Bit& fresh, const std::vector<double>& volumes) {

@@ -51,6 +51,15 @@ std::optional<WearFlat> flat_of_volume(const WearSolid& solid, double volume, do
 /// number and order. Throws RunError if a part would be removed entirely; `bit` is then unchanged.
 void wear_cutter(const Bit& fresh, int cutter, double height, Bit& bit);
 
+/// What a worn cutter lacks, m3, by its meshes alone: nothing here knows of flat_at.
+struct LostVolume {
+  double beyond_flat = 0.0;  ///< of the pieces of the fresh meshes beyond the plane of Cutter::wear
+  double by_meshes = 0.0;    ///< of the fresh meshes less that of the worn ones
+  double whole = 0.0;        ///< of the fresh meshes, to whose rounding by_meshes is exact
+};
+
+LostVolume lost_volume(const Bit& fresh, const Bit& worn, int cutter);
+
 /// A bit whose cutters lost these volumes (m3, per cutter), and the flats.
 struct WornBit {
   Bit bit;

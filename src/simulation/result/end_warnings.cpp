@@ -83,7 +83,7 @@ std::string free_rock(const Case& c, const Simulation& s, bit::PartKind kind, do
   constexpr double mm3_per_m3 = 1e9, percent = 100.0, least_share = 1e-4;
   if (removed <= least_share * s.state.ledger.removed.value()) return "";
   return fmt::format(
-      "parts of the kind {} removed {:.3g} mm3 of rock, {:.2g} % of all, at zero force{}",
+      "parts of the kind {} removed {:.3g} mm3 of rock, {:.3g} % of all, at zero force{}",
       bit::kind_name(kind), mm3_per_m3 * removed,
       percent * removed / s.state.ledger.removed.value(),
       has_law(c.forces, kind) ? "" : fmt::format(": set forces.{}.law", bit::kind_key(kind)));

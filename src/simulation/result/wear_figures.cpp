@@ -74,7 +74,7 @@ WearFigures figures_of_wear(const Case& c, const Simulation& s) {
   f.acceleration = c.wear.acceleration;
   f.distance = state.distance;
   f.steps = state.steps;
-  f.ledger_defect = wear_ledger_defect(w.solids, state);
+  f.ledger_defect = wear_ledger_defect(c.bit, w.worn.bit, state);
   f.mass_lost = bit::mass_properties(c.bit).mass - bit::mass_properties(w.worn.bit).mass;
   f.grade = bit::dull_grade(w.worn.bit);
   for (std::size_t i = 0; i < state.cutters.size(); ++i)

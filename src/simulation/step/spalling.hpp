@@ -18,7 +18,8 @@ struct SpallingState {
 /// None for a case in which no rock breaks out.
 std::optional<SpallingState> start_spalling(const SpallingPlan& plan);
 
-/// Adds what breaks out beside the faces to the bit that cuts. None where no rock breaks out.
+/// Adds the bodies that break rock out around the faces to the cutting bit, and returns them. Empty
+/// where no rock breaks out.
 std::vector<rock::Breakout> breakouts_of(const Case& c, const bit::Bit& bit,
                                          const MeasuredFaces& faces, rock::CuttingBit& cutting);
 

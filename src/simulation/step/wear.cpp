@@ -58,13 +58,14 @@ void take_wear_step(const std::vector<bit::WearSolid>& solids, WearState& s,
   ++s.steps;
 }
 
-double wear_ledger_defect(const std::vector<bit::WearSolid>& solids, const WearState& s) {
+double wear_ledger_defect(const bit::Bit& fresh, const bit::Bit& worn, const WearState& s) {
   double defect = 0.0;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const CutterWear& c = s.cutters[i];
-    if (c.volume > 0.0)
-      defect = std::max(defect,
-                        std::abs(bit::flat_at(solids[i], c.height).volume - c.volume) / c.volume);
+  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
+    const double volume = s.cutters[i].volume;
+    if (!(volume > 0.0)) continue;
+    const bit::LostVolume lost = bit::lost_volume(fresh, worn, static_cast<int>(i));
+    defect = std::max({defect, std::abs(lost.beyond_flat - volume) / volume,
+                       std::abs(lost.by_meshes - volume) / lost.whole});
   }
   return defect;
 }

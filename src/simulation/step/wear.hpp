@@ -67,8 +67,11 @@ std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const Cutte
 void take_wear_step(const std::vector<bit::WearSolid>& solids, WearState& s,
                     std::vector<bit::WearFlat>& flats);
 
-/// |volume beyond the flat - worn volume| over the worn volume, the largest of all cutters.
-double wear_ledger_defect(const std::vector<bit::WearSolid>& solids, const WearState& s);
+/// By how much the worn volumes differ from what the meshes of the cutters lost (bit::lost_volume), the
+/// largest of all cutters: the pieces beyond the flats over the worn volume, and the difference of the
+/// meshes over the volume of the cutter. `fresh`: the bit of the case; `worn`: as the last wear step
+/// left it.
+double wear_ledger_defect(const bit::Bit& fresh, const bit::Bit& worn, const WearState& s);
 
 /// The bit at the distance of a wear step, per cutter.
 struct WearRecord {

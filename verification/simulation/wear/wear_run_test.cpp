@@ -69,7 +69,7 @@ TEST(WearRun, closes_its_ledger_and_removes_mass) {
   }
   EXPECT_GT(volume, 0.0);
   EXPECT_GT(widest, 0.0);
-  EXPECT_LE(wear_ledger_defect(s.work.wear->solids, *s.state.wear), wear_ledger);
+  EXPECT_LE(wear_ledger_defect(c.bit, s.work.wear->worn.bit, *s.state.wear), wear_ledger);
   EXPECT_LT(bit::mass_properties(s.work.wear->worn.bit).mass, bit::mass_properties(c.bit).mass);
   EXPECT_LE(ledger_defect(s), 1e-12);
 }
