@@ -8,11 +8,11 @@ supports the table and the rest. The numbers are rounded to 1e-6 mm.
 import csv
 import io
 import pathlib
-import subprocess
 import sys
-import tempfile
 
 import numpy as np
+
+from outside_bit import solids_stl
 
 TABLE_MM, EDGE_MM = 2.0, 3.0  # thickness of the diamond table; of the carbide edge behind it
 TABLE = """bit,cutter,blade,zone,dia_mm,r_tip_mm,phi_deg,h_tip_mm,profile_angle_deg,back_rake_deg,side_rake_deg,wear_mm
@@ -94,18 +94,7 @@ def written(solids):
 
 
 def main(program, out):
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        (folder / "table.csv").write_text(TABLE, encoding="utf-8")
-        (folder / "bit.toml").write_text(BIT, encoding="utf-8")
-
-        def tdbd(*arguments):
-            subprocess.run([program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
-
-        tdbd("bit", folder / "bit.toml", "-o", folder / "whole")
-        tdbd("mesh", folder / "whole/bit.stl", "--unit", "1 m", "--grade", "--only", "bit-body",
-             "--edge", "12 mm", "--face", "30 mm", "--deviation", "0.5 mm", "-o", folder / "coarse.stl")
-        solids = solids_of((folder / "coarse.stl").read_text(encoding="utf-8"))
+    solids = solids_of(solids_stl(program, TABLE, BIT))
     for row in csv.DictReader(io.StringIO(TABLE)):
         tip, axis = frame_of(row)
         body = solids.pop(f"cutter-{row['cutter']}/body")

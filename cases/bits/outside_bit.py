@@ -27,11 +27,12 @@ def in_mm(line):
     return " ".join([word, *(f"{1000 * float(x) + 0.0:.6f}" for x in numbers)])
 
 
-def main(program, out):
+def solids_stl(program, table, bit):
+    """The STL file, in m, of a bit from a table with its body coarsened, as text."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        (folder / "table.csv").write_text(TABLE, encoding="utf-8")
-        (folder / "bit.toml").write_text(BIT, encoding="utf-8")
+        (folder / "table.csv").write_text(table, encoding="utf-8")
+        (folder / "bit.toml").write_text(bit, encoding="utf-8")
 
         def tdbd(*arguments):
             subprocess.run([program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
@@ -40,7 +41,11 @@ def main(program, out):
         tdbd("mesh", folder / "whole/bit.stl", "--unit", "1 m", "--grade", "--only", "bit-body",
              "--edge", "12 mm", "--face", "30 mm", "--deviation", "0.5 mm", "-o",
              folder / "coarse.stl")
-        lines = (folder / "coarse.stl").read_text(encoding="utf-8").splitlines()
+        return (folder / "coarse.stl").read_text(encoding="utf-8")
+
+
+def main(program, out):
+    lines = solids_stl(program, TABLE, BIT).splitlines()
     pathlib.Path(out).write_text("\n".join(map(in_mm, lines)) + "\n", encoding="utf-8")
 
 

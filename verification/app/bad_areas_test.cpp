@@ -5,17 +5,10 @@
 
 namespace tdbd::app::bad_areas_test {
 
-/// The small case with a law for its faces and areas of forces from line 18 on. `%` in a message
-/// stands for the folder of the case.
-class ForceAreasCase : public SmallCase {
+/// `%` in a message stands for the folder of the case.
+class ForceAreasCase : public SmallCaseWithForces {
  public:
-  explicit ForceAreasCase(const std::string& areas) {
-    edit("case.toml", "wall = \"20 mm\"", "wall = \"20 mm\"\nmaterial = \"berea-sandstone\"");
-    edit("case.toml", "duration = \"40 ms\"\n",
-         "duration = \"40 ms\"\n[forces]\nlaw = \"detournay\"\neps = \"30 MPa\"\nzeta = "
-         "0.6\n\n" +
-             areas);
-  }
+  using SmallCaseWithForces::SmallCaseWithForces;
 
   std::string in_folder(std::string message) const {
     for (auto at = message.find('%'); at != std::string::npos; at = message.find('%'))

@@ -6,20 +6,8 @@
 
 namespace tdbd::app::bad_wear_test {
 
-/// The small case with a law for its faces and a table [wear] from line 18 on.
-class WearCase : public SmallCase {
- public:
-  explicit WearCase(const std::string& wear) {
-    edit("case.toml", "wall = \"20 mm\"", "wall = \"20 mm\"\nmaterial = \"berea-sandstone\"");
-    edit("case.toml", "duration = \"40 ms\"\n",
-         "duration = \"40 ms\"\n[forces]\nlaw = \"detournay\"\neps = \"30 MPa\"\nzeta = "
-         "0.6\n\n" +
-             wear);
-  }
-};
-
 TEST(WearResult, of_a_right_table) {
-  const WearCase c(
+  const SmallCaseWithForces c(
       "[wear]\nlaw = \"sliding\"\ncoefficient = 1e-6\nhardness = \"50 GPa\"\nacceleration = 10\n");
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
   EXPECT_EQ(c.run().exit_code, 0) << c.run().err;
@@ -35,7 +23,7 @@ void PrintTo(const BadWear& m, std::ostream* out) { *out << m.name; }
 class BadWearTables : public ::testing::TestWithParam<BadWear> {};
 
 TEST_P(BadWearTables, are_refused_with_exit_code_2_and_their_line) {
-  const WearCase c(GetParam().wear);
+  const SmallCaseWithForces c(GetParam().wear);
   expect_refused(c, std::string("case.toml:") + GetParam().message);
 }
 

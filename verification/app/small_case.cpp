@@ -55,4 +55,11 @@ void expect_refused(const SmallCase& c, const std::string& message) {
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
 }
 
+SmallCaseWithForces::SmallCaseWithForces(const std::string& tables) {
+  edit("case.toml", "wall = \"20 mm\"", "wall = \"20 mm\"\nmaterial = \"berea-sandstone\"");
+  edit("case.toml", "duration = \"40 ms\"\n",
+       "duration = \"40 ms\"\n[forces]\nlaw = \"detournay\"\neps = \"30 MPa\"\nzeta = 0.6\n\n" +
+           tables);
+}
+
 }  // namespace tdbd::app

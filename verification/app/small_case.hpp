@@ -21,4 +21,10 @@ class SmallCase : public CaseFolder {
 /// The input is refused: exit code 2, this message for this file alone, nothing written.
 void expect_refused(const SmallCase& c, const std::string& message);
 
+/// The small case with a law for its faces, and `tables` from line 18 of case.toml on.
+class SmallCaseWithForces : public SmallCase {
+ public:
+  explicit SmallCaseWithForces(const std::string& tables);
+};
+
 }  // namespace tdbd::app
