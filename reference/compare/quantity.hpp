@@ -31,7 +31,7 @@ enum class Quantity {
 };
 inline constexpr std::size_t quantity_count = 21;
 
-/// What it asks for of every cutter; or of every tooth, row of teeth and cone.
+/// Quantities of a part of the bit: of a cutter, or of a tooth, a row of teeth or a cone.
 enum class PartQuantity {
   area,
   volume_per_revolution,

@@ -49,7 +49,8 @@ struct BreakoutFaces {
   double ahead = 0.0;  ///< m, how far chips reach ahead; farther than sections are measured
 };
 
-/// Appends to the bit that cuts the groups of what breaks out. Groups of a former call are replaced.
+/// Adds a group for each body that breaks out to the groups of `cutting`, and removes those that an
+/// earlier call added.
 /// The volume that they take counts as removed by the face, and in CutReport::broken_out_by_part.
 std::vector<Breakout> add_breakouts(const bit::Bit& bit, const BreakoutFaces& faces,
                                     const CuttingOptions& options, CuttingBit& cutting);

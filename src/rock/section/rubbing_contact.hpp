@@ -49,7 +49,8 @@ struct RubbingWork {
 /// edges are interpolated linearly between the vertices' signed distances, and triangles without a
 /// vertex inside do not count. Triangles are found if one of their vertices is within `edge` (m), the
 /// length of the rock's longest edges, of the part's box. The sums do not depend on the index. `cut` is
-/// the last cut of the rock; what else changed the rock since the last call is told by its index.
+/// the last cut of the rock; the index of the rock shows whether anything else changed it since the
+/// last call.
 /// `work.patches` has the same contact by sectors about the part's z axis, if it is not convex: the
 /// velocity of a bit body that touches all around differs from sector to sector.
 ContactPatch rubbing_contact(const Rock& rock, RubbingPart& part, const Pose& X_WP, double edge,

@@ -10,8 +10,8 @@
 
 namespace tdbd::rock {
 
-/// Around what a question about an underside is asked: a vertex, a cell of the rock's index or a tile
-/// of its cells.
+/// The size of what is tested against an underside: a vertex, a cell of the rock's index, or a tile of
+/// cells.
 enum class Around : std::size_t { vertex, cell, tile };
 
 /// m, above the rounding of places in single precision.

@@ -9,7 +9,7 @@
 #include "simulation/step/simulation.hpp"
 #include "verification/literature/compare/asked_models.hpp"
 
-/// Numbers of single teeth: they add up to their rows, rows to cones, cones to the bit.
+/// Forces of single teeth add up to those of their rows, rows to cones, and cones to the bit.
 namespace tdbd::reference::tooth_parts_test {
 namespace {
 

@@ -108,6 +108,23 @@ TEST(PartsThatRub, produce_a_warning_when_deep_in_rock) {
       << "a cse that neither cuts nor rubs is not there";
 }
 
+/// Of the two blocks the cutter, a gage pad, removes all rock. Its law decides whether for a force.
+TEST(PartsThatCut, produce_a_warning_at_zero_force) {
+  const std::string free = flat_law + "[forces.gage_pad]\nlaw = \"none\"\n";
+  const Case c = read_case(rubbing_case(rubs, free), {});
+  const std::vector<CaseWarning> found = end_warnings(c, ended(c));
+  ASSERT_EQ(found.size(), 1u);
+  const Simulation s = ended(c);
+  EXPECT_EQ(
+      found[0].text,
+      fmt::format("parts of the kind gage-pad removed {:.3g} mm3 of rock, 100 % of all, at zero "
+                  "force: set forces.gage_pad.law",
+                  1e9 * s.state.ledger.removed.value()));
+  EXPECT_EQ(warnings(read_case(rubbing_case(rubs, flat_law), {})), std::vector<std::string>{});
+  EXPECT_EQ(warnings(read_case(rubbing_case(rubs, ""), {})), std::vector<std::string>{})
+      << "without [forces] nothing has a force";
+}
+
 /// A flat cutter and, `lag` (rad) behind it and `under` (m) less exposed, a pad that rubs. Their rear
 /// edges lie on radii, so that lag is that of every point of them.
 Case follower_case(double lag, double under, double advance) {
@@ -150,8 +167,9 @@ TEST(DepthOfCutControl, begins_where_the_bit_sinks_by_the_under_exposure_between
   }
 }
 
-/// Bit B drills 12 mm a revolution, so that its body touches. Its contact is what a body shows that was
-/// prepared anew, which knows nothing of earlier steps. Without maintenance, which ends what is known.
+/// Bit B drills 12 mm a revolution, so that its body touches the rock. The contact that a run finds is
+/// the same as that of a freshly prepared body, for which no earlier step has shown where it is clear.
+/// There is no maintenance, after which a run would search all rock again.
 TEST(PartsThatRub, are_measured_alike_however_long_they_were_clear) {
   const Case c = read_case(
       write_file(
@@ -170,10 +188,10 @@ TEST(PartsThatRub, are_measured_alike_however_long_they_were_clear) {
     step(c, s);
     if (s.state.steps_done % every != 0) continue;
     const rock::RubbingPart& kept = s.work.rubbing.at(0);
-    rock::RubbingPart anew =
+    rock::RubbingPart fresh =
         rock::prepare_rubbing_part(c.bit.parts.at(at(kept.part)), 0, s.state.rock.grid.cell());
     rock::RubbingWork work;
-    const double area = rock::rubbing_contact(s.state.rock, anew, over_rock(s.state.place),
+    const double area = rock::rubbing_contact(s.state.rock, fresh, over_rock(s.state.place),
                                               s.work.limits.longest_edge, {}, work)
                             .area;
     EXPECT_EQ(s.work.measures.contacts[at(kept.part)].below.area, area);

@@ -261,7 +261,7 @@ void expect_alike_at_every_step(const std::string& section_at_face, double of_de
 }
 
 TEST(Stands, alike_at_every_step_of_stick_slip) {
-  expect_alike_at_every_step("as_ahead", 8e-3);  // required to 2 ms: 5e-3
+  expect_alike_at_every_step("as_ahead", 7.5e-3);  // required to 2 ms: 5e-3
 }
 
 /// Here the depth depends on the step, to first order: by 1.3 % at 3 ms and 0.9 % at 2 ms.
@@ -350,7 +350,7 @@ TEST(Stands, never_while_it_drills_on_faces) {
     steepest = std::max(steepest, s.work.standing.steepness);
   }
   EXPECT_EQ(s.statistics.standing.steps, 0);
-  EXPECT_LT(steepest, 0.8);
+  EXPECT_LT(steepest, 0.75);
   EXPECT_GT(steepest, 0.05);
 }
 

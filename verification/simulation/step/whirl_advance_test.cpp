@@ -37,20 +37,21 @@ Whirl whirl(std::vector<std::string> settings, double h) {
                              d.ledger)};
 }
 
-/// `limit`: that of steps of 0.12 ms and less. The advance had the other sign at 0.5 ms, and changed by its own size from step to step, where frictions and
-/// dampers were split off the forces.
+/// `limit`: that of steps of 0.12, 0.06 and 0.03 ms, which agree to 5e-4. The advance had the other
+/// sign at 0.5 ms, and changed by its own size from step to step, where frictions and dampers were
+/// split off the forces. A bit whose centre of mass was 22 mm nearer to the nose climbed half as fast.
 TEST(WhirlAdvance, of_a_bit_that_climbs_does_not_depend_on_the_step) {
   constexpr double limit = -5.436e-3;  // m/s
   const Whirl coarse = whirl(climbing, 1e-3), shipped = whirl(climbing, 5e-4),
               fine = whirl(climbing, 2.5e-4);
-  EXPECT_NEAR(coarse.advance / limit, 1.0, 0.04);
-  EXPECT_NEAR(shipped.advance / limit, 1.0, 0.015);
+  EXPECT_NEAR(coarse.advance / limit, 1.0, 0.035);
+  EXPECT_NEAR(shipped.advance / limit, 1.0, 0.012);
   EXPECT_NEAR(fine.advance / limit, 1.0, 0.003);
   EXPECT_LT(std::abs(coarse.advance - shipped.advance), 0.03 * std::abs(limit));
   for (const Whirl& w : {coarse, shipped, fine})
     EXPECT_NEAR(w.rop_mean, w.advance, 1e-12 * std::abs(w.advance));
   EXPECT_LT(std::abs(shipped.residual), 1e-3 * shipped.throughput);
-  EXPECT_LT(std::abs(fine.residual), 0.45 * std::abs(shipped.residual));
+  EXPECT_LT(std::abs(fine.residual), 0.4 * std::abs(shipped.residual));
 }
 
 /// The shipped case drills. Required: within 5 % of the limit of small steps.
@@ -98,8 +99,8 @@ TEST(WhirlInRock, is_backward_and_converges_in_the_step) {
     const double rolling = -rotary * gage / w.orbit;
     EXPECT_GT(w.frequency, rolling);
     EXPECT_NEAR(w.frequency / rolling, 0.87, 0.05);
-    EXPECT_GT(w.crushed, 0.05 * w.throughput);
-    EXPECT_LT(std::abs(w.residual), 2e-5 * w.throughput);
+    EXPECT_GT(w.crushed, 0.07 * w.throughput);
+    EXPECT_LT(std::abs(w.residual), 1.2e-5 * w.throughput);
   }
   EXPECT_NEAR(coarse.orbit / shipped.orbit, 1.0, 0.09);
   EXPECT_NEAR(coarse.frequency / shipped.frequency, 1.0, 0.07);
