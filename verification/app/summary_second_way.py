@@ -122,8 +122,10 @@ def energies():
                                   "damped_rock_j", "wall_loss_j", "wall_friction_j"))
     stored = e["kinetic_j"] + e["elastic_j"]
     same("residual_j", stored + lost - put_in, put_in, e["residual_j"], within=1e-13)
+    # Power times step is of first order: of bit M, whose teeth land on the rock here, 1.0, 0.5, 0.3, 0.2 % at 1, 0.5, 0.25, 0.125 ms.
+    lands = "drill-bit-m" in case
     same("cutting_by_part_j", sum(e["cutting_by_part_j"].values()),
-         e["cutting_j"] + e["start_j"], e["cutting_j"] - e["cutting_to_rock_motion_j"], within=1.5e-2)
+         e["cutting_j"] + e["start_j"], e["cutting_j"] - e["cutting_to_rock_motion_j"], within=1.2e-2 if lands else 1e-2)
     last = {key: h[key][-1] for key in h}
     same("energy_stored", stored, found=last["energy_stored"])
     same("work_of_top", e["top_j"], put_in, last["work_of_top"])

@@ -12,98 +12,39 @@
 namespace tdbd::rock {
 namespace {
 
-/// What the group moved in this step, summed for one part and one vertex, m.
-Vec3 moved_by(const GroupCut& cut, int part, int v) {
-  Vec3 sum = Vec3::Zero();
-  for (auto m = std::ranges::lower_bound(cut.moves, v, {}, &VertexMove::v);
-       m != cut.moves.end() && m->v == v; ++m)
-    if (m->part == part) sum += m->d_W;
-  return sum;
-}
-
-const PressedVertex* find_pressed(const std::vector<PressedVertex>& pressed, int v) {
-  const auto found = std::ranges::lower_bound(pressed, v, {}, &PressedVertex::v);
-  return found != pressed.end() && found->v == v ? &*found : nullptr;
-}
-
-Vec3 displacement_of(const std::vector<PressedVertex>& pressed, int v) {
-  const PressedVertex* found = find_pressed(pressed, v);
-  return found != nullptr ? found->d_W : Vec3(Vec3::Zero());
-}
-
-/// Sets the displacement of a vertex in a sorted list.
-void set_pressed(std::vector<PressedVertex>& pressed, const PressedVertex& p) {
-  const auto place = std::ranges::lower_bound(pressed, p.v, {}, &PressedVertex::v);
-  if (place != pressed.end() && place->v == p.v)
-    *place = p;
-  else
-    pressed.insert(place, p);
-}
-
-/// What the part pressed after the last cut, carried along by what maintenance did since.
-void carry(const Rock& rock, int part, std::span<const CarriedDisplacement> carried,
-           std::vector<PressedVertex>& pressed) {
-  pressed = rock.pressed[at(part)];
-  if (pressed.empty()) return;
-  for (const CarriedDisplacement& c : carried) {
-    Vec3 mean = Vec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i)
-      if (c.weight[i] > 0.0) mean += c.weight[i] * displacement_of(pressed, c.from[i]);
-    const PressedVertex* known = find_pressed(pressed, c.v);
-    if (known != nullptr || !mean.isZero(0.0))
-      set_pressed(pressed, {c.v, mean, known != nullptr ? known->hold : Hold::made});
-  }
-}
-
-/// Of what maintenance did, that which concerns a vertex of any part's list.
-void keep_concerned(const Rock& rock, ContactWork& work) {
-  work.carried.clear();
-  if (rock.carried.empty()) return;
-  work.mark.resize(rock.surface.stars.size(), 0);
-  ++work.stamp;
-  for (const std::vector<PressedVertex>& part : rock.pressed)
-    for (const PressedVertex& p : part) work.mark[at(p.v)] = work.stamp;
-  const auto is_marked = [&](int v) { return v >= 0 && work.mark[at(v)] == work.stamp; };
-  for (const CarriedDisplacement& c : rock.carried) {
-    if (c.v < 0 || !(is_marked(c.v) || std::ranges::any_of(c.from, is_marked))) continue;
-    work.mark[at(c.v)] = work.stamp;
-    work.carried.push_back(c);
-  }
-}
-
-/// Notes what the part holds and by how much it has pressed it.
-void take_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
-               std::span<const CarriedDisplacement> carried, ContactScratch& w) {
-  std::ranges::sort(w.held);
-  carry(rock, part, carried, w.inherited);
-  w.pressed.clear();
-  w.places.clear();
-  w.index.resize(w.mark.size());
-  for (const int v : w.held) {
-    const PressedVertex* before = find_pressed(w.inherited, v);
-    Vec3 d_W = moved_by(cut, part, v);
-    if (before != nullptr && before->hold != Hold::left) d_W += before->d_W;
-    w.pressed.push_back({v, d_W, Hold::held});
-    w.index[at(v)] = static_cast<int>(w.places.size());
-    w.places.push_back({m.X_PW1 * rock.surface.position(v), m.X_PW1.R * d_W, true});
-  }
-}
-
 /// Of a ContactPatch, in the frame P.
 struct PatchSums {
   double area = 0.0, weight = 0.0;                             // m2; the weight is the sum of w A
   Vec3 area_vector_P = Vec3::Zero(), moment_P = Vec3::Zero();  // m2, m3
+
+  void add(const Vec3& vector_P, const Vec3& middle_P, double share) {
+    const double a = vector_P.norm();
+    area += a;
+    weight += share * a;
+    area_vector_P += share * vector_P;
+    moment_P += share * a * middle_P;
+  }
 };
 
 struct ContactSums {
   PatchSums below, sides;
+  std::array<PatchSums, 6> facing{};  // ContactDivision::by_direction
 };
+
+/// Which of -x, x, -y, y, -z, z the surface of the part faces most where the rock has this area
+/// vector; of equal ones the first.
+std::size_t faced_direction(const Vec3& area_vector_P) {
+  Eigen::Index axis = 0;
+  area_vector_P.cwiseAbs().maxCoeff(&axis);
+  return static_cast<std::size_t>(2 * axis + (area_vector_P[axis] < 0.0 ? 1 : 0));
+}
 
 /// One part's contact at work.
 struct Contact {
   const Rock& rock;
   const PressingPart& part;
   int index;  ///< of the part
+  ContactDivision division;
   ContactScratch& w;
 
   ContactScratch::Place& place(int v) const { return w.places[at(w.index[at(v)])]; }
@@ -186,7 +127,8 @@ struct Contact {
         if (is_pressed(b)) corners_P[n++] = back.foot_P;
       }
     }
-    add_polygon({corners_P.data(), n}, sums.below);
+    add_polygon({corners_P.data(), n}, sums.below,
+                division == ContactDivision::by_direction ? &sums.facing : nullptr);
   }
 
   /// The sides between the two ends of a triangle, from their feet up; around an edge between two
@@ -222,15 +164,15 @@ struct Contact {
     return edge_P[0] + (level - u.dot(edge_P[0])) * u;
   }
 
-  void add_polygon(std::span<const Vec3> x_P, PatchSums& sums) const {
+  void add_polygon(std::span<const Vec3> x_P, PatchSums& sums,
+                   std::array<PatchSums, 6>* facing = nullptr) const {
     for (std::size_t k = 2; k < x_P.size(); ++k) {
       const Vec3 area_vector_P = mesh::area_vector(x_P[0], x_P[k - 1], x_P[k]);
       const Vec3 middle_P = (x_P[0] + x_P[k - 1] + x_P[k]) / 3.0;
-      const double area = area_vector_P.norm(), share = share_at(middle_P);
-      sums.area += area;
-      sums.weight += share * area;
-      sums.area_vector_P += share * area_vector_P;
-      sums.moment_P += share * area * middle_P;
+      const double share = share_at(middle_P);
+      sums.add(area_vector_P, middle_P, share);
+      if (facing != nullptr)
+        (*facing)[faced_direction(area_vector_P)].add(area_vector_P, middle_P, share);
     }
   }
 
@@ -297,6 +239,9 @@ PartContact sum_contact(const GroupMotion& m, const Contact& c) {
   }
   contact.below = patch_of(c.part, m.X_WP1, sums.below);
   contact.sides = patch_of(c.part, m.X_WP1, sums.sides);
+  if (c.division == ContactDivision::by_direction)
+    for (std::size_t i = 0; i < sums.facing.size(); ++i)
+      contact.facing[i] = patch_of(c.part, m.X_WP1, sums.facing[i]);
   return contact;
 }
 
@@ -334,7 +279,7 @@ PartContact sum_whole_triangles(const Rock& rock, ContactScratch& w) {
     }
   }
   if (patch.area > 0.0) patch.centroid_W /= patch.area;
-  return {patch, {}, 0.0};
+  return {patch, {}, {}, 0.0};
 }
 
 /// The contacts of the parts of one group.
@@ -365,21 +310,13 @@ void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, s
     take_held(rock, m, cut.groups[i], part, carried, w);
     const PressingPart pressing{
         {g.parts.data() + from, k - from}, m.X_PW1 * m.X_WP0, gap, how.ramp, how.left_out_P};
-    contact_by_part[at(part)] = sum_contact(m, {rock, pressing, part, w});
+    contact_by_part[at(part)] = sum_contact(m, {rock, pressing, part, how.division, w});
     keep_made(rock, g, m, w);
     rock.pressed[at(part)].assign(w.pressed.begin(), w.pressed.end());
   }
 }
 
 }  // namespace
-
-ContactPatch whole(const PartContact& c) {
-  ContactPatch sum{c.below.area + c.sides.area, c.below.area_vector_W + c.sides.area_vector_W};
-  if (sum.area > 0.0)
-    sum.centroid_W =
-        (c.below.area * c.below.centroid_W + c.sides.area * c.sides.centroid_W) / sum.area;
-  return sum;
-}
 
 void contact_areas(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
                    const ContactOptions& options, ContactWork& work,

@@ -65,13 +65,22 @@ struct ContactPatch {
 /// below them: they are crushing rock while that may only slide, as where a pad drags.
 struct PartContact {
   ContactPatch below, sides;
+  /// The surface below once more, divided by the direction of the part's frame, -x, x, -y, y, -z or z,
+  /// that it faces most; of parts with ContactDivision::by_direction.
+  std::array<ContactPatch, 6> facing{};
   /// m, from the part's surface to the nearest vertex that it presses: how far it has risen from the
   /// rock since, within the gap.
   double distance = 0.0;
 };
 
 /// Both patches as one, which has one normal.
-ContactPatch whole(const PartContact& contact);
+inline ContactPatch whole(const PartContact& c) {
+  ContactPatch sum{c.below.area + c.sides.area, c.below.area_vector_W + c.sides.area_vector_W};
+  if (sum.area > 0.0)
+    sum.centroid_W =
+        (c.below.area * c.below.centroid_W + c.sides.area * c.sides.centroid_W) / sum.area;
+  return sum;
+}
 
 /// How a part's contact is measured.
 enum class ContactRule {
@@ -79,12 +88,18 @@ enum class ContactRule {
   whole_triangles  ///< triangles with three held vertices: lacks a strip along the border
 };
 
+/// Whether the surface below is one patch, or one for each direction of the part's frame. A
+/// milled tooth presses with its crest and a flank at once; under one normal between them each would follow the
+/// motion of the other.
+enum class ContactDivision { none, by_direction };
+
 struct ContactOfPart {
   ContactRule rule = ContactRule::clipped;
   double ramp = 0.0;  ///< forces::Pressing::ramp of its law
   /// Unit, or zero: a plane of a convex part with this outward normal is left out, since its contact
   /// is measured otherwise. What it holds counts as on the part's lee side.
   Vec3 left_out_P = Vec3::Zero();
+  ContactDivision division = ContactDivision::none;
 };
 
 struct ContactOptions {

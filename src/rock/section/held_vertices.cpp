@@ -57,6 +57,44 @@ bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& 
   return mesh::inside(*part.tree_P, x_P) || mesh::distance(*part.tree_P, x_P) <= gap;
 }
 
+/// What the group moved in this step, summed for one part and one vertex, m.
+Vec3 moved_by(const GroupCut& cut, int part, int v) {
+  Vec3 sum = Vec3::Zero();
+  for (auto m = std::ranges::lower_bound(cut.moves, v, {}, &VertexMove::v);
+       m != cut.moves.end() && m->v == v; ++m)
+    if (m->part == part) sum += m->d_W;
+  return sum;
+}
+
+Vec3 displacement_of(const std::vector<PressedVertex>& pressed, int v) {
+  const PressedVertex* found = find_pressed(pressed, v);
+  return found != nullptr ? found->d_W : Vec3(Vec3::Zero());
+}
+
+/// Sets the displacement of a vertex in a sorted list.
+void set_pressed(std::vector<PressedVertex>& pressed, const PressedVertex& p) {
+  const auto place = std::ranges::lower_bound(pressed, p.v, {}, &PressedVertex::v);
+  if (place != pressed.end() && place->v == p.v)
+    *place = p;
+  else
+    pressed.insert(place, p);
+}
+
+/// What the part pressed after the last cut, carried along by what maintenance did since.
+void carry(const Rock& rock, int part, std::span<const CarriedDisplacement> carried,
+           std::vector<PressedVertex>& pressed) {
+  pressed = rock.pressed[at(part)];
+  if (pressed.empty()) return;
+  for (const CarriedDisplacement& c : carried) {
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (c.weight[i] > 0.0) mean += c.weight[i] * displacement_of(pressed, c.from[i]);
+    const PressedVertex* known = find_pressed(pressed, c.v);
+    if (known != nullptr || !mean.isZero(0.0))
+      set_pressed(pressed, {c.v, mean, known != nullptr ? known->hold : Hold::made});
+  }
+}
+
 }  // namespace
 
 bool is_within(const mesh::Box& box, const Vec3& x, double gap) {
@@ -97,6 +135,43 @@ void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, doub
       continue;
     w.mark[at(v)] = w.stamp;
     w.held.push_back(v);
+  }
+}
+
+const PressedVertex* find_pressed(const std::vector<PressedVertex>& pressed, int v) {
+  const auto found = std::ranges::lower_bound(pressed, v, {}, &PressedVertex::v);
+  return found != pressed.end() && found->v == v ? &*found : nullptr;
+}
+
+void keep_concerned(const Rock& rock, ContactWork& work) {
+  work.carried.clear();
+  if (rock.carried.empty()) return;
+  work.mark.resize(rock.surface.stars.size(), 0);
+  ++work.stamp;
+  for (const std::vector<PressedVertex>& part : rock.pressed)
+    for (const PressedVertex& p : part) work.mark[at(p.v)] = work.stamp;
+  const auto is_marked = [&](int v) { return v >= 0 && work.mark[at(v)] == work.stamp; };
+  for (const CarriedDisplacement& c : rock.carried) {
+    if (c.v < 0 || !(is_marked(c.v) || std::ranges::any_of(c.from, is_marked))) continue;
+    work.mark[at(c.v)] = work.stamp;
+    work.carried.push_back(c);
+  }
+}
+
+void take_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
+               std::span<const CarriedDisplacement> carried, ContactScratch& w) {
+  std::ranges::sort(w.held);
+  carry(rock, part, carried, w.inherited);
+  w.pressed.clear();
+  w.places.clear();
+  w.index.resize(w.mark.size());
+  for (const int v : w.held) {
+    const PressedVertex* before = find_pressed(w.inherited, v);
+    Vec3 d_W = moved_by(cut, part, v);
+    if (before != nullptr && before->hold != Hold::left) d_W += before->d_W;
+    w.pressed.push_back({v, d_W, Hold::held});
+    w.index[at(v)] = static_cast<int>(w.places.size());
+    w.places.push_back({m.X_PW1 * rock.surface.position(v), m.X_PW1.R * d_W, true});
   }
 }
 

@@ -18,4 +18,15 @@ void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
 void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, double gap,
           ContactScratch& w);
 
+/// The entry of a vertex in a sorted list, or null.
+const PressedVertex* find_pressed(const std::vector<PressedVertex>& pressed, int v);
+
+/// Fills work.carried: of what maintenance did, that which concerns a vertex of any part's list.
+void keep_concerned(const Rock& rock, ContactWork& work);
+
+/// Notes what the part holds and by how much it has pressed it: w.inherited is what it pressed after the
+/// last cut, carried along by what maintenance did since; w.pressed and w.places have the held vertices.
+void take_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
+               std::span<const CarriedDisplacement> carried, ContactScratch& w);
+
 }  // namespace tdbd::rock

@@ -81,41 +81,47 @@ void take_part(const ForcePlan& plan, const MeasuredStep& step, const Measures& 
   c.distance = m.contacts[at(c.part)].distance;
 }
 
+/// A piece of the contact of a part as a cut of its own. The part's removed volume is that of its first.
+void add_patch(const ForcePlan& plan, const rock::ContactPatch& patch, double distance,
+               CutOfPart& whole, std::vector<CutOfPart>& cuts) {
+  CutOfPart c = whole;
+  c.cut.contact_area = 0.0;
+  c.distance = distance;
+  take_contact(patch, c);
+  if (!(c.cut.contact_area > 0.0)) return;
+  c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
+  cuts.push_back(c);
+  whole.cut.removed_volume = 0.0;
+}
+
 /// The sides of a part that presses are a contact of their own: they crush rock where the surface
-/// below them may only slide, and together they would have one normal.
-void split_sides(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart>& cuts) {
-  CutOfPart& below = cuts.back();
-  if (m.contacts.empty() || !forces::pressing(law_of(plan, below), below.cut)) return;
-  const rock::PartContact& contact = m.contacts[at(below.part)];
-  if (!(contact.sides.area > 0.0)) return;
-  CutOfPart sides = below;
-  sides.cut.removed_volume = 0.0;
-  take_contact(contact.sides, sides);
-  sides.distance = 0.0;
-  sides.cut.strength = forces::strength_at(plan.rock, sides.cut.point);
-  below.cut.contact_area = 0.0;
-  take_contact(contact.below, below);
-  below.cut.strength = forces::strength_at(plan.rock, below.cut.point);
-  if (below.cut.contact_area > 0.0)
-    cuts.push_back(sides);
+/// below them may only slide, and together they would have one normal. So are crest and flanks of a
+/// milled tooth (ContactDivision::by_direction).
+void split_contact(const ForcePlan& plan, const MeasuredStep& step, const Measures& m,
+                   std::vector<CutOfPart>& cuts) {
+  CutOfPart whole = cuts.back();
+  if (m.contacts.empty() || !forces::pressing(law_of(plan, whole), whole.cut)) return;
+  const rock::PartContact& contact = m.contacts[at(whole.part)];
+  const bool is_divided = !step.contacts.empty() && step.contacts[at(whole.part)].division ==
+                                                        rock::ContactDivision::by_direction;
+  if (!is_divided && !(contact.sides.area > 0.0)) return;
+  cuts.pop_back();
+  if (is_divided)
+    for (const rock::ContactPatch& patch : contact.facing)
+      add_patch(plan, patch, whole.distance, whole, cuts);
   else
-    below = sides;
+    add_patch(plan, contact.below, whole.distance, whole, cuts);
+  add_patch(plan, contact.sides, 0.0, whole, cuts);
 }
 
 /// A part that rubs bears on each of its patches.
 void split_patches(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart>& cuts) {
-  const CutOfPart whole = cuts.back();
+  CutOfPart whole = cuts.back();
   const auto is_of_part = [&](const PatchOfPart& p) { return p.part == whole.part; };
   if (std::ranges::none_of(m.patches, is_of_part)) return;
   cuts.pop_back();
-  for (const PatchOfPart& p : m.patches) {
-    if (!is_of_part(p)) continue;
-    CutOfPart c = whole;
-    c.cut.contact_area = 0.0;
-    take_contact(p.patch, c);
-    c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
-    if (c.cut.contact_area > 0.0) cuts.push_back(c);
-  }
+  for (const PatchOfPart& p : m.patches)
+    if (is_of_part(p)) add_patch(plan, p.patch, whole.distance, whole, cuts);
 }
 
 /// A flat whose contact is measured by its edge is a contact of its own, before those of the rest of
@@ -153,7 +159,7 @@ void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures
     c.cut.strength = forces::strength_at(plan.rock, c.cut.point);
     if (!forces::pressing(law_of(plan, c), c.cut)) c.distance = 0.0;
     cuts.push_back(c);
-    split_sides(plan, m, cuts);
+    split_contact(plan, step, m, cuts);
     split_patches(plan, m, cuts);
   }
 }

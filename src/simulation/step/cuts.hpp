@@ -32,8 +32,9 @@ inline const forces::Law& law_of(const ForcePlan& plan, const CutOfPart& c) {
 /// - chamfer: engaged edge times the chamfer's width, seen along the profile's normal (edge), or
 ///   the rock triangles in contact (triangles).
 /// - all others: the rock triangles in contact, their centroid, and the direction of their summed
-///   area; contact_area is the length of that sum, so that pressure on a closed patch cancels. Sides
-///   that press under a law that presses (forces (4)) are a second cut of the same part.
+///   area; contact_area is the length of that sum, so that pressure on a closed patch cancels. Under a
+///   law that presses (forces (4)), the sides that press are a cut of their own, and so is the surface
+///   of a milled tooth in each direction of its frame.
 /// - wear flat of a cutter (ForcePlan::flat = edge): the flat behind the engaged edge, a cut of its own
 ///   of the cutter's body. Normal: the profile's.
 void gather_cuts(const ForcePlan& plan, const MeasuredStep& step, const Measures& measures,

@@ -98,6 +98,13 @@ bool has_section(const ForcePlan& plan, bit::PartKind kind) {
          (kind == bit::PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
 }
 
+/// With flat flanks and a flat crest, of which each has one normal.
+bool is_milled_tooth(const bit::Bit& bit, const bit::Part& part) {
+  return part.kind == bit::PartKind::tooth && part.row >= 0 &&
+         bit.cones[at(part.cone)].layout.rows[at(part.row)].shape.kind ==
+             bit::ToothKind::milled_chisel;
+}
+
 }  // namespace
 
 bool bears_on_measured_flat(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part) {
@@ -138,8 +145,11 @@ std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePla
       contacts[i].left_out_P = bit.parts[i].X_BP.R.transpose() * bit::profile_normal_B(cutter);
     }
     if (plan.forces == Forces::off || !has_law(plan, bit, i)) continue;
-    if (const auto law = forces::pressing(law_of(plan, cut.kind, static_cast<int>(i)), cut))
-      contacts[i].ramp = law->ramp;
+    const auto law = forces::pressing(law_of(plan, cut.kind, static_cast<int>(i)), cut);
+    if (!law) continue;
+    contacts[i].ramp = law->ramp;
+    if (is_milled_tooth(bit, bit.parts[i]))
+      contacts[i].division = rock::ContactDivision::by_direction;
   }
   return contacts;
 }

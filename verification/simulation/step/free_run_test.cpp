@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -74,6 +75,54 @@ TEST(FreeRun, of_a_torsional_pendulum_is_not_stick_slip) {
   const Diagnosis d = summary_of(c, drilled(c), RunStatus::completed).diagnosis;
   EXPECT_EQ(d.stick_slip_severity, 0.0);
   EXPECT_EQ(d.text, "off bottom, no contact with rock; torsional vibration at 0.232 Hz");
+}
+
+/// Bit M from 0.1 s, when its teeth are in rock.
+struct MilledRun {
+  double by_part = 0.0,
+         total = 0.0;        ///< J, spent on the rock: power by part times step; the ledger's
+  double alternation = 0.0;  ///< rad/s, root mean square: of the cones' speeds from step to step
+  double tob = 0.0;          ///< N m, mean
+};
+
+MilledRun milled(const std::string& step_length, const std::string& edges) {
+  const Case c = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-m.toml",
+                           {"time.step='" + step_length + "'", "rock.edge_length='" + edges + "'",
+                            "time.duration='0.25 s'", "output.means_from='0.1 s'"});
+  Simulation s = start(c);
+  MilledRun run;
+  std::array<std::vector<double>, 2> before;
+  double sum2 = 0.0;
+  long count = 0;
+  while (s.state.steps_done < c.time.steps) {
+    step(c, s);
+    std::vector<double> now;
+    for (const ConeState& cone : s.state.cones) now.push_back(cone.speed);
+    if (c.time.step * static_cast<double>(s.state.steps_done) > 0.1)
+      for (std::size_t k = 0; k < now.size(); ++k, ++count)
+        sum2 += std::pow((now[k] - 2.0 * before[1][k] + before[0][k]) / 4.0, 2);
+    before = {before[1], now};
+  }
+  run.alternation = std::sqrt(sum2 / static_cast<double>(count));
+  for (const double energy : s.statistics.energy_by_part) run.by_part += energy;
+  const dynamics::EnergyLedger& l = s.state.drive->ledger;
+  run.total = -l.cut_bit - l.cut_rock;
+  run.tob = s.statistics.loads.tob.mean;
+  return run;
+}
+
+/// With one contact a tooth, its normal between crest and flank, the cones of this bit went to and fro
+/// at every step: the alternation was 2.6 to 3.6 rad/s, energies differed by 2.2 % at 1 ms, 3.1 % at
+/// 0.5 ms and 4 % at 0.25 ms, and torques by 13 % between edges of 4 and 2 mm.
+TEST(MilledTeeth, press_with_crest_and_flanks_apart) {
+  const MilledRun shipped = milled("1 ms", "4 mm"), finer = milled("0.5 ms", "4 mm"),
+                  smaller = milled("1 ms", "2.8 mm");
+  for (const MilledRun& run : {shipped, finer, smaller}) {
+    EXPECT_NEAR(run.by_part / run.total, 1.0, 0.005);
+    EXPECT_LT(run.alternation, 1.5);
+  }
+  EXPECT_NEAR(finer.tob / shipped.tob, 1.0, 0.015);
+  EXPECT_NEAR(smaller.tob / shipped.tob, 1.0, 0.02);
 }
 
 }  // namespace tdbd::simulation::free_run_test
