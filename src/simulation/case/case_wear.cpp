@@ -56,12 +56,23 @@ bit::WearLaw read_wear_law(Config& c) {
   return bit::NoWear{};
 }
 
-/// Only cutters wear.
-void require_cutter_parts(Config& c, const bit::Bit& bit, const std::vector<int>& parts) {
+/// Parts of cutters, teeth and gage pads can wear.
+bool can_wear(const bit::Part& part) {
+  return part.cutter >= 0 || part.kind == bit::PartKind::tooth ||
+         part.kind == bit::PartKind::gage_pad;
+}
+
+/// Gage pads are of another material, and wear only where an area says so.
+bool wears_by_default(const bit::Part& part) {
+  return part.cutter >= 0 || part.kind == bit::PartKind::tooth;
+}
+
+void require_parts_that_wear(Config& c, const bit::Bit& bit, const std::vector<int>& parts) {
   for (const int p : parts)
-    if (const bit::Part& part = bit.parts[at(p)]; part.cutter < 0)
-      return c.problem("", fmt::format("{}, a part of no cutter", part.name),
-                       "criteria that select parts of cutters: other parts do not wear");
+    if (const bit::Part& part = bit.parts[at(p)]; !can_wear(part))
+      return c.problem("", fmt::format("{}, which is none of these", part.name),
+                       "criteria that select parts of cutters, teeth or gage pads: others do not "
+                       "wear");
 }
 
 void read_wear_areas(Config& c, const bit::Bit& bit, const std::string& where, WearPlan& plan) {
@@ -72,7 +83,7 @@ void read_wear_areas(Config& c, const bit::Bit& bit, const std::string& where, W
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < areas.tables.size(); ++i) {
     Config& table = areas.tables[i].config;
-    require_cutter_parts(table, bit, bit::parts_of_rule(areas, static_cast<int>(i)));
+    require_parts_that_wear(table, bit, bit::parts_of_rule(areas, static_cast<int>(i)));
     laws.push_back(read_wear_law(table));
     // Equal laws have the same value.
     values.emplace_back(static_cast<double>(std::ranges::find(laws, laws.back()) - laws.begin()));
@@ -88,10 +99,12 @@ void read_wear_areas(Config& c, const bit::Bit& bit, const std::string& where, W
 
 void require_wearing_bit(Config& c, const bit::Bit& bit, const ForcePlan& forces) {
   if (bit.parts.empty()) return;  // its own mistakes are noted
-  if (bit.cutters.empty() || bit.cutters_from == bit::CuttersFrom::meshes)
+  const bool is_from_meshes = bit.cutters_from == bit::CuttersFrom::meshes;
+  if (is_from_meshes || std::ranges::none_of(bit.parts, can_wear))
     c.problem(
-        "", bit.cutters.empty() ? "a bit without cutters" : "a bit whose cutters come from meshes",
-        "a bit with a cutter table: only its cutters wear");
+        "",
+        is_from_meshes ? "a bit whose cutters come from meshes" : "a bit without cutters and teeth",
+        "a bit with a cutter table or with cones");
   if (forces.forces == Forces::off)
     c.problem("", "no table [forces]", "force laws: wear follows from the forces on the cutters");
 }
@@ -104,7 +117,7 @@ WearPlan read_wear(Config& whole, const bit::Bit& bit, const ForcePlan& forces) 
   Config c = whole.table(wear_keys::table);
   const bit::WearLaw law = read_wear_law(c);
   for (const bit::Part& part : bit.parts)
-    plan.part_laws.push_back(part.cutter < 0 ? bit::WearLaw{bit::NoWear{}} : law);
+    plan.part_laws.push_back(wears_by_default(part) ? law : bit::WearLaw{bit::NoWear{}});
   plan.acceleration = c.read(wear_keys::acceleration);
   plan.from = c.read(wear_keys::from);
   plan.every_steps = c.read(wear_keys::every_steps);

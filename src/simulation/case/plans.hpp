@@ -76,7 +76,7 @@ struct WearPlan {
   double from = 0.0;             ///< s, before which the bit does not wear
   long every_steps = 0;          ///< time steps between two wear steps, at most; 0: no limit
   double every = 0.0;            ///< m down between two wear steps, at most; 0: no limit
-  double largest_growth = 0.01;  ///< of a flat's height in a wear step, over its cutter's diameter
+  double largest_growth = 0.01;  ///< of a flat's height in a wear step, over bit::WearSolid::size
 };
 
 /// Whether the bit wears.

@@ -10,7 +10,9 @@ enum class WearKind { none, sliding, thermal, table };
 /// The keys of [wear] and, for the parts of an area, of [wear.areas.NAME].
 namespace wear_keys {
 
-inline constexpr TableKey table{"wear", "wear of the cutters of a bit with a cutter table"};
+inline constexpr TableKey table{
+    "wear",
+    "wear of cutters from a cutter table, of the teeth of cones and, by area, of gage pads"};
 inline constexpr TableKey areas_table{
     "wear.areas.NAME",
     "another wear law for the parts that meet all criteria given here; of several areas the one "
@@ -34,7 +36,7 @@ inline constexpr QuantityKey hardness{.name = "hardness",
                                       .unit = "Pa",
                                       .usual = "required by sliding and thermal",
                                       .range = Range::positive(),
-                                      .meaning = "of the cutter"};
+                                      .meaning = "of what wears"};
 inline constexpr QuantityKey threshold{.name = "threshold",
                                        .unit = "K",
                                        .usual = "required by thermal",
@@ -78,13 +80,14 @@ inline constexpr QuantityKey every{.name = "every",
                                    .meaning =
                                        "largest distance that the bit goes down between two "
                                        "wear steps; 0: no limit"};
-inline constexpr QuantityKey largest_growth{
-    .name = "largest_growth",
-    .fallback = 0.005,
-    .range = Range::within(1e-6, 0.1),
-    .meaning =
-        "share of its cutter's diameter by which a flat's height grows at most in a wear "
-        "step; wear steps come as often as that needs"};
+inline constexpr QuantityKey largest_growth{.name = "largest_growth",
+                                            .fallback = 0.005,
+                                            .range = Range::within(1e-6, 0.1),
+                                            .meaning =
+                                                "by which a flat's height grows at most in a wear "
+                                                "step, over the diameter of its cutter, the "
+                                                "protrusion of its tooth, or the thickness of its "
+                                                "pad; wear steps come as often as that needs"};
 inline constexpr QuantityKey friction{
     .name = "friction",
     .fallback = 0.15,

@@ -148,7 +148,7 @@ void fields(A& a, Of<A, WornOff>& x) {
 }
 
 template <class A>
-void fields(A& a, Of<A, CutterWear>& x) {
+void fields(A& a, Of<A, PieceWear>& x) {
   a("volume", x.volume);
   a("height", x.height);
   a("window", x.window);
@@ -157,7 +157,7 @@ void fields(A& a, Of<A, CutterWear>& x) {
 }
 
 template <class A>
-void fields(A& a, Of<A, CutterRub>& x) {
+void fields(A& a, Of<A, PieceRub>& x) {
   a("force", x.force);
   a("temperature", x.temperature);
   a("rate", x.rate);
@@ -166,7 +166,7 @@ void fields(A& a, Of<A, CutterRub>& x) {
 
 template <class A>
 void fields(A& a, Of<A, WearState>& x) {
-  a("cutters", x.cutters);
+  a("pieces", x.pieces);
   a("rubs", x.rubs);
   a("window_time", x.window_time);
   a("previous_time", x.previous_time);

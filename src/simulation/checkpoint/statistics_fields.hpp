@@ -78,6 +78,7 @@ void fields(A& a, Of<A, WearRecord>& x) {
   a("weight", x.weight);
   a("torque", x.torque);
   a("rate", x.rate);
+  a("height", x.height);
   a("width", x.width);
   a("volume", x.volume);
   a("temperature", x.temperature);

@@ -207,22 +207,44 @@ constexpr std::array wear_columns = {
                       nullptr, Over::mean},
 };
 
-void add_wear(const std::vector<std::string>& cutters, RecordLayout& layout) {
+/// Over time and tooth or gage pad.
+constexpr std::array worn_part_columns = {
+    ColumnOf<WearRow>{"lost_height", "m", "height that the tooth or gage pad has lost in the run",
+                      nullptr},
+    ColumnOf<WearRow>{"worn_part_volume", "m3", "volume that it has lost in the run", nullptr},
+};
+
+void add_worn_parts(const std::vector<std::string>& parts, RecordLayout& layout) {
+  const int axis = static_cast<int>(layout.axes.size());
+  layout.axes.push_back({"worn_part", parts});
+  layout.labels.push_back({"worn_part_name", "name of the tooth or gage pad", axis, parts});
+  for (const ColumnOf<WearRow>& c : worn_part_columns)
+    layout.columns.push_back({c.name, c.units, c.long_name, axis, InCsv::no, c.over});
+}
+
+void add_worn_cutters(const std::vector<std::string>& cutters, RecordLayout& layout) {
   int axis = 0;
   while (at(axis) < layout.axes.size() && layout.axes[at(axis)].name != "cutter") ++axis;
   if (at(axis) == layout.axes.size()) {
     layout.axes.push_back({"cutter", cutters});
     layout.labels.push_back({"cutter_name", "name of the cutter", axis, cutters});
   }
-  layout.columns.push_back(
-      {"wear_distance", "m", "distance that the wear stands for: acceleration times the advance"});
   for (const ColumnOf<WearRow>& c : wear_columns)
     layout.columns.push_back({c.name, c.units, c.long_name, axis, InCsv::no, c.over});
 }
 
+void add_wear(const HistoryExtent& extent, RecordLayout& layout) {
+  if (extent.worn_cutters.empty() && extent.worn_parts.empty()) return;
+  layout.columns.push_back(
+      {"wear_distance", "m", "distance that the wear stands for: acceleration times the advance"});
+  if (!extent.worn_cutters.empty()) add_worn_cutters(extent.worn_cutters, layout);
+  if (!extent.worn_parts.empty()) add_worn_parts(extent.worn_parts, layout);
+}
+
 void append_wear(const WearRow& w, std::vector<double>& row) {
   row.push_back(w.distance);
-  for (const std::vector<double>* column : {&w.width, &w.volume, &w.temperature, &w.force})
+  for (const std::vector<double>* column :
+       {&w.width, &w.volume, &w.temperature, &w.force, &w.lost_height, &w.part_volume})
     row.insert(row.end(), column->begin(), column->end());
 }
 
@@ -263,7 +285,7 @@ RecordLayout step_layout(const std::vector<HistoryPart>& parts, const HistoryExt
   if (extent.contact_areas) add_contact_areas(layout);
   if (!extent.cutters.empty()) add_sections(extent.cutters, layout);
   if (extent.forces) add_loads(layout);
-  if (!extent.worn_cutters.empty()) add_wear(extent.worn_cutters, layout);
+  add_wear(extent, layout);
   if (!extent.drive) return layout;
   for (const ColumnOf<DriveRow>& c : drive_columns)
     layout.columns.push_back({c.name, c.units, c.long_name});
@@ -282,7 +304,7 @@ void numbers_of(const HistoryRow& step, const HistoryExtent& extent, std::vector
   if (extent.contact_areas) append_contacts(step.contacts, numbers);
   if (!extent.cutters.empty()) append_sections(step.sections, numbers);
   if (extent.forces && step.loaded != nullptr) append_loads(*step.loaded, numbers);
-  if (!extent.worn_cutters.empty() && step.wear != nullptr) append_wear(*step.wear, numbers);
+  if (step.wear != nullptr) append_wear(*step.wear, numbers);
   if (extent.drive && step.drive != nullptr)
     for (const ColumnOf<DriveRow>& c : drive_columns) numbers.push_back(c.value(*step.drive));
 }

@@ -13,10 +13,11 @@
 
 namespace tdbd::simulation {
 
-/// The wear of a step, per cutter.
+/// The wear of a step.
 struct WearRow {
   double distance = 0.0;                                  ///< m of wear
-  std::vector<double> width, volume, temperature, force;  ///< m, m3, K, N
+  std::vector<double> width, volume, temperature, force;  ///< m, m3, K, N, per cutter
+  std::vector<double> lost_height, part_volume;           ///< m, m3, per tooth or pad that wears
 };
 
 /// What one step leaves in the history. Frames: W space (z down), B bit.
@@ -51,7 +52,7 @@ struct HistoryExtent {
   bool contact_areas = false;
   bool forces = false;
   bool drive = false;
-  std::vector<std::string> worn_cutters;  ///< of a bit that wears
+  std::vector<std::string> worn_cutters, worn_parts;  ///< of a bit that wears
 };
 
 /// The columns of a step: those of the bit, then what every part removed, then what the run has

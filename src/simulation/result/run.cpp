@@ -60,8 +60,8 @@ HistoryExtent history_extent(const Case& c) {
   extent.forces = c.forces.forces == Forces::on;
   extent.drive = c.motion.kind == MotionKind::drilling;
   if (wears(c.wear))
-    for (const bit::Cutter& cutter : c.bit.cutters)
-      extent.worn_cutters.push_back(cutter_name(cutter));
+    for (const bit::WearSolid& solid : solids_of(c))
+      (solid.cutter >= 0 ? extent.worn_cutters : extent.worn_parts).push_back(solid.name);
   if (c.measure.section == SectionMeasure::off) return extent;
   extent.cutters.reserve(c.bit.cutters.size());
   for (const bit::Cutter& cutter : c.bit.cutters) extent.cutters.push_back(cutter_name(cutter));
@@ -92,10 +92,16 @@ HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>&
 }
 
 WearRow wear_row(const WearState& s, const WearWork& w) {
-  WearRow row{.distance = s.distance, .width = {}, .volume = {}, .temperature = {}, .force = {}};
-  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
+  WearRow row;
+  row.distance = s.distance;
+  for (std::size_t i = 0; i < s.pieces.size(); ++i) {
+    if (w.solids[i].cutter < 0) {
+      row.lost_height.push_back(w.flats[i].height);
+      row.part_volume.push_back(s.pieces[i].volume);
+      continue;
+    }
     row.width.push_back(w.flats[i].width);
-    row.volume.push_back(s.cutters[i].volume);
+    row.volume.push_back(s.pieces[i].volume);
     row.temperature.push_back(s.rubs[i].temperature);
     row.force.push_back(s.rubs[i].force);
   }

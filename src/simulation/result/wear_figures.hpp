@@ -8,12 +8,13 @@
 
 namespace tdbd::simulation {
 
-/// The wear of a cutter at the end of a run.
-struct CutterWearFigures {
+/// The wear of a piece at the end of a run.
+struct PieceWearFigures {
   std::string name;
-  bit::WearFlat flat;    ///< of run and table; its volume is that of the run
-  double pending = 0.0;  ///< m3, worn since the last wear step and not yet cut from the mesh
-  CutterRub rub;         ///< of the last step
+  bool is_cutter = true;  ///< or a tooth or a gage pad
+  bit::WearFlat flat;     ///< of run and table; its volume is that of the run
+  double pending = 0.0;   ///< m3, worn since the last wear step and not yet cut from the mesh
+  PieceRub rub;           ///< of the last step
 };
 
 /// The wear of a bit: `wear` of summary.json.
@@ -22,13 +23,13 @@ struct WearFigures {
   double distance = 0.0;  ///< m of wear
   long steps = 0;         ///< wear steps
   double ledger_defect = 0.0;
-  double mass_lost = 0.0;  ///< kg, of the cutters
-  double worn = 0.0;       ///< m3, of all cutters
-  double largest = 0.0;    ///< m3, of the cutter that is worn most
+  double mass_lost = 0.0;  ///< kg
+  double worn = 0.0;       ///< m3, of all pieces
+  double largest = 0.0;    ///< m3, of the piece that is worn most
   double unevenness =
-      0.0;  ///< standard deviation of worn volumes over their mean, of the cutters that wore
+      0.0;  ///< standard deviation of worn volumes over their mean, of the pieces that wore
   bit::DullGrade grade;
-  std::vector<CutterWearFigures> cutters;
+  std::vector<PieceWearFigures> pieces;
   std::vector<WearRecord> records;
 };
 

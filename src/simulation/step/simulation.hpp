@@ -61,9 +61,10 @@ enum class Waits { none, some };
 /// What a wearing bit keeps (wear_step.hpp).
 struct WearWork {
   Case worn;                           ///< the case with the worn bit and its mass
-  std::vector<bit::WearSolid> solids;  ///< per cutter, of the bit of the case
-  std::vector<bit::WearFlat> flats;    ///< per cutter
-  std::vector<WornOff> due;  ///< per cutter: what may wear off, either way, before a wear step
+  std::vector<bit::WearSolid> solids;  ///< the pieces that wear, of the bit of the case
+  std::vector<int> piece_of_part;      ///< per part: index into `solids`, or -1
+  std::vector<bit::WearFlat> flats;    ///< per piece
+  std::vector<WornOff> due;  ///< per piece: what may wear off, either way, before a wear step
 };
 
 /// What a step keeps beside the state: all of it follows from the case and the state (start_work).

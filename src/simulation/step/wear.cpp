@@ -4,11 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace tdbd::simulation {
 
 namespace {
+
+std::string worn_out(const bit::WearSolid& s) {
+  if (s.cutter >= 0) return fmt::format("the flat of {} is as large as the cutter", s.name);
+  return fmt::format("{} has lost {:.3g} mm of its {:.3g} mm", s.name, 1e3 * s.largest,
+                     1e3 * s.size);
+}
 
 double extrapolated(double window, double previous, double ratio) {
   return std::max(0.0, window + 0.5 * ratio * (window - ratio * previous));
@@ -16,13 +23,13 @@ double extrapolated(double window, double previous, double ratio) {
 
 }  // namespace
 
-WornOff worn_after(const WearState& s, const CutterWear& c, const WornOff& window, double time) {
+WornOff worn_after(const WearState& s, const PieceWear& c, const WornOff& window, double time) {
   const double ratio = s.previous_time > 0.0 ? time / s.previous_time : 0.0;
   return {extrapolated(window.volume, c.previous.volume, ratio),
           extrapolated(window.height, c.previous.height, ratio)};
 }
 
-std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const CutterWear& c,
+std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const PieceWear& c,
                                         const WornOff& worn) {
   double volume = c.volume + worn.volume;
   if (worn.height > 0.0) {
@@ -37,16 +44,15 @@ void take_wear_step(const std::vector<bit::WearSolid>& solids, WearState& s,
                     std::vector<bit::WearFlat>& flats) {
   std::vector<bit::WearFlat> next;
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    const CutterWear& c = s.cutters[i];
+    const PieceWear& c = s.pieces[i];
     const auto flat = flat_after(solids[i], c, worn_after(s, c, c.window, s.window_time));
     if (!flat)
-      throw WearEnd(fmt::format(
-          "the flat of cutter-{} is as large as the cutter; before, {:.4g} mm3 were worn off it",
-          solids[i].id, 1e9 * c.volume));
+      throw WearEnd(fmt::format("{}; before, {:.4g} mm3 were worn off it", worn_out(solids[i]),
+                                1e9 * c.volume));
     next.push_back(*flat);
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    CutterWear& c = s.cutters[i];
+    PieceWear& c = s.pieces[i];
     c.volume = next[i].volume;
     c.height = next[i].height;
     c.previous = std::exchange(c.window, {});
@@ -58,16 +64,18 @@ void take_wear_step(const std::vector<bit::WearSolid>& solids, WearState& s,
   ++s.steps;
 }
 
-double wear_ledger_defect(const bit::Bit& fresh, const bit::Bit& worn, const WearState& s) {
-  double defect = 0.0;
-  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
-    const double volume = s.cutters[i].volume;
+double wear_ledger_defect(const bit::Bit& fresh, const bit::Bit& worn,
+                          const std::vector<bit::WearSolid>& solids, const WearState& s) {
+  double beyond = 0.0, worn_volume = 0.0, by_meshes = 0.0;
+  for (std::size_t i = 0; i < s.pieces.size(); ++i) {
+    const double volume = s.pieces[i].volume;
     if (!(volume > 0.0)) continue;
-    const bit::LostVolume lost = bit::lost_volume(fresh, worn, static_cast<int>(i));
-    defect = std::max({defect, std::abs(lost.beyond_flat - volume) / volume,
-                       std::abs(lost.by_meshes - volume) / lost.whole});
+    const bit::LostVolume lost = bit::lost_volume(fresh, worn, solids[i], s.pieces[i].height);
+    beyond += std::abs(lost.beyond_flat - volume);
+    worn_volume += volume;
+    by_meshes = std::max(by_meshes, std::abs(lost.by_meshes - volume) / lost.whole);
   }
-  return defect;
+  return std::max(worn_volume > 0.0 ? beyond / worn_volume : 0.0, by_meshes);
 }
 
 void add(WearRecord record, WearRecords& to) {

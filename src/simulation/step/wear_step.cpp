@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "bit/cone/cone_measures.hpp"
 #include "bit/mass_properties.hpp"
+#include "dynamics/momenta.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/late_start.hpp"
 
@@ -17,7 +19,7 @@ namespace {
 constexpr double due_share = 0.5;
 
 double most_growth(const WearPlan& plan, const bit::WearSolid& solid) {
-  return plan.largest_growth * solid.diameter;
+  return plan.largest_growth * solid.size;
 }
 
 /// How far flats may grow from here.
@@ -25,8 +27,8 @@ void limit_growth(const WearPlan& plan, const WearState& s, WearWork& w) {
   w.due.clear();
   for (std::size_t i = 0; i < w.solids.size(); ++i) {
     const double growth = due_share * most_growth(plan, w.solids[i]);
-    const bit::WearFlat flat = bit::flat_at(w.solids[i], s.cutters[i].height + growth);
-    w.due.push_back({flat.volume - s.cutters[i].volume, growth});
+    const bit::WearFlat flat = bit::flat_at(w.solids[i], s.pieces[i].height + growth);
+    w.due.push_back({flat.volume - s.pieces[i].volume, growth});
   }
 }
 
@@ -35,8 +37,8 @@ void limit_growth(const WearPlan& plan, const WearState& s, WearWork& w) {
 bool may_grow_too_far(const WearState& s, const WearWork& w) {
   constexpr double care = 2.0;
   const double step = s.window_time / static_cast<double>(s.window_steps);
-  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
-    const CutterWear& c = s.cutters[i];
+  for (std::size_t i = 0; i < s.pieces.size(); ++i) {
+    const PieceWear& c = s.pieces[i];
     const WornOff ahead = worn_after(
         s, c, {c.window.volume + care * c.last.volume, c.window.height + care * c.last.height},
         s.window_time + step);
@@ -52,25 +54,26 @@ bool is_wear_due(const WearPlan& plan, const WearState& s, const WearWork& w) {
 }
 
 void require_slow_growth(const WearPlan& plan, const WearState& s, const WearWork& w) {
-  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
-    const CutterWear& c = s.cutters[i];
+  for (std::size_t i = 0; i < s.pieces.size(); ++i) {
+    const PieceWear& c = s.pieces[i];
     const auto flat = flat_after(w.solids[i], c, worn_after(s, c, c.window, s.window_time));
     const double reached = flat ? flat->height : w.solids[i].largest;
     if (reached - c.height > most_growth(plan, w.solids[i]))
       throw WearEnd(fmt::format(
-          "wear.acceleration: found {:g}, with which the flat of cutter-{} grows in a window of {} "
-          "time steps by more than {:g} of its diameter (wear.largest_growth); expected a smaller "
+          "wear.acceleration: found {:g}, with which the flat of {} grows in a window of {} "
+          "time steps by more than {:g} of its {} (wear.largest_growth); expected a smaller "
           "acceleration or a larger growth",
-          plan.acceleration, w.solids[i].id, s.window_steps, plan.largest_growth));
+          plan.acceleration, w.solids[i].name, s.window_steps, plan.largest_growth,
+          w.solids[i].cutter >= 0 ? "diameter" : "size"));
   }
 }
 
 /// The bit of the case with flats at the heights of the state.
 bit::Bit bit_at(const Case& c, const WearState& s, const std::vector<bit::WearSolid>& solids) {
   bit::Bit worn = c.bit;
-  for (std::size_t i = 0; i < s.cutters.size(); ++i)
-    if (s.cutters[i].height > solids[i].start)
-      bit::wear_cutter(c.bit, static_cast<int>(i), s.cutters[i].height, worn);
+  for (std::size_t i = 0; i < s.pieces.size(); ++i)
+    if (s.pieces[i].height > solids[i].start)
+      bit::wear_piece(c.bit, solids[i], s.pieces[i].height, worn);
   return worn;
 }
 
@@ -83,9 +86,11 @@ void wear_case(const Case& c, bit::Bit worn, Case& to) {
   dynamics::DrillingSystem& system = to.drilling.system;
   system.mass = c.drilling.system.mass - (fresh.mass - now.mass);
   system.centre_B = now.centre;
-  system.gyrostat =
-      dynamics::make_gyrostat(c.drilling.system.gyrostat.inertia_B - (fresh.inertia - now.inertia),
-                              c.drilling.system.gyrostat.cones);
+  std::vector<dynamics::Cone> cones = c.drilling.system.gyrostat.cones;
+  for (std::size_t k = 0; k < cones.size(); ++k)
+    cones[k].axial_inertia = bit::cone_mass(to.bit, static_cast<int>(k)).axial_inertia;
+  system.gyrostat = dynamics::make_gyrostat(
+      c.drilling.system.gyrostat.inertia_B - (fresh.inertia - now.inertia), cones);
   to.drilling.start.c_W = c.drilling.start.c_W + (now.centre - fresh.centre);
 }
 
@@ -101,34 +106,39 @@ void carry_motion(const dynamics::DrillingSystem& before, const dynamics::Drilli
   s.c_W += shift_W;
   s.momentum_W = now.mass * (v.v_W + v.w_W.cross(shift_W));
   const Vec3 w_B = s.rotation.q_WB.conjugate() * v.w_W;
-  s.rotation.momentum_W = s.rotation.q_WB * (now.gyrostat.carrier_B * w_B);
+  for (std::size_t k = 0; k < now.gyrostat.cones.size(); ++k) {
+    const dynamics::Cone& cone = now.gyrostat.cones[k];
+    s.rotation.cone_momenta[k] = cone.axial_inertia * (v.cone_rates[k] + cone.axis_B.dot(w_B));
+  }
+  s.rotation.momentum_W = s.rotation.q_WB * (now.gyrostat.carrier_B * w_B +
+                                             dynamics::cone_momentum_sum(now.gyrostat, s.rotation));
   d.wrench.torque_W -= shift_W.cross(d.wrench.force_W);
   d.ledger.start +=
       dynamics::total(dynamics::stored_energy(now, dynamics::drilling_work(now, d).at, s)) - stored;
 }
 
-/// What rubs on the cutters: forces, paths and areas of their parts that bear.
+/// What rubs on a piece: forces, paths and areas of its parts that bear.
 struct Rubbing {
   double force = 0.0, power = 0.0;     ///< N, W
   double area = 0.0, body_area = 0.0;  ///< m2, of all, and of the body
 };
 
-std::vector<Rubbing> rubbing_of(const bit::Bit& bit, const Work& work,
+std::vector<Rubbing> rubbing_of(const bit::Bit& bit, const Work& work, const WearWork& w,
                                 const std::vector<double>& speeds) {
-  std::vector<Rubbing> rubbing(bit.cutters.size());
+  std::vector<Rubbing> rubbing(w.solids.size());
   const auto bears = [&](std::size_t p) {
-    return bit.parts[p].cutter >= 0 && bit.parts[p].kind != bit::PartKind::face;
+    return w.piece_of_part[p] >= 0 && bit.parts[p].kind != bit::PartKind::face;
   };
   for (const CutOfPart& cut : work.cuts) {
     if (!bears(at(cut.part))) continue;
     const bit::Part& part = bit.parts[at(cut.part)];
-    Rubbing& r = rubbing[at(part.cutter)];
+    Rubbing& r = rubbing[at(w.piece_of_part[at(cut.part)])];
     r.area += cut.cut.contact_area;
     if (part.kind == bit::PartKind::cutter_body) r.body_area += cut.cut.contact_area;
   }
   for (std::size_t p = 0; p < speeds.size(); ++p) {
     if (!bears(p)) continue;
-    Rubbing& r = rubbing[at(bit.parts[p].cutter)];
+    Rubbing& r = rubbing[at(w.piece_of_part[p])];
     const double force = std::max(0.0, work.loads.parts[p].normal);
     r.force += force;
     r.power += force * speeds[p];
@@ -136,12 +146,15 @@ std::vector<Rubbing> rubbing_of(const bit::Bit& bit, const Work& work,
   return rubbing;
 }
 
-/// m/s, of each part that bears a load on a cutter, over the rock.
-std::vector<double> part_speeds(const bit::Bit& bit, const Pose& X_WB, const Work& work) {
+/// m/s, of each part that wears and bears a load, over the rock.
+std::vector<double> part_speeds(const bit::Bit& bit, const Pose& X_WB, const Work& work,
+                                const WearWork& w) {
   std::vector<double> speeds(work.loads.parts.size(), 0.0);
   for (std::size_t p = 0; p < speeds.size(); ++p)
-    if (bit.parts[p].cutter >= 0 && work.loads.parts[p].normal > 0.0)
-      speeds[p] = velocity_at(bit, X_WB, work.velocity, -1, work.loads.parts[p].point_W).norm();
+    if (w.piece_of_part[p] >= 0 && work.loads.parts[p].normal > 0.0)
+      speeds[p] =
+          velocity_at(bit, X_WB, work.velocity, bit.parts[p].cone, work.loads.parts[p].point_W)
+              .norm();
   return speeds;
 }
 
@@ -154,10 +167,10 @@ double flat_share(const Case& c, std::size_t part, const Work& work, const Rubbi
 }
 
 void rub(const Case& c, const Pose& X_WB, const Work& work, const WearWork& w,
-         std::vector<CutterRub>& rubs) {
-  const std::vector<double> speeds = part_speeds(c.bit, X_WB, work);
-  const std::vector<Rubbing> rubbing = rubbing_of(c.bit, work, speeds);
-  rubs.assign(c.bit.cutters.size(), {});
+         std::vector<PieceRub>& rubs) {
+  const std::vector<double> speeds = part_speeds(c.bit, X_WB, work, w);
+  const std::vector<Rubbing> rubbing = rubbing_of(c.bit, work, w, speeds);
+  rubs.assign(w.solids.size(), {});
   for (std::size_t i = 0; i < rubs.size(); ++i) {
     const Rubbing& r = rubbing[i];
     const double speed = r.force > 0.0 ? r.power / r.force : 0.0;
@@ -166,12 +179,13 @@ void rub(const Case& c, const Pose& X_WB, const Work& work, const WearWork& w,
   }
   for (std::size_t p = 0; p < speeds.size(); ++p) {
     if (!(speeds[p] > 0.0)) continue;
-    CutterRub& on = rubs[at(c.bit.parts[p].cutter)];
+    const std::size_t piece = at(w.piece_of_part[p]);
+    PieceRub& on = rubs[piece];
     const double force = work.loads.parts[p].normal;
     on.force += force;
     const double rate = bit::wear_rate(c.wear.part_laws[p], {force, speeds[p], on.temperature});
     on.rate += rate;
-    on.flat_rate += flat_share(c, p, work, rubbing[at(c.bit.parts[p].cutter)]) * rate;
+    on.flat_rate += flat_share(c, p, work, rubbing[piece]) * rate;
   }
 }
 
@@ -183,9 +197,10 @@ WearRecord record_of(const WearPlan& plan, const WearState& before, const WearSt
   r.weight = before.window_weight / before.window_time;
   r.torque = before.window_torque / before.window_time;
   r.rate = plan.acceleration * before.window_distance / before.window_time;
-  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
+  for (std::size_t i = 0; i < s.pieces.size(); ++i) {
+    r.height.push_back(w.flats[i].height);
     r.width.push_back(w.flats[i].width);
-    r.volume.push_back(s.cutters[i].volume);
+    r.volume.push_back(s.pieces[i].volume);
     r.temperature.push_back(s.rubs[i].temperature);
     r.force.push_back(s.rubs[i].force);
   }
@@ -194,23 +209,32 @@ WearRecord record_of(const WearPlan& plan, const WearState& before, const WearSt
 
 }  // namespace
 
+std::vector<bit::WearSolid> solids_of(const Case& c) {
+  std::vector<std::uint8_t> wears;
+  for (const bit::WearLaw& law : c.wear.part_laws)
+    wears.push_back(std::holds_alternative<bit::NoWear>(law) ? 0 : 1);
+  return bit::wear_solids(c.bit, wears);
+}
+
 std::optional<WearState> start_wear(const Case& c) {
   if (!wears(c.wear)) return std::nullopt;
   WearState s;
-  for (const bit::WearSolid& solid : bit::wear_solids(c.bit))
-    s.cutters.push_back({.height = solid.start});
-  s.rubs.resize(s.cutters.size());
+  for (const bit::WearSolid& solid : solids_of(c)) s.pieces.push_back({.height = solid.start});
+  s.rubs.resize(s.pieces.size());
   return s;
 }
 
 std::optional<WearWork> wear_work(const Case& c, const State& state) {
   if (!state.wear) return std::nullopt;
   WearWork w;
-  w.solids = bit::wear_solids(c.bit);
+  w.solids = solids_of(c);
+  w.piece_of_part.assign(c.bit.parts.size(), -1);
+  for (std::size_t i = 0; i < w.solids.size(); ++i)
+    for (const int p : w.solids[i].parts) w.piece_of_part[at(p)] = static_cast<int>(i);
   w.worn = c;
   wear_case(c, bit_at(c, *state.wear, w.solids), w.worn);
   for (std::size_t i = 0; i < w.solids.size(); ++i)
-    w.flats.push_back(bit::flat_at(w.solids[i], state.wear->cutters[i].height));
+    w.flats.push_back(bit::flat_at(w.solids[i], state.wear->pieces[i].height));
   limit_growth(c.wear, *state.wear, w);
   return w;
 }
@@ -254,9 +278,9 @@ void measure_wear(const Case& c, const Move& move, State& state, Work& work) {
   rub(c, move.X_WB1, work, *work.wear, s.rubs);
   if (time_at(c.time, state.steps_done - c.time.first) < c.wear.from) return;
   const double time = c.wear.acceleration * move.dt;
-  for (std::size_t i = 0; i < s.cutters.size(); ++i) {
-    CutterWear& worn = s.cutters[i];
-    const CutterRub& rub = s.rubs[i];
+  for (std::size_t i = 0; i < s.pieces.size(); ++i) {
+    PieceWear& worn = s.pieces[i];
+    const PieceRub& rub = s.rubs[i];
     const double area = work.wear->flats[i].area;
     worn.last = {(rub.rate - rub.flat_rate) * time,
                  rub.flat_rate > 0.0 ? rub.flat_rate * time / area : 0.0};

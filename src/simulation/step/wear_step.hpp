@@ -6,6 +6,9 @@
 
 namespace tdbd::simulation {
 
+/// The pieces that wear: the cutters, and the teeth and gage pads with a law.
+std::vector<bit::WearSolid> solids_of(const Case& c);
+
 /// The wear of a case's bit at the start; none if the bit does not wear.
 std::optional<WearState> start_wear(const Case& c);
 

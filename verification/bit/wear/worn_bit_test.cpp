@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bit/cone/cone_measures.hpp"
 #include "bit/cutter/cutter_parts.hpp"
+#include "bit/files/bit_file.hpp"
 #include "bit/generate.hpp"
 #include "bit/mass_properties.hpp"
-#include "bit/wear/worn_cutter.hpp"
+#include "bit/wear/worn_piece.hpp"
 #include "core/error.hpp"
+#include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/shape/clip_convex.hpp"
 #include "reference/literature/drag/wear/glowka_wear.hpp"
@@ -27,8 +30,29 @@ Bit any_bit() {
   return pdc_bit("any", {c}, options);
 }
 
-/// What a cutter's meshes lost between two bits: the volumes of the pieces of the old meshes beyond
-/// the flat of the new ones. Shares no function with flat_at.
+/// A bit whose pieces lost these volumes (m3), and the flats.
+struct WornBit {
+  Bit bit;
+  std::vector<WearFlat> flats;
+};
+
+WornBit worn_bit(const Bit& fresh, const std::vector<WearSolid>& solids,
+                 const std::vector<double>& volumes) {
+  WornBit worn{fresh, {}};
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    worn.flats.push_back(flat_of_volume(solids[i], volumes[i], solids[i].start).value());
+    if (worn.flats[i].height > solids[i].start)
+      wear_piece(fresh, solids[i], worn.flats[i].height, worn.bit);
+  }
+  return worn;
+}
+
+WornBit worn_bit(const Bit& fresh, const std::vector<double>& volumes) {
+  return worn_bit(fresh, wear_solids(fresh), volumes);
+}
+
+/// What a cutter's meshes lost between two bits: the volumes of what of the old meshes is beyond the
+/// flat of the new ones. Shares no function with flat_at.
 double lost_by_mesh(const Bit& fresh, const WornBit& worn, int cutter) {
   const Cutter& c = worn.bit.cutters[static_cast<std::size_t>(cutter)];
   const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
@@ -149,30 +173,94 @@ TEST(WornBit, ends_where_a_flat_is_as_large_as_its_cutter) {
   const double most = flat_at(solid, solid.largest).volume;
   EXPECT_TRUE(flat_of_volume(solid, std::nextafter(most, 0.0), 0.0));
   EXPECT_FALSE(flat_of_volume(solid, most, 0.0));
-  std::vector<double> volumes(fresh.cutters.size(), 0.0);
-  volumes[3] = most;
-  try {
-    worn_bit(fresh, volumes);
-    FAIL() << "no error";
-  } catch (const RunError& e) {
-    EXPECT_EQ(std::string(e.what()),
-              "the flat of cutter-" + std::to_string(solid.id) + " is as large as the cutter");
-  }
 }
 
 TEST(WornBit, has_the_dull_grades_of_its_worn_shares) {
-  Bit bit = example_bit('b');
-  for (Cutter& c : bit.cutters) c.wear = 0.0;
-  EXPECT_EQ(dull_grade(bit).inner, 0);
-  EXPECT_EQ(dull_grade(bit).outer, 0);
-  for (Cutter& c : bit.cutters) {
-    const bool inner = c.tip_radius <= bit.gage_radius * 2.0 / 3.0;
-    c.wear = (inner ? 0.31 : 0.44) * c.diameter * std::cos(c.back_rake);
+  const Bit bit = example_bit('b');
+  const std::vector<WearSolid> solids = wear_solids(bit);
+  const auto grade = [&](double inner, double outer) {
+    std::vector<double> heights;
+    for (const Cutter& c : bit.cutters) {
+      const bool is_inner = c.tip_radius <= bit.gage_radius * 2.0 / 3.0;
+      heights.push_back((is_inner ? inner : outer) * c.diameter * std::cos(c.back_rake));
+    }
+    return dull_grade(bit, solids, heights);
+  };
+  EXPECT_EQ(grade(0.0, 0.0).inner, 0);
+  EXPECT_EQ(grade(0.0, 0.0).outer, 0);
+  EXPECT_EQ(grade(0.31, 0.44).inner, 2);  // 2.48 eighths
+  EXPECT_EQ(grade(0.31, 0.44).outer, 4);  // 3.52 eighths: a cutter of the other group changes each
+  EXPECT_EQ(grade(0.31, 2.0).outer, 8);
+}
+
+Bit shipped(const std::string& name) {
+  return read_bit(TDBD_SOURCE_DIR "/cases/bits/" + name + ".toml", DirectionRule::hybrid,
+                  InsideRule::down)
+      .bit;
+}
+
+std::vector<std::uint8_t> all_parts(const Bit& bit) {
+  return std::vector<std::uint8_t>(bit.parts.size(), 1);
+}
+
+/// A milled tooth is a wedge with plane sides from base to crest: areas of its sections are quadratic in
+/// the height, so that the volume of its blunted tip follows from its crest and its base alone.
+TEST(WornTooth, loses_the_volume_of_the_tip_of_a_wedge) {
+  const Bit bit = shipped("bit-m");
+  const std::vector<WearSolid> solids = wear_solids(bit, all_parts(bit));
+  const auto is_tooth = [](const Part& part) { return part.kind == PartKind::tooth; };
+  ASSERT_EQ(static_cast<std::ptrdiff_t>(solids.size()), std::ranges::count_if(bit.parts, is_tooth));
+  for (const WearSolid& s : {solids.front(), solids[20], solids.back()}) {
+    const Part& part = bit.parts[static_cast<std::size_t>(s.parts.front())];
+    const ToothShape& shape = bit.cones[static_cast<std::size_t>(part.cone)]
+                                  .layout.rows[static_cast<std::size_t>(part.row)]
+                                  .shape;
+    const double h = 0.4 * shape.protrusion;
+    const double length = shape.crest_length, width = shape.crest_width;
+    const double longer = (shape.diameter - length) / shape.protrusion,
+                 wider = (shape.width - width) / shape.protrusion;
+    const double volume = length * width * h + (length * wider + width * longer) * h * h / 2.0 +
+                          longer * wider * h * h * h / 3.0;
+    EXPECT_NEAR(flat_at(s, h).volume / volume, 1.0, 1e-12) << s.name;
+    EXPECT_NEAR(flat_at(s, h).area / ((length + longer * h) * (width + wider * h)), 1.0, 1e-12);
+    EXPECT_EQ(s.size, shape.protrusion);
   }
-  EXPECT_EQ(dull_grade(bit).inner, 2);  // 2.48 eighths
-  EXPECT_EQ(dull_grade(bit).outer, 4);  // 3.52 eighths: a cutter of the other group changes each
-  for (Cutter& c : bit.cutters) c.wear = 2.0 * c.diameter;
-  EXPECT_EQ(dull_grade(bit).outer, 8);
+}
+
+/// Teeth of every kind and gage pads: the ledger of the meshes, and the parts stay closed and convex.
+TEST(WornTooth, and_worn_pads_lose_what_their_meshes_lose) {
+  for (const char* name : {"bit-m", "bit-r", "bit-b"}) {
+    const Bit bit = shipped(name);
+    const std::vector<WearSolid> solids = wear_solids(bit, all_parts(bit));
+    std::vector<double> volumes;
+    for (std::size_t i = 0; i < solids.size(); ++i)
+      volumes.push_back((0.1 + 0.8 * static_cast<double>(i) / static_cast<double>(solids.size())) *
+                        flat_at(solids[i], solids[i].largest).volume);
+    const WornBit worn = worn_bit(bit, solids, volumes);
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      const LostVolume lost = lost_volume(bit, worn.bit, solids[i], worn.flats[i].height);
+      EXPECT_NEAR(lost.beyond_flat / volumes[i], 1.0, wear_ledger) << solids[i].name;
+      EXPECT_NEAR(lost.by_meshes, volumes[i], 1e-13 * lost.whole) << solids[i].name;
+      for (const int p : solids[i].parts)
+        EXPECT_TRUE(mesh::check_closed(worn.bit.parts[static_cast<std::size_t>(p)].mesh_P).empty());
+    }
+  }
+}
+
+TEST(WornTooth, counts_for_the_dull_grade_of_its_row) {
+  const Bit bit = shipped("bit-m");
+  const std::vector<WearSolid> solids = wear_solids(bit, all_parts(bit));
+  std::vector<double> heights;
+  for (const WearSolid& s : solids) {
+    const Part& part = bit.parts[static_cast<std::size_t>(s.parts.front())];
+    const Cone& cone = bit.cones[static_cast<std::size_t>(part.cone)];
+    const double radius =
+        row_measures(cone, cone.layout.rows[static_cast<std::size_t>(part.row)]).bit_radius;
+    heights.push_back((radius > bit.gage_radius * 2.0 / 3.0 ? 0.9 : 0.3) * s.size);
+  }
+  const DullGrade grade = dull_grade(bit, solids, heights);
+  EXPECT_EQ(grade.inner, 2);  // 2.4 eighths
+  EXPECT_EQ(grade.outer, 7);  // 7.2 eighths
 }
 
 }  // namespace

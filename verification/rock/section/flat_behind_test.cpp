@@ -6,7 +6,7 @@
 
 #include "bit/cutter/cutter_frame.hpp"
 #include "bit/cutter/cutter_parts.hpp"
-#include "bit/wear/worn_cutter.hpp"
+#include "bit/wear/worn_piece.hpp"
 #include "core/angles.hpp"
 
 namespace tdbd::rock::flat_behind_test {

@@ -47,6 +47,21 @@ TEST(CaseWear, does_not_wear_without_the_table) {
   EXPECT_FALSE(wears(wearing({}, "bit-b-3000psi").wear));
 }
 
+/// Teeth by the law of the table; gage pads by an area alone.
+TEST(CaseWear, has_laws_on_teeth_and_on_pads_of_an_area) {
+  const Case teeth =
+      wearing({"wear={law='sliding', coefficient=1e-6, hardness='50 GPa'}"}, "drill-bit-m");
+  for (std::size_t p = 0; p < teeth.bit.parts.size(); ++p)
+    EXPECT_EQ(std::holds_alternative<bit::SlidingWear>(teeth.wear.part_laws[p]),
+              teeth.bit.parts[p].kind == bit::PartKind::tooth);
+  const Case pads = wearing(
+      {"wear.areas.pads={kind='gage-pad', law='sliding', coefficient=1e-6, hardness='9 GPa'}"});
+  for (std::size_t p = 0; p < pads.bit.parts.size(); ++p) {
+    if (pads.bit.parts[p].kind != bit::PartKind::gage_pad) continue;
+    EXPECT_EQ(pads.wear.part_laws[p], (bit::WearLaw{bit::SlidingWear{1e-6, 9e9}}));
+  }
+}
+
 TEST(CaseWear, areas_decide_by_rank) {
   const Case c = wearing({"wear.areas.faces={kind='face', law='none'}",
                           "wear.areas.nose={zone='nose', kind='face', law='sliding', "
@@ -87,10 +102,13 @@ TEST(CaseWear, rejects_a_thermal_law_without_its_temperature_limit) {
 
 TEST(CaseWear, rejects_bits_and_areas_that_cannot_wear) {
   expect_complaint({"wear={law='sliding', coefficient=1e-6, hardness='50 GPa'}"},
-                   "expected a bit with a cutter table", "bit-r-steady");
+                   "found a bit whose cutters come from meshes, expected a bit with a cutter table",
+                   "carbide-edge-bit");
   expect_complaint({"wear={law='sliding', coefficient=1e-6, hardness='50 GPa'}"},
                    "no table [forces]", "bit-b-steady");
-  expect_complaint({"wear.areas.pads={kind='gage-pad', law='none'}"}, "a part of no cutter");
+  expect_complaint({"wear.areas.body={kind='bit-body', law='none'}"},
+                   "found bit-body, which is none of these, expected criteria that select parts of "
+                   "cutters, teeth or gage pads");
   expect_complaint({"wear.areas.a={kind='face', law='none'}",
                     "wear.areas.b={kind='face', law='sliding', coefficient=1, hardness=1}"},
                    "wear.areas.b.law");

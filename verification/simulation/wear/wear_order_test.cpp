@@ -36,15 +36,15 @@ double error_of(const Problem& p, int windows, Given given) {
   std::vector<bit::WearFlat> flats;
   for (const bit::WearSolid& solid : p.solids) {
     flats.push_back(bit::flat_at(solid, solid.start + p.start));
-    s.cutters.push_back({.volume = flats.back().volume, .height = flats.back().height});
+    s.pieces.push_back({.volume = flats.back().volume, .height = flats.back().height});
   }
   const double mean = duration / windows;
   for (int k = 0; k < windows; ++k) {
     const double time = (k % 2 == 0 ? 0.8 : 1.2) * mean;
     for (std::size_t i = 0; i < flats.size(); ++i)
-      s.cutters[i].window = given == Given::as_height
-                                ? WornOff{0.0, wear_speed * time}
-                                : WornOff{wear_speed * flats[i].area * time, 0.0};
+      s.pieces[i].window = given == Given::as_height
+                               ? WornOff{0.0, wear_speed * time}
+                               : WornOff{wear_speed * flats[i].area * time, 0.0};
     s.window_time = time;
     take_wear_step(p.solids, s, flats);
   }
@@ -53,7 +53,7 @@ double error_of(const Problem& p, int windows, Given given) {
     const bit::WearSolid& solid = p.solids[i];
     const double h0 = solid.start + p.start;
     const double exact = bit::flat_at(solid, h0 + wear_speed * duration).volume;
-    error = std::max(error, std::abs(s.cutters[i].volume - exact) / exact);
+    error = std::max(error, std::abs(s.pieces[i].volume - exact) / exact);
   }
   return error;
 }
@@ -100,15 +100,15 @@ TEST(WearOrder, is_2_where_a_flat_bears_and_its_cutter_wears_elsewhere) {
     WearState s;
     const bit::WearSolid& solid = p.solids[cutter];
     std::vector<bit::WearFlat> flats{bit::flat_at(solid, solid.start + p.start)};
-    s.cutters.push_back({.volume = flats[0].volume, .height = flats[0].height});
+    s.pieces.push_back({.volume = flats[0].volume, .height = flats[0].height});
     for (int k = 0; k < windows; ++k) {
       const double time = (k % 2 == 0 ? 0.8 : 1.2) * duration / windows;
-      const double grown = s.cutters[0].height - solid.start;
-      s.cutters[0].window = {elsewhere * time, wear_speed * time / (1.0 + grown / half_stress)};
+      const double grown = s.pieces[0].height - solid.start;
+      s.pieces[0].window = {elsewhere * time, wear_speed * time / (1.0 + grown / half_stress)};
       s.window_time = time;
       take_wear_step({solid}, s, flats);
     }
-    return s.cutters[0].volume;
+    return s.pieces[0].volume;
   };
   const double exact = volume(16384);
   const double order = order_of([&](int n) { return std::abs(volume(4 * n) - exact); });

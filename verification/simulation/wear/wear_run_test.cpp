@@ -64,12 +64,13 @@ TEST(WearRun, closes_its_ledger_and_removes_mass) {
   EXPECT_GE(s.state.wear->steps, 5);
   double volume = 0.0, widest = 0.0;
   for (std::size_t i = 0; i < c.bit.cutters.size(); ++i) {
-    volume += s.state.wear->cutters[i].volume;
+    volume += s.state.wear->pieces[i].volume;
     widest = std::max(widest, s.work.wear->flats[i].width);
   }
   EXPECT_GT(volume, 0.0);
   EXPECT_GT(widest, 0.0);
-  EXPECT_LE(wear_ledger_defect(c.bit, s.work.wear->worn.bit, *s.state.wear), wear_ledger);
+  EXPECT_LE(wear_ledger_defect(c.bit, s.work.wear->worn.bit, s.work.wear->solids, *s.state.wear),
+            wear_ledger);
   EXPECT_LT(bit::mass_properties(s.work.wear->worn.bit).mass, bit::mass_properties(c.bit).mass);
   EXPECT_LE(ledger_defect(s), 1e-12);
 }
@@ -152,7 +153,7 @@ TEST(WearRun, ends_where_a_flat_is_as_large_as_its_cutter_with_the_wear_before) 
   Simulation s = start(c);
   drill(c, s, 5);
   const bit::WearSolid& solid = s.work.wear->solids[3];
-  CutterWear& cutter = s.state.wear->cutters[3];
+  PieceWear& cutter = s.state.wear->pieces[3];
   cutter.height = solid.largest - 1e-6;
   cutter.volume = bit::flat_at(solid, cutter.height).volume;
   cutter.window.height = 2e-6;
@@ -161,11 +162,10 @@ TEST(WearRun, ends_where_a_flat_is_as_large_as_its_cutter_with_the_wear_before) 
     drill(c, s, 20);
     FAIL() << "no error";
   } catch (const WearEnd& e) {
-    const std::string expected =
-        "the flat of cutter-" + std::to_string(solid.id) + " is as large as the cutter";
+    const std::string expected = "the flat of " + solid.name + " is as large as the cutter";
     EXPECT_EQ(std::string(e.what()).substr(0, expected.size()), expected);
   }
-  EXPECT_EQ(s.state.wear->cutters[3].height, before.cutters[3].height);
+  EXPECT_EQ(s.state.wear->pieces[3].height, before.pieces[3].height);
   EXPECT_EQ(s.state.wear->steps, before.steps);
 }
 
@@ -242,7 +242,7 @@ TEST(WearRun, reports_its_wear_by_cutter) {
   options.folder = test_folder() / "run";
   const RunSummary summary = run(c, options);
   ASSERT_TRUE(summary.wear);
-  EXPECT_EQ(summary.wear->cutters.size(), c.bit.cutters.size());
+  EXPECT_EQ(summary.wear->pieces.size(), c.bit.cutters.size());
   EXPECT_NEAR(summary.wear->distance, 6000.0 * 0.2 * 15.0 / 3600.0 * 0.5,
               1e-12 * summary.wear->distance);
   std::ifstream in(options.folder / "summary.json");
@@ -252,11 +252,11 @@ TEST(WearRun, reports_its_wear_by_cutter) {
   EXPECT_GT(summary.wear->records.size(), 2U);
   // The last wear step is at the end of the run.
   EXPECT_EQ(summary.wear->records.back().distance, summary.wear->distance);
-  for (const CutterWearFigures& cutter : summary.wear->cutters) EXPECT_EQ(cutter.pending, 0.0);
+  for (const PieceWearFigures& cutter : summary.wear->pieces) EXPECT_EQ(cutter.pending, 0.0);
   EXPECT_NEAR(summary.wear->records.back().rate, 15.0 / 3600.0, 1e-12);
   EXPECT_GT(summary.wear->records.back().weight, 0.0);
   std::vector<double> volumes;
-  for (const CutterWearFigures& cutter : summary.wear->cutters)
+  for (const PieceWearFigures& cutter : summary.wear->pieces)
     if (cutter.flat.volume > 0.0) volumes.push_back(cutter.flat.volume);
   double sum = 0.0, squares = 0.0;
   for (const double v : volumes) sum += v;

@@ -1,4 +1,4 @@
-#include "bit/wear/worn_cutter.hpp"
+#include "bit/wear/worn_piece.hpp"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bit/cone/cone_measures.hpp"
 #include "bit/cutter/cutter_frame.hpp"
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
@@ -17,32 +18,64 @@ namespace {
 std::size_t place_of(int index) { return static_cast<std::size_t>(index); }
 
 /// A face that a chamfer encloses has no volume of its own.
-bool adds_volume(const Cutter& c, const Part& part) {
-  return part.kind != PartKind::face || c.chamfer == 0.0;
+bool adds_volume(const Bit& bit, const Part& part) {
+  return part.cutter < 0 || part.kind != PartKind::face ||
+         bit.cutters[place_of(part.cutter)].chamfer == 0.0;
 }
 
-WearSolid solid_of(const Cutter& c) {
+WearSolid solid_of(const Cutter& c, int index) {
   WearSolid s;
-  s.id = c.id;
-  const Vec3 motion_B = direction_of_motion_B(c);
+  s.name = fmt::format("cutter-{}", c.id);
+  s.cutter = index;
   s.normal_C = c.X_BC.R.transpose() * profile_normal_B(c);
-  s.motion_C = c.X_BC.R.transpose() * motion_B;
+  s.motion_C = c.X_BC.R.transpose() * direction_of_motion_B(c);
+  s.tip_C = tip_C(c);
   s.start = std::numeric_limits<double>::infinity();
-  s.diameter = c.diameter;
+  s.size = c.diameter;
   s.largest = 0.5 * c.diameter * std::cos(c.back_rake);
   return s;
 }
 
-void add_part(const Part& part, const Vec3& tip, WearSolid& s) {
+/// A tooth is blunted along its axis Z, from its tip on; a gage pad loses height along its X axis, from
+/// the gage on.
+WearSolid solid_of(const Part& part) {
+  constexpr double most_of_tooth = 0.95, most_of_pad = 0.5;
+  const bool is_tooth = part.kind == PartKind::tooth;
+  WearSolid s;
+  s.name = part.name;
+  s.normal_C = is_tooth ? Vec3::UnitZ() : Vec3::UnitX();
+  s.motion_C = is_tooth ? Vec3::UnitX() : Vec3::UnitY();
+  const auto along = [&](const Vec3& x) { return s.normal_C.dot(x); };
+  const auto [low, high] = std::ranges::minmax(part.mesh_P.positions, {}, along);
+  s.tip_C = high;
+  s.start = 0.0;
+  s.size = is_tooth ? along(high) : along(high) - along(low);
+  s.largest = (is_tooth ? most_of_tooth : most_of_pad) * s.size;
+  return s;
+}
+
+void add_part(const Part& part, WearSolid& s) {
   for (const mesh::Triangle& t : part.mesh_P.triangles) {
     std::array<Vec3, 3>& x = s.triangles_C.emplace_back();
     std::array<double, 3>& depth = s.depth.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = part.mesh_P.positions[place_of(t[k])] - tip;
+      x[k] = part.mesh_P.positions[place_of(t[k])] - s.tip_C;
       depth[k] = -s.normal_C.dot(x[k]);
       s.start = std::min(s.start, depth[k]);
     }
   }
+}
+
+/// Of a tooth's tip from the bit's axis where its cone's turn takes it deepest, m.
+double deepest_radius(const Bit& bit, const Part& part, const WearSolid& s) {
+  if (part.cone < 0) return (part.X_BP * s.tip_C).head<2>().norm();
+  const Cone& cone = bit.cones[place_of(part.cone)];
+  const Vec3 x_K = cone.X_BK.R.transpose() * (part.X_BP * s.tip_C - cone.X_BK.p);
+  return deepest_B(cone, x_K.head<2>().norm(), x_K.z()).head<2>().norm();
+}
+
+bool is_tooth_or_pad(const Part& part) {
+  return part.kind == PartKind::tooth || part.kind == PartKind::gage_pad;
 }
 
 /// What of a triangle lies beyond the plane: a polygon of up to four corners.
@@ -113,20 +146,25 @@ WearFlat section_at(const WearSolid& s, double height) {
 
 }  // namespace
 
-std::vector<WearSolid> wear_solids(const Bit& bit) {
+std::vector<WearSolid> wear_solids(const Bit& bit, std::span<const std::uint8_t> wears) {
   std::vector<WearSolid> solids;
-  for (const Cutter& c : bit.cutters) solids.push_back(solid_of(c));
-  for (const Part& part : bit.parts) {
-    if (part.cutter < 0) continue;
-    const Cutter& c = bit.cutters[place_of(part.cutter)];
-    if (adds_volume(c, part)) add_part(part, tip_C(c), solids[place_of(part.cutter)]);
+  for (std::size_t i = 0; i < bit.cutters.size(); ++i)
+    solids.push_back(solid_of(bit.cutters[i], static_cast<int>(i)));
+  for (std::size_t p = 0; p < bit.parts.size(); ++p) {
+    const Part& part = bit.parts[p];
+    const bool wears_alone = part.cutter < 0 && is_tooth_or_pad(part) && !wears.empty() && wears[p];
+    if (part.cutter < 0 && !wears_alone) continue;
+    if (wears_alone) solids.push_back(solid_of(part));
+    WearSolid& s = part.cutter < 0 ? solids.back() : solids[place_of(part.cutter)];
+    s.parts.push_back(static_cast<int>(p));
+    if (adds_volume(bit, part)) add_part(part, s);
   }
   return solids;
 }
 
 WearFlat flat_at(const WearSolid& s, double height) {
-  constexpr double beside = 1e-9;  // of the diameter, beside the flat of the table
-  const double least = s.start + beside * s.diameter;
+  constexpr double beside = 1e-9;  // of the size, beside the flat of the table
+  const double least = s.start + beside * s.size;
   if (height >= least) return section_at(s, height);
   WearFlat flat = section_at(s, least);
   flat.volume = section_at(s, height).volume;
@@ -155,61 +193,50 @@ std::optional<WearFlat> flat_of_volume(const WearSolid& s, double volume, double
   return best;
 }
 
-void wear_cutter(const Bit& fresh, int cutter, double height, Bit& bit) {
-  const Cutter& c = fresh.cutters[place_of(cutter)];
-  const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
-  const double limit = n_C.dot(tip_C(c)) - height;
-  std::vector<mesh::TriangleMesh> meshes(fresh.parts.size());
-  for (std::size_t p = 0; p < fresh.parts.size(); ++p) {
-    if (fresh.parts[p].cutter != cutter) continue;
-    meshes[p] = mesh::clipped_convex(fresh.parts[p].mesh_P, n_C, limit);
-    if (meshes[p].triangles.empty())
+void wear_piece(const Bit& fresh, const WearSolid& s, double height, Bit& bit) {
+  const double limit = s.normal_C.dot(s.tip_C) - height;
+  std::vector<mesh::TriangleMesh> meshes;
+  for (const int p : s.parts) {
+    const Part& part = fresh.parts[place_of(p)];
+    meshes.push_back(mesh::clipped_convex(part.mesh_P, s.normal_C, limit));
+    if (meshes.back().triangles.empty())
       throw RunError(fmt::format("wear removes {} entirely at a flat of {:.3f} mm below the tip",
-                                 fresh.parts[p].name, 1e3 * height));
+                                 part.name, 1e3 * height));
   }
-  for (std::size_t p = 0; p < fresh.parts.size(); ++p)
-    if (fresh.parts[p].cutter == cutter) bit.parts[p].mesh_P = std::move(meshes[p]);
-  bit.cutters[place_of(cutter)].wear = std::max(0.0, height);
+  for (std::size_t k = 0; k < meshes.size(); ++k)
+    bit.parts[place_of(s.parts[k])].mesh_P = std::move(meshes[k]);
+  if (s.cutter >= 0) bit.cutters[place_of(s.cutter)].wear = std::max(0.0, height);
 }
 
-LostVolume lost_volume(const Bit& fresh, const Bit& worn, int cutter) {
-  const Cutter& c = worn.cutters[place_of(cutter)];
-  const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
-  const double limit = n_C.dot(tip_C(c)) - c.wear;
+LostVolume lost_volume(const Bit& fresh, const Bit& worn, const WearSolid& s, double height) {
+  const double limit = s.normal_C.dot(s.tip_C) - height;
   LostVolume lost;
-  for (std::size_t p = 0; p < fresh.parts.size(); ++p) {
-    if (fresh.parts[p].cutter != cutter || !adds_volume(c, fresh.parts[p])) continue;
-    const mesh::TriangleMesh& whole_P = fresh.parts[p].mesh_P;
-    const mesh::TriangleMesh piece_P = mesh::clipped_convex(whole_P, -n_C, -limit);
-    if (!piece_P.triangles.empty()) lost.beyond_flat += mesh::enclosed_volume(piece_P);
-    const double volume = mesh::enclosed_volume(whole_P);
+  for (const int p : s.parts) {
+    const Part& part = fresh.parts[place_of(p)];
+    if (!adds_volume(fresh, part)) continue;
+    const mesh::TriangleMesh beyond_C = mesh::clipped_convex(part.mesh_P, -s.normal_C, -limit);
+    if (!beyond_C.triangles.empty()) lost.beyond_flat += mesh::enclosed_volume(beyond_C);
+    const double volume = mesh::enclosed_volume(part.mesh_P);
     lost.whole += volume;
-    lost.by_meshes += volume - mesh::enclosed_volume(worn.parts[p].mesh_P);
+    lost.by_meshes += volume - mesh::enclosed_volume(worn.parts[place_of(p)].mesh_P);
   }
   return lost;
 }
 
-WornBit worn_bit(const Bit& fresh, const std::vector<double>& volumes) {
-  WornBit worn{fresh, {}};
-  const std::vector<WearSolid> solids = wear_solids(fresh);
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const auto flat = flat_of_volume(solids[i], volumes[i], solids[i].start);
-    if (!flat)
-      throw RunError(fmt::format("the flat of cutter-{} is as large as the cutter", solids[i].id));
-    worn.flats.push_back(*flat);
-    if (flat->height > solids[i].start)
-      wear_cutter(fresh, static_cast<int>(i), flat->height, worn.bit);
-  }
-  return worn;
-}
-
-DullGrade dull_grade(const Bit& bit) {
+DullGrade dull_grade(const Bit& bit, std::span<const WearSolid> solids,
+                     std::span<const double> heights) {
   constexpr double inner_share = 2.0 / 3.0, eighths = 8.0;
   double sum[2] = {0.0, 0.0};
   int count[2] = {0, 0};
-  for (const Cutter& c : bit.cutters) {
-    const int group = c.tip_radius <= inner_share * bit.gage_radius ? 0 : 1;
-    sum[group] += std::min(1.0, c.wear / (c.diameter * std::cos(c.back_rake)));
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const WearSolid& s = solids[i];
+    const Part& part = bit.parts[place_of(s.parts.front())];
+    if (part.kind == PartKind::gage_pad) continue;
+    const Cutter* cutter = s.cutter >= 0 ? &bit.cutters[place_of(s.cutter)] : nullptr;
+    const double radius = cutter != nullptr ? cutter->tip_radius : deepest_radius(bit, part, s);
+    const double whole = cutter != nullptr ? s.size * std::cos(cutter->back_rake) : s.size;
+    const int group = radius <= inner_share * bit.gage_radius ? 0 : 1;
+    sum[group] += std::clamp(heights[i] / whole, 0.0, 1.0);
     ++count[group];
   }
   const auto grade = [&](int group) {
