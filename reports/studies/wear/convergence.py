@@ -1,5 +1,6 @@
-"""convergence.py TDBD FOLDER: the worn volume of cases/wear-bit-b.toml over edges, steps and wear steps, into convergence.csv; that
-of its flats alone beside the half-planes, into flats.csv."""
+"""convergence.py TDBD FOLDER [flats | cases | wear-steps]: the worn volume of cases/wear-bit-b.toml over edges, steps and wear steps,
+into convergence.csv; that of its flats alone beside the half-planes, into flats.csv; and over the time steps between two wear steps,
+into wear_steps.csv."""
 
 import csv
 import json
@@ -23,6 +24,7 @@ STUDIES = [("rock.edge_length", ["3 mm", "2.1 mm", "1.5 mm", "1.05 mm"]),
            ("wear.largest_growth", ["0.02"]),
            ("wear.acceleration", ["12000", "3000"])]
 EDGES, SEGMENTS = ["3 mm", "2.1 mm", "1.5 mm", "1.05 mm", "0.75 mm"], ["64", "128", "256"]
+WEAR_STEPS = ["512", "256", "128", "64", "32", "8"]  # time steps between two wear steps; the last is the limit of the others
 START_FLAT, STRESS, GAGE = "0.100", 100e6, 23  # mm; Pa; the cutters before these are not at the gage
 
 
@@ -46,6 +48,19 @@ def convergence(tdbd, folder):
             changes["time.revolutions"] = str(TURNS / float(changes["wear.acceleration"]))
             wear = run(tdbd, ROOT / "cases/wear-bit-b.toml", folder / "run", changes)
             yield {"key": key, "value": value, "worn volume, mm3": round(volume(wear), 3), "wear steps": wear["wear_steps"]}
+
+
+def wear_steps(tdbd, folder):
+    """Ten turns after two that do not wear, so that the cuts are steady: what begins with the wear is smooth."""
+    found = []
+    for every in WEAR_STEPS:
+        changes = {**SHIPPED, "wear.from": "1 s", "wear.every_steps": every, "wear.largest_growth": "0.1", "time.revolutions": "12"}
+        wear = run(tdbd, ROOT / "cases/wear-bit-b.toml", folder / "order", changes)
+        found.append((int(every), wear["wear_steps"], 1e9 * np.array([c["worn_volume_m3"] for c in wear["cutters"]])))
+    limit = found[-1][2]
+    for every, count, volumes in found:
+        yield {"time steps between wear steps": every, "wear steps": count, "worn volume, mm3": round(volumes.sum(), 3),
+               "difference of the cutters' volumes from the last row, mm3, root of the sum of squares": round(np.linalg.norm(volumes - limit), 4)}
 
 
 def flat_case(folder):
@@ -75,5 +90,7 @@ def flats(tdbd, folder):
 if __name__ == "__main__":
     where = Path(sys.argv[2]).resolve()
     where.mkdir(parents=True, exist_ok=True)
-    write_rows(HERE / "flats.csv", list(flats(sys.argv[1], where)))
-    write_rows(HERE / "convergence.csv", list(convergence(sys.argv[1], where)))
+    parts = {"flats": ("flats.csv", flats), "cases": ("convergence.csv", convergence), "wear-steps": ("wear_steps.csv", wear_steps)}
+    for part in sys.argv[3:] or parts:
+        name, rows = parts[part]
+        write_rows(HERE / name, list(rows(sys.argv[1], where)))

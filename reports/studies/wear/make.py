@@ -13,7 +13,9 @@ TABLES = {"flats.csv": "Worn volume of sharp cutters that wear at their flats al
                        "segments of a cutter, beside the half-planes.",
           "convergence.csv": "Worn volume of the case wear-bit-b over edges, steps, wear steps and acceleration.",
           "cutters.csv": "Bit B after 100 m: flats and temperatures of TDBD and of Glowka's model.",
-          "metres.csv": "Weight at a constant rate and rate at a constant weight over metres."}
+          "wear_steps.csv": "Worn volume of the case wear-bit-b over the time steps between two wear steps.",
+          "metres.csv": "Weight at a constant rate and rate at a constant weight over metres.",
+          "layouts.csv": "Layouts of a designed bit after 50 m, by the scatter of their cutters' worn volumes."}
 ROCKS = {"medium": style.BLUE, "hard": style.RED}
 
 
@@ -34,13 +36,23 @@ def draw_flats(axes):
     axes.set(xlabel="cutter, from the axis to the gage", ylabel="flat after 100 m, mm²", title="TDBD (dots), Glowka's model (crosses)")
 
 
+def draw_layouts(axes):
+    rows = read_rows(HERE / "layouts.csv")
+    scatter, energy = "scatter of worn volumes over their mean", "specific energy, MPa"
+    front = [r for r in rows if r["on the front"] == "yes"]
+    axes.plot([r[scatter] for r in rows], [r[energy] for r in rows], "o", color=style.GREY)
+    axes.plot([r[scatter] for r in front], [r[energy] for r in front], "o-", color=style.BLUE)
+    axes.set(xlabel=scatter, ylabel=energy, title="32 layouts after 50 m; the front of both goals")
+
+
 def main(out):
     write_tables(HERE, TABLES, out)
-    figure, axes = style.panels(1, 3, (13.0, 4.0))
-    draw_flats(axes[0])
-    draw_metres(axes[1], "rate", "weight on bit, kN", "weight on bit, kN")
-    draw_metres(axes[2], "weight", "rate of penetration, m/h", "rate of penetration, m/h")
-    axes[1].legend()
+    figure, axes = style.panels(2, 2, (11.0, 8.0))
+    draw_flats(axes[0, 0])
+    draw_layouts(axes[0, 1])
+    draw_metres(axes[1, 0], "rate", "weight on bit, kN", "weight on bit, kN")
+    draw_metres(axes[1, 1], "weight", "rate of penetration, m/h", "rate of penetration, m/h")
+    axes[1, 0].legend()
     figure.savefig(Path(out) / "figure.png", dpi=style.DPI, metadata={"Software": None})
 
 

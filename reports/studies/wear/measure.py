@@ -42,7 +42,7 @@ def cases(folder):
     text = (HERE / "tdbd.toml").read_text().replace("../../../cases/bits/bit-b.toml", "bit.toml")
     (folder / "rate.toml").write_text(text)
     before, rest = text.split("[motion]")
-    after = rest[rest.index("[time]"):].replace("slip_speed = 0.0\n", "").replace("revolutions = 13", 'duration = "6.5 s"')
+    after = rest[rest.index("[time]"):].replace("slip_speed = 0.0\n", "").replace("revolutions = 13", 'duration = "8 s"')
     weight = (HERE / "weight.toml").read_text()
     (folder / "weight.toml").write_text(before + weight[weight.index("[motion]"):] + "\n" + after.replace('step = "2 ms"', 'step = "1 ms"'))
 
