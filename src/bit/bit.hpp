@@ -16,14 +16,18 @@ struct Segment {
   Vec3 from, to;  ///< m
 };
 
-/// What makes a waiting part begin to cut or to rub. Thesis: 3.1, parts decide when they cut.
-enum class StartEvent { depth, time };
+/// What makes a waiting part begin to cut or to rub. Thesis: 3.1, parts decide when they cut. wear: of
+/// the cutters with a part of a name that matches a pattern, one has a flat of the height.
+enum class StartEvent { depth, time, wear };
 
 /// A part that waits: until the event its Part::cutting is `never`, from then on `then`.
 struct LateStart {
   StartEvent event = StartEvent::time;
-  double from = 0.0;  ///< m that the bit has gone down since its motion began, or s since then
+  /// m that the bit has gone down since its motion began, or s since then, or m of Cutter::wear
+  double from = 0.0;
   Cutting then = Cutting::cuts;
+  std::string worn_names = {};  ///< pattern of part names (core/wildcard.hpp), of wear
+  std::string place = {};       ///< of the area that gives the start, for messages
 };
 
 /// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P. The parts
@@ -32,6 +36,9 @@ struct Part {
   std::string name;  ///< "cutter-12/face", "gage-pad-3", "bit-body"
   PartKind kind = PartKind::bit_body;
   Cutting cutting = Cutting::cuts;
+  /// In (0, 1]: of the depth of rock that the part meets, what it removes in one pass
+  /// (rock/cut/left_rock.hpp).
+  double share = 1.0;
   Pose X_BP;                  ///< part frame in the bit frame
   mesh::TriangleMesh mesh_P;  ///< m, part frame
   /// Touching convex solids whose union the mesh encloses; empty: not known.
@@ -46,8 +53,10 @@ struct Part {
   int cone = -1;  ///< index into Bit::cones, or -1; X_BP holds at the cone's angle 0
   int row = -1;   ///< for a tooth: index into its cone's rows
   std::optional<LateStart> start;  ///< none: `cutting` holds from the beginning
-  /// The areas of the bit file that gave density, cutting and start; empty: no area did.
-  std::string density_area, cutting_area, start_area;
+  std::string material = {};  ///< that an area gave, by name (areas/materials.hpp); empty: none did
+  /// The areas of the bit file that gave density or material, cutting, share and start; empty: no
+  /// area did.
+  std::string density_area, cutting_area, share_area, start_area;
 };
 
 /// One row of the cutter table, SI. Thesis: 3.2.2, app. A.

@@ -35,6 +35,14 @@ struct CarriedDisplacement {
   std::array<double, 3> weight{};
 };
 
+/// A vertex inside a part that leaves a share of the rock in its way (bit::Part::share), and how much
+/// farther it would be if the part removed all: x + left_W is where a part that did would have it.
+struct LeftVertex {
+  int v = 0;
+  int part = 0;                ///< the first part of the group that passes over it
+  Vec3 left_W = Vec3::Zero();  ///< m
+};
+
 /// The rock: a surface whose normal points out of the rock, an index of its vertices, lists of
 /// those near the bit, the part that cut each vertex last and when it did, and the vertices that
 /// changed and have not been maintained since. Frame W. Thesis: 4.1.
@@ -50,6 +58,7 @@ struct Rock {
   /// beside it (contact_areas). Empty: contact is not measured.
   std::vector<std::vector<PressedVertex>> pressed;
   std::vector<CarriedDisplacement> carried;  ///< since then, in the order of the operations
+  std::vector<LeftVertex> left;              ///< by vertex, then by part (cut/left_rock.hpp)
   std::vector<NearList> near_lists;          ///< per group of the bit that cut last
 };
 
@@ -88,9 +97,20 @@ inline bool is_moved_now(const Rock& rock, int v) { return rock.moved_in[at(v)].
 /// Extends the per-vertex arrays and the index after a bisection made vertex v.
 void register_vertex(Rock& rock, int v, int last_part);
 
-/// Notes how an operation of maintenance carries displacements, if contact is measured.
+/// The order of Rock::left.
+inline bool comes_before(const LeftVertex& a, const LeftVertex& b) {
+  return a.v != b.v ? a.v < b.v : a.part < b.part;
+}
+
+/// Whether maintenance has to note how its operations carry displacements: contact is measured, or a
+/// part is inside rock that it leaves.
+inline bool has_displacements(const Rock& rock) {
+  return !rock.pressed.empty() || !rock.left.empty();
+}
+
+/// Notes how an operation of maintenance carries displacements, if there are any.
 inline void note_carried(Rock& rock, const CarriedDisplacement& carried) {
-  if (!rock.pressed.empty()) rock.carried.push_back(carried);
+  if (has_displacements(rock)) rock.carried.push_back(carried);
 }
 
 }  // namespace tdbd::rock

@@ -44,14 +44,43 @@ const BadArea mistakes[] = {
      "6: areas.a: found zone = \"gage\", which no part of the bit small meets, expected one of its "
      "zones: cone, nose, shoulder"},
     {"an_area_that_gives_nothing", "[areas.a]\nzone = \"nose\"\n",
-     "6: areas.a: found no property, expected density, removal.cutting, removal.from_depth or "
-     "removal.from_time"},
+     "6: areas.a: found no property, expected density, removal.cutting, removal.share, "
+     "removal.from_depth, removal.from_time or removal.from_wear"},
     {"a_misspelt_property",
      "[areas.a]\nzone = \"nose\"\ndensity = 5000\nremoval.from_deph = \"1 m\"\n",
-     "9: areas.a.removal.from_deph: found an unknown key, expected cutting, from_depth or "
-     "from_time"},
-    {"a_share_of_removal", "[areas.a]\nzone = \"nose\"\ndensity = 5000\nremoval.share = 0.5\n",
-     "9: areas.a.removal.share: found an unknown key, expected cutting, from_depth or from_time"},
+     "9: areas.a.removal.from_deph: found an unknown key, expected cutting, share, "
+     "from_depth, from_time, from_wear or worn_names"},
+    {"a_share_of_0", "[areas.a]\nzone = \"nose\"\nremoval.share = 0\n",
+     "8: areas.a.removal.share: found 0, expected a plain number, in (0, 1]"},
+    {"a_share_above_1", "[areas.a]\nzone = \"nose\"\nremoval.share = 1.1\n",
+     "8: areas.a.removal.share: found 1.1, expected a plain number, in (0, 1]"},
+    {"a_share_of_what_removes_nothing", "[areas.a]\nkind = \"bit-body\"\nremoval.share = 0.5\n",
+     "8: areas.a.removal.share: found a share of 0.5 for bit-body, which removes no rock, expected "
+     "removal.cutting = \"yes\" for it, or criteria without it"},
+    {"a_share_of_a_body",
+     "[areas.a]\nkind = \"bit-body\"\nremoval.share = 0.5\nremoval.cutting = \"yes\"\n",
+     "8: areas.a.removal.share: found a share of 0.5 for bit-body, a bit body, which rock beside "
+     "it "
+     "never leaves, expected criteria that select parts of cutters, gage pads or teeth"},
+    {"two_shares_that_disagree",
+     "[areas.a]\nblade = 1\nremoval.share = 0.5\n[areas.b]\nblade = 1\nremoval.share = 0.6\n",
+     "11: areas.b.removal.share: found a share of 0.6 for cutter-1/face, expected a share of 0.5, "
+     "as "
+     "%bit.toml:6: areas.a gives with the same criteria, or a more particular area that decides"},
+    {"a_start_at_wear_0", "[areas.a]\nzone = \"nose\"\nremoval.from_wear = 0\n",
+     "8: areas.a.removal.from_wear: found 0, expected length in m, > 0"},
+    {"a_pattern_that_no_cutter_matches",
+     "[areas.a]\nzone = \"nose\"\nremoval.from_wear = \"1 mm\"\nremoval.worn_names = "
+     "\"bit-body\"\n",
+     "9: areas.a.removal.worn_names: found \"bit-body\", which no part of a cutter matches, "
+     "expected a pattern of names of parts of cutters, as bit.json lists them"},
+    {"a_pattern_without_a_start",
+     "[areas.a]\nzone = \"nose\"\ndensity = 5000\nremoval.worn_names = \"cutter-1/*\"\n",
+     "9: areas.a.removal.worn_names: found no removal.from_wear, expected removal.from_wear beside "
+     "it"},
+    {"starts_by_wear_and_time",
+     "[areas.a]\nzone = \"nose\"\nremoval.from_time = 1\nremoval.from_wear = \"1 mm\"\n",
+     "9: areas.a.removal.from_wear: found removal.from_time as well, expected one of the two"},
     {"a_negative_density", "[areas.a]\nzone = \"nose\"\ndensity = -1\n",
      "8: areas.a.density: found -1, expected density in kg/m3, in [0, 30000]"},
     {"an_unknown_cutting", "[areas.a]\nzone = \"nose\"\nremoval.cutting = \"rub\"\n",
@@ -86,6 +115,14 @@ const BadArea mistakes[] = {
 
 INSTANTIATE_TEST_SUITE_P(One, BadBitAreas, ::testing::ValuesIn(mistakes),
                          [](const auto& m) { return std::string(m.param.name); });
+
+/// Of a bit whose cutters do not wear.
+TEST(BitAreasCase, that_start_by_wear_need_wear_in_the_case) {
+  const SmallCase c = with_areas("[areas.late]\nzone = \"nose\"\nremoval.from_wear = \"1 mm\"\n");
+  expect_refused(c, "case.toml:1: wear: found no table, but " + c.path("bit.toml").string() +
+                        ":6: areas.late gives cutter-3/face removal.from_wear, expected [wear], or "
+                        "another start");
+}
 
 /// At the top of the file, where a table would be.
 TEST(BitAreasCase, areas_that_are_no_table) {

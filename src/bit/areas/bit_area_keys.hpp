@@ -25,6 +25,13 @@ inline constexpr ChoiceKey<Cutting> cutting{
     .usual = "the part's own",
     .meaning =
         "yes: removes rock; rubs: bears on rock by its force law and removes none; no: neither"};
+inline constexpr QuantityKey share{
+    .name = "removal.share",
+    .fallback = 1.0,
+    .range = {.lo = 0.0, .hi = 1.0, .ends = Range::Ends::open_lo},
+    .meaning =
+        "of the depth of rock that a part meets, what it removes in one pass; the rest stays "
+        "in place"};
 inline constexpr QuantityKey from_depth{
     .name = "removal.from_depth",
     .unit = "m",
@@ -37,5 +44,18 @@ inline constexpr QuantityKey from_time{
     .usual = "from the beginning",
     .range = Range::positive(),
     .meaning = "the parts neither cut nor rub before this time of the motion"};
+inline constexpr QuantityKey from_wear{
+    .name = "removal.from_wear",
+    .unit = "m",
+    .usual = "from the beginning",
+    .range = Range::positive(),
+    .meaning =
+        "the parts neither cut nor rub until the flat of a cutter is so high (wear of the cutter "
+        "table); the case needs [wear]"};
+inline constexpr TextKey worn_names{
+    .name = "removal.worn_names",
+    .usual = "*",
+    .meaning =
+        "the cutters that removal.from_wear watches, by a pattern of the names of their parts"};
 
 }  // namespace tdbd::bit::bit_area_keys

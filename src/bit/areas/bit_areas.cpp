@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "bit/areas/bit_area_keys.hpp"
 #include "bit/areas/read_areas.hpp"
 #include "bit/cone/cone_parts.hpp"
+#include "bit/cone/cone_reach.hpp"
 #include "core/config/toml_text.hpp"
+#include "core/wildcard.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -24,6 +27,9 @@ struct Values {
 struct GivenStart {
   StartEvent event = StartEvent::time;
   double from = 0.0;
+  std::string worn_names;
+
+  bool operator==(const GivenStart&) const = default;
 };
 
 Values read_densities(Areas& areas) {
@@ -49,42 +55,98 @@ Values read_cutting(Areas& areas) {
   return v;
 }
 
-/// Equal starts have equal values: depths are positive, times negative.
-Values read_starts(Areas& areas, std::vector<GivenStart>& starts) {
+Values read_shares(Areas& areas) {
   Values v(areas.tables.size());
-  starts.resize(areas.tables.size());
   for (std::size_t i = 0; i < areas.tables.size(); ++i) {
     Config& c = areas.tables[i].config;
-    if (c.has(bit_area_keys::from_depth)) {
-      starts[i] = {StartEvent::depth, c.read(bit_area_keys::from_depth, 0.0)};
-      v.of_area[i] = starts[i].from;
-      v.shown[i] = fmt::format("a start at {:g} m", starts[i].from);
-    }
-    if (!c.has(bit_area_keys::from_time)) continue;
-    starts[i] = {StartEvent::time, c.read(bit_area_keys::from_time, 0.0)};
-    if (v.of_area[i])
-      c.problem(bit_area_keys::from_time, "removal.from_depth as well", "one of the two");
-    v.of_area[i] = -starts[i].from;
-    v.shown[i] = fmt::format("a start at {:g} s", starts[i].from);
+    if (!c.has(bit_area_keys::share)) continue;
+    v.of_area[i] = c.read(bit_area_keys::share);
+    v.shown[i] = fmt::format("a share of {:g}", *v.of_area[i]);
+  }
+  return v;
+}
+
+/// Notes a pattern of cutters that no cutter of the bit meets.
+std::string read_worn_names(Config& c, const Bit& bit) {
+  if (!c.has(bit_area_keys::worn_names)) return "*";
+  const std::string pattern = c.read(bit_area_keys::worn_names);
+  if (!bit.parts.empty() && std::ranges::none_of(bit.parts, [&](const Part& p) {
+        return p.cutter >= 0 && fits(pattern, p.name);
+      }))
+    c.problem(bit_area_keys::worn_names,
+              fmt::format("\"{}\", which no part of a cutter matches", pattern),
+              "a pattern of names of parts of cutters, as bit.json lists them");
+  return pattern;
+}
+
+GivenStart read_start(Config& c, const Bit& bit) {
+  if (c.has(bit_area_keys::from_depth))
+    return {StartEvent::depth, c.read(bit_area_keys::from_depth, 0.0), {}};
+  if (c.has(bit_area_keys::from_time))
+    return {StartEvent::time, c.read(bit_area_keys::from_time, 0.0), {}};
+  GivenStart start{StartEvent::wear, c.read(bit_area_keys::from_wear, 0.0),
+                   read_worn_names(c, bit)};
+  if (!bit.parts.empty() && bit.cutters.empty())
+    c.problem(bit_area_keys::from_wear, "a bit without cutters", "cutters, which wear");
+  return start;
+}
+
+std::string shown_start(const GivenStart& start) {
+  if (start.event == StartEvent::wear)
+    return fmt::format("a start at a wear of {:g} m of \"{}\"", start.from, start.worn_names);
+  return fmt::format("a start at {:g} {}", start.from,
+                     start.event == StartEvent::depth ? "m" : "s");
+}
+
+/// Notes a second start of an area.
+void require_one_start(Config& c) {
+  std::string_view first;
+  for (const QuantityKey* key :
+       {&bit_area_keys::from_depth, &bit_area_keys::from_time, &bit_area_keys::from_wear}) {
+    if (!c.has(*key)) continue;
+    if (!first.empty()) c.problem(*key, fmt::format("{} as well", first), "one of the two");
+    first = key->name;
+  }
+  if (c.has(bit_area_keys::worn_names) && !c.has(bit_area_keys::from_wear))
+    c.problem(bit_area_keys::worn_names, "no removal.from_wear", "removal.from_wear beside it");
+}
+
+/// Equal starts have equal values.
+Values read_starts(Areas& areas, const Bit& bit, std::vector<GivenStart>& starts) {
+  Values v(areas.tables.size());
+  for (std::size_t i = 0; i < areas.tables.size(); ++i) {
+    Config& c = areas.tables[i].config;
+    require_one_start(c);
+    starts.emplace_back();
+    if (!c.has(bit_area_keys::from_depth) && !c.has(bit_area_keys::from_time) &&
+        !c.has(bit_area_keys::from_wear))
+      continue;
+    starts[i] = read_start(c, bit);
+    v.of_area[i] = static_cast<double>(std::ranges::find(starts, starts[i]) - starts.begin());
+    v.shown[i] = shown_start(starts[i]);
   }
   return v;
 }
 
 void require_known_removal(Areas& areas) {
+  constexpr std::array known{"cutting",   "share",     "from_depth",
+                             "from_time", "from_wear", "worn_names"};
   for (AreaTable& area : areas.tables)
     for (const std::string& key : area.config.table("removal").given())
-      if (key != "cutting" && key != "from_depth" && key != "from_time")
-        area.config.problem("removal." + key, "an unknown key", "cutting, from_depth or from_time");
+      if (std::ranges::find(known, key) == known.end())
+        area.config.problem("removal." + key, "an unknown key",
+                            "cutting, share, from_depth, from_time, from_wear or worn_names");
 }
 
 /// An area that gives nothing is one whose keys were forgotten.
-void require_properties(Areas& areas, const Values& density, const Values& cutting,
-                        const Values& start) {
+void require_properties(Areas& areas, const std::vector<const Values*>& properties) {
   for (std::size_t i = 0; i < areas.tables.size(); ++i)
-    if (!density.of_area[i] && !cutting.of_area[i] && !start.of_area[i])
-      areas.tables[i].config.problem("", "no property",
-                                     "density, removal.cutting, removal.from_depth or "
-                                     "removal.from_time");
+    if (std::ranges::none_of(properties,
+                             [&](const Values* v) { return v->of_area[i].has_value(); }))
+      areas.tables[i].config.problem(
+          "", "no property",
+          "density, removal.cutting, removal.share, removal.from_depth, removal.from_time or "
+          "removal.from_wear");
 }
 
 bool counts_elsewhere(const Part& part, const std::vector<std::string>& without_density) {
@@ -136,6 +198,33 @@ void apply_cutting(Areas& areas, const Values& v, Bit& bit) {
   }
 }
 
+/// Rock beside a body or a cone's shell never leaves it: there are no passes that end.
+bool passes_over_rock(const Part& part) {
+  return part.kind != PartKind::bit_body && part.kind != PartKind::cone;
+}
+
+void apply_shares(Areas& areas, const Values& v, Bit& bit) {
+  const std::vector<int> decided =
+      decide_or_note(areas, bit, bit_area_keys::share, v.of_area, v.shown);
+  for (std::size_t p = 0; p < decided.size(); ++p) {
+    if (decided[p] < 0) continue;
+    Part& part = bit.parts[p];
+    const auto area = static_cast<std::size_t>(decided[p]);
+    Config& c = areas.tables[area].config;
+    part.share = *v.of_area[area];
+    part.share_area = areas.rules[area].name;
+    if (part.cutting != Cutting::cuts)
+      c.problem(bit_area_keys::share,
+                fmt::format("{} for {}, which removes no rock", v.shown[area], part.name),
+                "removal.cutting = \"yes\" for it, or criteria without it");
+    else if (part.share < 1.0 && !passes_over_rock(part))
+      c.problem(bit_area_keys::share,
+                fmt::format("{} for {}, a {}, which rock beside it never leaves", v.shown[area],
+                            part.name, kind_words(part.kind)),
+                "criteria that select parts of cutters, gage pads or teeth");
+  }
+}
+
 void apply_starts(Areas& areas, const Values& v, const std::vector<GivenStart>& starts, Bit& bit) {
   const std::vector<int> decided =
       decide_or_note(areas, bit, bit_area_keys::from_depth, v.of_area, v.shown);
@@ -147,7 +236,8 @@ void apply_starts(Areas& areas, const Values& v, const std::vector<GivenStart>& 
       areas.tables[area].config.problem(
           "", fmt::format("{} for {}, which never cuts or rubs", v.shown[area], part.name),
           "removal.cutting = \"yes\" or \"rubs\" for it, or criteria without it");
-    part.start = {starts[area].event, starts[area].from, part.cutting};
+    part.start = {starts[area].event, starts[area].from, part.cutting, starts[area].worn_names,
+                  areas.rules[area].place};
     part.cutting = Cutting::never;
     part.start_area = areas.rules[area].name;
   }
@@ -167,20 +257,37 @@ std::map<std::string, Part> parts_of_layouts(const Bit& bit) {
   return parts;
 }
 
+std::string start_lines(const LateStart& start) {
+  switch (start.event) {
+    case StartEvent::depth:
+      return fmt::format("removal.from_depth = {}  # m\n", start.from);
+    case StartEvent::time:
+      return fmt::format("removal.from_time = {}  # s\n", start.from);
+    case StartEvent::wear:
+      break;
+  }
+  return fmt::format("removal.from_wear = {}  # m\nremoval.worn_names = {}\n", start.from,
+                     toml_string(start.worn_names));
+}
+
 }  // namespace
 
 void apply_areas(Config& file, Bit& bit, std::vector<std::string>& without_density) {
   if (!file.has(bit_area_keys::areas)) return;
   Areas areas =
       read_areas(file.table(bit_area_keys::areas), bit, fmt::format("the bit {}", bit.name));
+  const double reach_of_design = largest_turned_radius(bit);
   std::vector<GivenStart> given_starts;
   const Values density = read_densities(areas), cutting = read_cutting(areas),
-               start = read_starts(areas, given_starts);
+               share = read_shares(areas), start = read_starts(areas, bit, given_starts);
   require_known_removal(areas);
-  require_properties(areas, density, cutting, start);
+  require_properties(areas, {&density, &cutting, &share, &start});
   apply_densities(areas, density, bit, without_density);
   apply_cutting(areas, cutting, bit);
+  apply_shares(areas, share, bit);
   apply_starts(areas, start, given_starts, bit);
+  if (const double reach = largest_turned_radius(bit); reach > 0.0 && reach < reach_of_design)
+    bit.gage_radius = reach;
   if (file.problem_count() == 0 && std::ranges::none_of(bit.parts, [](const Part& p) {
         return cutting_in_the_end(p) == Cutting::cuts;
       }))
@@ -200,10 +307,8 @@ std::string areas_text(const Bit& bit) {
       if (drawn.cutting != cutting_in_the_end(part))
         lines += fmt::format("removal.cutting = \"{}\"\n", cutting_name(cutting_in_the_end(part)));
     }
-    if (part.start)
-      lines += part.start->event == StartEvent::depth
-                   ? fmt::format("removal.from_depth = {}  # m\n", part.start->from)
-                   : fmt::format("removal.from_time = {}  # s\n", part.start->from);
+    if (part.share < 1.0) lines += fmt::format("removal.share = {}\n", part.share);
+    if (part.start) lines += start_lines(*part.start);
     if (!lines.empty())
       text +=
           fmt::format("\n[areas.part-{}]\npart = {}\n{}", ++number, toml_string(part.name), lines);

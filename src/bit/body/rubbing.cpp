@@ -137,6 +137,7 @@ bool is_worth_a_look(const std::vector<Vec3>& x_B, const mesh::Triangle& t, cons
 
 Rubbing rubbing(const std::vector<Cutter>& cutters, const Part& part, double advance,
                 double column_width) {
+  if (cutters.empty()) return {};
   const RimReaches rims = rim_reaches(cutters, column_width);
   const std::vector<Vec3> x_B = vertices_of(part);
   std::vector<Above> over;
@@ -157,7 +158,7 @@ Rubbing rubbing(const std::vector<Cutter>& cutters, const Part& part, double adv
 std::vector<double> rubbing_areas(const std::vector<Cutter>& cutters, const Part& part,
                                   const std::vector<double>& advances, double column_width) {
   std::vector<double> areas(advances.size(), 0.0), touching;
-  if (advances.empty()) return areas;
+  if (advances.empty() || cutters.empty()) return areas;
   const RimReaches rims = rim_reaches(cutters, column_width);
   const std::vector<Vec3> x_B = vertices_of(part);
   std::vector<double> of_vertex(x_B.size());

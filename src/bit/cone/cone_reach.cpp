@@ -89,4 +89,18 @@ double apex_for_gage(ConeLayout cone, double gage_radius) {
   return inner;
 }
 
+double largest_turned_radius(const Bit& bit) {
+  double radius = largest_radius(bit.parts);
+  for (const Part& part : bit.parts) {
+    if (part.cone < 0 || part.cutting == Cutting::never) continue;
+    const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
+    for (const Vec3& x_P : part.mesh_P.positions) {
+      const Vec3 x_K = inverse(X_BK) * (part.X_BP * x_P);
+      const ShellPoint place{-x_K.z(), x_K.head<2>().norm()};
+      radius = std::max(radius, reach_of(X_BK, place).radius);
+    }
+  }
+  return radius;
+}
+
 }  // namespace tdbd::bit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bit/bit.hpp"
 #include "bit/cone/meridian.hpp"
 
 namespace tdbd::bit {
@@ -22,5 +23,8 @@ ConeReach reach_of(const Pose& X_BK, const Meridian& m);
 /// `gage_radius` (m). Throws InputError when there is none: an offset beyond the gage, a cone too
 /// large or too small for the bit. Needs a row at the gage.
 double apex_for_gage(ConeLayout cone, double gage_radius);
+
+/// Largest distance (m) from the bit's axis that a cutting part's vertex reaches as its cone turns.
+double largest_turned_radius(const Bit& bit);
 
 }  // namespace tdbd::bit

@@ -8,6 +8,7 @@
 
 #include "bit/areas/bit_area_keys.hpp"
 #include "bit/areas/bit_areas.hpp"
+#include "bit/cone/cone_reach.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/adjust_file.hpp"
 #include "bit/files/bit_parts.hpp"
@@ -17,7 +18,6 @@
 #include "bit/files/design_keys.hpp"
 #include "bit/files/mesh_cutters.hpp"
 #include "bit/files/pdc_keys.hpp"
-#include "bit/files/solid_cones.hpp"
 #include "bit/files/solids_file.hpp"
 #include "bit/pdc/pdc_bit.hpp"
 #include "core/config/config.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "bit/cone/cone_frame.hpp"
-#include "bit/cone/cone_reach.hpp"
 #include "bit/cone/cone_rolling.hpp"
 #include "bit/files/mesh_keys.hpp"
 #include "core/config/toml_text.hpp"
@@ -35,20 +34,6 @@ int cone_of(const std::vector<Cone>& cones, const std::string& part) {
   const auto at = std::find_if(cones.begin(), cones.end(),
                                [&](const Cone& cone) { return part.starts_with(cone.name + "/"); });
   return at == cones.end() ? -1 : static_cast<int>(at - cones.begin());
-}
-
-double largest_turned_radius(const Bit& bit) {
-  double radius = largest_radius(bit.parts);
-  for (const Part& part : bit.parts) {
-    if (part.cone < 0 || part.cutting == Cutting::never) continue;
-    const Pose& X_BK = bit.cones[static_cast<std::size_t>(part.cone)].X_BK;
-    for (const Vec3& x_P : part.mesh_P.positions) {
-      const Vec3 x_K = inverse(X_BK) * (part.X_BP * x_P);
-      const ShellPoint place{-x_K.z(), x_K.head<2>().norm()};
-      radius = std::max(radius, reach_of(X_BK, place).radius);
-    }
-  }
-  return radius;
 }
 
 std::string cone_text_of(const Cone& cone) {

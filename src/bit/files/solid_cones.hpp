@@ -18,9 +18,6 @@ std::vector<Cone> read_solid_cones(Config& solids);
 /// Index of the cone to which a part belongs by its name, or -1.
 int cone_of(const std::vector<Cone>& cones, const std::string& part);
 
-/// Largest distance (m) from the bit's axis that a cutting part's vertex reaches as its cone turns.
-double largest_turned_radius(const Bit& bit);
-
 /// The [[solids.cones]] table of a cone, to the last bit.
 std::string cone_text_of(const Cone& cone);
 

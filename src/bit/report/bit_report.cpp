@@ -1,6 +1,8 @@
 #include "bit/report/bit_report.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "bit/body/body_overlap.hpp"
@@ -12,6 +14,7 @@
 #include "bit/cutter/rim_reach.hpp"
 #include "bit/mass_properties.hpp"
 #include "bit/profile/bit_analysis.hpp"
+#include "bit/profile/counted_cutters.hpp"
 #include "bit/profile/engagement.hpp"
 #include "bit/profile/exposure.hpp"
 #include "bit/profile/exposure_profile.hpp"
@@ -74,12 +77,19 @@ void add_placing(const Cutter& c, Json& entry) {
   entry["profile_normal"] = vector_json(profile_normal_B(c));
 }
 
-Json cutters_json(const Bit& bit, const Engagement& e) {
-  const std::vector<double> overlap = overlaps(bit.cutters);
-  const std::vector<double> exposure = exposures(bit.cutters);
+/// Of the counted cutters; the others cut nothing, and their overlap and exposure are not known.
+Json cutters_json(const Bit& bit, const std::vector<int>& counted,
+                  const std::vector<Cutter>& cutting, const Engagement& e) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> overlap = among_all(bit, counted, overlaps(cutting), unknown),
+                            exposure = among_all(bit, counted, exposures(cutting), unknown),
+                            area = among_all(bit, counted, e.area, 0.0),
+                            volume = among_all(bit, counted, e.volume, 0.0);
   Json cutters = Json::array();
   for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
-    cutters.push_back(cutter_of(bit.cutters[k], overlap[k], e.area[k], e.volume[k]));
+    cutters.push_back(cutter_of(bit.cutters[k], overlap[k], area[k], volume[k]));
+    if (!std::ranges::binary_search(counted, static_cast<int>(k)))
+      cutters.back()["counted"] = false;
     cutters.back()["exposure_m"] = exposure[k];
     add_placing(bit.cutters[k], cutters.back());
   }
@@ -181,21 +191,23 @@ void add_cones(const Bit& bit, Json& file) {
 }  // namespace
 
 std::string analysis_json(const Bit& bit, const ReportOptions& options) {
-  const Engagement e = engagement(bit.cutters, options.advance, report_column_width);
+  const std::vector<int> counted = counted_cutters(bit);
+  const std::vector<Cutter> cutting = cutters_at(bit, counted);
+  const Engagement e = engagement(cutting, options.advance, report_column_width);
   const MassProperties mass = mass_properties(bit);
   Json file{{"schema", 1},
             {"name", bit.name},
             {"gage_radius_m", bit.gage_radius},
             {"penetration_m_per_rev", options.advance},
-            {"imbalance_of_unit_law", imbalance(bit.cutters, e.area)},
-            {"imbalance_vector_of_unit_law", vector_json(imbalance_vector(bit.cutters, e.area))},
+            {"imbalance_of_unit_law", imbalance(cutting, e.area)},
+            {"imbalance_vector_of_unit_law", vector_json(imbalance_vector(cutting, e.area))},
             {"mean_redundancy", mean_redundancy(e.cutting)},
             {"mass_kg", mass.mass},
             {"centre_m", vector_json(mass.centre)},
             {"inertia_kg_m2", inertia_of(mass.inertia)},
             {"column_width_m", e.column_width},
             {"cutters_cutting_at_radius", e.cutting},
-            {"cutters", cutters_json(bit, e)},
+            {"cutters", cutters_json(bit, counted, cutting, e)},
             {"parts", parts_json(bit)},
             {"properties", properties_json(bit, {})}};
   add_body_profile(bit, file);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bit/body/rubbing.hpp"
+#include "bit/profile/counted_cutters.hpp"
 #include "bit/profile/engagement.hpp"
 #include "bit/report/bit_output.hpp"
 
@@ -21,7 +22,7 @@ const Part& body_of(const Bit& bit) {
 }
 
 Rubbing body_rubbing(const Bit& bit, double advance) {
-  return rubbing(bit.cutters, body_of(bit), advance, report_column_width);
+  return rubbing(cutters_at(bit, counted_cutters(bit)), body_of(bit), advance, report_column_width);
 }
 
 /// Weight over depth of cut, for a rock of any strength S (assumed: a sharp cutter spends S on a volume
@@ -44,10 +45,11 @@ WeightCurve weight_curve(const Bit& bit) {
   const double most = touches ? 2.0 * w.touching : usual * bit.gage_radius;
   for (int k = 0; k < WeightCurve::values; ++k)
     w.advances.push_back(most * k / (WeightCurve::values - 1));
+  const std::vector<Cutter> cutting = cutters_at(bit, counted_cutters(bit));
   w.area.assign(w.advances.size(), 0.0);
   for (const Part& part : bit.parts) {
     if (part.cutting != Cutting::rubs) continue;
-    const auto more = rubbing_areas(bit.cutters, part, w.advances, report_column_width);
+    const auto more = rubbing_areas(cutting, part, w.advances, report_column_width);
     std::ranges::transform(w.area, more, w.area.begin(), std::plus{});
   }
   w.slope = WeightCurve::cutting * bit.gage_radius;

@@ -38,8 +38,11 @@ void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& repo
     const std::size_t which = s->which;
     double removed = 0.0;
     for (; s != cut.swept.end() && s->which == which; ++s) {
-      cut.moves.push_back({s->v, g.parts[which].part, s->x_W - rock.surface.position(s->v)});
-      removed += take_vertex(rock, *s, g.parts[which]);
+      const CuttingPart& part = g.parts[which];
+      const Vec3 d_W = s->x_W - rock.surface.position(s->v);
+      cut.moves.push_back({s->v, part.part, d_W / part.share});
+      removed += take_vertex(rock, *s, part);
+      if (g.leaves == Leaves::a_share || !rock.left.empty()) note_left(rock, g, part, s->v, d_W);
       cut.moved.push_back(s->v);
     }
     report.removed_by_part[at(g.parts[which].part)] += removed;
@@ -214,6 +217,7 @@ void begin_at_rest(const CuttingBit& bit, const Pose& X_WB, CutWorkspace& work) 
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
+  if (!rock.left.empty()) begin_passes(rock, bit, work.motions, work.passes);
   ++rock.cuts;
   rock.near_lists.resize(bit.groups.size());
   find_in_rock(rock, bit, work);

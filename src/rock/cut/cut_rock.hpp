@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "rock/cut/group_cut.hpp"
+#include "rock/cut/left_rock.hpp"
 #include "rock/rock.hpp"
 
 namespace tdbd::rock {
@@ -28,11 +29,13 @@ struct CutWorkspace {
   std::vector<GroupMotion> motions;  ///< per group
   std::vector<GroupCut> groups;      ///< per group
   long changes_before = 0;           ///< of the index, when the step began
+  PassWork passes;                   ///< begin_passes
 };
 
 /// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),
 /// move (4.1.3), measure (4.3), part after part; passes repeat until nothing moves. Afterwards no
-/// rock vertex lies inside a cutting part at pose 1 (tolerance::inside): the contract of rock (5).
+/// rock vertex, as a part sees it (rock (22)), lies inside a cutting part at pose 1
+/// (tolerance::inside): the contract of rock (5).
 /// Throws RunError with the parts' names and a place if passes do not end or the bit sweeps the
 /// rock's boundary.
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,

@@ -21,6 +21,7 @@ CuttingPart prepare_solid(const bit::Part& part, const mesh::TriangleMesh& mesh_
     prepared.checksum = checksum(prepared.solid_P);
   } else
     prepared.tree_P.emplace(mesh_P);
+  prepared.share = part.share;
   return prepared;
 }
 
@@ -137,6 +138,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
                                 part.X_BP});
     CuttingGroup& group = cutting.groups.back();
     add_part(group, part, i);
+    if (part.share < 1.0) group.leaves = Leaves::a_share;
     for (const Vec3& x_P : part.mesh_P.positions) {
       group.box_P.add(x_P);
       const Vec3 x_B = part.X_BP * x_P;

@@ -26,6 +26,7 @@ struct CuttingPart {
   double depth = 0.0;    ///< m: shallower than this is not swept (tolerance::swept times part size)
   std::size_t slot = 0;  ///< its number among the solids of the group (SweptScratch)
   double checksum = 0.0;  ///< of solid_P (near_planes.hpp)
+  double share = 1.0;     ///< bit::Part::share
 };
 
 /// The parts of a group as one convex solid.
@@ -51,6 +52,10 @@ enum class GroupKind { parts, breakout };
 /// A group that is away takes no rock.
 enum class GroupPresence { there, away };
 
+/// What a group leaves of the rock in its way: nothing, or, if a part removes less than all
+/// (CuttingPart::share), the rest of what that part meets.
+enum class Leaves { nothing, a_share };
+
 /// Parts that share a frame and an update direction: searched for together, processed one by one.
 struct CuttingGroup {
   Pose X_BP;
@@ -69,6 +74,7 @@ struct CuttingGroup {
   std::optional<CuttingWhole> whole = std::nullopt;
   GroupKind kind = GroupKind::parts;
   GroupPresence presence = GroupPresence::there;
+  Leaves leaves = Leaves::nothing;
 };
 
 /// The parts that cut, in the order in which they take rock (the bit's order).

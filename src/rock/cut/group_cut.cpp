@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "rock/cut/left_rock.hpp"
 #include "rock/cut/mapped_direction.hpp"
 
 namespace tdbd::rock {
@@ -20,12 +21,26 @@ void note_exit(Clear& clear, std::size_t part, bool convex) {
 /// all parts.
 void find_paths(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut) {
   for (const std::size_t i : cut.at_work) {
-    const Vec3& x_W = rock.surface.position(cut.candidates[i]);
+    Vec3 x_W = rock.surface.position(cut.candidates[i]);
+    if (g.leaves == Leaves::a_share) {
+      cut.left_W[i] = left_before(rock, g, cut.candidates[i]);
+      x_W += cut.left_W[i];
+    }
     cut.directions_W[i] = mapped_direction_W(g, m, x_W);
     cut.paths[i] = relative_path(m.X_PW0, m.X_PW1, x_W, cut.directions_W[i]);
     cut.places_W[i] = x_W;
     cut.clear[i] = {};
   }
+}
+
+/// Moves a candidate, as the group sees it, and plans how far the vertex follows.
+void plan_move(const CuttingGroup& g, std::size_t which, std::size_t i, double t, GroupCut& cut) {
+  Vec3& x_W = cut.places_W[i];
+  x_W += t * cut.directions_W[i];
+  cut.swept.push_back({which, cut.candidates[i], x_W});
+  if (g.leaves == Leaves::nothing) return;
+  cut.left_W[i] += (1.0 - g.parts[which].share) * t * cut.directions_W[i];
+  cut.swept.back().x_W -= cut.left_W[i];
 }
 
 void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, GroupCut& cut) {
@@ -37,11 +52,9 @@ void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, G
       note_outside(cut.clear[i], which);
       continue;
     }
-    Vec3& x_W = cut.places_W[i];
-    x_W += *t * cut.directions_W[i];
-    cut.swept.push_back({which, cut.candidates[i], x_W});
-    cut.paths[i].q0_P = m.X_PW0 * x_W;
-    cut.paths[i].q1_P = m.X_PW1 * x_W;
+    plan_move(g, which, i, *t, cut);
+    cut.paths[i].q0_P = m.X_PW0 * cut.places_W[i];
+    cut.paths[i].q1_P = m.X_PW1 * cut.places_W[i];
     note_exit(cut.clear[i], which, !part.tree_P);
   }
 }
@@ -53,8 +66,7 @@ void plan_whole(const CuttingGroup& g, GroupCut& cut) {
     for (std::size_t which = 0; which < g.parts.size(); ++which) note_outside(cut.clear[i], which);
     const auto x = prepared_whole_exit(*g.whole, cut.paths[i], cut.exits);
     if (!x) continue;
-    cut.places_W[i] += x->t * cut.directions_W[i];
-    cut.swept.push_back({x->part, cut.candidates[i], cut.places_W[i]});
+    plan_move(g, x->part, i, x->t, cut);
   }
 }
 
@@ -75,6 +87,7 @@ void plan_moves(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, G
   cut.directions_W.resize(n);
   cut.paths.resize(n);
   cut.places_W.resize(n);
+  if (g.leaves == Leaves::a_share) cut.left_W.resize(n);
   cut.at_work.resize(n);
   for (std::size_t i = 0; i < n; ++i) cut.at_work[i] = i;
   if (n > 0) plan_at_work(rock, g, m, cut);

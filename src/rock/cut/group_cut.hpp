@@ -23,7 +23,7 @@ struct SweptVertex {
   Vec3 x_W;  ///< m
 };
 
-/// A move of a vertex by a part of the bit.
+/// A move of a vertex by a part of the bit, as the part sees it: of y in rock (22).
 struct VertexMove {
   int v = 0, part = 0;
   Vec3 d_W = Vec3::Zero();  ///< m
@@ -45,6 +45,8 @@ struct GroupCut {
   std::vector<Vec3> directions_W;   ///< per candidate
   std::vector<RelativePath> paths;  ///< per candidate
   std::vector<Vec3> places_W;       ///< m, per candidate, as planned so far
+  std::vector<Vec3>
+      left_W;  ///< m, per candidate: how much nearer the vertex is; of groups that leave rock
   std::vector<std::size_t> at_work;
   SweptScratch exits;
 };

@@ -13,7 +13,7 @@ void renumber_list(const std::vector<int>& number, std::vector<int>& vertices) {
   vertices.resize(kept);
 }
 
-/// The new numbers of the vertices in contact; those that were removed leave their lists.
+/// The new numbers of the vertices in contact or left; those that were removed leave their lists.
 void renumber_contacts(const std::vector<int>& number, Rock& rock) {
   for (CarriedDisplacement& c : rock.carried) {
     c.v = number[at(c.v)];
@@ -23,6 +23,8 @@ void renumber_contacts(const std::vector<int>& number, Rock& rock) {
     std::erase_if(part, [&](PressedVertex& p) { return (p.v = number[at(p.v)]) < 0; });
     std::ranges::sort(part, {}, &PressedVertex::v);
   }
+  std::erase_if(rock.left, [&](LeftVertex& l) { return (l.v = number[at(l.v)]) < 0; });
+  std::ranges::sort(rock.left, comes_before);
 }
 
 }  // namespace

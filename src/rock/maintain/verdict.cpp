@@ -57,7 +57,7 @@ bool move_if_accepted(Rock& rock, int v, const Vec3& x_W, Operation what, const 
   }
   LocalState before;
   if constexpr (check_every_operation) before = local_state(rock.surface, {v});
-  if (!rock.pressed.empty()) note_carried(rock, carried_to(rock.surface, v, x_W));
+  if (has_displacements(rock)) note_carried(rock, carried_to(rock.surface, v, x_W));
   place_vertex(rock, v, x_W);
   touch_neighbours(rock, v);
   drift.note(v, verdict.drift);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "rock/cut/left_rock.hpp"
 #include "rock/section/contact_end.hpp"
 #include "rock/section/held_vertices.hpp"
 
@@ -324,11 +325,13 @@ void contact_areas(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
   contact_by_part.assign(at(bit.part_count), {});
   rock.pressed.resize(at(bit.part_count));
   keep_concerned(rock, work);
+  show_passed(rock, work.places_W);
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
     if (bit.groups[at(i)].kind == GroupKind::parts)
       measure_group(rock, bit, cut, at(i), options, work.carried, work.scratch.local(),
                     contact_by_part);
   });
+  put_back(rock, work.places_W);
   rock.carried.clear();
 }
 

@@ -44,6 +44,7 @@ struct ContactWork {
   std::vector<CarriedDisplacement> carried;
   std::vector<int> mark;  ///< per vertex
   int stamp = 0;
+  std::vector<Vec3> places_W;  ///< show_passed
 };
 
 /// Rock surface in contact with a part of the bit. All zero: none.
@@ -116,7 +117,8 @@ struct ContactOptions {
 /// Updates rock.pressed: by how much each held vertex was moved by the part since the two have been
 /// in contact without a break of one step. Where maintenance made or moved vertices since, the
 /// displacements are interpolated on the surface before. Call it once after each cut_rock and before maintenance; `cut` is the
-/// workspace of that step. Cost is proportional to the vertices near the bit.
+/// workspace of that step. Parts that leave rock inside themselves bear on the surface that they would
+/// leave if they removed all (rock (22)). Cost is proportional to the vertices near the bit.
 void contact_areas(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
                    const ContactOptions& options, ContactWork& work,
                    std::vector<PartContact>& contact_by_part);

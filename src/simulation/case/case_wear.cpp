@@ -109,11 +109,24 @@ void require_wearing_bit(Config& c, const bit::Bit& bit, const ForcePlan& forces
     c.problem("", "no table [forces]", "force laws: wear follows from the forces on the cutters");
 }
 
+/// Parts that start by wear need cutters that wear.
+void require_wear_of_starts(Config& whole, const bit::Bit& bit) {
+  for (const bit::Part& part : bit.parts)
+    if (part.start && part.start->event == bit::StartEvent::wear)
+      return whole.problem(
+          wear_keys::table.name,
+          fmt::format("no table, but {} gives {} removal.from_wear", part.start->place, part.name),
+          "[wear], or another start");
+}
+
 }  // namespace
 
 WearPlan read_wear(Config& whole, const bit::Bit& bit, const ForcePlan& forces) {
   WearPlan plan;
-  if (!whole.has(wear_keys::table)) return plan;
+  if (!whole.has(wear_keys::table)) {
+    require_wear_of_starts(whole, bit);
+    return plan;
+  }
   Config c = whole.table(wear_keys::table);
   const bit::WearLaw law = read_wear_law(c);
   for (const bit::Part& part : bit.parts)

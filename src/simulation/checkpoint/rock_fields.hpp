@@ -25,6 +25,13 @@ void fields(A& a, Of<A, rock::CarriedDisplacement>& x) {
   item(a, x.weight);
 }
 
+template <class A>
+void fields(A& a, Of<A, rock::LeftVertex>& x) {
+  a("v", x.v);
+  a("part", x.part);
+  a("left_W", x.left_W);
+}
+
 /// The surface with all its slots, dead ones too: vertices and triangles keep their numbers. The
 /// stars' neighbours follow from the rest (refresh_stars).
 template <class A>
@@ -66,6 +73,7 @@ void fields(A& a, Of<A, rock::Rock>& x) {
   a("moved_in", x.moved_in);
   a("pressed", x.pressed);
   a("carried", x.carried);
+  a("left", x.left);
 }
 
 }  // namespace tdbd::simulation

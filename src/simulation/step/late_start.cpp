@@ -6,6 +6,8 @@
 
 #include "bit/cone/part_pose.hpp"
 #include "core/error.hpp"
+#include "core/wildcard.hpp"
+#include "rock/cut/left_rock.hpp"
 #include "simulation/start/start_check.hpp"
 #include "simulation/step/drive.hpp"
 
@@ -20,9 +22,18 @@ double depth_at_begin(const Case& c) {
   return over_rock(place).p.z();
 }
 
+/// The flats are those of the last wear step.
+bool has_worn(const bit::Bit& bit, const WearState& wear, const bit::LateStart& start) {
+  return std::ranges::any_of(bit.parts, [&](const bit::Part& part) {
+    return part.cutter >= 0 && wear.cutters[at(part.cutter)].height >= start.from &&
+           fits(start.worn_names, part.name);
+  });
+}
+
 bool is_due(const Case& c, const State& state, const bit::LateStart& start) {
   constexpr double middle =
       0.5;  // of the step: whether a time is a whole number of steps is rounding
+  if (start.event == bit::StartEvent::wear) return has_worn(c.bit, *state.wear, start);
   if (start.event == bit::StartEvent::time)
     return time_at(c.time, state.steps_done) + middle * c.time.step > start.from;
   return over_rock(state.place).p.z() - depth_at_begin(c) >= start.from;
@@ -71,6 +82,7 @@ void start_due_parts(const Case& c, State& state, Work& work) {
   state.rock.near_lists.clear();  // they are by group of the parts that cut
   const bit::Bit now = started_bit(c.bit, state.started);
   prepare_parts(c, state, now, rock::prepare_cutting_bit(now, c.update.cutting), work);
+  rock::regroup_left(state.rock, work.cutting);
   work.waits = any_waits(c.bit, state.started) ? Waits::some : Waits::none;
 }
 

@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "bit/areas/area_rules.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
 #include "bit/mass_properties.hpp"
+#include "bit/profile/counted_cutters.hpp"
+#include "bit/report/area_report.hpp"
+#include "bit/report/bit_report.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit::bit_areas_test {
@@ -102,31 +108,97 @@ TEST(BitAreas, say_whether_parts_cut_and_when) {
 
 /// Whatever the areas say of a part, the exported bit says it too.
 TEST(BitAreas, are_in_the_exported_bit) {
-  const std::vector<std::string> of_b{
-      "pads={kind='gage-pad', density=7000}", "pads.removal={cutting='rubs', from_depth='2 m'}",
-      "first={names='cutter-1/*', density=3000}", "first.removal.from_time='3 s'"},
-      of_r{"teeth={row=1, density=9000}", "teeth.removal.cutting=no",
-           "cone={part='cone-2/row-2/tooth-3'}", "cone.removal.from_depth=1"};
+  const std::vector<std::string> of_b{"pads={kind='gage-pad', density=7000}",
+                                      "pads.removal={cutting='rubs', from_depth='2 m'}",
+                                      "first={names='cutter-1/*', density=3000}",
+                                      "first.removal.from_time='3 s'",
+                                      "worn={names='cutter-2/*'}",
+                                      "worn.removal={from_wear='1 mm', worn_names='cutter-5/*'}",
+                                      "some={zone='shoulder'}",
+                                      "some.removal.share=0.5"},
+      of_r{"teeth={row=1, density=9000}",
+           "hard={row=2}",
+           "hard.removal.share=0.75",
+           "teeth.removal.cutting=no",
+           "cone={part='cone-2/row-2/tooth-3'}",
+           "cone.removal.from_depth=1"};
   for (const auto& [file, settings] : {std::pair(bit_b, of_b), std::pair(bit_r, of_r)}) {
     const std::filesystem::path folder = test_folder();
     const Bit bit = with_areas(file, settings);
     export_bit(folder, bit, "ply");
     const Bit again = read((folder / "bit.toml").string());
     ASSERT_EQ(bit.parts.size(), again.parts.size());
-    int waits = 0;
+    int waits = 0, shares = 0;
     for (std::size_t i = 0; i < bit.parts.size(); ++i) {
       const Part &p = bit.parts[i], &q = again.parts[i];
       EXPECT_EQ(p.density, q.density) << p.name;
       EXPECT_EQ(p.cutting, q.cutting) << p.name;
+      EXPECT_EQ(p.share, q.share) << p.name;
+      shares += p.share < 1.0;
       ASSERT_EQ(p.start.has_value(), q.start.has_value()) << p.name;
       if (!p.start) continue;
       ++waits;
       EXPECT_EQ(p.start->event, q.start->event);
       EXPECT_EQ(p.start->from, q.start->from);
       EXPECT_EQ(p.start->then, q.start->then);
+      EXPECT_EQ(p.start->worn_names, q.start->worn_names);
     }
     EXPECT_GT(waits, 0);
+    EXPECT_GT(shares, 0);
   }
+}
+
+TEST(BitAreas, give_shares_and_starts_by_wear) {
+  const Bit bit = with_areas(
+      bit_b, {"some={zone='shoulder'}", "some.removal.share=0.5", "worn={names='cutter-1/*'}",
+              "worn.removal={from_wear='1.5 mm', worn_names='cutter-2/*'}"});
+  for (const Part& part : bit.parts) {
+    const bool some = zone_of(bit, part) == "shoulder";
+    EXPECT_EQ(part.share, some ? 0.5 : 1.0) << part.name;
+    EXPECT_EQ(part.share_area, some ? "some" : "");
+    ASSERT_EQ(part.start.has_value(), part.cutter == 0) << part.name;
+    if (!part.start) continue;
+    EXPECT_EQ(part.start->event, StartEvent::wear);
+    EXPECT_EQ(part.start->from, 1.5e-3);
+    EXPECT_EQ(part.start->worn_names, "cutter-2/*");
+  }
+  EXPECT_EQ(complaint(bit_r, {"late={kind='tooth'}", "late.removal.from_wear='1 mm'"}),
+            "bit.set: areas.late.removal.from_wear: found a bit without cutters, expected cutters, "
+            "which wear");
+}
+
+/// What an area turns off, or what starts later, is in no analysis before drilling.
+TEST(BitAreas, leave_what_does_not_cut_from_the_start_out_of_the_analysis) {
+  const Bit plain = read(bit_b),
+            bit = with_areas(bit_b,
+                             {"off={zone='gage', kind='face'}", "off.removal.cutting=no",
+                              "off2={zone='gage', kind='chamfer'}", "off2.removal.cutting=no",
+                              "off3={zone='gage', kind='cutter-body'}", "off3.removal.cutting=no",
+                              "pads={kind='gage-pad'}", "pads.removal.cutting=no",
+                              "late={names='cutter-3/*'}", "late.removal.from_depth='1 m'"});
+  const std::vector<int> counted = counted_cutters(bit);
+  EXPECT_EQ(counted_cutters(plain).size(), plain.cutters.size());
+  for (std::size_t i = 0; i < bit.cutters.size(); ++i)
+    EXPECT_EQ(std::ranges::binary_search(counted, static_cast<int>(i)),
+              bit.cutters[i].zone != "gage" && bit.cutters[i].id != 3)
+        << bit.cutters[i].id;
+  EXPECT_EQ(bit.gage_radius, largest_radius(bit.parts));
+  EXPECT_LT(bit.gage_radius, plain.gage_radius);
+  const auto analysis = nlohmann::json::parse(analysis_json(bit, {}));
+  double volume = 0.0;
+  for (const auto& c : analysis["cutters"]) {
+    volume += c["volume_m3_per_rev"].get<double>();
+    if (c.contains("counted")) {
+      EXPECT_EQ(c["area_m2"], 0.0);
+      EXPECT_TRUE(c["exposure_m"].is_null());
+    }
+  }
+  const double advance = analysis["penetration_m_per_rev"];
+  EXPECT_NEAR(volume / (std::numbers::pi * bit.gage_radius * bit.gage_radius * advance), 1.0, 2e-3);
+  EXPECT_NE(
+      areas_report(bit).find("leaves out what does not cut from the start: cutter-3, cutter-"),
+      std::string::npos)
+      << areas_report(bit);
 }
 
 TEST(BitAreas, that_turn_off_every_part_are_refused) {
