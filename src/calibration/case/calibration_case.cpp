@@ -103,6 +103,7 @@ CalibrationCase read_calibration(const std::string& path,
   result.pressures = top.read(pressures);
   result.tools = read_tools(c);
   result.unknowns = read_unknowns(c, result.law);
+  result.areas = read_area_laws(c, result.law, result.tools, AreaValues::fitted, result.unknowns);
   result.rock = read_test_rock(c);
   result.grid = read_grid(c);
   result.noise = read_noise(c.table(noise));

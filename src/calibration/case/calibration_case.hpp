@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/case/area_laws.hpp"
 #include "calibration/case/calibration_keys.hpp"
 #include "calibration/record/read_records.hpp"
 #include "forces/law.hpp"
@@ -37,8 +38,15 @@ struct Unknown {
   double start = 0.0;
   std::optional<double> prior_sd;  ///< of a normal prior around start
   Range range;
-  std::string place;  ///< "FILE:LINE: KEY", for messages
+  std::string place;        ///< "FILE:LINE: KEY", for messages
+  std::string coefficient;  ///< of the law; empty: `key`
+  int area = -1;            ///< index into AreaLaws::areas; -1: of parts in no area
 };
+
+/// The coefficient of the law that an unknown is.
+inline const std::string& law_key(const Unknown& u) {
+  return u.coefficient.empty() ? u.key : u.coefficient;
+}
 
 /// Relative standard deviations of what was measured.
 struct Noise {
@@ -76,6 +84,7 @@ struct CalibrationCase {
   std::vector<std::string> files;
   forces::Law law;  ///< with its fixed coefficients, and the unknown ones at their starts
   std::vector<Unknown> unknowns;
+  AreaLaws areas;           ///< parts with coefficients of their own
   std::vector<Tool> tools;  ///< those of fit and predict, in this order
   std::vector<std::string> fit, predict;
   Pressures pressures = Pressures::combined;

@@ -104,6 +104,21 @@ inline constexpr AnyKey any_coefficient{.name = "KEY",
                                         .usual = "the coefficient's, or fitted",
                                         .meaning = "a coefficient of the law, as [forces] has it"};
 
+inline constexpr TableKey area{
+    "areas.NAME",
+    "parts of the bits that meet all criteria and have coefficients of their own; of several areas "
+    "the one with the most particular criterion decides each coefficient"};
+inline constexpr TableKey areas{"areas", area.meaning};
+inline constexpr TableKey area_unknown{"areas.NAME.unknowns.KEY",
+                                       "a coefficient of the area that is fitted"};
+inline constexpr TableKey area_fixed{"areas.NAME.fixed",
+                                     "KEY = value: coefficients of the area that are not fitted"};
+inline constexpr AnyKey any_area_coefficient{
+    .name = "KEY",
+    .kind = "that of the coefficient",
+    .usual = "that of the parts in no area, or fitted",
+    .meaning = "a coefficient of the law, as [forces] has it"};
+
 inline constexpr TableKey intervals{"intervals", "how sure the result is"};
 inline constexpr QuantityKey level{.name = "level",
                                    .fallback = 0.95,

@@ -1,5 +1,6 @@
 #include "calibration/case/calibration_tables.hpp"
 
+#include "bit/areas/area_keys.hpp"
 #include "calibration/case/calibration_keys.hpp"
 #include "simulation/case/rock_keys.hpp"
 #include "simulation/case/spalling_keys.hpp"
@@ -9,6 +10,7 @@ namespace tdbd::calibration {
 std::vector<KeyTable> calibration_tables() {
   using namespace calibration_keys;
   using namespace simulation::formation_keys;
+  namespace area_keys = bit::area_keys;
   const std::string command = "calibrate";
   return {
       key_table(command, calibration_keys::table,
@@ -26,6 +28,11 @@ std::vector<KeyTable> calibration_tables() {
       key_table(command, noise, rows(reading, test, rop)),
       key_table(command, unknown, rows(start, prior_sd, range)),
       key_table(command, fixed, rows(any_coefficient)),
+      key_table(command, area,
+                rows(area_keys::kind, area_keys::zone, area_keys::blade, area_keys::names,
+                     area_keys::part)),
+      key_table(command, area_unknown, rows(start, prior_sd, range)),
+      key_table(command, area_fixed, rows(any_area_coefficient)),
       key_table(command, intervals, rows(level, bootstrap, seed))};
 }
 

@@ -33,9 +33,11 @@ Range read_range(Config& table, const LawField& field) {
   return field.range;
 }
 
+}  // namespace
+
 Unknown read_unknown(Config table, const LawField& field) {
   Unknown u;
-  u.key = field.key;
+  u.key = u.coefficient = field.key;
   u.place = table.place("");
   u.range = read_range(table, field);
   u.start = table.quantity(calibration_keys::start, std::string(field.unit), std::nullopt);
@@ -46,8 +48,8 @@ Unknown read_unknown(Config table, const LawField& field) {
   return u;
 }
 
-/// Every name given in a table must be a coefficient.
-void refuse_strangers(Config& table, const std::vector<LawField>& fields, std::string_view law) {
+void refuse_strangers(Config& table, const std::vector<forces::LawField>& fields,
+                      std::string_view law) {
   std::vector<std::string> names;
   names.reserve(fields.size());
   for (const LawField& f : fields) names.emplace_back(f.key);
@@ -59,8 +61,6 @@ void refuse_strangers(Config& table, const std::vector<LawField>& fields, std::s
         near ? fmt::format("{}?", *near) : fmt::format("one of {}", fmt::join(names, ", ")));
   }
 }
-
-}  // namespace
 
 std::vector<Unknown> read_unknowns(Config& c, forces::Law& law) {
   Config unknowns = c.table("unknowns"), fixed = c.table(calibration_keys::fixed);

@@ -57,12 +57,13 @@ Fit fit(Problem problem, const Data& data, const Intervals& intervals) {
   const Solution s = solve_from_starts(problem, data, intervals.seed);
   Fit f{std::move(problem), {}, s.values, {}, {}, {}, {}, 0.0, 0, s.evaluations};
   f.law = law_at(f.problem, s.values);
+  f.laws = laws_at(f.problem, s.values);
   f.covariance = covariance_at(f.problem, s.values);
   const double z = two_sided_quantile(intervals.level);
   for (Eigen::Index k = 0; k < s.values.size(); ++k)
     f.coefficients.push_back(coefficient_of(f.problem.unknowns[static_cast<std::size_t>(k)],
                                             s.values[k], f.covariance(k, k), z));
-  f.errors = log_loads(f.problem, f.law) - data.log_loads;
+  f.errors = log_loads(f.problem, f.laws) - data.log_loads;
   const Eigen::VectorXd scaled = f.errors.cwiseQuotient(deviations(f.problem));
   for (std::size_t i = 0; i < f.problem.readings(); ++i)
     f.objectives[f.problem.places[i].load] += std::pow(scaled[static_cast<Eigen::Index>(i)], 2);

@@ -33,6 +33,7 @@ struct Fit {
   double chi2 = 0.0;            ///< of all whitened readings, without priors
   long degrees_of_freedom = 0;  ///< readings and priors less unknowns
   long evaluations = 0;
+  std::vector<forces::Law> laws = {};  ///< of every mix of coefficients (AreaLaws)
 };
 
 /// Fits a problem. Throws RunError when no start converges.

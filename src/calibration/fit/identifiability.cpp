@@ -78,7 +78,7 @@ void refuse_dead_knobs(const Problem& p, const Eigen::MatrixXd& J) {
     lines += fmt::format(
         "{}{}: found a coefficient that acts on no part of the fitted bits (it "
         "acts on {}), expected it in [fixed]",
-        lines.empty() ? "" : "\n", p.unknowns[k].place, kinds_of(p.law, p.unknowns[k].key));
+        lines.empty() ? "" : "\n", p.unknowns[k].place, kinds_of(p.law, law_key(p.unknowns[k])));
   }
   if (!lines.empty()) throw InputError(lines);
 }

@@ -108,11 +108,12 @@ double reading_variance(const Noise& noise, const Reading& reading, double slope
 
 Problem problem_of(const CalibrationCase& c, const CutStore& cuts,
                    const std::vector<Record>& records) {
-  Problem p{c.law, c.unknowns, {}, records, {}, {}};
+  Problem p{c.law, c.unknowns, {}, records, {}, {}, c.areas};
+  const std::vector<forces::Law> laws = laws_of_mixes(c.areas, c.law);
   std::vector<Loads> slopes;
   for (const Record& r : records) {
-    p.samples.push_back(sample_of(cut_run_of(cuts, r), r, strength_of(c.rock, r), c.law));
-    slopes.push_back(depth_slopes(c.law, p.samples.back()));
+    p.samples.push_back(sample_of(c, cuts, r));
+    slopes.push_back(depth_slopes(laws, p.samples.back()));
   }
   for (const std::string& test : tests_of(records)) add_test(test, c.noise, slopes, p);
   return p;
@@ -133,14 +134,37 @@ forces::Law law_at(const Problem& p, const Eigen::VectorXd& values) {
   forces::Law law = p.law;
   for (const forces::LawField& f : forces::law_fields(law))
     for (std::size_t k = 0; k < p.unknowns.size(); ++k)
-      if (p.unknowns[k].key == f.key) *f.value = values[static_cast<Eigen::Index>(k)];
+      if (p.unknowns[k].area < 0 && law_key(p.unknowns[k]) == f.key)
+        *f.value = values[static_cast<Eigen::Index>(k)];
   return law;
 }
 
-Eigen::VectorXd log_loads(const Problem& p, const forces::Law& law) {
+AreaLaws areas_at(const Problem& p, const Eigen::VectorXd& values) {
+  AreaLaws areas = p.areas;
+  forces::Law law = p.law;
+  const std::vector<forces::LawField> fields = forces::law_fields(law);
+  for (std::size_t u = 0; u < p.unknowns.size(); ++u)
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      if (p.unknowns[u].area >= 0 && law_key(p.unknowns[u]) == fields[k].key)
+        areas.areas[at(p.unknowns[u].area)].values[k] = values[static_cast<Eigen::Index>(u)];
+  return areas;
+}
+
+std::vector<forces::Law> laws_at(const Problem& p, const Eigen::VectorXd& values) {
+  const forces::Law whole = law_at(p, values);
+  if (p.areas.areas.empty()) return {whole};
+  return laws_of_mixes(areas_at(p, values), whole);
+}
+
+Sample sample_of(const CalibrationCase& c, const CutStore& cuts, const Record& record) {
+  return sample_of(cut_run_of(cuts, record), record, strength_of(c.rock, record), c.law,
+                   mix_of_parts(c.areas, record.tool));
+}
+
+Eigen::VectorXd log_loads(const Problem& p, Laws laws) {
   std::vector<Loads> loads;
   loads.reserve(p.samples.size());
-  for (const Sample& s : p.samples) loads.push_back(mean_loads(law, s));
+  for (const Sample& s : p.samples) loads.push_back(mean_loads(laws, s));
   return logarithms(p, loads);
 }
 
@@ -151,12 +175,13 @@ void whiten(const Problem& p, Eigen::Ref<Eigen::VectorXd> residuals) {
 }
 
 Eigen::VectorXd residuals_at(const Problem& p, const Data& data, const Eigen::VectorXd& values) {
-  return all_rows(p, log_loads(p, law_at(p, values)) - data.log_loads, values - data.prior_centres);
+  return all_rows(p, log_loads(p, laws_at(p, values)) - data.log_loads,
+                  values - data.prior_centres);
 }
 
 OneMoves::OneMoves(const Problem& problem, const Eigen::VectorXd& values)
     : problem_(problem), values_(values) {
-  for (const Unknown& u : problem.unknowns) kinds_.push_back(kinds_felt(problem.law, u.key));
+  for (const Unknown& u : problem.unknowns) kinds_.push_back(kinds_felt(problem.law, law_key(u)));
 }
 
 const std::vector<Loads>& OneMoves::rest_of(const Kinds& moved) {
@@ -164,9 +189,9 @@ const std::vector<Loads>& OneMoves::rest_of(const Kinds& moved) {
   if (!rest.empty()) return rest;
   Kinds others{};
   for (std::size_t i = 0; i < others.size(); ++i) others[i] = !moved[i];
-  const forces::Law law = law_at(problem_, values_);
+  const std::vector<forces::Law> laws = laws_at(problem_, values_);
   for (const Sample& s : problem_.samples) {
-    rest.push_back(loads_of(law, s, others));
+    rest.push_back(loads_of(laws, s, others));
     for (const std::size_t load : {axial, turning}) rest.back()[load] += s.others[load];
   }
   return rest;
@@ -177,9 +202,9 @@ Eigen::VectorXd OneMoves::residuals(Eigen::Index k, double value) {
   std::vector<Loads> loads = rest_of(kinds);
   Eigen::VectorXd values = values_;
   values[k] = value;
-  const forces::Law law = law_at(problem_, values);
+  const std::vector<forces::Law> laws = laws_at(problem_, values);
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    const Loads moved = loads_of(law, problem_.samples[i], kinds);
+    const Loads moved = loads_of(laws, problem_.samples[i], kinds);
     for (const std::size_t load : {axial, turning}) loads[i][load] += moved[load];
   }
   return all_rows(problem_, logarithms(problem_, loads), values);

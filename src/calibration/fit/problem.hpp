@@ -30,6 +30,7 @@ struct Problem {
   std::vector<Record> records;
   std::vector<ReadingPlace> places;  ///< in the order of the residuals, test by test
   std::vector<TestBlock> blocks;
+  AreaLaws areas = {};  ///< parts with coefficients of their own
 
   std::size_t readings() const { return places.size(); }
   Eigen::Index rows() const;  ///< readings and priors
@@ -50,12 +51,24 @@ Problem problem_of(const CalibrationCase& c, const CutStore& cuts,
 /// The readings themselves.
 Data data_of(const Problem& problem);
 
-/// The law with these values of the unknowns.
+/// The law of parts in no area with these values of the unknowns.
 forces::Law law_at(const Problem& problem, const Eigen::VectorXd& values);
+
+/// The areas with these values of their unknowns.
+AreaLaws areas_at(const Problem& problem, const Eigen::VectorXd& values);
+
+/// The law of every mix of coefficients with these values.
+std::vector<forces::Law> laws_at(const Problem& problem, const Eigen::VectorXd& values);
+
+/// The cuts of a record, with the coefficients that its parts have.
+Sample sample_of(const CalibrationCase& c, const CutStore& cuts, const Record& record);
 
 /// Logarithms of the computed loads, in the order of the readings. Loads that are not positive
 /// count as 1e-300.
-Eigen::VectorXd log_loads(const Problem& problem, const forces::Law& law);
+Eigen::VectorXd log_loads(const Problem& problem, Laws laws);
+inline Eigen::VectorXd log_loads(const Problem& problem, const forces::Law& law) {
+  return log_loads(problem, Laws(&law, 1));
+}
 
 /// Whitens residuals of the readings in place.
 void whiten(const Problem& problem, Eigen::Ref<Eigen::VectorXd> residuals);

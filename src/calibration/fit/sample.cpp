@@ -31,10 +31,14 @@ bool follows(const forces::Law& law, const forces::PartCut& cut) {
          forces::law_problem(law, cut.kind, cut.diameter).empty();
 }
 
+const forces::Law& law_of(Laws laws, const Sample& sample, std::size_t cut) {
+  return laws[sample.mix.empty() ? 0 : at(sample.mix[cut])];
+}
+
 }  // namespace
 
 Sample sample_of(const CutRun& run, const Record& record, const forces::Strength& strength,
-                 const forces::Law& law) {
+                 const forces::Law& law, std::span<const int> mix_of_part) {
   static const bit::Bit without_cones;
   constexpr double instant = 1.0;  // s; only PartCut::path depends on it
   const simulation::BitVelocity motion = velocity_of(record);
@@ -42,28 +46,31 @@ Sample sample_of(const CutRun& run, const Record& record, const forces::Strength
   for (const simulation::CutOfPart& mean : run.cuts) {
     forces::PartCut cut = simulation::cut_at(without_cones, Pose{}, motion, instant, mean);
     cut.strength = strength;
-    if (follows(law, cut))
+    if (follows(law, cut)) {
       sample.cuts.push_back(cut);
-    else
+      if (!mix_of_part.empty()) sample.mix.push_back(mix_of_part[at(mean.part)]);
+    } else
       add(forces::force(simulation::own_law_of(cut.kind), cut), sample.others);
   }
   return sample;
 }
 
-Loads mean_loads(const forces::Law& law, const Sample& sample) {
+Loads mean_loads(Laws laws, const Sample& sample) {
   Loads loads = sample.others;
-  for (const forces::PartCut& cut : sample.cuts) add(forces::force(law, cut), loads);
+  for (std::size_t i = 0; i < sample.cuts.size(); ++i)
+    add(forces::force(law_of(laws, sample, i), sample.cuts[i]), loads);
   return loads;
 }
 
-Loads loads_of(const forces::Law& law, const Sample& sample, const Kinds& kinds) {
+Loads loads_of(Laws laws, const Sample& sample, const Kinds& kinds) {
   Loads loads{};
-  for (const forces::PartCut& cut : sample.cuts)
-    if (kinds[static_cast<std::size_t>(cut.kind)]) add(forces::force(law, cut), loads);
+  for (std::size_t i = 0; i < sample.cuts.size(); ++i)
+    if (kinds[static_cast<std::size_t>(sample.cuts[i].kind)])
+      add(forces::force(law_of(laws, sample, i), sample.cuts[i]), loads);
   return loads;
 }
 
-Loads depth_slopes(const forces::Law& law, const Sample& sample) {
+Loads depth_slopes(Laws laws, const Sample& sample) {
   constexpr double step = 1e-4;
   const auto scaled = [&](double factor) {
     Sample s = sample;
@@ -71,7 +78,7 @@ Loads depth_slopes(const forces::Law& law, const Sample& sample) {
       cut.cut_area *= factor;
       cut.depth *= factor;
     }
-    return mean_loads(law, s);
+    return mean_loads(laws, s);
   };
   const Loads more = scaled(1.0 + step), less = scaled(1.0 - step);
   Loads slopes{};

@@ -80,6 +80,7 @@ LaboratoryCase read_laboratory(const std::string& path, const std::vector<std::s
   Config top = c.table(table);
   setup.law = read_truth(c, top.read(law));
   setup.tools = read_tools(c);
+  setup.areas = read_area_laws(c, setup.law, setup.tools, AreaValues::truth, setup.unknowns);
   setup.rock = read_test_rock(c);
   setup.grid = read_grid(c);
   setup.noise = read_noise(c.table(calibration_keys::noise));
@@ -99,11 +100,12 @@ std::vector<Record> drill(const LaboratoryCase& c, const CutStore& cuts) {
   Random random{c.seed};
   const CalibrationCase& setup = c.setup;
   std::vector<Record> records = setup.records.rows;
+  const std::vector<forces::Law> laws = laws_of_mixes(setup.areas, setup.law);
   std::map<std::string, double> factors;
   for (Record& r : records) {
     if (!factors.contains(r.test)) factors[r.test] = setup.noise.test * normal(random);
-    const Sample sample = sample_of(cut_run_of(cuts, r), r, strength_of(setup.rock, r), setup.law);
-    const Loads loads = mean_loads(setup.law, sample), slopes = depth_slopes(setup.law, sample);
+    const Sample sample = sample_of(setup, cuts, r);
+    const Loads loads = mean_loads(laws, sample), slopes = depth_slopes(laws, sample);
     const double rate_error = setup.noise.rop * normal(random);
     for (const std::size_t k : {axial, turning}) {
       const double noise =

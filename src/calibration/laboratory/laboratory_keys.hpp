@@ -24,6 +24,16 @@ inline constexpr QuantityKey rotary_speed{
     .name = "rotary_speed", .unit = "rad/s", .range = Range::positive(), .meaning = "of all tests"};
 inline constexpr IntegerKey seed{.name = "seed", .fallback = 1, .meaning = "of the noise"};
 inline constexpr TableKey truth{"truth", "KEY = value: the true coefficients"};
+inline constexpr TableKey area{
+    "areas.NAME",
+    "parts of the bits that meet all criteria and have true coefficients of their own"};
+inline constexpr TableKey area_truth{"areas.NAME.truth",
+                                     "KEY = value: the true coefficients of the area"};
+inline constexpr AnyKey any_area_coefficient{
+    .name = "KEY",
+    .kind = "that of the coefficient",
+    .usual = "that of the parts in no area",
+    .meaning = "a coefficient of the law, as [forces] has it"};
 inline constexpr AnyKey any_coefficient{.name = "KEY",
                                         .kind = "that of the coefficient",
                                         .usual = "the coefficient's",

@@ -55,7 +55,7 @@ Solution solve_replicate(const Problem& p, const Data& data, const Eigen::Vector
 Data drawn_data(const Problem& p, const Eigen::VectorXd& values, std::uint64_t seed) {
   Random random{seed};
   Data d = data_of(p);
-  const Eigen::VectorXd means = log_loads(p, law_at(p, values));
+  const Eigen::VectorXd means = log_loads(p, laws_at(p, values));
   for (const TestBlock& b : p.blocks) {
     Eigen::VectorXd noise(b.factor.rows());
     for (double& x : noise) x = normal(random);

@@ -23,7 +23,7 @@ struct Excess {
 
 void add(const Fit& f, const CalibrationCase& c, const CutStore& cuts, const Record& r, Excess& e) {
   constexpr double one_deviation = 0.6826894921370859;  // level: z = 1
-  const Sample sample = sample_of(cut_run_of(cuts, r), r, strength_of(c.rock, r), c.law);
+  const Sample sample = sample_of(c, cuts, r);
   const Prediction p = predict(f, sample, r, c.noise, {}, one_deviation);
   for (const std::size_t k : {axial, turning}) {
     if (!r.readings[k].value) continue;

@@ -16,8 +16,8 @@ Eigen::VectorXd gradient(const Fit& f, const Sample& sample, std::size_t load) {
     Eigen::VectorXd more = f.values, less = f.values;
     more[k] += h;
     less[k] -= h;
-    const Loads up = mean_loads(law_at(f.problem, more), sample);
-    const Loads down = mean_loads(law_at(f.problem, less), sample);
+    const Loads up = mean_loads(laws_at(f.problem, more), sample);
+    const Loads down = mean_loads(laws_at(f.problem, less), sample);
     g[k] = std::log(up[load] / down[load]) / (2.0 * h);
   }
   return g;
@@ -33,7 +33,7 @@ PredictedLoad predicted_load(double mean, double variance, double reading_varian
 Prediction predict(const Fit& f, const Sample& sample, const Record& record, const Noise& noise,
                    const Discrepancy& discrepancy, double level) {
   const double z = two_sided_quantile(level);
-  const Loads mean = mean_loads(f.law, sample), slopes = depth_slopes(f.law, sample);
+  const Loads mean = mean_loads(f.laws, sample), slopes = depth_slopes(f.laws, sample);
   Prediction p{record, {}};
   for (const std::size_t k : {axial, turning}) {
     const Eigen::VectorXd g = gradient(f, sample, k);

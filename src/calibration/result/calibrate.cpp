@@ -50,8 +50,7 @@ std::vector<Sample> samples_of(const CalibrationCase& c, const CutStore& cuts,
                                const std::vector<Record>& records) {
   std::vector<Sample> samples;
   samples.reserve(records.size());
-  for (const Record& r : records)
-    samples.push_back(sample_of(cut_run_of(cuts, r), r, strength_of(c.rock, r), c.law));
+  for (const Record& r : records) samples.push_back(sample_of(c, cuts, r));
   return samples;
 }
 

@@ -108,7 +108,10 @@ void write_calibration(const fs::path& folder, const CalibrationCase& c, const C
   write_text(folder / "case.toml", std::string(simulation::resolved_head) + "\n" + c.resolved);
   for (const fs::path& file : cuts.files)
     fs::copy_file(file, folder / file.filename(), fs::copy_options::overwrite_existing);
-  for (const FittedSet& set : found.sets) write_text(folder / law_file(set), law_toml(set.fit.law));
+  for (const FittedSet& set : found.sets)
+    write_text(
+        folder / law_file(set),
+        law_toml(set.fit.law) + areas_toml(areas_at(set.fit.problem, set.fit.values), set.fit.law));
   write_text(folder / "residuals.csv", predictions_csv(c.records.kind, found.fitted));
   write_text(folder / "predictions.csv", predictions_csv(c.records.kind, found.predictions));
   write_text(folder / "calibration.json", to_json(c, found));

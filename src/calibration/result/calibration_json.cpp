@@ -19,7 +19,7 @@ std::string unit_of(const forces::Law& law, const std::string& key) {
 
 Json coefficient_json(const FittedSet& set, std::size_t k) {
   const FittedCoefficient& f = set.fit.coefficients[k];
-  Json json{{"unit", unit_of(set.fit.law, f.key)},
+  Json json{{"unit", unit_of(set.fit.law, law_key(set.fit.problem.unknowns[k]))},
             {"start", f.start},
             {"value", f.value},
             {"se", f.at_bound ? Json() : Json(f.se)},
