@@ -38,9 +38,9 @@ struct Unknown {
   double start = 0.0;
   std::optional<double> prior_sd;  ///< of a normal prior around start
   Range range;
-  std::string place;        ///< "FILE:LINE: KEY", for messages
-  std::string coefficient;  ///< of the law; empty: `key`
-  int area = -1;            ///< index into AreaLaws::areas; -1: of parts in no area
+  std::string place;             ///< "FILE:LINE: KEY", for messages
+  std::string coefficient = {};  ///< of the law; empty: `key`
+  int area = -1;                 ///< index into AreaLaws::areas; -1: of parts in no area
 };
 
 /// The coefficient of the law that an unknown is.
