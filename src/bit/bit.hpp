@@ -53,7 +53,7 @@ struct Part {
   int cone = -1;  ///< index into Bit::cones, or -1; X_BP holds at the cone's angle 0
   int row = -1;   ///< for a tooth: index into its cone's rows
   std::optional<LateStart> start;  ///< none: `cutting` holds from the beginning
-  std::string material = {};  ///< that an area gave, by name (areas/materials.hpp); empty: none did
+  std::string material = {};       ///< by name, where an area gave one (bit_area_keys::material)
   /// The areas of the bit file that gave density or material, cutting, share and start; empty: no
   /// area did.
   std::string density_area, cutting_area, share_area, start_area;

@@ -44,7 +44,7 @@ const BadArea mistakes[] = {
      "6: areas.a: found zone = \"gage\", which no part of the bit small meets, expected one of its "
      "zones: cone, nose, shoulder"},
     {"an_area_that_gives_nothing", "[areas.a]\nzone = \"nose\"\n",
-     "6: areas.a: found no property, expected density, removal.cutting, removal.share, "
+     "6: areas.a: found no property, expected density, material, removal.cutting, removal.share, "
      "removal.from_depth, removal.from_time or removal.from_wear"},
     {"a_misspelt_property",
      "[areas.a]\nzone = \"nose\"\ndensity = 5000\nremoval.from_deph = \"1 m\"\n",
@@ -81,6 +81,13 @@ const BadArea mistakes[] = {
     {"starts_by_wear_and_time",
      "[areas.a]\nzone = \"nose\"\nremoval.from_time = 1\nremoval.from_wear = \"1 mm\"\n",
      "9: areas.a.removal.from_wear: found removal.from_time as well, expected one of the two"},
+    {"an_unknown_material", "[areas.a]\nzone = \"nose\"\nmaterial = \"stel\"\n",
+     "8: areas.a.material: found \"stel\", expected one of steel, tungsten-carbide, pdc-diamond "
+     "(did "
+     "you mean steel?)"},
+    {"a_material_and_a_density",
+     "[areas.a]\nzone = \"nose\"\nmaterial = \"steel\"\ndensity = 7000\n",
+     "9: areas.a.density: found material as well, expected one of the two"},
     {"a_negative_density", "[areas.a]\nzone = \"nose\"\ndensity = -1\n",
      "8: areas.a.density: found -1, expected density in kg/m3, in [0, 30000]"},
     {"an_unknown_cutting", "[areas.a]\nzone = \"nose\"\nremoval.cutting = \"rub\"\n",

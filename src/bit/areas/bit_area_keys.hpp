@@ -13,6 +13,33 @@ inline constexpr TableKey table{
     "most particular criterion decides each property"};
 inline constexpr TableKey areas{"areas", table.meaning};
 
+/// Materials by name, for their densities (density_of).
+enum class Material { steel, tungsten_carbide, pdc_diamond };
+
+inline constexpr ChoiceKey<Material> material{
+    .name = "material",
+    .values = {{{"steel", Material::steel},
+                {"tungsten-carbide", Material::tungsten_carbide},
+                {"pdc-diamond", Material::pdc_diamond}}},
+    .usual = "the part's own",
+    .meaning =
+        "its density, in place of density: steel 7850, tungsten-carbide (cemented, with 6 % of "
+        "cobalt) 14900, pdc-diamond 3500 kg/m3"};
+
+/// kg/m3: of carbon steel, of cemented carbide with 6 % of cobalt by weight (ASM Handbook, vols. 1 and
+/// 2), and of diamond (CRC Handbook: 3.51 g/cm3), as cutters and teeth have them by default.
+constexpr double density_of(Material m) {
+  switch (m) {
+    case Material::steel:
+      return 7850.0;
+    case Material::tungsten_carbide:
+      return 14.9e3;
+    case Material::pdc_diamond:
+      break;
+  }
+  return 3500.0;
+}
+
 inline constexpr QuantityKey density{
     .name = "density",
     .unit = "kg/m3",

@@ -32,11 +32,28 @@ struct GivenStart {
   bool operator==(const GivenStart&) const = default;
 };
 
-Values read_densities(Areas& areas) {
+using bit_area_keys::Material;
+
+std::string name_of(Material material) {
+  for (const auto& named : bit_area_keys::material.values)
+    if (!named.name.empty() && named.value == material) return std::string(named.name);
+  return "";
+}
+
+/// `materials`: per area, the name of the one that it gives.
+Values read_densities(Areas& areas, std::vector<std::string>& materials) {
   Values v(areas.tables.size());
+  materials.resize(areas.tables.size());
   for (std::size_t i = 0; i < areas.tables.size(); ++i) {
     Config& c = areas.tables[i].config;
+    if (c.has(bit_area_keys::material)) {
+      const auto material = c.read(bit_area_keys::material, std::optional(Material::steel));
+      v.of_area[i] = bit_area_keys::density_of(material);
+      materials[i] = name_of(material);
+      v.shown[i] = fmt::format("{}, {:g} kg/m3", materials[i], *v.of_area[i]);
+    }
     if (!c.has(bit_area_keys::density)) continue;
+    if (v.of_area[i]) c.problem(bit_area_keys::density, "material as well", "one of the two");
     v.of_area[i] = c.read(bit_area_keys::density, 0.0);
     v.shown[i] = fmt::format("{:g} kg/m3", *v.of_area[i]);
   }
@@ -143,10 +160,10 @@ void require_properties(Areas& areas, const std::vector<const Values*>& properti
   for (std::size_t i = 0; i < areas.tables.size(); ++i)
     if (std::ranges::none_of(properties,
                              [&](const Values* v) { return v->of_area[i].has_value(); }))
-      areas.tables[i].config.problem(
-          "", "no property",
-          "density, removal.cutting, removal.share, removal.from_depth, removal.from_time or "
-          "removal.from_wear");
+      areas.tables[i].config.problem("", "no property",
+                                     "density, material, removal.cutting, removal.share, "
+                                     "removal.from_depth, removal.from_time or "
+                                     "removal.from_wear");
 }
 
 bool counts_elsewhere(const Part& part, const std::vector<std::string>& without_density) {
@@ -154,8 +171,8 @@ bool counts_elsewhere(const Part& part, const std::vector<std::string>& without_
          std::ranges::find(without_density, part.name) == without_density.end();
 }
 
-void apply_densities(Areas& areas, const Values& v, Bit& bit,
-                     std::vector<std::string>& without_density) {
+void apply_densities(Areas& areas, const Values& v, const std::vector<std::string>& materials,
+                     Bit& bit, std::vector<std::string>& without_density) {
   const std::vector<int> decided =
       decide_or_note(areas, bit, bit_area_keys::density, v.of_area, v.shown);
   for (std::size_t i = 0; i < areas.tables.size(); ++i) {
@@ -176,6 +193,7 @@ void apply_densities(Areas& areas, const Values& v, Bit& bit,
     const auto area = static_cast<std::size_t>(decided[p]);
     part.density = *v.of_area[area];
     part.density_area = areas.rules[area].name;
+    part.material = materials[area];
     std::erase(without_density, part.name);
   }
 }
@@ -278,11 +296,12 @@ void apply_areas(Config& file, Bit& bit, std::vector<std::string>& without_densi
       read_areas(file.table(bit_area_keys::areas), bit, fmt::format("the bit {}", bit.name));
   const double reach_of_design = largest_turned_radius(bit);
   std::vector<GivenStart> given_starts;
-  const Values density = read_densities(areas), cutting = read_cutting(areas),
+  std::vector<std::string> materials;
+  const Values density = read_densities(areas, materials), cutting = read_cutting(areas),
                share = read_shares(areas), start = read_starts(areas, bit, given_starts);
   require_known_removal(areas);
   require_properties(areas, {&density, &cutting, &share, &start});
-  apply_densities(areas, density, bit, without_density);
+  apply_densities(areas, density, materials, bit, without_density);
   apply_cutting(areas, cutting, bit);
   apply_shares(areas, share, bit);
   apply_starts(areas, start, given_starts, bit);

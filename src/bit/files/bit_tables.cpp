@@ -49,9 +49,9 @@ KeyTable blades() {
 KeyTable areas() {
   namespace area = area_keys;
   return bit_table(bit_area_keys::table, area::kind, area::zone, area::blade, area::cone, area::row,
-                   area::names, area::part, bit_area_keys::density, bit_area_keys::cutting,
-                   bit_area_keys::share, bit_area_keys::from_depth, bit_area_keys::from_time,
-                   bit_area_keys::from_wear, bit_area_keys::worn_names);
+                   area::names, area::part, bit_area_keys::material, bit_area_keys::density,
+                   bit_area_keys::cutting, bit_area_keys::share, bit_area_keys::from_depth,
+                   bit_area_keys::from_time, bit_area_keys::from_wear, bit_area_keys::worn_names);
 }
 
 KeyTable profile() {

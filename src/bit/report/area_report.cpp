@@ -42,6 +42,7 @@ Json part_json(const Bit& bit, const Part& part) {
   if (part.cone >= 0) j["cone"] = part.cone + 1;
   if (part.row >= 0) j["row"] = part.row + 1;
   j["density_kg_m3"] = part.density;
+  if (!part.material.empty()) j["material"] = part.material;
   j["cutting"] = cutting_name(cutting_in_the_end(part));
   if (!part.share_area.empty()) j["share"] = part.share;
   if (part.start) j[start_key(part.start->event)] = part.start->from;
@@ -63,10 +64,12 @@ std::string share_text(const Part& part) {
 }
 
 std::string areas_of(const Part& part) {
+  using Given = std::pair<std::string, std::string>;  // what, by which area
   std::string text;
   for (const auto& [what, area] :
-       {std::pair("density", part.density_area), std::pair("cutting", part.cutting_area),
-        std::pair("share", part.share_area), std::pair("start", part.start_area)})
+       {Given(part.material.empty() ? "density" : part.material, part.density_area),
+        Given("cutting", part.cutting_area), Given("share", part.share_area),
+        Given("start", part.start_area)})
     if (!area.empty()) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", what, area);
   return text;
 }

@@ -100,8 +100,7 @@ struct Contact {
     return end_on_undisturbed_rock(part, {p.x_P, p.d_P}, q.x_P - q.d_P);
   }
 
-  /// The contact in one triangle: the polygon of its pressed corners and its ends, counter-clockwise,
-  /// and up the sides that press.
+  /// The contact in one triangle: its pressed corners and its ends, counter-clockwise, up its sides.
   void add(const std::array<int, 3>& v, ContactSums& sums) const {
     std::array<Vec3, 7> corners_P;  // of the part's lower surface
     std::size_t n = 0;

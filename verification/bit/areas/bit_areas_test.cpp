@@ -1,5 +1,6 @@
 #include "bit/areas/bit_areas.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,6 +67,29 @@ TEST(BitAreas, change_the_mass_by_the_volume_of_their_parts) {
 }
 
 /// The volume of a face is inside its chamfer: it keeps density 0.
+/// A material is a density with a name.
+TEST(BitAreas, give_materials_by_name) {
+  for (const auto& [name, density] :
+       {std::pair("steel", 7850.0), std::pair("tungsten-carbide", 14.9e3),
+        std::pair("pdc-diamond", 3500.0)}) {
+    const Bit named =
+                  with_areas(bit_b, {fmt::format("a={{kind='cutter-body', material='{}'}}", name)}),
+              given =
+                  with_areas(bit_b, {fmt::format("a={{kind='cutter-body', density={}}}", density)});
+    EXPECT_EQ(mass_properties(named).mass, mass_properties(given).mass);
+    for (const Part& part : named.parts) {
+      const bool selected = part.kind == PartKind::cutter_body;
+      EXPECT_EQ(part.material, selected ? name : "");
+      if (selected) EXPECT_EQ(part.density, density);
+    }
+    const auto properties = properties_json(named, {});
+    EXPECT_EQ(
+        std::ranges::count_if(properties, [&](const auto& p) { return p.contains("material"); }),
+        std::ranges::count(named.parts, PartKind::cutter_body, &Part::kind));
+    EXPECT_NE(areas_report(named).find(fmt::format("  {}: a\n", name)), std::string::npos);
+  }
+}
+
 TEST(BitAreas, leave_the_density_of_parts_that_count_elsewhere) {
   const Bit bit = with_areas(bit_b, {"a={zone='nose', density=5000}"});
   for (const Part& part : bit.parts) {
