@@ -17,6 +17,7 @@ PROGRAMS = {
     "rock": (["verify_rock"], ["verify_simulation"]),
     "forces": (["verify_forces"], ["verify_calibration", "verify_simulation"]),
     "dynamics": (["verify_dynamics", "verify_drilling"], ["verify_simulation"]),
+    "string": (["verify_string"], []),
     "simulation": (["verify_simulation"], ["verify_calibration", "verify_app"]),
     "calibration": (["verify_calibration", "verify_calibrate"], []),
     "sweep": (["verify_sweep"], []),

@@ -8,7 +8,7 @@ import re
 
 import sources
 
-ROOMS = ("core", "rotation", "mesh", "bit", "rock", "forces", "dynamics", "simulation", "calibration", "sweep")
+ROOMS = ("core", "rotation", "mesh", "bit", "rock", "forces", "dynamics", "string", "simulation", "calibration", "sweep")
 FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "validation", "cmake", "scripts", "README.md",
            "CONTRIBUTING.md", "CHANGELOG.md", "CMakeLists.txt")
 CODE, TEXT = (".hpp", ".cpp"), (".md", ".py", ".toml", ".txt", ".j2", ".cmake")

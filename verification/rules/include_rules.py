@@ -9,11 +9,12 @@ import sources
 CORE, MESH = {"core"}, {"core", "mesh"}
 BIT = MESH | {"rotation", "bit"}
 ROCK, FORCES, DYNAMICS = BIT | {"rock"}, BIT | {"forces"}, {"core", "rotation", "dynamics"}
-SIMULATION = ROCK | FORCES | DYNAMICS | {"simulation"}
+STRING = {"core", "string"}
+SIMULATION = ROCK | FORCES | DYNAMICS | STRING | {"simulation"}
 CALIBRATION = SIMULATION | {"calibration"}
 ALLOWED = {
     "core": CORE, "rotation": {"core", "rotation"}, "mesh": MESH, "bit": BIT, "rock": ROCK,
-    "forces": FORCES, "dynamics": DYNAMICS, "simulation": SIMULATION, "calibration": CALIBRATION,
+    "forces": FORCES, "dynamics": DYNAMICS, "string": STRING, "simulation": SIMULATION, "calibration": CALIBRATION,
     "sweep": CALIBRATION | {"sweep"}, "app": CALIBRATION | {"sweep", "app"},
 }
 # The sub-folders of each room, from the lowest to the highest; "." are the files of the room itself, but for
@@ -26,6 +27,7 @@ SUB_FOLDERS = {
     "rock": ("index", ".", "start", "cut", "section", "maintain"),
     "forces": ("named.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),
+    "string": (".",),
     "simulation": ("case", "start", "step", "checkpoint", "result", "rotate", "study"),
     "calibration": ("record", "case", "cuts", "fit", "predict", "result", "laboratory"),
     "sweep": ("design", "point", "table", "."),
