@@ -69,6 +69,8 @@ Slip in_mean_direction(const Slip& start, const Slip& f, const Slip& x, const Sl
 
 double flow_along(const OneWay& body, double force, const Coulomb& friction, double time,
                   double speed) {
+  if (friction.resting <= 0.0)
+    return speed + mobility(time, body.mass, body.damping) * (force - body.damping * speed);
   const double vc = friction.threshold;
   bool fast = std::abs(speed) > vc;
   while (time > 0.0) {

@@ -51,9 +51,23 @@ void add_piece(Contact& contact, const Survey& survey, const Span& span, int ele
 /// The node whose friction a piece around `node` belongs to.
 int rubbing(int node, int elements) { return std::clamp(node, 1, std::max(elements - 1, 1)); }
 
-void divide(std::vector<double>& sums, const std::vector<double>& lengths) {
+/// Sums over a node's pieces, by length and by side force without tension.
+struct Mean {
+  double length = 0.0, pressed = 0.0;
+  void add(double value, double part, double push) {
+    length += value * part;
+    pressed += value * push;
+  }
+};
+
+/// Means over nodes: by side force, or by length where nothing presses.
+std::vector<double> means(const std::vector<Mean>& sums, const std::vector<Mean>& ones) {
+  std::vector<double> values;
   for (std::size_t i = 0; i < sums.size(); ++i)
-    if (lengths[i] > 0.0) sums[i] /= lengths[i];
+    values.push_back(ones[i].pressed > 0.0  ? sums[i].pressed / ones[i].pressed
+                     : ones[i].length > 0.0 ? sums[i].length / ones[i].length
+                                            : 0.0);
+  return values;
 }
 
 double press(const Contact& c, std::size_t piece, double tension) {
@@ -66,9 +80,8 @@ Contact make_contact(const std::vector<Section>& sections, const Survey& survey,
                      const std::vector<FrictionBelow>& friction, int elements) {
   const double length = total_length(sections) / elements;
   Contact contact;
-  for (auto* all : {&contact.weight, &contact.radius, &contact.resting, &contact.sliding})
-    all->assign(at(elements) + 1, 0.0);
-  std::vector<double> lengths(at(elements) + 1, 0.0);
+  contact.weight.assign(at(elements) + 1, 0.0);
+  std::vector<Mean> radius(at(elements) + 1), resting = radius, sliding = radius, ones = radius;
   const std::vector<double> cuts = cuts_of(sections, survey, friction, elements);
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const double middle = 0.5 * (cuts[k] + cuts[k + 1]);
@@ -80,14 +93,17 @@ Contact make_contact(const std::vector<Section>& sections, const Survey& survey,
       const std::size_t node = at(rubbing(cell, elements));
       const double part = s.bottom - s.top;
       contact.weight[at(cell)] += s.section->weight * fall * part / (cuts[k + 1] - cuts[k]);
-      contact.radius[node] += s.section->contact_radius * part;
-      contact.resting[node] += here.resting * part;
-      contact.sliding[node] += here.sliding * part;
-      lengths[node] += part;
       add_piece(contact, survey, s, element, static_cast<int>(node));
+      const double push = std::sqrt(contact.c.back());
+      radius[node].add(s.section->contact_radius, part, push);
+      resting[node].add(here.resting, part, push);
+      sliding[node].add(here.sliding, part, push);
+      ones[node].add(1.0, part, push);
     }
   }
-  for (auto* all : {&contact.radius, &contact.resting, &contact.sliding}) divide(*all, lengths);
+  contact.radius = means(radius, ones);
+  contact.resting = means(resting, ones);
+  contact.sliding = means(sliding, ones);
   return contact;
 }
 
