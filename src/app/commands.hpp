@@ -11,6 +11,7 @@ namespace tdbd::app {
 /// Each adds one subcommand, which stores its exit code in `exit_code` when it runs.
 void add_run(CLI::App& app, int& exit_code);
 void add_rotate(CLI::App& app, int& exit_code);
+void add_string(CLI::App& app, int& exit_code);
 void add_converge(CLI::App& app, int& exit_code);
 void add_calibrate(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);

@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
   tdbd::app::add_new(app, exit_code);
   tdbd::app::add_run(app, exit_code);
   tdbd::app::add_rotate(app, exit_code);
+  tdbd::app::add_string(app, exit_code);
   tdbd::app::add_converge(app, exit_code);
   tdbd::app::add_calibrate(app, exit_code);
   tdbd::app::add_check(app, exit_code);

@@ -1,6 +1,6 @@
 """run_case.py TDBD CASE.toml FOLDER: the first moments of a case, all defaults of its own.
 
-The command line is `tdbd run CASE` or, when it has a table [body], `tdbd rotate CASE`, cut short; it
+The command line is `tdbd run CASE` or, when it has a table [body], `tdbd rotate CASE`, or, when its string has sections and no bit, `tdbd string CASE`, cut short; it
 has to end well. What was drilled without forces is drawn.
 """
 
@@ -62,7 +62,17 @@ def drill():
         assert (pathlib.Path(folder) / figure).stat().st_size > 10_000, figure
 
 
+def string():
+    """A tenth of a second: statics, frequencies, energy accounted for; drawn."""
+    summary = summary_of("string", "duration", "0.1 s")
+    assert summary["static"]["pull_up"]["hook_load_n"] >= summary["static"]["rotate"]["hook_load_n"]
+    assert len(summary["torsional_frequencies_hz"]) == 3
+    assert summary["energy"]["residual_max_j"] <= 1.0, summary["energy"]
+
+
 if "body" in content:
     rotate()
+elif "sections" in content.get("string", {}) and "bit" not in content:
+    string()
 else:
     drill()

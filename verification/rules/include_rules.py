@@ -28,7 +28,7 @@ SUB_FOLDERS = {
     "forces": ("named.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),
     "string": (".",),
-    "simulation": ("case", "start", "step", "checkpoint", "result", "rotate", "study"),
+    "simulation": ("case", "start", "step", "checkpoint", "result", "rotate", "chain", "study"),
     "calibration": ("record", "case", "cuts", "fit", "predict", "result", "laboratory"),
     "sweep": ("design", "point", "table", "."),
     "app": (".",),

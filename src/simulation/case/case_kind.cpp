@@ -24,6 +24,8 @@ constexpr Sign signs[] = {
     {CaseKind::calibration, "calibration", "a calibration", "calibrate"},
     {CaseKind::sweep, "sweep", "a sweep's design", "sweep"},
     {CaseKind::laboratory, "laboratory", "a synthetic laboratory", "laboratory"},
+    {CaseKind::string, "string.sections", "a string without a bit of [bit]", "string"},
+    {CaseKind::string, "string.model", "a string without a bit of [bit]", "string"},
     {CaseKind::drilling, "motion", "a case to drill", "run"},
     {CaseKind::bit, "cutters", "a bit", "bit"},
     {CaseKind::bit, "design", "a bit", "bit"},
@@ -37,7 +39,10 @@ const Sign& sign_of(CaseKind kind) { return *std::ranges::find(signs, kind, &Sig
 
 CaseKind kind_of(const std::string& file, const std::vector<std::string>& overrides) {
   const Config c = Config::read_file(file, overrides);
-  const auto found = std::ranges::find_if(signs, [&](const Sign& s) { return c.has(s.table); });
+  // A string with a bit of its own shape drills.
+  const auto found = std::ranges::find_if(signs, [&](const Sign& s) {
+    return c.has(s.table) && (s.kind != CaseKind::string || !c.has("bit"));
+  });
   return found == std::end(signs) ? CaseKind::unknown : found->kind;
 }
 

@@ -6,7 +6,7 @@
 namespace tdbd::simulation {
 
 /// What a TOML file is, by its tables.
-enum class CaseKind { drilling, rotation, calibration, laboratory, sweep, bit, unknown };
+enum class CaseKind { drilling, rotation, calibration, laboratory, sweep, string, bit, unknown };
 
 /// Of the file with its overrides. Throws InputError when it is no TOML.
 CaseKind kind_of(const std::string& file, const std::vector<std::string>& overrides);

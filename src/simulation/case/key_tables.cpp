@@ -4,6 +4,7 @@
 
 #include "bit/areas/area_keys.hpp"
 #include "bit/files/bit_tables.hpp"
+#include "simulation/case/chain_keys.hpp"
 #include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/motion_keys.hpp"
@@ -177,6 +178,52 @@ KeyTable rock_mount_table() {
   return key_table("run", table, rows(mass, stiffness, damping));
 }
 
+std::vector<KeyTable> chain_tables() {
+  namespace section = section_keys;
+  namespace friction = string_friction_keys;
+  namespace top = top_keys;
+  namespace bit = simple_bit_keys;
+  namespace out = chain_output_keys;
+  using namespace chain_keys;
+  return {
+      key_table("string", title_keys::table, rows(title_keys::title)),
+      key_table("string", table,
+                rows(model, directions, element_length, chain_keys::start, mass, torsional_inertia,
+                     gravity, hole_diameter)),
+      key_table("string", section::table,
+                rows(section::length, section::outer_diameter, section::inner_diameter,
+                     section::contact_diameter, section::material, section::young, section::shear,
+                     section::density, section::linear_mass, section::axial_rigidity,
+                     section::torsional_rigidity, section::mass_per_length,
+                     section::inertia_per_length, section::weight_per_length)),
+      key_table("string", survey_keys::table,
+                rows(survey_keys::file, survey_keys::measured_depth, survey_keys::inclination,
+                     survey_keys::azimuth)),
+      key_table("string", friction::table,
+                rows(friction::resting, friction::sliding, friction::threshold,
+                     friction::mud_density, friction::axial_damping, friction::torsional_damping,
+                     friction::axial_loss_time, friction::torsional_loss_time)),
+      key_table("string", friction::above,
+                rows(friction::depth, friction::resting, friction::sliding)),
+      key_table(
+          "string", top::table,
+          rows(top::torsion, top::inertia, top::proportional, top::integral, top::tuned_frequency,
+               top::impedance_factor, top::compensation, top::torque_limit, top::axial,
+               top::hook_load, top::gain, top::integral_gain, top::filter, top::rate_limits)),
+      key_table("string", bit::table,
+                rows(bit::law, bit::weight, bit::torque, bit::resting, bit::sliding,
+                     bit::force_per_depth, bit::torque_per_depth, bit::contact_force,
+                     bit::contact_lever, bit::pitch, bit::axial_damping, bit::torsional_damping)),
+      key_table("string", motion_keys::table,
+                rows(motion_keys::rotary_speed, motion_keys::rate_of_penetration,
+                     motion_keys::weight_on_bit, motion_keys::weight_at_start,
+                     motion_keys::torque_at_start)),
+      key_table("string", rotate_time_keys::table,
+                rows(rotate_time_keys::step, rotate_time_keys::duration)),
+      key_table("string", out::table,
+                rows(out::history_every, out::string_depths, out::string_profile_every))};
+}
+
 KeyTable body_table() {
   using namespace body_keys;
   return key_table("rotate", table,
@@ -226,6 +273,7 @@ std::vector<KeyTable> all_tables() {
   add(wear_tables());
   add(spalling_tables());
   add({string_table(), wall_table(), rock_mount_table(), output_table()});
+  add(chain_tables());
   add({body_table(), cone_table()});
   add(load_tables());
   add(rotate_tables());

@@ -14,8 +14,8 @@ namespace tdbd::simulation {
 enum class Overwrite { no, force };
 
 /// The kind of result, which decides the names of its files: a run (with pictures of its steps in a folder `frames`), a
-/// case to rotate, a study of convergence, a bit as `tdbd bit` exports it.
-enum class ResultKind { run, rotate, convergence, bit };
+/// case to rotate, a drill string alone, a study of convergence, a bit as `tdbd bit` exports it.
+enum class ResultKind { run, rotate, chain, convergence, bit };
 
 /// Makes a folder with its parents. Those that it made go with it, unless something was put there.
 class MadeFolders {

@@ -34,7 +34,14 @@ dynamics::Integrator read_integrator(Config c) {
   return i;
 }
 
-/// Steps of the given length, or of the next shorter one that fits the duration.
+void read_rotate_output(Config c, RotateCase& r) {
+  using namespace rotate_output_keys;
+  r.history_every = c.read(history_every, usual_history_every(r.time.steps));
+  if (c.has(checkpoint_every.name)) r.checkpoint_every = c.read(checkpoint_every);
+}
+
+}  // namespace
+
 RotateTime read_rotate_time(Config c) {
   constexpr double most_steps = 1e15;
   RotateTime t;
@@ -54,14 +61,6 @@ RotateTime read_rotate_time(Config c) {
   t.step = t.duration / static_cast<double>(t.steps);
   return t;
 }
-
-void read_rotate_output(Config c, RotateCase& r) {
-  using namespace rotate_output_keys;
-  r.history_every = c.read(history_every, usual_history_every(r.time.steps));
-  if (c.has(checkpoint_every.name)) r.checkpoint_every = c.read(checkpoint_every);
-}
-
-}  // namespace
 
 std::string drift_name(Drift drift) {
   for (const auto& named : integrator_keys::drift.values)

@@ -19,6 +19,10 @@ struct RotateTime {
   long steps = 0;
 };
 
+/// Reads a table [time]: steps of the given length, or of the next shorter one that fits the
+/// duration. Notes mistakes.
+RotateTime read_rotate_time(Config c);
+
 /// A checked case of rotational dynamics in SI: all that `tdbd rotate` needs.
 /// Thesis: 5.1 to 5.5.
 struct RotateCase {

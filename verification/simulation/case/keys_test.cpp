@@ -11,8 +11,10 @@
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/case_kind.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/key_tables.hpp"
+#include "simulation/chain/chain_case.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 
 /// The declared keys against the cases that are read with them.
@@ -125,6 +127,7 @@ void expect_declared(const ReadCase& c) {
 /// case.
 std::string read_again(const ReadCase& c) {
   const std::string path = write_temporary("_again.toml", c.resolved);
+  if (c.command == "string") return read_chain_case(path, {}).resolved;
   return c.command == "run" ? read_case(path, {}).resolved : read_rotate_case(path, {}).resolved;
 }
 
@@ -139,6 +142,8 @@ std::vector<fs::path> shipped() {
 
 ReadCase read_shipped(const fs::path& path) {
   if (is_rotate_case(path)) return {"rotate", path, read_rotate_case(path, {}).resolved};
+  if (kind_of(path, {}) == CaseKind::string)
+    return {"string", path, read_chain_case(path, {}).resolved};
   return {"run", path, read_case(path, {}).resolved};
 }
 
@@ -327,10 +332,48 @@ std::vector<ReadCase> rotations() {
                    "attitude = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n")};
 }
 
+/// The string case with these tables in place of others of its kind.
+ReadCase string_case(const std::string& tables, const std::string& motion) {
+  const std::string path = write_temporary(
+      ".toml",
+      "[string]\nmodel = \"chain\"\nelement_length = 10\nhole_diameter = 0.2\nmass = 10\n"
+      "torsional_inertia = 1\n"
+      "[[string.sections]]\nlength = 100\nouter_diameter = 0.1\n" +
+          tables + "[motion]\n" + motion +
+          "[time]\nstep = 1e-4\nduration = 1e-3\n[output]\n"
+          "string_depths = [0]\nstring_profile_every = 1e-3\n");
+  return {"string", path, read_chain_case(path, {}).resolved};
+}
+
+std::vector<ReadCase> strings() {
+  const std::string survey = write("keys_survey.csv", "md_m,inc_deg,azi_deg\n0,0,0\n300,5,0\n");
+  const std::string products =
+      "[[string.sections]]\nlength = 10\naxial_rigidity = 1e9\ntorsional_rigidity = 1e6\n"
+      "mass_per_length = 30\ninertia_per_length = 0.1\nweight_per_length = 200\n"
+      "contact_diameter = 0.15\n";
+  return {string_case("linear_mass = 60\n" + products + "[string.survey]\nfile = \"" + survey +
+                          "\"\n[string.top]\ntorsion = \"soft-torque\"\ninertia = 100\n"
+                          "torque_limit = 1e4\naxial = \"hook-load\"\n"
+                          "[string.bit]\nlaw = \"two-level\"\nstatic = 2\ndynamic = 1\n",
+                      "rotary_speed = 1\nrate_of_penetration = 0\n"),
+          string_case("[string.survey]\nmeasured_depth = [0, 300]\ninclination = [0, 0.1]\n"
+                      "azimuth = [0, 0]\n[string.friction]\nstatic = 0.2\n"
+                      "[[string.friction.above]]\ndepth = 50\nstatic = 0.1\n"
+                      "[string.top]\ntorsion = \"z-torque\"\ninertia = 100\nintegral = 10\n"
+                      "axial = \"autodriller\"\ngain = 1e-6\nintegral_gain = 1e-7\n"
+                      "[string.bit]\nlaw = \"regenerative\"\naxial_stiffness = 1e6\n"
+                      "torsional_stiffness = 1e3\npitch = 1\n",
+                      "rotary_speed = 1\nweight_on_bit = 1e4\nweight_at_start = 1\n"
+                      "torque_at_start = 1\n"),
+          string_case("[string.top]\ntorsion = \"pi\"\ninertia = 100\nproportional = 10\n"
+                      "integral = 10\n",
+                      "")};
+}
+
 TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
   std::vector<ReadCase> cases{drilling()};
   for (const auto& more :
-       {motions_and_rocks(), laws(), fits(), areas(), wears(), spallings(), rotations()})
+       {motions_and_rocks(), laws(), fits(), areas(), wears(), spallings(), rotations(), strings()})
     cases.insert(cases.end(), more.begin(), more.end());
   for (const char* name : {"bit-r-rolling", "bit-r-steady", "drill-bit-r", "laboratory"})
     cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/" + name + ".toml"));

@@ -1,0 +1,293 @@
+#include "simulation/case/read_chain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "string/modes.hpp"
+
+namespace tdbd::simulation {
+namespace {
+
+using string::BitLaw;
+using string::Top;
+
+/// The fastest wave of the sections, m/s.
+double fastest_wave(const std::vector<string::Section>& sections) {
+  double fastest = 0.0;
+  for (const string::Section& s : sections) {
+    if (s.mass > 0.0) fastest = std::max(fastest, string::axial_wave_speed(s));
+    if (s.inertia > 0.0) fastest = std::max(fastest, string::torsional_wave_speed(s));
+  }
+  return fastest;
+}
+
+/// Elements of about the wanted length, at least two where the string has mass.
+int element_count(Config& c, const StringPlan& p, double step) {
+  constexpr double usual = 10.0, courant = 0.9, most = 1e5;
+  const double length = string::total_length(p.sections), wave = fastest_wave(p.sections);
+  const double wanted =
+      c.read(chain_keys::element_length, std::min(std::max(usual, wave * step / courant), length));
+  const double count = std::round(length / wanted);
+  if (count <= most) return std::max(1, static_cast<int>(count));
+  c.problem(chain_keys::element_length,
+            fmt::format("{:.6g} m, which makes {:.0f} elements", wanted, count),
+            fmt::format("at most {:.0f} elements", most));
+  return 1;
+}
+
+/// Whether the table has the key, which this kind of top refuses.
+void refuse(Config& c, const QuantityKey& key, const std::string& found,
+            const std::string& expected) {
+  if (!c.has(key)) return;
+  c.read(key);
+  c.problem(key, found, expected);
+}
+
+/// Gains of a top drive from what the case gives; `frequency`: the usual one, Hz.
+void read_drive(Config& c, double impedance, double frequency, Top& top) {
+  using namespace top_keys;
+  const TopDrive drive = c.read(torsion);
+  const bool tuned = drive == TopDrive::soft_torque || drive == TopDrive::z_torque;
+  if (drive != TopDrive::soft_torque)
+    refuse(c, tuned_frequency, "a frequency without torsion = \"soft-torque\"",
+           "none, or that top drive");
+  if (drive != TopDrive::z_torque)
+    refuse(c, compensation, "a compensation without torsion = \"z-torque\"",
+           "none, or that top drive");
+  if (!tuned)
+    refuse(c, impedance_factor, "a factor without soft-torque or z-torque",
+           "none, or one of these top drives");
+  if (drive == TopDrive::speed) {
+    for (const QuantityKey& key : {inertia, proportional, integral, torque_limit})
+      refuse(c, key, "a key of a top drive with torsion = \"speed\"",
+             "none, or torsion = \"pi\", \"soft-torque\" or \"z-torque\"");
+    return;
+  }
+  top.torsion = Top::Torsion::pi;
+  top.inertia = c.read(inertia);
+  if (c.has(torque_limit)) top.torque_limit = c.read(torque_limit);
+  if (tuned && c.has(proportional)) {
+    c.read(proportional);
+    c.problem(proportional, "a gain with a tuned top drive",
+              "impedance_factor, or torsion = \"pi\"");
+  }
+  if (drive == TopDrive::soft_torque) {
+    refuse(c, integral, "a gain with soft-torque", "tuned_frequency, or torsion = \"pi\"");
+    string::tune_soft_torque(top, impedance, c.read(impedance_factor),
+                             c.read(tuned_frequency, frequency));
+    return;
+  }
+  top.integral = c.read(integral);
+  if (drive == TopDrive::z_torque)
+    string::tune_z_torque(top, impedance, c.read(impedance_factor), c.read(compensation));
+  else
+    top.proportional = c.read(proportional);
+}
+
+void read_autodriller(Config& c, Top& top) {
+  using namespace top_keys;
+  if (top.axial != Top::Axial::autodriller) {
+    for (const QuantityKey& key : {gain, integral_gain, filter})
+      refuse(c, key, "a key of an autodriller", "none, or axial = \"autodriller\"");
+    return;
+  }
+  top.gain = c.read(gain);
+  top.integral_gain = c.read(integral_gain);
+  top.filter = c.read(filter);
+  const std::vector<double> limits =
+      c.read(rate_limits, std::optional(std::vector<double>{0.0, 60.0 / 3600.0}));
+  if (limits.size() != 2 || !(limits[0] < limits[1])) {
+    c.problem(rate_limits, "no two ascending rates", "the slowest and the fastest rate");
+    return;
+  }
+  top.least_rate = limits[0];
+  top.largest_rate = limits[1];
+}
+
+/// Keys that the law of the bit has and those that it does not.
+void read_law(Config& c, string::SimpleBit& b) {
+  using namespace simple_bit_keys;
+  b.law = c.read(law);
+  b.weight = c.read(weight);
+  b.torque = c.read(torque);
+  b.axial_damping += c.read(axial_damping, 0.0);
+  b.torsional_damping += c.read(torsional_damping, 0.0);
+  if (b.law == BitLaw::two_level) {
+    b.resting_torque = c.read(resting);
+    b.sliding_torque = c.read(sliding);
+    if (b.sliding_torque > b.resting_torque)
+      c.problem(sliding, fmt::format("{:.6g} N m", b.sliding_torque),
+                fmt::format("at most the torque at rest, {:.6g} N m", b.resting_torque));
+  } else {
+    for (const QuantityKey& key : {resting, sliding})
+      refuse(c, key, "a key of another law", "none, or law = \"two-level\"");
+  }
+  if (b.law == BitLaw::regenerative) {
+    b.force_per_depth = c.read(force_per_depth);
+    b.torque_per_depth = c.read(torque_per_depth);
+    b.contact_force = c.read(contact_force, 0.0);
+    b.contact_lever = c.read(contact_lever, 0.0);
+    b.pitch = c.read(pitch);
+  } else {
+    for (const QuantityKey& key :
+         {force_per_depth, torque_per_depth, contact_force, contact_lever, pitch})
+      refuse(c, key, "a key of another law", "none, or law = \"regenerative\"");
+  }
+}
+
+/// What the bit takes at the start, N and N m.
+struct StartLoad {
+  double weight = 0.0, torque = 0.0;
+};
+
+StartLoad load_of_law(const string::SimpleBit& b, double rate, double speed) {
+  StartLoad l{b.weight + b.axial_damping * rate, b.torque + b.torsional_damping * speed};
+  if (b.law == BitLaw::two_level) l.torque += b.sliding_torque;
+  if (b.law == BitLaw::regenerative && speed > 0.0) {
+    const double cut = rate * b.pitch / speed;
+    l.weight += b.force_per_depth * cut + b.contact_force;
+    l.torque += b.torque_per_depth * cut + b.contact_lever * b.contact_force;
+  }
+  return l;
+}
+
+/// Speeds of [motion], and the load that the string carries at the start.
+void read_motion(Config& whole, ChainPlan& p) {
+  using namespace motion_keys;
+  Config m = whole.table(table);
+  const bool drills_itself = p.chain.top.axial == Top::Axial::autodriller;
+  p.rotary_speed = m.read(rotary_speed, 0.0);
+  if (drills_itself) {
+    refuse(m, rate_of_penetration, "a rate with axial = \"autodriller\"",
+           "weight_on_bit alone: the autodriller finds the rate");
+    p.surface_weight = m.read(weight_on_bit);
+  } else {
+    p.rate = m.read(rate_of_penetration, 0.0);
+    refuse(m, weight_on_bit, "a weight without an autodriller",
+           "string.top.axial = \"autodriller\", or rate_of_penetration");
+  }
+  const bool moves = p.start == ChainStart::steady && p.bit.law != BitLaw::fixed;
+  const double rate = moves ? p.rate : 0.0, speed = moves ? p.rotary_speed : 0.0;
+  StartLoad load = moves ? load_of_law(p.bit, rate, speed) : StartLoad{};
+  if (m.has(weight_at_start)) load.weight = m.read(weight_at_start);
+  if (m.has(torque_at_start)) load.torque = m.read(torque_at_start);
+  p.motion = {rate, speed, p.bit.gravity_force - load.weight, load.torque};
+}
+
+/// Nodes that move have mass.
+void check_masses(Config& whole, const ChainPlan& p) {
+  const auto& e = p.chain.elements;
+  const auto massless = [&](const std::vector<double>& mass, double end) {
+    return end <= 0.0 ||
+           std::any_of(mass.begin() + 1, mass.end() - 1, [](double m) { return m <= 0.0; });
+  };
+  if ((p.chain.directions != string::Directions::torsion && massless(e.mass, p.bit.mass)) ||
+      (p.chain.directions != string::Directions::axial && massless(e.inertia, p.bit.inertia)))
+    whole.problem("string.sections", "nodes without mass or inertia",
+                  "mass_per_length and inertia_per_length > 0, or one element and a bit with "
+                  "string.mass and string.torsional_inertia");
+}
+
+/// The step must be stable, with and without Kelvin-Voigt's dampers.
+void check_step(Config& whole, double step, ChainPlan& p) {
+  const bool free = p.bit.law != BitLaw::fixed;
+  const double mass = free ? p.bit.mass : 0.0, inertia = free ? p.bit.inertia : 0.0;
+  p.longest_step = string::longest_step(p.chain, mass, inertia);
+  if (step < p.longest_step || step == 0.0) return;
+  string::Chain lossless = p.chain;
+  lossless.axial_loss_time = lossless.torsional_loss_time = 0.0;
+  Config c = whole.table(chain_keys::table);
+  if (step < string::longest_step(lossless, mass, inertia)) {
+    Config friction = c.table(string_friction_keys::table);
+    const auto key = p.chain.torsional_loss_time > 0.0
+                         ? std::string_view(string_friction_keys::torsional_loss_time)
+                         : std::string_view(string_friction_keys::axial_loss_time);
+    friction.problem(key, fmt::format("a time step of {:.6g} s", step),
+                     fmt::format("a shorter loss time, or steps below {:.6g} s", p.longest_step));
+    return;
+  }
+  c.problem(chain_keys::element_length,
+            fmt::format("elements of {:.6g} m with a time step of {:.6g} s",
+                        p.chain.elements.length, step),
+            fmt::format("steps below {:.6g} s, or elements of at least {:.6g} m", p.longest_step,
+                        1.01 * p.chain.elements.length * step / p.longest_step));
+}
+
+/// Keys of a lumped string, whose values follow from the sections.
+void refuse_lumped(Config& c) {
+  for (const char* name : {"axial_stiffness", "torsional_stiffness"})
+    if (c.has(name)) {
+      c.quantity(name, name[0] == 'a' ? "N/m" : "N m/rad", 0.0);
+      c.problem(name, "a stiffness with model = \"chain\"",
+                "none: it follows from [[string.sections]]");
+    }
+}
+
+string::Chain make_chain(Config& c, const StringPlan& s, double step) {
+  string::Chain chain;
+  const int count = element_count(c, s, step);
+  chain.directions = c.read(chain_keys::directions);
+  chain.elements = string::make_elements(s.sections, count);
+  chain.contact = string::make_contact(s.sections, s.survey, s.friction, count);
+  chain.threshold = s.threshold;
+  chain.axial_damping = s.axial_damping;
+  chain.torsional_damping = s.torsional_damping;
+  chain.axial_loss_time = s.axial_loss_time;
+  chain.torsional_loss_time = s.torsional_loss_time;
+  if (chain.directions == string::Directions::axial && s.friction.back().resting > 0.0)
+    c.table(string_friction_keys::table)
+        .problem(string_friction_keys::resting, "friction with directions = \"axial\"",
+                 "none, or directions = \"both\"");
+  return chain;
+}
+
+}  // namespace
+
+ChainPlan read_chain_plan(Config& whole, double step, std::vector<CaseWarning>& warnings) {
+  Config c = whole.table(chain_keys::table);
+  ChainPlan p;
+  if (c.read(chain_keys::model) != StringModel::chain)
+    c.problem(chain_keys::model, "sections of a string whose model is not \"chain\"",
+              "model = \"chain\"");
+  refuse_lumped(c);
+  const std::size_t mistakes = whole.problem_count();
+  p.string = read_string_plan(whole, step, warnings);
+  p.start = c.read(chain_keys::start);
+  const double mass = c.read(chain_keys::mass), inertia = c.read(chain_keys::torsional_inertia);
+  const double gravity = c.read(chain_keys::gravity);
+  if (whole.problem_count() != mistakes)
+    p.string.sections.assign(1, string::pipe(1.0, {0.1, 0.0, 0.1}, {}, 0.0, {}));
+  p.chain = make_chain(c, p.string, step);
+  const double end = string::total_length(p.string.sections);
+  const double fall = string::tangent_at(p.string.survey, end).z();
+  p.bit = string::bit_below(p.chain, mass, inertia, mass * gravity * fall);
+  Config bit = c.table(simple_bit_keys::table), top = c.table(top_keys::table);
+  read_law(bit, p.bit);
+  std::vector<double> inertias = p.chain.elements.inertia;
+  inertias.back() = p.bit.inertia;
+  const auto modes = string::lowest_modes(p.chain.elements.torsional, inertias, 1);
+  read_drive(top, string::torsional_impedance(p.string.sections[0]), modes[0].frequency,
+             p.chain.top);
+  p.chain.top.axial = top.read(top_keys::axial);
+  read_autodriller(top, p.chain.top);
+  read_motion(whole, p);
+  const bool hangs = p.chain.top.axial == Top::Axial::hook_load;
+  const double usual = string::steady_load(p.chain, p.motion).surface.hook_load;
+  if (hangs)
+    p.hook_load = top.read(top_keys::hook_load, usual);
+  else
+    refuse(top, top_keys::hook_load, "a hook load", "none, or axial = \"hook-load\"");
+  string::SteadyMotion off = p.motion;
+  off.rate = 0.0;
+  off.pull = p.bit.gravity_force;
+  off.torque = p.chain.torsional_damping * p.chain.elements.inertia.back() * off.rotary_speed;
+  p.chain.top.tare = string::steady_load(p.chain, off).surface.hook_load;
+  check_masses(whole, p);
+  if (whole.problem_count() == mistakes) check_step(whole, step, p);
+  return p;
+}
+
+}  // namespace tdbd::simulation

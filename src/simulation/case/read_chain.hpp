@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "core/config/config.hpp"
+#include "simulation/case/case_warning.hpp"
+#include "simulation/case/chain_keys.hpp"
+#include "simulation/case/read_string.hpp"
+#include "string/simple_bit.hpp"
+#include "string/statics.hpp"
+
+namespace tdbd::simulation {
+
+/// A chain with a bit that has no shape, and how both start.
+struct ChainPlan {
+  StringPlan string;
+  string::Chain chain;
+  string::SimpleBit bit;
+  ChainStart start = ChainStart::steady;
+  string::SteadyMotion motion;  ///< at the start
+  double rotary_speed = 0.0;    ///< of the top, rad/s
+  double rate = 0.0;            ///< of the block, m/s
+  double hook_load = 0.0;       ///< N: Top::Axial::hook_load
+  double surface_weight = 0.0;  ///< to be kept, N: Top::Axial::autodriller
+  double longest_step = 0.0;    ///< that is stable, s
+};
+
+/// Reads the tables [string], [string.*] and [motion] for steps of this length (s). Notes mistakes in
+/// the file; appends warnings.
+ChainPlan read_chain_plan(Config& whole, double step, std::vector<CaseWarning>& warnings);
+
+}  // namespace tdbd::simulation

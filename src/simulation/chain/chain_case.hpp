@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/case/read_chain.hpp"
+#include "simulation/rotate/rotate_case.hpp"
+
+namespace tdbd::simulation {
+
+/// A checked case of a drill string without rock: all that `tdbd string` needs.
+struct ChainCase {
+  std::string path;
+  std::string title;
+  std::vector<std::string> files;  ///< all that were read
+  ChainPlan plan;
+  RotateTime time;         ///< no steps: statics and modes alone
+  long history_every = 1;  ///< steps between rows
+  long profile_every = 0;  ///< steps between profiles; 0: none
+  std::vector<int> nodes;  ///< in the history
+  std::vector<CaseWarning> warnings;
+  std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
+  std::string hash;      ///< of the resolved values and the content of all files
+};
+
+/// Reads and checks everything, runs nothing. Throws InputError that lists every mistake.
+ChainCase read_chain_case(const std::string& path, const std::vector<std::string>& overrides);
+
+/// Static torque and drag without mud: how the string moves, and what it carries.
+struct StaticLoad {
+  std::string name;  ///< "pull_up", "slack_off", "rotate", "drill"
+  string::SteadyLoad load;
+};
+
+/// Of the string off bottom, and with the start's load of the bit where there is one.
+std::vector<StaticLoad> static_loads(const ChainPlan& plan);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <utility>
+
+#include "simulation/chain/chain_case.hpp"
+
+namespace tdbd::simulation {
+
+/// What a run of a chain counts.
+struct ChainFigures {
+  double start_balance = 0.0;   ///< J
+  double residual = 0.0;        ///< largest change of the balance, J
+  long bit_steps_at_rest = 0;   ///< in the second half of the run
+  long node_steps_at_rest = 0;  ///< nodes times steps
+  double least_speed = 0.0;     ///< of the bit in the second half, rad/s
+  double largest_speed = 0.0;
+};
+
+/// A chain with its bit as it runs.
+struct ChainSimulation {
+  string::BitOnChain state;
+  string::ChainWork work;
+  ChainFigures figures;
+  long steps_done = 0;
+  double time = 0.0;  ///< s
+};
+
+/// The case at t = 0.
+ChainSimulation start_chain(const ChainCase& c);
+
+/// Makes `steps` more steps. Throws RunError when the state is no longer finite.
+void advance_chain(const ChainCase& c, ChainSimulation& s, long steps);
+
+}  // namespace tdbd::simulation

@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "core/types.hpp"
+#include "string/statics.hpp"
+#include "verification/string/wells.hpp"
+
+namespace tdbd::string::regenerative_test {
+
+/// Growth (1/s) of what differs from steady drilling, by its largest size in two windows of a run.
+struct Windows {
+  double first, second, width;  ///< s
+};
+
+/// A regenerative bit that drills steadily but for a small push.
+struct Drilling {
+  Chain chain;
+  SimpleBit bit;
+  double rate, speed;
+};
+
+double growth(const Drilling& d, double h, const Windows& w) {
+  const double depth = d.rate * d.bit.pitch / d.speed;
+  const SteadyMotion motion{
+      d.rate, d.speed,
+      d.bit.gravity_force - d.bit.force_per_depth * depth - d.bit.axial_damping * d.rate,
+      d.bit.torque_per_depth * depth + d.bit.torsional_damping * d.speed};
+  const SteadyStart start = steady_start(d.chain, motion, steady_load(d.chain, motion));
+  Running r = at_rest(d.chain);
+  r.state.chain = start.chain;
+  r.state.bit.displacement = start.end.displacement;
+  r.state.bit.angle = start.end.angle;
+  r.state.bit.velocity = d.rate * (1.0 + 1e-3);
+  r.state.bit.rotary_speed = d.speed;
+  start_cut(d.bit, depth, r.state.bit);
+  r.work = chain_work(d.chain, r.state.chain, motion_of(r.state.bit));
+  const TopCommand command{d.speed * h, d.rate * h, r.state.chain.top.hook_load, 0.0};
+  double first = 0.0, second = 0.0;
+  const long steps = std::lround((w.second + w.width) / h);
+  for (long k = 0; k < steps; ++k) {
+    step_bit_on_chain(d.chain, d.bit, h, command, r.state, r.work);
+    const double t = h * static_cast<double>(k), size = std::abs(r.state.bit.velocity - d.rate);
+    if (t >= w.first && t < w.first + w.width) first = std::max(first, size);
+    if (t >= w.second) second = std::max(second, size);
+  }
+  return std::log(second / first) / (w.second - w.first);
+}
+
+/// Where growth passes zero, from values on both sides of an expected one.
+template <class Growth>
+double crossing(double expected, double share, const Growth& growth_at) {
+  const double lo = expected * (1.0 - share), hi = expected * (1.0 + share);
+  const double at_lo = growth_at(lo), at_hi = growth_at(hi);
+  EXPECT_LT(at_lo * at_hi, 0.0);
+  return lo + (hi - lo) * at_lo / (at_lo - at_hi);
+}
+
+/// The axial string of the non-dimensional model: length 1, wave speed 1.6.
+struct AxialCase {
+  Top::Axial top;
+  double speed, critical;
+};
+
+Drilling axial_drilling(const AxialCase& a, double aggressiveness) {
+  const double wave = 1.6;
+  Section s;
+  s.length = s.axial_rigidity = s.torsional_rigidity = s.inertia = s.contact_radius = 1.0;
+  s.mass = 1.0 / (wave * wave);
+  Drilling d;
+  d.chain = make_chain({s}, vertical(), 0.0, 100);
+  d.chain.directions = Directions::axial;
+  d.chain.axial_damping = -std::log(0.7);
+  d.chain.top.axial = a.top;
+  d.bit = bit_below(d.chain, 0.0, 0.0, 0.0);
+  d.bit.law = BitLaw::regenerative;
+  d.bit.force_per_depth = aggressiveness / wave;
+  d.bit.pitch = 1.0;
+  d.rate = 1.0;
+  d.speed = a.speed;
+  return d;
+}
+
+/// Smallest critical aggressiveness by the rod's transfer function: 1 + K/1.6 (1 - e^(-s/speed))/Z = 0
+/// for s = i w, Z = k coth k or k tanh k, k = sqrt(s^2 + a s)/1.6.
+double exact_aggressiveness(const AxialCase& a) {
+  double least = HUGE_VAL;
+  std::complex<double> before;
+  for (double w = 1e-3; w < 60.0; w += 2e-4) {
+    const std::complex<double> s(0.0, w), k = std::sqrt(s * s - std::log(0.7) * s) / 1.6;
+    const std::complex<double> z = a.top == Top::Axial::rate ? k / std::tanh(k) : k * std::tanh(k);
+    const std::complex<double> g = (1.0 - std::exp(-s / a.speed)) / 1.6 / z;
+    if (before.imag() * g.imag() < 0.0 && g.real() < 0.0 && std::abs(g - before) < 0.1) {
+      const double x = before.imag() / (before.imag() - g.imag());
+      least = std::min(least, -1.0 / (before.real() + x * (g.real() - before.real())));
+    }
+    before = g;
+  }
+  return least;
+}
+
+TEST(Regenerative, axial_chatter_of_a_string_begins_where_its_transfer_function_has_it) {
+  for (const AxialCase& a :
+       {AxialCase{Top::Axial::rate, 1.0, 1.7294}, AxialCase{Top::Axial::rate, 4.0, 2.1193},
+        AxialCase{Top::Axial::hook_load, 2.0, 1.2380},
+        AxialCase{Top::Axial::hook_load, 4.0, 2.4184}}) {
+    const double exact = exact_aggressiveness(a);
+    EXPECT_NEAR(exact, a.critical, 6e-5);
+    const double found = crossing(exact, 0.01, [&](double k) {
+      return growth(axial_drilling(a, k), 5.5e-3, {200.0, 380.0, 20.0});
+    });
+    EXPECT_NEAR(found / exact, 1.0, 2e-3);
+  }
+}
+
+/// Two masses on springs: the lumped model with a state-dependent delay.
+struct LumpedCase {
+  double axial_damping, torsional_damping, critical;
+};
+constexpr double mass = 34000.0, inertia = 116.0, axial = 7e5, torsional = 938.0;
+constexpr double cutting = 4.0 * 0.108 * 0.6 * 60e6, turning = 4.0 * 0.108 * 0.108 * 60e6 / 2.0;
+constexpr double rate = 18.0 / 3600.0;
+
+/// Determinant of the linearised equations at s = i w; the delay follows from the turn of a blade.
+std::complex<double> determinant(const LumpedCase& l, double speed, double w) {
+  const std::complex<double> s(0.0, w), e = 1.0 - std::exp(-s * (0.5 * std::numbers::pi / speed));
+  const std::complex<double> a = mass * s * s + l.axial_damping * s + axial;
+  const std::complex<double> b = inertia * s * s + l.torsional_damping * s + torsional;
+  return 1.0 + e * (cutting / a - turning * rate / speed / b);
+}
+
+/// Critical speed near a guess: Newton in speed and frequency, by differences.
+double exact_speed(const LumpedCase& l, double speed) {
+  double w = std::sqrt(torsional / inertia), best = HUGE_VAL;
+  for (double x = 0.2; x < 60.0; x += 0.01)
+    if (std::abs(determinant(l, speed, x)) < best) best = std::abs(determinant(l, speed, w = x));
+  for (int k = 0; k < 50; ++k) {
+    const std::complex<double> f = determinant(l, speed, w);
+    const std::complex<double> fs = (determinant(l, speed + 1e-6, w) - f) / 1e-6;
+    const std::complex<double> fw = (determinant(l, speed, w + 1e-6) - f) / 1e-6;
+    const double det = fs.real() * fw.imag() - fs.imag() * fw.real();
+    speed -= (f.real() * fw.imag() - f.imag() * fw.real()) / det;
+    w -= (fs.real() * f.imag() - fs.imag() * f.real()) / det;
+  }
+  return speed;
+}
+
+Drilling lumped_drilling(const LumpedCase& l, double speed) {
+  Section s;
+  s.length = 1.0;
+  s.axial_rigidity = axial;
+  s.torsional_rigidity = torsional;
+  Drilling d;
+  d.chain = make_chain({s}, vertical(), 0.0, 1);
+  d.bit = bit_below(d.chain, mass, inertia, 0.0);
+  d.bit.law = BitLaw::regenerative;
+  d.bit.axial_damping = l.axial_damping;
+  d.bit.torsional_damping = l.torsional_damping;
+  d.bit.force_per_depth = cutting;
+  d.bit.torque_per_depth = turning;
+  d.bit.pitch = 0.5 * std::numbers::pi;
+  d.rate = rate;
+  d.speed = speed;
+  return d;
+}
+
+TEST(Regenerative, a_lumped_bit_is_stable_from_the_root_of_the_quasi_polynomial_on) {
+  for (const LumpedCase& l : {LumpedCase{1e5, 30.0, 14.2452}, LumpedCase{3e5, 60.0, 12.1718}}) {
+    const double exact = exact_speed(l, l.critical);
+    EXPECT_NEAR(exact, l.critical, 1e-4);
+    const double found = crossing(exact, 0.003, [&](double speed) {
+      return growth(lumped_drilling(l, speed), 1e-3, {100.0, 220.0, 5.0});
+    });
+    EXPECT_NEAR(found / exact, 1.0, 8e-4);
+  }
+}
+
+}  // namespace tdbd::string::regenerative_test
