@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Draws a TDBD result folder, of tdbd run or of tdbd converge.
+"""Draws a TDBD result folder, of tdbd run, tdbd string or tdbd converge.
 
     reports/draw.py RESULT_FOLDER [-o DIR]
 
 Of a run: bottom_hole.png and side_view.png (from frames/rock_final.vtp and summary.json), cutters.png (also
 from bit.json); with forces: forces.png shows those of every cutter, traces.png weight, torque and speed over
-time with their spectra. Of a study of convergence: convergence.png (from convergence.json).
+time with their spectra. Of a drill string: torque_and_drag.png, broomstick.png, modes.png, and of a run traces.png
+and time_depth.png. Of a study of convergence: convergence.png (from convergence.json).
 """
 
 import argparse
@@ -238,15 +239,33 @@ def study_picture(folder, output):
     finish(convergence.draw_folder(folder), study, output / "convergence.png")
 
 
+def string_pictures(folder, output):
+    """All pictures of a result of tdbd string."""
+    from figures import string_pictures as pictures
+
+    figures, summary = pictures.pictures(folder)
+    for name, figure in figures.items():
+        finish(figure, summary, output / f"{name}.png")
+
+
+def is_of_string(folder):
+    summary = folder / "summary.json"
+    return summary.is_file() and result.read_json(summary).get("command") == "string"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=Path, help="result folder of tdbd run or tdbd converge")
+    parser.add_argument("folder", type=Path, help="result folder of tdbd run, tdbd string or tdbd converge")
     parser.add_argument("-o", "--output", type=Path, help="where figures go (the result folder)")
     arguments = parser.parse_args()
     output = arguments.output or arguments.folder
     output.mkdir(parents=True, exist_ok=True)
-    is_study = (arguments.folder / "convergence.json").is_file()
-    (study_picture if is_study else run_pictures)(arguments.folder, output)
+    if (arguments.folder / "convergence.json").is_file():
+        study_picture(arguments.folder, output)
+    elif is_of_string(arguments.folder):
+        string_pictures(arguments.folder, output)
+    else:
+        run_pictures(arguments.folder, output)
 
 
 if __name__ == "__main__":

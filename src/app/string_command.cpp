@@ -58,8 +58,9 @@ void add_string(CLI::App& app, int& exit_code) {
   add_case(*command, *a, help);
   add_result_options(*command, *a, help);
   command->footer(
-      "Writes summary.json, static.csv (torque and drag over depth) and modes.csv (shapes of free "
-      "vibrations).\n"
+      "Writes summary.json, static.csv (torque and drag over depth), broomstick.csv (hook loads "
+      "while it is run in)\n"
+      "and modes.csv (shapes of free vibrations).\n"
       "With the table [time] it runs the string off bottom or on the simple bit of [string.bit], "
       "and writes history.nc, history.csv,\n"
       "timing.json and, with output.string_profile_every, string.nc.\n"

@@ -19,8 +19,8 @@ void prepare(const Chain& c, double half, ChainWork& w) {
   const double along = half * phi(-c.axial_damping * half);
   const double around = half * phi(-c.torsional_damping * half);
   for (std::size_t i = 0; i < w.along.size(); ++i) {
-    w.along[i] = along * w.inverse_along[i];
-    w.around[i] = around * w.inverse_around[i];
+    w.along[i] = along / c.elements.mass[i];
+    w.around[i] = around / w.mass_around[i];
   }
 }
 
@@ -37,19 +37,18 @@ void flow_far_from_rest(const Chain& c, const ChainState& s, ChainWork& w) {
   const double *T = w.tension.data(), *Q = w.torque.data(), *weight = c.contact.weight.data();
   const double *v = s.velocity.data(), *om = s.rotary_speed.data();
   const double *N = w.side_force.data(), *mu = c.contact.sliding.data();
-  const double *ba = w.along.data(), *bq = w.around.data();
-  const double *ir = w.inverse_radius.data(), *ma = c.elements.mass.data();
-  const double* iq = w.inverse_around.data();
+  const double *ba = w.along.data(), *bq = w.around.data(), *ma = c.elements.mass.data();
+  const double *r = w.radius.data(), *ir = w.inverse_radius.data(), *mq = w.mass_around.data();
   double *na = w.next_along.data(), *nq = w.next_around.data(), *margin = w.margin.data();
   const double a = c.axial_damping, b = c.torsional_damping, vc = c.threshold;
   for (std::size_t i = 1; i < n; ++i) {
-    const double wa = v[i], wq = om[i] / ir[i], R = mu[i] * N[i];
+    const double wa = v[i], wq = om[i] * r[i], R = mu[i] * N[i];
     const double da = ba[i] * (T[i] - T[i - 1] + weight[i] - a * ma[i] * wa);
-    const double dq = bq[i] * ((Q[i - 1] - Q[i]) * ir[i] - b / iq[i] * wq);
-    const double size = std::sqrt(wa * wa + wq * wq), ya = ba[i] * R, yq = bq[i] * R;
-    const double gap = size - vc;
+    const double dq = bq[i] * ((Q[i - 1] - Q[i]) * ir[i] - b * mq[i] * wq);
+    const double size = std::sqrt(wa * wa + wq * wq), inverse = 1.0 / size;
+    const double ya = ba[i] * R, yq = bq[i] * R, gap = size - vc;
     margin[i] = 16.0 * (da * da + dq * dq + ya * ya + yq * yq) - gap * std::abs(gap);
-    const double ea = 2.0 * wa + da - ya * wa / size, eq = 2.0 * wq + dq - yq * wq / size;
+    const double ea = 2.0 * wa + da - ya * wa * inverse, eq = 2.0 * wq + dq - yq * wq * inverse;
     const double k = 1.0 / std::sqrt(ea * ea + eq * eq);
     na[i] = wa + da - ya * ea * k;
     nq[i] = wq + dq - yq * eq * k;
@@ -62,9 +61,9 @@ void flow_both(const Chain& c, double time, ChainState& s, ChainWork& w) {
   Lost lost;
   long resting = 0;
   for (std::size_t i = 1; i < at(c.count()); ++i) {
-    const double radius = 1.0 / w.inverse_radius[i];
+    const double radius = w.radius[i];
     const Slip from{s.velocity[i], s.rotary_speed[i] * radius}, F = force_on(c, w, i);
-    const Slip mass{c.elements.mass[i], 1.0 / w.inverse_around[i]};
+    const Slip mass{c.elements.mass[i], w.mass_around[i]};
     const Slip damping{c.axial_damping * mass.along, c.torsional_damping * mass.around};
     double level = c.contact.sliding[i] * w.side_force[i];
     Slip to{w.next_along[i], w.next_around[i]};
@@ -79,7 +78,7 @@ void flow_both(const Chain& c, double time, ChainState& s, ChainWork& w) {
     }
     book_flow({from, to, F, level, time}, mass, damping, lost);
     s.velocity[i] = to.along;
-    s.rotary_speed[i] = to.around / radius;
+    s.rotary_speed[i] = to.around * w.inverse_radius[i];
   }
   s.ledger.friction += lost.friction;
   s.ledger.damping += lost.damping;
@@ -91,7 +90,7 @@ void flow_torsion(const Chain& c, double time, ChainState& s, ChainWork& w) {
   Lost lost;
   long resting = 0;
   for (std::size_t i = 1; i < at(c.count()); ++i) {
-    const double radius = 1.0 / w.inverse_radius[i], mass = 1.0 / w.inverse_around[i];
+    const double radius = w.radius[i], mass = w.mass_around[i];
     const Slip from{0.0, s.rotary_speed[i] * radius};
     const Slip F{0.0, (w.torque[i - 1] - w.torque[i]) * w.inverse_radius[i]};
     const Coulomb friction{c.contact.resting[i] * w.side_force[i],
@@ -102,7 +101,7 @@ void flow_torsion(const Chain& c, double time, ChainState& s, ChainWork& w) {
                            : from.around + w.around[i] * (F.around - body.damping * from.around)};
     const double level = std::abs(from.around) > c.threshold ? friction.sliding : friction.resting;
     book_flow({from, to, F, level, time}, {0.0, mass}, {0.0, body.damping}, lost);
-    s.rotary_speed[i] = to.around / radius;
+    s.rotary_speed[i] = to.around * w.inverse_radius[i];
     resting += to.around == 0.0;
   }
   s.ledger.friction += lost.friction;
@@ -272,15 +271,14 @@ ChainWork chain_work(const Chain& c, const ChainState& s, const EndMotion& end) 
   ChainWork w;
   const std::size_t n = at(c.count());
   for (auto* a : {&w.tension, &w.torque, &w.damper_force, &w.damper_torque}) a->assign(n, 0.0);
-  for (auto* a :
-       {&w.side_force, &w.along, &w.around, &w.inverse_radius, &w.inverse_along, &w.inverse_around,
-        &w.next_along, &w.next_around, &w.margin, &w.before_velocity, &w.before_speed})
+  for (auto* a : {&w.side_force, &w.along, &w.around, &w.radius, &w.inverse_radius, &w.mass_around,
+                  &w.next_along, &w.next_around, &w.margin, &w.before_velocity, &w.before_speed})
     a->assign(n + 1, 0.0);
   for (std::size_t i = 0; i <= n; ++i) {
     const double radius = c.contact.radius[i] > 0.0 ? c.contact.radius[i] : 1.0;
+    w.radius[i] = radius;
     w.inverse_radius[i] = 1.0 / radius;
-    w.inverse_along[i] = 1.0 / c.elements.mass[i];
-    w.inverse_around[i] = radius * radius / c.elements.inertia[i];
+    w.mass_around[i] = c.elements.inertia[i] / (radius * radius);
   }
   load(c, s, end, w);
   return w;

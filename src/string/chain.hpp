@@ -74,10 +74,10 @@ struct ChainWork {
   std::vector<double> damper_force, damper_torque;  ///< Kelvin-Voigt's share of them
   std::vector<double> side_force;                   ///< of nodes, N
   std::vector<double> along, around;                ///< mobilities of half a step, slip units, s/kg
-  std::vector<double> inverse_radius;               ///< of the contact, 1/m
-  std::vector<double> inverse_along, inverse_around;  ///< of masses in slip units, 1/kg
-  std::vector<double> next_along, next_around;        ///< slips after a flow, m/s
-  std::vector<double> margin;                         ///< negative: far from rest, m2/s2
+  std::vector<double> radius, inverse_radius;       ///< of the contact, m, 1/m
+  std::vector<double> mass_around;                  ///< inertia over radius squared, kg
+  std::vector<double> next_along, next_around;      ///< slips after a flow, m/s
+  std::vector<double> margin;                       ///< negative: far from rest, m2/s2
   std::vector<double> before_velocity, before_speed;  ///< before a flow, m/s, rad/s
   double half_step = -1.0;                            ///< s, that the mobilities are of
   double opening_pull = 0.0, opening_torque = 0.0;    ///< of the first element before the drift

@@ -142,9 +142,14 @@ void drift_bit(const SimpleBit& b, double h, BitState& s) {
   find_depth(b, s);
 }
 
-EndLoad bit_load(const SimpleBit& b, const BitState& s) {
+EndLoad bit_load(const SimpleBit& b, const BitState& s, const EndLoad& string) {
+  if (b.law == BitLaw::fixed) return {b.gravity_force - string.pull, string.torque};
+  const double sliding = friction_torque(b, s);
+  const double most = b.law == BitLaw::two_level ? b.resting_torque : sliding;
+  const double friction = s.rotary_speed == 0.0 ? std::clamp(string.torque - b.torque, -most, most)
+                                                : std::copysign(sliding, s.rotary_speed);
   return {cutting_force(b, s) + b.contact_force * s.contact + b.axial_damping * s.velocity,
-          friction_torque(b, s) + b.torque + b.torsional_damping * s.rotary_speed};
+          friction + b.torque + b.torsional_damping * s.rotary_speed};
 }
 
 double stored_energy(const SimpleBit& b, const BitState& s) {

@@ -73,8 +73,8 @@ inline EndMotion motion_of(const BitState& s) {
   return {s.displacement, s.angle, s.velocity, s.rotary_speed};
 }
 
-/// Weight (N) and torque (N m) on bit now.
-EndLoad bit_load(const SimpleBit& bit, const BitState& state);
+/// Weight (N) and torque (N m) on bit now; of a bit that stands, what holds the last element's load.
+EndLoad bit_load(const SimpleBit& bit, const BitState& state, const EndLoad& string);
 
 /// Kinetic energy, J.
 double stored_energy(const SimpleBit& bit, const BitState& state);

@@ -68,6 +68,10 @@ def string():
     assert summary["static"]["pull_up"]["hook_load_n"] >= summary["static"]["rotate"]["hook_load_n"]
     assert len(summary["torsional_frequencies_hz"]) == 3
     assert summary["energy"]["residual_max_j"] <= 1.0, summary["energy"]
+    draw = pathlib.Path(__file__).resolve().parents[2] / "reports" / "draw.py"
+    subprocess.run([sys.executable, "-B", draw, folder], check=True, stdout=subprocess.DEVNULL)
+    for figure in ("torque_and_drag", "broomstick", "modes", "traces", "time_depth"):
+        assert (pathlib.Path(folder) / f"{figure}.png").stat().st_size > 10_000, figure
 
 
 if "body" in content:

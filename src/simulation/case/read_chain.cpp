@@ -263,7 +263,8 @@ ChainPlan read_chain_plan(Config& whole, double step, std::vector<CaseWarning>& 
   p.chain = make_chain(c, p.string, step);
   const double end = string::total_length(p.string.sections);
   const double fall = string::tangent_at(p.string.survey, end).z();
-  p.bit = string::bit_below(p.chain, mass, inertia, mass * gravity * fall);
+  p.bit_weight = mass * gravity;
+  p.bit = string::bit_below(p.chain, mass, inertia, p.bit_weight * fall);
   Config bit = c.table(simple_bit_keys::table), top = c.table(top_keys::table);
   read_law(bit, p.bit);
   std::vector<double> inertias = p.chain.elements.inertia;

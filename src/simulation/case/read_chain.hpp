@@ -16,6 +16,7 @@ struct ChainPlan {
   StringPlan string;
   string::Chain chain;
   string::SimpleBit bit;
+  double bit_weight = 0.0;  ///< without the last cell, vertical, N
   ChainStart start = ChainStart::steady;
   string::SteadyMotion motion;  ///< at the start
   double rotary_speed = 0.0;    ///< of the top, rad/s

@@ -75,6 +75,39 @@ std::vector<StaticLoad> static_loads(const ChainPlan& plan) {
   return loads;
 }
 
+std::vector<DepthLoad> loads_by_depth(const ChainPlan& plan) {
+  constexpr int depths = 50;
+  const double length = plan.chain.elements.length * plan.chain.count();
+  std::vector<DepthLoad> loads;
+  for (int k = 1; k <= depths; ++k) {
+    const double depth = length * k / depths;
+    ChainPlan p = plan;
+    p.string.sections.clear();
+    for (const string::Span& s :
+         string::spans_between(plan.string.sections, length - depth, length)) {
+      p.string.sections.push_back(*s.section);
+      p.string.sections.back().length = s.bottom - s.top;
+    }
+    const int count = std::max(2, plan.chain.count() * k / depths);
+    p.chain.elements = string::make_elements(p.string.sections, count);
+    p.chain.contact =
+        string::make_contact(p.string.sections, p.string.survey, p.string.friction, count);
+    p.bit.gravity_force = p.chain.contact.weight.back() +
+                          plan.bit_weight * string::tangent_at(p.string.survey, depth).z();
+    p.motion = {0.0, 0.0, p.bit.gravity_force, 0.0};
+    DepthLoad here{depth};
+    for (const StaticLoad& l : static_loads(p)) {
+      const string::SurfaceLoad& surface = l.load.surface;
+      if (l.name == "pull_up") here.pull_up = surface.hook_load;
+      if (l.name == "slack_off") here.slack_off = surface.hook_load;
+      if (l.name == "rotate") here.rotate = surface.hook_load;
+      if (l.name == "rotate") here.torque = surface.torque;
+    }
+    loads.push_back(here);
+  }
+  return loads;
+}
+
 ChainCase read_chain_case(const std::string& path, const std::vector<std::string>& overrides) {
   Config c = Config::read_file(path, overrides);
   ChainCase r;

@@ -35,4 +35,14 @@ struct StaticLoad {
 /// Of the string off bottom, and with the start's load of the bit where there is one.
 std::vector<StaticLoad> static_loads(const ChainPlan& plan);
 
+/// Hook load (N) and surface torque (N m) while the string is run in: the bit at a measured depth (m),
+/// pipe taken away at the top.
+struct DepthLoad {
+  double depth = 0.0;
+  double pull_up = 0.0, slack_off = 0.0, rotate = 0.0, torque = 0.0;
+};
+
+/// Of bit depths down to that of the case, for the picture called broomstick plot.
+std::vector<DepthLoad> loads_by_depth(const ChainPlan& plan);
+
 }  // namespace tdbd::simulation

@@ -77,6 +77,47 @@ RecordLayout profile_layout(const ChainCase& c) {
   return l;
 }
 
+void write_static(const std::filesystem::path& file, const ChainCase& c) {
+  const std::vector<StaticLoad> loads = static_loads(c.plan);
+  std::string text = "depth_m,vertical_depth_m,north_m,east_m,inclination_deg";
+  for (const StaticLoad& l : loads) text += fmt::format(",{0}_tension_n,{0}_torque_n_m", l.name);
+  text += "\n";
+  for (int e = 0; e < c.plan.chain.count(); ++e) {
+    const double depth = node_depth(c, e) + 0.5 * c.plan.chain.elements.length;
+    const Vec3 place = string::position_at(c.plan.string.survey, depth);
+    const Vec3 t = string::tangent_at(c.plan.string.survey, depth);
+    text += fmt::format("{},{},{},{},{}", depth, place.z(), place.x(), place.y(),
+                        std::atan2(t.head<2>().norm(), t.z()) * 180.0 / std::numbers::pi);
+    for (const StaticLoad& l : loads)
+      text += fmt::format(",{},{}", l.load.tension[at(e)], l.load.torque[at(e)]);
+    text += "\n";
+  }
+  write_text(file, text);
+}
+
+void write_broomstick(const std::filesystem::path& file, const ChainCase& c) {
+  std::string text = "bit_depth_m,pull_up_n,slack_off_n,rotate_n,rotate_torque_n_m\n";
+  for (const DepthLoad& l : loads_by_depth(c.plan))
+    text += fmt::format("{},{},{},{},{}\n", l.depth, l.pull_up, l.slack_off, l.rotate, l.torque);
+  write_text(file, text);
+}
+
+void write_modes(const std::filesystem::path& file, const ChainCase& c) {
+  const ChainModes modes = chain_modes(c.plan);
+  std::string text = "depth_m";
+  for (std::size_t k = 0; k < modes.axial.size(); ++k) text += fmt::format(",axial_{}", k + 1);
+  for (std::size_t k = 0; k < modes.torsional.size(); ++k)
+    text += fmt::format(",torsional_{}", k + 1);
+  text += "\n";
+  for (int i = 0; i <= c.plan.chain.count(); ++i) {
+    text += fmt::format("{}", node_depth(c, i));
+    for (const auto* all : {&modes.axial, &modes.torsional})
+      for (const string::Mode& m : *all) text += fmt::format(",{}", m.shape[at(i)]);
+    text += "\n";
+  }
+  write_text(file, text);
+}
+
 }  // namespace
 
 ChainHistory::ChainHistory(const std::filesystem::path& folder, const ChainCase& c)
@@ -97,7 +138,7 @@ void ChainHistory::append(const ChainCase& c, const ChainSimulation& s) {
 void ChainHistory::append_row(const ChainCase& c, const ChainSimulation& s) {
   const ChainPlan& p = c.plan;
   const string::SurfaceLoad surface = string::surface_load(p.chain, s.state.chain, s.work);
-  const string::EndLoad bit = string::bit_load(p.bit, s.state.bit);
+  const string::EndLoad bit = string::bit_load(p.bit, s.state.bit, string::end_load(s.work));
   const string::BitState& b = s.state.bit;
   const string::ChainState& x = s.state.chain;
   row_ = {s.time,
@@ -147,35 +188,9 @@ void ChainHistory::close() {
 }
 
 void write_static_tables(const std::filesystem::path& folder, const ChainCase& c) {
-  const std::vector<StaticLoad> loads = static_loads(c.plan);
-  std::string head = "depth_m,vertical_depth_m,north_m,east_m,inclination_deg";
-  for (const StaticLoad& l : loads) head += fmt::format(",{0}_tension_n,{0}_torque_n_m", l.name);
-  std::string text = head + "\n";
-  for (int e = 0; e < c.plan.chain.count(); ++e) {
-    const double depth = node_depth(c, e) + 0.5 * c.plan.chain.elements.length;
-    const Vec3 place = string::position_at(c.plan.string.survey, depth);
-    const Vec3 t = string::tangent_at(c.plan.string.survey, depth);
-    text += fmt::format("{},{},{},{},{}", depth, place.z(), place.x(), place.y(),
-                        std::atan2(t.head<2>().norm(), t.z()) * 180.0 / std::numbers::pi);
-    for (const StaticLoad& l : loads)
-      text += fmt::format(",{},{}", l.load.tension[at(e)], l.load.torque[at(e)]);
-    text += "\n";
-  }
-  write_text(folder / "static.csv", text);
-
-  const ChainModes modes = chain_modes(c.plan);
-  text = "depth_m";
-  for (std::size_t k = 0; k < modes.axial.size(); ++k) text += fmt::format(",axial_{}", k + 1);
-  for (std::size_t k = 0; k < modes.torsional.size(); ++k)
-    text += fmt::format(",torsional_{}", k + 1);
-  text += "\n";
-  for (int i = 0; i <= c.plan.chain.count(); ++i) {
-    text += fmt::format("{}", node_depth(c, i));
-    for (const auto* all : {&modes.axial, &modes.torsional})
-      for (const string::Mode& m : *all) text += fmt::format(",{}", m.shape[at(i)]);
-    text += "\n";
-  }
-  write_text(folder / "modes.csv", text);
+  write_static(folder / "static.csv", c);
+  write_broomstick(folder / "broomstick.csv", c);
+  write_modes(folder / "modes.csv", c);
 }
 
 }  // namespace tdbd::simulation

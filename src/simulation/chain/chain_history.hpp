@@ -34,7 +34,8 @@ class ChainHistory {
   long last_row_ = -1, last_profile_ = -1;
 };
 
-/// Writes `static.csv` (torque and drag over elements) and `modes.csv` (shapes over nodes).
+/// Writes `static.csv` (torque and drag over elements), `broomstick.csv` (hook loads over bit depths) and
+/// `modes.csv` (shapes over nodes).
 void write_static_tables(const std::filesystem::path& folder, const ChainCase& c);
 
 }  // namespace tdbd::simulation

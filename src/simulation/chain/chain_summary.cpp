@@ -59,7 +59,7 @@ Json run_json(const ChainCase& c, const ChainSimulation& s) {
   const double node_steps =
       static_cast<double>(std::max(1L, s.steps_done)) * std::max(1, c.plan.chain.count() - 1);
   const string::SurfaceLoad surface = string::surface_load(c.plan.chain, s.state.chain, s.work);
-  const string::EndLoad bit = string::bit_load(c.plan.bit, s.state.bit);
+  const string::EndLoad bit = string::bit_load(c.plan.bit, s.state.bit, string::end_load(s.work));
   return {{"steps", s.steps_done},
           {"step_s", c.time.step},
           {"duration_s", s.time},
