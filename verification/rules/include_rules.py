@@ -8,7 +8,7 @@ import sources
 
 CORE, MESH = {"core"}, {"core", "mesh"}
 BIT = MESH | {"rotation", "bit"}
-ROCK, FORCES, DYNAMICS = BIT | {"rock"}, BIT | {"forces"}, {"core", "rotation", "dynamics"}
+ROCK, FORCES, DYNAMICS = BIT | {"rock"}, BIT | {"forces"}, {"core", "rotation", "string", "dynamics"}
 STRING = {"core", "string"}
 SIMULATION = ROCK | FORCES | DYNAMICS | STRING | {"simulation"}
 CALIBRATION = SIMULATION | {"calibration"}

@@ -52,7 +52,9 @@ void touch_wall(const DrillingSystem& s, const DrillingState& state, Configurati
 
 }  // namespace
 
-TopPosition top_position(const DrillingSystem& s, double t) {
+TopPosition top_position(const DrillingSystem& s, const DrillingState& state) {
+  if (s.chained) return {s.string.rest_W + state.upper.z * Vec3::UnitZ(), state.upper.angle};
+  const double t = state.rotation.time;
   TopPosition top{s.string.rest_W, s.top.start_angle + integral_to(s.top.speed, t)};
   if (s.top.axial == AxialMode::rate) top.point_W.z() += integral_to(s.top.rate, t);
   return top;
@@ -65,7 +67,7 @@ double mean_wall_stiffness(const Wall& w) {
 void configure(const DrillingSystem& s, const DrillingState& state, Configuration& at) {
   at.R_WB = state.rotation.q_WB.toRotationMatrix();
   at.mobility_W = at.R_WB * s.gyrostat.carrier_inverse_B * at.R_WB.transpose();
-  at.top = top_position(s, state.rotation.time);
+  at.top = top_position(s, state);
   pull_along(s, state, at);
   pull_about(s, state, at);
   touch_wall(s, state, at);

@@ -38,10 +38,11 @@ struct Configuration {
   TopPosition top;
   StringPull pull;
   WallContact contact;
-  Wrench conservative;  ///< string, load, gravity, wall and rock mount
+  Wrench conservative;        ///< string, load, gravity, wall and rock mount
+  double chain_energy = 0.0;  ///< J, of a chain without its last element; when no step is open
 };
 
-TopPosition top_position(const DrillingSystem& system, double t);
+TopPosition top_position(const DrillingSystem& system, const DrillingState& state);
 
 /// Penalty of the wall: the stiffness whose force is the mean of pressing and letting go.
 double mean_wall_stiffness(const Wall& wall);

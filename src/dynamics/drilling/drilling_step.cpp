@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "dynamics/drilling/chained_string.hpp"
 #include "dynamics/rotation/drift.hpp"
 
 namespace tdbd::dynamics {
@@ -17,6 +18,7 @@ void half_step(const DrillingSystem& system, double h, Half which, Drilling& d,
                  work.half, mean);
   d.ledger.cut_bit += 0.5 * h * power_on_bit(d.wrench, mean, share);
   d.ledger.cut_rock += 0.5 * h * power_on_rock(d.wrench, mean);
+  if (system.chained) d.chain.ledger.loss -= 0.5 * h * power_on_bit(work.chain_damper, mean, 1.0);
 }
 
 /// Where the top's work is counted: before the drift and after it.
@@ -51,36 +53,42 @@ bool drift_all(const DrillingSystem& s, double h, Drilling& d) {
 
 }  // namespace
 
-Drilling start_drilling(const DrillingSystem& system, DrillingState state) {
+Drilling start_drilling(const DrillingSystem& system, DrillingState state,
+                        string::ChainState chain) {
   Drilling d;
   d.state = std::move(state);
-  Configuration at;
-  configure(system, d.state, at);
-  d.ledger.start = total(stored_energy(system, at, d.state));
+  d.chain = std::move(chain);
+  const DrillingWork work = drilling_work(system, d);
+  d.ledger.start = total(stored_energy(system, work.at, d.state));
   return d;
 }
 
 DrillingWork drilling_work(const DrillingSystem& system, const Drilling& d) {
   DrillingWork work;
   configure(system, d.state, work.at);
+  start_chain_work(system, d, work);
   return work;
 }
 
 void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work) {
   work.step_start = d.state;
   const EnergyLedger ledger_start = d.ledger;
+  open_chain(system, h, d, work);
   find_middle(system, h, work.at, d.wrench, d.state, work.half, work.middle);
   half_step(system, h, Half::opening, d, work);
   const TopAction before = top_action(d.state, work.at);
   if (!drift_all(system, h, d)) {
     d.state = work.step_start;
     d.ledger = ledger_start;
+    if (system.chained) d.chain = work.chain_start;
     throw RunError(
         fmt::format("the drift does not converge at t = {:.9g} s with a step of {:.6g} s",
                     d.state.rotation.time, h));
   }
+  place_upper_end(system, d.chain, d.state.upper);
   configure(system, d.state, work.at);
-  d.ledger.top += work_of_top(before, top_action(d.state, work.at));
+  load_chain(system, h, d, work);
+  if (!system.chained) d.ledger.top += work_of_top(before, top_action(d.state, work.at));
 }
 
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
@@ -110,6 +118,7 @@ void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Dr
                 DrillingWork& work) {
   d.wrench = wrench;
   half_step(system, h, Half::closing, d, work);
+  close_chain(system, h, d, work);
 }
 
 }  // namespace tdbd::dynamics

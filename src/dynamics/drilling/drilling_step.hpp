@@ -10,8 +10,9 @@ namespace tdbd::dynamics {
 /// whenever no step is open.
 struct Drilling {
   DrillingState state;
-  Wrench wrench;        ///< of the last cut: opens the next step
-  EnergyLedger ledger;  ///< since start_drilling
+  Wrench wrench;             ///< of the last cut: opens the next step
+  EnergyLedger ledger;       ///< since start_drilling
+  string::ChainState chain;  ///< of a string on a chain
 };
 
 /// What a step keeps beside it, so that it allocates nothing once warm.
@@ -25,10 +26,17 @@ struct DrillingWork {
   Configuration middle;       ///< in the middle of the last drift, as its opening half predicted it
   Configuration next_middle;  ///< and of the drift that velocity_after predicts
   HalfWork half;
+  // Of a string on a chain (chained_string.hpp).
+  string::ChainWork chain;
+  string::ChainState chain_start;
+  string::TopCommand command;
+  string::EndMotion end_before;  ///< at the step's start
+  Wrench chain_damper;           ///< what Kelvin-Voigt's dampers of the last element do to the bit
 };
 
 /// At rest with its energies. Give it the wrench of the start where the bit touches rock.
-Drilling start_drilling(const DrillingSystem& system, DrillingState state);
+Drilling start_drilling(const DrillingSystem& system, DrillingState state,
+                        string::ChainState chain = {});
 
 /// Ready for the next step of what was just started, or saved between two steps: the motion goes
 /// on to the same bits as without the interruption.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "dynamics/integrator.hpp"
 #include "dynamics/rotation_state.hpp"
 #include "dynamics/schedule.hpp"
+#include "string/chain.hpp"
 
 /// A bit on a drill string in a borehole, as plain data: dynamics (9) to (12) (thesis: eqs.
 /// 2.1-2.3). Frames: W space, z down; B the bit's own, at whose origin its parts are given.
@@ -81,12 +83,22 @@ struct PrincipalDamper {
   double coefficient = 0.0;  ///< N s/m, or N m s/rad
 };
 
+/// A distributed string between the top and the springs of DrillString, whose axial and torsional
+/// stiffnesses are those of the chain's last element: its upper end is the chain's last own node. The
+/// chain turns with TopDrive::speed and is lowered at TopDrive::rate.
+struct ChainedString {
+  string::Chain chain;
+  double hook_load = 0.0;       ///< N: string::Top::Axial::hook_load
+  double surface_weight = 0.0;  ///< N, to be kept: string::Top::Axial::autodriller
+};
+
 struct DrillingSystem {
   double mass = 0.0;             ///< M, kg: bit, cones and what of the string moves with them
   Vec3 centre_B = Vec3::Zero();  ///< centre of mass, m
   Gyrostat gyrostat;             ///< inertias about the centre of mass
   std::vector<double> bearing_damping;  ///< N m s/rad, one a cone; empty: none
   DrillString string;
+  std::optional<ChainedString> chained;
   TopDrive top;
   Wall wall;
   RockMount rock;
@@ -104,6 +116,13 @@ std::string drilling_problem(const DrillingSystem& system);
 /// Derives the rest. Throws InputError with drilling_problem's reason.
 DrillingSystem make_drilling_system(DrillingSystem system);
 
+/// The upper end of the string's springs where it is a node of a chain: along and about z, from where the
+/// slack string's end is. The rates are those of the drift under way.
+struct UpperEnd {
+  double z = 0.0, angle = 0.0;     ///< m, rad
+  double rate = 0.0, speed = 0.0;  ///< m/s, rad/s
+};
+
 /// Where bit and rock are and how they move. The time is that of the rotation.
 struct DrillingState {
   RotationState rotation;          ///< about the centre of mass
@@ -112,6 +131,7 @@ struct DrillingState {
   double rock_z = 0.0;             ///< how far the rock has moved along +z, m
   double rock_momentum = 0.0;      ///< N s
   double top_rate = 0.0;           ///< m/s along +z, of a top that follows the bit
+  UpperEnd upper;                  ///< of a string on a chain
 };
 
 /// When the impulses of a step h reach the cones' own spins.

@@ -18,23 +18,27 @@ StoredEnergy stored_energy(const DrillingSystem& s, const Configuration& at,
   e.string = at.pull.energy;
   e.wall = wall_energy(s, at);
   e.rock_mount = rock_energy(s, state);
+  e.chain = at.chain_energy;
   return e;
 }
 
 double total(const StoredEnergy& e) {
-  return e.translation + e.rotation + e.cones + e.rock + e.string + e.wall + e.rock_mount;
+  return e.translation + e.rotation + e.cones + e.rock + e.string + e.wall + e.rock_mount + e.chain;
+}
+
+double lost(const EnergyLedger& l) {
+  return l.damped_string + l.damped_bearings + l.damped_rock + l.wall_loss + l.wall_friction +
+         l.chain_friction + l.chain_damping + l.chain_loss + l.top_damping;
 }
 
 double residual(const StoredEnergy& now, const EnergyLedger& l) {
-  const double put_in = l.top + l.gravity + l.cut_bit + l.cut_rock;
-  const double lost =
-      l.damped_string + l.damped_bearings + l.damped_rock + l.wall_loss + l.wall_friction;
-  return (total(now) - l.start) - put_in + lost;
+  const double put_in = l.top + l.gravity + l.chain_gravity + l.cut_bit + l.cut_rock;
+  return (total(now) - l.start) - put_in + lost(l);
 }
 
 double throughput(const EnergyLedger& l) {
-  return std::abs(l.start) + std::abs(l.top) + std::abs(l.gravity) + std::abs(l.cut_bit) +
-         std::abs(l.cut_rock);
+  return std::abs(l.start) + std::abs(l.top) + std::abs(l.gravity) + std::abs(l.chain_gravity) +
+         std::abs(l.cut_bit) + std::abs(l.cut_rock);
 }
 
 }  // namespace tdbd::dynamics

@@ -13,6 +13,7 @@ struct StoredEnergy {
   double string = 0.0;       ///< elastic
   double wall = 0.0;
   double rock_mount = 0.0;
+  double chain = 0.0;  ///< of a chained string, without the springs at the bit
 };
 StoredEnergy stored_energy(const DrillingSystem& system, const Configuration& at,
                            const DrillingState& state);
@@ -32,7 +33,16 @@ struct EnergyLedger {
   double damped_rock = 0.0;
   double wall_loss = 0.0;      ///< what the wall does not give back
   double wall_friction = 0.0;  ///< turned to heat along it
+  // Of a chained string (string::ChainLedger).
+  double chain_gravity = 0.0;   ///< done by gravity on it
+  double chain_friction = 0.0;  ///< taken by friction in the hole
+  double chain_damping = 0.0;   ///< by the mud
+  double chain_loss = 0.0;      ///< by Kelvin-Voigt's dampers
+  double top_damping = 0.0;     ///< by the damper of a top drive
 };
+
+/// Taken by all that resists, J.
+double lost(const EnergyLedger& ledger);
 
 /// Stored now and lost less stored at the start and put in, J: dynamics (17); zero if the step
 /// were exact. What is left comes from how springs, a moving top and rotation are stepped: it is of

@@ -92,6 +92,8 @@ bool coast_halfway(const DrillingSystem& s, double h, const DrillingState& from,
     return false;
   to.rotation.time += 0.5 * h;
   to.c_W += (0.5 * h / s.mass) * to.momentum_W;
+  to.upper.z += 0.5 * h * to.upper.rate;
+  to.upper.angle += 0.5 * h * to.upper.speed;
   if (s.rock.mass > 0.0) to.rock_z += 0.5 * h / s.rock.mass * to.rock_momentum;
   configure(s, to, middle);
   return true;

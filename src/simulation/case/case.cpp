@@ -228,7 +228,7 @@ bit::BitFile read_tables(Config& c, const BitReader& read_bit, Case& read) {
   read.wear = read_wear(c, read.bit, read.forces);
   read.spalling = read_spalling(c, read.bit, read.measure, read.forces, read.warnings);
   if (read.motion.kind == MotionKind::drilling)
-    read.drilling = read_drilling(c, read.bit, read.motion);
+    read.drilling = read_drilling(c, read.bit, read.motion, read.time.step, read.warnings);
   check_drilling_case(c, read);
   check_step_length(c, read);
   if (c.problem_count() > 0) return file;

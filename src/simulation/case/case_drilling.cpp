@@ -7,8 +7,11 @@
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_rolling.hpp"
 #include "core/error.hpp"
+#include "dynamics/drilling/chained_string.hpp"
 #include "dynamics/momenta.hpp"
 #include "simulation/case/drilling_keys.hpp"
+#include "simulation/case/read_chain.hpp"
+#include "string/statics.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -123,12 +126,69 @@ void set_start(const bit::Bit& bit, const Motion& m, DrillingPlan& p) {
                                  (m.rotary_speed * Vec3::UnitZ()).cross(s.centre_B));
 }
 
+/// A chain is lowered at a rate, hangs from a force, or has an autodriller for the weight.
+void check_axial_drive(Config& whole, const string::Chain& chain, const TopPlan& driven) {
+  const bool drills_itself = chain.top.axial == string::Top::Axial::autodriller;
+  Config c = whole.table(motion_keys::table);
+  if (drills_itself == (driven.top.axial == dynamics::AxialMode::load)) return;
+  if (drills_itself)
+    c.problem(motion_keys::rate_of_penetration, "a rate with string.top.axial = \"autodriller\"",
+              "weight_on_bit, at the surface: the autodriller finds the rate");
+  else
+    c.problem(motion_keys::weight_on_bit, "a weight on a string with model = \"chain\"",
+              "rate_of_penetration, or string.top.axial = \"autodriller\"");
+}
+
+/// The dampers at the bit have no top to follow.
+void refuse_dampers_to_top(Config& c, const dynamics::DrillString& s) {
+  if (s.damper_end != dynamics::DamperEnd::top) return;
+  for (const QuantityKey& key : {string_keys::axial_damping, string_keys::torsional_damping})
+    if (c.has(key))
+      c.problem(key, "a damper to the top with model = \"chain\"",
+                "dampers_to = \"space\", or the damping of [string.friction]");
+}
+
+/// The chain ends at the springs of the bit, which are its last element. Its last cell moves with the
+/// bit, and both weigh what their masses weigh along the hole.
+void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p) {
+  dynamics::DrillingSystem& s = p.system;
+  s.chained = dynamics::ChainedString{std::move(above.chain)};
+  const string::Chain& chain = s.chained->chain;
+  const auto& e = chain.elements;
+  s.string.stiffness(2, 2) = e.axial.back();
+  s.string.turn_stiffness(2, 2) = e.torsional.back();
+  s.top.axial = dynamics::AxialMode::rate;
+  s.chained->surface_weight = dynamics::value_at(m.driven.top.load, 0.0);
+  const double fall =
+      string::tangent_at(above.string.survey, string::total_length(above.string.sections)).z();
+  const double weight = s.mass * s.gravity * fall + chain.contact.weight.back();
+  s.mass += e.mass.back();
+  s.gravity = weight / s.mass;
+  Mat3 inertia_B = s.gyrostat.inertia_B;
+  inertia_B(2, 2) += e.inertia.back();
+  s.gyrostat = dynamics::make_gyrostat(inertia_B, s.gyrostat.cones);
+  const bool steady = above.start == ChainStart::steady;
+  const string::SteadyMotion motion{steady ? m.rate_of_penetration : 0.0,
+                                    steady ? m.rotary_speed : 0.0,
+                                    weight - m.driven.weight_at_start, m.driven.torque_at_start};
+  const double usual = string::steady_load(chain, motion).surface.hook_load;
+  s.chained->hook_load = read_hook_load(whole, chain, usual);
+  string::SteadyMotion off = motion;
+  off.rate = 0.0;
+  off.pull = weight;
+  off.torque = 0.0;
+  s.chained->chain.top.tare = string::steady_load(chain, off).surface.hook_load;
+  p.start_motion = motion;
+}
+
 }  // namespace
 
-DrillingPlan read_drilling(Config& whole, const bit::Bit& bit, const Motion& m) {
+DrillingPlan read_drilling(Config& whole, const bit::Bit& bit, const Motion& m, double step,
+                           std::vector<CaseWarning>& warnings) {
   DrillingPlan p;
   p.system.top = m.driven.top;
   Config string = whole.table(string_keys::table);
+  const bool is_chain = string.read(chain_keys::model) == StringModel::chain;
   p.system.string = read_string(string, bit);
   const MovingString moving = read_moving_string(string);
   p.system.gravity = string.read(string_keys::gravity);
@@ -136,11 +196,22 @@ DrillingPlan read_drilling(Config& whole, const bit::Bit& bit, const Motion& m) 
     p.system.wall = read_wall(whole.table(wall_keys::table), bit.gage_radius);
   if (whole.has(rock_mount_keys::table))
     p.system.rock = read_rock_mount(whole.table(rock_mount_keys::table));
-  check_start(whole.table(motion_keys::table), m.driven, p.system.string);
+  if (!is_chain) check_start(whole.table(motion_keys::table), m.driven, p.system.string);
   if (bit.parts.empty()) return p;  // its own mistakes are told
+  const std::size_t mistakes = whole.problem_count();
   try {
     add_bodies(moving, bit, p.system);
+    if (is_chain) {
+      refuse_dampers_to_top(string, p.system.string);
+      ChainAbove above = read_chain_above(whole, step, p.system.gyrostat.inertia_B(2, 2), warnings);
+      check_axial_drive(whole, above.chain, m.driven);
+      if (whole.problem_count() != mistakes) return p;
+      add_chain(whole, m, std::move(above), p);
+      check_chain_step(whole, step, p.system.chained->chain, p.system.mass,
+                       p.system.gyrostat.inertia_B(2, 2));
+    }
     set_start(bit, m, p);
+    if (is_chain) dynamics::start_chain(p.start_motion, p.system, p.start, p.chain);
     p.system = dynamics::make_drilling_system(p.system);
   } catch (const InputError& e) {
     string.problem("", e.what(), "a body that can move");

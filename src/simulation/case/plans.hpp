@@ -14,6 +14,7 @@
 #include "rock/section/breakout.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/run_keys.hpp"
+#include "string/statics.hpp"
 
 namespace tdbd::simulation {
 
@@ -96,6 +97,8 @@ inline bool spalls(const SpallingPlan& plan) { return !plan.rules.empty(); }
 struct DrillingPlan {
   dynamics::DrillingSystem system;
   dynamics::DrillingState start;
+  string::ChainState chain;           ///< at the start, of a string on a chain
+  string::SteadyMotion start_motion;  ///< of that chain
 };
 
 }  // namespace tdbd::simulation

@@ -191,31 +191,6 @@ void check_masses(Config& whole, const ChainPlan& p) {
                   "string.mass and string.torsional_inertia");
 }
 
-/// The step must be stable, with and without Kelvin-Voigt's dampers.
-void check_step(Config& whole, double step, ChainPlan& p) {
-  const bool free = p.bit.law != BitLaw::fixed;
-  const double mass = free ? p.bit.mass : 0.0, inertia = free ? p.bit.inertia : 0.0;
-  p.longest_step = string::longest_step(p.chain, mass, inertia);
-  if (step < p.longest_step || step == 0.0) return;
-  string::Chain lossless = p.chain;
-  lossless.axial_loss_time = lossless.torsional_loss_time = 0.0;
-  Config c = whole.table(chain_keys::table);
-  if (step < string::longest_step(lossless, mass, inertia)) {
-    Config friction = c.table(string_friction_keys::table);
-    const auto key = p.chain.torsional_loss_time > 0.0
-                         ? std::string_view(string_friction_keys::torsional_loss_time)
-                         : std::string_view(string_friction_keys::axial_loss_time);
-    friction.problem(key, fmt::format("a time step of {:.6g} s", step),
-                     fmt::format("a shorter loss time, or steps below {:.6g} s", p.longest_step));
-    return;
-  }
-  c.problem(chain_keys::element_length,
-            fmt::format("elements of {:.6g} m with a time step of {:.6g} s",
-                        p.chain.elements.length, step),
-            fmt::format("steps below {:.6g} s, or elements of at least {:.6g} m", p.longest_step,
-                        1.01 * p.chain.elements.length * step / p.longest_step));
-}
-
 /// Keys of a lumped string, whose values follow from the sections.
 void refuse_lumped(Config& c) {
   for (const char* name : {"axial_stiffness", "torsional_stiffness"})
@@ -246,48 +221,91 @@ string::Chain make_chain(Config& c, const StringPlan& s, double step) {
 
 }  // namespace
 
+ChainAbove read_chain_above(Config& whole, double step, double inertia,
+                            std::vector<CaseWarning>& warnings) {
+  Config c = whole.table(chain_keys::table);
+  refuse_lumped(c);
+  const std::size_t mistakes = whole.problem_count();
+  ChainAbove a;
+  a.string = read_string_plan(whole, step, warnings);
+  a.start = c.read(chain_keys::start);
+  if (whole.problem_count() != mistakes)
+    a.string.sections.assign(1, string::pipe(1.0, {0.1, 0.0, 0.1}, {}, 0.0, {}));
+  a.chain = make_chain(c, a.string, step);
+  std::vector<double> inertias = a.chain.elements.inertia;
+  inertias.back() += inertia;
+  const auto modes = string::lowest_modes(a.chain.elements.torsional, inertias, 1);
+  Config top = c.table(top_keys::table);
+  read_drive(top, string::torsional_impedance(a.string.sections[0]), modes[0].frequency,
+             a.chain.top);
+  a.chain.top.axial = top.read(top_keys::axial);
+  read_autodriller(top, a.chain.top);
+  return a;
+}
+
+double check_chain_step(Config& whole, double step, const string::Chain& chain, double mass,
+                        double inertia) {
+  const double longest = string::longest_step(chain, mass, inertia);
+  if (step < longest || step == 0.0) return longest;
+  string::Chain lossless = chain;
+  lossless.axial_loss_time = lossless.torsional_loss_time = 0.0;
+  Config c = whole.table(chain_keys::table);
+  if (step < string::longest_step(lossless, mass, inertia)) {
+    Config friction = c.table(string_friction_keys::table);
+    const auto key = chain.torsional_loss_time > 0.0
+                         ? std::string_view(string_friction_keys::torsional_loss_time)
+                         : std::string_view(string_friction_keys::axial_loss_time);
+    friction.problem(key, fmt::format("a time step of {:.6g} s", step),
+                     fmt::format("a shorter loss time, or steps below {:.6g} s", longest));
+    return longest;
+  }
+  c.problem(
+      chain_keys::element_length,
+      fmt::format("elements of {:.6g} m with a time step of {:.6g} s", chain.elements.length, step),
+      fmt::format("steps below {:.6g} s, or elements of at least {:.6g} m", longest,
+                  1.01 * chain.elements.length * step / longest));
+  return longest;
+}
+
+double read_hook_load(Config& whole, const string::Chain& chain, double usual) {
+  Config top = whole.table(chain_keys::table).table(top_keys::table);
+  if (chain.top.axial == Top::Axial::hook_load) return top.read(top_keys::hook_load, usual);
+  refuse(top, top_keys::hook_load, "a hook load", "none, or axial = \"hook-load\"");
+  return 0.0;
+}
+
 ChainPlan read_chain_plan(Config& whole, double step, std::vector<CaseWarning>& warnings) {
   Config c = whole.table(chain_keys::table);
   ChainPlan p;
   if (c.read(chain_keys::model) != StringModel::chain)
     c.problem(chain_keys::model, "sections of a string whose model is not \"chain\"",
               "model = \"chain\"");
-  refuse_lumped(c);
   const std::size_t mistakes = whole.problem_count();
-  p.string = read_string_plan(whole, step, warnings);
-  p.start = c.read(chain_keys::start);
   const double mass = c.read(chain_keys::mass), inertia = c.read(chain_keys::torsional_inertia);
   const double gravity = c.read(chain_keys::gravity);
-  if (whole.problem_count() != mistakes)
-    p.string.sections.assign(1, string::pipe(1.0, {0.1, 0.0, 0.1}, {}, 0.0, {}));
-  p.chain = make_chain(c, p.string, step);
+  ChainAbove above = read_chain_above(whole, step, inertia, warnings);
+  p.string = std::move(above.string);
+  p.chain = std::move(above.chain);
+  p.start = above.start;
   const double end = string::total_length(p.string.sections);
   const double fall = string::tangent_at(p.string.survey, end).z();
   p.bit_weight = mass * gravity;
   p.bit = string::bit_below(p.chain, mass, inertia, p.bit_weight * fall);
-  Config bit = c.table(simple_bit_keys::table), top = c.table(top_keys::table);
+  Config bit = c.table(simple_bit_keys::table);
   read_law(bit, p.bit);
-  std::vector<double> inertias = p.chain.elements.inertia;
-  inertias.back() = p.bit.inertia;
-  const auto modes = string::lowest_modes(p.chain.elements.torsional, inertias, 1);
-  read_drive(top, string::torsional_impedance(p.string.sections[0]), modes[0].frequency,
-             p.chain.top);
-  p.chain.top.axial = top.read(top_keys::axial);
-  read_autodriller(top, p.chain.top);
   read_motion(whole, p);
-  const bool hangs = p.chain.top.axial == Top::Axial::hook_load;
-  const double usual = string::steady_load(p.chain, p.motion).surface.hook_load;
-  if (hangs)
-    p.hook_load = top.read(top_keys::hook_load, usual);
-  else
-    refuse(top, top_keys::hook_load, "a hook load", "none, or axial = \"hook-load\"");
+  p.hook_load =
+      read_hook_load(whole, p.chain, string::steady_load(p.chain, p.motion).surface.hook_load);
   string::SteadyMotion off = p.motion;
   off.rate = 0.0;
   off.pull = p.bit.gravity_force;
   off.torque = p.chain.torsional_damping * p.chain.elements.inertia.back() * off.rotary_speed;
   p.chain.top.tare = string::steady_load(p.chain, off).surface.hook_load;
   check_masses(whole, p);
-  if (whole.problem_count() == mistakes) check_step(whole, step, p);
+  const bool free = p.bit.law != BitLaw::fixed;
+  if (whole.problem_count() == mistakes)
+    p.longest_step =
+        check_chain_step(whole, step, p.chain, free ? p.bit.mass : 0.0, free ? p.bit.inertia : 0.0);
   return p;
 }
 

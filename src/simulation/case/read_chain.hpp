@@ -11,6 +11,26 @@
 
 namespace tdbd::simulation {
 
+/// A string on a chain and its top, without what hangs below.
+struct ChainAbove {
+  StringPlan string;
+  string::Chain chain;
+  ChainStart start = ChainStart::steady;
+};
+
+/// Reads [string] and its tables for a bit of this inertia (kg m2), with what is rigid with it, which the
+/// usual frequency of soft-torque depends on. Notes mistakes in the file; appends warnings.
+ChainAbove read_chain_above(Config& whole, double step, double inertia,
+                            std::vector<CaseWarning>& warnings);
+
+/// The longest stable step (s) with a bit of this mass (kg) and inertia (kg m2), the last cell included;
+/// 0: they cannot move. Notes a mistake if `step` is longer.
+double check_chain_step(Config& whole, double step, const string::Chain& chain, double mass,
+                        double inertia);
+
+/// What [string.top] says of the hook load and refuses without one, N; `usual`: that of the start.
+double read_hook_load(Config& whole, const string::Chain& chain, double usual);
+
 /// A chain with a bit that has no shape, and how both start.
 struct ChainPlan {
   StringPlan string;

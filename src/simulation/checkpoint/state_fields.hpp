@@ -78,6 +78,14 @@ void fields(A& a, Of<A, rock::CutReport>& x) {
 }
 
 template <class A>
+void fields(A& a, Of<A, dynamics::UpperEnd>& x) {
+  a("z", x.z);
+  a("angle", x.angle);
+  a("rate", x.rate);
+  a("speed", x.speed);
+}
+
+template <class A>
 void fields(A& a, Of<A, dynamics::DrillingState>& x) {
   a("rotation", x.rotation);
   a("c_W", x.c_W);
@@ -85,6 +93,7 @@ void fields(A& a, Of<A, dynamics::DrillingState>& x) {
   a("rock_z", x.rock_z);
   a("rock_momentum", x.rock_momentum);
   a("top_rate", x.top_rate);
+  a("upper", x.upper);
 }
 
 template <class A>
@@ -108,6 +117,44 @@ void fields(A& a, Of<A, dynamics::EnergyLedger>& x) {
   a("damped_rock", x.damped_rock);
   a("wall_loss", x.wall_loss);
   a("wall_friction", x.wall_friction);
+  a("chain_gravity", x.chain_gravity);
+  a("chain_friction", x.chain_friction);
+  a("chain_damping", x.chain_damping);
+  a("chain_loss", x.chain_loss);
+  a("top_damping", x.top_damping);
+}
+
+template <class A>
+void fields(A& a, Of<A, string::TopState>& x) {
+  a("set_angle", x.set_angle);
+  a("set_speed", x.set_speed);
+  a("rate", x.rate);
+  a("hook_load", x.hook_load);
+  a("error_integral", x.error_integral);
+  a("measured", x.measured);
+  a("limited", x.limited);
+}
+
+template <class A>
+void fields(A& a, Of<A, string::ChainLedger>& x) {
+  a("top", x.top);
+  a("gravity", x.gravity);
+  a("friction", x.friction);
+  a("damping", x.damping);
+  a("loss", x.loss);
+  a("top_damping", x.top_damping);
+}
+
+template <class A>
+void fields(A& a, Of<A, string::ChainState>& x) {
+  a("displacement", x.displacement);
+  a("velocity", x.velocity);
+  a("angle", x.angle);
+  a("rotary_speed", x.rotary_speed);
+  a("stretching", x.stretching);
+  a("twisting", x.twisting);
+  a("top", x.top);
+  a("ledger", x.ledger);
 }
 
 template <class A>
@@ -115,6 +162,7 @@ void fields(A& a, Of<A, dynamics::Drilling>& x) {
   a("state", x.state);
   a("wrench", x.wrench);
   a("ledger", x.ledger);
+  a("chain", x.chain);
 }
 
 template <class A>

@@ -29,17 +29,24 @@ Expected expected_of(const dynamics::DrillingSystem& s, double rotary_speed) {
 }
 
 DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& d,
-                   const dynamics::Configuration& at, double turned) {
-  const dynamics::StoredEnergy stored = dynamics::stored_energy(system, at, d.state);
+                   const dynamics::DrillingWork& work, double turned) {
+  const dynamics::StoredEnergy stored = dynamics::stored_energy(system, work.at, d.state);
   const dynamics::EnergyLedger& l = d.ledger;
   DriveRow row;
   row.rock_z = d.state.rock_z;
-  row.string_twist = at.top.angle - turned;
+  row.string_twist = (system.chained ? d.chain.angle.front() : work.at.top.angle) - turned;
   row.stored = dynamics::total(stored);
   row.top = l.top;
   row.cutting = -l.cut_bit;
-  row.lost = l.damped_string + l.damped_bearings + l.damped_rock + l.wall_loss + l.wall_friction;
+  row.lost = dynamics::lost(l);
   row.residual = dynamics::residual(stored, l);
+  if (!system.chained) return row;
+  const string::SurfaceLoad surface =
+      string::surface_load(system.chained->chain, d.chain, work.chain);
+  row.hook_load = surface.hook_load;
+  row.surface_torque = surface.torque;
+  row.top_speed = d.chain.rotary_speed.front();
+  row.block_speed = d.chain.velocity.front();
   return row;
 }
 
@@ -56,6 +63,12 @@ Json energy_json(const DriveFigures& f) {
           {"damped_rock_j", l.damped_rock},
           {"wall_loss_j", l.wall_loss},
           {"wall_friction_j", l.wall_friction},
+          {"chain_gravity_j", l.chain_gravity},
+          {"chain_friction_j", l.chain_friction},
+          {"chain_damping_j", l.chain_damping},
+          {"chain_loss_j", l.chain_loss},
+          {"top_damping_j", l.top_damping},
+          {"chain_j", f.stored.chain},
           {"kinetic_j", f.stored.translation + f.stored.rotation + f.stored.cones + f.stored.rock},
           {"elastic_j", f.stored.string + f.stored.wall + f.stored.rock_mount},
           {"residual_j", residual},

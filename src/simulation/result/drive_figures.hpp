@@ -18,10 +18,13 @@ struct DriveRow {
   double string_twist = 0.0;                                    ///< rad, of the top over the bit
   double stored = 0.0;                                          ///< J, kinetic and elastic
   double top = 0.0, cutting = 0.0, lost = 0.0, residual = 0.0;  ///< J, since the start
+  // Of a string on a chain.
+  double hook_load = 0.0, surface_torque = 0.0;  ///< N, N m
+  double top_speed = 0.0, block_speed = 0.0;     ///< rad/s, m/s
 };
 
 DriveRow drive_row(const dynamics::DrillingSystem& system, const dynamics::Drilling& drilling,
-                   const dynamics::Configuration& at, double turned);
+                   const dynamics::DrillingWork& work, double turned);
 
 /// What a run of a bit that forces move reports of its motion.
 struct DriveFigures {

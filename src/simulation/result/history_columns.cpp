@@ -132,6 +132,18 @@ constexpr std::array drive_columns = {
                        [](const DriveRow& r) { return r.residual; }},
 };
 
+/// Of a string on a chain.
+constexpr std::array surface_columns = {
+    ColumnOf<DriveRow>{"hook_load", "N", "force that holds the string at the surface",
+                       [](const DriveRow& r) { return r.hook_load; }},
+    ColumnOf<DriveRow>{"surface_torque", "N m", "torque that turns the string at the surface",
+                       [](const DriveRow& r) { return r.surface_torque; }},
+    ColumnOf<DriveRow>{"top_speed", "rad s-1", "rotary speed of the top of the string",
+                       [](const DriveRow& r) { return r.top_speed; }},
+    ColumnOf<DriveRow>{"block_speed", "m s-1", "speed of the top of the string, downward",
+                       [](const DriveRow& r) { return r.block_speed; }},
+};
+
 /// Of a part's load: variables over time and part.
 constexpr std::array part_load_columns = {
     ColumnOf<PartLoad>{"force_normal", "N", "force of the part along the normal into the rock",
@@ -289,6 +301,9 @@ RecordLayout step_layout(const std::vector<HistoryPart>& parts, const HistoryExt
   if (!extent.drive) return layout;
   for (const ColumnOf<DriveRow>& c : drive_columns)
     layout.columns.push_back({c.name, c.units, c.long_name});
+  if (!extent.chain) return layout;
+  for (const ColumnOf<DriveRow>& c : surface_columns)
+    layout.columns.push_back({c.name, c.units, c.long_name, -1, InCsv::yes, Over::mean});
   return layout;
 }
 
@@ -305,8 +320,10 @@ void numbers_of(const HistoryRow& step, const HistoryExtent& extent, std::vector
   if (!extent.cutters.empty()) append_sections(step.sections, numbers);
   if (extent.forces && step.loaded != nullptr) append_loads(*step.loaded, numbers);
   if (step.wear != nullptr) append_wear(*step.wear, numbers);
-  if (extent.drive && step.drive != nullptr)
-    for (const ColumnOf<DriveRow>& c : drive_columns) numbers.push_back(c.value(*step.drive));
+  if (!extent.drive || step.drive == nullptr) return;
+  for (const ColumnOf<DriveRow>& c : drive_columns) numbers.push_back(c.value(*step.drive));
+  if (!extent.chain) return;
+  for (const ColumnOf<DriveRow>& c : surface_columns) numbers.push_back(c.value(*step.drive));
 }
 
 }  // namespace tdbd::simulation

@@ -59,6 +59,7 @@ HistoryExtent history_extent(const Case& c) {
   extent.contact_areas = c.measure.contact == ContactMeasure::on;
   extent.forces = c.forces.forces == Forces::on;
   extent.drive = c.motion.kind == MotionKind::drilling;
+  extent.chain = extent.drive && c.drilling.system.chained.has_value();
   if (wears(c.wear))
     for (const bit::WearSolid& solid : solids_of(c))
       (solid.cutter >= 0 ? extent.worn_cutters : extent.worn_parts).push_back(solid.name);
@@ -117,7 +118,7 @@ void take_step(const Case& of_run, const Simulation& s, History& history) {
                           c.time.step,        s.work.rates};
   if (c.forces.forces == Forces::on) row.loaded = &loaded;
   const DriveRow drive = s.state.drive ? drive_row(c.drilling.system, *s.state.drive,
-                                                   s.work.drive.at, s.state.place.turned)
+                                                   s.work.drive, s.state.place.turned)
                                        : DriveRow{};
   if (s.state.drive) row.drive = &drive;
   const WearRow wear = s.work.wear ? wear_row(*s.state.wear, *s.work.wear) : WearRow{};

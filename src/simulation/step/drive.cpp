@@ -5,7 +5,7 @@
 namespace tdbd::simulation {
 
 dynamics::Drilling start_drive(const Case& c) {
-  return dynamics::start_drilling(c.drilling.system, c.drilling.start);
+  return dynamics::start_drilling(c.drilling.system, c.drilling.start, c.drilling.chain);
 }
 
 Place place_of(const dynamics::DrillingSystem& system, const dynamics::DrillingState& state) {

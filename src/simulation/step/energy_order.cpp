@@ -39,6 +39,7 @@ Simulation at_window(const Case& finer, const Simulation& s, int parts) {
   rock::divide_cuts(state.rock, parts);
   const dynamics::DrillingState& now = s.state.drive->state;
   state.drive->ledger = {};
+  state.drive->chain.ledger = {};
   state.drive->ledger.start =
       dynamics::total(dynamics::stored_energy(finer.drilling.system, s.work.drive.at, now));
   return resume(finer, std::move(state), start_statistics(finer));

@@ -120,7 +120,7 @@ TEST(DriveRow, has_the_string_and_the_accounts_of_the_step) {
   const dynamics::DrillingWork work = dynamics::drilling_work(c.drilling.system, d);
   d.state.rock_z = 0.25;
   d.ledger = ledger();
-  const DriveRow row = drive_row(c.drilling.system, d, work.at, 0.125);
+  const DriveRow row = drive_row(c.drilling.system, d, work, 0.125);
   const dynamics::StoredEnergy stored =
       dynamics::stored_energy(c.drilling.system, work.at, d.state);
   EXPECT_EQ(row.rock_z, 0.25);
