@@ -121,12 +121,6 @@ void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
     w.near.push_back(v);
     w.near_P.push_back(m.X_PW1 * rock.surface.position(v));
   }
-  if (g.leaves == Leaves::nothing) return;
-  for (const LeftVertex& l : rock.left) {
-    if (l.part != g.parts.front().part) continue;
-    w.near.push_back(l.v);
-    w.near_P.push_back(m.X_PW1 * rock.surface.position(l.v));
-  }
 }
 
 void hold(const Rock& rock, const CuttingGroup& g, const CuttingPart& part, double gap,
