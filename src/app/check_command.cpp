@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "simulation/case/case_kind.hpp"
+#include "simulation/chain/chain_simulation.hpp"
 #include "simulation/result/estimate.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 #include "simulation/start/reach.hpp"
@@ -61,6 +62,14 @@ void check_rotate(const std::string& file, const std::vector<std::string>& overr
       c.time.steps, c.time.step, s.invariants.energy);
 }
 
+void check_string(const std::string& file, const std::vector<std::string>& overrides) {
+  const simulation::ChainCase c = simulation::read_chain_case(file, overrides);
+  simulation::start_chain(c);
+  print_warnings(c.warnings);
+  say("{}: valid; {} elements of {:.4g} m, {} steps of {} s\n", file, c.plan.chain.count(),
+      c.plan.chain.elements.length, c.time.steps, c.time.step);
+}
+
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
@@ -73,10 +82,15 @@ void add_check(CLI::App& app, int& exit_code) {
   command->footer("Example: tdbd check cases/bit-b-steady.toml");
   command->callback([file, overrides, &exit_code] {
     exit_code = guarded([&] {
+      using simulation::CaseKind;
       simulation::require_kind(*file, *overrides,
-                               {simulation::CaseKind::drilling, simulation::CaseKind::rotation});
-      simulation::is_rotate_case(*file) ? check_rotate(*file, *overrides)
-                                        : check_run(*file, *overrides);
+                               {CaseKind::drilling, CaseKind::rotation, CaseKind::string});
+      if (simulation::kind_of(*file, *overrides) == CaseKind::string)
+        check_string(*file, *overrides);
+      else if (simulation::is_rotate_case(*file))
+        check_rotate(*file, *overrides);
+      else
+        check_run(*file, *overrides);
       return 0;
     });
   });

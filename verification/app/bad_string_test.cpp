@@ -53,6 +53,7 @@ TEST_P(BadString, is_refused_with_its_place_and_reason) {
   const StringFolder c;
   c.edit("case.toml", m.from, m.to);
   expect_refusal(c.run(), c.path("case.toml").string() + ":" + m.message);
+  expect_refusal(c.check(), c.path("case.toml").string() + ":" + m.message);
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
 }
 
