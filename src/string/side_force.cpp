@@ -86,7 +86,7 @@ Contact make_contact(const std::vector<Section>& sections, const Survey& survey,
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const double middle = 0.5 * (cuts[k] + cuts[k + 1]);
     const int element = std::clamp(static_cast<int>(middle / length), 0, elements - 1);
-    const int cell = std::clamp(static_cast<int>(middle / length + 0.5), 0, elements);
+    const int cell = std::clamp(static_cast<int>(std::lround(middle / length)), 0, elements);
     const FrictionBelow here = friction_at(friction, middle);
     const double fall = position_at(survey, cuts[k + 1]).z() - position_at(survey, cuts[k]).z();
     for (const Span& s : spans_between(sections, cuts[k], cuts[k + 1])) {
