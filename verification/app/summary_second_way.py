@@ -117,10 +117,11 @@ def lateral_B(i):
 
 def energies():
     e = summary["energy"]
-    put_in = e["start_j"] + e["top_j"] + e["gravity_j"] + e["cutting_to_rock_motion_j"]
+    put_in = e["start_j"] + e["top_j"] + e["gravity_j"] + e["chain_gravity_j"] + e["cutting_to_rock_motion_j"]
     lost = sum(e[key] for key in ("cutting_j", "damped_string_j", "damped_bearings_j",
-                                  "damped_rock_j", "wall_loss_j", "wall_friction_j"))
-    stored = e["kinetic_j"] + e["elastic_j"]
+                                  "damped_rock_j", "wall_loss_j", "wall_friction_j", "chain_friction_j", "chain_damping_j",
+                                  "chain_loss_j", "top_damping_j"))
+    stored = e["kinetic_j"] + e["elastic_j"] + e["chain_j"]
     same("residual_j", stored + lost - put_in, put_in, e["residual_j"], within=1e-13)
     # Power times step is of first order: of bit M, whose teeth land on the rock here, 1.0, 0.5, 0.3, 0.2 % at 1, 0.5, 0.25, 0.125 ms.
     lands = "drill-bit-m" in case

@@ -128,6 +128,9 @@ void set_start(const bit::Bit& bit, const Motion& m, DrillingPlan& p) {
 
 /// A chain is lowered at a rate, hangs from a force, or has an autodriller for the weight.
 void check_axial_drive(Config& whole, const string::Chain& chain, const TopPlan& driven) {
+  if (chain.directions != string::Directions::both)
+    whole.table(chain_keys::table)
+        .problem(chain_keys::directions, "one direction for a bit that drills", "both");
   const bool drills_itself = chain.top.axial == string::Top::Axial::autodriller;
   Config c = whole.table(motion_keys::table);
   if (drills_itself == (driven.top.axial == dynamics::AxialMode::load)) return;
@@ -143,7 +146,7 @@ void check_axial_drive(Config& whole, const string::Chain& chain, const TopPlan&
 void refuse_dampers_to_top(Config& c, const dynamics::DrillString& s) {
   if (s.damper_end != dynamics::DamperEnd::top) return;
   for (const QuantityKey& key : {string_keys::axial_damping, string_keys::torsional_damping})
-    if (c.has(key))
+    if (c.read(key) != 0.0)
       c.problem(key, "a damper to the top with model = \"chain\"",
                 "dampers_to = \"space\", or the damping of [string.friction]");
 }

@@ -163,7 +163,9 @@ KeyTable string_table() {
       "run", table,
       rows(mass, bending_inertia, torsional_inertia, lateral_stiffness, axial_stiffness,
            bending_stiffness, torsional_stiffness, lateral_damping, axial_damping, bending_damping,
-           torsional_damping, dampers_to, bearing_damping, attachment_height, gravity));
+           torsional_damping, dampers_to, bearing_damping, attachment_height, gravity,
+           chain_keys::model, chain_keys::directions, chain_keys::element_length, chain_keys::start,
+           chain_keys::hole_diameter));
 }
 
 KeyTable wall_table() {
@@ -178,10 +180,35 @@ KeyTable rock_mount_table() {
   return key_table("run", table, rows(mass, stiffness, damping));
 }
 
-std::vector<KeyTable> chain_tables() {
+/// Of a string on a chain, with a bit that drills or without a shape.
+std::vector<KeyTable> chain_tables_of(const std::string& command) {
   namespace section = section_keys;
   namespace friction = string_friction_keys;
   namespace top = top_keys;
+  return {
+      key_table(command, section::table,
+                rows(section::length, section::outer_diameter, section::inner_diameter,
+                     section::contact_diameter, section::material, section::young, section::shear,
+                     section::density, section::linear_mass, section::axial_rigidity,
+                     section::torsional_rigidity, section::mass_per_length,
+                     section::inertia_per_length, section::weight_per_length)),
+      key_table(command, survey_keys::table,
+                rows(survey_keys::file, survey_keys::measured_depth, survey_keys::inclination,
+                     survey_keys::azimuth)),
+      key_table(command, friction::table,
+                rows(friction::resting, friction::sliding, friction::threshold,
+                     friction::mud_density, friction::axial_damping, friction::torsional_damping,
+                     friction::axial_loss_time, friction::torsional_loss_time)),
+      key_table(command, friction::above,
+                rows(friction::depth, friction::resting, friction::sliding)),
+      key_table(
+          command, top::table,
+          rows(top::torsion, top::inertia, top::proportional, top::integral, top::tuned_frequency,
+               top::impedance_factor, top::compensation, top::torque_limit, top::axial,
+               top::hook_load, top::gain, top::integral_gain, top::filter, top::rate_limits))};
+}
+
+std::vector<KeyTable> string_tables() {
   namespace bit = simple_bit_keys;
   namespace out = chain_output_keys;
   using namespace chain_keys;
@@ -190,26 +217,6 @@ std::vector<KeyTable> chain_tables() {
       key_table("string", table,
                 rows(model, directions, element_length, chain_keys::start, mass, torsional_inertia,
                      gravity, hole_diameter)),
-      key_table("string", section::table,
-                rows(section::length, section::outer_diameter, section::inner_diameter,
-                     section::contact_diameter, section::material, section::young, section::shear,
-                     section::density, section::linear_mass, section::axial_rigidity,
-                     section::torsional_rigidity, section::mass_per_length,
-                     section::inertia_per_length, section::weight_per_length)),
-      key_table("string", survey_keys::table,
-                rows(survey_keys::file, survey_keys::measured_depth, survey_keys::inclination,
-                     survey_keys::azimuth)),
-      key_table("string", friction::table,
-                rows(friction::resting, friction::sliding, friction::threshold,
-                     friction::mud_density, friction::axial_damping, friction::torsional_damping,
-                     friction::axial_loss_time, friction::torsional_loss_time)),
-      key_table("string", friction::above,
-                rows(friction::depth, friction::resting, friction::sliding)),
-      key_table(
-          "string", top::table,
-          rows(top::torsion, top::inertia, top::proportional, top::integral, top::tuned_frequency,
-               top::impedance_factor, top::compensation, top::torque_limit, top::axial,
-               top::hook_load, top::gain, top::integral_gain, top::filter, top::rate_limits)),
       key_table("string", bit::table,
                 rows(bit::law, bit::weight, bit::torque, bit::resting, bit::sliding,
                      bit::force_per_depth, bit::torque_per_depth, bit::contact_force,
@@ -272,8 +279,11 @@ std::vector<KeyTable> all_tables() {
   add(force_tables());
   add(wear_tables());
   add(spalling_tables());
-  add({string_table(), wall_table(), rock_mount_table(), output_table()});
-  add(chain_tables());
+  add({string_table()});
+  add(chain_tables_of("run"));
+  add({wall_table(), rock_mount_table(), output_table()});
+  add(string_tables());
+  add(chain_tables_of("string"));
   add({body_table(), cone_table()});
   add(load_tables());
   add(rotate_tables());

@@ -194,8 +194,7 @@ void check_masses(Config& whole, const ChainPlan& p) {
 /// Keys of a lumped string, whose values follow from the sections.
 void refuse_lumped(Config& c) {
   for (const char* name : {"axial_stiffness", "torsional_stiffness"})
-    if (c.has(name)) {
-      c.quantity(name, name[0] == 'a' ? "N/m" : "N m/rad", 0.0);
+    if (c.has(name) && c.quantity(name, name[0] == 'a' ? "N/m" : "N m/rad", 0.0) != 0.0) {
       c.problem(name, "a stiffness with model = \"chain\"",
                 "none: it follows from [[string.sections]]");
     }

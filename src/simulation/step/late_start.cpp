@@ -25,7 +25,7 @@ double depth_at_begin(const Case& c) {
 /// The flats are those of the last wear step.
 bool has_worn(const bit::Bit& bit, const WearState& wear, const bit::LateStart& start) {
   return std::ranges::any_of(bit.parts, [&](const bit::Part& part) {
-    return part.cutter >= 0 && wear.cutters[at(part.cutter)].height >= start.from &&
+    return part.cutter >= 0 && wear.pieces[at(part.cutter)].height >= start.from &&
            fits(start.worn_names, part.name);
   });
 }

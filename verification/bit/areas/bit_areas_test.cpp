@@ -80,7 +80,9 @@ TEST(BitAreas, give_materials_by_name) {
     for (const Part& part : named.parts) {
       const bool selected = part.kind == PartKind::cutter_body;
       EXPECT_EQ(part.material, selected ? name : "");
-      if (selected) EXPECT_EQ(part.density, density);
+      if (selected) {
+        EXPECT_EQ(part.density, density);
+      }
     }
     const auto properties = properties_json(named, {});
     EXPECT_EQ(

@@ -37,7 +37,7 @@ inline DrillingSystem coupled_bit(AxialMode axial, DamperEnd end) {
   s.wall = {2e5, 0.0, 0.1, -0.02, 1.0, 0.2, 0.5};
   s.rock = {60.0, 3e4, 150.0};
   s.gravity = 9.81;
-  return make_drilling_system(s);
+  return make_drilling_system(std::move(s));
 }
 
 inline DrillingState coupled_start(const DrillingSystem& s) {

@@ -96,7 +96,7 @@ TEST(DrillingSymmetry, a_resumed_run_is_the_same_to_the_bit) {
   const DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::top);
   DrillingRun through = start(s, smooth_law, coupled_start(s));
   for (int i = 0; i < 50; ++i) step(s, smooth_law, 1e-3, through);
-  DrillingRun resumed = go_on(s, {through.state, through.wrench, through.ledger});
+  DrillingRun resumed = go_on(s, {through.state, through.wrench, through.ledger, {}});
   for (int i = 0; i < 50; ++i) {
     step(s, smooth_law, 1e-3, through);
     step(s, smooth_law, 1e-3, resumed);

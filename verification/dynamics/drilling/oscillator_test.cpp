@@ -70,8 +70,7 @@ TEST(Oscillator, torsional_pendulum_keeps_its_frequency_through_windings) {
   s = make_drilling_system(s);
   const double exact = std::sqrt(938.0 / 2.0);
   const Coordinate behind_top = [](const DrillingSystem& system, const DrillingState& x) {
-    return rotation::twist_angle(x.rotation.q_WB, x.rotation.turns) -
-           top_position(system, x.rotation.time).angle;
+    return rotation::twist_angle(x.rotation.q_WB, x.rotation.turns) - top_position(system, x).angle;
   };
   double worst = 0.0;
   for (const double h : {1e-3, 5e-4, 1e-4}) {

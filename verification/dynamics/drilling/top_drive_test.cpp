@@ -201,7 +201,7 @@ TEST(TopDrive, ramp_of_speeds_is_followed) {
   for (int n = 2500; n <= 40'000; n *= 2) {
     DrillingRun d = start(s, nullptr, at_rest(s));
     for (int i = 0; i < n; ++i) step(s, nullptr, 10.0 / n, d);
-    const double lag = top_position(s, d.state.rotation.time).angle -
+    const double lag = top_position(s, d.state).angle -
                        rotation::twist_angle(d.state.rotation.q_WB, d.state.rotation.turns);
     if (n == 10'000) {
       EXPECT_NEAR(velocity(s, d.state).w_W.z(), 10.0, slow);

@@ -224,6 +224,38 @@ ReadCase drilling() {
       {"rock.material=berea-sandstone"});
 }
 
+/// The small bit at the end of a chain with these tables.
+ReadCase on_chain(const std::string& tables, const std::string& speed) {
+  return small_run("kind = \"drilling\"\nrotary_speed = 1\n" + speed,
+                   "[forces]\nlaw = \"detournay\"\neps = 3e7\nzeta = 0.6\n[string]\nmodel = "
+                   "\"chain\"\nmass = 10\ntorsional_inertia = 10\nbending_inertia = 100\n"
+                   "element_length = 10\nhole_diameter = 0.2\n"
+                   "[[string.sections]]\nlength = 100\nouter_diameter = 0.1\n" +
+                       tables,
+                   {"rock.material=berea-sandstone"});
+}
+
+std::vector<ReadCase> on_chains() {
+  const std::string survey = write("keys_well.csv", "md_m,inc_deg,azi_deg\n0,0,0\n300,5,0\n");
+  const std::string products =
+      "[[string.sections]]\nlength = 10\naxial_rigidity = 1e9\ntorsional_rigidity = 1e6\n"
+      "mass_per_length = 30\ninertia_per_length = 0.1\nweight_per_length = 200\n"
+      "contact_diameter = 0.15\n";
+  return {on_chain("linear_mass = 60\n" + products + "[string.survey]\nfile = \"" + survey +
+                       "\"\n[string.top]\ntorsion = \"soft-torque\"\ninertia = 100\n"
+                       "torque_limit = 1e4\naxial = \"hook-load\"\n",
+                   "rate_of_penetration = 1e-3\n"),
+          on_chain("[string.survey]\nmeasured_depth = [0, 300]\ninclination = [0, 0.1]\n"
+                   "azimuth = [0, 0]\n[string.friction]\nstatic = 0.2\n"
+                   "[[string.friction.above]]\ndepth = 50\nstatic = 0.1\n"
+                   "[string.top]\ntorsion = \"z-torque\"\ninertia = 100\nintegral = 10\n"
+                   "axial = \"autodriller\"\ngain = 1e-6\nintegral_gain = 1e-7\n",
+                   "weight_on_bit = 1e3\nexpected_rate = 1e-3\n"),
+          on_chain("[string.top]\ntorsion = \"pi\"\ninertia = 100\nproportional = 10\n"
+                   "integral = 10\n",
+                   "rate_of_penetration = 1e-3\n")};
+}
+
 /// A value that the range allows.
 double some_value(const forces::LawField& field) {
   for (const double x : {field.fallback.value_or(1.0), 1.0, 0.5 * field.range.hi, field.range.lo})
@@ -372,8 +404,8 @@ std::vector<ReadCase> strings() {
 
 TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
   std::vector<ReadCase> cases{drilling()};
-  for (const auto& more :
-       {motions_and_rocks(), laws(), fits(), areas(), wears(), spallings(), rotations(), strings()})
+  for (const auto& more : {motions_and_rocks(), laws(), fits(), areas(), wears(), spallings(),
+                           rotations(), strings(), on_chains()})
     cases.insert(cases.end(), more.begin(), more.end());
   for (const char* name : {"bit-r-rolling", "bit-r-steady", "drill-bit-r", "laboratory"})
     cases.push_back(read_shipped(std::string(TDBD_SOURCE_DIR) + "/cases/" + name + ".toml"));

@@ -109,7 +109,7 @@ TEST(WearStart, is_resumed_from_a_checkpoint_bitwise) {
     EXPECT_EQ(mesh::positions_of(again.state.rock.surface),
               mesh::positions_of(copy.state.rock.surface));
     EXPECT_EQ(again.work.loads.force_W, copy.work.loads.force_W);
-    EXPECT_EQ(again.state.wear->cutters[1].height, copy.state.wear->cutters[1].height);
+    EXPECT_EQ(again.state.wear->pieces[1].height, copy.state.wear->pieces[1].height);
     step(c, s);
   }
 }

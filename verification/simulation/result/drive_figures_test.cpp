@@ -88,13 +88,18 @@ dynamics::EnergyLedger ledger() {
   l.damped_rock = 8.0;
   l.wall_loss = 9.0;
   l.wall_friction = 10.0;
+  l.chain_gravity = 2.0;
+  l.chain_friction = 1.5;
+  l.chain_damping = 2.5;
+  l.chain_loss = 0.25;
+  l.top_damping = 0.75;
   return l;
 }
 
 TEST(EnergyJson, has_every_account_and_what_is_left) {
   DriveFigures f;
   f.ledger = ledger();
-  f.stored = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0};
+  f.stored = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0};
   f.cutting_by_part = {{"cutter-1/face", 38.0}};
   const auto j = energy_json(f);
   EXPECT_EQ(j["start_j"], 1.0);
@@ -106,7 +111,13 @@ TEST(EnergyJson, has_every_account_and_what_is_left) {
   EXPECT_EQ(j["wall_friction_j"], 10.0);
   EXPECT_EQ(j["kinetic_j"], 50.0);
   EXPECT_EQ(j["elastic_j"], 48.0);
-  const double put_in = 200.0 + 3.0 - 40.0 + 0.5, left = 98.0 + 40.0 - 1.0 - put_in;
+  EXPECT_EQ(j["chain_gravity_j"], 2.0);
+  EXPECT_EQ(j["chain_friction_j"], 1.5);
+  EXPECT_EQ(j["chain_damping_j"], 2.5);
+  EXPECT_EQ(j["chain_loss_j"], 0.25);
+  EXPECT_EQ(j["top_damping_j"], 0.75);
+  EXPECT_EQ(j["chain_j"], 18.0);
+  const double put_in = 200.0 + 3.0 + 2.0 - 40.0 + 0.5, left = 116.0 + 45.0 - 1.0 - put_in;
   EXPECT_NEAR(j["residual_j"].get<double>(), left, 1e-12);
   EXPECT_NEAR(j["residual_over_top"].get<double>(), left / 200.0, 1e-14);
   EXPECT_EQ(j["cutting_by_part_j"]["cutter-1/face"], 38.0);
@@ -128,7 +139,7 @@ TEST(DriveRow, has_the_string_and_the_accounts_of_the_step) {
   EXPECT_EQ(row.stored, dynamics::total(stored));
   EXPECT_EQ(row.top, 200.0);
   EXPECT_EQ(row.cutting, 40.0);
-  EXPECT_EQ(row.lost, 40.0);
+  EXPECT_EQ(row.lost, 45.0);
   EXPECT_EQ(row.residual, dynamics::residual(stored, d.ledger));
 }
 

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "core/parallel.hpp"
+#include "core/temporary_file.hpp"
+#include "dynamics/drilling/energy_ledger.hpp"
+#include "simulation/checkpoint/checkpoint.hpp"
+#include "simulation/checkpoint/state_fields.hpp"
+#include "simulation/result/drive_figures.hpp"
+#include "simulation/step/simulation.hpp"
+
+/// Bit B at the end of 2500 m of pipe and collars.
+namespace tdbd::simulation::chain_run_test {
+
+Case on_chain(std::vector<std::string> settings = {}) {
+  settings.insert(settings.begin(), {"rock.edge_length='6 mm'", "time.duration='0.1 s'"});
+  return read_case(TDBD_SOURCE_DIR "/cases/string-drill-bit-b.toml", settings);
+}
+
+void drill(const Case& c, Simulation& s, int steps) {
+  for (int i = 0; i < steps; ++i) step(c, s);
+}
+
+Tape numbers_of(const Simulation& s) {
+  State state = s.state;
+  std::ranges::sort(state.rock.touched_list);
+  Tape tape;
+  TapeWriter write(tape);
+  write("state", state);
+  return tape;
+}
+
+bool same(const Simulation& a, const Simulation& b) {
+  const Tape x = numbers_of(a), y = numbers_of(b);
+  return x.reals.size() == y.reals.size() &&
+         std::memcmp(x.reals.data(), y.reals.data(), x.reals.size() * sizeof(double)) == 0 &&
+         x.wholes == y.wholes && x.ints == y.ints && x.bytes == y.bytes;
+}
+
+TEST(ChainRun, continues_from_a_checkpoint_and_on_two_threads_bitwise_identical) {
+  const Case c = on_chain();
+  Simulation whole = start(c);
+  drill(c, whole, 20);
+  const auto file = test_folder() / "checkpoint.nc";
+  write_checkpoint(file, c, whole, {});
+  Checkpoint saved = read_checkpoint(file, c);
+  Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));
+  const ThreadLimit limit(2);
+  drill(c, whole, 20);
+  drill(c, resumed, 20);
+  EXPECT_TRUE(same(whole, resumed));
+}
+
+/// At the start the hook carries what the bit does not: the weight of string and bit in mud, less what
+/// the mud takes of a string that goes down, and the surface torque is that at the bit and that of the
+/// mud.
+TEST(ChainRun, starts_with_the_loads_at_the_surface_that_balance_the_bit) {
+  constexpr double rounding = 1e-9;
+  const Case c = on_chain();
+  const Simulation s = start(c);
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  const DriveRow row = drive_row(system, *s.state.drive, s.work.drive, 0.0);
+  const string::Chain& chain = system.chained->chain;
+  double weight = system.mass * system.gravity, masses = 0.0, inertias = 0.0;
+  for (std::size_t i = 0; i + 1 < chain.contact.weight.size(); ++i) {
+    weight += chain.contact.weight[i];
+    masses += chain.elements.mass[i];
+    inertias += chain.elements.inertia[i];
+  }
+  const double rate = c.motion.rate_of_penetration, speed = c.motion.rotary_speed;
+  EXPECT_NEAR(row.hook_load, weight - 25e3 - chain.axial_damping * masses * rate,
+              rounding * weight);
+  EXPECT_NEAR(row.surface_torque, 2200.0 + chain.torsional_damping * inertias * speed,
+              rounding * row.surface_torque);
+}
+
+/// What the ledger does not explain, over steps: rock is cut once a step, so that only what springs and
+/// drift make is left. Its largest value falls with the square of the step.
+TEST(ChainRun, closes_the_ledger_of_energy) {
+  const auto largest = [](const char* step_length) {
+    const Case c = on_chain({std::string("time.step=") + step_length});
+    Simulation s = start(c);
+    double most = 0.0;
+    while (s.state.steps_done < c.time.steps) {
+      step(c, s);
+      most = std::max(
+          most,
+          std::abs(dynamics::residual(
+              dynamics::stored_energy(c.drilling.system, s.work.drive.at, s.state.drive->state),
+              s.state.drive->ledger)));
+    }
+    return most / dynamics::throughput(s.state.drive->ledger);
+  };
+  const double coarse = largest("1e-3"), fine = largest("0.25e-3");
+  if (std::getenv("SHOW")) std::printf("residual %g %g\n", coarse, fine);
+  EXPECT_LT(coarse, 1e-4);
+  EXPECT_LT(fine, 0.2 * coarse);
+}
+
+}  // namespace tdbd::simulation::chain_run_test
