@@ -50,13 +50,14 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
   expect_told({"rnu"}, "found the command rnu, expected run? (tdbd alone lists all)");
   expect_told({"help", "convrge"},
               "found the command convrge, expected converge? (tdbd alone lists all)");
-  expect_told({"drill"},
-              "found the command drill, expected one of new, run, rotate, converge, calibrate, "
-              "check, keys, bit, laboratory, sweep, mesh");
+  expect_told(
+      {"drill"},
+      "found the command drill, expected one of new, run, rotate, string, converge, calibrate, "
+      "check, keys, bit, laboratory, sweep, mesh");
   // three slips are too many, and none of its letters may be right by chance
   for (const std::string word : {"q", "r", "rx", "rotaxxx"})
     expect_told({word}, "found the command " + word +
-                            ", expected one of new, run, rotate, converge, calibrate, "
+                            ", expected one of new, run, rotate, string, converge, calibrate, "
                             "check, keys, bit, laboratory, sweep, mesh");
 }
 
@@ -146,9 +147,10 @@ TEST(FirstWords, a_number_a_thousand_times_too_large_asks_for_its_unit) {
 }
 
 TEST(FirstWords, help_of_an_option_that_there_is_not_is_told) {
-  expect_told({"help", "--mna"},
-              "found the command --mna, expected one of new, run, rotate, converge, calibrate, "
-              "check, keys, bit, laboratory, sweep, mesh");
+  expect_told(
+      {"help", "--mna"},
+      "found the command --mna, expected one of new, run, rotate, string, converge, calibrate, "
+      "check, keys, bit, laboratory, sweep, mesh");
 }
 
 TEST(FirstWords, version_tells_what_a_summary_tells) {

@@ -7,6 +7,7 @@
 
 namespace tdbd::rock {
 
+/// @file
 /// Parts that remove a share of the rock in their way and leave the rest inside themselves (ours;
 /// thesis: rates of removal by area). For a vertex of the surface the pass of a group begins when the
 /// group sweeps it and ends when neither it nor a neighbour in the same pass is inside a part of the
