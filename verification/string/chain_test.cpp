@@ -195,4 +195,25 @@ TEST(Chain, moves_as_its_equations_by_runge_kutta) {
   }
 }
 
+/// Largest speed of the bit of a uniform rod that is shaken once, after many steps of a share of the
+/// longest one.
+double speed_after(double share, double loss_time) {
+  Chain c = make_chain({drill_pipe(400.0)}, vertical(), 0.0, 20);
+  c.directions = Directions::torsion;
+  c.torsional_loss_time = loss_time;
+  const SimpleBit bit = bit_below(c, 0.0, 0.0, 0.0);
+  const double h = share * longest_step(c, bit.mass, bit.inertia);
+  Running r = at_rest(c);
+  r.state.bit.rotary_speed = 1.0;
+  for (int k = 0; k < 20000; ++k) step_bit_on_chain(c, bit, h, {}, r.state, r.work);
+  return std::abs(r.state.bit.rotary_speed);
+}
+
+TEST(Chain, the_longest_step_is_sharp_on_a_uniform_rod) {
+  EXPECT_LE(speed_after(0.999, 0.0), 3.0);
+  EXPECT_FALSE(speed_after(1.01, 0.0) < 1e6);
+  EXPECT_LE(speed_after(0.99, 2e-3), 1.0);
+  EXPECT_FALSE(speed_after(1.01, 2e-3) < 1e6);
+}
+
 }  // namespace tdbd::string::chain_test
