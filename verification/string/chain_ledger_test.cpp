@@ -49,7 +49,7 @@ System system_of(Kind kind) {
 
 /// The top turns and lowers, stops and turns back: nodes slide, turn round and come to rest.
 TopCommand command_at(double t, double h) {
-  const auto angle = [](double x) { return 12.0 * x * std::exp(-0.5 * x); };
+  const auto angle = [](double x) { return 60.0 * x * std::exp(-0.5 * x); };
   TopCommand c;
   c.turn = angle(t + h) - angle(t);
   c.way = 0.02 * (std::sin(0.8 * (t + h)) - std::sin(0.8 * t));
@@ -86,7 +86,7 @@ double residual(Kind kind, double h, double end) {
 constexpr Kind kinds[] = {Kind::speed, Kind::top_drive, Kind::loss, Kind::regenerative};
 
 TEST(ChainLedger, residual_is_of_second_order) {
-  const double allowed[] = {0.35, 6.0, 0.3, 0.32};  // J, of 5 to 18 kJ that friction takes
+  const double allowed[] = {9.0, 6.0, 7.0, 9.0};  // J
   for (std::size_t k = 0; k < 4; ++k) {
     const double coarse = residual(kinds[k], 2e-3, 6.0), fine = residual(kinds[k], 1e-3, 6.0);
     EXPECT_LE(fine, allowed[k]);
