@@ -20,8 +20,8 @@ TEST(FirstWords, none_show_every_command_with_an_example) {
   const auto alone = battery::run_tdbd({}), help = battery::run_tdbd({"help"});
   EXPECT_EQ(alone.exit_code, 0);
   EXPECT_EQ(alone.out, help.out);
-  for (const char* command :
-       {"run", "rotate", "converge", "calibrate", "check", "keys", "bit", "laboratory", "mesh"}) {
+  for (const char* command : {"run", "rotate", "string", "converge", "calibrate", "check", "keys",
+                              "bit", "laboratory", "mesh"}) {
     EXPECT_NE(alone.out.find("\n" + std::string(command) + " "), std::string::npos) << command;
     EXPECT_NE(alone.out.find("\n            tdbd " + std::string(command) + " "), std::string::npos)
         << command;
@@ -112,7 +112,7 @@ TEST(FirstWords, a_file_of_another_kind_names_its_command) {
       {{"rotate", drill}, hole, "motion", body, "run"},
       {{"run", bit}, "a bit", "cutters", hole, "bit"},
       {{"bit", drill}, hole, "motion", "a bit", "run"},
-      {{"check", fit}, "a calibration", "calibration", both, "calibrate"},
+      {{"check", fit}, "a calibration", "calibration", both + " or a drill string", "calibrate"},
       {{"calibrate", top}, body, "body", "a calibration", "rotate"},
       {{"laboratory", top, "-o", "none.csv"}, body, "body", "a synthetic laboratory", "rotate"},
       {{"converge", bit, "--over", "time.step", "--levels", "3"}, "a bit", "cutters", both, "bit"}};

@@ -172,6 +172,7 @@ AreaLaws read_area_laws(Config& c, const forces::Law& law, const std::vector<Too
     std::vector<int>& of_part = read.mix_of_part[b.name];
     for (std::size_t p = 0; p < b.bit.parts.size(); ++p) {
       std::vector<int> mix;
+      mix.reserve(decided.size());
       for (const std::vector<int>& of_field : decided) mix.push_back(of_field[p]);
       of_part.push_back(index_of_mix(mix, read.mixes));
     }
