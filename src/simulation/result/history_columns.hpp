@@ -52,7 +52,7 @@ struct HistoryExtent {
   bool contact_areas = false;
   bool forces = false;
   bool drive = false;
-  bool chain = false;  ///< of a string on a chain
+  bool chain = false;                                 ///< of a string on a chain
   std::vector<std::string> worn_cutters, worn_parts;  ///< of a bit that wears
 };
 

@@ -117,8 +117,8 @@ void take_step(const Case& of_run, const Simulation& s, History& history) {
                           s.state.place.X_WB, s.state.cut.removed_by_part,
                           c.time.step,        s.work.rates};
   if (c.forces.forces == Forces::on) row.loaded = &loaded;
-  const DriveRow drive = s.state.drive ? drive_row(c.drilling.system, *s.state.drive,
-                                                   s.work.drive, s.state.place.turned)
+  const DriveRow drive = s.state.drive ? drive_row(c.drilling.system, *s.state.drive, s.work.drive,
+                                                   s.state.place.turned)
                                        : DriveRow{};
   if (s.state.drive) row.drive = &drive;
   const WearRow wear = s.work.wear ? wear_row(*s.state.wear, *s.work.wear) : WearRow{};
