@@ -107,9 +107,14 @@ void check_start(Config c, const TopPlan& driven, const dynamics::DrillString& s
               "a torsional stiffness that carries it");
 }
 
+/// How the bit moves at the start.
+struct StartMotion {
+  double rate = 0.0, rotary_speed = 0.0;  ///< m/s, rad/s
+};
+
 /// The bit turns and goes down with its top; its cones roll; the string already carries its weight
 /// and torque at the start.
-void set_start(const bit::Bit& bit, const Motion& m, DrillingPlan& p) {
+void set_start(const bit::Bit& bit, const Motion& m, const StartMotion& at, DrillingPlan& p) {
   dynamics::DrillingSystem& s = p.system;
   const double kz = s.string.stiffness(2, 2), kt = s.string.turn_stiffness(2, 2);
   s.string.rest_W = m.start_W + s.string.attachment_B;
@@ -117,13 +122,13 @@ void set_start(const bit::Bit& bit, const Motion& m, DrillingPlan& p) {
   if (kt > 0.0) s.top.start_angle = m.driven.torque_at_start / kt;
   std::vector<double> spins, angles(bit.cones.size(), 0.0);
   for (const bit::Cone& cone : bit.cones)
-    spins.push_back(-bit::rolling_ratio_of_gage_row(cone) * m.rotary_speed);
+    spins.push_back(-bit::rolling_ratio_of_gage_row(cone) * at.rotary_speed);
   p.start.rotation = dynamics::make_state(s.gyrostat, Mat3::Identity(),
-                                          m.rotary_speed * Vec3::UnitZ(), spins, angles);
+                                          at.rotary_speed * Vec3::UnitZ(), spins, angles);
   p.start.c_W = m.start_W + s.centre_B;
-  p.start.top_rate = m.rate_of_penetration;
-  p.start.momentum_W = s.mass * (m.rate_of_penetration * Vec3::UnitZ() +
-                                 (m.rotary_speed * Vec3::UnitZ()).cross(s.centre_B));
+  p.start.top_rate = at.rate;
+  p.start.momentum_W =
+      s.mass * (at.rate * Vec3::UnitZ() + (at.rotary_speed * Vec3::UnitZ()).cross(s.centre_B));
 }
 
 /// A chain is lowered at a rate, hangs from a force, or has an autodriller for the weight.
@@ -171,9 +176,11 @@ void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p
   inertia_B(2, 2) += e.inertia.back();
   s.gyrostat = dynamics::make_gyrostat(inertia_B, s.gyrostat.cones);
   const bool steady = above.start == ChainStart::steady;
-  const string::SteadyMotion motion{steady ? m.rate_of_penetration : 0.0,
-                                    steady ? m.rotary_speed : 0.0,
-                                    weight - m.driven.weight_at_start, m.driven.torque_at_start};
+  const double rate = steady ? m.rate_of_penetration : 0.0, speed = steady ? m.rotary_speed : 0.0;
+  // The dampers at the bit end in space: they carry a part of its weight, and need torque.
+  const string::SteadyMotion motion{
+      rate, speed, weight - m.driven.weight_at_start - s.string.damping(2, 2) * rate,
+      m.driven.torque_at_start + s.string.turn_damping(2, 2) * speed};
   const double usual = string::steady_load(chain, motion).surface.hook_load;
   s.chained->hook_load = read_hook_load(whole, chain, usual);
   string::SteadyMotion off = motion;
@@ -213,7 +220,9 @@ DrillingPlan read_drilling(Config& whole, const bit::Bit& bit, const Motion& m, 
       check_chain_step(whole, step, p.system.chained->chain, p.system.mass,
                        p.system.gyrostat.inertia_B(2, 2));
     }
-    set_start(bit, m, p);
+    const StartMotion at = is_chain ? StartMotion{p.start_motion.rate, p.start_motion.rotary_speed}
+                                    : StartMotion{m.rate_of_penetration, m.rotary_speed};
+    set_start(bit, m, at, p);
     if (is_chain) dynamics::start_chain(p.start_motion, p.system, p.start, p.chain);
     p.system = dynamics::make_drilling_system(p.system);
   } catch (const InputError& e) {
