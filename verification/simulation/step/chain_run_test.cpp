@@ -1,15 +1,16 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 
 #include "core/parallel.hpp"
-#include "core/temporary_file.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
 #include "simulation/checkpoint/checkpoint.hpp"
 #include "simulation/checkpoint/state_fields.hpp"
 #include "simulation/result/drive_figures.hpp"
 #include "simulation/step/simulation.hpp"
+#include "verification/simulation/mesh_bit.hpp"
 
 /// Bit B at the end of 2500 m of pipe and collars.
 namespace tdbd::simulation::chain_run_test {
@@ -95,9 +96,51 @@ TEST(ChainRun, closes_the_ledger_of_energy) {
     return most / dynamics::throughput(s.state.drive->ledger);
   };
   const double coarse = largest("1e-3"), fine = largest("0.25e-3");
-  if (std::getenv("SHOW")) std::printf("residual %g %g\n", coarse, fine);
   EXPECT_LT(coarse, 1e-4);
   EXPECT_LT(fine, 0.2 * coarse);
+}
+
+/// Means of a run from a time on, s.
+struct Means {
+  double weight = 0.0, torque = 0.0, rate = 0.0, rotary_speed = 0.0;  ///< N, N m, m/s, rad/s
+};
+
+Means means(const Case& c, double from) {
+  Simulation s = start(c);
+  Means m;
+  double depth = 0.0, turned = 0.0, samples = 0.0;
+  while (s.state.steps_done < c.time.steps) {
+    step(c, s);
+    if (time_at(c.time, s.state.steps_done) <= from) {
+      depth = s.state.place.X_WB.p.z();
+      turned = s.state.place.turned;
+      continue;
+    }
+    samples += 1.0;
+    m.weight -= s.work.loads.force_W.z();
+    m.torque -= s.work.loads.torque_W.z();
+  }
+  m.weight /= samples;
+  m.torque /= samples;
+  m.rate = (s.state.place.X_WB.p.z() - depth) / (samples * c.time.step);
+  m.rotary_speed = (s.state.place.turned - turned) / (samples * c.time.step);
+  return m;
+}
+
+/// The bit that the chain lets go down, and one that is moved at the speeds that were found.
+TEST(ChainRun, drills_at_the_weight_and_torque_of_the_same_motion_without_a_string) {
+  constexpr double oscillation = 0.02;  // what is left of the start's in means of two seconds
+  const Means found = means(on_chain({"time.duration='4 s'", "string.friction.axial_damping=2",
+                                      "string.friction.torsional_damping=2"}),
+                            2.0);
+  const Means moved = means(read_case(TDBD_SOURCE_DIR "/cases/bit-b-3000psi.toml",
+                                      {"rock.edge_length='6 mm'", "time.revolutions=5",
+                                       "measure.section_at_face='extrapolated'",
+                                       fmt::format("motion.rate_of_penetration={}", found.rate),
+                                       fmt::format("motion.rotary_speed={}", found.rotary_speed)}),
+                            0.5);
+  EXPECT_NEAR(found.weight, moved.weight, oscillation * moved.weight);
+  EXPECT_NEAR(found.torque, moved.torque, oscillation * moved.torque);
 }
 
 }  // namespace tdbd::simulation::chain_run_test
