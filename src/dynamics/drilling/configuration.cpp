@@ -74,7 +74,7 @@ void configure(const DrillingSystem& s, const DrillingState& state, Configuratio
   const Vec3 pulled = at.pull.spring_W + at.pull.load * Vec3::UnitZ();
   const Vec3 pushed = -mean_wall_stiffness(s.wall) * at.contact.depth * at.contact.outward_W;
   Wrench& w = at.conservative;
-  w.force_W = pulled + pushed + s.mass * s.gravity * Vec3::UnitZ();
+  w.force_W = pulled + pushed + weight_W(s);
   w.torque_W = at.pull.turn_W + at.pull.arm_W.cross(pulled) + at.contact.ring_arm_W.cross(pushed);
   w.rock_force = -s.rock.stiffness * state.rock_z;
 }

@@ -46,7 +46,7 @@ bool drift_all(const DrillingSystem& s, double h, Drilling& d) {
   d.state.rotation.time += h;
   const Vec3 way = (h / s.mass) * d.state.momentum_W;
   d.state.c_W += way;
-  d.ledger.gravity += s.mass * s.gravity * way.z();
+  d.ledger.gravity += weight_W(s).dot(way);
   if (s.rock.mass > 0.0) d.state.rock_z += h / s.rock.mass * d.state.rock_momentum;
   return true;
 }

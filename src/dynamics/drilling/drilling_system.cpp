@@ -80,7 +80,8 @@ std::array<PrincipalDamper, 3> principal_dampers(const Mat3& damping) {
 
 std::string drilling_problem(const DrillingSystem& s) {
   if (!std::isfinite(s.mass) || s.mass <= 0.0) return fmt::format("a mass of {} kg", s.mass);
-  if (!std::isfinite(s.gravity)) return fmt::format("gravity of {} m/s2", s.gravity);
+  for (const double gravity : {s.gravity, s.gravity_across})
+    if (!std::isfinite(gravity)) return fmt::format("gravity of {} m/s2", gravity);
   if (!s.centre_B.allFinite()) return "a centre of mass that is not finite";
   if (s.integrator.order != 2)
     return fmt::format("an integrator of order {}: drilling has order 2", s.integrator.order);

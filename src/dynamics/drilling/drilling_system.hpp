@@ -102,8 +102,9 @@ struct DrillingSystem {
   TopDrive top;
   Wall wall;
   RockMount rock;
-  Integrator integrator;  ///< order 2
-  double gravity = 0.0;   ///< m/s2 along +z
+  Integrator integrator;        ///< order 2
+  double gravity = 0.0;         ///< m/s2 along +z, the hole's axis
+  double gravity_across = 0.0;  ///< m/s2 along +x, the low side of an inclined hole
 
   // Derived by make_drilling_system.
   Mat3 spring = Mat3::Zero();  ///< the string's stiffness, without z when the top is loaded
@@ -112,6 +113,11 @@ struct DrillingSystem {
 
 /// Why this is not a valid system, with the offending value; empty when it is.
 std::string drilling_problem(const DrillingSystem& system);
+
+/// Weight of bit and string, N. Across an inclined hole, x points to the low side.
+inline Vec3 weight_W(const DrillingSystem& s) {
+  return s.mass * Vec3(s.gravity_across, 0.0, s.gravity);
+}
 
 /// Derives the rest. Throws InputError with drilling_problem's reason.
 DrillingSystem make_drilling_system(DrillingSystem system);

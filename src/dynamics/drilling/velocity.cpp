@@ -36,8 +36,7 @@ DrillingState make_drilling_state(const DrillingSystem& s, const Pose& X_WB,
 }
 
 Vec3 hanging_rest_W(const DrillingSystem& s, const DrillingState& state) {
-  const Vec3 weight = s.mass * s.gravity * Vec3::UnitZ();
-  const Vec3 stretch = s.spring.completeOrthogonalDecomposition().solve(weight);
+  const Vec3 stretch = s.spring.completeOrthogonalDecomposition().solve(weight_W(s));
   return bit_pose(s, state) * s.string.attachment_B - stretch;
 }
 

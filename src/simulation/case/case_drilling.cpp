@@ -157,7 +157,8 @@ void refuse_dampers_to_top(Config& c, const dynamics::DrillString& s) {
 }
 
 /// The chain ends at the springs of the bit, which are its last element. Its last cell moves with the
-/// bit, and both weigh what their masses weigh along the hole.
+/// bit, and both weigh what their masses weigh along the hole. Across it only the bit and what is rigid
+/// with it: the wall bears the cell at the node above.
 void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p) {
   dynamics::DrillingSystem& s = p.system;
   s.chained = dynamics::ChainedString{std::move(above.chain)};
@@ -167,11 +168,14 @@ void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p
   s.string.turn_stiffness(2, 2) = e.torsional.back();
   s.top.axial = dynamics::AxialMode::rate;
   s.chained->surface_weight = dynamics::value_at(m.driven.top.load, 0.0);
-  const double fall =
-      string::tangent_at(above.string.survey, string::total_length(above.string.sections)).z();
-  const double weight = s.mass * s.gravity * fall + chain.contact.weight.back();
+  const Vec3 along =
+      string::tangent_at(above.string.survey, string::total_length(above.string.sections));
+  const double own = s.mass * s.gravity;
+  const double weight = own * along.z() + chain.contact.weight.back();
+  const double across = own * along.head<2>().norm();
   s.mass += e.mass.back();
   s.gravity = weight / s.mass;
+  s.gravity_across = across / s.mass;
   Mat3 inertia_B = s.gyrostat.inertia_B;
   inertia_B(2, 2) += e.inertia.back();
   s.gyrostat = dynamics::make_gyrostat(inertia_B, s.gyrostat.cones);

@@ -176,7 +176,8 @@ TEST(ChainedString, closes_the_ledger_with_order_2) {
   c.top.inertia = 1000.0;
   c.top.proportional = 400.0;
   c.top.integral = 900.0;
-  const Hanging s = hanging(c, {rate, speed, 10e3, 900.0});
+  Hanging s = hanging(c, {rate, speed, 10e3, 900.0});
+  s.system.gravity_across = 5.0;
   std::vector<double> steps, residuals;
   for (const int n : {400, 800, 1600, 3200, 6400}) {
     DrillingRun d = started(s, resist);
@@ -189,6 +190,29 @@ TEST(ChainedString, closes_the_ledger_with_order_2) {
     residuals.push_back(largest);
   }
   EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.1);
+}
+
+/// Across an inclined hole the bit swings about where its springs bear its weight, and settles there.
+TEST(ChainedString, sags_to_the_low_side_by_its_weight_over_the_lateral_stiffness) {
+  constexpr double rounding = 1e-12;
+  Hanging s = hanging(chain_of(10), {0.0, 0.0, 10e3, 0.0});
+  s.system.top.speed = s.system.top.rate = dynamics::constant(0.0);
+  s.system.gravity_across = 8.0;
+  s.system.string.damping = Vec3(6e4, 6e4, 0.0).asDiagonal();
+  s.system = make_drilling_system(s.system);
+  const LumpedLaw nothing = [](const DrillingSystem&, const DrillingState&, const DrillingVelocity&,
+                               Wrench&) {};
+  DrillingRun d = started(s, nothing);
+  const Vec3 from = d.state.c_W;
+  const double sag = 8.0 * s.system.mass / s.system.string.stiffness(0, 0);
+  double furthest = 0.0;
+  for (int i = 0; i < 8000; ++i) {
+    step(s.system, nothing, 5e-4, d);
+    furthest = std::max(furthest, d.state.c_W.x() - from.x());
+  }
+  EXPECT_NEAR(d.state.c_W.x() - from.x(), sag, rounding);
+  EXPECT_EQ(d.state.c_W.y(), from.y());
+  EXPECT_GT(furthest, 1.5 * sag);
 }
 
 /// A restart between two steps continues bitwise, and a step that is warm allocates nothing.

@@ -78,6 +78,19 @@ TEST(ChainRun, starts_with_the_loads_at_the_surface_that_balance_the_bit) {
               rounding * row.surface_torque);
 }
 
+/// Across a hole of 60 degrees the bit weighs what its own mass does, along it half of that.
+TEST(ChainRun, weighs_the_bit_along_and_across_an_inclined_hole) {
+  constexpr double rounding = 1e-12, steel_in_mud = 1.0 - 1200.0 / 7850.0, g = 9.80665;
+  const Case c = on_chain({"string.survey.measured_depth=[0,600,2500]",
+                           "string.survey.inclination=['0 deg','60 deg','60 deg']",
+                           "string.survey.azimuth=[0,0,0]"});
+  const dynamics::DrillingSystem& s = c.drilling.system;
+  const double cell = s.chained->chain.elements.mass.back(), own = s.mass - cell;
+  EXPECT_NEAR(s.mass * s.gravity_across / (own * g * std::sqrt(0.75)), 1.0, rounding);
+  EXPECT_NEAR(s.mass * s.gravity / (0.5 * g * (own + steel_in_mud * cell)), 1.0, rounding);
+  EXPECT_EQ(on_chain().drilling.system.gravity_across, 0.0);
+}
+
 /// What the ledger does not explain, over steps: rock is cut once a step, so that only what springs and
 /// drift make is left. Its largest value falls with the square of the step.
 TEST(ChainRun, closes_the_ledger_of_energy) {
