@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bit/cutter/cutter_frame.hpp"
@@ -69,6 +70,36 @@ TEST(Cuts, act_where_sections_and_engaged_edges_have_their_centroids) {
         part.kind == bit::PartKind::face ? section.centroid_B : section.edge_centroid_B;
     EXPECT_EQ(s.work.loads.parts[at(c.part)].point_W, Vec3(s.state.place.X_WB * x_B)) << part.name;
   }
+}
+
+/// Sides of a pad that only slide have an area whose vectors cancel, or no ramp to press with: they bear
+/// nothing, and the contact below them bears once.
+TEST(Cuts, count_the_contact_below_once_where_sides_bear_nothing) {
+  const Case c =
+      read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b-whirl-rock.toml", {"rock.edge_length='6 mm'"});
+  const auto pad = static_cast<std::size_t>(
+      std::ranges::find(c.bit.parts, bit::PartKind::gage_pad, &bit::Part::kind) -
+      c.bit.parts.begin());
+  ASSERT_LT(pad, c.bit.parts.size());
+  const rock::CuttingBit cutting;
+  const rock::CutWorkspace cut_work;
+  rock::CutReport cut;
+  cut.removed_by_part.assign(c.bit.parts.size(), 0.0);
+  const Move move;
+  const FacePaths paths;
+  const MeasuredStep measured{c.bit, cutting, cut_work, cut, move, c.rock.edge_length, 0, paths};
+  Measures m;
+  m.contacts.resize(c.bit.parts.size());
+  m.sections.resize(c.bit.cutters.size());
+  m.removed.resize(c.bit.cutters.size());
+  constexpr double below = 3e-6;  // m2
+  m.contacts[pad].below = {below, Vec3(0.0, -below, 0.0), Vec3(0.0, 0.1, 0.0)};
+  m.contacts[pad].sides = {2e-6, Vec3::Zero(), Vec3(0.0, 0.1, 0.0)};
+  std::vector<CutOfPart> cuts;
+  gather_cuts(c.forces, measured, m, cuts);
+  ASSERT_EQ(cuts.size(), 1U);
+  EXPECT_EQ(cuts[0].part, static_cast<int>(pad));
+  EXPECT_EQ(cuts[0].cut.contact_area, below);
 }
 
 }  // namespace tdbd::simulation::cuts_test
