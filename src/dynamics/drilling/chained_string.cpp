@@ -1,5 +1,6 @@
 #include "dynamics/drilling/chained_string.hpp"
 
+#include "dynamics/drilling/velocity.hpp"
 #include "rotation/swing_twist.hpp"
 
 namespace tdbd::dynamics {
@@ -83,6 +84,14 @@ void start_chain_work(const DrillingSystem& s, const Drilling& d, DrillingWork& 
   work.chain = string::chain_work(s.chained->chain, d.chain, end_of(s, d.state, work.at));
   push_with_dampers(string::end_damper(work.chain), d.state, work);
   work.at.chain_energy = energy_of(s.chained->chain, d.chain);
+}
+
+string::EndMotion end_motion(const DrillingSystem& s, const Drilling& d, const DrillingWork& work) {
+  string::EndMotion end = end_of(s, d.state, work.at);
+  const DrillingVelocity v = velocity(s, d.state);
+  end.velocity = point_velocity(v, work.at.pull.arm_W).z();
+  end.rotary_speed = rotation::twist_gradient(d.state.rotation.q_WB).dot(v.w_W);
+  return end;
 }
 
 void start_chain(const string::SteadyMotion& motion, DrillingSystem& s, DrillingState& state,

@@ -28,6 +28,11 @@ void close_chain(const DrillingSystem& system, double h, Drilling& d, DrillingWo
 /// The work of a chain at the positions of the bit, when no step is open.
 void start_chain_work(const DrillingSystem& system, const Drilling& d, DrillingWork& work);
 
+/// The motion of the chain's last node when no step is open: that of the bit's attachment along z, from its
+/// slack place, and of the bit about z.
+string::EndMotion end_motion(const DrillingSystem& system, const Drilling& d,
+                             const DrillingWork& work);
+
 /// A chain in steady motion above a bit that starts as `state` does, whose springs pull it up with `pull`
 /// (N) and turn it with `torque` (N m). Sets the springs' slack place, and their upper end in `state`.
 void start_chain(const string::SteadyMotion& motion, DrillingSystem& system, DrillingState& state,

@@ -22,6 +22,7 @@
 #include "simulation/case/doubtful_values.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/history_rows.hpp"
+#include "simulation/case/read_chain.hpp"
 #include "simulation/case/run_keys.hpp"
 #include "simulation/case/step_check.hpp"
 #include "simulation/case/title_key.hpp"
@@ -167,6 +168,14 @@ void check_overload(Config c, const Case& read) {
       return c.problem(motion_keys::weight_on_bit, fmt::format("{:.4g} N", load), limit);
 }
 
+/// What is recorded of a string on a chain, which has been read by now.
+void read_string_output(Config c, Case& read) {
+  const auto& chained = read.drilling.system.chained;
+  if (!chained && c.problem_count() == 0) return refuse_chain_output(c);
+  read.output.chain =
+      read_chain_output(c, chained ? chained->chain : string::Chain{}, read.time.step);
+}
+
 /// What a bit that drills by itself needs, and cannot have.
 void check_drilling_case(Config& c, const Case& read) {
   if (read.motion.kind != MotionKind::drilling) return;
@@ -229,6 +238,7 @@ bit::BitFile read_tables(Config& c, const BitReader& read_bit, Case& read) {
   read.spalling = read_spalling(c, read.bit, read.measure, read.forces, read.warnings);
   if (read.motion.kind == MotionKind::drilling)
     read.drilling = read_drilling(c, read.bit, read.motion, read.time.step, read.warnings);
+  read_string_output(c.table(output_keys::table), read);
   check_drilling_case(c, read);
   check_step_length(c, read);
   if (c.problem_count() > 0) return file;

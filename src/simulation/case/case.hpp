@@ -80,6 +80,7 @@ struct OutputPlan {
   std::vector<StudiedConvergence> convergence = {};  ///< of this case
   EnergyOrderWish energy_order = *output_keys::energy_order.fallback;
   long energy_order_window = *output_keys::energy_order_window.fallback;  ///< steps
+  ChainOutput chain = {};  ///< of a string on a chain
 };
 
 /// A checked case in SI: everything that a run needs, and its resolved text.

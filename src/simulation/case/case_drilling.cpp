@@ -193,6 +193,7 @@ void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p
   off.torque = 0.0;
   s.chained->chain.top.tare = string::steady_load(chain, off).surface.hook_load;
   p.start_motion = motion;
+  p.string = std::move(above.string);
 }
 
 }  // namespace

@@ -90,7 +90,8 @@ KeyTable output_table() {
   using namespace output_keys;
   return key_table("run", table,
                    rows(history_every, frames_every, checkpoint_every, means_from, convergence,
-                        energy_order, energy_order_window));
+                        energy_order, energy_order_window, chain_output_keys::string_depths,
+                        chain_output_keys::string_profile_every));
 }
 
 /// The kinds of part on which a coefficient acts, where these are not all that its law knows.

@@ -15,6 +15,7 @@
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/run_keys.hpp"
 #include "string/statics.hpp"
+#include "string/survey.hpp"
 
 namespace tdbd::simulation {
 
@@ -92,12 +93,32 @@ struct SpallingPlan {
 /// Whether rock breaks out beside any face.
 inline bool spalls(const SpallingPlan& plan) { return !plan.rules.empty(); }
 
+/// What a string on a chain is made of and where it lies.
+struct StringPlan {
+  std::vector<string::Section> sections;
+  string::Survey survey;
+  std::vector<string::FrictionBelow> friction;          ///< by depth, downward
+  double threshold = 0.0;                               ///< m/s
+  double axial_damping = 0.0, torsional_damping = 0.0;  ///< 1/s
+  double axial_loss_time = 0.0;                         ///< s
+  double torsional_loss_time = 0.0;                     ///< s
+  double hole_diameter = 0.0;                           ///< m; 0: not given
+};
+
+/// What is recorded of a string on a chain.
+struct ChainOutput {
+  std::vector<int> nodes;  ///< in the history
+  long profile_every = 0;  ///< steps between profiles of all nodes; 0: none
+};
+
 /// The bit, the string, the wall and the rock's mount of a bit that forces move, and how they start
 /// (thesis: eqs. 2.1 to 2.3).
 struct DrillingPlan {
   dynamics::DrillingSystem system;
   dynamics::DrillingState start;
-  string::ChainState chain;           ///< at the start, of a string on a chain
+  // Of a string on a chain.
+  StringPlan string;
+  string::ChainState chain;           ///< at the start
   string::SteadyMotion start_motion;  ///< of that chain
 };
 

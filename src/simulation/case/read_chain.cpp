@@ -273,6 +273,36 @@ double read_hook_load(Config& whole, const string::Chain& chain, double usual) {
   return 0.0;
 }
 
+ChainOutput read_chain_output(Config& c, const string::Chain& chain, double step) {
+  using namespace chain_output_keys;
+  const std::vector<double> depths = c.read(string_depths, std::optional(std::vector<double>{}));
+  const double every = c.has(string_profile_every) ? c.read(string_profile_every) : 0.0;
+  ChainOutput o;
+  if (c.problem_count() > 0) return o;
+  const double length = chain.elements.length * chain.count();
+  for (const double depth : depths) {
+    o.nodes.push_back(static_cast<int>(std::lround(depth / chain.elements.length)));
+    if (depth >= 0.0 && depth <= length * (1.0 + 1e-9)) continue;
+    c.problem(string_depths, fmt::format("{:.6g} m", depth),
+              fmt::format("depths of the string, 0 to {:.6g} m", length));
+    break;
+  }
+  if (every > 0.0)
+    o.profile_every = std::max(1L, std::lround(std::min(every / std::max(step, 1e-300), 1e15)));
+  return o;
+}
+
+void refuse_chain_output(Config& c) {
+  using namespace chain_output_keys;
+  constexpr const char* found = "a key of a chain";
+  constexpr const char* expected = "none, or string.model = \"chain\"";
+  if (c.has(string_depths)) {
+    c.read(string_depths);
+    c.problem(string_depths, found, expected);
+  }
+  refuse(c, string_profile_every, found, expected);
+}
+
 ChainPlan read_chain_plan(Config& whole, double step, std::vector<CaseWarning>& warnings) {
   Config c = whole.table(chain_keys::table);
   ChainPlan p;

@@ -31,6 +31,12 @@ double check_chain_step(Config& whole, double step, const string::Chain& chain, 
 /// What [string.top] says of the hook load and refuses without one, N; `usual`: that of the start.
 double read_hook_load(Config& whole, const string::Chain& chain, double usual);
 
+/// Reads the keys of a chain in [output] for steps of this length (s). Notes mistakes in the file.
+ChainOutput read_chain_output(Config& output, const string::Chain& chain, double step);
+
+/// Refuses them where there is no chain.
+void refuse_chain_output(Config& output);
+
 /// A chain with a bit that has no shape, and how both start.
 struct ChainPlan {
   StringPlan string;

@@ -14,23 +14,6 @@
 namespace tdbd::simulation {
 namespace {
 
-void read_output(Config c, ChainCase& r) {
-  using namespace chain_output_keys;
-  r.history_every = c.read(history_every, usual_history_every(r.time.steps));
-  const auto& e = r.plan.chain.elements;
-  const double length = e.length * r.plan.chain.count();
-  for (const double depth : c.read(string_depths, std::optional(std::vector<double>{}))) {
-    const bool inside = depth >= 0.0 && depth <= length * (1.0 + 1e-9);
-    if (inside) r.nodes.push_back(static_cast<int>(std::lround(depth / e.length)));
-    if (!inside && c.problem_count() == 0)
-      c.problem(string_depths, fmt::format("{:.6g} m", depth),
-                fmt::format("depths of the string, 0 to {:.6g} m", length));
-  }
-  if (!c.has(string_profile_every)) return;
-  const double steps = c.read(string_profile_every) / std::max(r.time.step, 1e-300);
-  r.profile_every = std::max(1L, std::lround(std::min(steps, 1e15)));
-}
-
 /// Where a compressed string would buckle, which a soft string does not: 2 sqrt(E I w sin/clearance).
 void doubt_buckling(const Config& c, ChainCase& r) {
   const StringPlan& s = r.plan.string;
@@ -55,25 +38,6 @@ void doubt_buckling(const Config& c, ChainCase& r) {
 }
 
 }  // namespace
-
-std::vector<StaticLoad> static_loads(const ChainPlan& plan) {
-  string::Chain c = plan.chain;
-  c.axial_damping = c.torsional_damping = 0.0;
-  c.threshold = 0.0;
-  const double hanging = plan.bit.gravity_force;
-  std::vector<StaticLoad> loads;
-  const auto add = [&](const char* name, const string::SteadyMotion& m) {
-    loads.push_back({name, string::steady_load(c, m)});
-  };
-  if (c.directions != string::Directions::torsion) {
-    add("pull_up", {-1.0, 0.0, hanging, 0.0});
-    add("slack_off", {1.0, 0.0, hanging, 0.0});
-  }
-  if (c.directions != string::Directions::axial) add("rotate", {0.0, 1.0, hanging, 0.0});
-  if (plan.motion.pull != hanging || plan.motion.torque != 0.0)
-    add("drill", {0.0, 1.0, plan.motion.pull, plan.motion.torque});
-  return loads;
-}
 
 std::vector<DepthLoad> loads_by_depth(const ChainPlan& plan) {
   constexpr int depths = 50;
@@ -115,7 +79,10 @@ ChainCase read_chain_case(const std::string& path, const std::vector<std::string
   r.title = c.read(title_keys::title);
   if (c.has(rotate_time_keys::table)) r.time = read_rotate_time(c.table(rotate_time_keys::table));
   r.plan = read_chain_plan(c, r.time.step, r.warnings);
-  read_output(c.table(chain_output_keys::table), r);
+  Config output = c.table(chain_output_keys::table);
+  r.history_every =
+      output.read(chain_output_keys::history_every, usual_history_every(r.time.steps));
+  r.output = read_chain_output(output, r.plan.chain, r.time.step);
   c.finish();
   doubt_buckling(c, r);
   r.files = c.files();

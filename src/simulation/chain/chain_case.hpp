@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/case/chain_statics.hpp"
 #include "simulation/case/read_chain.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 
@@ -16,8 +17,7 @@ struct ChainCase {
   ChainPlan plan;
   RotateTime time;         ///< no steps: statics and modes alone
   long history_every = 1;  ///< steps between rows
-  long profile_every = 0;  ///< steps between profiles; 0: none
-  std::vector<int> nodes;  ///< in the history
+  ChainOutput output;
   std::vector<CaseWarning> warnings;
   std::string resolved;  ///< TOML: all defaults, SI; itself a case that gives the same result
   std::string hash;      ///< of the resolved values and the content of all files
@@ -26,14 +26,14 @@ struct ChainCase {
 /// Reads and checks everything, runs nothing. Throws InputError that lists every mistake.
 ChainCase read_chain_case(const std::string& path, const std::vector<std::string>& overrides);
 
-/// Static torque and drag without mud: how the string moves, and what it carries.
-struct StaticLoad {
-  std::string name;  ///< "pull_up", "slack_off", "rotate", "drill"
-  string::SteadyLoad load;
-};
-
 /// Of the string off bottom, and with the start's load of the bit where there is one.
-std::vector<StaticLoad> static_loads(const ChainPlan& plan);
+inline std::vector<StaticLoad> static_loads(const ChainPlan& p) {
+  return static_loads(p.chain, p.bit.gravity_force, p.motion);
+}
+
+inline ChainModes chain_modes(const ChainPlan& p) {
+  return chain_modes(p.chain, p.bit.mass, p.bit.inertia);
+}
 
 /// Hook load (N) and surface torque (N m) while the string is run in: the bit at a measured depth (m),
 /// pipe taken away at the top.

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "simulation/chain/chain_simulation.hpp"
-#include "simulation/result/record.hpp"
-#include "simulation/result/record_netcdf.hpp"
+#include "simulation/result/chain_record.hpp"
 
 namespace tdbd::simulation {
 
@@ -25,11 +24,9 @@ class ChainHistory {
 
  private:
   void append_row(const ChainCase& c, const ChainSimulation& s);
-  void append_profile(const ChainCase& c, const ChainSimulation& s);
 
-  std::filesystem::path folder_;
   Record record_;
-  std::unique_ptr<RecordNetcdf> profiles_;
+  std::unique_ptr<ChainProfiles> profiles_;
   std::vector<double> row_;
   long last_row_ = -1, last_profile_ = -1;
 };

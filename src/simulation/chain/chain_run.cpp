@@ -19,7 +19,8 @@ constexpr long longest_block = 1024;
 long until_next(long every, long done) { return every - done % every; }
 
 long next_steps(const ChainCase& c, long done) {
-  const long profile = c.profile_every > 0 ? until_next(c.profile_every, done) : longest_block;
+  const long profile =
+      c.output.profile_every > 0 ? until_next(c.output.profile_every, done) : longest_block;
   return std::min({longest_block, until_next(c.history_every, done), profile, c.time.steps - done});
 }
 

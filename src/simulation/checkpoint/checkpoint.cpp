@@ -30,6 +30,7 @@ void fields(A& a, Of<A, WrittenSoFar>& x) {
   a("rock_frames", x.rock_frames);
   a("bit_frames", x.bit_frames);
   a("order", x.order);
+  a("profile_rows", x.profile_rows);
 }
 
 namespace {

@@ -22,7 +22,8 @@ struct WrittenSoFar {
   HistoryWindow window;
   FrameList rock_frames;
   std::vector<bit::BodyPoses> bit_frames;
-  EnergyOrder order;  ///< as far as it was observed
+  EnergyOrder order;      ///< as far as it was observed
+  long profile_rows = 0;  ///< of a string on a chain
 };
 
 /// A run between two steps, as it was saved.

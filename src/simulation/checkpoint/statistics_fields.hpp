@@ -101,6 +101,7 @@ void fields(A& a, Of<A, Statistics>& x) {
   a("trace", x.trace);
   a("standing", x.standing);
   a("wear", x.wear);
+  a("node_steps_at_rest", x.node_steps_at_rest);
 }
 
 template <class A>

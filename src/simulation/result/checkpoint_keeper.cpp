@@ -44,20 +44,36 @@ void CheckpointKeeper::log_or_end(Do&& act) {
   try {
     act();
   } catch (...) {
-    log_.reset();
+    end_logs();
     throw;
   }
 }
 
-void CheckpointKeeper::begin_rows(std::size_t width, long kept) {
-  if (every_ == 0) return;
-  if (kept > 0) return static_cast<void>(log_.emplace(folder_.rows(), width, kept));
-  attempt([&] { log_.emplace(folder_.rows(), width, kept); });
+void CheckpointKeeper::end_logs() {
+  log_.reset();
+  profiles_.reset();
 }
 
-void CheckpointKeeper::append(std::span<const double> row) {
-  if (!log_) return;
-  attempt([&] { log_or_end([&] { log_->append(row); }); });
+RowLog* CheckpointKeeper::rows(RowsOf of) {
+  std::optional<RowLog>& log = log_of(of);
+  return log ? &*log : nullptr;
+}
+
+void CheckpointKeeper::begin_rows(std::size_t width, long kept, RowsOf of) {
+  if (every_ == 0) return;
+  const bool is_history = of == RowsOf::history;
+  if (!is_history && !log_) return;
+  const auto begin = [&] {
+    log_of(of).emplace(is_history ? folder_.rows() : folder_.profile_rows(), width, kept);
+  };
+  if (kept > 0) return begin();
+  attempt([&] { log_or_end(begin); });
+}
+
+void CheckpointKeeper::append(std::span<const double> row, RowsOf of) {
+  RowLog* log = rows(of);
+  if (log == nullptr) return;
+  attempt([&] { log_or_end([&] { log->append(row); }); });
 }
 
 bool CheckpointKeeper::is_due(long steps_done) const {
@@ -80,7 +96,10 @@ void CheckpointKeeper::keep(const Write& write) {
   if (!log_) return;
   const auto begin = Clock::now();
   attempt([&] {
-    log_or_end([&] { log_->sync(); });
+    log_or_end([&] {
+      log_->sync();
+      if (profiles_) profiles_->sync();
+    });
     replace(write);
   });
   last_ = Clock::now();
@@ -88,14 +107,14 @@ void CheckpointKeeper::keep(const Write& write) {
 }
 
 void CheckpointKeeper::remove() {
-  log_.reset();
+  end_logs();
   remove_checkpoints(folder_);
 }
 
 void remove_checkpoints(const OutputFolder& folder) {
   std::error_code ignored;
-  for (const fs::path& file :
-       {folder.new_checkpoint(), folder.checkpoint(), folder.previous_checkpoint(), folder.rows()})
+  for (const fs::path& file : {folder.new_checkpoint(), folder.checkpoint(),
+                               folder.previous_checkpoint(), folder.rows(), folder.profile_rows()})
     for (const fs::path& name : {file, partial_path(file)}) fs::remove(name, ignored);
 }
 

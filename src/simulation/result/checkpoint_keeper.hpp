@@ -12,6 +12,12 @@
 
 namespace tdbd::simulation {
 
+/// Which record rows are of.
+enum class RowsOf {
+  history,
+  profiles,  ///< of a string on a chain
+};
+
 /// Writes a run's checkpoints and keeps the last two. A checkpoint that cannot be written is warned
 /// of once; the run goes on, and the last good one stays.
 class CheckpointKeeper {
@@ -24,10 +30,11 @@ class CheckpointKeeper {
   /// time.
   CheckpointKeeper(OutputFolder folder, long every, Warn warn);
 
-  /// Begins the log of the history's rows; the first `kept` are there.
-  void begin_rows(std::size_t width, long kept);
-  RowLog* rows() { return log_ ? &*log_ : nullptr; }
-  void append(std::span<const double> row);
+  /// Begins the log of a record's rows; the first `kept` are there. Those of the history come first.
+  void begin_rows(std::size_t width, long kept, RowsOf of = RowsOf::history);
+  /// None where no checkpoint follows.
+  RowLog* rows(RowsOf of = RowsOf::history);
+  void append(std::span<const double> row, RowsOf of = RowsOf::history);
 
   bool is_due(long steps_done) const;
   void keep(const Write& write);
@@ -41,12 +48,14 @@ class CheckpointKeeper {
   void attempt(Do&& act);
   template <class Do>
   void log_or_end(Do&& act);
+  std::optional<RowLog>& log_of(RowsOf of) { return of == RowsOf::history ? log_ : profiles_; }
+  void end_logs();
 
   using Clock = std::chrono::steady_clock;
   OutputFolder folder_;
   long every_;
   Warn warn_;
-  std::optional<RowLog> log_;
+  std::optional<RowLog> log_, profiles_;
   Clock::time_point last_ = Clock::now();
   std::chrono::duration<double> cost_{0.1};  ///< of one, s
   bool has_failed_ = false;

@@ -10,9 +10,15 @@
 namespace tdbd::simulation {
 namespace {
 
+bool is_of_nodes(const RecordLayout& layout, const RecordColumn& c) {
+  return c.axis >= 0 && layout.axes[at(c.axis)].name == "node";
+}
+
 /// Columns that a row of many steps has a minimum and a maximum of: what it has means of, of the
-/// bit as a whole.
-bool has_extremes(const RecordColumn& c) { return c.axis < 0 && c.over == Over::mean; }
+/// bit as a whole and of the string's nodes.
+bool has_extremes(const RecordLayout& layout, const RecordColumn& c) {
+  return (c.axis < 0 || is_of_nodes(layout, c)) && c.over == Over::mean;
+}
 
 std::string since_last_row(std::string long_name) {
   const std::string step = "in the step";
@@ -24,7 +30,7 @@ std::string since_last_row(std::string long_name) {
 /// Most numbers of a row are of parts and cutters. In long runs they are kept to seven digits; cones
 /// turn far, so that their angles need all.
 bool takes_much_room(const RecordLayout& layout, const RecordColumn& c) {
-  return c.axis >= 0 && layout.axes[at(c.axis)].name != "cone";
+  return c.axis >= 0 && layout.axes[at(c.axis)].name != "cone" && !is_of_nodes(layout, c);
 }
 
 /// The columns of rows that stand for many steps, or for one.
@@ -38,11 +44,11 @@ RecordLayout row_layout(RecordLayout layout, Rows rows) {
   if (rows == Rows::of_steps) return layout;
   layout.storage = Storage::deflated;
   for (const RecordColumn& c : of_step) {
-    if (!has_extremes(c)) continue;
+    if (!has_extremes(layout, c)) continue;
     layout.columns.push_back(
-        {c.name + "_min", c.units, c.long_name + ", least", -1, c.csv, Over::minimum});
+        {c.name + "_min", c.units, c.long_name + ", least", c.axis, c.csv, Over::minimum});
     layout.columns.push_back(
-        {c.name + "_max", c.units, c.long_name + ", greatest", -1, c.csv, Over::maximum});
+        {c.name + "_max", c.units, c.long_name + ", greatest", c.axis, c.csv, Over::maximum});
   }
   return layout;
 }
@@ -80,8 +86,12 @@ void row_of_window(const RecordLayout& steps, const std::vector<double>& last,
       if (c.over == Over::mean) row[i] = w.sum[i] / static_cast<double>(w.steps);
     }
   });
-  visit_columns(steps, [&](const RecordColumn& c, std::size_t first, std::size_t) {
-    if (has_extremes(c)) row.insert(row.end(), {w.least[first], w.greatest[first]});
+  visit_columns(steps, [&](const RecordColumn& c, std::size_t first, std::size_t count) {
+    if (!has_extremes(steps, c)) return;
+    for (const std::vector<double>* all : {&w.least, &w.greatest}) {
+      const auto from = all->begin() + static_cast<std::ptrdiff_t>(first);
+      row.insert(row.end(), from, from + static_cast<std::ptrdiff_t>(count));
+    }
   });
 }
 

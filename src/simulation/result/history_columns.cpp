@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "simulation/result/chain_record.hpp"
+
 namespace tdbd::simulation {
 namespace {
 
@@ -304,6 +306,7 @@ RecordLayout step_layout(const std::vector<HistoryPart>& parts, const HistoryExt
   if (!extent.chain) return layout;
   for (const ColumnOf<DriveRow>& c : surface_columns)
     layout.columns.push_back({c.name, c.units, c.long_name, -1, InCsv::yes, Over::mean});
+  if (!extent.nodes.empty()) add_node_columns(extent.nodes, Over::mean, layout);
   return layout;
 }
 
@@ -324,6 +327,7 @@ void numbers_of(const HistoryRow& step, const HistoryExtent& extent, std::vector
   for (const ColumnOf<DriveRow>& c : drive_columns) numbers.push_back(c.value(*step.drive));
   if (!extent.chain) return;
   for (const ColumnOf<DriveRow>& c : surface_columns) numbers.push_back(c.value(*step.drive));
+  append(step.nodes);
 }
 
 }  // namespace tdbd::simulation

@@ -33,6 +33,7 @@ struct HistoryRow {
   std::span<const rock::Section> sections;         ///< per cutter, at the end of the step
   std::span<const rock::PartContact> contacts;     ///< per part, at the end of the step
   const DriveRow* drive = nullptr;                 ///< of a bit that forces move
+  std::span<const double> nodes;                   ///< append_nodes, of a string on a chain
   const LoadedStep* loaded = nullptr;              ///< forces of the step; none: without forces
   const WearRow* wear = nullptr;                   ///< of a bit that wears
   long swept_vertices = 0;                         ///< rock vertices moved in this step
@@ -53,6 +54,7 @@ struct HistoryExtent {
   bool forces = false;
   bool drive = false;
   bool chain = false;                                 ///< of a string on a chain
+  std::vector<std::string> nodes;                     ///< node_names of those that have columns
   std::vector<std::string> worn_cutters, worn_parts;  ///< of a bit that wears
 };
 

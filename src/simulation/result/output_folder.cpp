@@ -24,15 +24,15 @@ namespace fs = std::filesystem;
 
 /// Names that a command may leave in its folder, besides frames and parts. The file that each writes first, and by
 /// which its folder is known, goes last.
-constexpr std::array<std::string_view, 23> result_names = {
+constexpr std::array<std::string_view, 24> result_names = {
     "summary.json",    "timing.json",       "history.nc",
     "history.csv",     "checkpoint.nc",     "rock.pvd",
     "bit.pvd",         "bit.json",          "bit_poses.csv",
     "bit.glb",         "rock_final.ply",    "failure.txt",
     "history.rows",    "checkpoint-new.nc", "checkpoint-previous.nc",
     "convergence.svg", "convergence.csv",   "string.nc",
-    "static.csv",      "modes.csv",         "broomstick.csv",
-    "case.toml",       "convergence.json"};
+    "string.rows",     "static.csv",        "modes.csv",
+    "broomstick.csv",  "case.toml",         "convergence.json"};
 constexpr std::array<std::string_view, 11> bit_names = {
     "bit.json", "cutters.csv", "profile.csv", "analysis.json", "bit.vtp", "bit.stl",
     "bit.obj",  "bit.ply",     "bit.off",     "solids.toml",   "bit.toml"};

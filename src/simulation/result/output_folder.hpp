@@ -43,6 +43,8 @@ struct OutputFolder {
   std::filesystem::path new_checkpoint() const { return path / "checkpoint-new.nc"; }
   std::filesystem::path previous_checkpoint() const { return path / "checkpoint-previous.nc"; }
   std::filesystem::path rows() const { return path / "history.rows"; }
+  std::filesystem::path profiles() const { return path / "string.nc"; }
+  std::filesystem::path profile_rows() const { return path / "string.rows"; }
   std::filesystem::path failure() const { return path / "failure.txt"; }
   std::filesystem::path frames() const { return path / "frames"; }
 

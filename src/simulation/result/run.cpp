@@ -16,9 +16,11 @@
 #include "core/parallel.hpp"
 #include "core/reason.hpp"
 #include "core/whole_file.hpp"
+#include "dynamics/drilling/chained_string.hpp"
 #include "mesh/measures.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "simulation/checkpoint/checkpoint.hpp"
+#include "simulation/result/chain_record.hpp"
 #include "simulation/result/checkpoint_keeper.hpp"
 #include "simulation/result/end_warnings.hpp"
 #include "simulation/result/frames.hpp"
@@ -60,6 +62,8 @@ HistoryExtent history_extent(const Case& c) {
   extent.forces = c.forces.forces == Forces::on;
   extent.drive = c.motion.kind == MotionKind::drilling;
   extent.chain = extent.drive && c.drilling.system.chained.has_value();
+  if (extent.chain)
+    extent.nodes = node_names(c.drilling.system.chained->chain, c.output.chain.nodes);
   if (wears(c.wear))
     for (const bit::WearSolid& solid : solids_of(c))
       (solid.cutter >= 0 ? extent.worn_cutters : extent.worn_parts).push_back(solid.name);
@@ -109,6 +113,13 @@ WearRow wear_row(const WearState& s, const WearWork& w) {
   return row;
 }
 
+/// Of a run whose string is on a chain.
+ChainView chain_view(const Case& c, const Simulation& s) {
+  const dynamics::DrillingSystem& system = c.drilling.system;
+  return {system.chained->chain, s.state.drive->chain, s.work.drive.chain,
+          dynamics::end_motion(system, *s.state.drive, s.work.drive)};
+}
+
 void take_step(const Case& of_run, const Simulation& s, History& history) {
   const Case& c = case_now(of_run, s.work);
   const std::vector<double> angles = angles_of(s.state.cones), speeds = speeds_of(s.state.cones);
@@ -123,6 +134,9 @@ void take_step(const Case& of_run, const Simulation& s, History& history) {
   if (s.state.drive) row.drive = &drive;
   const WearRow wear = s.work.wear ? wear_row(*s.state.wear, *s.work.wear) : WearRow{};
   if (s.work.wear) row.wear = &wear;
+  std::vector<double> nodes;
+  if (!c.output.chain.nodes.empty()) append_nodes(chain_view(c, s), c.output.chain.nodes, nodes);
+  row.nodes = nodes;
   history.take(row);
 }
 
@@ -174,12 +188,25 @@ void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
              expected_of(system, r.loads->rotary_speed.mean),
              {},
              s.statistics.standing};
+  if (!system.chained) return;
+  const string::Chain& chain = system.chained->chain;
+  const string::Elements& e = chain.elements;
+  const double inertia = system.gyrostat.inertia_B(2, 2);
+  r.string = {e.length * chain.count(),
+              e.length,
+              chain.count(),
+              static_loads(chain, system.mass * system.gravity, c.drilling.start_motion),
+              chain_modes(chain, system.mass, inertia),
+              string::longest_step(chain, system.mass, inertia),
+              courant_numbers(c.drilling.string.sections, e.length, c.time.step),
+              node_rest_share(chain, s.statistics.node_steps_at_rest, s.state.steps_done)};
 }
 
 /// What a run writes on its way.
 struct Recorder {
   OutputFolder folder;
   History history;
+  std::optional<ChainProfiles> profiles;  ///< of a string on a chain
   Frames frames;
   CheckpointKeeper keeper;
   std::vector<double> step_seconds;
@@ -192,6 +219,8 @@ struct Recorder {
         frames(f),
         keeper(f, c.output.checkpoint_every, o.warn),
         order_plan(plan_energy_order(c)) {
+    if (c.output.chain.profile_every > 0)
+      profiles.emplace(f.profiles(), c.drilling.system.chained->chain);
     order.residual.reason =
         order_plan.at < 0 ? order_plan.reason : "the run ended before its window";
   }
@@ -203,6 +232,11 @@ void go_on(const WrittenSoFar& written, Recorder& r) {
   if (RowLog* rows = r.keeper.rows())
     rows->replay([&](std::span<const double> row) { r.history.append_again(row); });
   r.history.set_window(written.window);
+  if (r.profiles) {
+    r.keeper.begin_rows(r.profiles->width(), written.profile_rows, RowsOf::profiles);
+    if (RowLog* rows = r.keeper.rows(RowsOf::profiles))
+      rows->replay([&](std::span<const double> row) { r.profiles->append_again(row); });
+  }
   r.frames.set_frames(written.rock_frames, written.bit_frames);
   if (!written.order.residual.reason.empty() || written.order.residual.order)
     r.order = written.order;
@@ -211,8 +245,13 @@ void go_on(const WrittenSoFar& written, Recorder& r) {
 void keep_checkpoint(const Case& c, const Simulation& s, Recorder& r) {
   const RowLog* rows = r.keeper.rows();
   if (rows == nullptr) return;
-  const WrittenSoFar written{rows->rows(), r.history.window(), r.frames.rock_frames(),
-                             r.frames.bit_frames(), r.order};
+  const RowLog* profiles = r.keeper.rows(RowsOf::profiles);
+  const WrittenSoFar written{rows->rows(),
+                             r.history.window(),
+                             r.frames.rock_frames(),
+                             r.frames.bit_frames(),
+                             r.order,
+                             profiles != nullptr ? profiles->rows() : 0};
   r.keeper.keep([&](const std::filesystem::path& file) { write_checkpoint(file, c, s, written); });
 }
 
@@ -224,9 +263,17 @@ void record_step(const Case& c, const Simulation& s, Recorder& r) {
     r.keeper.append(r.history.last_row());
 }
 
+/// A profile of the string every so many steps, the start's included.
+void record_profile(const Case& c, const Simulation& s, Recorder& r) {
+  if (!r.profiles || s.state.steps_done % c.output.chain.profile_every != 0) return;
+  r.profiles->append(time_at(c.time, s.state.steps_done), chain_view(case_now(c, s.work), s));
+  r.keeper.append(r.profiles->last_row(), RowsOf::profiles);
+}
+
 /// The loop over steps, with everything that is recorded on the way.
 RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
   r.step_seconds.reserve(static_cast<std::size_t>(std::min(c.time.steps, 10'000'000L)));
+  if (s.state.steps_done == 0) record_profile(c, s, r);
   while (s.state.steps_done < c.time.steps) {
     if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
     if (s.state.steps_done == r.order_plan.at) r.order = observe_energy_order(c, s);
@@ -234,6 +281,7 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
     step(c, s);
     r.step_seconds.push_back(seconds_since(before));
     record_step(c, s, r);
+    record_profile(c, s, r);
     if (c.output.frames_every > 0 && s.state.steps_done % c.output.frames_every == 0)
       r.frames.add(case_now(c, s.work), s);
     if (r.keeper.is_due(s.state.steps_done)) keep_checkpoint(c, s, r);
@@ -245,6 +293,7 @@ RunStatus loop(const Case& c, Simulation& s, const RunOptions& o, Recorder& r) {
 
 void keep_so_far(const Case& c, const Simulation& s, const std::string& failure, Recorder& r) {
   ignore_failure([&] { r.history.close(); });
+  if (r.profiles) ignore_failure([&] { r.profiles->close(); });
   ignore_failure([&] { r.frames.write_final(c, s); });
   ignore_failure([&] { write_text(r.folder.failure(), failure + "\n"); });
 }
@@ -254,6 +303,7 @@ RunStatus run_steps(const Case& c, Simulation& s, const RunOptions& o, Recorder&
     const RunStatus status = loop(c, s, o, r);
     if (status == RunStatus::interrupted) keep_checkpoint(c, s, r);
     r.history.close();
+    if (r.profiles) r.profiles->close();
     r.frames.write_final(case_now(c, s.work), s);
     return status;
   } catch (const WearEnd& e) {

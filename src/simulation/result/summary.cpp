@@ -122,6 +122,10 @@ std::string to_json(const RunSummary& s) {
     json["standing"] = standing_json(s.drive->standing);
     json["diagnosis"] = diagnosis_json(s.diagnosis, s.drive->expected);
   }
+  if (s.string) {
+    json["string"] = statics_json(*s.string);
+    json["string"].update(steps_json(*s.string));
+  }
   if (!s.cones.empty()) json["cones"] = cones_json(s);
   if (!s.faces.empty()) json["sections"] = sections_json(s);
   if (!s.faces.empty())

@@ -13,6 +13,7 @@
 #include "simulation/case/case_warning.hpp"
 #include "simulation/case/studied_convergence.hpp"
 #include "simulation/result/drive_figures.hpp"
+#include "simulation/result/string_figures.hpp"
 #include "simulation/result/wear_figures.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/force_figures.hpp"
@@ -61,6 +62,7 @@ struct RunSummary {
   std::vector<NumericalUncertainty> numerical;  ///< by each study of the case
   Diagnosis diagnosis;                          ///< with forces
   std::optional<DriveFigures> drive;            ///< of a bit that forces move
+  std::optional<StringFigures> string;          ///< of a string on a chain
   std::vector<std::pair<std::string, double>>
       broken_out;  ///< m3, by cutter, of what its face removed; empty: no rock breaks out
   std::optional<WearFigures> wear;  ///< of a bit that wears

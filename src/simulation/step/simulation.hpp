@@ -108,6 +108,7 @@ struct Statistics {
   Trace trace;
   StandingStatistics standing;
   WearRecords wear;
+  long node_steps_at_rest = 0;  ///< of a string on a chain: nodes times steps
 };
 
 /// A run between two steps.

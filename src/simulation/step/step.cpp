@@ -170,6 +170,7 @@ void kick(const Case& c, const Move& move, State& state, Work& work) {
 void record(const Case& c, const Move& move, Simulation& s) {
   add(move, s.work.measures, s.statistics.faces);
   add(move.turn, s.state.cones, s.statistics.cones);
+  s.statistics.node_steps_at_rest += s.work.drive.chain.resting;
   if (c.forces.forces == Forces::off) return;
   s.work.rates = s.state.drive ? rates_of(move) : rates_of(s.work.velocity, move.X_WB1);
   record_loads(c, move, s.state, s.work, s.statistics);

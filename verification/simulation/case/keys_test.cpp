@@ -231,7 +231,7 @@ ReadCase on_chain(const std::string& tables, const std::string& speed) {
                    "\"chain\"\nmass = 10\ntorsional_inertia = 10\nbending_inertia = 100\n"
                    "element_length = 10\nhole_diameter = 0.2\n"
                    "[[string.sections]]\nlength = 100\nouter_diameter = 0.1\n" +
-                       tables,
+                       tables + "[output]\nstring_depths = [0]\nstring_profile_every = 1e-3\n",
                    {"rock.material=berea-sandstone"});
 }
 

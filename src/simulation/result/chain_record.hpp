@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "simulation/result/record.hpp"
+#include "simulation/result/record_netcdf.hpp"
+#include "string/chain.hpp"
+
+namespace tdbd::simulation {
+
+/// A chain between two steps, and the motion of its last node at that time.
+struct ChainView {
+  const string::Chain& chain;
+  const string::ChainState& state;
+  const string::ChainWork& work;
+  string::EndMotion end;
+};
+
+/// The measured depths of these nodes as suffixes of columns: "1500m".
+std::vector<std::string> node_names(const string::Chain& chain, const std::vector<int>& nodes);
+
+/// Adds the axis "node" with these names, and what a history has of each node: the tension (N) and torque
+/// (N m) of the element above, the two speeds (m/s, rad/s), and the side force (N).
+void add_node_columns(const std::vector<std::string>& names, Over over, RecordLayout& layout);
+
+/// Appends the numbers of these columns.
+void append_nodes(const ChainView& c, const std::vector<int>& nodes, std::vector<double>& row);
+
+/// Records `string.nc`: profiles over all nodes (displacement, angle, speeds, side force) and elements
+/// (tension, torque).
+class ChainProfiles {
+ public:
+  /// Creates `path.partial`. Throws RunError when it cannot.
+  ChainProfiles(std::filesystem::path path, const string::Chain& chain);
+
+  void append(double time, const ChainView& c);
+
+  /// The numbers of the last row, and of every row, as many.
+  const std::vector<double>& last_row() const { return row_; }
+  std::size_t width() const { return layout_.row_width(); }
+
+  /// Appends what was a last_row() of these profiles.
+  void append_again(std::span<const double> row) { record_.append(row); }
+
+  /// Writes what is buffered and gives the file its name. Throws RunError.
+  void close();
+
+ private:
+  std::filesystem::path path_;
+  RecordLayout layout_;
+  RecordNetcdf record_;
+  std::vector<double> row_;
+};
+
+}  // namespace tdbd::simulation
