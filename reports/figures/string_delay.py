@@ -14,9 +14,9 @@ AROUND = 0.15  # s: means over this time, so that the cutters' chatter does not 
 
 
 def smooth(time, values):
-    """Moving means over AROUND."""
+    """(time, moving means over AROUND), without the ends, where means lack a part of their time."""
     n = max(1, int(round(AROUND / (time[1] - time[0]))) | 1)
-    return np.convolve(values, np.ones(n) / n, mode="same")
+    return time[n // 2:len(time) - n // 2], np.convolve(values, np.ones(n) / n, mode="valid")
 
 
 def events(time, speed):
@@ -34,9 +34,8 @@ def draw(inputs):
     upper.plot(time, RPM * speed, color=style.RED, label="bit")
     upper.set(ylabel="rotary speed (rpm)", ylim=(None, 1.25 * RPM * speed.max()))
     upper.legend(loc="upper right", ncols=2)
-    inner = slice(40, -40)  # moving means lack half of their time at the ends
     lower.plot(time, 1e-3 * surface, color=style.BLUE, label="surface torque")
-    lower.plot(time[inner], 1e-3 * smooth(time, torque)[inner], color=style.RED, label=f"torque on bit, means over {AROUND} s")
+    lower.plot(*smooth(time, 1e-3 * torque), color=style.RED, label=f"torque on bit, means over {AROUND} s")
     lower.set(xlabel="time (s)", ylabel="torque (kN m)", xlim=(0.0, time[-1]))
     lower.legend(loc="upper right", ncols=2)
     lower.set_ylim(top=1.25 * 1e-3 * surface.max())
