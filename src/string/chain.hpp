@@ -101,7 +101,7 @@ void open_step(const Chain& chain, double h, const TopCommand& command, ChainSta
 /// and close_step, after the bit has drifted.
 void load_elements(const Chain& chain, const EndMotion& end, ChainState& state, ChainWork& work);
 
-/// What the chain does to the bit from load_elements until the next one.
+/// Load of the chain on the bit from load_elements until the next one.
 inline EndLoad end_load(const ChainWork& work) { return {work.tension.back(), work.torque.back()}; }
 
 /// The part of it that Kelvin-Voigt's dampers have. The owner of the bit books minus this times the

@@ -11,7 +11,7 @@ namespace tdbd::calibration {
 
 /// The mean cuts of a tool's parts at one depth of cut, in the tool's own frame: what
 /// simulation::CutOfPart calls W is the bit's frame B here, of which z points down the hole and
-/// about which it turns; a single cutter's is that of groove_cut.hpp. They hang on tool and depth
+/// about which it turns; a single cutter's is that of groove_cut.hpp. They depend on tool and depth
 /// alone (calibration (1)): one cut run serves every pressure, speed and coefficient.
 struct CutRun {
   double depth = 0.0;  ///< m, a revolution of a bit; a cutter's groove

@@ -30,7 +30,7 @@ double energy_of(const string::Chain& c, const string::ChainState& chain) {
       c, chain, {.displacement = chain.displacement.back(), .angle = chain.angle.back()});
 }
 
-/// What the dampers of the last element do to the bit, as a part of what acts on it.
+/// Adds the forces of the dampers of the last element to those on the bit.
 void push_with_dampers(const string::EndLoad& damper, const DrillingState& state,
                        DrillingWork& work) {
   work.chain_damper.force_W = -damper.pull * Vec3::UnitZ();

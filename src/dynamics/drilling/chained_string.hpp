@@ -18,8 +18,8 @@ void open_chain(const DrillingSystem& system, double h, Drilling& d, DrillingWor
 void place_upper_end(const DrillingSystem& system, const string::ChainState& chain,
                      UpperEnd& upper);
 
-/// After the bit was configured: the loads of the elements, and what Kelvin-Voigt's dampers of the last
-/// one do to the bit.
+/// After the bit was configured: the loads of the elements, and the forces of Kelvin-Voigt's
+/// dampers of the last one on the bit.
 void load_chain(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work);
 
 /// The flow of the chain's own nodes that closes the step, and the ledger.

@@ -31,7 +31,7 @@ struct DrillingWork {
   string::ChainState chain_start;
   string::TopCommand command;
   string::EndMotion end_before;  ///< at the step's start
-  Wrench chain_damper;           ///< what Kelvin-Voigt's dampers of the last element do to the bit
+  Wrench chain_damper;           ///< on the bit, by Kelvin-Voigt's dampers of the last element
 };
 
 /// At rest with its energies. Give it the wrench of the start where the bit touches rock.

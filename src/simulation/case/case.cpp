@@ -209,7 +209,7 @@ void check_continued_cones(Config c, const Case& read) {
               "0: what cones remember of their contacts is in no file");
 }
 
-/// The bit's file, and the choices of [update] that its parts and their search hang on.
+/// The bit's file, and the choices of [update] that its parts and their search depend on.
 std::string bit_hash(Config& update, const bit::BitFile& bit, const rock::CuttingOptions& cutting) {
   return fnv1a_hex(fmt::format(
       "{}\n{} {} {} {} {} {}", bit.fingerprint,

@@ -76,8 +76,8 @@ inline constexpr QuantityKey hole_diameter{
 
 namespace section_keys {
 
-inline constexpr TableKey table{
-    "string.sections", "a length of pipe or collars, from the surface to the bit", Repeats::yes};
+inline constexpr TableKey table{"string.sections", "a length of pipe or collars; the topmost first",
+                                Repeats::yes};
 
 inline constexpr QuantityKey length{
     .name = "length", .unit = "m", .range = Range::positive(), .meaning = "along the hole"};

@@ -5,11 +5,15 @@
 #include "core/config/config.hpp"
 #include "simulation/case/case_warning.hpp"
 #include "simulation/case/chain_keys.hpp"
-#include "simulation/case/read_string.hpp"
+#include "simulation/case/plans.hpp"
 #include "string/simple_bit.hpp"
 #include "string/statics.hpp"
 
 namespace tdbd::simulation {
+
+/// Reads sections, survey and friction of the table [string], which it checks against each other.
+/// `step`: s, for the default loss time. Notes mistakes in the file; appends warnings. In read_string.cpp.
+StringPlan read_string_plan(Config& whole, double step, std::vector<CaseWarning>& warnings);
 
 /// A string on a chain and its top, without what hangs below.
 struct ChainAbove {

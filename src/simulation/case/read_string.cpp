@@ -1,5 +1,3 @@
-#include "simulation/case/read_string.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "core/config/csv.hpp"
 #include "core/error.hpp"
 #include "simulation/case/chain_keys.hpp"
+#include "simulation/case/read_chain.hpp"
 
 namespace tdbd::simulation {
 namespace {

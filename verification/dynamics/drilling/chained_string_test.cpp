@@ -192,6 +192,66 @@ TEST(ChainedString, closes_the_ledger_with_order_2) {
   EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.1);
 }
 
+/// All state of bit and chain that a scheduled top does not prescribe.
+std::vector<double> state_of(const DrillingRun& d) {
+  std::vector<double> x{d.state.c_W.x(),
+                        d.state.c_W.y(),
+                        d.state.c_W.z(),
+                        d.state.momentum_W.x(),
+                        d.state.momentum_W.y(),
+                        d.state.momentum_W.z(),
+                        d.state.rotation.momentum_W.z(),
+                        twist_of(d)};
+  for (const auto* part :
+       {&d.chain.displacement, &d.chain.velocity, &d.chain.angle, &d.chain.rotary_speed})
+    x.insert(x.end(), part->begin() + 1, part->end());
+  return x;
+}
+
+/// Under forces that depend on time and, not linearly, on velocities, across and along an inclined hole.
+/// Every number of the state, the largest of its errors at ten times: differences from a step twelve
+/// times shorter than the shortest.
+TEST(ChainedString, converges_with_order_2_in_every_variable) {
+  constexpr double duration = 0.2, deviation = 0.06;
+  constexpr int finest = 1600, times = 10;
+  string::Chain c = chain_of(8);
+  c.axial_damping = c.torsional_damping = 0.3;
+  Hanging s = hanging(c, {rate, speed, 10e3, 900.0});
+  s.system.gravity_across = 5.0;
+  s.system = make_drilling_system(s.system);
+  const LumpedLaw law = [](const DrillingSystem&, const DrillingState& state,
+                           const DrillingVelocity& v, Wrench& w) {
+    const double t = state.rotation.time, down = v.v_W.z();
+    w.force_W = Vec3(300.0 * std::sin(20.0 * t), 200.0 * std::cos(31.0 * t),
+                     -(8e3 + 2e5 * down * (1.0 + 10.0 * down)));
+    w.torque_W = Vec3(0.0, 0.0, -(900.0 + 20.0 * v.w_W.z() + v.w_W.z() * v.w_W.z()));
+  };
+  const auto run = [&](int n) {
+    DrillingRun d = started(s, law);
+    std::vector<std::vector<double>> states;
+    for (int i = 1; i <= n; ++i) {
+      step(s.system, law, duration / n, d);
+      if (i % (n / times) == 0) states.push_back(state_of(d));
+    }
+    return states;
+  };
+  const auto exact = run(12 * finest);
+  std::vector<double> steps;
+  std::vector<std::vector<double>> errors(exact[0].size());
+  for (int n = finest / 16; n <= finest; n *= 2) {
+    const auto found = run(n);
+    steps.push_back(duration / n);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      double largest = 0.0;
+      for (std::size_t k = 0; k < times; ++k)
+        largest = std::max(largest, std::abs(found[k][i] - exact[k][i]));
+      errors[i].push_back(largest);
+    }
+  }
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    EXPECT_NEAR(least_squares_order(steps, errors[i]), 2.0, deviation) << i;
+}
+
 /// Across an inclined hole the bit swings about where its springs bear its weight, and settles there.
 TEST(ChainedString, sags_to_the_low_side_by_its_weight_over_the_lateral_stiffness) {
   constexpr double rounding = 1e-12;

@@ -2,15 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "core/parallel.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
 #include "simulation/checkpoint/checkpoint.hpp"
-#include "simulation/checkpoint/state_fields.hpp"
 #include "simulation/result/drive_figures.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/simulation/mesh_bit.hpp"
+#include "verification/simulation/same_run.hpp"
 
 /// Bit B at the end of 2500 m of pipe and collars.
 namespace tdbd::simulation::chain_run_test {
@@ -24,22 +23,6 @@ void drill(const Case& c, Simulation& s, int steps) {
   for (int i = 0; i < steps; ++i) step(c, s);
 }
 
-Tape numbers_of(const Simulation& s) {
-  State state = s.state;
-  std::ranges::sort(state.rock.touched_list);
-  Tape tape;
-  TapeWriter write(tape);
-  write("state", state);
-  return tape;
-}
-
-bool same(const Simulation& a, const Simulation& b) {
-  const Tape x = numbers_of(a), y = numbers_of(b);
-  return x.reals.size() == y.reals.size() &&
-         std::memcmp(x.reals.data(), y.reals.data(), x.reals.size() * sizeof(double)) == 0 &&
-         x.wholes == y.wholes && x.ints == y.ints && x.bytes == y.bytes;
-}
-
 TEST(ChainRun, continues_from_a_checkpoint_and_on_two_threads_bitwise_identical) {
   const Case c = on_chain();
   Simulation whole = start(c);
@@ -51,7 +34,7 @@ TEST(ChainRun, continues_from_a_checkpoint_and_on_two_threads_bitwise_identical)
   const ThreadLimit limit(2);
   drill(c, whole, 20);
   drill(c, resumed, 20);
-  EXPECT_TRUE(same(whole, resumed));
+  expect_same(whole, resumed);
 }
 
 /// At the start the hook carries what the bit does not: the weight of string and bit in mud, less what

@@ -1,7 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -9,12 +9,11 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "simulation/checkpoint/checkpoint.hpp"
-#include "simulation/checkpoint/state_fields.hpp"
-#include "simulation/checkpoint/statistics_fields.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/wear_step.hpp"
 #include "verification/simulation/mesh_bit.hpp"
+#include "verification/simulation/same_run.hpp"
 
 namespace tdbd::simulation::wear_run_test {
 namespace {
@@ -36,22 +35,6 @@ const std::vector<std::string> drilled_by_forces{
     "torsional_stiffness='5000 N m/rad', torsional_damping='50 N m s/rad', "
     "bending_stiffness='1e6 N m/rad', bending_damping='1e3 N m s/rad', attachment_height=0}",
     "time={step='1 ms', duration='60 ms'}"};
-
-Tape numbers_of(Simulation s) {
-  std::ranges::sort(s.state.rock.touched_list);
-  Tape tape;
-  TapeWriter write(tape);
-  write("state", s.state);
-  write("statistics", s.statistics);
-  return tape;
-}
-
-bool same(const Simulation& a, const Simulation& b) {
-  const Tape x = numbers_of(a), y = numbers_of(b);
-  return x.reals.size() == y.reals.size() &&
-         std::memcmp(x.reals.data(), y.reals.data(), x.reals.size() * sizeof(double)) == 0 &&
-         x.wholes == y.wholes && x.ints == y.ints && x.bytes == y.bytes;
-}
 
 void drill(const Case& c, Simulation& s, int steps) {
   for (int i = 0; i < steps; ++i) step(c, s);
@@ -87,11 +70,12 @@ TEST(WearRun, continues_from_a_checkpoint_bitwise_identical) {
       write_checkpoint(file, c, whole, {});
       Checkpoint saved = read_checkpoint(file, c);
       Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));
-      EXPECT_TRUE(same(whole, resumed));
+      expect_same(whole, resumed);
       drill(c, whole, 17);
       drill(c, resumed, 17);
       EXPECT_GT(whole.state.wear->steps, 2);
-      EXPECT_TRUE(same(whole, resumed)) << before << " steps, " << settings.size() << " settings";
+      SCOPED_TRACE(fmt::format("{} steps, {} settings", before, settings.size()));
+      expect_same(whole, resumed);
     }
   }
 }
@@ -104,7 +88,7 @@ TEST(WearRun, is_bitwise_identical_on_two_threads) {
     drill(c, s, 25);
     return s;
   };
-  EXPECT_TRUE(same(drilled(1), drilled(2)));
+  expect_same(drilled(1), drilled(2));
 }
 
 /// Pose and velocity of the bit's origin before and after a wear step. Relative to 1 m and to 1 m/s

@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "core/parallel.hpp"
 #include "simulation/checkpoint/checkpoint.hpp"
-#include "simulation/checkpoint/state_fields.hpp"
-#include "simulation/checkpoint/statistics_fields.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/simulation.hpp"
 #include "simulation/step/wear_step.hpp"
 #include "verification/simulation/mesh_bit.hpp"
+#include "verification/simulation/same_run.hpp"
 
 /// Runs whose teeth and gage pads wear.
 namespace tdbd::simulation::worn_parts_test {
@@ -81,22 +79,6 @@ TEST(WornTeeth, lose_what_forces_and_paths_wear_off) {
   }
 }
 
-Tape numbers_of(Simulation s) {
-  std::ranges::sort(s.state.rock.touched_list);
-  Tape tape;
-  TapeWriter write(tape);
-  write("state", s.state);
-  write("statistics", s.statistics);
-  return tape;
-}
-
-bool same(const Simulation& a, const Simulation& b) {
-  const Tape x = numbers_of(a), y = numbers_of(b);
-  return x.reals.size() == y.reals.size() &&
-         std::memcmp(x.reals.data(), y.reals.data(), x.reals.size() * sizeof(double)) == 0 &&
-         x.wholes == y.wholes && x.ints == y.ints && x.bytes == y.bytes;
-}
-
 TEST(WornTeeth, continue_from_a_checkpoint_and_on_two_threads_bitwise_identical) {
   const Case c = worn_teeth();
   for (const int before : {26, 27, 31}) {
@@ -110,7 +92,8 @@ TEST(WornTeeth, continue_from_a_checkpoint_and_on_two_threads_bitwise_identical)
     drill(c, whole, 20);
     drill(c, resumed, 20);
     EXPECT_GT(whole.state.wear->steps, 3);
-    EXPECT_TRUE(same(whole, resumed)) << before;
+    SCOPED_TRACE(before);
+    expect_same(whole, resumed);
   }
 }
 
