@@ -52,7 +52,7 @@ def stated():
 
     slip = rows["stick-slip", "rotary_speed_mean"]
     speed, of_top = float(slip["value"]), 2.0 * math.pi
-    yield ("upper bound, {:.0f} % for a mean speed that differs from the top's by {:.1f} %",
+    yield ("upper bound, {:.0f} % for a mean speed that differs from the top's by {:.2f} %",
            100.0 * float(slip["uncertainty_sampling"]) / speed, 100.0 * abs(speed / of_top - 1.0))
     yield "torque to {:.0f} %, frequency to {:.0f} %", share("tob_mean"), share("orbit_frequency")
     yield from of_sections()
