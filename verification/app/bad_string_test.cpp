@@ -198,6 +198,20 @@ TEST(StringCommand, warns_of_buckling_where_the_hole_is_given) {
   EXPECT_NE(o.err.find("beyond sinusoidal buckling"), std::string::npos) << o.err;
 }
 
+TEST(StringCommand, warns_of_elements_too_long_for_the_blades) {
+  const StringFolder c;
+  c.edit("case.toml", "[motion]",
+         "[string.bit]\nlaw = \"regenerative\"\naxial_stiffness = 1e6\n"
+         "torsional_stiffness = 1e3\npitch = 0.3\n[motion]");
+  const battery::Outcome o = c.run();
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_NE(o.err.find("string.element_length: elements of 20 m resolve waves up to 15.9 Hz, 10 "
+                       "elements to a wavelength; the blades of the bit pass at 20.9 Hz: use at "
+                       "most 15.2 m"),
+            std::string::npos)
+      << o.err;
+}
+
 TEST(StringCommand, refuses_a_case_of_another_kind_and_names_its_command) {
   const StringFolder c;
   const battery::Outcome o =

@@ -68,7 +68,7 @@ inline constexpr QuantityKey gravity{.name = "gravity",
 inline constexpr QuantityKey hole_diameter{
     .name = "hole_diameter",
     .unit = "m",
-    .usual = "none: no warning",
+    .usual = "of a bit that drills, its gage diameter; else none: no warning",
     .range = Range::positive(),
     .meaning = "warns where the string is compressed beyond its sinusoidal buckling"};
 

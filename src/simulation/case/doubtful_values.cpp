@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
 #include "mesh/measures.hpp"
+#include "simulation/case/chain_doubts.hpp"
 #include "simulation/case/drilling_keys.hpp"
 
 namespace tdbd::simulation {
@@ -166,6 +168,30 @@ void doubt_wall_step(const Config& c, const Case& read, std::vector<CaseWarning>
                     1e3 * largest_turn / rolling)));
 }
 
+/// How often the blades of the bit pass at its fastest, Hz; 0 without blades.
+double passing_frequency(const Case& read) {
+  int blades = 0;
+  for (const bit::Cutter& cutter : read.bit.cutters) blades = std::max(blades, cutter.blade);
+  const std::vector<double>& speeds = read.drilling.system.top.speed.values;
+  const double fastest = speeds.empty() ? 0.0 : std::ranges::max(speeds);
+  return blades * fastest / (2.0 * std::numbers::pi);
+}
+
+/// Of a string on a chain; where the case gives no hole, it is the one that the bit drills.
+void doubt_chain(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
+  const dynamics::DrillingSystem& s = read.drilling.system;
+  if (read.motion.kind != MotionKind::drilling || !s.chained) return;
+  const StringPlan& string = read.drilling.string;
+  const string::Chain& chain = s.chained->chain;
+  const double hole =
+      string.hole_diameter > 0.0 ? string.hole_diameter : 2.0 * read.bit.gage_radius;
+  std::ranges::move(
+      chain_warnings(
+          c, {string, chain, static_loads(chain, s.mass * s.gravity, read.drilling.start_motion),
+              hole, passing_frequency(read)}),
+      std::back_inserter(warnings));
+}
+
 }  // namespace
 
 double narrowest_width(const bit::Bit& bit) {
@@ -185,6 +211,7 @@ std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read) {
   doubt_weight(c, read, warnings);
   doubt_attachment(c, read, warnings);
   doubt_wall_step(c, read, warnings);
+  doubt_chain(c, read, warnings);
   return warnings;
 }
 

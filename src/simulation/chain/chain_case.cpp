@@ -1,12 +1,10 @@
 #include "simulation/chain/chain_case.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <iterator>
 
 #include "core/hash.hpp"
+#include "simulation/case/chain_doubts.hpp"
 #include "simulation/case/history_rows.hpp"
 #include "simulation/case/rotate_keys.hpp"
 #include "simulation/case/title_key.hpp"
@@ -14,27 +12,9 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Where a compressed string would buckle, which a soft string does not: 2 sqrt(E I w sin/clearance).
-void doubt_buckling(const Config& c, ChainCase& r) {
-  const StringPlan& s = r.plan.string;
-  if (s.hole_diameter == 0.0) return;
-  for (const StaticLoad& l : static_loads(r.plan)) {
-    for (int e = 0; e < r.plan.chain.count(); ++e) {
-      const double top = e * r.plan.chain.elements.length;
-      const double bottom = top + r.plan.chain.elements.length;
-      const string::Section& here = *string::spans_between(s.sections, top, bottom)[0].section;
-      const double side = string::tangent_at(s.survey, bottom).head<2>().norm() * here.weight;
-      const double clearance = std::max(0.5 * s.hole_diameter - here.contact_radius, 1e-3);
-      const double limit = 2.0 * std::sqrt(here.bending_rigidity * side / clearance);
-      if (side == 0.0 || l.load.tension[at(e)] > -limit) continue;
-      r.warnings.push_back(
-          {c.place("string.hole_diameter"), "string.hole_diameter",
-           fmt::format("{}: compressed with {:.3g} kN at {:.0f} m, beyond sinusoidal buckling at "
-                       "{:.3g} kN, which is not modelled",
-                       l.name, -1e-3 * l.load.tension[at(e)], top, 1e-3 * limit)});
-      break;
-    }
-  }
+/// How often the blades of a regenerative bit pass, Hz; 0 of another bit.
+double passing_frequency(const ChainPlan& p) {
+  return p.bit.pitch > 0.0 ? p.rotary_speed / p.bit.pitch : 0.0;
 }
 
 }  // namespace
@@ -84,7 +64,9 @@ ChainCase read_chain_case(const std::string& path, const std::vector<std::string
       output.read(chain_output_keys::history_every, usual_history_every(r.time.steps));
   r.output = read_chain_output(output, r.plan.chain, r.time.step);
   c.finish();
-  doubt_buckling(c, r);
+  std::ranges::move(chain_warnings(c, {r.plan.string, r.plan.chain, static_loads(r.plan),
+                                       r.plan.string.hole_diameter, passing_frequency(r.plan)}),
+                    std::back_inserter(r.warnings));
   r.files = c.files();
   r.resolved = c.resolved();
   r.hash = fnv1a_hex(c.fingerprint());

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "simulation/case/chain_statics.hpp"
+
 namespace tdbd::simulation {
 namespace {
 
@@ -19,8 +21,15 @@ double frequency(double stiffness, double inertia) {
 
 Expected expected_of(const dynamics::DrillingSystem& s, double rotary_speed) {
   Expected e;
-  e.torsional = frequency(s.string.turn_stiffness(2, 2), s.gyrostat.inertia_B(2, 2));
-  e.axial = frequency(s.spring(2, 2), s.mass);
+  const double inertia = s.gyrostat.inertia_B(2, 2);
+  if (s.chained) {
+    const ChainModes modes = chain_modes(s.chained->chain, s.mass, inertia);
+    e.torsional = modes.torsional.front().frequency;
+    e.axial = modes.axial.front().frequency;
+  } else {
+    e.torsional = frequency(s.string.turn_stiffness(2, 2), inertia);
+    e.axial = frequency(s.spring(2, 2), s.mass);
+  }
   e.lateral = frequency(s.string.stiffness(0, 0), s.mass);
   e.rolling_speed = rotary_speed * s.wall.ring_radius;
   if (s.wall.stiffness > 0.0 && s.wall.clearance > 0.0)

@@ -37,7 +37,8 @@ struct DriveFigures {
 };
 
 /// Frequencies of string and mass alone, without rock, and of rolling in the hole at a rotary speed
-/// (rad/s): sqrt(k/m)/2 pi with the inertia about the bit's axis, w R/(Rh - R)/2 pi.
+/// (rad/s): sqrt(k/m)/2 pi with the inertia about the bit's axis, w R/(Rh - R)/2 pi. Of a string on a chain
+/// axial and torsional are the first modes of the whole string with the bit at its end (chain_modes).
 Expected expected_of(const dynamics::DrillingSystem& system, double rotary_speed);
 
 /// "energy" of summary.json: every entry in J, residual and its share of what the top did.

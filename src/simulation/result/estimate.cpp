@@ -35,6 +35,15 @@ double history_bytes(const Case& c, double steps) {
   return rows * (per_number * numbers + csv_per_number * bit_level_columns);
 }
 
+/// Profiles of a string on a chain.
+double profile_bytes(const Case& c, double steps) {
+  const auto& chained = c.drilling.system.chained;
+  if (!chained || c.output.chain.profile_every == 0) return 0.0;
+  constexpr double of_nodes = 5.0, of_elements = 2.0, deflated = 7.0;
+  const double numbers = (of_nodes + of_elements) * chained->chain.count();
+  return deflated * numbers * steps / static_cast<double>(c.output.chain.profile_every);
+}
+
 double disk_bytes(const Case& c, double triangles, double steps) {
   double frames = 1.0;
   if (c.output.frames_every > 0) frames += steps / static_cast<double>(c.output.frames_every);
@@ -43,7 +52,7 @@ double disk_bytes(const Case& c, double triangles, double steps) {
   constexpr double two = 2.0;  // checkpoints are kept while the run goes on
   return frames * frame_per_triangle * triangles + of_bit * triangles_of(c.bit) +
          final_per_triangle * triangles + two * checkpoint_per_triangle * triangles +
-         history_bytes(c, steps);
+         history_bytes(c, steps) + profile_bytes(c, steps);
 }
 
 mesh::Box box_of(const mesh::Surface& s) {

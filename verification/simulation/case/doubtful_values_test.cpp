@@ -148,4 +148,33 @@ TEST(DoubtfulValues, are_found_in_schedules) {
   EXPECT_EQ(doubts("laboratory", {"motion.weight_on_bit.values=[10e3, 2e6, 10e3]"}).size(), 1u);
 }
 
+/// Bit B at 120 rpm: five blades pass at 10 Hz. Its gage stands for the hole.
+TEST(DoubtfulValues, of_a_chain_are_buckling_in_the_hole_that_the_bit_drills) {
+  const std::vector<std::string> inclined{
+      "string.survey={measured_depth=[0, 2500], inclination=[1, 1], azimuth=[0, 0]}"};
+  EXPECT_TRUE(doubts("string-drill-bit-b", inclined).empty());
+  std::vector<std::string> heavy = inclined;
+  heavy.emplace_back("motion.weight_at_start='700 kN'");
+  const auto warnings = doubts("string-drill-bit-b", heavy);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "string.model");
+  EXPECT_TRUE(warnings[0].text.starts_with("drill: compressed with ")) << warnings[0].text;
+  heavy.emplace_back("string.hole_diameter='8.5 in'");
+  const auto given = doubts("string-drill-bit-b", heavy);
+  ASSERT_EQ(given.size(), 1u);
+  EXPECT_EQ(given[0].key, "string.hole_diameter");
+  EXPECT_EQ(given[0].text, warnings[0].text);
+}
+
+TEST(DoubtfulValues, of_a_chain_are_elements_too_long_for_the_passing_blades) {
+  EXPECT_TRUE(doubts("string-drill-bit-b", {}).empty());
+  const auto warnings = doubts("string-drill-bit-b", {"string.element_length=50"});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "string.element_length");
+  EXPECT_EQ(
+      warnings[0].text,
+      "elements of 50 m resolve waves up to 6.36 Hz, 10 elements to a wavelength; the blades of "
+      "the bit pass at 10 Hz: use at most 31.8 m");
+}
+
 }  // namespace tdbd::simulation::doubtful_values_test

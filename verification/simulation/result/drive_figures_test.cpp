@@ -48,6 +48,36 @@ TEST(Expected, are_none_without_a_spring_or_a_wall) {
   EXPECT_EQ(e.rolling, 0.0);
 }
 
+/// Well a3 of the acceptance tests: 2300 m of pipe and 200 m of collars without mud, a bit of 200 kg and
+/// 1.5 kg m2. Roots of its transcendental equation, Hz.
+TEST(Expected, of_a_chain_are_the_first_modes_of_the_whole_string) {
+  constexpr double torsional = 0.233776, axial = 0.393024, rounding = 5e-7, of_elements = 2e-6;
+  dynamics::DrillingSystem s = springs();
+  const string::Diameters pipe{0.127, 0.1086, 0.127}, collars{0.1651, 0.0714, 0.1651};
+  const std::vector<string::Section> sections{string::pipe(2300.0, pipe, {}, 0.0, {}),
+                                              string::pipe(200.0, collars, {}, 0.0, {})};
+  s.chained.emplace();
+  s.chained->chain.elements = string::make_elements(sections, 250);
+  const string::Elements& e = s.chained->chain.elements;
+  s.mass = 200.0 + e.mass.back();
+  s.gyrostat.inertia_B(2, 2) = 1.5 + e.inertia.back();
+  const Expected found = expected_of(s, 12.0);
+  EXPECT_NEAR(found.torsional, torsional, rounding + of_elements * torsional);
+  EXPECT_NEAR(found.axial, axial, rounding + of_elements * axial);
+}
+
+/// A chain of one element whose own mass is small is the lumped string.
+TEST(Expected, of_a_light_chain_of_one_element_are_those_of_the_lumped_string) {
+  constexpr double rounding = 1e-12;
+  dynamics::DrillingSystem s = springs();
+  const Expected lumped = expected_of(s, 12.0);
+  s.chained.emplace();
+  s.chained->chain.elements = {100.0, {2e6}, {6000.0}, {0.1, 0.1}, {0.01, 0.01}};
+  const Expected chain = expected_of(s, 12.0);
+  EXPECT_NEAR(chain.torsional, lumped.torsional, rounding);
+  EXPECT_NEAR(chain.axial, lumped.axial, rounding);
+}
+
 TEST(DiagnosisJson, has_what_was_seen_beside_what_was_expected) {
   Diagnosis d;
   d.text = "backward whirl";
