@@ -177,6 +177,17 @@ double passing_frequency(const Case& read) {
   return blades * fastest / (2.0 * std::numbers::pi);
 }
 
+/// The weight on bit of sections as they are ahead leads the bit's axial motion (reports/studies/chatter-onset).
+void doubt_sections(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
+  const bool of_chain = read.motion.kind == MotionKind::drilling && read.drilling.system.chained;
+  if (!of_chain || read.bit.cutters.empty() || read.measure.section == SectionMeasure::off ||
+      read.measure.section_at_face == rock::SectionAtFace::extrapolated)
+    return;
+  warnings.push_back(warning(c, in_table(measure_keys::table, measure_keys::section_at_face.name),
+                             "\"as_ahead\" damps axial vibrations of the bit, since the weight on "
+                             "bit leads its motion: \"extrapolated\" hardly does"));
+}
+
 /// Of a string on a chain; where the case gives no hole, it is the one that the bit drills.
 void doubt_chain(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   const dynamics::DrillingSystem& s = read.drilling.system;
@@ -212,6 +223,7 @@ std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read) {
   doubt_attachment(c, read, warnings);
   doubt_wall_step(c, read, warnings);
   doubt_chain(c, read, warnings);
+  doubt_sections(c, read, warnings);
   return warnings;
 }
 

@@ -89,16 +89,12 @@ std::string free_rock(const Case& c, const Simulation& s, bit::PartKind kind, do
       has_law(c.forces, kind) ? "" : fmt::format(": set forces.{}.law", bit::kind_key(kind)));
 }
 
-/// Empty unless a bit with cutters hangs on a chain, or sticks and slips, while sections are taken to be
-/// at the face as they are ahead of it.
+/// Empty unless a bit with cutters sticks and slips while sections are taken to be at the face as they
+/// are ahead of it.
 std::string lagging_sections(const Case& c, const Simulation& s) {
   if (c.bit.cutters.empty() || c.measure.section == SectionMeasure::off ||
       c.measure.section_at_face == rock::SectionAtFace::extrapolated)
     return "";
-  if (c.drilling.system.chained)
-    return "measure.section_at_face = \"as_ahead\" lets the weight on bit lead the bit's axial "
-           "motion, and "
-           "so damps chatter: \"extrapolated\" does not";
   const double severity =
       diagnose(s.statistics.trace, s.statistics.loads.tob.mean).stick_slip_severity;
   if (severity <= severe_stick_slip) return "";

@@ -177,4 +177,13 @@ TEST(DoubtfulValues, of_a_chain_are_elements_too_long_for_the_passing_blades) {
       "the bit pass at 10 Hz: use at most 31.8 m");
 }
 
+TEST(DoubtfulValues, of_a_chain_are_sections_ahead_of_the_faces) {
+  const auto warnings = doubts("string-drill-bit-b", {"measure.section_at_face='as_ahead'"});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "measure.section_at_face");
+  EXPECT_EQ(warnings[0].text,
+            "\"as_ahead\" damps axial vibrations of the bit, since the weight on bit leads its "
+            "motion: \"extrapolated\" hardly does");
+}
+
 }  // namespace tdbd::simulation::doubtful_values_test

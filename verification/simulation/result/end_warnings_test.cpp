@@ -81,19 +81,6 @@ TEST(EndWarnings, tell_sections_ahead_of_the_faces_of_a_bit_that_sticks_and_slip
   EXPECT_EQ(of_swings(0.51, "extrapolated"), Texts{});
 }
 
-TEST(EndWarnings, tell_sections_ahead_of_the_faces_of_a_bit_on_a_chain) {
-  const auto on_chain = [](const std::string& section_at_face) {
-    return texts(read_case(TDBD_SOURCE_DIR "/cases/string-drill-bit-b.toml",
-                           {"rock.edge_length='6 mm'", "time.duration='4 ms'",
-                            "output.means_from=0", "measure.section_at_face=" + section_at_face}),
-                 5e-3, 12.0, 1e-6);
-  };
-  EXPECT_EQ(on_chain("as_ahead"),
-            Texts{"measure.section_at_face = \"as_ahead\" lets the weight on bit lead the bit's "
-                  "axial motion, and so damps chatter: \"extrapolated\" does not"});
-  EXPECT_EQ(on_chain("extrapolated"), Texts{});
-}
-
 TEST(EndWarnings, tell_an_advance_that_steps_do_not_resolve) {
   EXPECT_EQ(
       texts(drilling({}), 19.0, 12.0, 1e-6),
