@@ -168,6 +168,96 @@ const Mistake mistakes[] = {
 INSTANTIATE_TEST_SUITE_P(Mistakes, BadString, ::testing::ValuesIn(mistakes),
                          [](const auto& m) { return std::string(m.param.name); });
 
+/// One mistake in a case with a log of a rig, or in the log.
+struct WrongLog {
+  const char *name, *file, *from, *to, *message;
+};
+
+void PrintTo(const WrongLog& w, std::ostream* out) { *out << w.name; }
+
+constexpr const char* log_text =
+    "time [s],RPM [rpm],ROP [m/h],HL [kN]\n0,60,0,200\n0.01,61,1,201\n0.02,62,2,202\n";
+
+class LogFolder : public StringFolder {
+ public:
+  LogFolder() {
+    write("rig.csv", log_text);
+    edit("case.toml", "[motion]\nrotary_speed = \"60 rpm\"\n",
+         "[string.top.log]\nfile = \"rig.csv\"\nrotary_speed = \"RPM\"\nblock_speed = \"ROP\"\n");
+  }
+};
+
+class BadLog : public ::testing::TestWithParam<WrongLog> {};
+
+TEST_P(BadLog, is_refused_with_its_place_and_reason) {
+  const WrongLog& w = GetParam();
+  const LogFolder c;
+  c.edit(w.file, w.from, w.to);
+  expect_refusal(c.run(), c.path(w.file).string() + ":" + w.message);
+  EXPECT_FALSE(std::filesystem::exists(c.path("out")));
+}
+
+const WrongLog wrong_logs[] = {
+    {"times_that_do_not_ascend", "rig.csv", "0.02,62", "0.01,62",
+     "4: time: found 0.01 s after 0.01 s, expected ascending times"},
+    {"a_row_without_a_value", "rig.csv", "0.01,61,1", "0.01,61,-999.25",
+     "3: ROP: found no value, \"-999.25\", expected a number in each row: fill the gap or cut the "
+     "record"},
+    {"a_top_that_turns_back", "rig.csv", "0.01,61", "0.01,-60",
+     "3: RPM: found -6.28319 rad/s, expected a value, >= 0"},
+    {"a_log_shorter_than_the_run", "case.toml", "\"20 ms\"", "\"30 ms\"",
+     "23: string.top.log.file: found 0.02 s of a log for a run of 0.03 s, expected a log that "
+     "lasts "
+     "as long as the run"},
+    {"a_start_before_the_log", "case.toml", "\"ROP\"", "\"ROP\"\nstart = \"-1 s\"",
+     "26: string.top.log.start: found -1 s, expected a time of the log, 0 to 0.02 s"},
+    {"block_speed_and_hook_load", "case.toml", "\"ROP\"", "\"ROP\"\nhook_load = \"HL\"",
+     "25: string.top.log.block_speed: found hook_load as well, expected one of the two"},
+    {"a_hook_load_of_a_lowered_top", "case.toml", "block_speed = \"ROP\"", "hook_load = \"HL\"",
+     "25: string.top.log.hook_load: found a hook load without string.top.axial = \"hook-load\", "
+     "expected none, or that key"},
+    {"a_block_speed_of_a_top_that_hangs", "case.toml", "torsion = \"pi\"",
+     "torsion = \"pi\"\naxial = \"hook-load\"",
+     "26: string.top.log.block_speed: found a speed of the block without string.top.axial = "
+     "\"rate\", expected none, or that key"},
+    {"no_column", "case.toml", "rotary_speed = \"RPM\"\nblock_speed = \"ROP\"\n", "",
+     "23: string.top.log.file: found a log without a column to use, expected rotary_speed, "
+     "block_speed or hook_load: the name of a column"},
+    {"a_speed_in_the_case_as_well", "case.toml", "[time]", "[motion]\nrotary_speed = 1\n[time]",
+     "27: motion.rotary_speed: found a value beside that of the log, expected one of the two: see "
+     "[string.top.log]"},
+    {"a_rate_in_the_case_as_well", "case.toml", "[time]",
+     "[motion]\nrate_of_penetration = 1\n[time]",
+     "27: motion.rate_of_penetration: found a value beside that of the log, expected one of the "
+     "two: "
+     "see [string.top.log]"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Logs, BadLog, ::testing::ValuesIn(wrong_logs),
+                         [](const auto& w) { return std::string(w.param.name); });
+
+TEST(StringCommand, lists_the_columns_of_a_log_where_one_is_missing) {
+  const LogFolder c;
+  c.edit("case.toml", "\"ROP\"", "\"SPPA\"");
+  expect_refusal(c.run(), c.path("rig.csv").string() +
+                              ":1: SPPA: found no column of this name, expected one of time, RPM, "
+                              "ROP, HL");
+}
+
+TEST(StringCommand, runs_with_a_log_and_refuses_a_hook_load_beside_that_of_the_log) {
+  const LogFolder c;
+  EXPECT_EQ(c.run({"--quiet"}).exit_code, 0);
+  c.edit("case.toml", "block_speed = \"ROP\"", "hook_load = \"HL\"");
+  c.edit("case.toml", "torsion = \"pi\"", "torsion = \"pi\"\naxial = \"hook-load\"");
+  EXPECT_EQ(c.run({"--quiet", "--force"}).exit_code, 0);
+  c.edit("case.toml", "axial =", "hook_load = 1e5\naxial =");
+  expect_refusal(
+      c.run({"--force"}),
+      c.path("case.toml").string() +
+          ":19: string.top.hook_load: found a value beside that of the log, expected one "
+          "of the two: see [string.top.log]");
+}
+
 TEST(StringCommand, runs_and_refuses_to_overwrite) {
   const StringFolder c;
   const battery::Outcome first = c.run();

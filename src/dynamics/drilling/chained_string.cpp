@@ -50,7 +50,10 @@ void open_chain(const DrillingSystem& s, double h, Drilling& d, DrillingWork& wo
   };
   work.chain_start = d.chain;
   work.end_before = end_of(s, d.state, work.at);
-  work.command = {over_step(s.top.speed), over_step(s.top.rate), s.chained->hook_load,
+  const Schedule& pull = s.chained->hook_load;
+  const double hook_load =
+      pull.values.size() > 1 ? over_step(pull) / h : value_at(pull, t);  // the mean
+  work.command = {over_step(s.top.speed), over_step(s.top.rate), hook_load,
                   s.chained->surface_weight};
   string::open_step(s.chained->chain, h, work.command, d.chain, work.chain);
   d.state.upper.rate = d.chain.velocity.back();

@@ -225,8 +225,10 @@ bit::BitFile read_tables(Config& c, const BitReader& read_bit, Case& read) {
   bit::BitFile file = read_bit_of(c, update, read_bit);
   read.bit = file.bit;
   read.rock = read_rock(c.table(rock_keys::table));
-  read.motion = read_motion(c.table(motion_keys::table), read.bit);
+  const RigLog log = read_rig_log(c);
+  read.motion = read_motion(c.table(motion_keys::table), read.bit, log);
   read.time = read_time(c.table(time_keys::table), read.motion);
+  check_rig_log(c, log, read.time.step * static_cast<double>(read.time.steps));
   read.update = read_update(update);
   read.bit_hash = bit_hash(update, file, read.update.cutting);
   read.maintenance = read_maintenance(c.table(maintenance_keys::table));

@@ -161,7 +161,7 @@ void refuse_dampers_to_top(Config& c, const dynamics::DrillString& s) {
 /// with it: the wall bears the cell at the node above.
 void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p) {
   dynamics::DrillingSystem& s = p.system;
-  s.chained = dynamics::ChainedString{std::move(above.chain)};
+  s.chained = dynamics::ChainedString{std::move(above.chain), {}, 0.0};
   const string::Chain& chain = s.chained->chain;
   const auto& e = chain.elements;
   s.string.stiffness(2, 2) = e.axial.back();
@@ -186,7 +186,9 @@ void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p
       rate, speed, weight - m.driven.weight_at_start - s.string.damping(2, 2) * rate,
       m.driven.torque_at_start + s.string.turn_damping(2, 2) * speed};
   const double usual = string::steady_load(chain, motion).surface.hook_load;
-  s.chained->hook_load = read_hook_load(whole, chain, usual);
+  const dynamics::Schedule& logged = m.driven.hook_load;
+  const double hook_load = read_hook_load(whole, logged, chain, usual);
+  s.chained->hook_load = is_given(logged) ? logged : dynamics::constant(hook_load);
   string::SteadyMotion off = motion;
   off.rate = 0.0;
   off.pull = weight;

@@ -117,11 +117,15 @@ double fastest(const Schedule& speed) {
 
 /// The top's speed, and its rate or its weight. A prescribed motion in `m` is what the bit would do
 /// if it followed its top.
-void read_top(Config& c, Motion& m) {
+void read_top(Config& c, const RigLog& log, Motion& m) {
   dynamics::TopDrive& top = m.driven.top;
-  top.speed = read_schedule(c, motion_keys::rotary_speed);
+  refuse_logged(c, motion_keys::rotary_speed, log.rotary_speed);
+  refuse_logged(c, motion_keys::rate_of_penetration, log.block_speed);
+  m.driven.hook_load = log.hook_load;
+  top.speed =
+      is_given(log.rotary_speed) ? log.rotary_speed : read_schedule(c, motion_keys::rotary_speed);
   const bool weight = c.has(motion_keys::weight_on_bit);
-  if (weight == c.has(motion_keys::rate_of_penetration))
+  if (weight == (c.has(motion_keys::rate_of_penetration) || is_given(log.block_speed)))
     c.problem("", weight ? "weight_on_bit and rate_of_penetration" : "neither",
               "weight_on_bit or rate_of_penetration");
   top.axial = weight ? AxialMode::load : AxialMode::rate;
@@ -130,8 +134,11 @@ void read_top(Config& c, Motion& m) {
     top.load = read_schedule(c, motion_keys::weight_on_bit);
     top.following_time = c.read(motion_keys::rate_memory, one_turn(fastest(top.speed)));
   }
-  top.rate = weight ? dynamics::constant(c.read(motion_keys::expected_rate))
-                    : read_schedule(c, motion_keys::rate_of_penetration);
+  if (is_given(log.block_speed))
+    top.rate = log.block_speed;
+  else
+    top.rate = weight ? dynamics::constant(c.read(motion_keys::expected_rate))
+                      : read_schedule(c, motion_keys::rate_of_penetration);
   m.driven.weight_at_start = c.read(motion_keys::weight_at_start);
   m.driven.torque_at_start = c.read(motion_keys::torque_at_start);
   m.rate_of_penetration = dynamics::value_at(top.rate, 0.0);
@@ -169,7 +176,7 @@ void read_cone_speeds(Config& c, const bit::Bit& bit, Motion& m) {
 
 }  // namespace
 
-Motion read_motion(Config c, const bit::Bit& bit) {
+Motion read_motion(Config c, const bit::Bit& bit, const RigLog& log) {
   Motion m;
   m.kind = c.read(motion_keys::kind);
   if (m.kind != MotionKind::table) m.start_W = read_start(c);
@@ -181,7 +188,7 @@ Motion read_motion(Config c, const bit::Bit& bit) {
       read_legs(c, m);
       break;
     case MotionKind::drilling:
-      read_top(c, m);
+      read_top(c, log, m);
       return m;
     case MotionKind::steady:
     case MotionKind::whirl:

@@ -8,6 +8,7 @@
 #include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/motion_keys.hpp"
+#include "simulation/case/rig_log_keys.hpp"
 #include "simulation/case/rock_keys.hpp"
 #include "simulation/case/rotate_keys.hpp"
 #include "simulation/case/run_keys.hpp"
@@ -186,6 +187,7 @@ std::vector<KeyTable> chain_tables_of(const std::string& command) {
   namespace section = section_keys;
   namespace friction = string_friction_keys;
   namespace top = top_keys;
+  namespace log = rig_log_keys;
   return {
       key_table(command, section::table,
                 rows(section::length, section::outer_diameter, section::inner_diameter,
@@ -206,7 +208,10 @@ std::vector<KeyTable> chain_tables_of(const std::string& command) {
           command, top::table,
           rows(top::torsion, top::inertia, top::proportional, top::integral, top::tuned_frequency,
                top::impedance_factor, top::compensation, top::torque_limit, top::axial,
-               top::hook_load, top::gain, top::integral_gain, top::filter, top::rate_limits))};
+               top::hook_load, top::gain, top::integral_gain, top::filter, top::rate_limits)),
+      key_table(command, log::table,
+                rows(log::file, log::time, log::rotary_speed, log::block_speed, log::hook_load,
+                     log::start))};
 }
 
 std::vector<KeyTable> string_tables() {

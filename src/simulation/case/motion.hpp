@@ -57,6 +57,7 @@ struct TopPlan {
   dynamics::TopDrive top;
   double weight_at_start = 0.0;  ///< N, that the string carries already
   double torque_at_start = 0.0;  ///< N m, that winds it up already
+  dynamics::Schedule hook_load;  ///< N, from the log of a rig; empty: none
 };
 
 /// The motion of the bit. Its pose at t = 0 is the start.

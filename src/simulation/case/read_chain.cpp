@@ -159,13 +159,18 @@ void read_motion(Config& whole, ChainPlan& p) {
   using namespace motion_keys;
   Config m = whole.table(table);
   const bool drills_itself = p.chain.top.axial == Top::Axial::autodriller;
-  p.rotary_speed = m.read(rotary_speed, 0.0);
+  p.log = read_rig_log(whole);
+  refuse_logged(m, rotary_speed, p.log.rotary_speed);
+  refuse_logged(m, rate_of_penetration, p.log.block_speed);
+  p.rotary_speed = is_given(p.log.rotary_speed) ? dynamics::value_at(p.log.rotary_speed, 0.0)
+                                                : m.read(rotary_speed, 0.0);
   if (drills_itself) {
     refuse(m, rate_of_penetration, "a rate with axial = \"autodriller\"",
            "weight_on_bit alone: the autodriller finds the rate");
     p.surface_weight = m.read(weight_on_bit);
   } else {
-    p.rate = m.read(rate_of_penetration, 0.0);
+    p.rate = is_given(p.log.block_speed) ? dynamics::value_at(p.log.block_speed, 0.0)
+                                         : m.read(rate_of_penetration, 0.0);
     refuse(m, weight_on_bit, "a weight without an autodriller",
            "string.top.axial = \"autodriller\", or rate_of_penetration");
   }
@@ -266,8 +271,11 @@ double check_chain_step(Config& whole, double step, const string::Chain& chain, 
   return longest;
 }
 
-double read_hook_load(Config& whole, const string::Chain& chain, double usual) {
+double read_hook_load(Config& whole, const dynamics::Schedule& logged, const string::Chain& chain,
+                      double usual) {
   Config top = whole.table(chain_keys::table).table(top_keys::table);
+  refuse_logged(top, top_keys::hook_load, logged);
+  if (is_given(logged)) return dynamics::value_at(logged, 0.0);
   if (chain.top.axial == Top::Axial::hook_load) return top.read(top_keys::hook_load, usual);
   refuse(top, top_keys::hook_load, "a hook load", "none, or axial = \"hook-load\"");
   return 0.0;
@@ -323,8 +331,8 @@ ChainPlan read_chain_plan(Config& whole, double step, std::vector<CaseWarning>& 
   Config bit = c.table(simple_bit_keys::table);
   read_law(bit, p.bit);
   read_motion(whole, p);
-  p.hook_load =
-      read_hook_load(whole, p.chain, string::steady_load(p.chain, p.motion).surface.hook_load);
+  p.hook_load = read_hook_load(whole, p.log.hook_load, p.chain,
+                               string::steady_load(p.chain, p.motion).surface.hook_load);
   string::SteadyMotion off = p.motion;
   off.rate = 0.0;
   off.pull = p.bit.gravity_force;

@@ -6,6 +6,7 @@
 #include "simulation/case/case_warning.hpp"
 #include "simulation/case/chain_keys.hpp"
 #include "simulation/case/plans.hpp"
+#include "simulation/case/rig_log.hpp"
 #include "string/simple_bit.hpp"
 #include "string/statics.hpp"
 
@@ -32,8 +33,10 @@ ChainAbove read_chain_above(Config& whole, double step, double inertia,
 double check_chain_step(Config& whole, double step, const string::Chain& chain, double mass,
                         double inertia);
 
-/// What [string.top] says of the hook load and refuses without one, N; `usual`: that of the start.
-double read_hook_load(Config& whole, const string::Chain& chain, double usual);
+/// The hook load at the start, N: of the log, or what [string.top] gives and refuses without one; `usual`:
+/// that of the static equilibrium.
+double read_hook_load(Config& whole, const dynamics::Schedule& logged, const string::Chain& chain,
+                      double usual);
 
 /// Reads the keys of a chain in [output] for steps of this length (s). Notes mistakes in the file.
 ChainOutput read_chain_output(Config& output, const string::Chain& chain, double step);
@@ -53,6 +56,7 @@ struct ChainPlan {
   double rate = 0.0;            ///< of the block, m/s
   double hook_load = 0.0;       ///< N: Top::Axial::hook_load
   double surface_weight = 0.0;  ///< to be kept, N: Top::Axial::autodriller
+  RigLog log;                   ///< in place of these values, which are those of its start
   double longest_step = 0.0;    ///< that is stable, s
 };
 

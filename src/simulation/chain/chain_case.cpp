@@ -59,6 +59,7 @@ ChainCase read_chain_case(const std::string& path, const std::vector<std::string
   r.title = c.read(title_keys::title);
   if (c.has(rotate_time_keys::table)) r.time = read_rotate_time(c.table(rotate_time_keys::table));
   r.plan = read_chain_plan(c, r.time.step, r.warnings);
+  check_rig_log(c, r.plan.log, r.time.step * static_cast<double>(r.time.steps));
   Config output = c.table(chain_output_keys::table);
   r.history_every =
       output.read(chain_output_keys::history_every, usual_history_every(r.time.steps));

@@ -50,8 +50,10 @@ ChainSimulation start_chain(const ChainCase& c) {
 void advance_chain(const ChainCase& c, ChainSimulation& s, long steps) {
   const ChainPlan& p = c.plan;
   const double h = c.time.step;
-  const string::TopCommand command{p.rotary_speed * h, p.rate * h, p.hook_load, p.surface_weight};
+  const string::TopCommand usual{p.rotary_speed * h, p.rate * h, p.hook_load, p.surface_weight};
   for (long i = 0; i < steps; ++i) {
+    const string::TopCommand command =
+        command_of(p.log, usual, h * static_cast<double>(s.steps_done), h);
     string::step_bit_on_chain(p.chain, p.bit, h, command, s.state, s.work);
     ++s.steps_done;
     watch(c, s);

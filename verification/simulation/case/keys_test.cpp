@@ -226,13 +226,20 @@ ReadCase drilling() {
 
 /// The small bit at the end of a chain with these tables.
 ReadCase on_chain(const std::string& tables, const std::string& speed) {
-  return small_run("kind = \"drilling\"\nrotary_speed = 1\n" + speed,
+  return small_run("kind = \"drilling\"\n" + speed,
                    "[forces]\nlaw = \"detournay\"\neps = 3e7\nzeta = 0.6\n[string]\nmodel = "
                    "\"chain\"\nmass = 10\ntorsional_inertia = 10\nbending_inertia = 100\n"
                    "element_length = 10\nhole_diameter = 0.2\n"
                    "[[string.sections]]\nlength = 100\nouter_diameter = 0.1\n" +
                        tables + "[output]\nstring_depths = [0]\nstring_profile_every = 1e-3\n",
                    {"rock.material=berea-sandstone"});
+}
+
+/// [string.top.log] with these keys beside its file.
+std::string rig_log(const std::string& keys) {
+  const std::string file = write(
+      "keys_rig.csv", "t [s],RPM [rpm],ROP [m/h],HL [kN]\n0,10,1,200\n1,12,1,200\n2,12,1,200\n");
+  return "[string.top.log]\nfile = \"" + file + "\"\ntime = \"t\"\n" + keys;
 }
 
 std::vector<ReadCase> on_chains() {
@@ -243,17 +250,21 @@ std::vector<ReadCase> on_chains() {
       "contact_diameter = 0.15\n";
   return {on_chain("linear_mass = 60\n" + products + "[string.survey]\nfile = \"" + survey +
                        "\"\n[string.top]\ntorsion = \"soft-torque\"\ninertia = 100\n"
-                       "torque_limit = 1e4\naxial = \"hook-load\"\n",
-                   "rate_of_penetration = 1e-3\n"),
+                       "torque_limit = 1e4\naxial = \"hook-load\"\n" +
+                       rig_log("hook_load = \"HL\"\nstart = 1\n"),
+                   "rotary_speed = 1\nrate_of_penetration = 1e-3\n"),
+          on_chain("[string.top]\naxial = \"hook-load\"\nhook_load = 1e4\n",
+                   "rotary_speed = 1\nrate_of_penetration = 1e-3\n"),
           on_chain("[string.survey]\nmeasured_depth = [0, 300]\ninclination = [0, 0.1]\n"
                    "azimuth = [0, 0]\n[string.friction]\nstatic = 0.2\n"
                    "[[string.friction.above]]\ndepth = 50\nstatic = 0.1\n"
                    "[string.top]\ntorsion = \"z-torque\"\ninertia = 100\nintegral = 10\n"
                    "axial = \"autodriller\"\ngain = 1e-6\nintegral_gain = 1e-7\n",
-                   "weight_on_bit = 1e3\nexpected_rate = 1e-3\n"),
+                   "rotary_speed = 1\nweight_on_bit = 1e3\nexpected_rate = 1e-3\n"),
           on_chain("[string.top]\ntorsion = \"pi\"\ninertia = 100\nproportional = 10\n"
-                   "integral = 10\n",
-                   "rate_of_penetration = 1e-3\n")};
+                   "integral = 10\n" +
+                       rig_log("rotary_speed = \"RPM\"\nblock_speed = \"ROP\"\n"),
+                   "")};
 }
 
 /// A value that the range allows.
@@ -383,23 +394,26 @@ std::vector<ReadCase> strings() {
       "[[string.sections]]\nlength = 10\naxial_rigidity = 1e9\ntorsional_rigidity = 1e6\n"
       "mass_per_length = 30\ninertia_per_length = 0.1\nweight_per_length = 200\n"
       "contact_diameter = 0.15\n";
-  return {string_case("linear_mass = 60\n" + products + "[string.survey]\nfile = \"" + survey +
-                          "\"\n[string.top]\ntorsion = \"soft-torque\"\ninertia = 100\n"
-                          "torque_limit = 1e4\naxial = \"hook-load\"\n"
-                          "[string.bit]\nlaw = \"two-level\"\nstatic = 2\ndynamic = 1\n",
-                      "rotary_speed = 1\nrate_of_penetration = 0\n"),
-          string_case("[string.survey]\nmeasured_depth = [0, 300]\ninclination = [0, 0.1]\n"
-                      "azimuth = [0, 0]\n[string.friction]\nstatic = 0.2\n"
-                      "[[string.friction.above]]\ndepth = 50\nstatic = 0.1\n"
-                      "[string.top]\ntorsion = \"z-torque\"\ninertia = 100\nintegral = 10\n"
-                      "axial = \"autodriller\"\ngain = 1e-6\nintegral_gain = 1e-7\n"
-                      "[string.bit]\nlaw = \"regenerative\"\naxial_stiffness = 1e6\n"
-                      "torsional_stiffness = 1e3\npitch = 1\n",
-                      "rotary_speed = 1\nweight_on_bit = 1e4\nweight_at_start = 1\n"
-                      "torque_at_start = 1\n"),
-          string_case("[string.top]\ntorsion = \"pi\"\ninertia = 100\nproportional = 10\n"
-                      "integral = 10\n",
-                      "")};
+  return {
+      string_case("linear_mass = 60\n" + products + "[string.survey]\nfile = \"" + survey +
+                      "\"\n[string.top]\ntorsion = \"soft-torque\"\ninertia = 100\n"
+                      "torque_limit = 1e4\naxial = \"hook-load\"\nhook_load = 1e4\n"
+                      "[string.bit]\nlaw = \"two-level\"\nstatic = 2\ndynamic = 1\n",
+                  "rotary_speed = 1\nrate_of_penetration = 0\n"),
+      string_case("[string.survey]\nmeasured_depth = [0, 300]\ninclination = [0, 0.1]\n"
+                  "azimuth = [0, 0]\n[string.friction]\nstatic = 0.2\n"
+                  "[[string.friction.above]]\ndepth = 50\nstatic = 0.1\n"
+                  "[string.top]\ntorsion = \"z-torque\"\ninertia = 100\nintegral = 10\n"
+                  "axial = \"autodriller\"\ngain = 1e-6\nintegral_gain = 1e-7\n"
+                  "[string.bit]\nlaw = \"regenerative\"\naxial_stiffness = 1e6\n"
+                  "torsional_stiffness = 1e3\npitch = 1\n",
+                  "rotary_speed = 1\nweight_on_bit = 1e4\nweight_at_start = 1\n"
+                  "torque_at_start = 1\n"),
+      string_case("[string.top]\ntorsion = \"pi\"\ninertia = 100\nproportional = 10\n"
+                  "integral = 10\n" +
+                      rig_log("rotary_speed = \"RPM\"\nblock_speed = \"ROP\"\nstart = 1\n"),
+                  ""),
+      string_case("[string.top]\naxial = \"hook-load\"\n" + rig_log("hook_load = \"HL\"\n"), "")};
 }
 
 TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
