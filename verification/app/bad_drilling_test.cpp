@@ -175,6 +175,24 @@ const Wrong wrongs[] = {
      {"output.string_profile_every='1 s'"},
      "--set: output.string_profile_every: found a key of a chain, expected none, or string.model = "
      "\"chain\""},
+    {"a_log_of_a_rig_for_a_lumped_string",
+     "drill-bit-b",
+     {"string.top.log={file='" TDBD_SOURCE_DIR "/cases/string-rig-log.las', rotary_speed='RPM'}"},
+     "string.top.log.file: found a log of the rig without string.model = \"chain\", expected none, "
+     "or that model"},
+    {"a_log_with_gaps",
+     "string-drill-bit-b",
+     {"string.top.log={file='" TDBD_SOURCE_DIR
+      "/cases/string-rig-log.las', time='TIME', hook_load='HKLA [kN]', start='60 s'}",
+      "string.top.axial=hook-load"},
+     "string-rig-log.las:23: HKLA: found no value, \"-999.25\", expected a number in each row: "
+     "fill "
+     "the gap or cut the record"},
+    {"a_speed_beside_that_of_a_log",
+     "string-drill-bit-b",
+     {"string.top.log={file='" TDBD_SOURCE_DIR
+      "/cases/string-rig-log.las', time='TIME', rotary_speed='RPM', start='55 s'}"},
+     "motion.rotary_speed: found a value beside that of the log, expected one of the two"},
     {"no_time_between_profiles",
      "string-drill-bit-b",
      {"output.string_profile_every=0"},
