@@ -62,15 +62,14 @@ double flow_round(const SimpleBit& b, double time, double torque, const BitState
                   s.rotary_speed, lost);
 }
 
-/// Depth of cut: below what the blade ahead left at this angle.
+/// Depth of cut: below what the blade ahead left at this angle. Where the bit is above that, the rock
+/// stays as it is.
 void find_depth(const SimpleBit& b, BitState& s) {
   if (b.law != BitLaw::regenerative) return;
   auto &angle = s.past_angle, &u = s.past_displacement;
-  if (angle.empty() || s.angle > angle.back()) {
+  if (angle.empty()) {
     angle.push_back(s.angle);
     u.push_back(s.displacement);
-  } else {
-    u.back() = s.displacement;
   }
   const double ahead = s.angle - b.pitch;
   std::size_t k = static_cast<std::size_t>(s.oldest);
@@ -79,6 +78,13 @@ void find_depth(const SimpleBit& b, BitState& s) {
   if (k + 1 < angle.size() && ahead > angle[k])
     cut += (ahead - angle[k]) / (angle[k + 1] - angle[k]) * (u[k + 1] - u[k]);
   s.depth = std::max(0.0, s.displacement - cut);
+  const double bottom = std::max(s.displacement, cut);
+  if (s.angle > angle.back()) {
+    angle.push_back(s.angle);
+    u.push_back(bottom);
+  } else {
+    u.back() = bottom;
+  }
   if (k > 4096 && 2 * k > angle.size()) {
     angle.erase(angle.begin(), angle.begin() + static_cast<std::ptrdiff_t>(k));
     u.erase(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(k));

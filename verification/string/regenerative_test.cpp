@@ -177,4 +177,24 @@ TEST(Regenerative, a_lumped_bit_is_stable_from_the_root_of_the_quasi_polynomial_
   }
 }
 
+TEST(Regenerative, rock_stays_where_it_was_under_a_bit_that_lifts_off) {
+  constexpr double h = 0.01, lift = 5e-3, below = 5e-4, rounding = 1e-17;
+  SimpleBit bit;
+  bit.law = BitLaw::regenerative;
+  bit.pitch = 1.0;
+  BitState s;
+  start_cut(bit, 0.0, s);
+  s.rotary_speed = 1.0;
+  s.velocity = -lift / h;
+  drift_bit(bit, h, s);
+  s.velocity = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    drift_bit(bit, h, s);
+    EXPECT_EQ(s.depth, 0.0);
+  }
+  s.velocity = (lift + below) / h;
+  drift_bit(bit, h, s);
+  EXPECT_NEAR(s.depth, below, rounding);
+}
+
 }  // namespace tdbd::string::regenerative_test
