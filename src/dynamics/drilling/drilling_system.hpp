@@ -88,7 +88,7 @@ struct PrincipalDamper {
 /// chain turns with TopDrive::speed and is lowered at TopDrive::rate.
 struct ChainedString {
   string::Chain chain;
-  Schedule hook_load;           ///< N: string::Top::Axial::hook_load; its mean over each step
+  Schedule hook_load = {};      ///< N: string::Top::Axial::hook_load; its mean over each step
   double surface_weight = 0.0;  ///< N, to be kept: string::Top::Axial::autodriller
 };
 

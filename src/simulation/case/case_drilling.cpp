@@ -161,7 +161,7 @@ void refuse_dampers_to_top(Config& c, const dynamics::DrillString& s) {
 /// with it: the wall bears the cell at the node above.
 void add_chain(Config& whole, const Motion& m, ChainAbove above, DrillingPlan& p) {
   dynamics::DrillingSystem& s = p.system;
-  s.chained = dynamics::ChainedString{std::move(above.chain), {}, 0.0};
+  s.chained = dynamics::ChainedString{std::move(above.chain)};
   const string::Chain& chain = s.chained->chain;
   const auto& e = chain.elements;
   s.string.stiffness(2, 2) = e.axial.back();
