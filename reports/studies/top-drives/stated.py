@@ -8,7 +8,7 @@ from study_tools import read_csv, read_rows
 HERE = Path(__file__).parent
 SHEAR, FREQUENCY = 79.3e9, 0.2340  # Pa; Hz: first torsional vibration of the string
 SECTIONS = ((2300.0, 0.127, 0.1086), (200.0, 0.1651, 0.0714))  # m: length, diameters
-GIVEN = ["2300 m of pipe", "200 m of collars", "2900 kg m2", "4 Z", "0.234 Hz", "95 % of the inertia", "100 N m/rad", "from 15 s on",
+GIVEN = ["A step of 0.25 ms", "2300 m of pipe", "200 m of collars", "2900 kg m2", "4 Z", "0.234 Hz", "95 % of the inertia", "100 N m/rad", "from 15 s on",
          "75 rpm", "60 rpm", "0.1 1/s", "1 ms", "edges of 2 mm", "edges of 4 mm", "80 kN", "two levels of torque (c1", "first 28 s", "steps of 1 and 0.5 ms with edges of 4 mm, and edges of 4, 2.8 and 2 mm"]
 
 
