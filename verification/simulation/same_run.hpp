@@ -29,7 +29,7 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-inline void expect_same(const Simulation& a, const Simulation& b) {
+inline void expect_same_run(const Simulation& a, const Simulation& b) {
   const Tape x = numbers_of(a), y = numbers_of(b);
   EXPECT_TRUE(same_bytes(x.reals, y.reals));
   EXPECT_TRUE(same_bytes(x.wholes, y.wholes));

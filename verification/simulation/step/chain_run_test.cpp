@@ -34,7 +34,7 @@ TEST(ChainRun, continues_from_a_checkpoint_and_on_two_threads_bitwise_identical)
   const ThreadLimit limit(2);
   drill(c, whole, 20);
   drill(c, resumed, 20);
-  expect_same(whole, resumed);
+  expect_same_run(whole, resumed);
 }
 
 /// At the start the hook carries what the bit does not: the weight of string and bit in mud, less what

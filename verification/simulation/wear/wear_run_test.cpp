@@ -70,12 +70,12 @@ TEST(WearRun, continues_from_a_checkpoint_bitwise_identical) {
       write_checkpoint(file, c, whole, {});
       Checkpoint saved = read_checkpoint(file, c);
       Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));
-      expect_same(whole, resumed);
+      expect_same_run(whole, resumed);
       drill(c, whole, 17);
       drill(c, resumed, 17);
       EXPECT_GT(whole.state.wear->steps, 2);
       SCOPED_TRACE(fmt::format("{} steps, {} settings", before, settings.size()));
-      expect_same(whole, resumed);
+      expect_same_run(whole, resumed);
     }
   }
 }
@@ -88,7 +88,7 @@ TEST(WearRun, is_bitwise_identical_on_two_threads) {
     drill(c, s, 25);
     return s;
   };
-  expect_same(drilled(1), drilled(2));
+  expect_same_run(drilled(1), drilled(2));
 }
 
 /// Pose and velocity of the bit's origin before and after a wear step. Relative to 1 m and to 1 m/s
