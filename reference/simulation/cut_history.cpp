@@ -131,16 +131,21 @@ RockInColumn rock_in_column(const Column& column, const std::vector<double>& mar
                             const HeightHistory& history, double turned, double height) {
   constexpr double deepest = 1e-3;  // m: more makes no difference
   RockInColumn rock{column.chord, deepest};
+  std::size_t top = marks.size() - 1;  // of the marks, one at `up` or above; at first the last
   for (const Left& left : column.left) {
     const double down = height - history.at(turned - left.lag, turned, height);
     rock.deep = std::min(rock.deep, down - left.needed.front());
-    const auto beyond = std::ranges::lower_bound(left.needed, down);
-    if (beyond == left.needed.begin()) rock.up = 0.0;
-    if (beyond == left.needed.begin() || beyond == left.needed.end()) continue;
-    const auto i = static_cast<std::size_t>(beyond - left.needed.begin());
-    const double below = left.needed[i - 1], above = left.needed[i];
+    if (left.needed[top] < down) continue;  // it left all of the rock up to there
+    const auto first = left.needed.begin();
+    const auto beyond = std::lower_bound(first, first + static_cast<std::ptrdiff_t>(top), down);
+    top = static_cast<std::size_t>(beyond - first);
+    if (top == 0) {
+      rock.up = 0.0;
+      continue;
+    }
+    const double below = left.needed[top - 1], above = left.needed[top];
     const double w = (down - below) / (above - below);
-    rock.up = std::min(rock.up, marks[i - 1] + w * (marks[i] - marks[i - 1]));
+    rock.up = std::min(rock.up, marks[top - 1] + w * (marks[top] - marks[top - 1]));
   }
   return rock;
 }
