@@ -36,7 +36,7 @@ TEST(PdcTwin, bit_b_sticks_and_slips) {
   const Case c = read_pdc_case(p, 1);
   const reference::EdgeLaw law =
       reference::detournay_edges({45e6, 0.8, 49e6, 0.9, 3e-3, 5.0, 0.5, 0.3});
-  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 32, 8e-4); });
+  const auto twin = levels([&](int n) { return pdc_of_twin(c, law, p.duration, n, 32, 1.6e-3); });
   compare_ways("depth", 0.015, program, twin, &PdcFound::height, 0.05);
   compare_ways("rotary speed", 2.0 * full_turn, program, twin, &PdcFound::speed, 0.05);
   compare("rate", 0, program, twin, [](const PdcFound& f) { return f.rate; });
