@@ -22,7 +22,7 @@ inline Tape numbers_of(Simulation s) {
   return tape;
 }
 
-/// To the bit: a NaN equals itself.
+/// Compares bytes, so that a NaN equals itself.
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() &&

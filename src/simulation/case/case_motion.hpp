@@ -7,9 +7,9 @@
 
 namespace tdbd::simulation {
 
-/// Reads [motion] (motion_keys.hpp). Mistakes are noted in the Config; those of a path's file join
-/// them. The bit tells whether there are cones to turn; one without parts could not be read. `log`: what
-/// moves the top of a bit that drills, in place of keys.
+/// Reads [motion] (motion_keys.hpp). Mistakes, those in the file of a path too, are noted in the Config.
+/// `bit`: for its cones; without parts if it could not be read. `log`: the speeds and the hook load of a rig,
+/// in place of keys.
 Motion read_motion(Config c, const bit::Bit& bit, const RigLog& log = {});
 
 }  // namespace tdbd::simulation
