@@ -22,6 +22,9 @@ inline constexpr std::size_t lanes = 4;
 /// `lanes` numbers handled as one: arithmetic, comparison and ?: apply to each.
 using Wide = double __attribute__((vector_size(lanes * sizeof(double))));
 
+/// As many whole numbers of 64 bits.
+using WideLong = long long __attribute__((vector_size(lanes * sizeof(long long))));
+
 /// The same in single precision, twice as many, and the result of comparing them: all bits set or none.
 inline constexpr std::size_t single_lanes = 8;
 using WideSingle = Single __attribute__((vector_size(single_lanes * sizeof(Single))));

@@ -177,9 +177,12 @@ bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W
 
 void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list) {
-  constexpr int most_steps = 8;
+  constexpr int most_steps = 14;
   const ChangeJournal& journal = grid.journal();
-  if (list.changes >= journal.first && holds(list.region_W, step.region_W) &&
+  const double way = way_of(step);
+  list.way_left -= way;
+  const bool ends_too_near = margins.ahead > 0.0 && list.way_left < 0.0;
+  if (list.changes >= journal.first && !ends_too_near && holds(list.region_W, step.region_W) &&
       !has_outgrown_itself(list)) {
     apply(journal.changes, static_cast<std::size_t>(list.changes - journal.first), list);
     list.changes = journal.end();
@@ -187,6 +190,7 @@ void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearL
   }
   list.window = std::min(list.window + 1, most_steps);
   list.region_W = region_ahead(step, margins, list.window);
+  list.way_left = (list.window - 1) * way;
   make_anew(grid, list);
 }
 

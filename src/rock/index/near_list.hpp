@@ -47,6 +47,7 @@ struct NearList {
   std::vector<int> chains;
   long changes = -1;  ///< count of the index's changes that the list includes
   int window = 0;     ///< steps for which the region was made
+  double way_left = 0.0;  ///< m, that the group may still go before the region ends too near ahead
   std::size_t size_when_made = 0;
 };
 
@@ -54,9 +55,10 @@ struct NearList {
 /// orthogonal.
 bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W);
 
-/// Makes the list cover the step and brings it up to date from the index's journal. It is made anew
+/// Makes the list cover the step and brings it up to date from the index's journal. It is made again
 /// from the index, for a region ahead along the screw motion of the step, if the step leaves its
-/// region, the journal does not reach back to it, or it has grown to twice its size.
+/// region, if the group has come so far that the region no longer extends `margins.ahead` beyond it,
+/// if the journal does not reach back to it, or if it has grown to twice its size.
 void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list);
 

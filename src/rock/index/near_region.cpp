@@ -37,6 +37,11 @@ void add_region(const Region& region_W, std::array<Slab, 3>& slabs) {
 
 }  // namespace
 
+double way_of(const GroupStep& step) {
+  const Vec3 middle_P = 0.5 * (step.box_P.lo + step.box_P.hi);
+  return (step.X_WP1 * middle_P - step.X_WP0 * middle_P).norm();
+}
+
 bool holds(const Region& region_W, const Region& part_W) {
   const SlabBox m = slab_box(part_W.slabs);
   return std::ranges::all_of(region_W.slabs, [&](const Slab& s) {
@@ -46,7 +51,7 @@ bool holds(const Region& region_W, const Region& part_W) {
 }
 
 Region region_ahead(const GroupStep& step, const NearListMargins& margins, int steps) {
-  constexpr double largest_turn = 0.5, sideways = 1e-2;  // rad; of the box
+  constexpr double largest_turn = 0.75, sideways = 1e-2;  // rad; of the box
   const rotation::Twist twist = rotation::twist_from(step.X_WP0, step.X_WP1, 1.0);
   const double speed = rotation::velocity_B(twist, 0.5 * (step.box_P.lo + step.box_P.hi)).norm(),
                turn = twist.angular_B.norm();
@@ -60,7 +65,9 @@ Region region_ahead(const GroupStep& step, const NearListMargins& margins, int s
   for (const Pose& X_WP : {step.X_WP0, middle, Pose(step.X_WP0 * rotation::carried(twist, end))})
     add_box(step.box_P, X_WP, r.slabs);
   add_region(step.region_W, r.slabs);
-  const double margin = margins.margin + sideways * step.box_P.size().norm();
+  const double half_turn = 0.5 * end * turn;  // of a region at the end against the axes of the slabs
+  const double margin = margins.margin * (std::cos(half_turn) + std::sin(half_turn)) +
+                        sideways * step.box_P.size().norm();
   for (Slab& s : r.slabs) {
     s.lo -= margin;
     s.hi += margin;

@@ -18,12 +18,15 @@ struct GroupStep {
   const Region& region_W;
 };
 
+/// How far the middle of the group's box goes in the step, m.
+double way_of(const GroupStep& step);
+
 /// Whether all that lies between the slabs of the second region, which are orthogonal, lies between
 /// those of the first.
 bool holds(const Region& region_W, const Region& part_W);
 
 /// The region of the group for the next `steps` steps and `margins.ahead` beyond, if its motion
-/// continues as in this step; never for more than half a radian.
+/// continues as in this step; never for more than three quarters of a radian.
 Region region_ahead(const GroupStep& step, const NearListMargins& margins, int steps);
 
 }  // namespace tdbd::rock

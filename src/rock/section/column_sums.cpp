@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/wide.hpp"
+
 namespace tdbd::rock {
 namespace {
 
@@ -135,6 +137,39 @@ void add_lower_edge(const FaceColumns& face, std::size_t i0, double y0, std::siz
   }
 }
 
+/// The areas and moments of below_line of `segments` segments, a multiple of `lanes`, in whole units:
+/// the sums have the numbers in the low bits of their mantissas, as in units().
+TDBD_WIDE void add_below(double bottom, const double* y, const double* z, std::size_t segments,
+                         ColumnSums& sums) {
+  constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52
+  constexpr std::int64_t zero = std::bit_cast<std::int64_t>(shift);
+  WideLong area{}, moment_y{}, moment_z{};
+  const auto add = [](const Wide& x, WideLong& sum) {
+    const Wide shifted = x + shift;
+    WideLong bits;
+    TDBD_LOAD(bits, &shifted);
+    sum += bits - zero;
+  };
+  for (std::size_t k = 0; k < segments; k += lanes) {
+    Wide from_y, from_z, to_y, to_z;
+    TDBD_LOAD(from_y, y + k);
+    TDBD_LOAD(from_z, z + k);
+    TDBD_LOAD(to_y, y + k + 1);
+    TDBD_LOAD(to_z, z + k + 1);
+    const Wide h0 = to_z - bottom, h1 = from_z - bottom, sum = h0 + h1, width = from_y - to_y;
+    const Wide y_sum = to_y * (sum + h0) + from_y * (sum + h1);
+    const Wide z_sum = 3.0 * bottom * sum + h0 * h0 + h0 * h1 + h1 * h1;
+    add(sums.per_area * (0.5 * width * sum), area);
+    add(sums.per_moment * (width / 6.0 * y_sum), moment_y);
+    add(sums.per_moment * (width / 6.0 * z_sum), moment_z);
+  }
+  for (std::size_t l = 0; l < lanes; ++l) {
+    sums.area += area[l];
+    sums.moment_y += moment_y[l];
+    sums.moment_z += moment_z[l];
+  }
+}
+
 }  // namespace
 
 void begin_sums(const FaceColumns& face, ColumnSums& sums) {
@@ -175,23 +210,13 @@ void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
   }
 }
 
-void add_inside(const FaceColumns& face, const OutlineSegment& s, InsideRun& run,
+void add_inside(const FaceColumns& face, std::span<const double> y, std::span<const double> z,
                 ColumnSums& sums) {
-  add_moments(below_line(face.lo_F.y(), s.to, s.from), 1.0, sums);
-  if (run.is_open && s.from == run.end) {
-    run.end = s.to;
-  } else if (run.is_open && s.to == run.begin) {
-    run.begin = s.from;
-  } else {
-    end_run(face, run, sums);
-    run = {true, s.from, s.to};
-  }
-}
-
-void end_run(const FaceColumns& face, InsideRun& run, ColumnSums& sums) {
-  if (!run.is_open) return;
-  run.is_open = false;
-  const double from = run.begin.x(), to = run.end.x();
+  const std::size_t segments = y.size() - 1, packed = segments / lanes * lanes;
+  add_below(face.lo_F.y(), y.data(), z.data(), packed, sums);
+  for (std::size_t k = packed; k < segments; ++k)
+    add_moments(below_line(face.lo_F.y(), {y[k + 1], z[k + 1]}, {y[k], z[k]}), 1.0, sums);
+  const double from = y.front(), to = y.back();
   const std::size_t i = face.holding(from), k = face.holding(to);
   add_moments(face.below_lower_edge(face.columns[i], from), -1.0, sums);
   add_moments(face.below_lower_edge(face.columns[k], to), 1.0, sums);

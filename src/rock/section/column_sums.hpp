@@ -2,20 +2,16 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rock/section/face_columns.hpp"
 
 namespace tdbd::rock {
 
-/// Where a segment is known to lie: within the columns at work, away from their edges; beneath all
-/// lower edges, so that it adds nothing; or anywhere.
-enum class SegmentPlace : std::uint8_t { anywhere, inside, beneath };
-
 /// A piece of the rock's outline in the plane of a face, rock on its left. Frame F, m.
 struct OutlineSegment {
   Vec2 from, to;
-  SegmentPlace place = SegmentPlace::anywhere;
 };
 
 /// Sums over segments in whole multiples of a small unit: integers add up to the same in any order.
@@ -31,12 +27,6 @@ struct ColumnSums {
   double per_length_moment = 0.0;                             ///< units per m2
 };
 
-/// Neighbouring segments inside the columns, joined.
-struct InsideRun {
-  bool is_open = false;
-  Vec2 begin = Vec2::Zero(), end = Vec2::Zero();
-};
-
 /// Resets the sums and sets their units.
 void begin_sums(const FaceColumns& face, ColumnSums& sums);
 
@@ -45,13 +35,12 @@ void begin_sums(const FaceColumns& face, ColumnSums& sums);
 void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
                  const OutlineSegment& s, ColumnSums& sums);
 
-/// The same for a segment that is inside: what lies below it and above the box's bottom. What of
-/// that is below the lower edge is subtracted at the ends of a run: it is rounded for each end
-/// alone, so that the ends of neighbours cancel exactly, and the sums do not depend on where runs
-/// begin.
-void add_inside(const FaceColumns& face, const OutlineSegment& s, InsideRun& run, ColumnSums& sums);
-
-/// Ends a run, if there is one; to be called after the last segment.
-void end_run(const FaceColumns& face, InsideRun& run, ColumnSums& sums);
+/// The same for a chain of segments between neighbouring points, all of which are inside the columns, away
+/// from their edges: what lies below each segment and above the box's bottom. What of that is below the
+/// lower edge is subtracted at the ends of the chain: it is rounded for each end alone, so that the ends
+/// of neighbouring chains cancel exactly, and the sums do not depend on where chains begin. `y`, `z`: m,
+/// of the points, in F; two or more.
+void add_inside(const FaceColumns& face, std::span<const double> y, std::span<const double> z,
+                ColumnSums& sums);
 
 }  // namespace tdbd::rock

@@ -15,7 +15,7 @@ std::uint64_t& CrossedEdges::insert(std::uint64_t key, std::size_t place) {
     place = place_of(key);
   }
   ++count_;
-  entries_[place] = {key, 0, generation_};
+  entries_[place] = {key, 0, generation_, false};
   return entries_[place].edges;
 }
 

@@ -8,6 +8,7 @@ namespace tdbd::rock {
 
 /// A set of edges that leave vertices, each by its number in the ring of its vertex. One entry
 /// holds 64 edges of a vertex. Emptying it costs nothing: an entry of a former generation is free.
+/// A vertex may be marked as done.
 class CrossedEdges {
  public:
   void clear();
@@ -21,11 +22,23 @@ class CrossedEdges {
   }
   bool contains(int v, int i) { return (edges_of(v, i / 64) >> (i % 64) & std::uint64_t{1}) != 0; }
 
+  /// Marks a vertex that has an edge with a number below 64 in the set. Adding others keeps the mark.
+  void mark_done(int v) { entries_[place_of(key_of(v, 0))].is_done = true; }
+  bool is_done(int v) const {
+    const Entry& e = entries_[place_of(key_of(v, 0))];
+    return e.generation == generation_ && e.is_done;
+  }
+
  private:
   struct Entry {
     std::uint64_t key = 0, edges = 0;
     std::uint64_t generation = 0;
+    bool is_done = false;
   };
+
+  static std::uint64_t key_of(int v, int block) {
+    return static_cast<std::uint64_t>(v) << 32U | static_cast<std::uint64_t>(block);
+  }
 
   /// Where the key is, or may be put.
   std::size_t place_of(std::uint64_t key) const {
@@ -35,8 +48,7 @@ class CrossedEdges {
     return k;
   }
   std::uint64_t& edges_of(int v, int block) {
-    const std::uint64_t key =
-        static_cast<std::uint64_t>(v) << 32U | static_cast<std::uint64_t>(block);
+    const std::uint64_t key = key_of(v, block);
     const std::size_t k = place_of(key);
     return entries_[k].generation == generation_ ? entries_[k].edges : insert(key, k);
   }

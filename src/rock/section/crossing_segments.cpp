@@ -7,73 +7,51 @@
 namespace tdbd::rock {
 namespace {
 
-/// A vertex and its distance ahead of the plane.
-struct Seen {
-  int v;
-  const mesh::VertexStar* star;
-  double ahead;
-};
-
-/// Where an edge crosses the plane.
-struct Crossing {
-  Vec2 x_F;
-  const FaceColumn* column;  ///< that holds it, or one nearby
-  bool is_in_zone;           ///< the outline is followed here
-  bool is_in_face;           ///< inside the columns
-  bool is_beneath;           ///< not above the line of the column's lower edge
-};
-
 double above_lower_edge(const Vec2& x_F, const FaceColumn& c) {
   return x_F.y() - (c.lower + c.lower_slope * (x_F.x() - c.y0));
-}
-
-/// The face is convex: with two points it holds all between them, and no line of a lower edge
-/// enters it.
-SegmentPlace place_of(const Crossing& from, const Crossing& to) {
-  if (from.is_in_face && to.is_in_face) return SegmentPlace::inside;
-  const bool is_beneath = (from.is_beneath && above_lower_edge(to.x_F, *from.column) <= 0.0) ||
-                          (to.is_beneath && above_lower_edge(from.x_F, *to.column) <= 0.0);
-  return is_beneath ? SegmentPlace::beneath : SegmentPlace::anywhere;
 }
 
 /// Finds the outline of one plane, by the stars of the vertices ahead of it.
 class OutlineSearch {
  public:
   OutlineSearch(const Rock& rock, const FacePlane& plane, OutlineWork& work)
-      : s_(rock.surface), f_(plane), w_(work) {}
+      : s_(rock.surface), f_(plane), inner_(plane.face.inner), w_(work) {
+    inner_.left = std::max(inner_.left, plane.left);
+    inner_.right = std::min(inner_.right, plane.right);
+  }
 
-  bool is_start(int v) const { return is_start(seen(v)); }
+  bool is_start(int v) const { return is_start(s_.star(v)); }
   void around(int v);
 
  private:
-  /// Where the outline crosses an edge: its ends, and the number of the vertex behind in the ring of
-  /// the vertex ahead.
-  struct Front {
-    Seen ahead, behind;
-    int i;
-    Crossing at;
+  /// An edge that crosses the plane: its ends, their distances ahead of it, and the number of the
+  /// vertex behind in the ring of the vertex ahead.
+  struct Edge {
+    const mesh::VertexStar *ahead, *behind;
+    double distance_ahead, distance_behind;  ///< m; the latter is negative
+    int v_ahead, v_behind, i;
   };
+  enum class Way { on, back };  ///< counter-clockwise around vertices ahead, or clockwise
 
-  Seen seen(int v) const {
-    const mesh::VertexStar& star = s_.star(v);
-    return {v, &star, f_.ahead(star.x)};
-  }
-  bool is_start(const Seen& a) const;
-  const FaceColumn& near(const Vec2& x_F) const {
-    return f_.face.columns[f_.face.near(std::clamp(x_F.x(), f_.left, f_.right))];
+  double ahead(const mesh::VertexStar& star) const { return f_.ahead(star.x); }
+  bool is_start(const mesh::VertexStar& star) const;
+  const FaceColumn& near(double y) const {
+    return f_.face.columns[f_.face.near(std::clamp(y, f_.left, f_.right))];
   }
   bool is_in_zone(const Vec2& x_F, const FaceColumn& near) const;
-  Crossing crossing(const Seen& ahead, const Seen& behind) const;
-  void passage(const Seen& v, int i);
-  void follow(Front f);
-  void follow_back(Front f);
-  void step_to(int w, int i, Front& f) const;
-  void add(const Crossing& from, const Crossing& to) {
-    w_.segments.push_back({from.x_F, to.x_F, place_of(from, to)});
-  }
+  bool append(const Edge& e);
+  bool append_off_centre(const Vec2& x_F);
+  void passage(int v, const mesh::VertexStar& star, double distance, int i);
+  bool are_rest_ahead(const mesh::VertexStar& star, int first, int last) const;
+  template <Way way>
+  bool step(Edge& e) const;
+  void leave(int v, const mesh::VertexStar& star, int first, int last);
+  void follow(Edge e, bool is_in_zone);
+  void follow_back(Edge e, bool is_in_zone);
 
   const mesh::Surface& s_;
   const FacePlane& f_;
+  InnerCircle inner_;  ///< between the ends of the columns
   OutlineWork& w_;
 };
 
@@ -83,101 +61,159 @@ bool OutlineSearch::is_in_zone(const Vec2& x_F, const FaceColumn& near) const {
   return -above_lower_edge(x_F, near) <= f_.reach * near.lower_rise;
 }
 
-bool OutlineSearch::is_start(const Seen& a) const {
-  if (!(a.ahead >= 0.0 && a.ahead <= f_.reach)) return false;
-  const Vec2 x_F = f_.in_plane(a.star->x);
+bool OutlineSearch::is_start(const mesh::VertexStar& star) const {
+  const double distance = ahead(star);
+  if (!(distance >= 0.0 && distance <= f_.reach)) return false;
+  const Vec2 x_F = f_.in_plane(star.x);
   if (x_F.y() > f_.top || x_F.y() < f_.face.lo_F.y() - f_.reach) return false;
-  return is_in_zone(x_F, near(x_F));
+  return is_in_zone(x_F, near(x_F.x()));
 }
 
-/// A function of the edge: its two triangles are given the same point.
-Crossing OutlineSearch::crossing(const Seen& ahead, const Seen& behind) const {
-  const Vec3 &a_W = ahead.star->x, &b_W = behind.star->x;
-  const double w = ahead.ahead / (ahead.ahead - behind.ahead);
+/// Appends the point at which the edge crosses the plane, a function of the edge: its two triangles
+/// are given the same point. Returns whether it is in the zone.
+inline bool OutlineSearch::append(const Edge& e) {
+  const Vec3 &a_W = e.ahead->x, &b_W = e.behind->x;
+  const double w = e.distance_ahead / (e.distance_ahead - e.distance_behind);
   const Vec2 x_F =
       f_.in_plane({a_W.x() + w * (b_W.x() - a_W.x()), a_W.y() + w * (b_W.y() - a_W.y()),
                    a_W.z() + w * (b_W.z() - a_W.z())});
-  const FaceColumn& first = near(x_F);
+  w_.y.push_back(x_F.x());
+  w_.z.push_back(x_F.y());
+  if (!contains(inner_, x_F)) return append_off_centre(x_F);
+  w_.place.push_back({PointPlace::inside, nullptr});
+  return true;
+}
+
+bool OutlineSearch::append_off_centre(const Vec2& x_F) {
+  const FaceColumn& first = near(x_F.x());
   const bool is_between = x_F.x() > f_.left && x_F.x() < f_.right;
   const FaceColumn& c = is_between && x_F.x() > first.y1 ? *(&first + 1) : first;
   const double above = above_lower_edge(x_F, c), dy = x_F.x() - c.y0;
-  const bool is_in_face =
+  const bool is_inside =
       is_between && above > 0.0 && x_F.x() <= c.y1 && x_F.y() < c.upper + c.upper_slope * dy;
-  return {x_F, &c, is_in_zone(x_F, first), is_in_face, above <= 0.0};
+  w_.place.push_back({is_inside      ? PointPlace::inside
+                      : above <= 0.0 ? PointPlace::beneath
+                                     : PointPlace::anywhere,
+                      &c});
+  return is_in_zone(x_F, first);
 }
 
 /// Every passage of the outline around this vertex, from the first of its neighbours behind on;
 /// where all are behind, from any. Bit by bit, since branches on positions are unpredictable.
 void OutlineSearch::around(int v) {
-  const Seen centre = seen(v);
-  const mesh::VertexStar& star = *centre.star;
+  const mesh::VertexStar& star = s_.star(v);
+  const double distance = ahead(star);
   const int* ring = s_.ring(star);
-  const int last = star.size - 1;
+  const int last = static_cast<int>(star.size) - 1;
   const bool is_open = star.open != 0;
-  bool before = !is_open && seen(ring[last]).ahead < 0.0, is_all = before;
+  bool before = !is_open && ahead(s_.star(ring[last])) < 0.0, is_all = before;
   for (int first = 0; first <= last; first += 64) {
     std::uint64_t behind = 0;
-    const int count = std::min(64, star.size - first);
+    const int count = std::min(64, last + 1 - first);
     for (int i = 0; i < count; ++i)
-      behind |= std::uint64_t{f_.ahead(s_.position(ring[first + i])) < 0.0} << i;
+      behind |= std::uint64_t{ahead(s_.star(ring[first + i])) < 0.0} << i;
     is_all = is_all && behind == ~std::uint64_t{0} >> (64 - count);
     for (std::uint64_t begins = behind & ~(behind << 1U | std::uint64_t{before}); begins != 0;
          begins &= begins - 1U)
-      passage(centre, first + std::countr_zero(begins));
+      passage(v, star, distance, first + std::countr_zero(begins));
     before = (behind >> 63U) != 0;
   }
-  if (is_all) passage(centre, 0);
+  if (is_all) passage(v, star, distance, 0);
 }
 
-/// The outline on either side of the edge from v to its neighbour number i, behind.
-void OutlineSearch::passage(const Seen& v, int i) {
-  if (v.star->open != 0 && i + 1 == v.star->size) return;
-  if (w_.crossed.contains(v.v, i)) return;
-  const Seen behind = seen(s_.ring(*v.star)[i]);
-  const Front front{v, behind, i, crossing(v, behind)};
-  follow(front);
-  follow_back(front);
+/// The outline on either side of the edge from v to its neighbour number i, behind: one run of
+/// points. First back, and turned about, then on.
+void OutlineSearch::passage(int v, const mesh::VertexStar& star, double distance, int i) {
+  if (star.open != 0 && i + 1 == static_cast<int>(star.size)) return;
+  if (w_.crossed.contains(v, i)) return;
+  const int v_behind = s_.ring(star)[i];
+  const mesh::VertexStar& behind = s_.star(v_behind);
+  const Edge edge{&star, &behind, distance, ahead(behind), v, v_behind, i};
+  const auto first = static_cast<std::ptrdiff_t>(w_.y.size());
+  const bool is_in_zone = append(edge);
+  follow_back(edge, is_in_zone);
+  std::reverse(w_.y.begin() + first, w_.y.end());
+  std::reverse(w_.z.begin() + first, w_.z.end());
+  std::reverse(w_.place.begin() + first, w_.place.end());
+  follow(edge, is_in_zone);
+  const auto begin = static_cast<std::size_t>(first);
+  if (w_.y.size() > begin + 1) return w_.runs.push_back({begin, w_.y.size()});
+  w_.y.resize(begin);
+  w_.z.resize(begin);
+  w_.place.resize(begin);
 }
 
-/// Goes to the next edge of the triangle with the vertex w, number i in the ring of the vertex
-/// ahead.
-void OutlineSearch::step_to(int w, int i, Front& f) const {
-  const Seen next = seen(w);
-  if (next.ahead < 0.0) {
-    f.behind = next;
-    f.i = i;
+/// Goes to the next edge that the outline crosses, in the triangle on this side of the edge. False at
+/// the rock's boundary.
+template <OutlineSearch::Way way>
+inline bool OutlineSearch::step(Edge& e) const {
+  const int last = static_cast<int>(e.ahead->size) - 1;
+  const bool is_end = e.i == (way == Way::on ? last : 0);
+  if (is_end && e.ahead->open != 0) return false;
+  const int i = way == Way::on ? (is_end ? 0 : e.i + 1) : (is_end ? last : e.i - 1);
+  const int v = s_.ring(*e.ahead)[i];
+  const mesh::VertexStar& star = s_.star(v);
+  const double distance = ahead(star);
+  if (distance < 0.0) {
+    e.behind = &star;
+    e.distance_behind = distance;
+    e.v_behind = v;
+    e.i = i;
   } else {
-    f.ahead = next;
-    const int* ring = s_.ring(*next.star);
-    f.i = 0;
-    while (ring[f.i] != f.behind.v) ++f.i;
+    e.ahead = &star;
+    e.distance_ahead = distance;
+    e.v_ahead = v;
+    const int* ring = s_.ring(star);
+    e.i = 0;
+    while (ring[e.i] != e.v_behind) ++e.i;
   }
-  f.at = crossing(f.ahead, f.behind);
+  return true;
+}
+
+/// Whether all neighbours of a star with a closed ring are ahead, but for those from number `first` to
+/// `last`, counter-clockwise, and one on either side of these, which is known to be ahead.
+bool OutlineSearch::are_rest_ahead(const mesh::VertexStar& star, int first, int last) const {
+  const int size = static_cast<int>(star.size);
+  const int* ring = s_.ring(star);
+  const int behind = last - first + (last < first ? size : 0) + 1;
+  int i = last + 2;
+  for (int rest = size - behind - 2; rest > 0; --rest, ++i)
+    if (ahead(s_.star(ring[i < size ? i : i - size])) < 0.0) return false;
+  return true;
+}
+
+/// Marks a vertex that the outline passes only once, with neighbours behind from number `first` to `last`.
+void OutlineSearch::leave(int v, const mesh::VertexStar& star, int first, int last) {
+  if (star.open == 0 && star.long_ring < 0 && are_rest_ahead(star, first, last))
+    w_.crossed.mark_done(v);
 }
 
 /// Follows the outline until it leaves the zone, but all around the vertices to start from.
-void OutlineSearch::follow(Front f) {
-  bool goes_on = true;
-  while (goes_on) {
-    const bool is_last = f.i + 1 == f.ahead.star->size;
-    if ((is_last && f.ahead.star->open != 0) || !w_.crossed.add(f.ahead.v, f.i)) return;
-    const Crossing from = f.at;
-    const int i = is_last ? 0 : f.i + 1;
-    step_to(s_.ring(*f.ahead.star)[i], i, f);
-    add(from, f.at);
-    goes_on = f.at.is_in_zone || is_start(f.ahead);
+void OutlineSearch::follow(Edge e, bool is_in_zone) {
+  int first = e.i;  // of the neighbours behind
+  for (bool goes_on = true; goes_on; goes_on = is_in_zone || is_start(*e.ahead)) {
+    const mesh::VertexStar* const star = e.ahead;
+    const int v = e.v_ahead, i = e.i;
+    if (!step<Way::on>(e) || !w_.crossed.add(v, i)) return;
+    is_in_zone = append(e);
+    if (e.v_ahead == v) continue;
+    leave(v, *star, first, i);
+    first = e.i;
   }
 }
 
 /// Follows the outline back until it leaves the zone.
-void OutlineSearch::follow_back(Front f) {
-  while (f.at.is_in_zone) {
-    if (f.i == 0 && f.ahead.star->open != 0) return;
-    const Crossing to = f.at;
-    const int i = f.i == 0 ? f.ahead.star->size - 1 : f.i - 1;
-    step_to(s_.ring(*f.ahead.star)[i], i, f);
-    if (!w_.crossed.add(f.ahead.v, f.i)) return;
-    add(f.at, to);
+void OutlineSearch::follow_back(Edge e, bool is_in_zone) {
+  constexpr int unknown = -1;
+  int last = unknown;  // of the neighbours behind; those of the first vertex were not passed
+  while (is_in_zone) {
+    const mesh::VertexStar* const star = e.ahead;
+    const int v = e.v_ahead, i = e.i;
+    if (!step<Way::back>(e) || !w_.crossed.add(e.v_ahead, e.i)) return;
+    is_in_zone = append(e);
+    if (e.v_ahead == v) continue;
+    if (last != unknown) leave(v, *star, i, last);
+    last = e.i;
   }
 }
 
@@ -221,7 +257,17 @@ void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   });
 }
 
+/// The face is convex: with two points it has all between them, and no line of a lower edge enters it.
+bool is_beneath(const OutlineWork& w, std::size_t from, std::size_t to) {
+  return w.place[from].place == PointPlace::beneath &&
+         above_lower_edge({w.y[to], w.z[to]}, *w.place[from].column) <= 0.0;
+}
+
 }  // namespace
+
+bool is_beneath(const OutlineWork& w, std::size_t k) {
+  return is_beneath(w, k, k + 1) || is_beneath(w, k + 1, k);
+}
 
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
                      double reach, double top, int near_list) {
@@ -241,13 +287,16 @@ FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t firs
 }
 
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
-  work.segments.clear();
+  work.y.clear();
+  work.z.clear();
+  work.place.clear();
+  work.runs.clear();
   work.crossed.clear();
   find_near(rock, plane, work);
   OutlineSearch search(rock, plane, work);
   prefetch(rock.surface, work.near);
-  std::erase_if(work.near, [&](int v) { return !search.is_start(v); });
-  for (const int v : work.near) search.around(v);
+  for (const int v : work.near)
+    if (!work.crossed.is_done(v) && search.is_start(v)) search.around(v);
 }
 
 }  // namespace tdbd::rock

@@ -29,20 +29,41 @@ struct FacePlane {
 FacePlane face_plane(const Pose& X_WF, const FaceColumns& face, std::size_t first, std::size_t end,
                      double reach, double top, int near_list);
 
+/// Where a point of the outline lies: inside the columns at work, away from their edges; not above
+/// the line of the lower edge of a column, the one beside it or nearby; or anywhere else.
+enum class PointPlace : std::uint8_t { anywhere, inside, beneath };
+
+struct PlacedPoint {
+  PointPlace place;
+  const FaceColumn* column;  ///< beside the point; inside: may be null
+};
+
+/// Points of the outline from `first` to before `end`, two or more, rock on their left.
+struct OutlineRun {
+  std::size_t first, end;
+};
+
 /// Buffers for the pieces of the rock's outline.
 struct OutlineWork {
   std::vector<int> chains;
-  std::vector<int> near;  ///< vertices to start from
-  std::vector<OutlineSegment> segments;
+  std::vector<int> near;     ///< vertices to start from
+  std::vector<double> y, z;  ///< m, of the points, in the plane of F
+  std::vector<PlacedPoint> place;
+  std::vector<OutlineRun> runs;
   CrossedEdges crossed;  ///< by the plane at work, at which a segment begins
 };
 
-/// Where the rock's triangles cross the plane of a face, beside some of its columns: work.segments,
-/// in any order, each triangle's once. Corners in the plane count as ahead. The zone is what lies
+/// Where the rock's triangles cross the plane of a face, beside some of its columns: work.runs of
+/// points. Runs may come in any order and begin anywhere; each triangle gives one segment, between two
+/// neighbouring points of a run. Corners in the plane count as ahead. The zone is what lies
 /// within `reach` of the columns' ends and lower edges. An outline within the zone is found whole if
 /// one of its triangles there has a vertex to start from: in the zone, not above `top`, nor below
 /// the face's box by more than `reach`, and ahead of the plane by at most `reach`. From such
 /// vertices on the outline is followed from triangle to triangle, however long their edges are.
 void find_outline(const Rock& rock, const FacePlane& plane, OutlineWork& work);
+
+/// Whether the segment from point k to the next is beneath the face, so that no part of the face lies
+/// below it. Conservative: may return false for a segment that is.
+bool is_beneath(const OutlineWork& work, std::size_t k);
 
 }  // namespace tdbd::rock

@@ -76,6 +76,31 @@ void index_columns(FaceColumns& c) {
   }
 }
 
+/// The circle about the centroid that touches the nearest edge, less rounding. A column whose left
+/// neighbour is narrower than a part of the width may lie two columns from what FaceColumns::near gives.
+void find_inner_circle(const ConvexPolygon& outline_F, FaceColumns& made) {
+  constexpr double rounding = 1e-9;
+  const PolygonMoments m = moments(outline_F);
+  const Vec2 centre_F = m.moment / m.area;
+  double radius = farthest;
+  for (std::size_t i = 0; i < outline_F.size(); ++i) {
+    const Vec2 &p = outline_F[i], &q = outline_F[i + 1 < outline_F.size() ? i + 1 : 0];
+    const Vec2 along = q - p, out = centre_F - p;
+    if (along.norm() > 0.0)
+      radius = std::min(radius, (along.x() * out.y() - along.y() * out.x()) / along.norm());
+  }
+  const auto is_wide = [&](std::size_t i) {
+    const FaceColumn& c = made.columns[i];
+    return (c.y1 - c.y0) * made.parts_per_metre >= 1.0 + rounding;
+  };
+  const std::size_t middle = made.holding(centre_F.x());
+  std::size_t left = middle, right = middle;
+  while (left > 0 && is_wide(left - 1)) --left;
+  while (right + 1 < made.columns.size() && is_wide(right)) ++right;
+  made.inner = {centre_F, radius > 0.0 ? (1.0 - rounding) * radius * radius : -1.0,
+                left == 0 ? made.columns[left].y0 : made.columns[left].y1, made.columns[right].y1};
+}
+
 }  // namespace
 
 void make_columns(const ConvexPolygon& outline_F, const HalfPlane* cut, FaceColumns& made) {
@@ -95,6 +120,8 @@ void make_columns(const ConvexPolygon& outline_F, const HalfPlane* cut, FaceColu
       (p.y() > q.y() ? made.left_is_rim : made.right_is_rim) = is_rim;
   }
   index_columns(made);
+  made.inner = {};
+  if (cut == nullptr) find_inner_circle(outline_F, made);
   sum_below_lower_edge(made);
 }
 

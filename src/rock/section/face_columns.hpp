@@ -27,6 +27,18 @@ inline PolygonMoments below_line(double bottom, const Vec2& p, const Vec2& q) {
   return {0.5 * width * sum, width / 6.0 * Vec2(y_sum, z_sum)};
 }
 
+/// A circle inside an outline, and between which y its points may be taken to lie in the column that
+/// FaceColumns::near gives or in the next: there no column is narrower than a part of the width.
+struct InnerCircle {
+  Vec2 centre_F = Vec2::Zero();
+  double radius2 = -1.0;  ///< m2; negative: there is none
+  double left = 0.0, right = 0.0;
+};
+
+inline bool contains(const InnerCircle& c, const Vec2& x_F) {
+  return (x_F - c.centre_F).squaredNorm() < c.radius2 && x_F.x() > c.left && x_F.x() < c.right;
+}
+
 /// An outline in columns, ready for sums over segments (section.hpp).
 struct FaceColumns {
   std::vector<FaceColumn> columns;                ///< from the least y on; none: an empty outline
@@ -37,6 +49,7 @@ struct FaceColumns {
   /// equal parts of the width.
   std::array<std::uint16_t, 64> first_of{};
   double parts_per_metre = 0.0;
+  InnerCircle inner;  ///< none in an outline with a cut
 
   /// A column that begins no farther right than y, a y in or near the outline's width.
   std::size_t near(double y) const {

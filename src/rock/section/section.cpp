@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/angles.hpp"
@@ -64,9 +65,18 @@ bool concerns(const OutlineSegment& s, const FacePlane& f) {
          std::max(s.from.x(), s.to.x()) > f.left && std::min(s.from.x(), s.to.x()) < f.right;
 }
 
-bool is_seen(const FacePlane& plane, const OutlineWork& outline) {
-  return std::ranges::any_of(outline.segments,
-                             [&](const OutlineSegment& s) { return concerns(s, plane); });
+OutlineSegment segment(const OutlineWork& w, std::size_t k) {
+  return {{w.y[k], w.z[k]}, {w.y[k + 1], w.z[k + 1]}};
+}
+
+bool is_seen(const FacePlane& plane, const OutlineWork& w) {
+  if (std::ranges::find(w.place, PointPlace::inside, &PlacedPoint::place) != w.place.end())
+    return true;
+  return std::ranges::any_of(w.runs, [&](const OutlineRun& run) {
+    for (std::size_t k = run.first; k + 1 < run.end; ++k)
+      if (concerns(segment(w, k), plane)) return true;
+    return false;
+  });
 }
 
 /// Rock meets a face at its lower half first. Only if nothing is found there, the search goes all
@@ -86,20 +96,36 @@ struct FacePlace {
   const rotation::Twist& twist;
 };
 
-void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
-  if (!see_outline(rock, plane, w.outline)) return;
-  if (w.sight == Sight::none) w.sight = Sight::clear;
-  InsideRun run;
-  for (const OutlineSegment& s : w.outline.segments) {
-    if (s.place == SegmentPlace::inside) {
-      add_inside(plane.face, s, run, w.sums);
+/// The number of points of a run that are inside the face, from number k on.
+std::size_t points_inside(const OutlineWork& w, std::size_t k, std::size_t end) {
+  const std::size_t begin = k;
+  while (k < end && w.place[k].place == PointPlace::inside) ++k;
+  return k - begin;
+}
+
+void add_run(const FaceStrip& strip, const FacePlane& plane, const OutlineRun& run,
+             SectionWork& w) {
+  const OutlineWork& o = w.outline;
+  for (std::size_t k = run.first; k + 1 < run.end;) {
+    if (const std::size_t inside = points_inside(o, k, run.end); inside > 1) {
+      add_inside(plane.face, std::span(o.y).subspan(k, inside), std::span(o.z).subspan(k, inside),
+                 w.sums);
+      k += inside - 1;
       continue;
     }
-    if (s.place == SegmentPlace::beneath || !concerns(s, plane)) continue;
+    const OutlineSegment s = segment(o, k);
+    const bool adds = !is_beneath(o, k) && concerns(s, plane);
+    ++k;
+    if (!adds) continue;
     if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
     add_segment(plane.face, strip.first, strip.end, s, w.sums);
   }
-  end_run(plane.face, run, w.sums);
+}
+
+void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
+  if (!see_outline(rock, plane, w.outline)) return;
+  if (w.sight == Sight::none) w.sight = Sight::clear;
+  for (const OutlineRun& run : w.outline.runs) add_run(strip, plane, run, w);
 }
 
 /// The engaged part of an edge of the outline: its length and its middle.

@@ -24,8 +24,16 @@ RC_GTEST_PROP(CrossedEdges, are_a_set_that_grows_and_is_emptied, ()) {
       RC_ASSERT(edges.add(v, i) == expected.insert({v, i}).second);
     }
     for (const auto& [v, i] : expected) RC_ASSERT(edges.contains(v, i));
+    for (const auto& [v, i] : expected) RC_ASSERT(!edges.is_done(v));
+    for (const auto& [v, i] : expected)
+      if (i < 64 && v % 2 == 0) edges.mark_done(v);
+    for (int v = 0; v < vertices; ++v) {
+      const auto first = expected.lower_bound({v, 0});
+      const bool has_low = first != expected.end() && first->first == v && first->second < 64;
+      RC_ASSERT(edges.is_done(v) == (has_low && v % 2 == 0));
+    }
     edges.clear();
-    for (const auto& [v, i] : expected) RC_ASSERT(!edges.contains(v, i));
+    for (const auto& [v, i] : expected) RC_ASSERT(!edges.is_done(v) && !edges.contains(v, i));
   }
 }
 
