@@ -8,6 +8,7 @@
 #include <new>
 #include <numbers>
 
+#include "core/random.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::rock::column_sums_test {
@@ -142,6 +143,39 @@ RC_GTEST_PROP(ColumnSums, of_a_segment_across_the_face_have_the_rim_below_it, ()
     for (const std::int64_t units : sums.engaged)
       engaged += static_cast<double>(units) / sums.per_length;
     RC_ASSERT(std::abs(sign * engaged - below) <= 1e-12);  // of some 1 m
+  }
+}
+
+/// A point is searched for in a column near it and in the next. Beside columns that are narrower than a
+/// part of the width it may lie farther on: there the circle must not answer for it.
+RC_GTEST_PROP(FaceColumns, have_a_circle_in_which_every_point_is_found_inside, ()) {
+  ConvexPolygon rim_F;
+  double turned = *battery::number(0.0, 1.0);
+  for (int k = *battery::integer(3, 9); k > 0; --k) {
+    turned += *battery::number(0.2, 1.0);
+    rim_F.emplace_back(std::sin(turned), -std::cos(turned));
+    if (*battery::integer(0, 1) == 0) {  // another one across, at nearly the same y
+      const double shift = *battery::number(-0.02, 0.02);
+      rim_F.emplace_back(std::sin(turned + shift), std::cos(turned + shift));
+    }
+  }
+  const FaceColumns face = columns_of(convex_hull(std::move(rim_F), 1e-9));
+  RC_PRE(face.inner.radius2 > 0.0);
+  const double radius = std::sqrt(face.inner.radius2);
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  Random random{seed};
+  for (int k = 0; k < 300; ++k) {
+    const FaceColumn& beside =
+        face.columns[at(static_cast<int>(random.next() % face.columns.size()))];
+    const Vec2 x_F(beside.y1 + random.uniform(-0.04, 0.04),
+                   face.inner.centre_F.y() + random.uniform(-1.0, 1.0) * radius);
+    if (!contains(face.inner, x_F)) continue;
+    const FaceColumn& first = face.columns[face.near(x_F.x())];
+    const FaceColumn& c = x_F.x() > first.y1 ? *(&first + 1) : first;
+    const double dy = x_F.x() - c.y0;
+    RC_ASSERT(x_F.x() <= c.y1);
+    RC_ASSERT(x_F.y() > c.lower + c.lower_slope * dy);
+    RC_ASSERT(x_F.y() < c.upper + c.upper_slope * dy);
   }
 }
 
