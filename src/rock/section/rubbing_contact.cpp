@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "core/parallel.hpp"
 #include "core/sort_unique.hpp"
+#include "core/wide.hpp"
 #include "mesh/search/inside.hpp"
 
 namespace tdbd::rock {
@@ -49,6 +51,45 @@ bool stays_clear(const Rock& rock, const Pose& X_WP, const CutWorkspace& cut, Ru
   return true;
 }
 
+/// A pose in single precision.
+struct SinglePose {
+  std::array<Single, 9> R{};
+  std::array<Single, 3> p{};
+};
+
+SinglePose single(const Pose& X) {
+  SinglePose s;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) s.R[at(3 * i + j)] = static_cast<Single>(X.R(i, j));
+    s.p[at(i)] = static_cast<Single>(X.p[i]);
+  }
+  return s;
+}
+
+/// The vertices of a block in the frame of a part, m, and their squared distances from its axis. The
+/// eighth has no meaning.
+struct BlockPlaces {
+  std::array<Single, single_lanes> x, y, z, r2;
+};
+
+TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SinglePose& X_PW,
+                           BlockPlaces& out) {
+  using Block = VertexGrid::Block;
+  const char* bytes = reinterpret_cast<const char*>(&block);
+  WideSingle x, y, z;
+  TDBD_LOAD(x, bytes + offsetof(Block, x));
+  TDBD_LOAD(y, bytes + offsetof(Block, y));
+  TDBD_LOAD(z, bytes + offsetof(Block, z));
+  const auto& R = X_PW.R;
+  const WideSingle x_P = R[0] * x + R[1] * y + R[2] * z + X_PW.p[0],
+                   y_P = R[3] * x + R[4] * y + R[5] * z + X_PW.p[1],
+                   z_P = R[6] * x + R[7] * y + R[8] * z + X_PW.p[2], r2 = x_P * x_P + y_P * y_P;
+  TDBD_STORE(x_P, out.x.data());
+  TDBD_STORE(y_P, out.y.data());
+  TDBD_STORE(z_P, out.z.data());
+  TDBD_STORE(r2, out.r2.data());
+}
+
 /// Those that are not certainly outside the part, and whether it is clear of all.
 void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, RubbingWork& w) {
   const Pose X_PW = inverse(X_WP);
@@ -61,12 +102,15 @@ void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, Rubb
   };
   const mesh::Box box_W = widened(region_of(part.box_P, X_WP), u.room).box;
   part.clear = {rock.grid.changes(), X_WP};
+  const SinglePose single_PW = single(X_PW);
+  BlockPlaces places_P;
   rock.grid.visit_where(box_W, X_PW, may, [&](const VertexGrid::Block& block) {
+    put_in_part(block, single_PW, places_P);
     for (std::size_t s = 0; s < static_cast<std::size_t>(block.count); ++s) {
-      const Vec3 x_P = X_PW * Vec3(block.x[s], block.y[s], block.z[s]);
-      if (!may_hold(u, Around::vertex, x_P, 0.0)) continue;
+      if (!may_hold(u, places_P.r2[s], places_P.z[s])) continue;
       part.clear.changes = -1;
-      if (may_hold(u, x_P)) w.near.push_back(block.v[s]);
+      if (may_hold(u, Vec3(places_P.x[s], places_P.y[s], places_P.z[s])))
+        w.near.push_back(block.v[s]);
     }
   });
 }
@@ -90,6 +134,14 @@ void keep_inside(const Rock& rock, const RubbingPart& part, const Pose& X_WP, Ru
   }
 }
 
+/// Beyond which sides of a box a point lies: a bit for each.
+std::uint8_t sides_beyond(const mesh::Box& box, const Vec3& x) {
+  unsigned sides = 0;
+  for (int i = 0; i < 3; ++i)
+    sides |= unsigned{x[i] < box.lo[i]} << (2 * i) | unsigned{x[i] > box.hi[i]} << (2 * i + 1);
+  return static_cast<std::uint8_t>(sides);
+}
+
 void find_near(const Rock& rock, const Pose& X_WP, double edge, RubbingPart& part, RubbingWork& w) {
   w.near.clear();
   if (part.tree_P) {
@@ -101,10 +153,12 @@ void find_near(const Rock& rock, const Pose& X_WP, double edge, RubbingPart& par
   sort_unique(w.near);
   const Pose X_PW = inverse(X_WP);
   w.near_P.clear();
+  w.beyond.clear();
   w.slot.resize(rock.surface.stars.size(), -1);
   for (std::size_t i = 0; i < w.near.size(); ++i) {
     w.slot[at(w.near[i])] = static_cast<int>(i);
     w.near_P.push_back(X_PW * rock.surface.position(w.near[i]));
+    w.beyond.push_back(sides_beyond(part.box_P, w.near_P.back()));
   }
 }
 
@@ -146,15 +200,6 @@ void clip_to_planes(const mesh::ConvexSolid& solid, RubbingWork& w) {
   }
 }
 
-/// Whether the three points lie beyond one side of the box.
-bool is_beside(const mesh::Box& box, const std::vector<Vec3>& x) {
-  for (int i = 0; i < 3; ++i) {
-    if (x[0][i] < box.lo[i] && x[1][i] < box.lo[i] && x[2][i] < box.lo[i]) return true;
-    if (x[0][i] > box.hi[i] && x[1][i] > box.hi[i] && x[2][i] > box.hi[i]) return true;
-  }
-  return false;
-}
-
 /// Sums over flat polygons in the frame P.
 struct Sums {
   double area = 0.0;
@@ -190,20 +235,28 @@ void add_triangle(const Rock& rock, const RubbingPart& part, const Pose& X_PW,
                   const std::array<int, 3>& corners, double edge, RubbingWork& w,
                   SumsBySector& sums) {
   std::array<double, 3> depth{};
+  unsigned beyond_all = ~0U;
   w.polygon.clear();
   for (const int v : corners) {
     const int slot = w.slot[at(v)];
     const std::size_t corner = w.polygon.size();
     w.polygon.push_back(slot >= 0 ? w.near_P[at(slot)] : X_PW * rock.surface.position(v));
+    beyond_all &= slot >= 0 ? w.beyond[at(slot)] : sides_beyond(part.box_P, w.polygon.back());
     if (part.tree_P) depth[corner] = slot >= 0 ? w.depth[at(slot)] : -edge;
   }
-  if (is_beside(part.box_P, w.polygon)) return;
+  if (beyond_all != 0) return;
   if (part.tree_P)
     clip(w.polygon, w.clipped, [&](std::size_t i) { return depth[i]; });
   else
     clip_to_planes(part.solid_P, w);
   if (w.polygon.empty()) return;
   add_polygon(w.polygon, sums[part.tree_P ? sector_of(w.polygon.front()) : 0]);
+}
+
+/// Whether three vertices are near, all of them beyond one side of the part's box.
+bool are_beyond(const RubbingWork& w, int a, int b, int c) {
+  const int i = w.slot[at(a)], j = w.slot[at(b)], k = w.slot[at(c)];
+  return i >= 0 && j >= 0 && k >= 0 && (w.beyond[at(i)] & w.beyond[at(j)] & w.beyond[at(k)]) != 0;
 }
 
 /// Each triangle once: from its first vertex that is near.
@@ -217,7 +270,7 @@ SumsBySector sum_triangles(const Rock& rock, const RubbingPart& part, const Pose
     const int *ring = s.ring(star), last = star.size - 1;
     for (int i = 0; i < star.size - star.open; ++i) {
       const int a = ring[i], b = ring[i < last ? i + 1 : 0];
-      if (comes_later(v, a) && comes_later(v, b))
+      if (comes_later(v, a) && comes_later(v, b) && !are_beyond(w, v, a, b))
         add_triangle(rock, part, X_PW, {v, a, b}, edge, w, sums);
     }
   }

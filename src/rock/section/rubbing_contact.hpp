@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -36,8 +37,10 @@ RubbingPart prepare_rubbing_part(const bit::Part& part, int index, double cell);
 /// Buffers, kept between calls so that none allocates once warm.
 struct RubbingWork {
   std::vector<int> chains;
-  std::vector<int> near;      ///< vertices around the part, in the order of their numbers
-  std::vector<Vec3> near_P;   ///< m
+  std::vector<int> near;     ///< vertices around the part, in the order of their numbers
+  std::vector<Vec3> near_P;  ///< m
+  std::vector<std::uint8_t>
+      beyond;                 ///< per near vertex: beyond which sides of the part's box, as bits
   std::vector<double> depth;  ///< m, of near vertices inside the part, positive; outside: negative
   std::vector<int> slot;      ///< per vertex of the rock: its place in `near`, or -1
   std::vector<Vec3> polygon, clipped;

@@ -43,6 +43,15 @@ inline bool may_hold(const Underside& u, Around around, const Vec3& x_P, double 
          x_P.z() - height - u.room - of_single_places <= deepest_at[ring];
 }
 
+/// The same of a vertex at this squared distance from the axis (m2) and depth z_P (m), both in single
+/// precision, whose rounding of_single_places covers.
+inline bool may_hold(const Underside& u, Single r2, Single z_P) {
+  const std::vector<Single>& deepest_at = u.deepest_at[static_cast<std::size_t>(Around::vertex)];
+  const auto ring = static_cast<std::size_t>(std::sqrt(r2) * static_cast<Single>(u.rings_per_m));
+  return ring < deepest_at.size() &&
+         z_P - static_cast<Single>(u.room + of_single_places) <= deepest_at[ring];
+}
+
 /// False only if the point x_P, known in single precision, does not belong to the part.
 inline bool may_hold(const Underside& u, const Vec3& x_P) {
   const double i = (x_P.x() - u.x_lo) * u.columns_per_m, j = (x_P.y() - u.y_lo) * u.columns_per_m;
