@@ -87,15 +87,29 @@ void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) 
     std::vector<int>& candidates = w.groups[i].candidates;
     candidates.clear();
     if (bit.groups[i].presence == GroupPresence::away) continue;
-    const mesh::Box& box_W = w.motions[i].region_W.box;
-    for (std::size_t k = 0; k < bit.groups.size(); ++k) {
+    for (const std::size_t k : w.neighbours[i]) {
       const std::vector<int>& among = k == i ? w.groups[k].unclear : w.groups[k].moved;
-      if (among.empty() || !box_W.overlaps(w.motions[k].region_W.box)) continue;
       for (const int v : among)
         if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
           candidates.push_back(v);
     }
     sort_unique(candidates);
+  }
+}
+
+/// Which groups may sweep what another one moves.
+void find_neighbours(CutWorkspace& w) {
+  const std::size_t n = w.motions.size();
+  resize(w.motion_boxes, n);
+  w.neighbours.resize(n);
+  for (std::size_t i = 0; i < n; ++i) set_box(w.motion_boxes, i, w.motions[i].region_W.box);
+  for (std::size_t i = 0; i < n; ++i) {
+    w.neighbours[i].clear();
+    w.neighbours[i].reserve(n);
+    const mesh::Box& box_W = w.motions[i].region_W.box;
+    visit_overlapping(w.motion_boxes, box_W, [&](std::size_t k) {
+      if (box_W.overlaps(w.motions[k].region_W.box)) w.neighbours[i].push_back(k);
+    });
   }
 }
 
@@ -117,6 +131,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   }
   w.motions.clear();
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
+  find_neighbours(w);
 }
 
 /// Prefetches what the next group will write, while this one is at work.
@@ -165,27 +180,32 @@ void note_places(const Rock& rock, GroupCut& cut) {
   }
 }
 
-/// Updates the lists with what moved. A group's first candidates are in its list; what it moved
-/// in later passes had been moved by another group before.
+/// Updates one list with what moved. A group's first candidates are in its list; what it moved in later
+/// passes had been moved by another group before.
+void note_moves(const Rock& rock, const CutWorkspace& w, std::size_t i, NearList& list) {
+  if (list.changes != w.changes_before) return;
+  for (const int place : w.groups[i].near.places)
+    if (const int v = list.v[at(place)]; is_moved_now(rock, v))
+      set_place(list, at(place), rock.surface.position(v));
+  list.changes = rock.grid.changes();
+  visit_overlapping(w.moved_boxes, list.region_W.box, [&](std::size_t k) {
+    const GroupCut& other = w.groups[k];
+    if (k != i && other.moved_box_W.overlaps(list.region_W.box))
+      note_changes(list, other.moved_places);
+  });
+}
+
+/// Updates the lists with what moved. Each list has one writer.
 void note_moves(Rock& rock, CutWorkspace& w) {
-  for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
-    NearList& list = rock.near_lists[i];
-    if (list.changes != w.changes_before) continue;
-    for (const int place : w.groups[i].near.places)
-      if (const int v = list.v[at(place)]; is_moved_now(rock, v))
-        set_place(list, at(place), rock.surface.position(v));
-    list.changes = rock.grid.changes();
-  }
+  resize(w.moved_boxes, w.groups.size());
   for (std::size_t k = 0; k < w.groups.size(); ++k) {
     GroupCut& cut = w.groups[k];
     std::ranges::sort(cut.moves, {}, &VertexMove::v);
     note_places(rock, cut);
-    for (std::size_t i = 0; i < rock.near_lists.size(); ++i) {
-      NearList& list = rock.near_lists[i];
-      if (i == k || list.changes != rock.grid.changes()) continue;
-      if (cut.moved_box_W.overlaps(list.region_W.box)) note_changes(list, cut.moved_places);
-    }
+    set_box(w.moved_boxes, k, cut.moved_box_W);
   }
+  parallel_for(static_cast<int>(rock.near_lists.size()),
+               [&](int i) { note_moves(rock, w, at(i), rock.near_lists[at(i)]); });
 }
 
 std::string first_moved(const CutWorkspace& w, const Rock& rock) {

@@ -35,12 +35,28 @@ void add_part(CuttingGroup& group, const bit::Part& part, int index) {
   for (const mesh::TriangleMesh& piece_P : part.pieces_P) add(piece_P);
 }
 
+bool same_planes(const mesh::ConvexSolid& a, const mesh::ConvexSolid& b) {
+  return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.b == b.b;
+}
+
 /// A group's solids are numbered by the bits of one word (Clear).
 constexpr std::size_t most_solids = 63;
 
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
   return part.group >= 0 && group.parts.size() + part.pieces_P.size() < most_solids &&
          bit.parts[at(group.parts.front().part)].group == part.group;
+}
+
+/// The planes of the whole by sectors. Equal cutters share them.
+std::shared_ptr<const PlaneSectors> sectors_of(const CuttingPart& solid, double size,
+                                               const CuttingBit& others) {
+  for (const CuttingGroup& g : others.groups)
+    if (g.whole && g.whole->sectors && g.whole->sectors->size == size &&
+        g.whole->solid.checksum == solid.checksum &&
+        same_planes(g.whole->solid.solid_P, solid.solid_P))
+      return g.whole->sectors;
+  PlaneSectors made = plane_sectors(solid.solid_P, size);
+  return made.sectors.empty() ? nullptr : std::make_shared<const PlaneSectors>(std::move(made));
 }
 
 /// The parts of a group as one solid, if they are several and fill a convex one.
@@ -157,6 +173,8 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
       if (part.tree_P && options.search == ExitSearch::walk)
         part.across = neighbours_of(*part.tree_P);
     if (options.exit_from == ExitFrom::whole) group.whole = whole_of(group, bit);
+    if (group.whole)
+      group.whole->sectors = sectors_of(group.whole->solid, group.box_P.size().norm(), cutting);
   }
   cutting.size = std::max(box_B.size().x(), box_B.size().y());
   return cutting;

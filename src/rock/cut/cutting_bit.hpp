@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "mesh/shape/convex.hpp"
 #include "rock/cut/convex_union.hpp"
 #include "rock/cut/facet_walk.hpp"
+#include "rock/cut/plane_sectors.hpp"
 
 namespace tdbd::rock {
 
@@ -33,6 +35,8 @@ struct CuttingPart {
 struct CuttingWhole {
   CuttingPart solid;  ///< a copy of the group's first part with the planes of all
   Claims claims;      ///< by the group's parts, on those planes
+  /// Of the solid, shared by equal ones; none: it has none.
+  std::shared_ptr<const PlaneSectors> sectors = nullptr;
 };
 
 /// The axis about which update directions turn (thesis 4.1.2.3) when the bit leans: the hole's, so

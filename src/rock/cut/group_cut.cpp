@@ -5,6 +5,7 @@
 
 #include "rock/cut/left_rock.hpp"
 #include "rock/cut/mapped_direction.hpp"
+#include "rock/cut/wide_exits.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -45,7 +46,7 @@ void plan_move(const CuttingGroup& g, std::size_t which, std::size_t i, double t
 
 void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, GroupCut& cut) {
   const CuttingPart& part = g.parts[which];
-  prepare_exits(part, cut.paths, cut.exits);
+  prepare_exits(part, boxes_around(cut.paths, cut.at_work), cut.exits);
   for (const std::size_t i : cut.at_work) {
     const auto t = prepared_exit_distance(part, cut.paths[i], cut.exits);
     if (!t || *t <= 0.0) {
@@ -61,7 +62,7 @@ void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, G
 
 /// Every vertex leaves the whole group at once and is clear of all parts then.
 void plan_whole(const CuttingGroup& g, GroupCut& cut) {
-  prepare_exits(g.whole->solid, cut.paths, cut.exits);
+  prepare_exits(g.whole->solid, boxes_around(cut.paths, cut.at_work), cut.exits);
   for (const std::size_t i : cut.at_work) {
     for (std::size_t which = 0; which < g.parts.size(); ++which) note_outside(cut.clear[i], which);
     const auto x = prepared_whole_exit(*g.whole, cut.paths[i], cut.exits);
@@ -70,11 +71,51 @@ void plan_whole(const CuttingGroup& g, GroupCut& cut) {
   }
 }
 
+bool can_plan_fours(const CuttingGroup& g) {
+  return g.whole && g.whole->sectors && !g.core_P && g.leaves == Leaves::nothing;
+}
+
+/// Plans the candidates at work from `begin` on, at most four.
+void plan_four(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, std::size_t begin,
+               GroupCut& cut) {
+  const std::size_t count = std::min(lanes, cut.at_work.size() - begin);
+  const std::uint64_t all = (std::uint64_t{2} << (g.parts.size() - 1)) - 1;
+  std::array<const Vec3*, lanes> x_W{};
+  for (std::size_t l = 0; l < lanes; ++l)
+    x_W[l] = &rock.surface.position(cut.candidates[cut.at_work[begin + std::min(l, count - 1)]]);
+  WidePaths paths;
+  WideExits exits;
+  find_paths(g, m, x_W, paths);
+  find_exits(*g.whole->sectors, paths, g.whole->solid.depth, exits);
+  for (std::size_t l = 0; l < count; ++l) {
+    const std::size_t i = cut.at_work[begin + l];
+    cut.clear[i] = {all, 0};
+    if ((exits.missed >> l & 1U) != 0) continue;
+    if ((exits.found >> l & 1U) == 0) {
+      cut.alone.push_back(i);
+      continue;
+    }
+    const auto x = whole_exit(*g.whole, path_of(paths, l), crossing_of(exits, l));
+    if (x)
+      cut.swept.push_back({x->part, cut.candidates[i], *x_W[l] + x->t * lane_of(paths.u_W, l)});
+  }
+}
+
+/// The same as find_paths and plan_whole, four vertices at once. What cannot be done so is left at
+/// work.
+void plan_whole_by_fours(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
+                         GroupCut& cut) {
+  cut.alone.clear();
+  for (std::size_t i = 0; i < cut.at_work.size(); i += lanes) plan_four(rock, g, m, i, cut);
+  std::swap(cut.at_work, cut.alone);
+}
+
 }  // namespace
 
 void plan_at_work(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut) {
+  if (can_plan_fours(g)) plan_whole_by_fours(rock, g, m, cut);
   find_paths(rock, g, m, cut);
-  if (g.whole) plan_whole(g, cut);
+  if (g.whole && !cut.at_work.empty()) plan_whole(g, cut);
   for (std::size_t which = 0; !g.whole && which < g.parts.size(); ++which)
     plan_part(g, which, m, cut);
   std::ranges::sort(cut.swept, {}, [](const SweptVertex& s) { return std::tuple(s.which, s.v); });

@@ -47,7 +47,7 @@ struct GroupCut {
   std::vector<Vec3> places_W;       ///< m, per candidate, as planned so far
   std::vector<Vec3>
       left_W;  ///< m, per candidate: how much nearer the vertex is; of groups that leave rock
-  std::vector<std::size_t> at_work;
+  std::vector<std::size_t> at_work, alone;  ///< candidates; of these, what goes alone
   SweptScratch exits;
 };
 

@@ -56,9 +56,11 @@ mesh::Box widened(const mesh::Box& box, double margin) {
 
 }  // namespace
 
-PathBoxes boxes_around(const std::vector<RelativePath>& paths) {
+PathBoxes boxes_around(const std::vector<RelativePath>& paths,
+                       const std::vector<std::size_t>& which) {
   PathBoxes boxes;
-  for (const RelativePath& p : paths) {
+  for (const std::size_t i : which) {
+    const RelativePath& p = paths[i];
     boxes.q_P.add(p.q0_P);
     boxes.q_P.add(p.q1_P);
     boxes.u_P.add(p.u0_P);

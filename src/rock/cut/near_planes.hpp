@@ -13,7 +13,9 @@ struct PathBoxes {
   mesh::Box q_P, u_P;
 };
 
-PathBoxes boxes_around(const std::vector<RelativePath>& paths);
+/// Of those of the paths with these numbers.
+PathBoxes boxes_around(const std::vector<RelativePath>& paths,
+                       const std::vector<std::size_t>& which);
 
 /// The planes of a convex solid that any path in some boxes can meet within a distance `t_max` (m)
 /// along its update direction. An exit from these planes within t_max is the exit from the solid,

@@ -8,8 +8,6 @@ namespace tdbd::rock {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Cosine below which a plane is parallel to a ray up to rounding, and does not block it.
-constexpr double grazing = 1e-14;
 using Lanes = std::array<double, lanes>;
 
 /// The bounds of tau, lane by lane.
@@ -78,7 +76,7 @@ inline void meet(const PlaneStrip& w, std::size_t i, double tau, WideRay& ray) {
   const Wide c = up + tau * twist;
   ray.cosine = c;
   ray.room = rest - tau * along;
-  ray.t = ray.room / ((c > grazing) | (c < -grazing) ? c : Wide{} + 1.0);
+  ray.t = ray.room / ((c > grazing_cosine) | (c < -grazing_cosine) ? c : Wide{} + 1.0);
 }
 
 /// The least t of the planes that the ray leaves, lane by lane.
@@ -87,7 +85,7 @@ TDBD_WIDE void first_left(const PlaneStrip& w, double tau, Found& found) {
   for (std::size_t i = 0; i < w.columns; i += lanes, plane += 4.0) {
     WideRay ray;
     meet(w, i, tau, ray);
-    const auto nearer = (ray.cosine > grazing) & (ray.t < least);
+    const auto nearer = (ray.cosine > grazing_cosine) & (ray.t < least);
     which = nearer ? plane : which;
     least = nearer ? ray.t : least;
   }
@@ -102,9 +100,10 @@ TDBD_WIDE void last_entered(const PlaneStrip& w, double tau, Found& found) {
   for (std::size_t i = 0; i < w.columns; i += lanes, plane += 4.0) {
     WideRay ray;
     meet(w, i, tau, ray);
-    const auto never = (ray.cosine <= grazing) & (ray.cosine >= -grazing) & (ray.room < 0.0);
+    const auto never =
+        (ray.cosine <= grazing_cosine) & (ray.cosine >= -grazing_cosine) & (ray.room < 0.0);
     const Wide t = never ? Wide{} - infinity : -ray.t;
-    const auto farther = ((ray.cosine < -grazing) | never) & (t < least);
+    const auto farther = ((ray.cosine < -grazing_cosine) | never) & (t < least);
     which = farther ? plane : which;
     least = farther ? t : least;
   }

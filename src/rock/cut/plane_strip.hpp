@@ -8,6 +8,9 @@
 
 namespace tdbd::rock {
 
+/// Cosine below which a plane is parallel to a ray up to rounding, and does not block it.
+inline constexpr double grazing_cosine = 1e-14;
+
 /// Four planes of a solid, n . x <= b, side by side.
 struct WidePlanes {
   Wide x, y, z, b;

@@ -16,7 +16,6 @@ struct Search {
   std::size_t entered;
 };
 constexpr std::size_t no_plane = std::numeric_limits<std::size_t>::max();
-constexpr double touching = 1e-11;  // m
 
 /// How far x is outside plane i.
 double distance_beyond(const PlaneStrip& w, std::size_t i, const Crossing& x) {
@@ -56,15 +55,14 @@ double rise(const PlaneStrip& w, const Crossing& x) {
 /// The plane that the ray enters too late to meet the solid, or no_plane. Entries before t = 0 do
 /// not count.
 std::size_t entered_too_late(const PlaneStrip& w, const Crossing& x) {
-  constexpr double rounding = 1e-12;  // m
   if (x.t < 0.0) return no_plane;
   const Crossing last = enter_at(w, x.tau);
-  return last.t <= x.t + rounding ? no_plane : last.plane;
+  return last.t <= x.t + entry_tolerance ? no_plane : last.plane;
 }
 
 /// Of the planes other than `known`, the one that x is farthest beyond; no_plane if there is none.
 std::size_t farthest_beyond(const PlaneStrip& w, const Crossing& x, std::size_t known) {
-  double most = touching;
+  double most = corner_tolerance;
   std::size_t farthest = no_plane;
   for (std::size_t i = 0; i < w.columns; ++i) {
     const double beyond = distance_beyond(w, i, x);
@@ -83,8 +81,8 @@ enum class Look { top, end, middle };
 bool is_corner(const PlaneStrip& w, const Search& s, Look look, const Crossing& x) {
   if (look == Look::middle) return false;
   const std::size_t other = look == Look::end ? s.entered : s.in.plane;
-  return std::abs(distance_beyond(w, s.out.plane, x)) <= touching &&
-         std::abs(distance_beyond(w, other, x)) <= touching;
+  return std::abs(distance_beyond(w, s.out.plane, x)) <= corner_tolerance &&
+         std::abs(distance_beyond(w, other, x)) <= corner_tolerance;
 }
 
 /// The nearest tau to `in` of those where two planes of the search meet: the top is not beyond any

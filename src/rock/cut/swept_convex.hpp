@@ -9,6 +9,12 @@
 
 namespace tdbd::rock {
 
+/// Planes no farther from a place than this meet there, m.
+inline constexpr double corner_tolerance = 1e-11;
+
+/// A ray touches the solid if it enters no later than this after it leaves, m.
+inline constexpr double entry_tolerance = 1e-12;
+
 /// Depth of x inside the solid (m, to the nearest plane); negative outside.
 double depth_inside(const mesh::ConvexSolid& solid, const Vec3& x_P);
 

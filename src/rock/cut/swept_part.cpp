@@ -21,12 +21,11 @@ std::optional<double> exit_distance(const CuttingPart& part, const RelativePath&
   return exit_distance(part.solid_P, path, part.depth, strip);
 }
 
-void prepare_exits(const CuttingPart& part, const std::vector<RelativePath>& paths,
-                   SweptScratch& scratch) {
+void prepare_exits(const CuttingPart& part, const PathBoxes& boxes, SweptScratch& scratch) {
   if (part.tree_P) return;
   if (scratch.near.size() <= part.slot) scratch.near.resize(part.slot + 1);
   constexpr double usual_exit = 0.1;  // of the part's size; farther exits use the whole part
-  update_near_planes(part.solid_P, part.checksum, boxes_around(paths), part.depth,
+  update_near_planes(part.solid_P, part.checksum, boxes, part.depth,
                      usual_exit * part.depth / tolerance::swept, scratch.near[part.slot]);
 }
 

@@ -20,10 +20,9 @@ bool is_swept(const CuttingPart& part, const RelativePath& path, SweptScratch& s
 std::optional<double> exit_distance(const CuttingPart& part, const RelativePath& path,
                                     SweptScratch& scratch);
 
-/// Prepares the exits of all these paths from one part. Afterwards prepared_exit_distance gives the
+/// Prepares the exits of all paths in these boxes from one part. Afterwards prepared_exit_distance gives the
 /// same as exit_distance, to the bit, faster.
-void prepare_exits(const CuttingPart& part, const std::vector<RelativePath>& paths,
-                   SweptScratch& scratch);
+void prepare_exits(const CuttingPart& part, const PathBoxes& boxes, SweptScratch& scratch);
 std::optional<double> prepared_exit_distance(const CuttingPart& part, const RelativePath& path,
                                              SweptScratch& scratch);
 

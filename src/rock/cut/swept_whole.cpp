@@ -9,12 +9,17 @@ Vec3 place_on_strip(const RelativePath& p, double tau, double t) {
 
 }  // namespace
 
+std::optional<WholeExit> whole_exit(const CuttingWhole& whole, const RelativePath& path,
+                                    const Crossing& x) {
+  if (x.t <= 0.0) return std::nullopt;
+  const int owner = owner_at(whole.claims, x.plane, place_on_strip(path, x.tau, x.t));
+  return WholeExit{at(owner), x.t};
+}
+
 std::optional<WholeExit> prepared_whole_exit(const CuttingWhole& whole, const RelativePath& path,
                                              const SweptScratch& scratch) {
   const auto x = prepared_exit(whole.solid, path, scratch);
-  if (!x || x->t <= 0.0) return std::nullopt;
-  const int owner = owner_at(whole.claims, x->plane, place_on_strip(path, x->tau, x->t));
-  return WholeExit{at(owner), x->t};
+  return x ? whole_exit(whole, path, *x) : std::nullopt;
 }
 
 }  // namespace tdbd::rock

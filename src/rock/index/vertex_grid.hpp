@@ -170,8 +170,7 @@ class VertexGrid {
   };
 
   int along(double x, double lo, int n) const {
-    return static_cast<int>(
-        std::clamp(std::floor((x - lo) * inverse_cell_), 0.0, static_cast<double>(n - 1)));
+    return static_cast<int>(std::clamp((x - lo) * inverse_cell_, 0.0, static_cast<double>(n - 1)));
   }
   Cell cell_at(const Vec3& x) const {
     return {along(x.x(), lo_.x(), nx_), along(x.y(), lo_.y(), ny_), along(x.z(), lo_.z(), nz_)};

@@ -110,9 +110,10 @@ void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
   w.near_P.clear();
   if (cut.groups[i].knows_touching && gap <= cut.contact_gap) {
     add_within(rock, g, m, gap, cut.groups[i].near.touching, w);
-    for (std::size_t k = 0; k < cut.groups.size(); ++k)
+    visit_overlapping(cut.moved_boxes, box_W, [&](std::size_t k) {
       if (const GroupCut& other = cut.groups[k]; k != i && other.moved_box_W.overlaps(box_W))
         add_within(rock, g, m, gap, other.moved_in_step, w);
+    });
   } else {
     find_in_index(rock, m, gap, w);
     add_within(rock, g, m, gap, w.around, w);

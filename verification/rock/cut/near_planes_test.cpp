@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <numeric>
+
 #include "core/tolerance.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/generators.hpp"
@@ -29,6 +31,13 @@ std::vector<RelativePath> bundle() {
   return paths;
 }
 
+/// Around all of the paths.
+PathBoxes boxes_around_all(const std::vector<RelativePath>& paths) {
+  std::vector<std::size_t> which(paths.size());
+  std::iota(which.begin(), which.end(), std::size_t{0});
+  return boxes_around(paths, which);
+}
+
 rc::Gen<mesh::TriangleMesh> any_part() {
   return rc::gen::oneOf(battery::convex_polyhedron(), rc::gen::just(battery::cylinder(1, 0.5, 64)));
 }
@@ -41,7 +50,7 @@ RC_GTEST_PROP(NearPlanes, give_the_exits_of_the_whole_part_to_the_bit, ()) {
     const CuttingPart part = part_of(*any_part());
     for (int again = 0; again < 3; ++again) {
       const std::vector<RelativePath> paths = *rc::gen::exec(bundle);
-      prepare_exits(part, paths, near);
+      prepare_exits(part, boxes_around_all(paths), near);
       for (const RelativePath& p : paths)
         RC_ASSERT(prepared_exit_distance(part, p, near) == exit_distance(part, p, whole));
     }
@@ -54,7 +63,7 @@ RC_GTEST_PROP(NearPlanes, tell_through_which_plane_of_the_part_a_path_leaves, ()
   const std::vector<RelativePath> paths = *rc::gen::exec(bundle);
   SweptScratch near;
   PlaneStrip strip;
-  prepare_exits(part, paths, near);
+  prepare_exits(part, boxes_around_all(paths), near);
   for (const RelativePath& p : paths) {
     const auto x = prepared_exit(part, p, near);
     const auto expected = find_exit(part.solid_P, p, part.depth, strip);
@@ -63,14 +72,24 @@ RC_GTEST_PROP(NearPlanes, tell_through_which_plane_of_the_part_a_path_leaves, ()
   }
 }
 
+/// Paths that are not named may be anywhere.
+TEST(NearPlanes, are_found_for_boxes_around_the_paths_that_are_named) {
+  const Vec3 x(1, 2, 3), far(9, 9, 9);
+  const PathBoxes boxes = boxes_around({{far, far, far, far}, {x, 2 * x, 3 * x, 4 * x}}, {1});
+  EXPECT_EQ(boxes.q_P.lo, x);
+  EXPECT_EQ(boxes.q_P.hi, 2 * x);
+  EXPECT_EQ(boxes.u_P.lo, 3 * x);
+  EXPECT_EQ(boxes.u_P.hi, 4 * x);
+}
+
 /// Paths within the boxes of those before find nothing anew.
 TEST(NearPlanes, are_kept_for_paths_beside_those_they_were_found_for) {
   const CuttingPart disc = part_of(battery::cylinder(1.0, 0.5, 64));
   const Vec3 tip(-0.99, 0.0, 0.1), way(0.0, 0.0, 0.05), u(-1.0, 0.0, 0.0);
   NearPlanes near;
   const auto update = [&](const Vec3& x) {
-    update_near_planes(disc.solid_P, disc.checksum, boxes_around({{x, x + way, u, u}}), disc.depth,
-                       0.1, near);
+    update_near_planes(disc.solid_P, disc.checksum, boxes_around_all({{x, x + way, u, u}}),
+                       disc.depth, 0.1, near);
     return near.uses;
   };
   EXPECT_EQ(update(tip), 0);
@@ -83,7 +102,7 @@ TEST(NearPlanes, are_few_at_a_cutters_tip) {
   const CuttingPart disc = part_of(battery::cylinder(1.0, 0.5, 64));
   const Vec3 tip(-0.99, 0.0, 0.1), way(0.0, 0.0, 0.05), u(-1.0, 0.0, 0.0);
   NearPlanes near;
-  find_near_planes(disc.solid_P, boxes_around({{tip, tip + way, u, u}}), disc.depth, 0.1, near);
+  find_near_planes(disc.solid_P, boxes_around_all({{tip, tip + way, u, u}}), disc.depth, 0.1, near);
   EXPECT_GT(near.solid_P.planes, 2U);
   EXPECT_LT(near.solid_P.planes, 24U);
 }

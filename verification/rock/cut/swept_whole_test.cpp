@@ -70,7 +70,7 @@ RC_GTEST_PROP(WholeExits, are_where_the_way_through_the_parts_ends, ()) {
   RC_ASSERT(g.whole.has_value());
   SweptScratch scratch;
   const RelativePath p = any_path();
-  prepare_exits(g.whole->solid, {p}, scratch);
+  prepare_exits(g.whole->solid, boxes_around({p}, {0}), scratch);
   const auto x = prepared_whole_exit(*g.whole, p, scratch);
   RC_TAG(x ? static_cast<int>(x->part) : -1);
   RC_ASSERT(std::abs((x ? x->t : 0.0) - exit_part_by_part(g, p)) < 1e-12);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "rock/cut/cutting_bit.hpp"
+
+/// Convex solids about the x axis of their frame, of a size about 1 m.
+namespace tdbd::rock {
+
+/// A solid and its size (m).
+struct RoundSolid {
+  mesh::ConvexSolid solid_P;
+  double size = 0.0;
+};
+
+/// A cutter, sharp or with a chamfer, new or worn, as a bit of one group. Its radius is 0.4 m, its axis
+/// is x, and its tip is at +z of the bit's frame.
+bit::Bit any_cutter_bit();
+
+/// The solid of a cutter, or a disc whose axis may be beside x and lean.
+RoundSolid any_round_solid();
+
+}  // namespace tdbd::rock

@@ -1,0 +1,148 @@
+#include "rock/cut/wide_exits.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <numbers>
+
+#include "core/random.hpp"
+#include "core/tolerance.hpp"
+#include "rock/cut/swept_convex.hpp"
+#include "verification/battery/generators.hpp"
+#include "verification/battery/shapes.hpp"
+#include "verification/rock/cut/round_solids.hpp"
+
+namespace tdbd::rock::wide_exits_test {
+
+/// A place on the solid's surface, where a ray from its axis leaves it.
+Vec3 on_surface(const RoundSolid& s, Random& random) {
+  const Vec3 from(0.0, 0.0, 0.0),
+      way(random.uniform(-0.5, 0.5), random.uniform(-1, 1), random.uniform(-1, 1));
+  double t = s.size;
+  for (std::size_t i = 0; i < s.solid_P.planes; ++i) {
+    const Vec3 n = mesh::normal(s.solid_P, i);
+    if (n.dot(way) > 0.0) t = std::min(t, (s.solid_P.b[i] - n.dot(from)) / n.dot(way));
+  }
+  return from + t * way;
+}
+
+Vec3 any(Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+
+/// Paths near the surface, as rock has them, with a share of degenerate ones: at rest, along an axis
+/// of the solid, into a plane's direction.
+RelativePath any_path(const RoundSolid& s, Random& random) {
+  const double length = std::pow(10.0, random.uniform(-4, -0.3));
+  const Vec3 x = on_surface(s, random);
+  const auto kind = static_cast<int>(random.uniform(0.0, 12.0));
+  Vec3 way = length * any(random),
+       u = Vec3(0.3 * any(random) + Vec3(0.0, x.y(), x.z())).normalized();
+  Vec3 q0 = x + 0.5 * length * any(random);
+  if (kind == 0) way = Vec3::Zero();
+  if (kind == 1) way = -length * Vec3::UnitX();
+  if (kind == 2) u = Vec3::UnitX();
+  if (kind == 3)
+    u = mesh::normal(s.solid_P,
+                     static_cast<std::size_t>(random.uniform(0.0, 1.0) *
+                                              static_cast<double>(s.solid_P.planes - 1)));
+  if (kind == 4) u = u.cross(any(random)).normalized();
+  if (kind == 5) q0 = 0.1 * any(random);
+  if (kind == 6) q0 = x;
+  const Vec3 u1 = Vec3(u + *rc::gen::element(0.0, 1e-3, 0.02) * any(random)).normalized();
+  return {q0, q0 + way, u, kind % 2 == 0 ? u : u1};
+}
+
+/// A path as rock takes it past a cutter: along the axis, and out of the cutter away from it.
+RelativePath drilling_path(const RoundSolid& s, Random& random) {
+  const double length = std::pow(10.0, random.uniform(-3, -1));
+  const Vec3 x = on_surface(s, random), radial(0.0, x.y(), x.z());
+  const Vec3 way = length * (Vec3::UnitX() + 0.05 * any(random)),
+             u = Vec3(0.3 * Vec3::UnitX() + radial.normalized()).normalized();
+  const Vec3 q0 = x - random.uniform(0, 1) * length * Vec3::UnitX() - 0.05 * length * radial;
+  return {q0, q0 + way, u, Vec3(u + 1e-3 * any(random)).normalized()};
+}
+
+void put(const RelativePath& p, std::size_t l, WidePaths& w) {
+  const auto set = [l](const Vec3& x, WideVec3& to) {
+    to.x[l] = x.x(), to.y[l] = x.y(), to.z[l] = x.z();
+  };
+  set(p.q0_P, w.q0), set(p.q1_P, w.q1), set(p.u0_P, w.u0), set(p.u1_P, w.u1);
+}
+
+/// Bitwise those of find_exit with all planes, or not known.
+RC_GTEST_PROP(WideExits, are_those_of_one_vertex_after_another, ()) {
+  const RoundSolid s = any_round_solid();
+  const PlaneSectors sectors = plane_sectors(s.solid_P, s.size);
+  if (sectors.sectors.empty()) return;
+  const double depth = tolerance::swept * s.size;
+  Random random = battery::any_random();
+  PlaneStrip strip;
+  int swept = 0, alone = 0;
+  for (int k = 0; k < 200; ++k) {
+    std::array<RelativePath, lanes> paths;
+    WidePaths wide{};
+    for (std::size_t l = 0; l < lanes; ++l)
+      put(paths[l] = k % 2 == 0 ? any_path(s, random) : drilling_path(s, random), l, wide);
+    WideExits exits;
+    find_exits(sectors, wide, depth, exits);
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const auto x = find_exit(s.solid_P, paths[l], depth, strip);
+      const bool missed = (exits.missed >> l & 1U) != 0, found = (exits.found >> l & 1U) != 0;
+      RC_ASSERT(!missed || !found);
+      if (missed) RC_ASSERT(!x);
+      swept += x ? 1 : 0;
+      alone += x && !found ? 1 : 0;
+      if (!found) continue;
+      RC_ASSERT(x.has_value());
+      RC_ASSERT(x->t == exits.t[l]);
+      RC_ASSERT(x->tau == exits.tau[l]);
+      RC_ASSERT(x->plane == exits.sector[l]->plane[static_cast<std::size_t>(exits.row[l])]);
+    }
+  }
+  RC_TAG(swept == 0 ? 0 : 10 * (10 * alone / swept));
+}
+
+/// So that the test above is not about vertices that go alone.
+RC_GTEST_PROP(WideExits, are_found_for_nearly_all_paths_of_drilling, ()) {
+  const CuttingBit cutting = prepare_cutting_bit(any_cutter_bit());
+  const CuttingGroup& g = cutting.groups.front();
+  RC_ASSERT(g.whole->sectors != nullptr);
+  Random random = battery::any_random();
+  int swept = 0, alone = 0;
+  for (int k = 0; k < 100; ++k) {
+    WidePaths wide{};
+    for (std::size_t l = 0; l < lanes; ++l)
+      put(drilling_path({g.whole->solid.solid_P, 1.0}, random), l, wide);
+    WideExits exits;
+    find_exits(*g.whole->sectors, wide, g.whole->solid.depth, exits);
+    swept += std::popcount(~exits.missed & 15U);
+    alone += std::popcount(~(exits.missed | exits.found) & 15U);
+  }
+  RC_ASSERT(swept > 100);
+  RC_ASSERT(10 * alone < swept);
+}
+
+/// Of a bit with many equal cutters, one has sectors.
+TEST(WideExits, share_the_sectors_of_equal_cutters) {
+  bit::Bit bit;
+  for (int group = 0; group < 3; ++group)
+    for (const double x : {0.0, 0.5}) {
+      bit::Part p;
+      p.group = group;
+      p.mesh_P = battery::placed(
+          {Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()).toRotationMatrix(),
+           Vec3(x, 0.0, 0.0)},
+          battery::cylinder(group < 2 ? 0.4 : 0.3, 0.5, 32));
+      bit.parts.push_back(p);
+    }
+  const CuttingBit cutting = prepare_cutting_bit(bit);
+  ASSERT_EQ(cutting.groups.size(), 3U);
+  const auto sectors = [&](std::size_t i) { return cutting.groups[i].whole->sectors; };
+  ASSERT_NE(sectors(0), nullptr);
+  EXPECT_EQ(sectors(0), sectors(1));
+  EXPECT_NE(sectors(0), sectors(2));
+}
+
+}  // namespace tdbd::rock::wide_exits_test
