@@ -50,6 +50,7 @@ void deepen_index(Rock& rock) {
 }
 
 void touch(Rock& rock, int v) {
+  forget_ring(rock, v);
   std::uint8_t& mark = rock.touched[at(v)];
   const bool is_listed = mark != 0;
   mark = touched_mark;
@@ -79,6 +80,7 @@ void register_vertex(Rock& rock, int v, int last_part) {
   rock.last_part.resize(n, -1);
   rock.touched.resize(n, 0);
   rock.moved_in.resize(n);
+  rock.notes.of.resize(n, 0);
   rock.moved_in[at(v)] = {};
   rock.last_part[at(v)] = last_part;
   rock.grid.insert(v, rock.surface.position(v));

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/single.hpp"
 #include "mesh/surface.hpp"
 #include "rock/index/near_list.hpp"
 #include "rock/index/vertex_grid.hpp"
@@ -43,6 +44,22 @@ struct LeftVertex {
   Vec3 left_W = Vec3::Zero();  ///< m
 };
 
+/// Limits that decide what a RingNote says (maintain/ring_notes.hpp).
+struct RingLimits {
+  Single sine2 = 0;   ///< of the steepest overhang, squared
+  Single short2 = 0;  ///< m2, of squared edges and of doubled areas seen from above
+  Single long2 = 0;   ///< m2, of squared edges
+  Single quality2 = 0;
+  bool operator==(const RingLimits&) const = default;
+};
+
+/// What maintenance found when it last looked at the triangles around each vertex
+/// (maintain/ring_notes.hpp). Not stored in checkpoints: results do not depend on it.
+struct RingNotes {
+  std::vector<std::uint16_t> of;  ///< per vertex; 0: the vertex changed, or was never looked at
+  RingLimits limits;              ///< of all notes
+};
+
 /// The rock: a surface whose normal points out of the rock, an index of its vertices, lists of
 /// those near the bit, the part that cut each vertex last and when it did, and the vertices that
 /// changed and have not been maintained since. Frame W. Thesis: 4.1.
@@ -60,6 +77,7 @@ struct Rock {
   std::vector<CarriedDisplacement> carried;  ///< since then, in the order of the operations
   std::vector<LeftVertex> left;              ///< by vertex, then by part (cut/left_rock.hpp)
   std::vector<NearList> near_lists;          ///< per group of the bit that cut last
+  RingNotes notes;
 };
 
 /// Builds the index of a surface. `cell`: m; about twice the edge length is quickest. `reach_W`:
@@ -76,6 +94,11 @@ void deepen_index(Rock& rock);
 /// Marks of Rock::touched. The second appears only during a maintenance: classified, and not
 /// touched since (touched_region.hpp).
 inline constexpr std::uint8_t touched_mark = 1, classified_mark = 2;
+
+/// Discards what is known of the triangles around vertex v.
+inline void forget_ring(Rock& rock, int v) {
+  if (at(v) < rock.notes.of.size()) rock.notes.of[at(v)] = 0;  // a copy may come without notes
+}
 
 /// Notes that a vertex changed: it moved, or its triangles changed.
 void touch(Rock& rock, int v);

@@ -17,19 +17,27 @@ struct Trial {
   double volume = 0.0;  ///< m3 of hole gained
 };
 
-/// Signed volume under the triangles of both stars about o, with a and b at the given places.
-double star_volume(const mesh::Surface& s, int a, int b, const Vec3& xa, const Vec3& xb,
-                   const Vec3& o) {
-  const auto place = [&](int v) -> Vec3 { return (v == a ? xa : v == b ? xb : s.position(v)) - o; };
-  double six = 0.0;
-  const auto add = [&](int c, int other) {
+/// A triangle at the edge (a, b), about the edge's middle, and which of its corners are a or b.
+struct StarTriangle {
+  std::array<Vec3, 3> x;
+  std::array<bool, 3> is_end;
+};
+
+/// Visits the triangles of both stars, those between them once.
+template <class Visit>
+void visit_stars(const mesh::Surface& s, int a, int b, const Vec3& o_W, Visit&& visit) {
+  const auto pass = [&](int c, int other) {
     const mesh::Triangle& t = s.triangles[at(c / 3)];
     if (t[0] == other || t[1] == other || t[2] == other) return;
-    six += place(t[0]).dot(place(t[1]).cross(place(t[2])));
+    StarTriangle star;
+    for (std::size_t i = 0; i < 3; ++i) {
+      star.x[i] = s.position(t[i]) - o_W;
+      star.is_end[i] = t[i] == a || t[i] == b;
+    }
+    visit(star);
   };
-  mesh::visit_corners(s, a, [&](int c) { add(c, -1); });
-  mesh::visit_corners(s, b, [&](int c) { add(c, a); });
-  return six / 6.0;
+  mesh::visit_corners(s, a, [&](int c) { pass(c, -1); });
+  mesh::visit_corners(s, b, [&](int c) { pass(c, a); });
 }
 
 /// Guards on one triangle around v, whose corner there goes to x. Nothing: accepted.
@@ -57,9 +65,21 @@ std::optional<Refusal> judge_star(const mesh::Surface& s, int v, int other, cons
 std::array<Trial, 3> trials(const mesh::Surface& s, int a, int b) {
   const Vec3 &xa = s.position(a), &xb = s.position(b);
   const Vec3 o = 0.5 * (xa + xb);
-  const double before = star_volume(s, a, b, xa, xb, o);
   std::array<Trial, 3> all{{{o, 0.0}, {xa, 0.0}, {xb, 0.0}}};
-  for (Trial& t : all) t.volume = -(star_volume(s, a, b, t.x_W, t.x_W, o) - before);
+  // six times the signed volumes under the triangles
+  const std::array<Vec3, 3> places{o - o, xa - o, xb - o};
+  double before = 0.0;
+  std::array<double, 3> after{};
+  visit_stars(s, a, b, o, [&](const StarTriangle& t) {
+    before += t.x[0].dot(t.x[1].cross(t.x[2]));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto corner = [&](std::size_t k) -> const Vec3& {
+        return t.is_end[k] ? places[i] : t.x[k];
+      };
+      after[i] += corner(0).dot(corner(1).cross(corner(2)));
+    }
+  });
+  for (std::size_t i = 0; i < 3; ++i) all[i].volume = -(after[i] / 6.0 - before / 6.0);
   std::stable_sort(all.begin(), all.end(), [](const Trial& x, const Trial& y) {
     return std::abs(x.volume) < std::abs(y.volume);
   });
@@ -73,73 +93,104 @@ std::optional<Refusal> judge_trial(const mesh::Surface& s, int a, int b, const T
   return judge_star(s, b, a, t.x_W, quality_floor, limits);
 }
 
-/// The corners at a and b of the triangles that a collapse of the edge keeps.
+/// A collapse of the inner edge (a, b) to x_W whose distances are measured. Only the greatest counts,
+/// so that the search at one place ends when that place cannot be the farthest.
+struct Measured {
+  const mesh::Surface& s;
+  int a, b;
+  Vec3 x_W;
+};
+
+/// Visits the triangles around an inner vertex as (vertex, neighbour, next neighbour), beginning with
+/// the `first`-th, while `visit` returns true. Returns whether it always did.
 template <class Visit>
-void visit_kept(const mesh::Surface& s, int a, int b, Visit&& visit) {
-  for (const auto& [end, other] : {std::pair{a, b}, std::pair{b, a}})
-    mesh::visit_corners(s, end, [&, beside = other](int c) {
-      if (s.vertex(mesh::next_corner(c)) != beside && s.vertex(mesh::previous_corner(c)) != beside)
-        visit(c);
-    });
+bool visit_from(const mesh::Surface& s, int v, int first, Visit&& visit) {
+  const mesh::VertexStar& star = s.star(v);
+  const int* ring = s.ring(star);
+  const int size = star.size;
+  for (int k = 0, i = first; k < size; ++k) {
+    const int next = i + 1 < size ? i + 1 : 0;
+    if (!visit(ring[i], ring[next])) return false;
+    i = next;
+  }
+  return true;
 }
 
-/// How far a place is from the triangles that replace those around a and b, m.
-double distance_to_new(const mesh::Surface& s, int a, int b, const Vec3& x_W, const Vec3& from_W) {
-  double least = (x_W - from_W).squaredNorm();
-  visit_kept(s, a, b, [&](int c) {
-    const mesh::Facet f = facet_at(s, c);
-    least = std::min(least, mesh::squared_distance({x_W, f.b, f.c}, from_W));
-  });
-  return std::sqrt(least);
+/// The squared distance of a place from the triangles that replace those around a and b, m2; or less
+/// than that if some triangle is no farther than `enough2`. Begins with the `first`-th at `end`, which
+/// should be the nearest.
+double squared_distance_to_new(const Measured& m, const Vec3& from_W, double enough2, int end,
+                               int first) {
+  double least = (m.x_W - from_W).squaredNorm();
+  if (least <= enough2) return least;
+  for (const int v : {end, end == m.a ? m.b : m.a}) {
+    const int other = v == m.a ? m.b : m.a;
+    if (!visit_from(m.s, v, v == end ? first : 0, [&](int p, int q) {
+          if (p == other || q == other) return true;
+          const mesh::Facet f{m.x_W, m.s.position(p), m.s.position(q)};
+          least = std::min(least, mesh::squared_distance(f, from_W));
+          return least > enough2;
+        }))
+      break;
+  }
+  return least;
 }
 
-/// How far a place is from the triangles around a and b, m.
-double distance_to_old(const mesh::Surface& s, int a, int b, const Vec3& from_W) {
+/// The same of the triangles around a and b as they are.
+double squared_distance_to_old(const Measured& m, const Vec3& from_W, double enough2, int end,
+                               int first) {
   double least = 1e300;
-  for (const int end : {a, b})
-    mesh::visit_corners(s, end, [&](int c) {
-      least = std::min(least, mesh::squared_distance(facet_at(s, c), from_W));
-    });
-  return std::sqrt(least);
+  for (const int v : {end, end == m.a ? m.b : m.a})
+    if (!visit_from(m.s, v, v == end ? first : 0, [&](int p, int q) {
+          const mesh::Facet f{m.s.position(v), m.s.position(p), m.s.position(q)};
+          least = std::min(least, mesh::squared_distance(f, from_W));
+          return least > enough2;
+        }))
+      break;
+  return least;
 }
 
-/// The farthest middle of a new edge at x from the old surface, m: x itself is on it.
-double farthest_new_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
-  double farthest = 0.0;
-  visit_kept(s, a, b, [&](int c) {
-    const Vec3 middle_W = 0.5 * (x_W + s.position(s.vertex(mesh::next_corner(c))));
-    farthest = std::max(farthest, distance_to_old(s, a, b, middle_W));
-  });
-  return farthest;
+/// The greater of `farthest2` and the squared distances of the middles of the edges from the other
+/// surface: of the new edges to x_W from the old one, of the old edges from the new one, m2. Stops
+/// above `most2`.
+double farthest_middle(const Measured& m, double farthest2, double most2) {
+  for (const int end : {m.a, m.b}) {
+    const int other = end == m.a ? m.b : m.a;
+    const mesh::VertexStar& star = m.s.star(end);
+    const int* ring = m.s.ring(star);
+    for (int i = 0; i < star.size && farthest2 <= most2; ++i) {
+      const Vec3& w_W = m.s.position(ring[i]);
+      const Vec3 old_W = 0.5 * (m.s.position(end) + w_W), new_W = 0.5 * (m.x_W + w_W);
+      farthest2 = std::max(farthest2, squared_distance_to_new(m, old_W, farthest2, end, i));
+      if (ring[i] != other && ring[i + 1 < star.size ? i + 1 : 0] != other)
+        farthest2 = std::max(farthest2, squared_distance_to_old(m, new_W, farthest2, end, i));
+    }
+  }
+  return farthest2;
 }
 
-/// The farthest middle of an old edge at a or b from the new surface, m.
-double farthest_old_middle(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
-  double farthest = 0.0;
-  for (const int end : {a, b})
-    mesh::visit_corners(s, end, [&](int c) {
-      const Vec3 middle_W = 0.5 * (s.position(end) + s.position(s.vertex(mesh::next_corner(c))));
-      farthest = std::max(farthest, distance_to_new(s, a, b, x_W, middle_W));
-    });
-  return farthest;
-}
+}  // namespace
 
-/// The guards on distance, once the others agree: of the dropped vertices and edges to the new
-/// surface, and of the new edges to the old one.
 std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, const Vec3& x_W,
                                       const MaintenanceLimits& limits, const SurfaceDrift& drift,
                                       double& drifted) {
-  double farthest = std::max(farthest_new_middle(s, a, b, x_W), farthest_old_middle(s, a, b, x_W));
+  const Measured m{s, a, b, x_W};
+  double farthest2 = 0.0;
   for (const int v : {a, b}) {
-    const double d = distance_to_new(s, a, b, x_W, s.position(v));
-    if (d > limits.ridge_cut && is_on_ridge(s, v, limits)) return Refusal::ridge;
-    farthest = std::max(farthest, d);
+    const double d2 = squared_distance_to_new(m, s.position(v), 0.0, v, 0);
+    if (std::sqrt(d2) > limits.ridge_cut && is_on_ridge(s, v, limits)) return Refusal::ridge;
+    farthest2 = std::max(farthest2, d2);
   }
-  drifted =
-      farthest + std::max(largest_drift_around(s, a, drift), largest_drift_around(s, b, drift));
+  constexpr double rounded_up = 1.0 + 1e-12;
+  const double most = limits.farthest * rounded_up;
+  const double before =
+      std::max(largest_drift_around(s, a, drift), largest_drift_around(s, b, drift));
+  drifted = std::sqrt(farthest_middle(m, farthest2, most * most)) + before;
   if (drifted > limits.farthest) return Refusal::distance;
   return std::nullopt;
 }
+
+namespace {
 
 /// The guards that do not depend on the place. Not refused: the edge exists, or no longer does.
 CollapseVerdict judge_edge(const mesh::Surface& s, int a, int b) {

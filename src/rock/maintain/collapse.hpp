@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "rock/maintain/verdict.hpp"
 
@@ -16,6 +17,13 @@ struct CollapseVerdict : Verdict {
 /// The guards of try_collapse on the edge (a, b). Thesis: 4.2.1.
 CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
                                const MaintenanceLimits& limits, const SurfaceDrift& drift = {});
+
+/// The guards on distance of a collapse of the inner edge (a, b) to x_W, once the others agree: of the
+/// dropped vertices and the middles of their edges to the new surface, and of the middles of the new
+/// edges to the old one. `drifted`: how far the surface has drifted there if it is not refused, m.
+std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, const Vec3& x_W,
+                                      const MaintenanceLimits& limits, const SurfaceDrift& drift,
+                                      double& drifted);
 
 inline bool is_accepted(const CollapseVerdict& v) { return v.corner >= 0 && !v.refused; }
 

@@ -1,8 +1,8 @@
 #include "rock/maintain/fine_ring.hpp"
 
-#include <algorithm>
+#include <bit>
 
-#include "rock/maintain/ring_spokes.hpp"
+#include "rock/maintain/ring_notes.hpp"
 #include "rock/maintain/star.hpp"
 #include "rock/maintain/touched_region.hpp"
 
@@ -11,29 +11,12 @@ namespace {
 
 using mesh::VertexStar;
 
-/// Bit i tells whether triangle i is fine and not folded on the next.
-TDBD_WIDE void sift(Spokes& d, std::size_t n, const FineLimits& l, unsigned& fine) {
-  WideSpokes w;
-  load(d, w);
-  const auto& [ex, ey, ez, fx, fy, fz] = w;
-  const WideSingle gx = fx - ex, gy = fy - ey, gz = fz - ez;
-  const WideSingle e2 = ex * ex + ey * ey + ez * ez, f2 = fx * fx + fy * fy + fz * fz,
-                   g2 = gx * gx + gy * gy + gz * gz, sum = e2 + f2 + g2;
-  const WideSingle ax = ey * fz - ez * fy, ay = ez * fx - ex * fz, az = ex * fy - ey * fx;
-  const WideSingle a2 = ax * ax + ay * ay + az * az;
-  const WideFlags edges = (e2 > l.short2) & (e2 < l.long2) & (g2 > l.short2) & (g2 < l.long2);
-  const WideFlags shape = (Single{12} * a2 > l.quality2 * sum * sum) & (-az > l.short2);
-  TDBD_STORE(ax, d.x.at);
-  TDBD_STORE(ay, d.y.at);
-  TDBD_STORE(az, d.z.at);
-  for (RingColumn* c : {&d.x, &d.y, &d.z}) wrap(*c, n);
-  WideSingle bx, by, bz;
-  TDBD_LOAD(bx, d.x.at + 1);
-  TDBD_LOAD(by, d.y.at + 1);
-  TDBD_LOAD(bz, d.z.at + 1);
-  const WideFlags flat = ax * bx + ay * by + az * bz > Single{0};
-  fine = bits_of(edges & shape & flat);
+/// Bit i: bit i, or the next around the ring.
+unsigned with_next(unsigned bits, std::size_t size) {
+  return bits | bits >> 1U | bits << (size - 1U);
 }
+
+unsigned all_of(const VertexStar& star) { return (1U << star.size) - 1U; }
 
 /// The vertex that faces the edge (a, b) from the other side of triangle (v, a, b); -1: none.
 int facing_from_outside(const mesh::Surface& s, int a, int b) {
@@ -46,12 +29,12 @@ int facing_from_outside(const mesh::Surface& s, int a, int b) {
 
 /// Whether a triangle at v lies back to back with that across the edge that faces v, of those whose
 /// both ends are untouched.
-bool is_folded_outwards(const Rock& rock, int v) {
-  const mesh::Surface& s = rock.surface;
+bool is_folded_outwards(const mesh::Surface& s, int v, const RingMarks& marks) {
   const VertexStar& star = s.star(v);
-  for (std::size_t i = 0; i < star.size; ++i) {
+  unsigned edges = ~with_next(marks.touched, star.size) & all_of(star);
+  for (; edges != 0; edges &= edges - 1U) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(edges));
     const int a = star.ring[i], b = star.ring[i + 1 < star.size ? i + 1 : 0];
-    if (rock.touched[at(a)] != 0 || rock.touched[at(b)] != 0) continue;
     const int o = facing_from_outside(s, a, b);
     if (o >= 0 && are_folded(doubled_area({star.x, s.position(a), s.position(b)}),
                              doubled_area({s.position(o), s.position(b), s.position(a)})))
@@ -62,28 +45,39 @@ bool is_folded_outwards(const Rock& rock, int v) {
 
 }  // namespace
 
-FineLimits fine_limits(const MaintenanceLimits& limits) {
-  // Rounding of a squared edge, an area or their differences is below 1e-6 of the longest square,
-  // that of a squared quality below 1e-5 of it as long as the quality is 0.01 or more.
-  constexpr double slack = 1e-4, of_longest = 1e-6, least_quality = 0.01;
-  const double short2 = limits.shortest_edge * limits.shortest_edge,
-               long2 = limits.longest_edge * limits.longest_edge;
-  const double quality =
-      std::max({limits.worst_quality, limits.flip_quality, limits.smooth_quality, least_quality});
-  return {static_cast<Single>((1.0 + slack) * short2 + of_longest * long2),
-          static_cast<Single>((1.0 - slack) * long2),
-          static_cast<Single>((1.0 + 10.0 * slack) * quality * quality)};
+RingMarks marks_around(const Rock& rock, int v) {
+  const VertexStar& star = rock.surface.star(v);
+  RingMarks marks;
+  for (unsigned i = 0; i < star.size; ++i) {
+    const int w = star.ring[i];
+    const unsigned touched = rock.touched[at(w)] != 0 ? 1U : 0U;
+    marks.touched |= touched << i;
+    marks.before |= (w < v ? touched : 0U) << i;
+  }
+  return marks;
 }
 
-bool ring_is_fine(const Rock& rock, int v, const FineLimits& limits) {
+long triangles_first_at(const Rock& rock, int v) {
   const VertexStar& star = rock.surface.star(v);
-  if (!has_spokes(star)) return false;
-  Spokes spokes;
-  find_spokes(rock.surface, star, spokes);
-  unsigned fine = 0;
-  sift(spokes, star.size, limits, fine);
-  const unsigned all = (1U << star.size) - 1U;
-  return (fine & all) == all && !is_folded_outwards(rock, v);
+  const int* ring = rock.surface.ring(star);
+  const auto goes_before = [&](int w) { return rock.touched[at(w)] != 0 && w < v; };
+  long count = 0;
+  bool before = goes_before(ring[star.open != 0 ? 0 : star.size - 1]);
+  for (int i = star.open != 0 ? 1 : 0; i < star.size; ++i) {
+    const bool now = goes_before(ring[i]);
+    count += before || now ? 0 : 1;
+    before = now;
+  }
+  return count;
+}
+
+long triangles_first_at(const VertexStar& star, const RingMarks& marks) {
+  return std::popcount(~with_next(marks.before, star.size) & all_of(star));
+}
+
+bool ring_is_fine(Rock& rock, int v, const RingMarks& marks) {
+  return (note_at(rock.surface, v, rock.notes) & ring_fine) != 0 &&
+         !is_folded_outwards(rock.surface, v, marks);
 }
 
 }  // namespace tdbd::rock

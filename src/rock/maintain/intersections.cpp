@@ -53,6 +53,17 @@ bool are_surely_apart(const NamedFacet& f, const NamedFacet& g) {
   return is_beyond_plane(f, g) || is_beyond_plane(g, f);
 }
 
+/// Whether the box of triangle t meets another one, as Box::overlaps says.
+bool is_near(const mesh::Surface& s, int t, const mesh::Box& box) {
+  const mesh::Triangle& v = s.triangles[at(t)];
+  const Vec3 &a = s.position(v[0]), &b = s.position(v[1]), &c = s.position(v[2]);
+  for (int k = 0; k < 3; ++k) {
+    if (a[k] > box.hi[k] && b[k] > box.hi[k] && c[k] > box.hi[k]) return false;
+    if (a[k] < box.lo[k] && b[k] < box.lo[k] && c[k] < box.lo[k]) return false;
+  }
+  return true;
+}
+
 /// Whether the index has a vertex in the box; it rounds to single precision.
 bool is_inside(const VertexGrid::Block& block, std::size_t i, const mesh::Box& box) {
   return block.x[i] >= box.lo.x() && block.x[i] <= box.hi.x() && block.y[i] >= box.lo.y() &&
@@ -86,7 +97,7 @@ void find_near(const Rock& rock, const Patch& patch, double longest_edge, Inters
         const int t = c / 3;
         if (work.seen[at(t)] == work.stamp) return;
         work.seen[at(t)] = work.stamp;
-        if (box_of(named_facet(s, t)).overlaps(patch_box)) work.triangles.push_back(t);
+        if (is_near(s, t, patch_box)) work.triangles.push_back(t);
       });
     }
   });
@@ -128,16 +139,17 @@ void find_intersections(const Rock& rock, const Patch& patch, double longest_edg
   work.met.clear();
   if (patch.facets.empty()) return;
   find_near(rock, patch, longest_edge, work);
-  const auto note = [&](const NamedFacet& f, const mesh::Box& box, const NamedFacet& other) {
-    if (work.met.size() < most && box_of(other).overlaps(box) && !are_surely_apart(f, other) &&
-        mesh::intersect(f, other))
+  const auto note = [&](const NamedFacet& f, const NamedFacet& other) {
+    if (work.met.size() < most && !are_surely_apart(f, other) && mesh::intersect(f, other))
       work.met.emplace_back(f.names, other.names);
   };
   for (std::size_t i = 0; i < patch.facets.size() && work.met.size() < most; ++i) {
     const NamedFacet& f = patch.facets[i];
     const mesh::Box box = box_of(f);
-    for (std::size_t k = 0; k < i; ++k) note(f, box, patch.facets[k]);
-    for (const int t : work.triangles) note(f, box, named_facet(rock.surface, t));
+    for (std::size_t k = 0; k < i; ++k)
+      if (box_of(patch.facets[k]).overlaps(box)) note(f, patch.facets[k]);
+    for (const int t : work.triangles)
+      if (is_near(rock.surface, t, box)) note(f, named_facet(rock.surface, t));
   }
 }
 

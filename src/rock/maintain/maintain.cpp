@@ -236,8 +236,8 @@ void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
 void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace& work,
               MaintenanceReport& report) {
   work.drift.clear();
-  start_asking(rock.surface, limits, work.turns);
-  set_aside(rock, limits, work.turns, work.waiting);
+  begin_notes(rock, limits, work.old_notes, work.unknown);
+  set_aside(rock, limits, work.waiting);
   classify_touched_triangles(rock, limits, work.touched);
   const std::vector<int> folded = folded_places(rock, limits, work);
   blunt_spikes(rock, limits, work, report);

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "rock/maintain/intersections.hpp"
+#include "rock/maintain/ring_notes.hpp"
 #include "rock/maintain/touched_region.hpp"
-#include "rock/maintain/turned_over.hpp"
 #include "rock/maintain/verdict.hpp"
 
 namespace tdbd::rock {
@@ -25,7 +25,8 @@ void sort_edges(std::vector<EdgeCandidate>& edges);
 /// Buffers of maintain(), kept between calls so that none allocates once warm.
 struct MaintenanceWorkspace {
   TouchedRegion touched;
-  TurnSieve turns;
+  OldNotes old_notes = OldNotes::used;
+  std::vector<int> unknown;  ///< touched vertices without a note
   std::vector<int> waiting;  ///< touched vertices that are not due
   std::vector<int> ring, changed, region;
   std::vector<EdgeCandidate> edges;

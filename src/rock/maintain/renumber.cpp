@@ -35,6 +35,7 @@ void renumber(Rock& rock, double cube, RenumberWork& work) {
   mesh::take_in_order(work.order, rock.last_part, work.parts);
   mesh::take_in_order(work.order, rock.touched, work.mesh.bytes);
   mesh::take_in_order(work.order, rock.moved_in, work.moved_in);
+  rock.notes.of.assign(rock.surface.stars.size(), 0);  // rings begin elsewhere now
   renumber_list(work.mesh.number, rock.touched_list);
   renumber_contacts(work.mesh.number, rock);
   rock.grid.renumber(work.mesh.number, rock.surface.vertex_slots(), work.blocks);

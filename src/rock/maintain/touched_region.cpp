@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rock/maintain/fine_ring.hpp"
+#include "rock/maintain/ring_spokes.hpp"
 #include "rock/maintain/star.hpp"
 
 namespace tdbd::rock {
@@ -31,30 +32,16 @@ void classify(const mesh::Surface& s, const MaintenanceLimits& limits, int t, To
   if (is_below(shape, limits.smooth_quality)) r.to_smooth.push_back(t);
 }
 
-/// Triangles at v of whose touched corners v has the least number: over all of them, every touched
-/// triangle once.
-long triangles_first_at(const Rock& rock, int v) {
+/// Counts the touched triangles at v in `r.asked`, and returns whether the ring of v is fine.
+bool is_passed_over(Rock& rock, int v, TouchedRegion& r) {
   const mesh::VertexStar& star = rock.surface.star(v);
-  const int* ring = rock.surface.ring(star);
-  const auto goes_before = [&](int w) { return rock.touched[at(w)] != 0 && w < v; };
-  long count = 0;
-  bool before = goes_before(ring[star.open != 0 ? 0 : star.size - 1]);
-  for (int i = star.open != 0 ? 1 : 0; i < star.size; ++i) {
-    const bool now = goes_before(ring[i]);
-    count += before || now ? 0 : 1;
-    before = now;
+  if (!has_spokes(star)) {
+    r.asked += triangles_first_at(rock, v);
+    return false;
   }
-  return count;
-}
-
-/// Prefetches what `classify` reads of vertices farther on in the list.
-void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::size_t i) {
-  constexpr std::size_t farther = 16, nearer = 8;
-  if (i + farther < vertices.size()) __builtin_prefetch(&s.stars[at(vertices[i + farther])]);
-  if (i + nearer >= vertices.size()) return;
-  const mesh::VertexStar& star = s.star(vertices[i + nearer]);
-  if (star.long_ring >= 0) return;
-  for (int k = 0; k < star.size; ++k) __builtin_prefetch(&s.stars[at(star.ring[at(k)])]);
+  const RingMarks marks = marks_around(rock, v);
+  r.asked += triangles_first_at(star, marks);
+  return r.fine_rings == FineRings::passed_over && ring_is_fine(rock, v, marks);
 }
 
 /// Marks both triangles of every pair that lies back to back; each pair is tested once.
@@ -90,14 +77,9 @@ void classify_touched_triangles(Rock& rock, const MaintenanceLimits& limits,
   const mesh::Surface& s = rock.surface;
   region.place.resize(s.triangles.size(), 0);
   clear(region);
-  const FineLimits fine = fine_limits(limits);
-  for (std::size_t i = 0; i < rock.touched_list.size(); ++i) {
-    const int v = rock.touched_list[i];
-    prefetch(s, rock.touched_list, i);
+  for (const int v : rock.touched_list) {
     rock.touched[at(v)] = classified_mark;
-    if (!s.is_alive(v)) continue;
-    region.asked += triangles_first_at(rock, v);
-    if (region.fine_rings == FineRings::passed_over && ring_is_fine(rock, v, fine)) continue;
+    if (!s.is_alive(v) || is_passed_over(rock, v, region)) continue;
     mesh::visit_corners(s, v, [&](int c) {
       if (place_of(region, c / 3) < 0) classify(s, limits, c / 3, region);
     });

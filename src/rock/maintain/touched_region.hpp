@@ -47,7 +47,8 @@ inline int place_of(const TouchedRegion& region, int t) {
   return k < region.triangles.size() && region.triangles[k] == t ? region.place[i] : -1;
 }
 
-/// Classifies every triangle at a touched vertex, unless its ring is fine (fine_ring.hpp). To be
+/// Classifies every triangle at a touched vertex, unless its ring is fine (fine_ring.hpp). Follows
+/// begin_notes. To be
 /// collapsed: edges below the shortest, quality below the worst, or back to back with a neighbour.
 void classify_touched_triangles(Rock& rock, const MaintenanceLimits& limits, TouchedRegion& region);
 

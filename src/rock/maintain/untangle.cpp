@@ -7,6 +7,7 @@
 #include "mesh/edit.hpp"
 #include "rock/maintain/collapse.hpp"
 #include "rock/maintain/star.hpp"
+#include "rock/maintain/turned_over.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -95,12 +96,12 @@ void add_suspects(const mesh::Surface& s, const std::vector<int>& vertices, Work
 
 }  // namespace
 
-std::vector<int> folded_places(const Rock& rock, const MaintenanceLimits& limits, Work& work) {
+std::vector<int> folded_places(Rock& rock, const MaintenanceLimits& limits, Work& work) {
   const mesh::Surface& s = rock.surface;
   std::vector<int> folded;
   if (!untangling_enabled(limits)) return folded;
   for (const int t : work.touched.steep)
-    if (is_turned_over(s, limits, t, work.turns)) {
+    if (is_turned_over(s, limits, t, rock.notes)) {
       const mesh::Triangle& v = s.triangles[at(t)];
       folded.insert(folded.end(), v.begin(), v.end());
     }
@@ -108,17 +109,16 @@ std::vector<int> folded_places(const Rock& rock, const MaintenanceLimits& limits
   return folded;
 }
 
-void find_suspects(const Rock& rock, const std::vector<int>& folded,
-                   const MaintenanceLimits& limits, Work& work) {
+void find_suspects(Rock& rock, const std::vector<int>& folded, const MaintenanceLimits& limits,
+                   Work& work) {
   const mesh::Surface& s = rock.surface;
   work.suspects.clear();
   find_changed(rock, work.touched);
-  forget(s, work.touched.changed, work.turns);
   for (const int t : work.touched.steep)
-    if (s.triangle_is_alive(t) && is_turned_over(s, limits, t, work.turns))
+    if (s.triangle_is_alive(t) && is_turned_over(s, limits, t, rock.notes))
       work.suspects.push_back(t);
   for (const int v : work.touched.changed)
-    if (s.is_alive(v)) add_turned_over(s, limits, v, work.turns, work.suspects);
+    if (s.is_alive(v)) add_turned_over(s, limits, v, rock.notes, work.suspects);
   add_suspects(s, folded, work);
 }
 

@@ -1,6 +1,7 @@
 #include "rock/maintain/waiting.hpp"
 
 #include "rock/maintain/star.hpp"
+#include "rock/maintain/turned_over.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -17,28 +18,33 @@ bool is_due(const Rock& rock, const MaintenanceLimits& limits, int v) {
   return has_waited(rock, limits, v) || is_folded_at(rock.surface, limits, v);
 }
 
-void set_aside(Rock& rock, const MaintenanceLimits& limits, TurnSieve& sieve,
-               std::vector<int>& waiting) {
-  waiting.clear();
-  std::size_t kept = 0;
+void set_aside(Rock& rock, const MaintenanceLimits& limits, std::vector<int>& waiting) {
+  waiting.resize(rock.touched_list.size());
+  std::size_t kept = 0, waits = 0;
   for (const int v : rock.touched_list) {
     const bool is_alive = rock.surface.is_alive(v);
     if (is_alive &&
-        (has_waited(rock, limits, v) || is_turned_over_at(rock.surface, limits, v, sieve))) {
+        (has_waited(rock, limits, v) || is_turned_over_at(rock.surface, limits, v, rock.notes))) {
       rock.touched_list[kept++] = v;
       continue;
     }
     rock.touched[at(v)] = 0;
-    if (is_alive) waiting.push_back(v);
+    if (is_alive) waiting[waits++] = v;
   }
   rock.touched_list.resize(kept);
+  waiting.resize(waits);
 }
 
 void list_again(Rock& rock, const MaintenanceLimits& limits, const std::vector<int>& waiting) {
   for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
-  rock.touched_list.clear();
-  for (const int v : waiting)  // a slot that was given to a new vertex does not wait
-    if (rock.surface.is_alive(v) && !has_waited(rock, limits, v)) touch(rock, v);
+  rock.touched_list.resize(waiting.size());
+  std::size_t listed = 0;
+  for (const int v : waiting) {  // a slot that was given to a new vertex does not wait
+    if (!rock.surface.is_alive(v) || has_waited(rock, limits, v)) continue;
+    rock.touched[at(v)] = touched_mark;  // not by touch(): the vertex did not change
+    rock.touched_list[listed++] = v;
+  }
+  rock.touched_list.resize(listed);
 }
 
 void divide_cuts(Rock& rock, int parts) {

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "rock/maintain/limits.hpp"
-#include "rock/maintain/turned_over.hpp"
 #include "rock/rock.hpp"
 
 namespace tdbd::rock {
@@ -21,13 +20,12 @@ inline bool has_waited(const Rock& rock, const MaintenanceLimits& limits, int v)
 }
 
 /// Whether maintenance examines a touched vertex now: it has waited, or its triangles may pass
-/// through others, which does not wait (M4). Slow: set_aside asks by rings.
+/// through others, which does not wait (M4). Slow: set_aside uses the notes of rings.
 bool is_due(const Rock& rock, const MaintenanceLimits& limits, int v);
 
 /// Takes the vertices that are not due off the list of touched ones; `waiting` receives them.
-/// Removed ones leave both.
-void set_aside(Rock& rock, const MaintenanceLimits& limits, TurnSieve& sieve,
-               std::vector<int>& waiting);
+/// Removed ones leave both. Follows begin_notes.
+void set_aside(Rock& rock, const MaintenanceLimits& limits, std::vector<int>& waiting);
 
 /// Ends a maintenance: of all that is listed only those that wait are listed again, but for what
 /// repairs removed.

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "rock/maintain/maintain.hpp"
+#include "rock/maintain/ring_notes.hpp"
+#include "rock/maintain/ring_spokes.hpp"
 #include "rock/maintain/star.hpp"
 #include "rock/maintain/touched_region.hpp"
 #include "verification/battery/generators.hpp"
@@ -57,15 +59,22 @@ bool is_any_wanted(const Cut& c, int v) {
   return wanted;
 }
 
+/// As the rock is now, whatever was noted before.
+bool is_fine(Rock& rock, int v, const MaintenanceLimits& limits) {
+  if (!has_spokes(rock.surface.star(v))) return false;
+  std::vector<int> unknown;
+  begin_notes(rock, limits, OldNotes::discarded, unknown);
+  return ring_is_fine(rock, v, marks_around(rock, v));
+}
+
 /// A ring that is passed over has nothing that maintenance would do; nor has a fold across an outer
 /// edge been missed where nobody else asks.
 RC_GTEST_PROP(FineRing, has_no_triangle_that_an_operation_wants, ()) {
   Cut c = any_cut();
   c.rock.touched.assign(c.rock.touched.size(), 0);
-  const FineLimits fine = fine_limits(c.limits);
   int passed = 0;
   for (int v = 0; v < c.rock.surface.vertex_slots(); ++v) {
-    if (!ring_is_fine(c.rock, v, fine)) continue;
+    if (!is_fine(c.rock, v, c.limits)) continue;
     ++passed;
     RC_ASSERT(!is_any_wanted(c, v));
   }
@@ -96,14 +105,24 @@ RC_GTEST_PROP(FineRing, passed_over_changes_no_repair, ()) {
   }
 }
 
+/// Counted by marks of neighbours, every touched triangle is counted once.
+RC_GTEST_PROP(FineRing, counts_touched_triangles_by_marks_as_one_by_one, ()) {
+  const Cut c = any_cut();
+  const mesh::Surface& s = c.rock.surface;
+  for (int v = 0; v < s.vertex_slots(); ++v) {
+    if (!has_spokes(s.star(v))) continue;
+    const RingMarks marks = marks_around(c.rock, v);
+    RC_ASSERT(triangles_first_at(s.star(v), marks) == triangles_first_at(c.rock, v));
+  }
+}
+
 /// The filter is of use: on an even sheet it passes every inner vertex of up to eight neighbours.
 TEST(FineRing, is_found_on_an_even_sheet) {
-  const Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
+  Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
   MaintenanceLimits limits = limits_for(0.35);
   limits.flip_quality = 0.3;
-  const FineLimits fine = fine_limits(limits);
   for (int v = 0; v < rock.surface.vertex_slots(); ++v)
-    EXPECT_EQ(ring_is_fine(rock, v, fine), !rock.surface.is_boundary(v)) << v;
+    EXPECT_EQ(is_fine(rock, v, limits), !rock.surface.is_boundary(v)) << v;
 }
 
 /// The triangle across an outer edge is folded under the ring: only v, or the edge's ends, can say.
@@ -111,16 +130,16 @@ TEST(FineRing, asks_for_folds_across_its_outer_edges_unless_their_ends_do) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.0, 3));
   constexpr int v = 5 * 11 + 5;
   const mesh::VertexStar star = rock.surface.star(v);
-  const FineLimits fine = fine_limits(limits_for(0.35));
-  ASSERT_TRUE(ring_is_fine(rock, v, fine));
+  const MaintenanceLimits limits = limits_for(0.35);
+  ASSERT_TRUE(is_fine(rock, v, limits));
   const int corner = mesh::corner_facing(rock.surface, star.ring[0], star.ring[1]);
   const int beyond = rock.surface.vertex(rock.surface.opposite_of(corner));
   const Vec3 fold = rock.surface.position(v) + Vec3(0.0, 0.0, 0.1);
   rock.surface.place(beyond, fold);
-  EXPECT_FALSE(ring_is_fine(rock, v, fine));
+  EXPECT_FALSE(is_fine(rock, v, limits));
   rock.touched[star.ring[0]] = touched_mark;
   rock.touched[star.ring[1]] = touched_mark;
-  EXPECT_TRUE(ring_is_fine(rock, v, fine));
+  EXPECT_TRUE(is_fine(rock, v, limits));
 }
 
 }  // namespace tdbd::rock::fine_ring_test

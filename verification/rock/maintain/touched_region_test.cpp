@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rock/maintain/maintain.hpp"
+#include "rock/maintain/ring_notes.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock::touched_region_test {
@@ -67,6 +68,8 @@ RC_GTEST_PROP(TouchedRegion, has_every_touched_triangle_under_what_it_needs, ())
   const mesh::Surface& s = x.rock.surface;
   TouchedRegion region;
   region.fine_rings = FineRings::classified;
+  std::vector<int> unknown;
+  begin_notes(x.rock, x.limits, OldNotes::used, unknown);
   classify_touched_triangles(x.rock, x.limits, region);
   const auto wanted = [&](const std::function<bool(int)>& is_wanted) {
     std::vector<int> found;
@@ -126,6 +129,8 @@ TEST(TouchedRegion, finds_what_changed_since) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 7));
   for (const int v : {40, 50, 60}) touch(rock, v);
   TouchedRegion region;
+  std::vector<int> unknown;
+  begin_notes(rock, limits_for(0.3), OldNotes::used, unknown);
   classify_touched_triangles(rock, limits_for(0.3), region);
   find_changed(rock, region);
   EXPECT_TRUE(region.changed.empty());
