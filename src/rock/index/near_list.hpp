@@ -45,8 +45,8 @@ struct NearList {
   Balls balls;                   ///< of the packs
   std::vector<int> slots;        ///< a table of places by vertex (list_places.hpp)
   std::vector<int> chains;
-  long changes = -1;  ///< count of the index's changes that the list includes
-  int window = 0;     ///< steps for which the region was made
+  long changes = -1;      ///< count of the index's changes that the list includes
+  int window = 0;         ///< steps for which the region was made
   double way_left = 0.0;  ///< m, that the group may still go before the region ends too near ahead
   std::size_t size_when_made = 0;
 };

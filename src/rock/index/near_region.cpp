@@ -65,7 +65,8 @@ Region region_ahead(const GroupStep& step, const NearListMargins& margins, int s
   for (const Pose& X_WP : {step.X_WP0, middle, Pose(step.X_WP0 * rotation::carried(twist, end))})
     add_box(step.box_P, X_WP, r.slabs);
   add_region(step.region_W, r.slabs);
-  const double half_turn = 0.5 * end * turn;  // of a region at the end against the axes of the slabs
+  const double half_turn =
+      0.5 * end * turn;  // of a region at the end against the axes of the slabs
   const double margin = margins.margin * (std::cos(half_turn) + std::sin(half_turn)) +
                         sideways * step.box_P.size().norm();
   for (Slab& s : r.slabs) {

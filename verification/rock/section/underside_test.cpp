@@ -30,6 +30,8 @@ RC_GTEST_PROP(Underside, excludes_no_point_of_the_part, ()) {
     if (!mesh::inside(tree, x)) continue;
     RC_ASSERT(may_hold(u, x));
     RC_ASSERT(may_hold(u, Around::vertex, x, 0.0));
+    RC_ASSERT(
+        may_hold(u, static_cast<Single>(x.head<2>().squaredNorm()), static_cast<Single>(x.z())));
     const Vec3 within(*battery::number(-0.5, 0.5), *battery::number(-0.5, 0.5),
                       *battery::number(-0.5, 0.5));
     RC_ASSERT(may_hold(u, Around::cell, x + cell * within, 0.5 * cell));
