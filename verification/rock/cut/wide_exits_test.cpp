@@ -31,6 +31,11 @@ Vec3 any(Random& random) {
   return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
 }
 
+Vec3 any_normal(const RoundSolid& s, Random& random) {
+  const auto planes = static_cast<double>(s.solid_P.planes);
+  return mesh::normal(s.solid_P, static_cast<std::size_t>(random.uniform(0.0, planes - 1.0)));
+}
+
 /// Paths near the surface, as rock has them, with a share of degenerate ones: at rest, along an axis
 /// of the solid, into a plane's direction.
 RelativePath any_path(const RoundSolid& s, Random& random) {
@@ -43,10 +48,7 @@ RelativePath any_path(const RoundSolid& s, Random& random) {
   if (kind == 0) way = Vec3::Zero();
   if (kind == 1) way = -length * Vec3::UnitX();
   if (kind == 2) u = Vec3::UnitX();
-  if (kind == 3)
-    u = mesh::normal(s.solid_P,
-                     static_cast<std::size_t>(random.uniform(0.0, 1.0) *
-                                              static_cast<double>(s.solid_P.planes - 1)));
+  if (kind == 3) u = any_normal(s, random);
   if (kind == 4) u = u.cross(any(random)).normalized();
   if (kind == 5) q0 = 0.1 * any(random);
   if (kind == 6) q0 = x;
@@ -102,6 +104,35 @@ RC_GTEST_PROP(WideExits, are_those_of_one_vertex_after_another, ()) {
     }
   }
   RC_TAG(swept == 0 ? 0 : 10 * (10 * alone / swept));
+}
+
+/// Directions that are normal to a plane lead past the solid at one end of the step, far from where the
+/// exit is: of ten thousand such paths one gets another exit if the search is not given up where the
+/// planes of the sector are not enough.
+RC_GTEST_PROP(WideExits, are_not_known_where_the_planes_of_a_sector_are_not_enough, ()) {
+  const RoundSolid s = any_round_solid();
+  const PlaneSectors sectors = plane_sectors(s.solid_P, s.size);
+  if (sectors.sectors.empty()) return;
+  const double depth = tolerance::swept * s.size;
+  Random random = battery::any_random();
+  PlaneStrip strip;
+  for (int k = 0; k < 500; ++k) {
+    std::array<RelativePath, lanes> paths;
+    WidePaths wide{};
+    for (std::size_t l = 0; l < lanes; ++l) {
+      const double length = std::pow(10.0, random.uniform(-4, -0.5));
+      const Vec3 q0 = on_surface(s, random) + 0.5 * length * any(random), u = any_normal(s, random);
+      put(paths[l] = {q0, q0 + length * any(random), u, u}, l, wide);
+    }
+    WideExits exits;
+    find_exits(sectors, wide, depth, exits);
+    for (std::size_t l = 0; l < lanes; ++l) {
+      if ((exits.found >> l & 1U) == 0) continue;
+      const auto x = find_exit(s.solid_P, paths[l], depth, strip);
+      RC_ASSERT(x.has_value());
+      RC_ASSERT(x->t == exits.t[l] && x->tau == exits.tau[l]);
+    }
+  }
 }
 
 /// So that the test above is not about vertices that go alone.
