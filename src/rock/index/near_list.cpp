@@ -49,6 +49,7 @@ inline void load(const VertexGrid::Block& block, WideBlock& wide) {
   TDBD_LOAD(wide.points.x, bytes + offsetof(Block, x));
   TDBD_LOAD(wide.points.y, bytes + offsetof(Block, y));
   TDBD_LOAD(wide.points.z, bytes + offsetof(Block, z));
+  wide.points.z[VertexGrid::block_size] = 0;  // a vertex number read as subnormal would be slow
   TDBD_LOAD(wide.v, bytes + offsetof(Block, v));
 }
 

@@ -80,6 +80,7 @@ TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SinglePose& X_P
   TDBD_LOAD(x, bytes + offsetof(Block, x));
   TDBD_LOAD(y, bytes + offsetof(Block, y));
   TDBD_LOAD(z, bytes + offsetof(Block, z));
+  z[VertexGrid::block_size] = 0;  // a vertex number read as subnormal would be slow
   const auto& R = X_PW.R;
   const WideSingle x_P = R[0] * x + R[1] * y + R[2] * z + X_PW.p[0],
                    y_P = R[3] * x + R[4] * y + R[5] * z + X_PW.p[1],
