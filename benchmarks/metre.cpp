@@ -67,6 +67,7 @@ void write_json(const Wish& wish, long steps, const std::vector<Tenth>& tenths) 
       {"steps", steps},
       {"threads", wish.threads},
       {"wall_s", tenths.back().wall},
+      {"peak_MB", tenths.back().peak},
       {"peak_last_over_second_tenth", tenths.back().peak / tenths[1].peak},
       {"tenths", rows}};
   std::ofstream(wish.json) << nlohmann::ordered_json{{"metre", metre}}.dump(1) << "\n";

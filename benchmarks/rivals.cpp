@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -18,18 +19,45 @@ struct Wish {
   std::vector<std::string> only, settings;
   int threads = 1;
   long warm_turns = 5, cold_turns = 15;
-  std::string json;
+  std::string json, histogram;
 };
 
-std::vector<Figures> measure(const std::vector<Contender>& sides, const Condition& condition,
-                             Clock clock, const Counters& counters) {
+std::vector<Turns> measure(const std::vector<Contender>& sides, const Condition& condition,
+                           Clock clock, const Counters& counters) {
   std::vector<Turns> turns(sides.size());
   for (long turn = 0; turn < condition.turns; ++turn)
     for (std::size_t i = 0; i < sides.size(); ++i)
       add_turn(sides[i], condition.steps, clock, counters, turns[i]);
+  return turns;
+}
+
+std::vector<Figures> figures_of(const std::vector<Turns>& turns) {
   std::vector<Figures> figures;
   for (const Turns& t : turns) figures.push_back(figures_of(t));
   return figures;
+}
+
+/// Writes how many steps of each side took so many times the mean step of the yardstick: rows are
+/// bins of a tenth of it, the last one has all slower steps.
+void write_histogram(const std::string& file, const std::vector<Contender>& sides,
+                     const std::vector<Turns>& turns) {
+  constexpr std::size_t bins = 80;
+  constexpr double per_mean = 10.0;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (sides[i].name == yardstick) mean = figures_of(turns[i]).mean;
+  std::vector<std::vector<long>> counts(sides.size(), std::vector<long>(bins, 0));
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (const double seconds : turns[i].steps)
+      ++counts[i][std::min(bins - 1, static_cast<std::size_t>(per_mean * seconds / mean))];
+  std::ofstream out(file);
+  out << "times the mean of " << yardstick;
+  for (const Contender& side : sides) out << "," << side.name;
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    out << fmt::format("\n{:.1f}", static_cast<double>(bin) / per_mean);
+    for (const std::vector<long>& c : counts) out << "," << c[bin];
+  }
+  out << "\n";
 }
 
 void run(const Wish& wish) {
@@ -45,7 +73,9 @@ void run(const Wish& wish) {
   for (const Condition& c :
        {Condition{"warm", 500, wish.warm_turns}, Condition{"cold", 100, wish.cold_turns}}) {
     if (c.turns <= 0) continue;
-    conditions.push_back(condition_told(c, sides, measure(sides, c, clock, counters)));
+    const std::vector<Turns> turns = measure(sides, c, clock, counters);
+    conditions.push_back(condition_told(c, sides, figures_of(turns)));
+    if (c.name == "warm" && !wish.histogram.empty()) write_histogram(wish.histogram, sides, turns);
     fmt::print("{}", condition_text(conditions.back()));
   }
   if (wish.json.empty()) return;
@@ -70,5 +100,6 @@ int main(int argc, char** argv) {
   app.add_option("--warm-turns", wish.warm_turns, "turns of 500 steps");
   app.add_option("--cold-turns", wish.cold_turns, "turns of 100 steps");
   app.add_option("--json", wish.json, "file that gets all figures");
+  app.add_option("--histogram", wish.histogram, "CSV file for a histogram of the warm step times");
   return tdbd::bench::parse_and_run(app, argc, argv, [&] { tdbd::bench::run(wish); });
 }

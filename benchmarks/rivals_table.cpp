@@ -21,7 +21,7 @@ Json row_told(const Contender& c, const Figures& f, const Figures& z_map) {
            {"p99_us", 1e6 * f.percentile_99},
            {"over_z_map", f.typical / z_map.typical},
            {"mean_over_z_map", f.mean / z_map.mean},
-           {"p99_over_z_map", f.percentile_99 / z_map.typical},
+           {"p99_over_z_map", f.percentile_99 / z_map.mean},
            {"million_instructions", scaled(f.instructions, 1e-6)},
            {"million_cycles", scaled(f.cycles, 1e-6)}};
   if (!c.mesh) return row;

@@ -20,7 +20,8 @@ const std::vector<Workload>& workloads() {
       {"standard-0.7-in-turn", standard, 0.7 * mm, in_turn, "0.7 mm, sections every 4th step"},
       {"standard-0.7-volumes", standard, 0.7 * mm, volumes, "0.7 mm, volumes only"},
       {"drill-bit-b", "drill-bit-b", 1.0 * mm, {}, "`drill-bit-b`, the whole dynamic step"},
-      {"drill-bit-r", "drill-bit-r", 1.6 * mm, {}, "`drill-bit-r`, the whole dynamic step"}};
+      {"drill-bit-r", "drill-bit-r", 1.6 * mm, {}, "`drill-bit-r` (roller cones, 1.6 mm)"},
+      {"drill-bit-b-whirl", "drill-bit-b-whirl", 1.5 * mm, {}, "`drill-bit-b-whirl` (1.5 mm)"}};
   return all;
 }
 
