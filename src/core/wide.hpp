@@ -14,6 +14,9 @@
 #define TDBD_WIDE
 #endif
 
+/// A function that takes or changes Wides by reference, for functions that are TDBD_WIDE: inlined into each version.
+#define TDBD_INLINE [[gnu::always_inline]] inline
+
 namespace tdbd {
 
 /// Columns read by wide loops are padded to a multiple of this.
@@ -21,6 +24,9 @@ inline constexpr std::size_t lanes = 4;
 
 /// `lanes` numbers handled as one: arithmetic, comparison and ?: apply to each.
 using Wide = double __attribute__((vector_size(lanes * sizeof(double))));
+
+/// The result of comparing them: all bits set or none.
+using WideMask = decltype(Wide{} < Wide{});
 
 /// As many whole numbers of 64 bits.
 using WideLong = long long __attribute__((vector_size(lanes * sizeof(long long))));
@@ -40,6 +46,11 @@ inline bool any_of(const WideFlags& flags) {
   Halves halves;
   TDBD_LOAD(halves, &flags);
   return (halves[0] | halves[1] | halves[2] | halves[3]) != 0;
+}
+
+/// Bit l: whether lane l is set.
+TDBD_INLINE unsigned lane_bits(const WideMask& m) {
+  return static_cast<unsigned>((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
 }
 
 /// Bit l tells whether flag l is set. By reference, see above; inlined.

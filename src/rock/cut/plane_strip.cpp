@@ -1,13 +1,11 @@
 #include "rock/cut/plane_strip.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 namespace tdbd::rock {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Lanes = std::array<double, lanes>;
 
 /// The bounds of tau, lane by lane.
@@ -15,7 +13,7 @@ struct Bounds {
   Lanes lo, hi;
 };
 
-/// Stops where the interval is empty. A plane parallel to the path excludes all or nothing.
+/// Stops where the interval is empty.
 TDBD_WIDE void fill_path(const mesh::ConvexSolid& s, const RelativePath& p, double depth,
                          PlaneStrip& w, Bounds& bounds) {
   const Vec3 q = p.q0_P, d = p.q1_P - p.q0_P;
@@ -29,13 +27,7 @@ TDBD_WIDE void fill_path(const mesh::ConvexSolid& s, const RelativePath& p, doub
     const Wide along = x * d.x() + y * d.y() + z * d.z();
     TDBD_STORE(rest, &w.rest[i]);
     TDBD_STORE(along, &w.along[i]);
-    const Wide room = rest - depth;
-    const Wide when = room / (along == 0.0 ? Wide{} + 1.0 : along);
-    const Wide at_rest = room <= 0.0 ? Wide{} - 1.0 : Wide{} + infinity;
-    const Wide until = along > 0.0 ? when : (along < 0.0 ? Wide{} + infinity : at_rest);
-    const Wide from = along < 0.0 ? when : Wide{};
-    last = until < last ? until : last;
-    first = from > first ? from : first;
+    narrow_interval(rest - depth, along, first, last);
     const auto none = first >= last;
     if ((none[0] | none[1] | none[2] | none[3]) != 0) break;
   }
@@ -81,7 +73,7 @@ inline void meet(const PlaneStrip& w, std::size_t i, double tau, WideRay& ray) {
 
 /// The least t of the planes that the ray leaves, lane by lane.
 TDBD_WIDE void first_left(const PlaneStrip& w, double tau, Found& found) {
-  Wide least = Wide{} + infinity, plane = {0.0, 1.0, 2.0, 3.0}, which = plane;
+  Wide least = Wide{} + unbounded, plane = {0.0, 1.0, 2.0, 3.0}, which = plane;
   for (std::size_t i = 0; i < w.columns; i += lanes, plane += 4.0) {
     WideRay ray;
     meet(w, i, tau, ray);
@@ -96,13 +88,13 @@ TDBD_WIDE void first_left(const PlaneStrip& w, double tau, Found& found) {
 /// Minus the greatest t of the planes that the ray enters, lane by lane. A plane that has the whole
 /// ray outside is never entered.
 TDBD_WIDE void last_entered(const PlaneStrip& w, double tau, Found& found) {
-  Wide least = Wide{} + infinity, plane = {0.0, 1.0, 2.0, 3.0}, which = plane;
+  Wide least = Wide{} + unbounded, plane = {0.0, 1.0, 2.0, 3.0}, which = plane;
   for (std::size_t i = 0; i < w.columns; i += lanes, plane += 4.0) {
     WideRay ray;
     meet(w, i, tau, ray);
     const auto never =
         (ray.cosine <= grazing_cosine) & (ray.cosine >= -grazing_cosine) & (ray.room < 0.0);
-    const Wide t = never ? Wide{} - infinity : -ray.t;
+    const Wide t = never ? Wide{} - unbounded : -ray.t;
     const auto farther = ((ray.cosine < -grazing_cosine) | never) & (t < least);
     which = farther ? plane : which;
     least = farther ? t : least;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "core/wide.hpp"
 #include "mesh/shape/convex.hpp"
@@ -10,6 +11,19 @@ namespace tdbd::rock {
 
 /// Cosine below which a plane is parallel to a ray up to rounding, and does not block it.
 inline constexpr double grazing_cosine = 1e-14;
+
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// Narrows intervals of tau to where a path is inside its planes: at tau = 0 it is `room` (m) inside,
+/// and until tau = 1 it goes `along` (m) outwards. A plane parallel to the path excludes all or nothing.
+TDBD_INLINE void narrow_interval(const Wide& room, const Wide& along, Wide& first, Wide& last) {
+  const Wide when = room / (along == 0.0 ? Wide{} + 1.0 : along);
+  const Wide at_rest = room <= 0.0 ? Wide{} - 1.0 : Wide{} + unbounded;
+  const Wide until = along > 0.0 ? when : (along < 0.0 ? Wide{} + unbounded : at_rest);
+  const Wide from = along < 0.0 ? when : Wide{};
+  last = until < last ? until : last;
+  first = from > first ? from : first;
+}
 
 /// Four planes of a solid, n . x <= b, side by side.
 struct WidePlanes {

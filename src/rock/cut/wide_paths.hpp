@@ -2,11 +2,51 @@
 
 #include <array>
 
+#include "core/pose.hpp"
+#include "core/wide.hpp"
 #include "rock/cut/group_motion.hpp"
 #include "rock/cut/relative_path.hpp"
-#include "rock/cut/wide_vectors.hpp"
 
 namespace tdbd::rock {
+
+/// Vectors of four vertices, one in each lane. For loops that are TDBD_WIDE; all is inlined.
+struct WideVec3 {
+  Wide x, y, z;
+};
+
+TDBD_INLINE Vec3 lane_of(const WideVec3& x, std::size_t l) { return {x.x[l], x.y[l], x.z[l]}; }
+
+/// Sums in the order of Eigen's products, so that each lane is bitwise what `R * x` is.
+TDBD_INLINE void rotate(const Mat3& R, const WideVec3& x, WideVec3& y) {
+  y.x = R(0, 0) * x.x + (R(0, 1) * x.y + R(0, 2) * x.z);
+  y.y = R(1, 0) * x.x + (R(1, 1) * x.y + R(1, 2) * x.z);
+  y.z = R(2, 0) * x.x + (R(2, 1) * x.y + R(2, 2) * x.z);
+}
+
+TDBD_INLINE void transform(const Pose& X, const WideVec3& x, WideVec3& y) {
+  rotate(X.R, x, y);
+  y.x += X.p.x();
+  y.y += X.p.y();
+  y.z += X.p.z();
+}
+
+/// a becomes the first number of each of the four, b the second, and so on.
+TDBD_INLINE void transpose(Wide& a, Wide& b, Wide& c, Wide& d) {
+  const Wide ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+             ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7),
+             cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6),
+             cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+/// The square root of each lane, correctly rounded.
+TDBD_INLINE void square_root(const Wide& x, Wide& root) {
+  root =
+      Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
+}
 
 /// Paths of four vertices past a group, as RelativePath has them, and their update directions.
 struct WidePaths {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 
 #include "rock/cut/plane_sectors.hpp"
 #include "rock/cut/swept_convex.hpp"
@@ -11,7 +10,6 @@
 /// formulas in the same order.
 namespace tdbd::rock {
 
-inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 using Sectors = std::array<const PlaneSector*, lanes>;
 
 /// A plane on the strip, rock (4), for each vertex.
@@ -68,13 +66,7 @@ TDBD_INLINE void put_on_strip(const Sectors& sectors, const WidePaths& p, double
     const Wide rest = b - (x * q.x + y * q.y + z * q.z);
     const Wide along = x * d.x + y * d.y + z * d.z;
     w.line[i] = {rest, along, x * u.x + y * u.y + z * u.z, x * e.x + y * e.y + z * e.z};
-    const Wide room = rest - depth;
-    const Wide when = room / (along == 0.0 ? Wide{} + 1.0 : along);
-    const Wide at_rest = room <= 0.0 ? Wide{} - 1.0 : Wide{} + unbounded;
-    const Wide until = along > 0.0 ? when : (along < 0.0 ? Wide{} + unbounded : at_rest);
-    const Wide from = along < 0.0 ? when : Wide{};
-    last = until < last ? until : last;
-    first = from > first ? from : first;
+    narrow_interval(rest - depth, along, first, last);
   }
 }
 

@@ -66,7 +66,8 @@ Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
                 std::move(cutting), w);
   w.waits = any_waits(c.bit, state.started) ? Waits::some : Waits::none;
   w.cut_work.most_passes = c.update.most_passes;
-  w.cut_work.list_margins = list_margins_for(c.measure, c.rock.edge_length);
+  if (!w.faces.faces.empty())
+    w.cut_work.list_margins = list_margins_for(c.measure, c.rock.edge_length);
   if (c.measure.contact == ContactMeasure::on)
     w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   w.measures.sections = state.sections;

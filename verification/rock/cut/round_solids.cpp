@@ -25,23 +25,28 @@ RoundSolid any_disc() {
 
 }  // namespace
 
-bit::Bit any_cutter_bit() {
+bit::Bit cutter_bit(double chamfer, double wear, int rim_segments) {
   bit::Cutter c;
   c.diameter = 0.8;
-  c.chamfer = *rc::gen::element(0.0, 0.02, 0.05);
+  c.chamfer = chamfer;
   c.chamfer_angle = 0.25 * std::numbers::pi;
   c.length = 0.5;
   c.table_thickness = 0.1;
-  c.wear = *rc::gen::element(0.0, 0.03, 0.1);
+  c.wear = wear;
   c.X_BC = {Vec3(1, -1, -1).asDiagonal().toDenseMatrix(), Vec3::Zero()};  // the tip is at -Z
   bit::Bit bit;
-  for (bit::Part& p : bit::cutter_parts(c, {.rim_segments = *rc::gen::element(32, 64)})) {
+  for (bit::Part& p : bit::cutter_parts(c, {.rim_segments = rim_segments})) {
     p.group = 0;
     p.X_BP = Pose{rotation::exp(Vec3(0, 0.2, 0)) * p.X_BP.R, Vec3(0, 0, -0.2)};
     p.update_direction_B = Vec3(0.3, 0, 1).normalized();
     bit.parts.push_back(std::move(p));
   }
   return bit;
+}
+
+bit::Bit any_cutter_bit() {
+  return cutter_bit(*rc::gen::element(0.0, 0.02, 0.05), *rc::gen::element(0.0, 0.03, 0.1),
+                    *rc::gen::element(32, 64));
 }
 
 RoundSolid any_round_solid() {

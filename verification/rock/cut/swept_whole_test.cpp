@@ -5,40 +5,18 @@
 
 #include <numbers>
 
-#include "bit/cutter/cutter_parts.hpp"
 #include "core/tolerance.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/cut/round_solids.hpp"
 
 namespace tdbd::rock::swept_whole_test {
 
-/// A cutter of radius 0.4 (lengths of the scene, m), sharp or with a chamfer, new or worn.
-bit::Cutter cutter(double chamfer, double wear) {
-  bit::Cutter c;
-  c.diameter = 0.8;
-  c.chamfer = chamfer;
-  c.chamfer_angle = 0.25 * std::numbers::pi;
-  c.length = 0.5;
-  c.table_thickness = 0.1;
-  c.wear = wear;
-  c.X_BC = {Vec3(1, -1, -1).asDiagonal().toDenseMatrix(), Vec3::Zero()};  // the tip is at -Z
-  return c;
-}
-
-/// One cutter as a bit; its tip is at +z of its frame.
 bit::Bit any_cutter() {
-  bit::Bit bit;
-  const double chamfer = *rc::gen::element(0.0, 0.05), wear = *rc::gen::element(0.0, 0.03);
-  for (bit::Part& p : bit::cutter_parts(cutter(chamfer, wear), {.rim_segments = 32})) {
-    p.group = 0;
-    p.X_BP = Pose{rotation::exp(Vec3(0, 0.2, 0)) * p.X_BP.R, Vec3(0, 0, -0.2)};
-    p.update_direction_B = Vec3(0.3, 0, 1).normalized();
-    bit.parts.push_back(std::move(p));
-  }
-  return bit;
+  return cutter_bit(*rc::gen::element(0.0, 0.05), *rc::gen::element(0.0, 0.03), 32);
 }
 
 RelativePath any_path() {

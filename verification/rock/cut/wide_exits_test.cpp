@@ -73,20 +73,23 @@ void put(const RelativePath& p, std::size_t l, WidePaths& w) {
   set(p.q0_P, w.q0), set(p.q1_P, w.q1), set(p.u0_P, w.u0), set(p.u1_P, w.u1);
 }
 
-/// Bitwise those of find_exit with all planes, or not known.
-RC_GTEST_PROP(WideExits, are_those_of_one_vertex_after_another, ()) {
-  const RoundSolid s = any_round_solid();
-  const PlaneSectors sectors = plane_sectors(s.solid_P, s.size);
-  if (sectors.sectors.empty()) return;
-  const double depth = tolerance::swept * s.size;
-  Random random = battery::any_random();
-  PlaneStrip strip;
+/// Exits of four paths at once, and those of one after another.
+struct Compared {
   int swept = 0, alone = 0;
-  for (int k = 0; k < 200; ++k) {
+};
+
+/// Compares the exits of random paths, four at a time, bitwise with find_exit and all planes, where they
+/// are known.
+template <class AnyPath>
+Compared compare(const RoundSolid& s, const PlaneSectors& sectors, int fours,
+                 AnyPath&& any_path_of) {
+  const double depth = tolerance::swept * s.size;
+  PlaneStrip strip;
+  Compared sum;
+  for (int k = 0; k < fours; ++k) {
     std::array<RelativePath, lanes> paths;
     WidePaths wide{};
-    for (std::size_t l = 0; l < lanes; ++l)
-      put(paths[l] = k % 2 == 0 ? any_path(s, random) : drilling_path(s, random), l, wide);
+    for (std::size_t l = 0; l < lanes; ++l) put(paths[l] = any_path_of(k), l, wide);
     WideExits exits;
     find_exits(sectors, wide, depth, exits);
     for (std::size_t l = 0; l < lanes; ++l) {
@@ -94,8 +97,8 @@ RC_GTEST_PROP(WideExits, are_those_of_one_vertex_after_another, ()) {
       const bool missed = (exits.missed >> l & 1U) != 0, found = (exits.found >> l & 1U) != 0;
       RC_ASSERT(!missed || !found);
       if (missed) RC_ASSERT(!x);
-      swept += x ? 1 : 0;
-      alone += x && !found ? 1 : 0;
+      sum.swept += x ? 1 : 0;
+      sum.alone += x && !found ? 1 : 0;
       if (!found) continue;
       RC_ASSERT(x.has_value());
       RC_ASSERT(x->t == exits.t[l]);
@@ -103,7 +106,18 @@ RC_GTEST_PROP(WideExits, are_those_of_one_vertex_after_another, ()) {
       RC_ASSERT(x->plane == exits.sector[l]->plane[static_cast<std::size_t>(exits.row[l])]);
     }
   }
-  RC_TAG(swept == 0 ? 0 : 10 * (10 * alone / swept));
+  return sum;
+}
+
+RC_GTEST_PROP(WideExits, are_those_of_one_vertex_after_another, ()) {
+  const RoundSolid s = any_round_solid();
+  const PlaneSectors sectors = plane_sectors(s.solid_P, s.size);
+  if (sectors.sectors.empty()) return;
+  Random random = battery::any_random();
+  const Compared c = compare(s, sectors, 200, [&](int k) {
+    return k % 2 == 0 ? any_path(s, random) : drilling_path(s, random);
+  });
+  RC_TAG(c.swept == 0 ? 0 : 10 * (10 * c.alone / c.swept));
 }
 
 /// Directions that are normal to a plane lead past the solid at one end of the step, far from where the
@@ -113,26 +127,12 @@ RC_GTEST_PROP(WideExits, are_not_known_where_the_planes_of_a_sector_are_not_enou
   const RoundSolid s = any_round_solid();
   const PlaneSectors sectors = plane_sectors(s.solid_P, s.size);
   if (sectors.sectors.empty()) return;
-  const double depth = tolerance::swept * s.size;
   Random random = battery::any_random();
-  PlaneStrip strip;
-  for (int k = 0; k < 500; ++k) {
-    std::array<RelativePath, lanes> paths;
-    WidePaths wide{};
-    for (std::size_t l = 0; l < lanes; ++l) {
-      const double length = std::pow(10.0, random.uniform(-4, -0.5));
-      const Vec3 q0 = on_surface(s, random) + 0.5 * length * any(random), u = any_normal(s, random);
-      put(paths[l] = {q0, q0 + length * any(random), u, u}, l, wide);
-    }
-    WideExits exits;
-    find_exits(sectors, wide, depth, exits);
-    for (std::size_t l = 0; l < lanes; ++l) {
-      if ((exits.found >> l & 1U) == 0) continue;
-      const auto x = find_exit(s.solid_P, paths[l], depth, strip);
-      RC_ASSERT(x.has_value());
-      RC_ASSERT(x->t == exits.t[l] && x->tau == exits.tau[l]);
-    }
-  }
+  compare(s, sectors, 500, [&](int) {
+    const double length = std::pow(10.0, random.uniform(-4, -0.5));
+    const Vec3 q0 = on_surface(s, random) + 0.5 * length * any(random), u = any_normal(s, random);
+    return RelativePath{q0, q0 + length * any(random), u, u};
+  });
 }
 
 /// So that the test above is not about vertices that go alone.
