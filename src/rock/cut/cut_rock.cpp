@@ -83,34 +83,22 @@ void keep_unclear(const CuttingGroup& g, GroupCut& cut) {
 /// Later passes: only what moved can have entered a part, and it lies on the group that moved it,
 /// so only groups near that one can sweep it.
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
-  for (std::size_t i = 0; i < bit.groups.size(); ++i) {
-    std::vector<int>& candidates = w.groups[i].candidates;
-    candidates.clear();
-    if (bit.groups[i].presence == GroupPresence::away) continue;
-    for (const std::size_t k : w.neighbours[i]) {
-      const std::vector<int>& among = k == i ? w.groups[k].unclear : w.groups[k].moved;
-      for (const int v : among)
-        if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
-          candidates.push_back(v);
-    }
-    sort_unique(candidates);
-  }
-}
-
-/// Which groups may sweep what another one moves.
-void find_neighbours(CutWorkspace& w) {
-  const std::size_t n = w.motions.size();
-  resize(w.motion_boxes, n);
-  w.neighbours.resize(n);
-  for (std::size_t i = 0; i < n; ++i) set_box(w.motion_boxes, i, w.motions[i].region_W.box);
-  for (std::size_t i = 0; i < n; ++i) {
-    w.neighbours[i].clear();
-    w.neighbours[i].reserve(n);
-    const mesh::Box& box_W = w.motions[i].region_W.box;
-    visit_overlapping(w.motion_boxes, box_W, [&](std::size_t k) {
-      if (box_W.overlaps(w.motions[k].region_W.box)) w.neighbours[i].push_back(k);
+  for (GroupCut& cut : w.groups) cut.candidates.clear();
+  const auto offer = [&](const std::vector<int>& vertices, std::size_t i) {
+    if (bit.groups[i].presence == GroupPresence::away) return;
+    for (const int v : vertices)
+      if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
+        w.groups[i].candidates.push_back(v);
+  };
+  for (std::size_t k = 0; k < w.groups.size(); ++k) {
+    offer(w.groups[k].unclear, k);
+    if (w.groups[k].moved.empty()) continue;
+    const mesh::Box& box_W = w.motions[k].region_W.box;
+    visit_overlapping(w.motion_boxes, box_W, [&](std::size_t i) {
+      if (i != k && box_W.overlaps(w.motions[i].region_W.box)) offer(w.groups[k].moved, i);
     });
   }
+  for (GroupCut& cut : w.groups) sort_unique(cut.candidates);
 }
 
 void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, CutWorkspace& w,
@@ -131,7 +119,9 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   }
   w.motions.clear();
   for (const CuttingGroup& g : bit.groups) w.motions.push_back(group_motion(g, X_WB0, X_WB1));
-  find_neighbours(w);
+  resize(w.motion_boxes, w.motions.size());
+  for (std::size_t i = 0; i < w.motions.size(); ++i)
+    set_box(w.motion_boxes, i, w.motions[i].region_W.box);
 }
 
 /// Prefetches what the next group will write, while this one is at work.

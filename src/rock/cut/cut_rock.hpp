@@ -29,12 +29,10 @@ struct CutWorkspace {
   double contact_gap = -1.0;  ///< m, of contact_areas after the step; negative: contact disabled
   std::vector<GroupMotion> motions;  ///< per group
   std::vector<GroupCut> groups;      ///< per group
-  /// Per group: the groups, itself among them, whose motion boxes overlap its own.
-  std::vector<std::vector<std::size_t>> neighbours;
-  BoxColumns motion_boxes;  ///< per group
-  BoxColumns moved_boxes;   ///< per group: GroupCut::moved_box_W
-  long changes_before = 0;  ///< of the index, when the step began
-  PassWork passes;          ///< begin_passes
+  BoxColumns motion_boxes;           ///< per group
+  BoxColumns moved_boxes;            ///< per group: GroupCut::moved_box_W
+  long changes_before = 0;           ///< of the index, when the step began
+  PassWork passes;                   ///< begin_passes
 };
 
 /// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),

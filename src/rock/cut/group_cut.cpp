@@ -44,15 +44,34 @@ void plan_move(const CuttingGroup& g, std::size_t which, std::size_t i, double t
   cut.swept.back().x_W -= cut.left_W[i];
 }
 
+/// Fills cut.alone with the candidates at work that a solid may sweep. Most were left behind: they lie on
+/// the surface where it moves away from them, so one plane has all of their path outside, often that of
+/// the candidate before.
+void find_swept_by(const CuttingPart& part, GroupCut& cut) {
+  cut.alone.clear();
+  if (part.tree_P) return cut.alone.assign(cut.at_work.begin(), cut.at_work.end());
+  const mesh::ConvexSolid& solid = part.solid_P;
+  std::size_t plane = 0;
+  for (const std::size_t i : cut.at_work) {
+    const RelativePath& p = cut.paths[i];
+    if (is_beside_path(solid, plane, p.q0_P, p.q1_P, part.depth)) continue;
+    const std::size_t beside = plane_beside_path(solid, p.q0_P, p.q1_P, part.depth);
+    if (beside == solid.b.size())
+      cut.alone.push_back(i);
+    else
+      plane = beside;
+  }
+}
+
 void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, GroupCut& cut) {
   const CuttingPart& part = g.parts[which];
-  prepare_exits(part, boxes_around(cut.paths, cut.at_work), cut.exits);
-  for (const std::size_t i : cut.at_work) {
+  for (const std::size_t i : cut.at_work) note_outside(cut.clear[i], which);
+  find_swept_by(part, cut);
+  if (cut.alone.empty()) return;
+  prepare_exits(part, boxes_around(cut.paths, cut.alone), cut.exits);
+  for (const std::size_t i : cut.alone) {
     const auto t = prepared_exit_distance(part, cut.paths[i], cut.exits);
-    if (!t || *t <= 0.0) {
-      note_outside(cut.clear[i], which);
-      continue;
-    }
+    if (!t || *t <= 0.0) continue;
     plan_move(g, which, i, *t, cut);
     cut.paths[i].q0_P = m.X_PW0 * cut.places_W[i];
     cut.paths[i].q1_P = m.X_PW1 * cut.places_W[i];

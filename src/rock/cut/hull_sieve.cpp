@@ -71,11 +71,12 @@ TDBD_WIDE unsigned balls_near(const Balls& balls, std::size_t i, const Sieve& s)
   }
   if (!any_of(near)) return 0;
   const WideSingle room = b.radius + std::max(s.swept_slack, s.touched_slack);
-  for (std::size_t l = 0; l < SingleSolid::run; ++l) {
-    WideSingle out0, out1;
-    heights(s.hull_P, l, q, out0, out1);
-    near &= (out0 < room) | (out1 < room);
-  }
+  for (std::size_t k = 0; k < s.hull_P.planes && any_of(near); k += SingleSolid::run)
+    for (std::size_t l = k; l < k + SingleSolid::run; ++l) {
+      WideSingle out0, out1;
+      heights(s.hull_P, l, q, out0, out1);
+      near &= (out0 < room) | (out1 < room);
+    }
   return bits_of(near);
 }
 

@@ -44,7 +44,7 @@ struct Run {
   std::size_t count = 0;
 };
 
-/// Bit l: whether ball l of eight may reach inside the group's box and the first planes of its hull
+/// Bit l: whether ball l of eight may reach inside the group's box and all planes of its hull
 /// at either pose.
 unsigned balls_near(const Balls& balls, std::size_t i, const Sieve& s);
 

@@ -1,6 +1,7 @@
 #include "rock/cut/plane_strip.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 namespace tdbd::rock {
@@ -33,6 +34,21 @@ TDBD_WIDE void fill_path(const mesh::ConvexSolid& s, const RelativePath& p, doub
   }
   TDBD_STORE(first, bounds.lo.data());
   TDBD_STORE(last, bounds.hi.data());
+}
+
+TDBD_WIDE std::size_t first_beside(const mesh::ConvexSolid& s, const Vec3& q, const Vec3& d,
+                                   double depth) {
+  const std::size_t n = s.b.size();
+  for (std::size_t i = 0; i < n; i += lanes) {
+    WidePlanes planes;
+    load(s, i, planes);
+    const auto& [x, y, z, b] = planes;
+    const Wide room = b - (x * q.x() + y * q.y() + z * q.z()) - depth;
+    const Wide along = x * d.x() + y * d.y() + z * d.z();
+    const unsigned beside = lane_bits((room <= 0.0) & (room <= along));
+    if (beside != 0) return i + static_cast<std::size_t>(std::countr_zero(beside));
+  }
+  return n;
 }
 
 TDBD_WIDE void fill_direction(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w) {
@@ -123,6 +139,19 @@ Interval put_path_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, do
   Bounds bounds;
   fill_path(s, p, depth, w, bounds);
   return {*std::ranges::max_element(bounds.lo), *std::ranges::min_element(bounds.hi)};
+}
+
+std::size_t plane_beside_path(const mesh::ConvexSolid& s, const Vec3& q0_P, const Vec3& q1_P,
+                              double depth) {
+  return first_beside(s, q0_P, q1_P - q0_P, depth);
+}
+
+bool is_beside_path(const mesh::ConvexSolid& s, std::size_t i, const Vec3& q0_P, const Vec3& q1_P,
+                    double depth) {
+  const Vec3 d = q1_P - q0_P;
+  const double room =
+      s.b[i] - (s.nx[i] * q0_P.x() + s.ny[i] * q0_P.y() + s.nz[i] * q0_P.z()) - depth;
+  return room <= 0.0 && room <= s.nx[i] * d.x() + s.ny[i] * d.y() + s.nz[i] * d.z();
 }
 
 void put_direction_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w) {

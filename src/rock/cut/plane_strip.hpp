@@ -58,6 +58,15 @@ struct Interval {
 Interval put_path_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, double depth,
                            PlaneStrip& w);
 
+/// A plane that the path between these points does not come deeper than `depth` inside, so that
+/// put_path_on_strip finds it nowhere inside; the number of columns if no plane alone shows it.
+std::size_t plane_beside_path(const mesh::ConvexSolid& s, const Vec3& q0_P, const Vec3& q1_P,
+                              double depth);
+
+/// Whether plane i is one.
+bool is_beside_path(const mesh::ConvexSolid& s, std::size_t i, const Vec3& q0_P, const Vec3& q1_P,
+                    double depth);
+
 /// Sets `up` and `twist`.
 void put_direction_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w);
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include "core/parallel.hpp"
 #include "core/sort_unique.hpp"
-#include "core/wide.hpp"
 #include "mesh/search/inside.hpp"
+#include "rock/section/block_places.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -23,15 +22,6 @@ Region region_of(const mesh::Box& box_P, const Pose& X_WP) {
   }
   region.box = box_around(region.slabs);
   return region;
-}
-
-/// All near vertices of a convex part.
-void gather(const Rock& rock, const RubbingPart& part, const Pose& X_WP, double edge,
-            RubbingWork& w) {
-  const Region region_W = widened(region_of(part.box_P, X_WP), edge);
-  rock.grid.visit(region_W, w.chains, [&](const VertexGrid::Block& block) {
-    w.near.insert(w.near.end(), block.v.begin(), block.v.begin() + block.count);
-  });
 }
 
 /// Whether the part cannot have come to any rock: neither its axis nor its place has moved far since
@@ -51,47 +41,25 @@ bool stays_clear(const Rock& rock, const Pose& X_WP, const CutWorkspace& cut, Ru
   return true;
 }
 
-/// A pose in single precision.
-struct SinglePose {
-  std::array<Single, 9> R{};
-  std::array<Single, 3> p{};
-};
-
-SinglePose single(const Pose& X) {
-  SinglePose s;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) s.R[at(3 * i + j)] = static_cast<Single>(X.R(i, j));
-    s.p[at(i)] = static_cast<Single>(X.p[i]);
-  }
-  return s;
-}
-
 /// The vertices of a block in the frame of a part, m, and their squared distances from its axis. The
 /// eighth has no meaning.
 struct BlockPlaces {
   std::array<Single, single_lanes> x, y, z, r2;
 };
 
-TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SinglePose& X_PW,
+TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SingleFrame& X_PW,
                            BlockPlaces& out) {
-  using Block = VertexGrid::Block;
-  const char* bytes = reinterpret_cast<const char*>(&block);
-  WideSingle x, y, z;
-  TDBD_LOAD(x, bytes + offsetof(Block, x));
-  TDBD_LOAD(y, bytes + offsetof(Block, y));
-  TDBD_LOAD(z, bytes + offsetof(Block, z));
-  z[VertexGrid::block_size] = 0;  // a vertex number read as subnormal would be slow
-  const auto& R = X_PW.R;
-  const WideSingle x_P = R[0] * x + R[1] * y + R[2] * z + X_PW.p[0],
-                   y_P = R[3] * x + R[4] * y + R[5] * z + X_PW.p[1],
-                   z_P = R[6] * x + R[7] * y + R[8] * z + X_PW.p[2], r2 = x_P * x_P + y_P * y_P;
-  TDBD_STORE(x_P, out.x.data());
-  TDBD_STORE(y_P, out.y.data());
-  TDBD_STORE(z_P, out.z.data());
+  WideBlock q;
+  put_in_frame(block, X_PW, q);
+  const WideSingle r2 = q.x * q.x + q.y * q.y;
+  TDBD_STORE(q.x, out.x.data());
+  TDBD_STORE(q.y, out.y.data());
+  TDBD_STORE(q.z, out.z.data());
   TDBD_STORE(r2, out.r2.data());
 }
 
-/// Those that are not certainly outside the part, and whether it is clear of all.
+/// Those that are not certainly outside the part, and whether it is clear of all. Once it is not, only
+/// the columns are tested.
 void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, RubbingWork& w) {
   const Pose X_PW = inverse(X_WP);
   const Underside& u = part.underside_P;
@@ -103,17 +71,19 @@ void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, Rubb
   };
   const mesh::Box box_W = widened(region_of(part.box_P, X_WP), u.room).box;
   part.clear = {rock.grid.changes(), X_WP};
-  const SinglePose single_PW = single(X_PW);
+  bool is_clear = true;
+  const SingleFrame single_PW = single_frame(X_PW, Vec3::Zero());
   BlockPlaces places_P;
   rock.grid.visit_where(box_W, X_PW, may, [&](const VertexGrid::Block& block) {
     put_in_part(block, single_PW, places_P);
-    for (std::size_t s = 0; s < static_cast<std::size_t>(block.count); ++s) {
-      if (!may_hold(u, places_P.r2[s], places_P.z[s])) continue;
-      part.clear.changes = -1;
+    for (std::size_t s = 0; s < at(block.count); ++s) {
+      if (is_clear && !may_hold(u, places_P.r2[s], places_P.z[s])) continue;
+      is_clear = false;
       if (may_hold(u, Vec3(places_P.x[s], places_P.y[s], places_P.z[s])))
         w.near.push_back(block.v[s]);
     }
   });
+  if (!is_clear) part.clear.changes = -1;
 }
 
 /// Keeps those inside the part and adds their neighbours: no other triangle counts.
@@ -135,24 +105,17 @@ void keep_inside(const Rock& rock, const RubbingPart& part, const Pose& X_WP, Ru
   }
 }
 
-/// Beyond which sides of a box a point lies: a bit for each.
-std::uint8_t sides_beyond(const mesh::Box& box, const Vec3& x) {
-  unsigned sides = 0;
-  for (int i = 0; i < 3; ++i)
-    sides |= unsigned{x[i] < box.lo[i]} << (2 * i) | unsigned{x[i] > box.hi[i]} << (2 * i + 1);
-  return static_cast<std::uint8_t>(sides);
-}
-
 void find_near(const Rock& rock, const Pose& X_WP, double edge, RubbingPart& part, RubbingWork& w) {
+  const Pose X_PW = inverse(X_WP);
   w.near.clear();
   if (part.tree_P) {
     gather_doubtful(rock, X_WP, part, w);
     keep_inside(rock, part, X_WP, w);
   } else {
-    gather(rock, part, X_WP, edge, w);
+    const Region region_W = widened(region_of(part.box_P, X_WP), edge);
+    find_around_box(rock, region_W, part.box_P, X_PW, w.around, w.near);
   }
   sort_unique(w.near);
-  const Pose X_PW = inverse(X_WP);
   w.near_P.clear();
   w.beyond.clear();
   w.slot.resize(rock.surface.stars.size(), -1);

@@ -9,6 +9,7 @@
 #include "mesh/shape/convex.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rock/rock.hpp"
+#include "rock/section/box_sides.hpp"
 #include "rock/section/contact_area.hpp"
 #include "rock/section/underside.hpp"
 
@@ -36,7 +37,7 @@ RubbingPart prepare_rubbing_part(const bit::Part& part, int index, double cell);
 
 /// Buffers, kept between calls so that none allocates once warm.
 struct RubbingWork {
-  std::vector<int> chains;
+  BoxSidesWork around;
   std::vector<int> near;     ///< vertices around the part, in the order of their numbers
   std::vector<Vec3> near_P;  ///< m
   std::vector<std::uint8_t>

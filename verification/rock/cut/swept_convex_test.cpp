@@ -128,6 +128,34 @@ RC_GTEST_PROP(IsSwept, equals_the_twin_beyond_its_resolution, ()) {
   if (depth > resolution(p, substeps)) RC_ASSERT(twin(p, substeps).swept && a.swept);
 }
 
+/// A plane beside a path shows that the whole solid is nowhere swept, and is found if there is one. Paths
+/// begin on a plane or about as deep as counts: so do those of vertices that a part left behind.
+RC_GTEST_PROP(PlaneBesidePath, shows_that_a_path_sweeps_nothing, ()) {
+  const mesh::ConvexSolid solid = *mesh::convex_solid(*battery::convex_polyhedron());
+  const double depth = *rc::gen::element(0.0, 1e-12, 1e-3);
+  const double begins = depth * *battery::number(0.0, 3.0);
+  const auto on = tdbd::at(*battery::integer(0, static_cast<int>(solid.planes) - 1));
+  Vec3 q0 = *battery::point(1.0);
+  q0 -= (mesh::normal(solid, on).dot(q0) - solid.b[on] + begins) * mesh::normal(solid, on);
+  const RelativePath path{q0, q0 + 0.2 * *battery::point(1.0), Vec3::UnitZ(), Vec3::UnitZ()};
+  PlaneStrip strip;
+  const auto sweeps = [&](const mesh::ConvexSolid& s) {
+    const Interval inside = put_path_on_strip(s, path, depth, strip);
+    return inside.lo < inside.hi;
+  };
+  std::size_t first = solid.b.size();
+  for (std::size_t i = solid.planes; i-- > 0;) {
+    mesh::ConvexSolid half_space;
+    mesh::add_plane(half_space, mesh::normal(solid, i), solid.b[i]);
+    mesh::pad(half_space);
+    const bool is_beside = is_beside_path(solid, i, path.q0_P, path.q1_P, depth);
+    RC_ASSERT(is_beside == !sweeps(half_space));
+    if (is_beside) first = i;
+  }
+  RC_ASSERT(plane_beside_path(solid, path.q0_P, path.q1_P, depth) == first);
+  if (first < solid.b.size()) RC_ASSERT(!sweeps(solid));
+}
+
 RC_GTEST_PROP(DepthInside, is_positive_inside_alone, ()) {
   const TriangleMesh part = *convex_part();
   const Vec3 x = *battery::point(1.2);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/search/inside.hpp"
 #include "reference/rock/plane_section.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
@@ -73,6 +74,101 @@ RC_GTEST_PROP(RubbingContact, of_an_l_is_its_outline_but_for_corners, ()) {
   }
   constexpr double of_corners = 6 * 0.15 * 0.15;  // m2: a triangle at each of six corners
   RC_ASSERT(std::abs(c.area - whole) < 0.25 * of_corners);
+}
+
+/// Sums over polygons in the frame of the part.
+struct PlainSums {
+  double area = 0.0;
+  Vec3 vector = Vec3::Zero(), moment = Vec3::Zero();
+
+  void add(const PlainSums& s) {
+    area += s.area;
+    vector += s.vector;
+    moment += s.moment;
+  }
+};
+
+using Polygon = std::vector<Vec3>;
+
+/// What of a polygon lies where these depths, linear along its edges, are not negative.
+Polygon clipped(const Polygon& x, const std::vector<double>& depth) {
+  Polygon kept;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t j = (i + 1) % x.size();
+    if (depth[i] >= 0.0) kept.push_back(x[i]);
+    if ((depth[i] >= 0.0) != (depth[j] >= 0.0))
+      kept.push_back(x[i] + depth[i] / (depth[i] - depth[j]) * (x[j] - x[i]));
+  }
+  return kept;
+}
+
+void sum_polygon(const Polygon& x, PlainSums& sums) {
+  for (std::size_t i = 2; i < x.size(); ++i) {
+    const Vec3 vector = mesh::area_vector(x[0], x[i - 1], x[i]);
+    const double area = vector.norm();
+    sums.add({area, vector, area / 3.0 * (x[0] + x[i - 1] + x[i])});
+  }
+}
+
+/// Calls visit(corners) for every triangle around its lowest vertex, in the order of these.
+template <class Visit>
+void visit_triangles(const mesh::Surface& s, const Visit& visit) {
+  for (int v = 0; v < s.vertex_slots(); ++v) {
+    const mesh::VertexStar& star = s.star(v);
+    const int* ring = s.ring(star);
+    for (int i = 0; i < star.size - star.open; ++i)
+      if (const int a = ring[i], b = ring[(i + 1) % star.size]; a > v && b > v)
+        visit(std::array<int, 3>{v, a, b});
+  }
+}
+
+/// Every triangle of the rock, clipped to the planes of a convex part one after another.
+PlainSums plain_contact(const Rock& rock, const mesh::ConvexSolid& solid, const Pose& X_PW) {
+  PlainSums sums;
+  visit_triangles(rock.surface, [&](const std::array<int, 3>& corners) {
+    Polygon x;
+    for (const int v : corners) x.push_back(X_PW * rock.surface.position(v));
+    for (std::size_t k = 0; k < solid.planes && !x.empty(); ++k) {
+      std::vector<double> depth;
+      for (const Vec3& p : x) depth.push_back(solid.b[k] - mesh::normal(solid, k).dot(p));
+      x = clipped(x, depth);
+    }
+    sum_polygon(x, sums);
+  });
+  return sums;
+}
+
+/// A convex part that is turned anyhow, with rough rock around and through it.
+RC_GTEST_PROP(RubbingContact, of_a_convex_part_is_bitwise_that_of_all_triangles, ()) {
+  Rock rock = flat(1.2);
+  Random random = battery::any_random();
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v)
+    if (!rock.surface.is_boundary(v))
+      place_vertex(rock, v, rock.surface.position(v) + Vec3(0, 0, random.uniform(-0.05, 0.05)),
+                   Teller::journal);
+  const mesh::TriangleMesh m = *battery::convex_polyhedron();
+  const Pose X_WP = *battery::pose(0.8);
+  const ContactPatch c = contact_of(rock, part_of(m), X_WP, 0.2);
+  const PlainSums sums = plain_contact(rock, *mesh::convex_solid(m), inverse(X_WP));
+  RC_ASSERT(c.area == sums.area);
+  RC_ASSERT(c.area_vector_W == Vec3(X_WP.R * sums.vector) || sums.area == 0.0);
+  RC_ASSERT(c.centroid_W == X_WP * Vec3(sums.moment / sums.area) || sums.area == 0.0);
+}
+
+/// A part that is not convex, from which no search is left out: the vertices inside are found among all.
+RC_GTEST_PROP(RubbingContact, of_any_part_finds_every_vertex_inside, ()) {
+  const Rock rock = flat(1.2);
+  const mesh::TriangleMesh m = *battery::nonconvex_prism();
+  const Pose X_WP = *battery::pose(0.5);
+  const mesh::TriangleTree tree(m);
+  RubbingWork work;
+  RubbingPart prepared = prepare_rubbing_part(part_of(m), 0, rock.grid.cell());
+  RC_PRE(prepared.tree_P.has_value());
+  rubbing_contact(rock, prepared, X_WP, 0.15, {}, work);
+  const Pose X_PW = inverse(X_WP);
+  for (int v = 0; v < rock.surface.vertex_slots(); ++v)
+    if (mesh::inside(tree, X_PW * rock.surface.position(v)))
+      RC_ASSERT(std::ranges::binary_search(work.near, v));
 }
 
 TEST(RubbingContact, is_none_above_the_rock) {

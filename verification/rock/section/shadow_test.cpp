@@ -193,4 +193,34 @@ RC_GTEST_PROP(PressingPart, touches_at_its_nearest_plane, ()) {
             rounding);
 }
 
+/// Bit for bit, where several planes are equally near, or nearly: the first of them is touched, and all of
+/// them decide whether the point is on the lee side.
+RC_GTEST_PROP(PressingPart, touches_the_first_of_equally_near_planes, ()) {
+  Random random = battery::any_random();
+  Pressing p = any_part(random);
+  mesh::ConvexSolid& s = p.solids[0].solid_P;
+  const Vec3 x = any_point(random, 1.0);
+  const double near = 1e-6 * p.part.gap;
+  const auto along = [&](std::size_t i) {
+    return s.nx[i] * x.x() + s.ny[i] * x.y() + s.nz[i] * x.z();
+  };
+  const std::vector<double> beyond{0.0, 0.5 * near, 2.0 * near, 0.1};
+  for (std::size_t i = 0; i < s.planes; ++i)
+    s.b[i] =
+        along(i) + beyond[std::min<std::size_t>(3, at(static_cast<int>(random.uniform(0, 4))))];
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < s.planes; ++i)
+    if (along(i) - s.b[i] > along(first) - s.b[first]) first = i;
+  const double most = along(first) - s.b[first];
+  const Vec3 v = displacement_P(p.part, x);
+  bool moved_away = true;
+  for (std::size_t i = 0; i < s.planes; ++i)
+    if (along(i) - s.b[i] >= most - near)
+      moved_away = moved_away && !presses_or_slides(p.part, v, mesh::normal(s, i));
+  const Touch found = touch(p.part, x);
+  RC_ASSERT(found.is_lee == moved_away);
+  RC_ASSERT(found.rise == (std::abs(most) <= p.part.gap ? std::max(most, 0.0) : 0.0));
+  if (std::abs(most) <= p.part.gap) RC_ASSERT(found.x_P == Vec3(x - most * mesh::normal(s, first)));
+}
+
 }  // namespace tdbd::rock::shadow_test
