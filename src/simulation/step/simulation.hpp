@@ -93,7 +93,8 @@ struct Work {
   rock::TrimWorkspace trim_work;
   rock::RenumberWork renumber_work;
   MeasureWork measure_work;
-  rock::RubbingWork rubbing_work;
+  PerThread<rock::RubbingWork> rubbing_work;
+  std::vector<std::vector<rock::ContactPatch>> rubbing_patches;  ///< per rubbing part
   StandingWork standing_work;
   dynamics::DrillingWork drive;
   dynamics::Drilling drive_before;  ///< the motion before the step at work

@@ -1,5 +1,7 @@
 #include "simulation/step/step.hpp"
 
+#include <tbb/task_arena.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -138,15 +140,26 @@ void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& 
   work.measures.patches.clear();
   if (c.measure.contact == ContactMeasure::off) return;
   const double edge = work.limits.longest_edge;
-  for (rock::RubbingPart& rubbing : work.rubbing) {
+  const std::vector<double> angles = angles_of(state.cones);
+  work.rubbing_patches.resize(work.rubbing.size());
+  parallel_for(static_cast<int>(work.rubbing.size()), [&](int i) {
+    rock::RubbingPart& rubbing = work.rubbing[at(i)];
     const bit::Part& part = c.bit.parts[at(rubbing.part)];
-    const Pose X_WP = X_WB * bit::part_pose(c.bit, part, angles_of(state.cones));
-    work.measures.contacts[at(rubbing.part)].below =
-        rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.cut_work, work.rubbing_work);
-    for (const rock::ContactPatch& patch : work.rubbing_work.patches)
+    const Pose X_WP = X_WB * bit::part_pose(c.bit, part, angles);
+    // Isolated: a thread that waits in the middle of a part may not begin another in the same room.
+    tbb::this_task_arena::isolate([&] {
+      rock::RubbingWork& room = work.rubbing_work.local();
+      work.measures.contacts[at(rubbing.part)].below =
+          rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.cut_work, room);
+      work.rubbing_patches[at(i)] = room.patches;
+    });
+  });
+  for (std::size_t i = 0; i < work.rubbing.size(); ++i)
+    for (const rock::ContactPatch& patch : work.rubbing_patches[i]) {
+      const int part = work.rubbing[i].part;
       work.measures.patches.push_back(
-          {rubbing.part, part.cone < 0 ? facing_the_advance(patch, X_WB) : patch});
-  }
+          {part, c.bit.parts[at(part)].cone < 0 ? facing_the_advance(patch, X_WB) : patch});
+    }
 }
 
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work) {
