@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cmath>
 #include <compare>
-#include <cstring>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -33,11 +32,8 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
 }
 
 template <class To, class From>
-To bit_cast(const From& from) noexcept {
-  static_assert(sizeof(To) == sizeof(From));
-  To to;
-  memcpy(&to, &from, sizeof(To));
-  return to;
+constexpr To bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
 }
 
 inline strong_ordering operator<=>(const string& a, const string& b) {
@@ -60,12 +56,12 @@ auto projected_less(Less less, Projection projection) {
 template <class R, class Test, class Projection = identity>
 bool any_of(R&& r, Test test, Projection p = {}) {
   return std::any_of(std::begin(r), std::end(r),
-                     [&](const auto& x) { return bool(std::invoke(test, std::invoke(p, x))); });
+                     [&](auto&& x) { return bool(std::invoke(test, std::invoke(p, x))); });
 }
 template <class R, class Test, class Projection = identity>
 bool all_of(R&& r, Test test, Projection p = {}) {
   return std::all_of(std::begin(r), std::end(r),
-                     [&](const auto& x) { return bool(std::invoke(test, std::invoke(p, x))); });
+                     [&](auto&& x) { return bool(std::invoke(test, std::invoke(p, x))); });
 }
 template <class R, class Test, class Projection = identity>
 bool none_of(R&& r, Test test, Projection p = {}) {
@@ -74,7 +70,7 @@ bool none_of(R&& r, Test test, Projection p = {}) {
 template <class R, class Test, class Projection = identity>
 auto find_if(R&& r, Test test, Projection p = {}) {
   return std::find_if(std::begin(r), std::end(r),
-                      [&](const auto& x) { return bool(std::invoke(test, std::invoke(p, x))); });
+                      [&](auto&& x) { return bool(std::invoke(test, std::invoke(p, x))); });
 }
 template <class R, class T, class Projection = identity>
 auto find(R&& r, const T& value, Projection p = {}) {
@@ -105,6 +101,20 @@ auto lower_bound(R&& r, const T& value, Less less = {}, Projection p = {}) {
     return bool(std::invoke(less, std::invoke(p, x), v));
   });
 }
+template <class R, class T, class Less = ranges::less, class Projection = identity>
+auto upper_bound(R&& r, const T& value, Less less = {}, Projection p = {}) {
+  return std::upper_bound(std::begin(r), std::end(r), value, [&](const T& v, const auto& x) {
+    return bool(std::invoke(less, v, std::invoke(p, x)));
+  });
+}
+template <class R, class T>
+bool binary_search(R&& r, const T& value) {
+  return std::binary_search(std::begin(r), std::end(r), value);
+}
+template <class A, class B, class Test>
+bool equal(A&& a, B&& b, Test test) {
+  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b), test);
+}
 template <class R, class Less = ranges::less, class Projection = identity>
 auto min_element(R&& r, Less less = {}, Projection p = {}) {
   return std::min_element(std::begin(r), std::end(r), projected_less(less, p));
@@ -122,9 +132,10 @@ auto max(R&& r, Less less = {}, Projection p = {}) {
   return *ranges::max_element(r, less, p);
 }
 /// The last of several greatest, as the standard has it.
-template <class R>
-auto minmax(R&& r) {
-  const auto [least, greatest] = std::minmax_element(std::begin(r), std::end(r));
+template <class R, class Less = ranges::less, class Projection = identity>
+auto minmax(R&& r, Less less = {}, Projection p = {}) {
+  const auto [least, greatest] =
+      std::minmax_element(std::begin(r), std::end(r), projected_less(less, p));
   return std::pair(*least, *greatest);
 }
 template <class R, class Out>
@@ -144,6 +155,14 @@ template <class R, class Out, class Function>
 void transform(R&& r, Out out, Function function) {
   std::transform(std::begin(r), std::end(r), out,
                  [&](const auto& x) { return std::invoke(function, x); });
+}
+template <class A, class B, class Out, class Function>
+void transform(A&& a, B&& b, Out out, Function function) {
+  std::transform(std::begin(a), std::end(a), std::begin(b), out, function);
+}
+template <class R, class T>
+void fill(R&& r, const T& value) {
+  std::fill(std::begin(r), std::end(r), value);
 }
 template <class R, class T>
 void replace(R&& r, const T& old, const T& now) {

@@ -58,8 +58,8 @@ TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SingleFrame& X_
   TDBD_STORE(r2, out.r2.data());
 }
 
-/// Those that are not certainly outside the part, and whether it is clear of all. Once rings have not
-/// rejected most, only the columns are tested.
+/// Those that are not certainly outside the part, and whether it is clear of all. Once it is not, only
+/// the columns are tested.
 void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, RubbingWork& w) {
   const Pose X_PW = inverse(X_WP);
   const Underside& u = part.underside_P;
@@ -71,21 +71,19 @@ void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, Rubb
   };
   const mesh::Box box_W = widened(region_of(part.box_P, X_WP), u.room).box;
   part.clear = {rock.grid.changes(), X_WP};
-  long tested = 0, within = 0;  // by rings
+  bool is_clear = true;
   const SingleFrame single_PW = single_frame(X_PW, Vec3::Zero());
   BlockPlaces places_P;
   rock.grid.visit_where(box_W, X_PW, may, [&](const VertexGrid::Block& block) {
     put_in_part(block, single_PW, places_P);
-    const bool tests_rings = 2 * within <= tested;
     for (std::size_t s = 0; s < at(block.count); ++s) {
-      tested += tests_rings ? 1 : 0;
-      if (tests_rings && !may_hold(u, places_P.r2[s], places_P.z[s])) continue;
-      ++within;
+      if (is_clear && !may_hold(u, places_P.r2[s], places_P.z[s])) continue;
+      is_clear = false;
       if (may_hold(u, Vec3(places_P.x[s], places_P.y[s], places_P.z[s])))
         w.near.push_back(block.v[s]);
     }
   });
-  if (within > 0) part.clear.changes = -1;
+  if (!is_clear) part.clear.changes = -1;
 }
 
 /// Keeps those inside the part and adds their neighbours: no other triangle counts.

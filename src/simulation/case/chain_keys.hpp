@@ -358,7 +358,7 @@ inline constexpr TableKey table{"output", "what is recorded"};
 inline constexpr IntegerKey history_every{.name = "history_every",
                                           .usual = "at most 10 000 rows",
                                           .lo = 1,
-                                          .hi = 1'000'000'000'000,
+                                          .hi = 1'000'000'000,
                                           .meaning = "steps between rows of the history"};
 inline constexpr ListKey string_depths{
     .name = "string_depths",
