@@ -16,9 +16,9 @@ constexpr const char* markdown_head =
     "# The keys of cases and bit files\n"
     "\n"
     "`tdbd keys --markdown` writes this file from the declarations (`*_keys.hpp`); do not edit it. "
-    "A quantity is a number\n"
-    "in the SI unit that is shown, or a text with any unit of the same dimension (`\"8.5 in\"`). "
-    "Frame W: z down along the hole.\n"
+    "A quantity is\n"
+    "a number in the SI unit that is shown, or a text with any unit of the same dimension\n"
+    "(`\"8.5 in\"`). Frame W: z down along the hole.\n"
     "\n";
 
 constexpr const char* markdown_head_of_designs =

@@ -5,7 +5,7 @@ from pathlib import Path
 from study_tools import read_csv, read_rows
 
 HERE = Path(__file__).resolve().parent
-GIVEN = ["within 3 s of opening", "at edges of 3 mm", "at most 1 MB", "60.00000000000001 kN in place of 60 kN", "7 times was asked", "it was 5.2 times on another"]
+GIVEN = ["within 3 s of opening", "at edges of 3 mm", "a program of at most 1 MB", "60.00000000000001 kN in place of 60 kN", "7 times was asked", "reached 5.2 times on another machine"]
 SENSITIVE = "drill-bit-r"
 
 
