@@ -5,15 +5,6 @@
 namespace tdbd::rock {
 namespace {
 
-SingleBox single_box(const mesh::Box& box, double slack) {
-  SingleBox b;
-  for (int i = 0; i < 3; ++i) {
-    b.lo[at(i)] = static_cast<Single>(box.lo[i] - slack);
-    b.hi[at(i)] = static_cast<Single>(box.hi[i] + slack);
-  }
-  return b;
-}
-
 /// Eight places in the group's frame at both poses. Passed by reference: see core/wide.hpp.
 struct WidePlaces {
   std::array<WideSingle, 3> start, end;
@@ -36,6 +27,15 @@ inline void heights(const SingleSolid& h, std::size_t l, const WidePlaces& q, Wi
 }
 
 }  // namespace
+
+SingleBox single_box(const mesh::Box& box, double slack) {
+  SingleBox b;
+  for (int i = 0; i < 3; ++i) {
+    b.lo[at(i)] = static_cast<Single>(box.lo[i] - slack);
+    b.hi[at(i)] = static_cast<Single>(box.hi[i] + slack);
+  }
+  return b;
+}
 
 SingleFrame single_frame(const Pose& X_PW, const Vec3& origin_W) {
   SingleFrame f;

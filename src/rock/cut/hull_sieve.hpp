@@ -5,6 +5,7 @@
 #include "core/wide.hpp"
 #include "rock/cut/group_motion.hpp"
 #include "rock/index/near_list.hpp"
+#include "rock/index/single_slabs.hpp"
 
 namespace tdbd::rock {
 
@@ -16,10 +17,20 @@ struct SingleFrame {
 
 SingleFrame single_frame(const Pose& X_PW, const Vec3& origin_W);
 
+/// Eight places in the frame, m. For functions that are TDBD_WIDE.
+TDBD_INLINE void put_in_frame(const WidePoints& x, const SingleFrame& X_PW, WidePoints& q_P) {
+  const auto& R = X_PW.R;
+  q_P = {R[0] * x.x + R[1] * x.y + R[2] * x.z + X_PW.p[0],
+         R[3] * x.x + R[4] * x.y + R[5] * x.z + X_PW.p[1],
+         R[6] * x.x + R[7] * x.y + R[8] * x.z + X_PW.p[2]};
+}
+
 /// A box in single precision, widened.
 struct SingleBox {
   std::array<Single, 3> lo{}, hi{};
 };
+
+SingleBox single_box(const mesh::Box& box, double slack);
 
 /// Selects what a group may sweep between its two poses, and what it may touch at the end (nothing
 /// if that slack is negative). Swept: no side of the box and no plane of the hull has the vertex

@@ -44,13 +44,8 @@ struct WideBlock {
 };
 
 inline void load(const VertexGrid::Block& block, WideBlock& wide) {
-  using Block = VertexGrid::Block;
-  const char* bytes = reinterpret_cast<const char*>(&block);
-  TDBD_LOAD(wide.points.x, bytes + offsetof(Block, x));
-  TDBD_LOAD(wide.points.y, bytes + offsetof(Block, y));
-  TDBD_LOAD(wide.points.z, bytes + offsetof(Block, z));
-  wide.points.z[VertexGrid::block_size] = 0;  // a vertex number read as subnormal would be slow
-  TDBD_LOAD(wide.v, bytes + offsetof(Block, v));
+  load(block, wide.points);
+  TDBD_LOAD(wide.v, reinterpret_cast<const char*>(&block) + offsetof(VertexGrid::Block, v));
 }
 
 /// Writes the flagged ones of eight vertices from place i on, and whatever up to eight there.

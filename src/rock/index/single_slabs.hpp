@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "core/wide.hpp"
 #include "rock/index/vertex_grid.hpp"
@@ -19,6 +20,16 @@ SingleSlabs about(const Vec3& origin_W, const std::array<Slab, 3>& slabs, double
 struct WidePoints {
   WideSingle x, y, z;
 };
+
+/// The places of a block of the index. Its columns are read as eight: the eighth has no meaning.
+inline void load(const VertexGrid::Block& block, WidePoints& p) {
+  using Block = VertexGrid::Block;
+  const char* bytes = reinterpret_cast<const char*>(&block);
+  TDBD_LOAD(p.x, bytes + offsetof(Block, x));
+  TDBD_LOAD(p.y, bytes + offsetof(Block, y));
+  TDBD_LOAD(p.z, bytes + offsetof(Block, z));
+  p.z[VertexGrid::block_size] = 0;  // a vertex number read as subnormal would be slow
+}
 
 /// Flags the places that lie between all slabs; one that is nowhere does not. For loops that are
 /// TDBD_WIDE.

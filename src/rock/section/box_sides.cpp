@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "rock/section/block_places.hpp"
+#include "rock/cut/hull_sieve.hpp"
 #include "rock/section/underside.hpp"
 
 namespace tdbd::rock {
@@ -10,24 +10,12 @@ namespace {
 
 constexpr int is_known = 0x80;  // above the bits of the sides
 
-mesh::Box widened(const mesh::Box& box, double by) {
-  return {box.lo - Vec3::Constant(by), box.hi + Vec3::Constant(by)};
-}
-
-SingleBox in_single(const mesh::Box& box) {
-  SingleBox single;
-  for (int i = 0; i < 3; ++i) {
-    single.lo[at(i)] = static_cast<Single>(box.lo[i]);
-    single.hi[at(i)] = static_cast<Single>(box.hi[i]);
-  }
-  return single;
-}
-
 /// The sides of a block's vertices, with is_known.
 TDBD_WIDE void find_sides(const VertexGrid::Block& block, const SingleFrame& X_PW,
                           const SingleBox& box, std::array<int, single_lanes>& sides) {
-  WideBlock q;
-  put_in_frame(block, X_PW, q);
+  WidePoints x_W, q;
+  load(block, x_W);
+  put_in_frame(x_W, X_PW, q);
   WideFlags s = WideFlags{} + is_known;
   s |= (q.x < box.lo[0]) & 1;
   s |= (q.x > box.hi[0]) & 2;
@@ -68,7 +56,7 @@ std::uint8_t sides_beyond(const mesh::Box& box, const Vec3& x) {
 void find_around_box(const Rock& rock, const Region& region_W, const mesh::Box& box_P,
                      const Pose& X_PW, BoxSidesWork& w, std::vector<int>& near) {
   const SingleFrame single_PW = single_frame(X_PW, Vec3::Zero());
-  const SingleBox wide_P = in_single(widened(box_P, of_single_places));
+  const SingleBox wide_P = single_box(box_P, of_single_places);
   std::array<int, single_lanes> sides{};
   w.sides.resize(rock.surface.stars.size(), 0);
   w.known.clear();

@@ -8,7 +8,7 @@
 #include "core/parallel.hpp"
 #include "core/sort_unique.hpp"
 #include "mesh/search/inside.hpp"
-#include "rock/section/block_places.hpp"
+#include "rock/cut/hull_sieve.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -49,8 +49,9 @@ struct BlockPlaces {
 
 TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SingleFrame& X_PW,
                            BlockPlaces& out) {
-  WideBlock q;
-  put_in_frame(block, X_PW, q);
+  WidePoints x_W, q;
+  load(block, x_W);
+  put_in_frame(x_W, X_PW, q);
   const WideSingle r2 = q.x * q.x + q.y * q.y;
   TDBD_STORE(q.x, out.x.data());
   TDBD_STORE(q.y, out.y.data());
