@@ -58,7 +58,7 @@ class RunResult(Result):
 
     def plot(self) -> "Figure":
         """The bottom hole from above, depth in colour, and what the bit removed over its turns."""
-        return plots.bottom_hole(self)
+        return plots.bottom_hole(self.rock, self.history, self.summary["title"])
 
 
 class RotationResult(Result):
@@ -66,7 +66,7 @@ class RotationResult(Result):
 
     def plot(self) -> "Figure":
         """The path of the body's third axis, and the drift of the energy."""
-        return plots.axis_path(self)
+        return plots.axis_path(self.history, self.summary)
 
 
 def load(folder: str | os.PathLike[str]) -> RunResult | RotationResult:

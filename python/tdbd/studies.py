@@ -51,7 +51,7 @@ class Convergence:
 
     def plot(self) -> "Figure":
         """Errors of all variables over the quantity that was divided."""
-        return plots.errors(self)
+        return plots.errors(self.sizes, self.errors, self.data)
 
 
 def converge(case: Case | Folder, over: str | Sequence[str], levels: int = 5, factor: float = 2.0, *,
