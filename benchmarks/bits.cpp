@@ -1,5 +1,4 @@
-// How long a bit file takes to become a bit: text read, layout, meshes, and the gaps between cones
-// or cutters.
+// Time to make a bit from a bit file: text, layout, meshes, and the gaps between cones or cutters.
 
 #include <benchmark/benchmark.h>
 

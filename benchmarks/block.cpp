@@ -12,7 +12,7 @@ mesh::TriangleMesh with_top(const mesh::Surface& hole_W, double radius) {
   const mesh::TriangleMesh m = mesh::compact(hole_W);
   const mesh::Surface s = mesh::make_surface(m);
   mesh::TriangleMesh wide = m;
-  std::map<int, int> outside;  // vertex of the mouth to the vertex beside it on the rim
+  std::map<int, int> outside;  // from a vertex of the mouth to the vertex beside it on the rim
   const auto beside = [&](int v) {
     const auto [place, is_new] = outside.try_emplace(v, static_cast<int>(wide.positions.size()));
     if (is_new) {

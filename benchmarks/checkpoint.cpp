@@ -29,7 +29,7 @@ double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
-/// In a folder of its own beside what is measured, so that the disk is the user's.
+/// Writes to the current directory, so that the user chooses the disk.
 void measure(const Wish& wish) {
   const Workload w{"standard", "standard-workload", 1e-3 * wish.edge_length_mm, {}, ""};
   Drilling d = start_workload(w, {}, 20);

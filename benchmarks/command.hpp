@@ -8,7 +8,7 @@
 
 namespace tdbd::bench {
 
-/// The exit code of a program that reads its command line and runs: 2 for bad input.
+/// Parses the command line and runs the program. Returns its exit code: 2 for bad input.
 template <class Run>
 int parse_and_run(CLI::App& app, int argc, char** argv, Run&& run) try {
   app.parse(argc, argv);

@@ -10,8 +10,8 @@
 
 namespace tdbd::bench {
 
-/// One of the processor's own counters, of this program's own code (not the kernel's), threads that
-/// start later among it. Many machines that others share have none.
+/// A hardware counter of the processor for this program's own code (without the kernel), including
+/// threads that start later. Many shared machines have none.
 class Counter {
  public:
   /// `event`: PERF_COUNT_HW_...
@@ -31,7 +31,7 @@ class Counter {
   Counter(const Counter&) = delete;
   Counter& operator=(const Counter&) = delete;
 
-  /// Since the program opened it; nothing where the machine has no such counter.
+  /// The count since the constructor. Nothing if the machine does not have this counter.
   std::optional<double> value() const {
     std::uint64_t n = 0;
     if (file_ < 0 || read(file_, &n, sizeof n) != sizeof n) return std::nullopt;

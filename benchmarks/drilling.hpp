@@ -7,39 +7,39 @@
 
 namespace tdbd::bench {
 
-/// A case and how far it is drilled.
+/// A case and its simulation.
 struct Drilling {
   simulation::Case plan;
   simulation::Simulation run;
 };
 
-/// The case `cases/NAME.toml` at this edge length (m), read. `settings`: further KEY=VALUE of the
+/// Reads the case `cases/NAME.toml` with this edge length (m). `settings`: further KEY=VALUE of the
 /// case.
 simulation::Case read_plan(const std::string& name, double edge_length,
                            std::vector<std::string> settings);
 
-/// The same at t = 0.
+/// Starts the case at t = 0.
 Drilling start_drilling(const std::string& name, double edge_length,
                         std::vector<std::string> settings);
 
-/// The same after its first revolution: a conforming start has no steps in front of the cutters
-/// yet, one turn of the bit makes them all.
+/// Drills the case for its first revolution. A conforming start has no steps in front of the
+/// cutters yet; one turn of the bit makes all of them.
 Drilling after_one_revolution(const std::string& name, double edge_length,
                               std::vector<std::string> settings = {});
 
-/// Steps of one turn of the bit; of a bit that forces turn, at the speed that its top is given.
+/// Number of steps of one revolution; for a bit that is driven by forces, at the speed of its top.
 long steps_of_a_revolution(const simulation::Case& plan);
 
-/// The pose of the bit `steps` (or a part of one) after what is drilled.
+/// The pose of the bit `steps` steps (or a fraction of one) after the present state.
 Pose pose_after(const Drilling& d, double steps);
 
-/// Drills this many steps, with ledger and maintenance.
+/// Drills this number of steps, with ledger and maintenance.
 void drill(Drilling& d, long steps);
 
-/// CPU time of this process, s: does not count what other programs take.
+/// CPU time of this process, s. Does not include other programs.
 double cpu_seconds();
 
-/// Seconds of the wall since some moment.
+/// Wall time, s, from an arbitrary origin.
 double wall_seconds();
 
 }  // namespace tdbd::bench

@@ -1,4 +1,4 @@
-// What a force costs: one part, one law.
+// Run time of a force law for one part.
 #include <benchmark/benchmark.h>
 
 #include "forces/fits.hpp"
@@ -21,7 +21,7 @@ forces::PartCut cut_of(bit::PartKind kind) {
   return c;
 }
 
-/// A law's force on a kind of part that it knows, with all its coefficients 1 or what is usual.
+/// Evaluates a law for a kind of part that it supports, with default coefficients or 0.5.
 void force_of(benchmark::State& state, forces::Law law) {
   for (const forces::LawField& f : forces::law_fields(law)) *f.value = f.fallback.value_or(0.5);
   const bool face = forces::law_problem(law, bit::PartKind::face, 16e-3).empty();

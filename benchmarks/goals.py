@@ -64,13 +64,13 @@ def speedup(all_figures, workload):
 
 def threads_row(workload, now, before):
     value, was = speedup(now, workload), speedup(before, workload)
-    return (f"| two threads: times faster than one, {THREADS_WORKLOADS[workload]} | at least {THREADS_ASKED} | {told(value)} "
+    return (f"| two threads: speed-up over one thread, {THREADS_WORKLOADS[workload]} | at least {THREADS_ASKED} | {told(value)} "
             f"| {'' if was is None else told(was)} | {verdict(value, THREADS_ASKED, True)} |\n")
 
 
 def goals_table(measured):
     now, before = figures(measured), figures(measured.get("before", {}))
-    head = "| goal | asked | measured | before | |\n|---|---|---|---|---|\n"
+    head = "| quantity | goal | measured | before | |\n|---|---|---|---|---|\n"
     rows = [goal_row(g, now, before) for g in json.loads(GOALS.read_text(encoding="utf-8"))]
     return head + "".join(rows) + "".join(threads_row(w, now, before) for w in THREADS_WORKLOADS)
 

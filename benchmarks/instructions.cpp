@@ -1,6 +1,6 @@
-// Some steps of a workload for a program that counts what they cost:
+// Steps of a workload, for a program that counts their instructions:
 //   valgrind --tool=callgrind --instr-atstart=no build/count/benchmarks/instructions standard-1.0
-// Only the steps after the warm ones are counted. benchmarks/count.py runs this and prints a table.
+// Only the steps after the warm-up are counted. benchmarks/count.py runs this and prints a table.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
-#else  // every instruction is counted: the steps cannot be told from the start
+#else  // all instructions are counted, including those of the start
 #define CALLGRIND_START_INSTRUMENTATION
 #define CALLGRIND_STOP_INSTRUMENTATION
 #endif
@@ -30,7 +30,8 @@ struct Wish {
   std::vector<std::string> settings;
 };
 
-/// Drills the steps that count. A function of its own, not inlined: count.py finds it by its name.
+/// Drills the counted steps. A separate function that is not inlined, because count.py finds it by
+/// its name.
 [[gnu::noinline]] void counted_steps(Drilling& d, long steps) { drill(d, steps); }
 
 void count(Drilling d, const Wish& wish) {

@@ -1,5 +1,5 @@
-// The kernels inside a step, each on what it meets while bit B drills; sections and contact areas
-// on the standard workload.
+// The kernels of a step, each with typical input while bit B drills; sections and contact areas on
+// the standard workload.
 
 #include <benchmark/benchmark.h>
 
@@ -31,7 +31,7 @@ rock::RelativePath path_of(const rock::CuttingGroup& g, const rock::GroupMotion&
   return rock::relative_path(m.X_PW0, m.X_PW1, x_W, rock::mapped_direction_W(g, m, x_W));
 }
 
-/// A vertex that the next step sweeps, as the part that sweeps it sees it.
+/// A vertex that the next step sweeps, and its path relative to the part that sweeps it.
 struct Query {
   const rock::CuttingPart* part;
   rock::RelativePath path;
@@ -57,7 +57,7 @@ std::vector<Query> queries_of_next_step(const Drilling& d) {
   return queries;
 }
 
-/// One item is one swept vertex's way out of a part given by its planes.
+/// One item is the exit of one swept vertex from a part given by its planes.
 void exit_convex(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<Query> queries = queries_of_next_step(d);
@@ -68,7 +68,7 @@ void exit_convex(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
 }
 
-/// The same parts and paths, every part by the tree over its facets, as if it were not convex.
+/// The same parts and paths, with every part as a tree over its facets, as if it were not convex.
 void exit_mesh(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<Query> queries = queries_of_next_step(d);
@@ -82,7 +82,7 @@ void exit_mesh(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
 }
 
-/// The same, by walks over neighbouring facets (rock (6)).
+/// The same by walks over neighbouring facets (rock (6)).
 void exit_walk(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<Query> queries = queries_of_next_step(d);
@@ -108,7 +108,7 @@ void exit_walk(benchmark::State& state) {
   state.counters["answered"] = answered / tried;
 }
 
-/// One iteration visits the vertices near every group of parts; one item is a vertex.
+/// One iteration visits the vertices near every group of parts. One item is a vertex.
 void grid_query(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<rock::GroupMotion> motions = next_motions(d);
@@ -122,7 +122,7 @@ void grid_query(benchmark::State& state) {
   state.SetItemsProcessed(vertices);
 }
 
-/// The same by the boxes along the axes alone, which is all that the thesis asks for.
+/// The same with axis-aligned boxes alone, as in the thesis.
 void grid_query_box(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<rock::GroupMotion> motions = next_motions(d);
@@ -143,7 +143,7 @@ std::vector<Vec3> vertices_of(const mesh::Surface& surface) {
   return places;
 }
 
-/// The same boxes to the textbook's tree over the vertices.
+/// The same boxes with a standard k-d tree over the vertices.
 void range_search(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<rock::GroupMotion> motions = next_motions(d);
@@ -159,7 +159,7 @@ void range_search(benchmark::State& state) {
   state.SetItemsProcessed(vertices);
 }
 
-/// What the tree asks for besides, once vertices have moved: its boxes anew.
+/// The additional work of the tree after vertices have moved: its boxes are recomputed.
 void range_search_refit(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<Vec3> places = vertices_of(d.run.state.rock.surface);
@@ -171,7 +171,7 @@ void range_search_refit(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(places.size()));
 }
 
-/// The test of every vertex in the groups' lists against the hull of its group.
+/// Tests every vertex in the groups' lists against the hull of its group.
 void find_candidates(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<rock::GroupMotion> motions = next_motions(d);
@@ -184,7 +184,7 @@ void find_candidates(benchmark::State& state) {
     }
 }
 
-/// One maintenance of what five steps have touched. The steps between are not counted.
+/// One maintenance of what five steps have touched. The steps are not timed.
 void maintain(benchmark::State& state) {
   Drilling d = bit_b();
   const long period = d.plan.maintenance.every;
@@ -215,7 +215,7 @@ void sections(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(faces.size()));
 }
 
-/// One iteration measures the contact areas of all its parts after a step.
+/// One iteration measures the contact areas of all parts of the standard workload after a step.
 void contact_areas(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", edge_length);
   const double gap = d.plan.measure.contact_gap * edge_length;
@@ -228,7 +228,7 @@ void contact_areas(benchmark::State& state) {
   }
 }
 
-/// What a step of the standard workload spends on both, with all that it has in its caches.
+/// Time of both measurements within a run of the standard workload, with realistic cache contents.
 void measures_in_a_run(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", edge_length);
   const simulation::MeasurePlan plan = d.plan.measure;

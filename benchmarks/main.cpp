@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
-/// All benchmarks run on one core: what is counted is the work of a step, not the machine.
+/// All benchmarks run on one core, because they measure the work of a step, not the machine.
 int main(int argc, char** argv) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   benchmark::Initialize(&argc, argv);

@@ -1,7 +1,8 @@
-// What a step costs more after so many revolutions because neighbours in space are scattered in
-// memory: the same rock as it is, with a new index, and renumbered by place. The copies drill on in
-// turn, block by block. Prints a row of the study's table: revolutions, step with a new index and
-// step renumbered over step as it is, and what a renumbering takes, in ms and in steps.
+// The effect on the run time of a step, after some revolutions, of neighbours in space that are
+// scattered in memory. Compares the rock as it is with copies with a new index and renumbered by
+// place. The copies drill alternately, block by block. Prints a row of the study's table:
+// revolutions, ratios of the steps with a new index and renumbered to the step as it is, and the
+// run time of a renumbering, in ms and in steps.
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ rock::Rock by_place(rock::Rock rock) {
   return rock;
 }
 
-/// The median of what a renumbering of the rock takes, s, its room warm.
+/// The median run time of a renumbering of the rock, s, with warm buffers.
 double seconds_of_renumbering(const rock::Rock& rock) {
   rock::RenumberWork work;
   std::array<double, 9> seconds{};
@@ -40,7 +41,7 @@ double seconds_of_renumbering(const rock::Rock& rock) {
   return seconds[seconds.size() / 2];
 }
 
-/// The same numbers, so that only the index is new.
+/// Keeps the numbers, so that only the index is new.
 rock::Rock indexed_anew(const rock::Rock& old) {
   mesh::Box room;
   for (const mesh::VertexStar& star : old.surface.stars)
@@ -62,8 +63,8 @@ Drilling continued(const Drilling& d, rock::Rock rock) {
 }
 
 struct Comparison {
-  std::array<double, 2> ratios;  ///< of the second and the third to the first
-  double step;                   ///< s, of the first
+  std::array<double, 2> ratios;  ///< of the second and the third side to the first
+  double step;                   ///< s, of the first side
 };
 
 /// The medians over blocks of 100 steps.

@@ -1,5 +1,5 @@
-// The same cutting in ever larger rock, and ever finer cutting: what a step costs, and which part of
-// that grows with the rock or with the vertices that it touches.
+// The same cutting in rock of increasing size, and with decreasing edge length: run time of a step,
+// and which part of it grows with the rock or with the touched vertices.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -24,14 +24,14 @@ void drill_and_report(benchmark::State& state, Drilling& d) {
   state.counters["ns_a_move"] = 1e9 * seconds / static_cast<double>(moved);
 }
 
-/// The standard workload at 1.6 mm edges under a wall of this many millimetres.
+/// The standard workload with 1.6 mm edges and a wall of this height in mm.
 void wall(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", 1.6 * mm,
                                     {fmt::format("rock.wall={} mm", state.range(0))});
   drill_and_report(state, d);
 }
 
-/// The standard workload at edges of this many tenths of a millimetre.
+/// The standard workload with edges of this length in tenths of a millimetre.
 void edges(benchmark::State& state) {
   Drilling d =
       after_one_revolution("standard-workload", 0.1 * mm * static_cast<double>(state.range(0)));

@@ -1,4 +1,4 @@
-// A metre of hole by bit B at 2.0 mm edges: wall time and memory at each tenth.
+// A metre of hole by bit B with 2.0 mm edges: wall time and memory at each tenth.
 //   build/bench/benchmarks/metre
 // The wall is trimmed 140 mm above the bit, so that neither time nor memory grows with the hole.
 
@@ -26,14 +26,14 @@ struct Wish {
   std::string json;
 };
 
-/// The most that the program has held so far, MB.
+/// Peak memory of the program so far, MB.
 double peak_megabytes() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   return static_cast<double>(used.ru_maxrss) / 1024.0;
 }
 
-/// What each tenth ends with.
+/// State at the end of a tenth.
 struct Tenth {
   double depth, wall, peak;  ///< m, s, MB
   long triangles;

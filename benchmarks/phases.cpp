@@ -1,7 +1,8 @@
 // Wall time of the phases of a step on one and on two threads:
 //   build/bench/benchmarks/phases standard-1.0 drill-bit-b
-// Two copies of one drilling take turns of 100 steps, so that both see the same machine. At the end
-// their rocks and that of a third copy, drilled by simulation::step, must be bitwise identical.
+// Two copies of one drilling alternate in turns of 100 steps, so that both run under the same
+// conditions. At the end their rocks and that of a third copy, drilled by simulation::step, must be
+// bitwise identical.
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ struct Options {
 
 constexpr long steps_of_a_turn = 100;
 
-/// One step, as simulation::step does it for a case without wear, breakouts and late parts.
+/// One step, as in simulation::step for a case without wear, breakouts and parts that start late.
 void timed_step(const simulation::Case& c, simulation::Simulation& s, PhaseTimes& times) {
   double before = wall_seconds();
   const auto lap = [&](std::size_t phase) {

@@ -1,6 +1,7 @@
-// What renumberings save in a long run: the same case with several intervals between them drills in
-// turn, block by block. Prints for each interval what its steps cost over those of the first, as the
-// median of the blocks, and what the whole run cost over the first, renumberings included.
+// Time saved by renumbering in a long run. The same case with several intervals between
+// renumberings drills alternately, block by block. Prints for each interval the ratio of the run
+// time of its steps to that of the first interval, as the median over the blocks, and the ratio for
+// the whole run, including renumberings.
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ std::vector<Side> start_sides(long revolutions, const std::vector<std::string>& 
   return sides;
 }
 
-/// Every side drills a block; who begins changes.
+/// Every side drills a block. The first side changes from block to block.
 void drill_block(long block, std::vector<Side>& sides) {
   constexpr long steps = 100;
   std::vector<double> seconds(sides.size());

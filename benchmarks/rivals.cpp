@@ -1,5 +1,6 @@
-// Workloads of ours beside height fields and spokes, in turn, in one run: what a step costs, over
-// a step of the height field of 0.5 mm. benchmarks/README.md says how to read the table.
+// Run times of steps of TDBD workloads, height fields and spokes, measured alternately in one run
+// and divided by that of a step of the height field of 0.5 mm. benchmarks/README.md explains the
+// table.
 
 #include <fmt/format.h>
 
@@ -37,8 +38,8 @@ std::vector<Figures> figures_of(const std::vector<Turns>& turns) {
   return figures;
 }
 
-/// Writes how many steps of each side took so many times the mean step of the yardstick: rows are
-/// bins of a tenth of it, the last one has all slower steps.
+/// Writes a histogram of the step times of each side, divided by the mean step time of the
+/// yardstick. Rows are bins of a tenth; the last row contains all slower steps.
 void write_histogram(const std::string& file, const std::vector<Contender>& sides,
                      const std::vector<Turns>& turns) {
   constexpr std::size_t bins = 80;

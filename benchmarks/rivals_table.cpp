@@ -33,7 +33,7 @@ Json row_told(const Contender& c, const Figures& f, const Figures& z_map) {
   return row;
 }
 
-/// A figure of a row, or a dash where it has none.
+/// A value of a row, or a dash if it has none.
 std::string cell(const Json& row, const char* key) {
   if (!row.contains(key) || row[key].is_null()) return "-";
   return fmt::format("{:.2f}", row[key].get<double>());

@@ -8,20 +8,20 @@
 
 namespace tdbd::bench {
 
-/// Warm: turns so long that each side works in its own caches. Cold: shorter ones, each of which
-/// finds the caches emptied by the others.
+/// Warm: turns so long that each side works in its own caches. Cold: shorter turns, in each of
+/// which the caches contain data of the other sides.
 struct Condition {
   std::string name;
   long steps, turns;
 };
 
-/// All figures of a condition, those of the meshes as they are now, and their ratios to the
-/// yardstick's. Times in us, counts in millions; null where nothing was counted.
+/// All values of a condition, those of the present meshes, and their ratios to the yardstick's.
+/// Times in us, counts in millions; null where there was no counter.
 nlohmann::ordered_json condition_told(const Condition& condition,
                                       const std::vector<Contender>& sides,
                                       const std::vector<Figures>& figures);
 
-/// The same as lines for a reader.
+/// The same as text.
 std::string condition_text(const nlohmann::ordered_json& condition);
 
 }  // namespace tdbd::bench

@@ -1,4 +1,4 @@
-// The kinematic step of ready cases, and CGAL's corefinement beside it on the standard workload.
+// The kinematic step of shipped cases, and CGAL's corefinement on the standard workload.
 
 #include <benchmark/benchmark.h>
 
@@ -28,7 +28,8 @@ void step(benchmark::State& state, const char* name, double edge_length) {
   state.counters["triangles"] = static_cast<double>(d.run.state.rock.surface.triangle_count());
 }
 
-/// Corners of a cutter's disc, cutter frame: of its two rims, not of the mesh between them.
+/// Corners of a cutter's disc in the cutter frame: those of its two rims, not of the mesh in
+/// between.
 std::vector<Vec3> disc_corners_C(const Drilling& d, int cutter) {
   const bit::Cutter& c = d.plan.bit.cutters[static_cast<std::size_t>(cutter)];
   const auto is_at = [](double x, double place) { return std::abs(x - place) < 1e-6 * mm; };
@@ -42,8 +43,8 @@ std::vector<Vec3> disc_corners_C(const Drilling& d, int cutter) {
   return corners;
 }
 
-/// Corners of every cutter at both ends of the step that comes after this many more. The hull begins
-/// a twentieth of a step early, so that it does not share faces with the rock that was left.
+/// Corners of every cutter at both ends of the step after `steps` more steps. The hull begins a
+/// twentieth of a step early, so that it does not share faces with the remaining rock.
 std::vector<std::vector<Vec3>> swept_corners_W(const Drilling& d, long steps) {
   constexpr double overlap = 0.05;
   const int cutters = static_cast<int>(d.plan.bit.cutters.size());
@@ -63,7 +64,7 @@ mesh::TriangleMesh block_of(const Drilling& d) {
   return block_of_rock(d.run.state.rock.surface, radius, depth);
 }
 
-/// What one side took for its steps.
+/// Total run time and volume of one side.
 struct Side {
   double cpu_seconds = 0.0;
   double removed = 0.0;  ///< m3
@@ -79,7 +80,8 @@ void add(const BooleanCut& cut, Side& cgal) {
   ++cgal.steps;
 }
 
-/// Drills this many steps. A multiple of the maintenance's period includes its fair share.
+/// Drills this number of steps. A multiple of the maintenance's period includes its proportional
+/// share.
 void add_steps(long steps, Drilling& d, Side& tdbd) {
   const double removed_before = d.run.state.ledger.removed.value();
   const double start = cpu_seconds();
@@ -96,9 +98,9 @@ void report(benchmark::State& state, const Side& cgal, const Side& tdbd) {
   state.counters["removed_cgal/tdbd"] = cgal.removed_a_step() / tdbd.removed_a_step();
 }
 
-/// Turn by turn: CGAL removes the next step from a copy of our rock, then we drill on to the next
-/// maintenance. CGAL gets our mesh anew each time, never the slivers that its own results gather.
-/// The time that is reported is CGAL's.
+/// Alternately, CGAL removes the next step from a copy of TDBD's rock, and TDBD drills to the next
+/// maintenance. CGAL gets TDBD's mesh each time, so it never has to process the slivers that its
+/// own results accumulate. The reported time is CGAL's.
 void corefinement_of_our_rock(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", 1.0 * mm);
   Side cgal, tdbd;
@@ -111,9 +113,9 @@ void corefinement_of_our_rock(benchmark::State& state) {
   report(state, cgal, tdbd);
 }
 
-/// Side by side: CGAL starts from our rock and continues with its own result, step after step, as a
-/// program that drills with it would. One iteration: CGAL's steps up to the next maintenance, then
-/// ours. The time that is reported is CGAL's.
+/// CGAL starts from TDBD's rock and continues with its own result, step after step, as a program
+/// that drills with it would. One iteration: CGAL's steps up to the next maintenance, then TDBD's.
+/// The reported time is CGAL's.
 void corefinement_carried_on(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", 1.0 * mm);
   mesh::TriangleMesh block_W = block_of(d);

@@ -1,5 +1,5 @@
-// A step of a drill string with friction: the run of cases/string-build-and-hold.toml once it turns, over the number
-// of elements.
+// A step of a drill string with friction: the run of cases/string-build-and-hold.toml after it has
+// started to rotate, as a function of the number of elements.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -103,7 +103,7 @@ def run(measured, build):
 
 def remark(entry):
     if "over_ours" in entry:
-        return f"{entry['over_ours']} times ours beside it"
+        return f"{entry['over_ours']} times TDBD in the same run"
     return f"goal: {entry['goal']}" if "goal" in entry else ""
 
 

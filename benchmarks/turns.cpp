@@ -13,7 +13,7 @@ namespace {
 /// Seconds of a turn's steps, by StepKind.
 using StepTimes = std::array<std::vector<double>, 2>;
 
-/// The value below which this share of the values lies, 0 to 1.
+/// The quantile of the values at this share, 0 to 1.
 double quantile(std::vector<double> values, double share) {
   const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());

@@ -8,36 +8,37 @@
 
 namespace tdbd::bench {
 
-/// Whose seconds: of the processor, for one thread, whatever else it does meanwhile; or of the
-/// wall, for several.
+/// Which time is measured: CPU time, for one thread, independent of other programs; or wall time,
+/// for several threads.
 enum class Clock { cpu, wall };
 
 double seconds_of(Clock clock);
 
-/// What reading the clock costs, s.
+/// Time to read the clock, s.
 double cost_of(Clock clock);
 
 /// Turns of one contender.
 struct Turns {
-  std::vector<double> typical;  ///< s a step, of each turn: medians of the kinds of steps, weighed
-                                ///< by how often they come
-  std::vector<double> means;    ///< s a step, of each turn
+  std::vector<double> typical;  ///< s per step, of each turn: medians of the kinds of steps,
+                                ///< weighted by their frequency
+  std::vector<double> means;    ///< s per step, of each turn
   std::vector<double> steps;    ///< s, of all turns
-  std::vector<double> instructions, cycles;  ///< a step, of each turn; empty without counters
-  double maintaining = 0.0;                  ///< s: maintained steps over the turn's plain median
+  std::vector<double> instructions, cycles;  ///< per step, of each turn; empty without counters
+  double maintaining = 0.0;                  ///< s: maintained steps minus the plain median
   long maintained = 0;                       ///< triangles, in all turns
 };
 
-/// Drills on for a turn and adds what it took.
+/// Drills for one turn and adds its times.
 void add_turn(const Contender& c, long steps, Clock clock, const Counters& counters, Turns& turns);
 
-/// What a condition says of a contender. Noise only adds: `typical` is the least of the turns.
+/// Results of a contender under a condition. Noise only increases times, so `typical` is the
+/// minimum over the turns.
 struct Figures {
   double typical = 0.0;                        ///< s
   double mean = 0.0;                           ///< s: median of the turns' means
-  double percentile_99 = 0.0;                  ///< s: of all steps
-  std::optional<double> instructions, cycles;  ///< a step: least of the turns
-  std::optional<double> maintenance;           ///< s a triangle
+  double percentile_99 = 0.0;                  ///< s: over all steps
+  std::optional<double> instructions, cycles;  ///< per step: minimum over the turns
+  std::optional<double> maintenance;           ///< s per triangle
 };
 Figures figures_of(const Turns& turns);
 

@@ -8,22 +8,22 @@
 
 namespace tdbd::bench {
 
-/// A drilling of ours that benchmarks measure: a case at an edge length, with further settings.
+/// A TDBD drilling that benchmarks measure: a case at an edge length, with further settings.
 struct Workload {
   std::string name;          ///< standard-1.0
   std::string of;            ///< the case's name in `cases`
   double edge_length = 0.0;  ///< m
   std::vector<std::string> settings;
-  std::string what;  ///< for a reader
+  std::string what;  ///< description
 };
 
-/// Those that the goals of the README name.
+/// The workloads of the goals in the README.
 const std::vector<Workload>& workloads();
 
-/// Bit B at 2.0 mm under a wall that is trimmed: what `metre` drills.
+/// Bit B at 2.0 mm with a trimmed wall, used by `metre`.
 const Workload& metre_workload();
 
-/// Square cells that the standard workload is drilled in beside ours.
+/// A height field in which the standard workload is drilled for comparison.
 struct ZMapWorkload {
   std::string name;   ///< z-map-0.5
   double cell = 0.0;  ///< m
@@ -31,7 +31,8 @@ struct ZMapWorkload {
 };
 const std::vector<ZMapWorkload>& z_map_workloads();
 
-/// After its first revolution, or of ours after `warm_steps` where those are not negative.
+/// The drilling after its first revolution, or for a TDBD workload after `warm_steps` if that is
+/// not negative.
 Drilling start_workload(const Workload& w, const std::vector<std::string>& more_settings = {},
                         long warm_steps = -1);
 RivalDrilling<reference::ZMap> start_workload(const ZMapWorkload& w);

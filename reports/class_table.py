@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-HEAD = "| thesis, app. B | its classes | ours | where |"
+HEAD = "| thesis, app. B | class in the thesis | in TDBD | header |"
 PLACE = re.compile(r"`([^`]+)`")
 
 

@@ -1,4 +1,4 @@
-"""What README.md says that was measured: every number, and the file that a test or a script wrote it to."""
+"""The rows of the table of measurements in README.md: each number, and the file that a test or a script wrote it to."""
 
 import csv
 import json
@@ -78,32 +78,32 @@ STEADY, ROLLING = "reports/studies/steady-bit-b", "reports/studies/rolling-bit-r
 ROWS = [
     Row("volume of a revolution against pi R^2 d, revolutions 2 to 20, edges of 1 mm", "within {:.2f} %",
         (Kept(STEADY, "largest excess", largest_excess),), f"study `{STEADY}`"),
-    Row("ledger of volumes after 20 revolutions, largest defect of three meshes", "{:.0e} of the volume",
+    Row("volume balance after 20 revolutions, largest relative defect on three meshes", "{:.0e}",
         (Kept(STEADY, "ledger", worst_ledger),), "the same"),
-    Row("self-intersections after 20 revolutions, edges of 1 mm, by CGAL", "{:.0f} in {:.0f} triangles",
+    Row("self-intersections after 20 revolutions, edges of 1 mm, found by CGAL", "{:.0f} in {:.0f} triangles",
         (Kept(STEADY, "intersecting pairs", run_of("runs.json", "1 mm", "intersecting_pairs")),
          Kept(STEADY, "triangles", run_of("runs.json", "1 mm", "rock_triangles_end"))), "the same"),
-    Row("roller cone bit, 20 revolutions: ledger, worst triangle, self-intersections", "{:.0e}, quality {:.2f}, {:.0f} in {:.0f} triangles",
+    Row("roller cone bit, 20 revolutions: volume balance, quality of the worst triangle, self-intersections", "{:.0e}, {:.2f}, {:.0f} in {:.0f} triangles",
         tuple(Kept(ROLLING, name, run_of("run.json", name)) for name in
               ("volume_ledger_defect", "rock_quality_min", "intersecting_pairs", "rock_triangles_end")), f"study `{ROLLING}`"),
     Row("power of a sharp bit, w T + v W, against eps pi R^2 v, edges of 1 mm", "within {:.1f} %",
         (Measured("literature/detournay-power", "edges of 1 mm", 100.0),), "test `Forces.of_a_sharp_bit_have_the_power_of_its_volume`"),
-    Row("momentum of a free body with cones over 1e7 steps", "changes by {:.0f}",
+    Row("change of the momentum of a free body with cones over 1e7 time steps", "{:.0f}",
         (Measured("ours/momentum", "split: change of the spatial momentum"),),
         "test `Conservation.momentum_of_a_free_gyrostat_stays_to_the_bit_over_1e7_steps`"),
-    Row("symplectic defect of a step of the default integrator", "{:.0e}", (Measured("ours/symplectic", "split: largest"),),
+    Row("symplectic defect of a time step of the default integrator", "{:.0e}", (Measured("ours/symplectic", "split: largest"),),
         "test `Symplecticity.every_drift_but_the_thesis_one_is_symplectic_to_rounding`"),
-    Row("torque evaluations to 1e-9 rad on the slow top", "{:.0f}", (Measured("ours/fewer-evaluations", "order 8 of the split"),),
+    Row("torque evaluations that integrate the slow top to an error of 1e-9 rad", "{:.0f}", (Measured("ours/fewer-evaluations", "order 8 of the split"),),
         "test `Work.the_eighth_order_reaches_a_billionth_in_1100_evaluations`"),
-    Row("error of bit A, which the fit to B and C has not seen, synthetic laboratory, 25 draws, 95th percentile", "{:.1f} %",
+    Row("error of predictions for bit A from a fit to bits B and C (synthetic laboratory, 95th percentile of 25 draws)", "{:.1f} %",
         (Measured("chapter6/prediction", "A is predicted: error of its loads", 100.0),),
         "test `BlindLaboratory.predicts_the_withheld_bit_of_a_law_that_it_knows`"),
-    Row("models of drag bits on one bit, one revolution after two: torque against eps R^2 d/2; areas of ours against the plane, "
-        "cutters of 2 mm2 or more, the first apart", "within {:.2f} %; within {:.1f} %",
+    Row("drag-bit models on one bit, third revolution: torque against eps R^2 d/2; cut areas of TDBD against the planar model, "
+        "for cutters with 2 mm2 or more except the innermost", "within {:.2f} %; within {:.1f} %",
         (Measured("chapter2/models-agree", "eps R^2 d / 2, distance from 1", 100.0),
          Measured("chapter2/models-agree", "TDBD: areas over those of the turned plane, largest distance from 1, cutters beyond r = 5 mm that cut",
                   100.0)), "test `ModelsAgree.on_areas_and_torque_of_a_steady_bit`"),
-    Row("lobes that a whirling bit leaves, as planes every half and every 5 degrees show them", "{:.0f}, {:.0f}",
+    Row("lobes found in the bottom pattern of a whirling bit, with planes every 0.5 and every 5 degrees", "{:.0f}, {:.0f}",
         (Measured("chapter2/whirl-aliases", "1.5 mm all round, 720 planes"), Measured("chapter2/whirl-aliases", "1.5 mm all round, 72 planes")),
         "test `WhirlPattern.of_73_lobes_is_one_lobe_on_72_planes`"),
 ]

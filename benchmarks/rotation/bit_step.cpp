@@ -1,4 +1,4 @@
-// What a step of the bit on its string costs, apart from cutting rock.
+// Run time of a step of the bit on its string, without cutting rock.
 
 #include <benchmark/benchmark.h>
 
@@ -7,7 +7,7 @@
 namespace tdbd::bench {
 namespace {
 
-/// Steps of 0.1 ms with a wrench at the predicted momenta, as drilling does.
+/// Steps of 0.1 ms with a wrench at the predicted momenta, as in drilling.
 void step(benchmark::State& state, const dynamics::DrillingSystem& system,
           const dynamics::DrillingState& from) {
   constexpr double h = 1e-4;
@@ -37,7 +37,7 @@ void on_string(benchmark::State& state) {
 }
 BENCHMARK(on_string);
 
-/// Two cones, bearings, a wall that is touched, moving rock.
+/// Two cones, bearings, a wall in contact, moving rock.
 void everything(benchmark::State& state) {
   using dynamics::AxialMode, dynamics::DamperEnd;
   const dynamics::DrillingSystem s = dynamics::coupled_bit(AxialMode::rate, DamperEnd::top);

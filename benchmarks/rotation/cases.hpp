@@ -9,13 +9,13 @@
 
 namespace tdbd::bench {
 
-/// A gyrostat, how it starts, and where it is at the end, from a Taylor series in 50 digits.
-/// Frames: W space, B bit.
+/// A gyrostat, its initial state, and its final state from a Taylor series with 50 digits. Frames:
+/// W space, B bit.
 struct RotationCase {
   std::string name;
   dynamics::Gyrostat body;
-  dynamics::Loads loads;           ///< nothing but gravity
-  Vec3 rotation_vector;            ///< rad, of the first attitude
+  dynamics::Loads loads;           ///< only gravity
+  Vec3 rotation_vector;            ///< rad, of the initial attitude
   Vec3 w_B;                        ///< rad/s
   std::vector<double> spins;       ///< rad/s, phi' of each cone; the angles start at zero
   Mat3 R_WB_end;                   ///< at `duration`
@@ -29,7 +29,7 @@ RotationCase slow_top();
 /// A free body of inertia (2, 2, 3) kg m2 with three equal cones.
 RotationCase free_gyrostat();
 
-/// A heavy unsymmetric body with three unequal cones.
+/// A heavy asymmetric body with three unequal cones.
 RotationCase heavy_gyrostat();
 
 /// The state with this attitude (B to W), angular velocity (rad/s), and spins (rad/s) and angles
@@ -41,12 +41,12 @@ dynamics::RotationState state_of(const RotationCase& c, const Mat3& R_WB, const 
 /// The state at time 0.
 dynamics::RotationState start_of(const RotationCase& c);
 
-/// How far an end is from the reference, and from what is conserved.
+/// Deviations of a final state from the reference and from conservation laws.
 struct EndErrors {
-  double attitude = 0.0;     ///< |R - R_end|_F / sqrt(2), about the angle between them in rad
+  double attitude = 0.0;  ///< R - R_end|_F / sqrt(2), approximately the angle between them in rad
   double cone_angles = 0.0;  ///< rad, the largest
-  double momentum = 0.0;  ///< change of the momentum along z (gravity) or of all of it; scale: |pi|
-  double energy = 0.0;    ///< change of the energy; scale: the kinetic energy at the start
+  double momentum = 0.0;  ///< change of the momentum (with gravity: of its z component) over |pi|
+  double energy = 0.0;    ///< change of the energy over the initial kinetic energy
 };
 EndErrors errors_of(const RotationCase& c, const dynamics::RotationState& end);
 

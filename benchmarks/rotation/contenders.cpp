@@ -5,7 +5,8 @@ namespace tdbd::bench {
 std::vector<Contender> all_contenders() { return {tdbd(), gsl(), simbody(), mujoco()}; }
 
 Mat3 cone_inertia(const dynamics::Cone& cone) {
-  // The flattest cone has half its axial inertia across: a little more keeps clear of rounding.
+  // The transverse inertia of the flattest possible cone is half its axial inertia. A slightly
+  // larger value avoids rounding errors.
   constexpr double across = 0.55;
   const Mat3 along = cone.axis_B * cone.axis_B.transpose();
   return cone.axial_inertia * (along + across * (Mat3::Identity() - along));

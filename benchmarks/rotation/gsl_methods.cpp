@@ -1,5 +1,5 @@
-// GSL's rk8pd. The equations are written out here as someone would for GSL: state (quaternion, body
-// momentum, cone angles), cone momenta constant, no temporary on the heap.
+// GSL's rk8pd. The equations are written as for a direct use of GSL: state (quaternion, body
+// momentum, cone angles), constant cone momenta, no allocations.
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>

@@ -9,7 +9,7 @@
 
 namespace tdbd::bench {
 
-/// One case under way by one method.
+/// An integration of one case by one method.
 class Integration {
  public:
   Integration() = default;
@@ -17,7 +17,7 @@ class Integration {
   Integration& operator=(const Integration&) = delete;
   virtual ~Integration() = default;
 
-  /// So many steps, past the end if need be: for timing.
+  /// Makes this number of steps, if necessary past the end: for timing.
   virtual void take(long steps) = 0;
   /// From the start to the case's end.
   virtual void run_to_end() = 0;
@@ -26,13 +26,13 @@ class Integration {
   virtual long torque_evaluations() const = 0;
 };
 
-/// What makes a method more accurate.
+/// What controls the accuracy of a method.
 enum class Control {
   step,      ///< a fixed step, s
-  tolerance  ///< of the error that it estimates
+  tolerance  ///< of the error estimated by the method
 };
 
-/// A way to integrate a case. `start` builds everything that costs time once; `setting` is the step
+/// A method to integrate a case. `start` does all expensive preparations once. `setting`: the step
 /// or the tolerance.
 struct Method {
   std::string name;
@@ -40,14 +40,15 @@ struct Method {
   std::function<std::unique_ptr<Integration>(const RotationCase&, double setting)> start;
 };
 
-/// A program with its methods. `absent` says why there are none.
+/// A program with its methods. `absent`: the reason why it has none.
 struct Contender {
   std::string name;
   std::string absent;
   std::vector<Method> methods;
 };
 
-/// Every drift of src/dynamics at one torque evaluation a step, and compositions of the default.
+/// Every drift of src/dynamics with one torque evaluation per step, and compositions of the
+/// default.
 Contender tdbd();
 
 /// GSL's rk8pd on attitude quaternion, body momentum and cone angles.
@@ -62,8 +63,8 @@ Contender mujoco();
 /// All of them, in this order.
 std::vector<Contender> all_contenders();
 
-/// The inertia of a cone as a body of its own, about its centre of mass, which is on its axis where
-/// the bit's is; and what the body has without them. Every share is one that a body can have.
+/// The inertia of a cone as a separate body, about its centre of mass, which is on its axis at the
+/// bit's; and the inertia of the body without the cones. Both are physically possible.
 Mat3 cone_inertia(const dynamics::Cone& cone);
 Mat3 inertia_without_cones(const dynamics::Gyrostat& g);
 

@@ -1,5 +1,5 @@
 // MuJoCo: a ball joint at the fixed point, gravity on an offset centre of mass, cones on hinges.
-// Everything that this motion does not need (contacts, constraints, limits) is switched off.
+// Contacts, constraints and limits, which this motion does not need, are disabled.
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
@@ -13,7 +13,7 @@
 namespace tdbd::bench {
 namespace {
 
-constexpr double mass = 1.0, arm = 0.1;  // kg, m: their product with gravity is what counts
+constexpr double mass = 1.0, arm = 0.1;  // kg, m: only their product with gravity matters
 
 std::string text(const Vec3& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v[0], v[1], v[2]); }
 
@@ -22,7 +22,7 @@ std::string inertial(const Vec3& centre_B, const Mat3& I) {
                      text(I.diagonal()), text({I(0, 1), I(0, 2), I(1, 2)}));
 }
 
-/// About the centre of mass: MuJoCo wants it so.
+/// About the centre of mass, as MuJoCo requires.
 Mat3 central_inertia(const Mat3& about_origin, const Vec3& p) {
   return about_origin - mass * (p.squaredNorm() * Mat3::Identity() - p * p.transpose());
 }

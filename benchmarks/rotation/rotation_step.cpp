@@ -1,4 +1,4 @@
-// What a step of the rotating bit costs, and a step of the rivals on the same body in the same run.
+// Run times of a step of the rotating bit, and of other programs for the same body in the same run.
 
 #include <benchmark/benchmark.h>
 
@@ -8,7 +8,7 @@ namespace tdbd::bench {
 namespace {
 
 constexpr double step_size = 0.01;  // s
-constexpr double tolerance = 1e-9;  // of rivals that choose their own step
+constexpr double tolerance = 1e-9;  // of methods with step size control
 constexpr long batch = 100;         // steps between two readings of the clock
 
 /// One iteration is one step.

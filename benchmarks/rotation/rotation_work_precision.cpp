@@ -1,4 +1,4 @@
-// Work against precision: what every drift, order and rival needs for an attitude error at t = 10
+// Work-precision: what every drift, order and other program needs for an attitude error at t = 10
 // s.
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-// Simbody: the body on a Ball at the fixed point, gravity on an offset centre of mass, every cone a
-// body of its own on a Pin. Compiled as C++17: Simbody 3.7 compares its indices in a way that C++20
-// finds ambiguous.
+// Simbody: the body on a Ball at the fixed point, gravity on an offset centre of mass, every cone
+// as a separate body on a Pin. Compiled as C++17, because Simbody 3.7 compares its indices in a way
+// that is ambiguous in C++20.
 
 #include <Simbody.h>
 
@@ -9,7 +9,7 @@
 namespace tdbd::bench {
 namespace {
 
-constexpr double mass = 1.0, arm = 0.1;  // kg, m: their product with gravity is what counts
+constexpr double mass = 1.0, arm = 0.1;  // kg, m: only their product with gravity matters
 
 SimTK::Vec3 to_simtk(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
@@ -31,7 +31,7 @@ struct Assembly {
     system.realizeTopology();
   }
 
-  /// A Pin turns about the z axis of its frame.
+  /// A Pin rotates about the z axis of its frame.
   void add_cone(const dynamics::Cone& cone) {
     const SimTK::Rotation along(SimTK::UnitVec3(to_simtk(cone.axis_B)), SimTK::ZAxis);
     const SimTK::Transform X(along, SimTK::Vec3(0));

@@ -1,4 +1,4 @@
-// The production step, as a program calls it.
+// The production step, called as in a program.
 
 #include <cmath>
 

@@ -8,10 +8,10 @@
 namespace tdbd::bench {
 namespace {
 
-constexpr double finest_error = 2e-11;         // rad; below it the next target is far away
-constexpr double longest_run = 0.4e6;          // us, of the ladder's last run
+constexpr double finest_error = 2e-11;         // rad; below it, the next target is far away
+constexpr double longest_run = 0.4e6;          // us, of the finest run
 constexpr int fewest_steps = 10;               // to the case's end
-constexpr double ladder = 1.4142135623730951;  // between two numbers of steps
+constexpr double ladder = 1.4142135623730951;  // ratio of consecutive numbers of steps
 constexpr double tolerances_a_decade = 10.0;
 constexpr double coarsest_tolerance = 1e-1, finest_tolerance = 1e-14;
 
@@ -44,8 +44,8 @@ WorkPoint run(const RotationCase& c, const Method& method, double setting, int r
   return point;
 }
 
-/// A step too long for a drift that solves, or at which a rival breaks down: as bad as can be, and
-/// no reason to stop.
+/// A step that is too long for an implicit drift, or at which another program fails, gets infinite
+/// errors and does not stop the measurement.
 WorkPoint try_run(const RotationCase& c, const Method& method, double setting) {
   try {
     return run(c, method, setting, 1);
@@ -82,7 +82,8 @@ std::vector<WorkPoint> curve_over_tolerances(const RotationCase& c, const Method
   return curve;
 }
 
-/// Between a number of steps that misses the target and one that reaches it: the fewest that do.
+/// The smallest number of steps that reaches the target, between one that misses it and one that
+/// reaches it.
 WorkPoint fewest_steps_for(const RotationCase& c, const Method& method, double target,
                            const WorkPoint& misses, WorkPoint reaches) {
   long low = std::lround(c.duration / misses.setting);

@@ -10,7 +10,7 @@
 
 namespace tdbd::python {
 
-// Copies, never views: what a step moves must not change, or dangle, in a user's hands.
+// Returns copies, never views: a view would change or dangle when the simulation takes a step.
 
 inline py::array_t<double> array_of(const std::vector<double>& x) {
   return py::array_t<double>(static_cast<py::ssize_t>(x.size()), x.data());
@@ -24,7 +24,7 @@ inline py::array_t<double> array_of(const Vec3& x) {
   return py::array_t<double>(py::ssize_t{3}, x.data());
 }
 
-/// (3, 3), row by row; Eigen keeps columns together.
+/// (3, 3), in row-major order; Eigen stores columns contiguously.
 inline py::array_t<double> array_of(const Mat3& m) {
   const Mat3 rows = m.transpose();
   return py::array_t<double>({py::ssize_t{3}, py::ssize_t{3}}, rows.data());

@@ -6,7 +6,7 @@ namespace tdbd::python {
 
 namespace py = pybind11;
 
-// Each adds the names of one file to the module.
+// Each function adds the bindings of one file to the module.
 void add_errors();
 void add_files(py::module_& m);
 void add_cases(py::module_& m);

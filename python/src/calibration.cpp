@@ -5,7 +5,8 @@
 namespace tdbd::python {
 namespace {
 
-/// Calls progress(done, total) of cut runs, from whatever thread makes them, and ends them after an exception.
+/// Reports the progress of cut runs with progress(done, total) from any thread, and ends the runs
+/// after an exception.
 struct Interrupted {};
 
 std::function<void(long, long)> teller(Watch& watch) {

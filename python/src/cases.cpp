@@ -48,7 +48,7 @@ void require_kind(const std::string& path, const Overrides& overrides,
   simulation::require_kind(path, overrides, kinds);
 }
 
-/// Reads without Python's lock.
+/// Reads a case into a shared pointer. Called without the GIL.
 template <class C, C (*read)(const std::string&, const Overrides&)>
 std::shared_ptr<C> read_shared(const std::string& path, const Overrides& overrides) {
   return std::make_shared<C>(read(path, overrides));

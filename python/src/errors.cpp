@@ -7,7 +7,7 @@
 namespace tdbd::python {
 namespace {
 
-/// As a text of Python; bytes of file names that are no UTF-8 are shown as \xNN.
+/// Converts to a Python string; bytes of file names that are not UTF-8 are shown as \xNN.
 py::object text_of(const std::string& message) {
   return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
       message.data(), static_cast<Py_ssize_t>(message.size()), "backslashreplace"));
@@ -18,7 +18,7 @@ void raise(const char* name, const std::string& message) {
   PyErr_SetObject(type.ptr(), text_of(message).ptr());
 }
 
-/// Python picks FileNotFoundError, PermissionError, ... by the number.
+/// Raises OSError; Python selects FileNotFoundError, PermissionError, ... from the number.
 void raise_os_error(const std::filesystem::filesystem_error& e) {
   const py::tuple what =
       py::make_tuple(e.code().value(), text_of(e.code().message()), text_of(e.path1().string()));

@@ -9,13 +9,13 @@
 namespace tdbd::python {
 namespace {
 
-/// The lock of NetCDF as Python holds it in a `with`.
+/// The NetCDF lock as a Python context manager.
 struct FilesLock {
   void enter() const {
-    const py::gil_scoped_release released;  // whoever holds it may need Python's lock to go on
+    const py::gil_scoped_release released;  // the holder of the lock may need the GIL to continue
     netcdf_mutex().lock();
     H5Eset_auto(H5E_DEFAULT, nullptr,
-                nullptr);  // NetCDF asks for what may be absent; each thread prints anew
+                nullptr);  // NetCDF queries objects that may be absent; per thread
   }
   void exit() const { netcdf_mutex().unlock(); }
 };

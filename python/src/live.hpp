@@ -13,8 +13,9 @@
 
 namespace tdbd::python {
 
-/// A simulation in a user's hands, with its case. One thread at a time works on it; a function that a step calls (progress,
-/// a handler of a signal) may look at it in between, hence recursive.
+/// A simulation owned by a Python user, with its case. Only one thread at a time may use it. The
+/// mutex is recursive because a function called during a step (progress, a signal handler) may read
+/// the simulation.
 template <class Case, class State>
 struct Live {
   std::shared_ptr<const Case> of;
@@ -23,7 +24,7 @@ struct Live {
   std::unique_ptr<std::recursive_mutex> busy = std::make_unique<std::recursive_mutex>();
 };
 
-/// Calls look(state) on a live one that no other thread works on, without Python's lock.
+/// Calls look(state) without the GIL, while no other thread uses the simulation.
 template <class Live, class Look>
 auto looked_at(Live& live, Look&& look) {
   const py::gil_scoped_release released;
@@ -34,14 +35,14 @@ auto looked_at(Live& live, Look&& look) {
 inline long steps_done(const simulation::Simulation& s) { return s.state.steps_done; }
 inline long steps_done(const simulation::RotateSimulation& s) { return s.steps_done; }
 
-/// Throws ValueError unless it is 0 or more.
+/// Throws ValueError if `steps` is negative.
 inline long checked_steps(long steps) {
   if (steps < 0) throw py::value_error(fmt::format("steps: found {}, expected 0 or more", steps));
   return steps;
 }
 
-/// Makes so many steps, at most to the case's end, in blocks: advance(state, steps). Looks after each block. Returns how
-/// many were made.
+/// Performs `steps` steps, at most to the end of the case, in blocks: advance(state, steps). Checks
+/// for progress and interruption after each block. Returns the number of steps performed.
 template <class Live, class Advance>
 long make_steps(Live& live, long steps, long block, const py::object& progress, Advance&& advance) {
   Watch watch(progress);

@@ -17,7 +17,8 @@ py::dict provenance_dict() {
 PYBIND11_MODULE(_core, m) {
   m.doc() = "The compiled half of the package tdbd: the functions that the command line calls.";
   m.attr("provenance") = provenance_dict();
-  // UDUNITS-2 reads its database once, and changes the environment meanwhile: no other thread runs yet.
+  // Loads the UDUNITS-2 database now: reading it changes the environment for a moment, and no other
+  // thread runs yet.
   describe_unit("m");
   add_errors();
   add_files(m);

@@ -10,14 +10,14 @@
 
 namespace tdbd::python {
 
-/// What a user should hear of a run, as the command line prints it.
+/// Warnings of a run, as printed by the command line.
 using Told = std::vector<std::string>;
 
 inline simulation::Overwrite overwrite_of(bool force) {
   return force ? simulation::Overwrite::force : simulation::Overwrite::no;
 }
 
-/// As many as the command line allows. Throws ValueError.
+/// Checks the number of threads against the limit of the command line. Throws ValueError.
 inline int checked_threads(long threads) {
   constexpr long most = 1024;
   if (threads < 1 || threads > most)
@@ -25,7 +25,7 @@ inline int checked_threads(long threads) {
   return static_cast<int>(threads);
 }
 
-/// RunOptions or RotateOptions with what they have in common.
+/// RunOptions or RotateOptions with their common members set.
 template <class Options>
 Options options_for(const std::string& folder, bool force, const Watch& watch, Told& told) {
   Options options;

@@ -35,7 +35,7 @@ std::string rotating_summary(Rotating& live) {
   });
 }
 
-/// A property of the type that get(live, simulation) returns.
+/// A property with the type returned by get(live, simulation).
 template <class Get>
 auto rotating_number(Get get) {
   return [get](Rotating& live) {
@@ -43,7 +43,7 @@ auto rotating_number(Get get) {
   };
 }
 
-/// A property whose value becomes an array; get(case, state).
+/// A property that is converted to an array; get(case, state).
 template <class Get>
 auto rotating_array(Get get) {
   return [get](Rotating& live) {

@@ -10,7 +10,7 @@ namespace {
 
 namespace sim = simulation;
 
-/// Drills or goes on, without Python's lock.
+/// Starts or resumes drilling, without the GIL.
 template <class Drill>
 Told drilled(const sim::Case& c, sim::RunOptions options, Watch& watch, Told& told, Drill&& drill) {
   options.progress = [&](const sim::Simulation& s, long total) {
@@ -47,7 +47,7 @@ Told resume_run(const std::string& folder, long threads, const py::object& progr
   });
 }
 
-/// Rotates or goes on, without Python's lock.
+/// Starts or resumes a rotation, without the GIL.
 template <class Rotate>
 Told rotated(const sim::RotateCase& c, sim::RotateOptions options, Watch& watch, const Told& told,
              Rotate&& rotate) {

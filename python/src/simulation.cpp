@@ -47,7 +47,7 @@ std::string drilling_summary(Drilling& live) {
   });
 }
 
-/// Vertices, faces and the part that cut each vertex last.
+/// Vertices, faces, and the part that cut each vertex last.
 py::tuple drilling_surface(Drilling& live) {
   auto [m, parts] = looked_at(live, [](const sim::Simulation& s) {
     std::vector<int> slots;
@@ -64,7 +64,7 @@ std::vector<double> removed_of(const sim::Simulation& s) {
   return removed;
 }
 
-/// A property of the type that get(live, simulation) returns.
+/// A property with the type returned by get(live, simulation).
 template <class Get>
 auto number(Get get) {
   return [get](Drilling& live) {
@@ -72,7 +72,7 @@ auto number(Get get) {
   };
 }
 
-/// A property whose value becomes an array.
+/// A property that is converted to an array.
 template <class Get>
 auto array(Get get) {
   return [get](Drilling& live) {

@@ -14,7 +14,7 @@ namespace {
 namespace sim = simulation;
 using namespace py::literals;
 
-/// What a study is given beside its case, in the order of Python's keywords.
+/// Arguments of a study besides its case, in the order of Python's keywords.
 struct StudyWords {
   std::vector<std::string> over;
   int levels;
@@ -29,7 +29,7 @@ sim::ConvergencePlan plan_of(const std::string& path, const std::vector<std::str
   return plan;
 }
 
-/// convergence.json and the table of a terminal. Without a folder nothing is written.
+/// Returns convergence.json and the table for a terminal. Writes nothing if there is no folder.
 py::tuple converge(const std::string& path, const std::vector<std::string>& overrides,
                    const StudyWords& words, const std::optional<std::string>& folder, bool force,
                    long threads, const py::object& progress) {

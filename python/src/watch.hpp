@@ -9,22 +9,24 @@
 
 namespace tdbd::python {
 
-/// Looks after a computation that runs without Python's lock: calls the user's progress(done, total), and notices Ctrl-C.
-/// An exception that either of them raises sets a flag, so that the computation ends in good order; rethrow() passes it on.
+/// Monitors a computation that runs without the GIL: calls the user's progress(done, total), and
+/// detects Ctrl-C. An exception from either sets a flag, so that the computation can end regularly;
+/// rethrow() throws it again.
 class Watch {
  public:
-  /// `progress`: a callable, or None; throws TypeError for anything else. With Python's lock held.
+  /// `progress` is a callable or None; throws TypeError otherwise. Requires the GIL.
   explicit Watch(py::object progress);
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Set from the first exception on.
+  /// Set after the first exception.
   const std::atomic<bool>& interrupted() const { return interrupted_; }
 
-  /// Called after every step, from any thread, without Python's lock: takes it ten times a second, and at the end.
+  /// To be called after every step, from any thread, without the GIL. Acquires the GIL ten times
+  /// per second, and at the end.
   void look(long done, long total);
 
-  /// Throws the exception, if there was one. With Python's lock held.
+  /// Throws the stored exception, if there is one. Requires the GIL.
   void rethrow() const;
 
  private:
@@ -34,7 +36,7 @@ class Watch {
   py::object progress_;
   std::atomic<bool> interrupted_{false};
   std::exception_ptr raised_;
-  std::mutex clock_;  ///< cut runs of a calibration tell from several threads
+  std::mutex clock_;  ///< cut runs of a calibration report from several threads
   Clock::time_point looked_ = Clock::now();
 };
 

@@ -11,23 +11,23 @@ namespace {
 
 using bit::Cutter;
 
-constexpr int steps_of_edge = 128;   ///< half a rim
+constexpr int steps_of_edge = 128;   ///< on half a rim
 constexpr int steps_of_length = 64;  ///< from the edge to the back of the body
 
-/// The tip in the cutter's frame: on the rim, behind the face by the chamfers' depth.
+/// The tip in the cutter's frame: on the rim, behind the face by the depth of the chamfers.
 Vec3 tip_C(const Cutter& c) {
   const double chamfer = c.chamfer / std::tan(c.chamfer_angle);
   const double land = c.land > 0.0 ? c.land / std::tan(c.land_angle) : 0.0;
   return {c.chamfer > 0.0 ? -(chamfer + land) : 0.0, 0.0, -0.5 * c.diameter};
 }
 
-/// (r, z) in the half-plane at the cutter's azimuth, in space.
+/// The point (r, z) of the half-plane at the cutter's azimuth, in space.
 Vec3 in_space(const Cutter& c, double r, double z) {
   return {r * std::cos(c.azimuth), r * std::sin(c.azimuth), z};
 }
 
-/// A point, set back to the wear flat, in the half-plane at its azimuth: u along the profile, v
-/// along its normal, both from the tip, and the angle by which it trails the tip.
+/// A point, moved back to the wear flat, in the half-plane at its azimuth: u along the profile and
+/// v along its normal, both from the tip, and the angle by which it trails the tip.
 struct ProfilePlace {
   double u, v, trail;
 };
@@ -42,7 +42,8 @@ ProfilePlace place(const Cutter& c, const Vec3& x_C) {
   return {ct * r - st * z, st * r + ct * z, -ahead};
 }
 
-/// The point of the cutter's rim at the angle a from the tip, `behind` behind the cutting edge.
+/// The point of the cutter's rim at the angle a from the tip, at the distance `behind` behind the
+/// edge.
 Vec3 rim_C(const Cutter& c, double a, double behind) {
   const Vec3 tip = tip_C(c);
   return {tip.x() - behind, tip.z() * std::sin(a), tip.z() * std::cos(a)};
@@ -50,7 +51,7 @@ Vec3 rim_C(const Cutter& c, double a, double behind) {
 
 double rim_angle(int k) { return pi * (static_cast<double>(k) / steps_of_edge - 0.5); }
 
-/// The cutting edge down to `depth` behind its lowest line along the normal, by increasing u.
+/// The cutting edge down to `depth` behind its lowest line along the normal, in ascending u.
 std::vector<ProfilePlace> cutting_edge(const Cutter& c, double depth) {
   std::vector<ProfilePlace> edge;
   for (int k = 0; k <= steps_of_edge; ++k) {
@@ -61,7 +62,7 @@ std::vector<ProfilePlace> cutting_edge(const Cutter& c, double depth) {
   return edge;
 }
 
-/// Height of p over the groove of the edge, along the normal; -infinity outside its width.
+/// Height of p above the groove of the edge, along the normal; -infinity outside its width.
 double height_over_groove(const std::vector<ProfilePlace>& edge, const ProfilePlace& p,
                           double advance_along_n) {
   const auto after = std::ranges::upper_bound(edge, p.u, {}, &ProfilePlace::u);

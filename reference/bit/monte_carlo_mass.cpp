@@ -7,7 +7,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// Twice the area of the triangle of o, a and b seen along x.
+/// Twice the signed area of the triangle o, a, b, projected along x.
 double turn(const Vec3& o, const Vec3& a, const Vec3& b) {
   return (a.y() - o.y()) * (b.z() - o.z()) - (a.z() - o.z()) * (b.y() - o.y());
 }
@@ -25,7 +25,7 @@ bool inside(const mesh::TriangleMesh& m, const Vec3& p) {
   return odd;
 }
 
-/// Standard error of the mean of n values from their sum and sum of squares.
+/// Standard error of the mean of n values, from their sum and sum of squares.
 double error_of_mean(double sum, double squares, double n) {
   const double mean = sum / n;
   return std::sqrt(std::max(0.0, squares / n - mean * mean) / n);

@@ -8,7 +8,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// A point as the fixed half-plane sees it.
+/// A point relative to the fixed half-plane.
 struct Passing {
   double r, phi, depth;  ///< radius, m; azimuth, rad; z - advance phi / (2 pi), m
 };
@@ -26,14 +26,14 @@ double largest_radius(const bit::Bit& bit) {
   return reach;
 }
 
-/// Azimuth unwrapped to within half a turn of the cutter's own, which is taken in [0, 2 pi).
+/// The azimuth is unwrapped to within half a turn of the cutter's own, which is in [0, 2 pi).
 Passing passing(const Vec3& x_B, double cutter_azimuth, double advance) {
   const double own = cutter_azimuth - full_turn * std::floor(cutter_azimuth / full_turn);
   const double phi = own + std::remainder(std::atan2(x_B[1], x_B[0]) - own, full_turn);
   return {x_B.head<2>().norm(), phi, x_B[2] - advance * phi / full_turn};
 }
 
-/// Offer the straight piece between two passings to all columns whose centre it covers.
+/// Applies the straight piece between two passings to all columns whose centre it covers.
 void offer(const Passing& a, const Passing& b, std::size_t cutter, RadialColumns& columns) {
   const auto [near, far] = std::minmax(a.r, b.r);
   const auto first = static_cast<std::size_t>(std::ceil(std::max(0.0, near / columns.width - 0.5)));
@@ -47,7 +47,7 @@ void offer(const Passing& a, const Passing& b, std::size_t cutter, RadialColumns
   }
 }
 
-/// Offer one mesh edge from a_B to b_B, in pieces no longer than half a column.
+/// Applies one mesh edge from a_B to b_B, in pieces no longer than half a column.
 void offer_edge(const Vec3& a_B, const Vec3& b_B, double azimuth, double advance,
                 std::size_t cutter, RadialColumns& columns) {
   const int pieces = 1 + static_cast<int>((b_B - a_B).norm() / (0.5 * columns.width));

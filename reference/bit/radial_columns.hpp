@@ -8,12 +8,12 @@
 
 namespace tdbd::reference {
 
-/// The deepest pass of one cutter at one radius, as a half-plane fixed in space sees it.
+/// The deepest pass of one cutter at one radius, relative to a half-plane fixed in space.
 struct Deepest {
   static constexpr double never = -std::numeric_limits<double>::infinity();
 
-  double phi = 0.0;      ///< azimuth of the point that is deepest, rad
-  double depth = never;  ///< its depth z - advance phi / (2 pi), m; `never` if the cutter misses
+  double phi = 0.0;      ///< rad, azimuth of the deepest point
+  double depth = never;  ///< m, its z - advance phi / (2 pi); `never`: radius not reached
 };
 
 /// A bit's cutters in the (r, z) half-plane, in columns of equal width from the axis to `reach`.
@@ -25,9 +25,10 @@ struct RadialColumns {
   double centre(std::size_t column) const { return (static_cast<double>(column) + 0.5) * width; }
 };
 
-/// What each cutter of a bit leaves at each radius when the bit turns about +z and advances along
-/// +z by `advance` (m) per revolution. From all mesh edges of the cutters' cutting parts, sampled
-/// at half of radial_spacing (m), linear in between, evaluated at the columns' centres.
+/// Computes what each cutter of a bit leaves at each radius if the bit turns about +z and advances
+/// along +z by `advance` (m) per revolution. Uses all mesh edges of the cutters' cutting parts,
+/// sampled at half of radial_spacing (m), with linear interpolation, evaluated at the columns'
+/// centres.
 RadialColumns radial_columns(const bit::Bit& bit, double advance, double radial_spacing);
 
 }  // namespace tdbd::reference

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int revolutions = 5;
 
-/// One cutter's pass through the half-plane in one revolution.
+/// The pass of one cutter through the half-plane in one revolution.
 struct Pass {
-  double theta;  ///< how far the bit has turned, rad
+  double theta;  ///< rad, by which the bit has turned
   double depth;  ///< m
   std::size_t cutter;
   int revolution;
@@ -31,7 +31,7 @@ std::vector<Pass> passes(const std::vector<Deepest>& column, double advance) {
   return all;
 }
 
-/// Thickness that each cutter removes at one radius in revolution k, m.
+/// Thickness that each cutter removes at one radius in one revolution, m.
 std::vector<double> removed(const std::vector<Deepest>& column, double advance, int revolution) {
   std::vector<double> thickness(column.size(), 0.0);
   double height = Deepest::never;

@@ -10,7 +10,8 @@ namespace {
 
 Mat3 about_z(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(); }
 
-/// A tip in space when the bit has turned: the cone rolls against its Z.
+/// A tip in space after the bit has turned by `turned`. The cone rolls in the negative sense about
+/// its Z.
 Vec3 tip_W(const RolledRow& row, const Vec3& tip_K, double turned) {
   return about_z(turned) * (row.X_BK * (about_z(-row.speed * turned) * tip_K));
 }
@@ -24,8 +25,8 @@ double lowest_between(const RolledRow& row, const Vec3& tip_K, double lo, double
   return 0.5 * (lo + hi);
 }
 
-/// Largest difference in azimuth at which places as far from the axis as these two are within
-/// `near`: law of cosines.
+/// Largest difference in azimuth at which places with the radii of these two are within `near`, by
+/// the law of cosines.
 double farthest_azimuth(const Vec3& a, const Vec3& b, double near) {
   const double cosine =
       (a.squaredNorm() + b.squaredNorm() - near * near) / (2.0 * a.norm() * b.norm());
@@ -55,7 +56,7 @@ double share_near_earlier(const std::vector<RolledRow>& rows, std::size_t own, i
   for (const RolledRow& row : rows)
     for (const RolledPrint& p : rolled_prints(row, -1.5 * full_turn, full_turn * revolutions))
       all.push_back(p);
-  constexpr double itself = 1e-5;  // rad: a lowest place is found to 1e-7
+  constexpr double itself = 1e-5;  // rad: lowest places are found to 1e-7
   long judged = 0, hits = 0;
   const double near = rows[own].near;
   for (const RolledPrint& p : rolled_prints(rows[own], 0.0, full_turn * revolutions)) {

@@ -7,8 +7,8 @@
 namespace tdbd::reference {
 
 /// A row of a rolling cone: the tips of its teeth in the cone's frame, that frame in the bit frame
-/// at angle 0, the cone's speed over the bit's, and the distance (m) within which one print falls
-/// into another.
+/// at angle 0, the ratio of the cone's speed to the bit's, and the distance (m) within which one
+/// print falls into another.
 struct RolledRow {
   Pose X_BK;
   std::vector<Vec3> tips_K;
@@ -22,17 +22,17 @@ struct RolledPrint {
   Vec3 place = Vec3::Zero();  ///< m, in the hole, at z = 0
 };
 
-/// Where tips pass their lowest point while the bit turns from `from` to `to` (rad): the bit and
-/// its cone are turned in small steps, every tip's height is followed, and a minimum between two
-/// steps is narrowed down by thirds.
+/// Returns the places where tips pass their lowest point while the bit turns from `from` to `to`
+/// (rad). The bit and its cone are rotated in small steps, every tip's height is followed, and a
+/// minimum between two steps is refined by ternary search.
 std::vector<RolledPrint> rolled_prints(const RolledRow& row, double from, double to);
 
-/// Share of the prints of rows[own] within `revolutions` turns that lie near any print of any row
-/// made in the revolution before, extended by `near` along the ring. Every print is compared with
-/// every other.
+/// Share of the prints of rows[own] within `revolutions` turns that are near any print of any row
+/// made in the previous revolution, extended by `near` along the ring. Every print is compared with
+/// every other one.
 double share_near_earlier(const std::vector<RolledRow>& rows, std::size_t own, int revolutions);
 
-/// Mean number of tips within `penetration` (m) of their lowest place over one turn of the cone.
+/// Mean number of tips within `penetration` (m) of their lowest place during one turn of the cone.
 double mean_tips_in_contact(const RolledRow& row, double penetration);
 
 }  // namespace tdbd::reference

@@ -16,7 +16,8 @@ std::size_t row_of(const Vec3& x_B, double advance, std::size_t rows) {
   return std::min(static_cast<std::size_t>(share * static_cast<double>(rows)), rows - 1);
 }
 
-/// Samples along an edge: two for each row that it may pass, as the height turns with the azimuth.
+/// Number of samples along an edge: two for each row that it may pass, because the height changes
+/// with the azimuth.
 int samples(const Vec3& a, const Vec3& b, double advance, std::size_t rows) {
   const double around = (b - a).norm() / std::max(a.head<2>().norm(), 1e-9);
   const double advances = std::abs(b.z() - a.z()) / advance + around / full_turn;

@@ -7,15 +7,15 @@
 
 namespace tdbd::reference {
 
-/// What the error of one reading is made of, relative.
+/// Components of the relative error of one reading.
 struct ReadingError {
-  std::string test;    ///< a factor is common to it
-  long record = 0;     ///< the rate's error is common to it
+  std::string test;    ///< readings of one test share a factor
+  long record = 0;     ///< readings of one record share the error of the rate
   double own = 0.0;    ///< standard deviation
   double slope = 0.0;  ///< d log load / d log rate
 };
 
-/// Deviations that readings share.
+/// Standard deviations of errors that readings share.
 struct SharedError {
   double test = 0.0, rate = 0.0;
 };
@@ -24,14 +24,14 @@ struct SharedError {
 Eigen::MatrixXd covariance_of_readings(const std::vector<ReadingError>& readings,
                                        const SharedError& shared);
 
-/// The inverse by Gauss and Jordan with pivots.
+/// The inverse by Gauss-Jordan elimination with pivoting.
 Eigen::MatrixXd inverse_by_elimination(Eigen::MatrixXd A);
 
-/// Deviations of priors, none where there is none.
+/// Standard deviations of priors; empty where there is no prior.
 using Priors = std::vector<std::optional<double>>;
 
-/// (J^T C^-1 J + P)^-1: the covariance of coefficients from derivatives J of the logarithms of the
-/// readings, their covariance C, and 1/deviation^2 of the priors in P.
+/// (J^T C^-1 J + P)^-1: the covariance of coefficients. J: derivatives of the logarithms of the
+/// readings; C: their covariance; P: 1/deviation^2 of the priors.
 Eigen::MatrixXd covariance_of_coefficients(const Eigen::MatrixXd& J, const Eigen::MatrixXd& C,
                                            const Priors& priors);
 

@@ -18,7 +18,7 @@ Eigen::VectorXd over(const Set& set, const Eigen::MatrixXd& N, const Eigen::Vect
   return x;
 }
 
-/// The free place whose growth lowers the sum of squares most, or -1.
+/// The index outside the set whose increase reduces the sum of squares most, or -1.
 Eigen::Index steepest(const Set& set, const Eigen::VectorXd& slope, double rounding) {
   Eigen::Index best = -1;
   for (Eigen::Index k = 0; k < slope.size(); ++k)
@@ -28,7 +28,7 @@ Eigen::Index steepest(const Set& set, const Eigen::VectorXd& slope, double round
   return best;
 }
 
-/// Goes from x towards y until a value of the set is 0; takes those at 0 out of the set.
+/// Moves x towards y until an element of the set is 0, and removes the zero elements from the set.
 void step_back(const Eigen::VectorXd& y, Eigen::VectorXd& x, Set& set) {
   double share = 1.0;
   Eigen::Index first = set.front();

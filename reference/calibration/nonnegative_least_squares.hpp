@@ -4,8 +4,8 @@
 
 namespace tdbd::reference {
 
-/// x >= 0 that makes |A x - b| least: the active sets of Lawson and Hanson (1974), chapter 23, each
-/// solved by dense normal equations. For few columns.
+/// Returns x >= 0 that minimizes |A x - b|, by the active-set method of Lawson and Hanson (1974),
+/// chapter 23. Each set is solved by dense normal equations. For few columns.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 }  // namespace tdbd::reference

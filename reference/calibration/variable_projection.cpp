@@ -9,7 +9,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// The problem with what does not change in a search.
+/// The parts of the problem that do not change in a search.
 struct Setup {
   const Readings& readings;
   const SevenPriors& priors;
@@ -43,7 +43,7 @@ Eigen::VectorXd rows_at(const Setup& s, const Eigen::MatrixXd& M, const Coeffici
   return rows;
 }
 
-/// Their derivatives with respect to the factors: A2 = x1/x0, A6 = x4/x3.
+/// Derivatives of the rows with respect to the factors: A2 = x1/x0, A6 = x4/x3.
 Eigen::MatrixXd slopes_at(const Setup& s, const Eigen::MatrixXd& M, const Coefficients& c) {
   const Factors x = factors_of(c);
   const Eigen::Index n = M.rows();
@@ -91,7 +91,7 @@ Projected best_factors(const Setup& s, Coefficients c) {
   return {c, least};
 }
 
-/// Golden section between a and b for the least of f(x).objective.
+/// Golden-section search between a and b for the minimum of f(x).objective.
 Projected golden(const std::function<Projected(double)>& f, double a, double b, int sections) {
   const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
   double left = b - ratio * (b - a), right = a + ratio * (b - a);

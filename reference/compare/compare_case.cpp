@@ -80,7 +80,7 @@ CompareOptions read_options(Config c) {
   return o;
 }
 
-/// The numbers that drag-bit models share, if the law of the faces has no others.
+/// The coefficients that drag-bit models share, if the law of the faces has no others.
 std::optional<DragRock> rock_of(const simulation::ForcePlan& forces) {
   const auto* law =
       std::get_if<forces::Detournay>(&simulation::law_of(forces, bit::PartKind::face));
@@ -88,7 +88,7 @@ std::optional<DragRock> rock_of(const simulation::ForcePlan& forces) {
   return DragRock{law->eps, law->zeta, law->sigma, law->mu};
 }
 
-/// Chamfers may have a law of their own; sharp they are under any other.
+/// Chamfers may have a law of their own; without chamfers, any law of theirs is accepted.
 std::optional<EdgeCoefficients> edges_of(const simulation::ForcePlan& forces) {
   using forces::HansonHansen;
   const auto law_of = [&](bit::PartKind kind) {
@@ -107,7 +107,7 @@ std::optional<EdgeCoefficients> edges_of(const simulation::ForcePlan& forces) {
   return c;
 }
 
-/// None without a tangential force: a ratio to it would not be known.
+/// Empty without a tangential force, because the ratio to it would be undefined.
 std::optional<DragRock> tips_of(const simulation::ForcePlan& forces) {
   const auto* law =
       std::get_if<forces::DepthOfCut>(&simulation::law_of(forces, bit::PartKind::face));
@@ -115,7 +115,7 @@ std::optional<DragRock> tips_of(const simulation::ForcePlan& forces) {
   return DragRock{law->kt, law->kn / law->kt, 0.0, 0.0};
 }
 
-/// Where the file gives what only all of it shows to be wrong.
+/// File positions of keys whose mistakes are only found when everything has been read.
 struct Places {
   std::string motion, forces, counted, circle, weight;
 };
@@ -125,7 +125,7 @@ Places places_of(const Config& c) {
           c.place("compare.circle"), c.place("compare.weight_on_bit")};
 }
 
-/// A bit on a string finds its rate.
+/// The rate of a bit on a string is a result, so only its rotary speed is required.
 void check_string_motion(const Places& at, const simulation::Motion& m) {
   if (!(m.rotary_speed > 0.0))
     throw InputError(at.motion + ": found a bit that does not turn, expected rotary_speed above 0");

@@ -11,7 +11,7 @@
 
 namespace tdbd::reference {
 
-/// What Glowka's model needs beside the rock that drag-bit models share.
+/// Settings of Glowka's model in addition to the rock that drag-bit models share.
 struct GlowkaSettings {
   double power = 0.0, reference_depth = 0.0;            ///< 1, m
   std::optional<double> flat_stress, wear_coefficient;  ///< Pa, m3/(N m)
@@ -20,7 +20,7 @@ struct GlowkaSettings {
          cutter_resistance = 0.0;
 };
 
-/// What models of roller bits need; what is missing they take from the case (compare_keys.hpp).
+/// Settings of models of roller bits. Missing values are derived from the case (compare_keys.hpp).
 struct RollerSettings {
   std::optional<double> specific_energy;  ///< Pa
   double normal_ratio = 0.0, half_angle = 0.0;
@@ -35,7 +35,7 @@ struct WintersSettings {
   double strength = 0.0;               ///< Pa
 };
 
-/// How the models are asked ([compare]).
+/// Settings of the comparison ([compare]).
 struct CompareOptions {
   std::vector<std::string> models;  ///< "all", or names
   double counted_revolutions = 1.0;
@@ -55,23 +55,23 @@ struct CompareOptions {
 struct CompareCase {
   simulation::Case ours;
   CompareOptions options;
-  /// The law of the faces as models of drag bits know it; none: they have another.
+  /// The law of the faces in the form of models of drag bits; empty if the case has another law.
   std::optional<DragRock> rock;           ///< "detournay": linear in the area
   std::optional<EdgeCoefficients> edges;  ///< "hanson-hansen", in rock of one strength
   std::optional<DragRock> tips;           ///< "depth-of-cut": linear in width times depth
-  double advance = 0.0;                   ///< m a revolution; of a bit on a string: at its start
+  double advance = 0.0;                   ///< m per revolution; for a bit on a string, at its start
   std::string resolved;                   ///< TOML
 };
 
-/// Reads and checks everything, runs nothing. The motion is steady or whirl: prescribed, with a
-/// rotary speed; or drilling, of a bit on a string.
-/// Throws InputError that lists every mistake.
+/// Reads and checks a case without running anything. The motion is steady or whirl (prescribed,
+/// with a rotary speed) or drilling (a bit on a string). Throws InputError that lists every
+/// mistake.
 CompareCase read_compare_case(const std::string& path, const std::vector<std::string>& overrides);
 
-/// The bit hangs on a string and moves by itself.
+/// Whether the bit is on a string and its motion is free.
 bool is_free(const CompareCase& c);
 
-/// Steps of ours that count: by the nominal rotary speed.
+/// Number of TDBD steps over which means are taken, according to the nominal rotary speed.
 long counted_steps(const CompareCase& c);
 
 }  // namespace tdbd::reference

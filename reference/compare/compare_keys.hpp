@@ -4,7 +4,8 @@
 #include "core/config/key.hpp"
 #include "reference/literature/drag/plane/planar_outline.hpp"
 
-/// The keys of [compare], which only tdbd-compare reads; the rest of the file is a case of tdbd run.
+/// The keys of [compare], which only tdbd-compare reads. The rest of the file is a case of tdbd
+/// run.
 namespace tdbd::reference::compare_keys {
 
 inline constexpr TableKey table{"compare", "how the models of chapter 2 are asked"};

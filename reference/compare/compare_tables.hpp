@@ -6,7 +6,7 @@
 
 namespace tdbd::reference {
 
-/// The keys of [compare].
+/// Returns the keys of [compare].
 std::vector<KeyTable> compare_tables();
 
 }  // namespace tdbd::reference

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array file_names{"comparison.csv", "parts.csv",   "comparison.nc",
                                 "case.toml",      "timing.json", "comparison.json"};
 
-/// A cell that may hold commas.
+/// A cell that may contain commas.
 std::string quoted(const std::string& text) {
   std::string cell = "\"";
   for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -44,7 +44,7 @@ Json units_of(std::span<const QuantityText> texts) {
   return units;
 }
 
-/// The findings of each part together, in the order in which the model names parts.
+/// The findings grouped by part, in the order in which the model lists the parts.
 Json parts_of(const Findings& f) {
   Json parts = Json::object();
   for (const PartFinding& p : f.parts) {

@@ -66,7 +66,7 @@ class NetcdfWriter {
   int id_ = -1;
 };
 
-/// Rows of different lengths side by side, NaN behind the shorter ones.
+/// Rows of different lengths as a matrix; shorter rows are padded with NaN.
 std::vector<double> padded(const std::vector<std::vector<double>>& rows, std::size_t length) {
   std::vector<double> all;
   for (const std::vector<double>& row : rows) {

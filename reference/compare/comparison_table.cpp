@@ -8,7 +8,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// A column of the table: a quantity in a unit that fits.
+/// A column of the table: a quantity in a suitable unit.
 struct TableColumn {
   Quantity quantity;
   const char* head;
@@ -37,13 +37,13 @@ std::string cell(const Saying& s, const TableColumn& column) {
   return fmt::format(fmt::runtime(column.form), column.scale * *s.value);
 }
 
-/// CPU time for a second of drilling; of a steady model, which has no time, for its state.
+/// CPU time per second of drilling; for a steady model, which has no time, per state.
 std::string cost_cell(const Cost& cost) {
   if (cost.simulated > 0.0) return fmt::format("{:.3g} s/s", cost.cpu / cost.simulated);
   return fmt::format("{:.3g} s", cost.cpu);
 }
 
-/// The part of a level for which a model's number is the largest.
+/// The part of a level with the largest value of a quantity.
 const PartFinding* largest_of(const Findings& f, PartLevel level, PartQuantity quantity) {
   const PartFinding* largest = nullptr;
   for (const PartFinding& p : f.parts)
@@ -53,7 +53,7 @@ const PartFinding* largest_of(const Findings& f, PartLevel level, PartQuantity q
   return largest;
 }
 
-/// A column of the table of teeth: the part that carries most.
+/// A column of the table of teeth: the part with the largest load.
 struct LoadColumn {
   const char* head;
   PartLevel level;
@@ -66,7 +66,7 @@ constexpr std::array load_columns{
     LoadColumn{"tooth, a step's kN", PartLevel::tooth, PartQuantity::largest_weight},
 };
 
-/// The rows and teeth that carry most of each model that has teeth.
+/// For each model with teeth, the rows and teeth with the largest loads.
 std::string teeth_table(const Comparison& all) {
   std::string rows;
   for (const Answer& a : all.answers) {

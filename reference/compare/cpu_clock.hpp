@@ -4,7 +4,7 @@
 
 namespace tdbd::reference {
 
-/// CPU time of this process since the clock was made, s.
+/// CPU time of this process since the clock was constructed, s.
 class CpuClock {
  public:
   double seconds() const { return now() - from_; }

@@ -9,27 +9,27 @@
 
 namespace tdbd::reference {
 
-/// What a model says about one quantity: a number, or why it has none. Exactly one of them.
+/// A model's result for one quantity: either a value, or the reason why there is none.
 struct Saying {
   std::optional<double> value;
   std::string reason;
 };
 
-/// What it says about one cutter; or one tooth, one row of teeth, one cone.
+/// A model's result for one cutter, tooth, row of teeth or cone.
 struct PartFinding {
   std::string part;     ///< "cutter-12", "cone-1", "cone-1/row-2", "cone-1/row-2/tooth-3"
-  double radius = 0.0;  ///< m, from the bit's axis; 0 of a cone
+  double radius = 0.0;  ///< m, from the bit's axis; 0 for a cone
   PartQuantity quantity = PartQuantity::area;
   double value = 0.0;
 };
 
-/// A bit's parts contain each other: values of different levels are not summed.
+/// Parts of a bit contain each other, so values of different levels must not be summed.
 enum class PartLevel { cutter, cone, row, tooth };
 
-/// By the part's name.
+/// The level according to the part's name.
 PartLevel level_of(const PartFinding& finding);
 
-/// Loads of the steps that count.
+/// Loads of the steps over which means are taken.
 struct LoadSeries {
   double step = 0.0;                   ///< s
   std::vector<double> weight, torque;  ///< N, N m
@@ -41,20 +41,20 @@ struct BottomCircle {
   std::vector<double> depth;  ///< m, z down; at equal angles from azimuth 0
 };
 
-/// What a model cost.
+/// Run time of a model.
 struct Cost {
-  double cpu = 0.0;        ///< s, of this process; 0: still to be measured
+  double cpu = 0.0;        ///< s, of this process; 0: not measured yet
   double simulated = 0.0;  ///< s; 0: no time in the model
   long steps = 0;
 };
 
-/// All that a model says about a case.
+/// All results of a model for a case.
 struct Findings {
   std::array<Saying, quantity_count> says;
   std::vector<PartFinding> parts;
-  LoadSeries series;                   ///< empty: the model is steady
-  std::optional<BottomCircle> bottom;  ///< none: the model keeps no bottom
-  std::vector<std::string> notes;      ///< what a reader of its numbers must know
+  LoadSeries series;                   ///< empty if the model is steady
+  std::optional<BottomCircle> bottom;  ///< empty if the model has no bottom
+  std::vector<std::string> notes;      ///< assumptions and limitations that affect the values
   Cost cost;
 };
 
@@ -66,17 +66,17 @@ inline const Saying& saying(const Findings& f, Quantity q) {
 void say(Findings& f, Quantity q, double value);
 void cannot_say(Findings& f, Quantity q, const std::string& reason);
 
-/// Gives the reason to every quantity of the list that has neither value nor reason.
+/// Sets the reason for every quantity of the list that has neither value nor reason.
 void cannot_say(Findings& f, const std::vector<Quantity>& quantities, const std::string& reason);
 
-/// Weight, torque, the work of a turn and the noise of steps, from a series; `advance`: m a
-/// revolution.
+/// Sets weight, torque, the work per revolution and the noise of steps, from a series. `advance`: m
+/// per revolution.
 void say_loads(Findings& f, const LoadSeries& series, double advance);
 
-/// Weight, torque and the work of a turn of a steady model, whose steps have no noise.
+/// Sets weight, torque and the work per revolution of a steady model, whose steps have no noise.
 void say_steady_loads(Findings& f, double weight, double torque, double advance);
 
-/// Mean, and rms deviation from it over the mean, of means over so many steps.
+/// Mean of means over `steps_together` steps, and rms deviation from it over the mean.
 struct Noise {
   double mean = 0.0, share = 0.0;
 };

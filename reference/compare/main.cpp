@@ -29,7 +29,8 @@ struct Arguments {
   int threads = 1;
 };
 
-/// The tables of keys, with the name of this program: key tables know the subcommands of tdbd.
+/// The tables of keys. Replaces the subcommand name of tdbd, which key tables contain, by the name
+/// of this program.
 std::string keys_text() {
   std::string text = tdbd::keys_as_markdown(compare_tables());
   for (std::size_t at = 0; (at = text.find("tdbd compare", at)) != std::string::npos;)

@@ -11,34 +11,34 @@
 
 namespace tdbd::reference {
 
-/// The bits that a model knows.
+/// The kinds of bits that a model can handle.
 enum class Knows { drag_bits, roller_bits, both };
 
-/// What is asked of a model beside the case.
+/// Input of a model.
 struct Question {
   const CompareCase& asked;
   double weight = 0.0;  ///< N, the reference weight; 0: not known
 };
 
-/// A model of chapter 2, or ours.
+/// A model of thesis chapter 2, or TDBD.
 struct Model {
   std::string_view name;       ///< "warren-sinor"
   std::string_view title;      ///< "Warren and Sinor"
-  std::string_view reference;  ///< its number in the thesis
+  std::string_view reference;  ///< its number in the references of the thesis
   Knows knows = Knows::both;
   Findings (*answer)(const Question&) = nullptr;
-  Findings (*free)(const Question&) = nullptr;  ///< of a bit on a string; none: its motion is input
-  std::string_view own_law = {};                ///< of faces, which it knows beside "detournay"
+  Findings (*free)(const Question&) = nullptr;  ///< for a bit on a string; null: motion is input
+  std::string_view own_law = {};                ///< law of faces besides "detournay"
 };
 
-/// All models: ours first, which gives the others their weight, then those of drag bits.
+/// All models: TDBD first, whose weight is the reference weight, then those of drag bits.
 std::span<const Model> models();
 
-/// Why a model has nothing to say about this bit; empty: it has.
+/// The reason why a model has no results for this bit; empty if it has results.
 std::string why_not(const Model& model, const CompareCase& c);
 
-/// The models of a list of names; "all": those that know the bit. Throws InputError for a name that
-/// no model has, or a model that does not know the bit, with its name and what it needs.
+/// The models in a list of names; "all": those that can handle the bit. Throws InputError for an
+/// unknown name, or for a model that cannot handle the bit, with its name and what it requires.
 std::vector<const Model*> chosen_models(const CompareCase& c,
                                         const std::vector<std::string>& names);
 

@@ -37,14 +37,14 @@ const Model* find(const std::string& name) {
   return found == all_models.end() ? nullptr : &*found;
 }
 
-/// Whether the model knows the law of the case's faces.
+/// Whether the model can use the law of the case's faces.
 bool knows_faces(const Model& model, const CompareCase& c) {
   if (c.rock) return true;
   if (model.own_law == "hanson-hansen") return c.edges.has_value();
   return model.own_law == "depth-of-cut" && c.tips.has_value();
 }
 
-/// What it needs of faces, and of the rock where its own law needs it.
+/// The law of faces, and properties of the rock, that the model requires.
 std::string needed_law(const Model& model) {
   std::string text = "forces.law = \"detournay\"";
   if (!model.own_law.empty()) text += fmt::format(" or \"{}\"", model.own_law);

@@ -5,7 +5,7 @@
 
 namespace tdbd::reference {
 
-/// What the comparison asks every model for (one number each), in the order of its tables.
+/// The quantities of the comparison (one value per model), in the order of its tables.
 enum class Quantity {
   weight,
   torque,
@@ -31,7 +31,7 @@ enum class Quantity {
 };
 inline constexpr std::size_t quantity_count = 21;
 
-/// Quantities of a part of the bit: of a cutter, or of a tooth, a row of teeth or a cone.
+/// Quantities of a part of the bit: a cutter, a tooth, a row of teeth or a cone.
 enum class PartQuantity {
   area,
   volume_per_revolution,
@@ -47,7 +47,7 @@ enum class PartQuantity {
 };
 inline constexpr std::size_t part_quantity_count = 11;
 
-/// A quantity in words.
+/// Name, unit and meaning of a quantity.
 struct QuantityText {
   std::string_view name, unit, meaning;
 };

@@ -25,7 +25,7 @@ void give_impulse(const dynamics::Loads& loads, const dynamics::Gyrostat& g, dou
   }
 }
 
-/// h times the angular velocity that belongs to the momentum in the middle of the drift by T.
+/// h times the angular velocity for the momentum in the middle of the drift by T.
 Vec3 turn_of_middle(const dynamics::Gyrostat& g, double h, const GyrostatState& s, const Vec3& T) {
   GyrostatState middle = s;
   middle.body_momentum_B = rotation_by(-0.5 * T) * s.body_momentum_B;
@@ -34,7 +34,7 @@ Vec3 turn_of_middle(const dynamics::Gyrostat& g, double h, const GyrostatState& 
 
 void drift(const dynamics::Gyrostat& g, double h, GyrostatState& s) {
   constexpr int most_rounds = 1000;
-  constexpr double settled = 1e-16;  // of 1 rad
+  constexpr double settled = 1e-16;  // relative to 1 rad
   Vec3 T = h * bit_angular_velocity(g, s);
   double change = 1.0;
   for (int i = 0; change > settled; ++i) {

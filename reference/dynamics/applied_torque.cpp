@@ -7,13 +7,13 @@
 namespace tdbd::reference {
 namespace {
 
-/// A torque given in either frame, in the bit's.
+/// Converts a torque given in either frame to the bit's frame.
 Vec3 in_bit_frame(dynamics::TorqueFrame frame, const Mat3& R_WB, const Vec3& torque) {
   return frame == dynamics::TorqueFrame::body ? torque : Vec3(R_WB.transpose() * torque);
 }
 
-/// dV/d(angle) for a turn of the attitude by `angle` about a space axis. Step 0.02 rad: the
-/// remainder h^8/630 V'''''''''  and the rounding 1e-16/h are then both below 1e-13.
+/// dV/d(angle) for a rotation of the attitude by `angle` about a space axis. With a step of 0.02
+/// rad, the remainder h^8/630 V'''''''''  and the rounding 1e-16/h are both below 1e-13.
 double slope(const Vec3& stiffness_W, const Mat3& R_WB, double twist, const Vec3& axis_W) {
   constexpr double h = 0.02;
   constexpr double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};

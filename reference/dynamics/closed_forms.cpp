@@ -31,7 +31,7 @@ std::vector<double> steady_precession_rates(const SymmetricBody& top, double gra
   const double axial_momentum = top.axial * axial_rate + top.cone_momentum;
   const double discriminant = axial_momentum * axial_momentum - 4.0 * a * gravity_moment;
   if (discriminant < 0.0) return {};
-  // The root without cancellation; their product is gravity_moment / a.
+  // Avoids cancellation: the product of the roots is gravity_moment / a.
   const double q = 0.5 * (axial_momentum + std::copysign(std::sqrt(discriminant), axial_momentum));
   if (std::abs(a) < 1e-15 * top.transverse) return {gravity_moment / q};
   return {gravity_moment / q, q / a};

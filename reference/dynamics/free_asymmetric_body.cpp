@@ -16,16 +16,16 @@
 namespace tdbd::reference {
 namespace {
 
-/// The body in axes (a, b, c): b that of the middle inertia, c the one about which the momentum
-/// circles, right-handed. W = (cn, sn, dn) by component, times amplitudes.
+/// The body in the right-handed axes (a, b, c): b is that of the middle inertia, c the one about
+/// which the momentum circles. W = (cn, sn, dn) by component, times amplitudes.
 struct Elliptic {
   Mat3 axes_B = Mat3::Identity();  ///< a, b, c as columns
   Vec3 inertia = Vec3::Ones();     ///< kg m2, about a, b, c
-  Vec3 amplitude = Vec3::Zero();   ///< rad/s, signs included
+  Vec3 amplitude = Vec3::Zero();   ///< rad/s, with signs
   double frequency = 0.0;          ///< rad/s, of the argument
   double modulus_squared = 0.0;    ///< k^2
   double argument = 0.0;           ///< at t = 0
-  double momentum = 0.0;           ///< N m s, its length
+  double momentum = 0.0;           ///< N m s, magnitude
 };
 
 /// Indices of the principal axes in ascending order of inertia.
@@ -35,8 +35,8 @@ std::array<int, 3> ascending(const Vec3& principal) {
   return order;
 }
 
-/// Columns a, b, c with c the axis of the smallest or the largest inertia, whichever the momentum
-/// circles: M^2 > 2 E I_middle for the largest.
+/// Columns a, b, c. c is the axis of the smallest or the largest inertia, the one that the momentum
+/// circles; the largest if M^2 > 2 E I_middle.
 Mat3 elliptic_axes(const Vec3& principal, const Vec3& w) {
   const auto [low, middle, high] = ascending(principal);
   const double side = principal[high] * w[high] * w[high] * (principal[high] - principal[middle]) -
@@ -72,14 +72,14 @@ Elliptic elliptic(const Vec3& principal, const Vec3& w_B) {
   return e;
 }
 
-/// In axes a, b, c.
+/// The angular velocity in the axes a, b, c.
 Vec3 angular_velocity(const Elliptic& e, double t) {
   double sn = 0.0, cn = 0.0, dn = 0.0;
   gsl_sf_elljac_e(e.argument + e.frequency * t, e.modulus_squared, &sn, &cn, &dn);
   return e.amplitude.cwiseProduct(Vec3(cn, sn, dn));
 }
 
-/// Rate at which the axis c goes round the momentum, rad/s.
+/// Rate at which the axis c rotates about the momentum, rad/s.
 double round_rate(double t, void* context) {
   const auto& e = *static_cast<const Elliptic*>(context);
   const Vec3 w = angular_velocity(e, t);
@@ -87,10 +87,11 @@ double round_rate(double t, void* context) {
   return e.momentum * (P[0] * w[0] + P[1] * w[1]) / (P[0] * P[0] + P[1] * P[1]);
 }
 
-/// The angle that c has gone round the momentum by time t, rad.
+/// The angle by which c has rotated about the momentum at time t, rad.
 double round_angle(Elliptic e, double t) {
   constexpr std::size_t intervals = 1000;
-  constexpr double wanted = 1e-13, accepted = 1e-11;  // of 1 + angle; GSL's estimate is cautious
+  // relative to 1 + angle; GSL's estimate is pessimistic
+  constexpr double wanted = 1e-13, accepted = 1e-11;
   const QuietGsl quiet;
   const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
       gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
@@ -103,7 +104,8 @@ double round_angle(Elliptic e, double t) {
   return angle;
 }
 
-/// Axes a, b, c to a frame with its third axis along the momentum and its first square to c.
+/// Rotation from the axes a, b, c to a frame with its third axis along the momentum and its first
+/// perpendicular to c.
 Mat3 to_momentum(const Elliptic& e, const Vec3& w) {
   const Vec3 p = e.inertia.cwiseProduct(w).normalized();
   const Vec3 node = Vec3::UnitZ().cross(p).normalized();

@@ -30,12 +30,12 @@ double total_mass(const std::vector<RigidBody>& bodies) {
   return mass;
 }
 
-/// The point about which the whole turns, in the bit's frame.
+/// The point about which the whole system rotates, in the bit's frame.
 Vec3 pivot(const JointedBit& bit) {
   return bit.mount == Mount::pinned ? Vec3(Vec3::Zero()) : common_centre(bodies(bit));
 }
 
-/// Bodies in their places, moving as one with the cones' spins added.
+/// Bodies in their places, moving as one rigid body plus the cones' spins.
 std::vector<BodyMotion> assemble(const JointedBit& bit, const JointedState& start) {
   const Vec3 w_W = start.R_WB * start.w_B, pivot_B = pivot(bit);
   std::vector<BodyMotion> motions;
@@ -76,7 +76,8 @@ Vec3 centre_of_mass(const std::vector<RigidBody>& bodies, const std::vector<Body
   return moment / total_mass(bodies);
 }
 
-/// The turn about `axis` that takes attitude A to attitude B, of the turns the one nearest `about`.
+/// The angle of the rotation about `axis` that maps attitude A to attitude B, unwrapped to the
+/// value nearest to `about`.
 double angle_between(const Mat3& A, const Mat3& B, const Vec3& axis, double about) {
   const Eigen::Quaterniond q(Mat3(A.transpose() * B));
   const double wrapped = 2.0 * std::atan2(q.vec().dot(axis), q.w());

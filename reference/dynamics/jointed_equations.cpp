@@ -12,19 +12,19 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Accelerations of body i stand at 6 i (centre) and 6 i + 3 (angular).
+/// Accelerations of body i are at the indices 6 i (centre) and 6 i + 3 (angular).
 Index centre_at(std::size_t i) { return 6 * static_cast<Index>(i); }
 Index turn_at(std::size_t i) { return centre_at(i) + 3; }
 
-/// The linear system M a = f, G a = gamma while it is being filled.
+/// The linear system M a = f, G a = gamma during assembly.
 struct System {
   MatrixXd M, G;
   VectorXd f, gamma;
-  Index rows = 0;  ///< of G that are filled
+  Index rows = 0;  ///< number of filled rows of G
 };
 
-/// Adds sign x the acceleration of the point at r_W from body i's centre to three rows:
-/// a + alpha x r + w x (w x r).
+/// Adds sign times the acceleration of the point at r_W from body i's centre to three rows: a +
+/// alpha x r + w x (w x r).
 void add_point(System& s, Index row, std::size_t i, const BodyMotion& m, const Vec3& r_W,
                double sign) {
   s.G.block<3, 3>(row, centre_at(i)) = sign * Mat3::Identity();
@@ -32,8 +32,8 @@ void add_point(System& s, Index row, std::size_t i, const BodyMotion& m, const V
   s.gamma.segment<3>(row) -= sign * m.w_W.cross(m.w_W.cross(r_W));
 }
 
-/// The cone's axis s stays square to u, which is fixed in the body: the second derivative of s . u,
-/// whose first is (w_cone - w_body) . (s x u).
+/// Requires that the cone's axis s stays perpendicular to u, which is fixed in the body: the second
+/// derivative of s . u, whose first derivative is (w_cone - w_body) . (s x u).
 void add_square(System& s, std::size_t cone, const BodyMotion& body_motion,
                 const BodyMotion& cone_motion, const Vec3& axis_W, const Vec3& u_W) {
   const Vec3 normal = axis_W.cross(u_W);
@@ -68,8 +68,8 @@ void add_body(System& s, std::size_t i, const RigidBody& b, const BodyMotion& m,
   s.f.segment<3>(turn_at(i)) = -m.w_W.cross(inertia_W * m.w_W);
 }
 
-/// What comes from the bit goes to the cone and, opposite, to the body; what comes from outside to
-/// the cone alone.
+/// Internal loads act on the cone and, with opposite sign, on the body. External loads act on the
+/// cone alone.
 void add_loads(System& s, const JointedBit& bit, const std::vector<BodyMotion>& m) {
   const Mat3 R_body = attitude(m[0]);
   s.f.segment<3>(turn_at(0)) += R_body * bit.torque_B;
@@ -90,7 +90,7 @@ System empty_system(const JointedBit& bit) {
   return {MatrixXd::Zero(n, n), MatrixXd::Zero(rows, n), VectorXd::Zero(n), VectorXd::Zero(rows)};
 }
 
-/// Accelerations from the whole system, multipliers and all.
+/// Solves the whole system, including multipliers, for the accelerations.
 VectorXd solve(const System& s) {
   const Index n = s.M.rows(), rows = s.G.rows();
   MatrixXd A = MatrixXd::Zero(n + rows, n + rows);

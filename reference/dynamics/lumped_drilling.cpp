@@ -10,13 +10,13 @@ namespace {
 
 using dynamics::DrillingSystem;
 
-/// A state, or its rate, with the energies: what the Runge-Kutta methods see.
+/// A state, or its rate, with the energies: the unknowns of the Runge-Kutta methods.
 struct Motion {
   LumpedState state;
   LumpedEnergy energy;
 };
 
-/// Gives every number of a motion to `visit`, in one order.
+/// Calls `visit` with every number of a motion, in a fixed order.
 template <class M, class Visit>
 void each_number(M& m, const Visit& visit) {
   auto& [bit, c_W, v_W, rock_z, rock_v, top_z, top_angle] = m.state;
@@ -70,7 +70,8 @@ Motion motion_of(std::span<const double> y, const Motion& like, double time) {
   return m;
 }
 
-/// Up to `stop`, where a staircase of the top still has its value before the edge.
+/// The equations up to `stop`, where a stepwise schedule of the top still has its value before the
+/// step.
 RightHandSide equations(const DrillingSystem& system, const LumpedLaw& law, const Motion& like,
                         double stop) {
   const double last = std::nextafter(stop, like.state.bit.time);

@@ -26,7 +26,7 @@ dynamics::DrillingVelocity velocities(const DrillingSystem& system, const Lumped
   return v;
 }
 
-/// The same state as the law knows it.
+/// Converts a state to the form that the law uses.
 dynamics::DrillingState drilling_state(const DrillingSystem& system, const LumpedState& s) {
   dynamics::DrillingState d;
   d.rotation.q_WB = Eigen::Quaterniond(s.bit.R_WB).normalized();
@@ -41,7 +41,7 @@ dynamics::DrillingState drilling_state(const DrillingSystem& system, const Lumpe
   return d;
 }
 
-/// dV/dx for a change of the state by x times a unit; V smooth on the scale `h`.
+/// dV/dx for a change of the state by x times a unit. V must be smooth on the scale `h`.
 double slope(const std::function<double(double)>& V, double h) {
   constexpr double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
   double sum = 0.0;
@@ -70,7 +70,8 @@ void add_springs(const DrillingSystem& system, const LumpedState& s, LumpedForce
   }
 }
 
-/// The top's work on the springs: what its own moving adds to their energy; and of its load.
+/// Work of the top on the springs (the change of their energy due to its own motion) and of its
+/// load.
 void add_top(const DrillingSystem& system, const LumpedState& s, LumpedForces& f,
              const dynamics::DrillingVelocity& v) {
   LumpedState moved = s;
@@ -100,7 +101,7 @@ void add_top(const DrillingSystem& system, const LumpedState& s, LumpedForces& f
   f.power.top += load_W.dot(v.v_W + v.w_W.cross(arm_W));
 }
 
-/// -Dt and -Dr times the velocities against the damper's other end.
+/// -Dt and -Dr times the velocities relative to the damper's other end.
 void add_dampers(const DrillingSystem& system, const LumpedState& s, LumpedForces& f,
                  const dynamics::DrillingVelocity& v) {
   const bool follows = system.string.damper_end == DamperEnd::top;

@@ -10,14 +10,14 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double first_step = 1e-3, smallest_step = 1e-14;  // of the whole time
+constexpr double first_step = 1e-3, smallest_step = 1e-14;  // relative to the whole time
 constexpr int most_steps = 200'000;
 
 const gsl_odeiv2_step_type* step_type(OdeMethod method) {
   return method == OdeMethod::rk8pd ? gsl_odeiv2_step_rk8pd : gsl_odeiv2_step_rkf45;
 }
 
-/// What GSL hands back to evaluate(): the equations, and the time at which the step starts.
+/// The context that GSL passes to evaluate(): the equations, and the time at the start of the step.
 struct Context {
   const RightHandSide& f;
   std::size_t size;
@@ -58,10 +58,10 @@ long integrate(const RightHandSide& f, OdeMethod method, const OdeTolerance& tol
   const Stepper s(method, tolerance, y.size());
   Context context{f, y.size()};
   const gsl_odeiv2_system system{evaluate, nullptr, y.size(), &context};
-  double h = first_step * (t1 - t0);  // the control makes it longer or shorter
+  double h = first_step * (t1 - t0);  // the step control adapts it
   double elapsed = 0.0, lost = 0.0;
-  // Each step counts its time from 0 and the steps are summed with their rounding (Kahan). GSL's
-  // own sum loses the same bits at every equal step: a clock wrong by 1e-12 s after 5000.
+  // The time of each step starts at 0, and the steps are summed with compensation (Kahan). GSL's
+  // own sum accumulates a rounding error in equal steps: 1e-12 s after 5000 steps.
   int steps = 0;
   for (double left = t1 - t0; left > 0.0; left = (t1 - t0 - elapsed) + lost) {
     context.step_start = t0 + elapsed;

@@ -13,19 +13,20 @@ using RightHandSide =
 /// GSL's adaptive Runge-Kutta methods: Prince-Dormand 8(9), Fehlberg 4(5).
 enum class OdeMethod { rk8pd, rkf45 };
 
-/// Error of one step, each component: at most absolute + relative |y|.
+/// Error of one step, per component: at most absolute + relative |y|.
 struct OdeTolerance {
   double absolute = 1e-15;
   double relative = 1e-15;
 };
 
-/// Integrates y from t0 to t1 > t0 and returns how often f was evaluated. Throws RunError when the
+/// Integrates y from t0 to t1 > t0. Returns the number of evaluations of f. Throws RunError if the
 /// step becomes too small for the tolerance, and after 200 000 steps.
 long integrate(const RightHandSide& f, OdeMethod method, const OdeTolerance& tolerance, double t0,
                double t1, std::vector<double>& y);
 
-/// The classical Runge-Kutta method in `steps` equal steps; four evaluations a step. (GSL's own rk4
-/// spends eleven: it doubles each step for an error that a fixed step has no use for.)
+/// The classical Runge-Kutta method in `steps` equal steps, with four evaluations per step. (GSL's
+/// own rk4 needs eleven, because it doubles each step for an error estimate, which a fixed step
+/// does not use.)
 long integrate_rk4(const RightHandSide& f, int steps, double t0, double t1, std::vector<double>& y);
 
 }  // namespace tdbd::reference

@@ -4,7 +4,7 @@
 
 namespace tdbd::reference {
 
-/// While this lives GSL reports by return value instead of ending the program.
+/// During its lifetime, GSL reports errors by return value instead of terminating the program.
 struct QuietGsl {
   gsl_error_handler_t* before = gsl_set_error_handler_off();
   QuietGsl() = default;

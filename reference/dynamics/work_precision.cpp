@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// Steps beyond which rk4 would run for minutes.
+/// With more steps, rk4 would run for minutes.
 constexpr double most_fixed_steps = 1e7;
 
 RungeKuttaRun fixed_steps(const dynamics::Gyrostat& g, const dynamics::Loads& loads,

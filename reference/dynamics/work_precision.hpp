@@ -7,23 +7,23 @@
 
 namespace tdbd::reference {
 
-/// The rivals of the program's step: GSL's adaptive methods, whose accuracy is the tolerance, and
-/// the classical fixed step, whose accuracy is the number of steps.
+/// Methods to compare with the program's step: GSL's adaptive methods, whose accuracy is the
+/// tolerance, and the classical method, whose accuracy is the number of equal steps.
 enum class Rival { rk8pd, rkf45, rk4 };
 
 struct WorkPrecision {
   double accuracy = 0.0;        ///< requested
   long evaluations = 0;         ///< of the right-hand side, hence of the torque
-  double attitude_error = 0.0;  ///< rad, angle to the attitude at a tolerance of rounding
+  double attitude_error = 0.0;  ///< rad, relative to the attitude at a tolerance of rounding
   GyrostatState end;
 };
 
-/// Angle between two attitudes, rad; A need not be quite orthogonal.
+/// Angle between two attitudes, rad. A need not be exactly orthogonal.
 double angle_between(const Mat3& A, const Mat3& B);
 
-/// What each accuracy costs and reaches at t_end (s). Without torque samples: a fixed step would
-/// have to know them. Throws RunError when a tolerance is out of reach, and InputError when there
-/// are samples or a number of steps is not positive and whole.
+/// Computes the evaluations and the error at t_end (s) for each accuracy. Torque samples are not
+/// allowed, because fixed steps would have to meet them. Throws RunError if a tolerance cannot be
+/// reached, and InputError if there are samples or if a number of steps is not a positive integer.
 std::vector<WorkPrecision> work_precision(const dynamics::Gyrostat& g, const dynamics::Loads& loads,
                                           const GyrostatState& start, double t_end, Rival rival,
                                           const std::vector<double>& accuracies);

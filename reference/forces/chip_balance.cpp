@@ -8,7 +8,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// A direction at an angle above that of motion, x along the motion and y up.
+/// Unit vector at an angle above the direction of motion; x along the motion, y up.
 Vec2 at(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 Vec2 turned(const Vec2& v, double angle) { return Eigen::Rotation2Dd(angle) * v; }
@@ -18,15 +18,15 @@ constexpr double right_angle = 1.5707963267948966;
 }  // namespace
 
 BladeLoad chip_balance(const Chip& c) {
-  // The shear plane rises ahead of the blade; solid rock lies below it and pushes the chip up and
-  // back. The chip moves up it, so cohesion and friction hold it down along the plane.
+  // The shear plane rises ahead of the blade. Solid rock below it pushes the chip up and back. The
+  // chip slides up the plane, so cohesion and friction act down along it.
   const Vec2 along_shear = at(c.shear_angle);
   const Vec2 from_rock = at(c.shear_angle + right_angle);
   const Vec2 rock_grains = turned(from_rock, c.friction_angle);
   const Vec2 rock_known =
       -c.width * c.shear_length * (c.pressure * from_rock + c.cohesion * along_shear);
-  // The blade's front points up at the blade angle from the direction against the motion; the chip
-  // slides up along it, the blade holds it down.
+  // The blade's front rises at the blade angle from the direction against the motion. The chip
+  // slides up along it, so friction on the blade acts down.
   const Vec2 along_blade(-std::cos(c.blade_angle), std::sin(c.blade_angle));
   const Vec2 from_blade = turned(along_blade, -right_angle);
   const Vec2 blade_grains = turned(from_blade, -c.interface_angle);

@@ -2,9 +2,9 @@
 
 namespace tdbd::reference {
 
-/// The slow twin of virgin_groove: the area (m2), normal to the motion, of the cut of a round face
-/// of this diameter (m), leaning back by an angle (rad), that reaches this deep (m) into flat rock:
-/// a sum over strips of the ellipse that the face shows to the motion.
+/// Slow twin of virgin_groove: the area (m2), normal to the motion, of the cut of a round face of
+/// this diameter (m) that leans back by an angle (rad) and reaches this deep (m) into flat rock.
+/// Sums over strips of the ellipse that is the face's projection along the motion.
 double groove_area_by_strips(double diameter, double back_rake, double depth, int strips);
 
 }  // namespace tdbd::reference

@@ -22,8 +22,8 @@ CGAL::Surface_mesh<Point> surface_mesh_of(const mesh::TriangleMesh& m) {
   return surface;
 }
 
-/// Converts CGAL's mesh to ours; `rounded` makes a double of a coordinate. Polygons become fans, which is
-/// right where they are convex and plane.
+/// Converts CGAL's mesh to a TriangleMesh. `rounded` converts a coordinate to double. Polygons
+/// become fans, which is correct if they are convex and planar.
 template <class Point, class Rounded>
 mesh::TriangleMesh triangle_mesh_of(CGAL::Surface_mesh<Point>& surface, Rounded&& rounded) {
   surface.collect_garbage();

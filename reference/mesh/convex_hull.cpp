@@ -21,7 +21,7 @@ bool is_before(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// Vertices in the order of their coordinates.
+/// Sorts vertices by their coordinates.
 void number_by_place(mesh::TriangleMesh& m) {
   std::vector<int> order(m.positions.size()), number(m.positions.size());
   std::iota(order.begin(), order.end(), 0);
@@ -53,7 +53,7 @@ bool is_flat(const mesh::TriangleMesh& m, const Edge& e, int left, int right) {
                         opposite(right));
 }
 
-/// Of each triangle, the first one of its plane.
+/// For each triangle, the first triangle in its plane.
 std::vector<int> first_of_plane(const mesh::TriangleMesh& m, const std::map<Edge, int>& of_edge) {
   std::vector<int> first(m.triangles.size());
   std::iota(first.begin(), first.end(), 0);
@@ -66,7 +66,8 @@ std::vector<int> first_of_plane(const mesh::TriangleMesh& m, const std::map<Edge
   return first;
 }
 
-/// Each plane face as a fan around its first vertex: CGAL divides a face in an order of addresses.
+/// Triangulates each planar face as a fan around its first vertex, because CGAL divides faces in an
+/// order that depends on addresses.
 void divide_faces(mesh::TriangleMesh& m) {
   const std::map<Edge, int> of_edge = triangles_by_edge(m);
   const std::vector<int> first = first_of_plane(m, of_edge);

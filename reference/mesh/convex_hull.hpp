@@ -6,9 +6,10 @@
 
 namespace tdbd::reference {
 
-/// Convex hull of points that are not all in one plane (CGAL, exact predicates); outward triangles.
-/// The same mesh whatever the order of the points: vertices in the order of their coordinates, plane
-/// faces as fans. CGAL's own triangulation of a plane face differs from run to run.
+/// Computes the convex hull of points that are not all in one plane (CGAL, exact predicates), with
+/// outward triangles. The mesh does not depend on the order of the points: vertices are sorted by
+/// their coordinates, and planar faces are fans. CGAL's own triangulation of a planar face differs
+/// from run to run.
 mesh::TriangleMesh convex_hull(const std::vector<Vec3>& points);
 
 }  // namespace tdbd::reference

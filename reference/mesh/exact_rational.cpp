@@ -27,10 +27,10 @@ std::array<RVec3, 3> corners(const mesh::TriangleMesh& m, const mesh::Triangle& 
   return {exact(m.positions[f[0]]), exact(m.positions[f[1]]), exact(m.positions[f[2]])};
 }
 
-/// Integral of det J over the prism between triangles x (zeta = 0) and y (zeta = 1).
-/// With edges e1(zeta), e2(zeta) linear in zeta and w the displacement averaged over the corners,
-/// V = 1/2 integral of (e1 x e2) . w d zeta, and e1 x e2 = (1-zeta)^2 A + zeta (1-zeta) B + zeta^2
-/// C, whose weights integrate to 1/3, 1/6, 1/3.
+/// Integral of det J over the prism between triangles x (zeta = 0) and y (zeta = 1). With edges
+/// e1(zeta), e2(zeta) linear in zeta and w the mean displacement of the corners, V = 1/2 integral
+/// of (e1 x e2) . w d zeta, and e1 x e2 = (1-zeta)^2 A + zeta (1-zeta) B + zeta^2 C, whose weights
+/// have the integrals 1/3, 1/6, 1/3.
 Rational prism(const std::array<RVec3, 3>& x, const std::array<RVec3, 3>& y) {
   const RVec3 e1x = x[1] - x[0], e2x = x[2] - x[0], e1y = y[1] - y[0], e2y = y[2] - y[0];
   const RVec3 A = cross(e1x, e2x);

@@ -14,7 +14,7 @@ double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
   return (x - (a + t * ab)).norm();
 }
 
-/// Triangles by square bins of the x-y plane.
+/// Triangles in square bins of the x-y plane.
 class Bins {
  public:
   Bins(const mesh::TriangleMesh& m, double half, double size)
@@ -34,8 +34,9 @@ class Bins {
     }
   }
 
-  /// Distance to the nearest triangle, rings of bins outwards until no nearer one can come. Any
-  /// distance up to `enough` is as good as the nearest: the largest of all points is sought.
+  /// Distance to the nearest triangle. Searches rings of bins outwards until no nearer one can
+  /// exist. Stops at any distance up to `enough`, because only the largest distance of all points
+  /// is needed.
   double distance(const Vec3& x, double enough) const {
     const int i = along(x.x()), j = along(x.y());
     double best = INFINITY;

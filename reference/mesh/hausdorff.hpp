@@ -4,21 +4,21 @@
 
 namespace tdbd::reference {
 
-/// How two surfaces are compared: at points at most `spacing` apart, of those within
-/// [-half, half]^2 of the x-y plane. m.
+/// Sampling for the comparison of two surfaces: points at most `spacing` apart, within [-half,
+/// half]^2 of the x-y plane. m.
 struct HausdorffSampling {
   double spacing = 0.0;
   double half = 0.0;
 };
 
 /// Largest distance of a sample of `from` to the nearest point of `to`, m: the one-sided Hausdorff
-/// distance, from below to within `spacing`. Triangles are found by bins of the x-y plane, which
-/// suits sheets. Cost: samples times the triangles in a few bins, less where the largest distance
-/// is found early.
+/// distance, underestimated by at most `spacing`. Triangles are found in bins of the x-y plane,
+/// which is efficient for sheets. The run time is proportional to the samples times the triangles
+/// in a few bins, and less if the largest distance is found early.
 double one_sided_hausdorff(const mesh::TriangleMesh& from, const mesh::TriangleMesh& to,
                            const HausdorffSampling& sampling);
 
-/// The larger of both directions, m.
+/// The larger of the distances in both directions, m.
 double hausdorff(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b,
                  const HausdorffSampling& sampling);
 

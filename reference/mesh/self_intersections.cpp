@@ -18,7 +18,7 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = SurfaceMesh::Vertex_index;
 using Face = SurfaceMesh::Face_index;
 
-/// The same mesh for CGAL: face i is triangle i.
+/// Converts the mesh to CGAL's type: face i is triangle i.
 SurfaceMesh to_cgal(const mesh::TriangleMesh& m) {
   SurfaceMesh surface;
   for (const Vec3& x : m.positions) surface.add_vertex(Kernel::Point_3(x[0], x[1], x[2]));

@@ -8,12 +8,13 @@
 
 namespace tdbd::reference {
 
-/// Pairs of triangles (indices, smaller first, sorted) that intersect in more than the vertex or
-/// edge that they share. By CGAL's exact predicates: the rock's surface must have none (M4 in src/rock/README.md).
-/// Throws RunError if the mesh is not an oriented manifold. Cost: n log n plus the pairs.
+/// Pairs of triangles (indices, smaller first, sorted) that intersect in more than a shared vertex
+/// or edge, by CGAL's exact predicates. The rock's surface must have none (M4 in
+/// src/rock/README.md). Throws RunError if the mesh is not an oriented manifold. The run time is
+/// O(n log n) plus the number of pairs.
 std::vector<std::pair<int, int>> self_intersections(const mesh::TriangleMesh& m);
 
-/// How many such pairs there are.
+/// Number of such pairs.
 std::size_t self_intersecting_pairs(const mesh::TriangleMesh& m);
 
 }  // namespace tdbd::reference

@@ -20,8 +20,9 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 2.0 * std::atan2(a.dot(b.cross(c)), denominator);
 }
 
-/// The t at which the line q + t u crosses triangle (a, b, c); none if it misses or is parallel.
-/// A hit on the rim counts (with slack for rounding): finding a crossing twice is harmless below.
+/// The t at which the line q + t u crosses triangle (a, b, c); nothing if it misses or is parallel.
+/// A hit on the rim counts (with slack for rounding), because a crossing that is found twice does
+/// no harm below.
 std::optional<double> crossing(const Vec3& q, const Vec3& u, const Vec3& a, const Vec3& b,
                                const Vec3& c) {
   constexpr double rim = 1e-9;
@@ -34,7 +35,7 @@ std::optional<double> crossing(const Vec3& q, const Vec3& u, const Vec3& a, cons
   return solution[0];
 }
 
-/// 0 and all t > 0 at which the ray q + t u crosses the surface, sorted.
+/// Sorted: 0 and all t > 0 at which the ray q + t u crosses the surface.
 std::vector<double> crossings(const mesh::TriangleMesh& m, const Vec3& q, const Vec3& u) {
   std::vector<double> ts{0.0};
   for (const mesh::Triangle& f : m.triangles) {
@@ -45,8 +46,8 @@ std::vector<double> crossings(const mesh::TriangleMesh& m, const Vec3& q, const 
   return ts;
 }
 
-/// The intervals of t >= 0 in which q + t u is inside. Between two consecutive crossings the state
-/// does not change: test the middle.
+/// The intervals of t >= 0 in which q + t u is inside. The state does not change between two
+/// consecutive crossings, so the middle is tested.
 std::vector<Interval> inside_intervals(const mesh::TriangleMesh& m, const Vec3& q, const Vec3& u) {
   const std::vector<double> ts = crossings(m, q, u);
   std::vector<Interval> intervals;
@@ -57,7 +58,7 @@ std::vector<Interval> inside_intervals(const mesh::TriangleMesh& m, const Vec3& 
   return intervals;
 }
 
-/// End of the connected component that starts at t = 0; gaps up to `bridge` do not separate.
+/// End of the connected component that starts at t = 0. Gaps up to `bridge` do not separate.
 double end_of_first_component(std::vector<Interval> intervals, double bridge) {
   std::sort(intervals.begin(), intervals.end(),
             [](const Interval& a, const Interval& b) { return a.lo < b.lo; });

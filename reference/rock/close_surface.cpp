@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// The boundary vertices in the order in which the triangles run along them.
+/// The boundary vertices, in the direction in which the triangles traverse them.
 std::vector<int> boundary_loop(const mesh::TriangleMesh& m) {
   std::set<std::pair<int, int>> edges;
   for (const mesh::Triangle& f : m.triangles)
@@ -52,7 +52,7 @@ mesh::TriangleMesh close_surface(const mesh::TriangleMesh& open, double depth) {
   }
   block.positions.push_back({mean.x(), mean.y(), bottom});
 
-  for (int i = 0; i < n; ++i) {  // neighbours run along a common edge in opposite directions
+  for (int i = 0; i < n; ++i) {  // neighbours traverse a common edge in opposite directions
     const int a = loop[i], b = loop[(i + 1) % n], a_below = below + i,
               b_below = below + (i + 1) % n;
     block.triangles.push_back({b, a, a_below});

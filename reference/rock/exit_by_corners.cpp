@@ -23,8 +23,8 @@ double meets_plane(const Path& p, const HalfSpace& h, double tau) {
   return (h.b - h.n.dot(p.q(tau))) / h.n.dot(p.u(tau));
 }
 
-/// Where both planes are met at the same t: (b - n.q) (m.u) - (c - m.q) (n.u) = 0, a quadratic in
-/// tau, given by its values at 0, 1/2 and 1.
+/// The tau at which both planes are met at the same t: (b - n.q) (m.u) - (c - m.q) (n.u) = 0, a
+/// quadratic in tau, given by its values at 0, 1/2 and 1.
 std::vector<double> meetings(const Path& p, const HalfSpace& g, const HalfSpace& h) {
   const auto f = [&](double tau) {
     return (g.b - g.n.dot(p.q(tau))) * h.n.dot(p.u(tau)) -
@@ -57,7 +57,7 @@ std::optional<double> exit_by_corners(const std::vector<HalfSpace>& solid, const
     try_place(solid[i], 1.0);
     for (std::size_t k = 0; k < i; ++k)
       for (const double tau : meetings(p, solid[i], solid[k])) {
-        try_place(solid[i], tau);  // both, since the ray may lie in one of the two planes
+        try_place(solid[i], tau);  // both, because the ray may lie in one of the two planes
         try_place(solid[k], tau);
       }
   }

@@ -10,8 +10,8 @@ struct PlaneSection {
   Vec3 centroid = Vec3::Zero();  ///< m, in W
 };
 
-/// The section of a convex closed mesh at the pose X_WP by the plane z = 0 of W: the points where its
-/// edges cross the plane, in the order of their directions from their mean. Twin of
+/// Computes the section of a convex closed mesh at the pose X_WP with the plane z = 0 of W: the
+/// points where its edges cross the plane, sorted by their direction from their mean. Twin of
 /// rock::rubbing_contact on flat rock.
 PlaneSection plane_section(const mesh::TriangleMesh& convex_P, const Pose& X_WP);
 

@@ -14,7 +14,7 @@ double prism_volume(const Corners& from, const Corners& to) {
     const double zeta = 0.5 * (1.0 + sign / std::sqrt(3.0));
     sum += (e1 + zeta * de1).cross(e2 + zeta * de2).dot(mean_d);
   }
-  return -0.25 * sum;  // half (triangle) times half (Gauss weight)
+  return -0.25 * sum;  // 1/2 (triangle) times 1/2 (Gauss weight)
 }
 
 }  // namespace tdbd::reference

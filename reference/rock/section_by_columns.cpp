@@ -32,14 +32,15 @@ double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// Whether the edge from a to b of a counter-clockwise triangle belongs to it: of two triangles on
-/// either side of an edge, one owns it.
+/// Whether the edge from a to b of a counter-clockwise triangle belongs to it: exactly one of the
+/// two triangles at an edge owns it.
 bool owns(const Vec2& a, const Vec2& b) {
   return b.y() < a.y() || (b.y() == a.y() && b.x() < a.x());
 }
 
-/// Whether p is in a counter-clockwise triangle, on its edges only where it owns them. The sign for
-/// each edge is that of doubled_area with p first: exactly opposite for the triangle beyond it.
+/// Whether p is in a counter-clockwise triangle; on its edges only if the triangle owns them. The
+/// sign for each edge is that of doubled_area with p first, which is exactly opposite for the
+/// triangle beyond it.
 bool contains(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
   const auto inside = [&](const Vec2& from, const Vec2& to) {
     const double beside = doubled_area(p, from, to);
@@ -48,7 +49,8 @@ bool contains(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
   return inside(a, b) && inside(b, c) && inside(c, a);
 }
 
-/// A line along Z through (0, y) meets a triangle: where, and which side of it is up.
+/// The crossing of a line along Z through (0, y) with a triangle: its place, and the sign of the
+/// triangle's orientation.
 struct Crossing {
   double z, sign;
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
-/// Height of the profile at y; infinite beside it.
+/// Height of the profile at y; infinite outside it.
 double height_at(const GrooveProfile& profile, double y) {
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
     const Eigen::Vector2d &a = profile[i], &b = profile[i + 1];
@@ -30,7 +30,7 @@ GrooveAreas SpalledRock::pass(const GrooveProfile& profile, double middle, doubl
                               const GrooveBreakout& breakout) {
   const std::vector<double> before = bottom_;
   std::vector<double> face(y_.size());  // depth of the face's edge
-  double top[2] = {0.0, 0.0};           // of the engaged edge over the lowest point, left and right
+  double top[2] = {0.0, 0.0};           // height of the edge's ends: left, right
   for (std::size_t i = 0; i < y_.size(); ++i) {
     const double height = height_at(profile, y_[i] - middle);
     face[i] = depth - height;

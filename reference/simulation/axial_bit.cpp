@@ -6,7 +6,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// What of a face is in rock. Frame B.
+/// The part of a face that is in rock. Frame B.
 struct Engaged {
   double area = 0.0, edge = 0.0, attack = 0.0;  ///< m2, m, m rad
   Vec3 area_moment_B = Vec3::Zero(), edge_moment_B = Vec3::Zero();
@@ -17,7 +17,8 @@ Vec3 velocity_at(const AxialState& s, const Vec3& x_B) {
   return {-s.speed * x_B.y(), s.speed * x_B.x(), s.rate};
 }
 
-/// A column's rock as the face meets it: what does not go forwards is left out.
+/// The rock of a column that the face meets. Parts of the face that do not move forwards are
+/// omitted.
 struct Met {
   double up, deep;
 };
@@ -26,11 +27,13 @@ Met met(const Columns& bit, std::size_t k, const Column& c, const HeightHistory&
         const AxialState& s) {
   const RockInColumn rock = rock_in_column(c, bit.marks, history, s.turned, s.height);
   const double forward = bit.cutters[k].X_BF.R.col(0).dot(velocity_at(s, c.foot_B));
-  const double arm = s.speed > 0.0 ? forward / s.speed : 1.0;  // m, of the motion about the axis
+  // m, lever arm of the motion about the axis
+  const double arm = s.speed > 0.0 ? forward / s.speed : 1.0;
   return {rock.up, std::min(rock.deep, arm)};
 }
 
-/// Sums trapezoids between columns; where one of two is out of the rock, the part that is in it.
+/// Sums trapezoids between columns. If one of two columns is outside the rock, only the part in
+/// rock counts.
 Engaged engaged(const Columns& bit, std::size_t k, const HeightHistory& history,
                 const AxialState& s) {
   const Vec3 forward = bit.cutters[k].X_BF.R.col(0), up = bit.cutters[k].X_BF.R.col(2);

@@ -5,13 +5,13 @@
 
 namespace tdbd::reference {
 
-/// What turns and loads a bit whose axis stays where it is: dynamics (9) and (11) along and about z,
-/// dampers towards the top.
+/// Drive and load of a bit with a fixed axis: dynamics (9) and (11) along and about z, with dampers
+/// connected to the top.
 struct AxialString {
-  double mass = 0.0, inertia = 0.0;  ///< kg, kg m2
-  double load = 0.0, damping = 0.0;  ///< N, N s/m
-  double rate = 0.0;                 ///< m/s, of the dampers' end at the start
-  double following_time = 0.0;       ///< s, in which that end follows the bit; 0: it does not
+  double mass = 0.0, inertia = 0.0;            ///< kg, kg m2
+  double load = 0.0, damping = 0.0;            ///< N, N s/m
+  double rate = 0.0;                           ///< m/s, initial speed of the dampers' end
+  double following_time = 0.0;                 ///< s, time constant of its rate; 0: constant rate
   double stiffness = 0.0, turn_damping = 0.0;  ///< N m/rad, N m s/rad
   double speed = 0.0, start_angle = 0.0;       ///< rad/s, rad, of the top
 };
@@ -21,10 +21,10 @@ struct AxialState {
   double height = 0.0, rate = 0.0;   ///< m, m/s, down
   double end_rate = 0.0;             ///< m/s, of the dampers' end
   double turned = 0.0, speed = 0.0;  ///< rad, rad/s
-  double spent = 0.0;                ///< J, on the rock
+  double spent = 0.0;                ///< J, work on the rock
 };
 
-/// What the rock does to all cutters: the force up, N, the torque against the motion, N m.
+/// Load of the rock on all cutters: the upward force, N, and the torque against the rotation, N m.
 struct AxialLoads {
   double weight = 0.0, torque = 0.0;
 };

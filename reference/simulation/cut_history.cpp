@@ -8,7 +8,7 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double never = -1.0;  ///< m: the other cutter does not pass here, however far it is
+constexpr double never = -1.0;  ///< m: the other cutter never passes here
 
 /// A rim in a half-plane through the axis.
 struct MeridianPoint {
@@ -32,7 +32,7 @@ Rim meridian(const RoundCutter& c, int points) {
   return rim;
 }
 
-/// The lowest point of a rim at a radius; false if it has none.
+/// The lowest point of a rim at a radius. Returns false if the rim does not reach it.
 bool lowest_at(const Rim& rim, double r, MeridianPoint& lowest) {
   bool found = false;
   if (r < rim.nearest || r > rim.farthest) return false;
@@ -47,14 +47,14 @@ bool lowest_at(const Rim& rim, double r, MeridianPoint& lowest) {
   return found;
 }
 
-/// How long ago, in turns of the bit, `other` was at the azimuth where `own` is.
+/// Rotation of the bit, rad, since `other` was at the azimuth of `own`.
 double lag_of(double own, double other, bool is_itself) {
   double lag = std::remainder(other - own, full_turn);
   if (is_itself) return full_turn + lag;
   return lag > 0.0 ? lag : lag + full_turn;
 }
 
-/// Empty if the other cutter takes nothing of this column.
+/// Empty if the other cutter removes nothing of this column.
 Left left_by(const RoundCutter& own, double at, const Rim& other, bool is_itself,
              const std::vector<double>& marks) {
   Left left;
@@ -68,7 +68,7 @@ Left left_by(const RoundCutter& own, double at, const Rim& other, bool is_itself
     }
     left.needed.push_back(highest);
   }
-  // A cutter that would have to come from more than this far above has no part in drilling.
+  // A cutter that is higher than this has no effect in drilling.
   constexpr double farthest = 0.02;
   if (highest == never || left.needed.back() < -farthest) left.needed.clear();
   return left;
@@ -129,13 +129,13 @@ Columns make_columns(std::vector<RoundCutter> cutters, int per_cutter, double sp
 
 RockInColumn rock_in_column(const Column& column, const std::vector<double>& marks,
                             const HeightHistory& history, double turned, double height) {
-  constexpr double deepest = 1e-3;  // m: more makes no difference
+  constexpr double deepest = 1e-3;  // m: larger values have no effect
   RockInColumn rock{column.chord, deepest};
-  std::size_t top = marks.size() - 1;  // of the marks, one at `up` or above; at first the last
+  std::size_t top = marks.size() - 1;  // index of a mark at or above `up`; initially the last
   for (const Left& left : column.left) {
     const double down = height - history.at(turned - left.lag, turned, height);
     rock.deep = std::min(rock.deep, down - left.needed.front());
-    if (left.needed[top] < down) continue;  // it left all of the rock up to there
+    if (left.needed[top] < down) continue;  // it left all of the rock up to this mark
     const auto first = left.needed.begin();
     const auto beyond = std::lower_bound(first, first + static_cast<std::ptrdiff_t>(top), down);
     top = static_cast<std::size_t>(beyond - first);

@@ -6,10 +6,10 @@
 
 namespace tdbd::reference {
 
-/// What a law may depend on: of a face, or of the chamfer along its edge.
+/// Arguments of a law: for a face, or for the chamfer along its edge.
 struct EdgeCut {
   bool is_face = true;
-  double area = 0.0;   ///< m2: of a face across the motion, of a chamfer in contact
+  double area = 0.0;   ///< m2: of a face normal to the motion, of a chamfer in contact
   double edge = 0.0;   ///< m, length of the edge in rock
   double rake = 0.0;   ///< rad, between the face's normal and the motion
   double speed = 0.0;  ///< m/s
@@ -28,15 +28,15 @@ struct HansonHansenNumbers {
 };
 EdgeLaw hanson_hansen_edges(const HansonHansenNumbers& n);
 
-/// Forces (7), with friction that falls with speed.
+/// Forces (7), with friction that decreases with speed.
 struct DetournayNumbers {
   double eps = 0.0, zeta = 0.0, sigma = 0.0, mu = 0.0, l = 0.0, kappa = 5.0;
   double weakening = 0.0, weakening_speed = 1.0;
 };
 EdgeLaw detournay_edges(const DetournayNumbers& n);
 
-/// The force on the bit of a surface that moves at v along the normal n into the rock: forces (3) and
-/// (5), whose e2 shrinks within 30 degrees of a plunge.
+/// The force on the bit due to a surface that moves at v with the normal n into the rock: forces
+/// (3) and (5), with e2 reduced within 30 degrees of a plunge.
 Vec3 directed(const EdgeForce& f, const Vec3& v, const Vec3& n);
 
 }  // namespace tdbd::reference

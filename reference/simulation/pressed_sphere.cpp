@@ -18,7 +18,7 @@ SphereContact sphere_contact(double radius, double depth, const Vec3& v_W, int r
     const double a = widest * (i + 0.5) / rings,
                  ring = radius * radius * std::sin(a) * widest / rings;
     const double rise = v_W.z() * std::cos(a), run = v_h * std::sin(a);
-    // From 0, nothing moves in, to pi, all of the ring does.
+    // From 0 (no part of the ring moves in) to pi (all of it does).
     const double reach = run > std::abs(rise) ? std::acos(-rise / run)
                          : rise >= 0.0        ? std::numbers::pi
                                               : 0.0;
@@ -26,7 +26,7 @@ SphereContact sphere_contact(double radius, double depth, const Vec3& v_W, int r
     moment +=
         2.0 * ring * (std::sin(a) * std::sin(reach) * ahead + std::cos(a) * reach * Vec3::UnitZ());
   }
-  c.area_vector_W = moment;  // a sphere's normal is its radius
+  c.area_vector_W = moment;  // the normal of a sphere is along its radius
   if (c.area > 0.0) c.middle_W = radius * moment / c.area;
   return c;
 }

@@ -8,7 +8,7 @@ namespace {
 
 Mat3 about_z(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(); }
 
-/// A tooth in space: its middle, and the axis and origin of its cone.
+/// A tooth in space: its centre, and the axis and origin of its cone.
 struct PlacedTooth {
   Vec3 centre_W, axis_W, origin_W;
 };
@@ -27,8 +27,8 @@ Vec3 velocity_of(const RolledBit& bit, const RolledState& s, std::size_t k, cons
          cone_speed(bit, s, k) * t.axis_W.cross(x_W - t.origin_W);
 }
 
-/// Gives every column of the grid below a sphere, with the sphere's lower surface there, to `visit`:
-/// those where it may be below the rock, which is never above 0.
+/// Calls `visit` for every column of the grid below a sphere, with the sphere's lower surface
+/// there, if that may be below the rock. The rock is never above z = 0.
 template <class Visit>
 void visit_columns(const RockGrid& rock, const Vec3& centre, double radius, const Visit& visit) {
   const double high = std::max(0.0, -centre.z());
@@ -41,7 +41,7 @@ void visit_columns(const RockGrid& rock, const Vec3& centre, double radius, cons
     }
 }
 
-/// The force on a tooth, N, and the point on which it acts.
+/// The force on a tooth, N, and its point of application.
 struct ToothForce {
   Vec3 force_W = Vec3::Zero(), point_W = Vec3::Zero();
 };

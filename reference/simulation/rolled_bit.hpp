@@ -6,11 +6,10 @@
 #include "reference/simulation/axial_bit.hpp"
 #include "reference/simulation/crushing_feet.hpp"
 
-/// Cones with spherical teeth under a bit whose axis stays where it is, on rock that is a grid of
-/// heights.
+/// Cones with spherical teeth under a bit with a fixed axis, on rock that is a grid of heights.
 namespace tdbd::reference {
 
-/// Heights of rock over a square, z down; at the start 0.
+/// Heights of rock over a square, z down; initially 0.
 class RockGrid {
  public:
   RockGrid(double half_side, double spacing);
@@ -37,7 +36,7 @@ struct RolledCone {
 struct RolledBit {
   std::vector<RolledCone> cones;
   double tooth_radius = 0.0;  ///< m
-  double pressure = 0.0;      ///< Pa, normal force over the area vector's length
+  double pressure = 0.0;      ///< Pa, normal force over the magnitude of the area vector
   SmoothContact contact;
   double carrier_inertia = 0.0;  ///< kg m2, It of dynamics (2) about z
 };
@@ -46,7 +45,7 @@ struct RolledState {
   double time = 0.0;
   double height = 0.0, rate = 0.0, turned = 0.0;  ///< m, m/s, rad
   double momentum = 0.0;                          ///< N m s, of bit and cones about z
-  double spent = 0.0;                             ///< J, on the rock
+  double spent = 0.0;                             ///< J, work on the rock
   std::vector<double> angles, spins;              ///< rad; pi_k of dynamics (2), N m s
 };
 
@@ -54,14 +53,15 @@ struct RolledState {
 double rotary_speed(const RolledBit& bit, const RolledState& s);
 double cone_speed(const RolledBit& bit, const RolledState& s, std::size_t k);
 
-/// Force up (N) and torque against the motion (N m), and the torques on the cones about their axes.
+/// Upward force (N) and torque against the rotation (N m), and the torques on the cones about their
+/// axes.
 struct RolledLoads {
   double weight = 0.0, torque = 0.0, power = 0.0;
   std::vector<double> cones;
 };
 RolledLoads rolled_loads(const RolledBit& bit, const RockGrid& rock, const RolledState& s);
 
-/// One step of Runge-Kutta under a string; the teeth leave their prints after it.
+/// Makes one Runge-Kutta step under a string. The teeth leave their prints after it.
 void roll(const RolledBit& bit, const AxialString& string, double h, RockGrid& rock,
           RolledState& s);
 

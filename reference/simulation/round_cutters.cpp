@@ -23,7 +23,8 @@ std::vector<std::string> cells(const std::string& line) {
   return words;
 }
 
-/// By rotations about the cutter's own axes, from a cutter whose face looks along the motion.
+/// Rotations about the cutter's own axes, starting from a cutter whose face normal is along the
+/// motion.
 Mat3 turned(int axis, double angle) {
   return Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix();
 }

@@ -2,13 +2,13 @@
 
 #include <vector>
 
-/// Slow twin of the step of src/string/chain: the same equations of motion, string (3) and (4), by the
-/// classical Runge-Kutta method at tiny steps.
+/// Slow twin of the step of src/string/chain: the same equations of motion, string (3) and (4), by
+/// the classical Runge-Kutta method with very small steps.
 namespace tdbd::reference {
 
-/// A chain whose top is lowered and turned at constant speeds and whose lower end is free. Friction is
-/// Coulomb's of one level against a slip that never vanishes. Node k of `mass` lies below element k;
-/// SI units throughout.
+/// A chain whose top is lowered and rotated at constant speeds and whose lower end is free. Coulomb
+/// friction with a single level, for a slip that never vanishes. Node k of `mass` is below element
+/// k. SI units.
 struct SlidingChain {
   std::vector<double> axial, torsional;                 ///< stiffnesses of elements, N/m, N m/rad
   std::vector<double> mass, inertia;                    ///< of the nodes below them, kg, kg m2
@@ -23,10 +23,10 @@ struct SlidingChain {
 struct SlidingState {
   std::vector<double> displacement, angle, velocity, rotary_speed;  ///< of nodes
   double time = 0.0;
-  double lost = 0.0;  ///< to friction, J
+  double lost = 0.0;  ///< J, dissipated by friction
 };
 
-/// `steps` steps of h (s).
+/// Makes `steps` steps of h (s).
 void advance_sliding(const SlidingChain& chain, double h, long steps, SlidingState& state);
 
 }  // namespace tdbd::reference

@@ -48,7 +48,7 @@ DraggedLoad along(const DraggedLoad& a, double x, const DraggedLoad& b) {
   return {a.tension + x * b.tension, a.torque + x * b.torque};
 }
 
-/// From `lo` + `length` up to `lo` in one section and between two stations.
+/// Integrates from `lo` + `length` up to `lo` within one section and between two stations.
 DraggedLoad climb(const DraggedString& d, const DraggedMotion& m, const DraggedSection& section,
                   double lo, double length, double step, DraggedLoad load) {
   const int count = std::max(1, static_cast<int>(std::ceil(length / step)));

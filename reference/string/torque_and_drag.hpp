@@ -35,7 +35,7 @@ struct DraggedLoad {
   double torque = 0.0;   ///< N m
 };
 
-/// Loads at a depth (m), by steps of the classical Runge-Kutta method, at most `step` (m) long, from
+/// Loads at a depth (m), by the classical Runge-Kutta method with steps of at most `step` (m), from
 /// the lower end up:
 ///     dT/ds = -w cos(inc) + mu N (rate share),   dQ/ds = -mu N r (speed share),
 ///     N = |T dt/ds + w (ez - (ez . t) t)|

@@ -65,7 +65,7 @@ void print(const TriangleMesh& m, const std::vector<std::pair<int, int>>& pairs)
   }
 }
 
-/// Exit code 0 without intersecting pairs, 1 with some.
+/// Returns exit code 0 if no pairs intersect, otherwise 1.
 int judge(const std::string& path) {
   const TriangleMesh m = tdbd::mesh::read_mesh(path, 1.0);
   demand_triangles(path, m);

@@ -80,7 +80,7 @@ double option_quantity(const std::string& option, const std::string& text,
                        const std::string& si_unit, const Range& range, const std::string& what) {
   try {
     if (const double value = to_si(text, si_unit); range.contains(value)) return value;
-  } catch (const UnitError&) {  // told below, with what was expected
+  } catch (const UnitError&) {  // reported below, with the expected value
   }
   throw InputError(fmt::format("{}: found '{}', expected {} {} with its unit", option, text, what,
                                range.text().substr(2)));

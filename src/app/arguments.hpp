@@ -13,60 +13,61 @@
 
 namespace tdbd::app {
 
-/// What files and folders are called in help. Completion knows by these, and by {a,b,c}, what may
-/// stand there; FILE.a|b is one of these endings.
+/// Names of files and folders in the help. Shell completion derives from these and from {a,b,c}
+/// which words to offer; FILE.a|b means one of these extensions.
 inline constexpr const char* a_folder = "FOLDER";
 inline constexpr const char* a_toml_file = "FILE.toml";
 inline constexpr const char* a_mesh_file = "FILE.stl|obj|ply|off";
 
-/// What every command is given that reads a case and writes a result folder.
+/// Arguments common to all commands that read a case and write a result folder.
 struct ResultArguments {
   std::string case_file, folder;
-  std::string resumed;  ///< folder of a run that was stopped, in place of a case
+  std::string resumed;  ///< folder of an interrupted run; replaces a case
   std::vector<std::string> overrides;
   bool force = false, quiet = false;
 };
 
-/// The help that differs from command to command.
+/// Help texts that differ between commands.
 struct ResultHelp {
-  std::string case_file;                          ///< "the case file (TOML)"
-  std::string folder = "results/CASE";            ///< the default, as help shows it
+  std::string case_file;                          ///< for example "the case file (TOML)"
+  std::string folder = "results/CASE";            ///< the default, as shown in the help
   std::string set = "--set time.step='2 ms'";     ///< an example
-  std::string quiet = "no progress, no summary";  ///< what --quiet leaves out
+  std::string quiet = "no progress, no summary";  ///< what --quiet suppresses
 };
 
-/// Adds the case file, which the command requires.
+/// Adds the case file, a required argument.
 void add_case(CLI::App& command, ResultArguments& a, const ResultHelp& help);
 
 /// Adds -o, --set, --force and --quiet.
 void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp& help);
 
-/// Adds --resume, which stands in place of the case and of what goes with one. After the others.
+/// Adds --resume, which replaces the case and the options that belong to one. Call it after the
+/// functions that add these.
 void add_resume(CLI::App& command, ResultArguments& a);
 
-/// Does what was asked for: begin() with a case, resume() with a folder, nothing where that holds a
-/// complete result. Both return the exit code.
+/// Calls begin() for a case or resume() for a folder, or does nothing if the folder has a complete
+/// result. Both functions return the exit code.
 int begin_or_resume(const ResultArguments& a, const std::function<int()>& begin,
                     const std::function<int()>& resume);
 
-/// Adds --set and --threads, as all commands have them.
+/// Adds --set or --threads, which are the same for all commands.
 void add_set(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
 void add_threads(CLI::App& command, int& threads);
 
-/// The folder that was given, or results/CASE followed by `suffix`.
+/// The folder given, or results/CASE followed by `suffix`.
 std::filesystem::path result_folder(const ResultArguments& a, const std::string& suffix = "");
 
-/// What --force means.
+/// Converts the flag --force.
 simulation::Overwrite overwrite_of(bool force);
 
-/// A line on standard error: "tdbd: warning: TEXT".
+/// Prints a line on standard error: "tdbd: warning: TEXT".
 void print_warning(const std::string& text);
 
-/// One for each: "tdbd: warning: FILE:LINE: KEY: TEXT".
+/// Prints one line per warning: "tdbd: warning: FILE:LINE: KEY: TEXT".
 void print_warnings(const std::vector<simulation::CaseWarning>& warnings);
 
-/// RunOptions or RotateOptions with what their commands have in common: the folder, whether to
-/// replace it, what Ctrl-C does, and warnings on standard error.
+/// RunOptions or RotateOptions with the members that their commands have in common: output folder,
+/// whether to replace it, handling of Ctrl-C, and warnings on standard error.
 template <class Options>
 Options options_for(const ResultArguments& a) {
   Options options;
@@ -79,8 +80,9 @@ Options options_for(const ResultArguments& a) {
   return options;
 }
 
-/// The quantity of an option, in `si_unit`; `what` names it in the message: "a length". Throws
-/// InputError when it has no unit, another dimension, or a value out of the range.
+/// The value of an option with a quantity, in `si_unit`. `what` names it in messages: "a length".
+/// Throws InputError if the unit is missing or of another dimension, or if the value is out of
+/// range.
 double option_quantity(const std::string& option, const std::string& text,
                        const std::string& si_unit, const Range& range, const std::string& what);
 

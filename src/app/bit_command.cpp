@@ -102,7 +102,7 @@ int inspect_bit(const BitChoices& choices) {
   }
   const simulation::OutputFolder out = simulation::prepare(
       choices.folder, overwrite_of(choices.force), read.files, simulation::ResultKind::bit);
-  bit::export_bit(out.path, b, choices.format);  // first: by its bit.toml the folder is known
+  bit::export_bit(out.path, b, choices.format);  // first: bit.toml marks the folder
   bit::write_bit_files(out.path, b);
   bit::write_profile(out.path, b);
   bit::write_cutter_table(out.path, b);

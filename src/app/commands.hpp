@@ -8,7 +8,7 @@ class App;
 
 namespace tdbd::app {
 
-/// Each adds one subcommand, which stores its exit code in `exit_code` when it runs.
+/// Each function adds one subcommand, which stores its exit code in `exit_code`.
 void add_run(CLI::App& app, int& exit_code);
 void add_rotate(CLI::App& app, int& exit_code);
 void add_string(CLI::App& app, int& exit_code);
@@ -22,8 +22,8 @@ void add_new(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 
-/// Runs a command's body and returns its exit code: 2 after an InputError or a path that cannot be followed, 1 after any
-/// other failure, each with one message on standard error.
+/// Runs the body of a command and returns its exit code: 2 after an InputError or an invalid path,
+/// 1 after any other failure, each with one message on standard error.
 int guarded(const std::function<int()>& body);
 
 }  // namespace tdbd::app

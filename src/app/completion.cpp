@@ -34,7 +34,7 @@ _tdbd() {
   COMPREPLY=()
 )";
 
-/// The shell's words for a value; ":" where nobody but the user knows it.
+/// Shell command that completes a value; ":" if there is nothing to offer.
 std::string shell_for(const std::string& value) {
   const std::string file = "FILE.";
   if (value == "FOLDER") return "_tdbd_folders";
@@ -55,7 +55,7 @@ std::string names_of(const std::vector<CommandHelp>& commands) {
   return names + "help";
 }
 
-/// Values behind their options.
+/// Completion of the values of options.
 std::string cases_of_values(const CommandHelp& c) {
   std::string lines;
   for (const WordHelp& option : c.options) {
@@ -68,7 +68,7 @@ std::string cases_of_values(const CommandHelp& c) {
   return lines;
 }
 
-/// Long names; short ones need no completion.
+/// Completion of long option names; short names need none.
 std::string case_of_options(const CommandHelp& c) {
   std::string names;
   for (const WordHelp& option : c.options)
@@ -76,7 +76,7 @@ std::string case_of_options(const CommandHelp& c) {
   return fmt::format("      {}) _tdbd_words \"{}\" ;;\n", c.name, names);
 }
 
-/// The last word by its place stands for all that follow.
+/// Completion of positional arguments. The last one is also used for all that follow.
 std::string cases_of_places(const CommandHelp& c) {
   std::string lines;
   for (std::size_t i = 0; i < c.places.size(); ++i)

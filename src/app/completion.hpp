@@ -8,8 +8,8 @@ class App;
 
 namespace tdbd::app {
 
-/// What bash loads to complete the words behind `tdbd`: commands, options, names of values, files by
-/// their endings, folders.
+/// The script with which bash completes the words after `tdbd`: commands, options, names of values,
+/// files by extension, folders.
 std::string bash_completion(const CLI::App& app);
 
 }  // namespace tdbd::app

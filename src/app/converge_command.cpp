@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace sim = simulation;
 
 struct ConvergeArguments : ResultArguments {
-  sim::ConvergencePlan plan;  ///< case file and overrides: those of ResultArguments
+  sim::ConvergencePlan plan;  ///< case file and overrides are taken from ResultArguments
   std::string reference;
   int threads = 1;
 };

@@ -22,7 +22,8 @@ std::vector<std::string> names_of(const CLI::App& app) {
   return names;
 }
 
-/// The nearest name, of those that two slips of the finger may have made of it ("rnu"), or else all.
+/// Suggestion for a mistyped command: the closest name if it differs by at most two typing errors
+/// ("rnu"), otherwise all names.
 std::string meant_by(const std::string& word, const std::vector<std::string>& names) {
   constexpr std::size_t slips = 2;
   const auto distance = [&](const std::string& name) { return edit_distance(word, name); };
@@ -34,14 +35,14 @@ std::string meant_by(const std::string& word, const std::vector<std::string>& na
 
 constexpr const char* listed = "; tdbd COMMAND --help lists what it takes";
 
-/// What was wrong with words that the command did not expect, and what to write instead.
+/// Describes words that the command does not accept, and what to write instead.
 std::string unexpected(const std::string& words) {
   if (words.find('=') != std::string::npos && !words.starts_with('-'))
     return fmt::format("found {} alone, expected --set before it: --set '{}'", words, words);
   return fmt::format("found {}, which the command does not expect{}", words, listed);
 }
 
-/// How CLI11 says what is wrong, and how this program does. A text that is none of these stays.
+/// A message of CLI11 and its replacement. Other messages are not changed.
 struct Rewording {
   const char *said, *ours;
 };

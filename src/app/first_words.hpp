@@ -11,19 +11,20 @@ class ParseError;
 
 namespace tdbd::app {
 
-/// The commands with an example of each: what `tdbd` and `tdbd help` print.
+/// The list of commands with an example of each; printed by `tdbd` and `tdbd help`.
 std::string overview(const CLI::App& app);
 
-/// What `tdbd help --man` and `tdbd help --completion` print: the manual page and bash's completion,
-/// made of what the program knows of itself. Nothing for other words.
+/// The output of `tdbd help --man` and `tdbd help --completion`: manual page and bash completion,
+/// generated from the command definitions. Nothing for other words.
 std::optional<std::string> page_asked_for(const CLI::App& app,
                                           const std::vector<std::string>& words);
 
-/// What the words after the program's name mean: `help` alone is an overview, `help COMMAND` is
-/// `COMMAND --help`. Throws InputError, with the nearest command, when the first word is none.
+/// Translates the words after the name of the program: `help` alone means the overview (empty
+/// result), `help COMMAND` means `COMMAND --help`. Throws InputError with the closest command if
+/// the first word is not a command.
 std::vector<std::string> understood(const CLI::App& app, std::vector<std::string> words);
 
-/// What was wrong with words that CLI11 refused: found, expected.
+/// Message for words that CLI11 rejected: found, expected.
 std::string mistake(const CLI::ParseError& error);
 
 }  // namespace tdbd::app

@@ -11,7 +11,7 @@ namespace {
 std::atomic<bool> interrupted{false}, is_saving{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "signal handlers touch them");
 
-/// A handler may call little more than this.
+/// Uses only functions that are permitted in a signal handler.
 [[noreturn]] void end_at_once(std::string_view message) {
   if (write(STDERR_FILENO, message.data(), message.size()) < 0) _exit(interrupted_code);
   _exit(interrupted_code);

@@ -4,18 +4,18 @@
 
 namespace tdbd::app {
 
-/// Exit code of a command that was interrupted: 128 + SIGINT, as shells have it.
+/// Exit code of an interrupted command: 128 + SIGINT, the convention of shells.
 inline constexpr int interrupted_code = 130;
 
-/// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP end the program at once: there is nothing to save
-/// yet.
+/// Makes SIGINT (Ctrl-C), SIGTERM and SIGHUP end the program immediately, while there is nothing to
+/// save.
 void end_on_interrupt();
 
-/// From now on the first of them sets the flag that is returned, so that what was done is saved; a
-/// second one ends the program at once.
+/// Makes the first of these signals set the returned flag, so that results can be saved. A second
+/// signal ends the program immediately.
 const std::atomic<bool>& save_on_interrupt();
 
-/// The flag.
+/// The flag set by save_on_interrupt.
 const std::atomic<bool>& interrupt_flag();
 
 }  // namespace tdbd::app

@@ -18,13 +18,15 @@
 
 namespace {
 
-/// A closed pipe and a limit on file sizes are failed writes, reported like any other.
+/// Turns a closed pipe or a file size limit into failed writes, which are reported like other
+/// errors.
 void let_writes_fail() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// For failures that no exception carries out: in a destructor, or in a thread of TBB that could not start another one.
+/// Reports failures that exceptions cannot propagate: in a destructor, or in a TBB thread that
+/// could not start another one.
 [[noreturn]] void end_without_catch() {
   try {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
@@ -36,21 +38,22 @@ void let_writes_fail() {
   std::abort();
 }
 
-/// What `--version` prints.
+/// The output of `--version`.
 std::string version_text() {
   const tdbd::Provenance& p = tdbd::provenance();
   return std::string("tdbd ") + p.version + "\ncommit " + p.commit + "\ncompiler " + p.compiler +
          "\nflags " + p.flags;
 }
 
-/// 2 for words that are no command line; 0 after --help and --version.
+/// Prints the help, the version or an error. Returns 0 after --help and --version, 2 for an invalid
+/// command line.
 int tell(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
   std::fprintf(stderr, "tdbd: %s\n", tdbd::app::mistake(error).c_str());
   return 2;
 }
 
-/// Reads the words and runs their command. CLI11 takes them last first.
+/// Parses the words and runs their command. CLI11 requires them in reverse order.
 int obey(CLI::App& app, int& exit_code, std::vector<std::string> words) {
   if (const auto page = tdbd::app::page_asked_for(app, words)) {
     tdbd::app::write_out(*page);
@@ -72,8 +75,7 @@ int obey(CLI::App& app, int& exit_code, std::vector<std::string> words) {
 
 }  // namespace
 
-/// The command line. Exit codes: 0 done, 1 the computation failed, 2 the input is wrong, 130
-/// interrupted.
+/// The command line. Exit codes: 0 success, 1 computation failed, 2 invalid input, 130 interrupted.
 int main(int argc, char** argv) {
   let_writes_fail();
   std::set_terminate(end_without_catch);

@@ -10,8 +10,8 @@
 namespace tdbd::app {
 namespace {
 
-/// Text as it stands: no character of it is set as another. The test of the page sees that no text
-/// has a caret or a tilde, and that none begins with a full stop, a request of the formatter.
+/// Escapes text so that it is printed literally. Carets, tildes and full stops at the start of a
+/// text are not escaped; a test checks that there are none.
 std::string plain(const std::string& text) {
   std::string out;
   for (const char c : text) switch (c) {
@@ -36,7 +36,7 @@ std::string plain(const std::string& text) {
 std::string bold(const std::string& text) { return "\\fB" + plain(text) + "\\fR"; }
 std::string slanted(const std::string& text) { return "\\fI" + plain(text) + "\\fR"; }
 
-/// "case": the word and what it is.
+/// A positional argument and its description.
 std::string place_item(const WordHelp& word) {
   return fmt::format(".TP\n{} ({}{})\n{}\n", slanted(word.names.front()), plain(word.value),
                      word.is_required ? "" : ", optional", plain(word.text));

@@ -22,7 +22,7 @@ using mesh::Solid;
 
 struct MeshChoices {
   std::string file, output, only = "*", weld = "0 mm";
-  std::string unit;  ///< empty: millimetres, metres of a rock that a run wrote
+  std::string unit;  ///< empty: 1 mm, or 1 m for a rock written by a run
   std::string edge = "0.5 mm", face = "3 mm", angle = "25 deg", deviation = "0.005 mm";
   double growth = 0.5;
   bool repair = false, grade = false, force = false;
@@ -60,8 +60,8 @@ void require_sound(const MeshChoices& choices, const std::vector<Solid>& solids)
   if (!text.empty()) throw InputError(text);
 }
 
-/// Prints the table, and refuses solids that no bit can be made of. The rock of a run is none: an
-/// open sheet.
+/// Prints the table, and rejects solids that are unsuitable for a bit. The rock of a run is an open
+/// sheet and therefore not checked.
 int inspect(const MeshChoices& choices, const std::vector<Solid>& solids) {
   print_table(solids);
   if (const auto stamp = simulation::read_stamp(choices.file))

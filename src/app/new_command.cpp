@@ -39,7 +39,7 @@ std::vector<TemplateFile> files_of(const std::string& kind) {
                   meant ? *meant : fmt::format("one of {}", fmt::join(kinds(), ", "))));
 }
 
-/// Nothing that is there is touched.
+/// Checks that the folder is new or empty, so that no existing file is changed.
 void require_new(const fs::path& folder) {
   if (fs::exists(fs::symlink_status(folder)) && !(fs::is_directory(folder) && fs::is_empty(folder)))
     throw InputError(

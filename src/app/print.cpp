@@ -6,7 +6,7 @@
 namespace tdbd::app {
 namespace {
 
-int failure = 0;  ///< errno of the first write that failed
+int failure = 0;  ///< errno of the first failed write
 
 void note_failure() {
   if (failure == 0) failure = errno != 0 ? errno : EIO;

@@ -5,14 +5,14 @@
 
 namespace tdbd::app {
 
-/// Progress on standard error: a bar with the time left on a terminal, otherwise a line every two
-/// seconds.
+/// Progress on standard error: a bar with the remaining time on a terminal, otherwise a line every
+/// two seconds.
 class Progress {
  public:
   Progress();
-  /// Whether it is time to show something again; always at the end.
+  /// Whether to show the progress again; always true at the end.
   bool is_due(long done, long total) const;
-  /// Shows how much is done and the time left, followed by `detail`.
+  /// Shows the progress and the remaining time, followed by `detail`.
   void show(long done, long total, const std::string& detail);
   void finish();
 

@@ -26,7 +26,7 @@ void print_outcome(const simulation::RotateOutcome& o, const std::string& folder
     say("to go on: tdbd rotate --resume {}\n", folder);
 }
 
-/// Rotates with progress and a summary unless told to be quiet.
+/// Rotates with progress and a summary, unless `quiet` is set.
 template <class Rotate>
 int show(const ResultArguments& a, Rotate&& rotate) {
   auto options = options_for<simulation::RotateOptions>(a);

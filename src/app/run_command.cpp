@@ -46,7 +46,7 @@ std::string detail_of(const simulation::Simulation& s) {
                      1e6 * s.state.ledger.removed.value());
 }
 
-/// Drills with progress and a summary unless told to be quiet.
+/// Drills with progress and a summary, unless `quiet` is set.
 template <class Drill>
 int show(const RunArguments& a, const simulation::Case& c, simulation::RunOptions options,
          Drill&& drill) {

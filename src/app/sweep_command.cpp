@@ -23,7 +23,7 @@ struct SweepArguments {
   bool force = false, quiet = false, points = false, figures = false;
 };
 
-/// "3/8".
+/// Parses for example "3/8".
 sweep::Shard shard_of(const std::string& text) {
   sweep::Shard s;
   const char* const end = text.data() + text.size();
@@ -35,7 +35,8 @@ sweep::Shard shard_of(const std::string& text) {
   throw InputError(fmt::format("--shard: found {}, expected I/N with 1 <= I <= N", text));
 }
 
-/// A table that is not ours stays, unless --force says otherwise.
+/// The output table. Rejects an existing file that was not written by a sweep, unless --force is
+/// given.
 fs::path table_path(const SweepArguments& a) {
   const fs::path table = a.table.empty()
                              ? fs::path("results") / fs::path(a.design).stem().concat(".nc")

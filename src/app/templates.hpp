@@ -4,15 +4,15 @@
 
 namespace tdbd::app {
 
-/// A file of a case to begin with. Files of one kind stand together, the one to run first.
+/// A file of a template case. Files of one kind are contiguous; the first is the one to run.
 struct TemplateFile {
   const char* kind;     ///< "pdc", "cones", "top", "sweep", "calibration"
-  const char* command;  ///< that runs the first
-  const char* path;     ///< from the new folder
+  const char* command;  ///< command that runs the first file
+  const char* path;     ///< relative to the new folder
   const char* text;
 };
 
-/// All of them, embedded when the program was built.
+/// All template files, embedded when the program was built.
 std::span<const TemplateFile> template_files();
 
 }  // namespace tdbd::app

@@ -11,51 +11,52 @@
 
 namespace tdbd::bit {
 
-/// A straight line from one point to another.
+/// A straight segment between two points.
 struct Segment {
   Vec3 from, to;  ///< m
 };
 
-/// What makes a waiting part begin to cut or to rub. Thesis: 3.1, parts decide when they cut. wear: of
-/// the cutters with a part of a name that matches a pattern, one has a flat of the height.
+/// The event that makes a waiting part begin to cut or to rub. Thesis: 3.1 (parts decide when they
+/// cut). `wear`: the wear flat of a cutter reaches a height; the cutters are those with a part
+/// whose name matches a pattern.
 enum class StartEvent { depth, time, wear };
 
-/// A part that waits: until the event its Part::cutting is `never`, from then on `then`.
+/// A part that waits: its Part::cutting is `never` until the event, and `then` afterwards.
 struct LateStart {
   StartEvent event = StartEvent::time;
-  /// m that the bit has gone down since its motion began, or s since then, or m of Cutter::wear
+  /// m that the bit has moved down since its motion began, or s since then, or m of Cutter::wear.
   double from = 0.0;
   Cutting then = Cutting::cuts;
-  std::string worn_names = {};  ///< pattern of part names (core/wildcard.hpp), of wear
-  std::string place = {};       ///< of the area that gives the start, for messages
+  std::string worn_names = {};  ///< pattern of part names (core/wildcard.hpp), for `wear`
+  std::string place = {};       ///< place of the area that defines the start, for messages
 };
 
-/// One rigid piece of the bit: a closed, consistently oriented mesh in its own frame P. The parts
-/// of one cutter share that cutter's frame. Thesis: 3.1.
+/// One rigid part of the bit: a closed, consistently oriented mesh in its own frame P. The parts of
+/// one cutter share that cutter's frame. Thesis: 3.1.
 struct Part {
   std::string name;  ///< "cutter-12/face", "gage-pad-3", "bit-body"
   PartKind kind = PartKind::bit_body;
   Cutting cutting = Cutting::cuts;
-  /// In (0, 1]: of the depth of rock that the part meets, what it removes in one pass
+  /// In (0, 1]: the share of the depth of rock in its way that the part removes in one pass
   /// (rock/cut/left_rock.hpp).
   double share = 1.0;
   Pose X_BP;                  ///< part frame in the bit frame
   mesh::TriangleMesh mesh_P;  ///< m, part frame
-  /// Touching convex solids whose union the mesh encloses; empty: not known.
+  /// Touching convex solids whose union the mesh encloses. Empty if not known.
   std::vector<mesh::TriangleMesh> pieces_P;
-  /// Direction in which the part moves rock: unit, in the bit's X-Z plane (azimuth 0); bit (8).
+  /// Unit direction in which the part moves rock, in the bit's X-Z plane (azimuth 0); bit (8).
   Vec3 update_direction_B = Vec3(0, 0, 1);
   int group = -1;        ///< parts with the same group share X_BP and are processed together
   int cutter = -1;       ///< index into Bit::cutters, or -1
-  double density = 0.0;  ///< kg/m3; 0: this part's volume is counted elsewhere
-  /// If given, rock moves along the normal about this segment instead (rock::mapped_direction_W).
+  double density = 0.0;  ///< kg/m3; 0: the part's volume is counted in another part
+  /// If set, rock moves along the normal about this segment instead (rock::mapped_direction_W).
   std::optional<Segment> core_P;
-  int cone = -1;  ///< index into Bit::cones, or -1; X_BP holds at the cone's angle 0
-  int row = -1;   ///< for a tooth: index into its cone's rows
-  std::optional<LateStart> start;  ///< none: `cutting` holds from the beginning
-  std::string material = {};       ///< by name, where an area gave one (bit_area_keys::material)
-  /// The areas of the bit file that gave density or material, cutting, share and start; empty: no
-  /// area did.
+  int cone = -1;  ///< index into Bit::cones, or -1; X_BP is valid at the cone's angle 0
+  int row = -1;   ///< of a tooth: index into its cone's rows
+  std::optional<LateStart> start;  ///< empty: `cutting` is valid from the beginning
+  std::string material = {};       ///< its name, if an area defines it (bit_area_keys::material)
+  /// Names of the areas of the bit file that define density or material, cutting, share and start.
+  /// Empty if no area does.
   std::string density_area, cutting_area, share_area, start_area;
 };
 
@@ -72,34 +73,34 @@ struct Cutter {
   double back_rake = 0.0;      ///< rad
   double side_rake = 0.0;      ///< rad
   double chamfer = 0.0;        ///< m, width along the face, 0 for a sharp edge
-  double chamfer_angle = 0.0;  ///< rad, from the direction of the cutter's axis; usually 45 deg
+  double chamfer_angle = 0.0;  ///< rad, from the cutter's axis; usually 45 deg
   double land = 0.0;           ///< m, width of a second, flatter chamfer inside the first; 0: none
-  double land_angle = 0.0;     ///< rad, from the direction of the cutter's axis
+  double land_angle = 0.0;     ///< rad, from the cutter's axis
   double length = 0.0;         ///< m, of the whole cutter
   double table_thickness = 0.0;  ///< m, of the diamond table
-  double wear = 0.0;             ///< m, height of the wear flat, lost along the profile's normal
-  double under_exposure = 0.0;   ///< m, from the profile into the bit; a label: the tip includes it
-  int line = 0;                  ///< line in the table's file, for messages
+  double wear = 0.0;             ///< m, height of the wear flat along the profile's normal
+  double under_exposure = 0.0;   ///< m, from the profile into the bit; the tip includes it
+  int line = 0;                  ///< line in the file of the table, for messages
   Pose X_BC;                     ///< cutter frame in the bit frame, bit (1)
 };
 
-/// A designer's numbers of a body with blades (blade_body.hpp).
+/// Design values of a body with blades (blade_body.hpp).
 struct BladeFigures {
   double exposure = 0.0;        ///< m
   double slot_depth = 0.0;      ///< m
   double junk_slot_area = 0.0;  ///< m2, across the gage
 };
 
-/// Where the numbers of the cutters come from: a table or a design, or the meshes of their parts.
+/// Source of the cutters' data: a table or a design, or the meshes of their parts.
 enum class CuttersFrom { table, meshes };
 
-/// A bit: parts in the bit frame B. B's origin is the nose tip on the axis, its z points down, in
-/// the direction of drilling; mass_properties gives the centre of mass.
+/// A bit: parts in the bit frame B. The origin of B is the nose tip on the axis; z points down, in
+/// the direction of drilling. For the centre of mass see mass_properties.
 struct Bit {
   std::string name;
   std::vector<Part> parts;
   std::vector<Cutter> cutters;
-  double gage_radius = 0.0;  ///< m, largest radius that a cutting part reaches as its cone turns
+  double gage_radius = 0.0;  ///< m, largest radius of a cutting part as its cone turns
   std::vector<Cone> cones;
   Shank shank;  ///< of a bit with cones
   std::optional<BladeFigures> blades = std::nullopt;
@@ -107,7 +108,7 @@ struct Bit {
   Legs legs = {};  ///< of a bit with cones
 };
 
-/// What a part does to rock once it has started.
+/// What a part does to rock after its start.
 inline Cutting cutting_in_the_end(const Part& part) {
   return part.start ? part.start->then : part.cutting;
 }
@@ -115,8 +116,8 @@ inline Cutting cutting_in_the_end(const Part& part) {
 /// A part's mesh in the bit frame (cones at angle 0), m.
 mesh::TriangleMesh mesh_B(const Part& part);
 
-/// Largest distance (m) from the bit's axis of a vertex of a cutting part, in its place; 0 if no
-/// part cuts. Cones do not turn.
+/// Largest distance (m) from the bit's axis of a vertex of a cutting part, with the cones in their
+/// present position. 0 if no part cuts.
 double largest_radius(const std::vector<Part>& parts);
 
 }  // namespace tdbd::bit

@@ -13,7 +13,8 @@ Vec3 ring_point(const Ring& ring, int k) {
   return {ring.x, ring.radius * std::sin(angle), -ring.radius * std::cos(angle)};
 }
 
-/// Triangles between the ring of na points that starts at index a and its successor, nb from b.
+/// Triangles between a ring of na points that starts at index a and the next ring, nb points from
+/// b.
 void stitch(int a, int na, int b, int nb, std::vector<mesh::Triangle>& triangles) {
   const int steps_a = na == 1 ? 0 : na, steps_b = nb == 1 ? 0 : nb;
   for (int i = 0, j = 0; i < steps_a || j < steps_b;) {

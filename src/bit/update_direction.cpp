@@ -7,7 +7,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// U~ of eq. 4.1: the cutter's -Z, turned to azimuth 0 and projected on the X-Z plane.
+/// U~ of eq. 4.1: the cutter's -Z, rotated to azimuth 0 and projected on the X-Z plane.
 Vec3 preliminary_direction(const Pose& X_BC) {
   const double r = std::hypot(X_BC.p.x(), X_BC.p.y());
   const double cos_azimuth = r > 0.0 ? X_BC.p.x() / r : 1.0;

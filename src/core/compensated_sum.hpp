@@ -4,7 +4,7 @@
 
 namespace tdbd {
 
-/// Neumaier's compensated sum: the error does not grow with the number of terms.
+/// Compensated summation (Neumaier): the error does not grow with the number of terms.
 struct CompensatedSum {
   double sum = 0.0;
   double correction = 0.0;

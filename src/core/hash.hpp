@@ -6,10 +6,10 @@
 
 namespace tdbd {
 
-/// FNV-1a, 64 bits: identifies the content of a case. It guards against mistakes, not against forgery.
+/// FNV-1a hash, 64 bits, of the content of a case. It detects mistakes, not forgery.
 std::uint64_t fnv1a(std::string_view bytes);
 
-/// The same as 16 lower-case hexadecimal digits.
+/// The same hash as 16 lower-case hexadecimal digits.
 std::string fnv1a_hex(std::string_view bytes);
 
 }  // namespace tdbd

@@ -6,14 +6,15 @@
 
 namespace tdbd {
 
-/// Whether the process can still get this much memory, bytes.
+/// Whether the process can allocate `bytes` more memory.
 inline bool has_memory(std::size_t bytes) noexcept {
-  void* volatile block = std::malloc(bytes);  // volatile: an unused block would not be asked for
+  void* volatile block = std::malloc(bytes);  // volatile, or the compiler removes it
   std::free(block);
   return block != nullptr;
 }
 
-/// Throws std::bad_alloc unless it can: before calls to a library that crashes where memory ends.
+/// Throws std::bad_alloc if the process cannot allocate `bytes`. Call it before library functions
+/// that crash when memory runs out.
 inline void demand_memory(std::size_t bytes) {
   if (!has_memory(bytes)) throw std::bad_alloc();
 }

@@ -6,7 +6,7 @@
 namespace tdbd {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);  // distances of a's first i characters to b's first j
+  std::vector<std::size_t> row(b.size() + 1);  // distances of a[0, i) to b[0, j)
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
     std::size_t diagonal = row[0];
@@ -27,7 +27,7 @@ std::optional<std::string> nearest_name(std::string_view name,
   for (const std::string& candidate : names) {
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
     const std::size_t limit = std::max<std::size_t>(1, longer / 3);
-    if (longer - shorter > limit) continue;  // a distance is no less, and costs their product
+    if (longer - shorter > limit) continue;  // a lower bound of the distance, but cheap
     const std::size_t d = edit_distance(name, candidate);
     if (d > limit || (nearest && d >= least)) continue;
     nearest = candidate;

@@ -4,7 +4,8 @@
 
 namespace tdbd {
 
-/// NetCDF and HDF5 are not made for two threads at once, not even on two files: whoever calls them holds this meanwhile.
+/// NetCDF and HDF5 are not thread-safe, even for different files. Every call to them must be made
+/// while this mutex is locked.
 inline std::recursive_mutex& netcdf_mutex() {
   static std::recursive_mutex mutex;
   return mutex;

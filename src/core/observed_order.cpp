@@ -13,7 +13,7 @@ double local_order(std::span<const double> steps, std::span<const double> errors
   return std::log(errors[i] / errors[i + 1]) / std::log(steps[i] / steps[i + 1]);
 }
 
-/// Errors [first, last) above the floor, an unbroken run that ends at the finest such error.
+/// Contiguous errors [first, last) above the floor, ending at the finest such error.
 struct Run {
   std::size_t first = 0, last = 0;
   std::size_t size() const { return last - first; }
@@ -27,7 +27,7 @@ Run run_above(std::span<const double> errors, const std::vector<double>& floors)
   return r;
 }
 
-/// The level below which rounding may matter, for every error.
+/// For every error, the level below which rounding may dominate.
 std::vector<double> floors_of(std::size_t size, double scale, std::span<const long> counts) {
   std::vector<double> floors(size, scale * order_floor);
   for (std::size_t i = 0; i < counts.size(); ++i)
@@ -36,7 +36,7 @@ std::vector<double> floors_of(std::size_t size, double scale, std::span<const lo
   return floors;
 }
 
-/// The part of a run where the local orders stay close to the finest one.
+/// The part of a run in which the local orders are close to the finest one.
 Run settled_part(std::span<const double> steps, std::span<const double> errors, Run run) {
   if (run.size() < 2) return run;
   const double finest = local_order(steps, errors, run.last - 2);

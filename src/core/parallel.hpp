@@ -21,7 +21,7 @@
 
 namespace tdbd {
 
-/// Limits parallel loops to this many threads while it exists.
+/// Limits parallel loops to `threads` threads during its lifetime.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads)
@@ -31,16 +31,17 @@ class ThreadLimit {
   tbb::global_control limit_;
 };
 
-/// Buffers of parallel loops: local() is the calling thread's own, kept between loops. No result may
-/// depend on what they held before.
+/// Buffers of parallel loops, reused between loops; local() is the buffer of the calling thread.
+/// Results must not depend on their previous content.
 template <class Room>
 using PerThread = tbb::enumerable_thread_specific<Room>;
 
-/// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit allows.
-/// Deterministic if each call writes only to data of its own i.
+/// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit permits. The
+/// result is deterministic if each call writes only to the data of its own i.
 #ifdef TDBD_WATCHES_THREADS
-// Under the thread sanitizer: threads that it sees begin and end. Debian's TBB is not compiled for
-// it, so it would report every loop; a suppression of TBB would hush what runs inside, too.
+// Under the thread sanitizer, the loop uses threads that the sanitizer can observe. The TBB of
+// Debian is not instrumented, so the sanitizer would report every loop. A suppression for TBB would
+// also hide errors in the loop bodies.
 template <class Body>
 void parallel_for(int n, Body&& body) {
   constexpr int threads = 4;

@@ -5,9 +5,10 @@
 
 namespace tdbd {
 
-/// Another name of a file, by the number of its open folder: "/proc/self/fd/7/history.nc". For libraries that read paths
-/// in their own way: NetCDF takes blanks, backslashes and colons in the names of folders for something else. The name
-/// holds as long as the object. Where there is no such name, it is the path itself.
+/// An alternative name of a file through the descriptor of its open folder:
+/// "/proc/self/fd/7/history.nc". It is for libraries that interpret paths: NetCDF gives blanks,
+/// backslashes and colons in folder names a special meaning. The name is valid during the lifetime
+/// of the object. If there is no such name, it is the path itself.
 class PlainPath {
  public:
   explicit PlainPath(const std::filesystem::path& file);

@@ -11,7 +11,7 @@ std::filesystem::path program_file() {
   const void* here = reinterpret_cast<const void*>(&program_file);
   if (dladdr1(here, &unused, &found, RTLD_DL_LINKMAP) != 0)
     if (const char* name = static_cast<const link_map*>(found)->l_name; *name != '\0') return name;
-  return "/proc/self/exe";  // the program itself has no name in the list
+  return "/proc/self/exe";  // the main program has an empty name in the list
 }
 
 }  // namespace tdbd

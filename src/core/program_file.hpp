@@ -4,7 +4,7 @@
 
 namespace tdbd {
 
-/// The file that this code was loaded from: the program, or the shared library that it is part of.
+/// The file from which this code was loaded: the program or a shared library.
 std::filesystem::path program_file();
 
 }  // namespace tdbd

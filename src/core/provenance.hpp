@@ -2,7 +2,7 @@
 
 namespace tdbd {
 
-/// Where a result came from: written into every summary.
+/// Version and build of the program, written into every summary.
 struct Provenance {
   const char* version;
   const char* commit;

@@ -4,10 +4,11 @@
 
 namespace tdbd {
 
-/// SplitMix64 (Steele, Lea and Flood, 2014): the same seed gives the same numbers on every machine
-/// and with every standard library, which std::uniform_real_distribution does not promise.
+/// SplitMix64 generator (Steele, Lea and Flood, 2014). The same seed gives the same numbers on
+/// every machine and with every standard library; std::uniform_real_distribution does not guarantee
+/// that.
 struct Random {
-  std::uint64_t state = 0;  ///< initially the seed
+  std::uint64_t state = 0;  ///< the seed at first
 
   std::uint64_t next() {
     state += 0x9e3779b97f4a7c15u;

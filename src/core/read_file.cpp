@@ -45,7 +45,7 @@ std::string read_file(const std::filesystem::path& path, std::string_view expect
     bytes.resize(size);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
-  if (in) bytes.append(std::istreambuf_iterator<char>(in), {});  // it grew, or told no size
+  if (in) bytes.append(std::istreambuf_iterator<char>(in), {});  // it grew, or its size is unknown
   if (in.bad()) refuse_file(path, "a file that cannot be read", expected);
   return bytes;
 }

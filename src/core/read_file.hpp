@@ -6,11 +6,12 @@
 
 namespace tdbd {
 
-/// Throws InputError "PATH: found F, expected E" unless `path` is a regular file (or a link to one) that can be opened.
-/// Pipes and devices are refused unopened: they may have no end. `expected` says what the file should be: "a TOML file".
+/// Checks that `path` is a regular file (or a link to one) that can be opened. Otherwise throws
+/// InputError "PATH: found F, expected E". Pipes and devices are rejected without being opened,
+/// because they may never end. `expected` describes the file: "a TOML file".
 void demand_file(const std::filesystem::path& path, std::string_view expected);
 
-/// All bytes of a file. Throws InputError as demand_file does, and when reading fails.
+/// Reads all bytes of a file. Throws InputError like demand_file, and if reading fails.
 std::string read_file(const std::filesystem::path& path, std::string_view expected);
 
 }  // namespace tdbd

@@ -6,12 +6,14 @@
 
 namespace tdbd {
 
-/// What went wrong, in words, as long as `e` lives; std::bad_alloc has none of its own. Takes no memory.
+/// The message of an exception; "out of memory" for std::bad_alloc. Allocates nothing; valid as
+/// long as `e`.
 inline const char* reason_of(const std::exception& e) {
   return dynamic_cast<const std::bad_alloc*>(&e) != nullptr ? "out of memory" : e.what();
 }
 
-/// Whether the machine has too little of something (disk, memory, descriptors), which is no mistake of the input.
+/// Whether the error is a lack of a resource (disk, memory, file descriptors) rather than invalid
+/// input.
 inline bool is_shortage(const std::error_code& error) {
   for (const std::errc of :
        {std::errc::no_space_on_device, std::errc::too_many_files_open,

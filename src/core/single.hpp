@@ -2,8 +2,9 @@
 
 namespace tdbd {
 
-/// Single precision: rejects candidates conservatively, with a margin for its rounding; no result is computed in it.
-/// Half the memory, twice the lanes. Files hold it where their format does.
+/// Single precision, used to reject candidates conservatively with a margin for its rounding, and
+/// where a file format requires it. No result is computed in it. It needs half the memory of double
+/// and has twice the lanes.
 using Single = float;
 
 }  // namespace tdbd

@@ -47,7 +47,8 @@ constexpr std::array<std::pair<const char*, const char*>, 20> dimension_names{{
 
 bool same_dimension(const Unit& a, const Unit& b) { return a.powers() == b.powers(); }
 
-/// dimension_names with the powers of their units, parsed once: a case asks for hundreds.
+/// dimension_names with the powers of their units. They are parsed only once, because reading a
+/// case needs them hundreds of times.
 const std::vector<std::pair<UnitPowers, const char*>>& named_dimensions() {
   static const auto named = [] {
     std::vector<std::pair<UnitPowers, const char*>> all;
@@ -59,7 +60,8 @@ const std::vector<std::pair<UnitPowers, const char*>>& named_dimensions() {
   return named;
 }
 
-/// "length", or the unit in SI base units when the dimension has no name here.
+/// The name of the dimension, such as "length", or the unit in SI base units if it has no name
+/// here.
 std::string dimension_of(const Unit& unit) {
   const UnitPowers powers = unit.powers();
   for (const auto& [named, name] : named_dimensions())
@@ -72,20 +74,20 @@ std::string dimension_of(const Unit& unit) {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Whether the unit contains a number other than as an exponent ("m2", "s-1", "m^3") or as the 1
-/// of "1/s". UDUNITS-2 would multiply by it: "8 1/2 in" would be 8 times half an inch.
+/// Whether the unit contains a number other than an exponent ("m2", "s-1", "m^3") or the 1 of
+/// "1/s". UDUNITS-2 would multiply by it: "8 1/2 in" would be 8 times half an inch.
 bool has_second_number(std::string_view unit) {
   if (unit.size() > 2 && unit.substr(0, 2) == "1/" && is_letter(unit[2])) unit.remove_prefix(1);
   for (std::size_t i = 0; i < unit.size(); ++i) {
     if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1]))) continue;
     const bool is_signed = i > 0 && (unit[i - 1] == '-' || unit[i - 1] == '+');
-    const std::size_t before = i - (is_signed ? 1 : 0);  // one past what the number belongs to
+    const std::size_t before = i - (is_signed ? 1 : 0);  // end of the text before it
     if (before == 0 || !(is_letter(unit[before - 1]) || unit[before - 1] == '^')) return true;
   }
   return false;
 }
 
-/// The unit that the program itself requests.
+/// Parses a unit that the program itself requires.
 std::unique_ptr<Unit> wanted_unit(const std::string& si_unit) {
   std::unique_ptr<Unit> unit = find_unit(si_unit);
   if (!unit) throw RunError(fmt::format("units: {} is no unit", si_unit));
@@ -98,7 +100,7 @@ UnitError refused(std::string_view text, const std::string& why, const std::stri
                          : fmt::format("{} or another unit of it", describe_unit(si_unit))};
 }
 
-/// The number at the start of the text, and the name of the unit after it.
+/// Splits a text into the number at its start and the name of the unit after it.
 std::pair<double, std::string> split(std::string_view text, const std::string& si_unit) {
   const std::string_view body = trimmed(text);
   double number = 0.0;

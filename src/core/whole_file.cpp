@@ -44,7 +44,7 @@ WholeFile::WholeFile(std::filesystem::path path)
   if (!stream_) fail_to_write(path_, std::strerror(errno));
 }
 
-/// Takes no memory: it may run because there is none.
+/// Allocates nothing, because it may run after an allocation failed.
 WholeFile::~WholeFile() {
   if (committed_) return;
   std::error_code ignored;
@@ -62,7 +62,7 @@ void WholeFile::commit() {
 void write_text(const std::filesystem::path& path, const std::string& text) {
   WholeFile file(path);
   errno = 0;
-  file.stream() << text;  // at once, where it is longer than the stream's buffer
+  file.stream() << text;  // written at once if longer than the buffer of the stream
   if (!file.stream()) fail_to_write(path, errno != 0 ? std::strerror(errno) : "a write failed");
   file.commit();
 }

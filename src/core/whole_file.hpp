@@ -6,17 +6,18 @@
 
 namespace tdbd {
 
-/// `path.partial`: where a file is written until it is complete.
+/// The name of a file while it is being written: `path.partial`.
 std::filesystem::path partial_path(const std::filesystem::path& path);
 
 /// Renames `path.partial` to `path`. Throws RunError.
 void rename_partial(const std::filesystem::path& path);
 
-/// Has the kernel put a file on its disk. Throws RunError with what went wrong since it was written.
+/// Flushes a file to disk (fsync). Throws RunError if that fails or an earlier write failed.
 void put_on_disk(const std::filesystem::path& path);
 
-/// A file that appears complete or not at all: bytes go to `path.partial`, which commit() renames to `path`. Without
-/// commit() nothing is left behind, and an older file at `path` is untouched.
+/// A file that is written completely or not at all. Bytes are written to `path.partial`, which
+/// commit() renames to `path`. Without commit() the partial file is removed, and an older file at
+/// `path` is unchanged.
 class WholeFile {
  public:
   /// Throws RunError if the file cannot be created.
@@ -27,7 +28,7 @@ class WholeFile {
 
   std::ostream& stream() { return stream_; }
 
-  /// Closes and renames. Throws RunError if any write failed (full disk).
+  /// Closes and renames the file. Throws RunError if a write failed (full disk).
   void commit();
 
  private:
@@ -36,7 +37,7 @@ class WholeFile {
   bool committed_ = false;
 };
 
-/// Writes a text file, complete or not at all. Throws RunError.
+/// Writes a text file, completely or not at all. Throws RunError.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace tdbd

@@ -5,8 +5,9 @@
 
 #include "core/single.hpp"
 
-/// Compiles a function over columns for wider vector registers as well; the program chooses at start-up. No operation
-/// is contracted or reordered, so both versions give the same bits.
+/// Compiles a function over columns for wider vector registers as well; the version is chosen when
+/// the program starts. Operations are neither contracted nor reordered, so the results of both
+/// versions are bitwise identical.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && defined(__OPTIMIZE__)
 #define TDBD_WIDE __attribute__((target_clones("avx2", "default")))
@@ -14,33 +15,36 @@
 #define TDBD_WIDE
 #endif
 
-/// A function that takes or changes Wides by reference, for functions that are TDBD_WIDE: inlined into each version.
+/// For functions that take or change Wides by reference and are called by TDBD_WIDE functions: they
+/// must be inlined into each version.
 #define TDBD_INLINE [[gnu::always_inline]] inline
 
 namespace tdbd {
 
-/// Columns read by wide loops are padded to a multiple of this.
+/// Columns that wide loops read are padded to a multiple of this.
 inline constexpr std::size_t lanes = 4;
 
-/// `lanes` numbers handled as one: arithmetic, comparison and ?: apply to each.
+/// `lanes` doubles as one value. Arithmetic, comparison and ?: apply to each lane.
 using Wide = double __attribute__((vector_size(lanes * sizeof(double))));
 
-/// The result of comparing them: all bits set or none.
+/// Result of a comparison of Wides. In each lane all bits are set, or none.
 using WideMask = decltype(Wide{} < Wide{});
 
-/// As many whole numbers of 64 bits.
+/// `lanes` 64-bit integers.
 using WideLong = long long __attribute__((vector_size(lanes * sizeof(long long))));
 
-/// The same in single precision, twice as many, and the result of comparing them: all bits set or none.
+/// Single-precision counterparts with twice the lanes: values, and the result of a comparison (in
+/// each lane all bits are set, or none).
 inline constexpr std::size_t single_lanes = 8;
 using WideSingle = Single __attribute__((vector_size(single_lanes * sizeof(Single))));
 using WideFlags = int __attribute__((vector_size(single_lanes * sizeof(int))));
 
-/// No function takes or returns a Wide: instruction sets pass them differently.
+/// Load and store. No function takes or returns a Wide by value, because instruction sets pass them
+/// differently.
 #define TDBD_LOAD(wide, address) std::memcpy(&(wide), (address), sizeof(wide))
 #define TDBD_STORE(wide, address) std::memcpy((address), &(wide), sizeof(wide))
 
-/// Whether any flag is set. By reference, see above; inlined.
+/// Whether any flag is set.
 inline bool any_of(const WideFlags& flags) {
   using Halves = long long __attribute__((vector_size(sizeof(WideFlags))));
   Halves halves;
@@ -48,12 +52,12 @@ inline bool any_of(const WideFlags& flags) {
   return (halves[0] | halves[1] | halves[2] | halves[3]) != 0;
 }
 
-/// Bit l: whether lane l is set.
+/// Bit l is set if lane l is.
 TDBD_INLINE unsigned lane_bits(const WideMask& m) {
   return static_cast<unsigned>((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
 }
 
-/// Bit l tells whether flag l is set. By reference, see above; inlined.
+/// Bit l is set if flag l is.
 inline unsigned bits_of(const WideFlags& flags) {
   const WideFlags b = flags & WideFlags{1, 2, 4, 8, 16, 32, 64, 128};
   return static_cast<unsigned>(b[0] | b[1] | b[2] | b[3] | b[4] | b[5] | b[6] | b[7]);

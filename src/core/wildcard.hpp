@@ -5,9 +5,9 @@
 
 namespace tdbd {
 
-/// Whether a name matches a pattern in which * stands for any text and ? for any character. Takes at
-/// most pattern.size() times name.size() comparisons: a text that the last * covers is extended by one
-/// character when the rest does not match, and earlier ones never need to be.
+/// Whether a name matches a pattern in which * matches any text and ? any character. Takes at most
+/// pattern.size() times name.size() comparisons: if the rest does not match, only the text matched
+/// by the last * is extended by one character, never that of an earlier one.
 constexpr bool fits(std::string_view pattern, std::string_view name) {
   constexpr std::size_t none = std::string_view::npos;
   std::size_t p = 0, n = 0, star = none, covered = 0;

@@ -19,8 +19,8 @@ void principal_frame(const Mat3& A, Vec3& values, Mat3& axes) {
   if (axes.determinant() < 0.0) axes.col(0) = -axes.col(0);
 }
 
-/// Principal values that differ by rounding alone are those of a symmetric body: its drifts are
-/// shorter, and exact where those of a nearly symmetric one are not.
+/// Makes principal values equal if they differ only by rounding. The drifts of a symmetric body are
+/// shorter, and exact in cases where those of a nearly symmetric body are not.
 void join_equal(Vec3& ascending) {
   const double rounding = tolerance::equal_inertia * ascending[2];
   if (ascending[1] - ascending[0] <= rounding) ascending[0] = ascending[1];
@@ -35,7 +35,8 @@ std::string values_text(const Vec3& v) {
   return fmt::format("principal values {:.6g}, {:.6g}, {:.6g} kg m2", v[0], v[1], v[2]);
 }
 
-/// The largest principal inertia of a body is at most the sum of the others; equal for a flat one.
+/// The largest principal inertia of a body is at most the sum of the others, with equality for a
+/// flat body.
 bool breaks_triangle_inequality(const Vec3& ascending) {
   return ascending[2] > (ascending[0] + ascending[1]) * (1.0 + tolerance::inertia);
 }
@@ -67,8 +68,8 @@ Mat3 carrier_inertia(const Mat3& I, const std::vector<Cone>& cones) {
   return It;
 }
 
-/// A cone is a body too: it takes at least half its axial inertia about every axis across. What is
-/// left when the cones are taken out, each as the flattest it can be, is the body's share.
+/// Inertia of the body without the cones, each taken as flat as possible: a cone has at least half
+/// its axial inertia about every transverse axis.
 Mat3 body_share(const Mat3& It, const std::vector<Cone>& cones) {
   Mat3 rest = It;
   for (const Cone& c : cones) {

@@ -7,18 +7,19 @@
 
 namespace tdbd::dynamics {
 
-/// A cone of a bit: it turns about an axis fixed in the bit and is dynamically symmetric about it.
-/// Frame B: the bit.
+/// A cone of a bit. It rotates about an axis fixed in the bit and is dynamically symmetric about
+/// it. Frame B: the bit.
 struct Cone {
-  Vec3 axis_B = Vec3::UnitZ();  ///< s_k, unit
+  Vec3 axis_B = Vec3::UnitZ();  ///< s_k, unit vector
   double axial_inertia = 0.0;   ///< Ic_k, kg m2, about the axis
 };
 
-/// A rigid body that carries any number of spinning cones, zero included (thesis: 5.1-5.3;
-/// dynamics (1) to (3)). Assumed: every cone is symmetric about its axis and has its centre of mass
-/// on it, so that I does not depend on the cones' angles.
+/// A rigid body with any number of spinning cones, including none (thesis: 5.1-5.3; dynamics (1) to
+/// (3)). Assumption: every cone is symmetric about its axis and its centre of mass is on it, so I
+/// does not depend on the cone angles.
 struct Gyrostat {
-  Mat3 inertia_B = Mat3::Identity();  ///< I, kg m2, body and cones locked, about the centre of mass
+  Mat3 inertia_B = Mat3::Identity();  ///< I, kg m2, of body and locked cones, about the centre of
+                                      ///< mass
   std::vector<Cone> cones;
 
   // Derived by make_gyrostat.
@@ -29,15 +30,16 @@ struct Gyrostat {
   Mat3 principal_axes_B = Mat3::Identity();   ///< their axes as columns, right-handed
 };
 
-/// Whether an inertia that no body can have is accepted: published benchmarks use them.
+/// Whether physically impossible inertias are rejected. Published benchmarks use some.
 enum class InertiaCheck { on, off };
 
-/// Why these cannot be the inertias of a body with cones, with the offending value; empty when they
-/// can. `off` checks only what the equations need: symmetric, finite, It positive definite.
+/// Why these cannot be the inertias of a body with cones, with the invalid value; empty if they
+/// can. `off` checks only what the equations require: symmetric, finite, It positive definite.
 std::string inertia_problem(const Mat3& inertia_B, const std::vector<Cone>& cones,
                             InertiaCheck check);
 
-/// Makes the axes unit and derives the rest. Throws InputError with inertia_problem's reason.
+/// Normalizes the axes and computes the derived members. Throws InputError with the result of
+/// inertia_problem.
 Gyrostat make_gyrostat(const Mat3& inertia_B, std::vector<Cone> cones,
                        InertiaCheck check = InertiaCheck::on);
 

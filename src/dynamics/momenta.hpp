@@ -11,7 +11,7 @@ namespace tdbd::dynamics {
 /// The inertia relations, dynamics (2) (thesis: 5.2.1, 5.3):
 ///   Pi = It W + sum_k pi_k s_k,   pi_k = Ic_k (phi_k' + s_k . W).
 
-/// sigma_B = sum_k pi_k s_k: the momentum that the cones carry, N m s.
+/// sigma_B = sum_k pi_k s_k: momentum of the cones, N m s.
 template <class S>
 Vec3Of<S> cone_momentum_sum(const Gyrostat& g, const RotationStateOf<S>& s) {
   Vec3Of<S> sum = Vec3Of<S>::Zero();
@@ -26,7 +26,7 @@ Vec3Of<S> body_momentum(const RotationStateOf<S>& s) {
   return s.q_WB.conjugate() * s.momentum_W;
 }
 
-/// W = It^-1 (Pi - sigma), rad/s, for a momentum that need not be the state's.
+/// W = It^-1 (Pi - sigma), rad/s, for any momentum Pi.
 template <class S>
 Vec3Of<S> angular_velocity(const Gyrostat& g, const Vec3Of<S>& body_momentum_B,
                            const Vec3Of<S>& sigma_B) {
@@ -55,7 +55,7 @@ S kinetic_energy(const Gyrostat& g, const RotationStateOf<S>& s) {
   return energy;
 }
 
-/// The state at time 0 with this attitude (B to W), angular velocity (rad/s) and, for each cone,
+/// Creates the state at time 0 from attitude (B to W), angular velocity (rad/s) and, for each cone,
 /// spin phi' (rad/s) and angle (rad).
 RotationState make_state(const Gyrostat& g, const Mat3& R_WB, const Vec3& w_B,
                          std::span<const double> spins, std::span<const double> angles);

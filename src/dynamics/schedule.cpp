@@ -10,7 +10,7 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// How many times lie at or before t.
+/// Number of times at or before t.
 std::size_t passed(const Schedule& s, double t) {
   return static_cast<std::size_t>(std::upper_bound(s.times.begin(), s.times.end(), t) -
                                   s.times.begin());

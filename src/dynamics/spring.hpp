@@ -5,8 +5,8 @@
 
 namespace tdbd::dynamics {
 
-/// Torque of moments m_x, m_y that work on the swing's components: V with dV/db = m gives -dV by
-/// rotations in space.
+/// Torque in space of the moments m_x, m_y on the swing components: if dV/db = m, the gradient of
+/// -V with respect to rotations in space.
 template <class S>
 Vec3Of<S> swing_torque_W(const S& m_x, const S& m_y, const rotation::Swing<S>& w) {
   const S along = w.slope * (m_y * w.d[0] - m_x * w.d[1]);
@@ -14,9 +14,9 @@ Vec3Of<S> swing_torque_W(const S& m_x, const S& m_y, const rotation::Swing<S>& w
   return gradient_d.cross(w.d);
 }
 
-/// Springs to space on the swing-twist angles, dynamics (8):
-/// V = (kx b_x^2 + ky b_y^2 + kz twist^2) / 2, N m/rad (thesis: eq. 2.3). The torque is -dV by
-/// rotations in space, so that it conserves energy.
+/// Torque of springs to space on the swing-twist angles, dynamics (8): V = (kx b_x^2 + ky b_y^2 +
+/// kz twist^2) / 2, stiffness in N m/rad (thesis: eq. 2.3). The torque is the gradient of -V with
+/// respect to rotations in space, so energy is conserved.
 template <class S>
 Vec3Of<S> spring_torque_W(const Vec3Of<double>& stiffness, const RotationStateOf<S>& s) {
   Vec3Of<S> torque = Vec3Of<S>::Zero();

@@ -9,12 +9,12 @@
 namespace tdbd::forces {
 namespace {
 
-/// C d^n, as fitted in lbf and inch.
+/// C d^n, fitted in lbf and inch.
 struct PowerLaw {
   double C = 0.0, n = 0.0;
 };
 
-/// N at the law's reference depth.
+/// Force at the reference depth of the law, N.
 double at_reference(const PowerLaw& p) {
   constexpr double lbf = 4.4482216152605, inch = 25.4e-3;  // N, m
   return p.C * lbf * std::pow(Glowka::reference_depth / inch, p.n);
@@ -24,7 +24,7 @@ Glowka glowka(const PowerLaw& normal, const PowerLaw& drag) {
   return {.Cn = at_reference(normal), .nn = normal.n, .Cd = at_reference(drag), .nd = drag.n};
 }
 
-/// The reconstruction with A1 and A3 given; chamfers and other surfaces get assumed starting
+/// The reconstructed law with given A1 and A3. Chamfers and other surfaces have assumed initial
 /// values.
 HansonHansen hanson_hansen(double A1, double A3) {
   return {.A1 = A1, .A3 = A3, .A5 = 1.34, .A6 = 0.6, .A7 = 0.5, .A8 = 0.3};

@@ -21,7 +21,7 @@ bool needs_diameter(const Law& law) {
       law);
 }
 
-/// Every law with its usual coefficients, in the order of the variant.
+/// Every law with its default coefficients, in the order of the variant.
 template <std::size_t... I>
 std::array<Law, sizeof...(I)> every_law(std::index_sequence<I...>) {
   return {Law(std::in_place_index<I>)...};

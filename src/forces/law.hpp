@@ -17,41 +17,41 @@
 
 namespace tdbd::forces {
 
-/// The force laws: plain structs of coefficients. A law is one header with such a struct, its
-/// `name`, `knows` (which kinds of part) and `coefficients`; `law_force` if it cuts, forces (3), and
-/// `law_pressing` with `presses` (which kinds of part) if it presses, forces (4); `needs_diameter` if
-/// it needs the cutter's. Here it only needs its place in this list; README.md gives the five
-/// steps.
+/// The force laws: plain structs of coefficients. A law is one header with a struct that has
+/// `name`, `knows` (the kinds of part it applies to) and `coefficients`. A law that cuts, forces
+/// (3), has `law_force`; a law that presses, forces (4), has `law_pressing` and `presses` (the
+/// kinds of part that press). A law that requires the diameter of the cutter has `needs_diameter`.
+/// To register a law, add it to this list; README.md describes the five steps.
 using Law = std::variant<NoForce, HansonHansen, Detournay, DepthOfCut, Glowka, ThinCut, Friction,
                          Indentation>;
 
-/// The force of the rock on a part, N. A pure function, so it may be evaluated again at another
-/// velocity. A part of a kind that the law does not know gets no force (law_problem warns
-/// beforehand). Finite for finite numbers, also at rest. It never pulls the bit into the rock
-/// (force . normal <= 0) and never does positive work on it (force . velocity <= 0). Does not
-/// allocate. Thesis: app. C.
+/// The force of the rock on a part, N. A pure function: the caller may evaluate it again at another
+/// velocity. If the law does not apply to the kind of part, the force is zero; law_problem reports
+/// that when the case is read. Finite for finite inputs, also at rest. The force never pulls the
+/// bit into the rock (force . normal <= 0) and never does positive work on it (force . velocity <=
+/// 0). Does not allocate. Thesis: app. C.
 PartForce force(const Law& law, const PartCut& cut);
 
-/// How a part presses on rock, forces (4); nothing if the law's force on this kind of part is a
-/// function of the velocity, forces (3), and for a kind of part that the law does not know.
+/// How a part presses on rock, forces (4). Nothing if the force of the law on this kind of part is
+/// a function of the velocity, forces (3), or if the law does not apply to it.
 std::optional<Pressing> pressing(const Law& law, const PartCut& cut);
 
-/// A coefficient of a given law, to be read into `value`.
+/// A coefficient of a given law; `value` points to it.
 struct LawField {
   std::string_view key;
-  std::string_view unit;           ///< SI, as UDUNITS-2 writes it
-  std::optional<double> fallback;  ///< SI; none: required
+  std::string_view unit;           ///< SI, in the notation of UDUNITS-2
+  std::optional<double> fallback;  ///< default, SI; none: required
   Range range;                     ///< SI
   std::string_view meaning;
-  bool (*where)(bit::PartKind) = nullptr;  ///< Coefficient::where
-  double* value = nullptr;                 ///< in the law
+  bool (*where)(bit::PartKind) = nullptr;  ///< see Coefficient::where
+  double* value = nullptr;                 ///< points into the law
 };
 
-/// The coefficients of a law, to be read from a case or fitted; they point into `law`.
+/// The coefficients of a law, for reading a case or fitting. They point into `law`.
 std::vector<LawField> law_fields(Law& law);
 
-/// Whether a coefficient may change the force on parts of this kind. On all others the force is the
-/// same to the bit whatever its value.
+/// Whether a coefficient can change the force on parts of this kind. If not, the force is bitwise
+/// independent of its value.
 inline bool acts_on(const LawField& field, bit::PartKind kind) { return field.where(kind); }
 
 /// The names of all laws: "none", "hanson-hansen", ...
@@ -60,15 +60,15 @@ std::vector<std::string_view> law_names();
 /// The name of a law.
 std::string_view law_name(const Law& law);
 
-/// The law of this name with its default coefficients (0 where there are none). Throws InputError
-/// when there is no such law.
+/// The law with this name and its default coefficients (0 where there is no default). Throws
+/// InputError if there is no such law.
 Law law_named(std::string_view name);
 
-/// Whether a law has a force for parts of this kind.
+/// Whether a law applies to parts of this kind.
 bool knows(const Law& law, bit::PartKind kind);
 
-/// Why a law cannot be used for a part of this kind, with the kinds that it knows; empty if it can.
-/// `diameter`: of the part's cutter, m, 0 if there is none.
+/// Why a law cannot be used for a part of this kind, with the kinds it applies to; empty if it can.
+/// `diameter` is that of the part's cutter, m, or 0 if there is none.
 std::string law_problem(const Law& law, bit::PartKind kind, double diameter);
 
 }  // namespace tdbd::forces

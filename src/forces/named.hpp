@@ -9,9 +9,8 @@
 
 namespace tdbd::forces {
 
-/// The item of this name. InputError: there is none; the message lists the names that there are.
-/// `what`: what is named, as in "found the WHAT \"NAME\", expected one of ...". `name_of`: an
-/// item's name.
+/// The item with this name; `name_of` returns the name of an item. Throws InputError "found the
+/// WHAT "NAME", expected one of ..." if there is none. `what` is the kind of item.
 template <class Items, class NameOf>
 const auto& item_named(std::string_view what, std::string_view name, const Items& items,
                        NameOf name_of) {

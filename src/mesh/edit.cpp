@@ -63,7 +63,7 @@ void refresh(std::initializer_list<int> vertices, Surface& s) {
   for (const int v : vertices) refresh_star(s, v);
 }
 
-/// The stars of the neighbours of v, whose own is right.
+/// Updates the stars of the neighbours of v. The star of v must be up to date.
 void refresh_around(int v, Surface& s) {
   const VertexStar& star = s.star(v);
   for (int i = 0; i < star.size; ++i) refresh_star(s, s.ring(star)[i]);
@@ -83,7 +83,8 @@ bool are_neighbours(const Surface& s, int v, int w) {
   return found;
 }
 
-/// Removes the triangle of corner c: the triangles beyond its other two edges become neighbours.
+/// Removes the triangle of corner c and links the triangles beyond its other two edges to each
+/// other.
 void close_gap(Surface& s, int c, int keep) {
   const int beyond_next = s.opposite_of(next_corner(c));
   const int beyond_previous = s.opposite_of(previous_corner(c));
@@ -92,7 +93,8 @@ void close_gap(Surface& s, int c, int keep) {
     link(s, beyond_next, beyond_previous);
   else
     link(s, beyond_previous, -1);
-  // A corner beyond the edge (keep, apex): its neighbours in that triangle are these two vertices.
+  // `side` is a corner that faces the edge (keep, apex); the other two corners of its triangle are
+  // at these vertices.
   const int side = beyond_previous >= 0 ? beyond_previous : beyond_next;
   const int n = next_corner(side), r = previous_corner(side);
   s.corner_of[at(apex)] = s.vertex(n) == apex ? n : r;
@@ -100,7 +102,8 @@ void close_gap(Surface& s, int c, int keep) {
   free_triangle(s, c / 3);
 }
 
-/// The corner of t that faces its only boundary edge, or its only inner edge; -1 if there is none.
+/// Returns the corner of t that faces its only boundary edge or its only inner edge, or -1 if there
+/// is neither.
 int odd_corner(const Surface& s, int t) {
   int boundary = 0, sum_of_boundary = 0;
   for (int i = 0; i < 3; ++i)
@@ -112,7 +115,8 @@ int odd_corner(const Surface& s, int t) {
   return boundary == 2 ? 3 * t + 3 - sum_of_boundary : -1;
 }
 
-/// Detaches the triangle of corner c along the edge that c faces; the ends of that edge then refer to the corners beyond.
+/// Detaches the triangle of corner c along the edge that c faces. The ends of that edge then refer
+/// to corners of the triangle beyond.
 void cut_loose(Surface& s, int c) {
   const int o = s.opposite_of(c);
   if (o < 0) return;
@@ -157,7 +161,7 @@ void collapse_edge(Surface& s, int c, const Vec3& x) {
   const int a = s.vertex(next_corner(c)), b = s.vertex(previous_corner(c));
   const int first = s.corner_of[at(b)];
   int k = first;
-  do {  // b is interior, so the turn closes; the topology is intact while b is renamed
+  do {  // b is interior, so the loop around it closes; links are unchanged while b is renamed
     const int following = turn_left(s, k);
     set_vertex(s, k, a);
     k = following;

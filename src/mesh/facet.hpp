@@ -8,21 +8,22 @@
 
 namespace tdbd::mesh {
 
-/// A triangle by its corners, m, counter-clockwise seen from outside.
+/// A triangle given by its corners, m, counter-clockwise seen from outside.
 struct Facet {
   Vec3 a, b, c;
 };
 
-/// Where a line crosses the plane of a facet.
+/// Intersection of a line with the plane of a facet.
 struct PlaneCrossing {
-  double s = 0.0;    ///< the line's parameter
-  double out = 0.0;  ///< its direction along the normal, times twice the facet's area
+  double s = 0.0;    ///< parameter of the line
+  double out = 0.0;  ///< component of its direction along the normal, times twice the area of the
+                     ///< facet
   std::array<double, 3>
       beside{};  ///< barycentric coordinates opposite ab, bc and ca: negative beyond that edge
 };
 
-/// The line x + s d and a facet's plane (Moeller and Trumbore, 1997). Nothing if the sine of the angle between them is
-/// at most `parallel`, or if d = 0.
+/// Intersects the line x + s d with the plane of a facet (Moeller and Trumbore, 1997). Returns
+/// nothing if the sine of the angle between them is at most `parallel`, or if d = 0.
 inline std::optional<PlaneCrossing> cross_plane(const Facet& f, const Vec3& x, const Vec3& d,
                                                 double parallel) {
   const Vec3 e1 = f.b - f.a, e2 = f.c - f.a, n = e1.cross(e2), r = x - f.a;
@@ -33,13 +34,14 @@ inline std::optional<PlaneCrossing> cross_plane(const Facet& f, const Vec3& x, c
   return PlaneCrossing{-n.dot(r) / out, out, {gamma, 1.0 - beta - gamma, beta}};
 }
 
-/// Where a line meets the plane of a facet, and how far inside the facet.
+/// Intersection of a line with the plane of a facet, and how far inside the facet it is.
 struct LineHit {
-  double s = 0.0;       ///< the line's parameter
+  double s = 0.0;       ///< parameter of the line
   double margin = 0.0;  ///< smallest barycentric coordinate: 0 on an edge, negative outside
 };
 
-/// The line x + s d and a facet. Nothing if they are parallel to rounding, or if d = 0.
+/// Intersects the line x + s d with the plane of a facet. Returns nothing if they are parallel up
+/// to rounding, or if d = 0.
 inline std::optional<LineHit> meet(const Facet& f, const Vec3& x, const Vec3& d) {
   constexpr double rounding = 1e-15;
   const auto crossing = cross_plane(f, x, d, rounding);
@@ -47,7 +49,7 @@ inline std::optional<LineHit> meet(const Facet& f, const Vec3& x, const Vec3& d)
   return LineHit{crossing->s, *std::ranges::min_element(crossing->beside)};
 }
 
-/// Squared distance from x to the nearest point of a facet, m2.
+/// Squared distance from x to the closest point of a facet, m2.
 double squared_distance(const Facet& f, const Vec3& x);
 
 }  // namespace tdbd::mesh

@@ -11,26 +11,26 @@ inline Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 0.5 * (b - a).cross(c - a);
 }
 
-/// Shape quality q = 4 sqrt(3) A / (a^2 + b^2 + c^2): 1 for equilateral, 0 for degenerate.
-/// mesh (5); thesis: 4.2.4.4.
+/// Shape quality q = 4 sqrt(3) A / (a^2 + b^2 + c^2), mesh (5), thesis 4.2.4.4: 1 for an
+/// equilateral triangle, 0 for a degenerate one.
 double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Shape quality of a surface: its worst triangle's, and the quality that 99 % of the triangles
-/// exceed. Zero without triangles.
+/// Shape quality of a surface: the quality of its worst triangle, and the quality that 99 % of the
+/// triangles exceed. Zero without triangles.
 struct QualityFigures {
   double least = 0.0, one_percent = 0.0;
 };
 QualityFigures quality_figures(const TriangleMesh& m);
 QualityFigures quality_figures(const Surface& s);
 
-/// Volume enclosed by a closed mesh, mesh (3): signed tetrahedra about the first position
-/// (compensated sum). Positive when the normals point outwards. m3.
+/// Volume enclosed by a closed mesh, m3, mesh (3): signed tetrahedra about the first position
+/// (compensated sum). Positive if the normals point outwards.
 double enclosed_volume(const TriangleMesh& m);
 
 /// Total area, m2.
 double area(const TriangleMesh& m);
 
-/// Axis-aligned box. Empty: lo > hi.
+/// Axis-aligned box. The empty box has lo > hi.
 struct Box {
   Vec3 lo = Vec3::Constant(1e300);
   Vec3 hi = Vec3::Constant(-1e300);

@@ -11,7 +11,7 @@ void number_vertices(const Surface& s, const std::vector<int>& order, std::vecto
   for (std::size_t i = 0; i < order.size(); ++i) number[at(order[i])] = static_cast<int>(i);
 }
 
-/// The corner of triangle t at its least vertex, by the new numbers.
+/// The corner of triangle t at the vertex with the smallest new number.
 int least_corner(const Surface& s, int t, const std::vector<int>& number) {
   const auto& [a, b, c] = s.triangles[at(t)];
   const int na = number[at(a)], nb = number[at(b)], nc = number[at(c)];
@@ -19,14 +19,15 @@ int least_corner(const Surface& s, int t, const std::vector<int>& number) {
   return 3 * t + (nb < nc ? 1 : 2);
 }
 
-/// Counts the triangles of each least vertex, puts them side by side, and sorts them by their next vertex.
+/// Counting sort of the triangles by their smallest vertex. Triangles with the same smallest vertex
+/// are sorted by the vertex that follows it.
 void order_triangles(const Surface& s, std::size_t vertices, RenumberRoom& room) {
   const auto number_at = [&](int c) { return room.number[at(s.vertex(c))]; };
   const auto visit = [&](auto&& act) {
     for (int t = 0; t < s.triangle_slots(); ++t)
       if (s.triangle_is_alive(t)) act(least_corner(s, t, room.number));
   };
-  std::vector<int>& ends = room.ends;  // first the counts, then the beginnings, then the ends
+  std::vector<int>& ends = room.ends;  // counts, then starts, then ends
   ends.assign(vertices, 0);
   visit([&](int c) { ++ends[at(number_at(c))]; });
   std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), 0);
@@ -43,7 +44,7 @@ void order_triangles(const Surface& s, std::size_t vertices, RenumberRoom& room)
   }
 }
 
-/// The neighbours by their new numbers; a closed ring begins with its smallest.
+/// Replaces the neighbours by their new numbers. A closed ring starts with its smallest.
 void renumber_ring(Surface& s, VertexStar& star, const std::vector<int>& number) {
   int* ring = star.long_ring < 0 ? star.ring.data() : s.long_rings[at(star.long_ring)].data();
   int* end = ring + star.size;
@@ -74,7 +75,7 @@ void renumber_triangles(Surface& s, RenumberRoom& room) {
   s.triangles.swap(room.triangles);
 }
 
-/// Of the triangles that are renumbered already.
+/// Requires triangles that are already renumbered.
 void renumber_opposites(Surface& s, RenumberRoom& room) {
   room.corners.reserve(s.opposite.capacity());
   room.corners.clear();

@@ -7,11 +7,12 @@
 
 namespace tdbd::mesh {
 
-/// Room for renumberings, kept between them so that none allocates once warm.
+/// Buffers for renumber, reused between calls so that later calls allocate nothing.
 struct RenumberRoom {
   std::vector<int> number;         ///< per old vertex: its new number, -1 if it is dead
   std::vector<int> first_corners;  ///< per new triangle: the old corner that becomes its first
-  std::vector<int> ends;  ///< per new vertex: where the triangles end that it is the least of
+  std::vector<int> ends;  ///< per new vertex: end index of the triangles of which it is the
+                          ///< smallest
   std::vector<int> corner_number;  ///< per old corner: its new number, if its triangle is alive
   std::vector<int> corners;
   std::vector<VertexStar> stars;
@@ -19,13 +20,15 @@ struct RenumberRoom {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Gives the vertices of a surface new numbers: vertex order[i] becomes i. `order` lists the living ones, each once.
-/// Triangles are numbered by their least vertex, then by the one that follows it, and begin with the least; of each
-/// vertex the first corner is held. So the surface is afterwards what make_surface builds of its own triangles, whatever
-/// its numbers were and in which order it was edited. No dead entry is left. `room.number` receives the new numbers.
+/// Renumbers the vertices of a surface: vertex order[i] becomes i. `order` contains every living
+/// vertex once. Triangles are numbered by their smallest vertex, then by the vertex that follows
+/// it, and start with the smallest; corner_of is the first corner at each vertex. The result is
+/// what make_surface builds from the same triangles; it does not depend on the previous numbers or
+/// on the order of edits. No dead entry is left. `room.number` receives the new numbers.
 void renumber(Surface& s, const std::vector<int>& order, RenumberRoom& room);
 
-/// Entry order[i] becomes i, and what is not listed goes. `room` exchanges its memory with `values`.
+/// Permutes `values`: entry order[i] becomes entry i, and entries not listed are removed. `room`
+/// swaps its memory with `values`.
 template <class T>
 void take_in_order(const std::vector<int>& order, std::vector<T>& values, std::vector<T>& room) {
   room.reserve(values.capacity());

@@ -18,7 +18,7 @@ void visit_sides(const std::vector<Triangle>& triangles, Visit visit) {
     if (triangles[at(corner / 3)][0] >= 0) visit(side_of(triangles, corner));
 }
 
-/// Where the sides of each lower vertex begin, and behind them the number of all.
+/// Start index of the sides of each lower vertex, followed by the total number of sides.
 std::vector<std::size_t> starts_by_lower_vertex(const std::vector<Triangle>& triangles) {
   std::vector<std::size_t> starts;
   visit_sides(triangles, [&](const Side& s) {

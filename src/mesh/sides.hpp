@@ -6,17 +6,17 @@
 
 namespace tdbd::mesh {
 
-/// One side of a triangle, filed under the edge lo < hi that it lies on.
+/// One side of a triangle; lo < hi are the ends of its edge.
 struct Side {
   int lo = 0;
   int hi = 0;
   int triangle = 0;
-  bool forward = false;  ///< the triangle runs from lo to hi
+  bool forward = false;  ///< whether the triangle traverses the edge from lo to hi
   int corner = 0;        ///< 3 triangle + i, the corner that faces this side
 };
 
-/// All sides, sorted so that the sides of one edge are adjacent, in the order of their triangles. Dead triangles
-/// (first corner negative) have none.
+/// Returns all sides, sorted so that the sides of one edge are adjacent, in the order of their
+/// triangles. Dead triangles (first corner negative) have no sides.
 std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles);
 inline std::vector<Side> sorted_sides(const TriangleMesh& m) { return sorted_sides(m.triangles); }
 
@@ -29,7 +29,7 @@ void for_each_edge(const std::vector<Side>& sides, Visit visit) {
   }
 }
 
-/// The corner 3 t + i of triangle t at its vertex v.
+/// The corner 3 t + i of triangle t at vertex v.
 inline int corner_at(const std::vector<Triangle>& triangles, int t, int v) {
   const Triangle& c = triangles[at(t)];
   return 3 * t + (c[0] == v ? 0 : c[1] == v ? 1 : 2);

@@ -9,10 +9,11 @@
 
 namespace tdbd::mesh {
 
-/// A triangulated surface that can change, as a corner table, mesh (1): triangles and, for every corner c = 3 t + i, the
-/// corner across the edge that faces c (-1 on the boundary). The same connectivity is held a second time, in the stars of
-/// the vertices, for whoever walks around vertices. Dead entries (triangle {-1,-1,-1}, corner_of -1, a star of no
-/// neighbours) are kept in free lists for reuse. Thesis: 4.2; B.6 has its surface classes.
+/// A triangulated surface that can be edited, stored as a corner table, mesh (1): triangles and,
+/// for every corner c = 3 t + i, the corner across the edge that faces c (-1 on the boundary). The
+/// connectivity is stored a second time in the stars of the vertices, for code that loops around
+/// vertices. Dead entries (triangle {-1,-1,-1}, corner_of -1, a star without neighbours) are kept
+/// in free lists for reuse. Thesis: 4.2; B.6 has its surface classes.
 struct Surface {
   std::vector<VertexStar> stars;  ///< positions and neighbours
   std::vector<Triangle> triangles;
@@ -21,17 +22,18 @@ struct Surface {
   std::vector<std::uint8_t> boundary;  ///< 1 on the boundary loop
   std::vector<int> free_vertices;
   std::vector<int> free_triangles;
-  std::vector<std::vector<int>> long_rings;  ///< of stars with more neighbours than they hold
+  std::vector<std::vector<int>> long_rings;  ///< rings of stars with more than VertexStar::held
+                                             ///< neighbours
   std::vector<int> free_long_rings;
 
-  /// Triangles are contiguous, so no division is needed to find the one of a corner.
+  /// The vertex of corner c. Triangles are contiguous in memory, so no division is needed.
   int vertex(int c) const {
     int v;
     std::memcpy(&v, triangles.data()->data() + c, sizeof(v));
     return v;
   }
   const VertexStar& star(int v) const { return stars[at(v)]; }
-  /// The neighbours of a star, star.size of them.
+  /// The neighbours of a star; their number is star.size.
   const int* ring(const VertexStar& star) const {
     return star.long_ring < 0 ? star.ring.data() : long_rings[at(star.long_ring)].data();
   }
@@ -52,20 +54,20 @@ inline int previous_corner(int c) { return c % 3 == 0 ? c + 2 : c - 1; }
 
 static_assert(sizeof(Triangle) == 3 * sizeof(int));
 
-/// The next corner at the same vertex, counter-clockwise; -1 past the boundary.
+/// The next corner at the same vertex, counter-clockwise; -1 at the boundary.
 inline int turn_left(const Surface& s, int c) {
   const int o = s.opposite_of(next_corner(c));
   return o < 0 ? -1 : next_corner(o);
 }
 
-/// The next corner at the same vertex, clockwise; -1 past the boundary.
+/// The next corner at the same vertex, clockwise; -1 at the boundary.
 inline int turn_right(const Surface& s, int c) {
   const int o = s.opposite_of(previous_corner(c));
   return o < 0 ? -1 : previous_corner(o);
 }
 
-/// Calls visit(corner) for every corner at vertex v, counter-clockwise from corner_of[v]; at a boundary vertex the
-/// corners clockwise of it follow.
+/// Calls visit(corner) for every corner at vertex v, counter-clockwise from corner_of[v]. At a
+/// boundary vertex, the corners clockwise of corner_of[v] follow.
 template <class Visit>
 void visit_corners(const Surface& s, int v, Visit&& visit) {
   const int start = s.corner_of[at(v)];
@@ -81,24 +83,24 @@ void visit_corners(const Surface& s, int v, Visit&& visit) {
 /// The corner that faces the edge (a, b) in the triangle where b follows a; -1 if there is none.
 int corner_facing(const Surface& s, int a, int b);
 
-/// Builds the adjacency. Throws InputError if an edge has more than two triangles or if its two triangles are oriented
-/// differently; the message names the vertices and their positions.
+/// Builds the adjacency. Throws InputError if an edge has more than two triangles, or if its two
+/// triangles are oriented differently; the message names the vertices and their positions.
 Surface make_surface(const TriangleMesh& m);
 
-/// The surface without its dead entries, in slot order. If given, slot_of_vertex receives the slot in `s` of every
-/// vertex of the result.
+/// Returns the surface without its dead entries, in slot order. If given, slot_of_vertex receives
+/// the slot in `s` of every vertex of the result.
 TriangleMesh compact(const Surface& s, std::vector<int>* slot_of_vertex = nullptr);
 
-/// The positions of all slots, m.
+/// The positions of all vertex slots, m.
 std::vector<Vec3> positions_of(const Surface& s);
 
-/// Recomputes the adjacency and compares: true if every opposite, corner_of and boundary entry and every star is right.
-/// Slow; for tests and debug builds.
+/// Recomputes the adjacency and compares. True if all entries of `opposite`, `corner_of` and
+/// `boundary` and all stars are correct. Slow; for tests and debug builds.
 bool adjacency_is_consistent(const Surface& s);
 
-/// Volume between the surface and a cap over its boundary loop, m3, up to a constant that depends on the boundary alone;
-/// mesh (4) about `origin_W`. The rock's normal points into the hole, and while the boundary is fixed, differences are
-/// volumes removed.
+/// Volume between the surface and a cap over its boundary loop, m3, up to a constant that depends
+/// on the boundary only; mesh (4) about `origin_W`. The normal of the rock points into the hole.
+/// While the boundary is fixed, differences of this value are volumes removed.
 double hole_volume(const Surface& s, const Vec3& origin_W);
 
 }  // namespace tdbd::mesh

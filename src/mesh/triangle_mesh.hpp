@@ -10,8 +10,8 @@ namespace tdbd::mesh {
 
 using Triangle = std::array<int, 3>;
 
-/// A plain triangle mesh, as in files and parts. Triangles are counter-clockwise seen from outside, where the normal
-/// points. Positions in m, in the frame that the owner names.
+/// A triangle mesh as in files and parts. Triangles are counter-clockwise seen from outside, where
+/// the normal points. Positions in m, in the frame that the owner states.
 struct TriangleMesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
@@ -25,10 +25,10 @@ inline std::array<Vec3, 3> corners(const TriangleMesh& m, std::size_t i) {
   return {m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]};
 }
 
-/// One body of a mesh file.
+/// A body of a mesh file.
 struct Solid {
   std::string name;
-  TriangleMesh mesh;  ///< m
+  TriangleMesh mesh;  ///< positions in m
 };
 
 }  // namespace tdbd::mesh

@@ -9,7 +9,7 @@
 namespace tdbd::mesh {
 namespace {
 
-/// The corner at v from which turning left visits all others.
+/// The corner at v from which turning left reaches all others.
 int first_corner(const Surface& s, int v) {
   int c = s.corner_of[at(v)];
   if (!s.is_boundary(v)) return c;
@@ -17,7 +17,7 @@ int first_corner(const Surface& s, int v) {
   return c;
 }
 
-/// Calls visit(neighbour) counter-clockwise, an open ring from its beginning.
+/// Calls visit(neighbour) counter-clockwise; an open ring starts at its beginning.
 template <class Visit>
 void visit_ring(const Surface& s, int v, Visit&& visit) {
   const int first = first_corner(s, v);
@@ -46,7 +46,7 @@ int new_long_ring(Surface& s) {
   return number;
 }
 
-/// Room for the neighbours of a star, in its own line or among the long rings.
+/// Storage for the neighbours of a star: in the star itself or among the long rings.
 std::span<int> room_for(Surface& s, VertexStar& star, int size) {
   star.ring.fill(0);
   if (size <= VertexStar::held) return {star.ring.data(), static_cast<std::size_t>(size)};

@@ -7,10 +7,12 @@
 
 namespace tdbd::mesh {
 
-/// A vertex and its neighbours in one cache line: what a step reads of the surface. The neighbours come counter-clockwise;
-/// the triangles at the vertex v are (v, ring[i], ring[i + 1]), and the last with the first unless the ring is open. A
-/// closed ring begins with its smallest number, an open one at the boundary, so a star depends on the connectivity alone,
-/// not on the edits that led to it. Rings of more than `held` neighbours are kept by the surface (Surface::ring).
+/// A vertex and its neighbours in one cache line: the data of the surface that a step reads. The
+/// neighbours are in counter-clockwise order. The triangles at vertex v are (v, ring[i], ring[i +
+/// 1]), and the last neighbour with the first unless the ring is open. A closed ring starts with
+/// its smallest index, an open one at the boundary, so a star depends on the connectivity only, not
+/// on the edits that led to it. Rings of more than `held` neighbours are stored by the surface
+/// (Surface::ring).
 struct alignas(64) VertexStar {
   static constexpr int held = 8;
   Vec3 x = Vec3::Zero();         ///< m
@@ -24,14 +26,14 @@ static_assert(sizeof(VertexStar) == 64);
 
 struct Surface;
 
-/// Makes the star of a vertex anew from the corner table. Every edit calls it for the vertices whose triangles it
-/// changed.
+/// Recomputes the star of a vertex from the corner table. Every edit must call it for the vertices
+/// whose triangles it changed.
 void refresh_star(Surface& s, int v);
 
-/// The same for all vertices.
+/// Recomputes the stars of all vertices.
 void refresh_stars(Surface& s);
 
-/// Whether every star is what refresh_star would make it. Slow; for tests and debug builds.
+/// Whether every star equals the result of refresh_star. Slow; for tests and debug builds.
 bool stars_are_right(const Surface& s);
 
 }  // namespace tdbd::mesh

@@ -31,7 +31,7 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
 void make_index_anew(Rock& rock, const mesh::Box& box_W) {
   constexpr long never = -1;
   const double cell = rock.grid.cell();
-  rock.grid = VertexGrid();  // gone before the new one is made: never two in memory
+  rock.grid = VertexGrid();  // before the new one is made: never two in memory
   rock.grid = index_of(rock.surface, box_W, cell);
   for (NearList& list : rock.near_lists) list.changes = never;
 }

@@ -7,9 +7,9 @@
 namespace tdbd::rotation {
 
 /// @file
-/// Unit quaternions as attitudes. S is double or a number type that carries derivatives.
+/// Unit quaternions as attitudes. S is double or a scalar type with derivatives.
 
-/// The rotation by |v| (rad) about v; rotation (1).
+/// Rotation by |v| (rad) about v; rotation (1).
 template <class S>
 Eigen::Quaternion<S> quaternion_exp(const Eigen::Matrix<S, 3, 1>& v) {
   const CosSinc<S> half = cos_sinc<S>(0.25 * v.squaredNorm());
@@ -17,7 +17,7 @@ Eigen::Quaternion<S> quaternion_exp(const Eigen::Matrix<S, 3, 1>& v) {
   return {half.cos, f * v[0], f * v[1], f * v[2]};
 }
 
-/// One Newton step towards unit length: if the squared length is 1 + d, the length becomes 1 - 3 d^2 / 8.
+/// One Newton step towards unit length: a squared length of 1 + d gives a length of 1 - 3 d^2 / 8.
 template <class S>
 void renormalise(Eigen::Quaternion<S>& q) {
   q.coeffs() *= 1.5 - 0.5 * q.squaredNorm();

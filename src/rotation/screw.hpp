@@ -4,10 +4,12 @@
 
 namespace tdbd::rotation {
 
-/// Velocity of a bit over the rock, in the bit's frame. If constant, it gives a screw motion; steady drilling is angular_B = (0, 0, w), linear_B = (0, 0, v): pitch v / w along the bit's z.
+/// Velocity of a bit relative to the rock, in the bit's frame. If constant, it is a screw motion.
+/// Steady drilling is angular_B = (0, 0, w), linear_B = (0, 0, v), with pitch v / w along the z
+/// axis of the bit.
 struct Twist {
   Vec3 angular_B = Vec3::Zero();  ///< rad/s
-  Vec3 linear_B = Vec3::Zero();   ///< m/s, of the bit's origin
+  Vec3 linear_B = Vec3::Zero();   ///< m/s, of the origin of the bit
 };
 
 /// Velocity of the bit's point x_B, m/s: linear + angular x x.
@@ -15,14 +17,14 @@ inline Vec3 velocity_B(const Twist& twist, const Vec3& x_B) {
   return twist.linear_B + twist.angular_B.cross(x_B);
 }
 
-/// The bit's frame after a time s (s) of this screw motion, relative to its pose now; rotation (4):
-/// X = exp(s twist), R = exp(s skew(angular)), p = integral of exp(t skew(angular)) linear dt.
+/// Pose of the bit's frame after a time s (s) of this screw motion, relative to its current pose;
+/// rotation (4): X = exp(s twist), R = exp(s skew(angular)), p = integral of exp(t skew(angular))
+/// linear dt.
 Pose carried(const Twist& twist, double s);
 
-/// The screw motion from one pose to the other in the time dt (s); rotation (5):
-/// X_WB1 = X_WB0 carried(twist, dt), exactly: angular dt = log(R_WB0' R_WB1),
-/// linear dt = J^-1 R_WB0' (p_WB1 - p_WB0), J = integral of exp(t skew(angular dt)) dt from 0 to 1.
-/// For turns below 3 rad.
+/// The screw motion from one pose to another in the time dt (s); rotation (5): X_WB1 = X_WB0
+/// carried(twist, dt), exactly: angular dt = log(R_WB0' R_WB1), linear dt = J^-1 R_WB0' (p_WB1 -
+/// p_WB0), J = integral of exp(t skew(angular dt)) dt from 0 to 1. For rotations below 3 rad.
 Twist twist_from(const Pose& X_WB0, const Pose& X_WB1, double dt);
 
 }  // namespace tdbd::rotation

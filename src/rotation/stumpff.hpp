@@ -8,12 +8,12 @@ namespace tdbd::rotation {
 /// @file
 /// Stumpff functions, rotation (3): c_k(x) = sum_j (-x)^j / (2j + k)! of x = t^2:
 ///   c_0 = cos t, c_1 = sin t / t, c_2 = (1 - cos t) / t^2, c_3 = (t - sin t) / t^3, ...
-/// They are regular at zero and work for doubles and for number types that carry derivatives. Up to x = 1/4 they are
-/// polynomials, without calls to the machine's mathematical library.
+/// They are regular at zero and work for doubles and for scalar types with derivatives. Up to x =
+/// 1/4 they are evaluated as polynomials, without calls to the mathematical library of the machine.
 
-inline constexpr double stumpff_series_end = 0.25;  ///< x; 8 terms are exact to rounding below
+inline constexpr double stumpff_series_end = 0.25;  ///< x; below it 8 terms are exact to rounding
 
-/// x; 5 terms are exact to rounding below, and so is their derivative.
+/// x; below it 5 terms and their derivative are exact to rounding.
 inline constexpr double stumpff_short_series_end = 1.0 / 1024.0;
 
 /// (-1)^j / (2j + k)! for j = 0..7.
@@ -29,7 +29,7 @@ constexpr std::array<double, 8> stumpff_coefficients() {
   return a;
 }
 
-/// c_k(x) for 0 <= x <= stumpff_series_end, summed in pairs to keep chains of operations short.
+/// c_k(x) for 0 <= x <= stumpff_series_end, summed in pairs to shorten dependency chains.
 template <int k, class S>
 S stumpff_series(const S& x) {
   constexpr std::array<double, 8> a = stumpff_coefficients<k>();

@@ -7,10 +7,11 @@
 namespace tdbd::rotation {
 
 /// @file
-/// R = Swing Twist, rotation (6): the twist turns about the z axis of space, the swing tilts z to R z.
+/// R = Swing Twist, rotation (6): the twist rotates about the z axis of space, the swing tilts z to
+/// R z.
 ///
-/// The twist angle counts full turns. A quaternion followed in small steps gives it modulo 4 pi; `turns` counts how many
-/// double turns were completed.
+/// The twist angle counts full turns. A quaternion followed in small steps gives it modulo 4 pi;
+/// `turns` is the number of completed double turns.
 
 /// Twist angle about z, rad: 2 atan2(q_z, q_w) + 4 pi turns.
 template <class S>
@@ -19,7 +20,7 @@ S twist_angle(const Eigen::Quaternion<S>& q, long turns) {
   return 2.0 * atan2(q.z(), q.w()) + 4.0 * std::numbers::pi * static_cast<double>(turns);
 }
 
-/// The change of `turns` when q moves from one attitude to the next by less than half a turn.
+/// The change of `turns` if q moves from one attitude to the next by less than half a turn.
 template <class S>
 long turns_passed(const Eigen::Quaternion<S>& from, const Eigen::Quaternion<S>& to) {
   const bool was_below = from.z() < S(0), is_below = to.z() < S(0);
@@ -27,8 +28,8 @@ long turns_passed(const Eigen::Quaternion<S>& from, const Eigen::Quaternion<S>& 
   return is_below ? 1 : -1;
 }
 
-/// Gradient of the twist angle with respect to rotations in space: d(twist) = gradient . w_W dt. Undefined where z is
-/// upside down.
+/// Gradient of the twist angle with respect to rotations in space: d(twist) = gradient . w_W dt.
+/// Undefined if z is upside down.
 template <class S>
 Eigen::Matrix<S, 3, 1> twist_gradient(const Eigen::Quaternion<S>& q) {
   const S n = 1.0 / (q.w() * q.w() + q.z() * q.z());
@@ -36,7 +37,7 @@ Eigen::Matrix<S, 3, 1> twist_gradient(const Eigen::Quaternion<S>& q) {
 }
 
 /// The swing as a rotation vector b in the plane z = 0, b = angle z x d / |z x d| with d = R z, and
-/// how its length depends on d_z: b = f (z x d), f = angle / sin(angle), slope = df/d(d_z).
+/// the dependence of its length on d_z: b = f (z x d), f = angle / sin(angle), slope = df/d(d_z).
 template <class S>
 struct Swing {
   Eigen::Matrix<S, 3, 1> d, b;

@@ -30,8 +30,8 @@ Slip force_on(const Chain& c, const ChainWork& w, std::size_t i) {
           (w.torque[i - 1] - w.torque[i]) * w.inverse_radius[i]};
 }
 
-/// String (5) of every node far from rest, in one pass without branches. `margin` is negative where
-/// that is so.
+/// String (5) for all nodes in one pass without branches. The result is valid for nodes that are
+/// far from rest; for these `margin` is negative.
 void flow_far_from_rest(const Chain& c, const ChainState& s, ChainWork& w) {
   const std::size_t n = at(c.count());
   const double *T = w.tension.data(), *Q = w.torque.data(), *weight = c.contact.weight.data();
@@ -55,7 +55,7 @@ void flow_far_from_rest(const Chain& c, const ChainState& s, ChainWork& w) {
   }
 }
 
-/// The flow of nodes 1 to n - 1 that move both along and around.
+/// The flow of nodes 1 to n - 1 with motion both along and around the hole.
 void flow_both(const Chain& c, double time, ChainState& s, ChainWork& w) {
   flow_far_from_rest(c, s, w);
   Lost lost;
@@ -85,7 +85,7 @@ void flow_both(const Chain& c, double time, ChainState& s, ChainWork& w) {
   w.resting = resting;
 }
 
-/// The same where they only turn.
+/// The flow of nodes 1 to n - 1 with rotation only.
 void flow_torsion(const Chain& c, double time, ChainState& s, ChainWork& w) {
   Lost lost;
   long resting = 0;
@@ -109,7 +109,7 @@ void flow_torsion(const Chain& c, double time, ChainState& s, ChainWork& w) {
   w.resting = resting;
 }
 
-/// The same where they only move along; they turn as the top.
+/// The flow of nodes 1 to n - 1 with motion along the hole only; they rotate like the top.
 void flow_axial(const Chain& c, double time, ChainState& s, ChainWork& w) {
   Lost lost;
   for (std::size_t i = 1; i < at(c.count()); ++i) {
@@ -155,7 +155,8 @@ void flow_top_around(const Chain& c, double time, ChainState& s, const ChainWork
   s.rotary_speed[0] = f.speed;
 }
 
-/// Minus the work of Kelvin-Voigt's dampers on the chain's own nodes over a flow.
+/// Adds the energy taken by the Kelvin-Voigt dampers at the chain's own nodes during a flow to the
+/// ledger.
 void book_loss(const Chain& c, double time, ChainState& s, const ChainWork& w) {
   double work = 0.0;
   for (std::size_t i = 0; i < at(c.count()); ++i) {
@@ -210,7 +211,7 @@ void take_command(const Chain& c, double h, const TopCommand& command, TopState&
   if (c.top.axial == Top::Axial::rate) top.rate = command.way / h;
 }
 
-/// What the top did on the string over the step whose drift has been made.
+/// Adds the work of the top on the string during the step to the ledger. Call it after the drift.
 void book_top(const Chain& c, double h, double set_turn, ChainState& s, const ChainWork& w) {
   if (moves_along(c) && c.top.axial != Top::Axial::hook_load) {
     const double way = h * s.velocity[0];
@@ -230,7 +231,7 @@ void book_top(const Chain& c, double h, double set_turn, ChainState& s, const Ch
   }
 }
 
-/// Kelvin-Voigt's forces from the rates of the last drift.
+/// Adds the Kelvin-Voigt forces from the rates of the last drift.
 void add_losses(const Chain& c, const ChainState& s, ChainWork& w) {
   for (std::size_t e = 0; e < at(c.count()); ++e) {
     w.damper_force[e] = c.axial_loss_time * c.elements.axial[e] * s.stretching[e];
@@ -240,7 +241,7 @@ void add_losses(const Chain& c, const ChainState& s, ChainWork& w) {
   }
 }
 
-/// Elastic forces, and the side force that follows from them.
+/// Computes the elastic forces, and the side forces that follow from them.
 void load(const Chain& c, const ChainState& s, const EndMotion& end, ChainWork& w) {
   const std::size_t n = at(c.count());
   for (std::size_t e = 0; e + 1 < n; ++e) {

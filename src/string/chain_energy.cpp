@@ -8,12 +8,12 @@
 namespace tdbd::string {
 namespace {
 
-/// What holds node 0; no mass: it does not move freely.
+/// Support of node 0. Zero mass: it cannot move freely.
 struct Held {
   double mass = 0.0, spring = 0.0;
 };
 
-/// The largest sum of both stiffnesses over mass among the nodes that can move, 1/s2.
+/// The largest ratio of the sum of both stiffnesses to mass over all nodes that can move, 1/s2.
 double largest_rate(const std::vector<double>& stiffness, const std::vector<double>& mass,
                     const Held& top, double end_mass) {
   const std::size_t n = stiffness.size();
@@ -22,7 +22,7 @@ double largest_rate(const std::vector<double>& stiffness, const std::vector<doub
     largest = std::max(largest, 2.0 * (stiffness[i - 1] + stiffness[i]) / mass[i]);
   if (top.mass > 0.0) largest = std::max(largest, (2.0 * stiffness[0] + top.spring) / top.mass);
   if (end_mass > 0.0) {
-    const double factor = n == 1 && top.mass == 0.0 ? 1.0 : 2.0;  // alone beside a fixed top
+    const double factor = n == 1 && top.mass == 0.0 ? 1.0 : 2.0;  // single node below a fixed top
     largest = std::max(largest, factor * stiffness[n - 1] / end_mass);
   }
   return largest;

@@ -9,9 +9,10 @@
 namespace tdbd::string {
 namespace {
 
-/// Frequencies below omega (square, 1/s2): negative pivots when nodes are eliminated from the end up.
+/// Number of frequencies below omega (square, 1/s2): the number of negative pivots if nodes are
+/// eliminated from the end upwards.
 int count_below(const std::vector<double>& k, const std::vector<double>& m, double square) {
-  double below = 0.0;  // dynamic stiffness of what hangs from a node
+  double below = 0.0;  // dynamic stiffness of the part below a node
   int negative = 0;
   for (std::size_t i = k.size(); i > 0; --i) {
     const double own = below - square * m[i];
@@ -22,7 +23,7 @@ int count_below(const std::vector<double>& k, const std::vector<double>& m, doub
   return negative;
 }
 
-/// Displacements below a top that stands still, from the force in the first element down.
+/// Mode shape below a fixed top, computed downwards from the force in the first element.
 std::vector<double> shape_of(const std::vector<double>& k, const std::vector<double>& m,
                              double square) {
   std::vector<double> shape{0.0};

@@ -4,15 +4,15 @@
 
 namespace tdbd::string {
 
-/// A free vibration of a chain whose top stands still.
+/// A free vibration of a chain with a fixed top.
 struct Mode {
   double frequency = 0.0;     ///< Hz
-  std::vector<double> shape;  ///< of nodes 0 to n, the largest 1 in size
+  std::vector<double> shape;  ///< of nodes 0 to n, normalized to a largest magnitude of 1
 };
 
-/// The lowest `count` modes, ascending: `stiffness` of n elements, `mass` of nodes 0 to n, in one
-/// direction. The last node is free. Exact to rounding: bisection on the number of frequencies below
-/// one, which the signs of the pivots give (Sturm).
+/// The lowest `count` modes in one direction, ascending. `stiffness` has n elements, `mass` nodes 0
+/// to n; the last node is free. Exact to rounding: bisection on the number of frequencies below a
+/// given one, which is the number of negative pivots (Sturm).
 std::vector<Mode> lowest_modes(const std::vector<double>& stiffness,
                                const std::vector<double>& mass, int count);
 

@@ -5,16 +5,16 @@
 namespace tdbd::string {
 namespace {
 
-/// Time until a body with a force `a` (N, friction included) comes from a speed to another that it
-/// approaches.
+/// Time in which a force `a` (N, friction included) changes the speed of a body from one value to
+/// another that it approaches.
 double time_to(const OneWay& body, double a, double from, double to) {
   if (body.damping == 0.0) return body.mass * (to - from) / a;
   return body.mass / body.damping *
          std::log1p(body.damping * (from - to) / (body.damping * to - a));
 }
 
-/// One piece of the flow: the friction `level` acts against `sign`. Ends at `stop` or when the time
-/// is over; returns the speed there and takes the time that has gone.
+/// One piece of the flow with constant friction, whose force is included in `a`. It ends at speed
+/// `stop` or after `time`. Returns the speed and subtracts the elapsed time from `time`.
 double piece(const OneWay& body, double a, double speed, double stop, double& time) {
   const double end = speed + mobility(time, body.mass, body.damping) * (a - body.damping * speed);
   if (speed == stop || (end - stop) * (speed - stop) > 0.0) {
@@ -25,12 +25,14 @@ double piece(const OneWay& body, double a, double speed, double stop, double& ti
   return stop;
 }
 
-/// Friction at `level` holds against a force: no constraint is left where it does.
+/// Slip after a flow with friction against that slip, whose size is `size`. f is the slip without
+/// friction, x the mobilities times the friction level.
 Slip held_or(const Slip& f, const Slip& x, double size) {
   return {f.along * size / (size + x.along), f.around * size / (size + x.around)};
 }
 
-/// The size s of the slip after the flow: sum f^2/(s + x)^2 = 1, x = b R. The sum falls in s.
+/// The size s of the slip after the flow: solves sum f^2/(s + x)^2 = 1, x = b R. The sum decreases
+/// with s.
 double slip_size(const Slip& f, const Slip& x) {
   const double fa = f.along * f.along, fq = f.around * f.around, ff = std::sqrt(fa + fq);
   double lo = std::max(0.0, ff - std::max(x.along, x.around));
@@ -49,15 +51,16 @@ double slip_size(const Slip& f, const Slip& x) {
   return s;
 }
 
-/// Friction in the mean direction of the slips before and after, where it neither turns the slip
-/// round nor drives it: second order in time. `end`: with friction against the slip at the end.
+/// Friction in the mean direction of the slips before and after the flow, unless it would reverse
+/// the slip or drive it: second order in time. `end` is the slip with friction against the final
+/// slip.
 Slip in_mean_direction(const Slip& start, const Slip& f, const Slip& x, const Slip& end) {
   const double before = size_of(start), after = size_of(end);
   if (before == 0.0 || after == 0.0) return end;
   const double ea = start.along / before + end.along / after;
   const double eq = start.around / before + end.around / after;
   const double square = ea * ea + eq * eq;
-  if (square <= 2.0) return end;  // they differ by more than 90 degrees
+  if (square <= 2.0) return end;  // directions differ by more than 90 degrees
   const double k = 1.0 / std::sqrt(square);
   const Slip y{f.along - x.along * ea * k, f.around - x.around * eq * k};
   const bool same_side = y.along * end.along + y.around * end.around > 0.0;
@@ -84,7 +87,7 @@ double flow_along(const OneWay& body, double force, const Coulomb& friction, dou
       speed = piece(body, a, speed, sign * vc, time);
       fast = time <= 0.0;
     } else {
-      // Which end of the slow range it comes to depends on where the force drives it.
+      // The force decides at which end the speed leaves the slow range.
       const bool faster = sign * (a - body.damping * speed) > 0.0;
       speed = piece(body, a, speed, faster ? sign * vc : 0.0, time);
       fast = faster;

@@ -36,7 +36,7 @@ std::vector<Span> spans_between(const std::vector<Section>& sections, double top
   std::vector<Span> spans;
   double start = 0.0;
   for (std::size_t k = 0; k < sections.size(); ++k) {
-    const bool last = k + 1 == sections.size();  // rounding must not cut the string's end off
+    const bool last = k + 1 == sections.size();  // rounding must not cut off the end of the string
     const double end = start + sections[k].length;
     const double lo = std::max(top, start), hi = last ? bottom : std::min(bottom, end);
     if (hi > lo) spans.push_back({lo, hi, &sections[k]});

@@ -12,7 +12,7 @@ struct Material {
   double density = 7850.0;  ///< kg/m3
 };
 
-/// A length of pipe or collars with the same properties all along, as a soft string has them.
+/// A length of pipe or collars with uniform properties, for a soft-string model.
 struct Section {
   double length = 0.0;              ///< m
   double axial_rigidity = 0.0;      ///< E A, N
@@ -20,8 +20,8 @@ struct Section {
   double mass = 0.0;                ///< rho A, kg/m
   double inertia = 0.0;             ///< rho J, kg m
   double weight = 0.0;              ///< in mud, N/m
-  double contact_radius = 0.0;      ///< where it touches the hole, m
-  double bending_rigidity = 0.0;    ///< E I, N m2: for warnings alone
+  double contact_radius = 0.0;      ///< radius at which it touches the hole, m
+  double bending_rigidity = 0.0;    ///< E I, N m2: only for warnings
 };
 
 /// Diameters of a pipe, m.
@@ -31,19 +31,19 @@ struct Diameters {
   double contact = 0.0;  ///< of the tool joints
 };
 
-/// What surrounds the string.
+/// The surroundings of the string.
 struct Surroundings {
   double mud_density = 0.0;  ///< kg/m3
   double gravity = 9.80665;  ///< m/s2
 };
 
-/// A pipe. `linear_mass` (kg/m, with tool joints) takes the place of rho A where it is positive:
-/// for mass, weight and, in proportion, rotational inertia.
+/// Creates a pipe. A positive `linear_mass` (kg/m, with tool joints) replaces rho A for mass,
+/// weight and, proportionally, rotational inertia.
 Section pipe(double length, const Diameters& diameters, const Material& material,
              double linear_mass, const Surroundings& surroundings);
 
-/// A string cut into n elements of equal length: stiffnesses of elements in series, masses of the
-/// cells around nodes, so that sections may end anywhere (string (1)).
+/// A string divided into n elements of equal length: stiffnesses of sections in series, masses of
+/// the cells around nodes. Sections may therefore end anywhere (string (1)).
 struct Elements {
   double length = 0.0;                   ///< of an element, m
   std::vector<double> axial, torsional;  ///< stiffnesses of n elements, N/m, N m/rad
@@ -52,7 +52,7 @@ struct Elements {
 
 double total_length(const std::vector<Section>& sections);
 
-/// `count` elements from the surface to the bit; at least one.
+/// Divides a string into `count` >= 1 elements from the surface to the bit.
 Elements make_elements(const std::vector<Section>& sections, int count);
 
 /// An interval of one section, m from the surface.
@@ -64,10 +64,10 @@ struct Span {
 /// The parts of sections between two depths, downward.
 std::vector<Span> spans_between(const std::vector<Section>& sections, double top, double bottom);
 
-/// Z = J sqrt(G rho): torque over speed of a torsional wave, N m s/rad.
+/// Z = J sqrt(G rho): ratio of torque to speed of a torsional wave, N m s/rad.
 double torsional_impedance(const Section& section);
 
-/// Speeds of waves along a section, m/s.
+/// Wave speeds along a section, m/s.
 double axial_wave_speed(const Section& section);
 double torsional_wave_speed(const Section& section);
 

@@ -8,7 +8,7 @@
 namespace tdbd::string {
 namespace {
 
-/// Depths at which the string is cut, ascending, from 0 to its end.
+/// Depths at which the string is divided, ascending, from 0 to its end.
 std::vector<double> cuts_of(const std::vector<Section>& sections, const Survey& survey,
                             const std::vector<FrictionBelow>& friction, int elements) {
   const double total = total_length(sections);
@@ -48,10 +48,10 @@ void add_piece(Contact& contact, const Survey& survey, const Span& span, int ele
   contact.node.push_back(node);
 }
 
-/// The node whose friction a piece around `node` belongs to.
+/// The node that gets the friction of a piece around `node`.
 int rubbing(int node, int elements) { return std::clamp(node, 1, std::max(elements - 1, 1)); }
 
-/// Sums over a node's pieces, by length and by side force without tension.
+/// Sums over the pieces of a node, weighted by length and by side force without tension.
 struct Mean {
   double length = 0.0, pressed = 0.0;
   void add(double value, double part, double push) {
@@ -60,7 +60,7 @@ struct Mean {
   }
 };
 
-/// Means over nodes: by side force, or by length where nothing presses.
+/// Means for each node, weighted by side force, or by length if there is no side force.
 std::vector<double> means(const std::vector<Mean>& sums, const std::vector<Mean>& ones) {
   std::vector<double> values;
   for (std::size_t i = 0; i < sums.size(); ++i)
@@ -115,7 +115,7 @@ void side_forces(const Contact& c, const std::vector<double>& tension,
 }
 
 double side_force_at(const Contact& c, int node, double above, double below) {
-  // Pieces ascend by node. Those of a node lie in its two elements, also beside the ends.
+  // Pieces are sorted by node. Those of a node lie in its two elements, also next to the ends.
   const auto first = std::lower_bound(c.node.begin(), c.node.end(), node);
   double sum = 0.0;
   for (auto p = first; p != c.node.end() && *p == node; ++p) {

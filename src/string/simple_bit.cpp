@@ -9,15 +9,15 @@
 namespace tdbd::string {
 namespace {
 
-/// One direction of the bit: what acts on it.
+/// Data of one direction of the bit.
 struct Drive {
   OneWay body;
-  double force = 0.0;     ///< of string, weight and friction-free rock
-  double friction = 0.0;  ///< level, sliding
-  double resting = 0.0;   ///< level, at rest
+  double force = 0.0;     ///< of string, weight and cutting
+  double friction = 0.0;  ///< friction level while moving
+  double resting = 0.0;   ///< friction level at rest
 };
 
-/// Makes and books one flow; returns the new speed.
+/// Computes one flow and adds its losses. Returns the new speed.
 double flow_one(const Drive& d, double time, double speed, Lost& lost) {
   const double next = flow_along(d.body, d.force, {d.resting, d.friction, 0.0}, time, speed);
   const double level = speed != 0.0 || next != 0.0 ? d.friction : d.resting;
@@ -26,13 +26,13 @@ double flow_one(const Drive& d, double time, double speed, Lost& lost) {
   return next;
 }
 
-/// Weight that the rock takes without contact, N.
+/// Weight on bit without contact of wear flats, N.
 double cutting_force(const SimpleBit& b, const BitState& s) {
   return b.weight + (b.law == BitLaw::regenerative ? b.force_per_depth * s.depth : 0.0);
 }
 
-/// The flow along the hole. Contact under wear flats, which is there on the way down and gone on the
-/// way up, is half of it as a force and half as friction.
+/// The flow along the hole. The contact force of wear flats acts on the way down and vanishes on
+/// the way up; it is represented by half of it as a constant force and half as friction.
 double flow_down(const SimpleBit& b, double time, double pull, BitState& s, Lost& lost) {
   const double half = b.law == BitLaw::regenerative ? 0.5 * b.contact_force : 0.0;
   const Drive drive{
@@ -62,8 +62,8 @@ double flow_round(const SimpleBit& b, double time, double torque, const BitState
                   s.rotary_speed, lost);
 }
 
-/// Depth of cut: below what the blade ahead left at this angle. Where the bit is above that, the rock
-/// stays as it is.
+/// Computes the depth of cut below the surface left by the preceding blade at this angle. Where the
+/// bit is above that surface, the rock is unchanged.
 void find_depth(const SimpleBit& b, BitState& s) {
   if (b.law != BitLaw::regenerative) return;
   auto &angle = s.past_angle, &u = s.past_displacement;
@@ -134,7 +134,7 @@ void flow_bit(const SimpleBit& b, double time, const EndLoad& load, const EndLoa
   s.ledger.loss += damper.pull * way - damper.torque * turn;
   if (b.law == BitLaw::regenerative && next_omega == 0.0 && s.depth > 0.0) {
     s.ledger.friction += 0.5 * b.mass * next_v * next_v;
-    next_v = 0.0;  // a blade that does not turn cuts nothing
+    next_v = 0.0;  // a blade that does not rotate does not cut
   }
   s.velocity = next_v;
   s.rotary_speed = next_omega;

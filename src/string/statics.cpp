@@ -7,12 +7,12 @@
 namespace tdbd::string {
 namespace {
 
-/// Load of the element above a node, from that of the element below.
+/// Load of the element above a node.
 struct Above {
   double tension = 0.0, torque = 0.0;
 };
 
-/// Share of the friction that acts along and around: the direction of the slip.
+/// Direction of the slip: shares of the friction along and around the hole.
 Above direction(const Chain& c, const SteadyMotion& m, double radius) {
   const double along = c.directions == Directions::torsion ? 0.0 : m.rate;
   const double around = c.directions == Directions::axial ? 0.0 : m.rotary_speed * radius;
@@ -20,8 +20,8 @@ Above direction(const Chain& c, const SteadyMotion& m, double radius) {
   return size > 0.0 ? Above{along / size, around / size} : Above{};
 }
 
-/// Equilibrium of node i. Its side force depends on the tension above: fixed point, which contracts
-/// by friction times the turn of one element.
+/// Equilibrium of node i. Its side force depends on the tension above, which is found by a
+/// fixed-point iteration. The contraction factor is friction times the bend of one element.
 Above above_node(const Chain& c, const SteadyMotion& m, int i, const Above& below) {
   const std::size_t k = at(i);
   const double radius = c.contact.radius[k] > 0.0 ? c.contact.radius[k] : 1.0;

@@ -35,7 +35,7 @@ const Survey::Arc& arc_at(const Survey& s, double depth) {
 }  // namespace
 
 std::string survey_problem(const Stations& s) {
-  constexpr double no_plane = 1e-6;  // rad short of half a turn
+  constexpr double no_plane = 1e-6;  // rad, distance from half a turn
   const std::size_t n = s.depths.size();
   if (n == 0 || s.inclinations.size() != n || s.azimuths.size() != n)
     return fmt::format("{} depths, {} inclinations, {} azimuths: as many of each, at least one", n,

@@ -7,18 +7,18 @@
 
 namespace tdbd::string {
 
-/// The path of a well by minimum curvature: arcs of great circles between stations, straight beyond
-/// the last one. Frame: x north, y east, z down, origin at the surface.
+/// The path of a well by the minimum curvature method: circular arcs between stations, straight
+/// beyond the last one. Frame: x north, y east, z down, origin at the surface.
 struct Survey {
-  /// From a station to the next: t(s) = cos(k s) t + sin(k s) n.
+  /// The arc from a station to the next: t(s) = cos(k s) t + sin(k s) n.
   struct Arc {
     double depth = 0.0;      ///< measured depth of the upper station, m
     double curvature = 0.0;  ///< 1/m
     Vec3 tangent = Vec3::UnitZ();
-    Vec3 normal = Vec3::Zero();  ///< towards which the path bends; zero where it is straight
+    Vec3 normal = Vec3::Zero();  ///< direction of the bend; zero if straight
     Vec3 position = Vec3::Zero();
   };
-  std::vector<Arc> arcs;  ///< one for each station
+  std::vector<Arc> arcs;  ///< one per station
 };
 
 /// Stations of a survey: measured depth (m, ascending from 0), inclination from the vertical and
@@ -27,17 +27,17 @@ struct Stations {
   std::vector<double> depths, inclinations, azimuths;
 };
 
-/// Why these are no survey, with the station; empty when they are.
+/// Why these are not a valid survey, with the station; empty if they are.
 std::string survey_problem(const Stations& stations);
 
-/// The stations between which the path bends most, counted from 1, and how much, rad/m.
+/// The largest dogleg severity between two stations (counted from 1), rad/m.
 struct Dogleg {
   int station = 0;  ///< the lower one
   double severity = 0.0;
 };
 Dogleg worst_dogleg(const Stations& stations);
 
-/// Throws InputError with survey_problem's reason.
+/// Creates a survey. Throws InputError with the result of survey_problem.
 Survey make_survey(const Stations& stations);
 
 /// A vertical well.

@@ -46,7 +46,7 @@ TopFlow flow_top(const Top& top, double time, double speed, double set_speed, do
     f.speed = flow(torque + limit, damping);
     return f;
   }
-  // What the motor gave: the change of momentum that neither the string nor the mud made.
+  // Impulse of the motor: the change of momentum minus the impulses of string and mud.
   const double resisted = damping * 0.5 * (speed + f.speed) * time;
   f.motor_impulse = inertia * (f.speed - speed) - time * torque + resisted;
   return f;

@@ -331,7 +331,7 @@ class Classes(unittest.TestCase):
     def test_the_table_of_classes_is_on_the_page(self):
         with tempfile.TemporaryDirectory() as folder:
             project = Project(folder)
-            project.write("src/README.md", "# x\n\n| thesis, app. B | its classes | ours | where |\n|---|---|---|---|\n"
+            project.write("src/README.md", "# x\n\n| thesis, app. B | class in the thesis | in TDBD | header |\n|---|---|---|---|\n"
                                            "| B.9 | lost <name> | `Bit`, `read_bit` | `bit/bit.hpp` |\n\nMore.\n")
             self.assertEqual(project.make()[2], "")
             page = (project.out / "index.html").read_text(encoding="utf-8")

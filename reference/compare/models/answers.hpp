@@ -2,20 +2,20 @@
 
 #include "reference/compare/models/blanks.hpp"
 
-/// What each model says about a case: one function a model, in a file of its name.
+/// Results of each model for a case: one function per model, in a file with its name.
 namespace tdbd::reference {
 
 Findings answer_of_tdbd(const Question& q);
-/// Bits on strings, where a model has equations of motion.
+/// For bits on strings, if the model has equations of motion.
 Findings answer_of_free_langeveld(const Question& q);
 Findings answer_of_free_hanson_hansen(const Question& q);
-Findings answer_of_free_hanson_hansen_cones(const Question& q);  ///< of bits with cones
+Findings answer_of_free_hanson_hansen_cones(const Question& q);  ///< for bits with cones
 
 Findings answer_of_warren_sinor(const Question& q);
 Findings answer_of_behr(const Question& q);
 Findings answer_of_langeveld(const Question& q);
 Findings answer_of_hanson_hansen(const Question& q);
-Findings answer_of_hanson_hansen_cones(const Question& q);  ///< of bits with cones
+Findings answer_of_hanson_hansen_cones(const Question& q);  ///< for bits with cones
 Findings answer_of_glowka(const Question& q);
 Findings answer_of_briggs(const Question& q);
 Findings answer_of_sheppard_lesage(const Question& q);

@@ -18,7 +18,7 @@ BehrOptions options_of(const CompareCase& c) {
   return o;
 }
 
-/// Mean in the bit's frame and mean size of the lateral forces of the run's steps.
+/// Mean in the bit's frame and mean magnitude of the lateral forces of the run's steps.
 void say_lateral_of(const CompareCase& c, const BehrRun& run, long first_step, Findings& f) {
   Eigen::Vector2d mean_B = Eigen::Vector2d::Zero();
   double side = 0.0;

@@ -35,14 +35,14 @@ inline double direction_of(const Eigen::Vector2d& force_B) {
   return std::atan2(force_B.y(), force_B.x());
 }
 
-/// Of models on spokes whose bit is free.
+/// For models on spokes with a free bit.
 inline void say_free_blanks(Findings& f) {
   cannot_say(f, Quantity::torque_noise_by_crossing, "its cutters are felt in every step");
   cannot_say(f, flats, no_wear);
   cannot_say(f, of_cones, no_cones);
 }
 
-/// For models whose axis is fixed: what they say of a whirling bit is said of a steady one.
+/// For models with a fixed axis: their results for a whirling bit are those of steady drilling.
 inline void note_whirl(const CompareCase& c, Findings& f) {
   if (c.ours.motion.kind == simulation::MotionKind::whirl)
     f.notes.emplace_back("no lateral motion: the numbers are those of the bit drilling steadily");

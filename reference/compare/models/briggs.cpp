@@ -22,7 +22,7 @@ BriggsBit sprockets_of(const CompareCase& c, const RollerBit& bit) {
   return briggs_bit(bit, 0, index, c.options.roller.tooth_half_angle, 2.0 * row->tooth_radius);
 }
 
-/// Mohr and Coulomb's cohesion of the case's rock, as strong as it is under its pressure.
+/// Mohr-Coulomb cohesion of the case's rock, with its strength under the case's pressure.
 CoulombRock coulomb_rock_of(const CompareCase& c) {
   const forces::Strength& s = c.ours.forces.rock.strengths.front();
   CoulombRock rock;

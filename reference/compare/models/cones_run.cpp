@@ -15,7 +15,7 @@ namespace {
 constexpr double turn_of_cones_bit = 2.0 * std::numbers::pi;
 
 void check_place(const HansonHansenCones& m) {
-  constexpr double aside = 0.02;  // m: as far as spokes reach beyond the teeth
+  constexpr double aside = 0.02;  // m, distance of the spokes' ends from the teeth
   const BitPlace place = place_in_rock(m.state);
   const double off = place.p_WB.head<2>().norm(), z = place.p_WB.z();
   if (off < aside && m.start_depth + z < m.bottom.frame.floor) return;

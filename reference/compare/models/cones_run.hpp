@@ -3,40 +3,40 @@
 #include "reference/compare/models/tooth_parts.hpp"
 #include "reference/literature/drag/spokes/hanson_hansen_cones.hpp"
 
-/// A run of Hanson and Hansen's roller cone bit, under a weight or on a string, and what it finds in the steps that
-/// count.
+/// A run of Hanson and Hansen's roller cone bit, under a weight or on a string, and its results
+/// over the counted steps.
 namespace tdbd::reference {
 
-/// Rock and cones of the case; string, step, rock to drill and the start are left to the caller.
+/// Sets rock and cones from the case. The caller sets string, step, rock to drill and start.
 ConesSetup cones_setup(const CompareCase& c, const RollerBit& bit);
 
-/// Steps of the run; those that count are at its end.
+/// Number of steps of the run; the counted steps are the last ones.
 struct ConesCount {
   long before = 0, counted = 0;
 };
 
-/// Sums over the steps that count.
+/// Sums over the counted steps.
 struct ConesSums {
   LoadSeries series;
   Eigen::Vector2d lateral_B = Eigen::Vector2d::Zero();  ///< N
   double side = 0.0;                                    ///< N
-  double squares = 0.0;          ///< m2, of the bit's distances from the hole's axis
-  std::vector<double> contacts;  ///< of each step
+  double squares = 0.0;          ///< m2, of the bit's distance from the hole's axis
+  std::vector<double> contacts;  ///< per step
   ToothNumbers teeth;            ///< sums over the steps
 };
 
-/// The model at the first step that counts, and what it did until the last.
+/// The model at the first counted step, and its results from there to the last step.
 struct ConesRun {
   HansonHansenState from;
-  std::vector<double> removed;  ///< m3, by each tooth from there on
+  std::vector<double> removed;  ///< m3, by each tooth, in the counted steps
   ConesSums sums;
 };
 
-/// Throws InputError ("Hanson and Hansen: ...") when the motion diverges or the bit leaves its rock.
+/// Throws InputError ("Hanson and Hansen: ...") if the motion diverges or the bit leaves its rock.
 ConesRun run_cones(HansonHansenCones& m, const ConesCount& n);
 
-/// Teeth, rows, cones, lateral forces over `weight` (N), the bottom, and the cost; not weight, torque, noise and rate.
-/// Volumes are those of `turns` of the bit.
+/// Sets the results for teeth, rows, cones, lateral forces over `weight` (N), bottom and run time,
+/// but not weight, torque, noise and rate. Volumes are those of `turns` revolutions of the bit.
 void say_cones_run(const CompareCase& c, const HansonHansenCones& m, const ConesRun& run,
                    double weight, double turns, Findings& f);
 

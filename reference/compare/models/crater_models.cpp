@@ -11,13 +11,12 @@
 #include "reference/literature/roller/craters/huang_cawthorne.hpp"
 #include "reference/literature/roller/craters/ma_zhou_deng.hpp"
 
-/// Ma, Zhou and Deng, and both ways of Huang and Cawthorne: teeth over craters, under a weight.
+/// Ma, Zhou and Deng, and both methods of Huang and Cawthorne: teeth over craters, under a weight.
 namespace tdbd::reference {
 namespace {
 
 constexpr double full_turn_of_bit = 2.0 * std::numbers::pi;
-constexpr double longest_crater_step =
-    0.25e-3;  // s: at 1 ms teeth lock into the prints before them
+constexpr double longest_crater_step = 0.25e-3;  // s: at 1 ms teeth lock into the previous prints
 
 RollerSchedule schedule_of(const Question& q, const std::string& model) {
   if (q.weight <= 0.0)
@@ -34,7 +33,7 @@ RollerSchedule schedule_of(const Question& q, const std::string& model) {
   return s;
 }
 
-/// What all of them take from the case.
+/// Sets the options that all these models take from the case.
 void take_case(const CompareCase& c, const RollerBit& bit, CraterDrillingOptions& drilling) {
   drilling.sliding.friction = tooth_friction(c, drilling.model);
   drilling.print.sphere_radius = largest_tooth(bit);
@@ -53,7 +52,7 @@ void say_cones_of_run(const CompareCase& c, const RollerRun& run, Findings& f) {
   say(f, Quantity::teeth_in_contact_variance, run.contacts_variance);
 }
 
-/// Of the model's own steps, those that count.
+/// Number of counted steps of the model, which has its own step size.
 std::size_t counted_of(const CompareCase& c, const RollerSchedule& schedule,
                        const RollerSeries& series) {
   const double steps =
@@ -61,7 +60,7 @@ std::size_t counted_of(const CompareCase& c, const RollerSchedule& schedule,
   return std::min(static_cast<std::size_t>(std::lround(steps)), series.torque.size());
 }
 
-/// Noise of the steps that count, and the mean size of their lateral force.
+/// Sets the noise of the counted steps, and the mean magnitude of their lateral force.
 void say_steps(const CompareCase& c, const RollerRun& run, const RollerSchedule& schedule,
                Findings& f) {
   const RollerSeries& s = run.series;

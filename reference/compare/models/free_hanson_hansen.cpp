@@ -13,10 +13,11 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr int free_depth_nodes = 2000;  // where the deepest of several z is read off
-constexpr double spare_depth = 50e-3;   // m, beyond what the start's rate would drill
+constexpr int free_depth_nodes = 2000;  // of the bottom as a function of r
+constexpr double spare_depth = 50e-3;   // m, in addition to what the initial rate would drill
 
-/// The setup leads no bit here: it starts as the case says, with the string's top where the case has it.
+/// The setup prescribes no motion here: the bit starts as in the case, and the string's top is
+/// where the case has it.
 HansonHansenPdc hanson_hansen_model(const CompareCase& c, const FreeString& s) {
   const dynamics::Wall& wall = c.ours.drilling.system.wall;
   HansonHansenSetup setup;
@@ -27,7 +28,7 @@ HansonHansenPdc hanson_hansen_model(const CompareCase& c, const FreeString& s) {
   setup.step = c.ours.time.step;
   setup.depth = s.start_rate * setup.step * static_cast<double>(c.ours.time.steps) + spare_depth;
   HansonHansenPdc m = hanson_hansen_pdc(c.ours.bit.cutters, setup);
-  m.system.top_z = s.top_z - s.z;  // its bit starts at z = 0
+  m.system.top_z = s.top_z - s.z;  // the model's bit starts at z = 0
   m.system.top_angle = s.top_angle;
   m.state[5] = s.start_rate;
   for (double& radius : m.wall.radius) radius += wall.clearance;

@@ -13,16 +13,17 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double spare_rock = 0.3;  // m, beyond what the start's rate would drill
+constexpr double spare_rock = 0.3;  // m, in addition to what the initial rate would drill
 constexpr double longest_free_step =
-    0.025e-3;  // s: at 0.1 ms light cones chatter in the friction of their teeth, which adds a fifth of torque
+    0.025e-3;  // s: at 0.1 ms light cones chatter due to the friction of their teeth, which adds a
+               // fifth to the torque
 
-/// Steps of the model in one of the case.
+/// Number of steps of the model per step of the case.
 long steps_in_one(const CompareCase& c) {
   return std::max(1L, std::lround(std::ceil(c.ours.time.step / longest_free_step - 1e-9)));
 }
 
-/// The bit starts above flat rock that its lowest tooth touches, as it moves in the case.
+/// The bit starts above flat rock that its lowest tooth touches, with the motion of the case.
 HansonHansenCones model_on_string(const CompareCase& c, const RollerBit& bit, const FreeString& s) {
   ConesSetup setup = cones_setup(c, bit);
   setup.system = hanson_hansen_system(c, s);
@@ -31,7 +32,7 @@ HansonHansenCones model_on_string(const CompareCase& c, const RollerBit& bit, co
   setup.depth =
       s.start_rate * c.ours.time.step * static_cast<double>(c.ours.time.steps) + spare_rock;
   HansonHansenCones m = hanson_hansen_cones(bit, setup);
-  m.system.top_z = s.top_z - s.z;  // its bit starts at z = 0
+  m.system.top_z = s.top_z - s.z;  // the model's bit starts at z = 0
   m.system.top_angle = s.top_angle;
   m.state[5] = s.start_rate;
   return m;

@@ -45,7 +45,7 @@ Langeveld langeveld_model(const CompareCase& c, const FreeString& s) {
                    {0, 0, s.z, 0, 0, 0, s.start_rate, s.speed});
 }
 
-/// Where spokes end nothing is known of the rock.
+/// Throws if the bit is where the spokes end, because the rock beyond them is not known.
 void check_on_spokes(const Langeveld& m) {
   const double off = std::hypot(m.state[0], m.state[1]);
   if (off > free_margin && off < 1.0)
@@ -55,7 +55,7 @@ void check_on_spokes(const Langeveld& m) {
         off, m.time));
 }
 
-/// Each node stands for its share of ring and of sector.
+/// Each node represents its share of ring and sector.
 double hole_volume(const Spokes& bottom) {
   double sum = 0.0;
   for (std::size_t i = 0; i < bottom.depth.size(); ++i)

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double free_circle = 2.0 * std::numbers::pi;
 
-/// Sums over the steps that count.
+/// Sums over the counted steps.
 struct FreeSums {
   LoadSeries series;
   Eigen::Vector2d lateral_B = Eigen::Vector2d::Zero();  ///< N
   double side = 0.0;                                    ///< N
   std::vector<Vec3> force_B;                            ///< N, on each cutter
   std::vector<double> area;                             ///< m2, of each
-  long backwards = 0;                                   ///< cutters that move with their back ahead
+  long backwards = 0;                                   ///< number of cutters that move backwards
 };
 
 void add_tips(const CompareCase& c, const FreeInstant& at, FreeSums& sums) {

@@ -11,11 +11,11 @@ using dynamics::AxialMode;
 using dynamics::DamperEnd;
 using dynamics::DrillingSystem;
 
-constexpr double soft = 1e3;  // m that a spring in place of a load is stretched
+constexpr double soft = 1e3;  // m, elongation of a spring that replaces a load
 
 bool is_constant(const dynamics::Schedule& s) { return s.values.size() <= 1; }
 
-/// What all such models need of the case.
+/// Checks what all such models require of the case.
 void check_string(const CompareCase& c, const std::string& model, StartRock rock) {
   const DrillingSystem& s = c.ours.drilling.system;
   const auto refuse = [&](const char* found, const char* needs) {
@@ -33,7 +33,7 @@ void check_string(const CompareCase& c, const std::string& model, StartRock rock
     refuse("string.axial_stiffness = 0", "a spring or motion.weight_on_bit");
 }
 
-/// The axial spring and where its top is, so that it starts with what the case says.
+/// Sets the axial spring and the position of its top, so that it starts with the case's load.
 void set_axial(const CompareCase& c, FreeString& f) {
   const DrillingSystem& s = c.ours.drilling.system;
   const double rate = dynamics::value_at(s.top.rate, 0.0),

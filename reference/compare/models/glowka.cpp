@@ -11,8 +11,8 @@ namespace {
 
 constexpr double absolute_zero = 273.15;  // K
 
-/// Laws that give eps and zeta eps times the area of a virgin groove of the reference depth, of the
-/// bit's first cutter: one law for all.
+/// Laws that give eps and zeta eps times the area of a virgin groove of the reference depth, for
+/// the bit's first cutter. One law applies to all cutters.
 GlowkaLaw law_of(const CompareCase& c) {
   const GlowkaSettings& s = c.options.glowka;
   const double area = virgin_area(glowka_face(c.ours.bit.cutters.front()), s.reference_depth);
@@ -69,7 +69,7 @@ void say_loads_of_cutters(const Asked& a, const GlowkaLoads& loads, Findings& f)
   say_cutters(a.c, numbers, f);
 }
 
-/// Flats and temperatures after the case's distance.
+/// Sets flats and temperatures after the case's distance.
 void say_wear(const Asked& a, Findings& f) {
   const GlowkaSettings& s = a.c.options.glowka;
   if (!s.flat_stress || !s.wear_coefficient)

@@ -8,7 +8,7 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr int depth_nodes = 2000;  // where the deepest of several z is read off
+constexpr int depth_nodes = 2000;  // of the bottom as a function of r
 
 }  // namespace
 

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double longest_cones_step = 0.1e-3;  // s
 constexpr double settling = 3.0;               // s: until flat rock has become the bit's own bottom
-constexpr double spring_length = 10.0;         // m: its force keeps within 0.1 % over 10 mm
+constexpr double spring_length = 10.0;         // m: its force changes by at most 0.1 % over 10 mm
 constexpr double rock_to_drill = 0.5;          // m
-constexpr double heavy_inertia = 1e6;          // kg m2: the bit turns evenly
+constexpr double heavy_inertia = 1e6;          // kg m2: the bit rotates uniformly
 
 ConesSetup setup_of(const Question& q, const RollerBit& bit) {
   const CompareCase& c = q.asked;

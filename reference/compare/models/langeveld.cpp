@@ -17,7 +17,7 @@ LangeveldRock rock_around(const CompareCase& c, const std::vector<SpokeCutter>& 
                       spoke_reach(c));
 }
 
-/// A rim goes into the wall only in whirl.
+/// A rim can enter the wall only in whirl.
 LangeveldContact contact_of(const CompareCase& c, const std::vector<SpokeCutter>& cutters) {
   LangeveldContact contact;
   if (c.ours.motion.kind == simulation::MotionKind::whirl)

@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// The case's schedule: the same steps, means over the same revolutions.
+/// The case's schedule: the same steps, and means over the same revolutions.
 ContactSchedule contact_schedule(const CompareCase& c, const RollerBit& bit) {
   ContactSchedule s;
   s.ratios.assign(bit.cones.size(), c.options.roller.cone_ratio.value_or(outer_rolling_ratio(bit)));
@@ -22,14 +22,14 @@ ContactSchedule contact_schedule(const CompareCase& c, const RollerBit& bit) {
   return s;
 }
 
-/// A tooth's share of the time in contact is the mean number of that one tooth.
+/// The share of time in which a tooth is in contact is the mean number of contacts of that tooth.
 void say_contacts(const CompareCase& c, const RollerBit& bit, const ContactRun& run, Findings& f) {
   say(f, Quantity::teeth_in_contact, run.mean);
   say(f, Quantity::teeth_in_contact_variance, run.variance);
   say_teeth_and_sums(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
 }
 
-/// What the closed form says, where the bit is one that it takes.
+/// The result of the closed form, if the bit satisfies its assumptions.
 std::string statistics_of(const RollerBit& bit, const ContactSchedule& s) {
   try {
     const ContactStatistics all = bit_contact(bit, s.ratios, s.bit_speed, s.penetration).all;

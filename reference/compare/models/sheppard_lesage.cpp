@@ -11,7 +11,8 @@
 namespace tdbd::reference {
 namespace {
 
-/// The rows of a bit that are bands, and which rows of its cones they are. A tooth on a journal is none.
+/// The rows of a bit that are bands, and their indices in its cones. A tooth on a journal is not a
+/// band.
 struct Bands {
   RollerBit bit;
   std::vector<std::vector<std::size_t>> rows;

@@ -13,7 +13,7 @@ using simulation::Simulation;
 
 constexpr double full_circle = 2.0 * std::numbers::pi;
 
-/// The run at an instant: what it has turned and removed by then.
+/// State of the run at a time: rotation and removed volume so far.
 struct Reading {
   double turned = 0.0;          ///< rad
   double z = 0.0;               ///< m, in the rock
@@ -28,7 +28,7 @@ Reading reading_of(const TdbdSums& sums, const Simulation& s) {
           s.state.ledger.removed.value()};
 }
 
-/// The bottom on a circle: that of spokes with one node each, at its radius.
+/// The bottom on a circle: spokes with one node each, at its radius.
 BottomCircle bottom_of(const CompareCase& c, const Simulation& s) {
   const Spokes nodes = spokes_of(mesh::compact(s.state.rock.surface), 2.0 * c.options.circle,
                                  c.options.circle_samples, 1);

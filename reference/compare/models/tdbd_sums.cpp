@@ -13,19 +13,19 @@ namespace {
 
 using simulation::CutOfPart;
 
-/// The ring of a row at the depth of usual prints.
+/// Penetration at which the ring of a row is evaluated, typical of prints.
 constexpr double usual_print = 1e-3;  // m
 
 bool is_of_face(bit::PartKind kind) { return kind == bit::PartKind::face; }
 
-/// The area in the half-plane through the axis that a step's cut sweeps: area normal to the motion,
-/// seen along the circle about the axis.
+/// The area that a step's cut sweeps in the half-plane through the axis: the area normal to the
+/// motion, projected along the circle about the axis.
 double area_in_half_plane(const forces::PartCut& cut) {
   const double along = cut.velocity.head<2>().norm();
   return along > 0.0 ? cut.cut_area * cut.velocity.norm() / along : 0.0;
 }
 
-/// To its piece, and to those that contain it.
+/// Adds a cut to its piece and to the pieces that contain it.
 void add_cut(const simulation::Case& c, const simulation::Simulation& s, const CutOfPart& cut,
              TdbdSums& sums) {
   const simulation::PartLoad& load = s.work.loads.parts[at(cut.part)];
@@ -47,7 +47,7 @@ void add_cuts(const simulation::Case& c, const simulation::Simulation& s, TdbdSu
   double teeth = 0.0;
   int last = -1;
   for (const CutOfPart& cut : s.work.cuts) {
-    // A part that touches rock below and beside it has two cuts in succession, and one load.
+    // A part that touches rock below and beside it has two consecutive cuts and one load.
     if (std::exchange(last, cut.part) == cut.part) continue;
     add_cut(c, s, cut, sums);
     if (cut.cut.kind == bit::PartKind::tooth) teeth += 1.0;
@@ -75,7 +75,7 @@ int add_piece(TdbdSums& sums, const std::string& name, double radius, int whole)
   return static_cast<int>(sums.pieces.size()) - 1;
 }
 
-/// A cone with its rows; the shell's parts belong to the cone alone.
+/// Adds a cone with its rows. The parts of the shell belong to the cone alone.
 void start_cone(const simulation::Case& c, std::size_t k, TdbdSums& sums) {
   const bit::Cone& cone = c.bit.cones[k];
   const int whole = add_piece(sums, cone.name, 0.0, -1);

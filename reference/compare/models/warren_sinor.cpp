@@ -6,8 +6,8 @@
 namespace tdbd::reference {
 namespace {
 
-/// Width of the columns, m: at the gage, where rims are steep, five times wider ones shift 5 % of an
-/// area to a neighbour.
+/// Width of the columns, m. At the gage, where rims are steep, columns five times wider assign 5 %
+/// of an area to a neighbour.
 constexpr double plane_column = 0.01e-3;
 
 void say_plane_cutters(const CompareCase& c, const WarrenSinorLoad& load, Findings& f) {

@@ -13,7 +13,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// The function, and how often it was asked.
+/// The function, and the number of its evaluations.
 struct Counted {
   const std::function<double(double)>& f;
   int evaluations = 0;

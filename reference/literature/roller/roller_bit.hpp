@@ -6,11 +6,11 @@
 
 namespace tdbd::reference {
 
-/// Equal teeth around a cone, as the models of chapter 2 draw them: spheres about their tips.
+/// Equal teeth around a cone, as in the models of thesis chapter 2: spheres about their tips.
 struct RollerRow {
   double along = 0.0;          ///< L, m, along the journal, outwards from the foot of the common
                                ///< perpendicular of journal and bit axis
-  double radius = 0.0;         ///< rho, m, of the teeth's points from the journal
+  double radius = 0.0;         ///< rho, m, distance of the teeth's tips from the journal
   double tooth_radius = 0.0;   ///< m, of the sphere
   std::vector<double> angles;  ///< gamma_0, rad about the journal; 0: lowest
 };
@@ -25,13 +25,13 @@ struct RollerCone {
   std::vector<RollerRow> rows;
 };
 
-/// A roller cone bit: its cones alone.
+/// The cones of a roller cone bit.
 struct RollerBit {
   std::vector<RollerCone> cones;
 };
 
-/// Right-handed axes of a cone's journal in the frame (e_r, e_t, e_z) of its azimuth, unit: `s` along the
-/// journal, inwards and down, `u` across it, down, s x u = e_t.
+/// Right-handed unit axes of a cone's journal in the frame (e_r, e_t, e_z) of its azimuth: `s`
+/// along the journal, inwards and down; `u` perpendicular to it, down; s x u = e_t.
 struct JournalAxes {
   Vec3 s, u;
 };

@@ -8,8 +8,8 @@
 namespace tdbd::reference {
 namespace {
 
-/// Integral of density (x2 + y2) over the solid in the mesh, in K, kg m2: tetrahedra from K's
-/// origin.
+/// Integral of density (x2 + y2) over the solid in the mesh, in K, kg m2, as a sum over tetrahedra
+/// from K's origin.
 double inertia_about_the_journal(const bit::Part& part, const Pose& X_KP) {
   double sum = 0.0;
   for (const mesh::Triangle& t : part.mesh_P.triangles) {
@@ -37,15 +37,16 @@ double ball_radius(const bit::ToothShape& shape) {
   return shape.crest_width / 2.0;
 }
 
-/// How far the common perpendicular of a skewed journal and the bit's axis meets the journal inwards of
-/// the layout's foot, m. The line of a skewed journal is that of a plain one at another azimuth: from the
-/// plain one's side, the layout's foot is off its plane by offset * sin(skew).
+/// Distance, m, from the layout's foot inwards to the point where the common perpendicular of a
+/// skewed journal and the bit's axis meets the journal. The line of a skewed journal is that of a
+/// journal without skew at another azimuth. The layout's foot is outside the plane of the latter by
+/// offset * sin(skew).
 double inwards_of_the_foot(const bit::ConeLayout& layout) {
   return layout.offset * std::sin(layout.skew) / std::cos(layout.journal_angle);
 }
 
-/// Adds a tooth to its row, at the height of its mesh on its axis. `origin`: m, of the cone's frame along
-/// the journal from the foot of the common perpendicular, inwards.
+/// Adds a tooth to its row, at the height of its mesh on its axis. `origin`: position, m, of the
+/// cone's frame along the journal, inwards from the foot of the common perpendicular.
 void add_tooth(RollerRow& row, const bit::Part& tooth, const Pose& X_KP, double origin) {
   double height = 0.0;
   for (const Vec3& x_P : tooth.mesh_P.positions) height = std::max(height, x_P.z());
@@ -61,7 +62,7 @@ void need_rows(const bit::Cone& cone, const std::string& model) {
                      " without rows of teeth, expected a cone that is drawn, not read from meshes");
 }
 
-/// A skewed journal along the bit's axis has no azimuth to turn.
+/// Throws for a skewed journal along the bit's axis, which has no azimuth to rotate.
 void need_an_azimuth(const bit::Cone& cone, const std::string& model) {
   constexpr double least_cosine = 1e-6;
   if (cone.layout.skew != 0.0 && std::cos(cone.layout.journal_angle) < least_cosine)

@@ -11,15 +11,15 @@
 namespace tdbd::reference {
 namespace {
 
-using Edge = std::pair<int, int>;  // corners, the lesser first
+using Edge = std::pair<int, int>;  // corners, the smaller first
 
-/// Where the plane enters a triangle, and where it leaves.
+/// Where the plane enters and leaves a triangle.
 struct Passage {
   Edge out;
   Vec2 x_in, x_out;
 };
 
-/// By the edge of entry, crossed from the plane's lower side to its upper.
+/// Passages by their edge of entry, which crosses the plane from its lower to its upper side.
 std::map<Edge, Passage> passages(const mesh::TriangleMesh& rock_W, const SpokePlane& plane) {
   std::map<Edge, Passage> all;
   for (const mesh::Triangle& t : rock_W.triangles) {

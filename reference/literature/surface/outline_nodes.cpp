@@ -14,7 +14,7 @@ bool on_one_side(const SpokeFrame& f, const Vec2& a, const Vec2& b) {
 
 bool is_on(const SpokeFrame& f, const Vec2& a) { return on_one_side(f, a, a); }
 
-/// The area that removing a node would change, m2; infinite if it must stay.
+/// The change of area due to the removal of a node, m2; infinite if it must stay.
 double cost_of_dropping(const SpokeFrame& f, double spacing, const Vec2& before, const Vec2& node,
                         const Vec2& after) {
   if (on_one_side(f, before, node) && on_one_side(f, node, after) && on_one_side(f, before, after))
@@ -25,7 +25,7 @@ double cost_of_dropping(const SpokeFrame& f, double spacing, const Vec2& before,
   return std::abs(a.x() * b.y() - a.y() * b.x()) / 2.0;
 }
 
-/// The node whose removal changes least; the number of nodes if none may be removed.
+/// The node whose removal changes the area least; the number of nodes if none may be removed.
 std::size_t cheapest(const Outline& outline, const SpokeFrame& f, double spacing) {
   const std::size_t n = outline.size();
   std::size_t best = n;

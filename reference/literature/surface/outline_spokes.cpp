@@ -19,7 +19,7 @@ SpokeFrame rounded(const SpokeFrame& frame) {
 
 /// Whether the line from a to b enters the convex outline deeper than least_depth.
 bool enters(const Outline& tool, const Vec2& a, const Vec2& b) {
-  double from = 0.0, to = 1.0;  // share of the line
+  double from = 0.0, to = 1.0;  // fractions of the line
   for (std::size_t i = 0; i < tool.size(); ++i) {
     const Vec2 edge = (tool[(i + 1) % tool.size()] - tool[i]).normalized(),
                inwards(-edge.y(), edge.x());
@@ -38,15 +38,14 @@ bool meets(const Outline& tool, const Outline& surface) {
   return false;
 }
 
-/// Whether there is rock in the convex outline. If no line of the rock enters it, one point
-/// decides.
+/// Whether the convex outline contains rock. If no line of the rock enters it, one point is tested.
 bool meets(const Outline& tool, const PlanarFace& rock) {
   const Vec2 middle = (tool[0] + tool[1] + tool[2]) / 3.0;
   return meets(tool, rock.border) || encloses(rock, middle) ||
          std::ranges::any_of(rock.cavities, [&](const Outline& c) { return meets(tool, c); });
 }
 
-/// The piece with the frame's outer lower corner.
+/// The piece with the frame's outer lower corner, or null.
 const PlanarFace* held(const PlanarRegion& pieces, const SpokeFrame& frame) {
   for (const PlanarFace& face : pieces)
     if (std::ranges::find(face.border, Vec2(frame.radius, frame.floor)) != face.border.end())
@@ -56,7 +55,7 @@ const PlanarFace* held(const PlanarRegion& pieces, const SpokeFrame& frame) {
 
 double sector(const OutlineSpokes& rock) { return 2.0 * std::numbers::pi / rock.spokes(); }
 
-/// One spoke without what the tools enclose.
+/// Subtracts from one spoke what the tools enclose.
 OutlineCut take_away(const OutlineSpokes& rock, PlanarFace& face,
                      const std::vector<Outline>& tools) {
   const PlanarRegion left = without_all({face}, tools);
@@ -67,8 +66,7 @@ OutlineCut take_away(const OutlineSpokes& rock, PlanarFace& face,
   return {sector(rock) * (before - after), sector(rock) * (moment({face}) - after)};
 }
 
-/// The deepest place of the rock's surface at a radius: its last but one crossing, the last being
-/// the floor.
+/// The deepest place of the rock's surface at a radius: the last crossing before the floor.
 double deepest(const PlanarFace& face, const SpokeFrame& frame, double r) {
   double z = -INFINITY;
   const auto look = [&](const Outline& outline) {

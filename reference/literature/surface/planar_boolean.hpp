@@ -4,16 +4,16 @@
 
 namespace tdbd::reference {
 
-/// Regularised booleans in the plane, by Boost.Polygon: exact on the points of a grid of 1 nm, to
-/// which all coordinates are rounded before and after. So an edge moves by up to 1 nm, and
-/// crossings, folds and coinciding edges that rounding causes are resolved by the next boolean.
-/// |coordinates| below 2 m; throws std::invalid_argument beyond.
+/// Regularised booleans in the plane, by Boost.Polygon. They are exact on the points of a grid of 1
+/// nm, to which all coordinates are rounded before and after. So an edge moves by up to 1 nm;
+/// crossings, folds and coinciding edges due to rounding are resolved by the next boolean.
+/// |coordinates| must be below 2 m; otherwise throws std::invalid_argument.
 inline constexpr double planar_grid = 1e-9;  ///< m
 
 /// The nearest point of the grid.
 Vec2 on_grid(const Vec2& x);
 
-/// The region without what the outline encloses; without what any of them encloses.
+/// The region without the part that the outline encloses, or that any of the outlines encloses.
 PlanarRegion without(const PlanarRegion& region, const Outline& tool);
 PlanarRegion without_all(const PlanarRegion& region, const std::vector<Outline>& tools);
 

@@ -18,7 +18,7 @@ double over_faces(const PlanarRegion& region, const Measure& signed_measure) {
   return sum;
 }
 
-/// One side of the convex outline: of points in order, those at which it turns to the left.
+/// One side of the convex hull: of points in order, those at which it turns left.
 void add_side(Outline& outline, const std::vector<Vec2>& in_order) {
   const std::size_t first = outline.size();
   for (const Vec2& x : in_order) {
@@ -42,7 +42,7 @@ double signed_area(const Outline& outline) {
 }
 
 double signed_moment(const Outline& outline) {
-  double sum = 0.0;  // triangles from the first point: doubled area times three mean radii
+  double sum = 0.0;  // triangles from the first point: doubled area times sum of radii
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 &a = outline[0], &b = outline[i], &c = outline[(i + 1) % outline.size()];
     sum += cross(b - a, c - a) * (a.x() + b.x() + c.x());

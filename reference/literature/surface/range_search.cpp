@@ -7,7 +7,7 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr std::size_t most_open = 64;  // more halvings than an int's points allow
+constexpr std::size_t most_open = 64;  // more levels than the range of int allows
 
 bool inside(const SearchBox& box, const Vec3& x) {
   return (x.array() >= box.lo.array()).all() && (x.array() <= box.hi.array()).all();

@@ -6,31 +6,32 @@
 
 namespace tdbd::reference {
 
-/// A box along the axes, m; points on its sides are inside.
+/// An axis-aligned box, m. Points on its sides are inside.
 struct SearchBox {
   Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();
 };
 
-/// Orthogonal range search over points, twin of our vertex index. Thesis 4.1.1 finds the rock's
-/// vertices in the motion box of a part (the box around the part in both its places) with a
-/// library, PiRaT by P. Krysl, of which we have seen the name only. This one is the textbook's k-d
-/// tree: points halved along the longest side of the box around them, down to leaves of a few. A
-/// query costs the nodes that its box meets and the points that it holds.
+/// Orthogonal range search over points, twin of the vertex index. Thesis 4.1.1 finds the rock's
+/// vertices in the motion box of a part (the box around the part in both positions) with a library,
+/// PiRaT by P. Krysl, of which only the name is known to us. This is a standard k-d tree: points
+/// are halved along the longest side of their bounding box, down to leaves with a few points. The
+/// run time of a query is proportional to the nodes that its box meets and the points that it
+/// contains.
 class RangeSearch {
  public:
-  /// Points by their number: positions[i] has the number i.
+  /// The number of a point is its index in `positions`.
   explicit RangeSearch(const std::vector<Vec3>& positions);
 
-  /// After points have moved, with the same numbers: boxes of all nodes anew. The halves stay as
-  /// they were, so a tree whose points move far gets slower, not wrong.
+  /// Recomputes the boxes of all nodes after points have moved, with the same numbers. The tree
+  /// structure is kept, so queries become slower, but not wrong, if points move far.
   void refit(const std::vector<Vec3>& positions);
 
-  /// Writes the numbers of all points in the box, in the order of the tree, reusing `found`.
+  /// Writes the numbers of all points in the box, in the order of the tree, to `found`.
   void find(const SearchBox& box, std::vector<int>& found) const;
 
  private:
   static constexpr int leaf_size = 8;
-  /// The points from `first` to `last`; the halves are the nodes `near` and `far`, 0 for a leaf.
+  /// The points from `first` to `last`. The child nodes are `near` and `far`, 0 for a leaf.
   struct Node {
     SearchBox around;
     int first = 0, last = 0, near = 0, far = 0;
@@ -39,7 +40,7 @@ class RangeSearch {
   int split(const std::vector<Vec3>& positions, int first, int last);
   void surround(Node& node) const;
 
-  std::vector<Node> nodes_;  ///< halves after the whole
+  std::vector<Node> nodes_;  ///< children after their parent
   std::vector<int> numbers_;
   std::vector<Vec3> points_;  ///< in the order of numbers_
 };

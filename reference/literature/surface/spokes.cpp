@@ -21,7 +21,7 @@ struct Span {
   }
 };
 
-/// Spokes that may meet a facet, from first to last; numbers run on past the full turn.
+/// Spokes that may meet a facet, from first to last. Numbers continue past the full turn.
 struct Range {
   int first, last;
 };
@@ -47,7 +47,7 @@ Range spokes_across(const Spokes& rock, const Facet& f) {
           static_cast<int>(std::floor(angle.hi * per_spoke))};
 }
 
-/// Where a facet begins and ends along a spoke: radius, and depth there.
+/// The interval of a facet along a spoke: radius, and depth at both ends.
 struct Cut {
   double r_lo = INFINITY, r_hi = -INFINITY, z_lo = 0.0, z_hi = 0.0;
 
@@ -60,7 +60,7 @@ struct Cut {
   }
 };
 
-/// The facet in the plane of a spoke.
+/// The intersection of a facet with the plane of a spoke.
 Cut cut_by_plane(const Facet& f, const SpokePlane& plane) {
   Cut cut;
   for (std::size_t i = 0; i < 3; ++i)

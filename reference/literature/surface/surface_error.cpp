@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// The ring of a radius: index of the last of `radii` at or below it; -1 outside all.
+/// The ring of a radius: index of the last of `radii` at or below it; -1 outside all rings.
 int ring_of(const std::vector<double>& radii, double r) {
   if (r < radii.front() || r >= radii.back()) return -1;
   return static_cast<int>(std::upper_bound(radii.begin(), radii.end(), r) - radii.begin()) - 1;
@@ -24,7 +24,7 @@ double percentile(std::vector<double>& sorted_in_part, double share) {
   return *place;
 }
 
-/// The figures of one ring, from its distances along the normal.
+/// The error statistics of one ring, from its distances along the normal.
 SurfaceError summed(std::vector<double>& along_normal) {
   SurfaceError e;
   e.samples = static_cast<long>(along_normal.size());

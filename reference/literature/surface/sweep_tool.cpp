@@ -17,15 +17,15 @@ std::vector<Vec3> corners_B(const bit::Bit& bit, int cutter) {
   return corners;
 }
 
-/// Twice the area in plan view, positive if the triangle faces down, along z.
+/// Twice the area projected along z, positive if the triangle faces down.
 double doubled_plan_area(const mesh::TriangleMesh& m, const mesh::Triangle& t) {
   const Vec3 &a = m.positions[t[0]], &b = m.positions[t[1]], &c = m.positions[t[2]];
   return (b - a).cross(c - a).z();
 }
 
-/// The cutter's Z of a point of its sweep: the lesser of those at both ends of the step.
+/// The cutter's Z of a point of its sweep: the smaller of those at both ends of the step.
 struct Depth {
-  Pose X_CB, X_CB0;  ///< from the frame of the step's end: as if placed at the end, at the start
+  Pose X_CB, X_CB0;  ///< from the frame of the step's end: for the pose at the end, at the start
   double operator()(const Vec3& x_B) const { return std::min((X_CB * x_B).z(), (X_CB0 * x_B).z()); }
 };
 

@@ -14,7 +14,7 @@ struct PartFacet {
 };
 
 struct CellRange {
-  int first, last;  ///< both included
+  int first, last;  ///< inclusive
 };
 
 /// Cells along x (axis 0) or y (axis 1) that the facet may cover.
@@ -27,17 +27,17 @@ CellRange covered(const ZMap& rock, const PartFacet& f, int axis) {
 
 double plan_cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// Depth of the facet at (x, y) if it covers that point, else `otherwise`.
+/// Depth of the facet at (x, y) if it covers that point, otherwise `otherwise`.
 double depth_at(const PartFacet& f, const Vec2& x, double otherwise) {
   const Vec2 a = f.a.head<2>(), ab = f.b.head<2>() - a, ac = f.c.head<2>() - a;
   const double area = plan_cross(ab, ac);
-  if (area == 0.0) return otherwise;  // upright: its neighbours cover its cells
+  if (area == 0.0) return otherwise;  // vertical: its neighbours cover its cells
   const double beta = plan_cross(x - a, ac) / area, gamma = plan_cross(ab, x - a) / area;
   if (beta < 0.0 || gamma < 0.0 || beta + gamma > 1.0) return otherwise;
   return f.a.z() + beta * (f.b.z() - f.a.z()) + gamma * (f.c.z() - f.a.z());
 }
 
-/// Lower the cells under one facet; return the sum of what their heights changed by.
+/// Lowers the cells under one facet. Returns the sum of the changes of their heights.
 double cut_facet(ZMap& rock, const PartFacet& f) {
   const CellRange columns = covered(rock, f, 0), rows = covered(rock, f, 1);
   double change = 0.0;

@@ -7,11 +7,11 @@
 namespace tdbd::reference {
 namespace {
 
-/// Corners by y, so that two facets treat their common edge alike.
+/// Corners sorted by y, so that two facets treat their common edge identically.
 using Facet = std::array<Vec3, 3>;
 
-/// Where a facet begins and ends along a line y: x, and z there. Depths between these never leave
-/// the facet's own, however steep it is.
+/// The interval of a facet along a line y: x and z at both ends. Depths in between never leave the
+/// facet's own range, however steep it is.
 struct RowSpan {
   double x_lo, x_hi, z_lo, z_hi;
 };
@@ -23,8 +23,8 @@ Facet facet(Vec3 a, Vec3 b, Vec3 c) {
   return {a, b, c};
 }
 
-/// The edge from `a` up to `b` at the line y; b.y() > a.y(). Clamped: rows are found by rounding,
-/// and beside an almost level edge a rounding error is a long distance.
+/// The edge from `a` up to `b` at the line y; b.y() > a.y(). Clamped, because rows are found by
+/// rounding, and at an almost horizontal edge a rounding error is a long distance.
 Vec3 at(const Vec3& a, const Vec3& b, double y) {
   return a + std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) * (b - a);
 }
@@ -38,7 +38,8 @@ RowSpan extent(const Facet& f, double y) {
   return {near.x(), far.x(), near.z(), far.z()};
 }
 
-/// Grid coordinates: the cell whose centre is the first at or after x, the last at or before it.
+/// Grid coordinates: the first cell whose centre is at or after x, and the last one at or before
+/// it.
 struct Grid {
   double half, cell, per_cell;
   int cells;
@@ -52,7 +53,7 @@ struct Grid {
   }
 };
 
-/// Lowers cells of one row; returns the sum of the changes.
+/// Lowers cells of one row. Returns the sum of the changes.
 double cut_row(double* height, int count, double depth, double step) {
   double change = 0.0;
   for (int k = 0; k < count; ++k) {

@@ -15,13 +15,13 @@ bool is_of_gage_row(const Bit& bit, const Part& part) {
   return at(part.row) < rows.size() && rows[at(part.row)].place == RowPlace::gage;
 }
 
-/// Whether a criterion is not given, or is the part's own.
+/// Whether a criterion is absent or equal to the part's own value.
 template <class T>
 bool meets(const std::optional<T>& criterion, const T& own) {
   return !criterion || *criterion == own;
 }
 
-/// Notes each pair of rules once.
+/// Adds a pair of rules unless it is already there.
 void note_disagreement(int first, int second, int part, std::vector<Disagreement>& all) {
   const auto same = [&](const Disagreement& d) { return d.first == first && d.second == second; };
   if (std::ranges::none_of(all, same)) all.push_back({first, second, part});

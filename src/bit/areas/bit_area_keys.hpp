@@ -3,8 +3,8 @@
 #include "bit/part_kind.hpp"
 #include "core/config/key.hpp"
 
-/// What an area of a bit file gives its parts ([areas.NAME]), beside the keys that select them
-/// (area_keys.hpp).
+/// Properties that an area of a bit file gives its parts ([areas.NAME]), besides the keys that
+/// select the parts (area_keys.hpp).
 namespace tdbd::bit::bit_area_keys {
 
 inline constexpr TableKey table{
@@ -26,8 +26,9 @@ inline constexpr ChoiceKey<Material> material{
         "its density, in place of density: steel 7850, tungsten-carbide (cemented, with 6 % of "
         "cobalt) 14900, pdc-diamond 3500 kg/m3"};
 
-/// kg/m3: of carbon steel, of cemented carbide with 6 % of cobalt by weight (ASM Handbook, vols. 1 and
-/// 2), and of diamond (CRC Handbook: 3.51 g/cm3), as cutters and teeth have them by default.
+/// Densities in kg/m3: of carbon steel, of cemented carbide with 6 % of cobalt by weight (ASM
+/// Handbook, vols. 1 and 2), and of diamond (CRC Handbook: 3.51 g/cm3). They are the defaults of
+/// cutters and teeth.
 constexpr double density_of(Material m) {
   switch (m) {
     case Material::steel:

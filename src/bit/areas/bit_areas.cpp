@@ -16,7 +16,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// A value per area that gives the property, and its text.
+/// Per area, the value of the property, if given, and its text.
 struct Values {
   std::vector<std::optional<double>> of_area;
   std::vector<std::string> shown;
@@ -40,7 +40,7 @@ std::string name_of(Material material) {
   return "";
 }
 
-/// `materials`: per area, the name of the one that it gives.
+/// `materials`: per area, the name of its material.
 Values read_densities(Areas& areas, std::vector<std::string>& materials) {
   Values v(areas.tables.size());
   materials.resize(areas.tables.size());
@@ -83,7 +83,7 @@ Values read_shares(Areas& areas) {
   return v;
 }
 
-/// Notes a pattern of cutters that no cutter of the bit meets.
+/// Records a mistake if the pattern matches no cutter of the bit.
 std::string read_worn_names(Config& c, const Bit& bit) {
   if (!c.has(bit_area_keys::worn_names)) return "*";
   const std::string pattern = c.read(bit_area_keys::worn_names);
@@ -115,7 +115,7 @@ std::string shown_start(const GivenStart& start) {
                      start.event == StartEvent::depth ? "m" : "s");
 }
 
-/// Notes a second start of an area.
+/// Records a mistake if an area has two starts.
 void require_one_start(Config& c) {
   std::string_view first;
   for (const QuantityKey* key :
@@ -155,7 +155,7 @@ void require_known_removal(Areas& areas) {
                             "cutting, share, from_depth, from_time, from_wear or worn_names");
 }
 
-/// An area that gives nothing is one whose keys were forgotten.
+/// Records a mistake for an area without properties; their keys were probably forgotten.
 void require_properties(Areas& areas, const std::vector<const Values*>& properties) {
   for (std::size_t i = 0; i < areas.tables.size(); ++i)
     if (std::ranges::none_of(properties,
@@ -216,7 +216,8 @@ void apply_cutting(Areas& areas, const Values& v, Bit& bit) {
   }
 }
 
-/// Rock beside a body or a cone's shell never leaves it: there are no passes that end.
+/// Whether a part passes over rock: rock beside a body or a cone's shell never leaves it, so its
+/// passes do not end.
 bool passes_over_rock(const Part& part) {
   return part.kind != PartKind::bit_body && part.kind != PartKind::cone;
 }
@@ -265,7 +266,7 @@ bool has_layout(const Bit& bit, const Part& part) {
   return part.cone >= 0 && !bit.cones[static_cast<std::size_t>(part.cone)].layout.shell.empty();
 }
 
-/// The parts of the cones as their layouts have them, by name.
+/// The parts of the cones according to their layouts, by name.
 std::map<std::string, Part> parts_of_layouts(const Bit& bit) {
   std::map<std::string, Part> parts;
   for (std::size_t k = 0; k < bit.cones.size(); ++k)

@@ -8,21 +8,22 @@
 
 namespace tdbd::bit {
 
-/// Gives the parts of a bit the density, cutting, share and start of [areas.NAME] of its file
-/// (area_keys.hpp, bit_area_keys.hpp), each from the most particular area that gives it. Parts with
-/// density 0, whose volume counts elsewhere, keep it, unless they are in `without_density`; parts
-/// that an area gives a density leave that list.
-/// Where they leave less that cuts from the start, the gage radius becomes the largest that such a part
-/// reaches. Notes as mistakes: those of read_areas; two areas of equal rank that disagree; two starts in one
-/// area; a density for parts of density 0 alone; a face or chamfer that rubs, since their forces
-/// come from what a face cuts; a share of parts that remove no rock, or of bodies and shells of cones, which rock never
-/// leaves; a start of parts that never cut or rub; a start by the wear of no cutter; and a bit of which no part
-/// cuts in the end.
+/// Applies density, cutting, share and start from [areas.NAME] of a bit's file to its parts
+/// (area_keys.hpp, bit_area_keys.hpp). The most specific area that defines a property decides.
+/// Parts with density 0, whose volume is counted in another part, keep it, unless they are in
+/// `without_density`; parts to which an area gives a density are removed from that list. If fewer
+/// parts cut from the start, the gage radius becomes the largest radius that such a part reaches.
+///
+/// Records as mistakes: those of read_areas; two areas of equal rank that disagree; two starts in
+/// one area; a density only for parts of density 0; a face or chamfer that rubs, because their
+/// forces come from the rock that a face cuts; a share of parts that remove no rock, or of bodies
+/// and shells of cones, which rock never leaves; a start of parts that never cut or rub; a start by
+/// the wear of no cutter; and a bit of which no part ever cuts.
 void apply_areas(Config& file, Bit& bit, std::vector<std::string>& without_density);
 
-/// The areas that say of single parts what the other tables of an exported bit do not: shares and starts; of a
-/// bit with cones also densities and cutting that are not those of its cones' layouts. TOML; empty:
-/// there is nothing to say.
+/// Returns the areas that define the properties of single parts which the other tables of an
+/// exported bit do not contain: shares and starts, and for a bit with cones also densities and
+/// cutting that differ from those of the cones' layouts. TOML; empty if there are none.
 std::string areas_text(const Bit& bit);
 
 }  // namespace tdbd::bit

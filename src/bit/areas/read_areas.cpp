@@ -42,7 +42,7 @@ AreaSelector read_selector(Config& c) {
   return s;
 }
 
-/// "kind = tooth, zone = nose".
+/// Formats a selector: "kind = tooth, zone = nose".
 std::string in_words(const AreaSelector& s) {
   std::string words;
   const auto add = [&words](std::string_view key, const std::string& value) {
@@ -58,7 +58,7 @@ std::string in_words(const AreaSelector& s) {
   return words;
 }
 
-/// Up to ten values, joined by commas.
+/// Joins up to ten values with commas.
 std::string joined(const std::set<std::string>& values) {
   constexpr std::size_t most = 10;
   std::string text;
@@ -77,8 +77,8 @@ std::vector<std::string> part_names(const Bit& bit) {
   return names;
 }
 
-/// What the bit has of the most particular criterion that no part meets on its own, or, if there is
-/// none, of nothing: the criteria contradict one another.
+/// The values that the bit has for the most specific criterion that no part meets on its own. If
+/// there is no such criterion, the criteria contradict one another.
 std::string expected_of(const AreaSelector& s, const Bit& bit) {
   const auto none = [&](const AreaSelector& only) {
     return std::ranges::none_of(bit.parts,

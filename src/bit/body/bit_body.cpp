@@ -11,11 +11,11 @@ namespace {
 
 constexpr int body_segments = 48;
 constexpr double gage_length = 0.06;     ///< m, of full body above the highest tip
-constexpr double shank_radius = 0.7;     ///< of the gage radius
-constexpr double shank_length = 1.0;     ///< of the gage radius
+constexpr double shank_radius = 0.7;     ///< times the gage radius
+constexpr double shank_length = 1.0;     ///< times the gage radius
 constexpr double least_ring_gap = 1e-3;  ///< m, between two points of the meridian
 
-/// Cutters of the profile, without back-ups, in the order from the axis to the gage.
+/// Cutters of the profile, without back-ups, from the axis to the gage.
 std::vector<Cutter> along_profile(std::vector<Cutter> cutters) {
   if (std::ranges::count(cutters, 0.0, &Cutter::under_exposure) > 0)
     std::erase_if(cutters, [](const Cutter& c) { return c.under_exposure > 0.0; });
@@ -31,7 +31,8 @@ Ring set_back(const Cutter& c, double setback) {
           -c.tip_height - depth * std::cos(c.profile_angle), body_segments};
 }
 
-/// The meridian under the cutters. On a flat stretch at the axis it keeps the first cutter's slope.
+/// The meridian under the cutters. If the profile is flat at the axis, the first cutter's slope is
+/// kept.
 std::vector<Ring> face_meridian(const std::vector<Cutter>& ordered, double setback) {
   const Ring first = set_back(ordered.front(), setback);
   const double slope = std::tan(std::clamp(ordered.front().profile_angle, -0.8, 0.0));
@@ -45,7 +46,8 @@ std::vector<Ring> face_meridian(const std::vector<Cutter>& ordered, double setba
   return rings;
 }
 
-/// The rings stand along X; the bit's axis is z. A cyclic exchange of axes keeps the orientation.
+/// Rotates rings about X to rings about the bit's z. A cyclic exchange of axes preserves the
+/// orientation.
 mesh::TriangleMesh about_z(mesh::TriangleMesh m) {
   for (Vec3& p : m.positions) p = Vec3(p.y(), p.z(), p.x());
   return m;

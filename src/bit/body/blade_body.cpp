@@ -8,11 +8,12 @@
 namespace tdbd::bit {
 namespace {
 
-/// Near the axis a blade's front wall, back edge and back wall take at most these shares of the
+/// Near the axis, a blade's front wall, back edge and back wall take at most these fractions of the
 /// angle to the next blade's front, so that the columns of the mesh keep their order.
 constexpr double front_wall_share = 0.25, back_edge_share = 0.6, back_wall_share = 0.7;
 
-/// How many steps of the mesh cross each piece of a cell: from a blade's front to the next one's.
+/// Number of mesh steps across each piece of a cell. A cell extends from a blade's front to the
+/// next.
 struct CellSteps {
   int front_wall = 1, slot = 1, back_wall = 1, top = 1;
 };
@@ -23,8 +24,8 @@ int steps_over(double length, double edge) {
 
 double angle_across(double y, double r) { return std::asin(std::clamp(y / r, -1.0, 1.0)); }
 
-/// The angles of one cell at one ring, all ahead of the blade's front: where the front wall ends,
-/// where the next blade's back wall and top begin, and the next front.
+/// The angles of one cell at one ring, all ahead of the blade's front: the end of the front wall,
+/// the beginnings of the next blade's back wall and top, and the next front.
 struct Cell {
   double front = 0.0, foot = 0.0, next_foot = 0.0, next_edge = 0.0, next_front = 0.0;
 };
@@ -62,7 +63,7 @@ void add_steps(double from, double to, int steps, std::vector<double>& azimuths)
     azimuths.push_back(std::lerp(from, to, static_cast<double>(i) / steps));
 }
 
-/// Azimuths of a ring's vertices, rising; every ring has the same number.
+/// Azimuths of a ring's vertices, ascending. Every ring has the same number of vertices.
 std::vector<double> ring_azimuths(const BladeShape& shape, const std::vector<CellSteps>& steps,
                                   const MeridianNode& at) {
   std::vector<double> azimuths;
@@ -76,7 +77,7 @@ std::vector<double> ring_azimuths(const BladeShape& shape, const std::vector<Cel
   return azimuths;
 }
 
-/// Where the rings stand, the axis left out: at every node, and in steps of at most `edge` between.
+/// Places of the rings, without the axis: at every node, and in steps of at most `edge` in between.
 std::vector<double> ring_places(const BladeShape& shape, double edge) {
   std::vector<double> places;
   for (std::size_t i = 1; i < shape.meridian.size(); ++i) {
@@ -87,7 +88,7 @@ std::vector<double> ring_places(const BladeShape& shape, double edge) {
   return places;
 }
 
-/// Joins the last two rings of n vertices.
+/// Connects the last two rings of n vertices.
 void stitch_last_rings(int n, mesh::TriangleMesh& m) {
   const int b = static_cast<int>(m.positions.size()) - n, a = b - n;
   for (int j = 0; j < n; ++j) {
@@ -97,7 +98,7 @@ void stitch_last_rings(int n, mesh::TriangleMesh& m) {
   }
 }
 
-/// The shank: a neck and a cylinder that follow the azimuths of the gage's last ring.
+/// The shank: a neck and a cylinder with the azimuths of the gage's last ring.
 void add_shank(const std::vector<double>& azimuths, const BladeOptions& options, double gage_radius,
                double gage_end, mesh::TriangleMesh& m) {
   const int n = static_cast<int>(azimuths.size());

@@ -10,7 +10,7 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr double least_core = 0.3;  ///< of the gage radius: room for the bore and steel about it
+constexpr double least_core = 0.3;  ///< times the gage radius: room for bore and steel
 
 std::string named(const Cutter& c) {
   return fmt::format("cutter {} (blade {}, radius {})", c.id, c.blade, mm_text(c.tip_radius));
@@ -39,13 +39,13 @@ double cross(const HalfPlanePoint& o, const HalfPlanePoint& a, const HalfPlanePo
   return (a.r - o.r) * (b.z - o.z) - (a.z - o.z) * (b.r - o.r);
 }
 
-/// Whether the lines from top to floor stay apart between two nodes.
+/// Whether the lines from top to floor do not cross between two nodes.
 bool stays_apart(const MeridianNode& a, const MeridianNode& b) {
   return cross(a.top, b.top, b.floor) < 0.0 && cross(a.top, b.floor, a.floor) < 0.0 &&
          cross(a.top, b.top, a.floor) < 0.0 && cross(b.top, b.floor, a.floor) < 0.0;
 }
 
-/// The first place at which the slots' floor folds, or nothing.
+/// The first place at which the floor of the slots folds, or null.
 const MeridianNode* fold(const BladeShape& shape) {
   for (std::size_t k = 1; k < shape.meridian.size(); ++k)
     if (!stays_apart(shape.meridian[k - 1], shape.meridian[k])) return &shape.meridian[k];

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double least_spacing = 1e-3;    ///< m, between two nodes of the meridian
 constexpr double margin = 2e-3;           ///< m, of a blade behind its cutters
-constexpr double lead_diameters = 0.75;   ///< diameters of a blade before its first cutter's tip
-constexpr double steepest_to_axis = 0.8;  ///< rad, of the profile that is drawn on to the axis
+constexpr double lead_diameters = 0.75;   ///< diameters of a blade before its first tip
+constexpr double steepest_to_axis = 0.8;  ///< rad, of the profile extrapolated to the axis
 
 HalfPlanePoint minus(const HalfPlanePoint& p, double depth, double angle) {
   return {p.r - depth * std::sin(angle), p.z - depth * std::cos(angle)};
@@ -41,7 +41,7 @@ std::vector<Cutter> face_cutters(std::vector<Cutter> cutters) {
   return cutters;
 }
 
-/// On a flat stretch at the axis the meridian keeps the first cutter's slope.
+/// If the profile is flat at the axis, the meridian keeps the first cutter's slope.
 MeridianNode on_axis(const MeridianNode& first, const Cutter& c, const BladeOptions& options) {
   const double slope = std::tan(std::clamp(c.profile_angle, -steepest_to_axis, 0.0));
   const double z = first.top.z + slope * first.top.r;
@@ -66,7 +66,7 @@ void add_meridian(const std::vector<Cutter>& face, const BladeOptions& options, 
   shape.meridian.push_back(end);
 }
 
-/// The line of the cutters' azimuths along the meridian, without jumps of a turn.
+/// The cutters' azimuths along the meridian, unwrapped.
 std::vector<std::pair<double, double>> front_line(const BladeShape& shape,
                                                   const std::vector<Cutter>& cutters) {
   std::vector<std::pair<double, double>> line;
@@ -101,7 +101,7 @@ BladeStrip strip_of(const BladeShape& shape, int number, const std::vector<Cutte
   return blade;
 }
 
-/// Distance from a strip over a wall's run: 0 on the strip, 1 where the wall ends.
+/// Distance from a strip divided by the width of a wall: 0 on the strip, 1 at the end of the wall.
 double beside(const BladeStrip& blade, double wall, double r, double ahead) {
   const double x = r * std::cos(ahead), y = r * std::sin(ahead);
   return std::max({y, -blade.width - y, blade.start - x, 0.0}) / wall;

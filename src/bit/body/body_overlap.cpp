@@ -18,14 +18,15 @@ mesh::Box box_of(const Corners& t) {
   return box;
 }
 
-/// Whether anything of the box can stand straight above the triangle, at smaller z.
+/// Whether any point of the box can be vertically above the triangle, at smaller z.
 bool stands_above(const mesh::Box& box, const mesh::Box& triangle) {
   return box.lo.x() < triangle.hi.x() && triangle.lo.x() < box.hi.x() &&
          box.lo.y() < triangle.hi.y() && triangle.lo.y() < box.hi.y() &&
          box.lo.z() < triangle.hi.z();
 }
 
-/// What a convex mesh has straight above a triangle whose normal n has n.z != 0.
+/// Signed volume of the part of a convex mesh that is vertically above a triangle whose normal has
+/// n.z != 0.
 double volume_above(mesh::TriangleMesh m, const Corners& t, const Vec3& n) {
   const double sign = n.z() > 0.0 ? 1.0 : -1.0;
   for (std::size_t k = 0; k < t.size() && !m.triangles.empty(); ++k) {

@@ -13,11 +13,12 @@ namespace tdbd::bit {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Facets are looked at between corners that touch at less than this times the advance of interest.
+/// Facets are measured between their corners if a corner touches at less than this times the given
+/// advance.
 constexpr double look_at = 2.0;
 
-/// A rim at any radius, interpolated between the columns' centres; not reached where a neighbouring
-/// column is not.
+/// The rim at any radius, interpolated between the columns' centres. Not reached if a neighbouring
+/// column is not reached.
 RimReach reach_at(const std::vector<RimReach>& columns, double width, double r) {
   const double place = std::max(0.0, r / width - 0.5);
   const auto i = static_cast<std::size_t>(place);
@@ -27,9 +28,9 @@ RimReach reach_at(const std::vector<RimReach>& columns, double width, double r) 
           std::lerp(columns[i].azimuth, columns[i + 1].azimuth, w)};
 }
 
-/// The rock that one vertex of the body faces.
+/// The rock above one vertex of the body.
 struct Above {
-  double rock = -infinity;      ///< m, depth at which the rock stands
+  double rock = -infinity;      ///< m, depth of the rock's surface
   double touching = -infinity;  ///< m per revolution
 };
 
@@ -50,7 +51,7 @@ Above above(const RimReaches& rims, const Vec3& x_B, double advance) {
   return a;
 }
 
-/// The share of a triangle where a depth that is linear over it is positive.
+/// The fraction of a triangle in which a depth that is linear over it is positive.
 double positive_share(std::array<double, 3> depth) {
   std::ranges::sort(depth);
   const auto [a, b, c] = depth;
@@ -59,11 +60,12 @@ double positive_share(std::array<double, 3> depth) {
   return b > 0.0 ? 1.0 - a * a / ((a - b) * (a - c)) : c * c / ((c - a) * (c - b));
 }
 
-/// Points of a facet, so many that neighbours are at most `facet_step` apart, and its small triangles.
+/// Sample points of a facet, with neighbours at most `facet_step` apart, which divide it into small
+/// triangles.
 struct Facet {
   std::vector<Vec3> points_B;  ///< rows of 1, 2, ..., n + 1 points from its first corner
   int rows = 1;                ///< n
-  double down = 0.0;  ///< m2, its area projected along the axis; negative: it faces upwards
+  double down = 0.0;  ///< m2, its area projected along the axis; negative if it faces upwards
 };
 
 Facet facet_of(const Part& part, const mesh::Triangle& t) {
@@ -80,8 +82,8 @@ Facet facet_of(const Part& part, const mesh::Triangle& t) {
   return f;
 }
 
-/// The share of a facet that touches at an advance below `advance`. `touching`: m per revolution, per
-/// point; not finite where no cutter cuts.
+/// The fraction of a facet that touches at an advance below `advance`. `touching`: per point, m per
+/// revolution; not finite where no cutter cuts.
 double touching_share(int rows, const std::vector<double>& touching, double advance) {
   double share = 0.0;
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -125,8 +127,8 @@ void note(const Vec3& x_B, const Above& a, Rubbing& least) {
   }
 }
 
-/// Whether a facet that faces the rock has a corner for which `near` holds: only there it is looked at
-/// between its corners.
+/// Whether a facet faces the rock and `near` is true for one of its corners. Only such facets are
+/// measured between their corners.
 template <class Near>
 bool is_worth_a_look(const std::vector<Vec3>& x_B, const mesh::Triangle& t, const Near& near) {
   return mesh::area_vector(x_B[at(t[0])], x_B[at(t[1])], x_B[at(t[2])]).z() > 0.0 &&

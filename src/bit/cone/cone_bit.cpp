@@ -20,7 +20,7 @@ bool has_gage_row(const ConeLayout& cone) {
                              [](const ToothRow& r) { return r.place == RowPlace::gage; });
 }
 
-/// What all rows of a cone reach.
+/// The largest reach over all rows of a cone.
 ConeReach rows_reach(const ConeLayout& cone) {
   const Pose X_BK = cone_pose(cone, 0.0);
   ConeReach all;
@@ -33,7 +33,7 @@ ConeReach rows_reach(const ConeLayout& cone) {
   return all;
 }
 
-/// Moves the cones down to the bit's origin and returns the gage radius.
+/// Moves the cones along z to the bit's origin and returns the gage radius.
 double settle(std::vector<ConeLayout>& cones, const std::string& name) {
   ConeReach all;
   all.depth = -1e300;
@@ -67,7 +67,7 @@ Part shank_part(const Shank& shank) {
                                        {shank.radius, -shank.height, segments},
                                        {shank.radius, -shank.height - shank.length, segments},
                                        {0.0, -shank.height - shank.length, 1}});
-  for (Vec3& x : body.mesh_P.positions) x = Vec3(x.y(), x.z(), x.x());  // rings stand along X
+  for (Vec3& x : body.mesh_P.positions) x = Vec3(x.y(), x.z(), x.x());  // rings are about X
   body.density = shank.density;
   return body;
 }

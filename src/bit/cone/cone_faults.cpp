@@ -40,7 +40,7 @@ void check_crest(const ToothShape& t, std::vector<ConeFault>& faults) {
   demand_at_most("crest_width", t.crest_width, across, faults);
 }
 
-/// The conical flank begins above the shank's rim; it must not begin below the insert's lower end.
+/// The conical flank begins above the shank's rim. It must not begin below the insert's lower end.
 void check_cone(const ToothShape& t, std::vector<ConeFault>& faults) {
   const double at_tangent = t.tip_radius * std::cos(t.half_angle);
   demand_at_most("tip_radius", at_tangent, 0.5 * t.diameter, faults);
@@ -85,7 +85,7 @@ std::vector<ConeFault> angle_faults(const ToothRow& row) {
   return {};
 }
 
-/// Where a point of a tooth lies on the cone's meridian.
+/// The place of a point of a tooth on the cone's meridian.
 ShellPoint meridian_place(const ConeLayout& cone, const ToothRow& row, const Vec3& x_T) {
   const Vec3 x_K = tooth_pose(cone, row, 0.0) * x_T;
   return {-x_K.z(), std::hypot(x_K.x(), x_K.y())};
@@ -122,11 +122,11 @@ std::vector<ConeFault> row_faults(const ConeLayout& cone, const ToothRow& row) {
   return faults;
 }
 
-/// A row's teeth in K: corners and planes of each.
+/// The teeth of a row in K: corners and planes of each.
 struct RowSolids {
   std::vector<std::vector<Vec3>> corners_K;
   std::vector<mesh::ConvexSolid> solids_K;
-  double reach = 0.0;  ///< m, of a tooth from its frame's origin
+  double reach = 0.0;  ///< m, largest distance of a tooth's point from the origin of its frame
 };
 
 mesh::ConvexSolid moved(const mesh::ConvexSolid& solid_T, const Pose& X_KT) {
@@ -138,7 +138,7 @@ mesh::ConvexSolid moved(const mesh::ConvexSolid& solid_T, const Pose& X_KT) {
   return solid_K;
 }
 
-/// Teeth are convex, however many facets they have.
+/// Teeth are convex, whatever their number of facets.
 RowSolids solids_of(const ConeLayout& cone, const ToothRow& row) {
   RowSolids all;
   const mesh::TriangleMesh mesh_T = tooth_mesh(row.shape, cone.facets);
@@ -174,8 +174,8 @@ std::optional<Pair> first_collision(const RowSolids& a, const RowSolids& b, bool
   return std::nullopt;
 }
 
-/// Teeth that no plane of either separates, the first pair of every two rows (or of one row).
-/// Needs rows without faults of their own.
+/// Finds teeth that no plane of either separates: the first pair of every two rows (or within one
+/// row). Requires rows without faults of their own.
 std::vector<ConeFault> tooth_collisions(const ConeLayout& cone) {
   std::vector<RowSolids> rows;
   for (const ToothRow& row : cone.rows) rows.push_back(solids_of(cone, row));

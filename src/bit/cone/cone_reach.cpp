@@ -23,7 +23,7 @@ double slope(const Pose& X_BK, const ShellPoint& p, double angle) {
   return on_circle(X_BK, p, angle).head<2>().dot(d.head<2>());
 }
 
-/// Where the slope goes from positive at lo to negative at hi.
+/// The angle at which the slope changes from positive (at lo) to negative (at hi).
 double top_between(const Pose& X_BK, const ShellPoint& p, double lo, double hi) {
   constexpr int halvings = 60;
   for (int i = 0; i < halvings; ++i) {
@@ -44,7 +44,7 @@ double gage_reach(const ConeLayout& cone) {
 }  // namespace
 
 ConeReach reach_of(const Pose& X_BK, const ShellPoint& p) {
-  constexpr int samples = 72;  // a trigonometric polynomial of degree 2 has at most two tops
+  constexpr int samples = 72;  // a trigonometric polynomial of degree 2 has at most two maxima
   ConeReach best;
   int at = 0;
   for (int k = 0; k < samples; ++k) {

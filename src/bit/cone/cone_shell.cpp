@@ -9,7 +9,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// The normal, out of the cone, of the piece of the profile from a to b.
+/// The outward normal of the piece of the profile from a to b.
 ShellPoint piece_normal(const ShellPoint& a, const ShellPoint& b) {
   const double length = std::hypot(b.s - a.s, b.r - a.r);
   return {-(b.r - a.r) / length, (b.s - a.s) / length};
@@ -25,7 +25,7 @@ mesh::TriangleMesh turned(const Meridian& meridian, int segments) {
   rings.reserve(meridian.size());
   for (const ShellPoint& p : meridian) rings.push_back({p.r, -p.s, p.r > 0.0 ? segments : 1});
   mesh::TriangleMesh m = surface_of_revolution(rings);
-  for (Vec3& x : m.positions) x = Vec3(x.y(), x.z(), x.x());  // the rings stand along X
+  for (Vec3& x : m.positions) x = Vec3(x.y(), x.z(), x.x());  // rings are about X
   return m;
 }
 

@@ -18,9 +18,9 @@ namespace {
 
 struct LegPatch {
   std::array<Vec3, 3> corners_K;
-  double least;  ///< m, no place of the patch is nearer to the solid
+  double least;  ///< m, lower bound of the distance of the patch from the solid
 
-  bool operator<(const LegPatch& p) const { return least > p.least; }  // the least comes first
+  bool operator<(const LegPatch& p) const { return least > p.least; }  // smallest first
 };
 
 struct NearestPlace {
@@ -28,9 +28,9 @@ struct NearestPlace {
   Vec3 place_K = Vec3::Zero();
 };
 
-/// Measures the middle of a patch and bounds the rest of it: by the distance of its corners from the
-/// middle, and by its distance along the journal from all of the solid, which is exact where a leg is parallel to
-/// the base of its cone.
+/// Measures the middle of a patch and bounds its other points: by the distance of its corners from
+/// the middle, and by its distance along the journal from the whole solid, which is exact where a
+/// leg is parallel to the base of its cone.
 void measure(LegPatch& p, const Meridian& solid, NearestPlace& best) {
   const Vec3 middle = (p.corners_K[0] + p.corners_K[1] + p.corners_K[2]) / 3.0;
   const double distance = signed_distance(solid, {-middle.z(), std::hypot(middle.x(), middle.y())});
@@ -44,7 +44,7 @@ void measure(LegPatch& p, const Meridian& solid, NearestPlace& best) {
   p.least = std::max(distance - extent, s - end);
 }
 
-/// Halves the patch across its longest side.
+/// Bisects the longest side of the patch.
 std::array<LegPatch, 2> halves_of_patch(const LegPatch& p) {
   std::size_t from = 0;
   double longest = 0.0;
@@ -59,8 +59,8 @@ std::array<LegPatch, 2> halves_of_patch(const LegPatch& p) {
   return both;
 }
 
-/// The place of a mesh that is nearest to a solid of revolution about z, or deepest in it. Stops early when
-/// no distance below `enough` exists, and then returns one at least that large.
+/// The place of a mesh that is nearest to a solid of revolution about z, or deepest in it. Stops
+/// early if no distance is below `enough`, and then returns one at least that large.
 NearestPlace nearest_place(const mesh::TriangleMesh& m, const Pose& X_KP, const Meridian& solid,
                            double enough) {
   NearestPlace best;

@@ -20,14 +20,16 @@ struct OutlinePoint {
   double x, y;  ///< m
 };
 
-/// The shank's outline across the bit's axis, counterclockwise about +z, in a frame turned about it.
+/// The shank's outline normal to the bit's axis, counter-clockwise about +z, in a frame rotated
+/// about it.
 using ShankOutline = std::vector<OutlinePoint>;
 
-/// Where a leg stands, in its frame P: origin in the bit's, x along the journal's horizontal.
+/// Frame P of a leg: its origin is the bit's origin; x is along the horizontal projection of the
+/// journal.
 struct LegFrame {
   Pose X_BP;
   Vec3 s_P;     ///< along the journal, outwards
-  Vec3 down_P;  ///< across the journal, downwards
+  Vec3 down_P;  ///< perpendicular to the journal, downwards
   Vec3 base_P;  ///< where the journal meets the leg's inner plane
 };
 
@@ -60,7 +62,7 @@ ShankOutline shank_outline(const Part& shank, const Pose& X_BP) {
   return outline;
 }
 
-/// The outline's largest x at y; nothing beyond its width.
+/// The outline's largest x at y; nothing outside its width.
 std::optional<double> side_at(const ShankOutline& outline, double y) {
   std::optional<double> x;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -75,15 +77,15 @@ double tip_radius_of(const Cone& cone, const Legs& legs) {
   return legs.tip_radius > 0.0 ? legs.tip_radius : cone.layout.shell.back().r;
 }
 
-/// A slice at one y: the shirttail's edge on the plane, and on the gage, the shoulder, the top, the
-/// shank's lower edge, and where the plane meets the shank's lower end.
+/// A slice at one y: the shirttail's edge on the inner plane and on the gage, the shoulder, the
+/// top, the shank's lower edge, and the point where the plane meets the shank's lower end.
 constexpr std::size_t slice_corners = 6;
 using LegSlice = std::array<Vec3, slice_corners>;
 
 struct LegShape {
   LegFrame frame;
   ShankOutline shank;
-  double radius = 0.0;  ///< m, of the outer side from the bit's axis
+  double radius = 0.0;  ///< m, distance of the outer side from the bit's axis
   double tip_radius = 0.0;
   double half_width = 0.0;
   double lower_end = 0.0, shoulder = 0.0, top = 0.0;  ///< m, heights above the bit's origin
@@ -102,13 +104,13 @@ LegShape shape_of(const Bit& bit, std::size_t k, const Legs& legs) {
   return s;
 }
 
-/// The shirttail's edge on the plane, at u from the journal across it.
+/// The shirttail's edge on the inner plane, at u from the journal, measured across it.
 Vec3 tip_at(const LegShape& leg, double u) {
   const double below = std::sqrt(std::max(0.0, leg.tip_radius * leg.tip_radius - u * u));
   return leg.frame.base_P + below * leg.frame.down_P + u * Vec3::UnitY();
 }
 
-/// Where the plane meets the shank's lower end.
+/// Where the inner plane meets the shank's lower end.
 double inner_x(const LegShape& leg) {
   const LegFrame& f = leg.frame;
   return f.base_P.x() + (-leg.lower_end - f.base_P.z()) / f.down_P.z() * f.down_P.x();
@@ -127,8 +129,8 @@ LegSlice slice_at(const LegShape& leg, double u) {
           Vec3(inner_x(leg), y, -leg.lower_end)};
 }
 
-/// Places of the slices across the journal: both sides, the shank's corners, and others between
-/// them, closer where the shirttail's arc is steeper.
+/// Places of the slices across the journal: both sides, the shank's corners, and others in between,
+/// closer where the shirttail's arc is steeper.
 std::vector<double> slice_places(const LegShape& leg, int slices) {
   constexpr double apart = 1e-5;  // m
   std::vector<double> places{-leg.half_width, leg.half_width};
@@ -157,7 +159,7 @@ mesh::TriangleMesh leg_mesh(const LegShape& leg, int slices) {
       m.triangles.push_back({a, b, b + n});
       m.triangles.push_back({a, b + n, a + n});
     }
-  for (int i = 1; i + 1 < n; ++i) {  // a fan from the only corner that points inwards
+  for (int i = 1; i + 1 < n; ++i) {  // a fan from the only reentrant corner
     const int b = (shank_edge + i) % n, c = (shank_edge + i + 1) % n;
     m.triangles.push_back({shank_edge, c, b});
     m.triangles.push_back({last + shank_edge, last + b, last + c});
@@ -165,7 +167,8 @@ mesh::TriangleMesh leg_mesh(const LegShape& leg, int slices) {
   return m;
 }
 
-/// Heights above the bit's origin, in the middle of the leg, between which its outer side is on the gage.
+/// Heights above the bit's origin, in the middle of the leg, between which its outer side is on the
+/// gage.
 struct OuterFace {
   double from, to;
 };
@@ -247,7 +250,7 @@ void check_inserts(const Bit& bit, const LegShape& leg, std::size_t k, const Leg
                       "inserts that stay inside the gage radius, " + mm_text(bit.gage_radius)});
 }
 
-/// Legs stand in sectors of their own about the bit's axis, with slots between them.
+/// Each leg must be in its own sector about the bit's axis, with slots between the legs.
 void check_sectors(const Bit& bit, const std::vector<LegShape>& shapes, const Legs& legs,
                    LegFaults& faults) {
   struct Sector {
@@ -282,7 +285,7 @@ void check_sectors(const Bit& bit, const std::vector<LegShape>& shapes, const Le
 
 std::vector<LegFault> leg_faults(const Bit& bit, const Legs& legs) {
   constexpr double least_cosine =
-      0.2;  // of a journal's angle: beyond about 78 degrees legs lie flat
+      0.2;  // of a journal's angle: beyond about 78 degrees legs are nearly horizontal
   if (shank_of(bit) == nullptr)
     return {{LegTable::legs, 0, "width", mm_text(legs.width) + ", legs without a shank",
              "[shank] with a radius"}};

@@ -19,13 +19,13 @@ double squared_distance(const ShellPoint& a, const ShellPoint& b, const ShellPoi
   return std::pow(p.s - a.s - t * ds, 2) + std::pow(p.r - a.r - t * dr, 2);
 }
 
-/// Does a ray from p towards +r cross the side?
+/// Whether a ray from p towards +r crosses the side.
 bool crosses(const ShellPoint& a, const ShellPoint& b, const ShellPoint& p) {
   if ((a.s > p.s) == (b.s > p.s)) return false;
   return a.r + (p.s - a.s) * (b.r - a.r) / (b.s - a.s) > p.r;
 }
 
-/// The convex hull, by Andrew's chains.
+/// The convex hull, by Andrew's monotone chains.
 Meridian hull(Meridian points) {
   std::ranges::sort(points, {}, [](const ShellPoint& p) { return std::tuple(p.s, p.r); });
   Meridian chain;

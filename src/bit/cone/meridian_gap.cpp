@@ -12,14 +12,14 @@
 namespace tdbd::bit {
 namespace {
 
-/// A patch of A's surface: a piece of one side of the meridian, and an interval of angles.
+/// A patch of A's surface: a piece of one side of the meridian and an interval of angles.
 struct Patch {
   std::size_t side;
   double along, half_along;  ///< in [0, 1] of the side
   double angle, half_angle;  ///< rad
-  double least;              ///< m, no place of the patch is nearer to B
+  double least;              ///< m, lower bound of the distance of the patch from B
 
-  bool operator<(const Patch& p) const { return least > p.least; }  // the least comes first
+  bool operator<(const Patch& p) const { return least > p.least; }  // smallest first
 };
 
 struct Search {
@@ -31,7 +31,7 @@ struct Search {
   const ShellPoint& start(std::size_t side) const { return a[side]; }
   const ShellPoint& end(std::size_t side) const { return a[(side + 1) % a.size()]; }
 
-  /// Measures the middle of a patch and bounds the rest of it.
+  /// Measures the middle of a patch and bounds its other points.
   void measure(Patch& p) {
     const ShellPoint &from = start(p.side), &to = end(p.side);
     const ShellPoint at{from.s + p.along * (to.s - from.s), from.r + p.along * (to.r - from.r)};
@@ -42,7 +42,7 @@ struct Search {
     p.least = distance - slide - (at.r + slide) * p.half_angle;
   }
 
-  /// Halves the patch across its longer extent.
+  /// Bisects the patch in its longer direction.
   std::pair<Patch, Patch> halves(const Patch& p) const {
     const ShellPoint &from = start(p.side), &to = end(p.side);
     const double length = p.half_along * std::hypot(to.s - from.s, to.r - from.r);

@@ -40,7 +40,7 @@ Part swept_row(const Cone& cone, std::size_t row, int segments) {
 
 bool stands_in_a_row(const Part& part) { return part.cone >= 0 && part.kind == PartKind::tooth; }
 
-/// Where a tooth is on its cone, the same for all teeth of a row: means and limits of s and r, m.
+/// Values that are equal for all teeth of a row of a cone: means and limits of s and r, m.
 using RowSignature = std::array<double, 5>;
 
 RowSignature signature_of(const Cone& cone, const Part& tooth) {
@@ -63,10 +63,10 @@ bool is_same_row(const RowSignature& a, const RowSignature& b, double apart) {
   return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) < apart; });
 }
 
-/// What the teeth of a cone without a layout sweep, one part for each row. Teeth that are not convex
-/// are replaced by a convex part around what they sweep.
+/// The surfaces swept by the teeth of a cone without a layout, one part per row. For teeth that are
+/// not convex, a convex part around the swept volume is used.
 void add_swept_meshes(const Bit& bit, int cone_index, int segments, std::vector<Part>& parts) {
-  constexpr double rounding = 1e-6;  // m, of files with single precision
+  constexpr double rounding = 1e-6;  // m, of files in single precision
   const Cone& cone = bit.cones[static_cast<std::size_t>(cone_index)];
   int row = 0;
   for (const int tooth : one_tooth_of_each_row(bit, cone_index, rounding)) {

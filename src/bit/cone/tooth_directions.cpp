@@ -8,8 +8,8 @@
 namespace tdbd::bit {
 namespace {
 
-/// The outward and downward part of the row's normal where the row is farthest from the bit's axis,
-/// in the journal's plane.
+/// The outward and downward part of the row's normal at the place where the row is farthest from
+/// the bit's axis, in the journal's plane.
 Vec3 row_direction(const ConeLayout& cone, const ToothRow& row) {
   const double down = cone.journal_angle;
   const Pose X_KT = tooth_pose(cone, row, 0.0);

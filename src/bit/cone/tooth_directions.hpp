@@ -5,10 +5,10 @@
 namespace tdbd::bit {
 
 /// How the teeth of a gage row move rock; those of inner rows move it straight down. All four rules
-/// are reconstructed: thesis 4.1.2.2 says only that a direction belongs to a region of the bit.
+/// are reconstructed: thesis 4.1.2.2 only states that a direction belongs to a region of the bit.
 enum class GageRule {
   normal,     ///< each vertex along the tooth's normal there (Part::core_P), bit (9)
-  row,        ///< one direction for the row: its normal in the journal's plane, outward and down
+  row,        ///< one direction per row: its normal in the journal's plane, outward and down
   down,       ///< straight down, like inner rows
   horizontal  ///< straight outwards
 };

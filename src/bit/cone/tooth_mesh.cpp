@@ -28,7 +28,7 @@ void add_cap(int first, int n, bool up, std::vector<mesh::Triangle>& triangles) 
                            : mesh::Triangle{first, first + k + 1, first + k});
 }
 
-/// Sides between the outline that starts at `below` and the next one up, or a point.
+/// Sides between the outline that starts at index `below` and the next one above, or a point.
 void add_sides(int below, int n, bool to_point, std::vector<mesh::Triangle>& triangles) {
   const int above = below + n;
   for (int k = 0; k < n; ++k) {
@@ -38,7 +38,7 @@ void add_sides(int below, int n, bool to_point, std::vector<mesh::Triangle>& tri
   }
 }
 
-/// Outlines from the bottom up; only the last may be a point.
+/// Outlines from the bottom up. Only the last may be a point.
 mesh::TriangleMesh stack(const std::vector<Outline>& outlines, int n) {
   mesh::TriangleMesh m;
   add_cap(0, n, false, m.triangles);
@@ -53,7 +53,7 @@ mesh::TriangleMesh stack(const std::vector<Outline>& outlines, int n) {
   return m;
 }
 
-/// A ball's cap about height z, from the polar angle `from` to the pole.
+/// The cap of a ball about height z, from the polar angle `from` to the pole.
 void add_ball(std::vector<Outline>& outlines, double z, double radius, double from, int facets) {
   const int rings = std::max(2, facets / 4);
   for (int k = 0; k < rings; ++k) {
@@ -63,7 +63,7 @@ void add_ball(std::vector<Outline>& outlines, double z, double radius, double fr
   outlines.push_back({z + radius, 0.0, 0.0});
 }
 
-/// An outline that is a rectangle, with 4 corners.
+/// An outline with 4 corners that is a rectangle.
 Outline rectangle(double z, double length, double width) {
   return {z, 0.5 * (length - width), width / std::numbers::sqrt2};
 }
@@ -85,8 +85,8 @@ std::vector<Outline> conical(const ToothShape& t, int facets) {
   return outlines;
 }
 
-/// The crest is shortened as the facets shorten the shank: one as long as the diameter would jut
-/// out of the inscribed shank.
+/// The crest is shortened by the same factor as the inscribed shank. A crest as long as the
+/// diameter would extend beyond the inscribed shank.
 std::vector<Outline> chisel(const ToothShape& t, int facets) {
   const double half = 0.5 * (t.crest_length - t.crest_width) * std::cos(pi / facets);
   return {{-t.embedding, 0.0, 0.5 * t.diameter},

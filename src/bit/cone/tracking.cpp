@@ -11,16 +11,16 @@
 namespace tdbd::bit {
 namespace {
 
-/// A ring whose prints may lie close enough to those of the ring at hand.
+/// A ring whose prints may be close enough to those of the current ring.
 struct Neighbour {
   const std::vector<Print>* prints;
-  double near;  ///< rad: nearer in azimuth than this is close enough
+  double near;  ///< rad: prints closer in azimuth are close enough
 };
 
 double wrapped(double angle) { return std::remainder(angle, full_turn); }
 
-/// Half the angle (rad) over which a ring is nearer than `distance` to a point of another ring; 0
-/// if nowhere.
+/// Half the angle (rad) over which a ring is closer than `distance` to a point of another ring; 0
+/// if it is nowhere.
 double near_angle(const PrintRing& ring, const PrintRing& other, double distance) {
   const double a = ring.radius, b = other.radius;
   if (std::abs(a - b) >= distance) return 0.0;
@@ -48,7 +48,7 @@ bool tracks(const Print& print, const std::vector<Neighbour>& near, int lag) {
   return found;
 }
 
-/// Share of the circle within reach of the prints of the last revolution.
+/// Fraction of the circle within reach of the prints of the last revolution.
 double covered_share(const Print& print, const std::vector<Neighbour>& near,
                      std::vector<std::pair<double, double>>& arcs) {
   arcs.clear();

@@ -21,7 +21,7 @@ Vec3 nearest_B(const Cutter& c, const Vec3& x_B) {
   return c.X_BC * x_C;
 }
 
-/// How far the cylinder reaches along the unit vector d_B.
+/// How far the cylinder extends along the unit vector d_B.
 double reach_along(const Cutter& c, const Vec3& d_B) {
   const double along = c.X_BC.R.col(0).dot(d_B);
   const double across = std::sqrt(std::max(0.0, 1.0 - along * along));

@@ -8,8 +8,8 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr double touching = 1e-6;     ///< m: cutters farther apart than this share nothing
-constexpr double least_share = 1e-9;  ///< of a part's volume: less is rounding
+constexpr double touching = 1e-6;     ///< m: cutters farther apart share no volume
+constexpr double least_share = 1e-9;  ///< times a part's volume: less is rounding
 
 /// A part of a cutter in the bit frame.
 struct Piece {

@@ -12,10 +12,10 @@ struct CutterOverlap {
   double volume = 0.0;  ///< m3
 };
 
-/// Every pair of cutters that overlap, by index. A cutter's solid is the union of its parts that
-/// have a density; they are convex and disjoint. So the volume is a sum over pairs of parts, each
-/// part clipped by the planes of the other (mesh/shape/clip_convex.hpp). Exact for the meshes,
-/// which are inscribed. Solids that only touch do not overlap.
+/// Returns every pair of cutters that overlap, sorted by index. A cutter's solid is the union of
+/// its parts that have a density, which are convex and disjoint. So the volume is a sum over pairs
+/// of parts, each part clipped by the planes of the other (mesh/shape/clip_convex.hpp). Exact for
+/// the meshes, which are inscribed. Solids that only touch do not overlap.
 std::vector<CutterOverlap> cutter_overlaps(const Bit& bit);
 
 }  // namespace tdbd::bit

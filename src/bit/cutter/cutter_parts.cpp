@@ -25,7 +25,7 @@ int rim_count(const Cutter& c, const CutterMeshing& m) {
                                       : segments_for(0.5 * c.diameter, m.uniform_edge);
 }
 
-/// Rings of a disc from its rim to its centre; their counts halve as long as possible.
+/// Rings of a disc from its rim to its centre. Their counts are halved as long as possible.
 std::vector<Ring> graded_disc(const Ring& rim) {
   std::vector<Ring> rings{rim};
   for (Ring next = rim; next.count % 2 == 0 && next.count / 2 >= fewest_segments;) {
@@ -37,7 +37,7 @@ std::vector<Ring> graded_disc(const Ring& rim) {
   return rings;
 }
 
-/// Rings of a disc from its rim to its centre, about one edge apart.
+/// Rings of a disc from its rim to its centre, about one edge length apart.
 std::vector<Ring> uniform_disc(const Ring& rim, double edge) {
   std::vector<Ring> rings{rim};
   const int steps = std::max(1, static_cast<int>(std::lround(rim.radius / edge)));
@@ -53,7 +53,8 @@ std::vector<Ring> disc(const Ring& rim, const CutterMeshing& m) {
   return m.grading == Grading::graded ? graded_disc(rim) : uniform_disc(rim, m.uniform_edge);
 }
 
-/// Frustum (a cylinder if the radii agree) between the rims `front` and `back`, front.x > back.x.
+/// Frustum (a cylinder if the radii are equal) between the rims `front` and `back`, front.x >
+/// back.x.
 mesh::TriangleMesh frustum(const Ring& front, const Ring& back, const CutterMeshing& m) {
   std::vector<Ring> rings = disc(front, m);
   std::reverse(rings.begin(), rings.end());
@@ -81,7 +82,7 @@ Part cutter_part(const Cutter& c, const char* name, PartKind kind, double densit
   return part;
 }
 
-/// Removes what lies beyond the wear flat.
+/// Removes the material beyond the wear flat.
 void wear_down(const Cutter& c, std::vector<Part>& parts) {
   const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
   const double limit = n_C.dot(tip_C(c)) - c.wear;

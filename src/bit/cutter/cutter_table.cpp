@@ -16,8 +16,8 @@
 namespace tdbd::bit {
 namespace {
 
-/// A column that holds a number: where it goes, in which unit, and which values make sense. Bounds
-/// are in the column's own unit.
+/// A column that contains a number: its destination, unit and valid range. Bounds are in the
+/// column's own unit.
 struct NumberColumn {
   std::string_view name;
   double Cutter::*member;
@@ -28,7 +28,7 @@ struct NumberColumn {
 };
 
 constexpr double mm = 1e-3;
-constexpr double tiny = 1e-6;  ///< "positive": more than a nanometre, in mm
+constexpr double tiny = 1e-6;  ///< lower bound of "positive": more than a nanometre, in mm
 constexpr double large = 1e4;  ///< mm: no bit is 10 m wide
 
 constexpr std::array<NumberColumn, 15> number_columns{{
@@ -51,7 +51,7 @@ constexpr std::array<NumberColumn, 15> number_columns{{
 
 constexpr std::array<std::string_view, 4> label_columns{"bit", "cutter", "blade", "zone"};
 
-/// Column name to cell number.
+/// Column index by name.
 using Header = std::map<std::string, int, std::less<>>;
 
 bool is_known(std::string_view name) {
@@ -104,7 +104,7 @@ void read_number(const CsvRow& row, const Header& header, const NumberColumn& co
     cutter.*column.member = *number * column.unit;
 }
 
-/// What no single column shows: whether chamfer, table and length fit together.
+/// Checks that chamfer, table and length are consistent with each other.
 void check_sizes(const Cutter& c, CsvMistakes& mistakes) {
   const auto too_large = [&](const char* column, double size, double limit, const char* what) {
     if (size >= limit)
@@ -153,8 +153,8 @@ void check_duplicates(const std::vector<Cutter>& cutters, CsvMistakes& mistakes)
   }
 }
 
-/// The number that the reader turns into x: x / unit, or the neighbouring double whose product is
-/// x.
+/// The number that the reader converts to x: x / unit, or the adjacent double whose product with
+/// `unit` is x.
 double cell(double x, double unit) {
   constexpr double most = std::numeric_limits<double>::max();
   const double value = x / unit;

@@ -7,20 +7,21 @@
 
 namespace tdbd::bit {
 
-/// Points of a turned outline where its accuracy matters.
+/// Number of points of a turned outline where its accuracy matters.
 inline constexpr int rim_points = 1440;
 
-/// The rim of a cutter turned into one half-plane about the bit's axis, m: x is the radius, y the
-/// azimuth (rad, within half a turn of the cutter's), z the bit's z. `points` points, starting at
-/// the tip. Where the cutter is worn, the rim is set back along the profile's normal to its flat.
+/// The rim of a cutter rotated into one half-plane about the bit's axis, m: x is the radius, y the
+/// azimuth (rad, within half a turn of the cutter's), z the bit's z. Has `points` points, starting
+/// at the tip. Where the cutter is worn, the rim is moved back along the profile's normal to its
+/// flat.
 std::vector<Vec3> turned_outline(const Cutter& c, int points);
 
-/// Where a cutter's rim is deepest at one radius.
+/// The deepest point of a cutter's rim at one radius.
 struct RimReach {
   double z = -std::numeric_limits<double>::infinity();  ///< m, bit frame
   double azimuth = 0.0;                                 ///< rad
 
-  /// Whether the rim extends over this radius at all.
+  /// Whether the rim extends over this radius.
   bool reached() const { return z != -std::numeric_limits<double>::infinity(); }
 };
 
@@ -31,7 +32,7 @@ struct RimReaches {
   double width = 0.0;                            ///< m; column k is centred at (k + 1/2) width
 };
 
-/// Columns are at most `column_width` (m) wide. Chamfers lie inside the rim.
+/// Computes the reaches in columns of at most `column_width` (m). Chamfers lie inside the rim.
 RimReaches rim_reaches(const std::vector<Cutter>& cutters, double column_width);
 
 }  // namespace tdbd::bit

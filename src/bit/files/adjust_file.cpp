@@ -11,7 +11,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// What is added to a cutter's numbers.
+/// Increments of a cutter's values.
 struct Adjustment {
   double azimuth = 0.0, back_rake = 0.0, side_rake = 0.0;  ///< rad
   double along = 0.0;                                      ///< m
@@ -30,7 +30,7 @@ void add(const Adjustment& a, Cutter& c) {
   c.tip_height += a.along * std::sin(c.profile_angle);
 }
 
-/// Adjusts the cutters whose number is the name of each table: [adjust.blade.2].
+/// Adjusts the cutters whose number is the name of a table: [adjust.blade.2].
 void adjust_some(Config c, int Cutter::*number, const char* what, std::vector<Cutter>& cutters) {
   for (const std::string& name : c.given()) {
     Config table = c.table(name);
@@ -50,7 +50,7 @@ void adjust_some(Config c, int Cutter::*number, const char* what, std::vector<Cu
   }
 }
 
-/// What no cutter of a table can have either.
+/// Records values that a cutter table would not allow either.
 void check_adjusted(Config& c, const Cutter& cutter) {
   const auto refuse = [&](const char* key, double found, const char* unit, const char* expected) {
     c.problem(key, fmt::format("{:.4g} {} of cutter {} in the end", found, unit, cutter.id),

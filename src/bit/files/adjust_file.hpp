@@ -5,7 +5,7 @@
 #include "bit/bit.hpp"
 #include "core/config/config.hpp"
 
-/// The table [adjust] of a bit file: changes of a layout's numbers, which a sweep may vary.
+/// The table [adjust] of a bit file: changes of a layout's values, which a sweep may vary.
 namespace tdbd::bit {
 
 namespace adjust_keys {
@@ -31,8 +31,8 @@ inline constexpr QuantityKey along{
 
 }  // namespace adjust_keys
 
-/// Reads [adjust] and changes the cutters; changes add up. Notes blades and cutters that the bit
-/// does not have, and rakes or places that no cutter can have.
+/// Reads [adjust] and changes the cutters; changes are added up. Records as mistakes blades and
+/// cutters that the bit does not have, and rakes or positions that no cutter can have.
 void adjust_cutters(Config adjust, std::vector<Cutter>& cutters);
 
 }  // namespace tdbd::bit

@@ -22,7 +22,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// A cutter's parts are written in the cutter's frame, from which their update direction follows.
+/// The parts of a cutter are written in its frame, from which their update direction follows.
 Part for_export(const Bit& bit, Part part) {
   if (part.cutter < 0) return part;
   const Pose& X_BC = bit.cutters[static_cast<std::size_t>(part.cutter)].X_BC;

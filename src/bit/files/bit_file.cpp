@@ -64,7 +64,7 @@ void check_pads(Config& file, const std::vector<Cutter>& cutters, const GagePads
   for (const PadProblem& p : pad_problems(pads, gage)) c.problem(p.key, p.found, p.expected);
 }
 
-/// The table's mistakes join those of the bit file.
+/// Adds the table's mistakes to those of the bit file.
 std::vector<Cutter> read_table(Config& c, const std::string& table,
                                const CutterDefaults& defaults) {
   if (table.empty()) return {};
@@ -84,7 +84,7 @@ double reach(const Bit& bit, int cutter) {
   return radius;
 }
 
-/// No cutter may reach beyond the gage that the bit file gives.
+/// Throws if a cutter reaches beyond the gage given in the bit file.
 void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::string& file) {
   constexpr double slack = 5e-5;  // m: rounding of tables and tolerance of bits
   std::string lines;
@@ -98,7 +98,7 @@ void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::
   if (!lines.empty()) throw InputError(lines);
 }
 
-/// A design needs its gage diameter; a table does not.
+/// A design requires its gage diameter; a table does not.
 std::optional<double> any_gage(bool designed) {
   if (designed) return {};
   return std::numeric_limits<double>::infinity();
@@ -148,11 +148,11 @@ BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directio
   return {std::move(bit), c.files(), c.fingerprint(), std::move(read.without_density)};
 }
 
-/// A bit has one source. A table beside another source leaves the rest of the file readable;
-/// designs, parts and cones together have no meaning.
+/// A bit has one source. With a table beside another source, reading continues, because the rest of
+/// the file is still meaningful. Combinations of designs, parts and cones are meaningless.
 void require_one_source(Config& c) {
   if (c.has("table") && !c.has("cones") && (c.has("parts") || c.has("design"))) {
-    c.text("table", std::nullopt);  // read, so that it does not count as an unknown key too
+    c.text("table", std::nullopt);  // read, so that it is not reported as an unknown key, too
     c.problem("table", c.has("parts") ? "parts as well" : "design as well", "one of the two");
   }
   if (c.has("design") && c.has("parts")) {

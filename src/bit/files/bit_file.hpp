@@ -9,7 +9,7 @@
 
 namespace tdbd::bit {
 
-/// A bit and what it was read from.
+/// A bit and its source files.
 struct BitFile {
   Bit bit;
   std::vector<std::string> files;                 ///< the bit file and those that it names
@@ -17,12 +17,12 @@ struct BitFile {
   std::vector<std::string> without_density = {};  ///< parts from meshes whose mass is unknown
 };
 
-/// Builds a bit from its file: a cutter table or a design (design_file.hpp) with defaults, meshing,
-/// gage pads (thesis 3.1, app. A) and blades (blade_file.hpp); the meshes of its parts
-/// (bit_parts.hpp) or of the whole bit (solids_file.hpp); or roller cones (cone_file.hpp). Where
-/// densities are required, parts from meshes without one are a mistake. Throws InputError that
-/// lists every mistake in the file and its table, or the cutters that reach beyond the file's
-/// gage_diameter. `overrides` change keys of the bit file, "key=value".
+/// Builds a bit from its file. The file contains a cutter table or a design (design_file.hpp) with
+/// defaults, meshing, gage pads (thesis 3.1, app. A) and blades (blade_file.hpp); or the meshes of
+/// its parts (bit_parts.hpp) or of the whole bit (solids_file.hpp); or roller cones
+/// (cone_file.hpp). If densities are required, parts from meshes without one are a mistake. Throws
+/// InputError that lists every mistake in the file and its table, or the cutters that reach beyond
+/// the file's gage_diameter. `overrides` change keys of the bit file, "key=value".
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
                  Densities densities = Densities::as_given,
                  const std::vector<std::string>& overrides = {});

@@ -18,7 +18,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// Of a file that is not named this tells nothing more: a key has one problem.
+/// If no file is named, only that is reported: a key has at most one problem.
 mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
   const std::string file = c.read(part_file_keys::file);
   const double unit = c.read(part_file_keys::unit);
@@ -37,14 +37,14 @@ bool has_frame(const Config& c) {
   return c.has(part_file_keys::position) && c.has(part_file_keys::rotation_vector);
 }
 
-/// With a direction of its own a part may have any frame.
+/// A part with its own update direction may have any frame.
 std::optional<Pose> frame_of_cutter(const Config& c, const Part& part) {
   if (!belongs_to_a_cutter(part.kind) || !has_frame(c) || c.has(part_file_keys::update_direction))
     return std::nullopt;
   return part.X_BP;
 }
 
-/// The direction that follows from kind and frame.
+/// The direction derived from kind and frame.
 Vec3 derived_direction(const Config& c, const Part& part, DirectionRule directions,
                        InsideRule inside) {
   if (part.kind == PartKind::gage_pad) return Vec3::UnitX();
@@ -92,7 +92,7 @@ void compare_last_with_earlier(Config& c, const PartsFromFiles& read) {
   }
 }
 
-/// The parts of a part's group; the part alone if it has none.
+/// The parts of a part's group, or the part alone if it has none.
 std::vector<Part> group_of(const std::vector<Part>& parts, const Part& part) {
   if (part.group < 0) return {part};
   std::vector<Part> group;
@@ -101,8 +101,8 @@ std::vector<Part> group_of(const std::vector<Part>& parts, const Part& part) {
   return group;
 }
 
-/// A file that gives one part a density must give every part one: a forgotten density would make
-/// the mass wrong.
+/// If one part has a density, every part must have one, because a missing density would make the
+/// mass wrong.
 void require_every_density(std::vector<Config>& configs, const PartsFromFiles& read) {
   if (std::ranges::none_of(configs, [](const Config& c) { return c.has("density"); })) return;
   for (std::size_t i = 0; i < configs.size(); ++i)

@@ -45,7 +45,7 @@ KeyTable blades() {
                    shank_length, edge, density, rubs, cuts);
 }
 
-/// The keys of an area; those of forces are in the case.
+/// The keys of an area, except those of forces, which are in the case.
 KeyTable areas() {
   namespace area = area_keys;
   return bit_table(bit_area_keys::table, area::kind, area::zone, area::blade, area::cone, area::row,
@@ -94,7 +94,7 @@ KeyTable teeth() {
                    embedding, half_angle, density);
 }
 
-/// The keys of one cone; those of the journal may stand beside them.
+/// The keys of one cone. It may also contain those of the journal.
 KeyTable cones() {
   using namespace bit_cone_keys;
   return bit_table(table, azimuth, journal_angle, journal_keys::offset, journal_keys::skew,

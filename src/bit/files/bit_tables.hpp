@@ -6,7 +6,7 @@
 
 namespace tdbd::bit {
 
-/// Every table that a bit file may have (pdc_keys.hpp, design_keys.hpp, cone_keys.hpp,
+/// Returns every table that a bit file may have (pdc_keys.hpp, design_keys.hpp, cone_keys.hpp,
 /// mesh_keys.hpp).
 std::vector<KeyTable> bit_tables();
 

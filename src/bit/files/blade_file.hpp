@@ -8,14 +8,14 @@
 
 namespace tdbd::bit {
 
-/// The table [blades] of a bit file, beside a table of cutters or a design; nothing without it.
-/// Keys: `exposure` and `slot_depth` (required), `width` (0: as wide as its cutters need), `wall`,
-/// `gage_length`, `neck`, `shank_radius`, `shank_length` (of the gage radius), `edge`, `density`,
-/// `rubs` (true), `cuts` (false). Mistakes are noted in `file`.
+/// Reads the table [blades] of a bit file, beside a table of cutters or a design. Returns nothing
+/// if it is absent. Keys: `exposure` and `slot_depth` (required), `width` (0: as wide as its
+/// cutters require), `wall`, `gage_length`, `neck`, `shank_radius`, `shank_length` (over the gage
+/// radius), `edge`, `density`, `rubs` (true), `cuts` (false). Mistakes are recorded in `file`.
 std::optional<BladeOptions> read_blades(Config& file);
 
-/// Notes what makes the blades impossible for these cutters (bit/body/blade_body.hpp), at their
-/// keys.
+/// Records, at their keys, the reasons why the blades are impossible for these cutters
+/// (bit/body/blade_body.hpp).
 void check_blades(Config& file, const std::vector<Cutter>& cutters, const BladeOptions& blades);
 
 }  // namespace tdbd::bit

@@ -40,7 +40,7 @@ ToothShape read_shape(Config& c, ToothShape t) {
   return t;
 }
 
-/// Angles from a list, or from a number of teeth and the pattern of the gaps between them.
+/// Reads angles from a list, or from a number of teeth and the pattern of the gaps between them.
 std::vector<double> read_angles(Config& c) {
   if (c.has(tooth_row_keys::angles)) return c.read(tooth_row_keys::angles);
   const int teeth = static_cast<int>(c.read(tooth_row_keys::teeth));
@@ -78,7 +78,7 @@ void note(std::vector<Config>& rows, Config& cone, const ConeFault& fault) {
   at.problem(fault.key, fault.found, fault.expected);
 }
 
-/// One cone; its geometry is checked if everything about it could be read.
+/// Reads one cone. Its geometry is checked if all of it could be read.
 ConeLayout read_cone(Config& c, ConeLayout cone, const ToothShape& usual) {
   const std::size_t before = c.problem_count();
   cone.azimuth = c.read(bit_cone_keys::azimuth);
@@ -132,13 +132,13 @@ Legs read_legs(Config& c, const Shank& shank) {
   return legs;
 }
 
-/// The tables of a bit file that its legs depend on.
+/// The tables of a bit file on which its legs depend.
 struct LegTables {
   Config legs, shank;
   std::vector<Config>& cones;
 };
 
-/// Adds the legs; whatever prevents them is noted at its line.
+/// Adds the legs. Faults are recorded at their lines.
 void build_legs(LegTables& tables, const Legs& legs, Interference interference, Bit& bit) {
   const std::vector<LegFault> faults = leg_faults(bit, legs);
   for (const LegFault& f : faults) {
@@ -154,14 +154,14 @@ void build_legs(LegTables& tables, const Legs& legs, Interference interference, 
       if (c.distance < 0.0) tables.legs.problem(leg_keys::clearance, clearance_text(c), "a gap");
 }
 
-/// Row of a part "cone-1/row-2/tooth-1" on its cone, or the key of its shell.
+/// The key of the row of a part "cone-1/row-2/tooth-1" on its cone, or of its shell.
 std::string key_of(const std::string& part) {
   const std::size_t at = part.find("/row-");
   if (at == std::string::npos) return "shell";
   return fmt::format("rows[{}]", std::stoi(part.substr(at + 5)) - 1);
 }
 
-/// Notes every overlap, at the line of whichever of the two rows or shells comes first in the file.
+/// Records every overlap, at the line of that row or shell of the two that is first in the file.
 void note_overlaps(const Bit& bit, std::vector<Config>& cones) {
   for (const Clearance& c : cone_clearances(bit.cones))
     for (std::size_t k = 0; k < cones.size(); ++k)
@@ -169,7 +169,7 @@ void note_overlaps(const Bit& bit, std::vector<Config>& cones) {
         cones[k].problem(key_of(c.part_a), clearance_text(c), "a gap");
 }
 
-/// Builds the bit; whatever prevents it is noted at its line.
+/// Builds the bit. Faults are recorded at their lines.
 Bit build(std::vector<ConeLayout> layouts, std::optional<double> gage_radius, const Shank& shank,
           const std::string& name, std::vector<Config>& cones) {
   try {
@@ -180,7 +180,7 @@ Bit build(std::vector<ConeLayout> layouts, std::optional<double> gage_radius, co
   }
 }
 
-/// The shortest digits that read back to the bit.
+/// The shortest decimals that read back exactly.
 std::string list_text(const std::vector<double>& numbers) {
   std::string text;
   for (const double x : numbers) text += fmt::format("{}{}", text.empty() ? "" : ", ", x);

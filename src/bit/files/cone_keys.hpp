@@ -6,7 +6,7 @@
 #include "bit/files/key_ranges.hpp"
 #include "core/config/key.hpp"
 
-/// The keys of a roller cone bit. Defaults are those of the structs that the keys fill.
+/// The keys of a roller cone bit. The defaults are those of the structs that the keys set.
 namespace tdbd::bit {
 
 namespace journal_keys {

@@ -10,7 +10,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// The angle at which the shoulder's arc begins: given, or from the arc's radius.
+/// The angle at which the shoulder's arc begins: given, or computed from the arc's radius.
 double read_shoulder(Config& c, const ProfileDesign& p) {
   const bool by_radius = c.has(profile_keys::shoulder_radius);
   const double given =
@@ -40,7 +40,7 @@ ProfileDesign read_profile(Config c, double gage_radius) {
   return p;
 }
 
-/// Each value is that of the one before unless it is given.
+/// Each value defaults to the previous one.
 RegionLaw read_law(Config c, const region_keys::Keys& keys) {
   RegionLaw law;
   law.axis = c.read(keys.first);

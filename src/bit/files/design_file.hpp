@@ -8,10 +8,10 @@
 
 namespace tdbd::bit {
 
-/// The cutters that the [design] table of a bit file lays out (pdc_generator.hpp). `c` is that
-/// table; the gage radius (m) and the cutters' shape come from elsewhere in the file. Mistakes,
-/// including those of an impossible design, are noted in c at their keys; then there are no
-/// cutters.
+/// Makes the cutters that the [design] table of a bit file describes (pdc_generator.hpp). `c`: that
+/// table. The gage radius (m) and the cutters' shape are given elsewhere in the file. Mistakes,
+/// including those of an impossible design, are recorded in c at their keys; then the result is
+/// empty.
 std::vector<Cutter> read_design(Config c, double gage_radius, const CutterDefaults& shape);
 
 }  // namespace tdbd::bit

@@ -88,8 +88,8 @@ inline constexpr TableKey side_rake{"design.side_rake", "of cutters, linear betw
 inline constexpr TableKey wear{"design.wear",
                                "height of the wear flats, linear between the places"};
 
-/// The keys of a table of regions, by the unit of what it holds. The first is required or has a
-/// default; each other one is that of the one before unless it is given.
+/// The keys of a table of regions. The first is required or has a default; each other key defaults
+/// to the previous one.
 struct Keys {
   QuantityKey first, nose, shoulder, gage;
 };

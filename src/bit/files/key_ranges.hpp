@@ -2,7 +2,8 @@
 
 #include "core/config/key.hpp"
 
-/// Ranges of a bit's keys: what is beyond them is a mistake of units, and its products with others may be no numbers.
+/// Ranges of a bit's keys. Values outside them are mistakes of units, and their products with
+/// others may overflow.
 namespace tdbd::bit {
 
 inline constexpr double largest_bit = 10.0;  ///< m

@@ -26,7 +26,7 @@ std::vector<Vec3> front_C(const Pose& X_BC, const std::vector<Part>& parts) {
 
 double radius_of(const Vec3& x_C) { return x_C.tail<2>().norm(); }
 
-/// The widest radius of the vertices for which `counts` is true; 0: there are none.
+/// The largest radius of the vertices for which `counts` is true; 0 if there are none.
 template <class Counts>
 double widest(const std::vector<Vec3>& vertices, const Counts& counts) {
   double radius = 0.0;
@@ -35,7 +35,7 @@ double widest(const std::vector<Vec3>& vertices, const Counts& counts) {
   return radius;
 }
 
-/// Diameter and chamfer, from the rim of the face in front and the widest rim behind it.
+/// Sets diameter and chamfer, from the rim of the face in front and the widest rim behind it.
 bool take_shape(const std::vector<Vec3>& vertices, Cutter& c) {
   const double rim = widest(vertices, [](const Vec3&) { return true; }),
                slack = 2.0 * rim * tolerance::face_plane;
@@ -54,7 +54,7 @@ bool take_shape(const std::vector<Vec3>& vertices, Cutter& c) {
   return corners >= 3 && (c.chamfer > 0.0 || -plane <= slack);
 }
 
-/// Azimuth, height, profile angle and rakes, bit (1).
+/// Sets azimuth, height, profile angle and rakes, bit (1).
 void take_place(Cutter& c) {
   const Vec3 tip = c.X_BC * tip_C(c), x = c.X_BC.R.col(0), z = c.X_BC.R.col(2);
   c.tip_radius = tip.head<2>().norm();
@@ -69,7 +69,7 @@ void take_place(Cutter& c) {
   c.side_rake = std::atan2(x.dot(z.cross(x0)), x.dot(x0));
 }
 
-/// How far the parts reach behind the face.
+/// How far the parts extend behind the face.
 double length_of(const Pose& X_BC, const std::vector<Part>& parts) {
   double length = 0.0;
   for (const Part& part : parts) {
@@ -79,7 +79,7 @@ double length_of(const Pose& X_BC, const std::vector<Part>& parts) {
   return length;
 }
 
-/// The number in a name like "cutter-12/face"; 0: none.
+/// The number in a name like "cutter-12/face"; 0 if it has none.
 int number_in(std::string_view name) {
   constexpr std::string_view first = "cutter-";
   int number = 0;
@@ -89,7 +89,7 @@ int number_in(std::string_view name) {
   return error == std::errc{} && end != name.data() + name.size() && *end == '/' ? number : 0;
 }
 
-/// The parts of the cutter to which a face belongs; empty if another face belongs to it too.
+/// The parts of the cutter to which a face belongs; empty if another face belongs to it, too.
 std::vector<std::size_t> members_of(const std::vector<Part>& parts, std::size_t face) {
   if (parts[face].group < 0) return {face};
   std::vector<std::size_t> members;

@@ -7,8 +7,8 @@
 #include "bit/pdc/gage_pads.hpp"
 #include "core/config/key.hpp"
 
-/// The keys of a bit file: its top, and the tables of a bit with PDC cutters. Defaults are those of
-/// the structs that the keys fill.
+/// The keys of a bit file: its top level, and the tables of a bit with PDC cutters. The defaults
+/// are those of the structs that the keys set.
 namespace tdbd::bit {
 
 namespace bit_file_keys {

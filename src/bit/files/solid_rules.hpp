@@ -9,8 +9,8 @@
 
 namespace tdbd::bit {
 
-/// What a bit file says about a solid: one of its [[solids.rules]], or all that match taken
-/// together.
+/// Properties that a bit file defines for a solid: one of its [[solids.rules]], or all matching
+/// rules combined.
 struct SolidRule {
   std::string match;
   std::optional<std::string> name;
@@ -22,16 +22,15 @@ struct SolidRule {
   std::optional<Vec3> update_direction_B;  ///< unit
 };
 
-/// The rules of [solids], in the order of the file. Mistakes are noted in `solids`.
+/// Reads the rules of [solids], in the order of the file. Mistakes are recorded in `solids`.
 std::vector<SolidRule> read_rules(Config& solids);
 
-/// All rules that match `name`, later ones overriding earlier ones key by key.
+/// Combines all rules that match `name`. Later ones override earlier ones key by key.
 SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name);
 
-/// The kind that follows from a name like those of designed bits: cutter-3/face, /land, /chamfer,
-/// /cse, /body; gage-pad-2; bit-body; cone-1/body; cone-1/row-2/tooth-3; leg-1;
-/// leg-1/insert-2. Nothing for any other
-/// name.
+/// Returns the kind that follows from a name like those of designed bits: cutter-3/face, /land,
+/// /chamfer, /cse, /body; gage-pad-2; bit-body; cone-1/body; cone-1/row-2/tooth-3; leg-1;
+/// leg-1/insert-2. Nothing for any other name.
 std::optional<PartKind> kind_of_name(const std::string& name);
 
 }  // namespace tdbd::bit

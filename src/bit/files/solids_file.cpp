@@ -43,7 +43,7 @@ std::vector<std::string> names_of(const std::vector<mesh::Solid>& solids) {
   return names;
 }
 
-/// A rule that matches nothing is probably misspelt.
+/// Records a mistake for a rule that matches nothing; it is probably misspelt.
 void require_matches(Config& c, const std::vector<SolidRule>& rules,
                      const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < rules.size(); ++i) {
@@ -57,7 +57,7 @@ void require_matches(Config& c, const std::vector<SolidRule>& rules,
   }
 }
 
-/// The text before the last /, of the parts of one cutter; empty for any other part.
+/// The text before the last / in the name of a cutter's part; empty for any other part.
 std::string cutter_name(const Part& part) {
   const std::size_t end = part.name.rfind('/');
   return belongs_to_a_cutter(part.kind) && end != std::string::npos ? part.name.substr(0, end) : "";
@@ -71,7 +71,7 @@ Vec3 direction_of(const SolidRule& rule, const Part& part, DirectionRule directi
   return update_direction(*rule.X_BC, directions, inside);
 }
 
-/// The part that the rules and its name make of a solid.
+/// Makes a part from a solid, its rules and its name.
 Part part_of(const SolidRule& rule, mesh::Solid solid, PartKind kind) {
   Part part;
   part.name = rule.name.value_or(solid.name);
@@ -85,7 +85,7 @@ Part part_of(const SolidRule& rule, mesh::Solid solid, PartKind kind) {
   return part;
 }
 
-/// Notes what is wrong with the parts as a whole.
+/// Records mistakes of the parts as a whole.
 void check_parts(Config& file, const std::vector<Part>& parts) {
   std::map<std::string, int> count;
   for (const Part& part : parts) {

@@ -11,14 +11,14 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr int chords = 8;                 ///< of the outer side
+constexpr int chords = 8;                 ///< number of chords of the outer side
 constexpr double steel_density = 7850.0;  ///< kg/m3
 
 const Cutter& highest(const std::vector<Cutter>& cutters) {
   return *std::ranges::max_element(cutters, {}, &Cutter::tip_height);
 }
 
-/// Outline of a pad across the axis, counter-clockwise seen against +z: the arc, then the flat
+/// Outline of a pad normal to the axis, counter-clockwise seen against +z: the arc, then the flat
 /// back.
 std::vector<Vec3> outline(double radius, double width, double thickness) {
   const double half_angle = 0.5 * width / radius;

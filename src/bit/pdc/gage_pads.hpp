@@ -8,32 +8,32 @@
 
 namespace tdbd::bit {
 
-/// Equal pads around the gage, the middle of the first one behind the highest cutter.
+/// Equal pads around the gage. The middle of the first one is behind the highest cutter.
 struct GagePads {
   int count = 0;
   double length = 0.05;          ///< m, along the axis
   double width = 0.03;           ///< m, along the circumference
   double under_gage = 0.4e-3;    ///< m, distance inside the gage radius
-  double thickness = 0.01;       ///< m, radial, at the middle
-  double behind = 0.0;           ///< m along the circumference, from the cutter to a pad's middle
+  double thickness = 0.01;       ///< m, radial, in the middle
+  double behind = 0.0;           ///< m, along the circumference, from the cutter to a pad's middle
   std::optional<double> height;  ///< m, lower end above the nose tip; default: highest cutter's top
 };
 
-/// A mistake of the pads: the key in the bit file, what it holds, what would be right.
+/// A mistake of the pads: the key in the bit file, its value, and what is expected.
 struct PadProblem {
   std::string key;
   std::string found;
   std::string expected;
 };
 
-/// What makes pads impossible on this gage radius (m): one that lies across the axis, whose back is
-/// outside its arc, or that overlaps the next one. None without pads.
+/// Returns what makes pads impossible on this gage radius (m): a pad that lies across the axis,
+/// whose back is outside its arc, or that overlaps the next one. Empty without pads.
 std::vector<PadProblem> pad_problems(const GagePads& pads, double gage_radius);
 
-/// The parts gage-pad-1, gage-pad-2, ...: closed convex boxes whose outer side follows the cylinder
-/// of radius gage_radius - under_gage (inscribed) and whose inner side is flat. A pad's frame is
-/// the bit's, turned to the pad's azimuth. Pads move rock along their X axis, outwards. Thesis:
-/// 3.1.
+/// Makes the parts gage-pad-1, gage-pad-2, ...: closed convex boxes whose outer side follows the
+/// cylinder of radius gage_radius - under_gage (inscribed) and whose inner side is flat. A pad's
+/// frame is the bit's, rotated to the pad's azimuth. Pads move rock along their X axis, outwards.
+/// Thesis: 3.1.
 std::vector<Part> gage_pads(const GagePads& pads, const std::vector<Cutter>& cutters,
                             double gage_radius);
 

@@ -11,10 +11,11 @@
 namespace tdbd::bit {
 namespace {
 
-constexpr double steepest_profile = 89.0 * degree;  ///< of the cone and at the shoulder's start
+/// of the cone and at the beginning of the shoulder
+constexpr double steepest_profile = 89.0 * degree;
 constexpr double largest_rake = 60.0 * degree, largest_side_rake = 45.0 * degree;
 
-/// Collects what is wrong.
+/// Collects problems.
 struct Check {
   std::vector<DesignProblem> problems;
 
@@ -38,7 +39,7 @@ void check_profile(const ProfileDesign& p, Check& check) {
                 "a nose between the axis and the gage at " + mm_text(p.gage_radius));
 }
 
-/// Whether the regions follow one another without turning back.
+/// Checks that the regions follow one another without turning back.
 void check_folds(const ProfileDesign& p, Check& check) {
   const double cone = p.nose_place - p.nose_radius * std::sin(p.cone_angle);
   check.require(cone >= 0.0, "profile.nose_radius",

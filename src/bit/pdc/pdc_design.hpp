@@ -8,8 +8,8 @@
 
 namespace tdbd::bit {
 
-/// A quantity that varies along the profile: its values on the axis and where nose, shoulder and
-/// gage begin; linear in arc length between them and constant along the gage.
+/// A quantity that varies along the profile: its values on the axis and at the beginnings of nose,
+/// shoulder and gage. It is linear in arc length between them and constant along the gage.
 struct RegionLaw {
   double axis = 0.0;
   double nose = 0.0;
@@ -28,18 +28,18 @@ struct RegionChoice {
 /// Whether a blade carries back-up cutters.
 enum class Backups { none, behind_face_cutters };
 
-/// What a designer decides about one blade.
+/// Design parameters of one blade.
 struct BladeDesign {
   double azimuth = 0.0;  ///< rad, on the bit's axis
-  double start = 0.0;    ///< m, radius from which the blade carries cutters
+  double start = 0.0;    ///< m, smallest radius at which the blade carries cutters
   Backups backups = Backups::none;
 };
 
-/// Back-up cutters: behind the face cutters of a blade, at the same place of the profile but set
+/// Back-up cutters: behind the face cutters of a blade, at the same place of the profile but moved
 /// back from it.
 struct BackupRow {
-  double from = 0.0;               ///< m, radii of the face cutters that get one
-  double to = 1e3;                 ///< m
+  double from = 0.0;               ///< m, smallest radius of the face cutters that have one
+  double to = 1e3;                 ///< m, largest radius
   double under_exposure = 1.5e-3;  ///< m, from the profile into the bit
   double behind = 20e-3;           ///< m, from face to face along the circle about the axis
 };
@@ -51,7 +51,7 @@ struct GageRow {
   double spacing = 1.1;  ///< diameters
 };
 
-/// What a designer decides about a PDC bit. SI. Thesis: 3.2.2, app. A; the rules are ours.
+/// Design parameters of a PDC bit. SI. Thesis: 3.2.2, app. A; the rules are not in the thesis.
 struct PdcDesign {
   static constexpr double usual_clearance = 5e-4;  // m
 
@@ -59,9 +59,9 @@ struct PdcDesign {
   std::vector<BladeDesign> blades;
   double first_radius = 0.0;           ///< m, of the tip nearest to the axis
   double spiral = 0.0;                 ///< rad, by which a blade trails at the gage
-  double clearance = usual_clearance;  ///< m, least gap between the solids of two cutters
+  double clearance = usual_clearance;  ///< m, smallest gap between the solids of two cutters
   RegionChoice diameter;               ///< m
-  RegionLaw overlap;    ///< least share of a diameter by which neighbours on the profile overlap
+  RegionLaw overlap;    ///< smallest overlap of neighbours on the profile over a diameter
   RegionLaw back_rake;  ///< rad
   RegionLaw side_rake;  ///< rad
   RegionLaw wear;       ///< m, height of the wear flat
@@ -70,15 +70,15 @@ struct PdcDesign {
   CutterDefaults shape;  ///< chamfer, length and table of every cutter
 };
 
-/// A mistake of a design: the key in the bit file, what it holds, what would be right.
+/// A mistake of a design: the key in the bit file, its value, and what is expected.
 struct DesignProblem {
   std::string key;
   std::string found;
   std::string expected;
 };
 
-/// What makes a design impossible before any cutter is placed: sizes that are not positive, a
-/// profile that folds, a nose outside the gage, overlaps that leave no spacing.
+/// Returns what makes a design impossible before any cutter is placed: sizes that are not positive,
+/// a profile that folds, a nose outside the gage, overlaps that leave no spacing.
 std::vector<DesignProblem> design_problems(const PdcDesign& d);
 
 /// The value of a law at the arc length s (m) of a profile.

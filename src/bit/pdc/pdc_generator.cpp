@@ -33,7 +33,7 @@ double azimuth_of(const PdcDesign& d, int blade, double r) {
   return azimuth - full_turn * std::floor(azimuth / full_turn);
 }
 
-/// The cutter with values that a table can hold, and its pose.
+/// The cutter with values that a table can represent, and its pose.
 Cutter finished(Cutter c) {
   round_to_table(c);
   c.X_BC = cutter_pose(c);
@@ -72,7 +72,7 @@ std::string described(const Cutter& c) {
                      1e3 * c.tip_radius);
 }
 
-/// Places a cutter among the others, or returns the one that is in its way.
+/// Places a cutter among the others, or returns the cutter with which it collides.
 std::optional<Cutter> place(Cutter c, double clearance, std::vector<Cutter>& placed) {
   for (const Cutter& other : placed)
     if (closer_than(c, other, clearance)) return other;
@@ -89,7 +89,7 @@ void place_or_report(Cutter c, const char* key, double clearance, Layout& layout
                              fmt::format("{:g} mm of clearance", 1e3 * clearance)});
 }
 
-/// Places a cutter on the next blade in order, from `next_turn` on, that has room at s.
+/// Places a cutter on the next blade in order, from `next_turn` on, that has space at s.
 bool place_on_some_blade(const PdcDesign& d, double s, const std::vector<int>& order,
                          std::size_t& next_turn, Layout& layout) {
   const double r = spot_at(d.profile, s).r;
@@ -121,7 +121,7 @@ struct Stretch {
   double count(double x) const {
     return slope == 0.0 ? x / spacing : std::log1p(slope * x / spacing) / slope;
   }
-  /// Its inverse.
+  /// Inverse of `count`.
   double place(double n) const {
     return start + (slope == 0.0 ? n * spacing : spacing * std::expm1(slope * n) / slope);
   }
@@ -136,8 +136,8 @@ Stretch stretch(const PdcDesign& d, Region region, double start, double end,
 }
 
 /// Arc lengths (m) of the face cutters' tips, from first_radius to the end of the shoulder, where
-/// the gage radius is reached: bit (5), raised to the next whole number of cutters, so that
-/// neighbours overlap at least as much as asked.
+/// the gage radius is reached: bit (5), with the number of cutters rounded up to an integer, so
+/// that neighbours overlap at least as much as required.
 std::vector<double> face_places(const PdcDesign& d) {
   const auto [cone, nose, shoulder, gage] = region_ends(d.profile);
   const double first = d.first_radius / std::cos(d.profile.cone_angle);

@@ -4,8 +4,8 @@
 
 namespace tdbd::bit {
 
-/// A bit's profile as a designer draws it: a straight cone, the nose's arc, the shoulder's arc,
-/// tangent to the nose and to the gage, and the gage; bit (3) and (4). SI. Ours.
+/// Design parameters of a bit's profile: a straight cone, the nose's arc, the shoulder's arc,
+/// tangent to the nose and to the gage, and the gage; bit (3) and (4). SI. Not in the thesis.
 struct ProfileDesign {
   double gage_radius = 0.0;
   double cone_angle = 0.0;      ///< rad, of the cone's line above the horizontal
@@ -26,12 +26,12 @@ struct ProfileSpot {
   Region region = Region::cone;
 };
 
-/// Radius of the shoulder's arc, m, which is tangent to nose and gage, bit (3); <= 0 when the
-/// profile folds.
+/// Radius of the shoulder's arc, m, which is tangent to nose and gage, bit (3); <= 0 if the profile
+/// folds.
 double shoulder_radius(const ProfileDesign& p);
 
-/// The shoulder_angle (rad) whose shoulder has this radius (m): the other way to describe a
-/// profile. NaN when there is none.
+/// The shoulder_angle (rad) for a shoulder of this radius (m), the alternative parameter of a
+/// profile. NaN if there is none.
 double shoulder_angle_for(const ProfileDesign& p, double radius);
 
 /// Arc lengths, m, from the axis to the end of each region.

@@ -8,19 +8,19 @@
 
 namespace tdbd::bit {
 
-/// The cutters that analyses before any drilling count, as indices: those whose face cuts when the bit
-/// starts. Cutters that an area turns off, or that start later, are left out. A cutter without a face
-/// counts if one of its parts cuts.
+/// Indices of the cutters that analyses before drilling include: those whose face cuts when the bit
+/// starts. Cutters that an area turns off, or that start later, are excluded. A cutter without a
+/// face is included if one of its parts cuts.
 std::vector<int> counted_cutters(const Bit& bit);
 
-/// These cutters of a bit.
+/// Returns these cutters of a bit.
 std::vector<Cutter> cutters_at(const Bit& bit, std::span<const int> indices);
 
-/// Values of these cutters among those of all, the others `otherwise`.
+/// Expands values of these cutters to all cutters; the others get `otherwise`.
 std::vector<double> among_all(const Bit& bit, std::span<const int> indices,
                               std::span<const double> values, double otherwise);
 
-/// "cutter-3, cutter-5": those that are left out.
+/// Names of the excluded cutters: "cutter-3, cutter-5".
 std::string uncounted_names(const Bit& bit);
 
 }  // namespace tdbd::bit

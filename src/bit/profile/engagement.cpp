@@ -9,8 +9,8 @@
 namespace tdbd::bit {
 namespace {
 
-/// The share of a revolution by which `earlier` passes before `c`. The bit turns about +z, so
-/// larger azimuths pass first; cutters at one azimuth pass in the order of the table.
+/// The fraction of a revolution by which `earlier` passes before `c`. The bit turns about +z, so
+/// larger azimuths pass first; cutters at the same azimuth pass in the order of the table.
 double share_before(const RimReach& earlier, const RimReach& c, bool is_listed_before) {
   const double share = (earlier.azimuth - c.azimuth) / full_turn;
   const double fraction = share - std::floor(share);

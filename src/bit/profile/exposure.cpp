@@ -9,8 +9,8 @@
 namespace tdbd::bit {
 namespace {
 
-/// The farthest s at which a cutter's line, r = tip_r + s sin, z = tip_z + s cos, meets a rim
-/// within `range` of the tip; -infinity if it does not.
+/// The largest s at which a cutter's line, r = tip_r + s sin, z = tip_z + s cos, meets a rim within
+/// `range` of the tip; -infinity if it does not.
 double farthest_crossing(const Cutter& c, const std::vector<Vec3>& rim, double range) {
   const double n_r = std::sin(c.profile_angle), n_z = std::cos(c.profile_angle);
   double farthest = -std::numeric_limits<double>::infinity();

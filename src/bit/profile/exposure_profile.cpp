@@ -11,11 +11,12 @@
 namespace tdbd::bit {
 namespace {
 
-/// m; the curve of an edge in (r, z) is followed by chords. No length of a drawing is a multiple of
-/// it, so that rounding a coordinate to single precision does not change the number of chords.
+/// m; the curve of an edge in (r, z) is approximated by chords. Dimensions of drawings are not
+/// multiples of this length, so rounding a coordinate to single precision does not change the
+/// number of chords.
 constexpr double chord = 1.93e-4;
 constexpr int ray_count = 2048;
-constexpr double on_axis = 1e-12;  ///< m; a point nearer to the axis than this is on it
+constexpr double on_axis = 1e-12;  ///< m; a point closer to the axis is on it
 
 /// The farthest point on one ray; distance 0: none yet.
 struct Ray {
@@ -23,13 +24,14 @@ struct Ray {
   ProfilePoint farthest;
 };
 
-/// Rays in a quarter circle about the axis point at height z0, first straight down, last
-/// horizontal; equally spaced in r / (r + depth), which grows with the angle and costs less.
+/// Rays in a quarter circle about the axis point at height z0, from straight down to horizontal.
+/// They are equally spaced in r / (r + depth), which increases with the angle and is fast to
+/// compute.
 struct Fan {
   double z0;
   std::vector<Ray> rays = std::vector<Ray>(ray_count);
 
-  /// Number of the ray through a point, with its fraction; beyond the last one above the
+  /// Index of the ray through a point, with its fraction. Larger than the last index above the
   /// horizontal.
   double at(const ProfilePoint& p) const {
     const double sum = p.r + p.z - z0;
@@ -39,7 +41,7 @@ struct Fan {
     const double distance2 = p.r * p.r + (p.z - z0) * (p.z - z0);
     if (distance2 > ray.distance2) ray = {distance2, p};
   }
-  /// Adds the crossings of the chord ab, whose ends stand at the numbers at_a and at_b.
+  /// Adds the crossings of the chord ab, whose ends are at the ray indices at_a and at_b.
   void add(const ProfilePoint& a, double at_a, const ProfilePoint& b, double at_b) {
     const double last = std::min(std::max(at_a, at_b), ray_count - 1.0);
     for (int k = static_cast<int>(std::ceil(std::min(at_a, at_b))); k <= last; ++k) {
@@ -63,7 +65,7 @@ ProfilePoint in_half_plane(const Vec3& x_B) {
   return {std::sqrt(x_B.x() * x_B.x() + x_B.y() * x_B.y()), x_B.z()};
 }
 
-/// Adds an image's next chord, which begins at `last`.
+/// Adds chords of a curve one by one; the next one begins at `last`.
 struct Pen {
   ProfilePoint last;
   double at_last;
@@ -76,9 +78,9 @@ struct Pen {
   }
 };
 
-/// Where an edge is nearest to the axis.
+/// The point of an edge that is nearest to the axis.
 struct Nearest {
-  double share;  ///< of the way from a to b; outside (0, 1) if the edge has no such point inside
+  double share;  ///< of the way from a to b; outside (0, 1) if the edge has no such interior point
   ProfilePoint point;
 };
 
@@ -92,8 +94,8 @@ Nearest nearest_to_axis(const Vec3& a_B, const Vec3& b_B) {
   return {share, p};
 }
 
-/// In (r, z) an edge that passes the axis has a bend at its nearest point. If the bend is narrower
-/// than a chord, a chord would jump over it and miss the rays beside the axis.
+/// In (r, z), an edge that passes the axis has a bend at its nearest point. If the bend is narrower
+/// than a chord, a chord would skip it and miss the rays near the axis.
 void add_edge(const Vec3& a_B, const Vec3& b_B, Fan& fan) {
   const int steps = 1 + static_cast<int>((b_B - a_B).norm() / chord);
   const Nearest nearest = nearest_to_axis(a_B, b_B);
@@ -111,8 +113,8 @@ void add_edge(const Vec3& a_B, const Vec3& b_B, Fan& fan) {
 
 /// A flat triangle folds in (r, z) where it passes the axis: at each height the point nearest to
 /// the axis lies in the vertical plane through the axis and the triangle's normal. There the border
-/// of its image is no edge's image. For a level triangle any such plane contains its point on the
-/// axis.
+/// of its image is not the image of an edge. For a horizontal triangle, any such plane contains its
+/// point on the axis.
 void add_fold(const std::array<Vec3, 3>& x_B, Fan& fan) {
   Vec3 across = Vec3::UnitZ().cross(mesh::area_vector(x_B[0], x_B[1], x_B[2]));
   if (across.isZero(0.0)) across = Vec3::UnitX();
@@ -125,7 +127,8 @@ void add_fold(const std::array<Vec3, 3>& x_B, Fan& fan) {
   if (ends.size() == 2) add_edge(ends[0], ends[1], fan);
 }
 
-/// Every edge once: of a closed mesh, the direction in which its first index is the smaller.
+/// Adds every edge of a closed mesh once: in the direction in which its first index is the smaller
+/// one.
 void add_part(const Part& part, Fan& fan) {
   std::vector<Vec3> x_B;
   for (const Vec3& x_P : part.mesh_P.positions) x_B.push_back(part.X_BP * x_P);
@@ -136,7 +139,7 @@ void add_part(const Part& part, Fan& fan) {
   }
 }
 
-/// The profile from the axis to the gage, empty rays left out, r monotone.
+/// The profile from the axis to the gage, without empty rays and with monotonic r.
 std::vector<ProfilePoint> outline(const Fan& fan) {
   std::vector<ProfilePoint> points;
   for (const Ray& ray : fan.rays) {
@@ -151,7 +154,7 @@ double distance(const ProfilePoint& a, const ProfilePoint& b) {
   return std::hypot(b.r - a.r, b.z - a.z);
 }
 
-/// Points at equal arc lengths along a polyline, both ends included.
+/// Points at equal arc lengths along a polyline, including both ends.
 std::vector<ProfilePoint> resampled(const std::vector<ProfilePoint>& line, double spacing) {
   std::vector<double> arc{0.0};
   for (std::size_t k = 1; k < line.size(); ++k)

@@ -12,13 +12,14 @@ struct ProfilePoint {
   double z = 0.0;
 };
 
-/// The exposure profile: what the cutting parts touch when all are turned about the bit's axis into
-/// one half-plane, from the axis (r = 0) to the gage, with points about `spacing` (m) apart. Found
-/// along rays from the axis, at the height of the topmost cutting part's centre, from straight down
-/// to horizontal: on each, the farthest point of the parts' triangles, to a few micrometres. Where
-/// no part reaches, the profile is straight, and flat at the axis. r never decreases towards the
-/// gage: above the widest place the wall goes straight up, as the bit leaves it. Throws InputError
-/// when no part cuts. Thesis: fig. 3.8 (its title is all that we hold); the construction is ours.
+/// Computes the exposure profile: the envelope of the cutting parts when all are rotated about the
+/// bit's axis into one half-plane, from the axis (r = 0) to the gage, with points about `spacing`
+/// (m) apart. It is sampled along rays from the point of the axis at the height of the topmost
+/// cutting part's centre, from straight down to horizontal: on each ray, the farthest point of the
+/// parts' triangles, to a few micrometres. Where no part reaches, the profile is straight, and flat
+/// at the axis. r never decreases towards the gage: above the widest place the wall is vertical, as
+/// the bit leaves it. Throws InputError if no part cuts. Thesis: fig. 3.8 (we have only its title);
+/// the construction is not in the thesis.
 std::vector<ProfilePoint> exposure_profile(const std::vector<Part>& parts, double spacing);
 
 }  // namespace tdbd::bit

@@ -8,7 +8,7 @@
 namespace tdbd::bit {
 namespace {
 
-/// Box of the parts in the (r, z) half-plane, as (r, 0, z).
+/// Bounding box of the parts in the (r, z) half-plane, as (r, 0, z).
 mesh::Box box_in_half_plane(const std::vector<Part>& parts) {
   mesh::Box box;
   for (const Part& part : parts)

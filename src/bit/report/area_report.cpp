@@ -64,7 +64,7 @@ std::string share_text(const Part& part) {
 }
 
 std::string areas_of(const Part& part) {
-  using Given = std::pair<std::string, std::string>;  // what, by which area
+  using Given = std::pair<std::string, std::string>;  // property, and area that defines it
   std::string text;
   for (const auto& [what, area] :
        {Given(part.material.empty() ? "density" : part.material, part.density_area),

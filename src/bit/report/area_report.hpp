@@ -10,18 +10,18 @@
 
 namespace tdbd::bit {
 
-/// The force law of a part, as a run has resolved it.
+/// The force law of a part, as resolved by a run.
 struct PartLaw {
   std::string law;                                           ///< its name
   std::vector<std::pair<std::string, double>> coefficients;  ///< SI
-  std::vector<std::string> areas;  ///< of [forces.areas] that select the part, by rising rank
+  std::vector<std::string> areas;  ///< of [forces.areas] that select the part, in ascending rank
 };
 
 /// The properties of every part, in the order of the bit, each with the area of the bit file that
-/// gave it (`areas`). `laws`: per part; empty: not known, as without a run.
+/// defined it (`areas`). `laws`: per part; empty if not known, as without a run.
 nlohmann::ordered_json properties_json(const Bit& bit, std::span<const PartLaw> laws);
 
-/// The same as a table for a terminal, without laws; empty if no area gives a part a property.
+/// The same as a table for a terminal, without laws. Empty if no area defines a property of a part.
 std::string areas_report(const Bit& bit);
 
 }  // namespace tdbd::bit

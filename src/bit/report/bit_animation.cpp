@@ -16,12 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers of the format: glTF 2.0, sections 3.6.2 and 4.4; OpenGL's for types.
+// Constants of the format: glTF 2.0, sections 3.6.2 and 4.4; type numbers are those of OpenGL.
 constexpr int of_floats = 5126, of_indices = 5125;
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A,
                         binary_chunk = 0x004E4942;
 
-/// What a file says of its numbers, and the numbers.
+/// The JSON descriptions of a file and its binary data.
 struct Gltf {
   Json accessors = Json::array(), views = Json::array(), meshes = Json::array(),
        nodes = Json::array(), materials = Json::array(), channels = Json::array(),
@@ -29,7 +29,7 @@ struct Gltf {
   std::string bytes;
 };
 
-/// Appends numbers of four bytes; returns the number of their accessor.
+/// Appends numbers of four bytes each. Returns the index of their accessor.
 template <class Number>
 std::size_t add_numbers(Gltf& g, const std::vector<Number>& numbers, const char* shape,
                         std::size_t width) {
@@ -44,7 +44,7 @@ std::size_t add_numbers(Gltf& g, const std::vector<Number>& numbers, const char*
   return g.accessors.size() - 1;
 }
 
-/// The format asks for the ranges of places and times.
+/// The format requires the ranges of positions and times.
 void note_range(Gltf& g, std::size_t accessor, const std::vector<Single>& numbers,
                 std::size_t width) {
   std::vector<Single> low(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(width));
@@ -57,7 +57,7 @@ void note_range(Gltf& g, std::size_t accessor, const std::vector<Single>& number
   g.accessors[accessor]["max"] = high;
 }
 
-/// A grey for bodies, dark for what cuts.
+/// Grey for bodies, dark for cutting parts.
 std::array<double, 4> colour_of(PartKind kind) {
   switch (kind) {
     case PartKind::face:
@@ -109,7 +109,7 @@ std::size_t add_mesh(Gltf& g, const KindMesh& m, std::size_t material) {
   return g.meshes.size() - 1;
 }
 
-/// A node below the body's for each kind of its parts; returns their numbers.
+/// Adds a node below the body's node for each kind of its parts. Returns their indices.
 Json add_kinds(Gltf& g, const Bit& bit, std::size_t body) {
   std::map<PartKind, KindMesh> kinds;
   for (const Part& part : bit.parts)
@@ -132,7 +132,8 @@ void add_bodies(Gltf& g, const Bit& bit, std::size_t count) {
   }
 }
 
-/// STEP: between two frames nothing was computed, and the shortest turn need not be the bit's.
+/// STEP, because nothing was computed between two frames, and the shortest rotation need not be
+/// that of the bit.
 void add_channel(Gltf& g, std::size_t body, std::size_t times, const std::vector<Single>& numbers,
                  const char* shape, std::size_t width) {
   g.samplers.push_back({{"input", times},
@@ -196,7 +197,7 @@ void write_bit_animation(const std::filesystem::path& path, const Bit& bit,
   add_bodies(g, bit, bodies);
   add_motion(g, frames);
   std::string text = document_of(g, bodies).dump();
-  text.append((4 - text.size() % 4) % 4, ' ');  // chunks begin at multiples of four
+  text.append((4 - text.size() % 4) % 4, ' ');  // chunks are aligned to four bytes
   WholeFile file(path);
   put(file.stream(), magic);
   put(file.stream(), version);

@@ -65,8 +65,8 @@ Json inertia_of(const Mat3& inertia) {
   return rows;
 }
 
-/// Where a cutter is in the bit frame: tip, centre of the face, axes of its frame (thesis: 3.2.2)
-/// and the profile's normal.
+/// The placement of a cutter in the bit frame: tip, centre of the face, axes of its frame (thesis:
+/// 3.2.2) and the profile's normal.
 void add_placing(const Cutter& c, Json& entry) {
   entry["diameter_m"] = c.diameter;
   entry["tip_m"] = vector_json(tip_B(c));
@@ -77,7 +77,8 @@ void add_placing(const Cutter& c, Json& entry) {
   entry["profile_normal"] = vector_json(profile_normal_B(c));
 }
 
-/// Of the counted cutters; the others cut nothing, and their overlap and exposure are not known.
+/// Values of the counted cutters. The others cut nothing, and their overlap and exposure are not
+/// known.
 Json cutters_json(const Bit& bit, const std::vector<int>& counted,
                   const std::vector<Cutter>& cutting, const Engagement& e) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -100,8 +101,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double profile_spacing = 1e-3;  ///< m
 
-/// A cone's meridian where the cone is deepest, in the bit's half-plane: the vertical plane through
-/// the journal, turned about the bit's axis.
+/// A cone's meridian at the angle at which the cone is deepest, in the bit's half-plane: the
+/// vertical plane through the journal, rotated about the bit's axis.
 Json in_bit_half_plane(const Cone& cone, const Meridian& meridian) {
   const Vec3 s_B = -cone.X_BK.R.col(2);
   const Vec3 down_B = (Vec3::UnitZ() - s_B.z() * s_B).normalized();
@@ -144,7 +145,7 @@ Json clearance_of(const LegClearance& c) {
           {"place_m", vector_json(c.place_B)}};
 }
 
-/// Every part, in the order of the numbers in bit.vtp.
+/// Every part, in the order of the part numbers in bit.vtp.
 Json parts_json(const Bit& bit) {
   Json parts = Json::array();
   for (const Part& p : bit.parts)
@@ -160,8 +161,8 @@ Json parts_json(const Bit& bit) {
   return parts;
 }
 
-/// What the body's parts reach when turned into one half-plane. Absent when the bit has no body, or
-/// has cones: then the body is a shank.
+/// The envelope of the body's parts when rotated into one half-plane. Absent if the bit has no
+/// body, or has cones, because then the body is a shank.
 void add_body_profile(const Bit& bit, Json& file) {
   std::vector<Part> body;
   for (const Part& p : bit.parts)
@@ -174,8 +175,8 @@ void add_body_profile(const Bit& bit, Json& file) {
   file["body_profile_rz_m"] = points;
 }
 
-/// The cones, each with the meridians of its shell and of what its rows sweep, and the clearances
-/// between cones and from legs.
+/// The cones, each with the meridians of its shell and of the volumes swept by its rows, and the
+/// clearances between cones and from legs.
 void add_cones(const Bit& bit, Json& file) {
   file["cones"] = cones_json(bit);
   for (std::size_t k = 0; k < bit.cones.size(); ++k)

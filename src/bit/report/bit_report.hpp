@@ -8,26 +8,27 @@
 
 namespace tdbd::bit {
 
-/// How the bit is driven in the analysis.
+/// Operating conditions of the analysis.
 struct ReportOptions {
   double advance = 5e-3;            ///< m, penetration per revolution
   double bit_speed = 12.566;        ///< rad/s
-  std::vector<double> cone_speeds;  ///< over the bit's; empty: at which the gage rows roll
+  std::vector<double> cone_speeds;  ///< over the bit's; empty: speeds at which the gage rows roll
 };
 
-/// The text of analysis.json: what a designer wants to know about a bit before any drilling. For each
-/// cutter: place, rakes, under-exposure, wear, overlap with the next one, its outline turned into
-/// one half-plane, cut area and volume (engagement.hpp), exposure, frame and tip. For the bit: how
-/// many cutters cut at each radius and their mean, imbalance of the unit law, mass, centre,
-/// inertia, the body's profile, every part with its update direction, pairs of cutters that
-/// overlap, the cutters' volume inside the body. With blades: "body" (body_report.hpp). With cones:
-/// the cones as in bit.json, what their rows sweep, the gaps between them, tracking and contact
-/// ratios of their rows (tracking_report.hpp), and what the assumptions about cones are worth
-/// (assumption_report.hpp). What a bit lacks is an empty list, a null, or absent. SI, units in the
-/// keys.
+/// Returns the text of analysis.json, the analysis of a bit before drilling.
+/// - Each cutter: place, rakes, under-exposure, wear, overlap with the next one, its outline
+///   rotated into one half-plane, cut area and volume (engagement.hpp), exposure, frame and tip.
+/// - The bit: number of cutters that cut at each radius and their mean, imbalance of the unit law,
+///   mass, centre, inertia, the body's profile, every part with its update direction, pairs of
+///   cutters that overlap, the cutters' volume inside the body.
+/// - With blades: "body" (body_report.hpp).
+/// - With cones: the cones as in bit.json, what their rows sweep, the gaps between them, tracking
+///   and contact ratios of their rows (tracking_report.hpp), and the errors of the assumptions
+///   about cones (assumption_report.hpp).
+/// What a bit does not have is an empty list, null, or absent. SI, units in the keys.
 std::string analysis_json(const Bit& bit, const ReportOptions& options);
 
-/// Writes it. Throws RunError when it cannot be written.
+/// Writes analysis.json. Throws RunError if it cannot be written.
 void write_analysis(const std::filesystem::path& folder, const Bit& bit,
                     const ReportOptions& options);
 

@@ -25,22 +25,24 @@ Rubbing body_rubbing(const Bit& bit, double advance) {
   return rubbing(cutters_at(bit, counted_cutters(bit)), body_of(bit), advance, report_column_width);
 }
 
-/// Weight over depth of cut, for a rock of any strength S (assumed: a sharp cutter spends S on a volume
-/// and is pushed by `cutting` times that; what rubs presses with `pressing` times S).
+/// Weight as a function of the depth of cut, for a rock of any strength S. Assumed: a sharp cutter
+/// spends S per unit of volume and is pushed by `cutting` times that; what rubs presses with
+/// `pressing` times S.
 struct WeightCurve {
   static constexpr double cutting = 0.8, pressing = 1.5;
   static constexpr int values = 41;
   double touching = 0.0;                   ///< m per revolution
-  std::vector<double> advances;            ///< m per revolution, from 0 to twice what first touches
-  std::vector<double> area;                ///< m2, of all that rubs, along the axis
+  std::vector<double> advances;            ///< m per revolution, from 0 to twice that of first
+                                           ///< contact
+  std::vector<double> area;                ///< m2, of all that rubs, projected along the axis
   std::vector<double> weight;              ///< m2, over S
-  double slope = 0.0, slope_beyond = 0.0;  ///< m, before it touches, and on average from there on
+  double slope = 0.0, slope_beyond = 0.0;  ///< m, before contact, and mean after it
 };
 
 WeightCurve weight_curve(const Bit& bit) {
   WeightCurve w;
   w.touching = body_rubbing(bit, 0.0).touching_advance;
-  constexpr double usual = 0.1;  // gage radii per revolution, where nothing says when it touches
+  constexpr double usual = 0.1;  // gage radii per revolution, if first contact is unknown
   const bool touches = w.touching > 0.0 && std::isfinite(w.touching);
   const double most = touches ? 2.0 * w.touching : usual * bit.gage_radius;
   for (int k = 0; k < WeightCurve::values; ++k)
@@ -96,7 +98,7 @@ std::string body_text(const Bit& bit, double advance) {
   if (!bit.blades) return "";
   const Rubbing r = body_rubbing(bit, advance);
   const WeightCurve w = weight_curve(bit);
-  constexpr double n_per_mm = 1e3;  // of one metre, at 1 MPa
+  constexpr double n_per_mm = 1e3;  // per metre, at 1 MPa
   return fmt::format(
       "blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} mm2\n"
       "rubbing: at {:.3f} mm per revolution the blades clear the rock by {:.3f} mm along the axis "

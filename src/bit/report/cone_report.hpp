@@ -9,7 +9,7 @@
 
 namespace tdbd::bit {
 
-/// Each cone's numbers, its rows' and the clearances between cones, as text.
+/// The data of each cone and of its rows, and the clearances between cones, as text.
 std::string cones_text(const Bit& bit);
 
 /// The same for bit.json: an array of cones. SI, units in the keys.

@@ -19,7 +19,7 @@ constexpr int sweep_revolutions = 5;
 constexpr double sweep_from = 1.0, sweep_step = 0.005;
 constexpr int sweep_points = 161;
 
-/// A row of the bit and its tracking; no prints when its teeth never let go of the bottom.
+/// A row of the bit and its tracking. No prints if its teeth never lose contact with the bottom.
 struct RowFigures {
   const Cone* cone = nullptr;
   const ToothRow* row = nullptr;
@@ -59,7 +59,7 @@ std::vector<RowFigures> figures_of(const Bit& bit, const ConeOperation& o) {
   return figures;
 }
 
-/// The share of the rows of one cone, or of all rows.
+/// The combined share of the rows of one cone, or of all rows.
 TrackingShare together(const std::vector<RowFigures>& figures, const Cone* cone) {
   std::vector<TrackingShare> shares;
   for (const RowFigures& f : figures)
@@ -91,7 +91,7 @@ void add_to_cone(const Cone& cone, double speed, const std::vector<RowFigures>& 
     if (f.cone == &cone) json["rows"][static_cast<std::size_t>(f.number) - 1].update(row_json(f));
 }
 
-/// All cones at one speed, from 1 to 1.8 times the bit's.
+/// The shares with all cones at one speed, from 1 to 1.8 times the bit's.
 Json sweep_json(const Bit& bit, const ConeOperation& o) {
   const std::vector<BitRow> rows = bit_rows(bit, o.penetration);
   TrackingOptions options = options_for(o);

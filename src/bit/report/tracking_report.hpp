@@ -8,23 +8,23 @@
 
 namespace tdbd::bit {
 
-/// The speeds at which a bit's cones turn in the report, and how deep their teeth stand in the
-/// bottom.
+/// The speeds of a bit's cones in the report, and the penetration of their teeth into the bottom.
 struct ConeOperation {
   std::vector<double> cone_speeds;  ///< over the bit's, one for each cone, > 0
   double penetration = 5e-3;        ///< m
 };
 
-/// The operation with the given speeds or, if none are given, with each cone's rolling ratio of its
-/// gage row. Throws InputError (--cone-speeds) when their number is not that of the cones, or one
-/// of them is not between 0 and 100.
+/// Returns the operation with the given speeds or, if none are given, with each cone's rolling
+/// ratio of its gage row. Throws InputError (--cone-speeds) if their number differs from that of
+/// the cones, or if one of them is not between 0 and 100.
 ConeOperation cone_operation(const Bit& bit, const std::vector<double>& cone_speeds,
                              double penetration);
 
-/// Adds to analysis.json how often the teeth fall into earlier prints and how many stand on the
-/// bottom at once (bit/cone/tracking.hpp). Nothing for a bit without cones. The keys, null where a
-/// row never lets go of the bottom (a nose tooth on the journal) and so has no prints:
-///   cones[].speed_ratio, .rolling_ratio_gage_row    the cone's speed over the bit's; what rolls
+/// Adds to analysis.json how often the teeth fall into earlier prints and how many are on the
+/// bottom at once (bit/cone/tracking.hpp). Adds nothing for a bit without cones. Values are null
+/// for a row that never loses contact with the bottom (a nose tooth on the journal) and so has no
+/// prints. The keys:
+///   cones[].speed_ratio, .rolling_ratio_gage_row    the cone's speed over the bit's; without slip
 ///   cones[].tracking_share, .tracking_share_random_phase, .tracking_share_by_lag
 ///       of all its prints; lags 1 to 6, of which tracking_share is the first
 ///   cones[].rows[].prints_per_revolution, .print_width_m, .tooth_contact_ratio
@@ -35,7 +35,7 @@ ConeOperation cone_operation(const Bit& bit, const std::vector<double>& cone_spe
 ///       lag 1 of the whole bit, with all cones at one speed from 1 to 1.8 times the bit's
 void add_tracking(const Bit& bit, const ConeOperation& operation, nlohmann::ordered_json& file);
 
-/// The rows' numbers as text.
+/// The data of the rows as text.
 std::string tracking_text(const Bit& bit, const ConeOperation& operation);
 
 }  // namespace tdbd::bit

@@ -39,7 +39,7 @@ double flat_temperature(const FlatHeating& heating, const FlatContact& c) {
   if (!(c.normal_force > 0.0) || !(c.area > 0.0) || !(c.speed > 0.0))
     return heating.fluid_temperature;
   const double flux = heating.friction * c.normal_force * c.speed / c.area;
-  const double passing = c.length / c.speed;  // s, during which a point of the rock is heated
+  const double passing = c.length / c.speed;  // s, for which a point of the rock is heated
   const double rock = 4.0 / 3.0 * std::sqrt(heating.rock_diffusivity * passing / std::numbers::pi) /
                       heating.rock_conductivity;
   const double cutter = heating.cutter_resistance;

@@ -6,7 +6,7 @@
 
 namespace tdbd::bit {
 
-/// What rubs on a surface of the bit at an instant.
+/// Contact of a surface of the bit with rock at one time.
 struct WearContact {
   double normal_force = 0.0;  ///< N, between the surface and the rock
   double speed = 0.0;         ///< m/s, of the surface over the rock
@@ -19,7 +19,8 @@ struct NoWear {
   bool operator==(const NoWear&) const = default;
 };
 
-/// Archard: the worn volume is proportional to normal force and path, and inversely to hardness.
+/// Archard's law: the worn volume is proportional to normal force and path, and inversely
+/// proportional to hardness.
 struct SlidingWear {
   static constexpr std::string_view name = "sliding";
   double coefficient = 0.0;  ///< k, 1
@@ -27,21 +28,21 @@ struct SlidingWear {
   bool operator==(const SlidingWear&) const = default;
 };
 
-/// Glowka's thermal wear: sliding wear that is faster above a threshold of the temperature. That a
-/// threshold exists is in the abstract of SPE 14222; the exponential form is ours.
+/// Glowka's thermal wear: sliding wear that is faster above a threshold temperature. The existence
+/// of a threshold is stated in the abstract of SPE 14222; the exponential form is not from there.
 struct ThermalWear {
   static constexpr std::string_view name = "thermal";
   SlidingWear sliding;
   double threshold = 0.0;  ///< K
-  double growth = 0.0;     ///< K, above 0: an excess by this multiplies the rate by e
+  double growth = 0.0;     ///< K, above 0: an excess by this amount multiplies the rate by e
   bool operator==(const ThermalWear&) const = default;
 };
 
-/// Measured wear: volume per work of the normal force over temperature. Linear between the
-/// temperatures, constant beyond the first and the last.
+/// Measured wear: volume per work of the normal force as a function of temperature. Linear between
+/// the temperatures, constant below the first and above the last.
 struct TableWear {
   static constexpr std::string_view name = "table";
-  std::vector<double> temperatures;  ///< K, rising
+  std::vector<double> temperatures;  ///< K, ascending
   std::vector<double> rates;         ///< m3/(N m), one for each temperature
   bool operator==(const TableWear&) const = default;
 };
@@ -54,8 +55,9 @@ double wear_coefficient(const WearLaw& law, double temperature);
 /// The rate of worn volume, m3/s: C(T) Fn v; bit (16).
 double wear_rate(const WearLaw& law, const WearContact& contact);
 
-/// How a wear flat heats: the heat of friction divides between the rock, a half-space that slides
-/// past, and the cutter, a resistance. The formula is from memory of Glowka and Stone.
+/// Heating of a wear flat. The heat of friction is divided between the rock, a half-space that
+/// slides past, and the cutter, a thermal resistance. The formula is from memory of Glowka and
+/// Stone.
 struct FlatHeating {
   double friction = 0.0;              ///< mu, 1
   double rock_conductivity = 0.0;     ///< W/(m K), above 0
@@ -64,7 +66,7 @@ struct FlatHeating {
   double fluid_temperature = 293.15;  ///< K
 };
 
-/// What heats a flat.
+/// The contact that heats a flat.
 struct FlatContact {
   double normal_force = 0.0;  ///< N
   double speed = 0.0;         ///< m/s
@@ -72,7 +74,8 @@ struct FlatContact {
   double length = 0.0;        ///< m, of the flat along the motion
 };
 
-/// Mean temperature of a flat, K; bit (17). That of the fluid where no force, area, or motion heats it.
+/// Mean temperature of a flat, K; bit (17). Equal to that of the fluid without force, area or
+/// motion.
 double flat_temperature(const FlatHeating& heating, const FlatContact& contact);
 
 }  // namespace tdbd::bit

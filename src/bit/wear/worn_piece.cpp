@@ -17,7 +17,7 @@ namespace {
 
 std::size_t place_of(int index) { return static_cast<std::size_t>(index); }
 
-/// A face that a chamfer encloses has no volume of its own.
+/// A face enclosed by a chamfer has no volume of its own.
 bool adds_volume(const Bit& bit, const Part& part) {
   return part.cutter < 0 || part.kind != PartKind::face ||
          bit.cutters[place_of(part.cutter)].chamfer == 0.0;
@@ -36,8 +36,8 @@ WearSolid solid_of(const Cutter& c, int index) {
   return s;
 }
 
-/// A tooth is blunted along its axis Z, from its tip on; a gage pad loses height along its X axis, from
-/// the gage on.
+/// A tooth is blunted along its axis Z, from its tip; a gage pad loses height along its X axis,
+/// from the gage.
 WearSolid solid_of(const Part& part) {
   constexpr double most_of_tooth = 0.95, most_of_pad = 0.5;
   const bool is_tooth = part.kind == PartKind::tooth;
@@ -66,7 +66,8 @@ void add_part(const Part& part, WearSolid& s) {
   }
 }
 
-/// Of a tooth's tip from the bit's axis where its cone's turn takes it deepest, m.
+/// Radius of a tooth's tip from the bit's axis at the deepest position during a turn of its cone,
+/// m.
 double deepest_radius(const Bit& bit, const Part& part, const WearSolid& s) {
   if (part.cone < 0) return (part.X_BP * s.tip_C).head<2>().norm();
   const Cone& cone = bit.cones[place_of(part.cone)];
@@ -78,7 +79,7 @@ bool is_tooth_or_pad(const Part& part) {
   return part.kind == PartKind::tooth || part.kind == PartKind::gage_pad;
 }
 
-/// What of a triangle lies beyond the plane: a polygon of up to four corners.
+/// The part of a triangle beyond the plane: a polygon of up to four corners.
 struct Beyond {
   std::array<Vec3, 4> x;
   int count = 0;
@@ -115,7 +116,8 @@ Beyond beyond_plane(const WearSolid& s, std::size_t i, double height, Section& s
     if (a <= 0.0) polygon.add(s.triangles_C[i][k]);
     if (a == 0.0) section.add(s.triangles_C[i][k]);
     if (a * b >= 0.0) continue;
-    // From the corner with the smaller number on, so that both triangles of an edge agree.
+    // From the corner with the smaller index, so that both triangles of an edge give the same
+    // point.
     const Vec3 &p = s.triangles_C[i][k], &q = s.triangles_C[i][next];
     const Vec3 x = a < 0.0 ? Vec3(p + a / (a - b) * (q - p)) : Vec3(q + b / (b - a) * (p - q));
     polygon.add(x);
@@ -163,7 +165,7 @@ std::vector<WearSolid> wear_solids(const Bit& bit, std::span<const std::uint8_t>
 }
 
 WearFlat flat_at(const WearSolid& s, double height) {
-  constexpr double beside = 1e-9;  // of the size, beside the flat of the table
+  constexpr double beside = 1e-9;  // times the size, above the height of the flat in the table
   const double least = s.start + beside * s.size;
   if (height >= least) return section_at(s, height);
   WearFlat flat = section_at(s, least);
@@ -173,7 +175,7 @@ WearFlat flat_at(const WearSolid& s, double height) {
 }
 
 std::optional<WearFlat> flat_of_volume(const WearSolid& s, double volume, double from) {
-  constexpr double agreement = 1e-14;  // of the volume
+  constexpr double agreement = 1e-14;  // relative to the volume
   constexpr int most_evaluations = 200;
   double low = std::max(from, s.start), high = s.largest;
   WearFlat best = flat_at(s, low);
@@ -186,7 +188,7 @@ std::optional<WearFlat> flat_of_volume(const WearSolid& s, double volume, double
     if (error(best) <= agreement * volume) break;
     double next = flat.height - (flat.volume - volume) / flat.area;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (!(next > low && next < high)) break;  // neighbouring numbers
+    if (!(next > low && next < high)) break;  // adjacent doubles
     flat = flat_at(s, next);
     (flat.volume < volume ? low : high) = next;
   }

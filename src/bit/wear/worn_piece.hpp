@@ -11,31 +11,30 @@
 
 namespace tdbd::bit {
 
-/// A piece of a bit that wears: a cutter with all its parts, a tooth, or a gage pad. Of a cutter the
-/// surfaces are those of the parts whose volumes add up to its own; a face that a chamfer encloses is
-/// left out. Frame C: of the cutter, or of the part.
+/// A piece of a bit that wears: a cutter with all its parts, a tooth, or a gage pad. The surfaces
+/// of a cutter are those of the parts whose volumes add up to its own; a face enclosed by a chamfer
+/// is omitted. Frame C: of the cutter, or of the part.
 struct WearSolid {
   std::string name;        ///< "cutter-12", or that of the part
-  std::vector<int> parts;  ///< of the bit, that a flat cuts
+  std::vector<int> parts;  ///< of the bit, which a flat truncates
   int cutter = -1;         ///< index into Bit::cutters, or -1
   Vec3 normal_C =
       Vec3::Zero();  ///< into the rock: the profile's normal, a tooth's axis, a pad's radius
   Vec3 motion_C = Vec3::Zero();  ///< along the motion, in the flat
-  Vec3 tip_C =
-      Vec3::Zero();    ///< m: of a cutter its tip, of others a point farthest along the normal
-  double start = 0.0;  ///< m, height at which no volume is lost yet: that of the flat of the table,
-                       ///< or with side rake a few micrometres below 0 (cutter_pose)
-  double size = 0.0;   ///< m: a cutter's diameter, a tooth's protrusion, a pad's thickness
-  double largest = 0.0;                          ///< m, height of the largest flat
+  Vec3 tip_C = Vec3::Zero();  ///< m: tip of a cutter, for others a point farthest along the normal
+  double start = 0.0;    ///< m, largest height at which no volume is lost: that of the flat in the
+                         ///< table, or with side rake a few micrometres below 0 (cutter_pose)
+  double size = 0.0;     ///< m: a cutter's diameter, a tooth's protrusion, a pad's thickness
+  double largest = 0.0;  ///< m, height of the largest flat
   std::vector<std::array<Vec3, 3>> triangles_C;  ///< m, from the tip, outward
   std::vector<std::array<double, 3>> depth;      ///< m, of their corners below the tip
 };
 
-/// The pieces of a bit as they are at the start, with the flats of their table: all cutters, and the
-/// teeth and gage pads among the parts with a mark in `wears` (one a part; empty: none). The largest
-/// flat of a cutter is as wide as its cutter: its height is half of the diameter, measured on the
-/// face. A tooth may wear down to 0.95 of its protrusion, a pad to half of its thickness. Throws
-/// InputError for a marked pad that is not convex.
+/// Returns the pieces of a bit in their initial state, with the flats of their table: all cutters,
+/// and those teeth and gage pads whose part is marked in `wears` (one mark per part; empty: none).
+/// The largest flat of a cutter is as wide as the cutter: its height is half of the diameter,
+/// measured on the face. A tooth may wear down to 0.95 of its protrusion, a pad to half of its
+/// thickness. Throws InputError for a marked pad that is not convex.
 std::vector<WearSolid> wear_solids(const Bit& bit, std::span<const std::uint8_t> wears = {});
 
 /// A wear flat: the section of a piece by the plane that is `height` below its tip.
@@ -51,38 +50,40 @@ struct WearFlat {
 /// triangles beyond the plane.
 WearFlat flat_at(const WearSolid& solid, double height);
 
-/// The flat whose volume is `volume` (m3), to 1e-14 of it or to the rounding of its height. Newton's
-/// method in a bracket between `from` (m, a height whose volume is not larger) and the largest flat,
-/// halved where Newton's method leaves it; at most 200 evaluations. None: the volume is that of the
-/// largest flat or more. Deterministic.
+/// The flat whose volume is `volume` (m3), to a relative 1e-14 or to the rounding of its height.
+/// Newton's method, bracketed between `from` (m, a height whose volume is not larger) and the
+/// largest flat, with bisection where Newton's method leaves the bracket; at most 200 evaluations.
+/// Returns nothing if the volume is that of the largest flat or more. Deterministic.
 std::optional<WearFlat> flat_of_volume(const WearSolid& solid, double volume, double from);
 
-/// Cuts the parts of a piece down to a flat at this height (m) and sets the Cutter::wear of a cutter to
-/// it, or 0. `fresh`: the bit before any wear of the run, whose parts are cut, so that no rounding adds
-/// up; of `bit`, only the meshes of these parts and that Cutter::wear change. Parts keep their number
-/// and order. Throws RunError if a part would be removed entirely; `bit` is then unchanged.
+/// Truncates the parts of a piece to a flat at this height (m). For a cutter, sets Cutter::wear to
+/// the height, but at least 0. `fresh`: the bit before any wear of the run. Its parts are
+/// truncated, so that rounding errors do not accumulate. In `bit` only the meshes of these parts
+/// and that Cutter::wear change. Parts keep their number and order. Throws RunError if a part would
+/// be removed entirely; `bit` is then unchanged.
 void wear_piece(const Bit& fresh, const WearSolid& solid, double height, Bit& bit);
 
-/// What a worn piece lacks, m3, by its meshes alone: nothing here knows of flat_at.
+/// The volume that a worn piece has lost, m3, computed from its meshes alone, independently of
+/// flat_at.
 struct LostVolume {
-  double beyond_flat = 0.0;  ///< of what of the fresh meshes is beyond the plane of the flat
-  double by_meshes = 0.0;    ///< of the fresh meshes less that of the worn ones
-  double whole = 0.0;        ///< of the fresh meshes, to whose rounding by_meshes is exact
+  double beyond_flat = 0.0;  ///< of the parts of the fresh meshes beyond the plane of the flat
+  double by_meshes = 0.0;    ///< difference of the volumes of the fresh and the worn meshes
+  double whole = 0.0;        ///< of the fresh meshes; by_meshes is exact to its rounding
 };
 
 /// `height`: of the flat, m.
 LostVolume lost_volume(const Bit& fresh, const Bit& worn, const WearSolid& solid, double height);
 
-/// The IADC dull grades of the cutting structure, whole numbers from 0 (no wear) to 8 (no usable
-/// cutter or tooth left): the mean share of the cutters' diameters, or of the teeth's protrusions,
-/// that is worn, in eighths, rounded.
+/// The IADC dull grades of the cutting structure, integers from 0 (no wear) to 8 (no usable cutter
+/// or tooth left): the mean worn fraction of the cutters' diameters, or of the teeth's protrusions,
+/// in eighths, rounded.
 struct DullGrade {
-  int inner = 0;  ///< of what cuts within two thirds of the gage radius
+  int inner = 0;  ///< of cutters and teeth within two thirds of the gage radius
   int outer = 0;  ///< of the rest
 };
 
-/// `heights`: of the flats, m, one a solid; of cutters measured on the face. Gage pads do not count. 0
-/// of a group without cutters and teeth.
+/// `heights`: of the flats, m, one per solid; for cutters measured on the face. Gage pads do not
+/// count. The grade of a group without cutters and teeth is 0.
 DullGrade dull_grade(const Bit& bit, std::span<const WearSolid> solids,
                      std::span<const double> heights);
 

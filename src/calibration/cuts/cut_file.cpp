@@ -21,7 +21,7 @@ namespace {
 
 using simulation::CutOfPart;
 
-/// Columns of a file: a number of a cut that can be read and written.
+/// A column of a file: a member of a cut with its name and unit.
 struct Column {
   const char* name;
   const char* units;
@@ -61,7 +61,7 @@ const std::vector<VectorColumn>& vector_columns() {
   return all;
 }
 
-/// An open file.
+/// An open file; closed by the destructor.
 struct Nc {
   std::filesystem::path path;
   int id = -1;
@@ -118,7 +118,7 @@ void write_rows(const Nc& nc, CutRun run, const std::vector<std::string>& names)
   }
 }
 
-/// All values of a variable; nothing if it is not there.
+/// Reads all values of a variable. Returns false if it does not exist.
 template <class T, class Get>
 bool read_all(const Nc& nc, const char* name, std::size_t count, std::vector<T>& values, Get get) {
   int variable = -1;
@@ -135,8 +135,8 @@ bool is_of_this_commit(const Nc& nc) {
          commit == provenance().commit;
 }
 
-/// A program that was built after the file may cut otherwise. Where the program's file is unknown,
-/// the commit alone decides.
+/// Whether the file is newer than the program: a program that was built later may compute other
+/// cuts. If the file of the program is unknown, only the commit is compared.
 bool is_newer_than_the_program(const std::filesystem::path& file) {
   std::error_code error;
   const auto built = std::filesystem::last_write_time(program_file(), error);

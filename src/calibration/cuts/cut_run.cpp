@@ -17,7 +17,8 @@ using simulation::CutOfPart;
 
 constexpr double turns_per_second = 2.0;
 
-/// Any law serves that knows the parts of a cutter: only their cuts are kept.
+/// The law is arbitrary as long as it applies to the parts of a cutter, because only their cuts are
+/// used.
 constexpr const char* cut_case_text = R"([bit]
 file = {file}
 [rock]
@@ -40,10 +41,10 @@ A3 = 0.3
 means_from = 0.0
 )";
 
-/// What a part's mean is made of, summed over steps.
+/// Sums over steps, from which the mean of a part is computed.
 struct Sum {
   CutOfPart mean;       ///< sums of areas, lengths and volumes
-  double weight = 0.0;  ///< of directions and points
+  double weight = 0.0;  ///< weight of directions and points
 };
 
 void add(const CutOfPart& cut, const Pose& X_BW, Sum& s) {
@@ -70,11 +71,12 @@ CutOfPart mean_of(const Sum& s, double steps) {
   m.cut.engaged_edge /= steps;
   m.cut.point /= s.weight;
   m.cut.normal.normalize();
-  m.forward_W.normalize();  // that of a part without a face stays zero
+  m.forward_W.normalize();  // remains zero for a part without a face
   return m;
 }
 
-/// A bit that no cut run can be made of; the mistakes of a case that no user wrote tell nothing.
+/// Throws InputError for a bit with cones. Mistakes in the generated case would mean nothing to the
+/// user.
 void refuse_cones(const CalibrationCase& c, const Tool& tool) {
   const bit::BitFile file = bit::read_bit(tool.bit_file, {}, {});
   if (!file.bit.cones.empty())

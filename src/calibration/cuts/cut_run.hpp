@@ -9,23 +9,25 @@
 
 namespace tdbd::calibration {
 
-/// The mean cuts of a tool's parts at one depth of cut, in the tool's own frame: what
-/// simulation::CutOfPart calls W is the bit's frame B here, of which z points down the hole and
-/// about which it turns; a single cutter's is that of groove_cut.hpp. They depend on tool and depth
-/// alone (calibration (1)): one cut run serves every pressure, speed and coefficient.
+/// The mean cuts of the parts of a tool at one depth of cut, in the frame of the tool: quantities
+/// that simulation::CutOfPart gives in frame W are in the frame B of the bit here, whose z axis
+/// points down the hole and is its axis of rotation. The frame of a single cutter is that of
+/// groove_cut.hpp. The cuts depend only on tool and depth (calibration (1)), so one cut run is used
+/// for all pressures, speeds and coefficients.
 struct CutRun {
-  double depth = 0.0;  ///< m, a revolution of a bit; a cutter's groove
+  double depth = 0.0;  ///< m: per revolution of a bit, or of the groove of a cutter
   std::vector<simulation::CutOfPart> cuts;
 };
 
-/// Which cut run a record needs: the depth to a picometre, so that rounding in the units of a file
-/// makes no second run.
+/// The depth of the cut run for a record, rounded to a picometre, so that rounding in the units of
+/// a file does not cause a second run.
 double depth_of_run(const Record& record);
 
-/// The case of a cut run: a steady kinematic run of the bit at this depth of cut (m a revolution).
+/// The case of a cut run: a steady run of the bit in prescribed motion at this depth of cut (m per
+/// revolution).
 simulation::Case cut_case(const CalibrationCase& c, const Tool& bit, double depth);
 
-/// Runs it, and takes the mean over its last revolution, calibration (1). Throws RunError.
+/// Runs the case and averages over its last revolution, calibration (1). Throws RunError.
 CutRun make_cut_run(const simulation::Case& c, double depth, long steps_per_revolution);
 
 }  // namespace tdbd::calibration

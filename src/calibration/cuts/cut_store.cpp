@@ -16,16 +16,16 @@ namespace {
 namespace fs = std::filesystem;
 using Key = std::pair<std::string, double>;
 
-/// A cut run of a bit that the store needs.
+/// A cut run of a bit that is required.
 struct Job {
   Key key;
   fs::path file;
   std::optional<CutRun> cuts;
-  std::optional<simulation::Case> run;  ///< of a run that is to be made
+  std::optional<simulation::Case> run;  ///< case of a run that is not available yet
 };
 
-/// Stands for a bit's content and the grid of its cut runs: the hash of one of them. Reading a bit
-/// takes longer than reading its cuts.
+/// A hash that identifies the content of a bit and the grid of its cut runs: the hash of one of
+/// these. Computed once per bit, because reading a bit takes longer than reading its cuts.
 std::string bit_hash(const CalibrationCase& c, const Tool& bit) {
   constexpr double any_depth = 1e-3;  // m
   return cut_case(c, bit, any_depth).hash;
@@ -62,7 +62,8 @@ void make_folder(const fs::path& folder) {
     throw InputError(fmt::format("folder of cuts {}: {}", folder.string(), error.message()));
 }
 
-/// A run that fails keeps the others: its message is told after them.
+/// Performs the missing runs. If one fails, the others are still stored; its message is thrown
+/// afterwards.
 void make_missing(const CalibrationCase& c, std::vector<Job>& jobs,
                   const std::function<void(long, long)>& progress) {
   std::vector<Job*> missing;

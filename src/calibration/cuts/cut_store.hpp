@@ -14,16 +14,16 @@ namespace tdbd::calibration {
 struct CutStore {
   std::map<std::pair<std::string, double>, CutRun> runs;
   std::vector<std::filesystem::path> files;  ///< of bits, each once, in the order of `runs`
-  long made = 0, found = 0;                  ///< cut runs of bits
+  long made = 0, found = 0;                  ///< number of cut runs of bits
 };
 
 /// The cut run of a record.
 const CutRun& cut_run_of(const CutStore& store, const Record& record);
 
-/// All cut runs that the records of a case need. Those of bits lie in `folder` as cuts-HASH.nc, HASH
-/// being that of the bit, the grid and the depth; what is missing or of another program is made
-/// there, on as many threads as ThreadLimit allows. `progress` hears how many of how many are made.
-/// Throws InputError and RunError.
+/// Provides all cut runs that the records of a case need. Those of bits are stored in `folder` as
+/// cuts-HASH.nc, where HASH is the hash of bit, grid and depth. Runs that are missing or from
+/// another program are computed, on as many threads as ThreadLimit permits. `progress` is called
+/// with the number of computed runs and the total. Throws InputError and RunError.
 CutStore find_cuts(const CalibrationCase& c, const std::filesystem::path& folder,
                    const std::function<void(long, long)>& progress = {});
 

@@ -8,7 +8,7 @@
 namespace tdbd::calibration {
 namespace {
 
-/// Length of the rim in the rock: an arc of the face, of which the depth shows foreshortened.
+/// Length of the rim in the rock: an arc of the face, which is foreshortened in depth.
 double engaged_rim(const SingleCutter& c, double depth) {
   const double radius = 0.5 * c.diameter;
   const double in_face = depth / std::cos(c.back_rake);

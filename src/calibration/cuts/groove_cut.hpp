@@ -5,11 +5,12 @@
 
 namespace tdbd::calibration {
 
-/// The cut of a single cutter that moves along flat rock in a groove of this depth (m), by geometry
-/// (calibration (2)). Frame: x along the motion, z into the rock. The cutter sits on an arm of 1 m
-/// along -y, so that the torque about z is its drag: a cutter test is evaluated as a bit's is. A
-/// wear flat and a chamfer press on the rock as one part of kind chamfer. `ahead_share`: of the
-/// depth, from the top, that chips off ahead of the face (rock (21)), so that it cuts what is left.
+/// The cut of a single cutter that moves along flat rock in a groove of this depth (m), from
+/// geometry (calibration (2)). Frame: x along the motion, z into the rock. The cutter is on an arm
+/// of 1 m along -y, so that the torque about z equals its drag and a cutter test is evaluated like
+/// that of a bit. A wear flat and a chamfer press on the rock as one part of kind chamfer.
+/// `ahead_share` is the share of the depth, from the top, that chips off ahead of the face (rock
+/// (21)); the face cuts the rest.
 CutRun groove_cut(const SingleCutter& cutter, double depth, double ahead_share = 0.0);
 
 }  // namespace tdbd::calibration

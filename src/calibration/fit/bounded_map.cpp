@@ -6,7 +6,7 @@
 namespace tdbd::calibration {
 namespace {
 
-/// A Range has no upper end alone: laws have no such coefficient.
+/// A Range with an upper end also has a lower one: laws have no other coefficients.
 bool has_both_ends(const Range& r) { return std::isfinite(r.lo) && std::isfinite(r.hi); }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::vector<Eigen::Index> inside(const Problem& p, const Eigen::VectorXd& values
   return free;
 }
 
-/// (J^T J)^-1 of the coefficients that are not at a bound, by singular values of J.
+/// (J^T J)^-1 of the coefficients that are not at a bound, from the singular values of J.
 Eigen::MatrixXd covariance_at(const Problem& p, const Eigen::VectorXd& values) {
   const std::vector<Eigen::Index> free = inside(p, values);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(values.size(), values.size());

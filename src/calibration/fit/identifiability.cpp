@@ -18,7 +18,7 @@ Eigen::VectorXd starts(const Problem& p) {
   return values;
 }
 
-/// Columns by relative changes of the unknowns.
+/// Scales the columns to relative changes of the unknowns.
 Eigen::MatrixXd relative(const Problem& p, Eigen::MatrixXd J, const Eigen::VectorXd& values) {
   for (Eigen::Index k = 0; k < J.cols(); ++k) {
     const double start = p.unknowns[static_cast<std::size_t>(k)].start;
@@ -31,7 +31,8 @@ Eigen::JacobiSVD<Eigen::MatrixXd> decomposed(const Eigen::MatrixXd& J) {
   return Eigen::JacobiSVD<Eigen::MatrixXd>(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
 }
 
-/// The largest component up, at 100 %; those below 3 % of it say nothing.
+/// Describes a direction with its largest component as "up 100 %". Components below 3 % of it are
+/// omitted.
 std::string direction_in_words(const Problem& p, const Eigen::VectorXd& v) {
   constexpr double negligible = 0.03;
   Eigen::Index top = 0;
@@ -59,7 +60,7 @@ std::string help(const Problem& p) {
   return text + "a prior_sd for one of them, or one of them in [fixed]";
 }
 
-/// "cse", "chamfer or cse": the kinds of part on which a coefficient acts.
+/// The kinds of part that a coefficient affects: "cse", "chamfer or cse".
 std::string kinds_of(forces::Law law, const std::string& key) {
   std::string kinds;
   for (const forces::LawField& f : forces::law_fields(law))

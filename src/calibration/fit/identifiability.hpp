@@ -7,22 +7,23 @@
 
 namespace tdbd::calibration {
 
-/// How well readings alone, without priors, see the unknowns: singular values of the whitened
-/// derivatives with respect to relative changes of the unknowns, calibration (5).
+/// Sensitivity of the readings alone, without priors, to the unknowns: singular values of the
+/// whitened derivatives with respect to relative changes of the unknowns, calibration (5).
 struct Identifiability {
-  std::vector<double> singular_values;    ///< falling: deviations of noise per unit change
-  std::vector<double> weakest_direction;  ///< unit, relative changes of the unknowns, seen least
+  std::vector<double> singular_values;    ///< decreasing: noise deviations per unit change
+  std::vector<double> weakest_direction;  ///< unit vector of relative changes with the smallest
+                                          ///< effect
 };
 
 Identifiability identifiability_at(const Problem& problem, const Eigen::VectorXd& values);
 
-/// The weakest direction in words: "A2 up 100 % with A4 down 62 % moves the readings by 0.3 of
-/// their noise".
+/// The weakest direction as text: "A2 up 100 % with A4 down 62 % moves the readings by 0.3 of their
+/// noise".
 std::string in_words(const Problem& problem, const Identifiability& found);
 
-/// Refuses, before anything is fitted, unknowns that act on no part of the bits, and a direction
-/// that neither readings nor priors see: below this share of the largest singular value. Throws
-/// InputError with what would help.
+/// Checks a problem before it is fitted. Throws InputError with advice if an unknown affects no
+/// part of the bits, or if a direction affects neither readings nor priors: its singular value is
+/// below this share of the largest.
 inline constexpr double unseen = 1e-7;
 void require_identifiable(const Problem& problem);
 

@@ -5,8 +5,8 @@
 namespace tdbd::calibration {
 namespace {
 
-/// Derivatives by the free variables u of the free unknowns: differences of fourth order in a wide
-/// step, since a narrow one loses what is sought.
+/// Derivatives with respect to the free variables u of the free unknowns: fourth-order differences
+/// with a wide step, because a small step would lose the required digits.
 Eigen::MatrixXd wide_derivatives(Search& s, const Eigen::VectorXd& u) {
   constexpr double h = 1e-3;
   constexpr int evaluations = 4;

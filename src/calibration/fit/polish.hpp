@@ -4,10 +4,10 @@
 
 namespace tdbd::calibration {
 
-/// Steps of Gauss and Newton over the free unknowns from where a search ended, to ten digits: it
-/// goes by the sum of squares, and cannot tell values nearer than the root of rounding, so that the
-/// order of records would show in the eighth digit. The steps are small, or the readings do not see
-/// what they change: then they are left.
+/// Refines the result of a search to ten digits by Gauss-Newton steps over the free unknowns. The
+/// search minimizes the sum of squares and cannot resolve values closer than the square root of
+/// rounding, so the order of records would affect the eighth digit. If a step is not small, the
+/// readings do not determine the direction, and the refinement stops.
 void polish(Search& search);
 
 }  // namespace tdbd::calibration

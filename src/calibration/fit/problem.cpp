@@ -7,7 +7,7 @@
 namespace tdbd::calibration {
 namespace {
 
-/// Names of the tests in the order in which they come.
+/// Names of the tests in order of their first occurrence.
 std::vector<std::string> tests_of(const std::vector<Record>& records) {
   std::vector<std::string> tests;
   for (const Record& r : records)
@@ -19,7 +19,7 @@ double own_deviation(const Noise& noise, const Reading& reading) {
   return reading.deviation ? *reading.deviation / *reading.value : noise.reading;
 }
 
-/// Covariance of the readings at rows first and later.
+/// Covariance of the readings from row `first` on.
 Eigen::MatrixXd covariance_of(const Problem& p, const Noise& noise, std::size_t first,
                               const std::vector<Loads>& slopes) {
   const auto n = static_cast<Eigen::Index>(p.places.size() - first);
@@ -50,8 +50,8 @@ void add_test(const std::string& test, const Noise& noise, const std::vector<Loa
       {static_cast<Eigen::Index>(first), covariance_of(p, noise, first, slopes).llt().matrixL()});
 }
 
-/// Two values of an unknown between which its difference is taken: around its value, or, near an
-/// end of its range, from there inwards.
+/// Two values of an unknown for a difference quotient: around its value, or inwards from it near an
+/// end of its range.
 std::pair<double, double> around(const Unknown& u, double value, Difference difference) {
   constexpr double relative = 1e-5;
   const double h = relative * std::max(std::abs(value), 1e-3 * std::abs(u.start));
@@ -60,7 +60,7 @@ std::pair<double, double> around(const Unknown& u, double value, Difference diff
   return {value - h, value + h};
 }
 
-/// Of the readings' loads, in their order.
+/// Logarithms of the loads of the readings, in their order.
 Eigen::VectorXd logarithms(const Problem& p, const std::vector<Loads>& loads) {
   constexpr double least = 1e-300;
   Eigen::VectorXd logs(static_cast<Eigen::Index>(p.readings()));
@@ -70,7 +70,7 @@ Eigen::VectorXd logarithms(const Problem& p, const std::vector<Loads>& loads) {
   return logs;
 }
 
-/// Whitens the rows of the readings, and adds those of the priors.
+/// Whitens the rows of the readings and appends those of the priors.
 Eigen::VectorXd all_rows(const Problem& p, const Eigen::VectorXd& errors,
                          const Eigen::VectorXd& from_centres) {
   const auto n = static_cast<Eigen::Index>(p.readings());
@@ -84,7 +84,7 @@ Eigen::VectorXd all_rows(const Problem& p, const Eigen::VectorXd& errors,
   return rows;
 }
 
-/// The kinds of part on which a coefficient of the law acts.
+/// The kinds of part that a coefficient of the law affects.
 Kinds kinds_felt(forces::Law law, const std::string& key) {
   Kinds kinds{};
   for (const forces::LawField& f : forces::law_fields(law))

@@ -10,61 +10,62 @@
 
 namespace tdbd::calibration {
 
-/// Which load of which sample a residual belongs to.
+/// The load and sample of a residual.
 struct ReadingPlace {
   std::size_t sample = 0, load = axial;
 };
 
-/// Readings of one test, whose errors belong together: rows first to first + size of the factor.
+/// Readings of one test, whose errors are correlated: rows first to first + size of the factor.
 struct TestBlock {
   Eigen::Index first = 0;
   Eigen::MatrixXd factor;  ///< lower Cholesky factor of their covariance
 };
 
-/// A least-squares problem, calibration (3): residuals are logarithms of computed over measured
-/// loads, whitened test by test, and one row for each prior.
+/// A least-squares problem, calibration (3). Residuals are logarithms of the ratio of computed to
+/// measured loads, whitened test by test, and one row per prior.
 struct Problem {
-  forces::Law law;                ///< its fixed coefficients
-  std::vector<Unknown> unknowns;  ///< what is free
+  forces::Law law;                ///< with its fixed coefficients
+  std::vector<Unknown> unknowns;  ///< the fitted coefficients
   std::vector<Sample> samples;    ///< one per record
   std::vector<Record> records;
   std::vector<ReadingPlace> places;  ///< in the order of the residuals, test by test
   std::vector<TestBlock> blocks;
-  AreaLaws areas = {};  ///< parts with coefficients of their own
+  AreaLaws areas = {};  ///< parts with their own coefficients
 
   std::size_t readings() const { return places.size(); }
-  Eigen::Index rows() const;  ///< readings and priors
+  Eigen::Index rows() const;  ///< number of readings and priors
 };
 
-/// What is fitted: another one for each replicate of a bootstrap.
+/// Data of a fit; each replicate of a bootstrap has its own.
 struct Data {
   Eigen::VectorXd log_loads;      ///< of the readings
-  Eigen::VectorXd prior_centres;  ///< of all unknowns; those without a prior do not count
+  Eigen::VectorXd prior_centres;  ///< of all unknowns; ignored without a prior
 };
 
-/// The problem of these records. The errors of a reading, relative: its own (Noise::reading, or the
-/// deviation of its row), the rate's times the slope of the load over the depth, shared by the loads
-/// of a record, and a factor shared by a test. Slopes are those at the starts.
+/// The problem for these records. The relative errors of a reading are its own (Noise::reading, or
+/// the deviation of its row), that of the rate times the slope of the load over the depth, which is
+/// common to the loads of a record, and a factor common to all readings of a test. Slopes are
+/// evaluated at the starting values.
 Problem problem_of(const CalibrationCase& c, const CutStore& cuts,
                    const std::vector<Record>& records);
 
-/// The readings themselves.
+/// The data of the readings.
 Data data_of(const Problem& problem);
 
-/// The law of parts in no area with these values of the unknowns.
+/// The law of parts outside of all areas for these values of the unknowns.
 forces::Law law_at(const Problem& problem, const Eigen::VectorXd& values);
 
-/// The areas with these values of their unknowns.
+/// The areas for these values of their unknowns.
 AreaLaws areas_at(const Problem& problem, const Eigen::VectorXd& values);
 
-/// The law of every mix of coefficients with these values.
+/// The law of every mix of coefficients for these values.
 std::vector<forces::Law> laws_at(const Problem& problem, const Eigen::VectorXd& values);
 
-/// The cuts of a record, with the coefficients that its parts have.
+/// The cuts of a record with the coefficients of its parts.
 Sample sample_of(const CalibrationCase& c, const CutStore& cuts, const Record& record);
 
-/// Logarithms of the computed loads, in the order of the readings. Loads that are not positive
-/// count as 1e-300.
+/// Logarithms of the computed loads, in the order of the readings. Loads that are not positive are
+/// replaced by 1e-300.
 Eigen::VectorXd log_loads(const Problem& problem, Laws laws);
 inline Eigen::VectorXd log_loads(const Problem& problem, const forces::Law& law) {
   return log_loads(problem, Laws(&law, 1));
@@ -73,16 +74,16 @@ inline Eigen::VectorXd log_loads(const Problem& problem, const forces::Law& law)
 /// Whitens residuals of the readings in place.
 void whiten(const Problem& problem, Eigen::Ref<Eigen::VectorXd> residuals);
 
-/// All rows, whitened readings first, then (value - centre)/prior_sd of each prior.
+/// All rows: the whitened readings, then (value - centre)/prior_sd of each prior.
 Eigen::VectorXd residuals_at(const Problem& problem, const Data& data,
                              const Eigen::VectorXd& values);
 
-/// Residuals where one unknown moves and the others stay. Parts on which it does not act are
-/// evaluated once, so that a derivative costs what the coefficient acts on.
+/// Residuals if one unknown changes and the others do not. Parts that it does not affect are
+/// evaluated only once, which reduces the run time of derivatives.
 class OneMoves {
  public:
   OneMoves(const Problem& problem, const Eigen::VectorXd& values);
-  /// Rows without data (logarithms of the loads, whitened), with this value of unknown k.
+  /// Rows without data (whitened logarithms of the loads) for this value of unknown k.
   Eigen::VectorXd residuals(Eigen::Index k, double value);
 
  private:
@@ -90,18 +91,18 @@ class OneMoves {
 
   const Problem& problem_;
   Eigen::VectorXd values_;
-  std::vector<Kinds> kinds_;                   ///< on which each unknown acts
+  std::vector<Kinds> kinds_;                   ///< kinds of part that each unknown affects
   std::map<Kinds, std::vector<Loads>> rests_;  ///< loads of the samples without those kinds
 };
 
-/// Central differences, or one-sided ones for half the price and half the digits.
+/// Central differences, or one-sided ones with half the run time and half the digits.
 enum class Difference { central, one_sided };
 
-/// Their derivatives with respect to the values, by differences inside the ranges.
+/// Derivatives of the rows with respect to the values, by differences inside the ranges.
 Eigen::MatrixXd jacobian_at(const Problem& problem, const Eigen::VectorXd& values,
                             Difference difference = Difference::central);
 
-/// Relative variance of a reading: own, rate's and test's.
+/// Relative variance of a reading: its own, that of the rate and that of the test.
 double reading_variance(const Noise& noise, const Reading& reading, double slope);
 
 }  // namespace tdbd::calibration

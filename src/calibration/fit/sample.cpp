@@ -8,7 +8,8 @@
 namespace tdbd::calibration {
 namespace {
 
-/// A bit turns about z and goes down it; a cutter moves along x, its arm does not turn.
+/// Velocity of the tool: a bit rotates about z and moves along it; a cutter moves along x without
+/// rotation.
 simulation::BitVelocity velocity_of(const Record& record) {
   simulation::BitVelocity v;
   if (record.rate > 0.0) {
@@ -20,7 +21,7 @@ simulation::BitVelocity velocity_of(const Record& record) {
   return v;
 }
 
-/// Adds the loads of a force on the tool: against z, and against the turning about z.
+/// Adds the loads of a force on the tool: opposite to z, and opposite to the rotation about z.
 void add(const forces::PartForce& f, Loads& loads) {
   loads[axial] -= f.force.z();
   loads[turning] -= f.point.x() * f.force.y() - f.point.y() * f.force.x();

@@ -10,36 +10,36 @@
 
 namespace tdbd::calibration {
 
-/// All that the loads of one record are computed from.
+/// The data from which the loads of one record are computed.
 struct Sample {
-  std::vector<forces::PartCut> cuts;  ///< of parts that follow the law of the cutters
-  std::vector<int> mix;               ///< of each (AreaLaws); empty: all 0
-  Loads others{};  ///< N and N m (of a cutter: N), of parts with laws of their own
+  std::vector<forces::PartCut> cuts;  ///< of parts that use the law of the cutters
+  std::vector<int> mix;               ///< mix of each cut (AreaLaws); empty: all 0
+  Loads others{};                     ///< N and N m (cutter: N), of parts with their own laws
 };
 
-/// The mean cuts of a record's tool at its speed, in rock of this strength. Frame: the tool's.
-/// `mix_of_part`: of the tool's parts; empty: all 0.
+/// The mean cuts of a record's tool at its speed, in rock of this strength. The frame is that of
+/// the tool. `mix_of_part` has one entry per part of the tool; empty: all 0.
 Sample sample_of(const CutRun& run, const Record& record, const forces::Strength& strength,
                  const forces::Law& law, std::span<const int> mix_of_part = {});
 
-/// A law, or one for each mix of coefficients (AreaLaws).
+/// A law, or one per mix of coefficients (AreaLaws).
 using Laws = std::span<const forces::Law>;
 
-/// Mean loads, calibration (1): the law is evaluated once on each part's mean cut. Does not
+/// Mean loads, calibration (1): the law is evaluated once for the mean cut of each part. Does not
 /// allocate.
 Loads mean_loads(Laws laws, const Sample& sample);
 inline Loads mean_loads(const forces::Law& law, const Sample& sample) {
   return mean_loads(Laws(&law, 1), sample);
 }
 
-/// Kinds of part, by PartKind.
+/// Flags for kinds of part, indexed by PartKind.
 using Kinds = std::array<bool, bit::part_kinds.size()>;
 
-/// What the parts of some kinds under the law add to the mean loads.
+/// Contribution to the mean loads of the parts of some kinds under the law.
 Loads loads_of(Laws laws, const Sample& sample, const Kinds& kinds);
 
-/// d log load / d log depth of each load: areas grow with the depth, edges and contacts stay.
-/// 0 where there is no load.
+/// d log load / d log depth of each load: areas grow with the depth, edges and contacts are
+/// constant. 0 if there is no load.
 Loads depth_slopes(Laws laws, const Sample& sample);
 inline Loads depth_slopes(const forces::Law& law, const Sample& sample) {
   return depth_slopes(Laws(&law, 1), sample);

@@ -19,7 +19,7 @@ Eigen::VectorXd gradient_at(Search& s) {
   return jacobian_at(s.problem, s.values).transpose() * residuals_at(s.problem, s.data, s.values);
 }
 
-/// For each unknown whether it is driven out at the values of a search.
+/// For each unknown, whether it is driven out of its range at the values of a search.
 std::vector<bool> driven_out(const Search& s, const Eigen::VectorXd& gradient) {
   std::vector<bool> out;
   for (Eigen::Index k = 0; k < s.values.size(); ++k)
@@ -28,7 +28,7 @@ std::vector<bool> driven_out(const Search& s, const Eigen::VectorXd& gradient) {
   return out;
 }
 
-/// Takes those that are driven out from the free ones; whether there were any.
+/// Fixes the unknowns that are driven out. Returns whether there were any.
 bool hold(Search& s, const std::vector<bool>& out) {
   const auto is_out = [&](Eigen::Index k) { return out[static_cast<std::size_t>(k)]; };
   for (const Eigen::Index k : s.free)
@@ -37,10 +37,10 @@ bool hold(Search& s, const std::vector<bool>& out) {
   return std::erase_if(s.free, is_out) > 0;
 }
 
-/// Whether all that are held belong there: the objective falls outwards, or its minimum is so near the
-/// end that nothing is to be gained.
+/// Whether all fixed unknowns belong at their ends: the objective decreases outwards, or its
+/// minimum is so close to the end that the gain would be negligible.
 bool are_well_held(const Search& s, const Eigen::VectorXd& gradient) {
-  constexpr double no_gain = 1e-3;  // of the half sum of squares
+  constexpr double no_gain = 1e-3;  // in half the sum of squares
   const std::vector<bool> out = driven_out(s, gradient);
   for (Eigen::Index k = 0; k < s.values.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -50,9 +50,9 @@ bool are_well_held(const Search& s, const Eigen::VectorXd& gradient) {
   return true;
 }
 
-/// Frees those again that are held though the objective falls inwards, now that the others have moved;
-/// each a few times at most. One whose minimum is nearer to the end than what counts as the end would
-/// come back for ever. Whether there were any.
+/// Frees unknowns that are fixed although the objective now decreases inwards; each only a few
+/// times, because one with a minimum within the width of the end would otherwise alternate forever.
+/// Returns whether there were any.
 bool release(Search& s, const std::vector<bool>& out, std::vector<int>& releases) {
   constexpr int most_releases = 3;
   const std::size_t before = s.free.size();

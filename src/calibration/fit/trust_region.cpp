@@ -28,7 +28,8 @@ int residuals(const gsl_vector* u, void* search, gsl_vector* f) {
   return GSL_SUCCESS;
 }
 
-/// GSL's own differences scale their steps by |u|, which has no meaning here and may be 0.
+/// Derivatives by jacobian_at and the chain rule. The differences of GSL are not used: their steps
+/// scale with |u|, which has no meaning here and may be 0.
 int derivatives(const gsl_vector* u, void* search, gsl_matrix* J) {
   auto& s = *static_cast<Search*>(search);
   const Eigen::VectorXd values = values_of(s, u);
@@ -57,7 +58,8 @@ gsl_multifit_nlinear_parameters parameters() {
   return p;
 }
 
-/// Whether the gradient is rounding: a search that cannot go lower from there has converged.
+/// Whether the gradient is at rounding level. A search that makes no progress from there has
+/// converged.
 bool is_flat(gsl_multifit_nlinear_workspace* w) {
   constexpr double rounding = 1e-5;
   double largest = 0.0, norm = 0.0;
@@ -68,7 +70,7 @@ bool is_flat(gsl_multifit_nlinear_workspace* w) {
   return largest <= rounding * std::max(1.0, norm);
 }
 
-/// An unknown that is driven out takes the whole trust region: u has no end there.
+/// Whether an unknown is driven out. It would use the whole trust region, because u is unbounded.
 bool drives_one_out(const Search& s, const gsl_multifit_nlinear_workspace* w) {
   const Eigen::VectorXd values = values_of(s, w->x);
   for (std::size_t i = 0; i < s.free.size(); ++i)
@@ -76,7 +78,7 @@ bool drives_one_out(const Search& s, const gsl_multifit_nlinear_workspace* w) {
   return false;
 }
 
-/// GSL's driver, which also stops where an unknown is driven out (GSL_CONTINUE).
+/// Like the driver of GSL, but also stops if an unknown is driven out (GSL_CONTINUE).
 int iterate(const Search& s, double tolerance, gsl_multifit_nlinear_workspace* w) {
   int status = GSL_CONTINUE, info = 0;
   for (int i = 0; i < most_iterations; ++i) {
@@ -108,7 +110,7 @@ double end_width(const Unknown& u) {
 
 namespace {
 
-/// So many widths inside of the end that the value is at.
+/// The value at `widths` end widths inside of the end that the value is at.
 double beside_end(const Unknown& u, double value, double widths) {
   const double room = widths * end_width(u);
   return is_nearer_to_lower_end(u.range, value) ? u.range.lo + room : u.range.hi - room;

@@ -9,9 +9,9 @@ namespace tdbd::calibration {
 
 inline constexpr int most_iterations = 200;
 
-/// A search with GSL's trust region (double dogleg, singular value decomposition): it moves the
-/// unknowns `free` over their free variables (bounded_map.hpp), the others stay. One-sided
-/// differences, to a gradient of 1e-5: far below a standard error.
+/// A search with the trust region method of GSL (double dogleg, singular value decomposition). It
+/// changes the unknowns `free` by their free variables (bounded_map.hpp) and keeps the others
+/// fixed. Uses one-sided differences; converges to a gradient of 1e-5, far below a standard error.
 struct Search {
   const Problem& problem;
   const Data& data;
@@ -24,21 +24,22 @@ struct Search {
   }
 };
 
-/// Moves the values. Returns GSL's status; GSL_CONTINUE where an unknown was driven to an end of its
-/// range, where its free variable has none and takes the whole trust region.
+/// Runs the search and changes the values. Returns the status of GSL, or GSL_CONTINUE if an unknown
+/// was driven to an end of its range, where its unbounded free variable would use the whole trust
+/// region.
 int search_from_values(Search& search);
 
-/// Whether a value is on an end of its range and the objective falls beyond it, by the gradient's
-/// sign.
+/// Whether a value is at an end of its range and the objective decreases beyond it, according to
+/// the sign of the gradient.
 bool is_driven_out(const Unknown& unknown, double value, double gradient);
 
-/// Where a coefficient stays that is driven out: at its end, a billionth of the range inside.
+/// Fixed value of a coefficient that is driven out: a billionth of the range inside its end.
 double end_of(const Unknown& unknown, double value);
 
-/// How much of an unknown's range counts as its end.
+/// Width of the part of an unknown's range that counts as its end.
 double end_width(const Unknown& unknown);
 
-/// Where one that is freed again starts: ten times that inside.
+/// Starting value of an unknown that is freed again: ten times that width inside.
 double inside_of(const Unknown& unknown, double value);
 
 }  // namespace tdbd::calibration

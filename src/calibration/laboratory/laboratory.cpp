@@ -35,7 +35,7 @@ std::vector<double> read_list(Config& top, const ListKey& key, Range range) {
   return values;
 }
 
-/// One test a bit and pressure, a reading a rate.
+/// One test per bit and pressure, one reading per rate.
 std::vector<Record> plan(const std::vector<std::string>& names,
                          const std::vector<double>& all_pressures,
                          const std::vector<double>& all_rates, double speed) {

@@ -8,22 +8,23 @@
 
 namespace tdbd::calibration {
 
-/// A synthetic laboratory: a law with known coefficients drills bits, and noise is added. For
-/// blind tests of a calibration, and to plan real ones: which tests would identify what. Ours.
+/// A synthetic laboratory: bits drill under a law with known coefficients, and noise is added. For
+/// blind tests of a calibration, and to plan real tests: which of them identify what. An addition
+/// of TDBD [+].
 struct LaboratoryCase {
-  CalibrationCase setup;  ///< its law is the truth; its records have no readings yet
+  CalibrationCase setup;  ///< its law is the true one; its records have no readings yet
   std::uint64_t seed = 1;
 };
 
 /// Reads [laboratory], [truth], [bits], [rock], [time] and [noise]. Throws InputError.
 LaboratoryCase read_laboratory(const std::string& path, const std::vector<std::string>& overrides);
 
-/// Reads the records with their noise: each load its own, the rate of penetration as it was really
-/// held (the record shows the rate that was asked for), and one factor a test. The same seed gives
-/// the same records.
+/// Computes the records with their noise: an error of each load, an error of the actual rate of
+/// penetration (the record contains the requested one), and one factor per test. The same seed
+/// gives the same records.
 std::vector<Record> drill(const LaboratoryCase& c, const CutStore& cuts);
 
-/// The records as read_records reads them, SI.
+/// The records in the format of read_records, SI.
 std::string records_csv(const std::vector<Record>& records);
 
 }  // namespace tdbd::calibration

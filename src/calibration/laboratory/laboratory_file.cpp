@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws where the records may not be written.
+/// Throws if the file must not be written: it is an input, or it exists and may not be overwritten.
 void demand_free(const fs::path& file, const LaboratoryOptions& o,
                  const std::vector<std::string>& inputs) {
   if (!fs::exists(file)) return;

@@ -8,16 +8,18 @@
 
 namespace tdbd::calibration {
 
-/// How a laboratory's records are made.
+/// Options for the records of a laboratory.
 struct LaboratoryOptions {
-  std::filesystem::path file;  ///< of the records, csv
-  std::filesystem::path cuts;  ///< where cut runs are kept; none: `cuts`, beside the records
+  std::filesystem::path file;  ///< output file, csv
+  std::filesystem::path cuts;  ///< folder of cut runs; default: `cuts` next to the records
   simulation::Overwrite overwrite = simulation::Overwrite::no;
-  int threads = 1;                                ///< the records do not depend on it
-  std::function<void(long, long)> progress = {};  ///< hears how many cut runs of how many are made
+  int threads = 1;                                ///< has no effect on the records
+  std::function<void(long, long)> progress = {};  ///< called with the number of computed cut runs
+                                                  ///< and the total
 };
 
-/// Makes or finds the cut runs and writes the records. Throws InputError where the file may not be written, RunError later.
+/// Computes or finds the cut runs and writes the records. Throws InputError if the file must not be
+/// written, RunError later.
 void write_records(const LaboratoryCase& c, const LaboratoryOptions& options);
 
 }  // namespace tdbd::calibration

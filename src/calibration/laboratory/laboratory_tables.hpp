@@ -6,7 +6,7 @@
 
 namespace tdbd::calibration {
 
-/// The tables of a synthetic laboratory that a calibration does not have, for `tdbd keys`.
+/// The tables of a synthetic laboratory that are not tables of a calibration, for `tdbd keys`.
 std::vector<KeyTable> laboratory_tables();
 
 }  // namespace tdbd::calibration

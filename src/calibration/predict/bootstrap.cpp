@@ -8,7 +8,7 @@
 namespace tdbd::calibration {
 namespace {
 
-/// The value below which this share of a sorted list lies, linear between neighbours.
+/// Quantile of a sorted list, linear between neighbours.
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -29,7 +29,8 @@ BootstrapFigures figures_of(std::vector<double> values, double level) {
   return f;
 }
 
-/// Where replicates start: at the fit, but off the ends of ranges, where a search cannot move.
+/// Starting values of replicates: those of the fit, moved off the ends of ranges, where a search
+/// cannot move.
 Eigen::VectorXd off_ends(const Fit& f) {
   constexpr double share = 0.01;
   Eigen::VectorXd values = f.values;
@@ -40,7 +41,8 @@ Eigen::VectorXd off_ends(const Fit& f) {
   return values;
 }
 
-/// From the fit, then from a few drawn starts: near an end of a range a search may not get on.
+/// Searches from `start`, then from a few drawn starts, because a search may fail near an end of a
+/// range.
 Solution solve_replicate(const Problem& p, const Data& data, const Eigen::VectorXd& start,
                          std::uint64_t seed) {
   constexpr std::uint64_t more_starts = 3;

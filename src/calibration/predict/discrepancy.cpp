@@ -15,14 +15,14 @@ std::vector<std::string> tools_of(const std::vector<Record>& records) {
   return names;
 }
 
-/// Squared errors of predictions beyond what coefficients and noise explain.
+/// Squared errors of predictions minus those explained by coefficients and noise.
 struct Excess {
   Loads sum{};
   std::array<long, 2> count{};
 };
 
 void add(const Fit& f, const CalibrationCase& c, const CutStore& cuts, const Record& r, Excess& e) {
-  constexpr double one_deviation = 0.6826894921370859;  // level: z = 1
+  constexpr double one_deviation = 0.6826894921370859;  // level for z = 1
   const Sample sample = sample_of(c, cuts, r);
   const Prediction p = predict(f, sample, r, c.noise, {}, one_deviation);
   for (const std::size_t k : {axial, turning}) {

@@ -8,15 +8,15 @@
 namespace tdbd::calibration {
 namespace {
 
-/// A figure of a sample whose range the fit has seen or not.
+/// A quantity of a sample that is compared with the range of the fitted records.
 struct Feature {
   const char* name;
   const char* unit;
-  double scale;  ///< from SI to the unit
+  double scale;  ///< factor from SI to the unit
   std::function<double(const Sample&)> of;
 };
 
-/// Mean over the faces, weighted by what they cut.
+/// Mean over the faces, weighted by cut area.
 template <class Value>
 double over_faces(const Sample& s, Value value) {
   double sum = 0.0, weight = 0.0;
@@ -46,7 +46,7 @@ const std::vector<Feature>& features() {
 
 std::vector<std::string> extrapolations(const std::vector<Sample>& fitted,
                                         const std::vector<Sample>& predicted) {
-  constexpr double allowance = 0.01;  // of the largest value: rounding and scatter of a mesh
+  constexpr double allowance = 0.01;  // of the largest value: rounding, mesh scatter
   std::vector<std::string> found;
   if (fitted.empty() || predicted.empty()) return found;
   for (const Feature& f : features()) {

@@ -7,7 +7,8 @@
 
 namespace tdbd::calibration {
 
-/// A standard normal number, after Box and Muller; the second of each pair is left.
+/// A standard normal random number by the Box-Muller method; the second number of each pair is
+/// discarded.
 inline double normal(Random& random) {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
   return radius * std::cos(2.0 * std::numbers::pi * random.uniform());

@@ -18,7 +18,7 @@ namespace {
 
 enum class Need { required, optional };
 
-/// A column that a file may have. `si_unit` is empty for a text.
+/// A column that a file may have. `si_unit` is empty for text.
 struct Column {
   std::string name, si_unit;
   Need need = Need::required;
@@ -45,7 +45,7 @@ std::vector<Column> columns_of(ToolKind kind) {
   return columns;
 }
 
-/// "wob [kN]" in its two halves; no unit: empty.
+/// Splits "wob [kN]" into name and unit; the unit is empty if there is none.
 std::pair<std::string, std::string> name_and_unit(const std::string& cell) {
   const std::size_t open = cell.find('[');
   if (open == std::string::npos || cell.back() != ']') return {cell, ""};
@@ -54,7 +54,7 @@ std::pair<std::string, std::string> name_and_unit(const std::string& cell) {
   return {name, cell.substr(open + 1, cell.size() - open - 2)};
 }
 
-/// A column of the file: where it stands and in which unit.
+/// Index and unit of a column of the file.
 struct Place {
   std::size_t cell = 0;
   std::string unit;
@@ -69,7 +69,7 @@ void check_unit(const Column& column, const std::string& unit, long line, CsvMis
   try {
     to_si("1 " + unit, column.si_unit);
   } catch (const UnitError& e) {
-    // What is found stands in the file: the unit alone.
+    // The message quotes only the unit, because that is what the file contains.
     const std::string found = std::regex_replace(e.found, std::regex("^\"1 "), "\"");
     mistakes.add(line, column.name, unit.empty() ? "no unit" : found,
                  fmt::format("{} [unit], {}", column.name, e.expected));
@@ -101,7 +101,7 @@ Places read_header(const CsvRow& header, const std::vector<Column>& columns,
   return places;
 }
 
-/// One row with the columns of its file.
+/// Reads the cells of one row.
 struct RowReader {
   const CsvRow& row;
   const Places& places;
@@ -119,7 +119,7 @@ struct RowReader {
     return value;
   }
 
-  /// SI; nothing for an empty cell and after a mistake.
+  /// The value in SI; nothing for an empty cell or after a mistake.
   std::optional<double> number(const std::string& name) const {
     const std::string value = cell(name);
     if (value.empty()) return std::nullopt;
@@ -162,7 +162,7 @@ Record read_row(const RowReader& r, ToolKind kind) {
   return record;
 }
 
-/// A file with a column "cutter" holds tests of single cutters.
+/// A file with a column "cutter" contains tests of single cutters.
 ToolKind kind_of(const CsvRow& header) {
   const bool cutters = std::ranges::any_of(
       header.cells, [](const std::string& cell) { return name_and_unit(cell).first == "cutter"; });

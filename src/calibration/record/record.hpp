@@ -6,34 +6,34 @@
 
 namespace tdbd::calibration {
 
-/// What was tested: a whole bit, or a single cutter that moves along flat rock.
+/// The tested tool: a whole bit, or a single cutter that moves along flat rock.
 enum class ToolKind { bit, cutter };
 
-/// The two loads of a test. Of a bit: weight (N) and torque (N m); of a cutter: the force into the
-/// rock and the drag (N).
+/// The two loads of a test. For a bit: weight (N) and torque (N m). For a cutter: the force into
+/// the rock and the drag (N).
 using Loads = std::array<double, 2>;
 inline constexpr std::size_t axial = 0, turning = 1;
 
-/// One load that was read in a test.
+/// A reading of one load in a test.
 struct Reading {
   std::optional<double> value;      ///< N or N m, > 0
-  std::optional<double> deviation;  ///< the same, standard deviation of this reading alone
+  std::optional<double> deviation;  ///< same unit, standard deviation of this reading
 };
 
 /// One row of a records file, SI: the loads of a tool at one rate and pressure.
 struct Record {
-  std::string test;       ///< readings of one test share a factor (Noise::test)
+  std::string test;       ///< readings of one test have a common factor (Noise::test)
   std::string tool;       ///< name of the bit or of the cutter
-  std::string rock;       ///< empty: that of the case
+  std::string rock;       ///< empty: rock of the case
   double pressure = 0.0;  ///< Pa, of the bottom hole
   double speed = 0.0;     ///< bit: rad/s; cutter: m/s
-  double rate = 0.0;      ///< m/s, rate of penetration of a bit; a cutter has none
-  double depth = 0.0;     ///< m, of cut: a bit's in one revolution, a cutter's groove
+  double rate = 0.0;      ///< m/s, rate of penetration of a bit; 0 for a cutter
+  double depth = 0.0;     ///< m, depth of cut: per revolution of a bit, groove of a cutter
   std::array<Reading, 2> readings;
-  long line = 0;  ///< of the file
+  long line = 0;  ///< in the file
 };
 
-/// How the columns of a load are called: "wob" and "tob", "normal" and "drag".
+/// Names of the columns of a load: "wob" and "tob", "normal" and "drag".
 struct LoadName {
   const char* name;
   const char* si_unit;

@@ -13,7 +13,7 @@ namespace tdbd::units {
 
 namespace {
 
-/// UDUNITS-2 is not made for two threads at once: every function that others see holds this.
+/// UDUNITS-2 is not thread-safe. Every public function of this file must lock this mutex.
 using UnitsLock = std::lock_guard<std::recursive_mutex>;
 
 std::recursive_mutex& units_mutex() {
@@ -21,7 +21,8 @@ std::recursive_mutex& units_mutex() {
   return mutex;
 }
 
-/// What UDUNITS-2 may need for its database, and for a text, bytes: where it gets none it crashes.
+/// Memory that UDUNITS-2 may need for its database and for a text, bytes. It crashes if an
+/// allocation fails.
 constexpr std::size_t memory_of_database = 8'000'000, memory_of_text = 1'000'000;
 
 using LibraryUnit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
@@ -31,15 +32,15 @@ LibraryUnit parse_unit(ut_system* system, const std::string& text) {
   return {ut_parse(system, text.c_str(), UT_ASCII), &ut_free};
 }
 
-/// Adds a name that UDUNITS-2 lacks; one that it already has keeps its meaning.
+/// Adds a name that UDUNITS-2 lacks. A name that already exists keeps its meaning.
 void add_alias(ut_system* system, const char* name, const std::string& definition) {
   if (parse_unit(system, name)) return;
   const LibraryUnit unit = parse_unit(system, definition);
   ut_map_name_to_unit(name, UT_ASCII, unit.get());
 }
 
-/// The database that the library came with. UDUNITS2_XML_PATH, which would change units without a word, only counts where
-/// there is none.
+/// Reads the database of the library. UDUNITS2_XML_PATH could change units unnoticed, so it is used
+/// only if there is no such database.
 ut_system* read_database() {
   constexpr const char* variable = "UDUNITS2_XML_PATH";
   const char* elsewhere = std::getenv(variable);
@@ -78,7 +79,8 @@ void add_power(const ut_unit* base, int power, void* powers) {
   (*static_cast<UnitPowers*>(powers))[name != nullptr ? name : "?"] += power;
 }
 
-/// Collects the powers of a unit: a base unit, powers of base units, or one of these scaled and shifted.
+/// Collects the powers of a unit, which is a base unit, a product of powers of base units, or one
+/// of these scaled and shifted.
 ut_visitor powers_visitor() {
   ut_visitor visitor{};
   visitor.visit_basic = [](const ut_unit* base, void* powers) {

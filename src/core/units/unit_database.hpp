@@ -6,11 +6,12 @@
 
 namespace tdbd::units {
 
-/// Powers of the base units: {{"kg", 1}, {"m", -3}}. A plane angle counts, as "rad": UDUNITS-2 treats it as a plain
-/// number, and converts seconds to 1/s by taking the reciprocal, so that we compare dimensions ourselves.
+/// Powers of the base units: {{"kg", 1}, {"m", -3}}. A plane angle counts as a dimension, "rad".
+/// UDUNITS-2 treats it as a plain number, and converts seconds to 1/s by taking the reciprocal, so
+/// TDBD compares dimensions itself.
 using UnitPowers = std::map<std::string, int>;
 
-/// A unit as one of the two databases has it.
+/// A unit of one of the two databases.
 class Unit {
  public:
   Unit() = default;
@@ -20,21 +21,22 @@ class Unit {
 
   virtual UnitPowers powers() const = 0;
 
-  /// x of this unit in another of the same database and the same powers.
+  /// Converts x from this unit to a unit of the same database and the same powers.
   virtual double convert(double x, const Unit& to) const = 0;
 
-  /// "0.5 m2.s-2": in base units, for messages; empty if it has none.
+  /// The unit in base units, for messages: "0.5 m2.s-2". Empty if there is none.
   virtual std::string definition() const = 0;
 };
 
-/// A unit of UDUNITS-2 by its name, "N m/rad"; null where it is unknown. Threads take turns.
+/// Finds a unit of UDUNITS-2 by its name, such as "N m/rad"; null if it is unknown. Thread-safe.
 std::unique_ptr<Unit> find_in_udunits(const std::string& name);
 
-/// The same of a table of our own: what drillers write, and SI with its prefixes. Programs for browsers have no
-/// UDUNITS-2; UnitTable holds it against that.
+/// Finds a unit in TDBD's own table: the units used in drilling, and SI units with their prefixes.
+/// It is for builds for web browsers, which lack UDUNITS-2. The test UnitTable compares both
+/// databases.
 std::unique_ptr<Unit> find_in_table(const std::string& name);
 
-/// Of the database that this program has.
+/// Finds a unit in the database of this build.
 inline std::unique_ptr<Unit> find_unit(const std::string& name) {
 #ifdef __EMSCRIPTEN__
   return find_in_table(name);

@@ -14,7 +14,7 @@ namespace tdbd::units {
 
 namespace {
 
-/// In SI base units: scale times x, plus shift.
+/// A unit in SI base units: scale times x, plus shift.
 struct Measure {
   double scale = 1.0;
   double shift = 0.0;
@@ -131,7 +131,7 @@ const Row* row_named(std::string_view name, bool with_prefix, Prefixes kind) {
   return nullptr;
 }
 
-/// "meters" is a meter: words, not symbols, have a plural.
+/// Also finds the plural of words, such as "meters". Symbols have no plural.
 const Row* row_or_plural(std::string_view name, bool with_prefix, Prefixes kind) {
   if (const Row* row = row_named(name, with_prefix, kind)) return row;
   if (name.size() < 4 || name.back() != 's') return nullptr;
@@ -158,12 +158,12 @@ bool is_part_of_name(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_' || c == '%';
 }
 
-/// The 1 of "1/s"; no other number is a unit.
+/// Whether the text starts with the 1 of "1/s". No other number is a unit.
 bool starts_with_one(std::string_view text) {
   return text.starts_with('1') && text.find_first_of("0123456789.", 1) != 1;
 }
 
-/// Takes "m", "m2", "m^2" or "m-1" from the front of a text.
+/// Parses and removes "m", "m2", "m^2" or "m-1" from the front of a text.
 std::optional<Measure> take_factor(std::string_view& text) {
   std::size_t n = 0;
   while (n < text.size() && is_part_of_name(text[n])) ++n;
@@ -192,7 +192,8 @@ std::string_view without_leading_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// +1 after a sign of a product, -1 after that of a quotient; 0 where neither stands. Blanks may stand about all but a point.
+/// Parses the operator before the next factor: +1 for a product, -1 for a quotient, 0 if there is
+/// none. Blanks are permitted around every operator except a point.
 int take_sign(std::string_view& text) {
   if (!text.empty() && text.front() == '.') {
     text.remove_prefix(1);

@@ -6,7 +6,7 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// Of the attachment along z from its slack place, and of the bit about z.
+/// Displacement of the attachment along z from its slack position, and rotation of the bit about z.
 string::EndMotion end_of(const DrillingSystem& s, const DrillingState& state,
                          const Configuration& at) {
   string::EndMotion end;
@@ -24,13 +24,13 @@ void take_ledger(const string::ChainLedger& chain, EnergyLedger& l) {
   l.top_damping = chain.top_damping;
 }
 
-/// Without the last element, which is the bit's own spring.
+/// Energy without the last element, which is the spring at the bit.
 double energy_of(const string::Chain& c, const string::ChainState& chain) {
   return string::stored_energy(
       c, chain, {.displacement = chain.displacement.back(), .angle = chain.angle.back()});
 }
 
-/// Adds the forces of the dampers of the last element to those on the bit.
+/// Adds the forces of the dampers of the last element to the forces on the bit.
 void push_with_dampers(const string::EndLoad& damper, const DrillingState& state,
                        DrillingWork& work) {
   work.chain_damper.force_W = -damper.pull * Vec3::UnitZ();
@@ -52,7 +52,7 @@ void open_chain(const DrillingSystem& s, double h, Drilling& d, DrillingWork& wo
   work.end_before = end_of(s, d.state, work.at);
   const Schedule& pull = s.chained->hook_load;
   const double hook_load =
-      pull.values.size() > 1 ? over_step(pull) / h : value_at(pull, t);  // the mean
+      pull.values.size() > 1 ? over_step(pull) / h : value_at(pull, t);  // mean over the step
   work.command = {over_step(s.top.speed), over_step(s.top.rate), hook_load,
                   s.chained->surface_weight};
   string::open_step(s.chained->chain, h, work.command, d.chain, work.chain);
@@ -102,7 +102,7 @@ void start_chain(const string::SteadyMotion& motion, DrillingSystem& s, Drilling
   const string::Chain& c = s.chained->chain;
   string::SteadyStart start = string::steady_start(c, motion, string::steady_load(c, motion));
   chain = std::move(start.chain);
-  // The bit's own angle is 0, and the string above it is wound up.
+  // Shifts all angles so that the angle of the bit is 0 and the string above it is wound up.
   for (double& angle : chain.angle) angle -= start.end.angle;
   chain.top.set_angle -= start.end.angle;
   const Vec3 attachment = state.c_W + state.rotation.q_WB * (s.string.attachment_B - s.centre_B);

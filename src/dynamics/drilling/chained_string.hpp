@@ -6,35 +6,37 @@
 namespace tdbd::dynamics {
 
 /// @file
-/// A distributed string above the springs at the bit. The flows of its nodes at resting positions
-/// commute with those of the bit, with which they share positions alone, so that a step of both is
+/// A distributed string above the springs at the bit. The nodes and the bit share only positions,
+/// so their flows at fixed positions commute. A step of both is
 ///   flow of nodes and bit over h/2, drift of both, loads of the elements, flow of both over h/2.
-/// Every function does nothing where the system has no chain.
+/// All functions do nothing if the system has no chain.
 
-/// Flow and drift of the chain's own nodes, before those of the bit.
+/// First half of a step: flow and drift of the chain's own nodes. Call it before those of the bit.
 void open_chain(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work);
 
-/// After the bit's drift, before it is configured: the springs' upper end is at the last own node.
+/// Moves the upper end of the springs to the last own node. Call it after the drift of the bit,
+/// before `configure`.
 void place_upper_end(const DrillingSystem& system, const string::ChainState& chain,
                      UpperEnd& upper);
 
-/// After the bit was configured: the loads of the elements, and the forces of Kelvin-Voigt's
-/// dampers of the last one on the bit.
+/// Computes the loads of the elements, and the forces on the bit of the Kelvin-Voigt dampers of the
+/// last element. Call it after `configure`.
 void load_chain(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work);
 
-/// The flow of the chain's own nodes that closes the step, and the ledger.
+/// Second half of a step: flow of the chain's own nodes, and the ledger.
 void close_chain(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work);
 
-/// The work of a chain at the positions of the bit, when no step is open.
+/// Initializes the chain's work data at the position of the bit. Requires that no step is open.
 void start_chain_work(const DrillingSystem& system, const Drilling& d, DrillingWork& work);
 
-/// The motion of the chain's last node when no step is open: that of the bit's attachment along z, from its
-/// slack place, and of the bit about z.
+/// Motion of the last node of the chain: displacement of the attachment of the bit along z from its
+/// slack position, rotation of the bit about z, and their rates. Requires that no step is open.
 string::EndMotion end_motion(const DrillingSystem& system, const Drilling& d,
                              const DrillingWork& work);
 
-/// A chain in steady motion above a bit that starts as `state` does, whose springs pull it up with `pull`
-/// (N) and turn it with `torque` (N m). Sets the springs' slack place, and their upper end in `state`.
+/// Starts a chain in steady motion above a bit in state `state`. The springs of the bit pull it up
+/// with the `pull` (N) and turn it with the `torque` (N m) of the motion. Sets the slack position
+/// of the springs in `system`, and their upper end in `state`.
 void start_chain(const string::SteadyMotion& motion, DrillingSystem& system, DrillingState& state,
                  string::ChainState& chain);
 

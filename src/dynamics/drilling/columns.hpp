@@ -4,16 +4,16 @@
 
 #include "dynamics/drilling/configuration.hpp"
 
-/// Velocities, momenta and forces as columns, in one order: along space x, y, z, about them, each
-/// cone about its axis, and rock that may move.
+/// Velocities, momenta and forces as columns in this order: translation along x, y, z in space,
+/// rotation about x, y, z, each cone about its axis, and the rock along z if it can move.
 namespace tdbd::dynamics {
 
-/// How many cones the bit has.
+/// Number of cones of the bit.
 inline int cones_of(const DrillingSystem& system) {
   return static_cast<int>(system.gyrostat.cones.size());
 }
 
-/// How many velocities bit, cones and rock have.
+/// Number of degrees of freedom of bit, cones and rock.
 int freedoms(const DrillingSystem& system);
 
 void to_column(const DrillingSystem& system, const DrillingVelocity& v, Eigen::VectorXd& u);
@@ -23,11 +23,12 @@ void momenta_column(const DrillingSystem& system, const DrillingState& state, Ei
 void add_impulse_column(const DrillingSystem& system, const Eigen::VectorXd& impulse,
                         DrillingState& state);
 
-/// Conservative forces and wrench, N and N m; `cone_share` scales the wrench's torques on cones.
+/// Sum of conservative forces and wrench, N and N m. `cone_share` scales the torques of the wrench
+/// on the cones.
 void force_column(const DrillingSystem& system, const Wrench& conservative, const Wrench& wrench,
                   double cone_share, Eigen::VectorXd& force);
 
-/// M^-1 p: velocities of momenta, without forming the matrix.
+/// Velocities from momenta, M^-1 p, without forming the matrix.
 void velocities_of(const DrillingSystem& system, const Configuration& at,
                    const Eigen::Ref<const Eigen::VectorXd>& p, Eigen::Ref<Eigen::VectorXd> u);
 

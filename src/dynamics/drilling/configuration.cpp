@@ -7,7 +7,7 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// Springs of translation and, where the top is loaded, its force (eq. 2.1).
+/// Forces of the translational springs and, if the top is loaded, of its load (eq. 2.1).
 void pull_along(const DrillingSystem& s, const DrillingState& state, Configuration& at) {
   at.pull.arm_W = at.R_WB * (s.string.attachment_B - s.centre_B);
   const Vec3 stretch = state.c_W + at.pull.arm_W - at.top.point_W;
@@ -18,8 +18,8 @@ void pull_along(const DrillingSystem& s, const DrillingState& state, Configurati
   at.pull.energy = -0.5 * stretch.dot(at.pull.spring_W);
 }
 
-/// Springs of rotation on swing and twist (eq. 2.3). The torque is minus the gradient of their
-/// energy by rotations in space.
+/// Torques of the rotational springs on swing and twist (eq. 2.3): minus the gradient of their
+/// energy with respect to rotations in space.
 void pull_about(const DrillingSystem& s, const DrillingState& state, Configuration& at) {
   const RotationState& r = state.rotation;
   const Mat3& K = s.string.turn_stiffness;

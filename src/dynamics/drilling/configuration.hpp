@@ -5,33 +5,33 @@
 
 namespace tdbd::dynamics {
 
-/// The string's upper end at one instant.
+/// Upper end of the string at one instant.
 struct TopPosition {
-  Vec3 point_W = Vec3::Zero();  ///< where the slack string would hold the bit, m
-  double angle = 0.0;           ///< rad, windings count
+  Vec3 point_W = Vec3::Zero();  ///< position of the attachment with a slack string, m
+  double angle = 0.0;           ///< rad, unwrapped
 };
 
-/// What the string pulls with, and what is stored in it.
+/// Forces of the string on the bit, and the energy stored in it.
 struct StringPull {
   Vec3 arm_W = Vec3::Zero();     ///< from the centre of mass to the attachment, m
-  Vec3 spring_W = Vec3::Zero();  ///< N, of the springs of translation
-  double load = 0.0;             ///< N along +z, of the top where it is loaded
-  double twist_moment = 0.0;     ///< N m, with which the top turns the string's upper end
-  Vec3 turn_W = Vec3::Zero();    ///< N m, of the springs of rotation
+  Vec3 spring_W = Vec3::Zero();  ///< N, of the translational springs
+  double load = 0.0;             ///< N along +z, of the top if it is loaded
+  double twist_moment = 0.0;     ///< N m, of the top on the upper end of the string
+  Vec3 turn_W = Vec3::Zero();    ///< N m, of the rotational springs
   double energy = 0.0;           ///< J
 };
 
-/// The ring against the wall. Not touching: depth 0.
+/// Contact between ring and wall. Depth 0 means no contact.
 struct WallContact {
-  double depth = 0.0;               ///< how far the ring is pressed in, m
-  Vec3 outward_W = Vec3::UnitX();   ///< from the wall's axis to the touching point
+  double depth = 0.0;               ///< penetration of the ring, m
+  Vec3 outward_W = Vec3::UnitX();   ///< from the axis of the wall to the contact point
   Vec3 tangent_W = Vec3::UnitY();   ///< along the circumference, about +z
-  Vec3 ring_arm_W = Vec3::Zero();   ///< from the centre of mass to the ring's centre, m
-  Vec3 touch_arm_W = Vec3::Zero();  ///< and to the touching point, m
+  Vec3 ring_arm_W = Vec3::Zero();   ///< from the centre of mass to the centre of the ring, m
+  Vec3 touch_arm_W = Vec3::Zero();  ///< from the centre of mass to the contact point, m
 };
 
-/// Everything that follows from time and positions alone: what the conservative forces are, how
-/// readily momenta make velocities. Made once a step.
+/// Quantities that depend only on time and positions, such as conservative forces and inverse
+/// inertia. Computed once per step.
 struct Configuration {
   Mat3 R_WB = Mat3::Identity();
   Mat3 mobility_W = Mat3::Identity();  ///< R It^-1 R^T, 1/(kg m2)
@@ -39,22 +39,22 @@ struct Configuration {
   StringPull pull;
   WallContact contact;
   Wrench conservative;        ///< string, load, gravity, wall and rock mount
-  double chain_energy = 0.0;  ///< J, of a chain without its last element; when no step is open
+  double chain_energy = 0.0;  ///< J, of a chain without its last element; valid if no step is open
 };
 
 TopPosition top_position(const DrillingSystem& system, const DrillingState& state);
 
-/// Penalty of the wall: the stiffness whose force is the mean of pressing and letting go.
+/// Penalty stiffness of the wall: its force is the mean of the forces during loading and unloading.
 double mean_wall_stiffness(const Wall& wall);
 
-/// No allocation.
+/// Computes a configuration. Allocates nothing.
 void configure(const DrillingSystem& system, const DrillingState& state, Configuration& out);
 
 /// Energies of the springs, J.
 double wall_energy(const DrillingSystem& system, const Configuration& at);
 double rock_energy(const DrillingSystem& system, const DrillingState& state);
 
-/// The bit's frame in space.
+/// Pose of the bit's frame in space.
 Pose bit_pose(const DrillingSystem& system, const DrillingState& state);
 
 }  // namespace tdbd::dynamics

@@ -14,7 +14,7 @@ bool finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// The first quantity that is not a number, or is infinite.
+/// Name of the first quantity that is not finite.
 std::string not_finite(const Drilling& d) {
   const RotationState& r = d.state.rotation;
   const Wrench& w = d.wrench;
@@ -50,7 +50,7 @@ std::string too_fast(const DrillingVelocity& v, const DivergenceBounds& b) {
   return "";
 }
 
-/// Where most of the energy is.
+/// Name of the largest energy contribution.
 const char* largest_store(const StoredEnergy& e) {
   const std::array<std::pair<double, const char*>, 7> stores{
       {{e.translation, "the bit's translation"},

@@ -9,7 +9,7 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// A half step in one flow, and the work of the wrench.
+/// Performs a half step as one flow and adds the work of the wrench to the ledger.
 void half_step(const DrillingSystem& system, double h, Half which, Drilling& d,
                DrillingWork& work) {
   DrillingVelocity& mean = which == Half::opening ? work.opening : work.closing;
@@ -21,7 +21,7 @@ void half_step(const DrillingSystem& system, double h, Half which, Drilling& d,
   if (system.chained) d.chain.ledger.loss -= 0.5 * h * power_on_bit(work.chain_damper, mean, 1.0);
 }
 
-/// Where the top's work is counted: before the drift and after it.
+/// Data from which the work of the top over the drift is computed; taken before and after it.
 struct TopAction {
   TopPosition position;
   StringPull pull;
@@ -31,14 +31,16 @@ TopAction top_action(const DrillingState& state, const Configuration& at) {
   return {at.top, at.pull, state.c_W.z() + at.pull.arm_W.z()};
 }
 
-/// Mean force times way. The top pulls at the string's upper end as the string does at the bit.
+/// Mean force times displacement. The top pulls the upper end of the string with the force of the
+/// string on the bit.
 double work_of_top(const TopAction& a, const TopAction& b) {
   return 0.5 * (a.pull.spring_W + b.pull.spring_W).dot(b.position.point_W - a.position.point_W) +
          0.5 * (a.pull.twist_moment + b.pull.twist_moment) * (b.position.angle - a.position.angle) +
          0.5 * (a.pull.load + b.pull.load) * (b.attachment_z - a.attachment_z);
 }
 
-/// Positions and time move on, momenta stay. False: an implicit drift did not converge.
+/// Advances positions and time; momenta do not change. Returns false if an implicit drift did not
+/// converge.
 bool drift_all(const DrillingSystem& s, double h, Drilling& d) {
   const Integrator& i = s.integrator;
   if (coast(s.gyrostat, i.drift, i.drifts_per_step, h, d.state.rotation) == LieOutcome::too_long)
@@ -94,7 +96,7 @@ void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
                                DrillingWork& work) {
   work.predicted = d.state;
-  const double share = cone_share(d.wrench.cone_impulse, Half::opening);  // none at the end
+  const double share = cone_share(d.wrench.cone_impulse, Half::opening);  // 0 if at_end
   take_half_step(system, {h, Half::closing, work.at, work.middle, d.wrench, share}, work.predicted,
                  nullptr, work.half, work.before);
   return work.predicted;

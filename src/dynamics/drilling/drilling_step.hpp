@@ -6,64 +6,65 @@
 
 namespace tdbd::dynamics {
 
-/// A bit that drills, as a restart needs it. The momenta stand at the time of the positions
-/// whenever no step is open.
+/// The complete state of a drilling bit: sufficient for a restart. Momenta and positions belong to
+/// the same time if no step is open.
 struct Drilling {
   DrillingState state;
-  Wrench wrench;             ///< of the last cut: opens the next step
+  Wrench wrench;             ///< of the last cut; acts in the first half of the next step
   EnergyLedger ledger;       ///< since start_drilling
-  string::ChainState chain;  ///< of a string on a chain
+  string::ChainState chain;  ///< used if the string is a chain
 };
 
-/// What a step keeps beside it, so that it allocates nothing once warm.
+/// Work data of a step, reused so that steps allocate nothing after the first.
 struct DrillingWork {
-  Configuration at;  ///< of the state's positions, when no step is open
+  Configuration at;  ///< of the positions of the state if no step is open
   /// Mean velocity over the opening and over the closing flow of the last step. A force F of the
-  /// wrench at either end did the work (h/2) F . v there, exactly.
+  /// wrench did the work (h/2) F . v in that flow, exactly.
   DrillingVelocity opening, closing;
   DrillingState predicted, step_start;
   DrillingVelocity before;
-  Configuration middle;       ///< in the middle of the last drift, as its opening half predicted it
-  Configuration next_middle;  ///< and of the drift that velocity_after predicts
+  Configuration middle;       ///< in the middle of the last drift, predicted by its opening half
+  Configuration next_middle;  ///< in the middle of the drift that velocity_after predicts
   HalfWork half;
-  // Of a string on a chain (chained_string.hpp).
+  // For a chained string (chained_string.hpp).
   string::ChainWork chain;
   string::ChainState chain_start;
   string::TopCommand command;
-  string::EndMotion end_before;  ///< at the step's start
-  Wrench chain_damper;           ///< on the bit, by Kelvin-Voigt's dampers of the last element
+  string::EndMotion end_before;  ///< at the start of the step
+  Wrench chain_damper;           ///< on the bit, of the Kelvin-Voigt dampers of the last element
 };
 
-/// At rest with its energies. Give it the wrench of the start where the bit touches rock.
+/// Starts a bit in the given state and computes its initial energy. If the bit touches rock, set
+/// `wrench` of the result to the initial wrench.
 Drilling start_drilling(const DrillingSystem& system, DrillingState state,
                         string::ChainState chain = {});
 
-/// Ready for the next step of what was just started, or saved between two steps: the motion goes
-/// on to the same bits as without the interruption.
+/// Prepares the next step after start_drilling or a restart. A restarted run is bitwise identical
+/// to an uninterrupted one.
 DrillingWork drilling_work(const DrillingSystem& system, const Drilling& d);
 
-/// First half of a step of h (s): the flow of the last wrench, of string, wall and gravity and of
-/// all that resists, then the drift. Positions and time are then those of the step's end: cut the
-/// rock there.
-/// Throws RunError when an implicit drift does not converge; `d` is then as it was before the step.
+/// First half of a step of h (s): the flow of the last wrench, string, wall, gravity and all
+/// resistances, then the drift. Afterwards positions and time are those at the end of the step,
+/// where the rock must be cut. Throws RunError if an implicit drift does not converge; `d` is then
+/// unchanged.
 void open_step(const DrillingSystem& system, double h, Drilling& d, DrillingWork& work);
 
-/// The state at the step's end with the momenta that the last wrench predicts: what a force law
-/// that depends on velocity is evaluated at. Without the impulses of the cones' own spins when the
-/// wrench gives them at the step's end. Lives in `work` until the next step.
+/// State at the end of the step with momenta predicted from the last wrench. A force law that
+/// depends on velocity is evaluated at this state. It excludes the impulses on the cones' own spins
+/// if the wrench applies them at the end of the step. Stored in `work` until the next step.
 const DrillingState& predicted(const DrillingSystem& system, double h, const Drilling& d,
                                DrillingWork& work);
 
-/// The flows between a state and the next drift: of an open step, its closing flow and the opening
-/// one of the next step; of a state between two steps, the opening flow.
+/// The flows before the next drift. For an open step: its closing flow and the opening flow of the
+/// next step. For a state between two steps: the opening flow.
 enum class KicksLeft { closing_and_opening, opening };
 
-/// The velocity after these flows with this wrench, at positions that stand still: what the next
-/// drift moves with. Overwrites the state that predicted() returned.
+/// Velocity after these flows with this wrench at fixed positions, which is the velocity of the
+/// next drift. Overwrites the state returned by predicted().
 void velocity_after(const DrillingSystem& system, double h, const Drilling& d, KicksLeft kicks,
                     const Wrench& wrench, DrillingWork& work, DrillingVelocity& out);
 
-/// Second half: the flow of the new wrench, and the ledger.
+/// Second half of a step: the flow of the new wrench, and the ledger.
 void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,
                 DrillingWork& work);
 

@@ -23,7 +23,7 @@ std::string matrix_problem(const char* name, const Mat3& A) {
   return "";
 }
 
-/// A number that must be finite and not negative.
+/// Checks that a number is finite and not negative.
 std::string number_problem(const char* name, double value) {
   return std::isfinite(value) && value >= 0.0 ? "" : fmt::format("{} of {}", name, value);
 }

@@ -5,10 +5,10 @@
 
 namespace tdbd::dynamics {
 
-/// The functions of z by which u' = f - c u moves on over a time, z = c time (dynamics (20)).
+/// Functions of z = c time that appear in the solution of u' = f - c u over a time (dynamics (20)).
 struct FlowFunctions {
   double decay = 1.0;      ///< exp(-z)
-  double mean = 1.0;       ///< (1 - exp(-z))/z: its mean over the time
+  double mean = 1.0;       ///< (1 - exp(-z))/z: mean of the decay over the time
   double second = 0.5;     ///< (1 - mean)/z
   double third = 1.0 / 6;  ///< (1/2 - second)/z
 };
@@ -32,7 +32,7 @@ inline FlowFunctions flow_functions(double z) {
   return f;
 }
 
-/// Mean over [0, 1] by Gauss's rule of five points.
+/// Mean of f over [0, 1] by the five-point Gauss rule.
 template <class F>
 double gauss_mean(const F& f) {
   constexpr std::array<double, 2> off{0.269234655052841545, 0.453089922969331996};

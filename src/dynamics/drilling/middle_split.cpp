@@ -18,14 +18,15 @@ bool rubs(const Wall& wall, const Configuration& a, const Configuration& b) {
   return wall_resists(wall) && (a.contact.depth > 0.0 || b.contact.depth > 0.0);
 }
 
-/// A vector turned about z by an angle, from its cosine and sine.
+/// Rotates a vector about z by an angle given by its cosine and sine.
 Vec3 turned(const Vec3& p, double cosine, double sine) {
   return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y(), p.z()};
 }
 
 using Directions = std::array<Direction, 3>;
 
-/// Speeds of the contact of these momenta: slip around, slip along z, radial, m/s.
+/// Speeds of the contact for the momenta in `w`: slip around the wall, slip along z, radial speed,
+/// m/s.
 Vec3 speeds_at_contact(const DrillingSystem& s, const Configuration& at,
                        const Directions& directions, FlowWork& w) {
   w.start.resize(w.momenta.size());
@@ -38,9 +39,9 @@ Vec3 speeds_at_contact(const DrillingSystem& s, const Configuration& at,
   return speeds;
 }
 
-/// T: the impulse that turns the momenta with the contact from one geometry to another, (24). They
-/// are turned about z, and then get the impulse at the contact that leaves its speeds as they were.
-/// None where the ring leaves the wall or comes to it.
+/// T: the impulse that rotates the momenta with the contact from one geometry to another, (24). The
+/// momenta are rotated about z, and an impulse at the contact then restores the speeds of the
+/// contact. Zero if the ring touches the wall in only one of the geometries.
 Vec6 turning_impulse(const DrillingSystem& s, const Configuration& from, const Configuration& to,
                      const DrillingState& state, FlowWork& w) {
   Vec6 T = Vec6::Zero();
@@ -69,7 +70,7 @@ Vec6 turning_impulse(const DrillingSystem& s, const Configuration& from, const C
   return T;
 }
 
-/// A quarter step in each geometry, with the turning impulse between them.
+/// Performs a quarter step in each geometry, with the turning impulse between them.
 void take_quarters(const DrillingSystem& s, double h, const Configuration& first,
                    const Configuration& second, DrillingState& state, EnergyLedger* ledger,
                    HalfWork& w) {
@@ -84,7 +85,7 @@ void take_quarters(const DrillingSystem& s, double h, const Configuration& first
   w.mean += 0.5 * w.flow.mean;
 }
 
-/// False where the drift does not converge.
+/// Performs half a drift. Returns false if it does not converge.
 bool coast_halfway(const DrillingSystem& s, double h, const DrillingState& from, DrillingState& to,
                    Configuration& middle) {
   to = from;
@@ -99,7 +100,8 @@ bool coast_halfway(const DrillingSystem& s, double h, const DrillingState& from,
   return true;
 }
 
-/// Momenta turned as far as a ring that touches goes around the wall in half a step.
+/// Rotates the momenta about z by the angle that a touching ring travels around the wall in half a
+/// step.
 void turn_with_the_ring(const DrillingSystem& s, double h, const Configuration& node,
                         HalfWork& work) {
   const WallContact& c = node.contact;
@@ -109,7 +111,7 @@ void turn_with_the_ring(const DrillingSystem& s, double h, const Configuration& 
   work.mean.resize(work.flow.momenta.size());
   velocities_of(s, node, work.flow.momenta, work.mean);
   const Vec3 ring = work.mean.head<3>() + Vec3(work.mean.segment<3>(3)).cross(c.ring_arm_W);
-  constexpr double most = 0.9;  // a sine
+  constexpr double most = 0.9;  // largest sine
   const double sine =
       std::clamp(0.5 * h * ring.dot(c.tangent_W) / (s.wall.clearance + c.depth), -most, most);
   const double cosine = std::sqrt(1.0 - sine * sine);

@@ -13,7 +13,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int wall_directions = 3;
 
-/// Room for all dampers that the system may have, and for the wall.
+/// Allocates columns for all dampers that the system may have, and for the wall.
 void set_sizes(const DrillingSystem& s, FlowWork& w) {
   const int n = freedoms(s), most = n + 1 + wall_directions;
   if (w.directions.rows() == n && w.directions.cols() == most) return;
@@ -27,7 +27,7 @@ void set_sizes(const DrillingSystem& s, FlowWork& w) {
   w.entries.assign(at(most), nullptr);
 }
 
-/// Adds a direction of the bit; returns its column.
+/// Adds a direction of the bit. Returns its column.
 int add_direction(const Direction& d, double coefficient, double EnergyLedger::*entry,
                   FlowWork& w) {
   const int i = w.resisting++;
@@ -40,13 +40,13 @@ int add_direction(const Direction& d, double coefficient, double EnergyLedger::*
   return i;
 }
 
-/// Whether the rate of the top is a part of the state.
+/// Whether the rate of the top is part of the state.
 bool top_follows_bit(const DrillingSystem& s) {
   return s.string.damper_end == DamperEnd::top && s.top.axial == AxialMode::load &&
          s.top.following_time > 0.0;
 }
 
-/// Rate of the upper end of the string's dampers, m/s along +z.
+/// Rate of the upper end of the dampers of the string, m/s along +z.
 double rate_of_damper_end(const DrillingSystem& s, const DrillingState& state) {
   if (s.string.damper_end == DamperEnd::space) return 0.0;
   return top_follows_bit(s) ? state.top_rate : value_at(s.top.rate, state.rotation.time);
@@ -90,7 +90,7 @@ void add_wall(const WallContact& contact, FlowWork& w) {
   add_direction(d[2], 0.0, &EnergyLedger::wall_loss, w);
 }
 
-/// What momenta and forces do along the directions.
+/// Projects momenta and forces onto the directions.
 void project(const DrillingSystem& s, const Configuration& at, FlowWork& w) {
   const int q = w.resisting;
   velocities_of(s, at, w.momenta, w.start);
@@ -103,8 +103,9 @@ void project(const DrillingSystem& s, const Configuration& at, FlowWork& w) {
   }
 }
 
-/// Mean products of two modes over the time: the losses' integrals. From the ends where the modes
-/// are damped enough, else by Gauss's rule, whose error is below rounding there.
+/// Mean product of two modes over the time, for the integrals of the losses. It is computed from
+/// the values at the ends if the modes are damped enough, otherwise by Gauss's rule, whose error is
+/// then below rounding.
 double mean_product(const FlowWork& w, double z_k, double z_l, int k, int l) {
   const double z = z_k + z_l;
   if (std::abs(z) > 0.5)
@@ -120,14 +121,15 @@ double mean_product(const FlowWork& w, double z_k, double z_l, int k, int l) {
   });
 }
 
-/// The flows of a step share their geometry: modes are computed once for all of them.
+/// Computes the modes, unless they are those of the previous call: the flows of a step share their
+/// geometry.
 void find_modes(FlowWork& w) {
   if (w.decomposed.rows() == w.scaled.rows() && w.decomposed == w.scaled) return;
   w.modes.compute(w.scaled);
   w.decomposed = w.scaled;
 }
 
-/// The exact flow of the dampers, by the modes of sqrt(c) A^T M^-1 A sqrt(c).
+/// Exact flow of the dampers, by the modes of sqrt(c) A^T M^-1 A sqrt(c).
 void exponential(double time, FlowWork& w) {
   const int q = w.dampers;
   w.scales = w.coefficients.head(q).cwiseSqrt();
@@ -154,7 +156,7 @@ void exponential(double time, FlowWork& w) {
   w.lags.head(q).array() *= time * w.scales.array();
 }
 
-/// Integrals of c v^2 over the flow that exponential() took.
+/// Integrals of c v^2 over the flow computed by exponential().
 void damper_losses(double time, FlowWork& w) {
   const int q = w.dampers;
   const Eigen::MatrixXd& V = w.modes.eigenvectors();
@@ -171,7 +173,8 @@ void damper_losses(double time, FlowWork& w) {
   }
 }
 
-/// Dampers of the Lobatto method solved, so that the wall alone is left: with S = sqrt(c time),
+/// Eliminates the dampers from the equations of the Lobatto method, so that only the wall remains.
+/// With S = sqrt(c time),
 ///   (1 - i + S G S) S h = S g - S G_w (g_t, g_t, g_r) time h_w.
 WallResponse eliminate_dampers(double time, FlowWork& w) {
   const int q = w.dampers;
@@ -208,8 +211,8 @@ WallResponse eliminate_dampers(double time, FlowWork& w) {
   return r;
 }
 
-/// Complex stage values h of every direction: the method's two stages are Re h - Im h and
-/// Re h + Im h, the end.
+/// Complex stage values h of every direction. The two stages of the method are Re h - Im h and Re h
+/// + Im h, the end.
 void lobatto(const WallLaw& law, double time, FlowWork& w) {
   const int q = w.dampers;
   const WallResponse response = eliminate_dampers(time, w);
@@ -231,8 +234,8 @@ void lobatto(const WallLaw& law, double time, FlowWork& w) {
   for (int j = 0; j < wall_directions; ++j) take(q + j, h_w[j]);
 }
 
-/// What the Lobatto method takes beside its stages' losses, l^T A^T M^-1 A l / 2, goes to each
-/// direction by its loss.
+/// Distributes the numerical loss of the Lobatto method, l^T A^T M^-1 A l / 2, over the directions
+/// in proportion to their losses at the stages.
 void share_method_loss(FlowWork& w) {
   const int q = w.resisting;
   double beside = 0.0;

@@ -3,14 +3,14 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// The entry of a wrench that acts along a freedom.
+/// The component of a wrench along a degree of freedom.
 double& entry(const DrillingSystem& s, int freedom, Wrench& w) {
   if (freedom < 3) return w.force_W[freedom];
   if (freedom < 6) return w.torque_W[freedom - 3];
   return freedom < 6 + cones_of(s) ? w.cones[at(freedom - 6)] : w.rock_force;
 }
 
-/// Large beside rounding, N and N m; the map is affine.
+/// Probe, N or N m. The map is affine, so the probe only needs to be large compared with rounding.
 double probe_along(const DrillingSystem& s, int freedom) {
   constexpr double force = 1e3, torque = 1e2;
   return freedom < 3 || freedom == 6 + cones_of(s) ? force : torque;

@@ -13,13 +13,13 @@
 namespace tdbd::dynamics {
 namespace {
 
-/// x, y, z of the centre of mass; rotations about them; the rock's z.
+/// Order: x, y, z of the centre of mass, rotations about them, z of the rock.
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
 constexpr std::array<const char*, 7> motions = {
     "along x",         "along y",         "along z",         "tilting about x",
     "tilting about y", "turning about z", "the rock along z"};
 
-/// Displacement of a point of the bit by the seven motions.
+/// Jacobian of the displacement of a point of the bit with respect to the seven motions.
 Eigen::Matrix<double, 3, 7> point_motion(const Vec3& arm) {
   Eigen::Matrix<double, 3, 7> J = Eigen::Matrix<double, 3, 7>::Zero();
   J.leftCols<3>().setIdentity();
@@ -27,7 +27,7 @@ Eigen::Matrix<double, 3, 7> point_motion(const Vec3& arm) {
   return J;
 }
 
-/// Bit against rock.
+/// Contribution of the contact between bit and rock.
 Matrix7 contact_matrix(double lateral, double axial, double twist) {
   Matrix7 A = Matrix7::Zero();
   A(0, 0) = A(1, 1) = lateral;
@@ -48,7 +48,7 @@ Matrix7 stiffness_matrix(const DrillingSystem& s, const ContactSlopes& c, const 
   return K;
 }
 
-/// Held rock gets a mass that nothing moves, and its motion is taken out of the stiffness.
+/// Fixed rock gets a mass of 1 here; hold_rock removes its motion from the stiffness.
 Matrix7 mass_matrix(const DrillingSystem& s, const Mat3& R) {
   Matrix7 M = Matrix7::Identity();
   M.topLeftCorner<3, 3>() *= s.mass;
@@ -59,10 +59,10 @@ Matrix7 mass_matrix(const DrillingSystem& s, const Mat3& R) {
 
 void hold_rock(const DrillingSystem& s, Matrix7& A) {
   if (s.rock.mass > 0.0) return;
-  A.row(6).setZero();  // its column is above the diagonal, where the solver does not look
+  A.row(6).setZero();  // the solver does not read the column, which is above the diagonal
 }
 
-/// Largest eigenvalue of A against M, and which motion has the most of its energy.
+/// Largest eigenvalue of A with respect to M, and the motion with the largest share of its energy.
 struct Largest {
   double value = 0.0;
   int motion = 0;
@@ -78,7 +78,7 @@ Largest largest_eigenvalue(const Matrix7& A, const Matrix7& M) {
 }  // namespace
 
 StabilityLimit stability_limit(const DrillingSystem& s, const ContactSlopes& c) {
-  constexpr int attitudes = 16;  // over half a turn: an axis and its opposite are the same
+  constexpr int attitudes = 16;  // over half a turn: an axis and its opposite are equivalent
   StabilityLimit limit;
   for (int i = 0; i < attitudes; ++i) {
     const double angle = std::numbers::pi * i / attitudes;
@@ -102,7 +102,7 @@ StabilityLimit stability_limit(const DrillingSystem& s, const ContactSlopes& c) 
 }
 
 std::string stability_problem(const DrillingSystem& s, const ContactSlopes& c, double h) {
-  constexpr double safe = 0.8;  // of the limit: the slopes of a law are no constants
+  constexpr double safe = 0.8;  // of the limit, because the slopes of a law vary
   const StabilityLimit limit = stability_limit(s, c);
   if (h < limit.step) return "";
   const bool vibrates = limit.frequency * limit.step >= 1.5;

@@ -6,30 +6,30 @@
 
 namespace tdbd::dynamics {
 
-/// How steeply the forces of cutting change with the bit's place and velocity, all parts together.
-/// Along z between bit and rock.
+/// Derivatives of the cutting forces with respect to the position and velocity of the bit, summed
+/// over all parts. The axial ones act between bit and rock along z.
 struct ContactSlopes {
   double lateral_stiffness = 0.0;  ///< N/m, along x and along y
   double axial_stiffness = 0.0;    ///< N/m: dWOB/dz
   double twist_stiffness = 0.0;    ///< N m/rad
   double lateral_damping = 0.0;    ///< N s/m
   double axial_damping = 0.0;      ///< N s/m
-  double twist_damping = 0.0;      ///< N m s/rad: a torque that falls from one sign to the other
+  double twist_damping = 0.0;      ///< N m s/rad: slope of a torque that changes sign with velocity
 };
 
-/// What limits the step, dynamics (16). Kicks and drift are stable while h times the highest
-/// angular frequency of string, pressed wall and contact stays below 2; the exact dampers do not
-/// change that. A law of velocity at the predicted momenta adds: h times its largest rate (slope
-/// over mass) below 1.
+/// Limit of the time step, dynamics (16). Kicks and drift are stable if h times the highest angular
+/// frequency of string, wall in contact and rock contact is below 2. The exact dampers do not
+/// change that. If a law depends on velocity, evaluated at the predicted momenta, h times its
+/// largest rate (slope over mass) must also be below 1.
 struct StabilityLimit {
-  double frequency = 0.0;  ///< rad/s, the highest; of the worst attitude about z
+  double frequency = 0.0;  ///< rad/s, the highest over all attitudes about z
   double rate = 0.0;       ///< 1/s
-  double step = 0.0;       ///< s, the smaller limit; infinite where nothing limits
-  std::string mode;        ///< what moves most: "along z", "turning about z", ...
+  double step = 0.0;       ///< s, the smaller limit; infinite if there is none
+  std::string mode;        ///< dominant motion: "along z", "turning about z", ...
 };
 StabilityLimit stability_limit(const DrillingSystem& system, const ContactSlopes& contact);
 
-/// Why a step of h (s) is too long, with the limit and a step that would do; empty when it is not.
+/// Why a step of h (s) is too long, with the limit and a suitable step; empty if it is not.
 std::string stability_problem(const DrillingSystem& system, const ContactSlopes& contact, double h);
 
 }  // namespace tdbd::dynamics

@@ -9,16 +9,17 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using Mat2 = Eigen::Matrix2d;
 
-constexpr double settled = 1e-9;      ///< Newton step in ln g: the next error is its square
+constexpr double settled = 1e-9;      ///< Newton step in ln g; the next error is its square
 constexpr double longest_step = 4.0;  ///< in ln g
 constexpr int most_newton_steps = 40;
 constexpr double bracket_width = 60.0;  ///< in ln g, below the largest secant
 constexpr int most_halvings = 100;
-constexpr double least_normal = 1e-15;  ///< of the spring's force: a logarithm needs more than 0
+constexpr double least_normal = 1e-15;  ///< relative to the force of the spring; keeps the
+                                        ///< logarithm finite
 
 double slip_speed(const WallLaw& law) { return std::max(law.slip_speed, coulomb_creep); }
 
-/// ln(tanh(q)/q) and its derivative by ln q, q >= 0.
+/// ln(tanh(q)/q) and its derivative with respect to ln q, q >= 0.
 struct LogTanhc {
   double value = 0.0, slope = 0.0;
 };
@@ -45,13 +46,13 @@ Eigen::Matrix3cd resisted_inverse(const WallResponse& r, const WallSecants& g) {
   return A.inverse();
 }
 
-/// Normal force; what the loss bears is at most `loss`.
+/// Normal force. `borne` is the force of the loss along the radius, at most `loss`.
 double normal_force(const WallLaw& law, double borne) {
   return std::max(law.spring + std::clamp(borne, -law.loss, law.loss), least_normal * law.spring);
 }
 
-/// Disagreement of the logarithms of both secants with the speeds that they lead to, and its
-/// derivatives by the logarithms.
+/// Residuals of the logarithms of both secants at the resulting speeds, and their derivatives with
+/// respect to the logarithms.
 struct Disagreement {
   Vec2 f = Vec2::Zero();
   Mat2 J = Mat2::Identity();
@@ -69,7 +70,7 @@ Disagreement disagreement(const WallLaw& law, const WallResponse& r, const Vec2&
   if (law.friction > 0.0) {
     const double slip = v.head<2>().norm(), borne = g.radial * v[2];
     const double normal = normal_force(law, borne);
-    const bool is_free = std::abs(borne) < law.loss;  // the bound does not act
+    const bool is_free = std::abs(borne) < law.loss;  // the bound is inactive
     const LogTanhc t = log_tanhc(slip / slip_speed(law));
     d.f[0] = x[0] - std::log(law.friction * normal / slip_speed(law)) - t.value;
     for (int j = 0; j < 2; ++j) {
@@ -88,7 +89,7 @@ Disagreement disagreement(const WallLaw& law, const WallResponse& r, const Vec2&
   return d;
 }
 
-/// Secants at the speeds at which the flow begins.
+/// Secants at the speeds at the start of the flow.
 Vec2 first_guess(const WallLaw& law, const Vec3& start) {
   Vec2 x = Vec2::Zero();
   const double radial = 1.0 / std::max(std::abs(start[2]), radial_creep);
@@ -112,8 +113,8 @@ bool newton(const WallLaw& law, const WallResponse& r, Vec2& x, int& steps) {
   return false;
 }
 
-/// Where a function that is negative at `low` and positive at `high` changes sign: false position,
-/// halved where one end stays (Illinois).
+/// Root of a function that is negative at `low` and positive at `high`, by the Illinois variant of
+/// false position.
 template <class F>
 double sign_change(const F& f, double low, double high) {
   double f_low = f(low), f_high = f(high);

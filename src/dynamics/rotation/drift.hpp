@@ -7,7 +7,7 @@
 
 namespace tdbd::dynamics {
 
-/// One drift over h, free of torque. Only an implicit one can be too long; the state is then left
+/// One torque-free drift over h. Only an implicit drift can fail (`too_long`); the state is then
 /// unchanged.
 template <class S>
 LieOutcome drift(const Gyrostat& g, Drift kind, double h, RotationStateOf<S>& s) {
@@ -26,7 +26,8 @@ LieOutcome drift(const Gyrostat& g, Drift kind, double h, RotationStateOf<S>& s)
   return LieOutcome::too_long;
 }
 
-/// The time between two kicks: `drifts` drifts over h in all. Counts the windings of the twist.
+/// Advances the state from one kick to the next by `drifts` drifts, over h in total. Counts the
+/// turns of the twist.
 template <class S>
 LieOutcome coast(const Gyrostat& g, Drift kind, int drifts, double h, RotationStateOf<S>& s) {
   for (int i = 0; i < drifts; ++i) {

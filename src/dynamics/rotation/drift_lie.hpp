@@ -7,23 +7,23 @@
 namespace tdbd::dynamics {
 
 /// @file
-/// Implicit drifts, dynamics (5) and (6), solve for the rotation vector T of the whole drift:
+/// Implicit drifts, dynamics (5) and (6), which solve for the rotation vector T of the whole drift:
 ///   T = h It^-1 (m(T) - sigma),   R <- R exp(T),   phi_k <- phi_k + h pi_k / Ic_k - s_k . T.
-/// Any T at all conserves the spatial momentum; the solution makes the drift second order.
+/// Any T conserves the spatial momentum; the solution makes the drift second order.
 
-/// Which momentum stands for that of the whole drift.
+/// The momentum m(T) used for the whole drift.
 enum class LieMomentum {
-  middle,  ///< exp(-T/2) Pi: the thesis's, reconstructed (5.4.3); not symplectic
-  mean,    ///< the mean of exp(-s T) Pi over s in [0, 1]: symplectic
+  middle,  ///< exp(-T/2) Pi: method of the thesis, reconstructed (5.4.3); not symplectic
+  mean,    ///< mean of exp(-s T) Pi over s in [0, 1]: symplectic
 };
 
-/// When Newton's iteration stops, and when it gives up.
+/// Stopping criteria of the Newton iteration.
 struct LieSolve {
-  double small_update = 1e-8;  ///< of |T|: the update that is this small is the last one
-  int iterations = 20;         ///< at most
+  double small_update = 1e-8;  ///< relative to |T|: the iteration stops after an update this small
+  int iterations = 20;         ///< maximum
 };
 
-/// The momentum of the drift and its derivative by T.
+/// The momentum of the drift and its derivative with respect to T.
 template <class S>
 struct LieTerm {
   Vec3Of<S> m;
@@ -71,16 +71,16 @@ LieTerm<S> lie_momentum(LieMomentum which, const Vec3Of<S>& T, const Vec3Of<S>& 
   return which == LieMomentum::middle ? middle_momentum<S>(T, P) : mean_momentum<S>(T, P);
 }
 
-/// Newton's updates bring derivatives along one step behind the values.
+/// Extra Newton updates for scalars with derivatives, which converge one step after the values.
 template <class S>
 inline constexpr int derivative_lag = std::is_floating_point_v<S> ? 0 : 1;
 
-/// Whether Newton's iteration reached the rotation of the drift.
+/// Whether the Newton iteration converged to the rotation of the drift.
 enum class LieOutcome { solved, too_long };
 
-/// Solves It T = h (m(T) - sigma) by Newton from the second-order guess h W + (h^2/2) It^-1 (P x
-/// W). A drift is too long when the iteration does not end, or ends beyond half a turn, where the
-/// rotation vector stops being unique.
+/// Solves It T = h (m(T) - sigma) by Newton's method from the second-order guess h W + (h^2/2)
+/// It^-1 (P x W). Returns `too_long` if the iteration does not converge, or exceeds half a turn,
+/// where the rotation vector is not unique.
 template <class S>
 LieOutcome solve_lie(const Gyrostat& g, LieMomentum which, double h, const Vec3Of<S>& P,
                      const Vec3Of<S>& sigma, const LieSolve& options, Vec3Of<S>& T) {
@@ -102,7 +102,7 @@ LieOutcome solve_lie(const Gyrostat& g, LieMomentum which, double h, const Vec3O
   return LieOutcome::too_long;
 }
 
-/// One drift over h; leaves the state alone when it is too long.
+/// One drift over h. The state is unchanged if the result is `too_long`.
 template <class S>
 [[gnu::flatten]] LieOutcome drift_lie(const Gyrostat& g, LieMomentum which, double h,
                                       const LieSolve& options, RotationStateOf<S>& s) {

@@ -5,12 +5,12 @@
 namespace tdbd::dynamics {
 
 /// @file
-/// Explicit drifts: the kinetic energy is split into parts whose flows are rotations, composed
-/// symmetrically. Each flow is exact, so the drift is symplectic, and the spatial momentum is not
-/// touched at all.
+/// Explicit drifts. The kinetic energy is split into parts whose flows are rotations, composed
+/// symmetrically. Each flow is exact, so the drift is symplectic and does not change the spatial
+/// momentum.
 
-/// What lies between the two outer flows of the split drift: 3 S 3. Without cones S acts in space
-/// alone and commutes with the rest.
+/// The flows between the two outer flows of the split drift: 3 S 3. Without cones, S acts only in
+/// space and commutes with the others.
 template <class S>
 void inner_flows(const Gyrostat& g, double h, double inner_rate, BodyFlow<S>& f) {
   if (g.cones.empty()) {
@@ -22,7 +22,8 @@ void inner_flows(const Gyrostat& g, double h, double inner_rate, BodyFlow<S>& f)
   if (inner_rate != 0.0) flow_about_axis<2>(0.5 * h * inner_rate, f);
 }
 
-/// The body's part of the split drift. A symmetric body without cones turns about its axis once.
+/// The flows in the body's frame. A symmetric body without cones needs only one rotation about its
+/// axis.
 template <int outer, class S>
 void split_flows(const Gyrostat& g, double h, double outer_rate, double inner_rate,
                  RotationStateOf<S>& s) {
@@ -42,9 +43,10 @@ void split_flows(const Gyrostat& g, double h, double outer_rate, double inner_ra
   end_flow(g, h, f, s);
 }
 
-/// Dynamics (7): kinetic energy as |Pi - sigma|^2 / (2 j), j the middle principal inertia, and the
-/// two axes whose inertia differs from it, in the order 1 3 S 3 1. Of an axisymmetric body one axis
-/// is left, and a free body's attitude is exact when its cones' momentum lies along the axis.
+/// Dynamics (7): splits the kinetic energy into |Pi - sigma|^2 / (2 j), where j is the middle
+/// principal inertia, and the two axes whose inertia differs from it, in the order 1 3 S 3 1. For
+/// an axisymmetric body one axis remains, and the attitude of a free body is exact if the momentum
+/// of its cones is along that axis.
 template <class S>
 [[gnu::flatten]] void drift_split(const Gyrostat& g, double h, RotationStateOf<S>& s) {
   const Vec3& rate = g.principal_rates;

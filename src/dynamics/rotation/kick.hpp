@@ -8,28 +8,28 @@
 
 namespace tdbd::dynamics {
 
-/// An impulse h times the torque: momenta change, attitude and angles do not (thesis: 5.4.4).
+/// Adds the impulse h times the torque. Momenta change, attitude and angles do not (thesis: 5.4.4).
 template <class S>
 void kick(double h, const TorqueOf<S>& torque, RotationStateOf<S>& s) {
   s.momentum_W += h * torque.total_W;
   for (std::size_t k = 0; k < s.cone_momenta.size(); ++k) s.cone_momenta[k] += h * torque.cones[k];
 }
 
-/// A gyrostat in motion: its state, the torque of its last evaluation, which opens the next step,
-/// and how many evaluations there were.
+/// A gyrostat in motion: its state, the torque of its last evaluation, which is used again at the
+/// start of the next step, and the number of evaluations.
 template <class S>
 struct RotatingOf {
   RotationStateOf<S> state;
   TorqueOf<S> torque;
   long evaluations = 0;
 
-  // Room for what a step keeps meanwhile, so that it allocates nothing once warm.
+  // Work data of a step, reused so that later steps allocate nothing.
   RotationStateOf<S> predicted, kick_start, step_start;
   TorqueOf<S> step_torque;
 };
 using Rotating = RotatingOf<double>;
 
-/// Largest difference of the momenta of two states, relative to the first's.
+/// Largest difference of the momenta of two states, relative to those of the first.
 template <class S>
 S momentum_difference(const RotationStateOf<S>& a, const RotationStateOf<S>& b) {
   using std::abs;
@@ -42,9 +42,9 @@ S momentum_difference(const RotationStateOf<S>& a, const RotationStateOf<S>& b) 
   return scale > S(0) ? S(difference / scale) : difference;
 }
 
-/// Closing kick whose torque is evaluated at the momentum that it leads to: the adjoint of the
-/// opening kick, so that the step is symmetric. A fixed point of contraction h/2 times the damping
-/// over the inertia. Throws RunError when it does not settle.
+/// Closing kick whose torque is evaluated at the resulting momentum: the adjoint of the opening
+/// kick, so that the step is symmetric. It is a fixed-point iteration; its contraction factor is
+/// h/2 times the damping over the inertia. Throws RunError if it does not converge.
 template <class S>
 void implicit_kick(const Gyrostat& g, const Loads& loads, double h, RotatingOf<S>& r) {
   constexpr int iterations = 60;
@@ -61,8 +61,9 @@ void implicit_kick(const Gyrostat& g, const Loads& loads, double h, RotatingOf<S
   throw RunError("the symmetric kick does not settle: the damping is too strong for the step");
 }
 
-/// Closing kick: the torque at the new attitude; where it depends on velocity, at the momentum
-/// predicted with the last torque. With the momentum as it stands the step would be first order.
+/// Closing kick with the torque at the new attitude. If the torque depends on velocity, it is
+/// evaluated at the momentum predicted with the last torque; with the present momentum the step
+/// would be first order.
 template <class S>
 void closing_kick(const Gyrostat& g, const Loads& loads, VelocityTorque rule, double h,
                   RotatingOf<S>& r) {

@@ -5,15 +5,17 @@
 
 namespace tdbd::dynamics {
 
-/// A drift seen from the body. Frame P: the principal axes of It at the drift's start, fixed in
-/// the body. A rotation of the body about an axis of its own leaves the spatial momentum alone, so
-/// the body's momentum turns back.
+/// Data of a drift in the frame P of the body: the principal axes of It at the start of the drift,
+/// fixed in the body. A rotation of the body about its own axis does not change the spatial
+/// momentum, so the momentum in P rotates the opposite way.
 template <class S>
 struct BodyFlow {
   Vec3Of<S> momentum_P;                                          ///< Pi, N m s
-  Vec3Of<S> sigma_P;                                             ///< what the cones carry, N m s
+  Vec3Of<S> sigma_P;                                             ///< momentum of the cones, N m s
   Eigen::Quaternion<S> turn = Eigen::Quaternion<S>::Identity();  ///< R <- R turn
-  Vec3Of<S> turned_P = Vec3Of<S>::Zero();                        ///< rad, what the cones undergo
+  Vec3Of<S> turned_P = Vec3Of<S>::Zero();                        ///< rad, rotation of the body to
+                                                                 ///< be subtracted from the cone
+                                                                 ///< angles
 };
 
 template <class S>
@@ -45,9 +47,9 @@ void flow_about_axis(double h_rate, BodyFlow<S>& f) {
   f.turned_P[i] += 2.0 * half;
 }
 
-/// The body's half of the flow of |Pi - sigma|^2 / 2 times `h_rate`: exp(-h_rate sigma), while the
-/// cones follow the mean of the body's momentum on the way. The other half, exp(h_rate pi) in
-/// space, leaves Pi alone.
+/// Body part of the flow of |Pi - sigma|^2 / 2 times `h_rate`: exp(-h_rate sigma). The cones follow
+/// the mean of the body's momentum over the flow. The other part, exp(h_rate pi) in space, does not
+/// change Pi.
 template <class S>
 void flow_spherical(double h_rate, BodyFlow<S>& f) {
   const Vec3Of<S> v = h_rate * f.sigma_P;
@@ -58,7 +60,7 @@ void flow_spherical(double h_rate, BodyFlow<S>& f) {
   f.turn = f.turn * rotation::quaternion_exp<S>(-v);
 }
 
-/// The cones over h: their own spin, less what the body turned below them.
+/// Advances the cone angles over h: their own spin minus the rotation of the body.
 template <class S>
 void turn_cones(const Gyrostat& g, double h, const Vec3Of<S>& turned_B, RotationStateOf<S>& s) {
   for (std::size_t k = 0; k < g.cones.size(); ++k)
@@ -66,7 +68,7 @@ void turn_cones(const Gyrostat& g, double h, const Vec3Of<S>& turned_B, Rotation
                         g.cones[k].axis_B.cast<S>().dot(turned_B);
 }
 
-/// R <- R turn, unit again.
+/// Applies the rotation, R <- R turn, and renormalizes.
 template <class S>
 void apply_turn(const Gyrostat& g, const BodyFlow<S>& f, RotationStateOf<S>& s) {
   const Vec3Of<S> v = g.principal_axes_B.cast<S>() * f.turn.vec();
@@ -74,8 +76,9 @@ void apply_turn(const Gyrostat& g, const BodyFlow<S>& f, RotationStateOf<S>& s) 
   rotation::renormalise(s.q_WB);
 }
 
-/// The last flow of a drift, after apply_turn: a rotation about axis i straight into the attitude,
-/// which leaves it unit to rounding. What came before is applied while its angle is being computed.
+/// The last flow of a drift, after apply_turn: a rotation about axis i applied directly to the
+/// attitude, whose norm stays 1 up to rounding. The processor can apply the earlier rotation while
+/// it computes the angle of this one.
 template <int i, class S>
 void last_flow_about_axis(const Gyrostat& g, double h_rate, BodyFlow<S>& f, RotationStateOf<S>& s) {
   const S half = 0.5 * h_rate * (f.momentum_P[i] - f.sigma_P[i]);
@@ -85,7 +88,7 @@ void last_flow_about_axis(const Gyrostat& g, double h_rate, BodyFlow<S>& f, Rota
   f.turned_P[i] += 2.0 * half;
 }
 
-/// The cones over h, after the last flow.
+/// Advances the cone angles over h, after the last flow.
 template <class S>
 void end_flow(const Gyrostat& g, double h, const BodyFlow<S>& f, RotationStateOf<S>& s) {
   if (!g.cones.empty()) turn_cones<S>(g, h, g.principal_axes_B.cast<S>() * f.turned_P, s);

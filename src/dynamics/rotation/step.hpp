@@ -6,7 +6,7 @@
 
 namespace tdbd::dynamics {
 
-/// Evaluates the first torque.
+/// Starts a rotation: evaluates the first torque.
 template <class S>
 RotatingOf<S> start(const Gyrostat& g, const Loads& loads, RotationStateOf<S> state) {
   RotatingOf<S> r;
@@ -17,7 +17,7 @@ RotatingOf<S> start(const Gyrostat& g, const Loads& loads, RotationStateOf<S> st
 }
 
 /// One stage of a composition: kick(h/2), drifts over h, kick(h/2) with the torque at the new
-/// attitude (dynamics (4); thesis: 5.4.4, 5.5, reconstructed in detail).
+/// attitude (dynamics (4); thesis: 5.4.4, 5.5, details reconstructed).
 template <class S>
 LieOutcome stage(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
                  RotatingOf<S>& r) {
@@ -29,7 +29,7 @@ LieOutcome stage(const Gyrostat& g, const Loads& loads, const Integrator& integr
   return LieOutcome::solved;
 }
 
-/// Tries a step of size h; after `too_long` the state is undefined.
+/// Attempts a step of size h. If the result is `too_long`, the state is undefined.
 template <class S>
 LieOutcome try_step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
                     RotatingOf<S>& r) {
@@ -39,12 +39,13 @@ LieOutcome try_step(const Gyrostat& g, const Loads& loads, const Integrator& int
   return LieOutcome::solved;
 }
 
-/// The message for a step that is too long, with the step that would do. `r` is the step's start.
+/// Message for a step that is too long, with a step size that works. `r` is the state at the start
+/// of the step.
 std::string too_long_message(const Gyrostat& g, const Loads& loads, const Integrator& integrator,
                              double h, const Rotating& r);
 
-/// One step of size h (s): as many stages as the order takes, one torque evaluation each.
-/// Throws RunError when an implicit drift is too long.
+/// One step of size h (s). The number of stages depends on the order; each evaluates the torque
+/// once. Throws RunError if an implicit drift is too long.
 template <class S>
 void step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
           RotatingOf<S>& r) {
@@ -52,8 +53,8 @@ void step(const Gyrostat& g, const Loads& loads, const Integrator& integrator, d
     throw RunError("the drift does not converge: too large a step");
 }
 
-/// Of plain numbers: the state is then that before the step, and the message names the step that
-/// would do.
+/// Specialization for double: if it throws, the state is that before the step, and the message
+/// states a step size that works.
 template <>
 void step<double>(const Gyrostat& g, const Loads& loads, const Integrator& integrator, double h,
                   Rotating& r);

@@ -8,11 +8,11 @@
 
 namespace tdbd::dynamics {
 
-/// What acts on a gyrostat at one instant (T and T_k of dynamics (3); thesis: 5.2.2).
+/// Torques on a gyrostat at one instant (T and T_k of dynamics (3); thesis: 5.2.2).
 template <class S>
 struct TorqueOf {
-  Vec3Of<S> total_W = Vec3Of<S>::Zero();  ///< N m, from outside, on body and cones
-  std::vector<S> cones;                   ///< N m, T_k . s_k: what changes the cones' momenta
+  Vec3Of<S> total_W = Vec3Of<S>::Zero();  ///< N m, external, on body and cones
+  std::vector<S> cones;                   ///< N m, T_k . s_k: rates of change of the cone momenta
 };
 using Torque = TorqueOf<double>;
 
@@ -24,23 +24,24 @@ inline bool depends_on_velocity(const Loads& loads) {
   return false;
 }
 
-/// Torque of the samples at this time, N m, in their frame.
+/// Torque of the samples at a time, N m, in their frame.
 Vec3 sampled_torque(const SampledTorque& samples, double time);
 
-/// The loads that depend on nothing but time, N m, in the frames they are given in.
+/// Sum of the loads that depend only on time, N m, separately for each frame.
 struct TimedTorque {
   Vec3 body_B, space_W;
 };
 void add_timed_torque(const Loads& loads, double time, TimedTorque& sum);
 
-/// Torque of gravity about the fixed point: -V's gradient. Its vertical component is zero, exactly.
+/// Torque of gravity about the fixed point: minus the gradient of V. Its vertical component is
+/// exactly zero.
 template <class S>
 Vec3Of<S> gravity_torque_W(const Loads& loads, const RotationStateOf<S>& s) {
   const Vec3Of<S> e = s.q_WB * Vec3Of<S>(loads.gravity_arm_B.cast<S>());
   return {-loads.gravity_moment * e[1], loads.gravity_moment * e[0], S(0)};
 }
 
-/// Torques on the cones; the part from outside joins the total.
+/// Adds the torques on the cones. The external part is also added to the total.
 template <class S>
 void add_cone_torques(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
                       TorqueOf<S>& out) {
@@ -52,8 +53,8 @@ void add_cone_torques(const Gyrostat& g, const Loads& loads, const RotationState
   }
 }
 
-/// Torque of the loads that do not depend on velocity. No allocation once `out` has the cones'
-/// number.
+/// Torque of the loads that do not depend on velocity. Allocates nothing if `out` already has the
+/// number of cones.
 template <class S>
 void evaluate_at_rest(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
                       TorqueOf<S>& out) {
@@ -68,7 +69,7 @@ void evaluate_at_rest(const Gyrostat& g, const Loads& loads, const RotationState
   add_cone_torques(g, loads, s, out);
 }
 
-/// Torque of the dampers at the state's velocity.
+/// Adds the torque of the dampers at the velocity of the state.
 template <class S>
 void add_damping(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
                  TorqueOf<S>& out) {
@@ -78,7 +79,7 @@ void add_damping(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>
     out.cones[k] -= loads.cones[k].damping * cone_rate<S>(g.cones[k], s.cone_momenta[k], w_B);
 }
 
-/// Torque of the loads at the state's time, attitude and momenta.
+/// Torque of the loads at the time, attitude and momenta of the state.
 template <class S>
 void evaluate(const Gyrostat& g, const Loads& loads, const RotationStateOf<S>& s,
               TorqueOf<S>& out) {

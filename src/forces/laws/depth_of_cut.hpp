@@ -8,15 +8,15 @@
 
 namespace tdbd::forces {
 
-/// Force by width and depth of cut, as in the model of Langeveld (1992), forces (8):
+/// Force from width and depth of cut, as in the model of Langeveld (1992), forces (8):
 ///   Ft = kt De depth,  Fn = kn De depth
-/// RECONSTRUCTED: its description says "very simple" and no more. The depth of PartCut is the mean
-/// thickness, so that De depth is the cut area; the model of Langeveld in reference/literature takes
-/// the depth of the tip. Thesis: 2.1 (the earlier models).
+/// RECONSTRUCTED: the thesis only calls this model "very simple". The depth of PartCut is the mean
+/// thickness, so De depth is the cut area; the Langeveld model in reference/literature uses the
+/// depth of the tip. Thesis: 2.1 (earlier models).
 struct DepthOfCut {
   double kn = 0.0;                       ///< Pa, normal force per width and depth
   double kt = 0.0;                       ///< Pa, tangential force per width and depth
-  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+  double slip_speed = usual_slip_speed;  ///< m/s, see slip_share
 
   static constexpr std::string_view name = "depth-of-cut";
   static constexpr bool knows(bit::PartKind kind) { return kind == bit::PartKind::face; }

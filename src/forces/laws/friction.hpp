@@ -8,20 +8,21 @@
 
 namespace tdbd::forces {
 
-/// Rubbing of gage pads, the body and a cutter's blunt sides, forces (11): a contact stress on the
-/// contact area, never above what the rock carries, and Coulomb friction. Ours.
+/// Friction of gage pads, the body and the blunt sides of cutters, forces (11): a contact stress on
+/// the contact area, limited by the strength of the rock, and Coulomb friction. An addition of TDBD
+/// [+].
 ///   Fn <= min(stress, cap Scc) A,  Ft <= mu Fn;  forces (4) with ramp = tan full_angle
-/// A pad that only slides along the wall carries nothing; moving into it, it carries the full stress
-/// from full_angle on. full_angle = 0 is a wear flat: rigid-plastic. mu may fall with speed
-/// (friction_at).
+/// A pad that only slides along the wall has no normal force. If it moves into the wall at an angle
+/// of at least full_angle, it has the full stress. full_angle = 0 is a rigid-plastic wear flat. mu
+/// may decrease with speed (friction_at).
 struct Friction {
   double stress = 0.0;           ///< Pa, contact stress
   double mu = 0.0;               ///< 1, coefficient of friction
-  double cap = 1.5;              ///< 1, largest contact stress over the confined strength
-  double full_angle = 0.01;      ///< rad, of motion into the rock at which the stress is whole
-  double weakening = 0.0;        ///< 1, of mu with speed, friction_at
+  double cap = 1.5;              ///< 1, largest ratio of contact stress to confined strength
+  double full_angle = 0.01;      ///< rad, angle of motion into the rock at which the stress is full
+  double weakening = 0.0;        ///< 1, relative decrease of mu with speed, see friction_at
   double weakening_speed = 1.0;  ///< m/s
-  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+  double slip_speed = usual_slip_speed;  ///< m/s, see slip_share
 
   static constexpr std::string_view name = "friction";
   static constexpr bool knows(bit::PartKind kind) {

@@ -13,7 +13,7 @@ using Terms = std::array<double, hanson_hansen_terms>;
 
 constexpr bool on_chamfer(PartKind kind) { return kind == PartKind::chamfer; }
 
-/// Other surfaces of a cutter.
+/// The surfaces of a cutter other than face and chamfer.
 constexpr bool on_others(PartKind kind) {
   return HansonHansen::knows(kind) && !on_face(kind) && !on_chamfer(kind);
 }
@@ -55,17 +55,17 @@ double strength(const HansonHansen& law, const Strength& s) {
   return s.unconfined + law.pressure_share * (s.confined - s.unconfined);
 }
 
-/// tan of an angle held within 80 degrees of 0.
+/// tan of an angle that is first limited to +-80 degrees.
 double bounded_tan(double angle) {
   return std::tan(std::clamp(angle, -steepest_rake, steepest_rake));
 }
 
-/// B2: normal over tangential force of a face.
+/// B2: ratio of normal to tangential force of a face.
 double face_ratio(const HansonHansen& law, const PartCut& cut) {
   return std::max(0.0, bounded_tan(cut.back_rake + law.A3));
 }
 
-/// What a factor of 1 gives on a face or chamfer, N, term by term.
+/// Forces on a face or chamfer if each factor is 1, N, by term.
 struct UnitForces {
   Terms tangential{}, normal{};
 };

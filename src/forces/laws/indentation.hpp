@@ -8,20 +8,20 @@
 
 namespace tdbd::forces {
 
-/// A tooth of a roller cone, or the cone's shell, pressed into the rock, forces (12): a crushing
-/// pressure on the contact, and Coulomb friction along the slip, which turns the cones. Ours; the
-/// form is that of element laws in the literature, from memory.
+/// A tooth or shell of a roller cone that is pressed into the rock, forces (12): a crushing
+/// pressure on the contact, and Coulomb friction along the slip, which drives the cones. An
+/// addition of TDBD [+]; its form is that of element laws in the literature, from memory.
 ///
 ///   Fn <= ratio Scc A,  Ft <= mu Fn          A: contact area seen along `normal`; forces (4)
-/// How the force grows with penetration follows from the contact: linear for a wedge, nearly linear
-/// for a sphere, quadratic for a cone. Nothing springs back: a tooth that leaves the rock is
-/// released.
+/// The growth of the force with penetration follows from the contact area: linear for a wedge,
+/// nearly linear for a sphere, quadratic for a cone. There is no elastic recovery: a tooth that
+/// leaves the rock has no force.
 struct Indentation {
-  double ratio = 1.0;                    ///< 1, crushing pressure over the confined strength
+  double ratio = 1.0;                    ///< 1, ratio of crushing pressure to confined strength
   double mu = 0.3;                       ///< 1, friction between tooth and rock
-  double weakening = 0.0;                ///< 1, of mu with speed, friction_at
+  double weakening = 0.0;                ///< 1, relative decrease of mu with speed, see friction_at
   double weakening_speed = 1.0;          ///< m/s
-  double slip_speed = usual_slip_speed;  ///< m/s, slip_share
+  double slip_speed = usual_slip_speed;  ///< m/s, see slip_share
 
   static constexpr std::string_view name = "indentation";
   static constexpr bool knows(bit::PartKind kind) {

@@ -8,7 +8,7 @@
 
 namespace tdbd::forces {
 
-/// No force: a part that only shapes the rock.
+/// No force: the part only cuts the rock.
 struct NoForce {
   static constexpr std::string_view name = "none";
   static constexpr bool knows(bit::PartKind) { return true; }

@@ -10,14 +10,14 @@ namespace tdbd::forces {
 namespace {
 
 constexpr int most_iterations = 50;
-/// The error after a Newton step is below the square of the step, both relative to t.
+/// The error after a Newton step is less than the square of the step, both relative to t.
 constexpr double converged = 1e-8;
 
 double cosine(const GrooveCutter& c) {
   return std::cos(std::clamp(c.back_rake, -steepest_rake, steepest_rake));
 }
 
-/// t - sin t cos t, by its series where the difference would lose digits.
+/// t - sin t cos t, by its series for small t to avoid cancellation.
 double segment(double t) {
   if (t > 0.3) return t - std::sin(t) * std::cos(t);
   const double s = 4.0 * t * t;  // the series is that of (2t - sin 2t)/2
@@ -32,7 +32,7 @@ struct HalfAngle {
   int iterations = 0;
 };
 
-/// t in [0, pi/2] with segment(t) = q.
+/// Solves segment(t) = q for t in [0, pi/2].
 HalfAngle half_angle(double q) {
   HalfAngle h{.t = std::cbrt(1.5 * q)};
   while (h.t > 0.0 && h.iterations < most_iterations) {

@@ -8,21 +8,22 @@ struct GrooveCutter {
   double back_rake = 0.0;  ///< rad, within 80 degrees of 0
 };
 
-/// The depth of a groove, and the Newton steps that finding it took.
+/// The depth of a groove and the number of Newton steps used to compute it.
 struct GrooveDepth {
   double depth = 0.0;  ///< m
   int iterations = 0;
 };
 
-/// Area of the cut, normal to the motion, of a groove of this depth (m): a segment of the face, A =
-/// a^2 (t - sin t cos t) cos b with depth = a (1 - cos t) cos b, a = diameter/2, b = back rake.
-/// From the depth 2 a cos b on, all of the face. Glowka (1989), "virgin groove".
+/// Area of a groove of the given depth (m), normal to the motion: a segment of the face, A = a^2 (t
+/// - sin t cos t) cos b with depth = a (1 - cos t) cos b, a = diameter/2, b = back rake. For depths
+/// of 2 a cos b and more it is the whole face. Glowka (1989), "virgin groove".
 double groove_area(const GrooveCutter& cutter, double depth);
 
-/// The inverse: the depth of the groove in flat rock whose cut has this area (m2, >= 0), Glowka's
-/// effective depth of cut on rock that other cutters have cut before. Newton's iteration from
-/// below, which converges from there since t - sin t cos t is convex (the other half of the face by
-/// symmetry): at most 5 steps, to rounding. Areas beyond the face's give its whole depth.
+/// The inverse of groove_area: the depth of the groove in flat rock with the given cut area (m2, >=
+/// 0). This is Glowka's effective depth of cut on rock that other cutters have cut before. Uses
+/// Newton's method from below, which converges because t - sin t cos t is convex (the other half of
+/// the face by symmetry): at most 5 steps, to rounding. For areas larger than the face it returns
+/// the full depth.
 GrooveDepth groove_depth(const GrooveCutter& cutter, double area);
 
 }  // namespace tdbd::forces

@@ -8,23 +8,24 @@
 
 namespace tdbd::forces {
 
-/// One coefficient of a law L, described so that a reader of cases needs to know no law.
+/// Description of a coefficient of a law L. With it a case reader can handle all laws alike.
 template <class L>
 struct Coefficient {
-  std::string_view key;            ///< in a case
-  std::string_view unit;           ///< of the SI value, as UDUNITS-2 writes it
-  double L::*member;               ///< where it goes
-  std::optional<double> fallback;  ///< SI; none: required
+  std::string_view key;            ///< key in a case
+  std::string_view unit;           ///< of the SI value, in the notation of UDUNITS-2
+  double L::*member;               ///< member that stores the value
+  std::optional<double> fallback;  ///< default, SI; none: required
   Range range;                     ///< SI
-  std::string_view meaning;        ///< one line for a reader
-  /// The kinds of part whose force it may change: all that the law knows, or fewer.
+  std::string_view meaning;        ///< one line for users
+  /// The kinds of part whose force it can change; the default is all that the law applies to.
   bool (*where)(bit::PartKind) = &L::knows;
 };
 
-/// Coefficients of faces alone.
+/// For coefficients that affect only faces.
 constexpr bool on_face(bit::PartKind kind) { return kind == bit::PartKind::face; }
 
-/// Default speed below which forces fade (m/s). Ours: a thousandth of the speed at a bit's gage.
+/// Default speed below which forces fade, m/s: a thousandth of the speed at the gage of a bit. An
+/// addition of TDBD [+].
 inline constexpr double usual_slip_speed = 1e-3;
 
 /// The coefficient that every law has (slip_share).
@@ -35,7 +36,7 @@ Coefficient<L> slip_speed_of() {
           Range::non_negative(), "speed below which the force fades"};
 }
 
-/// The two coefficients of laws whose friction falls with speed (friction_at).
+/// The two coefficients of laws whose friction decreases with speed (friction_at).
 template <class L>
 Coefficient<L> weakening_of() {
   return {"weakening",

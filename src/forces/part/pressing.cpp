@@ -6,7 +6,7 @@
 namespace tdbd::forces {
 namespace {
 
-/// Share of the limit that acts at v_n (m/s, into the rock) and |v_t|.
+/// Share of the limit that acts at the speeds v_n (m/s, into the rock) and |v_t|.
 double pressed_share(double into, double along, double ramp) {
   constexpr double rounding = 1e-12;
   const double full = ramp * along;
@@ -20,7 +20,7 @@ Vec3 slip_velocity(const Vec3& velocity, const Vec3& normal) {
   constexpr double rounding = 1e-14;
   Vec3 slip = velocity - velocity.dot(normal) * normal;
   if (slip.norm() <= rounding * velocity.norm()) return Vec3::Zero();
-  slip -= slip.dot(normal) * normal;  // of a small slip the first difference leaves some normal
+  slip -= slip.dot(normal) * normal;  // the first difference may leave some of it
   return slip;
 }
 

@@ -11,7 +11,7 @@ enum class Evidence {
   seen,     ///< read in a source
   derived,  ///< computed from numbers that were read
   recall,   ///< from memory, no source at hand
-  assumed,  ///< ours, for lack of any source
+  assumed,  ///< assumed by TDBD, for lack of any source
 };
 
 /// "seen", "derived", "recall", "assumed".

@@ -24,7 +24,7 @@ std::string at_edge(const TriangleMesh& m, const Side& s) {
                      in_mm(m.positions[at(s.lo)]), in_mm(m.positions[at(s.hi)]));
 }
 
-/// Corners that refer to no vertex. With one of them no other check is possible.
+/// Corners whose vertex index is out of range. If there are any, no other check is possible.
 Defects indices_out_of_range(const TriangleMesh& m) {
   Defects found;
   const int n = static_cast<int>(m.positions.size());
@@ -87,7 +87,8 @@ void find_wrong_topology(const TriangleMesh& m, const std::vector<Side>& sides, 
     found.push_back({Kind::euler_characteristic, fmt::format("V - E + F = {}, not 1", t.euler)});
 }
 
-/// The defects that both checks look for. Fills `sides` and `fans` if the indices are in range.
+/// Finds the defects that both checks look for. Fills `sides` and `fans` only if all indices are in
+/// range.
 Defects find_common(const TriangleMesh& m, std::vector<Side>& sides, std::vector<int>& fans) {
   if (m.triangles.empty()) return {{Kind::empty, "no triangles"}};
   Defects found = indices_out_of_range(m);

@@ -11,7 +11,7 @@
 namespace tdbd::mesh {
 namespace {
 
-/// The edges of the facets added so far, and whether those close a solid.
+/// Tracks the edges of the facets added so far, and whether these facets form a closed surface.
 class Closing {
  public:
   void add(const Triangle& t) {
@@ -36,7 +36,7 @@ class Closing {
   int unfinished_ = 0;
 };
 
-/// Facets by number, in runs that end where the facets so far are closed.
+/// Groups facet numbers into runs. A run ends where its facets form a closed surface.
 std::vector<std::vector<int>> closing_runs(const std::vector<Triangle>& facets) {
   std::vector<std::vector<int>> runs;
   Closing closing;

@@ -36,7 +36,7 @@ Box box_of(const TriangleMesh& m, const Triangle& t) {
 
 bool has(const Triangle& t, int name) { return std::find(t.begin(), t.end(), name) != t.end(); }
 
-/// The corners of f, those that `other` does not share first.
+/// Reorders the corners of f: those not shared with `other` come first.
 NamedFacet own_corners_first(const NamedFacet& f, const Triangle& other) {
   std::array<std::size_t, 3> order{0, 1, 2};
   std::stable_partition(order.begin(), order.end(),
@@ -49,19 +49,21 @@ NamedFacet own_corners_first(const NamedFacet& f, const Triangle& other) {
   return sorted;
 }
 
-/// Triangles that share an edge overlap if they lie in one plane on the same side of it.
+/// Tests two triangles that share an edge: they overlap if they are coplanar and lie on the same
+/// side of it.
 bool fold_over_edge(const NamedFacet& s, const NamedFacet& t) {
   const Point a = point(s, 1), b = point(s, 2), p = point(s, 0), q = point(t, 0);
   return CGAL::coplanar(a, b, p, q) && CGAL::coplanar_orientation(a, b, p, q) == CGAL::POSITIVE;
 }
 
-/// Triangles that share one corner overlap if the side opposite to it meets the other triangle.
+/// Tests two triangles that share one corner: they overlap if the side opposite to it intersects
+/// the other triangle.
 bool meet_beside_corner(const NamedFacet& s, const NamedFacet& t) {
   const Kernel::Segment_3 across_s(point(s, 0), point(s, 1)), across_t(point(t, 0), point(t, 1));
   return CGAL::do_intersect(across_s, triangle(t)) || CGAL::do_intersect(across_t, triangle(s));
 }
 
-/// For triangles with area.
+/// Requires triangles with non-zero area.
 bool solid_facets_intersect(const NamedFacet& first, const NamedFacet& second) {
   const NamedFacet s = own_corners_first(first, second.names),
                    t = own_corners_first(second, first.names);

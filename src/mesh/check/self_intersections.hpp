@@ -9,23 +9,25 @@
 
 namespace tdbd::mesh {
 
-/// Pairs of triangles that meet in more than the corners and edges they share, first < second, sorted, by exact
-/// predicates: a closed mesh with such pairs does not bound a solid. Corners at the same position are shared; two
-/// triangles with the same three corners are a pair; triangles without area are in none. Indices must be in range and
-/// positions finite.
+/// Returns the pairs of triangles (first < second, sorted) that meet outside their common corners
+/// and edges. A closed mesh with such pairs does not bound a solid. Uses exact predicates. Corners
+/// at the same position are common; two triangles with the same three corners are a pair; triangles
+/// with zero area are never in a pair. Indices must be in range and positions finite.
 std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh);
 
-/// A triangle by the names of its corners, equal for the same corner, and their positions, m.
+/// A triangle with the names of its corners (equal names mean the same corner) and their positions,
+/// m.
 struct NamedFacet {
   Triangle names{};
   std::array<Vec3, 3> x;
 };
 
-/// Whether two triangles meet in more than the corners and edges that they share by name, by exact
-/// predicates. A triangle without area meets no other.
+/// Tests with exact predicates whether two triangles meet outside the corners and edges that have
+/// the same names. False if either triangle has zero area.
 bool intersect(const NamedFacet& first, const NamedFacet& second);
 
-/// What check_closed finds, or, if it finds nothing, the pairs of self_intersections.
+/// Returns the defects that check_closed finds, or, if there are none, the pairs of
+/// self_intersections.
 std::vector<Defect> check_solid(const TriangleMesh& m);
 
 }  // namespace tdbd::mesh

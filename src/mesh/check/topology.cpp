@@ -8,7 +8,7 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Corners of a vertex whose triangles share an edge at it belong to one fan.
+/// Joins corners of a vertex into one fan if their triangles share an edge at that vertex.
 DisjointSets fans_of_corners(const TriangleMesh& m, const std::vector<Side>& sides) {
   DisjointSets fans(3 * m.triangles.size());
   for_each_edge(sides, [&](const Side* first, const Side* last) {
@@ -20,7 +20,7 @@ DisjointSets fans_of_corners(const TriangleMesh& m, const std::vector<Side>& sid
   return fans;
 }
 
-/// The number of sets among the members that `use` picks.
+/// Counts the sets whose representative satisfies `use`.
 template <class Use>
 int count_sets(DisjointSets& sets, int n, Use use) {
   int count = 0;

@@ -7,7 +7,7 @@
 
 namespace tdbd::mesh {
 
-/// Disjoint sets of 0 .. n-1 with path halving; the smallest member represents its set.
+/// Disjoint sets of 0 .. n-1 with path halving. The smallest member represents its set.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n);
@@ -18,15 +18,16 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
-/// The triangles grouped by the edges they share: each piece in ascending order, the pieces by their first triangles.
+/// Groups triangles that are connected by shared edges. Each piece is in ascending order; the
+/// pieces are ordered by their first triangles.
 std::vector<std::vector<int>> connected_pieces(const std::vector<Triangle>& triangles);
 
 /// Number of fans of triangles around each vertex: 1 for a manifold, 0 for an isolated vertex.
 std::vector<int> fan_counts(const TriangleMesh& m, const std::vector<Side>& sides);
 
-/// What distinguishes surfaces topologically. `loops` assumes manifold vertices.
+/// Topological invariants of a surface. `loops` requires manifold vertices.
 struct Topology {
-  int pieces = 0;  ///< connected parts; an isolated vertex is one
+  int pieces = 0;  ///< connected parts; an isolated vertex counts as one
   int loops = 0;   ///< closed chains of open edges
   int euler = 0;   ///< V - E + F
 };

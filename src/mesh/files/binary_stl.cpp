@@ -11,7 +11,8 @@
 namespace tdbd::mesh {
 namespace {
 
-/// 80 bytes of anything and the number of facets; each facet a normal, three vertices and two bytes.
+/// The head is 80 arbitrary bytes and the number of facets. A facet is a normal, three vertices and
+/// two bytes.
 constexpr std::size_t stl_head = 84, stl_facet = 50, stl_normal = 12, stl_vertex = 12;
 
 [[noreturn]] void refuse_stl(const std::string& path, const std::string& reason) {

@@ -25,7 +25,7 @@ namespace {
 using FilePoint = CGAL::Simple_cartesian<double>::Point_3;
 using Polygon = std::vector<int>;
 
-/// Points and polygons as CGAL reads and writes them.
+/// Points and polygons in the types that CGAL reads and writes.
 struct Soup {
   std::vector<FilePoint> points;
   std::vector<Polygon> polygons;
@@ -59,7 +59,7 @@ void require_sound(const std::filesystem::path& path, const FacetFile& file) {
   }
 }
 
-/// Squares and volumes of larger coordinates are no longer numbers.
+/// Squares and volumes of larger coordinates would overflow.
 void require_small(const std::filesystem::path& path, const std::vector<Vec3>& points) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (const Vec3& x = points[v]; !(x.cwiseAbs().maxCoeff() <= largest_coordinate))

@@ -6,15 +6,16 @@
 
 namespace tdbd::mesh {
 
-/// Reads STL (binary or text), OBJ, PLY or OFF, by the extension in upper or lower case.
-/// `unit` is metres per file unit: 1e-3 for a file in millimetres. Polygons are cut into fans of
-/// triangles; equal points of an STL file become one vertex. Nothing else is repaired; check_closed
-/// tells what is wrong. Throws InputError with path and reason.
+/// Reads STL (binary or text), OBJ, PLY or OFF. The extension, in upper or lower case, selects the
+/// format. `unit` is the length of one file unit in metres: 1e-3 for a file in millimetres.
+/// Polygons are split into fans of triangles; equal points of an STL file become one vertex.
+/// Nothing else is repaired; check_closed reports the defects. Throws InputError with path and
+/// reason.
 TriangleMesh read_mesh(const std::filesystem::path& path, double unit);
 
-/// Writes `m`, in metres, in the format of the extension: .stl and .ply are binary (single and
-/// double precision), .obj and .off are text with 17 digits. The file appears complete or not at all.
-/// Throws RunError if it cannot be written, InputError for an unknown extension.
+/// Writes `m`, in metres, in the format given by the extension: .stl and .ply are binary (single
+/// and double precision), .obj and .off are text with 17 digits. The file is written completely or
+/// not at all. Throws RunError if it cannot be written, InputError for an unknown extension.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& m);
 
 }  // namespace tdbd::mesh

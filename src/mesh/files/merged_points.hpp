@@ -8,12 +8,12 @@
 
 namespace tdbd::mesh {
 
-/// Points appended to a list, equal ones once. Coordinates must be finite.
+/// Appends points to a list and stores equal points once. Coordinates must be finite.
 class MergedPoints {
  public:
   explicit MergedPoints(std::vector<Vec3>& all) : all_(all) {}
 
-  /// Its place in the list.
+  /// Returns the index of x in the list.
   int add(const Vec3& x) {
     const auto [place, is_new] =
         number_.try_emplace({x.x(), x.y(), x.z()}, static_cast<int>(all_.size()));

@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "records are written as they lie");
 
-/// A facet on file: the number of its corners in a byte, and the corners.
+/// A facet in the file: the number of corners in one byte, then the corners.
 constexpr std::size_t facet_bytes = 1 + sizeof(Triangle);
 static_assert(sizeof(Triangle) == 3 * sizeof(std::int32_t));
 

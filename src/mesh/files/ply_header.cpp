@@ -26,7 +26,7 @@ constexpr std::array ply_formats = {
     std::pair{"binary_little_endian", PlyFormat::binary_little_endian},
     std::pair{"binary_big_endian", PlyFormat::binary_big_endian}};
 
-/// The next word of this line as one of the names.
+/// Returns the value of the next word of this line, which must be one of the names.
 template <class Names>
 auto named(TextCursor& in, const Names& names, std::string_view expected) {
   const std::string_view word = in.word(expected);
@@ -53,7 +53,7 @@ PlyProperty read_property(TextCursor& in) {
   return p;
 }
 
-/// The bytes that the shortest record takes; in text a digit and what parts it from the next.
+/// Smallest size of a record, bytes. In a text file a value takes at least a digit and a separator.
 std::size_t least_record(const PlyElement& e, PlyFormat format) {
   std::size_t bytes = 0;
   for (const PlyProperty& p : e.properties)
@@ -73,7 +73,7 @@ void demand_records(const PlyHeader& header, std::size_t bytes, const std::strin
   }
 }
 
-/// One statement of the header. Whether it was the last one.
+/// Whether a statement of the header was the last one.
 enum class Statement { one_of_many, last };
 Statement read_statement(TextCursor& in, long line, PlyHeader& header) {
   constexpr auto expected = "element, property, comment, obj_info or end_header";
@@ -102,7 +102,7 @@ std::size_t byte_size(PlyType type) {
 
 PlyHeader read_ply_header(std::string_view bytes, const std::string& path) {
   PlyHeader header;
-  const auto next_line = [&] {  // one at a time: a statement does not run on
+  const auto next_line = [&] {  // one line at a time: a statement ends with its line
     ++header.lines;
     const std::size_t end = bytes.find('\n', header.size);
     const std::string_view line =

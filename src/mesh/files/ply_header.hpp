@@ -11,33 +11,33 @@ namespace tdbd::mesh {
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// A value of every record of an element, or a list of values.
+/// A property of an element: one value per record, or a list of values.
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::float64;
-  std::optional<PlyType> count = std::nullopt;  ///< of a list: the type of its length
+  std::optional<PlyType> count = std::nullopt;  ///< for a list: type of its length
 };
 
-/// Records of one kind, such as `vertex`.
+/// An element: records of one kind, such as `vertex`.
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
   std::vector<PlyProperty> properties;
-  long line = 0;  ///< that announces it
+  long line = 0;  ///< line of the header that declares it
 };
 
-/// What a PLY file says of itself before its records.
+/// The content of a PLY header.
 struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< bytes until the records
-  long lines = 0;        ///< lines until the records
+  std::size_t size = 0;  ///< bytes before the records
+  long lines = 0;        ///< lines before the records
 };
 
 std::size_t byte_size(PlyType type);
 
-/// Reads the header, and checks that the file has bytes enough for every element: each holds as many records as it says.
-/// Throws InputError "PATH:LINE: found F, expected E".
+/// Reads the header, and checks that the file has enough bytes for the declared number of records
+/// of every element. Throws InputError "PATH:LINE: found F, expected E".
 PlyHeader read_ply_header(std::string_view bytes, const std::string& path);
 
 }  // namespace tdbd::mesh

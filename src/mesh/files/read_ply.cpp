@@ -19,7 +19,7 @@ namespace {
 
 bool is_whole(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
-/// Values of a text; every type is a double afterwards.
+/// Reads the values of a text file. Each value is converted to double.
 class PlyText {
  public:
   PlyText(std::string_view bytes, const std::string& path, const PlyHeader& header)
@@ -30,7 +30,7 @@ class PlyText {
     if (is_whole(type) && x != std::floor(x)) fail(fmt::format("'{}'", x), "a whole number");
     return type == PlyType::float32 ? static_cast<double>(static_cast<Single>(x)) : x;
   }
-  /// No list is longer than this.
+  /// Upper bound on the length of a list.
   std::size_t most(PlyType) const { return in_.left(); }
   [[noreturn]] void fail(const std::string& found, const char* expected) const {
     in_.fail(found, expected);
@@ -40,7 +40,7 @@ class PlyText {
   TextCursor in_;
 };
 
-/// Values of a binary file.
+/// Reads the values of a binary file.
 class PlyBytes {
  public:
   PlyBytes(std::string_view bytes, const std::string& path, const PlyHeader& header)
@@ -91,7 +91,7 @@ class PlyBytes {
   PlyFormat format_;
 };
 
-/// What becomes of a property.
+/// What a property is used for.
 enum class Use { x, y, z, corners, ignored };
 
 Use use_of(const PlyElement& e, const PlyProperty& p) {
@@ -101,8 +101,8 @@ Use use_of(const PlyElement& e, const PlyProperty& p) {
   return e.name == "face" && p.count && is_corners ? Use::corners : Use::ignored;
 }
 
-/// The uses of an element's properties. Throws InputError unless a vertex has its three coordinates and a face its
-/// corners, each once.
+/// Returns the use of each property of an element. Throws InputError unless a vertex has three
+/// coordinates and a face has corners, each exactly once.
 std::vector<Use> uses_of(const PlyElement& e, const std::string& path) {
   std::vector<Use> uses;
   uses.reserve(e.properties.size());
@@ -128,7 +128,7 @@ int corner_of(const Values& in, double x) {
   return static_cast<int>(x);
 }
 
-/// The length of a list of this type.
+/// Reads the length of a list with elements of type `type`.
 template <class Values>
 std::size_t length_of(Values& in, PlyType count, PlyType type) {
   const double n = in.value(count);

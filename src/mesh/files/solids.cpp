@@ -16,7 +16,7 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Triangles of each body.
+/// The triangles of each body.
 std::vector<std::vector<int>> by_body(const std::vector<int>& body_of_triangle,
                                       std::size_t bodies) {
   std::vector<std::vector<int>> triangles(bodies);
@@ -41,7 +41,8 @@ void write_stl_solid(std::ostream& out, const Solid& solid) {
   out << text << fmt::format("endsolid {}\n", solid.name);
 }
 
-/// OBJ counts vertices from 1 over the whole file.
+/// `first` is the number of vertices written before: OBJ counts vertices from 1 over the whole
+/// file.
 void write_obj_group(std::ostream& out, const Solid& solid, int first) {
   std::string text = fmt::format("g {}\n", solid.name);
   for (const Vec3& x : solid.mesh.positions)

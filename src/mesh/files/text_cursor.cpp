@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f\r", ends = " \t\v\f\r\n#";
 
-/// The number that fills a word; a plus before it is tolerated.
+/// Parses a number that must fill the whole word; a leading plus sign is allowed.
 template <class Number>
 bool fills(std::string_view word, Number& value) {
   if (word.starts_with('+')) word.remove_prefix(1);

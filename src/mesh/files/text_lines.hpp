@@ -14,16 +14,17 @@ class TextLines {
  public:
   TextLines(std::istream& in, std::string path);
 
-  /// Moves to the next line with words before any comment (#). False at the end of the file.
+  /// Moves to the next line that has a word before any comment (#). Returns false at the end of the
+  /// file.
   bool next();
 
   const std::vector<std::string>& words() const { return words_; }
   long number() const { return number_; }
 
-  /// The text after the first word, as written.
+  /// The text after the first word, as in the file.
   std::string rest() const;
 
-  /// Three finite numbers from word `first` on. Throws InputError.
+  /// Parses three finite numbers, starting at word `first`. Throws InputError.
   Vec3 point(std::size_t first) const;
 
   /// Throws InputError "PATH:LINE: found F, expected E".

@@ -17,7 +17,8 @@ bool is_ignored(const std::string& word) {
   return std::find(std::begin(known), std::end(known), word) != std::end(known);
 }
 
-/// The index of the point that "7", "7/1/2" or "-1" (the last one so far) refers to.
+/// The index of the point that a word such as "7", "7/1/2" or "-1" (the last point so far) refers
+/// to.
 int corner(const TextLines& lines, const std::string& word, int points) {
   const std::string number = word.substr(0, word.find('/'));
   int i = 0;
@@ -41,7 +42,8 @@ std::vector<int> read_polygon(const TextLines& lines, int points) {
   return polygon;
 }
 
-/// The body of this name, new or known: a group may be continued later.
+/// Returns the body with this name, and adds it if it is new. A group may be continued later in the
+/// file.
 int body_named(FacetFile& file, const std::string& name) {
   const auto known = std::find(file.names.begin(), file.names.end(), name);
   if (known != file.names.end()) return static_cast<int>(known - file.names.begin());
@@ -49,7 +51,7 @@ int body_named(FacetFile& file, const std::string& name) {
   return static_cast<int>(file.names.size()) - 1;
 }
 
-/// Groups without facets are not bodies; a file without any name has no named bodies.
+/// Removes groups without facets. If the only body has no name, the file has no named bodies.
 void drop_empty_bodies(FacetFile& file) {
   std::vector<int> number(file.names.size(), -1);
   for (const int b : file.body) number[at(b)] = 0;

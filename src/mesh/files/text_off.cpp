@@ -8,7 +8,8 @@
 namespace tdbd::mesh {
 namespace {
 
-/// OFF of points in space; ST, C and N announce textures, colours and normals behind the coordinates.
+/// Reads the keyword: OFF with 3-D points. The prefixes ST, C and N mean that texture coordinates,
+/// colours and normals follow the coordinates.
 void read_off_keyword(TextCursor& in) {
   constexpr std::array known = {"OFF",   "COFF",   "NOFF",   "CNOFF",
                                 "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
@@ -20,7 +21,8 @@ void read_off_keyword(TextCursor& in) {
   if (in.word_on_this_line() == "BINARY") in.fail("'BINARY'", expected);
 }
 
-/// A count of the header, of things that take `bytes` each at least.
+/// Reads a count of the header for items that take at least `bytes` each, and checks it against the
+/// bytes that are left.
 std::size_t off_count(TextCursor& in, const char* what, std::size_t bytes) {
   const auto count = static_cast<std::size_t>(in.whole(fmt::format("the number of {}", what)));
   const std::size_t most = in.left() / bytes;

@@ -5,7 +5,8 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Moves to the next line and requires its first word. At the end of the file it fails with the last line.
+/// Moves to the next line and checks its first word. At the end of the file, the error message has
+/// the number of the last line.
 void require(TextLines& lines, const char* word, const char* expected) {
   if (!lines.next()) lines.fail("the end of the file", expected);
   if (lines.words()[0] != word) lines.fail('\'' + lines.words()[0] + '\'', expected);

@@ -17,7 +17,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "appended data are written as they lie");
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::int32_t));
 
-/// One array of the file.
+/// A data array of the file.
 struct Block {
   std::string name;
   const char* type;
@@ -26,7 +26,7 @@ struct Block {
   std::function<void(std::ostream&)> write;
 };
 
-/// An element of the file and its arrays.
+/// An XML element of the file and its arrays.
 struct Group {
   std::string element;
   std::vector<Block> blocks;
@@ -41,7 +41,7 @@ Block as_it_lies(const std::string& name, const char* type, int components,
           [=](std::ostream& out) { out.write(data, static_cast<std::streamsize>(bytes)); }};
 }
 
-/// `count` 32-bit numbers made one after another, a few thousand at a time.
+/// An array of `count` 32-bit integers that are computed while they are written, 8192 at a time.
 template <class Make>
 Block made(const std::string& name, std::size_t count, Make make) {
   return {name, "Int32", 1, count * sizeof(std::int32_t), [=](std::ostream& out) {
@@ -84,7 +84,8 @@ std::vector<Group> groups_of(const TriangleMesh& m, const std::vector<Field>& po
           group_of("CellData", cell_data, m.triangles.size())};
 }
 
-/// The XML in front of the appended data: a block is its byte count and its bytes.
+/// The XML before the appended data. Each block of appended data is its byte count followed by its
+/// bytes.
 std::string head_of(const TriangleMesh& m, const std::vector<Group>& groups) {
   std::string head = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int most_rounds = 12;
 
-/// Largest distance of a mesh's vertices, edge middles and centres from another surface, up to
-/// `most`.
+/// Largest distance of the vertices, edge midpoints and centroids of a mesh from another surface,
+/// up to `most`.
 double farthest(const TriangleMesh& m, const TriangleTree& from, double most) {
   double worst = 0.0;
   const auto x = [&](int v) { return m.positions[at(v)]; };

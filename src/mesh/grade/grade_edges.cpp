@@ -12,10 +12,10 @@ namespace tdbd::mesh {
 namespace {
 
 constexpr double too_long = 4.0 / 3.0, too_short = 4.0 / 5.0;
-constexpr double poor = 0.3;       ///< a collapse may not leave a facet of lower quality
+constexpr double poor = 0.3;       ///< a collapse must not create a facet of lower quality
 constexpr double same_side = 0.7;  ///< cosine of the largest rotation of a facet in a collapse
 
-/// An edge by its vertices, with its length over the target.
+/// An edge given by its vertices, and its length divided by the target.
 struct RatedEdge {
   double ratio = 0.0;
   int a = 0, b = 0;
@@ -26,7 +26,7 @@ double ratio(const GradeSurface& g, int a, int b) {
   return (y - x).norm() / target(g, 0.5 * (x + y));
 }
 
-/// Edges whose ratio `is_wanted` picks, in the order of their corners.
+/// The edges whose ratio satisfies `is_wanted`, in the order of their corners.
 template <class Wanted>
 std::vector<RatedEdge> edges(const GradeSurface& g, Wanted is_wanted) {
   std::vector<RatedEdge> found;
@@ -52,7 +52,7 @@ void halve(GradeSurface& g, int c) {
   g.features.insert(std::minmax(m, b));
 }
 
-/// The other neighbour of crease vertex v on its feature.
+/// The neighbour of crease vertex v along its feature that is not `from`.
 int along(const GradeSurface& g, int v, int from) {
   int other = -1;
   visit_corners(g.s, v, [&](int c) {
@@ -62,10 +62,10 @@ int along(const GradeSurface& g, int v, int from) {
   return other;
 }
 
-/// The collapse of vertex `gone` onto vertex `keep`.
+/// The collapse of vertex `gone` into vertex `keep`.
 struct Collapse {
   int gone = 0, keep = 0;
-  int next_on_feature = -1;  ///< of a crease vertex: its neighbour on the other side
+  int next_on_feature = -1;  ///< for a crease vertex: its neighbour on the other side
   std::vector<Facet> old_facets, new_facets;
   double moved = 0.0;
 };
@@ -84,7 +84,8 @@ Collapse prepare(const GradeSurface& g, int gone, int keep) {
 
 double quality(const Facet& f) { return triangle_quality(f.a, f.b, f.c); }
 
-/// Whether no facet flips over or becomes too poor, and no edge too long for the target.
+/// Whether no facet is inverted or gets a quality that is too low, and no edge gets too long for
+/// the target.
 bool keeps_shape(const GradeSurface& g, const Collapse& k) {
   double worst = poor;
   for (const Facet& f : k.old_facets) worst = std::min(worst, quality(f));
@@ -98,8 +99,9 @@ bool keeps_shape(const GradeSurface& g, const Collapse& k) {
   return true;
 }
 
-/// Whether the surface stays within the deviation: measured from the removed vertex to the new facets, in addition to
-/// how far it had moved before, and from points of the new facets to the given mesh.
+/// Whether the surface stays within the deviation. Two distances are checked: that from the removed
+/// vertex to the new facets, added to how far it had moved before, and that from points of the new
+/// facets to the given mesh.
 bool keeps_place(const GradeSurface& g, Collapse& k) {
   const double most = g.options.deviation + g.rounding;
   const Vec3& x = g.s.position(k.gone);

@@ -9,10 +9,12 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Facets whose corners are this close to a plane lie in it: files round coordinates.
+/// Distance from a plane up to which corners count as lying in it. It allows for rounded
+/// coordinates in files.
 double flat(const GradeSurface& g) { return g.rounding + 0.01 * g.options.deviation; }
 
-/// Smallest improvement of the quality that is worth a change: prevents endless back and forth.
+/// Smallest improvement of the quality that justifies a change. It prevents cycles of changes that
+/// undo each other.
 constexpr double gain = 1e-6;
 
 double quality(const Surface& s, int a, int b, int c) {
@@ -23,7 +25,7 @@ Vec3 area(const Surface& s, int a, int b, int c) {
   return area_vector(s.position(a), s.position(b), s.position(c));
 }
 
-/// Whether flipping the edge at c leaves the surface in place and improves the facets.
+/// Whether flipping the edge at c does not move the surface and improves the facets.
 bool should_flip(const GradeSurface& g, int c) {
   const Surface& s = g.s;
   const int o = s.opposite_of(c);
@@ -64,7 +66,7 @@ bool is_flat(const GradeSurface& g, const Star& star, const Vec3& x) {
   });
 }
 
-/// The worst quality around a vertex if it were at x; negative if a facet flipped over.
+/// The worst quality around a vertex if it were at x; negative if a facet is inverted.
 double worst_at(const Surface& s, const Star& star, const Vec3& x) {
   double worst = 1.0;
   for (const auto& [p, q] : star.rims) {

@@ -9,7 +9,7 @@
 namespace tdbd::mesh {
 namespace {
 
-/// A feature that bends more than this at a vertex has a corner there.
+/// A feature that bends by more than this angle at a vertex has a corner there.
 constexpr double corner_bend = 0.87;  // rad
 
 Vec3 normal(const Surface& s, int t) {
@@ -18,7 +18,7 @@ Vec3 normal(const Surface& s, int t) {
       .stableNormalized();
 }
 
-/// Other ends of the features at each vertex.
+/// The other ends of the feature edges at each vertex.
 std::vector<std::vector<int>> feature_ends(const GradeSurface& g) {
   std::vector<std::vector<int>> ends(g.s.stars.size());
   for (const auto& [a, b] : g.features) {
@@ -36,7 +36,7 @@ Place place_of(const Surface& s, int v, const std::vector<int>& ends) {
   return d.dot(e) > std::cos(corner_bend) ? Place::crease : Place::corner;
 }
 
-/// Features as facets without area, for distances.
+/// The features as facets with zero area, for distance queries.
 TriangleMesh feature_facets(const GradeSurface& g) {
   TriangleMesh m{positions_of(g.s), {}};
   m.triangles.reserve(g.features.size());

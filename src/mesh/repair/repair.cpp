@@ -13,7 +13,7 @@
 namespace tdbd::mesh {
 namespace {
 
-/// A word of a shell command line, quoted if it must be.
+/// Quotes a word for a shell command line if necessary.
 std::string shell_quoted(const std::string& word) {
   constexpr const char* plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./+,:@%";
@@ -23,14 +23,14 @@ std::string shell_quoted(const std::string& word) {
   return quoted + "'";
 }
 
-/// Whether a repair is tried for the sake of a message: the time that the filling of a hole takes grows with the square of its
-/// edges or faster, and is a quarter of a second for this many.
+/// Whether a repair is tried only to improve the message. The time to fill a hole grows at least
+/// with the square of the number of its edges; it is 0.25 s at this limit.
 bool is_soon_repaired(const std::vector<Defect>& defects) {
   constexpr long most_open_edges = 1000;
   return std::ranges::count(defects, Defect::Kind::hole, &Defect::kind) <= most_open_edges;
 }
 
-/// What a user may do about faults, or why nothing helps.
+/// What the user can do about the defects, or why no repair is possible.
 enum class Trial { all, some };
 std::string advice(const std::filesystem::path& path, Trial trial, const std::string& refusal) {
   if (!refusal.empty())
@@ -44,7 +44,7 @@ void record(Repaired& r, std::size_t count, const std::string& what) {
   if (count > 0) r.steps.push_back({what, count});
 }
 
-/// All steps but the removal of intersections. Stops at a refusal.
+/// Performs all steps except the removal of intersections. Stops at the first refusal.
 void repair_surface(Repaired& r, const RepairOptions& options) {
   TriangleMesh& m = r.mesh;
   record(r, merge_points(m, options.weld),

@@ -10,39 +10,48 @@
 namespace tdbd::mesh {
 
 struct RepairOptions {
-  double weld = 0.0;  ///< m; points this close are merged. 0: equal points only
+  double weld = 0.0;  ///< m; points at most this far apart are merged. 0: only equal points
 };
 
-/// One operation of a repair that changed something.
+/// One operation of a repair that changed the mesh.
 struct RepairStep {
-  std::string what;       ///< "merged points at equal places", with sizes in mm
-  std::size_t count = 0;  ///< how many points, facets, edges or holes
+  std::string what;       ///< for example "merged points at equal places", with sizes in mm
+  std::size_t count = 0;  ///< number of points, facets, edges or holes changed
 };
 
-/// A repaired mesh, what was done in order, and why repair gave up, if it did: then the mesh is as far as repair got.
-/// With an empty refusal check_solid finds nothing.
+/// A repaired mesh, the steps in order, and why the repair failed, if it did; the mesh is then the
+/// state before the failed step. If `refusal` is empty, check_solid finds no defect.
 struct Repaired {
   TriangleMesh mesh;
   std::vector<RepairStep> steps;
   std::string refusal;
 };
 
-/// Turns a mesh into the boundary of a solid, if the mesh determines it, in this order:
-///   merges points; drops duplicate facets, and both of a pair that face each other; removes facets without area; drops
-///   sheets that stick out of the surface; splits edges of four or more facets into pairs that bound the same solid;
-///   orients facets like the majority of their piece; fills holes with the triangulation of least area [CGAL]; orients
-///   pieces outwards and cavities inwards; unites overlapping pieces and remeshes around intersections [CGAL].
-/// A sound mesh comes back unchanged, bit for bit, without steps. Refused: edges with an odd number of facets,
-/// one-sided surfaces (a Moebius strip), and whatever is not a solid in the end. Ours: the thesis's meshes came from a
-/// mesh generator (3.3).
+/// Repairs a mesh so that it bounds a solid, if the mesh determines that solid. The steps are, in
+/// this order:
+/// - merge points;
+/// - drop duplicate facets, and both facets of a pair that face each other;
+/// - remove facets with zero area;
+/// - drop sheets that stick out of the surface;
+/// - split edges of four or more facets into pairs that bound the same solid;
+/// - orient facets like the majority of their piece;
+/// - fill holes with the triangulation of least area [CGAL];
+/// - orient pieces outwards and cavities inwards;
+/// - unite overlapping pieces and remesh around intersections [CGAL].
+///
+/// A sound mesh is returned bitwise unchanged, without steps. Refused are edges with an odd number
+/// of facets, one-sided surfaces (a Moebius strip), and meshes that do not bound a solid after the
+/// last step. This repair is an addition of TDBD [+]: the meshes of the thesis came from a mesh
+/// generator (3.3).
 Repaired repair(TriangleMesh m, const RepairOptions& options = {});
 
-/// The command line that writes a repaired file beside `path`.
+/// The command line that writes a repaired copy next to `path`.
 std::string repair_command(const std::filesystem::path& path);
 
-/// What is wrong with the solids of a file, one line each ("PATH: solid NAME: hole: 3 times, first edge ..."), and last
-/// the command that repairs the file or the reason why it cannot be repaired; with more than 1000 open edges no repair is
-/// tried, and the command may fail. Empty for sound solids.
+/// Describes the defects of the solids of a file, one per line ("PATH: solid NAME: hole: 3 times,
+/// first edge ..."). The last line is the command that repairs the file, or the reason why it
+/// cannot be repaired. With more than 1000 open edges no repair is tried, so the command may fail.
+/// Empty for sound solids.
 std::vector<std::string> mesh_faults(const std::filesystem::path& path,
                                      const std::vector<Solid>& solids);
 

@@ -55,7 +55,7 @@ TriangleMesh from_cgal(SurfaceMesh surface) {
   return m;
 }
 
-/// The union of the pieces, if each is sound on its own.
+/// Replaces the mesh by the union of its pieces, if each piece is sound. Returns whether it did.
 bool unite(TriangleMesh& m) {
   std::vector<TriangleMesh> pieces = divide(m);
   for (const TriangleMesh& piece : pieces)
@@ -69,7 +69,8 @@ bool unite(TriangleMesh& m) {
   return true;
 }
 
-/// Removes what the rounding of computed points left without area. Whether the mesh is sound then.
+/// Removes facets that have zero area because computed points were rounded. Returns whether the
+/// mesh is then sound.
 bool clean_up(TriangleMesh& m) {
   constexpr double rounding = 1e-14;
   merge_points(m, rounding * bounding_box(m).size().norm());
@@ -98,7 +99,7 @@ std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
   triangles.reserve(patch.size());
   for (const auto& [a, b, c] : patch) {
     Triangle t{a, b, c};
-    std::sort(t.begin(), t.end());  // the direction of the loop
+    std::sort(t.begin(), t.end());  // restores the direction of the loop
     triangles.push_back(t);
   }
   return triangles;
@@ -115,7 +116,7 @@ bool remove_intersections(TriangleMesh& m) {
     if (!remesh(remeshed) || !clean_up(remeshed)) return false;
     m = std::move(remeshed);
     return true;
-  } catch (const std::exception&) {  // a failed assertion of CGAL
+  } catch (const std::exception&) {  // a failed assertion in CGAL
     return false;
   }
 }

@@ -21,7 +21,7 @@ int apex(const TriangleMesh& m, const Side& s) {
   return s.lo;
 }
 
-/// The facets of an edge, sorted by their angle about it, seen from lo to hi.
+/// The facets of an edge, sorted by their angle about it, as seen from lo to hi.
 std::vector<Side> around(const TriangleMesh& m, const Side* first, const Side* last) {
   const Vec3 e = (position(m, first->hi) - position(m, first->lo)).stableNormalized();
   const Vec3 u =
@@ -37,15 +37,16 @@ std::vector<Side> around(const TriangleMesh& m, const Side* first, const Side* l
   return order;
 }
 
-/// Puts the corners of two facets at both ends of their edge into the same fan.
+/// Joins the corners of two facets at both ends of their edge into the same fan.
 void join(const TriangleMesh& m, DisjointSets& fans, const Side& a, const Side& b) {
   for (const int v : {a.lo, a.hi})
     fans.join(corner_at(m.triangles, a.triangle, v), corner_at(m.triangles, b.triangle, v));
 }
 
-/// Pairs the facets of an edge that bound the same solid. The normal of a facet that runs from lo to hi points
-/// counter-clockwise about the edge, so the inside comes before it, and after a facet that runs back. The majority
-/// decides between the pairs (0 1) (2 3) ... and (1 2) ... (last 0).
+/// Pairs the facets of an edge that bound the same solid. The normal of a facet that traverses the
+/// edge from lo to hi points counter-clockwise about the edge, so the inside is before that facet,
+/// and after a facet that traverses it backwards. The majority of the facets decides between the
+/// pairs (0 1) (2 3) ... and (1 2) ... (last 0).
 void join_pairs(const TriangleMesh& m, DisjointSets& fans, const std::vector<Side>& order) {
   std::size_t votes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) votes += order[i].forward == (i % 2 == 1);
@@ -54,7 +55,7 @@ void join_pairs(const TriangleMesh& m, DisjointSets& fans, const std::vector<Sid
     join(m, fans, order[i % order.size()], order[(i + 1) % order.size()]);
 }
 
-/// Gives every fan of corners except the first at a vertex a vertex of its own.
+/// Assigns a new vertex to every fan of corners at a vertex except the first.
 std::size_t separate_fans(TriangleMesh& m, DisjointSets& fans) {
   std::vector<int> first_fan(m.positions.size(), -1);
   std::map<int, int> vertex_of_fan;
@@ -78,13 +79,16 @@ std::size_t separate_fans(TriangleMesh& m, DisjointSets& fans) {
   return doubled;
 }
 
-/// Orientation of facets relative to the first of their piece, spread from neighbour to neighbour.
+/// Orientation of facets relative to the first facet of their piece, propagated from neighbour to
+/// neighbour.
 struct Orientation {
-  std::vector<std::vector<std::pair<int, bool>>> neighbours;  ///< facet, whether it agrees
+  std::vector<std::vector<std::pair<int, bool>>> neighbours;  ///< facet, and whether its
+                                                              ///< orientation agrees
   std::vector<int> sign;                                      ///< -1: flipped; 0: not reached
 };
 
-/// The facets of the piece of facet `seed` in the order reached; empty if the piece is one-sided.
+/// Returns the facets of the piece of facet `seed` in the order they are reached; empty if the
+/// piece is one-sided.
 std::vector<int> reach(Orientation& t, int seed) {
   std::vector<int> piece{seed};
   t.sign[at(seed)] = 1;
@@ -110,7 +114,8 @@ Orientation make_orientation(const TriangleMesh& m) {
   return t;
 }
 
-/// Boundary loops in the direction of the facets that will fill them: opposite to the open edges.
+/// Boundary loops in the direction of the facets that will fill them, which is opposite to the open
+/// edges.
 std::vector<std::vector<int>> loops_of(const TriangleMesh& m) {
   std::map<int, int> next;
   for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {

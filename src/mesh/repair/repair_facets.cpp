@@ -20,7 +20,7 @@ bool is_flat(const TriangleMesh& m, const Triangle& t) {
          degenerate_quality;
 }
 
-/// Keeps the triangles whose numbers `keep` accepts; returns how many were dropped.
+/// Keeps the triangles whose index satisfies `keep`. Returns the number of dropped triangles.
 template <class Keep>
 std::size_t keep_triangles(TriangleMesh& m, Keep keep) {
   std::vector<Triangle> kept;
@@ -32,7 +32,7 @@ std::size_t keep_triangles(TriangleMesh& m, Keep keep) {
   return gone;
 }
 
-/// For every vertex the first vertex within `weld`, by a sweep along x.
+/// Finds for every vertex the first vertex within `weld`, by a sweep along x.
 std::vector<int> first_within(const TriangleMesh& m, double weld) {
   std::vector<int> order(m.positions.size()), first(m.positions.size());
   std::iota(order.begin(), order.end(), 0);
@@ -74,7 +74,8 @@ std::optional<std::size_t> neighbour(const TriangleMesh& m, std::size_t i, std::
   return found;
 }
 
-/// Splits the neighbour across the longest side of a triangle without area, and drops that triangle.
+/// Splits the neighbour across the longest side of a triangle with zero area, and drops that
+/// triangle.
 bool split_neighbour(TriangleMesh& m, std::size_t i) {
   const std::size_t k = middle_corner(m, m.triangles[i]);
   const auto j = neighbour(m, i, k);
@@ -143,7 +144,7 @@ std::size_t drop_duplicates(TriangleMesh& m) {
 std::size_t remove_degenerate(TriangleMesh& m) {
   std::size_t removed =
       keep_triangles(m, [&](std::size_t i) { return !same_corners(m.triangles[i]); });
-  // A split may leave the neighbour without area: at most one pass per triangle.
+  // A split may reduce the area of the neighbour to zero; at most one pass per triangle is needed.
   for (std::size_t pass = 0, done = 1; done > 0 && pass < m.triangles.size(); ++pass) {
     done = 0;
     for (std::size_t i = 0; i < m.triangles.size(); ++i)

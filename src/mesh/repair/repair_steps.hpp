@@ -9,43 +9,47 @@
 namespace tdbd::mesh {
 
 /// @file
-/// The steps of repair(). Each returns how many things it changed; 0 means that the mesh is unchanged.
+/// The steps of repair(). Unless stated otherwise, each returns the number of changed items; 0
+/// means that the mesh is unchanged.
 
-/// Merges points within `weld` (equal ones for 0) into the first of them. No facet is dropped; some may now have two
-/// equal corners.
+/// Merges points within `weld` (for 0: equal points) into the first of them. No facet is dropped;
+/// some may then have two equal corners.
 std::size_t merge_points(TriangleMesh& m, double weld);
 
-/// Keeps one of the facets with the same corners, or none if as many face one way as the other.
+/// Keeps one of several facets with the same corners, or none if equally many face either way.
 std::size_t drop_duplicates(TriangleMesh& m);
 
-/// Removes facets without area: those with two equal corners, and those whose middle corner lies on the longest side;
-/// there the neighbour across that side is split at the corner.
+/// Removes facets with zero area: those with two equal corners, and those whose middle corner lies
+/// on the longest side. In the second case the neighbour across that side is split at the corner.
 std::size_t remove_degenerate(TriangleMesh& m);
 
-/// Drops sheets: connected facets with an open edge and an edge that three or more facets share.
+/// Drops sheets. A sheet is a set of connected facets with an open edge and an edge that three or
+/// more facets share.
 std::size_t drop_sheets(TriangleMesh& m);
 
-/// Separates the surface at edges of four, six, ... facets and at vertices where fans touch, by doubling vertices. Two
-/// facets of such an edge stay together if a majority places the wedge between them inside. Returns the number of
-/// vertices added; `refusal` names an edge with an odd number of facets.
+/// Separates the surface at edges of four, six, ... facets and at vertices shared by several fans,
+/// by duplicating vertices. Two facets of such an edge remain connected if, by a majority of the
+/// facets, the wedge between them is inside. Returns the number of vertices added; `refusal` names
+/// an edge with an odd number of facets.
 std::size_t split_non_manifold(TriangleMesh& m, std::string& refusal);
 
-/// Flips facets until neighbours agree, each piece following the majority of its facets. `refusal` names a one-sided
-/// surface.
+/// Flips facets until neighbours agree; each piece takes the orientation of the majority of its
+/// facets. `refusal` names a one-sided surface.
 std::size_t orient_facets(TriangleMesh& m, std::string& refusal);
 
-/// Orients pieces outwards, or inwards where an odd number of other pieces surrounds them.
+/// Orients pieces outwards, or inwards if an odd number of other pieces surrounds them.
 std::size_t orient_pieces(TriangleMesh& m);
 
-/// Fills every boundary loop. Returns the number of loops; `refusal` names one that has no triangulation.
+/// Fills every boundary loop. Returns the number of loops; `refusal` names a loop that has no
+/// triangulation.
 std::size_t fill_holes(TriangleMesh& m, std::string& refusal);
 
-/// Triangulates one hole, given in the direction of the facets to come: triangles over the indices of the points. Empty
-/// if there is no triangulation.
+/// Triangulates one hole, given in the direction of the facets to be added. The triangles refer to
+/// the indices of the points. Empty if there is no triangulation.
 std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop);
 
-/// Unites closed pieces and remeshes around the intersections that remain. The mesh must be closed and oriented. True on
-/// success: then nothing intersects.
+/// Unites closed pieces and remeshes around the intersections that remain. The mesh must be closed
+/// and oriented. Returns whether all intersections were removed.
 bool remove_intersections(TriangleMesh& m);
 
 /// Drops unused vertices.

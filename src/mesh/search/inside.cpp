@@ -10,19 +10,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Along no axis, face or diagonal that a designer would choose.
+/// Ray directions that are not along an axis, face or diagonal a designer would choose.
 const Vec3 directions[] = {{0.1237, 0.2711, 0.9545},   {-0.3319, 0.1173, 0.9360},
                            {0.2113, -0.4391, -0.8732}, {0.7713, 0.5381, 0.3394},
                            {-0.6151, 0.7333, -0.2895}, {0.3917, -0.9017, 0.1833}};
 
-/// Whether the ray x + s / inverse, s >= 0, meets the box.
+/// Whether the ray x + s / inverse, s >= 0, intersects the box.
 bool ray_meets(const Box& box, const Vec3& x, const Vec3& inverse) {
   const Vec3 to_lo = (box.lo - x).cwiseProduct(inverse), to_hi = (box.hi - x).cwiseProduct(inverse);
   const double enter = to_lo.cwiseMin(to_hi).maxCoeff(), leave = to_lo.cwiseMax(to_hi).minCoeff();
   return leave >= 0.0 && enter <= leave * (1.0 + 1e-12);
 }
 
-/// Whether the number of crossings is odd; nothing if one of them is too close to an edge to tell.
+/// Whether the number of crossings is odd; nothing if a crossing is too close to an edge to decide.
 std::optional<bool> crosses_oddly(const TriangleTree& tree, const Vec3& x, const Vec3& d) {
   constexpr double edge = 1e-9;
   const Vec3 inverse = d.cwiseInverse();

@@ -7,21 +7,22 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Distances of points one after the other: from a near one, the next cannot be much farther.
+/// Computes distances of successive points. The distance of the last point bounds that of the next
+/// one, which speeds up the search.
 struct Walk {
   const TriangleTree& to;
   Vec3 last;
   double there;  ///< m, distance of the last point
 
   double distance_of(const Vec3& x) {
-    constexpr double above = 1.0 + 1e-9, least = 1e-12;  // m: the bound itself is beyond doubt
+    constexpr double above = 1.0 + 1e-9, least = 1e-12;  // m: margin for rounding
     there = distance_up_to(to, x, (there + (x - last).norm()) * above + least);
     last = x;
     return there;
   }
 };
 
-/// Calls visit(x) for the middle of each of the n * n equal parts of a triangle.
+/// Calls visit(x) for the centroid of each of the n * n equal parts of a triangle.
 template <class Visit>
 void visit_parts(const Facet& f, int n, Visit&& visit) {
   const auto point = [&](double i, double j) -> Vec3 {
@@ -35,7 +36,8 @@ void visit_parts(const Facet& f, int n, Visit&& visit) {
     }
 }
 
-/// Parts per edge: their middles, and the corners, are then at most `spacing` from any point.
+/// Number of parts per edge such that every point of the facet is at most `spacing` from a corner
+/// or from the centroid of a part.
 int parts_along(const Facet& f, double spacing) {
   const double longest = std::max({(f.b - f.a).norm(), (f.c - f.b).norm(), (f.a - f.c).norm()});
   return 1 + static_cast<int>(longest / spacing);

@@ -4,15 +4,17 @@
 
 namespace tdbd::mesh {
 
-/// How far one surface lies from another.
+/// Distance of one surface from another.
 struct SurfaceDistance {
-  double largest = 0.0;  ///< m: the one-sided Hausdorff distance, from below to within the spacing
-  double volume = 0.0;   ///< m3: the integral of the distance over the surface
+  double largest = 0.0;  ///< m: one-sided Hausdorff distance, a lower bound that is at most the
+                         ///< spacing too small
+  double volume = 0.0;   ///< m3: integral of the distance over the surface
 };
 
-/// The distance of `from` to the surface in a tree, at points at most `spacing` (m) apart: every
-/// corner, and the middles of equal parts of every triangle, which weigh for the integral. Zero for
-/// an empty `from`; `to` must not be empty. Slow, obvious twin: reference::one_sided_hausdorff.
+/// Computes the distance of `from` to the surface in a tree at points at most `spacing` (m) apart:
+/// at every corner, and at the centroids of equal parts of every triangle, which are the
+/// integration points. Zero for an empty `from`; `to` must not be empty. Slow, simple twin:
+/// reference::one_sided_hausdorff.
 SurfaceDistance distance_to(const TriangleMesh& from, const TriangleTree& to, double spacing);
 
 }  // namespace tdbd::mesh

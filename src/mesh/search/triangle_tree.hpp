@@ -9,9 +9,10 @@
 
 namespace tdbd::mesh {
 
-/// Bounding-volume tree over the facets of a mesh: boxes are split at the median centroid along their longest side. A
-/// query costs the logarithm of the number of facets plus what it finds, allocates nothing, and visits in an order that
-/// depends on the mesh alone. Thesis: the fallback search of 4.1.3.3 and 4.1.3.4, reconstructed.
+/// Bounding-volume tree over the facets of a mesh. Boxes are split at the median centroid along
+/// their longest side. The run time of a query grows with the logarithm of the number of facets
+/// plus the number of facets found. A query allocates nothing, and its order depends on the mesh
+/// only. Thesis: the fallback search of 4.1.3.3 and 4.1.3.4, reconstructed.
 class TriangleTree {
  public:
   TriangleTree() = default;
@@ -21,8 +22,8 @@ class TriangleTree {
   Box box() const { return nodes_.empty() ? Box{} : nodes_.front().box; }
   const std::vector<Facet>& facets() const { return facets_; }
 
-  /// Calls visit(facet) for every facet of every leaf whose box and all enclosing boxes satisfy meets(box). Stops when
-  /// visit returns false, and then returns false.
+  /// Calls visit(facet) for every facet of every leaf for which meets(box) is true for its box and
+  /// all enclosing boxes. Stops if visit returns false, and then returns false.
   template <class Meets, class Visit>
   bool visit(Meets&& meets, Visit&& visit) const {
     std::array<int, 64> waiting;  // enough for 2^63 facets
@@ -43,11 +44,11 @@ class TriangleTree {
   }
 
  private:
-  /// An inner node's first child follows it.
+  /// The first child of an inner node is the next node.
   struct Node {
     Box box;
     int next = 0;    ///< inner: second child; leaf: first facet
-    int facets = 0;  ///< leaf: how many; inner: 0
+    int facets = 0;  ///< leaf: number of facets; inner: 0
   };
   void build(std::vector<int>& order, int first, int last, const TriangleMesh& m);
 

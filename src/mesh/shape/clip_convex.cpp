@@ -10,10 +10,10 @@
 namespace tdbd::mesh {
 namespace {
 
-constexpr double on_plane = 1e-12;  ///< of the mesh's size
+constexpr double on_plane = 1e-12;  ///< relative to the size of the mesh
 
-/// A mesh being cut: the signed heights of its vertices above the plane, and the new vertices, one per edge that crosses
-/// the plane.
+/// A mesh being clipped: the signed heights of its vertices above the plane, and the new vertices,
+/// one per edge that crosses the plane.
 struct Cut {
   TriangleMesh mesh;
   std::vector<double> height;
@@ -43,7 +43,7 @@ int crossing_vertex(Cut& cut, int i, int j) {
   return place->second;
 }
 
-/// What remains of a triangle: a polygon of up to four corners.
+/// The part of a triangle below the plane: a polygon of up to four corners.
 std::vector<int> inner_polygon(Cut& cut, const Triangle& t) {
   std::vector<int> polygon;
   for (int k = 0; k < 3; ++k) {

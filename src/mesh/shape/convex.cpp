@@ -30,7 +30,7 @@ bool lies_on(const TriangleMesh& m, const Triangle& t, const Vec3& area, const P
   return true;
 }
 
-/// Largest triangles first: rounded coordinates disturb their normals least.
+/// Triangle indices, largest area first: rounded coordinates change their normals least.
 std::vector<int> by_falling_area(const TriangleMesh& m) {
   std::vector<double> area(m.triangles.size());
   for (std::size_t t = 0; t < area.size(); ++t) area[t] = area_vector_of(m, m.triangles[t]).norm();
@@ -41,7 +41,7 @@ std::vector<int> by_falling_area(const TriangleMesh& m) {
   return order;
 }
 
-/// At most one more than `most`.
+/// Returns at most `most` + 1 planes.
 std::vector<Plane> distinct_planes(const TriangleMesh& m, double slack, std::size_t most) {
   std::vector<Plane> planes;
   for (const int k : by_falling_area(m)) {

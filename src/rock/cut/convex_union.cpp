@@ -20,7 +20,8 @@ Plane plane_of(const mesh::ConvexSolid& s, std::size_t i) { return {mesh::normal
 
 double height(const Plane& p, const Vec3& x) { return p.n.dot(x) - p.b; }
 
-/// The same plane with the same side, for a solid of this size. Most differ in what is asked first.
+/// Whether two planes, including their orientation, coincide for a solid of this size. The offsets
+/// are compared first because most planes differ there.
 bool coincide(const Plane& p, const Plane& q, double size) {
   return std::abs(p.b - q.b) <= 2.0 * tolerance::convex * size &&
          (p.n - q.n).norm() <= tolerance::convex;
@@ -44,7 +45,8 @@ double size_of(const std::vector<ConvexPiece>& pieces) {
   return box.size().norm();
 }
 
-/// The planes of pieces that bound all of them, each once, pushed out to the outermost corner.
+/// The planes of the pieces that bound all pieces, without duplicates, moved outwards to the
+/// outermost corner.
 mesh::ConvexSolid bounding_planes(const std::vector<ConvexPiece>& pieces, double size) {
   mesh::ConvexSolid bounding;
   for (const ConvexPiece& piece : pieces)
@@ -66,9 +68,9 @@ std::vector<Vec3> corners_on(const ConvexPiece& piece, const Plane& p, double sl
   return on;
 }
 
-using Polygon = std::vector<Vec3>;  ///< convex, in order
+using Polygon = std::vector<Vec3>;  ///< convex, corners in order
 
-/// What of the polygon is on the plane's outer side (sign 1) or inner side (sign -1).
+/// The part of the polygon on the plane's outer side (sign 1) or inner side (sign -1).
 Polygon clipped(const Polygon& polygon, const Plane& p, double sign) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -87,8 +89,8 @@ double greatest_height(const Plane& p, const Polygon& polygon) {
   return out;
 }
 
-/// Whether these pieces, from the first on, have the polygon's outer side inside: what sticks out
-/// of one must be covered by those after it. `facet`: its plane.
+/// Whether the union of these pieces contains the outer side of the polygon. What lies outside the
+/// first piece must be covered by the pieces after it. `facet`: the polygon's plane.
 bool is_covered(Polygon polygon, const Plane& facet, std::span<const ConvexPiece* const> by,
                 double size) {
   if (by.empty()) return false;
@@ -105,7 +107,7 @@ bool is_covered(Polygon polygon, const Plane& facet, std::span<const ConvexPiece
   return true;
 }
 
-/// Whether all of a piece's surface that does not bound the union is covered by the others.
+/// Whether other pieces cover all of a piece's surface that does not bound the union.
 bool inner_facets_are_covered(const std::vector<ConvexPiece>& pieces, const ConvexPiece& piece,
                               const mesh::ConvexSolid& bounding, double size) {
   std::vector<const ConvexPiece*> others;
@@ -115,14 +117,14 @@ bool inner_facets_are_covered(const std::vector<ConvexPiece>& pieces, const Conv
   return std::ranges::all_of(m.triangles, [&](const mesh::Triangle& t) {
     const Polygon corners{m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]};
     const Vec3 area = mesh::area_vector(corners[0], corners[1], corners[2]);
-    if (area.norm() <= tolerance::convex * size * size) return true;  // a sliver
+    if (area.norm() <= tolerance::convex * size * size) return true;  // degenerate triangle
     const Plane facet{area.normalized(), area.normalized().dot(corners[0])};
     return has_plane(bounding, facet, size) || is_covered(corners, facet, others, size);
   });
 }
 
-/// Those planes of a piece that cut the union's facet, whose corners these are, with some slack: a
-/// place on the piece's edge, where exits often are, is the piece's whatever rounding says.
+/// The planes of a piece that cut the union's facet with these corners, moved outwards by `slack`.
+/// Exits often lie on the piece's edge; the slack assigns them to the piece in spite of rounding.
 mesh::ConvexSolid cuts(const ConvexPiece& piece, const std::vector<Vec3>& corners, double slack) {
   mesh::ConvexSolid within;
   for (std::size_t i = 0; i < piece.solid_P.planes; ++i) {

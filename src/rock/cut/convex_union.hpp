@@ -14,29 +14,31 @@ struct ConvexPiece {
   mesh::TriangleMesh mesh_P;
 };
 
-/// A piece that owns the facet of a union's plane where it lies inside these planes. It has the
-/// plane, or touches the facet at an edge.
+/// A piece that owns the part of a union's facet that lies inside the planes `within_P`. The
+/// facet's plane bounds the piece, or the piece touches the facet along an edge.
 struct Claim {
   int piece = -1;
   mesh::ConvexSolid within_P;
 };
 
-/// For each plane of a union the pieces that touch its facet; of these the first that holds a place
-/// owns it, as the first of them takes the vertex if it leaves them one after another.
+/// For each plane of a union, the pieces that touch its facet. A place on the facet belongs to the
+/// first piece that contains it. This piece would also move the vertex if the vertex left the
+/// pieces one after another.
 using Claims = std::vector<std::vector<Claim>>;
 
-/// Pieces that fill one convex solid together, such as the table, the chamfer and the body of a
-/// cutter: a vertex goes out of all of them at once.
+/// The convex union of several pieces, such as the table, the chamfer and the body of a cutter. A
+/// vertex leaves all of them at once.
 struct ConvexUnion {
   mesh::ConvexSolid solid_P;
   Claims claims;
 };
 
-/// The union if it is convex to tolerance::convex of its size. It is if every facet that does not
-/// bound all pieces is covered by other pieces, which have it inside or touch it from outside.
+/// Returns the union, or nothing if it is not convex to within tolerance::convex of its size. The
+/// union is convex if other pieces cover every facet that does not bound all pieces: the facet is
+/// inside these pieces, or they touch it from outside.
 std::optional<ConvexUnion> convex_union(const std::vector<ConvexPiece>& pieces);
 
-/// The piece that has the place x on this plane of the union.
+/// Returns the piece that owns the place x on this plane of the union.
 int owner_at(const Claims& claims, std::size_t plane, const Vec3& x_P);
 
 }  // namespace tdbd::rock

@@ -12,7 +12,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// Moves a vertex to where it leaves the part and notes who moved it. Returns the volume, m3.
+/// Moves a vertex to its exit from the part and records the part. Returns the removed volume, m3.
 double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
   if (rock.surface.is_boundary(s.v))
     throw RunError(fmt::format(
@@ -22,7 +22,7 @@ double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
   const double volume = star_volume(rock.surface, s.v, s.x_W - rock.surface.position(s.v));
   rock.last_part[at(s.v)] = part.part;
   note_cut(rock, s.v);
-  place_vertex(rock, s.v, s.x_W, Teller::mover);  // note_moves
+  place_vertex(rock, s.v, s.x_W, Teller::mover);  // note_moves updates the near lists
   return volume;
 }
 
@@ -31,8 +31,8 @@ void note_broken_out(std::size_t part, double volume, CutReport& report) {
   report.broken_out_by_part[part] += volume;
 }
 
-/// Moves what the group sweeps, part after part, in the order of the vertices' numbers: sums do not
-/// depend on the order of the index.
+/// Moves the vertices that the group sweeps, part after part, in ascending order of vertex numbers,
+/// so that sums do not depend on the order of the index.
 void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& report) {
   for (auto s = cut.swept.begin(); s != cut.swept.end();) {
     const std::size_t which = s->which;
@@ -55,8 +55,8 @@ void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& repo
   cut.moved_in_step.insert(cut.moved_in_step.end(), cut.moved.begin(), cut.moved.end());
 }
 
-/// First pass: every group searches the rock as the step found it and plans its moves, so groups do
-/// it in parallel.
+/// First pass. Every group searches the rock at the beginning of the step and plans its moves, so
+/// the groups run in parallel.
 void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
     const CuttingGroup& g = bit.groups[at(i)];
@@ -80,8 +80,8 @@ void keep_unclear(const CuttingGroup& g, GroupCut& cut) {
     if (cut.clear[i].now != all) cut.unclear.push_back(cut.candidates[i]);
 }
 
-/// Later passes: only what moved can have entered a part, and it lies on the group that moved it,
-/// so only groups near that one can sweep it.
+/// Later passes. Only a vertex that moved can have entered a part. It lies on the group that moved
+/// it, so only groups near that one can sweep it.
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   for (GroupCut& cut : w.groups) cut.candidates.clear();
   const auto offer = [&](const std::vector<int>& vertices, std::size_t i) {
@@ -124,7 +124,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
     set_box(w.motion_boxes, i, w.motions[i].region_W.box);
 }
 
-/// Prefetches what the next group will write, while this one is at work.
+/// Prefetches the data that the next group will write.
 void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
   if (group >= w.groups.size()) return;
   for (const SweptVertex& s : w.groups[group].swept) {
@@ -138,7 +138,7 @@ void prefetch(const Rock& rock, const CutWorkspace& w, std::size_t group) {
 
 enum class Pass { first, later };
 
-/// Every group in turn. Returns whether anything moved.
+/// Processes every group in turn. Returns whether any vertex moved.
 bool process_all(Rock& rock, const CuttingBit& bit, Pass pass, CutWorkspace& w, CutReport& report) {
   bool any = false;
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
@@ -160,7 +160,7 @@ bool process_all(Rock& rock, const CuttingBit& bit, Pass pass, CutWorkspace& w, 
   return any;
 }
 
-/// Notes where what the group moved is now.
+/// Records the new places of the vertices that the group moved.
 void note_places(const Rock& rock, GroupCut& cut) {
   cut.moved_box_W = {};
   clear(cut.moved_places);
@@ -170,8 +170,8 @@ void note_places(const Rock& rock, GroupCut& cut) {
   }
 }
 
-/// Updates one list with what moved. A group's first candidates are in its list; what it moved in later
-/// passes had been moved by another group before.
+/// Updates one list with the moved vertices. The list contains the group's candidates of the first
+/// pass. Vertices that the group moved in later passes had been moved by another group before.
 void note_moves(const Rock& rock, const CutWorkspace& w, std::size_t i, NearList& list) {
   if (list.changes != w.changes_before) return;
   for (const int place : w.groups[i].near.places)
@@ -185,7 +185,7 @@ void note_moves(const Rock& rock, const CutWorkspace& w, std::size_t i, NearList
   });
 }
 
-/// Updates the lists with what moved. Each list has one writer.
+/// Updates the lists with the moved vertices. Exactly one thread writes to each list.
 void note_moves(Rock& rock, CutWorkspace& w) {
   resize(w.moved_boxes, w.groups.size());
   for (std::size_t k = 0; k < w.groups.size(); ++k) {

@@ -9,10 +9,10 @@
 
 namespace tdbd::rock {
 
-/// What one step took. Thesis: 4.1, fig. 4.2 (one turn of its loop without maintenance).
+/// Result of one step. Thesis: 4.1, fig. 4.2 (one iteration of its loop, without maintenance).
 struct CutReport {
   std::vector<double> removed_by_part;  ///< m3, per part of the bit
-  /// m3, of removed_by_part: what broke out (section/breakout.hpp); empty: nothing did.
+  /// m3, the share of removed_by_part that broke out (section/breakout.hpp); empty: none did
   std::vector<double> broken_out_by_part;
   double removed = 0.0;  ///< m3
   long candidates = 0;   ///< vertices tested
@@ -20,31 +20,33 @@ struct CutReport {
   int passes = 0;
 };
 
-/// Buffers of a step, kept between steps so that none allocates once warm.
+/// Buffers of a step. They are kept between steps to avoid allocations.
 struct CutWorkspace {
-  /// A vertex between overlapping parts zigzags into their corner, each pass a constant factor
-  /// shorter than the last; the worst of 120 000 random scenes took 71 passes.
+  /// Bound on the passes of a step. A vertex between overlapping parts zigzags into their corner;
+  /// each pass is shorter than the last by a constant factor. The worst of 120 000 random scenes
+  /// took 71 passes.
   int most_passes = 1000;
   NearListMargins list_margins;
-  double contact_gap = -1.0;  ///< m, of contact_areas after the step; negative: contact disabled
+  double contact_gap = -1.0;  ///< m, for contact_areas after the step; negative: not measured
   std::vector<GroupMotion> motions;  ///< per group
   std::vector<GroupCut> groups;      ///< per group
   BoxColumns motion_boxes;           ///< per group
   BoxColumns moved_boxes;            ///< per group: GroupCut::moved_box_W
-  long changes_before = 0;           ///< of the index, when the step began
-  PassWork passes;                   ///< begin_passes
+  long changes_before = 0;           ///< changes of the index before the step
+  PassWork passes;                   ///< buffers of begin_passes
 };
 
-/// One update of the rock after the bit moved from pose 0 to pose 1: find (4.1.1), map (4.1.3.2),
-/// move (4.1.3), measure (4.3), part after part; passes repeat until nothing moves. Afterwards no
-/// rock vertex, as a part sees it (rock (22)), lies inside a cutting part at pose 1
-/// (tolerance::inside): the contract of rock (5).
-/// Throws RunError with the parts' names and a place if passes do not end or the bit sweeps the
-/// rock's boundary.
+/// Updates the rock after the bit moved from pose 0 to pose 1. For each part: find the swept
+/// vertices (4.1.1), compute update directions (4.1.3.2), move the vertices (4.1.3), measure the
+/// volume (4.3). Passes over all groups repeat until no vertex moves. Afterwards no rock vertex, as
+/// a part sees it (rock (22)), lies inside a cutting part at pose 1 by more than tolerance::inside:
+/// the contract of rock (5). Throws RunError with the parts' names and a place if the passes do not
+/// end or if the bit sweeps the rock's boundary.
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report);
 
-/// Prepares the workspace of a bit at rest at X_WB, as contact_areas requires it before any step.
+/// Prepares the workspace for a bit at rest at X_WB. contact_areas requires this before the first
+/// step.
 void begin_at_rest(const CuttingBit& bit, const Pose& X_WB, CutWorkspace& work);
 
 }  // namespace tdbd::rock

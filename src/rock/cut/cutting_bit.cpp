@@ -25,7 +25,7 @@ CuttingPart prepare_solid(const bit::Part& part, const mesh::TriangleMesh& mesh_
   return prepared;
 }
 
-/// A part is one solid or, where its pieces are known, several convex ones.
+/// Adds a part as one solid or, if its convex pieces are known, as several.
 void add_part(CuttingGroup& group, const bit::Part& part, int index) {
   const auto add = [&](const mesh::TriangleMesh& mesh_P) {
     group.parts.push_back(prepare_solid(part, mesh_P, index));
@@ -39,7 +39,7 @@ bool same_planes(const mesh::ConvexSolid& a, const mesh::ConvexSolid& b) {
   return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.b == b.b;
 }
 
-/// A group's solids are numbered by the bits of one word (Clear).
+/// Limit on a group's solids: each has a bit in a 64-bit mask (Clear).
 constexpr std::size_t most_solids = 63;
 
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
@@ -47,7 +47,7 @@ bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part&
          bit.parts[at(group.parts.front().part)].group == part.group;
 }
 
-/// The planes of the whole by sectors. Equal cutters share them.
+/// Returns the sectors of the whole, shared with an equal cutter if there is one.
 std::shared_ptr<const PlaneSectors> sectors_of(const CuttingPart& solid, double size,
                                                const CuttingBit& others) {
   for (const CuttingGroup& g : others.groups)
@@ -59,7 +59,7 @@ std::shared_ptr<const PlaneSectors> sectors_of(const CuttingPart& solid, double 
   return made.sectors.empty() ? nullptr : std::make_shared<const PlaneSectors>(std::move(made));
 }
 
-/// The parts of a group as one solid, if they are several and fill a convex one.
+/// Returns the group as one solid if it has several parts and they fill a convex solid.
 std::optional<CuttingWhole> whole_of(const CuttingGroup& g, const bit::Bit& bit) {
   std::vector<ConvexPiece> pieces;
   for (const CuttingPart& part : g.parts) {
@@ -83,7 +83,7 @@ double largest_distance(const bit::Bit& bit, const bit::Part& part, const Vec3& 
   return X_BK.p.norm() + (part.X_BP * x_P - X_BK.p).norm();
 }
 
-/// The sides of the box, and those planes of the parts that bound the other parts too.
+/// The sides of the box, and the planes of single parts that bound all other parts, too.
 mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
   mesh::ConvexSolid planes;
   for (int i = 0; i < 3; ++i) {
@@ -103,8 +103,9 @@ mesh::ConvexSolid bounding_planes(const CuttingGroup& g, const bit::Bit& bit) {
   return planes;
 }
 
-/// Of the cylinder about the x axis of P around all parts, 0 if it is much wider than their box. A
-/// convex part's planes may stand out from its corners by tolerance::convex.
+/// Radius of the cylinder about the x axis of P around all parts; 0 if it is much wider than their
+/// box. Includes tolerance::convex, because the planes of a convex part may lie outside its corners
+/// by that much.
 double radius_of_round(const CuttingGroup& g, const bit::Bit& bit) {
   constexpr double looseness = 1.1;
   double radius = 0.0;
@@ -116,7 +117,7 @@ double radius_of_round(const CuttingGroup& g, const bit::Bit& bit) {
   return is_round ? radius + tolerance::convex * size.norm() : 0.0;
 }
 
-/// The box's sides come last: the box is tested before the planes.
+/// The sides of the box come last because the box is tested separately before the planes.
 SingleSolid in_single(const mesh::ConvexSolid& planes) {
   SingleSolid single;
   single.planes = planes.planes;

@@ -8,7 +8,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// One side of a facet, its ends in an order that does not depend on the facet's.
+/// One edge of a facet. The order of `ends` does not depend on the facet's orientation.
 struct Side {
   std::array<double, 6> ends;
   int facet, edge;
@@ -23,7 +23,7 @@ Side side_of(const mesh::Facet& f, int facet, std::size_t edge) {
   return {{p->x(), p->y(), p->z(), q->x(), q->y(), q->z()}, facet, static_cast<int>(edge)};
 }
 
-/// Whether the line between t = 0 and `reach` meets a box, with slack for rounding.
+/// Whether the line between t = 0 and t = `reach` meets a box, with slack for rounding.
 bool meets(const mesh::Box& box, const Vec3& x, const Vec3& u, double reach) {
   double enter = 0.0, leave = reach;
   for (int i = 0; i < 3; ++i) {
@@ -67,7 +67,7 @@ FacetNeighbours neighbours_of(const mesh::TriangleTree& tree) {
 std::optional<double> walk_to_exit(const mesh::TriangleTree& tree, const FacetNeighbours& across,
                                    const Vec3& x, const Vec3& u, int& start, long& tested) {
   constexpr int most_steps = 48;
-  constexpr double parallel = 1e-12;  // flatter crossings are left to the search
+  constexpr double parallel = 1e-12;  // flatter crossings are left to the tree search
   int facet = start;
   for (int steps = 0; steps < most_steps && facet >= 0; ++steps) {
     ++tested;

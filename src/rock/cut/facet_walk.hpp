@@ -8,15 +8,16 @@
 
 namespace tdbd::rock {
 
-/// For every facet of a tree, in its order, the facets across its edges a-b, b-c and c-a; -1 where
-/// not exactly two facets share the edge. Corners at the same place are shared.
+/// For every facet of a tree, in the tree's order: the facets across its edges a-b, b-c and c-a, or
+/// -1 where the edge does not belong to exactly two facets. Corners at equal positions are the same
+/// corner.
 using FacetNeighbours = std::vector<std::array<int, 3>>;
 
 FacetNeighbours neighbours_of(const mesh::TriangleTree& tree);
 
-/// Kept between walks over one tree: the facet on which the last one ended, how many walks were
-/// tried, how many found a way out, how many of those were enough for an answer, and how many facets
-/// all walks, and those that found a way out, tested.
+/// State kept between walks over one tree, and counters: walks tried, walks that found a way out,
+/// walks that were sufficient for an answer, facets tested by all walks, and facets tested by walks
+/// that found a way out.
 struct WalkMemory {
   const mesh::TriangleTree* of = nullptr;
   int facet = -1;
@@ -24,11 +25,11 @@ struct WalkMemory {
   long facets_tested = 0, facets_tested_by_found = 0;
 };
 
-/// Walks from facet `start`, always across the edge beyond which the line x + t u passes farthest,
-/// to a facet that the line crosses outwards at t > 0. Returns its t, and its number in `start`;
-/// nothing after too many steps, at an edge without a neighbour, or where the line only enters. The
-/// line leaves the solid there, but perhaps not for the first time. Adds the number of facets that
-/// it tested to `tested`. See rock (6); thesis: 4.1.3.4 (reconstructed).
+/// Walks from facet `start`, always across the edge that the line x + t u misses by the largest
+/// distance, to a facet that the line crosses outwards at t > 0. Returns that t and stores the
+/// facet in `start`. Returns nothing after too many steps, at an edge without a neighbour, or if
+/// the line only enters. The line leaves the solid at t, but not necessarily for the first time.
+/// Adds the number of tested facets to `tested`. See rock (6); thesis: 4.1.3.4 (reconstructed).
 std::optional<double> walk_to_exit(const mesh::TriangleTree& tree, const FacetNeighbours& across,
                                    const Vec3& x, const Vec3& u, int& start, long& tested);
 

@@ -18,8 +18,8 @@ void note_exit(Clear& clear, std::size_t part, bool convex) {
   clear.now = clear.for_good | bit;
 }
 
-/// Ur and the path of every candidate at work. Moving along Ur keeps the azimuth, so it holds for
-/// all parts.
+/// Computes the update direction Ur and the path of every candidate at work. A move along Ur does
+/// not change the azimuth, so both are valid for all parts of the group.
 void find_paths(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut) {
   for (const std::size_t i : cut.at_work) {
     Vec3 x_W = rock.surface.position(cut.candidates[i]);
@@ -34,7 +34,7 @@ void find_paths(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, G
   }
 }
 
-/// Moves a candidate, as the group sees it, and plans how far the vertex follows.
+/// Moves a candidate as the group sees it, and plans the corresponding move of the vertex.
 void plan_move(const CuttingGroup& g, std::size_t which, std::size_t i, double t, GroupCut& cut) {
   Vec3& x_W = cut.places_W[i];
   x_W += t * cut.directions_W[i];
@@ -44,9 +44,9 @@ void plan_move(const CuttingGroup& g, std::size_t which, std::size_t i, double t
   cut.swept.back().x_W -= cut.left_W[i];
 }
 
-/// Fills cut.alone with the candidates at work that a solid may sweep. Most were left behind: they lie on
-/// the surface where it moves away from them, so one plane has all of their path outside, often that of
-/// the candidate before.
+/// Fills cut.alone with the candidates at work that a solid may sweep. Most candidates lie on a
+/// surface that moves away from them. Then one plane keeps their whole path outside, often the same
+/// plane as for the previous candidate.
 void find_swept_by(const CuttingPart& part, GroupCut& cut) {
   cut.alone.clear();
   if (part.tree_P) return cut.alone.assign(cut.at_work.begin(), cut.at_work.end());
@@ -79,7 +79,7 @@ void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, G
   }
 }
 
-/// Every vertex leaves the whole group at once and is clear of all parts then.
+/// Plans exits from the whole group. Afterwards every vertex is clear of all parts.
 void plan_whole(const CuttingGroup& g, GroupCut& cut) {
   prepare_exits(g.whole->solid, boxes_around(cut.paths, cut.at_work), cut.exits);
   for (const std::size_t i : cut.at_work) {
@@ -94,7 +94,7 @@ bool can_plan_fours(const CuttingGroup& g) {
   return g.whole && g.whole->sectors && !g.core_P && g.leaves == Leaves::nothing;
 }
 
-/// Plans the candidates at work from `begin` on, at most four.
+/// Plans the candidates at work from index `begin` on, at most four.
 void plan_four(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, std::size_t begin,
                GroupCut& cut) {
   const std::size_t count = std::min(lanes, cut.at_work.size() - begin);
@@ -120,8 +120,8 @@ void plan_four(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, st
   }
 }
 
-/// The same as find_paths and plan_whole, four vertices at once. What cannot be done so is left at
-/// work.
+/// Equivalent to find_paths and plan_whole, four vertices at a time. Vertices that need the scalar
+/// search stay in cut.at_work.
 void plan_whole_by_fours(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
                          GroupCut& cut) {
   cut.alone.clear();

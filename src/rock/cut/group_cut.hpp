@@ -9,57 +9,59 @@
 
 namespace tdbd::rock {
 
-/// Which parts of a group a candidate is clear of, as bits. A vertex that has left a convex part is
-/// clear of it for good: beyond the exit no level of the strip meets it again. A vertex merely
-/// found outside a part may be moved into it by the group's next part.
+/// Bit masks of the parts of a group that cannot sweep a candidate. `for_good`: a vertex that has
+/// left a convex part is clear of it permanently, because no level of the strip beyond the exit
+/// meets the part again. `now`: a vertex that was only found outside a part may still be moved into
+/// it by the group's next part.
 struct Clear {
   std::uint64_t now = 0, for_good = 0;
 };
 
-/// A vertex that a part of the group sweeps, and where it leaves that part.
+/// A vertex that a part of the group sweeps, and the place at which it leaves that part.
 struct SweptVertex {
   std::size_t which;  ///< index into CuttingGroup::parts
   int v;
   Vec3 x_W;  ///< m
 };
 
-/// A move of a vertex by a part of the bit, as the part sees it: of y in rock (22).
+/// A move of a vertex by a part of the bit, as the part sees it: the displacement of y in rock
+/// (22).
 struct VertexMove {
   int v = 0, part = 0;
   Vec3 d_W = Vec3::Zero();  ///< m
 };
 
-/// One group's share of a step, with its buffers. Groups share nothing, so they are planned in
+/// The work of one group in a step, with its buffers. Groups share no data, so they are planned in
 /// parallel.
 struct GroupCut {
   NearGroup near;                   ///< at the beginning of the step
-  bool knows_touching = false;      ///< near.touching is complete
-  std::vector<int> candidates;      ///< of the pass
+  bool knows_touching = false;      ///< whether near.touching is complete
+  std::vector<int> candidates;      ///< of the current pass
   std::vector<Clear> clear;         ///< per candidate
-  std::vector<SweptVertex> swept;   ///< by part, then by vertex; a vertex may leave several parts
-  std::vector<int> moved, unclear;  ///< vertices, by the pass
-  std::vector<int> moved_in_step;   ///< in all passes
-  std::vector<VertexMove> moves;    ///< in all passes; at the end sorted by vertex
-  mesh::Box moved_box_W;            ///< around them at the end of the step
-  VertexChanges moved_places;       ///< of them at the end of the step
+  std::vector<SweptVertex> swept;   ///< by part, then vertex; a vertex may leave several parts
+  std::vector<int> moved, unclear;  ///< vertices, in the current pass
+  std::vector<int> moved_in_step;   ///< vertices moved in all passes
+  std::vector<VertexMove> moves;    ///< in all passes; sorted by vertex at the end of the step
+  mesh::Box moved_box_W;            ///< around the moved vertices at the end of the step
+  VertexChanges moved_places;       ///< places of the moved vertices at the end of the step
   std::vector<Vec3> directions_W;   ///< per candidate
   std::vector<RelativePath> paths;  ///< per candidate
   std::vector<Vec3> places_W;       ///< m, per candidate, as planned so far
   std::vector<Vec3>
-      left_W;  ///< m, per candidate: how much nearer the vertex is; of groups that leave rock
-  std::vector<std::size_t> at_work, alone;  ///< candidates; of these, what goes alone
+      left_W;  ///< m, per candidate: LeftVertex::left_W; only for groups that leave rock
+  std::vector<std::size_t> at_work, alone;  ///< indices of candidates; those planned singly
   SweptScratch exits;
 };
 
-/// Finds what the group sweeps of its candidates, part after part, and where each vertex leaves.
-/// Reads the rock and moves nothing.
+/// Finds the vertices among the candidates that the group sweeps, part after part, and their exits.
+/// Reads the rock without changing it.
 void plan_moves(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut);
 
-/// Plans the candidates in cut.at_work (indices) and adds what they do to cut.swept.
+/// Plans the candidates with indices in cut.at_work and appends their moves to cut.swept.
 void plan_at_work(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut);
 
-/// Plans anew the candidates that another group has moved since. A vertex's path depends on that
-/// vertex alone, so the others keep theirs.
+/// Plans the candidates again that another group has moved since. The path of a vertex depends on
+/// that vertex alone, so the plans of the others remain valid.
 template <class HasChanged>
 void plan_again(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
                 HasChanged&& has_changed, GroupCut& cut) {

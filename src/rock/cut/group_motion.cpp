@@ -6,7 +6,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// The box at both poses between axis-aligned planes and between planes normal to its own axes at
+/// Bounds of the box at both poses: axis-aligned planes, and planes normal to the box's own axes at
 /// pose 1.
 Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) {
   const Vec3 middle_P = 0.5 * (box_P.lo + box_P.hi), half = 0.5 * box_P.size();
@@ -22,9 +22,9 @@ Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) 
   return r;
 }
 
-/// The chord of a turn is nearer to the axis than its ends by the cosine of half the turn; a tilted
-/// axis leans by at most the tilt times the distance, counted for the part and for the rock beside
-/// it.
+/// Upper bound of the distance from the hole's axis. The chord of a rotation is nearer to the axis
+/// than its ends by the cosine of half the angle. A tilted axis shifts a point by at most the tilt
+/// times its distance from the origin; this is counted for the part and for the rock beside it.
 double reach(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
   const double cosine = 0.5 * ((X_WB0.R.transpose() * X_WB1.R).trace() - 1.0);
   const double half_turn = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));

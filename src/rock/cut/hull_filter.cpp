@@ -11,7 +11,8 @@
 namespace tdbd::rock {
 namespace {
 
-/// A plane of the hull with both points outside by `slack`; the number of columns if there is none.
+/// Returns a plane of the hull that has both points outside by `slack`, or the number of columns if
+/// there is none.
 TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q0, const Vec3& q1,
                                        double slack) {
   for (std::size_t i = 0; i < h.b.size(); i += lanes) {
@@ -27,7 +28,7 @@ TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q
   return h.b.size();
 }
 
-/// Moves those places of the pack at `from` whose bit is set to the run's end.
+/// Appends the places of the pack at `from` whose bit is set to the run.
 void keep(unsigned bits, std::size_t from, Run& r) {
   for (; bits != 0; bits &= bits - 1U, ++r.count) {
     const auto i = from + static_cast<std::size_t>(std::countr_zero(bits));
@@ -37,12 +38,12 @@ void keep(unsigned bits, std::size_t from, Run& r) {
   }
 }
 
-/// Bits: which of eight places from i on come before the end.
+/// Bit mask of the places of a pack at i that come before the end.
 unsigned filled(std::size_t i, std::size_t end) {
   return (1U << std::min(end - i, single_lanes)) - 1U;
 }
 
-/// Drops what the first planes of the hull reject, which is most of it.
+/// Removes the places that the first planes of the hull reject, which is most of them.
 void drop_outer(const Sieve& sieve, Run& r) {
   const std::size_t end = std::exchange(r.count, 0);
   for (std::size_t i = 0; i < end; i += single_lanes) {
@@ -68,7 +69,7 @@ void sift_run(const Sieve& sieve, Run& r, Swept& visit_swept, Touched& visit_tou
   r.count = 0;
 }
 
-/// The same for a whole list.
+/// Applies sift_run to a whole list.
 template <class Swept, class Touched>
 void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched&& visit_touched) {
   Run run;
@@ -93,7 +94,7 @@ void find_around_hull(const CuttingGroup& g, const GroupMotion& m, const mesh::S
       [&](std::size_t i) { near.touching.push_back(list.v[i]); });
 }
 
-/// Only places within rounding of a border are looked at in double precision.
+/// Only places within rounding of a bound are tested in double precision.
 void find_around_cylinder(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,
                           const NearList& list, double gap, NearGroup& near) {
   const std::size_t count = sieve_round(list, make_round_sieve(g, m, list, gap), near.packs);

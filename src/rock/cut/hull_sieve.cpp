@@ -5,7 +5,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// Eight places in the group's frame at both poses. Passed by reference: see core/wide.hpp.
+/// Eight places in the group's frame at both poses. Pass by reference: see core/wide.hpp.
 struct WidePlaces {
   std::array<WideSingle, 3> start, end;
 };
@@ -19,7 +19,7 @@ inline void transform(const Sieve& s, const WideSingle& x, const WideSingle& y, 
   }
 }
 
-/// How far eight places lie outside plane l of the hull at both poses.
+/// Signed distances of eight places to plane l of the hull at both poses; positive outside.
 inline void heights(const SingleSolid& h, std::size_t l, const WidePlaces& q, WideSingle& out0,
                     WideSingle& out1) {
   out0 = h.nx[l] * q.start[0] + h.ny[l] * q.start[1] + h.nz[l] * q.start[2] - h.b[l];

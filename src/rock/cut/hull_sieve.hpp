@@ -9,15 +9,15 @@
 
 namespace tdbd::rock {
 
-/// Maps places about a list's origin into a frame, in single precision.
+/// Maps places relative to a list's origin into a frame, in single precision.
 struct SingleFrame {
-  std::array<Single, 9> R{};  ///< by rows
+  std::array<Single, 9> R{};  ///< row-major
   std::array<Single, 3> p{};
 };
 
 SingleFrame single_frame(const Pose& X_PW, const Vec3& origin_W);
 
-/// Eight places in the frame, m. For functions that are TDBD_WIDE.
+/// Eight places in the frame, m. Only for functions that are TDBD_WIDE.
 TDBD_INLINE void put_in_frame(const WidePoints& x, const SingleFrame& X_PW, WidePoints& q_P) {
   const auto& R = X_PW.R;
   q_P = {R[0] * x.x + R[1] * x.y + R[2] * x.z + X_PW.p[0],
@@ -25,45 +25,46 @@ TDBD_INLINE void put_in_frame(const WidePoints& x, const SingleFrame& X_PW, Wide
          R[6] * x.x + R[7] * x.y + R[8] * x.z + X_PW.p[2]};
 }
 
-/// A box in single precision, widened.
+/// A widened box in single precision.
 struct SingleBox {
   std::array<Single, 3> lo{}, hi{};
 };
 
 SingleBox single_box(const mesh::Box& box, double slack);
 
-/// Selects what a group may sweep between its two poses, and what it may touch at the end (nothing
-/// if that slack is negative). Swept: no side of the box and no plane of the hull has the vertex
-/// outside by swept_slack at both poses. Touched: none has it outside by touched_slack at the end.
+/// Selects the vertices that a group may sweep between its two poses, and those that it may touch
+/// at the end (none if touched_slack is negative). Swept: no side of the box and no plane of the
+/// hull has the vertex outside by swept_slack at both poses. Touched: none has it outside by
+/// touched_slack at the end.
 struct Sieve {
   SingleFrame start, end;
-  SingleBox touched, either;  ///< widened by its slack; by either
+  SingleBox touched, either;  ///< widened by touched_slack; by the larger slack
   Single swept_slack, touched_slack;
   const SingleSolid& hull_P;
 };
 
-/// For a list that covers the group's motion. swept_slack is twice the bound of rounding: whatever
-/// the sieve rejects, keeps_outside would reject too, so the result does not depend on the list.
-/// `gap`: m, of what is touched.
+/// Makes the sieve for a list that covers the group's motion. swept_slack is twice the rounding
+/// bound. Therefore keeps_outside rejects everything that the sieve rejects, and the result does
+/// not depend on the list. `gap`: m, for touched vertices.
 Sieve make_sieve(const CuttingGroup& g, const GroupMotion& m, const NearList& list, double gap);
 
-/// Places in the group's frame at the two poses of a sieve, side by side, in whole packs.
+/// Places in the group's frame at the two poses of a sieve, as columns, in whole packs of eight.
 struct Run {
   static constexpr std::size_t most = 256;
   std::array<std::array<Single, most>, 3> start, end;  ///< by x, y, z
-  std::array<int, most> place;                         ///< in the list
+  std::array<int, most> place;                         ///< index in the list
   std::size_t count = 0;
 };
 
-/// Bit l: whether ball l of eight may reach inside the group's box and all planes of its hull
+/// Bit l: whether ball l of eight may reach into the group's box and inside all planes of its hull
 /// at either pose.
 unsigned balls_near(const Balls& balls, std::size_t i, const Sieve& s);
 
-/// Writes the eight places of the list from i on behind the run's end. Bit l: whether place l is in
+/// Appends eight places of the list, from i on, behind the run's end. Bit l: whether place l is in
 /// the box at either pose.
 unsigned put_into_frames(const NearList& list, std::size_t i, const Sieve& s, Run& run);
 
-/// Bits: which of eight places pass.
+/// Bit masks of the places that pass.
 struct Sieved {
   unsigned swept, touched;
 };

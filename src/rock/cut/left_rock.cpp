@@ -24,7 +24,7 @@ Vec3 left_of(const std::vector<LeftVertex>& left, int v, int part) {
   return is_at(left, it, v, part) ? it->left_W : Vec3(Vec3::Zero());
 }
 
-/// Whether a point is in a part or on it.
+/// Whether a point is inside a part or on its surface.
 bool is_in(const CuttingPart& part, const Vec3& x_P) {
   if (part.tree_P) return mesh::inside(*part.tree_P, x_P);
   for (std::size_t i = 0; i < part.solid_P.planes; ++i)
@@ -36,7 +36,7 @@ bool is_in(const CuttingGroup& g, const Vec3& x_P) {
   return std::ranges::any_of(g.parts, [&](const CuttingPart& part) { return is_in(part, x_P); });
 }
 
-/// The parts in whose passes one of the vertices of an operation is.
+/// The parts whose passes include one of the vertices of an operation.
 void find_parts(const std::vector<LeftVertex>& left, const CarriedDisplacement& c,
                 std::vector<int>& parts) {
   parts.clear();

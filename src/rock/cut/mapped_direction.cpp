@@ -13,7 +13,7 @@ Vec3 from_segment(const bit::Segment& s, const Vec3& q) {
   return from - share * along;
 }
 
-/// U at azimuth 0; `radial_D` is the unit vector from D's axis to x.
+/// U at azimuth 0. `radial_D`: unit vector from D's axis to x.
 Vec3 normal_direction(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W,
                       const Vec3& radial_D) {
   const Vec3 q_P = 0.5 * (m.X_PW0 * x_W + m.X_PW1 * x_W);

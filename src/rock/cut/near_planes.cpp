@@ -5,7 +5,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// A box by its centre and half its size.
+/// A box as centre and half size.
 struct CentredBox {
   Vec3 centre, half;
 };
@@ -13,8 +13,8 @@ struct CentredBox {
 CentredBox centred(const mesh::Box& box) { return {0.5 * (box.lo + box.hi), 0.5 * box.size()}; }
 
 /// Copies the planes that x + t u may meet, with x in a box, u in another and 0 <= t <= t_max:
-/// those where n . x - b reaches `least`. `near` must have room for all and one more. Returns how
-/// many.
+/// those where n . x - b reaches `least`. `near` needs room for all planes and one more. Returns
+/// the number of copied planes.
 TDBD_WIDE std::size_t copy_near(const mesh::ConvexSolid& s, const CentredBox& q,
                                 const CentredBox& u, double t_max, double least, NearPlanes& n) {
   mesh::ConvexSolid& near = n.solid_P;
@@ -89,7 +89,7 @@ void find_near_planes(const mesh::ConvexSolid& solid, const PathBoxes& boxes, do
 
 void update_near_planes(const mesh::ConvexSolid& solid, double sum, const PathBoxes& boxes,
                         double depth, double t_max, NearPlanes& near) {
-  constexpr int most_uses = 64;  // boxes that were wide once are forgotten
+  constexpr int most_uses = 64;  // limits how long boxes that were wide once are kept
   if (sum == near.checksum && t_max == near.t_max && ++near.uses < most_uses &&
       is_within(boxes.q_P, near.hold_for.q_P) && is_within(boxes.u_P, near.hold_for.u_P))
     return;

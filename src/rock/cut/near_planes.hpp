@@ -8,37 +8,37 @@
 
 namespace tdbd::rock {
 
-/// Boxes around the places and the update directions of some paths.
+/// Bounds of the places and of the update directions of some paths.
 struct PathBoxes {
   mesh::Box q_P, u_P;
 };
 
-/// Of those of the paths with these numbers.
+/// Bounds of the paths with these indices.
 PathBoxes boxes_around(const std::vector<RelativePath>& paths,
                        const std::vector<std::size_t>& which);
 
 /// The planes of a convex solid that any path in some boxes can meet within a distance `t_max` (m)
-/// along its update direction. An exit from these planes within t_max is the exit from the solid,
-/// to the bit (find_exit): all other planes are beyond, so it does not matter for which boxes they
-/// were found, and they can be kept from step to step.
+/// along its update direction. An exit from these planes within t_max is bitwise the exit from the
+/// solid (find_exit), because all other planes are farther away. The result does not depend on the
+/// boxes for which the planes were found, so they can be kept from step to step.
 struct NearPlanes {
   mesh::ConvexSolid solid_P;
-  std::vector<std::size_t> plane;  ///< per plane: its number in the whole solid
+  std::vector<std::size_t> plane;  ///< per plane: its index in the solid
   PathBoxes hold_for;
   double t_max = 0.0;
   double checksum = 0.0;  ///< of the solid
-  int uses = 0;           ///< since they were found
+  int uses = 0;           ///< since the planes were found
 };
 
-/// A sum over the planes, to tell solids apart.
+/// A sum over the planes that distinguishes solids.
 double checksum(const mesh::ConvexSolid& solid);
 
-/// `near` is kept between calls so that none allocates once warm. `depth` as in find_exit.
+/// Finds the near planes of a solid. `near` is a reused buffer. `depth`: as in find_exit.
 void find_near_planes(const mesh::ConvexSolid& solid, const PathBoxes& boxes, double depth,
                       double t_max, NearPlanes& near);
 
-/// The same, but keeps what `near` has if that holds for these boxes; else for somewhat wider ones.
-/// `sum`: checksum of the solid.
+/// Keeps the planes in `near` if they are valid for these boxes; otherwise finds the planes for
+/// somewhat wider boxes. `sum`: checksum of the solid.
 void update_near_planes(const mesh::ConvexSolid& solid, double sum, const PathBoxes& boxes,
                         double depth, double t_max, NearPlanes& near);
 

@@ -9,7 +9,7 @@ namespace {
 using Polygon = std::vector<Vec3>;
 constexpr std::size_t no_end = std::numeric_limits<std::size_t>::max();
 
-/// The part of a polygon with n . x <= b.
+/// Clips a polygon to n . x <= b. `kept`: buffer.
 void cut(const Vec3& n, double b, Polygon& polygon, Polygon& kept) {
   kept.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -21,18 +21,18 @@ void cut(const Vec3& n, double b, Polygon& polygon, Polygon& kept) {
   std::swap(polygon, kept);
 }
 
-/// Lengths for a solid of some size, m.
+/// Lengths that scale with the solid, m.
 struct Lengths {
   double far;    ///< beyond all corners
-  double depth;  ///< of the axis in the solid
+  double depth;  ///< of the axis inside the solid
   double slack;
   double beyond;  ///< PlaneSectors::beyond
 };
 
 Lengths lengths_for(double size) { return {10.0 * size, 0.01 * size, 1e-6 * size, 0.1 * size}; }
 
-/// The facet of plane i, as wide as if all others were farther out by the slack, and the plane `moved`
-/// by what may be beyond it.
+/// The facet of plane i, enlarged as if all other planes were farther out by the slack, and plane
+/// `moved` farther out by PlaneSectors::beyond.
 Polygon facet(const mesh::ConvexSolid& s, std::size_t i, std::size_t moved, const Lengths& by) {
   const Vec3 n = mesh::normal(s, i), u = by.far * n.unitOrthogonal(), v = n.cross(u),
              middle = s.b[i] * n;
@@ -43,7 +43,7 @@ Polygon facet(const mesh::ConvexSolid& s, std::size_t i, std::size_t moved, cons
   return polygon;
 }
 
-/// The part of the x axis that lies deeper in the solid than this; empty (lo > hi) if there is none.
+/// The part of the x axis that is deeper in the solid than `depth`; lo > hi if there is none.
 struct AxisPart {
   double lo, hi;
 };
@@ -61,13 +61,13 @@ AxisPart axis_inside(const mesh::ConvexSolid& s, double depth, double far) {
 
 bool is_end(const mesh::ConvexSolid& s, std::size_t i) { return std::abs(s.nx[i]) > 0.9; }
 
-/// The angle in the y-z plane at which PlaneSectors::towards begins sector k.
+/// The angle in the y-z plane at which sector k of PlaneSectors::towards begins.
 double first_angle(int k) {
   const double a = 4.0 * k / PlaneSectors::count, p = a < 2.0 ? a - 1.0 : 3.0 - a;
   return std::atan2(p, (a < 2.0 ? 1.0 : -1.0) * (1.0 - std::abs(p)));
 }
 
-/// What a sector depends on of one plane: its facets, of the solid and with each end moved.
+/// The facets of one plane: of the solid, and of the solid with each end moved.
 using Facets = std::vector<Polygon>;
 
 std::vector<Facets> facets_of(const mesh::ConvexSolid& s, const Lengths& by) {
@@ -81,7 +81,7 @@ std::vector<Facets> facets_of(const mesh::ConvexSolid& s, const Lengths& by) {
   return all;
 }
 
-/// The wedge is wider than the sector by `margin` on each side.
+/// Sides of the wedge of sector k, widened by `margin` (rad) on each side.
 std::array<double, 4> wedge(int k, double margin) {
   const double lo = first_angle(k) - margin, hi = first_angle(k + 1) + margin;
   return {-std::sin(lo), std::cos(lo), std::sin(hi), -std::cos(hi)};
@@ -108,7 +108,8 @@ PlaneSector make_sector(const mesh::ConvexSolid& s, const std::vector<Facets>& f
   return sector;
 }
 
-/// Sets the core: as wide as the planes that some sector lacks leave it by the slack.
+/// Computes the core: the cylinder that stays inside every plane that some sector lacks, by the
+/// slack.
 void find_core(const mesh::ConvexSolid& s, const Lengths& by, PlaneSectors& all) {
   const AxisPart axis = axis_inside(s, 0.0, by.far);
   all.core_lo = axis.lo - by.slack;

@@ -9,12 +9,12 @@ namespace {
 
 using Lanes = std::array<double, lanes>;
 
-/// The bounds of tau, lane by lane.
+/// The bounds of tau, per lane.
 struct Bounds {
   Lanes lo, hi;
 };
 
-/// Stops where the interval is empty.
+/// Stops early if the interval becomes empty.
 TDBD_WIDE void fill_path(const mesh::ConvexSolid& s, const RelativePath& p, double depth,
                          PlaneStrip& w, Bounds& bounds) {
   const Vec3 q = p.q0_P, d = p.q1_P - p.q0_P;
@@ -65,12 +65,12 @@ TDBD_WIDE void fill_direction(const mesh::ConvexSolid& s, const RelativePath& p,
   }
 }
 
-/// A number of each lane and its plane.
+/// A value and its plane, per lane.
 struct Found {
   Lanes value, plane;
 };
 
-/// Four planes as the ray at tau meets them.
+/// Four planes relative to the ray at tau.
 struct WideRay {
   Wide cosine, room, t;
 };
@@ -87,7 +87,7 @@ inline void meet(const PlaneStrip& w, std::size_t i, double tau, WideRay& ray) {
   ray.t = ray.room / ((c > grazing_cosine) | (c < -grazing_cosine) ? c : Wide{} + 1.0);
 }
 
-/// The least t of the planes that the ray leaves, lane by lane.
+/// The smallest t of the planes that the ray leaves, per lane.
 TDBD_WIDE void first_left(const PlaneStrip& w, double tau, Found& found) {
   Wide least = Wide{} + unbounded, plane = {0.0, 1.0, 2.0, 3.0}, which = plane;
   for (std::size_t i = 0; i < w.columns; i += lanes, plane += 4.0) {
@@ -101,8 +101,8 @@ TDBD_WIDE void first_left(const PlaneStrip& w, double tau, Found& found) {
   TDBD_STORE(which, found.plane.data());
 }
 
-/// Minus the greatest t of the planes that the ray enters, lane by lane. A plane that has the whole
-/// ray outside is never entered.
+/// Minus the largest t of the planes that the ray enters, per lane. A plane that has the whole ray
+/// outside is never entered.
 TDBD_WIDE void last_entered(const PlaneStrip& w, double tau, Found& found) {
   Wide least = Wide{} + unbounded, plane = {0.0, 1.0, 2.0, 3.0}, which = plane;
   for (std::size_t i = 0; i < w.columns; i += lanes, plane += 4.0) {
@@ -119,8 +119,8 @@ TDBD_WIDE void last_entered(const PlaneStrip& w, double tau, Found& found) {
   TDBD_STORE(which, found.plane.data());
 }
 
-/// The lane of the least value; of equals the one with the first plane, so that planes which are
-/// nowhere near may be left out without changing the answer.
+/// The lane with the smallest value; among equal values the one with the first plane. So planes
+/// that are not near can be omitted without changing the result.
 std::size_t first_lane(const Found& f) {
   std::size_t first = 0;
   for (std::size_t l = 1; l < lanes; ++l)

@@ -9,13 +9,14 @@
 
 namespace tdbd::rock {
 
-/// Cosine below which a plane is parallel to a ray up to rounding, and does not block it.
+/// A plane is parallel to a ray, up to rounding, below this cosine; then it does not block the ray.
 inline constexpr double grazing_cosine = 1e-14;
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Narrows intervals of tau to where a path is inside its planes: at tau = 0 it is `room` (m) inside,
-/// and until tau = 1 it goes `along` (m) outwards. A plane parallel to the path excludes all or nothing.
+/// Narrows intervals of tau to where a path is inside its planes. At tau = 0 the path is `room` (m)
+/// inside; until tau = 1 it moves `along` (m) outwards. A plane parallel to the path excludes all
+/// of it or nothing.
 TDBD_INLINE void narrow_interval(const Wide& room, const Wide& along, Wide& first, Wide& last) {
   const Wide when = room / (along == 0.0 ? Wide{} + 1.0 : along);
   const Wide at_rest = room <= 0.0 ? Wide{} - 1.0 : Wide{} + unbounded;
@@ -25,12 +26,12 @@ TDBD_INLINE void narrow_interval(const Wide& room, const Wide& along, Wide& firs
   first = from > first ? from : first;
 }
 
-/// Four planes of a solid, n . x <= b, side by side.
+/// Four planes of a solid, n . x <= b, one per lane.
 struct WidePlanes {
   Wide x, y, z, b;
 };
 
-/// The planes from column i on. For loops that are TDBD_WIDE.
+/// Loads four planes from column i on. Only for loops that are TDBD_WIDE.
 inline void load(const mesh::ConvexSolid& s, std::size_t i, WidePlanes& planes) {
   TDBD_LOAD(planes.x, &s.nx[i]);
   TDBD_LOAD(planes.y, &s.ny[i]);
@@ -38,39 +39,41 @@ inline void load(const mesh::ConvexSolid& s, std::size_t i, WidePlanes& planes) 
   TDBD_LOAD(planes.b, &s.b[i]);
 }
 
-/// The strip q(tau) + t u(tau) against the planes of a convex solid, rock (4): a point (tau, t) is
-/// inside plane i while along tau + (up + twist tau) t <= rest. Only the first `columns` of each
-/// array are set: one for each of the solid's planes, its padding included.
+/// The strip q(tau) + t u(tau) relative to the planes of a convex solid, rock (4): a point (tau, t)
+/// is inside plane i if along tau + (up + twist tau) t <= rest. Only the first `columns` entries of
+/// each array are set: one for each of the solid's planes, including padding.
 struct PlaneStrip {
   using Column = std::array<double, mesh::most_planes>;
   Column rest, along, up, twist;
   std::size_t columns = 0;
 };
 
-/// When q(tau) is inside; empty (lo >= hi) if never.
+/// Interval of tau; empty if lo >= hi.
 struct Interval {
   double lo, hi;
 };
 
-/// Sets `rest` and `along`. Returns when q(tau) is deeper than `depth` inside every plane; where it
-/// never is, not all columns are set. Solids of more than mesh::most_planes planes are refused
-/// (std::invalid_argument).
+/// Sets `rest` and `along`. Returns the interval of tau in which q(tau) is deeper than `depth`
+/// inside every plane. If it is empty, some columns may be unset. Throws std::invalid_argument for
+/// solids with more than mesh::most_planes planes.
 Interval put_path_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, double depth,
                            PlaneStrip& w);
 
-/// A plane that the path between these points does not come deeper than `depth` inside, so that
-/// put_path_on_strip finds it nowhere inside; the number of columns if no plane alone shows it.
+/// Returns a plane inside which the path between these points is nowhere deeper than `depth`, so
+/// that put_path_on_strip returns an empty interval. Returns the number of columns if no single
+/// plane shows this.
 std::size_t plane_beside_path(const mesh::ConvexSolid& s, const Vec3& q0_P, const Vec3& q1_P,
                               double depth);
 
-/// Whether plane i is one.
+/// Whether plane i is such a plane.
 bool is_beside_path(const mesh::ConvexSolid& s, std::size_t i, const Vec3& q0_P, const Vec3& q1_P,
                     double depth);
 
 /// Sets `up` and `twist`.
 void put_direction_on_strip(const mesh::ConvexSolid& s, const RelativePath& p, PlaneStrip& w);
 
-/// Where the ray at tau meets a plane. Of several planes at the same t it is the first.
+/// The place at which the ray at tau meets a plane. Of several planes at the same t it is the
+/// first.
 struct Crossing {
   double tau, t;
   std::size_t plane;
@@ -79,9 +82,9 @@ struct Crossing {
 /// Where the ray at tau leaves the solid; t is infinite if it never does.
 Crossing leave_at(const PlaneStrip& w, double tau);
 
-/// Where the ray at tau enters the last of the planes that it enters: minus infinity if there is
-/// none, infinity if it is parallel to one and outside. It misses the solid if that is beyond where
-/// it leaves.
+/// Where the ray at tau enters the last of the planes that it enters. t is minus infinity if it
+/// enters none, and infinity if it is parallel to a plane and outside. The ray misses the solid if
+/// this t is larger than that of leave_at.
 Crossing enter_at(const PlaneStrip& w, double tau);
 
 }  // namespace tdbd::rock

@@ -7,7 +7,8 @@
 namespace tdbd::rock {
 namespace {
 
-/// Of a coordinate in the group's frame: the list's and the frame's own.
+/// Rounding bound of a coordinate in the group's frame, from the list's coordinates and the frame's
+/// own.
 double rounding_in_frame(const CuttingGroup& g, const NearList& list) {
   mesh::Box box = list.region_W.box;
   box.add(g.box_P.lo);
@@ -15,7 +16,7 @@ double rounding_in_frame(const CuttingGroup& g, const NearList& list) {
   return single_slack(box);
 }
 
-/// The group's cylinder, longer at each end and wider. A negative radius holds nothing.
+/// The group's cylinder, lengthened at each end and widened. Empty if the radius becomes negative.
 SingleCylinder cylinder(const CuttingGroup& g, double longer, double wider) {
   const double radius = g.radius + wider;
   return {static_cast<Single>(g.box_P.lo.x() - longer),
@@ -23,9 +24,10 @@ SingleCylinder cylinder(const CuttingGroup& g, double longer, double wider) {
           static_cast<Single>(radius * std::abs(radius))};
 }
 
-/// How far along each axis of the group a vertex goes in the step whose way comes within `reach` of
-/// the cylinder. From the end back to the start it goes by D q1 + p: as far as the box's middle, and
-/// |D| times its distance from there, of which no more than `beyond` is outside the cylinder.
+/// Upper bound, along each axis of the group, of the way in the step of a vertex that comes within
+/// `reach` of the cylinder. From the end back to the start it moves by D q1 + p: as much as the
+/// box's middle, plus |D| times its distance from there, of which at most `beyond` is outside the
+/// cylinder.
 Vec3 longest_way(const CuttingGroup& g, const GroupMotion& m, double reach) {
   const Pose X_P0P1 = m.X_PW0 * m.X_WP1;
   const Mat3 D = X_P0P1.R - Mat3::Identity();
@@ -50,7 +52,7 @@ SingleBox region_at_end(const GroupMotion& m, double narrower) {
   return b;
 }
 
-/// Eight places side by side. Passed by reference: see core/wide.hpp.
+/// Eight places, as columns. Pass by reference: see core/wide.hpp.
 struct EightPlaces {
   WideSingle x, y, z;
 };
@@ -61,7 +63,7 @@ inline void put_into(const SingleFrame& f, const EightPlaces& p, EightPlaces& q)
   q.z = f.R[6] * p.x + f.R[7] * p.y + f.R[8] * p.z + f.p[2];
 }
 
-/// Bits: which balls of eight may reach into the near cylinder.
+/// Bit mask of the balls that may reach into the near cylinder.
 inline unsigned near_balls(const RoundSieve& s, const Balls& balls, std::size_t i) {
   WideBalls b;
   load(balls, i, b);
@@ -72,10 +74,10 @@ inline unsigned near_balls(const RoundSieve& s, const Balls& balls, std::size_t 
                  (q.y * q.y + q.z * q.z <= room * room));
 }
 
-/// The square of the least distance to the axis on the way.
+/// The square of the smallest distance to the axis along the path.
 inline void nearest_to_axis(const EightPlaces& q0, const EightPlaces& q1, WideSingle& distance2) {
   const WideSingle dy = q1.y - q0.y, dz = q1.z - q0.z, way2 = dy * dy + dz * dz;
-  constexpr Single none = 1e-24F;  // m2: a way so short that any of its places will do
+  constexpr Single none = 1e-24F;  // m2: on a path this short any place will do
   WideSingle tau = -(q0.y * dy + q0.z * dz) / (way2 > none ? way2 : WideSingle{} + none);
   tau = tau > 0.0F ? tau : WideSingle{};
   tau = tau < 1.0F ? tau : WideSingle{} + 1.0F;
@@ -88,13 +90,13 @@ inline void within(const SingleBox& b, const EightPlaces& q, WideFlags& in) {
        (q.z >= b.lo[2]) & (q.z <= b.hi[2]);
 }
 
-/// Whether the way passes between both ends of a cylinder as near to its axis as its radius.
+/// Whether the path passes between both ends of a cylinder within its radius of the axis.
 inline void passes(const SingleCylinder& c, const WideSingle& x_least, const WideSingle& x_most,
                    const WideSingle& distance2, WideFlags& in) {
   in = (x_least <= c.x_hi) & (x_most >= c.x_lo) & (distance2 <= c.radius2);
 }
 
-/// Sieves places that are q1 at the end.
+/// Sieves places that are at q1 at the end.
 inline void sieve_places(const RoundSieve& s, const EightPlaces& x, const EightPlaces& q1,
                          SievedPack& pack) {
   EightPlaces q0;
@@ -157,7 +159,7 @@ RoundSieve make_round_sieve(const CuttingGroup& g, const GroupMotion& m, const N
 }
 
 std::size_t sieve_round(const NearList& list, const RoundSieve& s, std::vector<SievedPack>& packs) {
-  const std::size_t most = list.v.size() / single_lanes + 2;  // the last is written and not kept
+  const std::size_t most = list.v.size() / single_lanes + 2;  // the last one is not kept
   if (packs.size() < most) packs.resize(most);
   return sieve_packs(list, s, packs.data());
 }

@@ -6,9 +6,9 @@
 namespace tdbd::rock {
 
 mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t most) {
-  constexpr std::size_t first = 6;  // the sides of a box, where there is one
+  constexpr std::size_t first = 6;  // the sides of a box, if the solid has one
   mesh::ConvexSolid chosen;
-  std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest chosen
+  std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest selected plane
   for (std::size_t k = 0; k < std::min(most, planes.planes); ++k) {
     const std::size_t next =
         k < first ? k

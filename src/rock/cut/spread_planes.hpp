@@ -4,9 +4,9 @@
 
 namespace tdbd::rock {
 
-/// At most `most` of the planes: the first six, then always the one whose normal is farthest from
-/// those chosen. So few planes bound the solid tightly, and most of what is outside the solid is
-/// outside one of the first. Padded.
+/// Selects at most `most` planes: the first six, then repeatedly the plane whose normal is farthest
+/// from those already selected. The selection bounds the solid closely, and most outside points are
+/// outside one of the first planes. The result is padded.
 mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t most);
 
 }  // namespace tdbd::rock

@@ -4,10 +4,10 @@
 
 namespace tdbd::rock {
 
-/// The volume that the hole gains when the vertex v of a surface, not on its boundary, moves by d: m3, positive against
-/// the normal (rock removed), rock (10). Around a closed ring it is linear in d, so it is exact for a vertex that moves
-/// alone; moved one after another, vertices sum up to the exact change. Thesis: 4.3 (prisms; twin:
-/// reference/rock/prism).
+/// Returns the volume, m3, by which the hole grows when vertex v of a surface, not on its boundary,
+/// moves by d. Positive against the normal (rock removed), rock (10). Around a closed ring it is
+/// linear in d, so it is exact for a vertex that moves alone. The sum over vertices moved one after
+/// another is the exact change. Thesis: 4.3 (prisms; twin: reference/rock/prism).
 inline double star_volume(const mesh::Surface& s, int v, const Vec3& d) {
   const mesh::VertexStar& star = s.star(v);
   const int* ring = s.ring(star);

@@ -7,8 +7,8 @@
 namespace tdbd::rock {
 namespace {
 
-/// Slack for rounding at a facet's rim and at the strip's sides: finding a crossing twice is
-/// harmless, losing one between two facets is not.
+/// Slack for rounding at a facet's rim and at the strip's sides. A crossing that is found twice
+/// does no harm; a crossing lost between two facets would.
 constexpr double rim_slack = 1e-11;
 
 struct Roots {
@@ -16,7 +16,7 @@ struct Roots {
   int count = 0;
 };
 
-/// Of a x^2 + b x + c, without cancellation.
+/// Roots of a x^2 + b x + c, computed without cancellation.
 Roots quadratic_roots(double a, double b, double c) {
   const double discriminant = b * b - 4.0 * a * c;
   if (discriminant < 0.0) return {};

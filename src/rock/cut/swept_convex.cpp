@@ -6,10 +6,10 @@
 namespace tdbd::rock {
 namespace {
 
-/// The search for the highest exit. Exits through one plane only grow with tau or only fall, so
-/// that the least of them, the way out, has one top. `in` is on the solid, before the top as seen
-/// along `side`; `out` is beyond it, or misses the solid: because it enters plane `entered` too
-/// late, or because it leaves before t = 0.
+/// State of the search for the largest exit. The exit through one plane is a monotonic function of
+/// tau, so the smallest of them, the way out, has one maximum ("top"). `in` is a place on the
+/// solid, before the top as seen along `side`. `out` is beyond the top or misses the solid: because
+/// the ray enters plane `entered` too late, or because it leaves before t = 0.
 struct Search {
   Crossing in, out;
   double side;
@@ -17,7 +17,7 @@ struct Search {
 };
 constexpr std::size_t no_plane = std::numeric_limits<std::size_t>::max();
 
-/// How far x is outside plane i.
+/// Distance of x outside plane i.
 double distance_beyond(const PlaneStrip& w, std::size_t i, const Crossing& x) {
   return w.along[i] * x.tau + (w.up[i] + w.twist[i] * x.tau) * x.t - w.rest[i];
 }
@@ -25,15 +25,16 @@ double distance_beyond(const PlaneStrip& w, std::size_t i, const Crossing& x) {
 /// Whether rays between `in` and `out` may miss the solid.
 bool may_miss(const Search& s) { return s.entered != no_plane || s.out.t < 0.0; }
 
-/// How far tau is from `in` towards `out`; infinite if it is not between them.
+/// Distance of tau from `in` towards `out`; infinite if tau is not between them.
 double way_to(const Search& s, double tau) {
   const double way = s.side * (tau - s.in.tau);
   return way >= 0.0 && s.side * (s.out.tau - tau) >= 0.0 ? way
                                                          : std::numeric_limits<double>::infinity();
 }
 
-/// Where planes k and l meet between `in` and `out`: the root of a quadratic, nearly a line, whose
-/// numbers depend on the planes alone. If they do not, rounding hides it: at the end nearer to it.
+/// Returns the tau at which planes k and l meet between `in` and `out`: the root of a nearly linear
+/// quadratic whose coefficients depend on the planes alone. If rounding hides the root, returns the
+/// end of the interval that is nearer to it.
 double meeting(const PlaneStrip& w, std::size_t k, std::size_t l, const Search& s) {
   const double square = w.along[l] * w.twist[k] - w.along[k] * w.twist[l];
   const double slope =
@@ -47,7 +48,7 @@ double meeting(const PlaneStrip& w, std::size_t k, std::size_t l, const Search& 
   return std::clamp(tau, std::min(s.in.tau, s.out.tau), std::max(s.in.tau, s.out.tau));
 }
 
-/// How the exit through this plane grows with tau: its sign, not its size.
+/// Growth with tau of the exit through this plane; only the sign is meaningful.
 double rise(const PlaneStrip& w, const Crossing& x) {
   return -(w.along[x.plane] + x.t * w.twist[x.plane]);
 }
@@ -60,7 +61,8 @@ std::size_t entered_too_late(const PlaneStrip& w, const Crossing& x) {
   return last.t <= x.t + entry_tolerance ? no_plane : last.plane;
 }
 
-/// Of the planes other than `known`, the one that x is farthest beyond; no_plane if there is none.
+/// The plane other than `known` that x lies farthest outside of; no_plane if x is outside no other
+/// plane.
 std::size_t farthest_beyond(const PlaneStrip& w, const Crossing& x, std::size_t known) {
   double most = corner_tolerance;
   std::size_t farthest = no_plane;
@@ -73,11 +75,12 @@ std::size_t farthest_beyond(const PlaneStrip& w, const Crossing& x, std::size_t 
   return farthest;
 }
 
-/// Why to look at a tau: the ways out of `in` and `out` meet there, or the solid ends there, where
-/// the way out of `out` meets plane `entered`; or to halve the way.
+/// Why a tau is examined. `top`: the ways out of `in` and `out` meet there. `end`: the solid ends
+/// there, where the way out of `out` meets plane `entered`. `middle`: bisection.
 enum class Look { top, end, middle };
 
-/// Whether the planes of the look do meet at x. They also may where a third one is left before.
+/// Whether the two planes of the look meet at x. They may also meet where the ray has left a third
+/// plane before.
 bool is_corner(const PlaneStrip& w, const Search& s, Look look, const Crossing& x) {
   if (look == Look::middle) return false;
   const std::size_t other = look == Look::end ? s.entered : s.in.plane;
@@ -85,8 +88,8 @@ bool is_corner(const PlaneStrip& w, const Search& s, Look look, const Crossing& 
          std::abs(distance_beyond(w, other, x)) <= corner_tolerance;
 }
 
-/// The nearest tau to `in` of those where two planes of the search meet: the top is not beyond any
-/// that is a corner.
+/// The tau nearest to `in` at which two planes of the search meet. The top is not beyond any of
+/// these that is a corner.
 double next_tau(const PlaneStrip& w, const Search& s, Look& look) {
   const bool has_end = s.entered != no_plane;
   look = has_end ? Look::end : Look::top;
@@ -98,12 +101,12 @@ double next_tau(const PlaneStrip& w, const Search& s, Look& look) {
   return top;
 }
 
-/// Takes the exit at a new tau into the search. Returns whether it is the top.
+/// Updates the search with the exit at a new tau. Returns whether it is the top.
 bool narrow(const PlaneStrip& w, const Crossing& x, Look look, Search& s) {
   const bool same_plane = x.plane == s.out.plane, corner = is_corner(w, s, look, x);
   std::size_t too_late = may_miss(s) ? entered_too_late(w, x) : no_plane;
   if (too_late != no_plane) {
-    if (corner && same_plane && too_late == s.entered) {  // the end, but for rounding
+    if (corner && same_plane && too_late == s.entered) {  // the end of the solid, up to rounding
       too_late = farthest_beyond(w, x, s.entered);
       if (too_late == no_plane) return true;
     }
@@ -126,7 +129,7 @@ bool narrow(const PlaneStrip& w, const Crossing& x, Look look, Search& s) {
 
 Crossing highest(const PlaneStrip& w, Search& s, double t_max) {
   if (!may_miss(s) && s.side * rise(w, s.out) >= 0.0) return s.out;
-  constexpr int most_looks = 64;  // each shows a new plane, usually one or two do
+  constexpr int most_looks = 64;  // each look finds a new plane; usually one or two are enough
   for (int k = 0; k < most_looks; ++k) {
     Look look{};
     double tau = next_tau(w, s, look);

@@ -14,7 +14,7 @@ mesh::Box box_of(const RelativePath& p) {
   return box;
 }
 
-/// 0, the places in (0, 1) where the path crosses facets, and 1, sorted.
+/// Sorted: 0, the tau in (0, 1) at which the path crosses facets, and 1.
 void find_crossings(const mesh::TriangleTree& solid, const RelativePath& p,
                     std::vector<double>& taus) {
   const mesh::Box reach = box_of(p);
@@ -22,7 +22,7 @@ void find_crossings(const mesh::TriangleTree& solid, const RelativePath& p,
   taus.assign({0.0, 1.0});
   solid.visit([&](const mesh::Box& box) { return box.overlaps(reach); },
               [&](const mesh::Facet& f) {
-                constexpr double rim = 1e-11;  // finding a crossing twice is harmless
+                constexpr double rim = 1e-11;  // a crossing that is found twice does no harm
                 const auto hit = mesh::meet(f, p.q0_P, d);
                 if (hit && hit->margin >= -rim && hit->s > 0.0 && hit->s < 1.0)
                   taus.push_back(hit->s);
@@ -51,7 +51,7 @@ void find_levels(const mesh::TriangleTree& solid, const Strip& strip, double sam
   sort(w.intervals);
 }
 
-/// Joins sorted levels from t = 0 on. `closed`: a gap was found after them.
+/// End of the connected set of sorted levels from t = 0 on. `closed`: a gap follows.
 struct LevelsEnd {
   double t = 0.0;
   bool closed = false;
@@ -72,15 +72,15 @@ LevelsEnd end_of_levels(const mesh::TriangleTree& solid, const Strip& strip, dou
   return end;
 }
 
-/// The ray of the middle, tau = 1/2.
+/// The ray at tau = 1/2.
 struct Ray {
   Vec3 x, u;
 };
 
 Ray middle_ray(const RelativePath& p) { return {0.5 * (p.q0_P + p.q1_P), 0.5 * (p.u0_P + p.u1_P)}; }
 
-/// Where the ray leaves the solid: by a walk from the last place, else at the first facet by the
-/// tree. 0: nowhere.
+/// Where the ray leaves the solid: found by a walk from the last exit, otherwise by the tree. 0:
+/// nowhere.
 double way_out(const mesh::TriangleTree& solid, const FacetNeighbours& across, const Ray& ray,
                WalkMemory& memory) {
   if (memory.of != &solid) {
@@ -102,7 +102,8 @@ double way_out(const mesh::TriangleTree& solid, const FacetNeighbours& across, c
   return first->t;
 }
 
-/// The first and last facets that the ray meets; nothing if it passes too near a rim to be sure.
+/// The first and last facets that the ray meets. Nothing if the ray passes too close to a rim to be
+/// sure.
 struct Ends {
   double first = 0.0, last = 0.0;
   bool first_leaves = false, last_leaves = false;
@@ -142,8 +143,8 @@ bool crosses_any(const std::vector<const mesh::Facet*>& facets, const RelativePa
   });
 }
 
-/// The answer of exit_distance from the facets near the strip below `most` alone; nothing if they
-/// do not decide it.
+/// The result of exit_distance from the facets near the strip below `most` alone. Nothing if these
+/// facets do not determine it.
 struct Answer {
   std::optional<double> exit;
 };

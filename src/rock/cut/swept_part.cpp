@@ -24,7 +24,7 @@ std::optional<double> exit_distance(const CuttingPart& part, const RelativePath&
 void prepare_exits(const CuttingPart& part, const PathBoxes& boxes, SweptScratch& scratch) {
   if (part.tree_P) return;
   if (scratch.near.size() <= part.slot) scratch.near.resize(part.slot + 1);
-  constexpr double usual_exit = 0.1;  // of the part's size; farther exits use the whole part
+  constexpr double usual_exit = 0.1;  // times the part's size; farther exits use all planes
   update_near_planes(part.solid_P, part.checksum, boxes, part.depth,
                      usual_exit * part.depth / tolerance::swept, scratch.near[part.slot]);
 }

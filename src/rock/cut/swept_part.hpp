@@ -9,7 +9,7 @@
 
 namespace tdbd::rock {
 
-/// Buffers of queries of either kind.
+/// Buffers of queries for convex parts and meshes.
 struct SweptScratch {
   MeshScratch mesh;
   std::vector<NearPlanes> near;  ///< per CuttingPart::slot, kept from step to step
@@ -20,13 +20,13 @@ bool is_swept(const CuttingPart& part, const RelativePath& path, SweptScratch& s
 std::optional<double> exit_distance(const CuttingPart& part, const RelativePath& path,
                                     SweptScratch& scratch);
 
-/// Prepares the exits of all paths in these boxes from one part. Afterwards prepared_exit_distance gives the
-/// same as exit_distance, to the bit, faster.
+/// Prepares a part for exits of all paths in these boxes. Afterwards prepared_exit_distance gives
+/// bitwise the same result as exit_distance, but faster.
 void prepare_exits(const CuttingPart& part, const PathBoxes& boxes, SweptScratch& scratch);
 std::optional<double> prepared_exit_distance(const CuttingPart& part, const RelativePath& path,
                                              SweptScratch& scratch);
 
-/// The same with the place of the exit and its plane of part.solid_P. For convex parts.
+/// Returns the same exit with its place and its plane of part.solid_P. Only for convex parts.
 std::optional<Crossing> prepared_exit(const CuttingPart& part, const RelativePath& path,
                                       const SweptScratch& scratch);
 

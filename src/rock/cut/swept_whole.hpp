@@ -6,19 +6,19 @@
 
 namespace tdbd::rock {
 
-/// How far a vertex goes, and through the surface of which part of its group it leaves.
+/// How far a vertex moves, and through the surface of which part of its group it leaves.
 struct WholeExit {
   std::size_t part;  ///< index into CuttingGroup::parts
-  double t;          ///< > 0
+  double t;          ///< m, > 0
 };
 
-/// What a crossing of the whole's solid says, with the planes numbered as there; nothing if the vertex
-/// stays.
+/// Converts a crossing of the whole's solid, with its planes numbered as there. Returns nothing if
+/// the vertex does not move.
 std::optional<WholeExit> whole_exit(const CuttingWhole& whole, const RelativePath& path,
                                     const Crossing& x);
 
-/// The exit of one of the paths for which prepare_exits was called with whole.solid, if the whole
-/// sweeps it.
+/// Returns the exit of a path for which prepare_exits was called with whole.solid. Nothing if the
+/// whole does not sweep it.
 std::optional<WholeExit> prepared_whole_exit(const CuttingWhole& whole, const RelativePath& path,
                                              const SweptScratch& scratch);
 

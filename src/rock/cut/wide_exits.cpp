@@ -21,12 +21,12 @@ TDBD_INLINE void select(const WideMask& which, const WideCrossing& from, WideCro
   select(which, from.line, to.line);
 }
 
-/// How the exit through the crossing's plane grows with tau; see rise in swept_convex.cpp.
+/// Growth with tau of the exit through the crossing's plane; see rise in swept_convex.cpp.
 TDBD_INLINE void rise(const WideCrossing& x, Wide& growth) {
   growth = -(x.line.along + x.t * x.line.twist);
 }
 
-/// How far x is outside a plane.
+/// Distance of x outside a plane.
 TDBD_INLINE void distance_beyond(const WideLine& a, const WideCrossing& x, Wide& beyond) {
   beyond = a.along * x.tau + (a.up + a.twist * x.tau) * x.t - a.rest;
 }
@@ -38,15 +38,15 @@ TDBD_INLINE void touches(const WideLine& a, const WideCrossing& x, WideMask& on)
   on = (beyond < 0.0 ? -beyond : beyond) <= corner_tolerance;
 }
 
-/// State of the search; see Search in swept_convex.cpp. Lanes that are `found` have their top in `in`.
+/// State of the search; see Search in swept_convex.cpp. In `found` lanes, `in` is the top.
 struct WideSearch {
   WideCrossing in, out;
   Wide side;
-  WideMask has_entered;  ///< `out` enters this plane too late
+  WideMask has_entered;  ///< the ray of `out` enters this plane too late
   WideMask entered_row;
   WideLine entered;
   WideMask active, found;
-  Wide t_lo, t_hi;  ///< of all looks
+  Wide t_lo, t_hi;  ///< range of t over all looks
 };
 
 TDBD_INLINE void distance_from_in(const WideSearch& s, const Wide& tau, Wide& distance) {
@@ -81,7 +81,7 @@ TDBD_INLINE void is_end(const Sectors& sectors, const WideMask& row, WideMask& e
                  sectors[2]->ends >> row[2] & 1, sectors[3]->ends >> row[3] & 1} != 0;
 }
 
-/// Whether the place is in the core.
+/// Whether the crossing is in the core.
 TDBD_INLINE void is_in_core(const PlaneSectors& all, const WidePaths& p, const WideCrossing& at,
                             WideMask& inside) {
   const Wide &tau = at.tau, &t = at.t;
@@ -92,9 +92,9 @@ TDBD_INLINE void is_in_core(const PlaneSectors& all, const WidePaths& p, const W
            (y * y + z * z <= all.core_radius * std::abs(all.core_radius));
 }
 
-/// Gives up the lanes in which the place x, where a ray leaves, is none for which a sector is enough, and
-/// notes the t of those for which it is in the wedge. Rays that leave long before t = 0 do so in the
-/// core.
+/// Deactivates the lanes in which the planes of the sector are not sufficient at x, where a ray
+/// leaves. Extends the range of t of lanes whose x must be in the wedge. Rays that leave long
+/// before t = 0 do so in the core.
 TDBD_INLINE void check_look(const PlaneSectors& all, const Sectors& sectors, const WidePaths& p,
                             const WideStrip& w, const WideCrossing& x, const WideEntry& entry,
                             WideSearch& s) {
@@ -125,13 +125,13 @@ TDBD_INLINE void finish(const WideMask& which, const WideCrossing& x, WideSearch
   s.active &= ~which;
 }
 
-/// The reason of a look; see Look in swept_convex.cpp.
+/// The next tau and the reason for it; see Look in swept_convex.cpp.
 struct WideLook {
   Wide tau;
   WideMask is_end, is_middle;
 };
 
-/// Whether the planes of the look meet at x.
+/// Whether the two planes of the look meet at x.
 TDBD_INLINE void is_corner(const WideSearch& s, const WideMask& is_end, const WideCrossing& x,
                            WideMask& corner) {
   WideLine other = s.in.line;
@@ -142,7 +142,7 @@ TDBD_INLINE void is_corner(const WideSearch& s, const WideMask& is_end, const Wi
   corner &= on_other;
 }
 
-/// See next_tau and highest in swept_convex.cpp. Ends the lanes whose `in` is the top.
+/// See next_tau and highest in swept_convex.cpp. Finishes the lanes whose `in` is the top.
 TDBD_INLINE void choose_look(WideSearch& s, WideLook& look) {
   Wide top, end = s.out.tau, out_growth;
   meeting(s, s.in.line, s.out.line, top);
@@ -195,7 +195,8 @@ TDBD_INLINE void narrow(const WideStrip& w, const WideLook& look, const WideCros
   select(is_late, entered, s.entered);
 }
 
-/// From the first look on, at one end of the interval or in its middle; see find_exit.
+/// The search from the first look on, which is at one end of the interval or in its middle; see
+/// find_exit.
 TDBD_INLINE void search(const PlaneSectors& all, const Sectors& sectors, const WidePaths& p,
                         const WideStrip& w, const WideMask& from_start, const WideMask& to_end,
                         WideSearch& s) {
@@ -226,7 +227,7 @@ TDBD_INLINE void search(const PlaneSectors& all, const Sectors& sectors, const W
   }
 }
 
-/// Whether q0 + t u0 and q1 + t u1 are in the wedges, and the part of the strip between them with
+/// Whether q0 + t u0 and q1 + t u1 are in the wedges, and therefore the part of the strip between
 /// them.
 TDBD_INLINE void check_wedge(const Sectors& sectors, const WidePaths& p, const Wide& t,
                              WideMask& inside) {
@@ -246,7 +247,7 @@ TDBD_INLINE void squared_norm(const WideVec3& x, Wide& square) {
   square = x.x * x.x + x.y * x.y + x.z * x.z;
 }
 
-/// Whether the strips are in the wedges and near the solid, for t between these.
+/// Whether the strips are in the wedges and near the solid for t between t_lo and t_hi.
 TDBD_INLINE void check_strip(const PlaneSectors& all, const Sectors& sectors, const WidePaths& p,
                              const Wide& t_lo, const Wide& t_hi, WideMask& inside) {
   Wide square0, square1;

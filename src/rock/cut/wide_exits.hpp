@@ -9,23 +9,23 @@
 
 namespace tdbd::rock {
 
-/// The exits of four vertices from a solid. Bit l stands for vertex l.
+/// The exits of four vertices from a solid. Bit l refers to vertex l.
 struct WideExits {
   unsigned missed = 0;  ///< not swept
-  unsigned found = 0;   ///< left at these tau, t, and row of their sector; the others are not known
+  unsigned found = 0;   ///< exits at these tau, t and row of the sector; the others are undecided
   std::array<double, lanes> tau, t, row;
   std::array<const PlaneSector*, lanes> sector;
 };
 
-/// find_exit (swept_convex.hpp) for four vertices at once, each with the planes of its own sector: the
-/// same formulas in the same order. What is missed or found is bitwise what find_exit gives with all
-/// planes, because each place at which the search looks is one for which the planes of the sector are
-/// enough (plane_sectors.hpp). A vertex whose search looks elsewhere is neither missed nor found.
-/// `depth`: as in find_exit.
+/// find_exit (swept_convex.hpp) for four vertices at once, each with the planes of its own sector,
+/// with the same formulas in the same order. Missed and found vertices have bitwise the result of
+/// find_exit with all planes, because the planes of the sector are sufficient at every place that
+/// the search examines (plane_sectors.hpp). A vertex whose search examines any other place is in
+/// neither mask. `depth`: as in find_exit.
 void find_exits(const PlaneSectors& sectors, const WidePaths& paths, double depth,
                 WideExits& exits);
 
-/// The exit of vertex l, which was found, with the plane's number in the solid.
+/// The exit of a found vertex l, with the plane's index in the solid.
 inline Crossing crossing_of(const WideExits& exits, std::size_t l) {
   return {exits.tau[l], exits.t[l], exits.sector[l]->plane[static_cast<std::size_t>(exits.row[l])]};
 }

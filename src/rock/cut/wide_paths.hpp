@@ -9,14 +9,14 @@
 
 namespace tdbd::rock {
 
-/// Vectors of four vertices, one in each lane. For loops that are TDBD_WIDE; all is inlined.
+/// Vectors of four vertices, one per lane. For loops that are TDBD_WIDE; all functions are inlined.
 struct WideVec3 {
   Wide x, y, z;
 };
 
 TDBD_INLINE Vec3 lane_of(const WideVec3& x, std::size_t l) { return {x.x[l], x.y[l], x.z[l]}; }
 
-/// Sums in the order of Eigen's products, so that each lane is bitwise what `R * x` is.
+/// The sums have the order of Eigen's products, so each lane is bitwise equal to `R * x`.
 TDBD_INLINE void rotate(const Mat3& R, const WideVec3& x, WideVec3& y) {
   y.x = R(0, 0) * x.x + (R(0, 1) * x.y + R(0, 2) * x.z);
   y.y = R(1, 0) * x.x + (R(1, 1) * x.y + R(1, 2) * x.z);
@@ -30,7 +30,8 @@ TDBD_INLINE void transform(const Pose& X, const WideVec3& x, WideVec3& y) {
   y.z += X.p.z();
 }
 
-/// a becomes the first number of each of the four, b the second, and so on.
+/// Transposes a 4 x 4 matrix: a becomes the first element of each of the four, b the second, and so
+/// on.
 TDBD_INLINE void transpose(Wide& a, Wide& b, Wide& c, Wide& d) {
   const Wide ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6),
              ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7),
@@ -48,15 +49,15 @@ TDBD_INLINE void square_root(const Wide& x, Wide& root) {
       Wide{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]), __builtin_sqrt(x[3])};
 }
 
-/// Paths of four vertices past a group, as RelativePath has them, and their update directions.
+/// Paths of four vertices relative to a group (RelativePath), and their update directions.
 struct WidePaths {
   WideVec3 q0, q1;  ///< m, in P
   WideVec3 u0, u1;  ///< in P
   WideVec3 u_W;
 };
 
-/// mapped_direction_W and relative_path for four vertices at these places (m), bitwise the same. For
-/// groups without a core.
+/// mapped_direction_W and relative_path for four vertices at these places (m), bitwise the same.
+/// Only for groups without a core.
 void find_paths(const CuttingGroup& g, const GroupMotion& m,
                 const std::array<const Vec3*, lanes>& x_W, WidePaths& paths);
 

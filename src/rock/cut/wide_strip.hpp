@@ -6,18 +6,18 @@
 #include "rock/cut/swept_convex.hpp"
 #include "rock/cut/wide_paths.hpp"
 
-/// PlaneStrip (plane_strip.hpp) for four vertices, each with the planes of its own sector; the same
-/// formulas in the same order.
+/// PlaneStrip (plane_strip.hpp) for four vertices, each with the planes of its own sector. The
+/// formulas and their order are the same.
 namespace tdbd::rock {
 
 using Sectors = std::array<const PlaneSector*, lanes>;
 
-/// A plane on the strip, rock (4), for each vertex.
+/// One plane relative to the strip, rock (4), per vertex.
 struct WideLine {
   Wide rest, along, up, twist;
 };
 
-/// The strips of four vertices: row i has plane i of each vertex's sector.
+/// The strips of four vertices. Row i contains plane i of each vertex's sector.
 struct WideStrip {
   std::array<WideLine, PlaneSectors::most_rows> line;
   std::size_t rows;
@@ -30,7 +30,7 @@ struct WideCrossing {
   WideLine line;
 };
 
-/// The last entries of rays: two of them, and the row of the last.
+/// The last two entries of rays, and the row of the last.
 struct WideEntry {
   Wide last, second;
   WideMask row;
@@ -47,8 +47,8 @@ TDBD_INLINE void fetch_line(const WideStrip& w, const WideMask& row, WideLine& l
   line.twist = Wide{a.twist[0], b.twist[1], c.twist[2], d.twist[3]};
 }
 
-/// The intervals of tau in which the paths are deeper than `depth`, and their lines; see
-/// put_path_on_strip.
+/// Computes the intervals of tau in which the paths are deeper than `depth`, and the rows of the
+/// strip; see put_path_on_strip.
 TDBD_INLINE void put_on_strip(const Sectors& sectors, const WidePaths& p, double depth,
                               WideStrip& w, Wide& first, Wide& last) {
   const WideVec3 &q = p.q0, &u = p.u0;
@@ -70,7 +70,7 @@ TDBD_INLINE void put_on_strip(const Sectors& sectors, const WidePaths& p, double
   }
 }
 
-/// See leave_at. t is infinite where no plane is left.
+/// See leave_at. t is infinite if the ray leaves no plane.
 TDBD_INLINE void leave(const WideStrip& w, const Wide& tau, WideCrossing& x) {
   x.tau = tau;
   x.t = Wide{} + unbounded;
@@ -92,7 +92,7 @@ TDBD_INLINE void leave_and_enter(const WideStrip& w, const Wide& tau, WideCrossi
                                  WideEntry& in) {
   x.tau = tau;
   x.t = Wide{} + unbounded;
-  Wide least = x.t, second = x.t;  // of minus the entries
+  Wide least = x.t, second = x.t;  // negated entries
   WideMask row{};
   x.row = in.row = row;
   for (std::size_t i = 0; i < w.rows; ++i, row += 1) {

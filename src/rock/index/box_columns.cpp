@@ -13,7 +13,7 @@ Single rounded(double x) {
   return static_cast<Single>(std::clamp(x, -most, most));
 }
 
-/// Ten times as much as the rounding of both sides of a comparison.
+/// Ten times the rounding of both sides of a comparison.
 double outwards(double x) { return 1e-6 * std::abs(x); }
 
 TDBD_WIDE std::uint64_t overlap_of_some(const BoxColumns& columns, std::size_t first,

@@ -11,22 +11,22 @@
 
 namespace tdbd::rock {
 
-/// Boxes side by side in single precision, somewhat too large, so that eight at once can be tested for
-/// overlap with another box.
+/// Slightly enlarged boxes in single precision, stored as columns, so that eight at a time can be
+/// tested for overlap with another box.
 struct BoxColumns {
   std::array<std::vector<Single>, 6> side;  ///< m: lo x, y, z, hi x, y, z; padded with empty boxes
   std::size_t boxes = 0;
 };
 
-/// Makes room for this many boxes, all of them empty.
+/// Resizes to this many boxes, all empty.
 void resize(BoxColumns& columns, std::size_t boxes);
 
 void set_box(BoxColumns& columns, std::size_t i, const mesh::Box& box);
 
-/// Bit l: whether box first + l of 64 may overlap b.
+/// Bit mask: bit l is set if box first + l of 64 may overlap b.
 std::uint64_t may_overlap(const BoxColumns& columns, std::size_t first, const mesh::Box& b);
 
-/// Calls visit(i), in order, for each box i that may overlap b: for all that do, and for few others.
+/// Calls visit(i), in ascending order, for each box i that overlaps b and for few others.
 template <class Visit>
 void visit_overlapping(const BoxColumns& columns, const mesh::Box& b, Visit&& visit) {
   for (std::size_t first = 0; first < columns.boxes; first += 64)

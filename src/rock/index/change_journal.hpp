@@ -9,41 +9,40 @@
 
 namespace tdbd::rock {
 
-/// A coordinate of a place that does not exist: no comparison with it holds.
+/// Coordinate of a removed vertex. No comparison with it is true.
 inline constexpr Single nowhere = std::numeric_limits<Single>::quiet_NaN();
 
-/// What happened to vertices, in its order: where they came to, nowhere if they were removed.
-/// Columns padded to whole packs.
+/// Changes of vertices in chronological order: the new place, or `nowhere` if the vertex was
+/// removed. The columns are padded to whole packs of eight.
 struct VertexChanges {
   std::vector<Single> x, y, z;  ///< m
   std::vector<int> v;
 };
 
-/// Vertex v was inserted at x_W or moved there.
+/// Records that vertex v was inserted at x_W or moved there.
 void note_place(VertexChanges& changes, int v, const Vec3& x_W);
 
 void note_removal(VertexChanges& changes, int v);
 
 void clear(VertexChanges& changes);
 
-/// The last changes of an index, so that a list of some of its vertices need not be made anew after
-/// each: those with the numbers from `first` on. Bounded: a list that is older than the journal is
-/// made anew.
+/// The latest changes of an index, so that a list of some of its vertices can be updated. Its
+/// length is bounded. A list that is older than the first recorded change is rebuilt.
 struct ChangeJournal {
-  /// A longer journal costs a list more than being made anew.
+  /// Rebuilding a list is faster than applying a longer journal.
   static constexpr std::size_t most = 1024;
 
   VertexChanges changes;
-  long first = 0;  ///< number of the first change that is held; those before are forgotten
+  long first = 0;  ///< number of the first recorded change; earlier ones were discarded
 
-  /// The number of the next change: how many there have been.
+  /// The number of the next change: the number of changes so far.
   long end() const { return first + static_cast<long>(changes.v.size()); }
 };
 
-/// Counts changes of which nothing is noted, and forgets what came before.
+/// Counts `changes` changes without recording them, and discards the recorded ones.
 void pass_over(ChangeJournal& journal, long changes);
 
-/// Makes room for one more change: forgets all of them if there are too many.
+/// Makes room for one more change. Discards all of them if there are too many.
 void keep_bounded(ChangeJournal& journal);
 
 }  // namespace tdbd::rock

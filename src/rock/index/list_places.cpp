@@ -7,7 +7,7 @@
 namespace tdbd::rock {
 namespace {
 
-constexpr Single ball_rounding = 1.001F;  // of a radius
+constexpr Single ball_rounding = 1.001F;  // factor on a radius, against rounding
 
 void write(NearList& list, std::size_t i, const Vec3& x_W) {
   list.x[i] = static_cast<Single>(x_W.x() - list.origin_W.x());
@@ -15,7 +15,7 @@ void write(NearList& list, std::size_t i, const Vec3& x_W) {
   list.z[i] = static_cast<Single>(x_W.z() - list.origin_W.z());
 }
 
-/// The least and the greatest of eight, in each of them.
+/// Minimum and maximum of eight values, in every lane.
 inline void spread_extremes(WideSingle& lo, WideSingle& hi) {
   const auto take = [&](const WideSingle& a, const WideSingle& b) {
     lo = a < lo ? a : lo;
@@ -29,7 +29,7 @@ inline void spread_extremes(WideSingle& lo, WideSingle& hi) {
        __builtin_shufflevector(hi, hi, 1, 0, 3, 2, 5, 4, 7, 6));
 }
 
-/// Turns a column into its distances from the middle of its extremes.
+/// Replaces a column by its offsets from the middle of its range.
 inline void put_about_middle(WideSingle& x, Single& middle) {
   WideSingle lo = x, hi = x;
   spread_extremes(lo, hi);
@@ -38,7 +38,7 @@ inline void put_about_middle(WideSingle& x, Single& middle) {
   x -= m;
 }
 
-/// The balls of whole packs.
+/// Computes the balls of whole packs.
 TDBD_WIDE void make_balls(const NearList& list, std::size_t packs, Balls& b) {
   for (std::size_t pack = 0; pack < packs; ++pack) {
     WideSingle x, y, z;
@@ -54,7 +54,7 @@ TDBD_WIDE void make_balls(const NearList& list, std::size_t packs, Balls& b) {
   }
 }
 
-/// Of a place from the middle of its pack's ball, m2.
+/// Squared distance of a place from the centre of its pack's ball, m2.
 Single squared_distance(const NearList& list, std::size_t i) {
   const std::size_t pack = i / single_lanes;
   const Balls& b = list.balls;
@@ -62,14 +62,14 @@ Single squared_distance(const NearList& list, std::size_t i) {
   return dx * dx + dy * dy + dz * dz;
 }
 
-/// Widens the ball of the place's pack until it holds the place.
+/// Widens the ball of the place's pack until it contains the place.
 void widen_ball(NearList& list, std::size_t i) {
   Single& radius = list.balls.radius[i / single_lanes];
   const Single distance2 = squared_distance(list, i);
   if (distance2 > radius * radius) radius = std::max(radius, ball_rounding * std::sqrt(distance2));
 }
 
-/// Makes room for one more pack and its ball.
+/// Adds one pack and its ball.
 void add_pack(NearList& list) {
   const std::size_t begin = list.x.size(), pack = begin / single_lanes;
   for (auto* column : {&list.x, &list.y, &list.z}) column->resize(begin + single_lanes, nowhere);
@@ -79,7 +79,7 @@ void add_pack(NearList& list) {
       column->resize(pack + single_lanes, nowhere);
 }
 
-/// Where the search of vertex v in a table begins.
+/// The slot at which the search for vertex v begins.
 std::size_t first_slot(const std::vector<int>& slots, int v) {
   const auto spread = 0x9E3779B97F4A7C15U * static_cast<std::uint64_t>(v);
   return spread >> (64 - std::countr_zero(slots.size()));
@@ -92,7 +92,7 @@ void enter(NearList& list, std::size_t i) {
   slots[s] = static_cast<int>(i);
 }
 
-/// A table with room for as many vertices again.
+/// Fills a table with room for twice as many vertices.
 void fill_table(NearList& list) {
   constexpr std::size_t least = 16;
   list.slots.assign(std::bit_ceil(std::max(least, 4 * list.v.size())), -1);
@@ -119,7 +119,7 @@ void close(NearList& list, std::size_t places) {
     column->resize(packs * single_lanes);
     if (places > 0)
       std::fill(column->begin() + static_cast<std::ptrdiff_t>(places), column->end(),
-                (*column)[places - 1]);  // for the last ball
+                (*column)[places - 1]);  // a valid place, so that the last ball is finite
   }
   make_balls(list, packs, b);
   for (auto* column : {&list.x, &list.y, &list.z})

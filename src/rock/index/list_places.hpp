@@ -4,24 +4,25 @@
 
 namespace tdbd::rock {
 
-/// Makes room for this many places and a pack more; what is there may be overwritten.
+/// Makes room for this many places and one pack more. Does not preserve the contents.
 void make_room(NearList& list, std::size_t places);
 
-/// Ends the writing of the first `places` places: pads them to whole packs, makes the balls about the
-/// middles of the packs' boxes, forgets the table of places.
+/// Completes a list after its first `places` places were written: pads them to whole packs,
+/// computes the balls around the packs, and discards the table of places.
 void close(NearList& list, std::size_t places);
 
-/// A number that is no place.
+/// Returned by place_of if a vertex is not in the list.
 inline constexpr std::size_t no_place = ~std::size_t{0};
 
-/// The place of vertex v, no_place if it is not in the list. The first question after the list was
-/// made fills its table: open, of two places or more for each vertex, probed in line.
+/// Returns the place of vertex v, or no_place if it is not in the list. The first call after the
+/// list was made fills its hash table (open addressing, linear probing, at least two slots per
+/// vertex).
 std::size_t place_of(NearList& list, int v);
 
-/// Appends a vertex that is not in the list.
+/// Appends a vertex that is not yet in the list.
 void append(NearList& list, int v, const Vec3& x_W);
 
-/// Takes the vertex at a place out of the list.
+/// Removes the vertex at a place from the list.
 void take_out(NearList& list, std::size_t i);
 
 }  // namespace tdbd::rock

@@ -25,7 +25,7 @@ inline unsigned balls_between(const Balls& balls, std::size_t i, const SingleSla
   return bits_of(in);
 }
 
-/// Bit l: whether place l of eight in three columns lies between all slabs.
+/// Bit l: whether place l of eight lies between all slabs.
 inline unsigned places_between(const Single* x, const Single* y, const Single* z,
                                const SingleSlabs& s) {
   WidePoints p;
@@ -37,7 +37,7 @@ inline unsigned places_between(const Single* x, const Single* y, const Single* z
   return bits_of(in);
 }
 
-/// A block of the index, its columns read as eight: what follows a column's seven has no meaning.
+/// A block of the index with its columns read as eight entries; the eighth entry is meaningless.
 struct WideBlock {
   WidePoints points;
   WideFlags v;
@@ -48,8 +48,8 @@ inline void load(const VertexGrid::Block& block, WideBlock& wide) {
   TDBD_LOAD(wide.v, reinterpret_cast<const char*>(&block) + offsetof(VertexGrid::Block, v));
 }
 
-/// Writes the flagged ones of eight vertices from place i on, and whatever up to eight there.
-/// Returns the place after them.
+/// Writes the flagged ones of eight vertices from place i on. Overwrites up to eight places.
+/// Returns the place after the last one.
 inline std::size_t write_some(const WideBlock& b, unsigned in, std::size_t i, NearList& list) {
   TDBD_STORE(b.points.x, &list.x[i]);
   TDBD_STORE(b.points.y, &list.y[i]);
@@ -66,7 +66,8 @@ inline std::size_t write_some(const WideBlock& b, unsigned in, std::size_t i, Ne
   return i;
 }
 
-/// Writes what the list's chains of blocks have between the slabs. Returns how many vertices.
+/// Writes the vertices of the list's chains of blocks that lie between the slabs. Returns their
+/// number.
 TDBD_WIDE std::size_t take_chains(const VertexGrid& grid, const SingleSlabs& slabs,
                                   const std::array<Single, 3>& origin_W, NearList& list) {
   std::size_t end = 0;
@@ -100,14 +101,14 @@ void make_anew(const VertexGrid& grid, NearList& list) {
   list.size_when_made = list.v.size();
 }
 
-/// Places of removed vertices are not used again: where rock is edited for long while the group
-/// stays, a list would grow without end.
+/// Places of removed vertices are not reused. Without this limit a list would grow indefinitely if
+/// rock changes for a long time while the group stays.
 bool has_outgrown_itself(const NearList& list) {
   constexpr std::size_t few = 64;
   return list.v.size() > 2 * list.size_when_made + few;
 }
 
-/// Bit l: whether change l of eight from i on put its vertex between all slabs.
+/// Bit l: whether change l of eight from i on placed its vertex between all slabs.
 TDBD_WIDE unsigned changes_between(const VertexChanges& c, std::size_t i, const SingleSlabs& s) {
   return places_between(&c.x[i], &c.y[i], &c.z[i], s);
 }
@@ -123,7 +124,7 @@ void apply_change(const VertexChanges& c, std::size_t i, bool is_between, NearLi
     set_place(list, place, x_W);
 }
 
-/// Does to the list what changes from number i on did.
+/// Applies the changes from number i on to the list.
 void apply(const VertexChanges& c, std::size_t i, NearList& list) {
   if (i >= c.v.size()) return;
   const SingleSlabs slabs =
@@ -136,7 +137,7 @@ void apply(const VertexChanges& c, std::size_t i, NearList& list) {
   }
 }
 
-/// A few vertices on their way to a list, which clears the room that it makes.
+/// Buffers a few vertices before they are appended, because appending them one by one is slow.
 struct Batch {
   static constexpr std::size_t most = 256;
   std::array<int, most> v;

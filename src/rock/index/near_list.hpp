@@ -9,17 +9,17 @@
 
 namespace tdbd::rock {
 
-/// Balls around places, m, in columns padded to whole packs with balls that are nowhere (NaN).
+/// Balls around places, m, as columns padded to whole packs with NaN.
 struct Balls {
   std::vector<Single> x, y, z, radius;
 };
 
-/// Eight balls side by side.
+/// Eight balls, one per lane.
 struct WideBalls {
   WideSingle x, y, z, radius;
 };
 
-/// The balls from i on. For loops that are TDBD_WIDE.
+/// Loads eight balls from i on. For loops that are TDBD_WIDE.
 inline void load(const Balls& balls, std::size_t i, WideBalls& wide) {
   TDBD_LOAD(wide.x, &balls.x[i]);
   TDBD_LOAD(wide.y, &balls.y[i]);
@@ -27,38 +27,39 @@ inline void load(const Balls& balls, std::size_t i, WideBalls& wide) {
   TDBD_LOAD(wide.radius, &balls.radius[i]);
 }
 
-/// Stands in a list for a vertex that is no more; its place is nowhere.
+/// Marks a removed vertex in a list; its place is `nowhere`.
 inline constexpr int no_vertex = -1;
 
-/// The rock vertices of a region side by side in memory, for the steps in which a group of parts
-/// stays there: the index is queried once in several steps, and later searches near the group read
-/// only this short list (a Verlet list of molecular dynamics, ours). What changes meanwhile is told
-/// by the index's journal or by the mover. Places are rounded to single precision: they serve to
-/// reject vertices. A place may be out of date where a vertex has left the region; take the position
-/// of a vertex from the surface. Eight places are a pack, and a ball around each pack tells which
-/// packs to read.
+/// The rock vertices of a region, contiguous in memory, for the steps in which a group of parts
+/// stays there (a Verlet list as in molecular dynamics; not in the thesis). The index is queried
+/// once for several steps; other searches near the group read only this short list. Changes in
+/// between come from the index's journal or from the code that moved the vertices. Places are
+/// rounded to single precision and serve only to reject vertices. The place of a vertex that has
+/// left the region may be out of date; read its position from the surface. Eight places form a
+/// pack. A ball around each pack shows whether the pack must be read.
 struct NearList {
-  Region region_W;  ///< all vertices between its slabs, which are orthogonal, are in the list
-  Vec3 origin_W = Vec3::Zero();  ///< of the places; exact in single precision
-  std::vector<Single> x, y, z;   ///< m; padded to whole packs with places that are nowhere
-  std::vector<int> v;            ///< each vertex once; no_vertex where one was removed
+  Region region_W;               ///< contains all vertices between its slabs, which are orthogonal
+  Vec3 origin_W = Vec3::Zero();  ///< origin of the places; exact in single precision
+  std::vector<Single> x, y, z;   ///< m; padded to whole packs with `nowhere`
+  std::vector<int> v;            ///< each vertex at most once; no_vertex where one was removed
   Balls balls;                   ///< of the packs
-  std::vector<int> slots;        ///< a table of places by vertex (list_places.hpp)
+  std::vector<int> slots;        ///< hash table of places by vertex (list_places.hpp)
   std::vector<int> chains;
-  long changes = -1;      ///< count of the index's changes that the list includes
-  int window = 0;         ///< steps for which the region was made
-  double way_left = 0.0;  ///< m, that the group may still go before the region ends too near ahead
+  long changes = -1;      ///< number of the index's changes that are included
+  int window = 0;         ///< number of steps for which the region was made
+  double way_left = 0.0;  ///< m that the group may move before the region ends too close ahead
   std::size_t size_when_made = 0;
 };
 
-/// Whether the list holds all vertices of the index between the region's slabs, which are
+/// Whether the list contains all vertices of the index between the region's slabs, which are
 /// orthogonal.
 bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W);
 
-/// Makes the list cover the step and brings it up to date from the index's journal. It is made again
-/// from the index, for a region ahead along the screw motion of the step, if the step leaves its
-/// region, if the group has come so far that the region no longer extends `margins.ahead` beyond it,
-/// if the journal does not reach back to it, or if it has grown to twice its size.
+/// Updates the list from the index's journal so that it covers the step. The list is rebuilt from
+/// the index, for a region ahead along the screw motion of the step, if one of these holds: the
+/// step leaves the region; the region no longer extends `margins.ahead` beyond the group; the
+/// journal does not contain all changes since the list was made; the list has grown to twice its
+/// size.
 void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list);
 
@@ -69,15 +70,15 @@ inline bool is_between(const std::array<Slab, 3>& slabs, const Vec3& x_W) {
   });
 }
 
-/// The list's vertex number i has moved to x_W.
+/// Records that the vertex at place i of the list moved to x_W.
 void set_place(NearList& list, std::size_t i, const Vec3& x_W);
 
-/// Vertices, in the list or not, changed. Once all changes are noted, the list's `changes` may be set
-/// to the index's.
+/// Applies changes of vertices, whether or not they are in the list. After all changes have been
+/// applied, the caller may set `changes` of the list to that of the index.
 void note_changes(NearList& list, const VertexChanges& changes);
 
-/// Appends the vertices between the slabs of the region widened by `slack` (m), in the order of
-/// the list.
+/// Appends the vertices between the slabs of the region widened by `slack` (m), in the order of the
+/// list.
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,
                           std::vector<int>& vertices);
 

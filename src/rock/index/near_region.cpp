@@ -8,13 +8,13 @@
 namespace tdbd::rock {
 namespace {
 
-/// Half of how far a box with these axes reaches along n.
+/// Half the extent along n of a box with these axes.
 double spread(const Vec3& n, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& half) {
   return std::abs(n.dot(a)) * half.x() + std::abs(n.dot(b)) * half.y() +
          std::abs(n.dot(c)) * half.z();
 }
 
-/// The same of the box between orthogonal slabs.
+/// Half the extent along n of the box between orthogonal slabs.
 double spread(const Vec3& n, const std::array<Slab, 3>& slabs, const Vec3& half) {
   return spread(n, slabs[0].n, slabs[1].n, slabs[2].n, half);
 }
@@ -51,7 +51,7 @@ bool holds(const Region& region_W, const Region& part_W) {
 }
 
 Region region_ahead(const GroupStep& step, const NearListMargins& margins, int steps) {
-  constexpr double largest_turn = 0.75, sideways = 1e-2;  // rad; of the box
+  constexpr double largest_turn = 0.75, sideways = 1e-2;  // rad; times the size of the box
   const rotation::Twist twist = rotation::twist_from(step.X_WP0, step.X_WP1, 1.0);
   const double speed = rotation::velocity_B(twist, 0.5 * (step.box_P.lo + step.box_P.hi)).norm(),
                turn = twist.angular_B.norm();
@@ -66,7 +66,7 @@ Region region_ahead(const GroupStep& step, const NearListMargins& margins, int s
     add_box(step.box_P, X_WP, r.slabs);
   add_region(step.region_W, r.slabs);
   const double half_turn =
-      0.5 * end * turn;  // of a region at the end against the axes of the slabs
+      0.5 * end * turn;  // between the region at the end and the axes of the slabs
   const double margin = margins.margin * (std::cos(half_turn) + std::sin(half_turn)) +
                         sideways * step.box_P.size().norm();
   for (Slab& s : r.slabs) {

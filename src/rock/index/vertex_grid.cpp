@@ -7,7 +7,7 @@ namespace tdbd::rock {
 namespace {
 
 constexpr int tile_edge = 4;
-/// Keeps a radius that was rounded to single precision below its true value.
+/// Factor that keeps a radius rounded to single precision below its true value.
 constexpr double short_of_rounding = 1.0 - 1e-6;
 
 int tiles_over(int cells) { return (cells + tile_edge - 1) / tile_edge; }
@@ -18,8 +18,8 @@ int number_in_tile(int i, int j, int k) {
 
 std::uint64_t bit_of(int cell) { return std::uint64_t{1} << (cell % 64); }
 
-/// The cells of a tile with lo <= number <= hi in one direction, whose cells lie `stride` bits
-/// apart; `first` is the tile's first number in it.
+/// The cells of a tile with lo <= index <= hi in one direction, in which cells are `stride` bits
+/// apart. `first`: the tile's first index in that direction.
 std::uint64_t cells_between(int lo, int hi, int first, int stride) {
   constexpr std::array<std::uint64_t, 3> planes{0x1111111111111111U, 0x000F000F000F000FU, 0xFFFFU};
   const std::uint64_t plane = planes[stride == 1 ? 0 : (stride == tile_edge ? 1 : 2)];
@@ -227,7 +227,7 @@ void VertexGrid::insert(int v, const Vec3& x_W) {
 }
 
 void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<int> vertices) {
-  std::vector<std::pair<std::size_t, int>> placed;  // by tiles, in them by cells
+  std::vector<std::pair<std::size_t, int>> placed;  // sorted by tile, then by cell
   placed.reserve(vertices.size());
   for (const int v : vertices) {
     const Cell c = cell_at(positions_W[at(v)]);

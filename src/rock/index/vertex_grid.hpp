@@ -21,13 +21,13 @@ struct Slab {
   double lo = -INFINITY, hi = INFINITY;
 };
 
-/// A box, cut further by slabs in other directions.
+/// The intersection of a box and slabs in other directions.
 struct Region {
   mesh::Box box;
   std::array<Slab, 3> slabs{};
 };
 
-/// The box between three orthogonal slabs, by its centre and half its size along their normals, m.
+/// The box between three orthogonal slabs: its centre and its half size along their normals, m.
 struct SlabBox {
   Vec3 centre_W, half;
 };
@@ -48,59 +48,60 @@ inline Region widened(Region r, double by) {
   return r;
 }
 
-/// Bound of rounding, m: n . x of a vertex in the box, with the index's single coordinates and
-/// those of a unit normal, is off by less. A few roundings of 6e-8 of the largest coordinate.
+/// Rounding bound, m, of n . x of a vertex in the box, with the index's single-precision
+/// coordinates and a unit normal in single precision. Covers a few roundings of 6e-8 of the largest
+/// coordinate.
 inline double single_slack(const mesh::Box& box_W) {
   return 1e-6 * box_W.lo.cwiseAbs().cwiseMax(box_W.hi.cwiseAbs()).maxCoeff();
 }
 
-/// Who tells the lists of an index (near_list.hpp) that a vertex moved: the index's journal, or
-/// whoever moved it.
+/// Who notifies the lists of an index (near_list.hpp) of a move: the index's journal, or the code
+/// that moved the vertex.
 enum class Teller { journal, mover };
 
 /// Uniform grid over the rock's vertices: the spatial index of thesis 4.1.1. Cells are grouped in
-/// tiles of 4 x 4 x 4, so that one word tells which of a tile's cells hold vertices and empty space
-/// costs one number per tile. A cell is a chain of small blocks that hold its vertices' numbers and
-/// places side by side. A vertex outside the grid's box belongs to the nearest border cell, so no
-/// query misses it. Moving a vertex costs a few writes; a query costs its tiles, cells and
-/// vertices.
+/// tiles of 4 x 4 x 4. One 64-bit word stores which cells of a tile contain vertices, and an empty
+/// tile takes one number. A cell is a chain of small blocks with its vertices' numbers and places.
+/// A vertex outside the grid's box belongs to the nearest border cell, so every query finds it. A
+/// move takes a few writes; a query takes time proportional to its tiles, cells and vertices.
 class VertexGrid {
  public:
   VertexGrid() = default;
   VertexGrid(const mesh::Box& box_W, double cell);
 
-  /// Puts these vertices into the empty grid, neighbouring cells side by side in memory.
+  /// Inserts these vertices into the empty grid, with neighbouring cells adjacent in memory.
   void insert_all(const std::vector<Vec3>& positions_W, std::vector<int> vertices);
   void insert(int v, const Vec3& x_W);
   void remove(int v);
   void move(int v, const Vec3& x_W, Teller teller = Teller::journal);
 
-  /// The box whose vertices the grid tells apart by their cells, in whole cells, m.
+  /// The box of the grid, in whole cells, m. Vertices outside it are in border cells.
   mesh::Box box() const { return {lo_, lo_ + cell_ * Vec3(nx_, ny_, nz_)}; }
   double cell() const { return cell_; }
 
-  /// The greatest depth z at which a vertex has been, m.
+  /// The largest depth z at which a vertex has been, m.
   double deepest() const { return deepest_; }
 
   /// Prefetches the memory that move() needs.
   void prefetch(int v) const { __builtin_prefetch(&places_[at(v)]); }
 
-  /// How often a vertex was inserted, removed or moved.
+  /// Number of insertions, removals and moves so far.
   long changes() const { return journal_.end(); }
 
-  /// What the last changes were, those left out of which their mover tells.
+  /// The latest changes, except moves with Teller::mover.
   const ChangeJournal& journal() const { return journal_; }
 
-  /// No vertex between the heights z_lo and z_hi (m) is nearer to the z axis of space than this, m:
-  /// what turns inside a borehole without reaching its wall need not search the wall. Only a bound:
-  /// a layer of cells remembers its nearest vertex after that has left.
+  /// A lower bound, m, of the distance from the z axis of W of all vertices between the heights
+  /// z_lo and z_hi (m). A part that turns inside a borehole without reaching its wall need not
+  /// search the wall. It is only a bound because a layer of cells keeps the radius of its nearest
+  /// vertex after that vertex has left.
   double nearest_to_axis(double z_lo, double z_hi) const;
 
-  /// Finds the nearest vertex of one layer of cells anew; the next call takes the next layer.
+  /// Recomputes the nearest vertex of one layer of cells. The next call updates the next layer.
   void refresh_one_layer();
 
-  /// A run of a cell's vertices in two cache lines. Places are rounded to single precision: they
-  /// serve to reject vertices, not to compute with.
+  /// Up to seven vertices of a cell, in two cache lines. Places are rounded to single precision;
+  /// they serve to reject vertices, not to compute with.
   static constexpr int block_size = 7;
   using Column = std::array<Single, block_size>;
   struct alignas(64) Block {
@@ -109,13 +110,14 @@ class VertexGrid {
     int count = 0, next = -1;
   };
 
-  /// Vertex v becomes number[v]; there are `vertices` afterwards. Neighbouring cells come side by
-  /// side in memory again. The journal forgets all. `room` exchanges its memory with the blocks.
+  /// Renumbers vertex v as number[v]; afterwards there are `vertices` vertices. Neighbouring cells
+  /// become adjacent in memory again. The journal is cleared. `room`: buffer, swapped with the
+  /// blocks.
   void renumber(const std::vector<int>& number, int vertices, std::vector<Block>& room);
 
   /// Calls visit(block) for every block of every cell that the region may meet: a superset of the
-  /// vertices inside. `chains` is a buffer: the cells are gathered there first, so that many blocks
-  /// can be prefetched at once.
+  /// vertices inside. `chains` is a buffer. The cells are collected in it first, so that many
+  /// blocks can be prefetched at once.
   template <class Visit>
   void visit(const Region& region_W, std::vector<int>& chains, Visit&& visit) const {
     find_chains(region_W, chains);
@@ -123,13 +125,13 @@ class VertexGrid {
       for (; b >= 0; b = blocks_[at(b)].next) visit(blocks_[at(b)]);
   }
 
-  /// How much of the grid a question is about.
+  /// The part of the grid to which a call of `may` refers.
   enum class Span { cell, tile };
 
-  /// The same for every block of every cell in the box for which may(middle_P, Span::cell) is true, in
-  /// a tile for which may(middle_P, Span::tile) is: those whose vertices the caller cannot exclude.
-  /// Their middles are in the frame P of the caller. Cells on the border hold vertices from outside
-  /// them, and are always visited.
+  /// Calls visit(block) for every block of every cell in the box for which may(middle_P,
+  /// Span::cell) is true, in every tile for which may(middle_P, Span::tile) is true. The caller
+  /// returns false to exclude all vertices of a cell or tile. The middles are in the caller's frame
+  /// P. Cells on the border are always visited because they also contain vertices outside them.
   template <class May, class Visit>
   void visit_where(const mesh::Box& box_W, const Pose& X_PW, const May& may, Visit&& visit) const {
     const Cell lo = cell_at(box_W.lo), hi = cell_at(box_W.hi);
@@ -142,7 +144,7 @@ class VertexGrid {
         }
   }
 
-  /// The first blocks of all cells that are not empty and that the region may meet, prefetched.
+  /// The first blocks of all nonempty cells that the region may meet. Prefetches them.
   void find_chains(const Region& region_W, std::vector<int>& chains) const;
 
   const Block& block(int number) const { return blocks_[at(number)]; }
@@ -152,18 +154,18 @@ class VertexGrid {
     int i, j, k;
   };
   struct Place {
-    int cell = -1, block = -1, slot = -1;  ///< cell: 64 times its tile, and its bit there
+    int cell = -1, block = -1, slot = -1;  ///< cell: 64 times its tile, plus its bit there
   };
-  /// Bit i + 4 j + 16 k stands for a cell. Heads: first block of each chain, the only one that is
-  /// not full.
+  /// Bit i + 4 j + 16 k refers to a cell. `head`: first block of each chain; only this block may be
+  /// partly filled.
   struct Tile {
     std::uint64_t occupied = 0;
-    Cell first{};  ///< its cell with the smallest numbers
+    Cell first{};  ///< its cell with the smallest indices
     std::array<int, 64> head{};
   };
 
-  /// How far along each slab's normal the middles of a tile's cells lie beyond that of its first
-  /// cell, and the slabs widened by half a cell, m.
+  /// Offsets of the middles of a tile's cells from that of its first cell along each slab's normal,
+  /// and the slabs widened by half a cell, m.
   struct CellOffsets {
     std::array<std::array<double, 64>, 3> along;
     std::array<double, 3> lo, hi;
@@ -178,7 +180,7 @@ class VertexGrid {
   static Cell cell_of_bit(const Cell& first, int bit) {
     return {first.i + bit % 4, first.j + bit / 4 % 4, first.k + bit / 16};
   }
-  /// Border cells also hold the vertices outside the grid, however far.
+  /// Border cells also contain all vertices outside the grid.
   bool on_border(const Cell& c) const {
     return c.i == 0 || c.j == 0 || c.k == 0 || c.i == nx_ - 1 || c.j == ny_ - 1 || c.k == nz_ - 1;
   }
@@ -202,7 +204,7 @@ class VertexGrid {
       for (int b = tile.head[at(bit)]; b >= 0; b = blocks_[at(b)].next) visit(blocks_[at(b)]);
     }
   }
-  /// From a tile's middle to those of its cells, turned by R_PW, m.
+  /// Offsets from a tile's middle to those of its cells, rotated by R_PW, m.
   std::array<Vec3, 64> cell_middles(const Mat3& R_PW) const;
   /// Whether none of a tile's cells is on the border.
   bool is_inner(const Cell& first) const {
@@ -211,17 +213,17 @@ class VertexGrid {
   }
   void gather_tile(const Tile& tile, std::uint64_t cells, const Region& region_W,
                    const CellOffsets& offsets, std::vector<int>& chains) const;
-  /// Whether a tile may hold a vertex of the slabs.
+  /// Whether a tile may contain a vertex between the slabs.
   bool tile_may_meet(const Region& region_W, const Cell& first) const;
   Vec3 middle_of(const Cell& first, double size) const;
   CellOffsets cell_offsets(const Region& region_W) const;
-  /// The cell's number, a new tile if it is the first there.
+  /// Returns the cell's number. Makes a new tile if the cell is the first there.
   int open_cell(const Cell& c);
   int new_block(int next);
-  /// Puts the vertices of a chain of old blocks, by their new numbers, into its cell again.
+  /// Inserts the vertices of a chain of old blocks, with their new numbers, into their cell.
   void put_again(const std::vector<Block>& old, int cell, const std::vector<int>& number);
   void put(int v, const Vec3& x_W, int cell);
-  /// Takes a vertex out of its cell.
+  /// Removes a vertex from its cell.
   void take_out(int v);
   void write(const Place& place, int v, const Vec3& x_W);
   void note_radius(int layer, const Vec3& x_W);
@@ -231,7 +233,7 @@ class VertexGrid {
   Vec3 lo_ = Vec3::Zero();
   double cell_ = 1.0, inverse_cell_ = 1.0;
   int nx_ = 1, ny_ = 1, nz_ = 1, tiles_x_ = 1, tiles_y_ = 1, tiles_z_ = 1;
-  std::vector<int> tile_at_;  ///< per place of a tile: its number, -1 if there never was a vertex
+  std::vector<int> tile_at_;  ///< per tile position: the tile's number, -1: never a vertex
   std::vector<Tile> tiles_;
   std::vector<Block> blocks_;
   std::vector<int> free_blocks_;

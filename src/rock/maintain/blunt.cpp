@@ -8,10 +8,10 @@
 namespace tdbd::rock {
 namespace {
 
-/// The shape of the tip that a vertex and its triangles form.
+/// Shape of the tip formed by a vertex and its triangles.
 struct Tip {
-  double above_highest = 1e300, above_mean = 0.0;  ///< m, of the neighbours
-  double seen_from_above = 0.0;                    ///< m2
+  double above_highest = 1e300, above_mean = 0.0;  ///< m, above the neighbours' highest and mean
+  double seen_from_above = 0.0;                    ///< m2, area in the horizontal projection
 };
 
 Tip tip_at(const mesh::Surface& s, int v) {
@@ -29,7 +29,7 @@ Tip tip_at(const mesh::Surface& s, int v) {
   return tip;
 }
 
-/// Whether a vertex that is not on the boundary has all its neighbours below it.
+/// Whether an interior vertex is above all its neighbours.
 bool tops_neighbours(const mesh::Surface& s, int v) {
   const mesh::VertexStar& star = s.star(v);
   const int* ring = s.ring(star);
@@ -42,7 +42,7 @@ bool tops_neighbours(const mesh::Surface& s, int v) {
 BluntVerdict judge_blunt(const mesh::Surface& s, int v, const MaintenanceLimits& limits,
                          const SurfaceDrift& drift) {
   BluntVerdict verdict;
-  if (!s.is_boundary(v) && !tops_neighbours(s, v)) return verdict;  // most of those that are asked
+  if (!s.is_boundary(v) && !tops_neighbours(s, v)) return verdict;  // excludes most vertices early
   const Tip tip = tip_at(s, v);
   const double shortest = limits.shortest_edge;
   verdict.is_spike = tip.above_highest > 0.0 && tip.above_mean > 0.5 * shortest &&

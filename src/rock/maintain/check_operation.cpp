@@ -27,7 +27,7 @@ double volume_around(const Surface& s, const std::vector<int>& vertices, const V
   return -six / 6.0;
 }
 
-/// Whether the two triangles beside the edge that faces c know each other and agree about it.
+/// Whether the two triangles beside the edge that faces c are stored consistently as neighbours.
 bool agrees_with_opposite(const Surface& s, int c) {
   const int o = s.opposite_of(c);
   if (o < 0) return true;
@@ -36,7 +36,7 @@ bool agrees_with_opposite(const Surface& s, int c) {
          s.vertex(mesh::previous_corner(c)) == s.vertex(mesh::next_corner(o));
 }
 
-/// What is wrong with the triangles around v; nothing when it is empty.
+/// Describes what is wrong with the triangles around v; empty if nothing is.
 std::string defect_at(const Surface& s, int v) {
   constexpr int most_neighbours = 100'000;
   std::set<int> neighbours;

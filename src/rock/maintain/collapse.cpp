@@ -11,19 +11,20 @@
 namespace tdbd::rock {
 namespace {
 
-/// What a collapse to one place would do.
+/// A collapse to one place.
 struct Trial {
   Vec3 x_W;
   double volume = 0.0;  ///< m3 of hole gained
 };
 
-/// A triangle at the edge (a, b), about the edge's middle, and which of its corners are a or b.
+/// A triangle at the edge (a, b), relative to the edge's midpoint, and which of its corners are a
+/// or b.
 struct StarTriangle {
   std::array<Vec3, 3> x;
   std::array<bool, 3> is_end;
 };
 
-/// Visits the triangles of both stars, those between them once.
+/// Visits the triangles of both stars; those at both a and b once.
 template <class Visit>
 void visit_stars(const mesh::Surface& s, int a, int b, const Vec3& o_W, Visit&& visit) {
   const auto pass = [&](int c, int other) {
@@ -40,7 +41,7 @@ void visit_stars(const mesh::Surface& s, int a, int b, const Vec3& o_W, Visit&& 
   mesh::visit_corners(s, b, [&](int c) { pass(c, a); });
 }
 
-/// Guards on one triangle around v, whose corner there goes to x. Nothing: accepted.
+/// Guards on one triangle around v whose corner at v moves to x. Nothing: accepted.
 std::optional<Refusal> judge(const mesh::Surface& s, int c, const Vec3& x, double quality_floor,
                              const MaintenanceLimits& limits) {
   const mesh::Facet before = facet_at(s, c), after{x, before.b, before.c};
@@ -66,7 +67,7 @@ std::array<Trial, 3> trials(const mesh::Surface& s, int a, int b) {
   const Vec3 &xa = s.position(a), &xb = s.position(b);
   const Vec3 o = 0.5 * (xa + xb);
   std::array<Trial, 3> all{{{o, 0.0}, {xa, 0.0}, {xb, 0.0}}};
-  // six times the signed volumes under the triangles
+  // six times the signed volumes between the origin and the triangles
   const std::array<Vec3, 3> places{o - o, xa - o, xb - o};
   double before = 0.0;
   std::array<double, 3> after{};
@@ -93,16 +94,16 @@ std::optional<Refusal> judge_trial(const mesh::Surface& s, int a, int b, const T
   return judge_star(s, b, a, t.x_W, quality_floor, limits);
 }
 
-/// A collapse of the inner edge (a, b) to x_W whose distances are measured. Only the greatest counts,
-/// so that the search at one place ends when that place cannot be the farthest.
+/// A collapse of the inner edge (a, b) to x_W whose distances are measured. Only the largest
+/// distance matters, so a search at one place stops when that place cannot be the farthest.
 struct Measured {
   const mesh::Surface& s;
   int a, b;
   Vec3 x_W;
 };
 
-/// Visits the triangles around an inner vertex as (vertex, neighbour, next neighbour), beginning with
-/// the `first`-th, while `visit` returns true. Returns whether it always did.
+/// Visits the triangles around an inner vertex as (vertex, neighbour, next neighbour), starting at
+/// the triangle with index `first`, while `visit` returns true. Returns whether it always did.
 template <class Visit>
 bool visit_from(const mesh::Surface& s, int v, int first, Visit&& visit) {
   const mesh::VertexStar& star = s.star(v);
@@ -116,9 +117,8 @@ bool visit_from(const mesh::Surface& s, int v, int first, Visit&& visit) {
   return true;
 }
 
-/// The squared distance of a place from the triangles that replace those around a and b, m2; or less
-/// than that if some triangle is no farther than `enough2`. Begins with the `first`-th at `end`, which
-/// should be the nearest.
+/// The squared distance, m2, of a place from the triangles that replace those around a and b. Stops
+/// at any value up to `enough2`. Starts at triangle `first` of `end`, which should be the nearest.
 double squared_distance_to_new(const Measured& m, const Vec3& from_W, double enough2, int end,
                                int first) {
   double least = (m.x_W - from_W).squaredNorm();
@@ -136,7 +136,7 @@ double squared_distance_to_new(const Measured& m, const Vec3& from_W, double eno
   return least;
 }
 
-/// The same of the triangles around a and b as they are.
+/// The same for the present triangles around a and b.
 double squared_distance_to_old(const Measured& m, const Vec3& from_W, double enough2, int end,
                                int first) {
   double least = 1e300;
@@ -150,9 +150,9 @@ double squared_distance_to_old(const Measured& m, const Vec3& from_W, double eno
   return least;
 }
 
-/// The greater of `farthest2` and the squared distances of the middles of the edges from the other
-/// surface: of the new edges to x_W from the old one, of the old edges from the new one, m2. Stops
-/// above `most2`.
+/// The largest of `farthest2` and the squared distances, m2, of edge midpoints from the other
+/// surface: of the new edges to x_W from the old surface, and of the old edges from the new
+/// surface. Stops above `most2`.
 double farthest_middle(const Measured& m, double farthest2, double most2) {
   for (const int end : {m.a, m.b}) {
     const int other = end == m.a ? m.b : m.a;
@@ -192,7 +192,7 @@ std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, cons
 
 namespace {
 
-/// The guards that do not depend on the place. Not refused: the edge exists, or no longer does.
+/// The guards that do not depend on the place. Accepts an edge that no longer exists.
 CollapseVerdict judge_edge(const mesh::Surface& s, int a, int b) {
   CollapseVerdict v;
   if (s.is_boundary(a) || s.is_boundary(b)) {
@@ -208,7 +208,7 @@ double quality_floor(const mesh::Surface& s, int a, int b) {
   return std::min(0.3, std::min(worst_quality(s, a), worst_quality(s, b)));
 }
 
-/// The guards on one place.
+/// The guards that depend on the place.
 void judge_place(const mesh::Surface& s, int a, int b, const Trial& t, double floor,
                  const MaintenanceLimits& limits, const SurfaceDrift& drift, CollapseVerdict& v) {
   v.refused = judge_trial(s, a, b, t, floor, limits);
@@ -275,7 +275,7 @@ bool try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std
                   SurfaceDrift& drift, MaintenanceReport& report) {
   const CollapseVerdict v = judge_collapse(rock.surface, a, b, limits, drift);
   if (v.refused) count_refused(report, Operation::collapse, *v.refused);
-  if (!is_accepted(v)) return false;  // or an earlier collapse took the edge
+  if (!is_accepted(v)) return false;  // or an earlier collapse removed the edge
   collapse(rock, v, Operation::collapse, ring, drift, report);
   return true;
 }

@@ -7,27 +7,28 @@
 
 namespace tdbd::rock {
 
-/// What the guards say about the collapse of an edge. `refused` is empty also if there is no such
+/// Result of the guards on the collapse of an edge. `refused` is also empty if there is no such
 /// edge.
 struct CollapseVerdict : Verdict {
-  int corner = -1;          ///< that faces the edge; -1: no such edge, or a boundary vertex
-  Vec3 x_W = Vec3::Zero();  ///< where the remaining vertex would go
+  int corner = -1;          ///< faces the edge; -1: no such edge, or a boundary vertex
+  Vec3 x_W = Vec3::Zero();  ///< place of the remaining vertex
 };
 
-/// The guards of try_collapse on the edge (a, b). Thesis: 4.2.1.
+/// Applies the guards of try_collapse to the edge (a, b). Thesis: 4.2.1.
 CollapseVerdict judge_collapse(const mesh::Surface& s, int a, int b,
                                const MaintenanceLimits& limits, const SurfaceDrift& drift = {});
 
-/// The guards on distance of a collapse of the inner edge (a, b) to x_W, once the others agree: of the
-/// dropped vertices and the middles of their edges to the new surface, and of the middles of the new
-/// edges to the old one. `drifted`: how far the surface has drifted there if it is not refused, m.
+/// Applies the guards on distance to a collapse of the inner edge (a, b) to x_W, after the other
+/// guards accepted it. They limit the distances of the dropped vertices and of the midpoints of
+/// their edges from the new surface, and of the midpoints of the new edges from the old surface.
+/// `drifted`: drift of the surface there if the collapse is not refused, m.
 std::optional<Refusal> judge_distance(const mesh::Surface& s, int a, int b, const Vec3& x_W,
                                       const MaintenanceLimits& limits, const SurfaceDrift& drift,
                                       double& drifted);
 
 inline bool is_accepted(const CollapseVerdict& v) { return v.corner >= 0 && !v.refused; }
 
-/// The verdict on each of the three places, least change of volume first.
+/// The verdicts on each of the three places, in ascending order of the change of volume.
 std::array<CollapseVerdict, 3> judge_collapses(const mesh::Surface& s, int a, int b,
                                                const MaintenanceLimits& limits,
                                                const SurfaceDrift& drift);
@@ -37,12 +38,12 @@ std::array<CollapseVerdict, 3> judge_collapses(const mesh::Surface& s, int a, in
 void collapse(Rock& rock, const CollapseVerdict& verdict, Operation what, std::vector<int>& ring,
               SurfaceDrift& drift, MaintenanceReport& report);
 
-/// Collapses the edge (a, b) to whichever of its ends or midpoint changes the volume least, if
-/// every guard agrees: boundary, topology (fig. 4.18), no normal turned too far, no edge too long,
-/// no triangle worse than both the worst one before and 0.3, volume and distance (of the dropped
-/// vertices to the new triangles) within the limits, no more than `ridge_cut` off a sharp ridge.
-/// Otherwise counts the first refusal. `ring` receives the vertices whose triangles changed.
-/// Returns whether it was carried out. Thesis: 4.2.1.
+/// Collapses the edge (a, b) to that one of its ends and its midpoint that changes the volume
+/// least, if every guard accepts it: boundary; topology (fig. 4.18); no normal turned too far; no
+/// edge too long; no triangle worse than both the worst one before and 0.3; volume and distance (of
+/// the dropped vertices to the new triangles) within the limits; no more than `ridge_cut` off a
+/// sharp ridge. Otherwise counts the first refusal. `ring` receives the vertices whose triangles
+/// changed. Returns whether the edge collapsed. Thesis: 4.2.1.
 bool try_collapse(Rock& rock, int a, int b, const MaintenanceLimits& limits, std::vector<int>& ring,
                   SurfaceDrift& drift, MaintenanceReport& report);
 

@@ -11,14 +11,15 @@ namespace {
 
 using mesh::VertexStar;
 
-/// Bit i: bit i, or the next around the ring.
+/// Bit i of the result: bit i or the next bit around the ring.
 unsigned with_next(unsigned bits, std::size_t size) {
   return bits | bits >> 1U | bits << (size - 1U);
 }
 
 unsigned all_of(const VertexStar& star) { return (1U << star.size) - 1U; }
 
-/// The vertex that faces the edge (a, b) from the other side of triangle (v, a, b); -1: none.
+/// The vertex that faces the edge (a, b) from the other side of triangle (v, a, b); -1 if there is
+/// none.
 int facing_from_outside(const mesh::Surface& s, int a, int b) {
   const VertexStar& star = s.star(a);
   const int* ring = s.ring(star);
@@ -27,8 +28,8 @@ int facing_from_outside(const mesh::Surface& s, int a, int b) {
   return -1;
 }
 
-/// Whether a triangle at v lies back to back with that across the edge that faces v, of those whose
-/// both ends are untouched.
+/// Whether a triangle at v lies back to back with the triangle across the edge that faces v. Tests
+/// only edges with two untouched ends.
 bool is_folded_outwards(const mesh::Surface& s, int v, const RingMarks& marks) {
   const VertexStar& star = s.star(v);
   unsigned edges = ~with_next(marks.touched, star.size) & all_of(star);

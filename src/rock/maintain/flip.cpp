@@ -36,18 +36,18 @@ double largest_drift_of(const mesh::Surface& s, int c, const SurfaceDrift& drift
 
 double worse_quality(const Facet& f, const Facet& g) { return std::min(quality(f), quality(g)); }
 
-/// The better the triangles, the less volume a flip may change: none at `flip_quality`.
+/// The limit on a flip's change of volume: smaller for better triangles, zero at `flip_quality`.
 double most_volume(const Diagonals& d, const MaintenanceLimits& limits) {
   const double q = worse_quality({d.p, d.a, d.b}, {d.q, d.b, d.a});
   return limits.volume_per_operation *
          std::max(0.0, 1.0 - q / std::max(limits.flip_quality, 1e-300));
 }
 
-/// Quality first: it refuses most, and needs no square root but its own.
+/// Quality is tested first: it refuses most flips and needs only one square root.
 std::optional<Refusal> judge_shape(const Diagonals& d, const MaintenanceLimits& limits) {
   const std::array<Facet, 2> before{{{d.p, d.a, d.b}, {d.q, d.b, d.a}}},
       after{{{d.p, d.a, d.q}, {d.q, d.b, d.p}}};
-  constexpr double least_gain = 1.1;  // of quality: no to-and-fro over rounding
+  constexpr double least_gain = 1.1;  // of quality; prevents alternating flips due to rounding
   if (worse_quality(after[0], after[1]) <= least_gain * worse_quality(before[0], before[1]))
     return Refusal::quality;
   for (const Facet& f : before)

@@ -22,7 +22,7 @@ void clear(Patch& patch) {
   patch.replaced.clear();
 }
 
-/// The facet with one corner named and placed anew.
+/// Renames corner `from` of a facet to `to` and moves it to x_W.
 void rename(NamedFacet& f, int from, int to, const Vec3& x_W) {
   for (std::size_t i = 0; i < 3; ++i)
     if (f.names[i] == from) {
@@ -31,8 +31,8 @@ void rename(NamedFacet& f, int from, int to, const Vec3& x_W) {
     }
 }
 
-/// Whether the plane of f has all corners of the other that f does not share on one side, by far
-/// more than rounding: then they meet at most in what they share.
+/// Whether all corners of the other facet that f does not share lie on one side of the plane of f,
+/// at a distance well above rounding. Then the facets meet at most in what they share.
 bool is_beyond_plane(const NamedFacet& f, const NamedFacet& other) {
   constexpr double far_from_rounding = 1e-9;
   const Vec3 ab = f.x[1] - f.x[0], ac = f.x[2] - f.x[0], n = ab.cross(ac);
@@ -53,7 +53,7 @@ bool are_surely_apart(const NamedFacet& f, const NamedFacet& g) {
   return is_beyond_plane(f, g) || is_beyond_plane(g, f);
 }
 
-/// Whether the box of triangle t meets another one, as Box::overlaps says.
+/// Whether the box of triangle t overlaps another box; same criterion as Box::overlaps.
 bool is_near(const mesh::Surface& s, int t, const mesh::Box& box) {
   const mesh::Triangle& v = s.triangles[at(t)];
   const Vec3 &a = s.position(v[0]), &b = s.position(v[1]), &c = s.position(v[2]);
@@ -64,15 +64,16 @@ bool is_near(const mesh::Surface& s, int t, const mesh::Box& box) {
   return true;
 }
 
-/// Whether the index has a vertex in the box; it rounds to single precision.
+/// Whether a vertex of the index, rounded to single precision, is in the box.
 bool is_inside(const VertexGrid::Block& block, std::size_t i, const mesh::Box& box) {
   return block.x[i] >= box.lo.x() && block.x[i] <= box.hi.x() && block.y[i] >= box.lo.y() &&
          block.y[i] <= box.hi.y() && block.z[i] >= box.lo.z() && block.z[i] <= box.hi.z();
 }
 
-/// The triangles of the surface near the patch that stay, by their boxes and nearest vertices.
+/// Finds the triangles of the surface that remain and may meet the patch, by boxes and nearest
+/// vertices.
 void find_near(const Rock& rock, const Patch& patch, double longest_edge, IntersectionWork& work) {
-  constexpr double circumradius = 0.6;  // of an equilateral triangle, over its edge; rounded up
+  constexpr double circumradius = 0.6;  // of an equilateral triangle over its edge; rounded up
   const mesh::Surface& s = rock.surface;
   work.triangles.clear();
   work.seen.resize(s.triangles.size(), 0);
@@ -85,7 +86,7 @@ void find_near(const Rock& rock, const Patch& patch, double longest_edge, Inters
   region.box.lo.array() -= circumradius * longest_edge;
   region.box.hi.array() += circumradius * longest_edge;
   mesh::Box rounded = region.box;
-  constexpr double single_rounding = 1e-6;  // of a coordinate, rounded up
+  constexpr double single_rounding = 1e-6;  // relative, rounded up
   const double slack = single_rounding *
                        std::max(rounded.lo.cwiseAbs().maxCoeff(), rounded.hi.cwiseAbs().maxCoeff());
   rounded.lo.array() -= slack;

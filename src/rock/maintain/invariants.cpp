@@ -39,7 +39,7 @@ void append(Violations& to, Violations from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// Whether the index holds every living vertex once, in the right place.
+/// Checks that the index contains every living vertex once, in the right place.
 Violations check_index(const Rock& rock) {
   const Surface& s = rock.surface;
   Violations found;
@@ -109,7 +109,7 @@ bool in_both(const Surface& s, const Surface& o, int t) {
   return t < o.triangle_slots() && s.triangle_is_alive(t) && o.triangle_is_alive(t);
 }
 
-/// Whether the triangle in a living slot of s differs in any bit from that in o.
+/// Whether the triangle in a living slot of s differs from that in o.
 bool is_changed(const Surface& s, const Surface& o, int t) {
   if (!in_both(s, o, t) || s.triangles[at(t)] != o.triangles[at(t)]) return true;
   return std::ranges::any_of(s.triangles[at(t)],
@@ -140,8 +140,8 @@ std::array<Vec3, 7> samples(const Surface& s, int t) {
   return {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0};
 }
 
-/// What maintenance had to examine: everything at due and new vertices, all but bisections
-/// beside what it changed.
+/// What maintenance had to examine: everything at due and new vertices, and all but bisections
+/// beside its own changes.
 std::vector<RepairScope> scope_of(const Rock& before, const MaintenanceLimits& limits,
                                   const Surface& after) {
   std::vector<RepairScope> scope(after.stars.size(), RepairScope::all);
@@ -155,7 +155,7 @@ std::vector<RepairScope> scope_of(const Rock& before, const MaintenanceLimits& l
   return scope;
 }
 
-/// By the patch's root: whether a vertex of it is touched or joined by an edge to one that is.
+/// Per root of a patch: whether a vertex of the patch is touched or has a touched neighbour.
 std::vector<std::uint8_t> patches_at_touched(const Rock& before, mesh::DisjointSets& patches) {
   std::vector<std::uint8_t> is_known(before.surface.stars.size(), 0);
   for (const mesh::Triangle& t : before.surface.triangles)
@@ -282,7 +282,7 @@ Violations check_locality(const Rock& before, const Surface& after) {
 Violations check_maintenance(const Rock& before, const Rock& after, const MaintenanceLimits& limits,
                              const MaintenanceReport& report, const SurfaceDrift& drift) {
   Violations found = check_disc(after);
-  if (!found.empty()) return found;  // the others walk around vertices
+  if (!found.empty()) return found;  // the other checks walk around vertices and need a valid disc
   const Surface &s = before.surface, &now = after.surface;
   append(found, check_repairs(now, scope_of(before, limits, now), limits, drift));
   append(found, check_ledger(s, now, report.volume_change));

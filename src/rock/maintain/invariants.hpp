@@ -7,71 +7,72 @@
 
 namespace tdbd::rock {
 
-/// The promises M1 to M7 of the rock's surface (rock README; thesis 4.2, reconstructed). Of M4 only
-/// that no operation turns a normal by more than 90 degrees is checked here; that nothing
-/// intersects is checked by reference/mesh/self_intersections.
+/// The promises M1 to M7 of the rock's surface (rock README; thesis 4.2, reconstructed). The part
+/// of M4 checked here is that no operation turns a normal by more than 90 degrees.
+/// reference/mesh/self_intersections checks that no triangles intersect.
 enum class Invariant {
-  disc,      ///< M1: oriented disc with one boundary loop; adjacency and index agree with it
+  disc,      ///< M1: oriented disc with one boundary loop; consistent adjacency and index
   quality,   ///< M2: no triangle whose shortest edge would collapse or longest edge would flip
   edges,     ///< M3: no edge outside its limits that would collapse or be bisected
   normals,   ///< M4
   ledger,    ///< M5: the reported change of volume is the change, to tolerance::ledger
-  distance,  ///< M6: before and after are nearer to each other than shortest_edge / 2
-  locality   ///< M7: the boundary and patches that are not at a touched vertex keep every bit
+  distance,  ///< M6: the surfaces before and after are within shortest_edge / 2 of each other
+  locality   ///< M7: the boundary, and patches without a touched vertex, are bitwise unchanged
 };
 
-/// A broken promise and where: vertices or triangles by slot, positions in mm.
+/// A broken promise and its place: vertices or triangles by slot, positions in mm.
 struct Violation {
   Invariant which;
   std::string where;
 };
 
-/// "M3: edge 3-7 ...", a line each, the first `max` and how many more.
+/// Formats violations as "M3: edge 3-7 ...", one per line: the first `max`, then the number of the
+/// others.
 std::string describe(const std::vector<Violation>& found, std::size_t max = 10);
 
-/// M1. The index must hold every living vertex once, in its place, and no dead one.
+/// Checks M1. The index must contain every living vertex once, in its place, and no other vertex.
 std::vector<Violation> check_disc(const Rock& rock);
 
-/// What check_repairs examines around a vertex. Bisections come before collapses, so long edges
-/// beside what a collapse changed are not maintenance's fault.
+/// What check_repairs examines around a vertex. Bisections precede collapses, so maintenance is not
+/// required to bisect long edges beside the result of a collapse.
 enum class RepairScope : std::uint8_t { none, all, no_bisections };
 
-/// M2 and M3 of triangles with a vertex in scope and edges with an end in scope: the guards must
-/// refuse every repair that is left. `drift`: of the maintenance, since a repair may be refused for
-/// what others have moved already.
+/// Checks M2 and M3 of triangles with a vertex in scope and of edges with an end in scope: the
+/// guards must refuse every remaining repair. `drift`: of the maintenance, because a repair may be
+/// refused for the drift due to others.
 std::vector<Violation> check_repairs(const mesh::Surface& s, const std::vector<RepairScope>& scope,
                                      const MaintenanceLimits& limits,
                                      const SurfaceDrift& drift = {});
 
-/// M4 of one operation (a collapse or a bisection), for triangles whose slot is alive before and
-/// after.
+/// Checks M4 of one operation (a collapse or a bisection), for triangles whose slot is alive before
+/// and after.
 std::vector<Violation> check_normals(const mesh::Surface& before, const mesh::Surface& after);
 
-/// M5: hole(after) - hole(before) = change (m3), to tolerance::ledger of the cube of the surface's
-/// size.
+/// Checks M5: hole(after) - hole(before) = change (m3), to tolerance::ledger times the cube of the
+/// surface's size.
 std::vector<Violation> check_ledger(const mesh::Surface& before, const mesh::Surface& after,
                                     double change);
 
-/// Largest distance of the changed triangles' corners, middles of edges and centroids in `from` to
-/// the surface `to`, m: the one-sided Hausdorff distance, sampled; at most `reach`.
+/// The largest distance, m, from corners, edge midpoints and centroids of the changed triangles of
+/// `from` to the surface `to`, but at most `reach`: a sampled one-sided Hausdorff distance.
 struct Deviation {
   double distance = 0.0;
   Vec3 x_W = Vec3::Zero();  ///< where
 };
 Deviation deviation(const mesh::Surface& from, const mesh::Surface& to, double reach);
 
-/// M6 in both directions. The limit is `untangle_farthest` if the report has an untangling, else
-/// L_min/2.
+/// Checks M6 in both directions. The limit is `untangle_farthest` if the report contains an
+/// untangling, otherwise L_min/2.
 std::vector<Violation> check_distance(const mesh::Surface& before, const mesh::Surface& after,
                                       const MaintenanceLimits& limits,
                                       const MaintenanceReport& report = {});
 
-/// M7. Changed triangles that share a corner or are joined by an edge form a patch; each patch
-/// needs a vertex that was touched before, or a neighbour of one: a collapse can put back the
-/// triangle at the touched vertex that a flip took from it, and change only what lies behind it.
+/// Checks M7. Changed triangles that share a corner or an edge form a patch. Each patch must
+/// contain a vertex that was touched before, or a neighbour of one. (A flip takes a triangle from a
+/// touched vertex; a collapse may restore it, so that only triangles behind it changed.)
 std::vector<Violation> check_locality(const Rock& before, const mesh::Surface& after);
 
-/// M1 to M3 and M5 to M7 of one maintenance; `report` must be of that one alone.
+/// Checks M1 to M3 and M5 to M7 of one maintenance. `report` must contain this maintenance only.
 std::vector<Violation> check_maintenance(const Rock& before, const Rock& after,
                                          const MaintenanceLimits& limits,
                                          const MaintenanceReport& report,

@@ -6,7 +6,7 @@
 namespace tdbd::rock {
 
 void set_shortest_edge(MaintenanceLimits& l, double shortest) {
-  constexpr double below = 1.0 - 1e-9;  // M6 says nearer than, and guards and check round
+  constexpr double below = 1.0 - 1e-9;  // M6 requires "less than"; guards and check round
   l.shortest_edge = shortest;
   l.farthest = below * 0.5 * shortest;
   l.untangle_farthest = below * 2.0 * shortest;

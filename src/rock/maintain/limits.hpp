@@ -9,35 +9,36 @@ namespace tdbd::rock {
 
 enum class Smoothing { off, tangential };
 
-/// Limits of the surface's shape. Lengths in m. Thesis: 4.2.4 (reconstructed: our excerpt has the
-/// operations' names only); rock (15) to (18).
+/// Limits of the surface's shape. Lengths in m. Thesis: 4.2.4 (reconstructed: our excerpt has only
+/// the names of the operations); rock (15) to (18).
 struct MaintenanceLimits {
   double shortest_edge = 0.0;   ///< L_min: shorter edges collapse
   double longest_edge = 0.0;    ///< L_max: longer edges are bisected
-  double worst_quality = 0.1;   ///< q_min: worse triangles collapse their shortest edge
-  double flip_quality = 0.0;    ///< worse triangles may flip their edges; 0: no flips
+  double worst_quality = 0.1;   ///< q_min: the shortest edge of a worse triangle collapses
+  double flip_quality = 0.0;    ///< edges of worse triangles may flip; 0: no flips
   double smooth_quality = 0.0;  ///< vertices of worse triangles are smoothed
   Smoothing smoothing = Smoothing::off;
   double volume_per_operation = 0.0;  ///< m3: largest change of volume by one operation
   double farthest = 0.0;              ///< m: largest drift of the surface in one maintenance (M6)
-  double untangle_volume = 0.0;       ///< m3: as volume_per_operation, for untangling collapses
-  double untangle_farthest = 0.0;     ///< m: as farthest, for them; 0: untangling disabled
+  double untangle_volume = 0.0;       ///< m3: volume_per_operation for untangling collapses
+  double untangle_farthest = 0.0;     ///< m: farthest for untangling collapses; 0: no untangling
   double ridge_cut = 0.0;             ///< m: deepest cut off a sharp ridge
-  double least_normal_cosine = 0.3;   ///< of the angle by which a normal may turn
-  double steepest_overhang = 0.1;     ///< sine of the angle by which an upright triangle may lean
-  double sharp_cosine = 0.7;  ///< an edge is a sharp ridge if its normals' cosine is below this
-  int rest = 0;               ///< cuts that must have left a vertex alone before it is maintained
-  int longest_wait = 20;      ///< cuts after which it is maintained even so
+  double least_normal_cosine = 0.3;   ///< cosine of the largest angle by which a normal may turn
+  double steepest_overhang = 0.1;     ///< sine of an upright triangle's largest overhang
+  double sharp_cosine = 0.7;  ///< an edge is a sharp ridge if the cosine of its normals is smaller
+  int rest = 0;               ///< cuts without a move of a vertex before it is maintained
+  int longest_wait = 20;      ///< cuts after which a vertex is maintained in any case
   int most_rounds = 1000;     ///< of one kind of repair in one maintenance; more is an error
 };
 
-/// Sets L_min and the distances that follow from it: just less than L_min / 2 and, for untangling, 2 L_min.
+/// Sets L_min and the distances derived from it: just below L_min / 2 and, for untangling, 2 L_min.
 void set_shortest_edge(MaintenanceLimits& limits, double shortest);
 
-/// Limits that suit an edge length h: edges in [0.4, 1.6] h, volume 0.01 h^3, drift L_min / 2.
+/// Suitable limits for an edge length h: edges in [0.4, 1.6] h, volume 0.01 h^3, drift L_min / 2.
 MaintenanceLimits limits_for(double edge_length);
 
-/// What maintenance does to the surface. Thesis: 4.2.2, 4.2.1, ours, 4.2.3, ours, ours.
+/// Operations of maintenance. Thesis: bisection 4.2.2, collapse 4.2.1, smoothing 4.2.3; the others
+/// are not in the thesis.
 enum class Operation { bisection, collapse, flip, smoothing, blunting, untangling, count };
 inline constexpr std::array<const char*, static_cast<std::size_t>(Operation::count)>
     operation_names{"bisections", "collapses", "flips", "smoothings", "bluntings", "untanglings"};
@@ -63,20 +64,20 @@ inline constexpr std::array<const char*, static_cast<std::size_t>(Refusal::count
     "boundary", "topology", "normal",   "overhang", "too_long",    "too_short",
     "quality",  "volume",   "distance", "ridge",    "intersection"};
 
-/// What one or more maintenances did.
+/// Counts of one or more maintenances.
 struct MaintenanceReport {
   std::array<long, static_cast<std::size_t>(Operation::count)> done{};
   std::array<std::array<long, static_cast<std::size_t>(Refusal::count)>,
              static_cast<std::size_t>(Operation::count)>
       refused{};
-  long touched_triangles = 0;     ///< examined because rock was touched
+  long touched_triangles = 0;     ///< examined because a vertex of theirs was touched
   double volume_change = 0.0;     ///< m3 of hole gained, signed
   double volume_disturbed = 0.0;  ///< m3, sum of magnitudes
 
   long carried_out(Operation o) const { return done[static_cast<std::size_t>(o)]; }
 };
 
-/// Counts one operation that was carried out and the m3 of hole that it gained.
+/// Counts an operation that was carried out and its change of the hole's volume, m3.
 void count_done(MaintenanceReport& report, Operation what, double volume);
 
 /// Counts one refused operation.
@@ -88,7 +89,7 @@ long refusals(const MaintenanceReport& report);
 /// Adds `more` to `sum`.
 void add(const MaintenanceReport& more, MaintenanceReport& sum);
 
-/// Name and count of every operation ("flips") and refusal ("refused_flips_normal").
+/// Names and counts of every operation ("flips") and refusal ("refused_flips_normal").
 std::vector<std::pair<std::string, long>> counts(const MaintenanceReport& report);
 
 }  // namespace tdbd::rock

@@ -20,7 +20,7 @@ namespace {
 
 using Work = MaintenanceWorkspace;
 
-/// Counts a round with `left` still to do; stops the run if there were too many.
+/// Counts a round after which `left` remains to be done. Throws RunError if there were too many.
 void count_round(const Rock& rock, const std::vector<int>& left, const MaintenanceLimits& limits,
                  int& rounds) {
   if (left.empty() || ++rounds < limits.most_rounds) return;
@@ -47,8 +47,8 @@ void visit_triangles(const mesh::Surface& s, const std::vector<int>& vertices, W
       });
 }
 
-/// Visits the touched triangles that were classified for an operation and all that changed since,
-/// with their shapes; a triangle may come twice.
+/// Visits the touched triangles that were classified for an operation and all triangles that
+/// changed since, with their shapes. A triangle may be visited twice.
 template <class Visit>
 void visit_touched(const Rock& rock, const std::vector<int>& wanted, Work& work, Visit&& visit) {
   for (const int t : wanted)
@@ -57,7 +57,7 @@ void visit_touched(const Rock& rock, const std::vector<int>& wanted, Work& work,
   visit_triangles(rock.surface, work.touched.changed, work, visit);
 }
 
-/// Where an operation searches: the first time in what is touched, then at the vertices of
+/// Where an operation searches: in the touched region the first time, then at the vertices of
 /// Work::region.
 enum class Where { touched, region };
 
@@ -70,8 +70,8 @@ void visit_triangles(const Rock& rock, Where where, const std::vector<int>& want
     visit_triangles(rock.surface, work.region, work, visit);
 }
 
-/// Lowers the tips of spikes among the vertices of touched triangles. A tip below another waits for
-/// the next maintenance.
+/// Lowers the tips of spikes among the vertices of touched triangles. A tip below another one is
+/// left to the next maintenance.
 void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
                   MaintenanceReport& report) {
   const mesh::Surface& s = rock.surface;
@@ -86,7 +86,7 @@ void blunt_spikes(Rock& rock, const MaintenanceLimits& limits, Work& work,
   for (const int v : work.changed) try_blunt(rock, v, limits, work.drift, report);
 }
 
-/// Rounds of bisection: each halves the longest edges, the next examines the new ones.
+/// Rounds of bisection: each halves the longest edges; the next one examines the new edges.
 void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
                        MaintenanceReport& report) {
   const double longest2 = limits.longest_edge * limits.longest_edge;
@@ -114,8 +114,8 @@ void bisect_long_edges(Rock& rock, const MaintenanceLimits& limits, Work& work,
   }
 }
 
-/// Calls visit(neighbour) for every triangle that lies back to back with this one. Rock that is
-/// moved along an upright wall can pass its neighbours there.
+/// Calls visit(neighbour) for every neighbour that lies back to back with this triangle. Rock that
+/// is moved along an upright wall can pass its neighbours there.
 template <class Visit>
 void visit_folds(const mesh::Surface& s, int t, const Shape& shape, Visit&& visit) {
   for (int c = 3 * t; c < 3 * t + 3; ++c)
@@ -134,8 +134,8 @@ void add_edges(const mesh::Surface& s, int t, const Shape& shape,
   for (int i = 0; i < 3; ++i) edges.push_back(edge_facing(s, 3 * t + i, shape.edge2[at(i)]));
 }
 
-/// Short edges, the shortest edge of every badly shaped triangle, and the edges of folds (4.2.1,
-/// 4.2.4.4). A change may have folded an unchanged touched triangle.
+/// Finds short edges, the shortest edge of every badly shaped triangle, and the edges of folds
+/// (4.2.1, 4.2.4.4). A change may have folded an unchanged touched triangle.
 void find_collapses(const Rock& rock, const MaintenanceLimits& limits, Where where, Work& work) {
   const mesh::Surface& s = rock.surface;
   const double shortest2 = limits.shortest_edge * limits.shortest_edge;
@@ -169,7 +169,7 @@ void collapse_short_edges(Rock& rock, const MaintenanceLimits& limits, Where whe
   }
 }
 
-/// The longest edge of triangles that flips may improve, worst first.
+/// Flips the longest edge of triangles that a flip may improve, worst first.
 void flip_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
                 MaintenanceReport& report) {
   if (limits.flip_quality <= 0.0) return;
@@ -192,10 +192,10 @@ void flip_edges(Rock& rock, const MaintenanceLimits& limits, Where where, Work& 
   }
 }
 
-/// Rounds of collapses and flips until one carries out none: an operation may make another
-/// necessary beside it, or remove the reason of a refusal. What was refused is tried again only
-/// where the surface changed. Collapses leave fewer vertices, flips better triangles, so the rounds
-/// end.
+/// Repeats collapses and flips until a round carries out none. An operation may make another one
+/// beside it necessary, or remove the reason of a refusal. Refused operations are tried again only
+/// where the surface changed. The rounds end because collapses reduce the number of vertices and
+/// flips improve triangles.
 void repair(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work,
             MaintenanceReport& report) {
   for (int rounds = 0; where == Where::touched || !work.region.empty();
@@ -209,8 +209,8 @@ void repair(Rock& rock, const MaintenanceLimits& limits, Where where, Work& work
   }
 }
 
-/// Smooths every vertex of the touched triangles that need it, once; `work.region` receives what
-/// changed.
+/// Smooths every vertex of the touched triangles that need it, once. `work.region` receives the
+/// vertices whose triangles changed.
 void smooth_vertices(Rock& rock, const MaintenanceLimits& limits, Work& work,
                      MaintenanceReport& report) {
   work.region.clear();
@@ -245,7 +245,7 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
   repair(rock, limits, Where::touched, work, report);
   smooth_vertices(rock, limits, work, report);
   repair(rock, limits, Where::region, work, report);
-  constexpr int most_untanglings = 5;  // what is left waits until it is touched again
+  constexpr int most_untanglings = 5;  // the rest waits until it is touched again
   for (int k = 0; k < most_untanglings && untangle(rock, folded, limits, work, report); ++k)
     repair(rock, limits, Where::region, work, report);
   deepen_index(rock);

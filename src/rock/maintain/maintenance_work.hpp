@@ -9,7 +9,7 @@
 
 namespace tdbd::rock {
 
-/// An edge that an operation may repair; smaller keys first.
+/// An edge that an operation may repair. Smaller keys first.
 struct EdgeCandidate {
   double key;
   int a, b;  ///< vertices, a < b
@@ -18,11 +18,11 @@ struct EdgeCandidate {
 /// The edge that faces corner c.
 EdgeCandidate edge_facing(const mesh::Surface& s, int c, double key);
 
-/// Smallest key first, then by vertices; neighbours that are the same edge once. The order depends
-/// on no address.
+/// Sorts by key, then by vertices, and removes duplicate neighbours. The order does not depend on
+/// addresses.
 void sort_edges(std::vector<EdgeCandidate>& edges);
 
-/// Buffers of maintain(), kept between calls so that none allocates once warm.
+/// Buffers of maintain(), kept between calls to avoid allocations.
 struct MaintenanceWorkspace {
   TouchedRegion touched;
   OldNotes old_notes = OldNotes::used;

@@ -5,7 +5,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// What was removed while it was listed leaves the list.
+/// Renumbers a list and drops vertices that were removed while they were listed.
 void renumber_list(const std::vector<int>& number, std::vector<int>& vertices) {
   std::size_t kept = 0;
   for (const int v : vertices)
@@ -13,7 +13,7 @@ void renumber_list(const std::vector<int>& number, std::vector<int>& vertices) {
   vertices.resize(kept);
 }
 
-/// The new numbers of the vertices in contact or left; those that were removed leave their lists.
+/// Renumbers the vertices in Rock::carried, pressed and left. Removed vertices are dropped.
 void renumber_contacts(const std::vector<int>& number, Rock& rock) {
   for (CarriedDisplacement& c : rock.carried) {
     c.v = number[at(c.v)];
@@ -35,7 +35,7 @@ void renumber(Rock& rock, double cube, RenumberWork& work) {
   mesh::take_in_order(work.order, rock.last_part, work.parts);
   mesh::take_in_order(work.order, rock.touched, work.mesh.bytes);
   mesh::take_in_order(work.order, rock.moved_in, work.moved_in);
-  rock.notes.of.assign(rock.surface.stars.size(), 0);  // rings begin elsewhere now
+  rock.notes.of.assign(rock.surface.stars.size(), 0);  // rings begin at other neighbours now
   renumber_list(work.mesh.number, rock.touched_list);
   renumber_contacts(work.mesh.number, rock);
   rock.grid.renumber(work.mesh.number, rock.surface.vertex_slots(), work.blocks);

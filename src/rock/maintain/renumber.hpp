@@ -9,7 +9,7 @@
 
 namespace tdbd::rock {
 
-/// Room for renumberings, kept between them so that none allocates once warm.
+/// Buffers of renumber(), kept between calls to avoid allocations.
 struct RenumberWork {
   std::vector<PlacedVertex> placed;
   std::vector<int> order, parts;
@@ -18,11 +18,12 @@ struct RenumberWork {
   mesh::RenumberRoom mesh;
 };
 
-/// Numbers the rock's vertices and triangles by place, in cubes with edges of `cube` (m), and puts
-/// its index into the same order: what a step reads together lies together in memory again, where
-/// new vertices had taken whatever number was free (ours). The surface, its marks and what waits
-/// stay as they are. The numbers follow from the shape alone: a copy with other numbers gets the
-/// same. Ties of maintenance are decided by number, so what follows may differ in details.
+/// Renumbers the rock's vertices and triangles by place, in cubes with edges of `cube` (m), and
+/// sorts its index in the same order. Data that a step reads together are then close together in
+/// memory again; before, new vertices had taken any free number. Not in the thesis. The surface,
+/// its marks and the waiting vertices do not change. The new numbers depend only on the shape, so a
+/// copy with other numbers gets the same ones. Maintenance resolves ties by number, so later
+/// results may differ in details.
 void renumber(Rock& rock, double cube, RenumberWork& work);
 
 }  // namespace tdbd::rock

@@ -10,19 +10,19 @@ namespace {
 
 using mesh::VertexStar;
 
-/// What is found of each triangle of a ring, bit by bit.
+/// Results for the triangles of a ring, one bit per triangle.
 struct Sifted {
   unsigned leans = 0, fine = 0, turned = 0;
 };
 
-/// The area vectors of the triangles over the sums of the squares of their spokes, and whether they
-/// lean.
+/// The area vectors of the triangles divided by the sums of the squares of their spokes, and
+/// whether the triangles lean.
 struct Areas {
   RingColumn x, y, z;
   RingFlags leans;
 };
 
-/// Repeats the first eight behind the n-th.
+/// Stores the first eight again from index n on.
 template <class Ring, class Wide>
 [[gnu::always_inline]] inline void repeat(Ring& c, std::size_t n, const Wide& first) {
   static_assert(sizeof(Ring) == 2 * sizeof(Wide));  // n is at most eight
@@ -52,8 +52,9 @@ TDBD_WIDE void sift_pairs(const Areas& a, std::size_t n, unsigned& turned) {
   turned = bits_of(found);
 }
 
-/// Fine: edges and quality within the limits, facing up, not folded on the next. Leaning: rounding of
-/// a component of an area over the spokes' squares is below 1e-6; an area of no size leans.
+/// Fine: edges and quality within the limits, facing up, not folded on the next triangle. Leaning:
+/// the rounding error of a component of an area over the squares of the spokes is below 1e-6; a
+/// degenerate triangle leans.
 TDBD_WIDE void sift(const mesh::Surface& s, const VertexStar& star, const RingLimits& l,
                     Sifted& found) {
   constexpr Single far_from_rounding = 2e-5F, room = 1.2F, no_size = 1e-30F;
@@ -95,7 +96,7 @@ TDBD_WIDE void sift(const mesh::Surface& s, const VertexStar& star, const RingLi
   found.turned &= all;
 }
 
-/// A vertex that changed has changed the rings around it.
+/// Discards the notes of the rings around every vertex that changed.
 void discard_changed(Rock& rock) {
   std::vector<std::uint16_t>& of = rock.notes.of;
   for (const int v : rock.touched_list) {
@@ -110,7 +111,7 @@ void discard_changed(Rock& rock) {
   }
 }
 
-/// Prefetches what a look reads of vertices farther on in the list.
+/// Prefetches what look_at_ring reads for vertices farther on in the list.
 void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::size_t i) {
   constexpr std::size_t farther = 16, nearer = 8;
   if (i + farther < vertices.size()) __builtin_prefetch(&s.stars[at(vertices[i + farther])]);
@@ -120,7 +121,8 @@ void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::siz
   for (int k = 0; k < star.size; ++k) __builtin_prefetch(&s.stars[at(star.ring[at(k)])]);
 }
 
-/// Every look writes the note of its own vertex only.
+/// Each call of look_at_ring writes only the note of its own vertex, so the calls may run in
+/// parallel.
 void look_at_rings(const std::vector<int>& vertices, const mesh::Surface& s, RingNotes& notes) {
   constexpr std::size_t per_chunk = 64;
   const std::size_t chunks = (vertices.size() + per_chunk - 1) / per_chunk;
@@ -136,8 +138,8 @@ void look_at_rings(const std::vector<int>& vertices, const mesh::Surface& s, Rin
 }  // namespace
 
 RingLimits ring_limits(const MaintenanceLimits& limits) {
-  // Rounding of a squared edge, an area or their differences is below 1e-6 of the longest square,
-  // that of a squared quality below 1e-5 of it as long as the quality is 0.01 or more.
+  // The rounding error of a squared edge, an area or their differences is below 1e-6 of the longest
+  // square. That of a squared quality is below 1e-5 of it if the quality is at least 0.01.
   constexpr double slack = 1e-4, of_longest = 1e-6, least_quality = 0.01;
   const double short2 = limits.shortest_edge * limits.shortest_edge,
                long2 = limits.longest_edge * limits.longest_edge;

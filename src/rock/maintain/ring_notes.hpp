@@ -9,41 +9,41 @@
 namespace tdbd::rock {
 
 /// @file
-/// Notes of what one look at all triangles around a vertex finds, eight triangles at once in single
-/// precision (ours). A note is kept from one maintenance to the next until the ring changes: the
-/// vertex or a neighbour moves, or its neighbours are others. Notes are conservative, so that results
-/// do not depend on them: what a note excludes is excluded, for the rest triangles are tested.
+/// Notes on the triangles around a vertex, computed for eight triangles at once in single
+/// precision. Not in the thesis. A note is valid until the ring changes: the vertex or a neighbour
+/// moves, or the neighbours change. Notes are conservative, so results do not depend on them: a
+/// note excludes only what cannot occur; otherwise the triangles are tested.
 
-/// Bits of RingNotes::of. The upper eight tell of each triangle of the star whether it leans: it may
-/// not face up.
+/// Bits of RingNotes::of. Each of the upper eight bits is set if a triangle of the star leans, that
+/// is, if it may not face up.
 inline constexpr unsigned
     ring_unchanged = 1,  ///< the vertex itself did not change since the last maintenance began
-    ring_known = 2,      ///< the ring was looked at, and has not changed
-    ring_may_fold = 4,   ///< a triangle that leans may be turned over against another one
-    ring_fine = 8;       ///< no operation wants a triangle of the ring, none is steep or folded
+    ring_known = 2,      ///< the ring was checked and has not changed since
+    ring_may_fold = 4,   ///< a leaning triangle may be turned over against another one
+    ring_fine = 8;       ///< no triangle of the ring needs an operation, is steep or folded
 inline constexpr int first_leaning_bit = 8;
 
-/// The limits, drawn in by more than single precision rounds.
+/// The limits, tightened by more than the rounding error of single precision.
 RingLimits ring_limits(const MaintenanceLimits& limits);
 
-/// Looks at the triangles around v. Open rings and those of more than eight neighbours are not
-/// sifted: all of them may lean and fold.
+/// Computes the note for the triangles around v. Open rings and rings of more than eight neighbours
+/// are not tested: all their triangles may lean and fold.
 std::uint16_t look_at_ring(const mesh::Surface& s, int v, const RingLimits& limits);
 
-/// The note of v, after a look if there is none.
+/// Returns the note of v; computes it if there is none.
 inline std::uint16_t note_at(const mesh::Surface& s, int v, RingNotes& notes) {
   std::uint16_t& note = notes.of[at(v)];
   if ((note & ring_known) == 0) note = look_at_ring(s, v, notes.limits);
   return note;
 }
 
-/// Whether notes of earlier maintenances are used: quicker, the same results.
+/// Whether notes of earlier maintenances are used. Results are the same; `used` is faster.
 enum class OldNotes { used, discarded };
 
-/// Begins a maintenance: discards the notes of rings that changed since the last one, and all of
-/// them if the limits are others. Looks at the rings of all touched vertices that have no note, in
-/// parallel; `unknown` is a buffer. Operations of maintenance touch every vertex whose ring they
-/// change, so that notes stay right until the next cut.
+/// Begins a maintenance. Discards the notes of rings that changed since the last one, or all notes
+/// if the limits changed. Computes the notes of all touched vertices that have none, in parallel.
+/// `unknown`: buffer. Operations of maintenance touch every vertex whose ring they change, so notes
+/// stay valid until the next cut.
 void begin_notes(Rock& rock, const MaintenanceLimits& limits, OldNotes old_notes,
                  std::vector<int>& unknown);
 

@@ -6,31 +6,31 @@
 namespace tdbd::rock {
 
 /// @file
-/// The triangles around a vertex side by side in single precision, to be sifted eight at once. For
-/// closed rings of at most eight neighbours.
+/// The triangles around a vertex as columns in single precision, tested eight at a time. For closed
+/// rings of at most eight neighbours.
 
-/// A figure of each triangle, repeated behind the last. Not initialized: only what was stored is
-/// loaded.
+/// One value per triangle; the values are repeated behind the last one. Not initialized, because
+/// only stored entries are loaded.
 struct alignas(32) RingColumn {
   Single at[2 * single_lanes];
 };
 
-/// A flag of each triangle, repeated behind the last: all bits set or none.
+/// One flag per triangle, all bits set or none; repeated behind the last one.
 struct alignas(32) RingFlags {
   int at[2 * single_lanes];
 };
 
-/// The neighbours less the vertex, m: triangle i has the spokes i and i + 1.
+/// Vectors from the vertex to its neighbours, m. Triangle i has the spokes i and i + 1.
 struct Spokes {
   RingColumn x, y, z;
 };
 
-/// A triangle's two spokes, eight triangles side by side.
+/// The two spokes of eight triangles, one triangle per lane.
 struct WideSpokes {
   WideSingle ex, ey, ez, fx, fy, fz;
 };
 
-/// For functions that are TDBD_WIDE.
+/// Loads the spokes. For functions that are TDBD_WIDE.
 [[gnu::always_inline]] inline void load(const Spokes& d, WideSpokes& w) {
   TDBD_LOAD(w.ex, d.x.at);
   TDBD_LOAD(w.ey, d.y.at);
@@ -40,7 +40,7 @@ struct WideSpokes {
   TDBD_LOAD(w.fz, d.z.at + 1);
 }
 
-/// Repeats the first figure of n behind the last.
+/// Stores the first of n values again behind the last one.
 [[gnu::always_inline]] inline void wrap(RingColumn& c, std::size_t n) { c.at[n] = c.at[0]; }
 
 inline bool has_spokes(const mesh::VertexStar& star) {

@@ -10,7 +10,7 @@ namespace {
 
 using mesh::Facet;
 
-/// The triangles around an interior vertex, taken together.
+/// Sums over the triangles around an interior vertex.
 struct VertexRing {
   Vec3 mean_W = Vec3::Zero();  ///< of the neighbours
   Vec3 area = Vec3::Zero();    ///< sum of the area vectors, m2
@@ -37,7 +37,7 @@ std::optional<Refusal> judge_length(double length, const MaintenanceLimits& limi
 /// The guards on each triangle around v.
 std::optional<Refusal> judge_triangles(const mesh::Surface& s, int v, const Vec3& x_W,
                                        const MaintenanceLimits& limits) {
-  constexpr double least_gain = 1.02;  // no to-and-fro over rounding
+  constexpr double least_gain = 1.02;  // prevents alternating moves due to rounding
   const double floor = least_gain * worst_quality(s, v);
   double swept = 0.0;  // m3
   std::optional<Refusal> why;
@@ -53,7 +53,8 @@ std::optional<Refusal> judge_triangles(const mesh::Surface& s, int v, const Vec3
   return why;
 }
 
-/// How far the old place is from the new triangles, or the new place from the old ones.
+/// The larger of the distance of the old place from the new triangles and that of the new place
+/// from the old ones, m.
 double distance_moved(const mesh::Surface& s, int v, const Vec3& x_W) {
   double old_to_new = 1e300, new_to_old = 1e300;
   mesh::visit_corners(s, v, [&](int c) {

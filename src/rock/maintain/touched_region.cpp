@@ -32,7 +32,8 @@ void classify(const mesh::Surface& s, const MaintenanceLimits& limits, int t, To
   if (is_below(shape, limits.smooth_quality)) r.to_smooth.push_back(t);
 }
 
-/// Counts the touched triangles at v in `r.asked`, and returns whether the ring of v is fine.
+/// Adds the number of touched triangles at v to `r.asked` and returns whether the ring of v is
+/// fine.
 bool is_passed_over(Rock& rock, int v, TouchedRegion& r) {
   const mesh::VertexStar& star = rock.surface.star(v);
   if (!has_spokes(star)) {
@@ -44,7 +45,7 @@ bool is_passed_over(Rock& rock, int v, TouchedRegion& r) {
   return r.fine_rings == FineRings::passed_over && ring_is_fine(rock, v, marks);
 }
 
-/// Marks both triangles of every pair that lies back to back; each pair is tested once.
+/// Marks both triangles of every pair that lies back to back. Each pair is tested once.
 void find_folds(const mesh::Surface& s, TouchedRegion& r) {
   for (std::size_t k = 0; k < r.triangles.size(); ++k) {
     const int t = r.triangles[k];

@@ -9,8 +9,8 @@
 
 namespace tdbd::rock {
 
-/// The figures of a triangle that the limits of maintenance apply to. Lengths and quality are
-/// squared: comparing needs no root.
+/// The properties of a triangle that maintenance limits. Lengths and quality are squared, so that
+/// comparisons need no square root.
 struct Shape {
   std::array<double, 3> edge2{};  ///< m2, of the edge that faces corner i
   double quality2 = 0.0;
@@ -23,23 +23,25 @@ inline bool is_below(const Shape& shape, double quality) {
   return shape.quality2 < quality * quality;
 }
 
-/// Whether triangles of which nothing can be wanted are passed over: quicker, the same repairs.
+/// Whether triangles that need no repair are skipped. Results are the same; `passed_over` is
+/// faster.
 enum class FineRings { passed_over, classified };
 
 /// The triangles at touched vertices, classified once at the beginning of a maintenance by the
-/// operations that may repair them. Later only those that an operation changed are examined again.
+/// operations that may repair them. Later, only triangles that an operation changed are examined
+/// again.
 struct TouchedRegion {
   std::vector<int> steep, with_long_edges, to_collapse, to_flip, to_smooth;  ///< triangles
-  std::vector<int> changed;                  ///< vertices touched since, by find_changed
-  std::vector<int> triangles;                ///< all but those of fine rings
-  std::vector<Vec3> areas;                   ///< Shape::doubled_area of each
-  std::vector<std::uint8_t> wants_collapse;  ///< of each
+  std::vector<int> changed;                  ///< vertices touched since (find_changed)
+  std::vector<int> triangles;                ///< all triangles except those of fine rings
+  std::vector<Vec3> areas;                   ///< per element of `triangles`: Shape::doubled_area
+  std::vector<std::uint8_t> wants_collapse;  ///< per element of `triangles`
   std::vector<int> place;                    ///< per triangle: its index in `triangles`
-  long asked = 0;                            ///< triangles at touched vertices
+  long asked = 0;                            ///< number of triangles at touched vertices
   FineRings fine_rings = FineRings::passed_over;
 };
 
-/// The triangle's index in the region; -1 if it is not there.
+/// The triangle's index in the region, or -1 if it is not there.
 inline int place_of(const TouchedRegion& region, int t) {
   const auto i = static_cast<std::size_t>(t);
   if (i >= region.place.size()) return -1;
@@ -47,17 +49,18 @@ inline int place_of(const TouchedRegion& region, int t) {
   return k < region.triangles.size() && region.triangles[k] == t ? region.place[i] : -1;
 }
 
-/// Classifies every triangle at a touched vertex, unless its ring is fine (fine_ring.hpp). Follows
-/// begin_notes. To be
-/// collapsed: edges below the shortest, quality below the worst, or back to back with a neighbour.
+/// Classifies every triangle at a touched vertex, unless its ring is fine (fine_ring.hpp). Requires
+/// begin_notes. Triangles to collapse have an edge below the shortest, a quality below the worst,
+/// or lie back to back with a neighbour.
 void classify_touched_triangles(Rock& rock, const MaintenanceLimits& limits, TouchedRegion& region);
 
-/// Finds the vertices touched since. Every triangle that an operation changed has one.
+/// Finds the vertices touched since classification. Every triangle that an operation changed has
+/// such a vertex.
 void find_changed(const Rock& rock, TouchedRegion& region);
 
 /// Whether two triangles with these area vectors lie back to back.
 inline bool are_folded(const Vec3& n, const Vec3& m) {
-  constexpr double back_to_back = -0.5;  // cosine of the normals
+  constexpr double back_to_back = -0.5;  // cosine of the angle between the normals
   const double product = n.dot(m);
   return product < 0.0 && product < back_to_back * n.norm() * m.norm();
 }

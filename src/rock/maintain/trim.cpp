@@ -13,7 +13,7 @@ bool is_above(const mesh::Surface& s, int t, double z_W) {
   return std::ranges::all_of(v, [&](int i) { return s.position(i).z() < z_W; });
 }
 
-/// Triangles above the plane at boundary vertices, in their order.
+/// Triangles above the plane at boundary vertices, in ascending order.
 void find_first(const Rock& rock, double from_z_W, double z_W, TrimWorkspace& work) {
   constexpr double everywhere = 1e300;
   Region slab_W;
@@ -37,7 +37,7 @@ double six_hole_volumes(const mesh::Surface& s, int t) {
   return -s.position(v[0]).dot(s.position(v[1]).cross(s.position(v[2])));
 }
 
-/// Removes one triangle and queues those at its corners.
+/// Removes one triangle and queues the triangles at its corners.
 void remove(Rock& rock, int t, TrimWorkspace& work) {
   const mesh::Triangle corners = rock.surface.triangles[at(t)];
   const int gone = mesh::remove_triangle(rock.surface, t);

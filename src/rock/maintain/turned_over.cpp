@@ -12,8 +12,8 @@ bool may_fold(const mesh::Surface& s, int v, RingNotes& notes) {
   return (note_at(s, v, notes) & ring_may_fold) != 0;
 }
 
-/// Whether a triangle at v may be turned over: a triangle that leans at v, and at one of its corners
-/// another one against which it is.
+/// Whether a triangle at v may be turned over: a triangle leans at v, and another triangle at one
+/// of its corners may be turned against it.
 bool may_be_turned_over_at(const mesh::Surface& s, int v, RingNotes& notes) {
   const unsigned note = note_at(s, v, notes);
   if ((note & ring_may_fold) != 0) return true;

@@ -8,18 +8,18 @@
 namespace tdbd::rock {
 
 /// @file
-/// Which triangles are turned over (star.hpp), by the notes of the rings of their corners first:
-/// after begin_notes, with its limits. The answers are those of star.hpp.
+/// Tests for triangles that are turned over (star.hpp). The notes of the rings of their corners are
+/// tested first. Requires begin_notes with the same limits. The results are those of star.hpp.
 
 /// Whether triangle t is turned over.
 bool is_turned_over(const mesh::Surface& s, const MaintenanceLimits& limits, int t,
                     RingNotes& notes);
 
-/// Whether one at v is.
+/// Whether a triangle at v is turned over.
 bool is_turned_over_at(const mesh::Surface& s, const MaintenanceLimits& limits, int v,
                        RingNotes& notes);
 
-/// Appends those at v that are.
+/// Appends the triangles at v that are turned over.
 void add_turned_over(const mesh::Surface& s, const MaintenanceLimits& limits, int v,
                      RingNotes& notes, std::vector<int>& triangles);
 

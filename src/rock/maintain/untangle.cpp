@@ -16,7 +16,7 @@ using Work = MaintenanceWorkspace;
 
 constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
 
-/// As for folds over an edge: without a limit on quality only short edges collapse.
+/// As for folds: without a limit on quality, only short edges collapse.
 bool untangling_enabled(const MaintenanceLimits& limits) {
   return limits.untangle_farthest > 0.0 && limits.worst_quality > 0.0;
 }
@@ -56,20 +56,20 @@ void find_edges(const Rock& rock, const MaintenanceLimits& limits, Work& work) {
   sort_edges(work.edges);
 }
 
-/// Intersecting pairs of the patch, at most `most`.
+/// Number of intersecting pairs of the patch, at most `most`.
 std::size_t count_pairs(const Rock& rock, const MaintenanceLimits& limits, std::size_t most,
                         Work& work) {
   find_intersections(rock, work.patch, limits.longest_edge, most, work.intersections);
   return work.intersections.met.size();
 }
 
-/// Collapses the edge to the first of its three places that leaves fewer pairs.
+/// Collapses the edge to the first of its three places that leaves fewer intersecting pairs.
 bool try_untangle(Rock& rock, int a, int b, const MaintenanceLimits& loose, Work& work,
                   MaintenanceReport& report) {
   const mesh::Surface& s = rock.surface;
   take_stars(s, {a, b}, work.patch);
   const std::size_t pairs = count_pairs(rock, loose, all_pairs, work);
-  if (pairs == 0) return false;  // another collapse has parted them
+  if (pairs == 0) return false;  // another collapse has separated them
   std::optional<Refusal> why;
   for (const CollapseVerdict& v : judge_collapses(s, a, b, loose, work.drift)) {
     if (v.corner < 0) return false;
@@ -87,7 +87,7 @@ bool try_untangle(Rock& rock, int a, int b, const MaintenanceLimits& loose, Work
   return false;
 }
 
-/// The triangles around what changed may now pass through others.
+/// Adds the triangles around the changed vertices, which may now pass through others.
 void add_suspects(const mesh::Surface& s, const std::vector<int>& vertices, Work& work) {
   for (const int v : vertices)
     if (s.is_alive(v)) mesh::visit_corners(s, v, [&](int c) { work.suspects.push_back(c / 3); });
@@ -124,7 +124,7 @@ void find_suspects(Rock& rock, const std::vector<int>& folded, const Maintenance
 
 bool untangle(Rock& rock, const std::vector<int>& folded, const MaintenanceLimits& limits,
               Work& work, MaintenanceReport& report) {
-  constexpr int most_rounds = 20;  // each leaves fewer pairs
+  constexpr int most_rounds = 20;  // each round leaves fewer pairs
   work.region.clear();
   if (!untangling_enabled(limits)) return false;
   const MaintenanceLimits loose = loosened(limits);

@@ -25,8 +25,8 @@ double largest_drift_around(const mesh::Surface& s, int v, const SurfaceDrift& d
 
 namespace {
 
-/// What vertex v carries to the point x_W of its star: linear on the triangle in which x_W lies, or
-/// that it is nearest to.
+/// The displacement that vertex v carries to the point x_W of its star: linearly interpolated on
+/// the triangle that contains x_W or is nearest to it.
 CarriedDisplacement carried_to(const mesh::Surface& s, int v, const Vec3& x_W) {
   CarriedDisplacement best{v, {v, v, v}, {1.0, 0.0, 0.0}};
   double least = -std::numeric_limits<double>::infinity();

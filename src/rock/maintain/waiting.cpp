@@ -39,9 +39,9 @@ void list_again(Rock& rock, const MaintenanceLimits& limits, const std::vector<i
   for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
   rock.touched_list.resize(waiting.size());
   std::size_t listed = 0;
-  for (const int v : waiting) {  // a slot that was given to a new vertex does not wait
+  for (const int v : waiting) {  // a new vertex in the slot of a deleted one does not wait
     if (!rock.surface.is_alive(v) || has_waited(rock, limits, v)) continue;
-    rock.touched[at(v)] = touched_mark;  // not by touch(): the vertex did not change
+    rock.touched[at(v)] = touched_mark;  // not by touch(), because the vertex did not change
     rock.touched_list[listed++] = v;
   }
   rock.touched_list.resize(listed);

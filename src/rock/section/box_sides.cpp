@@ -8,9 +8,9 @@
 namespace tdbd::rock {
 namespace {
 
-constexpr int is_known = 0x80;  // above the bits of the sides
+constexpr int is_known = 0x80;  // a bit above those of the sides
 
-/// The sides of a block's vertices, with is_known.
+/// The sides of a block's vertices, with the bit is_known set.
 TDBD_WIDE void find_sides(const VertexGrid::Block& block, const SingleFrame& X_PW,
                           const SingleBox& box, std::array<int, single_lanes>& sides) {
   WidePoints x_W, q;
@@ -26,7 +26,7 @@ TDBD_WIDE void find_sides(const VertexGrid::Block& block, const SingleFrame& X_P
   TDBD_STORE(s, sides.data());
 }
 
-/// Whether a vertex and all its neighbours lie beyond one side.
+/// Whether a vertex and all its neighbours lie beyond the same side.
 bool is_all_beyond(const Rock& rock, const mesh::Box& box_P, const Pose& X_PW, int v,
                    BoxSidesWork& w) {
   const mesh::VertexStar& star = rock.surface.star(v);

@@ -10,8 +10,8 @@
 namespace tdbd::rock {
 namespace {
 
-/// Of a prism beside a face, over the cutter's diameter: its length along the path, how high cracks
-/// may rise in the plane of the face, and how high the prism is.
+/// Dimensions of a prism beside a face over the cutter's diameter: its length along the path, the
+/// largest rise of a crack in the plane of the face, and the height of the prism.
 constexpr double prism_length = 0.1, most_rise = 0.5, prism_height = 0.75;
 
 double sign_of(FaceSide side) { return side == FaceSide::left ? -1.0 : 1.0; }
@@ -20,7 +20,7 @@ FaceSide side_of(BreakoutPlace place) {
   return place == BreakoutPlace::left ? FaceSide::left : FaceSide::right;
 }
 
-/// A polygon, counter-clockwise seen from the rock ahead, extended by a vector. Frame F.
+/// A polygon, counter-clockwise seen from the rock ahead, extruded by a vector. Frame F.
 mesh::TriangleMesh extended(const ConvexPolygon& polygon_F, const Vec3& by_F) {
   const int n = static_cast<int>(polygon_F.size());
   mesh::TriangleMesh m;
@@ -40,7 +40,7 @@ mesh::TriangleMesh extended(const ConvexPolygon& polygon_F, const Vec3& by_F) {
   return m;
 }
 
-/// Corner at the origin; the crack rises outwards, the other sides are upright.
+/// The corner is at the origin, the crack rises outwards, and the other sides are vertical.
 mesh::TriangleMesh prism(FaceSide side, double slope, double diameter) {
   const double rise = most_rise * diameter, out = sign_of(side) * rise * slope,
                top = prism_height * diameter;
@@ -49,7 +49,7 @@ mesh::TriangleMesh prism(FaceSide side, double slope, double diameter) {
   return extended(corners, {-prism_length * diameter, 0.0, 0.0});
 }
 
-/// The plane of a prism that ends it outwards.
+/// The plane that bounds a prism outwards.
 std::size_t outer_plane(const mesh::ConvexSolid& solid, FaceSide side) {
   const Vec3 out(0.0, sign_of(side), 0.0);
   std::size_t outer = 0;
@@ -58,8 +58,8 @@ std::size_t outer_plane(const mesh::ConvexSolid& solid, FaceSide side) {
   return outer;
 }
 
-/// Farthest from the bit's axis and origin, wherever on the outline the body's origin is, or raised
-/// by the outline's height.
+/// Largest distances from the bit's axis and origin, for any position of the body's origin on the
+/// outline, or raised by the outline's height.
 void reach_from(const FaceOutline& face, const mesh::TriangleMesh& body_F, CuttingGroup& g) {
   std::vector<Vec3> origins_F;
   double low = 0.0, high = 0.0;
@@ -84,7 +84,7 @@ int face_of(const bit::Bit& bit, int cutter) {
   return -1;
 }
 
-/// A group is prepared as that of a bit with one part.
+/// Prepares a group by way of a bit with one part.
 CuttingGroup body_group(const bit::Bit& bit, int part, const FaceOutline& face,
                         const mesh::TriangleMesh& body_F, const CuttingOptions& options) {
   bit::Part body;
@@ -189,7 +189,7 @@ std::optional<Vec2> crack_start(const Breakout& b, double end_z) {
 
 namespace {
 
-/// A crack ends where it has risen to the height of the free surface at the end of the engaged edge.
+/// Ends a crack where it reaches the height of the free surface at the end of the engaged edge.
 void end_crack(const Breakout& b, double rise, CuttingPart& prism) {
   const FaceSide side = side_of(b.place);
   const double most = most_rise * b.diameter;

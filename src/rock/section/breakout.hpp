@@ -10,22 +10,22 @@
 
 namespace tdbd::rock {
 
-/// How rock breaks out around a face, rock (20), (21) (ours; thesis 4.1 leaves spalling out).
-/// Beside the face cracks rise from its engaged edge to the free surface; ahead of it the upper
-/// share of what it would cut chips off before it comes.
+/// How rock breaks out around a face, rock (20), (21) [+] (thesis 4.1 does not treat spalling).
+/// Beside the face, cracks rise from its engaged edge to the free surface. Ahead of it, the upper
+/// share of the rock that it would cut chips off before the face arrives.
 struct BreakoutRule {
-  double angle = 0.0;        ///< rad, of cracks from the profile's normal, in (0, pi/2)
+  double angle = 0.0;        ///< rad, between cracks and the profile's normal, in (0, pi/2)
   double depth_share = 1.0;  ///< in [0, 1]: cracks start in this share of the depth, from the top
-  double ahead_share = 0.0;  ///< in [0, 1): of the depth, from the top, that chips off ahead
+  double ahead_share = 0.0;  ///< in [0, 1): share of the depth, from the top, that chips off ahead
 };
 
 enum class BreakoutPlace { left, right, ahead };
 
-/// A body that the rock around a face leaves. It has one shape; where it is follows the depth of
-/// cut. Beside a face: a prism along the path whose cross-section is the wedge above the
-/// crack, its corner at the start of the crack; it ends where the crack comes to the height of the
-/// free surface at the end of the engaged edge. Ahead: the outline of the face extended
-/// along the path, raised.
+/// A body that removes the rock that breaks out around a face. Its shape is fixed; its place
+/// depends on the depth of cut. Beside a face: a prism along the path whose cross-section is the
+/// wedge above the crack, with its corner at the start of the crack. It ends where the crack
+/// reaches the height of the free surface at the end of the engaged edge. Ahead: the outline of the
+/// face, extended along the path and raised.
 struct Breakout {
   int cutter = -1;
   BreakoutPlace place = BreakoutPlace::left;
@@ -37,37 +37,39 @@ struct Breakout {
   double diameter = 0.0;          ///< m, of the cutter
 };
 
-/// dy / dz of a crack in the plane of a face (frame F) that, seen along the motion `along_B` (unit),
-/// has this angle (rad) with the normal (unit). Not positive: the face is too oblique for it.
+/// Slope dy / dz of a crack in the plane of a face (frame F). Seen along the motion `along_B`
+/// (unit), the crack has this angle (rad) with the normal (unit). If the slope is not positive, the
+/// face is too oblique for a crack.
 double crack_slope(const Pose& X_BF, FaceSide side, const Vec3& along_B, const Vec3& normal_B,
                    double angle);
 
-/// The faces of a bit, per cutter.
+/// The faces of a bit, indexed by cutter.
 struct BreakoutFaces {
-  const std::vector<std::optional<BreakoutRule>>& rules;  ///< none: no break-out
+  const std::vector<std::optional<BreakoutRule>>& rules;  ///< empty: no break-out
   const std::vector<FaceOutline>& outlines;
-  double ahead = 0.0;  ///< m, how far chips reach ahead; farther than sections are measured
+  double ahead = 0.0;  ///< m, length of chips ahead; beyond the place of sections
 };
 
-/// Adds a group for each body that breaks out to the groups of `cutting`, and removes those that an
-/// earlier call added.
-/// The volume that they take counts as removed by the face, and in CutReport::broken_out_by_part.
+/// Removes the groups that an earlier call added to `cutting` and adds a group for each body that
+/// breaks out. Its removed volume is credited to the face, and also to
+/// CutReport::broken_out_by_part.
 std::vector<Breakout> add_breakouts(const bit::Bit& bit, const BreakoutFaces& faces,
                                     const CuttingOptions& options, CuttingBit& cutting);
 
-/// The corners (F, m) of an outline's lower edge on one side, from its lowest point to its widest.
+/// The corners (F, m) of an outline's lower edge on one side, from its lowest to its widest point.
 ConvexPolygon lower_edge(const ConvexPolygon& rim_F, FaceSide side);
 
-/// Where the crack starts (y, z in F, m): the point of the lower edge in rock, at most depth_share
-/// of the depth below `end_z`, from where the crack reaches farthest outwards, rock (20). None where
-/// that is the end itself: nothing breaks out. `end_z`: height (F, m) of the highest engaged point of this
-/// side.
+/// Returns the start of the crack (y, z in F, m), rock (20): the point of the lower edge in rock,
+/// at most depth_share of the depth below `end_z`, from which the crack reaches farthest outwards.
+/// Returns nothing if that is the end itself, so that no rock breaks out. `end_z`: height (F, m) of
+/// the highest engaged point on this side.
 std::optional<Vec2> crack_start(const Breakout& breakout, double end_z);
 
-/// How far (m, along z of F) the outline is raised ahead of the face, rock (21). None without ends.
+/// Returns how far (m, along z of F) the outline is raised ahead of the face, rock (21); nothing
+/// without ends.
 std::optional<double> raised_ahead(const Breakout& breakout, const EngagedEnds& ends);
 
-/// Puts a body where these ends of its face's engaged edge have it; `ends` none: it takes no rock.
+/// Places a body according to the ends of its face's engaged edge. Without ends it removes no rock.
 void place_breakout(const Breakout& breakout, const EngagedEnds& ends, CuttingBit& cutting);
 
 }  // namespace tdbd::rock

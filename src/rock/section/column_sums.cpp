@@ -8,7 +8,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// A linear function on a piece of a column, by its values at the ends.
+/// A linear function on a piece of a column, given by its values at the ends.
 struct Linear {
   double at0, at1;
 };
@@ -22,7 +22,8 @@ double value_at(const Piece& p, const Linear& f, double y) {
   return f.at0 + (f.at1 - f.at0) * ((y - p.y0) / (p.y1 - p.y0));
 }
 
-/// To the nearest whole number, below 2^51: the sum has the number in the low bits of its mantissa.
+/// Rounds to the nearest integer below 2^51: adding the constant puts the integer into the low bits
+/// of the mantissa.
 std::int64_t units(double x) {
   constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52
   return std::bit_cast<std::int64_t>(x + shift) - std::bit_cast<std::int64_t>(shift);
@@ -34,7 +35,7 @@ void add_moments(const PolygonMoments& m, double sign, ColumnSums& sums) {
   sums.moment_z += units(sign * sums.per_moment * m.moment.y());
 }
 
-/// The area between z = lower and lower + height.
+/// Adds the region between z = lower and z = lower + h.
 void add_trapezoid(const Piece& p, const Linear& lower, const Linear& h, double sign,
                    ColumnSums& sums) {
   const double w = sign * (p.y1 - p.y0), sum = h.at0 + h.at1;
@@ -45,7 +46,7 @@ void add_trapezoid(const Piece& p, const Linear& lower, const Linear& h, double 
   sums.moment_z += units(sums.per_moment * w / 6.0 * (products + squares));
 }
 
-/// The parts of a piece where f <= 0 and f > 0. One of them may be empty.
+/// The parts of a piece with f <= 0 and f > 0. Either may be empty.
 struct Split {
   Piece below, above;
 };
@@ -62,7 +63,7 @@ Linear restricted(const Piece& p, const Linear& f, const Piece& part) {
   return {value_at(p, f, part.y0), value_at(p, f, part.y1)};
 }
 
-/// Part of edge i, which lies over column c and is `length` long per unit of y.
+/// Adds a part of edge i over column c, whose length is `length` per unit of y.
 void add_engaged(const FaceColumn& c, const Piece& part, double length, std::size_t i,
                  ColumnSums& sums) {
   const double width = part.y1 - part.y0, middle = 0.5 * (part.y0 + part.y1) - c.y0;
@@ -70,7 +71,7 @@ void add_engaged(const FaceColumn& c, const Piece& part, double length, std::siz
   sums.engaged_moment[i] += units(sums.per_length_moment * length * width * middle);
 }
 
-/// Where the segment is above the lower edge, that of column i, all along the piece.
+/// For a segment that is above the lower edge, edge i, along the whole piece.
 void add_above_lower(const FaceColumn& c, const Piece& p, const Linear& lower, const Linear& h,
                      double sign, std::size_t i, std::size_t count, ColumnSums& sums) {
   add_engaged(c, p, sign * c.lower_length, i, sums);
@@ -100,7 +101,7 @@ void add_piece(const FaceColumn& c, const Piece& p, const Linear& segment, doubl
                     sums);
 }
 
-/// The part of an upright edge at y, number i, that lies below a segment that passes there.
+/// Adds the part of the vertical edge at y, edge i, that lies below a segment passing there.
 void add_end(const FaceColumn& c, double y, const OutlineSegment& s, double sign, std::size_t i,
              ColumnSums& sums) {
   if ((s.from.x() <= y) == (s.to.x() <= y)) return;
@@ -113,19 +114,19 @@ void add_end(const FaceColumn& c, double y, const OutlineSegment& s, double sign
   sums.engaged_moment[i] += units(sums.per_length_moment * sign * 0.5 * height * height);
 }
 
-/// Length and first moment of length, in units.
+/// Length and first moment of length, in units of ColumnSums.
 struct EdgeUnits {
   std::int64_t length, moment;
 };
 
-/// Of a column's lower edge left of y.
+/// The part of a column's lower edge to the left of y.
 EdgeUnits lower_edge_to(const FaceColumn& c, double y, const ColumnSums& sums) {
   const double width = std::min(y, c.y1) - c.y0;
   return {units(sums.per_length * c.lower_length * width),
           units(sums.per_length_moment * c.lower_length * 0.5 * width * width)};
 }
 
-/// The lower edge between y0 and y1, held by these columns.
+/// Adds the lower edge between y0, in column i0, and y1, in column i1.
 void add_lower_edge(const FaceColumns& face, std::size_t i0, double y0, std::size_t i1, double y1,
                     std::int64_t sign, ColumnSums& sums) {
   for (std::size_t i = i0; i <= i1; ++i) {
@@ -137,8 +138,8 @@ void add_lower_edge(const FaceColumns& face, std::size_t i0, double y0, std::siz
   }
 }
 
-/// The areas and moments of below_line of `segments` segments, a multiple of `lanes`, in whole units:
-/// the sums have the numbers in the low bits of their mantissas, as in units().
+/// Adds the areas and moments of below_line of `segments` segments, a multiple of `lanes`, in
+/// integer units; for the shift see units().
 TDBD_WIDE void add_below(double bottom, const double* y, const double* z, std::size_t segments,
                          ColumnSums& sums) {
   constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52

@@ -13,9 +13,9 @@
 namespace tdbd::rock {
 namespace {
 
-/// Of a ContactPatch, in the frame P.
+/// Sums for a ContactPatch, in the frame P.
 struct PatchSums {
-  double area = 0.0, weight = 0.0;                             // m2; the weight is the sum of w A
+  double area = 0.0, weight = 0.0;                             // m2; weight: sum of w A
   Vec3 area_vector_P = Vec3::Zero(), moment_P = Vec3::Zero();  // m2, m3
 
   void add(const Vec3& vector_P, const Vec3& middle_P, double share) {
@@ -29,18 +29,18 @@ struct PatchSums {
 
 struct ContactSums {
   PatchSums below, sides;
-  std::array<PatchSums, 6> facing{};  // ContactDivision::by_direction
+  std::array<PatchSums, 6> facing{};  // for ContactDivision::by_direction
 };
 
-/// Which of -x, x, -y, y, -z, z the surface of the part faces most where the rock has this area
-/// vector; of equal ones the first.
+/// The direction (-x, x, -y, y, -z, z) that the part's surface faces most, given the area vector of
+/// the rock; the first of equal ones.
 std::size_t faced_direction(const Vec3& area_vector_P) {
   Eigen::Index axis = 0;
   area_vector_P.cwiseAbs().maxCoeff(&axis);
   return static_cast<std::size_t>(2 * axis + (area_vector_P[axis] < 0.0 ? 1 : 0));
 }
 
-/// One part's contact at work.
+/// State of the computation for one part.
 struct Contact {
   const Rock& rock;
   const PressingPart& part;
@@ -51,7 +51,7 @@ struct Contact {
   ContactScratch::Place& place(int v) const { return w.places[at(w.index[at(v)])]; }
   bool is_seen(int v) const { return w.mark[at(v)] == w.stamp; }
 
-  /// Notes a vertex beside the held ones.
+  /// Adds a vertex beside the held ones to `places`.
   void see(const GroupMotion& m, int v) const {
     if (is_seen(v)) return;
     w.mark[at(v)] = w.stamp;
@@ -81,7 +81,8 @@ struct Contact {
   bool is_pressed(int v) const { return place(v).is_held && !*place(v).is_lee; }
   bool is_inner(int v) const { return is_pressed(v) || place(v).is_inside; }
 
-  /// On the edge from a pressed vertex, or one inside, to one that is not.
+  /// The end of the contact on the edge from a pressed vertex, or from one inside the part, to any
+  /// other vertex.
   const ContactEnd& end(int in, int out) const {
     const auto hash = static_cast<std::size_t>(in) * 31 + static_cast<std::size_t>(out);
     ContactScratch::KnownEnd& known = w.ends[hash % w.ends.size()];
@@ -100,13 +101,14 @@ struct Contact {
     return end_on_undisturbed_rock(part, {p.x_P, p.d_P}, q.x_P - q.d_P);
   }
 
-  /// The contact in one triangle: its pressed corners and its ends, counter-clockwise, up its sides.
+  /// Adds the contact in one triangle, including its sides: the polygon of its pressed corners and
+  /// its ends, counter-clockwise.
   void add(const std::array<int, 3>& v, ContactSums& sums) const {
-    std::array<Vec3, 7> corners_P;  // of the part's lower surface
+    std::array<Vec3, 7> corners_P;  // on the part's lower surface
     std::size_t n = 0;
     ContactEnd last;        // where the polygon leaves the last inner corner's edge
     int from = -1;          // that corner
-    std::size_t first = 0;  // an inner corner after one that is not: the polygon begins there
+    std::size_t first = 0;  // the polygon begins at an inner corner after one that is not
     for (std::size_t i = 0; i < 3; ++i)
       if (is_inner(v[i]) && !is_inner(v[(i + 2) % 3])) first = i;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -131,8 +133,8 @@ struct Contact {
                 division == ContactDivision::by_direction ? &sums.facing : nullptr);
   }
 
-  /// The sides between the two ends of a triangle, from their feet up; around an edge between two
-  /// sides both the feet and the tops take a corner.
+  /// Adds the sides between the two ends of a triangle, from their lower edges up. At an edge
+  /// between two sides, both the lower and the upper boundary have a corner.
   void add_side(const ContactEnd& a, const ContactEnd& b, const Vec3& d_P,
                 std::array<Vec3, 7>& corners_P, std::size_t& n, ContactSums& sums) const {
     std::array<Vec3, 7> side_P;
@@ -193,8 +195,8 @@ ContactPatch patch_of(const PressingPart& part, const Pose& X_WP, const PatchSum
   return patch;
 }
 
-/// Adds the triangles around a vertex that is held, or inside. Each triangle is added at the lowest of
-/// its held vertices, or without them at the lowest that is inside.
+/// Adds the triangles around a vertex that is held, or inside. Each triangle is added at the lowest
+/// of its held vertices, or if it has none, at the lowest that is inside.
 void add_around(const GroupMotion& m, const Contact& c, int v, ContactSums& sums) {
   const mesh::Surface& s = c.rock.surface;
   const mesh::VertexStar& star = s.star(v);
@@ -205,7 +207,7 @@ void add_around(const GroupMotion& m, const Contact& c, int v, ContactSums& sums
     const ContactScratch::Place& p = c.place(other);
     return is_held ? p.is_held && other < v : p.is_held || (p.is_inside && other < v);
   };
-  // Rings may begin anywhere, so the first triangle is the one after the lowest vertex.
+  // Rings may begin at any neighbour, so the first triangle is the one after the lowest vertex.
   const auto first = star.open ? 0 : std::min_element(ring, ring + star.size) - ring;
   for (int i = 0; i < star.size - star.open; ++i) {
     const int a = ring[(first + i) % star.size], b = ring[(first + i + 1) % star.size];
@@ -213,7 +215,7 @@ void add_around(const GroupMotion& m, const Contact& c, int v, ContactSums& sums
   }
 }
 
-/// Sums in the order of the vertices' numbers, so that they do not depend on the index's order.
+/// Sums in ascending order of vertex numbers, so that sums do not depend on the index's order.
 PartContact sum_contact(const GroupMotion& m, const Contact& c) {
   const mesh::Surface& s = c.rock.surface;
   PartContact contact;
@@ -231,7 +233,7 @@ PartContact sum_contact(const GroupMotion& m, const Contact& c) {
   if (!std::isfinite(contact.distance)) return {};
   ContactSums sums;
   for (const int v : c.w.held) add_around(m, c, v, sums);
-  // Triangles without a vertex that is held.
+  // Triangles without a held vertex.
   for (const PressedVertex& before : c.w.inherited) {
     if (before.hold == Hold::made || !s.is_alive(before.v)) continue;
     c.see(m, before.v);
@@ -245,9 +247,9 @@ PartContact sum_contact(const GroupMotion& m, const Contact& c) {
   return contact;
 }
 
-/// Keeps what maintenance made near the group and no part has held since.
+/// Keeps vertices that maintenance made near the group and that no part has held since.
 void keep_made(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, ContactScratch& w) {
-  constexpr double around = 0.5;  // of the group's size
+  constexpr double around = 0.5;  // times the group's size
   const double margin = around * g.box_P.size().norm();
   for (const PressedVertex& p : w.inherited)
     if (p.hold == Hold::made && w.mark[at(p.v)] != w.stamp && rock.surface.is_alive(p.v) &&
@@ -282,7 +284,7 @@ PartContact sum_whole_triangles(const Rock& rock, ContactScratch& w) {
   return {patch, {}, {}, 0.0};
 }
 
-/// The contacts of the parts of one group.
+/// Computes the contacts of the parts of one group.
 void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
                    const ContactOptions& options, std::span<const CarriedDisplacement> carried,
                    ContactScratch& w, std::vector<PartContact>& contact_by_part) {

@@ -14,8 +14,9 @@ namespace {
 
 ContactEnd end_at(const Vec3& x_P, int side = -1) { return {x_P, side, x_P}; }
 
-/// On the way U + t e of undisturbed rock, from a vertex now at x_P, displaced along u. A side that
-/// pressed is in contact up to the undisturbed surface; one that did not, only at its lower edge.
+/// The end on the line U + t e of undisturbed rock, for a vertex now at x_P that was displaced
+/// along u. A side that pressed is in contact up to the undisturbed surface; any other side only at
+/// its lower edge.
 ContactEnd end_of_way(const PressingPart& part, const Vec3& U, const Vec3& e, const Vec3& u,
                       const Vec3& x_P) {
   const mesh::ConvexSolid& solid = *convex(part);
@@ -34,7 +35,7 @@ ContactEnd end_of_way(const PressingPart& part, const Vec3& U, const Vec3& e, co
 
 /// The side parallel to u on which x lies, or -1.
 int side_at(const PressingPart& part, const Shadow& w, const Vec3& x_P) {
-  constexpr double near = 1e-3;  // of the gap
+  constexpr double near = 1e-3;  // times the gap
   for (std::size_t i = 0; i < w.planes(); ++i)
     if (facing(w, i) == Facing::parallel &&
         std::abs(mesh::normal(w.solid, i).dot(x_P) - w.solid.b[i]) <= near * part.gap)
@@ -42,7 +43,7 @@ int side_at(const PressingPart& part, const Shadow& w, const Vec3& x_P) {
   return -1;
 }
 
-/// The last of lo <= t <= hi up to which `holds` does.
+/// The last t in [lo, hi] up to which `holds` is true, by bisection.
 template <class Holds>
 double last_that(double lo, double hi, const Holds& holds) {
   constexpr int halvings = 24;
@@ -53,8 +54,8 @@ double last_that(double lo, double hi, const Holds& holds) {
   return lo;
 }
 
-/// The last point of a way whose surface presses or slides. With a direction that is the surface below
-/// the way, otherwise the one nearest to it.
+/// The last point of a line at which the surface presses or slides. If the line has a direction,
+/// that is the surface below the line, otherwise the nearest surface.
 struct LastPressed {
   double t = 0.0;
   Vec3 x_P;
@@ -83,8 +84,8 @@ LastPressed last_pressed(const PressingPart& part, const Shadow& w) {
   return {s.to, point(s.to)};
 }
 
-/// The last t at which the surface nearest to x + t e presses or slides. On a solid that is the nearest
-/// at both ends of the way, that is exact.
+/// The last t at which the surface nearest to x + t e presses or slides. Exact if the same solid is
+/// nearest at both ends of the line.
 double last_pressed_near(const PressingPart& part, const Vec3& x_P, const Vec3& e) {
   std::size_t nearest_solid = 0;
   const auto holds = [&](double t) { return !is_on_lee_side(part, x_P + t * e, nearest_solid); };
@@ -100,14 +101,15 @@ double last_pressed_near(const PressingPart& part, const Vec3& x_P, const Vec3& 
   return last_that(0.0, 1.0, holds);
 }
 
-/// Whether the part has pressed a vertex by d_P, more than by rounding: ways from it have a direction.
+/// Whether the part has pressed a vertex by more than rounding, so that lines from it have a
+/// direction.
 bool has_direction(const PressingPart& part, const Vec3& d_P) {
-  constexpr double pressed = 1e-3;  // of the gap
+  constexpr double pressed = 1e-3;  // times the gap
   return d_P.norm() > pressed * part.gap;
 }
 
-/// Where a way leaves a convex solid, as a share of the way. It may begin outside by the gap; if it
-/// begins farther outside, 0.
+/// Where a line leaves a convex solid, as a fraction of its length. It may begin outside by up to
+/// the gap; if it begins farther outside, the result is 0.
 TDBD_WIDE double leave(const mesh::ConvexSolid& s, const Vec3& from, const Vec3& e, double gap) {
   Wide least = Wide{} + 1.0;
   for (std::size_t i = 0; i < s.b.size(); i += lanes) {
@@ -125,8 +127,8 @@ TDBD_WIDE double leave(const mesh::ConvexSolid& s, const Vec3& from, const Vec3&
   return std::min({least[0], least[1], least[2], least[3]});
 }
 
-/// The same of a solid of any shape: the first crossing outwards. A way that crosses nothing is inside
-/// or, from a vertex that only touches, outside.
+/// The same for a solid of any shape: the first outward crossing. A line without crossings is
+/// inside or, from a vertex that the part only touches, outside.
 double leave(const mesh::TriangleTree& tree, const Vec3& from, const Vec3& e) {
   constexpr double rim = 1e-9;
   mesh::Box way;
@@ -145,7 +147,7 @@ double leave(const mesh::TriangleTree& tree, const Vec3& from, const Vec3& e) {
   return mesh::inside(tree, from) ? 1.0 : 0.0;
 }
 
-/// Follows the way from solid to solid of a part, as long as it is inside one.
+/// Follows the line from solid to solid of a part, as long as it is inside one.
 double leave(const PressingPart& part, const Vec3& from, const Vec3& e) {
   double t = 0.0;
   for (std::size_t round = 0; round < part.solids.size(); ++round) {

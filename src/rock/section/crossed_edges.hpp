@@ -6,14 +6,15 @@
 
 namespace tdbd::rock {
 
-/// A set of edges that leave vertices, each by its number in the ring of its vertex. One entry
-/// holds 64 edges of a vertex. Emptying it costs nothing: an entry of a former generation is free.
-/// A vertex may be marked as done.
+/// A set of directed edges, each identified by its start vertex and its index in that vertex's
+/// ring. One entry contains 64 edges of a vertex. clear() takes constant time: it starts a new
+/// generation, and entries of earlier generations count as free. A vertex can be marked as done.
 class CrossedEdges {
  public:
   void clear();
 
-  /// Adds the edge from v to its neighbour number i; false if it was in the set.
+  /// Adds the edge from v to its neighbour with index i. Returns false if it was in the set
+  /// already.
   bool add(int v, int i) {
     std::uint64_t& edges = edges_of(v, i / 64);
     const std::uint64_t edge = std::uint64_t{1} << (i % 64), before = edges;
@@ -22,7 +23,8 @@ class CrossedEdges {
   }
   bool contains(int v, int i) { return (edges_of(v, i / 64) >> (i % 64) & std::uint64_t{1}) != 0; }
 
-  /// Marks a vertex that has an edge with a number below 64 in the set. Adding others keeps the mark.
+  /// Marks a vertex as done. An edge of it with an index below 64 must be in the set. Later
+  /// additions keep the mark.
   void mark_done(int v) { entries_[place_of(key_of(v, 0))].is_done = true; }
   bool is_done(int v) const {
     const Entry& e = entries_[place_of(key_of(v, 0))];
@@ -40,7 +42,7 @@ class CrossedEdges {
     return static_cast<std::uint64_t>(v) << 32U | static_cast<std::uint64_t>(block);
   }
 
-  /// Where the key is, or may be put.
+  /// The slot that contains the key, or at which it may be inserted.
   std::size_t place_of(std::uint64_t key) const {
     std::size_t k = static_cast<std::size_t>(key * 0x9E3779B97F4A7C15U >> shift_);
     while (entries_[k].generation == generation_ && entries_[k].key != key)
@@ -56,7 +58,7 @@ class CrossedEdges {
   void grow();
 
   std::vector<Entry> entries_ = std::vector<Entry>(256);
-  unsigned shift_ = 56;  ///< 64 less the binary logarithm of the number of entries
+  unsigned shift_ = 56;  ///< 64 minus the binary logarithm of the number of entries
   std::uint64_t generation_ = 1;
   std::size_t count_ = 0;
 };

@@ -11,7 +11,7 @@ double above_lower_edge(const Vec2& x_F, const FaceColumn& c) {
   return x_F.y() - (c.lower + c.lower_slope * (x_F.x() - c.y0));
 }
 
-/// Finds the outline of one plane, by the stars of the vertices ahead of it.
+/// Finds the outline in one plane, by the stars of the vertices ahead of the plane.
 class OutlineSearch {
  public:
   OutlineSearch(const Rock& rock, const FacePlane& plane, OutlineWork& work)
@@ -24,11 +24,11 @@ class OutlineSearch {
   void around(int v);
 
  private:
-  /// An edge that crosses the plane: its ends, their distances ahead of it, and the number of the
-  /// vertex behind in the ring of the vertex ahead.
+  /// An edge that crosses the plane: its ends, their distances ahead of it, and the index of the
+  /// end behind in the ring of the end ahead.
   struct Edge {
     const mesh::VertexStar *ahead, *behind;
-    double distance_ahead, distance_behind;  ///< m; the latter is negative
+    double distance_ahead, distance_behind;  ///< m; that of the end behind is negative
     int v_ahead, v_behind, i;
   };
   enum class Way { on, back };  ///< counter-clockwise around vertices ahead, or clockwise
@@ -51,7 +51,7 @@ class OutlineSearch {
 
   const mesh::Surface& s_;
   const FacePlane& f_;
-  InnerCircle inner_;  ///< between the ends of the columns
+  InnerCircle inner_;  ///< restricted to the interval between the ends of the columns
   OutlineWork& w_;
 };
 
@@ -69,8 +69,8 @@ bool OutlineSearch::is_start(const mesh::VertexStar& star) const {
   return is_in_zone(x_F, near(x_F.x()));
 }
 
-/// Appends the point at which the edge crosses the plane, a function of the edge: its two triangles
-/// are given the same point. Returns whether it is in the zone.
+/// Appends the point at which the edge crosses the plane. It is a function of the edge alone, so
+/// both triangles of the edge get the same point. Returns whether it is in the zone.
 inline bool OutlineSearch::append(const Edge& e) {
   const Vec3 &a_W = e.ahead->x, &b_W = e.behind->x;
   const double w = e.distance_ahead / (e.distance_ahead - e.distance_behind);
@@ -98,8 +98,9 @@ bool OutlineSearch::append_off_centre(const Vec2& x_F) {
   return is_in_zone(x_F, first);
 }
 
-/// Every passage of the outline around this vertex, from the first of its neighbours behind on;
-/// where all are behind, from any. Bit by bit, since branches on positions are unpredictable.
+/// Finds every passage of the outline around this vertex, starting at the first neighbour behind
+/// the plane (at any neighbour if all are behind). Uses bit masks because branches on positions are
+/// unpredictable.
 void OutlineSearch::around(int v) {
   const mesh::VertexStar& star = s_.star(v);
   const double distance = ahead(star);
@@ -121,8 +122,8 @@ void OutlineSearch::around(int v) {
   if (is_all) passage(v, star, distance, 0);
 }
 
-/// The outline on either side of the edge from v to its neighbour number i, behind: one run of
-/// points. First back, and turned about, then on.
+/// Finds the outline on both sides of the edge from v to its neighbour with index i, which is
+/// behind the plane, as one run of points: first backwards, which is then reversed, then forwards.
 void OutlineSearch::passage(int v, const mesh::VertexStar& star, double distance, int i) {
   if (star.open != 0 && i + 1 == static_cast<int>(star.size)) return;
   if (w_.crossed.contains(v, i)) return;
@@ -143,8 +144,8 @@ void OutlineSearch::passage(int v, const mesh::VertexStar& star, double distance
   w_.place.resize(begin);
 }
 
-/// Goes to the next edge that the outline crosses, in the triangle on this side of the edge. False at
-/// the rock's boundary.
+/// Moves to the next edge that the outline crosses, in the triangle on this side of the edge.
+/// Returns false at the rock's boundary.
 template <OutlineSearch::Way way>
 inline bool OutlineSearch::step(Edge& e) const {
   const int last = static_cast<int>(e.ahead->size) - 1;
@@ -170,8 +171,8 @@ inline bool OutlineSearch::step(Edge& e) const {
   return true;
 }
 
-/// Whether all neighbours of a star with a closed ring are ahead, but for those from number `first` to
-/// `last`, counter-clockwise, and one on either side of these, which is known to be ahead.
+/// Whether all neighbours of a closed star are ahead, except those with indices `first` to `last`,
+/// counter-clockwise. The neighbour on either side of these is known to be ahead.
 bool OutlineSearch::are_rest_ahead(const mesh::VertexStar& star, int first, int last) const {
   const int size = static_cast<int>(star.size);
   const int* ring = s_.ring(star);
@@ -182,15 +183,16 @@ bool OutlineSearch::are_rest_ahead(const mesh::VertexStar& star, int first, int 
   return true;
 }
 
-/// Marks a vertex that the outline passes only once, with neighbours behind from number `first` to `last`.
+/// Marks a vertex as done if the outline passes it only once, with neighbours `first` to `last`
+/// behind.
 void OutlineSearch::leave(int v, const mesh::VertexStar& star, int first, int last) {
   if (star.open == 0 && star.long_ring < 0 && are_rest_ahead(star, first, last))
     w_.crossed.mark_done(v);
 }
 
-/// Follows the outline until it leaves the zone, but all around the vertices to start from.
+/// Follows the outline until it leaves the zone, but completely around start vertices.
 void OutlineSearch::follow(Edge e, bool is_in_zone) {
-  int first = e.i;  // of the neighbours behind
+  int first = e.i;  // index of the first neighbour behind
   for (bool goes_on = true; goes_on; goes_on = is_in_zone || is_start(*e.ahead)) {
     const mesh::VertexStar* const star = e.ahead;
     const int v = e.v_ahead, i = e.i;
@@ -202,10 +204,10 @@ void OutlineSearch::follow(Edge e, bool is_in_zone) {
   }
 }
 
-/// Follows the outline back until it leaves the zone.
+/// Follows the outline backwards until it leaves the zone.
 void OutlineSearch::follow_back(Edge e, bool is_in_zone) {
   constexpr int unknown = -1;
-  int last = unknown;  // of the neighbours behind; those of the first vertex were not passed
+  int last = unknown;  // index of the last neighbour behind; not known for the first vertex
   while (is_in_zone) {
     const mesh::VertexStar* const star = e.ahead;
     const int v = e.v_ahead, i = e.i;
@@ -222,7 +224,7 @@ void prefetch(const mesh::Surface& s, const std::vector<int>& near) {
   for (const int v : near) __builtin_prefetch(&s.star(v));
 }
 
-/// Where vertices to start from may be.
+/// The region that contains all start vertices.
 Region region_of(const FacePlane& f) {
   const double rounding = 1e-9 * f.reach, reach = f.reach + rounding;
   Region region{};
@@ -233,8 +235,8 @@ Region region_of(const FacePlane& f) {
   return region;
 }
 
-/// Vertices ahead of the plane by at most its reach, and those that single precision cannot
-/// distinguish from them.
+/// Finds the vertices ahead of the plane by at most its reach, and those that single precision
+/// cannot distinguish from them.
 void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   const Region region = region_of(plane);
   const double slack = single_slack(region.box);
@@ -249,7 +251,7 @@ void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
     work.near.resize(found + VertexGrid::block_size);
     for (std::size_t e = 0; e < static_cast<std::size_t>(block.count); ++e) {
       const double along = plane.n_W.dot(Vec3(block.x[e], block.y[e], block.z[e]));
-      work.near[found] = block.v[e];  // branch-free: the outcome is unpredictable
+      work.near[found] = block.v[e];  // branch-free because the outcome is unpredictable
       found +=
           static_cast<std::size_t>(static_cast<int>(along >= from) & static_cast<int>(along <= to));
     }
@@ -257,7 +259,8 @@ void find_near(const Rock& rock, const FacePlane& plane, OutlineWork& work) {
   });
 }
 
-/// The face is convex: with two points it has all between them, and no line of a lower edge enters it.
+/// The face is convex: it contains all points between two of its points, and no line of a lower
+/// edge enters it.
 bool is_beneath(const OutlineWork& w, std::size_t from, std::size_t to) {
   return w.place[from].place == PointPlace::beneath &&
          above_lower_edge({w.y[to], w.z[to]}, *w.place[from].column) <= 0.0;

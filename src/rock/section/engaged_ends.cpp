@@ -7,7 +7,7 @@ namespace {
 
 void raise(std::optional<double>& end, double z) { end = end ? std::max(*end, z) : z; }
 
-/// The stretch of a column's lower edge with this length in rock, m from its start along y.
+/// The engaged interval of a column's lower edge, m from its start along y.
 struct EngagedStretch {
   double from, to;
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double farthest = std::numeric_limits<double>::max();
 
-/// Corners whose y differ by less, relative to the outline's width, share a column's end.
+/// Corners whose y differ by less, relative to the outline's width, share the end of a column.
 constexpr double same_y = 1e-12;
 
 void find_box(const ConvexPolygon& outline_F, FaceColumns& c) {
@@ -21,7 +21,7 @@ void find_box(const ConvexPolygon& outline_F, FaceColumns& c) {
   }
 }
 
-/// Empty columns between the corners' y.
+/// Makes empty columns between the corners' y.
 void divide_at_corners(const ConvexPolygon& outline_F, FaceColumns& c) {
   c.columns.clear();
   c.columns.reserve(outline_F.size());
@@ -41,7 +41,8 @@ bool lies_on(const HalfPlane& h, const Vec2& p, const Vec2& q, double size) {
   return std::abs(h.n.dot(p) - h.b) <= slack && std::abs(h.n.dot(q) - h.b) <= slack;
 }
 
-/// Writes the edge p q, a lower one if it runs to the right, into the columns that it spans.
+/// Writes the edge from p to q into the columns that it spans. It is a lower edge if it runs to the
+/// right.
 void add_edge_to_columns(const Vec2& p, const Vec2& q, bool is_rim, FaceColumns& c) {
   const bool lower = p.x() < q.x();
   const Vec2 &left = lower ? p : q, &right = lower ? q : p;
@@ -76,8 +77,9 @@ void index_columns(FaceColumns& c) {
   }
 }
 
-/// The circle about the centroid that touches the nearest edge, less rounding. A column whose left
-/// neighbour is narrower than a part of the width may lie two columns from what FaceColumns::near gives.
+/// The circle about the centroid that touches the nearest edge, reduced by rounding. It is limited
+/// in y because a column whose left neighbour is narrower than one part of the width may be two
+/// columns from the one returned by FaceColumns::near.
 void find_inner_circle(const ConvexPolygon& outline_F, FaceColumns& made) {
   constexpr double rounding = 1e-9;
   const PolygonMoments m = moments(outline_F);

@@ -9,7 +9,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// Scale: the cutter's diameter. Far above rounding, far below a mesh's edge.
+/// Relative to the cutter's diameter. Far above rounding, far below a mesh's edge length.
 constexpr double same_place = 1e-9;
 
 double turns_left(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -17,7 +17,7 @@ double turns_left(const Vec2& a, const Vec2& b, const Vec2& c) {
   return u.x() * v.y() - u.y() * v.x();
 }
 
-/// Adds to a chain that turns left only: corners nearer to its lines than `slack` are left out.
+/// Appends to a chain that only turns left. Corners closer than `slack` to its lines are omitted.
 void add_to_chain(ConvexPolygon& chain, std::size_t begin, const Vec2& x, double slack) {
   while (chain.size() >= begin + 2) {
     const Vec2 &a = chain[chain.size() - 2], &b = chain.back();
@@ -29,7 +29,7 @@ void add_to_chain(ConvexPolygon& chain, std::size_t begin, const Vec2& x, double
 
 }  // namespace
 
-/// Counter-clockwise, from the leftmost corner on: the lower chain, then the upper one.
+/// Counter-clockwise from the leftmost corner: the lower chain, then the upper one.
 ConvexPolygon convex_hull(std::vector<Vec2> points, double slack) {
   std::ranges::sort(points, [](const Vec2& a, const Vec2& b) {
     return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());

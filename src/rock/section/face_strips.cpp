@@ -6,7 +6,7 @@
 namespace tdbd::rock {
 namespace {
 
-constexpr double ratio = 1.5;  ///< of least speeds, across a strip
+constexpr double ratio = 1.5;  ///< of the smallest speeds in a strip
 
 double least_speed(const FaceColumn& c, const ForwardSpeed& v) {
   const double width = c.y1 - c.y0;

@@ -7,7 +7,7 @@
 
 namespace tdbd::rock {
 
-/// X . v on the face: affine in its plane.
+/// X . v on the face: an affine function in its plane.
 struct ForwardSpeed {
   double at_origin;  ///< m/s
   Vec2 gradient;     ///< 1/s
@@ -22,16 +22,16 @@ struct SpeedRange {
 
 ForwardSpeed forward_speed(const Pose& X_BF, const rotation::Twist& twist);
 
-/// Columns of a face that are carried ahead together: `first` to before `end`.
+/// Columns of a face, `first` to before `end`, that are carried ahead together.
 struct FaceStrip {
   std::size_t first, end;
-  double ahead;  ///< s, for how long
+  double ahead;  ///< s, time for which they are carried
 };
 
-/// Divides a face into strips such that the least speeds X . v of a strip's columns are within a
-/// factor of 1.5. A strip is carried for lead / (its least speed), so that every point of it comes
-/// at least `lead` (m) ahead, but never for longer than `longest_time` (s), and without a lead not
-/// at all. No point of the face may go backwards, and at least one must go forwards.
+/// Divides a face into strips so that the smallest speeds X . v of a strip's columns are within a
+/// factor of 1.5. A strip is carried for the time lead / (its smallest speed), so that every point
+/// of it moves at least `lead` (m) ahead, but for at most `longest_time` (s). Without a lead it is
+/// not carried. No point of the face may move backwards, and at least one must move forwards.
 void face_strips(const FaceColumns& face, const ForwardSpeed& v, const SpeedRange& range,
                  double lead, double longest_time, std::vector<FaceStrip>& strips);
 

@@ -8,7 +8,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// Scale: the cutter's diameter. Far above rounding, far below a mesh's edge.
+/// Relative to the cutter's diameter. Far above rounding, far below a mesh's edge length.
 constexpr double same_plane = 1e-9;
 
 }  // namespace
@@ -50,7 +50,7 @@ FlatPiece flat_between(const FlatBehind& flat, double y0, double y1) {
     const PolygonMoments above = below_line(0.0, {from, upper(from)}, {to, upper(to)}),
                          below = below_line(0.0, {from, lower(from)}, {to, lower(to)});
     const double area = above.area - below.area;
-    const Vec2 moment = above.moment - below.moment;  // of y, and of the distance behind
+    const Vec2 moment = above.moment - below.moment;  // in y, and in the distance behind the edge
     piece.area += flat.width * area;
     piece.moment_F +=
         flat.width * (area * Vec3(0.0, 0.0, flat.edge_F.x()) +

@@ -6,7 +6,7 @@
 namespace tdbd::rock {
 namespace {
 
-/// Adds the vertices that lie in the box of the group at the end of the step.
+/// Adds the vertices that lie in the group's box at the end of the step.
 void add_within(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, double gap,
                 const std::vector<int>& vertices, ContactScratch& w) {
   for (const int v : vertices) {
@@ -17,7 +17,7 @@ void add_within(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, d
   }
 }
 
-/// What the index has around the group at the end of the step.
+/// Finds the vertices in the index around the group at the end of the step.
 void find_in_index(const Rock& rock, const GroupMotion& m, double gap, ContactScratch& w) {
   const Region region_W = widened(m.region_W, gap);
   const mesh::Box& box_W = region_W.box;
@@ -28,8 +28,8 @@ void find_in_index(const Rock& rock, const GroupMotion& m, double gap, ContactSc
   });
 }
 
-/// The first plane that has the point outside by more than the gap; the number of columns if there
-/// is none.
+/// The first plane that has the point outside by more than the gap, or the number of columns if
+/// there is none.
 TDBD_WIDE std::size_t plane_between(const mesh::ConvexSolid& s, const Vec3& x_P, double gap) {
   for (std::size_t i = 0; i < s.b.size(); i += lanes) {
     WidePlanes planes;
@@ -42,7 +42,7 @@ TDBD_WIDE std::size_t plane_between(const mesh::ConvexSolid& s, const Vec3& x_P,
   return s.b.size();
 }
 
-/// Tests first the plane that rejected the last vertex.
+/// Tests the plane first that rejected the previous vertex.
 bool touches(const mesh::ConvexSolid& solid, const Vec3& x_P, double gap, std::size_t& plane) {
   if (plane < solid.planes && mesh::normal(solid, plane).dot(x_P) - solid.b[plane] > gap)
     return false;
@@ -57,7 +57,7 @@ bool touches(const CuttingPart& part, const Vec3& x_P, double gap, std::size_t& 
   return mesh::inside(*part.tree_P, x_P) || mesh::distance(*part.tree_P, x_P) <= gap;
 }
 
-/// What the group moved in this step, summed for one part and one vertex, m.
+/// Sum of the displacements of a vertex by one part in this step, m.
 Vec3 moved_by(const GroupCut& cut, int part, int v) {
   Vec3 sum = Vec3::Zero();
   for (auto m = std::ranges::lower_bound(cut.moves, v, {}, &VertexMove::v);
@@ -80,7 +80,7 @@ void set_pressed(std::vector<PressedVertex>& pressed, const PressedVertex& p) {
     pressed.insert(place, p);
 }
 
-/// What the part pressed after the last cut, carried along by what maintenance did since.
+/// What the part pressed after the last cut, updated by the operations of maintenance since.
 void carry(const Rock& rock, int part, std::span<const CarriedDisplacement> carried,
            std::vector<PressedVertex>& pressed) {
   pressed = rock.pressed[at(part)];

@@ -12,20 +12,20 @@ namespace tdbd::rock {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double ridge = 1e-6;  // of the gap: two surfaces are equally near
+constexpr double ridge = 1e-6;  // times the gap: within this, two surfaces are equally near
 
-/// A displacement along the normal of less than this counts as none, m. It is nearly an angle: a
-/// share of the gap would let contacts grow as the step shrinks.
+/// A smaller displacement along the normal counts as none, m. It is nearly an angle, because with a
+/// fraction of the gap contacts would grow as the step shrinks.
 double sliding(const PressingPart& part, const Vec3& move_P) {
   constexpr double angle = 1e-4;  // rad
   return angle * move_P.norm() + standing(part);
 }
 
-/// The planes of a convex solid that have x farthest outside, or least inside: to within `near`, m.
-/// If it is farther outside than `bound` only `out` is set, to a distance beyond that.
+/// The planes of a convex solid with the largest signed distance to x, to within `near`, m. If x is
+/// farther outside than `bound`, only `out` is set, to a value above `bound`.
 struct NearestPlanes {
-  double out = -infinite;          ///< m, of the farthest
-  std::size_t farthest_plane = 0;  ///< the first, of several
+  double out = -infinite;          ///< m, largest signed distance
+  std::size_t farthest_plane = 0;  ///< the first of several
   std::size_t count = 0;
   std::array<int, mesh::most_planes> plane;
   std::array<double, mesh::most_planes> out_of;
@@ -58,19 +58,19 @@ TDBD_WIDE void find_nearest(const mesh::ConvexSolid& s, const Vec3& x, double ne
     if (found.out_of[k] >= most - near) found.plane[found.count++] = found.plane[k];
 }
 
-/// How near the surface of a solid is to x, m, and whether it is one that moved away.
+/// Distance of x from the surface of a solid, m, and whether that surface moved away.
 struct NearestSide {
   double distance = infinite;
   bool is_lee = false;
 };
 
-/// ContactOfPart::left_out_P.
+/// See ContactOfPart::left_out_P.
 bool is_left_out(const PressingPart& part, const Vec3& n_P) {
   constexpr double same_normal = 1e-12;  // of the cosine
   return part.left_out_P.dot(n_P) > 1.0 - same_normal;
 }
 
-/// Whether all of the nearest planes moved away, or are left out.
+/// Whether all of the nearest planes moved away or are left out.
 bool all_moved_away(const PressingPart& part, const mesh::ConvexSolid& s, const Vec3& x_P,
                     const NearestPlanes& nearest) {
   const Vec3 move_P = displacement_P(part, x_P);
@@ -107,7 +107,7 @@ NearestSide nearest_side(const PressingPart& part, const mesh::TriangleTree& tre
   return {std::min(pressing, lee), lee < pressing - ridge * part.gap};
 }
 
-/// m, from the surface of a solid; of a convex one to its nearest plane.
+/// Distance from the surface of a solid, m; for a convex solid, from its nearest plane.
 double distance_from(const CuttingPart& solid, const Vec3& x_P) {
   if (solid.tree_P) return mesh::distance(*solid.tree_P, x_P);
   NearestPlanes nearest;

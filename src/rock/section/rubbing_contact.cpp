@@ -24,8 +24,8 @@ Region region_of(const mesh::Box& box_P, const Pose& X_WP) {
   return region;
 }
 
-/// Whether the part cannot have come to any rock: neither its axis nor its place has moved far since
-/// it was clear, and the cut is all that changed the rock.
+/// Whether the part cannot have reached any rock: its axis and its place have moved by no more than
+/// the room since it was clear, and only the cut has changed the rock.
 bool stays_clear(const Rock& rock, const Pose& X_WP, const CutWorkspace& cut, RubbingPart& part) {
   RubbingPart::Clear& c = part.clear;
   if (c.changes < 0 || c.changes != cut.changes_before) return false;
@@ -41,8 +41,8 @@ bool stays_clear(const Rock& rock, const Pose& X_WP, const CutWorkspace& cut, Ru
   return true;
 }
 
-/// The vertices of a block in the frame of a part, m, and their squared distances from its axis. The
-/// eighth has no meaning.
+/// The vertices of a block in the frame of a part, m, and their squared distances from its axis,
+/// m2. The eighth entry is meaningless.
 struct BlockPlaces {
   std::array<Single, single_lanes> x, y, z, r2;
 };
@@ -59,8 +59,8 @@ TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SingleFrame& X_
   TDBD_STORE(r2, out.r2.data());
 }
 
-/// Those that are not certainly outside the part, and whether it is clear of all. Once it is not, only
-/// the columns are tested.
+/// Collects the vertices that are not certainly outside the part, and determines whether the part
+/// is clear of all. As soon as it is not clear, only the columns are tested.
 void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, RubbingWork& w) {
   const Pose X_PW = inverse(X_WP);
   const Underside& u = part.underside_P;
@@ -87,7 +87,7 @@ void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, Rubb
   if (!is_clear) part.clear.changes = -1;
 }
 
-/// Keeps those inside the part and adds their neighbours: no other triangle counts.
+/// Keeps the vertices inside the part and adds their neighbours; other triangles do not count.
 void keep_inside(const Rock& rock, const RubbingPart& part, const Pose& X_WP, RubbingWork& w) {
   const Pose X_PW = inverse(X_WP);
   w.depth.assign(w.near.size(), 0.0);
@@ -131,8 +131,8 @@ void forget_near(RubbingWork& w) {
   for (const int v : w.near) w.slot[at(v)] = -1;
 }
 
-/// Signed distances of the near vertices from a part that is not convex: far outside only the sign is
-/// right.
+/// Signed distances of the near vertices from a part that is not convex. Far outside, only the sign
+/// is correct.
 void find_depths(const RubbingPart& part, double edge, RubbingWork& w) {
   w.depth.assign(w.near.size(), -edge);
   parallel_for(static_cast<int>(w.near.size()), [&](int i) {
@@ -143,7 +143,7 @@ void find_depths(const RubbingPart& part, double edge, RubbingWork& w) {
   });
 }
 
-/// Keeps the part of a polygon where `depth`, linear along its edges, is positive or zero.
+/// Clips a polygon to where `depth`, linear along its edges, is not negative.
 template <class Depth>
 void clip(std::vector<Vec3>& polygon, std::vector<Vec3>& clipped, const Depth& depth) {
   clipped.clear();
@@ -171,7 +171,7 @@ struct Sums {
   Vec3 area_vector = Vec3::Zero(), moment = Vec3::Zero();
 };
 
-/// About the z axis of P; all in the first one for a convex part.
+/// Sectors about the z axis of P; a convex part uses only the first.
 constexpr std::size_t sectors = 16;
 using SumsBySector = std::array<Sums, sectors>;
 
@@ -195,7 +195,8 @@ void add_polygon(const std::vector<Vec3>& polygon, Sums& sums) {
   }
 }
 
-/// Of a triangle, by the places of its vertices in `near`; -1: elsewhere, which is outside the part.
+/// Adds a triangle, using the slots of its vertices in `near`. A vertex with slot -1 is outside the
+/// part.
 void add_triangle(const Rock& rock, const RubbingPart& part, const Pose& X_PW,
                   const std::array<int, 3>& corners, double edge, RubbingWork& w,
                   SumsBySector& sums) {
@@ -218,13 +219,13 @@ void add_triangle(const Rock& rock, const RubbingPart& part, const Pose& X_PW,
   add_polygon(w.polygon, sums[part.tree_P ? sector_of(w.polygon.front()) : 0]);
 }
 
-/// Whether three vertices are near, all of them beyond one side of the part's box.
+/// Whether three vertices are near and all lie beyond the same side of the part's box.
 bool are_beyond(const RubbingWork& w, int a, int b, int c) {
   const int i = w.slot[at(a)], j = w.slot[at(b)], k = w.slot[at(c)];
   return i >= 0 && j >= 0 && k >= 0 && (w.beyond[at(i)] & w.beyond[at(j)] & w.beyond[at(k)]) != 0;
 }
 
-/// Each triangle once: from its first vertex that is near.
+/// Adds each triangle once: at its first near vertex.
 SumsBySector sum_triangles(const Rock& rock, const RubbingPart& part, const Pose& X_PW, double edge,
                            RubbingWork& w) {
   SumsBySector sums;

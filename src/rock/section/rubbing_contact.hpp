@@ -15,52 +15,53 @@
 
 namespace tdbd::rock {
 
-/// A part that rubs: rock may be inside it, since it moves none. Prepared once, by its planes if it is
-/// convex, otherwise by a tree over its facets.
+/// A part that rubs. It moves no rock, so rock may be inside it. Prepared once: by its planes if it
+/// is convex, otherwise by a tree over its facets.
 struct RubbingPart {
-  /// All rock vertices are farther than underside_P.room from the part turned about its axis at X_WP.
+  /// Records that all rock vertices are farther than underside_P.room from the part at X_WP,
+  /// rotated by any angle about its axis.
   struct Clear {
-    long changes = -1;  ///< of the rock's index that this includes; -1: not known to be clear
+    long changes = -1;  ///< number of the rock index's changes included; -1: not known to be clear
     Pose X_WP;
   };
   int part = -1;  ///< index into Bit::parts
   mesh::Box box_P;
-  mesh::ConvexSolid solid_P;                 ///< no planes if there is a tree
-  std::optional<mesh::TriangleTree> tree_P;  ///< only without planes
+  mesh::ConvexSolid solid_P;                 ///< without planes if there is a tree
+  std::optional<mesh::TriangleTree> tree_P;  ///< only if there are no planes
   Underside underside_P;                     ///< of a part with a tree
-  double reach = 0.0;                        ///< m, of its vertices from the origin of P
+  double reach = 0.0;                        ///< m, of its vertices from P's origin
   Clear clear;                               ///< of a part with a tree
 };
 
-/// `cell`: m, of the index of the rock that it meets.
+/// `cell`: cell size of the rock's index, m.
 RubbingPart prepare_rubbing_part(const bit::Part& part, int index, double cell);
 
-/// Buffers, kept between calls so that none allocates once warm.
+/// Buffers, kept between calls to avoid allocations.
 struct RubbingWork {
   BoxSidesWork around;
-  std::vector<int> near;     ///< vertices around the part, in the order of their numbers
+  std::vector<int> near;     ///< vertices around the part, in ascending order
   std::vector<Vec3> near_P;  ///< m
   std::vector<std::uint8_t>
-      beyond;                 ///< per near vertex: beyond which sides of the part's box, as bits
-  std::vector<double> depth;  ///< m, of near vertices inside the part, positive; outside: negative
-  std::vector<int> slot;      ///< per vertex of the rock: its place in `near`, or -1
+      beyond;                 ///< per near vertex: the sides of the box beyond which it is, as bits
+  std::vector<double> depth;  ///< m, of near vertices; positive inside the part
+  std::vector<int> slot;      ///< per vertex of the rock: its index in `near`, or -1
   std::vector<Vec3> polygon, clipped;
-  std::vector<ContactPatch> patches;  ///< of the last call
+  std::vector<ContactPatch> patches;  ///< result of the last call
 };
 
-/// The rock surface inside a closed part at the pose X_WP (ours): triangles are clipped to the part,
-/// exactly by the planes of a convex one. For any other part the crossings of its surface with the
-/// edges are interpolated linearly between the vertices' signed distances, and triangles without a
-/// vertex inside do not count. Triangles are found if one of their vertices is within `edge` (m), the
-/// length of the rock's longest edges, of the part's box. The sums do not depend on the index. `cut` is
-/// the last cut of the rock; the index of the rock shows whether anything else changed it since the
-/// last call.
-/// `work.patches` has the same contact by sectors about the part's z axis, if it is not convex: the
-/// velocity of a bit body that touches all around differs from sector to sector.
+/// Computes the rock surface inside a closed part at the pose X_WP [+]. Triangles are clipped to
+/// the part; for a convex part this is exact. For any other part, the crossings of its surface with
+/// edges are interpolated linearly between the signed distances of the vertices, and triangles
+/// without a vertex inside do not count. A triangle is found if one of its vertices is within
+/// `edge` (m), the length of the rock's longest edges, of the part's box. The sums do not depend on
+/// the index. `cut`: the last cut of the rock. The rock's index shows whether anything else has
+/// changed the rock since the last call. If the part is not convex, `work.patches` contains the
+/// same contact divided into sectors about the part's z axis, because the velocity of a bit body
+/// that touches all around differs between sectors.
 ContactPatch rubbing_contact(const Rock& rock, RubbingPart& part, const Pose& X_WP, double edge,
                              const CutWorkspace& cut, RubbingWork& work);
 
-/// The greatest distance (m) of a rock vertex inside a closed part from the part's surface; 0: no
+/// The largest distance (m) from the part's surface of a rock vertex inside a closed part; 0 if no
 /// vertex is inside.
 double depth_in_rock(const mesh::Surface& surface, const bit::Part& part, const Pose& X_WP);
 

@@ -24,9 +24,9 @@ SpeedRange speed_range(const ConvexPolygon& outline_F, const ForwardSpeed& v) {
   return range;
 }
 
-/// A face that plunges moves mostly along its own plane. Carried the whole lead ahead, it would be deep
-/// below the rock that it cuts. So it is carried 0.7 of the lead where X . v < 0.5 |v| at its middle, the
-/// whole lead from 0.8 |v| on, and a cubic share between them.
+/// A face that plunges moves mostly along its own plane. Carried ahead by the whole lead, it would
+/// be deep below the rock that it cuts. So it is carried ahead by 0.7 of the lead if X . v < 0.5
+/// |v| at its middle, by the whole lead from 0.8 |v| on, and by a cubic blend in between.
 double lead_of(const FaceColumns& columns, const Pose& X_BF, const ForwardSpeed& v,
                const rotation::Twist& twist, double lead) {
   constexpr double plunging = 0.5, cutting = 0.8, nearest = 0.7;
@@ -38,8 +38,8 @@ double lead_of(const FaceColumns& columns, const Pose& X_BF, const ForwardSpeed&
   return lead * (nearest + (1.0 - nearest) * s * s * (3.0 - 2.0 * s));
 }
 
-/// The columns of the part that goes forwards, in the work's buffer if that is not all; null if
-/// nothing does.
+/// The columns of the part that moves forwards; null if no part does. Uses the work's buffer if
+/// that is not the whole face.
 const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& v,
                                    const SpeedRange& range, SectionWork& w) {
   if (!(range.fastest > 0.0)) return nullptr;
@@ -50,7 +50,7 @@ const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& 
   return w.forward.columns.empty() ? nullptr : &w.forward;
 }
 
-/// Whether the outline continues above the zone that is searched.
+/// Whether the outline continues above the searched zone.
 bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
   const double top = f.face.hi_F.y() + 0.25 * f.reach;
   const auto is_over = [&](const Vec2& x_F) {
@@ -79,8 +79,8 @@ bool is_seen(const FacePlane& plane, const OutlineWork& w) {
   });
 }
 
-/// Rock meets a face at its lower half first. Only if nothing is found there, the search goes all
-/// around the face, twice as far.
+/// Rock usually meets a face at its lower half, so that is searched first. If nothing is found
+/// there, the search is repeated all around the face with twice the reach.
 bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
   find_outline(rock, plane, outline);
   if (is_seen(plane, outline)) return true;
@@ -90,13 +90,13 @@ bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
   return is_seen(plane, outline);
 }
 
-/// A face of a bit that moves.
+/// A face of a moving bit.
 struct FacePlace {
   const Pose &X_WB, &X_BF;
   const rotation::Twist& twist;
 };
 
-/// The number of points of a run that are inside the face, from number k on.
+/// The number of consecutive points of a run, from index k on, that are inside the face.
 std::size_t points_inside(const OutlineWork& w, std::size_t k, std::size_t end) {
   const std::size_t begin = k;
   while (k < end && w.place[k].place == PointPlace::inside) ++k;
@@ -128,7 +128,7 @@ void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, Sectio
   for (const OutlineRun& run : w.outline.runs) add_run(strip, plane, run, w);
 }
 
-/// The engaged part of an edge of the outline: its length and its middle.
+/// The engaged part of an edge of the outline: its middle and length.
 struct EngagedEdge {
   Vec2 middle_F;
   double length;
@@ -140,15 +140,16 @@ EngagedEdge engaged_edge(const FaceColumns& face, std::size_t i, const ColumnSum
   const double along =
       static_cast<double>(sums.engaged_moment[i]) / sums.per_length_moment / length;
   const FaceColumn& c = face.columns[i < 2 * count ? i % count : i == 2 * count ? 0 : count - 1];
-  const double width = c.y1 - c.y0, dy = std::clamp(along, 0.0, width);  // rounding of short ones
+  // clamped because of rounding for short edges
+  const double width = c.y1 - c.y0, dy = std::clamp(along, 0.0, width);
   if (i < count) return {{c.y0 + dy, c.lower + dy * c.lower_slope}, length};
   if (i < 2 * count) return {{c.y0 + dy, c.upper + dy * c.upper_slope}, length};
   const double y = i == 2 * count ? 0.0 : width;
   return {{c.y0 + y, c.lower + y * c.lower_slope + std::max(along, 0.0)}, length};
 }
 
-/// Adds the flat behind the engaged part of a lower edge, which is taken to be one piece around its
-/// middle.
+/// Adds the flat behind the engaged part of a lower edge, which is assumed to be one piece around
+/// its middle.
 void add_flat(const FlatBehind& flat, const FaceColumn& c, const EngagedEdge& e, FlatPiece& sum) {
   if (!(e.length > 0.0)) return;
   const double y = e.middle_F.x(), half = 0.5 * e.length / c.lower_length;
@@ -193,7 +194,7 @@ void measure_area(const Pose& X_BF, const rotation::Twist& twist, const ColumnSu
   s.volume_rate = s.area * X_BF.R.col(0).dot(rotation::velocity_B(twist, s.centroid_B));
 }
 
-/// The face carried ahead along the motion by `times` the time of each of the work's strips.
+/// The section of the face, carried ahead by `times` the time of each of the work's strips.
 Section section_ahead(const Rock& rock, const FaceColumns& columns, const FacePlace& face,
                       const FlatBehind& flat, const SectionPlace& place, double times,
                       SectionWork& work) {
@@ -213,7 +214,7 @@ Section section_ahead(const Rock& rock, const FaceColumns& columns, const FacePl
   return s;
 }
 
-/// Where the straight line through the values at one and at two leads is at the face.
+/// Extrapolates linearly from the values at one and at two leads to the face.
 Section at_the_face(const Section& one, const Section& two) {
   Section s = one;
   s.area = 2.0 * one.area - two.area;

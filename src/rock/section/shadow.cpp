@@ -40,7 +40,7 @@ TDBD_WIDE void find_exit(const mesh::ConvexSolid& s, const Vec3& U, const Vec3& 
   }
 }
 
-/// Four rows side by side. For loops that are TDBD_WIDE.
+/// Four rows, one per lane. For loops that are TDBD_WIDE.
 struct WideRows {
   Wide a, c, r;
 };
@@ -51,8 +51,8 @@ void load(const Shadow& w, std::size_t i, WideRows& rows) {
   TDBD_LOAD(rows.r, &w.r[i]);
 }
 
-/// Between which s the line at t is inside, and the planes that bound it; below, s >= 0 unless a
-/// plane does. Planes parallel to u are left out.
+/// The interval of s in which the line at t is inside, and the planes that bound it. Without a
+/// plane below, s >= 0. Planes parallel to u are ignored.
 struct Span {
   double lo = 0.0, hi = std::numeric_limits<double>::infinity();
   std::size_t below = mesh::most_planes, above = mesh::most_planes;
@@ -86,7 +86,8 @@ Span span_at(const Shadow& w, double t) {
   return span;
 }
 
-/// The end of a stretch: at the next plane below it, at a side, or where the surface above meets it.
+/// The end of a stretch: at the next plane below it, at a side, or where the surface above meets
+/// it.
 TDBD_WIDE void find_end(const Shadow& w, Stretch& stretch) {
   const double t = stretch.from, s = w.height(stretch.plane, t);
   const double falls = w.a[stretch.plane] / w.c[stretch.plane];
@@ -114,7 +115,7 @@ TDBD_WIDE void find_end(const Shadow& w, Stretch& stretch) {
   }
 }
 
-/// s of a bound of a span at t = 0, and by how much it falls with t; s >= 0 has no plane.
+/// Value at t = 0 of a bound of s, and its decrease per unit of t. The bound s >= 0 has no plane.
 struct Bound {
   double s = 0.0, falls = 0.0;
 };
@@ -145,7 +146,8 @@ Exit exit_of_way(const mesh::ConvexSolid& solid, const Vec3& U, const Vec3& e, c
 
 double reach_at(const Shadow& w, double t) { return std::max(span_at(w, t).hi, 0.0); }
 
-/// Newton's method from above on the concave function hi - lo: its tangent never ends before it.
+/// Newton's method from above on the concave function hi - lo, whose tangents never end before the
+/// root.
 Vec3 end_of_shadow(const Shadow& w) {
   constexpr int most_rounds = 100;
   double t = 1.0;

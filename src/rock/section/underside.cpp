@@ -16,11 +16,11 @@ constexpr double tile_cells = 4.0;
 constexpr double room_over_cell = 0.25;
 constexpr Single nothing = -std::numeric_limits<Single>::infinity();
 
-/// A triangle over the plane z = 0, and the plane through it.
+/// A triangle projected on the plane z = 0, and its plane.
 struct Flat {
   std::array<Vec3, 3> x;
-  Vec3 normal;       ///< not of unit length
-  double low, high;  ///< m, of its corners' z
+  Vec3 normal;       ///< not a unit vector
+  double low, high;  ///< m, smallest and largest z of its corners
 };
 
 Flat flat_of(const mesh::TriangleMesh& m, const mesh::Triangle& t) {
@@ -43,7 +43,7 @@ bool is_beside(const Flat& f, double x, double y, double half) {
   return false;
 }
 
-/// No point of the triangle over a square about (x, y) is deeper, m.
+/// Upper bound of the depth of the triangle over a square about (x, y), m.
 double deepest_over(const Flat& f, double x, double y, double half) {
   const Vec3& n = f.normal;
   const double rise = half * (std::abs(n.x()) + std::abs(n.y()));
@@ -66,8 +66,8 @@ void note(const Flat& f, double column, const Underside& u, std::vector<Single>&
     }
 }
 
-/// The greatest of each column and its eight neighbours: a place in single precision may be in the
-/// next one.
+/// The maximum over each column and its eight neighbours, because a place in single precision may
+/// be in a neighbouring column.
 std::vector<Single> with_neighbours(const Underside& u, const std::vector<Single>& deepest) {
   std::vector<Single> wide(deepest.size(), nothing);
   for (int j = 0; j < u.ny; ++j)
@@ -80,7 +80,7 @@ std::vector<Single> with_neighbours(const Underside& u, const std::vector<Single
   return wide;
 }
 
-/// By the distance from the axis: the greatest of all columns that a ring crosses.
+/// Per ring of distance from the axis: the maximum over all columns that the ring crosses.
 std::vector<Single> by_ring(const Underside& u, double column, double reach) {
   std::vector<Single> rings;
   const double half_diagonal = 0.5 * std::numbers::sqrt2 * column;

@@ -14,7 +14,7 @@ double distance(const MeridianPoint& a, const MeridianPoint& b) {
   return std::hypot(b.r - a.r, b.z - a.z);
 }
 
-/// Points at equal arc length, ends included.
+/// Points at equal arc length, including both ends.
 std::vector<MeridianPoint> resampled(const std::vector<MeridianPoint>& curve, double spacing) {
   double length = 0.0;
   for (std::size_t i = 1; i < curve.size(); ++i) length += distance(curve[i - 1], curve[i]);
@@ -36,7 +36,7 @@ std::vector<MeridianPoint> resampled(const std::vector<MeridianPoint>& curve, do
 
 struct Ring {
   int first, count;
-  double phase;  ///< azimuth of the first point over the spacing: 0 or 1/2
+  double phase;  ///< azimuth of the first point divided by the spacing: 0 or 1/2
 };
 
 double azimuth(const Ring& ring, int k) { return two_pi * (k + ring.phase) / ring.count; }
@@ -51,7 +51,8 @@ Ring add_ring(mesh::TriangleMesh& m, const MeridianPoint& p, double edge_length,
   return ring;
 }
 
-/// Stitches two rings: the ring whose next point has the smaller azimuth advances.
+/// Triangulates the strip between two rings. The ring whose next point has the smaller azimuth
+/// advances.
 void stitch(mesh::TriangleMesh& m, const Ring& inner, const Ring& outer) {
   int i = 0, j = 0;
   const auto in = [&](int k) { return inner.first + k % inner.count; };

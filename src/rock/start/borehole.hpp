@@ -11,16 +11,16 @@ struct MeridianPoint {
   double r, z;
 };
 
-/// Rock surface of revolution about the z axis: the meridian curve runs from the axis (r = 0) along
-/// the bottom and up the wall; rings of points at arc spacing 0.866 edge_length, about
-/// 2 pi r / edge_length points a ring. The normal points out of the rock (up, and towards the axis
-/// on the wall). One boundary loop: the last ring. Thesis: 4.4.1 (reconstructed).
+/// Makes a rock surface of revolution about the z axis. The meridian curve runs from the axis (r =
+/// 0) along the bottom and up the wall. Rings of about 2 pi r / edge_length points are placed at an
+/// arc spacing of 0.866 edge_length. The normal points out of the rock (up, and towards the axis on
+/// the wall). The last ring is the only boundary loop. Thesis: 4.4.1 (reconstructed).
 mesh::TriangleMesh borehole(const std::vector<MeridianPoint>& curve, double edge_length);
 
-/// The bottom curve continued by a vertical wall of the given height above its last point.
+/// The bottom curve, continued by a vertical wall of height `wall` (m) above its last point.
 std::vector<MeridianPoint> with_wall(std::vector<MeridianPoint> bottom, double wall);
 
-/// A flat bottom at depth z inside a wall.
+/// A flat bottom at depth z inside a wall of height `wall`, m.
 std::vector<MeridianPoint> flat_bottom(double radius, double z, double wall);
 
 }  // namespace tdbd::rock

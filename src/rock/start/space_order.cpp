@@ -12,10 +12,11 @@
 namespace tdbd::rock {
 namespace {
 
-/// Something and where it stands in the order; equal places keep the order of their numbers.
+/// A sort key and an index. Elements with equal keys are sorted by index.
 using Placed = std::pair<std::uint64_t, int>;
 
-/// The number of a cell, `per_cube` to an edge of a cube: cubes by z, y, x, then cells likewise.
+/// The number of a cell, with `per_cube` cells along each edge of a cube: cubes by z, y, x, then
+/// cells by z, y, x.
 struct CellOrder {
   static constexpr double per_cube = 4.0;
   Vec3 lo;
@@ -32,14 +33,14 @@ struct CellOrder {
     return 64 * cube + inside;
   }
 
-  /// How far along x in its cell, in 2^-32 cells.
+  /// Offset along x in its cell, in 2^-32 cells.
   std::uint32_t along(const Vec3& x) const {
     const double cells = (x.x() - lo.x()) * inverse_cell;
     return static_cast<std::uint32_t>(0x1p32 * (cells - std::floor(cells)));
   }
 };
 
-/// The numbers of `count` things, in the order of their places.
+/// The indices of `count` elements, sorted by place_of.
 template <class PlaceOf>
 std::vector<int> ordered(std::size_t count, PlaceOf place_of) {
   std::vector<Placed> placed(count);

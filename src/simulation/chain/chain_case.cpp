@@ -12,7 +12,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// How often the blades of a regenerative bit pass, Hz; 0 of another bit.
+/// Frequency at which the blades of a regenerative bit pass a point, Hz; 0 for other bits.
 double passing_frequency(const ChainPlan& p) {
   return p.bit.pitch > 0.0 ? p.rotary_speed / p.bit.pitch : 0.0;
 }

@@ -9,17 +9,17 @@
 
 namespace tdbd::simulation {
 
-/// Records a chain: `history.nc` and `history.csv` with the surface, the bit and the nodes that the
-/// case names; `string.nc` with profiles over all nodes.
+/// Recorder of a chain: `history.nc` and `history.csv` with the surface, the bit and the nodes
+/// selected in the case; `string.nc` with profiles over all nodes.
 class ChainHistory {
  public:
-  /// Creates `.partial` files in the folder. Throws RunError when it cannot.
+  /// Creates `.partial` files in the folder. Throws RunError if it cannot.
   ChainHistory(const std::filesystem::path& folder, const ChainCase& c);
 
-  /// Appends a row of the history and, where one is due, a profile. Once for each step.
+  /// Appends a row of the history and a profile, if due. Call it once per step.
   void append(const ChainCase& c, const ChainSimulation& s);
 
-  /// Gives the files their names. Throws RunError.
+  /// Renames the files to their final names. Throws RunError.
   void close();
 
  private:
@@ -31,8 +31,8 @@ class ChainHistory {
   long last_row_ = -1, last_profile_ = -1;
 };
 
-/// Writes `static.csv` (torque and drag over elements), `broomstick.csv` (hook loads over bit depths) and
-/// `modes.csv` (shapes over nodes).
+/// Writes `static.csv` (torque and drag by element), `broomstick.csv` (hook loads by bit depth) and
+/// `modes.csv` (mode shapes by node).
 void write_static_tables(const std::filesystem::path& folder, const ChainCase& c);
 
 }  // namespace tdbd::simulation

@@ -24,7 +24,7 @@ long next_steps(const ChainCase& c, long done) {
   return std::min({longest_block, until_next(c.history_every, done), profile, c.time.steps - done});
 }
 
-/// Runs to the end or to an interruption; appends the seconds of a step, block by block.
+/// Runs to the end or to an interruption. Appends the run time per step in seconds, block by block.
 RunStatus run_blocks(const ChainCase& c, const RotateOptions& o, ChainSimulation& s,
                      ChainHistory& history, std::vector<double>& seconds) {
   history.append(c, s);

@@ -8,16 +8,17 @@
 
 namespace tdbd::simulation {
 
-/// How a run of a chain ended.
+/// Result of a run of a chain.
 struct ChainOutcome {
   RunStatus status = RunStatus::completed;
   ChainSimulation end;
 };
 
-/// Computes statics and modes, runs the steps of the case, if it has any, and writes its result
-/// folder, the summary last: a folder without one holds no finished run. An interrupted run writes
-/// everything that was recorded. If a step or a write fails, failure.txt says what happened, and the
-/// error is passed on. Throws InputError before anything is written, RunError later.
+/// Computes statics and modes, runs the steps of the case, if any, and writes the result folder.
+/// The summary is written last: a folder without it contains no completed run. After an
+/// interruption, everything recorded so far is written. If a step or a write fails, failure.txt
+/// contains the reason, and the error is rethrown. Throws InputError before anything is written,
+/// RunError later.
 ChainOutcome run_chain(const ChainCase& c, const RotateOptions& options);
 
 /// The summary of a case so far, as JSON with units in its keys.

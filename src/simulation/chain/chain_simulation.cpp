@@ -58,7 +58,7 @@ void advance_chain(const ChainCase& c, ChainSimulation& s, long steps) {
     ++s.steps_done;
     watch(c, s);
   }
-  s.time = h * static_cast<double>(s.steps_done);  // no sum of rounded steps
+  s.time = h * static_cast<double>(s.steps_done);  // avoids a sum of rounded steps
   const double change = balance(c, s) - s.figures.start_balance;
   if (!std::isfinite(change))
     throw RunError("the state is no longer finite: the step is too long for this string");

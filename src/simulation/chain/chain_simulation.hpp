@@ -6,17 +6,17 @@
 
 namespace tdbd::simulation {
 
-/// What a run of a chain counts.
+/// Statistics of a run of a chain.
 struct ChainFigures {
   double start_balance = 0.0;   ///< J
   double residual = 0.0;        ///< largest change of the balance, J
   long bit_steps_at_rest = 0;   ///< in the second half of the run
-  long node_steps_at_rest = 0;  ///< nodes times steps
+  long node_steps_at_rest = 0;  ///< sum over steps of the nodes at rest
   double least_speed = 0.0;     ///< of the bit in the second half, rad/s
   double largest_speed = 0.0;
 };
 
-/// A chain with its bit as it runs.
+/// State of a chain with its bit during a run.
 struct ChainSimulation {
   string::BitOnChain state;
   string::ChainWork work;
@@ -25,10 +25,10 @@ struct ChainSimulation {
   double time = 0.0;  ///< s
 };
 
-/// The case at t = 0.
+/// Creates the state of the case at t = 0.
 ChainSimulation start_chain(const ChainCase& c);
 
-/// Makes `steps` more steps. Throws RunError when the state is no longer finite.
+/// Performs `steps` steps. Throws RunError if the state is not finite.
 void advance_chain(const ChainCase& c, ChainSimulation& s, long steps);
 
 }  // namespace tdbd::simulation

@@ -10,7 +10,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// m, from the bit's origin to the farthest point that cuts.
+/// Distance from the origin of the bit to the farthest cutting point, m.
 double cutting_radius(const bit::Bit& bit) {
   double farthest = 0.0;
   for (const bit::Part& part : bit.parts)

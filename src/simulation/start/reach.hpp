@@ -8,9 +8,10 @@
 
 namespace tdbd::simulation {
 
-/// How far the bit stays from the rock during its motion at least, m: between the rock's box and that of the bit's way,
-/// widened all around by the cutting point that is farthest from the bit's origin. 0: they may meet. Of a bit that forces
-/// move it is the way on which it would follow its top.
+/// Lower bound of the distance between bit and rock during the motion, m: the distance between the
+/// box of the rock and the box of the path of the bit, enlarged by the cutting point farthest from
+/// the origin of the bit. 0 means that they may meet. In free motion, the path is that of a bit
+/// that follows its top.
 double gap_on_the_way(const Case& c, const mesh::Surface& rock);
 
 /// A warning at `motion` when there is such a gap.

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double bytes_per_triangle = 250.0;
 constexpr double bytes_per_cell = 4.2;
-constexpr double most_triangles = 7e8;  // three corners each, numbered by an int
-constexpr double most_cells = 2e9;      // numbered by an int
+constexpr double most_triangles = 7e8;  // three corners each, indexed by int
+constexpr double most_cells = 2e9;      // indexed by int
 
 double memory_of_machine() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -26,7 +26,7 @@ bool fits_machine(const RockNeed& need) {
          need.bytes <= memory_of_machine();
 }
 
-/// Of the cylinder that the bit's gage sweeps on its way down.
+/// Area of the cylinder that the gage of the bit sweeps on its way down.
 double area_of_new_wall(const Case& c, const mesh::Box& reach) {
   return 2.0 * std::numbers::pi * c.bit.gage_radius * reach.size().z();
 }

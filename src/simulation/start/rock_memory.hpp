@@ -5,27 +5,29 @@
 
 namespace tdbd::simulation {
 
-/// What a rock needs, before any of it is made: triangles at the start and those that the wall
-/// gains while the hole grows, cells of the index, and bytes for both.
+/// Estimated needs of a rock before it is created: triangles at the start and those that the wall
+/// gains as the hole grows, cells of the index, and memory for both.
 struct RockNeed {
   double triangles = 0.0, cells = 0.0, bytes = 0.0;
 };
 
-/// A surface of this area (m2) within a box under an index of cells of two edge lengths.
+/// Needs of a surface of this area (m2) within a box, with an index whose cells are two edge
+/// lengths wide.
 RockNeed need_of(double area, const mesh::Box& box_W, double edge_length);
 
-/// Bytes of so many triangles, without the index.
+/// Memory of a number of triangles, bytes, without the index.
 double bytes_of_triangles(double triangles);
 
-/// What the wall that the run adds needs, and the index along the bit's way.
+/// Needs of the wall that the run adds, and of the index along the path of the bit.
 RockNeed need_of_new_wall(const Case& c);
 
-/// Where the bit's axis goes during the run, widened by the bit: start, end and a path's rows.
+/// Box of the path of the bit's axis during the run, enlarged by the bit: start, end and the rows
+/// of a path.
 mesh::Box reach_W(const Case& c);
 
-/// Throws InputError, naming rock.edge_length, if a rock of this area and box, with the wall that
-/// the run adds, needs more than the machine's memory or more than 32-bit numbers count; says how
-/// much it needs and which edge length would do.
+/// Checks that a rock with this area and box, including the wall that the run adds, fits into the
+/// memory of the machine and 32-bit indices. Otherwise throws InputError that names
+/// rock.edge_length, the need and a suitable edge length.
 void require_memory(const Case& c, double area, mesh::Box box_W);
 
 }  // namespace tdbd::simulation

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view step_key = "tdbd step ", time_key = "tdbd time_s ",
                            hash_key = "tdbd case_hash ";
 
-/// The comments of a PLY header, as far as they stand among its first lines.
+/// The comments among the first lines of a PLY header.
 std::vector<std::string> header_comments(const std::filesystem::path& file) {
   constexpr int most_lines = 64;
   constexpr std::string_view comment = "comment ";
@@ -45,7 +45,7 @@ std::vector<std::string> comments_of(const RockStamp& stamp) {
 }
 
 std::optional<RockStamp> read_stamp(const std::filesystem::path& file) {
-  std::error_code none;  // a file that cannot be looked at has no stamp; a pipe would be waited for
+  std::error_code none;  // an unreadable file has no stamp; opening a pipe would block
   if (!std::filesystem::is_regular_file(file, none)) return std::nullopt;
   const std::vector<std::string> comments = header_comments(file);
   const auto step = value_of(comments, step_key), time = value_of(comments, time_key),
@@ -60,7 +60,7 @@ std::optional<RockStamp> read_stamp(const std::filesystem::path& file) {
 void require_same_time(const Case& c) {
   if (c.time.first == 0) return;
   const std::optional<RockStamp> stamp = read_stamp(c.rock.file);
-  constexpr double same = 1e-6;  // of a step: times are products of few roundings
+  constexpr double same = 1e-6;  // relative to a step: times are products with little rounding
   const double begin = time_at(c.time, c.time.first);
   if (!stamp || std::abs(stamp->time - begin) <= same * c.time.step) return;
   throw InputError(fmt::format(

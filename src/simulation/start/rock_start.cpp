@@ -26,8 +26,8 @@ namespace {
   throw InputError(fmt::format("{}: found {}, expected {}", c.rock.file, found, expected));
 }
 
-/// A surface that intersects itself does not say which side is rock. Checked once; takes some
-/// seconds for a million triangles.
+/// Checks for self-intersections, which would leave undefined which side is rock. Performed once;
+/// takes some seconds for a million triangles.
 void require_no_intersections(const Case& c, const std::string& place,
                               const mesh::TriangleMesh& m) {
   if (c.rock.intersections == IntersectionCheck::none) return;
@@ -39,7 +39,7 @@ void require_no_intersections(const Case& c, const std::string& place,
       place, pairs.size(), mesh::place_of_triangle(m, pairs.front().first), pairs.front().second));
 }
 
-/// Edges far from edge_length suggest a wrong unit.
+/// Checks that the edges are not far from edge_length, which would suggest a wrong unit.
 void require_plausible_edges(const Case& c, const mesh::TriangleMesh& m) {
   constexpr double factor = 20.0;
   const double triangles = static_cast<double>(m.triangles.size());
@@ -50,7 +50,7 @@ void require_plausible_edges(const Case& c, const mesh::TriangleMesh& m) {
            fmt::format("edges near rock.edge_length, {:.3g} mm", 1e3 * c.rock.edge_length));
 }
 
-/// Its normals point out of the rock: up, on the whole.
+/// Checks that the normals point out of the rock, which is upwards on average.
 void require_facing_up(const Case& c, const mesh::TriangleMesh& m) {
   double down = 0.0;
   for (const mesh::Triangle& t : m.triangles)
@@ -60,7 +60,7 @@ void require_facing_up(const Case& c, const mesh::TriangleMesh& m) {
     refuse(c, "all facets flipped (they face down, into the rock)", "facets that face up (z down)");
 }
 
-/// "a; b" of "a\nb\n".
+/// "a; b" from "a\nb\n".
 std::string in_one_line(const std::string& lines) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -93,7 +93,8 @@ std::vector<rock::MeridianPoint> conforming(const Case& c) {
   return rock::with_wall(std::move(curve), c.rock.wall);
 }
 
-/// A flat bottom at the depth of the bit's lowest cutting point in a turn of its cones.
+/// A flat bottom at the depth of the lowest cutting point of the bit over a revolution of its
+/// cones.
 std::vector<rock::MeridianPoint> flat(const Case& c) {
   double lowest = -std::numeric_limits<double>::infinity();
   for (const bit::Part& p : bit::swept_parts(c.bit))
@@ -116,7 +117,7 @@ std::vector<rock::MeridianPoint> meridian(const Case& c) {
   return c.rock.profile;
 }
 
-/// Any meridian may be given: one that crosses itself makes no rock.
+/// A meridian from the case may intersect itself and is checked.
 StartSurface of_revolution(const Case& c) {
   constexpr double cube_over_edge = 8.0;
   const std::vector<rock::MeridianPoint> curve = meridian(c);
@@ -130,7 +131,7 @@ StartSurface of_revolution(const Case& c) {
   return start;
 }
 
-/// A file keeps its numbers, so that a run goes on from it as it would have without.
+/// The surface keeps the numbering of the file, so a continued run equals an uninterrupted one.
 StartSurface from_file(const Case& c) {
   require_same_time(c);
   const mesh::TriangleMesh m = mesh::read_mesh(c.rock.file, c.rock.unit);
@@ -165,7 +166,7 @@ std::string start_surface_key(const Case& c) {
 
 rock::Rock start_rock(const Case& c) { return start_rock(c, start_surface(c)); }
 
-/// Another case of the same surface may have a longer way to go.
+/// Memory is checked again, because another case with the same surface may have a longer path.
 rock::Rock start_rock(const Case& c, StartSurface start) {
   require_memory(c, start.area, start.box_W);
   return indexed_rock(c, std::move(start.surface));

@@ -17,19 +17,19 @@ Vec3 centre_W(const bit::Part& part, const Pose& X_WB) {
   return X_WB * (part.X_BP * (sum / static_cast<double>(part.mesh_P.positions.size())));
 }
 
-/// m; a face this near to a point in x, and no farther, may lie straight above it.
+/// Tolerance in x, m, within which a face may be directly above a point.
 constexpr double slack = 1e-6;
 
-/// A point, and what the faces straight above it say so far.
+/// A point, and the result for the faces above it so far.
 struct Column {
-  Vec3 p;  ///< W
+  Vec3 p;  ///< in W
   std::size_t number;
   int up_minus_down = 0;
   double cover = 0.0;
 };
 
-/// In the order of x. Off the vertices, which often lie right below one another; far less than any
-/// edge's length.
+/// Columns sorted by x. Points are shifted off the vertices, which are often directly above one
+/// another, by far less than an edge length.
 std::vector<Column> columns_through(std::span<const Vec3> points_W) {
   std::vector<Column> columns;
   for (const Vec3& x_W : points_W)
@@ -45,7 +45,7 @@ void cross_face(const Vec3& a_W, const Vec3& b_W, const Vec3& c_W, Column& colum
   const double height = sum == 0.0 ? 0.0 : -(wa * a.z() + wb * b.z() + wc * c.z()) / sum;
   if (height <= 0.0) return;
   column.up_minus_down +=
-      sum < 0.0 ? 1 : -1;  // z points down: a face turned up has a negative area
+      sum < 0.0 ? 1 : -1;  // z points down: a face that points up has a negative area
   column.cover = std::max(column.cover, height);
 }
 

@@ -9,16 +9,16 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Adds the contacts of a step to those remembered; the speed at which they balance.
+/// Adds the contacts of a step to the faded sums. Returns the speed at which they balance.
 double balanced_speed(ConeState& cone, const bit::SlipBalance& now, double fading) {
-  constexpr double forgotten = 1e-200;  // contacts fade to nothing before their sums lose digits
+  constexpr double forgotten = 1e-200;  // smaller sums are unreliable and not used
   cone.remembered.moment = fading * cone.remembered.moment + now.moment;
   cone.remembered.inertia = fading * cone.remembered.inertia + now.inertia;
   if (cone.remembered.inertia < forgotten) return cone.speed;
   return -cone.remembered.moment / cone.remembered.inertia;
 }
 
-/// pure_speed: of the gage row, rad/s.
+/// `pure_speed` is that of the gage row, rad/s.
 double rolling_speed(ConeState& cone, const bit::SlipBalance& now, double fading,
                      double pure_speed) {
   if (now.inertia > 0.0 || cone.start_share < 1.0) cone.start_share *= fading;

@@ -10,54 +10,57 @@
 
 namespace tdbd::simulation {
 
-/// How a cone turned: its speed over the bit's, rolling positive.
+/// Statistics of the rotation of a cone: ratios of its speed to that of the bit, positive for
+/// rolling.
 struct ConeFigures {
   std::string name;
-  long steps = 0;                 ///< in which the bit turned; with none, no speed is known
-  double mean_speed_ratio = 0.0;  ///< turn of the cone over turn of the bit, whole run
-  double min_speed_ratio = 0.0;   ///< of single steps
+  long steps = 0;                 ///< number of steps in which the bit rotated; if 0, no speed is
+                                  ///< known
+  double mean_speed_ratio = 0.0;  ///< ratio of the rotations of cone and bit over the whole run
+  double min_speed_ratio = 0.0;   ///< over single steps
   double max_speed_ratio = 0.0;
   double std_speed_ratio = 0.0;
-  double rolling_ratio_gage_row = 0.0;  ///< at which the gage row would roll without slip
-  double net_slip_gage_row = 0.0;       ///< 1 - mean over rolling: positive when the cone lags
+  double rolling_ratio_gage_row = 0.0;  ///< ratio at which the gage row would roll without slip
+  double net_slip_gage_row = 0.0;       ///< 1 - mean over rolling ratio: positive if the cone lags
 };
 
-/// One cone of a run, as the next step needs it.
+/// State of one cone, as required by the next step.
 struct ConeState {
-  double angle = 0.0;           ///< rad about its Z since the start; rolling is negative
+  double angle = 0.0;           ///< rad about its Z since the start; negative for rolling
   double turned = 0.0;          ///< rad, in the last step
   double speed = 0.0;           ///< rad/s in the last step, phi'
-  bit::SlipBalance remembered;  ///< of all contacts so far, each faded with its age
-  double start_share = 1.0;     ///< of the speed that is still the start's pure rolling
+  bit::SlipBalance remembered;  ///< sums over all contacts so far, faded with their age
+  double start_share = 1.0;     ///< share of the initial pure rolling in the speed
 };
 
-/// Turns the cone to this angle (rad).
+/// Sets the angle (rad), and `turned` to the difference.
 void set_angle(ConeState& cone, double angle);
 
-/// How a cone turned over the bit; rolling is positive.
+/// Sums for ConeFigures; positive for rolling.
 struct ConeStatistics {
   double bit_turned = 0.0;  ///< rad, since the start
-  Spread ratio;             ///< of all steps in which the bit turned
+  Spread ratio;             ///< over all steps in which the bit rotated
   double least = 0.0, greatest = 0.0;
 };
 
-/// A step in which the bit turned by `turn` (rad).
+/// Adds a step in which the bit rotated by `turn` (rad).
 void add(double turn, const std::vector<ConeState>& cones, std::vector<ConeStatistics>& statistics);
 
 std::vector<ConeState> start_cones(const Case& c);
 
-/// Where the teeth of a cone took rock in a step: at their tips, the cones at these angles (rad;
-/// middle_angles), weighed by what they removed.
+/// Contacts of the teeth of a cone that removed rock in a step: positions of their tips at the
+/// given cone angles (rad; middle_angles), weighted by removed volume.
 std::vector<bit::ConeContact> contacts_of(const bit::Bit& bit, int cone,
                                           const std::vector<double>& cone_angles,
                                           const rock::CutReport& cut);
 
-/// Turns the cones through the step that follows `steps_done` steps. At given speeds their angles
-/// are those of cone_angles(). A rolling cone turns at, simulation (2),
+/// Rotates the cones through the step that follows `steps_done` steps. At prescribed speeds the
+/// angles are those of cone_angles(). A rolling cone has the speed, simulation (2),
 ///   phi' = e (-i w) + (1 - e) phi'_balance,     phi'_balance = - M / D     (bit::slip_balance) [+]
-/// with M and D summed over the contacts of `cut`, the step before, and of all earlier steps, faded
-/// by exp(-age / cone_memory); -i w the pure rolling of its gage row and e its share, 1 until the
-/// first contact and faded from there likewise. Without contacts a cone keeps its speed.
+/// M and D are sums over the contacts of `cut`, which is the previous step, and of all earlier
+/// steps, faded by exp(-age / cone_memory). -i w is the pure rolling of the gage row; its share e
+/// is 1 until the first contact and fades in the same way from then on. Without contacts a cone
+/// keeps its speed.
 void turn_cones(const Case& c, long steps_done, const rock::CutReport& cut,
                 std::vector<ConeState>& cones);
 
@@ -68,7 +71,7 @@ std::vector<double> middle_angles(const std::vector<ConeState>& cones, double dt
 std::vector<double> angles_of(const std::vector<ConeState>& cones);
 std::vector<double> speeds_of(const std::vector<ConeState>& cones);
 
-/// What a run reports of a cone.
+/// The statistics that a run reports for a cone.
 ConeFigures figures_of(const bit::Cone& cone, const ConeState& state,
                        const ConeStatistics& statistics);
 

@@ -10,15 +10,16 @@
 namespace tdbd::simulation {
 namespace {
 
-/// A face: what of it is in rock, and where.
+/// Takes area and position of the part of a face in rock from its section.
 void take_section(const rock::Section& s, const Pose& X_WB, CutOfPart& c) {
   c.face_area = s.area;
   c.cut.point = X_WB * s.centroid_B;
   c.cut.engaged_edge = s.engaged_edge;
 }
 
-/// The thesis's measure [R]: the volume that the whole cutter removed over what its tip went along
-/// X; which of its parts took a vertex depends on the mesh.
+/// Measure of the thesis [R]: the volume removed by the whole cutter, divided by the displacement
+/// of its tip along X. The whole cutter is used because the part that captures a vertex depends on
+/// the mesh.
 void take_volume(const bit::Cutter& cutter, double removed, const MeasuredStep& step,
                  CutOfPart& c) {
   const rotation::Twist twist =
@@ -35,13 +36,13 @@ void take_face(const ForcePlan& plan, const MeasuredStep& step, const Measures& 
   c.cut.normal = step.move.X_WB1.R * bit::profile_normal_B(cutter);
   c.forward_W = step.move.X_WB1.R * cutter.X_BC.R.col(0);
   const rock::Section& s = m.sections[at(step.bit.parts[at(c.part)].cutter)];
-  if (std::isnan(s.area)) return;  // refused: nothing is known of the rock ahead
+  if (std::isnan(s.area)) return;  // rejected section: the rock ahead is unknown
   take_section(s, step.move.X_WB1, c);
   if (plan.cut == CutMeasure::volume)
     take_volume(cutter, m.removed[at(step.bit.parts[at(c.part)].cutter)], step, c);
 }
 
-/// The engaged edge of the cutter's face, where the section has it.
+/// Takes the engaged edge of the face of the cutter, if the section has one.
 void take_edge(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
   const int cutter = step.bit.parts[at(c.part)].cutter;
   const rock::Section& s = m.sections[at(cutter)];
@@ -54,7 +55,7 @@ void take_edge(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
   c.cut.point = step.move.X_WB1 * s.edge_centroid_B;
 }
 
-/// The wear flat of the cutter behind its engaged edge.
+/// Takes the wear flat of the cutter behind its engaged edge.
 void take_flat(const MeasuredStep& step, const Measures& m, CutOfPart& c) {
   const int cutter = step.bit.parts[at(c.part)].cutter;
   const rock::Section& s = m.sections[at(cutter)];
@@ -81,7 +82,8 @@ void take_part(const ForcePlan& plan, const MeasuredStep& step, const Measures& 
   c.distance = m.contacts[at(c.part)].distance;
 }
 
-/// A piece of the contact of a part as a cut of its own. The part's removed volume is that of its first.
+/// Adds a patch of the contact of a part as a separate cut. The first patch gets the removed volume
+/// of the part.
 void add_patch(const ForcePlan& plan, const rock::ContactPatch& patch, double distance,
                CutOfPart& whole, std::vector<CutOfPart>& cuts) {
   CutOfPart c = whole;
@@ -94,9 +96,9 @@ void add_patch(const ForcePlan& plan, const rock::ContactPatch& patch, double di
   whole.cut.removed_volume = 0.0;
 }
 
-/// The sides of a part that presses are a contact of their own: they crush rock where the surface
-/// below them may only slide, and together they would have one normal. So are crest and flanks of a
-/// milled tooth (ContactDivision::by_direction).
+/// Makes the sides of a pressing part a separate contact. They crush rock while the surface below
+/// them may only slide, and a common contact would have a single normal. The same applies to crest
+/// and flanks of a milled tooth (ContactDivision::by_direction).
 void split_contact(const ForcePlan& plan, const MeasuredStep& step, const Measures& m,
                    std::vector<CutOfPart>& cuts) {
   CutOfPart whole = cuts.back();
@@ -114,7 +116,7 @@ void split_contact(const ForcePlan& plan, const MeasuredStep& step, const Measur
   add_patch(plan, contact.sides, 0.0, whole, cuts);
 }
 
-/// A part that rubs bears on each of its patches.
+/// Replaces the contact of a rubbing part by its patches.
 void split_patches(const ForcePlan& plan, const Measures& m, std::vector<CutOfPart>& cuts) {
   CutOfPart whole = cuts.back();
   const auto is_of_part = [&](const PatchOfPart& p) { return p.part == whole.part; };
@@ -124,7 +126,7 @@ void split_patches(const ForcePlan& plan, const Measures& m, std::vector<CutOfPa
     if (is_of_part(p)) add_patch(plan, p.patch, whole.distance, whole, cuts);
 }
 
-/// A flat whose contact is measured by its edge is a contact of its own, before those of the rest of
+/// A flat whose contact is measured by its edge is a separate contact, before those of the rest of
 /// its part.
 void add_flat(const ForcePlan& plan, const MeasuredStep& step, const Measures& m,
               const CutOfPart& part, std::vector<CutOfPart>& cuts) {

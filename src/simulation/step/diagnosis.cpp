@@ -22,7 +22,7 @@ double share_below(std::span<const double> x, double limit) {
          static_cast<double>(x.size());
 }
 
-/// The last whole cycles of a frequency (Hz), as many as there are; all samples if there is none.
+/// The last whole cycles of a frequency (Hz), as many as fit; all samples if there is not one.
 std::span<const double> whole_cycles(std::span<const double> x, double frequency, double dt) {
   const double cycles = std::floor(static_cast<double>(x.size()) * dt * frequency);
   if (!(cycles > 0.0)) return x;
@@ -44,13 +44,15 @@ std::vector<double> windowed(const std::vector<double>& x) {
   return y;
 }
 
-/// Where the parabola through three neighbours has its top, in lines from the middle one.
+/// Position of the maximum of the parabola through three neighbouring lines, in lines from the
+/// middle one.
 double top_between(double before, double at, double after) {
   const double curvature = before - 2.0 * at + after;
   return curvature < 0.0 ? 0.5 * (before - after) / curvature : 0.0;
 }
 
-/// Sum of the turns of the centre about its mean, rad, and its mean square distance, m2.
+/// Rotation of the centre about its mean position, rad, signed and absolute, and its mean square
+/// distance, m2.
 struct Orbit {
   double turned = 0.0, square = 0.0, moved = 0.0;
 };
@@ -73,7 +75,7 @@ Orbit orbit_of(const std::vector<Eigen::Vector2d>& centre) {
 
 WhirlKind whirl_of(const Orbit& o, double orbit_speed, double rotary_speed) {
   constexpr double smallest_orbit = 1e-4;  // m
-  constexpr double steadiness = 0.5;       // of all turning, what goes one way
+  constexpr double steadiness = 0.5;       // net share of the rotation in one direction
   constexpr double same_speed = 0.1;
   if (std::sqrt(o.square) < smallest_orbit || std::abs(o.turned) < steadiness * o.moved)
     return WhirlKind::none;
@@ -82,7 +84,7 @@ WhirlKind whirl_of(const Orbit& o, double orbit_speed, double rotary_speed) {
   return orbit_speed * rotary_speed > 0.0 ? WhirlKind::forward : WhirlKind::backward;
 }
 
-/// Whether rock can stop the bit and let it go: see diagnose().
+/// Whether the rock can stop and release the bit: see diagnose().
 bool can_stick(const Trace& t, double torque, double mean_speed, double lost_contact_share) {
   constexpr double most_lost_contact = 0.5, steadiness = 0.5;
   double turned = 0.0;
@@ -92,14 +94,14 @@ bool can_stick(const Trace& t, double torque, double mean_speed, double lost_con
          std::abs(mean_speed) >= steadiness * turned;
 }
 
-/// Whether the rotary speed swings by more than half of its mean, and by more than rounding does.
+/// Whether the rotary speed varies by more than half of its mean, and by more than rounding.
 bool swings(const std::vector<double>& speed, double mean_speed) {
   constexpr double half = 0.5, least = 1e-3;  // rad/s
   const auto [lowest, highest] = std::ranges::minmax(speed);
   return 0.5 * (highest - lowest) > std::max(half * std::abs(mean_speed), least);
 }
 
-/// " at 3.2 Hz" after what stands before it; empty where nothing told the frequency.
+/// " at 3.2 Hz" after `before`; empty if the frequency is unknown.
 std::string at_frequency(const char* before, double frequency) {
   return frequency > 0.0 ? fmt::format("{} at {:.3g} Hz", before, frequency) : "";
 }

@@ -9,25 +9,25 @@
 namespace tdbd::simulation {
 
 /// @file
-/// How the simulation turns the equations of motion (src/dynamics) into places of the bit over the
-/// rock, and loads on its parts into impulses.
+/// Interface between the simulation and the equations of motion (src/dynamics): converts states
+/// into poses of the bit relative to the rock, and loads on parts into impulses.
 
 dynamics::Drilling start_drive(const Case& c);
 
-/// Where the state has the bit.
+/// Pose of the bit in this state.
 Place place_of(const dynamics::DrillingSystem& system, const dynamics::DrillingState& state);
 
-/// How a state moves the bit over the rock, in the rock's frame.
+/// Velocity of the bit relative to the rock, in the frame of the rock.
 BitVelocity velocity_of(const dynamics::DrillingSystem& system,
                         const dynamics::DrillingState& state);
 
-/// The loads as the equations of motion take them: torques about the centre of mass, the opposite
-/// force on the rock, and the impulses of the cones' own spins at the end of the step.
-/// X_RB: where the loads were summed, about its origin.
+/// Converts loads to a wrench for the equations of motion: torques about the centre of mass, the
+/// opposite force on the rock, and the impulses on the cones' own spins at the end of the step.
+/// X_RB is the pose at which the loads were summed; they are about its origin.
 dynamics::Wrench wrench_of(const dynamics::DrillingSystem& system, const BitLoads& loads,
                            const Pose& X_RB);
 
-/// Takes the cones' angles and speeds from the state after a step of dt (s).
+/// Sets the angles and speeds of the cones from the state after a step of dt (s).
 void follow_cones(const dynamics::DrillingState& state, double dt, std::vector<ConeState>& cones);
 
 }  // namespace tdbd::simulation

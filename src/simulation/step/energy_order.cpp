@@ -13,13 +13,13 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Steps of h that all levels together cost.
+/// Steps of h that all levels take together.
 constexpr long cost_per_step = (1L << dynamics::residual_levels) - 1;
 
-/// The observation costs at most one step in so many of the run's.
+/// The observation takes at most one step per this many steps of the run.
 constexpr long least_steps_per_cost = 10;
 
-/// The case with every step in so many parts; nothing counts in means.
+/// The case with every step divided into `parts`; no step is included in means.
 Case divided(Case c, int parts) {
   c.time.step /= parts;
   c.time.steps *= parts;
@@ -32,7 +32,8 @@ Case divided(Case c, int parts) {
   return c;
 }
 
-/// Where the window begins, with a ledger that begins there, so that rounding is the window's own.
+/// The simulation at the start of the window with a new ledger, so that its rounding is that of the
+/// window only.
 Simulation at_window(const Case& finer, const Simulation& s, int parts) {
   State state = s.state;
   state.steps_done *= parts;

@@ -11,7 +11,7 @@ double tip_speed(const bit::Cutter& cutter, const rotation::Twist& path) {
   return rotation::velocity_B(path, bit::tip_B(cutter)).norm();
 }
 
-/// It goes forward faster than it would creep, or much faster in any direction.
+/// Whether the face moves forward faster than it would creep, or much faster in any direction.
 bool is_on_its_way(const bit::Cutter& cutter, const rotation::Twist& path, double creep) {
   constexpr double much = 10.0;
   const Vec3 v_B = rotation::velocity_B(path, bit::tip_B(cutter));

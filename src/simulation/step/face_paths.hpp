@@ -10,30 +10,31 @@
 
 namespace tdbd::simulation {
 
-/// A section is taken ahead of a face, along its path. The direction in which a standing bit creeps
-/// is that of what dithers around it: faces would find thousands of mm2 ahead and none by turns. So
-/// a face that creeps is measured along the way that it last went, at first around the bit's axis,
-/// and keeps its last section where it finds no rock's surface ahead (ours).
+/// Path along which the section ahead of a face is taken. The direction in which a bit at rest
+/// creeps is noise: faces would alternate between thousands of mm2 and nothing ahead of them. A
+/// creeping face is therefore measured along its last path, which is initially a rotation about the
+/// axis of the bit, and keeps its last section if there is no rock surface ahead. An addition of
+/// TDBD [+].
 struct FacePath {
-  rotation::Twist way{Vec3::UnitZ(), Vec3::Zero()};  ///< B, as fast as the face went
+  rotation::Twist way{Vec3::UnitZ(), Vec3::Zero()};  ///< in B, with the speed of the face
   bool creeps = false;
 };
 
-/// Per cutter; none: every face goes along the step's own path.
+/// One entry per cutter. If empty, all faces use the path of the step.
 using FacePaths = std::vector<FacePath>;
 
-/// Per cutter, the slip speed of its face's law, m/s; 0 where there is none.
+/// Slip speed of the law of each cutter's face, m/s; 0 if there is none.
 std::vector<double> creep_of_faces(const bit::Bit& bit, const ForcePlan& plan);
 
-/// Takes over the step's path for the faces that do not creep: those that go forward faster than
-/// `creep` (m/s, per cutter), or ten times as fast in any direction.
+/// Stores the path of the step for all faces that do not creep, that is, that move forward faster
+/// than `creep` (m/s, per cutter), or ten times as fast in any direction.
 void follow(const bit::Bit& bit, const Move& move, std::span<const double> creep, FacePaths& paths);
 
 inline bool creeps(const FacePaths& paths, int cutter) {
   return !paths.empty() && paths[at(cutter)].creeps;
 }
 
-/// The path along which one face is measured, at the speed of the step's own.
+/// The path along which a face is measured, with the speed of the step.
 rotation::Twist path_of(const FacePaths& paths, const bit::Bit& bit, int cutter,
                         const rotation::Twist& of_step);
 

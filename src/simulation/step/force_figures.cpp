@@ -20,7 +20,7 @@ Json part_json(const PartLoadFigures& p) {
 
 }  // namespace
 
-/// Under the names of the means.
+/// Keys are those of the means.
 Json uncertainty_json(const SamplingUncertainty& u) {
   const auto known = [](const std::optional<double>& x) { return x ? Json(*x) : Json(); };
   return {{"wob_mean_n", known(u.wob)},

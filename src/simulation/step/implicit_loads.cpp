@@ -30,8 +30,8 @@ void set_jacobian(const ResistedMotion& m, const CutOfPart& c,
 
 enum class Sums { forces, forces_and_resistances };
 
-/// Forces and resistances at u, and their sums. Lazy products: Eigen's blocked ones cost a thousand
-/// instructions on matrices as small as these.
+/// Evaluates forces and resistances at u, and their sums. Uses lazy products, because Eigen's
+/// blocked products take a thousand instructions for matrices of this size.
 void evaluate(const ResistedMotion& m, const VectorXd& u, Resistance which, Sums sums,
               ImplicitWork& w) {
   w.f.setZero(u.size());
@@ -48,7 +48,7 @@ void evaluate(const ResistedMotion& m, const VectorXd& u, Resistance which, Sums
   }
 }
 
-/// (I + A C) x = b.
+/// Solves (I + A C) x = b.
 void solve(const ResistedMotion& m, const VectorXd& b, ImplicitWork& w, VectorXd& x) {
   w.matrix.setIdentity(b.size(), b.size());
   w.matrix.noalias() += m.response.A * w.C;
@@ -61,7 +61,7 @@ double length_in_metric(VectorXd& x, const ImplicitWork& w) {
   return x.norm();
 }
 
-/// |u - free - A f(u)| in the metric of A; leaves the sums at u.
+/// |u - free - A f(u)| in the metric of A. Leaves the sums at u in `w`.
 double residual(const ResistedMotion& m, const VectorXd& u, Resistance which, Sums sums,
                 ImplicitWork& w) {
   evaluate(m, u, which, sums, w);
@@ -70,8 +70,8 @@ double residual(const ResistedMotion& m, const VectorXd& u, Resistance which, Su
   return length_in_metric(w.rest, w);
 }
 
-/// Where a solution at the resistances C leads from u: (I + A C) next = free + A (f + C u). With the
-/// secants of all laws that is free alone.
+/// Solves the linearization at u with resistances C: (I + A C) next = free + A (f + C u). If all
+/// resistances are secants, the right-hand side is `free`.
 void solve_linearised(const ResistedMotion& m, ImplicitWork& w) {
   w.trial = w.f;
   w.trial.noalias() += w.C * w.u;
@@ -80,8 +80,8 @@ void solve_linearised(const ResistedMotion& m, ImplicitWork& w) {
   solve(m, w.rest, w, w.next);
 }
 
-/// Newton's step from work.u, halved until it comes nearer. If it never does: with pressing
-/// surfaces, whose forces have kinks, the nearest of the trials is taken all the same; without, false
+/// Newton step from work.u, halved until the residual decreases. If it never does: with pressing
+/// surfaces, whose forces have kinks, the trial with the smallest residual is used; without, false
 /// is returned.
 bool take_newton_step(const ResistedMotion& m, double before, ImplicitWork& w) {
   solve_linearised(m, w);
@@ -110,7 +110,7 @@ void take_secant_step(const ResistedMotion& m, ImplicitWork& w) {
   w.u.swap(w.next);
 }
 
-/// The same with the pressing surfaces' forces as they are estimated.
+/// A secant step with the estimated forces of the pressing surfaces.
 void take_last_step(const ResistedMotion& m, ImplicitWork& w) {
   evaluate(m, w.u, Resistance::secant, Sums::forces, w);
   w.f.setZero();
@@ -130,15 +130,15 @@ void take_last_step(const ResistedMotion& m, ImplicitWork& w) {
   solve(m, w.rest, w, w.u);
 }
 
-/// How a contact yields to a force on it in one step.
+/// Response of a contact to a force on it in one step.
 Yield yield_of(const ResistedMotion& m, const Vec3& normal_W, std::size_t cut, ImplicitWork& w) {
   w.yields = w.jacobians[cut].lazyProduct(m.response.A);
   const Mat3 D = w.yields.lazyProduct(w.jacobians[cut].transpose());
   return {normal_W.dot(D * normal_W), D.norm()};
 }
 
-/// The largest entry on the diagonal of A among the velocities of the kind of u[i]: those of points,
-/// those of the bit's rotation, or those of the cones.
+/// The largest diagonal entry of A among the velocities of the same kind as u[i]: those of points,
+/// of the rotation of the bit, or of the cones.
 double largest_of_kind(const ResistedMotion& m, const MatrixXd& A, Eigen::Index i) {
   const Eigen::Index cones = cones_of(m);
   if (i >= 3 && i < 6) return A.diagonal().segment(3, 3).maxCoeff();
@@ -147,11 +147,12 @@ double largest_of_kind(const ResistedMotion& m, const MatrixXd& A, Eigen::Index 
   return rock_moves(m) ? std::max(largest, A(A.rows() - 1, A.rows() - 1)) : largest;
 }
 
-/// The metric of lengths and steepness: L of the symmetric part of A. Where a damper or friction at
-/// the wall stops a motion within the step, that part is singular and its small pivots are rounding.
-/// Then L^2 = n diag(A), n the number of velocities, with a floor: for a singular A an upper bound.
+/// Computes the metric of lengths and steepness: the Cholesky factor L of the symmetric part of A.
+/// If a damper or wall friction stops a motion within the step, that part is singular and its small
+/// pivots are rounding. Then L^2 = n diag(A) with a lower limit is used, where n is the number of
+/// velocities: an upper bound for a singular A.
 void set_root(const ResistedMotion& m, ImplicitWork& w) {
-  constexpr double rounding = 1e-12;  // of a pivot; lengths then keep their 1e-9 (settled)
+  constexpr double rounding = 1e-12;  // relative to a pivot; lengths keep their accuracy of 1e-9
   w.matrix = 0.5 * (m.response.A + m.response.A.transpose());
   w.cholesky.compute(w.matrix);
   bool is_positive = w.cholesky.info() == Eigen::Success;
@@ -167,7 +168,7 @@ void set_root(const ResistedMotion& m, ImplicitWork& w) {
   }
 }
 
-/// The penalties: so many times what stops the contact in one step.
+/// Sets the penalties to `times` the value that stops the contact in one step.
 void set_penalties(double times, ImplicitWork& w) {
   for (std::size_t i = 0; i < w.pressed.size(); ++i) {
     if (!w.pressed[i]) continue;
@@ -181,7 +182,8 @@ void update_estimates(const ResistedMotion& m, ImplicitWork& w) {
     if (w.pressed[i]) update_estimate(*w.pressed[i], w.jacobians[i].lazyProduct(w.u));
 }
 
-/// Newton's method at one estimate of the pressing surfaces. `first_secants`: rounds at secants.
+/// Newton's method for fixed estimates of the pressing surfaces. `first_secants` is the number of
+/// initial secant rounds.
 bool find_velocity(const ResistedMotion& m, double close, int first_secants, int most_rounds,
                    int& rounds, ImplicitWork& w) {
   for (int round = 0; round < most_rounds; ++round, ++rounds) {
@@ -223,7 +225,7 @@ double steepness(const ResistedMotion& m, const VectorXd& u, ImplicitWork& w) {
   w.product.noalias() = w.C * w.root;
   MatrixXd& B = w.steep;
   B.noalias() = w.root.transpose() * w.product;
-  if (B.norm() <= 1.0) return B.norm();  // bounds the singular value
+  if (B.norm() <= 1.0) return B.norm();  // upper bound of the largest singular value
   w.product.noalias() = B.transpose() * B;
   w.eigen.compute(w.product, Eigen::EigenvaluesOnly);
   return std::sqrt(w.eigen.eigenvalues()[B.rows() - 1]);
@@ -231,7 +233,7 @@ double steepness(const ResistedMotion& m, const VectorXd& u, ImplicitWork& w) {
 
 namespace {
 
-/// The estimates of the pressing surfaces are updated until they repeat themselves.
+/// Updates the estimates of the pressing surfaces until they converge.
 bool settle(const ResistedMotion& m, double close, int first_secants, Search& search,
             ImplicitWork& w) {
   constexpr int most_rounds = 30, most_updates = 12;
@@ -251,17 +253,18 @@ bool settle(const ResistedMotion& m, double close, int first_secants, Search& se
   return false;
 }
 
-/// Whether the friction of a pressing surface falls with its slip. Then a contact may both stick and
-/// slip in one step.
+/// Whether the friction of a pressing surface decreases with its slip. A contact may then both
+/// stick and slip in one step.
 bool weakens(const ImplicitWork& w) {
   return std::ranges::any_of(w.pressed, [](const auto& c) {
     return c && c->law.sliding.mu * c->law.sliding.weakening > 0.0;
   });
 }
 
-/// Holds the slip at which friction and ramp are evaluated, at first 0, solves, and updates it. Forces
-/// decrease and slips increase from one solution to the next, so that this finds the slowest slip,
-/// and a contact that can stick sticks. It continues where an inner search does not settle.
+/// Fixes the slips at which friction and ramp are evaluated (initially 0), solves, and updates
+/// them. From one solution to the next forces decrease and slips increase, so this finds the
+/// smallest slip, and a contact that can stick does. It continues if an inner search does not
+/// converge.
 bool settle_at_held_slip(const ResistedMotion& m, double close, Search& search, ImplicitWork& w) {
   constexpr int most_updates = 100, most_rounds = 2000;
   for (auto& c : w.pressed)

@@ -14,7 +14,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// m, along z: where the bit's origin was when its motion began.
+/// z of the origin of the bit at the start of its motion, m.
 double depth_at_begin(const Case& c) {
   const Place place = c.motion.kind == MotionKind::drilling
                           ? place_of(c.drilling.system, start_drive(c).state)
@@ -31,8 +31,7 @@ bool has_worn(const bit::Bit& bit, const WearState& wear, const bit::LateStart& 
 }
 
 bool is_due(const Case& c, const State& state, const bit::LateStart& start) {
-  constexpr double middle =
-      0.5;  // of the step: whether a time is a whole number of steps is rounding
+  constexpr double middle = 0.5;  // of the step, so that rounding of times does not matter
   if (start.event == bit::StartEvent::wear) return has_worn(c.bit, *state.wear, start);
   if (start.event == bit::StartEvent::time)
     return time_at(c.time, state.steps_done) + middle * c.time.step > start.from;
@@ -79,7 +78,7 @@ void start_due_parts(const Case& c, State& state, Work& work) {
     any = true;
   }
   if (!any) return;
-  state.rock.near_lists.clear();  // they are by group of the parts that cut
+  state.rock.near_lists.clear();  // they are stored per group of cutting parts
   const bit::Bit now = started_bit(c.bit, state.started);
   prepare_parts(c, state, now, rock::prepare_cutting_bit(now, c.update.cutting), work);
   rock::regroup_left(state.rock, work.cutting);

@@ -8,17 +8,17 @@
 
 namespace tdbd::simulation {
 
-/// The bit with those waiting parts (bit::Part::start) that have started. `started`: per part, or
-/// empty if no part of the bit waits.
+/// The bit after the start of waiting parts (bit::Part::start). `started` has one entry per part,
+/// or is empty if no part waits.
 bit::Bit started_bit(bit::Bit bit, const std::vector<std::uint8_t>& started);
 
-/// Whether some part of the bit still waits.
+/// Whether any part of the bit is still waiting.
 bool any_waits(const bit::Bit& bit, const std::vector<std::uint8_t>& started);
 
-/// Starts the parts whose event has come before the middle of the next step, for good: a bit that
-/// lifts again does not stop them. The rock inside a part that starts leaves it in that step, as rock
-/// that it swept. Throws RunError if the middle of a part that starts to cut lies below the rock's
-/// surface, from where no rock can leave.
+/// Starts the parts whose event occurs before the middle of the next step. A start is permanent: it
+/// is not undone if the bit lifts. The rock inside a part that starts is removed in that step as if
+/// swept. Throws RunError if the centre of a part that starts to cut is below the rock's surface,
+/// where rock cannot be removed.
 void start_due_parts(const Case& c, State& state, Work& work);
 
 }  // namespace tdbd::simulation

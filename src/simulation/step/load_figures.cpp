@@ -22,11 +22,11 @@ void add_parts(const LoadedStep& step, LoadStatistics& s) {
   }
 }
 
-/// 0 over nothing.
+/// x / y, or 0 if y is 0.
 double quotient(double x, double y) { return y != 0.0 ? x / y : 0.0; }
 
-/// What the part's whole cutter removed, m3: through which of its parts a vertex leaves it depends
-/// on the mesh.
+/// Volume removed by the whole cutter of a part, m3. The part that captures a vertex depends on the
+/// mesh.
 double removed_by_cutter(const bit::Bit& bit, const LoadStatistics& s, std::size_t part) {
   if (bit.parts[part].cutter < 0) return s.part_removed[part];
   double removed = 0.0;
@@ -81,7 +81,7 @@ void add(const LoadedStep& step, Trace& t) {
 
 std::optional<double> batch_uncertainty(const std::vector<double>& samples) {
   constexpr std::size_t batches = 8;
-  constexpr double student_t = 2.364624;  // of seven degrees of freedom at 97.5 %
+  constexpr double student_t = 2.364624;  // seven degrees of freedom, 97.5 %
   const std::size_t length = samples.size() / batches;
   if (length == 0) return std::nullopt;
   Spread means;

@@ -6,40 +6,40 @@
 
 namespace tdbd::simulation {
 
-/// The rock's force on one part. Frame W.
+/// Force of the rock on one part. Frame W.
 struct PartLoad {
   Vec3 force_W = Vec3::Zero();  ///< N, on the bit
-  Vec3 point_W = Vec3::Zero();  ///< m; of two contacts of one part their mean, by force
-  double normal = 0.0;          ///< N, Fn of its law
+  Vec3 point_W = Vec3::Zero();  ///< m; for several contacts of a part, the mean weighted by force
+  double normal = 0.0;          ///< N, Fn of the law
   double tangential = 0.0;      ///< N, Ft
-  double power = 0.0;           ///< W, spent on the rock: -F . v
+  double power = 0.0;           ///< W, dissipated in the rock: -F . v
 };
 
-/// The rock's forces on the bit in a step.
+/// Forces of the rock on the bit in a step.
 struct BitLoads {
-  std::vector<PartLoad> parts;       ///< per part of the bit
+  std::vector<PartLoad> parts;       ///< one per part of the bit
   Vec3 force_W = Vec3::Zero();       ///< N
-  Vec3 torque_W = Vec3::Zero();      ///< N m, about the bit's origin
-  std::vector<double> cone_torques;  ///< N m, about the cones' Z, of the forces on each cone
+  Vec3 torque_W = Vec3::Zero();      ///< N m, about the origin of the bit
+  std::vector<double> cone_torques;  ///< N m, about the Z axis of each cone, of the forces on it
   double power = 0.0;                ///< W
 };
 
-/// Evaluates the law of a part that made this cut, at this motion of the bit.
+/// Evaluates the law of the part that made this cut, for this motion of the bit.
 PartLoad load_of(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
                  const BitVelocity& motion, double dt, const CutOfPart& cut);
 
-/// Torque of a load about a cone's Z, N m.
+/// Torque of a load about the Z axis of a cone, N m.
 double torque_about_cone(const bit::Bit& bit, const Pose& X_WB, int cone, const PartLoad& load);
 
-/// No load on any part.
+/// Sets all loads to zero.
 void clear(const bit::Bit& bit, BitLoads& loads);
 
 /// Adds the load of the part that made this cut.
 void add(const PartLoad& load, const bit::Bit& bit, const Pose& X_WB, const CutOfPart& cut,
          BitLoads& loads);
 
-/// Evaluates every part's law at this motion of the bit and sums, simulation (4). A pure function
-/// of all but `loads`, whose room is used again.
+/// Evaluates the laws of all parts for this motion of the bit and sums the loads, simulation (4). A
+/// pure function except that it reuses the memory of `loads`.
 void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
                const BitVelocity& motion, double dt, const std::vector<CutOfPart>& cuts,
                BitLoads& loads);

@@ -10,7 +10,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Of rock::SectionPlace, over the edge length: no result changes if it is doubled.
+/// For rock::SectionPlace, in edge lengths. Results do not change if it is doubled.
 constexpr double section_reach = 1.0;
 
 rotation::Twist twist_of(const Move& move) {
@@ -22,7 +22,7 @@ rock::EngagedEnds ends_of(const rock::Section& s, const rock::SectionWork& work)
   return rock::engaged_ends(*work.measured, work.sums);
 }
 
-/// A section is a function of the rock alone, so the faces are measured in parallel.
+/// Sections depend only on the rock, so the faces are measured in parallel.
 void measure_sections(const rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
                       const MeasuredStep& step, PerThread<rock::SectionWork>& rooms, Measures& m) {
   const rotation::Twist twist = twist_of(step.move);
@@ -57,7 +57,8 @@ void sum_removed(const MeasuredStep& step, std::size_t cutters, std::vector<doub
       removed[at(cutter)] -= step.cut.broken_out_by_part[p];
 }
 
-/// A face deep in rock, its surface out of sight, removes what its whole outline sweeps.
+/// Whether a face is deep in rock: it finds no rock surface, and removes more than half of the
+/// volume that its outline sweeps.
 bool is_deep_in_rock(const rock::SectionFace& face, const rock::Section& s, double removed,
                      const rotation::Twist& twist, double dt) {
   if (s.sight != rock::Sight::none || !(removed > 0.0)) return false;
@@ -92,13 +93,13 @@ void begin_revolution(const Move& move, std::size_t cutters, FaceStatistics& s) 
   s.revolutions = move.revolution;
 }
 
-/// Whether the section ahead of a face gives the force on a part of this kind.
+/// Whether the force on a part of this kind is computed from the section ahead of a face.
 bool has_section(const ForcePlan& plan, bit::PartKind kind) {
   return kind == bit::PartKind::face ||
          (kind == bit::PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
 }
 
-/// With flat flanks and a flat crest, of which each has one normal.
+/// Whether a part is a milled tooth, whose flat flanks and flat crest each have one normal.
 bool is_milled_tooth(const bit::Bit& bit, const bit::Part& part) {
   return part.kind == bit::PartKind::tooth && part.row >= 0 &&
          bit.cones[at(part.cone)].layout.rows[at(part.row)].shape.kind ==
@@ -166,7 +167,7 @@ std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePla
 
 rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length) {
   if (plan.section == SectionMeasure::off) return {};
-  constexpr double strip = 1.5;  // what a strip of a face comes ahead, over the least (face_strips)
+  constexpr double strip = 1.5;  // lead of a strip of a face relative to the smallest (face_strips)
   const double leads = plan.section_at_face == rock::SectionAtFace::extrapolated ? 2.0 : 1.0;
   return {section_reach * edge_length,
           (strip * leads * plan.section_lead + section_reach) * edge_length};

@@ -16,109 +16,117 @@
 
 namespace tdbd::simulation {
 
-/// The cutters' faces, prepared once for their sections; none: not measured.
+/// The faces of the cutters, prepared once for their sections. Empty if not measured.
 struct MeasuredFaces {
   std::vector<rock::SectionFace> faces;  ///< per cutter
-  std::vector<int> near_lists;           ///< per cutter: rock::SectionPlace::near_list
-  std::vector<std::uint8_t> cuts;  ///< per cutter: its face cuts; of others no section is taken
+  std::vector<int> near_lists;           ///< per cutter: see rock::SectionPlace::near_list
+  std::vector<std::uint8_t> cuts;  ///< per cutter: whether its face cuts; otherwise no section is
+                                   ///< taken
 };
 
-/// A cutter's parts are a group, whose list of near vertices covers what is ahead of its face, too.
+/// Prepares the faces. The parts of a cutter are a group, whose list of near vertices also covers
+/// the region ahead of its face.
 MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
                              const MeasurePlan& plan, FlatMeasure flat);
 
-/// Whether the flat behind the engaged edge is the contact of this part's flat (FlatMeasure::edge): of
-/// the body of a worn cutter.
+/// Whether the contact of this part's flat is measured behind the engaged edge (FlatMeasure::edge).
+/// True for the body of a worn cutter.
 bool bears_on_measured_flat(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part);
 
-/// How the contact of each part is measured: by whole triangles, which cost less, if the section
-/// ahead of a face gives the part's force (faces, and chamfers under ChamferMeasure::edge); clipped
-/// otherwise.
+/// How the contact of each part is measured. If the force on the part is computed from the section
+/// ahead of a face (faces, and chamfers with ChamferMeasure::edge), whole triangles are used, which
+/// is faster; otherwise they are clipped.
 std::vector<rock::ContactOfPart> contacts_of(const bit::Bit& bit, const ForcePlan& plan);
 
-/// The parts that rub and have a law, prepared once for their contacts.
+/// The rubbing parts that have a law, prepared once for their contacts.
 std::vector<rock::RubbingPart> rubbing_parts(const bit::Bit& bit, const ForcePlan& plan,
                                              double cell);
 
-/// How far the lists of vertices near the bit must reach for these measures.
+/// Margins of the lists of vertices near the bit that these measurements require.
 rock::NearListMargins list_margins_for(const MeasurePlan& plan, double edge_length);
 
-/// What a step is measured on.
+/// Inputs of the measurements of a step.
 struct MeasuredStep {
   const bit::Bit& bit;
   const rock::CuttingBit& cutting;
   const rock::CutWorkspace& cut_work;
   const rock::CutReport& cut;
   const Move& move;
-  double edge_length;                               ///< m, of the rock
-  long number;                                      ///< of the step: whose turn it is
+  double edge_length;                               ///< m, edge length of the rock
+  long number;                                      ///< number of the step, for
+                                                    ///< MeasurePlan::section_every
   const FacePaths& paths;                           ///< of the faces
   std::span<const rock::ContactOfPart> contacts{};  ///< rock::ContactOptions::by_part
 };
 
-/// A piece of a part's contact, with a normal and a velocity of its own.
+/// A patch of a part's contact with its own normal and velocity.
 struct PatchOfPart {
   int part = -1;
   rock::ContactPatch patch;
 };
 
-/// The measures of one step.
+/// Measurements of one step.
 struct Measures {
-  /// Per cutter; none: not measured. NaN where the section is refused: the face is deep in rock
-  /// (Sight::none), its surface out of sight, or rock reaches over its top (Sight::over_the_top).
-  /// In between the turns of a face (MeasurePlan::section_every) its last one.
+  /// Per cutter; empty if not measured. NaN if the section is rejected, because the face is deep in
+  /// rock and finds no rock surface (Sight::none), or because rock extends over its top
+  /// (Sight::over_the_top). Between its turns (MeasurePlan::section_every) a face keeps its last
+  /// section.
   std::vector<rock::Section> sections;
-  std::vector<std::uint8_t> is_new;         ///< per cutter: the section is of this step
-  std::vector<rock::EngagedEnds> ends;      ///< per cutter, of the section; empty: not measured
-  std::vector<double> removed;              ///< m3, per cutter, without what broke out beside it
-  std::vector<rock::PartContact> contacts;  ///< per part; none: not measured
-  std::vector<PatchOfPart> patches;         ///< of the parts that rub, in their order
+  std::vector<std::uint8_t> is_new;         ///< per cutter: whether the section was taken in this
+                                            ///< step
+  std::vector<rock::EngagedEnds> ends;      ///< per cutter, of the section; empty if not measured
+  std::vector<double> removed;              ///< m3, per cutter, without the volume that broke out
+  std::vector<rock::PartContact> contacts;  ///< per part; empty if not measured
+  std::vector<PatchOfPart> patches;         ///< of the rubbing parts, in their order
 };
 
-/// Room for them, kept between steps so that none allocates once warm.
+/// Work data, reused so that later steps allocate nothing.
 struct MeasureWork {
   PerThread<rock::SectionWork> sections;
   rock::ContactWork contact;
 };
 
-/// Measures where the bit has come to. To be called between cut_rock and maintenance, once a
-/// step: the contact's displacements are updated (rock::contact_areas). A face whose
-/// turn it is not keeps the section that stands in `measures`; without any, all are measured.
+/// Measures sections and contacts at the end of the step. Must be called once per step, between
+/// cut_rock and maintenance, because it updates the displacements of contacts
+/// (rock::contact_areas). A face whose turn it is not keeps its section in `measures`; if there are
+/// no sections yet, all faces are measured.
 void measure_cut(rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces& faces,
                  const MeasuredStep& step, MeasureWork& work, Measures& measures);
 
-/// By step: one cutter's section (m2), what it swept and what the cutter's parts removed (m3).
+/// Statistics over steps for one cutter: area of the section (m2), volume that it swept and volume
+/// removed by the parts of the cutter (m3).
 struct FaceSpreads {
   Spread area, swept, removed;
 };
 
-/// The spreads of all sections over revolutions.
+/// Statistics of all sections by revolution.
 struct FaceStatistics {
-  std::vector<FaceSpreads> revolution;  ///< per cutter, of the revolution that goes on
-  std::vector<FaceSpreads> last_whole;  ///< of the last whole revolution; none yet: empty
-  std::size_t revolutions = 0;          ///< begun before the one that goes on
-  long refused_deep = 0, refused_over_the_top = 0;  ///< sections (Measures::sections)
+  std::vector<FaceSpreads> revolution;  ///< per cutter, current revolution
+  std::vector<FaceSpreads> last_whole;  ///< last complete revolution; empty before its end
+  std::size_t revolutions = 0;          ///< started before the current one
+  long refused_deep = 0, refused_over_the_top = 0;  ///< rejected sections (Measures::sections)
 };
 
-/// Adds the measures of a step. A section counts once, in the step that measured it; what was
-/// removed counts in every step for which a section stands.
+/// Adds the measurements of a step. A section is counted once, in the step in which it was taken;
+/// removed volumes are counted in every step with a valid section.
 void add(const Move& move, const Measures& measures, FaceStatistics& statistics);
 
-/// One cutter's section beside the volume that it removed, over a revolution.
+/// Comparison of a cutter's section with the volume that it removed, over a revolution.
 struct FaceFigures {
   std::string name;                    ///< "cutter-12"
-  long steps = 0;                      ///< measured; with none, nothing below is known
+  long steps = 0;                      ///< number of measured steps; if 0, the other members are
+                                       ///< unknown
   double mean_area = 0.0;              ///< m2
-  double mean_swept_by_section = 0.0;  ///< m3 in a step
-  double mean_removed = 0.0;           ///< m3 in a step
-  double rms_swept_by_section = 0.0;   ///< over the mean
-  double rms_removed = 0.0;            ///< over the mean
+  double mean_swept_by_section = 0.0;  ///< m3 per step
+  double mean_removed = 0.0;           ///< m3 per step
+  double rms_swept_by_section = 0.0;   ///< relative to the mean
+  double rms_removed = 0.0;            ///< relative to the mean
 };
 
-/// Of the last whole revolution; before its end, of all steps.
+/// Statistics of the last complete revolution; before its end, of all steps.
 std::vector<FaceFigures> figures_of(const bit::Bit& bit, const FaceStatistics& statistics);
 
-/// The cutter's name, as its parts have it.
+/// The name of the cutter as used in the names of its parts.
 std::string cutter_name(const bit::Cutter& cutter);
 
 }  // namespace tdbd::simulation

@@ -5,7 +5,8 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Differences of a law over a millionth of the speed: between rounding and its curvature.
+/// Slope of a law by differences of a millionth of the speed: well above rounding, and small
+/// compared with the curvature.
 Mat3 slope(const forces::Law& law, const CutOfPart& cut, const Vec3& v, double dt, const Vec3& F) {
   constexpr double over_speed = 1e-6;
   const double dv = over_speed * v.norm();

@@ -6,7 +6,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// The augmented normal force and its slope over v_n.
+/// The augmented normal force and its slope with respect to v_n.
 struct Normal {
   double p, slope;  // N, N s/m
 };

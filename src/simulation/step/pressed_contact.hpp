@@ -11,24 +11,24 @@ namespace tdbd::simulation {
 /// augmented Lagrangian, simulation (13):
 ///   p = min(limit, max(0, (p' + k_n (v_n - g/h))/(1 + k_n c))),   c = ramp |v_t|/limit
 ///   t = t' + k_t v_t, shortened to mu p;                  F = -p n - t
-/// g/h is the speed at which the surface comes back to rock from which it has risen by g. p' and t'
-/// are the normal force and the friction of the last estimate. The law is satisfied where the
-/// estimate repeats itself, whatever the penalties k are. They decide how fast that happens.
+/// g/h is the speed at which the surface returns to rock from which it has risen by g. p' and t'
+/// are the normal force and the friction of the last estimate. If the estimate does not change any
+/// more, the law is satisfied for any penalties k; they only affect the rate of convergence.
 struct PressedContact {
   forces::Pressing law;
   Vec3 normal_W = Vec3::Zero();
   double free_speed = 0.0;         ///< m/s, g/h
   double p = 0.0;                  ///< N, estimate
-  Vec3 friction_W = Vec3::Zero();  ///< N, estimate, against the slip
+  Vec3 friction_W = Vec3::Zero();  ///< N, estimate, opposite to the slip
   double k_n = 0.0, k_t = 0.0;     ///< N s/m
-  std::optional<double> slip{};    ///< m/s, at which mu and c are evaluated; none: |v_t|
+  std::optional<double> slip{};    ///< m/s, for mu and c; none: |v_t|
 };
 
-/// Force at the velocity v (m/s) of the contact over the rock, and its slope -dF/dv. The slope has
-/// the friction's dependence on the normal force and on the speed.
+/// Force at the velocity v (m/s) of the contact relative to the rock, and its slope -dF/dv. The
+/// slope includes the dependence of friction on normal force and speed.
 PartDrag drag_of(const PressedContact& contact, const Vec3& v_W);
 
-/// Takes the force at this velocity as the next estimate.
+/// Sets the estimate to the force at this velocity.
 void update_estimate(PressedContact& contact, const Vec3& v_W);
 
 }  // namespace tdbd::simulation

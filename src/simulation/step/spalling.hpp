@@ -9,26 +9,29 @@
 
 namespace tdbd::simulation {
 
-/// Rock that breaks out beside the faces, as a restart needs it.
+/// State of spalling, sufficient for a restart.
 struct SpallingState {
-  std::vector<rock::EngagedEnds> ends;     ///< per cutter, of the last section of its face
-  std::vector<CompensatedSum> broken_out;  ///< m3, per cutter, of what its face removed
+  std::vector<rock::EngagedEnds> ends;     ///< per cutter, from the last section of its face
+  std::vector<CompensatedSum> broken_out;  ///< m3, per cutter, part of the volume removed by its
+                                           ///< face
 };
 
-/// None for a case in which no rock breaks out.
+/// Nothing if no rock breaks out in the case.
 std::optional<SpallingState> start_spalling(const SpallingPlan& plan);
 
-/// Adds the bodies that break rock out around the faces to the cutting bit, and returns them. Empty
-/// where no rock breaks out.
+/// Adds the bodies that break out rock around the faces to the cutting bit, and returns them. Empty
+/// if no rock breaks out.
 std::vector<rock::Breakout> breakouts_of(const Case& c, const bit::Bit& bit,
                                          const MeasuredFaces& faces, rock::CuttingBit& cutting);
 
-/// Before a cut: lets cracks start where the last sections put the ends of the engaged edges,
-/// unless the rock at the face's tip does not break out. `X_WB`: the bit over the rock.
+/// Called before a cut: places the start of cracks at the ends of the engaged edges in the last
+/// sections, unless the rock at the tip of the face does not break out. `X_WB` is the pose of the
+/// bit relative to the rock.
 void place_breakouts(const Case& c, const Pose& X_WB, const std::vector<rock::Breakout>& breakouts,
                      const SpallingState& state, rock::CuttingBit& cutting);
 
-/// After a cut and its measures: notes what broke out, and where the next cracks start.
+/// Called after a cut and its measurements: stores the broken-out volume and where the next cracks
+/// start.
 void follow_breakouts(const bit::Bit& bit, const rock::CutReport& cut, const Measures& measures,
                       SpallingState& state);
 

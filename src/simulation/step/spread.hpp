@@ -2,8 +2,8 @@
 
 namespace tdbd::simulation {
 
-/// Running mean of a number over steps, and the sum of its squared distances from the mean
-/// (Welford's recurrence).
+/// Running mean of a number over steps, and the sum of its squared deviations from the mean
+/// (Welford's algorithm).
 struct Spread {
   long count = 0;
   double mean = 0.0, squares = 0.0;
@@ -11,10 +11,10 @@ struct Spread {
 
 void add(Spread& spread, double x);
 
-/// Root mean square of the distances from the mean; 0 of nothing.
+/// Standard deviation (divisor n); 0 without samples.
 double deviation(const Spread& spread);
 
-/// The same over the mean; 0 where the mean is.
+/// Standard deviation divided by the mean; 0 if the mean is 0.
 double relative_deviation(const Spread& spread);
 
 }  // namespace tdbd::simulation

@@ -11,10 +11,10 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Above this an explicit impulse overshoots. Bits that drill on faces stay well below.
+/// Above this steepness an explicit impulse overshoots. Bits that drill on faces are well below it.
 constexpr double too_steep = 1.0;
 
-/// The motion of the bit over the rock that velocities u are.
+/// Converts velocities u to the motion of the bit relative to the rock.
 void take_velocity(const ResistedMotion& m, const Eigen::VectorXd& u, BitVelocity& v) {
   const auto cones = static_cast<int>(m.bit.cones.size());
   v.p_WB = m.X_WB.p;
@@ -25,13 +25,14 @@ void take_velocity(const ResistedMotion& m, const Eigen::VectorXd& u, BitVelocit
   for (int k = 0; k < cones; ++k) v.cone_speeds[at(k)] = u[6 + k];
 }
 
-/// 1/kg, of bit and rock.
+/// Inverse masses of bit and rock, 1/kg.
 double moved_by_a_force(const dynamics::DrillingSystem& s) {
   return 1.0 / s.mass + (s.rock.mass > 0.0 ? 1.0 / s.rock.mass : 0.0);
 }
 
-/// How fast a pressing surface's force may change with the velocity, N s/m: its normal force over its
-/// ramp, or without one over the change of v_n at which it jumps; and as its friction turns.
+/// Bound of the derivative of a pressing surface's force with respect to velocity, N s/m: the
+/// normal force divided by its ramp, or without a ramp by the change of v_n at which it jumps; plus
+/// the change of direction of friction.
 double slope_bound(const forces::Pressing& law, const Vec3& v, const Vec3& normal) {
   const double into = std::abs(v.dot(normal));
   const double along = forces::slip_velocity(v, normal).norm();
@@ -40,9 +41,9 @@ double slope_bound(const forces::Pressing& law, const Vec3& v, const Vec3& norma
          law.sliding.mu * law.limit / std::max(along, smallest_speed);
 }
 
-/// A bound of the steepness that needs neither probes nor sums: |C_i| of a law of the velocity is
-/// |F_i|/|v_i|, and a step yields by no more than h M^-1. Infinite where a part of a cone cuts: a cone
-/// is so light that its parts always decide its speed.
+/// Upper bound of the steepness that needs neither probes nor sums: |C_i| of a law of velocity is
+/// |F_i|/|v_i|, and the response of a step is at most h M^-1. Infinite if a part of a cone cuts,
+/// because the inertia of a cone is so small that its parts always determine its speed.
 double steepness_bound(const ResistedMotion& m, const BitVelocity& v, const Mat3& turned_by,
                        double moved_by) {
   double bound = 0.0;
@@ -120,7 +121,7 @@ void bear_at_start(const Case& c, State& state, Work& work) {
   take_loads(m, room.implicit, work.loads);
   state.drive->wrench = wrench_of(system, work.loads, X_WB);
   state.drive->wrench.cone_impulse = dynamics::ConeImpulse::halves;
-  work.cuts.clear();  // of no step
+  work.cuts.clear();  // they belong to no step
   work.loads = {};
 }
 

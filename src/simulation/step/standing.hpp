@@ -9,40 +9,42 @@ struct Move;
 struct State;
 struct Work;
 
-/// What a step did about a bit that stands.
+/// Result of the implicit solution of a step.
 struct Standing {
-  double steepness = 0.0;  ///< of the laws beside what the step gives way; up to 1: a bound of it
-  bool stands = false;     ///< the impulse was implicit
+  double steepness = 0.0;  ///< of the laws relative to the compliance of the step; up to 1, a bound
+  bool stands = false;     ///< whether the impulse was implicit
   Search search;
 };
 
-/// Kept from step to step.
+/// Work data, reused between steps.
 struct StandingWork {
   dynamics::Response response;
   dynamics::ResponseWork responding;
-  BitVelocity last_drift;  ///< over the rock
+  BitVelocity last_drift;  ///< relative to the rock
   ImplicitWork implicit;
 };
 
-/// Steps in which the bit stood, for the summary.
+/// Statistics of the implicit steps, for the summary.
 struct StandingStatistics {
   long steps = 0;
-  long unsettled = 0;  ///< whose search did not settle: implicit at the last secants
+  long unsettled = 0;  ///< steps whose search did not converge: implicit with the last secants
   long most_rounds = 0;
 };
 
 void add(const Standing& step, StandingStatistics& statistics);
 
-/// A bit that stands, simulation (7), (8) (ours). At rest the slope of a law over the velocity is so steep that
-/// an explicit impulse would overshoot in every step, and the weight dither by its own size. So
-/// where the laws are too steep for the step (steepness above 1 at the velocity of the last drift), loads and
-/// velocity are those at the velocity that the next drift will have. Elsewhere `work.loads` stay untouched and
-/// the step is explicit. Sets work.standing; if it stands, work.loads and work.velocity.
+/// Computes the loads of a bit at rest or nearly at rest implicitly, simulation (7), (8). An
+/// addition of TDBD [+]. At rest the slope of a law over velocity is so steep that an explicit
+/// impulse would overshoot in every step, and the weight on bit would oscillate with an amplitude
+/// of its own size. If the steepness at the velocity of the last drift exceeds 1, loads and
+/// velocity are those at the velocity of the next drift. Otherwise `work.loads` is unchanged and
+/// the step is explicit. Sets work.standing, and if the step is implicit also work.loads and
+/// work.velocity.
 void stand(const Case& c, const Move& move, const State& state, Work& work);
 
-/// Finds the forces with which a run starts where parts that press touch the rock: those of the
-/// opening kick, at the velocity that the first drift will have. Without them the bit would fall
-/// freely during the first step.
+/// Computes the initial forces if pressing parts touch the rock at the start: those of the opening
+/// kick, at the velocity of the first drift. Without them the bit would fall freely during the
+/// first step.
 void bear_at_start(const Case& c, State& state, Work& work);
 
 }  // namespace tdbd::simulation

@@ -15,13 +15,13 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Revolution during which the bit goes from one place to another: the middle decides.
+/// Number of the revolution between two positions; the middle decides.
 std::size_t revolution_of(const Place& from, const Place& to) {
   const double middle = 0.5 * (from.turned + to.turned);
   return static_cast<std::size_t>(std::abs(middle) / (2.0 * std::numbers::pi));
 }
 
-/// At the end of the step: along the motion, or as forces move the bit.
+/// Position at the end of the step, by prescribed or free motion.
 Place next_place(const Case& c, State& state, Work& work) {
   if (!state.drive) return place_at(c.motion, time_at(c.time, state.steps_done + 1));
   work.drive_before = *state.drive;
@@ -48,9 +48,9 @@ MeasuredStep measured(const Case& c, const Move& move, const State& state, const
           work.contacts};
 }
 
-/// A patch without what of its normal points along the rotation. In its sides that lead and those that
-/// trail, a body that rubs has rock which only the helix of the advance leaves inside it: neither makes
-/// it press less.
+/// Removes the component of a patch's normal along the rotation. On the leading and trailing sides
+/// of a rubbing body there is rock inside it only because of the helical advance; this must not
+/// change its contact force.
 rock::ContactPatch facing_the_advance(rock::ContactPatch patch, const Pose& X_WB) {
   const Vec3 axis_W = X_WB.R.col(2), around_W = axis_W.cross(patch.centroid_W - X_WB.p);
   const double length2 = around_W.squaredNorm();
@@ -58,14 +58,14 @@ rock::ContactPatch facing_the_advance(rock::ContactPatch patch, const Pose& X_WB
   return patch;
 }
 
-/// At the momenta that the last forces predict. Cones turn freely: where their teeth press, the step
-/// is implicit (stand).
+/// Velocity at the momenta predicted from the last forces. The speed of cones is not predicted: if
+/// their teeth press, the step is implicit (stand).
 BitVelocity predicted_velocity(const Case& c, const Move& move, const State& state, Work& work) {
   const dynamics::DrillingSystem& system = c.drilling.system;
   return velocity_of(system, dynamics::predicted(system, move.dt, *state.drive, work.drive));
 }
 
-/// A diverging step leaves the motion as it was before it.
+/// Throws RunError if the step diverged, and restores the motion before it.
 void require_convergence(const Case& c, State& state, const Work& work) {
   const std::string what = dynamics::divergence(c.drilling.system, *state.drive, work.drive);
   if (what.empty()) return;
@@ -146,7 +146,8 @@ void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& 
     rock::RubbingPart& rubbing = work.rubbing[at(i)];
     const bit::Part& part = c.bit.parts[at(rubbing.part)];
     const Pose X_WP = X_WB * bit::part_pose(c.bit, part, angles);
-    // Isolated: a thread that waits in the middle of a part may not begin another in the same room.
+    // Isolated: otherwise a thread that waits within one part could start another part with the
+    // same buffer.
     tbb::this_task_arena::isolate([&] {
       rock::RubbingWork& room = work.rubbing_work.local();
       work.measures.contacts[at(rubbing.part)].below =

@@ -4,35 +4,36 @@
 
 namespace tdbd::simulation {
 
-// The parts of a time step, thesis fig. 4.2, in their order; step() calls them.
+// The phases of a time step, thesis fig. 4.2, in their order. step() calls them.
 
-/// Takes bit and cones to the end of the step: along the prescribed motion, or as forces move it.
+/// Moves bit and cones to the end of the step, by prescribed or free motion.
 Move drift(const Case& c, State& state, Work& work);
 
-/// Every part takes the rock that it sweeps; the ledger of volume notes it.
+/// Every part removes the rock that it sweeps. Updates the volume ledger.
 void cut(const Move& move, State& state, Work& work);
 
-/// Sections of uncut rock ahead of the faces, and contact areas of all parts.
+/// Measures sections of uncut rock ahead of the faces, and contact areas of all parts.
 void measure(const Case& c, const Move& move, State& state, Work& work);
 
-/// The contacts of parts that rub, beside those of parts that cut, at this pose over the rock.
+/// Measures the contacts of rubbing parts next to those of cutting parts, at this pose relative to
+/// the rock.
 void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& work);
 
-/// Evaluates the force laws on the step's cuts: at the velocity of the prescribed motion, or, where
-/// forces move the bit, at the momenta that the last ones predict.
+/// Evaluates the force laws on the cuts of the step: at the velocity of the prescribed motion, or
+/// in free motion at the momenta predicted from the last forces.
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work);
 
-/// Closes the step of the equations of motion with the loads; nothing for a prescribed motion.
-/// Throws RunError where the motion diverges.
+/// Completes the step of the equations of motion with the loads. No effect for a prescribed motion.
+/// Throws RunError if the motion diverges.
 void kick(const Case& c, const Move& move, State& state, Work& work);
 
 /// Adds the step to the statistics.
 void record(const Case& c, const Move& move, Simulation& s);
 
-/// Repairs the surface and trims its wall, every so many steps.
+/// Repairs the surface and trims its wall, if due.
 void maintain(const Case& c, State& state, Work& work);
 
-/// Numbers the surface's vertices and triangles by place, every so many steps of the motion.
+/// Renumbers the vertices and triangles of the surface by position, if due.
 void renumber(const Case& c, State& state, Work& work);
 
 }  // namespace tdbd::simulation

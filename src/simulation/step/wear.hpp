@@ -8,84 +8,85 @@
 
 namespace tdbd::simulation {
 
-/// Wear ends the run: a flat is as large as its piece of the bit, or grows too fast. The message names it.
+/// Wear ends the run: a flat is as large as its piece of the bit, or grows too fast. The message
+/// names the piece.
 struct WearEnd : RunError {
   using RunError::RunError;
 };
 
-/// Wear over some time. What a flat loses where it bears is given as a height: under a steady stress it
-/// loses height evenly, however large it has grown.
+/// Wear over some time. The loss of a bearing flat is given as a height: under a steady stress the
+/// height decreases uniformly, independent of the size of the flat.
 struct WornOff {
-  double volume = 0.0;  ///< m3, elsewhere on the piece
+  double volume = 0.0;  ///< m3, on the rest of the piece
   double height = 0.0;  ///< m: volume over the area of the flat
 };
 
-/// The wear of a piece of the bit in a run: of a cutter, a tooth or a gage pad (bit::WearSolid).
+/// The wear of a piece of the bit in a run: a cutter, a tooth or a gage pad (bit::WearSolid).
 struct PieceWear {
-  double volume = 0.0;  ///< m3, worn in the run, as its meshes have lost it
-  double height = 0.0;  ///< m, of the flat that lost it (WearFlat)
+  double volume = 0.0;  ///< m3, worn in the run, removed from the meshes
+  double height = 0.0;  ///< m, of the flat for this volume (WearFlat)
   WornOff window{};     ///< rate times time since the last wear step
-  WornOff previous{};   ///< the same of the window before
+  WornOff previous{};   ///< the same for the previous window
   WornOff last{};       ///< of the last time step
 };
 
-/// What rubbed on it in the last step.
+/// Friction on a piece in the last step.
 struct PieceRub {
-  double force = 0.0;        ///< N, normal, of all its parts
+  double force = 0.0;        ///< N, normal, sum over its parts
   double temperature = 0.0;  ///< K, of the flat
-  double rate = 0.0;         ///< m3/s, of worn volume, not accelerated
-  double flat_rate = 0.0;    ///< m3/s, of that: where the flat bears (FlatMeasure::edge)
+  double rate = 0.0;         ///< m3/s, wear rate, not accelerated
+  double flat_rate = 0.0;    ///< m3/s, part of it where the flat bears (FlatMeasure::edge)
 };
 
-/// The wear of a bit, as a restart needs it. Times are times of wear: acceleration times simulated
-/// time, s. A window is what lies between two wear steps.
+/// The wear of a bit, sufficient for a restart. Times are wear times: acceleration times simulated
+/// time, s. A window is the time between two wear steps.
 struct WearState {
-  std::vector<PieceWear> pieces;  ///< per bit::WearSolid
-  std::vector<PieceRub> rubs;     ///< per piece
+  std::vector<PieceWear> pieces;  ///< one per bit::WearSolid
+  std::vector<PieceRub> rubs;     ///< one per piece
   double window_time = 0.0, previous_time = 0.0;
   long window_steps = 0;         ///< time steps
-  double window_distance = 0.0;  ///< m that the bit went down
-  double window_weight = 0.0;    ///< N s of wear, weight on bit times time
-  double window_torque = 0.0;    ///< N m s of wear, torque on bit times time
-  double distance = 0.0;         ///< m of wear: acceleration times what the bit went down
-  long steps = 0;                ///< wear steps taken
+  double window_distance = 0.0;  ///< m, downward displacement of the bit
+  double window_weight = 0.0;    ///< N s, integral of the weight on bit over wear time
+  double window_torque = 0.0;    ///< N m s, integral of the torque on bit over wear time
+  double distance = 0.0;         ///< m, acceleration times downward displacement
+  long steps = 0;                ///< number of wear steps
 };
 
-/// What wears off in a window of this time (s) in which `window` wore off at the geometry of its
-/// beginning: the method of Adams and Bashforth of order 2 over windows of any length, simulation (14);
-/// the first window is one of Euler's method. Never negative.
+/// Extrapolated wear over a window of `time` (s). `window` is the wear computed at the geometry of
+/// its start. Uses the second-order Adams-Bashforth method for windows of variable length,
+/// simulation (14), and Euler's method for the first window. Never negative.
 WornOff worn_after(const WearState& s, const PieceWear& c, const WornOff& window, double time);
 
-/// The flat of a piece that loses this: half of the volume, then the height, then the other half,
-/// which is of order 2. None: the flat would be as large as the piece.
+/// The flat of a piece after this wear: half of the volume, then the height, then the other half,
+/// which is second-order accurate. Nothing if the flat would be as large as the piece.
 std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const PieceWear& c,
                                         const WornOff& worn);
 
-/// A wear step: closes the window, finds the flat of each piece's volume, and begins the next
-/// window. `flats`: of the bit before and after. Throws WearEnd if a flat becomes as large as its
-/// piece, and leaves `s` and `flats` unchanged.
+/// A wear step: closes the window, computes the flat for the volume of each piece, and starts the
+/// next window. `flats` are those of the bit before and after the step. Throws WearEnd if a flat
+/// becomes as large as its piece; `s` and `flats` are then unchanged.
 void take_wear_step(const std::vector<bit::WearSolid>& solids, WearState& s,
                     std::vector<bit::WearFlat>& flats);
 
-/// By how much the worn volumes differ from what the meshes lost (bit::lost_volume): the differences from
-/// what is beyond the flats, summed, over all that is worn; or, if larger, the largest difference of
-/// the meshes over the volume of their piece. `fresh`: the bit of the case; `worn`: as the last wear
-/// step left it.
+/// Relative difference between worn volumes and volumes lost by the meshes (bit::lost_volume): the
+/// larger of the summed differences beyond the flats relative to the worn volume, and the largest
+/// difference of a piece's meshes relative to its volume. `fresh` is the bit of the case, `worn`
+/// that of the last wear step.
 double wear_ledger_defect(const bit::Bit& fresh, const bit::Bit& worn,
                           const std::vector<bit::WearSolid>& solids, const WearState& s);
 
-/// The bit at the distance of a wear step, per piece.
+/// State of the wear at a distance, at a wear step; vectors have one entry per piece.
 struct WearRecord {
-  double distance = 0.0;  ///< m of wear
-  double weight = 0.0;    ///< N, on bit, mean of the window before
-  double torque = 0.0;    ///< N m, on bit, mean of the window before
-  double rate = 0.0;      ///< m/s, of penetration, of the window before
+  double distance = 0.0;  ///< m, including the acceleration
+  double weight = 0.0;    ///< N, on bit, mean over the previous window
+  double torque = 0.0;    ///< N m, on bit, mean over the previous window
+  double rate = 0.0;      ///< m/s, rate of penetration in the previous window
   std::vector<double> height, width, volume, temperature, force;  ///< m, m, m3, K, N
 };
 
-/// Records over the distance, thinned as they become many: at most 64.
+/// Records over the distance, at most 64. If there are more, every other one is dropped.
 struct WearRecords {
-  long every = 1;  ///< wear steps between two records
+  long every = 1;  ///< number of wear steps between two records
   long seen = 0;
   std::vector<WearRecord> records;
 };

@@ -14,15 +14,15 @@
 namespace tdbd::simulation {
 namespace {
 
-/// A wear step is due where a flat has grown by this share of the largest growth: what is left is
-/// for the step that follows.
+/// A wear step is due if a flat has grown by this share of the largest growth. The rest is a
+/// reserve for the next time step.
 constexpr double due_share = 0.5;
 
 double most_growth(const WearPlan& plan, const bit::WearSolid& solid) {
   return plan.largest_growth * solid.size;
 }
 
-/// How far flats may grow from here.
+/// Computes how far flats may grow from now on.
 void limit_growth(const WearPlan& plan, const WearState& s, WearWork& w) {
   w.due.clear();
   for (std::size_t i = 0; i < w.solids.size(); ++i) {
@@ -32,8 +32,8 @@ void limit_growth(const WearPlan& plan, const WearState& s, WearWork& w) {
   }
 }
 
-/// Whether the next step, if it wears no more than twice the last one, makes a flat too large. A flat
-/// grows with its height, so that the shares of what may wear off in the two ways may be added.
+/// Whether the next step could make a flat too large if it wears at most twice as much as the last
+/// one. The flat grows with its height, so the shares of both kinds of wear may be added.
 bool may_grow_too_far(const WearState& s, const WearWork& w) {
   constexpr double care = 2.0;
   const double step = s.window_time / static_cast<double>(s.window_steps);
@@ -77,8 +77,8 @@ bit::Bit bit_at(const Case& c, const WearState& s, const std::vector<bit::WearSo
   return worn;
 }
 
-/// The case with a worn bit. Of a bit that forces move mass, centre and inertia follow; the string,
-/// its rest, and what of it moves with the bit stay.
+/// The case with a worn bit. In free motion mass, centre and inertia are updated; the string, its
+/// slack position and its moving mass do not change.
 void wear_case(const Case& c, bit::Bit worn, Case& to) {
   to.bit = std::move(worn);
   if (c.motion.kind != MotionKind::drilling) return;
@@ -94,8 +94,9 @@ void wear_case(const Case& c, bit::Bit worn, Case& to) {
   to.drilling.start.c_W = c.drilling.start.c_W + (now.centre - fresh.centre);
 }
 
-/// The motion with the mass of the worn bit: pose and velocities stay, momenta and the last wrench are
-/// those about the new centre, and the ledger of energy starts with what is left.
+/// Continues the motion with the mass of the worn bit. Pose and velocities do not change; momenta
+/// and the last wrench are converted to the new centre of mass, and the initial energy of the
+/// ledger is adjusted.
 void carry_motion(const dynamics::DrillingSystem& before, const dynamics::DrillingSystem& now,
                   dynamics::Drilling& d) {
   dynamics::DrillingState& s = d.state;
@@ -117,10 +118,10 @@ void carry_motion(const dynamics::DrillingSystem& before, const dynamics::Drilli
       dynamics::total(dynamics::stored_energy(now, dynamics::drilling_work(now, d).at, s)) - stored;
 }
 
-/// What rubs on a piece: forces, paths and areas of its parts that bear.
+/// Friction on a piece: forces, power and areas of its bearing parts.
 struct Rubbing {
   double force = 0.0, power = 0.0;     ///< N, W
-  double area = 0.0, body_area = 0.0;  ///< m2, of all, and of the body
+  double area = 0.0, body_area = 0.0;  ///< m2, in total, and of the body
 };
 
 std::vector<Rubbing> rubbing_of(const bit::Bit& bit, const Work& work, const WearWork& w,
@@ -146,7 +147,7 @@ std::vector<Rubbing> rubbing_of(const bit::Bit& bit, const Work& work, const Wea
   return rubbing;
 }
 
-/// m/s, of each part that wears and bears a load, over the rock.
+/// Speed relative to the rock of each part that wears and bears a load, m/s.
 std::vector<double> part_speeds(const bit::Bit& bit, const Pose& X_WB, const Work& work,
                                 const WearWork& w) {
   std::vector<double> speeds(work.loads.parts.size(), 0.0);
@@ -158,7 +159,7 @@ std::vector<double> part_speeds(const bit::Bit& bit, const Pose& X_WB, const Wor
   return speeds;
 }
 
-/// Of what wears off a part: that which its flat loses where it bears.
+/// Share of a part's wear that its bearing flat loses.
 double flat_share(const Case& c, std::size_t part, const Work& work, const Rubbing& r) {
   const bit::Part& p = c.bit.parts[part];
   if (!bears_on_measured_flat(c.forces, c.bit, p) || !(r.body_area > 0.0)) return 0.0;
@@ -189,7 +190,7 @@ void rub(const Case& c, const Pose& X_WB, const Work& work, const WearWork& w,
   }
 }
 
-/// After a wear step; `before`: the state ahead of it, with its window.
+/// Record after a wear step. `before` is the state before it, with its window.
 WearRecord record_of(const WearPlan& plan, const WearState& before, const WearState& s,
                      const WearWork& w) {
   WearRecord r;
@@ -256,7 +257,7 @@ void take_wear_step(const Case& c, Simulation& sim) {
   limit_growth(c.wear, *state.wear, w);
   if (state.drive) carry_motion(before, w.worn.drilling.system, *state.drive);
   add(record_of(c.wear, last, *state.wear, w), sim.statistics.wear);
-  state.rock.near_lists.clear();  // they are by the parts that cut
+  state.rock.near_lists.clear();  // they are stored per group of cutting parts
   const bit::Bit now = state.started.empty() ? w.worn.bit : started_bit(w.worn.bit, state.started);
   std::optional<WearWork> wear = std::move(sim.work.wear);
   sim.work = start_work(wear->worn, state, rock::prepare_cutting_bit(now, c.update.cutting));

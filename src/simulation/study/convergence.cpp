@@ -14,7 +14,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Levels end at the same time to this; scale: the duration.
+/// Tolerance for the end times of levels; scale: the duration.
 constexpr double same_duration = 1e-9;
 
 constexpr const char* step_key = "time.step";
@@ -44,12 +44,12 @@ std::vector<double> quantities_of(const ConvergencePlan& plan,
   return sizes;
 }
 
-/// "time.step=0.005", in digits that read back to the bit.
+/// "time.step=0.005", with enough digits to restore the value bitwise.
 std::string override_of(const std::string& key, double size) {
   return fmt::format("{}={:.17e}", key, size);
 }
 
-/// A variable of `a` that `b` has with another number of values; null if there is none.
+/// A variable of `b` that has another number of values than in `a`; null if there is none.
 const StateVariable* unlike(const EndState& a, const EndState& b) {
   for (const StateVariable& x : a.variables)
     for (const StateVariable& y : b.variables)
@@ -71,7 +71,8 @@ void require_same_variables(const EndState& level, const EndState& other, const 
                     what, other.duration, level.duration));
 }
 
-/// Of the quantities at level `i`, from 0. A step is the nearest one that divides the duration.
+/// Sizes of the quantities at level `i`, from 0. A time step is the closest one that divides the
+/// duration.
 std::vector<double> sizes_at(const ConvergencePlan& plan, const ConvergenceStart& first, int i) {
   std::vector<double> sizes = first.sizes;
   for (std::size_t k = 0; k < sizes.size() && i > 0; ++k) {
@@ -96,7 +97,7 @@ std::string level_text(const ConvergencePlan& plan, int i, const std::vector<dou
   return text;
 }
 
-/// The sizes as they were used: a step is made to divide the duration.
+/// The sizes as used: a time step is changed so that it divides the duration.
 std::vector<double> used_sizes(const ConvergencePlan& plan, std::vector<double> sizes,
                                double step) {
   for (std::size_t k = 0; k < sizes.size(); ++k)
@@ -108,7 +109,7 @@ bool divides_step(const ConvergencePlan& plan) {
   return std::ranges::count(plan.keys, step_key) > 0;
 }
 
-/// What is wrong with the last level beside those before it.
+/// Checks that the last level is consistent with the previous ones.
 void check_last(const Convergence& c) {
   const std::size_t i = c.levels.size() - 1;
   if (i == 0 && c.plan.reference)
@@ -126,7 +127,7 @@ void check_last(const Convergence& c) {
                     i + 1, c.levels[i].steps, i));
 }
 
-/// Runs level `i`; whether it came to its end. `last`: the hole of the level before.
+/// Runs level `i`. Returns whether it was completed. `last` is the hole of the previous level.
 bool add_level(Convergence& c, const ConvergenceStart& first, int i, std::optional<Hole>& last,
                const ConvergenceOptions& options) {
   const std::vector<double> sizes = sizes_at(c.plan, first, i);
@@ -144,7 +145,8 @@ bool add_level(Convergence& c, const ConvergenceStart& first, int i, std::option
   return true;
 }
 
-/// Of a method of that order in the step; of no other quantity, and not of two at once, is it known.
+/// The order in the time step. Unknown (0) for other quantities, and for several quantities
+/// together.
 double nominal_order(const ConvergencePlan& plan, double in_step) {
   return plan.keys.size() == 1 && divides_step(plan) ? in_step : 0.0;
 }
@@ -159,7 +161,7 @@ ConvergenceStart check_rotate(const ConvergencePlan& plan) {
           c.time.step * static_cast<double>(c.time.steps)};
 }
 
-/// Rock vertices move along paths that are straight to second order in the step.
+/// Rock vertices move along paths that are straight to second order in the time step.
 ConvergenceStart check_run(const ConvergencePlan& plan) {
   const Case c = read_case(plan.case_file, plan.overrides);
   constexpr double in_step = 2.0;
@@ -175,7 +177,8 @@ ConvergenceStart check_first(const ConvergencePlan& plan) {
   return is_rotate_case(plan.case_file) ? check_rotate(plan) : check_run(plan);
 }
 
-/// Reads the case as level `i` will: a wrong level is reported before the first one runs.
+/// Reads the case as level `i` will, so that an invalid level is reported before the first one
+/// runs.
 void check_level(const ConvergencePlan& plan, const ConvergenceStart& first, int i) {
   const std::vector<double> sizes = sizes_at(plan, first, i);
   const std::string level = level_text(plan, i, sizes);

@@ -9,32 +9,35 @@
 
 namespace tdbd::simulation {
 
-/// How many levels a study may have: it divides at least once, and halves no double more often.
+/// Limits of the number of levels: at least one refinement, and no more halvings than a double
+/// resolves.
 inline constexpr int least_levels = 2, most_levels = 60;
 
-/// A study: quantities of a case divided again and again, all by the same factor.
+/// A convergence study: quantities of a case are divided repeatedly by the same factor.
 struct ConvergencePlan {
   std::string case_file;
   std::vector<std::string> overrides;
-  std::vector<std::string> keys;      ///< dotted, of positive quantities: "time.step"; one or more
-  int levels = 5;                     ///< how many values, the case's own the first
-  double factor = 2.0;                ///< between neighbours, greater than 1
-  std::optional<EndState> reference;  ///< errors are against this; none: against the next level
+  std::vector<std::string> keys;      ///< dotted keys of positive quantities: "time.step"; at least
+                                      ///< one
+  int levels = 5;                     ///< number of values; the first is that of the case
+  double factor = 2.0;                ///< between successive levels, greater than 1
+  std::optional<EndState> reference;  ///< for errors; none: differences to the next level
 };
 
-/// What a study found.
+/// Result of a study.
 struct Convergence {
   ConvergencePlan plan;
   RunStatus status = RunStatus::completed;
   std::string title, case_hash;
-  double nominal_order = 0.0;  ///< of the method in these quantities; 0: not known
+  double nominal_order = 0.0;  ///< of the method in these quantities; 0: unknown
   std::vector<ConvergenceLevel> levels;
   std::vector<VariableConvergence> variables;
 };
 
-/// The case with its own values of the quantities, checked. Throws InputError: a wrong case, a key
-/// that is no positive quantity of it or comes twice, no key, a factor of 1 or less, a number of
-/// levels out of range, a second or last level that is no right case or ends at another time.
+/// The checked case with its own values of the quantities. `check` throws InputError if the case is
+/// invalid, if a key is not a positive quantity of it or occurs twice, if there is no key, if the
+/// factor is at most 1, if the number of levels is out of range, or if the second or last level is
+/// invalid or ends at another time.
 struct ConvergenceStart {
   std::vector<double> sizes;
   std::string title, case_hash;
@@ -44,16 +47,16 @@ struct ConvergenceStart {
 };
 ConvergenceStart check(const ConvergencePlan& plan);
 
-/// Runs the levels in memory, one after another, with the duration of the case, and observes the
-/// orders. Throws InputError when the levels end at different times or two take as many steps,
-/// RunError that names the level when one fails. An interruption ends the study after the levels
-/// that are done.
+/// Runs the levels in memory, one after another, with the duration of the case, and computes the
+/// observed orders. Throws InputError if the levels end at different times or two have the same
+/// number of steps, and RunError that names the level if one fails. An interruption ends the study
+/// after the completed levels.
 Convergence converge(const ConvergencePlan& plan, const ConvergenceOptions& options);
 
 /// "rock.edge_length and time.step".
 std::string keys_in_words(const ConvergencePlan& plan);
 
-/// "difference" to the next level, or "error" against the reference; plural.
+/// "differences" to the next level, or "errors" relative to the reference.
 std::string error_name(const ConvergencePlan& plan);
 
 }  // namespace tdbd::simulation

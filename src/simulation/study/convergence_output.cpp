@@ -76,10 +76,10 @@ std::size_t error_count(const Convergence& c) {
   return c.variables.empty() ? 0 : c.variables.front().differences.size();
 }
 
-/// In brackets. Only the step's is known here: SI is what is left.
+/// The unit in brackets. Only that of the time step is known here; the others are SI.
 const char* unit_text(const std::string& key) { return key == "time.step" ? "[s]" : "[SI]"; }
 
-/// A line of the table: a name, and a number for each level.
+/// A line of the table: a name, and one number per level.
 template <class List, class Text>
 std::string row_text(const std::string& name, const List& list, Text&& text) {
   std::string row = fmt::format("{:<34}", name);
@@ -87,14 +87,14 @@ std::string row_text(const std::string& name, const List& list, Text&& text) {
   return row + "\n";
 }
 
-/// As many digits as the uncertainty leaves, and one more; those of a double at most.
+/// Digits that are significant given the uncertainty, plus one; at most those of a double.
 std::string value_text(double value, double uncertainty) {
   const double digits = std::log10(std::abs(value) / uncertainty) + 3.0;
   const int shown = std::isfinite(digits) ? std::clamp(static_cast<int>(digits), 2, 15) : 6;
   return fmt::format("{:.{}g}", value, shown);
 }
 
-/// "12.50 +- 0.31 N (observed order)"; without the first where there are several values.
+/// "12.50 +- 0.31 N (observed order)"; without the value if there are several.
 std::string uncertainty_text(const Convergence& c, std::size_t i) {
   const VariableConvergence& v = c.variables[i];
   if (!v.uncertainty) return "";

@@ -7,14 +7,14 @@
 
 namespace tdbd::simulation {
 
-/// The table of errors by level and variable, and the observed orders in words, for a terminal.
+/// Table of errors by level and variable with the observed orders, as text for a terminal.
 std::string table_text(const Convergence& c);
 
-/// As JSON: levels, and for every variable scale, errors, local orders, verdict and order (null
-/// where there is none). Every number in digits that read back to the bit.
+/// JSON with levels, and for every variable scale, errors, local orders, verdict and order (null if
+/// there is none). Numbers have enough digits to be restored bitwise.
 std::string to_json(const Convergence& c);
 
-/// One line for each error: size, steps, and a column for each variable, absolute.
+/// CSV with one line per error: size, steps, and the absolute error of each variable.
 std::string to_csv(const Convergence& c);
 
 /// Writes convergence.json and convergence.csv. Throws RunError.

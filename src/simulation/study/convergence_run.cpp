@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The reference is an input: a study must not replace it.
+/// The inputs of a study. The reference is one of them, so that the study cannot overwrite it.
 std::vector<std::string> inputs_of(const ConvergencePlace& place, const ConvergenceStart& start) {
   std::vector<std::string> inputs = start.files;
   if (!place.reference.empty())

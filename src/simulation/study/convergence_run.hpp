@@ -8,16 +8,15 @@
 
 namespace tdbd::simulation {
 
-/// Where a study's files go.
+/// Output location of a study.
 struct ConvergencePlace {
   std::filesystem::path folder;
   Overwrite overwrite = Overwrite::no;
-  std::string
-      reference;  ///< that the plan's was read from, folder or file: it must not be replaced
+  std::string reference;  ///< folder or file of the plan's reference: must not be overwritten
 };
 
-/// Checks the plan, takes the folder, converges and writes the files; failure.txt where a level fails. Throws like
-/// check, claim and converge.
+/// Checks the plan, claims the folder, runs the study and writes the files; writes failure.txt if a
+/// level fails. Throws like check, claim and converge.
 Convergence converge_into(const ConvergencePlace& place, const ConvergencePlan& plan,
                           const ConvergenceOptions& options);
 

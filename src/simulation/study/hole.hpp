@@ -5,23 +5,23 @@
 
 namespace tdbd::simulation {
 
-/// The rock at the end of a level, for comparing levels.
+/// The rock at the end of a level, for comparisons between levels.
 struct Hole {
-  mesh::TriangleMesh rock;  ///< all of the surface
+  mesh::TriangleMesh rock;  ///< the whole surface
   mesh::TriangleMesh cut;   ///< triangles with a corner that the bit moved in this run
-  double edge = 0.0;        ///< m, median length of the cut triangles' edges; 0: nothing was cut
+  double edge = 0.0;        ///< m, median edge length of the cut triangles; 0: nothing was cut
 };
 
 Hole hole_of(const rock::Rock& rock);
 
-/// How far two holes lie apart, and what that is relative to.
+/// Distance between two holes, and the radius for relative distances.
 struct HoleDifference {
-  double largest = 0.0;  ///< m: Hausdorff distance of what was cut, both ways
-  double volume = 0.0;   ///< m3 between the surfaces: the mean of both ways' integrals
-  double radius = 0.0;   ///< m: half the greatest width of what was cut
+  double largest = 0.0;  ///< m: symmetric Hausdorff distance of the cut parts
+  double volume = 0.0;   ///< m3, between the surfaces: mean of the integrals in both directions
+  double radius = 0.0;   ///< m: half the largest width of the cut parts
 };
 
-/// Sampled at half the smaller of both edges. Zero where neither was cut.
+/// Sampled at half the smaller edge length. Zero if neither was cut.
 HoleDifference difference(const Hole& a, const Hole& b);
 
 }  // namespace tdbd::simulation

@@ -12,25 +12,25 @@
 
 namespace tdbd::simulation {
 
-/// How a study is carried out.
+/// Options of a study.
 struct ConvergenceOptions {
   int threads = 1;
   const std::atomic<bool>* interrupted = nullptr;
-  /// Called now and then: level from 1, steps done, steps in all.
+  /// Called repeatedly with the level (from 1), the steps done and the total number of steps.
   std::function<void(int, long, long)> progress;
 };
 
-/// What a case came to at one level.
+/// Result of a case at one level.
 struct LevelOutcome {
   RunStatus status = RunStatus::completed;
-  double step = 0.0;  ///< s, the one that was used
+  double step = 0.0;  ///< s, as used
   long steps = 0;
   EndState end;
-  std::optional<Hole> hole;  ///< of a drilling case
+  std::optional<Hole> hole;  ///< for a drilling case
 };
 
-/// Runs a case in memory, a rotate case or a run; `number` is the level's, for the progress.
-/// Throws InputError, RunError.
+/// Runs a case in memory, either a rotate case or a run. `number` is that of the level, for the
+/// progress. Throws InputError, RunError.
 LevelOutcome run_level(const std::string& case_file, const std::vector<std::string>& overrides,
                        int number, const ConvergenceOptions& options);
 

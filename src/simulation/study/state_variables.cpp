@@ -18,19 +18,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Which summaries of a command have a variable.
+/// Which summaries of a command contain a variable.
 enum class Presence { all, with_forces };
 
-/// Where a variable stands in a summary.
+/// Location of a variable in a summary.
 struct Entry {
-  const char* key;  ///< of an object in the summary too: "diagnosis/wob_swing"
+  const char* key;  ///< may be inside an object of the summary: "diagnosis/wob_swing"
   const char* name;
   const char* units;
   double factor;
-  double least_scale;               ///< angles count in radians however small they are
-  const char* scale_key = nullptr;  ///< another entry that holds the scale; null: the own size
+  double least_scale;               ///< lower limit of the scale; angles use 1 rad
+  const char* scale_key = nullptr;  ///< key of another entry with the scale; null: own size
   Presence presence = Presence::all;
-  const char* of_each = nullptr;  ///< of a list of parts: which of their entries
+  const char* of_each = nullptr;  ///< for a list of parts: key of their entries
 };
 
 constexpr Entry force(const char* key, const char* name, const char* units) {
@@ -39,17 +39,17 @@ constexpr Entry force(const char* key, const char* name, const char* units) {
 
 constexpr double per_sqrt2 = 1.0 / std::numbers::sqrt2;
 
-/// Of a bit that forces move. What is small beside `least_scale` is compared with that.
+/// Variables of free motion. Values small compared with `least_scale` are compared with it.
 constexpr Entry diagnosed(const char* key, const char* name, const char* units,
                           double least_scale) {
   return {key, name, units, 1.0, least_scale, nullptr, Presence::with_forces};
 }
 
-/// Which part of a cutter, face or chamfer, takes a vertex depends on the step; what the cutter takes
-/// does not.
+/// The part of a cutter (face or chamfer) that captures a vertex depends on the time step; the
+/// volume of the whole cutter does not.
 constexpr const char* cutters = "removed_volume_by_cutter";
 
-/// As many values as revolutions were begun.
+/// One value per started revolution.
 constexpr std::string_view by_revolution = "removed_volume_by_revolution_m3";
 
 constexpr Entry rotate_entries[] = {
@@ -84,14 +84,15 @@ constexpr Entry run_entries[] = {
      "normal_mean_n"},
 };
 
-/// The numbers in a value, an array or an object, depth first.
+/// Appends all numbers in a value, an array or an object, depth first.
 void collect(const Json& json, std::vector<double>& values) {
   if (json.is_number()) values.push_back(json.get<double>());
   if (json.is_structured())
     for (const Json& element : json) collect(element, values);
 }
 
-/// An entry of a list of parts for each part of the bit; 0 for those that are not in the list.
+/// Appends an entry of a list of parts for each part of the bit; 0 for parts that are not in the
+/// list.
 void collect_by_part(const Json& summary, const Entry& e, std::vector<double>& values) {
   std::map<std::string, double> known;
   for (const Json& part : summary.at(e.key))
@@ -101,7 +102,7 @@ void collect_by_part(const Json& summary, const Entry& e, std::vector<double>& v
     values.push_back(known[part.key()]);
 }
 
-/// Sums over parts that share a name up to its first slash: those of a cutter, of a cone.
+/// Sums over parts whose names agree up to the first slash: those of a cutter or of a cone.
 std::vector<double> by_cutter(const Json& by_part) {
   std::map<std::string, double> sums;
   for (const auto& part : by_part.items())
@@ -112,7 +113,7 @@ std::vector<double> by_cutter(const Json& by_part) {
   return values;
 }
 
-/// An entry of every object in a list.
+/// Appends an entry of every object in a list.
 void collect_of_each(const Json& list, const char* key, std::vector<double>& values) {
   for (const Json& one : list) collect(one.at(key), values);
 }

@@ -9,20 +9,21 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Factors of safety of the grid convergence index: with an observed order, and without.
+/// Safety factors of the grid convergence index: with an observed order, and without.
 constexpr double observed_factor = 1.25, cautious_factor = 3.0;
 
-/// Orders below say more about noise than about a limit; no method here is above 2 unless it says so.
+/// Smaller orders are noise rather than convergence. `usual_order` is the largest order assumed if
+/// the method states none.
 constexpr double least_order = 0.5, usual_order = 2.0;
 
-/// (9): what is left of a geometric series after a difference between levels `index` and the next.
+/// (9): remainder of a geometric series after the difference between level `index` and the next.
 double error_after(std::span<const double> sizes, double difference, std::size_t index,
                    double order) {
   return difference / (std::pow(sizes[index] / sizes[index + 1], order) - 1.0);
 }
 
-/// Median slope of all pairs (Theil 1950, Sen 1968): one difference that is small by chance would
-/// steepen a least squares slope, and the estimate would be too small.
+/// Median slope of all pairs (Theil 1950, Sen 1968). In a least-squares fit, one difference that is
+/// small by chance would increase the slope and make the estimate too small.
 double median_slope(std::span<const double> sizes, std::span<const double> differences) {
   std::vector<double> slopes;
   for (std::size_t i = 0; i < differences.size(); ++i)
@@ -35,8 +36,8 @@ double median_slope(std::span<const double> sizes, std::span<const double> diffe
   return 0.5 * (slopes[(n - 1) / 2] + slopes[n / 2]);
 }
 
-/// (11): of differences that scatter, the finest may be small by chance. The largest of them, each
-/// brought to the finest size along the slope.
+/// (11): the largest of scattered differences, each scaled to the finest size along the slope,
+/// because the finest difference may be small by chance.
 double envelope(std::span<const double> sizes, std::span<const double> differences, double order) {
   const double finest = sizes[differences.size() - 1];
   double largest = 0.0;

@@ -7,27 +7,28 @@
 
 namespace tdbd::simulation {
 
-/// What an estimate of the numerical uncertainty rests on.
+/// Basis of an estimate of the numerical uncertainty.
 enum class UncertaintyBasis {
-  exact,           ///< all differences are rounding: none
-  observed_order,  ///< the order that was observed, at most the method's
-  slope,           ///< the median slope of differences that scatter, and the largest beside it
+  exact,           ///< all differences are rounding; no uncertainty
+  observed_order,  ///< observed order, limited to that of the method
+  slope,           ///< median slope of scattered differences, and the largest of them
   range            ///< no convergence: three times the largest difference between levels
 };
 
 /// Numerical uncertainty of the finest level, simulation (9) to (12).
 struct Uncertainty {
   UncertaintyBasis basis = UncertaintyBasis::range;
-  double order = 0.0;   ///< that the error is taken to fall with; 0 where no order is used
-  double factor = 0.0;  ///< of safety
-  double error = 0.0;   ///< estimate of the finest level's distance from the limit, (9)
-  double value = 0.0;   ///< factor * error: meant to hold the true distance in 95 of 100 cases
+  double order = 0.0;   ///< order with which the error is assumed to decrease; 0 if none is used
+  double factor = 0.0;  ///< safety factor
+  double error = 0.0;   ///< estimated distance of the finest level from the limit, (9)
+  double value = 0.0;   ///< factor * error: intended to bound the error in 95 of 100 cases
 };
 
-/// Of the differences between neighbouring levels and their observed order: the grid convergence
-/// index (Roache 1994; ASME V&V 20-2009) where they fall, the range of the levels (Eca and
-/// Hoekstra 2014) where they do not. `sizes`: of all levels, one more than `differences`.
-/// `nominal`: order of the method, 0: not known. `range`: the largest distance between two levels.
+/// Computes the uncertainty from the differences between successive levels and their observed
+/// order: the grid convergence index (Roache 1994; ASME V&V 20-2009) if the differences decrease,
+/// otherwise the range of the levels (Eca and Hoekstra 2014). `sizes` are those of all levels, one
+/// more than `differences`. `nominal` is the order of the method, 0 if unknown. `range` is the
+/// largest distance between two levels.
 Uncertainty uncertainty_of(const ObservedOrder& observed, std::span<const double> sizes,
                            std::span<const double> differences, double nominal, double range);
 

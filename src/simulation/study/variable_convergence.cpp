@@ -14,17 +14,18 @@ std::vector<double> first_sizes(const Levels& levels) {
   return sizes;
 }
 
-/// The orders of errors against a reference (as many as levels) or between neighbours (one less).
+/// Observed orders of errors relative to a reference (one per level) or between successive levels
+/// (one less).
 void observe_order(const Levels& levels, VariableConvergence& v) {
   std::vector<double> sizes = first_sizes(levels);
-  std::vector<long> counts;  // of a difference: of the longer of its two runs
+  std::vector<long> counts;  // for a difference: that of the longer of its two runs
   for (const ConvergenceLevel& level : levels) counts.push_back(level.steps);
   if (v.differences.size() < levels.size()) counts.erase(counts.begin());
   sizes.resize(v.differences.size());
   v.order = observed_order(sizes, v.differences, v.scale, counts);
 }
 
-/// The largest distance between the ends of any two levels.
+/// The largest distance between the final values of any two levels.
 double range_of(const Levels& levels, std::size_t v) {
   double range = 0.0;
   for (std::size_t i = 0; i < levels.size(); ++i)
@@ -40,9 +41,9 @@ void estimate_uncertainty(const Levels& levels, double nominal_order, double ran
         uncertainty_of(v.order, first_sizes(levels), v.differences, nominal_order, range);
 }
 
-/// (10): the finest values, moved on by what the last difference leaves of its series.
+/// (10): adds the remainder of the series after the last difference to the finest values.
 void extrapolate(const Levels& levels, std::size_t v, VariableConvergence& r) {
-  // an interrupted study may have one level only, and then there is no uncertainty
+  // After an interruption there may be only one level and no uncertainty.
   if (!r.uncertainty || r.uncertainty->basis != UncertaintyBasis::observed_order) return;
   const StateVariable& fine = levels.back().end.variables[v];
   const ConvergenceLevel& before = levels[levels.size() - 2];
@@ -82,18 +83,18 @@ VariableConvergence between_levels(const Levels& levels, std::size_t v, double n
   return r;
 }
 
-/// Of the distances between holes that `of` picks.
+/// Convergence of the distance between holes that `of` selects.
 VariableConvergence of_holes(const Levels& levels, double nominal_order, VariableConvergence r,
                              double HoleDifference::*of) {
   for (std::size_t i = 1; i < levels.size(); ++i) r.differences.push_back((*levels[i].moved).*of);
   observe_order(levels, r);
-  double range = 0.0;  // the sides of the triangles between levels, added up
+  double range = 0.0;  // sum over successive levels: an upper bound by the triangle inequality
   for (const double d : r.differences) range += d;
   estimate_uncertainty(levels, nominal_order, range, r);
   return r;
 }
 
-/// The variable of that name; null if there is none.
+/// The variable with that name; null if there is none.
 const StateVariable* find(const EndState& end, const std::string& name) {
   const auto is_it = [&](const StateVariable& v) { return v.name == name; };
   const auto found = std::ranges::find_if(end.variables, is_it);

@@ -10,11 +10,11 @@
 namespace tdbd::reference {
 namespace {
 
-/// Heights of two revolutions agree within this, m.
+/// Heights of two revolutions agree if they differ by at most this, m.
 constexpr double agreement = 1e-12;
 
-/// One cutter passes, deeper by `sunk`. Returns by how much the heights that it removes have
-/// changed since its last pass, m.
+/// One pass of a cutter, deeper by `sunk`. Returns the change of its removed heights since its last
+/// pass, m.
 double pass(const CutterColumns& cutter, double sunk, std::vector<double>& bottom,
             std::vector<double>& height) {
   double change = 0.0;
@@ -59,7 +59,7 @@ double PlanarCut::arm(std::size_t cutter) const {
 
 void planar_cut(const RadialOutlines& outlines, double advance, PlanarCut& cut) {
   shape(outlines, cut);
-  constexpr int most = 20;  // two or three are enough for any bit
+  constexpr int most = 20;  // two or three are sufficient for any bit
   for (cut.revolutions = 1; cut.revolutions <= most; ++cut.revolutions) {
     double change = 0.0;
     for (const std::size_t i : outlines.order) {

@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// Of a turned rim: its sagitta is below 2e-6 of a cutter's radius.
+/// Points of a rotated rim; its sagitta is below 2e-6 of a cutter's radius.
 constexpr int turned_points = 1600;
 
 double share_of_turn(double azimuth) {
@@ -18,7 +18,7 @@ double share_of_turn(double azimuth) {
   return turns - std::floor(turns);
 }
 
-/// (r, z) of the rim's points turned about the axis, set back to the flat along the normal.
+/// (r, z) of the rim's points rotated about the axis, moved back to the flat along the normal.
 std::vector<Eigen::Vector2d> turned_rim(const CutterRim& rim) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(turned_points);
@@ -32,7 +32,7 @@ std::vector<Eigen::Vector2d> turned_rim(const CutterRim& rim) {
   return points;
 }
 
-/// Columns whose centres lie within lo <= r <= hi, without depths.
+/// Columns with centres in lo <= r <= hi, without depths.
 CutterColumns columns_between(const RadialOutlines& all, double lo, double hi) {
   const auto first = static_cast<std::size_t>(std::ceil(std::max(0.0, lo / all.width - 0.5)));
   const auto end = static_cast<std::size_t>(std::floor(std::max(0.0, hi / all.width + 0.5)));

@@ -19,7 +19,7 @@ void require_sinor(const std::vector<bit::Cutter>& cutters, const DragRock& rock
   require_one_each(sinor_name, "areas of flats", options.flat_area.size(), cutters.size());
 }
 
-/// One cutter's forces, added to the bit's loads.
+/// Adds one cutter's forces to the bit's loads.
 void add_cutter(const bit::Cutter& c, const CutterForce& sharp, const CutterForce& flat,
                 WarrenSinorCutter& own, WarrenSinorLoad& load) {
   own.force = {sharp.cutting + flat.cutting, sharp.normal + flat.normal};
@@ -87,7 +87,7 @@ WarrenSinorLoad warren_sinor_at_weight(const std::vector<bit::Cutter>& cutters, 
   if (weight >= at_least && weight <= at_most) {
     for (; lo < middle && middle < hi; middle = 0.5 * (lo + hi))
       (weight_at(middle) < weight ? lo : hi) = middle;
-    constexpr double carried = 1e-9;  // a weight that jumps has no root
+    constexpr double carried = 1e-9;  // a weight that is discontinuous in the advance has no root
     if (std::abs(weight_at(hi) - weight) <= carried * weight) return load;
   }
   throw InputError(no_advance(weight, at_least, at_most, bracket));

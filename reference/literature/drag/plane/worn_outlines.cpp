@@ -13,9 +13,9 @@ namespace tdbd::reference {
 namespace {
 
 constexpr double no_bottom = -std::numeric_limits<double>::infinity();
-constexpr double upright_cosine = 1e-12;  // cosine of a profile angle that is 90 degrees
+constexpr double upright_cosine = 1e-12;  // cosine of a profile angle that counts as 90 degrees
 
-/// Both branches of a cutter's ellipse, r and z as functions of one angle.
+/// Both branches of a cutter's ellipse, with r and z as functions of one angle.
 struct CutterEllipse {
   double middle_r = 0.0, middle_z = 0.0, reach = 0.0;  // m; reach: in r
   double phase = 0.0, along = 0.0, across = 0.0;
@@ -33,7 +33,7 @@ struct CutterEllipse {
   double z(double s) const { return middle_z + along * std::cos(s) - across * std::sin(s); }
 };
 
-/// The columns whose middles the ellipse covers.
+/// Finds the columns whose middles the ellipse covers.
 void place_worn_columns(WornOutlines& o, WornOutlines::Place& p, const CutterEllipse& e) {
   const double first = std::ceil(std::max(0.0, e.middle_r - e.reach) / o.column - 0.5);
   const double last = std::floor((e.middle_r + e.reach) / o.column - 0.5);
@@ -59,16 +59,16 @@ WornOutlines::Place worn_place(const bit::Cutter& c) {
           .turn = turns - std::floor(turns)};
 }
 
-/// Depth of the worn outline's lower branch in a column, `no_bottom` where the flat took all of it.
+/// Depth of the worn outline's lower branch in a column; `no_bottom` if the flat removed all of it.
 double worn_depth(const WornOutlines::Place& p, double r, double lower, double upper, double worn) {
-  const double left = -worn - (r - p.tip_radius) * p.sine;  // room for (z - tip) cos below the flat
+  const double left = -worn - (r - p.tip_radius) * p.sine;  // limit of (z - tip) cos below the flat
   if (std::abs(p.cosine) < upright_cosine) return left >= 0.0 ? lower : no_bottom;
   const double flat = p.tip_depth + left / p.cosine;
   if (p.cosine < 0.0) return lower >= flat ? lower : no_bottom;
   return flat >= upper ? std::min(lower, flat) : no_bottom;
 }
 
-/// One cutter's pass, which reports what it removes.
+/// One pass of a cutter; stores what it removes.
 void worn_pass(const WornOutlines& o, std::size_t cutter, double worn, double deeper,
                WornCut& cut) {
   const WornOutlines::Place& p = o.places[cutter];

@@ -10,10 +10,11 @@
 namespace tdbd::reference {
 namespace {
 
-/// Of a straight way, rad: a tip's way is then its chord, to 1e-5 of its radius.
+/// Largest rotation of a straight segment, rad; the path of a tip is then its chord, to 1e-5 of its
+/// radius.
 constexpr double widest_turn = std::numbers::pi / 180;
 
-/// One step while it is made.
+/// The data of the current step.
 struct StepInHand {
   BehrState& state;
   double dt;  ///< s, of the whole step
@@ -33,7 +34,7 @@ CutterForce force_of(const StepInHand& s, std::size_t cutter, const BehrCut& cut
   return {sharp.cutting + flat.cutting, sharp.normal + flat.normal};
 }
 
-/// Gives a cut its force, and the time for which it counts: until the tip is at the next plane.
+/// Sets the force of a cut, and the time for which it counts: until the tip is at the next plane.
 void load_cut(const StepInHand& s, const BehrWay& way, const BehrCrossing& crossing, BehrCut& cut) {
   const CutterRim& rim = s.state.rims[crossing.cutter];
   const SpokePlane& plane = s.state.planes[at(crossing.plane)];
@@ -50,7 +51,7 @@ void load_cut(const StepInHand& s, const BehrWay& way, const BehrCrossing& cross
   cut.left = about > 0.0 ? arc / about : 0.0;
 }
 
-/// Adds the force of a cutter's cut for so long, s.
+/// Adds the force of a cutter's cut for this time, s.
 void add_for(const StepInHand& s, const BitPlace& place, std::size_t cutter, const BehrCut& cut,
              double time) {
   if (!(time > 0.0) || cut.area == 0.0) return;
@@ -65,7 +66,7 @@ void add_for(const StepInHand& s, const BitPlace& place, std::size_t cutter, con
   s.load.torque += share * cut.torque;
 }
 
-/// Counts a cutter's force up to a time of the way.
+/// Counts a cutter's force up to a time of the segment.
 void count_until(const StepInHand& s, const BehrWay& way, std::size_t cutter, double time) {
   const double span = time - s.state.since[cutter];
   BehrCut& cut = s.state.last[cutter];
@@ -74,8 +75,8 @@ void count_until(const StepInHand& s, const BehrWay& way, std::size_t cutter, do
   cut.left = std::max(0.0, cut.left - span);
 }
 
-/// A new cut takes the place of the cutter's last one. A cutter that turned round crosses its plane
-/// again too early: what is left then counts at once, so that no impulse is lost.
+/// Replaces the cutter's last cut by a new one. A cutter that reversed its direction crosses its
+/// plane again too early. What is left then counts at once, so that no impulse is lost.
 void take(const StepInHand& s, const BehrWay& way, const BehrCrossing& crossing, BehrCut cut) {
   BehrCut& last = s.state.last[crossing.cutter];
   count_until(s, way, crossing.cutter, crossing.when * way.dt);
@@ -109,7 +110,7 @@ void cut_on(const StepInHand& s, const BehrWay& way) {
   }
 }
 
-/// Cuts on the straight way, in parts of at most a degree.
+/// Cuts on the straight segment, in parts of at most a degree.
 void cut_straight(const StepInHand& s, const BehrWay& way) {
   const double turn = std::abs(way.to.angle - way.from.angle);
   const int parts = std::max(1, static_cast<int>(std::ceil(turn / widest_turn)));
@@ -121,19 +122,19 @@ void cut_straight(const StepInHand& s, const BehrWay& way) {
   }
 }
 
-/// Whether straight ways over the middle stay near a path that bends evenly.
+/// Whether straight segments through the middle are close to a path of uniform curvature.
 bool is_straight(const BehrWay& way, const BitPlace& middle, double nearness) {
   const Vec3 chord = 0.5 * (way.from.p_WB + way.to.p_WB);
   return std::abs(way.to.angle - way.from.angle) <= widest_turn &&
          (middle.p_WB - chord).norm() <= 4.0 * nearness;
 }
 
-/// Cuts along the path from a time on, halving ways until they are straight.
+/// Cuts along the path from a time on, halving segments until they are straight.
 void cut_along(const StepInHand& s, const BitPath& path, double from, const BehrWay& way) {
   const double half = 0.5 * way.dt;
   const BitPlace middle = path(from + half);
   const BehrWay first{way.from, middle, half}, second{middle, way.to, half};
-  constexpr double shortest = 1e-6;  // of a step: a path that jumps ends there
+  constexpr double shortest = 1e-6;  // of a step; limits the recursion on a jump
   if (is_straight(way, middle, s.options.nearness) || half < shortest * s.dt) {
     cut_straight(s, first);
     cut_straight(s, second);

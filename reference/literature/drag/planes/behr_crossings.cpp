@@ -7,7 +7,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// The planes between two azimuths of a tip, in the order in which it crosses them.
+/// Adds the planes between two azimuths of a tip, in the order in which it crosses them.
 void add_crossings(BehrState& state, std::size_t cutter, const Vec3& from_W, const Vec3& to_W,
                    double to_azimuth) {
   const int planes = state.bottom.spokes;

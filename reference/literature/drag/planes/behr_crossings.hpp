@@ -4,7 +4,7 @@
 
 namespace tdbd::reference {
 
-/// The straight way of a bit in one sub-step.
+/// The straight path of a bit in one sub-step.
 struct BehrWay {
   BitPlace from, to;
   double dt = 0.0;  ///< s
@@ -15,10 +15,10 @@ struct BehrWay {
 /// Horizontal velocity of the tip of a rim, m/s.
 Vec3 tip_velocity(const BehrWay& way, const BitPlace& place, const CutterRim& rim);
 
-/// Fills state.crossings, and follows the tips' azimuths to the end of the way.
+/// Fills state.crossings, and updates the tips' azimuths to the end of the segment.
 void find_crossings(BehrState& state, const BehrWay& way);
 
-/// Cuts at one crossing; returns what was cut, and adds the removed volume, m3.
+/// Cuts at one crossing. Returns the cut, and adds the removed volume, m3.
 BehrCut cut_at(BehrState& state, const BehrWay& way, const BehrCrossing& crossing, double& volume);
 
 }  // namespace tdbd::reference

@@ -38,7 +38,7 @@ void add_step(BehrRun& run, const BehrLoad& load) {
   }
 }
 
-/// Sums of forces become means.
+/// Divides the sums of forces by the number of steps.
 BehrRun finished(BehrRun run) {
   const double steps = static_cast<double>(run.weight.size());
   for (BehrCutter& c : run.cutters) {

@@ -20,8 +20,8 @@ void require_behr(const std::vector<bit::Cutter>& cutters, const BehrOptions& op
   require_one_each(behr_name, "areas of flats", options.flat_area.size(), cutters.size());
 }
 
-/// The deepest outline of all at each node; where there is none, the shallowest of those depths; 0
-/// if all pass between the nodes.
+/// The deepest outline at each node. Nodes without an outline get the smallest of those depths, or
+/// 0 if all outlines pass between the nodes.
 std::vector<double> untouched_profile(const std::vector<CutterRim>& rims, const Spokes& rock) {
   std::vector<RimEllipse> outlines;
   outlines.reserve(rims.size());

@@ -52,7 +52,7 @@ double backward_share(const RollingWhirl& whirl, double r) {
 }
 
 double mean_speed(const RollingWhirl& whirl, double r) {
-  constexpr int points = 20000;  // midpoints of a periodic function
+  constexpr int points = 20000;  // midpoint rule for a periodic function
   double sum = 0.0;
   for (int k = 0; k < points; ++k)
     sum += speed(whirl, r, 2 * std::numbers::pi * (k + 0.5) / points);

@@ -34,7 +34,8 @@ BottomHarmonics bottom_harmonics(const std::vector<double>& depth) {
       real += depth[k] * c.cosine[n * k % count];
       imaginary += depth[k] * c.sine[n * k % count];
     }
-    const bool is_alone = n == 0 || 2 * n == count;  // the others have a twin of equal size
+    // all others have a conjugate of equal magnitude
+    const bool is_alone = n == 0 || 2 * n == count;
     h.amplitude.push_back((is_alone ? 1.0 : 2.0) * std::hypot(real, imaginary) /
                           static_cast<double>(count));
   }

@@ -8,13 +8,14 @@
 
 namespace tdbd::reference {
 
-/// Equations (2.1) to (2.3) of the thesis, of Hanson and Hansen (1995): four degrees of freedom of the bit, one of the
-/// rock. SEEN there:
+/// Equations (2.1) to (2.3) of the thesis, of Hanson and Hansen (1995): four degrees of freedom of
+/// the bit, one of the rock. Stated there, except for the sign of fz:
 ///
-///     M c'' + Dt c' + Kt (c - cp) = f,  Mrock cr'' + Drock cr' + Krock cr = -fz,  I th'' + Dr th' + Kr (th - th_p) = t
+///   M c'' + Dt c' + Kt (c - cp) = f,  Mrock cr'' + Drock cr' + Krock cr = -fz,
+///   I th'' + Dr th' + Kr (th - th_p) = t
 ///
-/// but for the sign of fz: our excerpt, whose minus signs are lost, shows none. With f the force on the bit, the rock
-/// feels -fz (RockSign::newton); with + momentum is made out of nothing, which the tests show.
+/// Our excerpt, in which minus signs are missing, shows no sign. With f the force on the bit, the
+/// rock is subject to -fz (RockSign::newton); with + momentum is not conserved, as the tests show.
 enum class RockSign { newton, as_extracted };
 
 struct DrillStringAndRock {
@@ -23,7 +24,7 @@ struct DrillStringAndRock {
   double turn_damping = 0.0, turn_stiffness = 0.0;        ///< Dr, N m s; Kr, N m
   double rate = 0.0, speed = 0.0;       ///< cp = (0, 0, top_z + rate t), th_p = top_angle + speed t
   double top_z = 0.0, top_angle = 0.0;  ///< m, rad
-  double rock_mass = 0.0;               ///< Mrock, kg; 0: the rock cannot move
+  double rock_mass = 0.0;               ///< Mrock, kg; 0: the rock does not move
   double rock_damping = 0.0, rock_stiffness = 0.0;
   RockSign sign = RockSign::newton;
 };
@@ -32,19 +33,20 @@ struct DrillStringAndRock {
 inline constexpr std::size_t bit_unknowns = 10, most_cones = 3;
 using HansonHansenState = std::array<double, bit_unknowns + 2 * most_cones>;
 
-/// What rock and wall do: N; N m about the bit's axis; N m about each cone's journal.
+/// Loads of rock and wall: N; N m about the bit's axis; N m about each cone's journal.
 struct HansonHansenLoad {
   Vec3 force_W = Vec3::Zero();
   double torque = 0.0;
   std::array<double, most_cones> cones{};
 };
 
-/// Rates of the bit's and the rock's unknowns. Those of cones are the cones' own (hanson_hansen_cones.hpp).
+/// Computes the rates of the unknowns of bit and rock, but not of the cones
+/// (hanson_hansen_cones.hpp).
 void string_and_rock_rates(const DrillStringAndRock& system, double time,
                            const HansonHansenState& y, const HansonHansenLoad& load,
                            HansonHansenState& rates);
 
-/// The bit's place against the rock, whose frame moves along z by cr.
+/// The bit's pose relative to the rock, whose frame moves along z by cr.
 BitPlace place_in_rock(const HansonHansenState& y);
 
 /// Momentum of bit and rock along z, N s.

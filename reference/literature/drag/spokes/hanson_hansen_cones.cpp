@@ -16,7 +16,7 @@ PlacedTooth tooth_at(const SphereTooth& tooth, const HansonHansenState& y) {
   return placed_tooth(tooth, place_in_rock(y), y[k], Vec3(y[3], y[4], y[5] - y[9]), y[7], y[k + 1]);
 }
 
-/// The rock's depth at a place, linear in the angle between two spokes.
+/// The rock's depth at a place, interpolated linearly in the angle between two spokes.
 double rock_depth(const HansonHansenCones& m, const Vec3& x_W) {
   const int n = m.bottom.spokes();
   const double around = std::atan2(x_W.y(), x_W.x()) / (2.0 * std::numbers::pi) * n,
@@ -26,18 +26,18 @@ double rock_depth(const HansonHansenCones& m, const Vec3& x_W) {
   return std::lerp(a, b, around - before);
 }
 
-/// Whether a tooth may touch rock: it is under its cone.
+/// Whether a tooth may touch rock: it is below its cone.
 bool is_below(const SphereTooth& tooth, const HansonHansenState& y) {
   return downwards(tooth, y[bit_unknowns + 2 * tooth.cone]) > 0.3;
 }
 
-/// How deep the sphere is in the rock that it met, taken as level.
+/// Penetration of the sphere into the rock at first contact, which is assumed to be horizontal.
 double tooth_depth(const HansonHansenCones& m, std::size_t i, const PlacedTooth& t) {
   const double level = std::isnan(m.met[i]) ? rock_depth(m, t.centre_W) : m.met[i];
   return std::max(0.0, t.centre_W.z() + m.teeth[i].size - level);
 }
 
-/// The sphere's discs are taken out of all spokes that it reaches; m3.
+/// Cuts the sphere's discs out of all spokes that it reaches. Returns the volume, m3.
 double cut_sphere(HansonHansenCones& m, const PlacedTooth& t, double size) {
   double removed = 0.0;
   for (int k = 0; k < m.bottom.spokes(); ++k) {
@@ -56,7 +56,7 @@ void let_go(HansonHansenCones& m, std::size_t i) {
   m.cut_at_W[i].setConstant(INFINITY);
 }
 
-/// After a step: which teeth touch, how deep they were, and the craters.
+/// Updates, after a step, which teeth are in contact, their largest penetrations, and the craters.
 void update_contacts(HansonHansenCones& m) {
   for (std::size_t i = 0; i < m.teeth.size(); ++i) {
     if (!is_below(m.teeth[i], m.state)) {

@@ -24,7 +24,8 @@ EdgeLoads other_contact(const EdgeCoefficients& c, const CrossingCut& cut) {
   return {c.A8 * normal, normal};
 }
 
-/// Along E1, the motion, and E2, across it on the side of the profile's normal.
+/// Components along E1, the motion, and E2, perpendicular to it on the side of the profile's
+/// normal.
 Vec3 edges_force(const EdgeCoefficients& c, const SpokeCutter& cutter, const CrossingCut& cut,
                  const Vec3& normal_W, const Vec3& face_W, const Vec3& v_W) {
   const double speed = v_W.norm();

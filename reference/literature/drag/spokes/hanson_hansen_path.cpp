@@ -14,9 +14,9 @@ namespace tdbd::reference {
 namespace {
 
 constexpr double sliver = 1e-12;       // m2
-constexpr double deepest_rock = 1.95;  // m: planar_boolean ends at 2 m
+constexpr double deepest_rock = 1.95;  // m: planar_boolean is limited to 2 m
 
-/// The rock outside a bottom given by depths in fine columns.
+/// The rock below a bottom that is given by depths in fine columns.
 PlanarFace face_below(const Spokes& bottom, double top, const SpokeFrame& frame) {
   PlanarFace face;
   Outline& border = face.border;
@@ -42,7 +42,7 @@ double highest_centre(const std::vector<SpokeCutter>& cutters) {
 OutlineSpokes fitting_outline_rock(const std::vector<SpokeCutter>& cutters, double depth,
                                    const HansonHansenLayout& layout, double around) {
   constexpr int columns = 1000;
-  constexpr double below = 30e-3;  // m of rock under the last bottom
+  constexpr double below = 30e-3;  // m of rock below the final bottom
   const double top = -highest_centre(cutters);
   const LangeveldRock fine = fitting_rock(cutters, 0.0, top, 1, columns);
   if (!(depth + below < deepest_rock))
@@ -58,7 +58,7 @@ CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const RimEllipse& rim) {
   const RimPolygon polygon = rim_polygon(rim);
   const CrossingCut cut = rim_in_face(polygon, rock.rock[at(spoke)]);
   if (cut.area <= sliver) return cut;
-  thread_local Outline tool;  // reused from cut to cut
+  thread_local Outline tool;  // reused to avoid allocations
   outline_of(polygon, tool);
   for (Vec2& x : tool) x = on_grid(x);
   cut_convex(rock, spoke, tool);

@@ -5,15 +5,16 @@
 
 namespace tdbd::reference {
 
-/// Hanson and Hansen's bit (thesis: 2.1) led on a path, lateral motion locked or prescribed. SEEN in the thesis: any
-/// number of spokes, several z for one radius in the plane of a spoke. Reconstructed: a cutter removes its rim, a
-/// polygon, from the rock of each spoke that its tip crosses, by a boolean in the plane.
+/// Hanson and Hansen's bit (thesis: 2.1) on a prescribed path, with lateral motion locked or
+/// prescribed. Stated in the thesis: any number of spokes, several z for one radius in the plane of
+/// a spoke. Reconstructed: a cutter removes its rim, a polygon, from the rock of each spoke that
+/// its tip crosses, by a boolean in the plane.
 struct HansonHansenLayout {
   int spokes = 120;
   double spacing = 0.25e-3;  ///< m, of nodes along the surface
 };
 
-/// A bit that turns and advances evenly from a bottom that fits it: rad/s, m per revolution.
+/// A bit that rotates and advances uniformly from a bottom that fits it: rad/s, m per revolution.
 struct HansonHansenDrilling {
   double rotary_speed = 0.0, advance = 0.0;
   double revolutions = 3.0;
@@ -21,12 +22,13 @@ struct HansonHansenDrilling {
   HansonHansenLayout layout;
 };
 
-/// Rock with a bottom that the bit at rest fits, as fitting_rock, within a wall of the bit's reach
-/// and deep enough for `depth` (m) of drilling. `around`: m of rock beyond the bit's reach.
+/// Makes rock with a bottom that fits the bit at rest, as fitting_rock does, within a wall of the
+/// bit's reach and deep enough for `depth` (m) of drilling. `around`: m of rock beyond the bit's
+/// reach.
 OutlineSpokes fitting_outline_rock(const std::vector<SpokeCutter>& cutters, double depth,
                                    const HansonHansenLayout& layout, double around = 30e-3);
 
-/// Removes a rim from a spoke; what it met there. A sliver below 1e-12 m2 stays.
+/// Removes a rim from a spoke and returns the cut. A sliver below 1e-12 m2 is not removed.
 CrossingCut cut_outline(OutlineSpokes& rock, int spoke, const RimEllipse& rim);
 
 PathRun hanson_hansen_path(const std::vector<SpokeCutter>& cutters, const HansonHansenRock& rock,

@@ -37,7 +37,7 @@ void check_setup(const HansonHansenSetup& s) {
         "Hanson and Hansen: found a mass, inertia or step that is not above 0; needs all three");
 }
 
-/// Cuts what the step's motion crossed.
+/// Cuts the spokes that the step's motion crossed.
 void cut_crossings(HansonHansenPdc& m, const BitPlace& from, const BitPlace& to) {
   track(m.tracker, m.cutters, to);
   for (const SpokeCrossing& x : m.tracker.crossings) {
@@ -48,7 +48,7 @@ void cut_crossings(HansonHansenPdc& m, const BitPlace& from, const BitPlace& to)
   }
 }
 
-/// Some revolutions of even drilling.
+/// Prescribed uniform drilling for some revolutions.
 void lead(HansonHansenPdc& m, const HansonHansenSetup& setup) {
   const DrillStringAndRock& s = setup.system;
   m.state[5] = s.rate;
@@ -63,7 +63,7 @@ void lead(HansonHansenPdc& m, const HansonHansenSetup& setup) {
   m.state[6] = s.speed * options.duration;
 }
 
-/// Where the string's top must be for springs and dampers to carry the loads that they are to start with.
+/// Sets the top of the string so that springs and dampers initially carry the given loads.
 void load_string(HansonHansenPdc& m, const HansonHansenSetup& setup) {
   DrillStringAndRock& s = m.system;
   const double kz = s.stiffness(2, 2), kr = s.turn_stiffness;

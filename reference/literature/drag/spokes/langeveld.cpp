@@ -27,7 +27,7 @@ void check_system(const Langeveld& m) {
   if (s.law == LangeveldLaw::tip) require_widths(s.widths.size(), m.cutters.size());
 }
 
-/// Accelerations of the string's equations under a load.
+/// Accelerations by the string's equations under a load.
 void string_rates(const LangeveldSystem& s, double t, const LangeveldState& y,
                   const LangeveldLoad& load, LangeveldState& rates) {
   for (std::size_t i = 0; i < 4; ++i) rates[i] = y[i + 4];

@@ -22,7 +22,7 @@ const double* depths(const Spokes& s, int spoke) {
   return s.depth.data() + static_cast<std::ptrdiff_t>(spoke) * s.nodes;
 }
 
-/// What the rim meets; `lower(node, depth)` may act on what it finds.
+/// The cut of the rim; calls lower(node, depth) for every node that it cuts.
 template <class Lower>
 CrossingCut over_nodes(const Spokes& s, int spoke, const RimEllipse& rim, CountedRock counted,
                        const Lower& lower) {

@@ -28,13 +28,13 @@ bool apart(const PlanarBox& box, const Vec2& a, const Vec2& b) {
          std::max(a.y(), b.y()) < box.lo.y() || std::min(a.y(), b.y()) > box.hi.y();
 }
 
-/// Where an edge of the rock's border enters or leaves the tool: by which edge of the tool.
+/// Where an edge of the rock's border enters or leaves the tool, and the tool's edge there.
 struct BorderCrossing {
   std::size_t border_edge = 0, tool_edge = 0;
   Vec2 x = Vec2::Zero();
 };
 
-/// The part of an edge that is in the tool: shares of the edge, and the tool's edges there.
+/// The part of an edge inside the tool: fractions of the edge, and the tool's edges at both ends.
 struct EdgeInTool {
   double from = 0.0, to = 1.0;
   std::size_t by_from = 0, by_to = 0;
@@ -62,7 +62,7 @@ EdgeInTool in_tool(const Outline& tool, const Vec2& a, const Vec2& b) {
   return part;
 }
 
-/// All places where the border enters and leaves; stops counting beyond one of each.
+/// All places where the border enters and leaves. Stops counting after more than one of each.
 struct Crossings {
   BorderCrossing in, out;
   int entries = 0, exits = 0;
@@ -83,7 +83,8 @@ Crossings border_crossings(const Outline& border, const Outline& tool, const Pla
   return found;
 }
 
-/// The tool's corners from where the border enters to where it leaves, against the tool's direction.
+/// The tool's corners from where the border enters to where it leaves, against the tool's
+/// direction.
 void add_arc(Outline& border, const Outline& tool, const Crossings& c) {
   const std::size_t n = tool.size();
   const Vec2& corner = tool[c.in.tool_edge];

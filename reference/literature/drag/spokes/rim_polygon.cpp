@@ -23,17 +23,19 @@ UnitRim unit_rim() {
 
 const UnitRim unit = unit_rim();
 
-/// Sums over one outline, with the sign of its direction.
+/// Sums over one outline, with the sign of its orientation.
 struct RimSum {
   double area = 0.0, moment = 0.0, edge = 0.0;
 };
 
-/// One edge of the rock over a part of one slab: depth below the upper branch and the rim's height at the part's ends.
+/// One edge of the rock over a part of one slab: depth below the upper branch, and height of the
+/// rim, at both ends.
 struct SlabPart {
   double r0, r1, w0, w1, h0, h1;
 };
 
-/// Adds the integral of what is linear from f0 to f1; Simpson's rule is exact for r times it.
+/// Adds the integral of a linear function from f0 to f1. Simpson's rule is exact for its product
+/// with r.
 void add_linear(RimSum& sum, double r0, double r1, double f0, double f1) {
   const double width = r1 - r0;
   sum.area += width * (f0 + f1) / 2.0;
@@ -59,7 +61,7 @@ void add_clamped(RimSum& sum, const SlabPart& p) {
                value(cuts[at(i)]), value(cuts[at(i + 1)]));
 }
 
-/// The share of the part in which the rock's edge is above the lower branch.
+/// Fraction of the part in which the rock's edge is above the lower branch.
 double share_above(const SlabPart& p) {
   const double d0 = p.w0 - p.h0, d1 = p.w1 - p.h1;
   if (d0 < 0.0 && d1 < 0.0) return 1.0;
@@ -74,7 +76,7 @@ void add_slab(RimSum& sum, const RimPolygon& rim, std::size_t m, const SlabPart&
       share_above(p) * (p.r1 - p.r0) / width * std::hypot(width, rim.lower[m + 1] - rim.lower[m]);
 }
 
-/// The edge from a to b, a.x() < b.x().
+/// The sum over the edge from a to b, a.x() < b.x().
 RimSum over_edge(const RimPolygon& rim, const Vec2& a, const Vec2& b) {
   RimSum sum;
   const double first = std::max(a.x(), rim.r.front()), last = std::min(b.x(), rim.r.back());

@@ -5,9 +5,9 @@
 
 namespace tdbd::reference {
 
-/// One step of the classical Runge-Kutta method for y' = f(t, y) over a fixed number of unknowns: f(t, y, dydt).
-/// No allocation, so that a model's step costs what the model does. (ode.hpp has the same method for whole
-/// intervals of vectors.)
+/// One step of the classical Runge-Kutta method for y' = f(t, y) with a fixed number of unknowns:
+/// f(t, y, dydt). Without allocations, so that benchmarks measure the model and not the method.
+/// (ode.hpp has the same method for whole intervals of vectors.)
 template <std::size_t n, class Rates>
 void rk4_step(const Rates& f, double t, double h, std::array<double, n>& y) {
   std::array<double, n> k1{}, k2{}, k3{}, k4{}, z{};

@@ -10,14 +10,14 @@ void add(NeededLoad& sum, const SpokeLoad& load, double share) {
   sum.tob -= share * load.torque;
 }
 
-/// Counts a cutter's load for so long, s.
+/// Counts a cutter's load for this time, s.
 void count_for(SpokeLoads& s, std::size_t cutter, double time) {
   const double share = time / s.step;
   s.force_B[cutter] += share * s.last[cutter].force_B;
   add(s.spread, s.last[cutter], share);
 }
 
-/// Counts a cutter's load up to a time of the step, or as long as it lasts.
+/// Counts a cutter's load up to a time of the step, or to the end of its duration.
 void count_until(SpokeLoads& s, std::size_t cutter, double when) {
   SpokeLoad& last = s.last[cutter];
   const double counted = std::clamp(when - s.since[cutter], 0.0, last.time);

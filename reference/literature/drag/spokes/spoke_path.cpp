@@ -14,7 +14,7 @@ namespace {
 struct PathTally {
   std::vector<double> moment;  ///< m3, of each cutter, sum over counted crossings
   std::vector<long> crossings;
-  double turn = 0.0;  ///< rad, counted
+  double turn = 0.0;  ///< rad, in the counted steps
   long backwards = 0;
 };
 
@@ -22,12 +22,12 @@ Vec3 back_turned(const Vec3& v_W, const BitPlace& place) {
   return turned({Vec3::Zero(), -place.angle}, v_W);
 }
 
-/// The middle of a crossing's area, m from the hole's axis.
+/// Centroid of a crossing's area, m from the hole's axis.
 double middle(const CrossingCut& cut, const PlacedCutter& c) {
   return cut.area > 0.0 ? cut.moment / cut.area : c.radius;
 }
 
-/// A load in the bit's frame for so long (s): it acts at this radius, on the spoke of the tip.
+/// A load in the bit's frame for this time (s), which acts at this radius, on the spoke of the tip.
 SpokeLoad load_of(double r, const PlacedCutter& c, const BitPlace& place, const Vec3& force_W,
                   double time) {
   const double x = c.cosine * r - place.p_WB.x(), y = c.sine * r - place.p_WB.y();
@@ -46,7 +46,7 @@ PathRun empty_run(std::size_t cutters, long steps) {
   return run;
 }
 
-/// Sums become means.
+/// Converts sums to means.
 void average(PathRun& run, const PathTally& tally, long counted, int spokes) {
   const double turns = tally.turn / (2.0 * std::numbers::pi), sector = 1.0 / spokes;
   for (std::size_t i = 0; i < run.area.size(); ++i) {
@@ -68,7 +68,7 @@ PathTally empty_tally(std::size_t cutters) {
   return {std::vector<double>(cutters), std::vector<long>(cutters)};
 }
 
-/// One bit on its way: this step's ends and what was found so far.
+/// A bit on its path: the ends of the current step, and the results so far.
 struct PathFollower {
   const PathModel& model;
   const std::vector<SpokeCutter>& cutters;
@@ -95,11 +95,11 @@ void count(PathFollower& f, const SpokeCrossing& x, const CrossingCut& cut, doub
   f.run.lowered += cut.lowered * radius * 2.0 * std::numbers::pi / f.model.spokes;
 }
 
-/// How a tip goes through a spoke.
+/// The passage of a tip through a spoke.
 struct Passage {
   double across =
-      0.0;  ///< share of its speed that is about the hole's axis, thus of the area in the spoke that is
-            ///< normal to its motion
+      0.0;  ///< fraction of its speed about the hole's axis, and so of the area in the spoke that
+            ///< is normal to its motion
   double time = 0.0;  ///< s, to the next spoke
 };
 
@@ -110,7 +110,7 @@ Passage passage(const PlacedCutter& c, const Vec3& v_W, int spokes) {
   return {about / std::hypot(v_W.x(), v_W.y()), way / about};
 }
 
-/// A cutter crosses a spoke.
+/// Handles the crossing of a spoke by a cutter.
 void pass(PathFollower& f, const SpokeCrossing& x) {
   const BitPlace place = between(f.from, f.to, x.share);
   const SpokeCutter& cutter = f.cutters[x.cutter];
@@ -131,7 +131,7 @@ void write(const NeededLoad& load, std::size_t step, std::vector<double>& wob,
   tob[step] = load.tob;
 }
 
-/// What a step was.
+/// Stores the results of a step.
 void tell(PathFollower& f, std::size_t step) {
   end_step(f.loads);
   write(f.loads.spread, step, f.run.wob_spread, f.run.tob_spread);

@@ -8,14 +8,14 @@
 namespace tdbd::reference {
 namespace {
 
-/// Place and velocity, level.
+/// Horizontal position and velocity.
 using LevelState = std::array<double, 4>;
 
 double wall_depth(const WallLedgerCase& s, const LevelState& y) {
   return std::max(0.0, std::hypot(y[0], y[1]) - s.clearance);
 }
 
-/// Acceleration over place: minus this times it.
+/// Negated ratio of acceleration to position.
 double pull(const WallLedgerCase& s, const LevelState& y) {
   const double distance = std::hypot(y[0], y[1]);
   const double wall = distance > 0.0 ? s.wall * wall_depth(s, y) / distance : 0.0;

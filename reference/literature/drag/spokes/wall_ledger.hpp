@@ -6,28 +6,29 @@
 
 namespace tdbd::reference {
 
-/// A bit's mass on a lateral spring in a round hole with an elastic wall: what a method of integration does to the
-/// energy of a system that loses none. Langeveld's and Hanson and Hansen's method is the classical Runge-Kutta
-/// (SEEN in the thesis, 2.1, 2.2); the other is velocity Verlet, which is symplectic.
+/// A bit's mass on a lateral spring in a round hole with an elastic wall: the change of energy by a
+/// method of integration in a conservative system. The method of Langeveld and of Hanson and Hansen
+/// is the classical Runge-Kutta method (stated in the thesis, 2.1, 2.2); the other is velocity
+/// Verlet, which is symplectic.
 struct WallLedgerCase {
   double mass = 500.0;               ///< kg
   double spring = 0.0;               ///< N/m, to the hole's axis
   double wall = 1e9;                 ///< N/m
-  double clearance = 0.0;            ///< m; 0: the wall is felt at once
-  double c[2] = {0.0, 0.0};          ///< m, level, from the hole's axis
+  double clearance = 0.0;            ///< m; 0: the wall is in contact from the start
+  double c[2] = {0.0, 0.0};          ///< m, horizontal, from the hole's axis
   double v[2] = {0.1, 0.0};          ///< m/s
   double step = 1e-3, duration = 1;  ///< s
 };
 
-/// Energies at the end of each step, J, the start first.
+/// Energies at the end of each step, J, starting with the initial energy.
 struct WallLedger {
   std::vector<double> time, runge_kutta, symplectic;
 };
 
 WallLedger wall_ledger(const WallLedgerCase& setup);
 
-/// What one step of the classical Runge-Kutta method leaves of a linear oscillator's energy, its frequency times
-/// the step being `wh`: 1 - wh^6/72 + wh^8/576.
+/// The factor by which one step of the classical Runge-Kutta method changes the energy of a linear
+/// oscillator, with `wh` the frequency times the step: 1 - wh^6/72 + wh^8/576.
 double runge_kutta_energy_factor(double wh);
 
 }  // namespace tdbd::reference

@@ -9,7 +9,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// Directions at a cutter: into the rock, along the motion.
+/// Directions at a cutter: into the rock, along the motion, radial.
 struct GlowkaAxes {
   Vec3 normal, motion, radial;
 };
@@ -20,7 +20,7 @@ GlowkaAxes glowka_axes(const bit::Cutter& c) {
           Vec3(-radial.y(), radial.x(), 0.0), radial};
 }
 
-/// Forces of the rock on the cutter, and their moments, of its sharp part and its flat.
+/// Sets the force of the rock on the cutter and its moment, from its sharp part and its flat.
 void add_glowka_vectors(const bit::Cutter& c, GlowkaCutterLoad& load) {
   const GlowkaAxes x = glowka_axes(c);
   const double arm =

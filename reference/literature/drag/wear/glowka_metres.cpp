@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// A run's arrays and what does not change in it.
+/// The arrays of a run, and its constant data.
 struct WearStepper {
   const GlowkaBit& bit;
   const GlowkaLaw& law;
@@ -35,8 +35,8 @@ void wear_slopes(WearStepper& s, const std::vector<double>& worn, std::vector<do
   }
 }
 
-/// Tries a step with the slopes at its start known: the largest difference between Heun and Euler, over
-/// what is allowed.
+/// Tries a step with given slopes at its start. Returns the largest difference between Heun's and
+/// Euler's method over the allowed error.
 double try_wear_step(WearStepper& s, double step, const GlowkaWearOptions& options) {
   for (std::size_t i = 0; i < s.worn.size(); ++i) s.ahead[i] = s.worn[i] + step * s.slope[i];
   wear_slopes(s, s.ahead, s.slope_ahead);
@@ -65,7 +65,7 @@ void record_wear(WearStepper& s, double distance, GlowkaWear& result) {
   result.records.push_back(std::move(r));
 }
 
-/// Drills to a distance; false where a cutter is worn out. `step`: m, the last one tried.
+/// Drills to a distance. Returns false if a cutter is worn out. `step`: m, the last one tried.
 bool wear_to(WearStepper& s, double goal, double& distance, double& step,
              const GlowkaWearOptions& options, GlowkaWear& result) {
   constexpr double usual_growth = 2.0, care = 0.9, least_factor = 0.2;

@@ -9,8 +9,8 @@ namespace {
 
 const double wear_root_pi = std::sqrt(std::numbers::pi);
 
-/// sin t - t cos t - sin^3 t/3, whose first term is 2/15 t^5: by its series where the difference would
-/// lose digits.
+/// sin t - t cos t - sin^3 t/3, whose first term is 2/15 t^5. Uses its series where the difference
+/// would cancel.
 double segment_moment(double t) {
   constexpr double series_below = 0.5;
   if (t > series_below) return std::sin(t) - t * std::cos(t) - std::pow(std::sin(t), 3.0) / 3.0;

@@ -12,7 +12,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// v.n around a row, a + b cos g + c sin g; the cone's own turning adds nothing to it.
+/// v.n around a row, a + b cos g + c sin g. The rotation of the cone does not contribute.
 struct EnteringSpeed {
   double a, b, c;
 };
@@ -30,7 +30,8 @@ double band_width(const RollerRow& row, const BandOptions& options) {
   return options.width > 0.0 ? options.width : 2.0 * row.tooth_radius;
 }
 
-/// The row's share of the volume rate: that of a ring of the bottom, as wide as the band from above.
+/// The row's share of the volume rate: that of a ring of the bottom with the projected width of the
+/// band.
 double share_of_volume(const RollerCone& cone, const RollerRow& row, const BandMotion& motion,
                        const BandOptions& options) {
   const double from_the_axis =

@@ -41,7 +41,7 @@ Vec3 turned_to(double azimuth, const Vec3& v) {
           std::sin(azimuth) * v.x() + std::cos(azimuth) * v.y(), v.z()};
 }
 
-/// Memory that the cones of a solution share.
+/// Buffers shared by the cones of a solution.
 struct BandWork {
   std::vector<BandStrip> strips;
 };
@@ -124,7 +124,7 @@ SheppardLesage sheppard_lesage_under(const RollerBit& bit, const BandRock& rock,
 }
 
 double ratio_under_constant_friction(const RollerCone& cone, const std::vector<double>& weights) {
-  std::vector<std::pair<double, double>> rows;  // own ratio, and the row's pull on the cone
+  std::vector<std::pair<double, double>> rows;  // ratio of the row, and its pull on the cone
   double all = 0.0;
   for (std::size_t r = 0; r < cone.rows.size(); ++r) {
     const RollerRow& row = cone.rows[r];

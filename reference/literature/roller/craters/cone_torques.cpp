@@ -35,7 +35,7 @@ RollerLoads teeth_loads(const RollerBit& bit, double turn, const std::vector<Too
         if (normal <= 0.0) continue;
         const Vec3& p = teeth_W[i].place;
         const Vec3& v = teeth_W[i].velocity;
-        const Vec3 arm = cone.along.cross(p - cone.foot);  // the velocity at a cone speed of 1
+        const Vec3 arm = cone.along.cross(p - cone.foot);  // the velocity for a cone speed of 1
         const double per_speed =
             options.friction * normal / std::sqrt(v.x() * v.x() + v.y() * v.y() + fade);
         const Vec3 force(-per_speed * v.x(), -per_speed * v.y(), -normal);

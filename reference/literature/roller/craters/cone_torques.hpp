@@ -6,24 +6,26 @@
 
 namespace tdbd::reference {
 
-/// When the speed in a tooth's friction is known: at the step's beginning, as recursions that take the last
-/// forces have it, or at its end, linear in the cone's own speed. The first is unstable when a step of
-/// friction turns the cone more than slip does: dt > 2 Ic v/(mu F rho2). Ours.
+/// Which speed determines a tooth's friction: that at the beginning of the step, as in recursions
+/// that use the last forces, or that at its end, linear in the cone's own speed. The first is
+/// unstable if friction in a step changes the cone's speed by more than the slip: dt > 2 Ic v/(mu F
+/// rho2). Not in the thesis.
 enum class SlipTime { beginning, end };
 
-/// Friction of teeth, and of bearings. Reconstructed: without a force along the slip nothing turns a cone.
+/// Friction of teeth and bearings. Reconstructed: without a force along the slip, nothing turns a
+/// cone.
 struct SlidingOptions {
   double friction = 0.3;       ///< mu of tooth and rock
-  double slip_speed = 10e-3;   ///< m/s: below it the friction fades as v/sqrt(v2 + slip_speed2)
-  double bearing = 0.0;        ///< N m, against the cone's turning
-  double bearing_speed = 0.1;  ///< rad/s, below which it fades likewise
+  double slip_speed = 10e-3;   ///< m/s: below it friction decreases as v/sqrt(v2 + slip_speed2)
+  double bearing = 0.0;        ///< N m, against the rotation of the cone
+  double bearing_speed = 0.1;  ///< rad/s, below which it decreases in the same way
   SlipTime slip = SlipTime::end;
 };
 
-/// What the rock does to a bit, along the axes of space.
+/// Loads of the rock on a bit, in the axes of space.
 struct RollerLoads {
   Vec3 force = Vec3::Zero();  ///< N, on the bit
-  double torque = 0.0;        ///< N m, that turns the bit against it, about +z
+  double torque = 0.0;        ///< N m, that the drive must apply to the bit, about +z
 };
 
 /// A cone's torque about its journal: pull - drag w at the cone speed w (rad/s).
@@ -32,14 +34,14 @@ struct ConeTorque {
   double drag = 0.0;  ///< N m s
 };
 
-/// Forces of the teeth, vertical ones (N, upwards on the bit) and what friction adds against their
-/// horizontal slip, summed over the bit and over every cone. `teeth_W` is of place_teeth with the bit at
-/// depth 0; `turn`: of the bit, rad. `cones`: as many as the bit has.
+/// Computes the forces of the teeth, summed over the bit and over every cone: the given vertical
+/// forces (N, upwards on the bit) and friction against the horizontal slip. `teeth_W`: from
+/// place_teeth with the bit at depth 0. `turn`: of the bit, rad. `cones`: one per cone of the bit.
 RollerLoads teeth_loads(const RollerBit& bit, double turn, const std::vector<ToothState>& teeth_W,
                         const std::vector<double>& vertical, const std::vector<double>& cone_speeds,
                         const SlidingOptions& options, std::vector<ConeTorque>& cones);
 
-/// The torque that moves a cone from its speed w through a step, N m.
+/// The torque that accelerates a cone from its speed w through a step, N m.
 double torque_of_step(const ConeTorque& torque, double speed, double inertia, double step,
                       const SlidingOptions& options);
 

@@ -18,7 +18,7 @@ CellsAround cells_around(const ZMap& bottom, double x, double radius) {
           std::min(static_cast<int>(std::floor(index(x + radius))), bottom.cells - 1)};
 }
 
-/// How far above its deepest point the crater's surface lies at a distance whose square is given, m.
+/// Height of the crater's surface above its deepest point at a distance with this square, m.
 double rise_of(const Crater& crater, double square) {
   if (crater.shape == CraterShape::cone) return crater.depth * std::sqrt(square) / crater.radius;
   return crater.radius - std::sqrt(crater.radius * crater.radius - square);

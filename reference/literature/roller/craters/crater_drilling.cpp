@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// All that moves, and room for all that a step works out.
+/// The state, and the buffers of a step.
 struct Drilling {
   const RollerBit& bit;
   const ToothLaw& law;
@@ -24,12 +24,12 @@ struct Drilling {
   std::vector<Course> cone_courses;
   std::vector<ConeTorque> torques;
   std::vector<ToothState> teeth_W;  ///< with the bit at depth 0
-  std::vector<double> gaps;         ///< m, depth of the bit at which each tooth touches
+  std::vector<double> gaps;         ///< m, depth of the bit at which each tooth makes contact
   std::vector<double> forces;       ///< N
   std::vector<ToothPrint> prints;
-  RoundEnd end;                    ///< without points: teeth touch with their points
+  RoundEnd end;                    ///< without points: only the tips of teeth make contact
   std::vector<double> point_gaps;  ///< m, [tooth * points + point]
-  std::vector<char> by_points;     ///< whether those of a tooth are known
+  std::vector<char> by_points;     ///< whether those of a tooth have been computed
 };
 
 Drilling started(const RollerBit& bit, const ToothLaw& law, const RollerSchedule& schedule,
@@ -54,7 +54,7 @@ Drilling started(const RollerBit& bit, const ToothLaw& law, const RollerSchedule
   return d;
 }
 
-/// The torque of the last forces, averaged if the model says so.
+/// The torque of the last forces, averaged if the model requires it.
 double torque_on(Drilling& d, std::size_t k) {
   const CraterDrillingOptions& o = d.options;
   const double step = d.schedule.step;
@@ -81,11 +81,11 @@ void turn_cones(Drilling& d) {
   }
 }
 
-/// A round end may touch a ridge beside it only while its point is no farther than this above the
-/// bottom there and where the bit was, m.
+/// A round end is tested against ridges only if its tip is at most this far above the bottom at the
+/// bit's previous depth, m.
 constexpr double near_bottom = 5e-3;
 
-/// Where the teeth are, and at which depth of the bit each touches the bottom.
+/// Computes the places of the teeth, and the depth of the bit at which each contacts the bottom.
 void place(Drilling& d, const ZMap& bottom) {
   const RollerMotion motion{{d.turn, d.schedule.bit_speed, 0.0}, {}};
   place_teeth(d.bit, motion, d.cone_courses, d.teeth_W);
@@ -113,7 +113,7 @@ double weight_at(const Drilling& d, double z) {
   return sum;
 }
 
-/// Returns how often the weight was worked out.
+/// Returns the number of evaluations of the weight.
 int lower_bit(Drilling& d) {
   const double weight = d.schedule.weight, step = d.schedule.step;
   if (!d.touched) d.z = *std::min_element(d.gaps.begin(), d.gaps.end());
@@ -125,7 +125,7 @@ int lower_bit(Drilling& d) {
     d.z = found.z;
     return found.evaluations;
   }
-  // Damping at the step's end: no step is too long for it.
+  // Implicit damping, which is stable for any step.
   d.descent = (d.descent + step * (weight - carried(d.z)) / d.options.mass) /
               (1.0 + step * d.options.axial_damping / d.options.mass);
   d.z += step * d.descent;

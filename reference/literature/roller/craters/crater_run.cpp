@@ -13,7 +13,7 @@ namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
-/// The map ends so far outside the outermost tooth's lowest point, m.
+/// Distance of the map's edge from the lowest point of the outermost tooth, m.
 constexpr double map_margin = 15e-3;
 
 std::size_t teeth_of(const RollerBit& bit) {
@@ -23,7 +23,8 @@ std::size_t teeth_of(const RollerBit& bit) {
   return n;
 }
 
-/// Radius and depth, m, of a row's lowest tooth with the bit at depth 0, and of the tooth's sphere.
+/// Radius and depth, m, of a row's lowest tooth with the bit at depth 0, and radius of the tooth's
+/// sphere.
 struct RowBottom {
   double radius = 0.0, depth = 0.0, sphere = 0.0;
 };

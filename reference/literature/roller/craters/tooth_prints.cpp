@@ -27,7 +27,7 @@ double dig_oldest(ToothPrint& print, const ToothLaw& law, const PrintOptions& op
   return dig_print(law, options, print.way[i], print.depths[i], bottom, volumes);
 }
 
-/// A place of the way, unless the tooth has hardly moved since the last one.
+/// Adds a place to the path, unless the tooth has hardly moved since the last one.
 void remember(ToothPrint& print, const Vec3& tip_W, double depth, double spacing) {
   if (print.count > 0) {
     const std::size_t last = at((print.first + print.count - 1) % ToothPrint::capacity);
@@ -52,7 +52,8 @@ double deepest_of_way(const ToothPrint& print) {
   return deepest;
 }
 
-/// What lies farther behind than its crater reaches is rock that the tooth has left.
+/// Digs places of the path that are farther behind than the reach of their crater: the tooth has
+/// left that rock.
 double follow_way(ToothPrint& print, const ToothLaw& law, const PrintOptions& options,
                   const Vec3& tip_W, double depth, ZMap& bottom, PrintVolumes& volumes) {
   double dug = 0.0;
@@ -69,7 +70,7 @@ double follow_way(ToothPrint& print, const ToothLaw& law, const PrintOptions& op
   return dug;
 }
 
-/// The tooth is out: its crater alone in flat rock.
+/// Volume of the isolated crater of a tooth that has left the rock.
 double isolated_print(const ToothPrint& print, const ToothLaw& law, const PrintOptions& options) {
   return isolated_volume(crater_of(law, options, print.deepest_tip, print.deepest));
 }

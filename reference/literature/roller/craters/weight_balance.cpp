@@ -19,7 +19,7 @@ double next_place(const WeightBracket& in, double first_width, double room) {
   const double middle = 0.5 * (in.low + in.high), half = 0.5 * (in.high - in.low);
   const double line = in.low - in.under * (in.high - in.low) / (in.over - in.under);
   const double off = middle - line;
-  // 0.2/width and the square are the constants of its authors' tests.
+  // 0.2/width and the square are the constants in the tests of the method's authors.
   const double nudge = std::min(0.2 / first_width * 4.0 * half * half, std::abs(off));
   const double z = std::clamp(line + std::copysign(nudge, off), middle - room, middle + room);
   return z > in.low && z < in.high ? z : middle;

@@ -6,25 +6,26 @@
 
 namespace tdbd::reference {
 
-/// How the bracket is narrowed: by halves, or by the method of interpolation, truncation and projection
-/// (Oliveira and Takahashi 2021), which needs never more than one step beyond bisection.
+/// How the bracket is narrowed: by bisection, or by interpolation, truncation and projection
+/// (Oliveira and Takahashi 2021), which never needs more than one step more than bisection.
 enum class BalanceSearch { bisection, itp };
 
 struct BalanceOptions {
-  double reach = 5e-3;      ///< m, the first bracket on either side of where the bit was
-  double tolerance = 1e-9;  ///< m, of its place
-  int most_doublings = 10;  ///< of the reach: 5 m
+  double reach = 5e-3;      ///< m, half width of the first bracket, about the bit's previous place
+  double tolerance = 1e-9;  ///< m, of the place
+  int most_doublings = 10;  ///< of the reach: up to 5 m
   BalanceSearch search = BalanceSearch::itp;
 };
 
-/// Where the bit rests.
+/// The equilibrium of the bit.
 struct WeightBalance {
   double z = 0.0;       ///< m, down
   int evaluations = 0;  ///< of the weight
-  int narrowings = 0;   ///< steps of the search once the bracket holds the place
+  int narrowings = 0;   ///< steps of the search after the place was bracketed
 };
 
-/// Interval that holds the place, and what its ends carry beyond the weight, N: negative at `low`.
+/// An interval that contains the place, and the excess over the weight at its ends, N: negative at
+/// `low`.
 struct WeightBracket {
   double low = 0.0, high = 0.0;    ///< m
   double under = 0.0, over = 0.0;  ///< N, at `low` and at `high`
@@ -34,11 +35,11 @@ struct WeightBracket {
 [[noreturn]] void throw_no_balance(std::string_view model, const WeightBracket& tried,
                                    double reached, double weight);
 
-/// Where the next weight is asked for, by interpolation, truncation and projection: within `room` of the
-/// middle, so that no more than one step is spent beyond those of bisection.
+/// The next place to evaluate, by interpolation, truncation and projection: within `room` of the
+/// middle, so that at most one step more than bisection is needed.
 double next_place(const WeightBracket& in, double first_width, double room);
 
-/// The last part of the search for z: `weight_at` (N) does not fall with z.
+/// The last part of the search for z. `weight_at` (N) must not decrease with z.
 template <typename WeightAt>
 WeightBalance narrow_balance(WeightAt&& weight_at, WeightBracket in, double weight,
                              const BalanceOptions& options) {
@@ -60,9 +61,10 @@ WeightBalance narrow_balance(WeightAt&& weight_at, WeightBracket in, double weig
   return found;
 }
 
-/// Ma, Zhou and Deng: the place z where the teeth carry `weight` (N, positive), by iteration from where the
-/// bit was. The bracket doubles until it holds the place. The bit may also move up: it rides on a ridge.
-/// Our reconstruction of "an iteration process" (thesis 2.2).
+/// Ma, Zhou and Deng: the place z at which the teeth carry `weight` (N, positive), by iteration
+/// from the bit's previous place. The bracket is doubled until it contains the place. The bit may
+/// also move up, when it rides on a ridge. Our reconstruction of "an iteration process" (thesis
+/// 2.2).
 template <typename WeightAt>
 WeightBalance weight_balance(WeightAt&& weight_at, double z_before, double weight,
                              const BalanceOptions& options, std::string_view model) {

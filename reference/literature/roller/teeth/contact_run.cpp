@@ -13,14 +13,14 @@
 namespace tdbd::reference {
 namespace {
 
-/// A tooth of the bit, and the bottom that its row enters: m below the bit's origin.
+/// A tooth of the bit, and the depth of the bottom for its row: m below the bit's origin.
 struct Tooth {
   std::size_t cone = 0;
   ToothPlace place;
   double bottom = 0.0;
 };
 
-/// A tooth at an instant: how deep its point is in rock, and how fast it goes down.
+/// State of a tooth at a time: depth of its tip in rock, and its downward speed.
 struct Dip {
   double depth = 0.0, rate = 0.0;  ///< m, m/s
 };
@@ -31,7 +31,7 @@ struct Kinematics {
   std::vector<Tooth> teeth;
 };
 
-/// The bit's own descent is left out: the bottom sinks with it.
+/// Without the bit's own descent, because the bottom moves down with it.
 Dip dip_at(const Kinematics& k, const Tooth& tooth, double time) {
   const RollerCone& cone = k.bit.cones[tooth.cone];
   const double speed = k.schedule.bit_speed;
@@ -54,16 +54,17 @@ std::vector<Tooth> teeth_of(const RollerBit& bit, double penetration) {
 
 bool in_rock(const Dip& dip) { return dip.depth > 0.0; }
 
-/// The contacts of one tooth, as the time proceeds.
+/// Follows the contacts of one tooth in time.
 struct Follower {
   const Kinematics& k;
   const Tooth& tooth;
   std::size_t index;
-  double entry;  ///< s, of the contact that lasts
+  double entry;  ///< s, of the current contact
   std::vector<ToothInRock>& contacts;
 };
 
-/// A time during which the tooth only sinks or only rises: it crosses the bottom once or not at all.
+/// An interval of time in which the tooth only moves down or only up: it crosses the bottom once or
+/// not at all.
 void follow_one_way(Follower& f, double from, const Dip& before, double to, const Dip& after) {
   if (in_rock(before) == in_rock(after)) return;
   const double crossing =
@@ -76,7 +77,8 @@ void follow_one_way(Follower& f, double from, const Dip& before, double to, cons
     f.contacts.push_back({f.index, f.entry, crossing});
 }
 
-/// A step, split where the tooth turns from sinking to rising: no contact is too short to be found.
+/// A step, divided where the tooth reverses from down to up, so that contacts of any duration are
+/// found.
 void follow_step(Follower& f, double from, const Dip& before, double to, const Dip& after) {
   if (before.rate * after.rate >= 0.0) return follow_one_way(f, from, before, to, after);
   const double turn =
@@ -102,7 +104,7 @@ void follow_tooth(const Kinematics& k, std::size_t index, long steps,
   if (in_rock(before)) contacts.push_back({index, f.entry, k.schedule.duration});
 }
 
-/// An instant at which a tooth enters (+1) or leaves (-1) the rock.
+/// A time at which a tooth enters (+1) or leaves (-1) the rock.
 struct Change {
   double time = 0.0;
   int by = 0;

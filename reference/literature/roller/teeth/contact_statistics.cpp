@@ -14,7 +14,8 @@ namespace {
 constexpr double half_turn = std::numbers::pi;
 constexpr double equal_spacing = 1e-9;  // rad
 
-/// Every tooth within rounding of its place in an even row, in any order of the angles.
+/// Whether every tooth is, up to rounding, at a place of an equally spaced row, with angles in any
+/// order.
 bool evenly_spaced(const RollerRow& row) {
   const auto n = static_cast<double>(row.angles.size());
   const double pitch = 2.0 * half_turn / n;

@@ -7,7 +7,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// The two radii that a tooth's place has in the directions of u and e_t, and their derivatives.
+/// Components of a tooth's place along u and e_t, and their derivatives.
 struct CircleCourse {
   Course down, across;
 };
@@ -19,7 +19,8 @@ CircleCourse circle(double radius, double gamma, const Course& turn) {
           {s, turn.rate * c, turn.acceleration * c - square * s}};
 }
 
-/// From coordinates in a frame that turns about z to velocity and acceleration against space.
+/// Converts coordinates in a frame that turns about z to velocity and acceleration relative to
+/// space.
 ToothState against_space(const Vec3& q, const Vec3& q1, const Vec3& q2, const Course& turn) {
   const double w = turn.rate, w1 = turn.acceleration;
   return {q,
@@ -28,7 +29,7 @@ ToothState against_space(const Vec3& q, const Vec3& q1, const Vec3& q2, const Co
            q2.y() + 2.0 * w * q1.x() + w1 * q.x() - w * w * q.y(), q2.z()}};
 }
 
-/// With the axes at hand: what every tooth of a cone shares is worked out once.
+/// With given axes, so that quantities shared by the teeth of a cone are computed once.
 ToothState state_on(const JournalAxes& axes, const RollerCone& cone, const ToothPlace& tooth,
                     const RollerMotion& bit, const Course& cone_turn) {
   const CircleCourse on = circle(tooth.radius, tooth.angle + cone_turn.value, cone_turn);

@@ -4,18 +4,18 @@
 
 #include "reference/literature/roller/roller_bit.hpp"
 
-/// Kinematics of teeth after Ma and Yang (1985) and Ma and Azar, thesis 2.2. Seen in the thesis:
+/// Kinematics of teeth after Ma and Yang (1985) and Ma and Azar, thesis 2.2. Stated in the thesis:
 /// cylindrical coordinates for the bit and a frame for each cone; the bit turns about its axis and
-/// moves along it, the cones turn; velocity and acceleration by differentiation; mean rates of
-/// turning are input. Not seen: the equations. Those here are derived for the same motion.
+/// moves along it, and the cones turn; velocity and acceleration by differentiation; mean rates of
+/// rotation are input. Not known: the equations. Those used here are derived for the same motion.
 namespace tdbd::reference {
 
-/// A coordinate in time: rad or m, and its two derivatives.
+/// A coordinate as a function of time: rad or m, and its two derivatives.
 struct Course {
   double value = 0.0, rate = 0.0, acceleration = 0.0;
 };
 
-/// The course of a coordinate with a constant rate, `time` (s) after it was `start`.
+/// A coordinate with a constant rate, `time` (s) after it was `start`.
 Course steady_course(double start, double rate, double time);
 
 /// The bit's own motion: its angle about +z and its depth (z down).
@@ -24,23 +24,23 @@ struct RollerMotion {
   Course depth;  ///< m
 };
 
-/// A point of a cone: place (m), velocity (m/s), acceleration (m/s2), all in one frame of axes.
+/// Motion of a point of a cone: place (m), velocity (m/s), acceleration (m/s2), in one frame.
 struct ToothState {
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();
 };
 
-/// Where a tooth stands on its cone at the cone's angle 0 (RollerRow).
+/// Place of a tooth on its cone at the cone's angle 0 (RollerRow).
 struct ToothPlace {
   double along = 0.0, radius = 0.0, angle = 0.0;
 };
 
-/// The motion of a tooth against the rock, along the axes (e_r, e_t, e_z) that turn with the bit at
-/// the azimuth of the cone's journal; their origin is on the bit's axis at depth 0. `cone`: the
-/// cone's angle about s, rad. A bit that turns about +z rolls its cones with a negative rate.
+/// The motion of a tooth relative to the rock, in the axes (e_r, e_t, e_z) that turn with the bit
+/// at the azimuth of the cone's journal; their origin is on the bit's axis at depth 0. `cone_turn`:
+/// the cone's angle about s, rad. A bit that turns about +z rolls its cones with a negative rate.
 ToothState tooth_state(const RollerCone& cone, const ToothPlace& tooth, const RollerMotion& bit,
                        const Course& cone_turn);
 
-/// The same vectors along the axes of space.
+/// The same vectors in the axes of space.
 ToothState in_space(const RollerCone& cone, const RollerMotion& bit, const ToothState& turning);
 
 /// Ma and Yang's coordinates of a place in the turning frame.
@@ -51,16 +51,16 @@ struct CylindricalPlace {
 };
 CylindricalPlace cylindrical(const RollerCone& cone, const RollerMotion& bit, const Vec3& place);
 
-/// All teeth in space: cone by cone, row by row, tooth by tooth. `cone_turns`: one for each cone.
+/// All teeth in space: cone by cone, row by row, tooth by tooth. `cone_turns`: one per cone.
 /// `teeth_W` is resized once and overwritten afterwards.
 void place_teeth(const RollerBit& bit, const RollerMotion& motion,
                  const std::vector<Course>& cone_turns, std::vector<ToothState>& teeth_W);
 
-/// Cone speed over bit speed at which the row's lowest point does not slip along the motion:
+/// Ratio of cone speed to bit speed at which the row's lowest point does not slip along the motion:
 /// cos(beta) L/rho + sin(beta).
 double rolling_ratio(const RollerCone& cone, const RollerRow& row);
 
-/// Slip of the row's lowest point at a cone speed of `ratio` times the bit's (rad/s), m/s.
+/// Slip, m/s, of the row's lowest point at a cone speed of `ratio` times the bit's (rad/s).
 struct RowSlip {
   double tangential = 0.0;  ///< along e_t: omega (q_r - ratio rho)
   double radial = 0.0;      ///< along e_r: -omega e

@@ -10,15 +10,15 @@
 namespace tdbd::reference {
 namespace {
 
-/// A column of the file and where it goes.
+/// A column of the file and its destination.
 struct ToothColumn {
   std::string name, si_unit;
   std::vector<double>* values;
   std::size_t cell = 0;
-  double unit = 0.0;  ///< in SI; 0: the file has no such column
+  double unit = 0.0;  ///< in SI; 0: the file does not have this column
 };
 
-/// "force [kN]" in its halves; without brackets the unit is empty.
+/// Splits "force [kN]" into name and unit; without brackets the unit is empty.
 std::pair<std::string, std::string> halves(const std::string& cell) {
   const std::size_t open = cell.find(" [");
   if (open == std::string::npos || cell.back() != ']') return {cell, ""};

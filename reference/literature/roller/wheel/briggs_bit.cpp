@@ -11,15 +11,15 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double briggs_tolerance = 1e-5;  // of the bracket
+constexpr double briggs_tolerance = 1e-5;  // relative to the bracket
 
-/// Below it no tooth undercuts, and the wheel's axle stays over the rock.
+/// At smaller penetrations no tooth undercuts, and the wheel's axle stays above the rock.
 double most_briggs_penetration(const Sprocket& wheel) {
   constexpr double inside = 0.999;
   return inside * wheel.radius * (1.0 - std::cos(std::min(wheel.half_angle, std::numbers::pi / 3)));
 }
 
-/// A wheel that turns freely, under a pressure.
+/// A freely rolling wheel under a pressure.
 double roll_freely(const Sprocket& wheel, double pressure, double penetration,
                    const RollingOptions& options, Rolling& result) {
   const double radius = free_rolling_radius(wheel, penetration, options);
@@ -27,7 +27,8 @@ double roll_freely(const Sprocket& wheel, double pressure, double penetration,
   return radius;
 }
 
-/// The penetration at which a figure of the freely rolling wheel, which grows with it, has a value.
+/// The penetration at which a quantity of the freely rolling wheel, which increases with it, has a
+/// value.
 template <typename Figure>
 double briggs_penetration_for(const Sprocket& wheel, double pressure, double value,
                               const char* what, const RollingOptions& options,

@@ -6,13 +6,13 @@
 namespace tdbd::reference {
 namespace {
 
-constexpr double frictionless = 1e-9;  // rad: below, the limit is nearer than the formula
+constexpr double frictionless = 1e-9;  // rad: below, the limit is more accurate than the formula
 
 /// Pressure over cohesion.
 double bearing_factor(double friction_angle, double half_angle) {
   if (friction_angle < frictionless) return 2.0 * (1.0 + half_angle);
   const double sine = std::sin(friction_angle), tangent = std::tan(friction_angle);
-  // Kp exp(2b tan phi) - 1 without a difference of like numbers.
+  // Kp exp(2b tan phi) - 1, computed without cancellation.
   const double growth = std::log1p(sine) - std::log1p(-sine) + 2.0 * half_angle * tangent;
   return std::expm1(growth) / tangent;
 }

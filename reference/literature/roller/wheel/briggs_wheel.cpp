@@ -13,17 +13,17 @@ namespace {
 
 constexpr double wheel_pi = std::numbers::pi;
 
-/// What is fixed while a wheel rolls. Depths from the rock's face, ways from the start.
+/// Constants of a rolling wheel. Depths from the rock's surface, distances from the start.
 struct SprocketTrack {
   const Sprocket& wheel;
   double penetration = 0.0, rolling_radius = 0.0, column = 0.0;
   double pitch_angle = 0.0;    // rad
   double contact_angle = 0.0;  // rad, from the lowest tip to one that enters
-  double flank = 0.0;          // m, from a tip to where it meets the next flank
-  double start = 0.0;          // m, way of the first column
+  double flank = 0.0;          // m, from a tip to the intersection with the next flank
+  double start = 0.0;          // m, place of the first column
 };
 
-/// One flank at one moment, from the tip inwards.
+/// One flank at one time, from the tip inwards.
 struct SprocketFlank {
   double tip_x = 0.0, tip_depth = 0.0;  // m
   double run = 0.0, rise = 0.0;         // unit vector inwards: forward, up
@@ -34,10 +34,10 @@ struct SprocketContact {
   double removed = 0.0;                         // m2
 };
 
-/// Lowers the rock to a flank and adds what its columns feel. `axle`: m, the wheel's way.
+/// Lowers the rock to a flank and adds the load on its columns. `axle`: m, position of the wheel.
 void press_flank(const SprocketTrack& track, const SprocketFlank& f, double axle,
                  std::vector<double>& profile, SprocketContact& sum) {
-  // A flank that rises inwards leaves the rock; one that does not (of a tooth in front) may enter it.
+  // A flank that rises inwards leaves the rock; one that does not (of a front tooth) may enter it.
   const double in_rock = f.rise > 0.0 ? std::min(track.flank, f.tip_depth / f.rise) : track.flank;
   if (in_rock <= 0.0) return;
   const double end = f.tip_x + f.run * in_rock;
@@ -59,16 +59,18 @@ void press_flank(const SprocketTrack& track, const SprocketFlank& f, double axle
     profile[k] = depth;
   }
   if (columns == 0.0) return;
-  // Along a column's piece of flank the pressure adds up to `column` up and, forward, its rise.
+  // On a column's piece of a flank, the pressure sums to `column` upwards and to its rise forward.
   const double forward = slope * track.column;
   sum.load += columns * track.column;
   sum.drag += columns * forward;
-  const double above = track.wheel.radius - track.penetration;  // of the axle over the rock's face
-  // The rock's push (-forward, up column) about the axle: at the front its load turns the wheel back.
+  // of the axle above the rock's surface
+  const double above = track.wheel.radius - track.penetration;
+  // Moment of the rock's force (-forward, up column) about the axle: in front, its load slows the
+  // wheel.
   sum.torque += (sum_depth + columns * above) * forward - sum_x * track.column;
 }
 
-/// All teeth near the rock, with the wheel turned by `turned` and its axle at `axle`.
+/// All teeth near the rock, with the wheel rotated by `turned` and its axle at `axle`.
 SprocketContact press_teeth(const SprocketTrack& t, double turned, double axle,
                             std::vector<double>& profile) {
   const double b = t.wheel.half_angle, reach = t.contact_angle + t.pitch_angle;
@@ -119,7 +121,7 @@ SprocketTrack checked_sprocket_track(const Sprocket& wheel, double penetration,
   return t;
 }
 
-/// Zeros, in the arrays as they are.
+/// Sets all values to zero and keeps the memory of the arrays.
 void clear_rolling(Rolling& result) {
   Rolling fresh;
   std::swap(fresh.loads, result.loads);
@@ -180,7 +182,7 @@ void roll(const Sprocket& wheel, double pressure, double penetration, double rol
 
 double free_rolling_radius(const Sprocket& wheel, double penetration,
                            const RollingOptions& options) {
-  constexpr double least = 0.9, most = 1.1, tolerance = 1e-5;  // of the radius
+  constexpr double least = 0.9, most = 1.1, tolerance = 1e-5;  // relative to the radius
   Rolling r;
   const auto torque = [&](double rolling_radius) {
     roll(wheel, 1.0, penetration, rolling_radius, options, r);

@@ -28,12 +28,12 @@ void winters_needs_run(const WintersRun& run) {
   winters_needs(run.rotary_speed, "a rotary speed of");
 }
 
-/// N D, m/s: the rate of one diameter a turn.
+/// N D, m/s: the rate of one diameter per turn.
 double winters_speed(const WintersRun& run) {
   return run.rotary_speed / (2.0 * std::numbers::pi) * run.diameter;
 }
 
-/// Rows delta (1/w^2, 1/w, 1): times the constants they give 1 where the fit is exact.
+/// Rows delta (1/w^2, 1/w, 1): their product with the constants is 1 if the fit is exact.
 Eigen::MatrixXd winters_rows(const std::vector<WintersPoint>& points) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 3);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
@@ -73,7 +73,7 @@ double winters_strength(const WintersConstants& constants, const WintersRun& run
     refuse_winters(
         "found a rate of " + std::to_string(rate) + " m/s, expected less than N D/(b + c) = " +
         std::to_string(winters_speed(run) / (constants.teeth + constants.cleaning)) + " m/s");
-  // The root of q (1/w)^2 + phi/w = x without a difference of like numbers.
+  // The root of q (1/w)^2 + phi/w = x, computed without cancellation.
   const double q = constants.ductility, phi = constants.offset;
   const double reciprocal = 2.0 * x / (phi + std::sqrt(phi * phi + 4.0 * q * x));
   if (!(reciprocal > 0.0 && std::isfinite(reciprocal)))
