@@ -7,6 +7,7 @@
 #include "simulation/start/start_check.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/late_start.hpp"
+#include "simulation/step/step.hpp"
 #include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
@@ -89,7 +90,7 @@ Statistics start_statistics(const Case& c) {
 
 Simulation start(const Case& c) {
   Simulation s = resume(c, start_state(c, start_rock(c)), start_statistics(c));
-  bear_at_start(c, s.state, s.work);
+  apply_opening_forces(c, s.state, s.work);
   return s;
 }
 
@@ -99,7 +100,7 @@ Simulation start(const Case& c, rock::CuttingBit prepared, const StartSurface& s
   s.work = start_work(c, s.state, std::move(prepared));
   s.work.wear = wear_work(c, s.state);
   s.statistics = start_statistics(c);
-  bear_at_start(c, s.state, s.work);
+  apply_opening_forces(c, s.state, s.work);
   return s;
 }
 

@@ -5,8 +5,6 @@
 #include <limits>
 
 #include "rotation/rotation_vector.hpp"
-#include "simulation/step/drive.hpp"
-#include "simulation/step/step.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -61,6 +59,20 @@ double steepness_bound(const ResistedMotion& m, const BitVelocity& v, const Mat3
   return bound;
 }
 
+ResistedMotion resisted(const LoadedMotion& m, const StandingWork& work) {
+  const dynamics::DrillingState& now = m.drive.state;
+  return {m.c.forces, m.c.bit, m.X_WB,       now.c_W - now.rock_z * Vec3::UnitZ(),
+          m.dt,       m.cuts,  work.response};
+}
+
+/// Sets `work.implicit.u` to the velocities of the current momenta.
+void start_at_momenta(const LoadedMotion& m, dynamics::DrillingWork& drive_work,
+                      StandingWork& work) {
+  const dynamics::DrillingSystem& system = m.c.drilling.system;
+  dynamics::velocity(system, drive_work.at, m.drive.state, work.responding.velocity);
+  dynamics::to_column(system, work.responding.velocity, work.implicit.u);
+}
+
 }  // namespace
 
 void add(const Standing& step, StandingStatistics& s) {
@@ -70,59 +82,39 @@ void add(const Standing& step, StandingStatistics& s) {
   s.most_rounds = std::max<long>(s.most_rounds, step.search.rounds);
 }
 
-void stand(const Case& c, const Move& move, const State& state, Work& work) {
-  work.standing = {};
-  if (work.cuts.empty()) return;
-  const dynamics::DrillingSystem& system = c.drilling.system;
-  const dynamics::DrillingState& now = state.drive->state;
-  StandingWork& room = work.standing_work;
-  const ResistedMotion m{c.forces, c.bit,     move.X_WB1,   now.c_W - now.rock_z * Vec3::UnitZ(),
-                         move.dt,  work.cuts, room.response};
-  dynamics::velocity(system, work.drive.at, now, room.responding.velocity);
-  dynamics::to_column(system, room.responding.velocity, room.implicit.u);
-  take_velocity(m, room.implicit.u, room.last_drift);
-  work.standing.steepness =
-      steepness_bound(m, room.last_drift, work.drive.at.mobility_W, moved_by_a_force(system));
-  if (work.standing.steepness <= too_steep) return;
-  dynamics::find_response(system, move.dt, *state.drive, dynamics::KicksLeft::closing_and_opening,
-                          work.drive, room.responding, room.response);
-  prepare(m, room.implicit);
-  if (std::isfinite(work.standing.steepness) && !any_presses(room.implicit))
-    work.standing.steepness = steepness(m, room.implicit.u, room.implicit);
-  work.standing.stands = work.standing.steepness > too_steep;
-  if (!work.standing.stands) return;
-  work.standing.search = find_resisted_velocity(m, room.implicit);
-  take_loads(m, room.implicit, work.loads);
-  take_velocity(m, room.implicit.u, work.velocity);
+Standing stand(const LoadedMotion& motion, dynamics::DrillingWork& drive_work, StandingWork& work,
+               BitLoads& loads, BitVelocity& velocity) {
+  Standing result;
+  if (motion.cuts.empty()) return result;
+  const dynamics::DrillingSystem& system = motion.c.drilling.system;
+  const ResistedMotion m = resisted(motion, work);
+  start_at_momenta(motion, drive_work, work);
+  take_velocity(m, work.implicit.u, work.last_drift);
+  result.steepness =
+      steepness_bound(m, work.last_drift, drive_work.at.mobility_W, moved_by_a_force(system));
+  if (result.steepness <= too_steep) return result;
+  dynamics::find_response(system, motion.dt, motion.drive, dynamics::KicksLeft::closing_and_opening,
+                          drive_work, work.responding, work.response);
+  prepare(m, work.implicit);
+  if (std::isfinite(result.steepness) && !any_presses(work.implicit))
+    result.steepness = steepness(m, work.implicit.u, work.implicit);
+  result.stands = result.steepness > too_steep;
+  if (!result.stands) return result;
+  result.search = find_resisted_velocity(m, work.implicit);
+  take_loads(m, work.implicit, loads);
+  take_velocity(m, work.implicit.u, velocity);
+  return result;
 }
 
-void bear_at_start(const Case& c, State& state, Work& work) {
-  if (!state.drive || c.forces.forces == Forces::off || c.measure.contact == ContactMeasure::off)
-    return;
-  const Pose X_WB = over_rock(state.place);
-  rock::begin_at_rest(work.cutting, X_WB, work.cut_work);
-  rock::contact_areas(state.rock, work.cutting, work.cut_work,
-                      {c.measure.contact_gap * c.rock.edge_length, work.contacts},
-                      work.measure_work.contact, work.measures.contacts);
-  measure_rubbing(c, X_WB, state, work);
-  gather_touching(c.forces, c.bit, work.measures.contacts, work.cuts);
-  if (work.cuts.empty()) return;
-  const dynamics::DrillingSystem& system = c.drilling.system;
-  const dynamics::DrillingState& now = state.drive->state;
-  StandingWork& room = work.standing_work;
-  dynamics::find_response(system, c.time.step, *state.drive, dynamics::KicksLeft::opening,
-                          work.drive, room.responding, room.response);
-  const ResistedMotion m{c.forces,    c.bit,     X_WB,         now.c_W - now.rock_z * Vec3::UnitZ(),
-                         c.time.step, work.cuts, room.response};
-  dynamics::velocity(system, work.drive.at, now, room.responding.velocity);
-  dynamics::to_column(system, room.responding.velocity, room.implicit.u);
-  prepare(m, room.implicit);
-  find_resisted_velocity(m, room.implicit);
-  take_loads(m, room.implicit, work.loads);
-  state.drive->wrench = wrench_of(system, work.loads, X_WB);
-  state.drive->wrench.cone_impulse = dynamics::ConeImpulse::halves;
-  work.cuts.clear();  // they belong to no step
-  work.loads = {};
+void opening_loads(const LoadedMotion& motion, dynamics::DrillingWork& drive_work,
+                   StandingWork& work, BitLoads& loads) {
+  dynamics::find_response(motion.c.drilling.system, motion.dt, motion.drive,
+                          dynamics::KicksLeft::opening, drive_work, work.responding, work.response);
+  const ResistedMotion m = resisted(motion, work);
+  start_at_momenta(motion, drive_work, work);
+  prepare(m, work.implicit);
+  find_resisted_velocity(m, work.implicit);
+  take_loads(m, work.implicit, loads);
 }
 
 }  // namespace tdbd::simulation

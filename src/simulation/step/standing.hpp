@@ -1,13 +1,10 @@
 #pragma once
 
+#include "dynamics/drilling/drilling_step.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/step/implicit_loads.hpp"
 
 namespace tdbd::simulation {
-
-struct Move;
-struct State;
-struct Work;
 
 /// Result of the implicit solution of a step.
 struct Standing {
@@ -33,18 +30,26 @@ struct StandingStatistics {
 
 void add(const Standing& step, StandingStatistics& statistics);
 
+/// A step whose loads are to be found: the motion at its closing kick, and what its parts cut.
+struct LoadedMotion {
+  const Case& c;
+  Pose X_WB;  ///< of the bit relative to the rock, at which the cuts were measured
+  double dt;  ///< s
+  const dynamics::Drilling& drive;
+  const std::vector<CutOfPart>& cuts;
+};
+
 /// Computes the loads of a bit at rest or nearly at rest implicitly, simulation (7), (8). An
 /// addition of TDBD [+]. At rest the slope of a law over velocity is so steep that an explicit
 /// impulse would overshoot in every step, and the weight on bit would oscillate with an amplitude
-/// of its own size. If the steepness at the velocity of the last drift exceeds 1, loads and
-/// velocity are those at the velocity of the next drift. Otherwise `work.loads` is unchanged and
-/// the step is explicit. Sets work.standing, and if the step is implicit also work.loads and
-/// work.velocity.
-void stand(const Case& c, const Move& move, const State& state, Work& work);
+/// of its own size. If the steepness at the velocity of the last drift exceeds 1, `loads` and
+/// `velocity` become those at the velocity of the next drift. Otherwise the result says that the
+/// step is explicit, and both are unchanged.
+Standing stand(const LoadedMotion& motion, dynamics::DrillingWork& drive_work, StandingWork& work,
+               BitLoads& loads, BitVelocity& velocity);
 
-/// Computes the initial forces if pressing parts touch the rock at the start: those of the opening
-/// kick, at the velocity of the first drift. Without them the bit would fall freely during the
-/// first step.
-void bear_at_start(const Case& c, State& state, Work& work);
+/// Computes the loads of the opening kick of a run, at the velocity of the first drift.
+void opening_loads(const LoadedMotion& motion, dynamics::DrillingWork& drive_work,
+                   StandingWork& work, BitLoads& loads);
 
 }  // namespace tdbd::simulation

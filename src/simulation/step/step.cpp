@@ -166,11 +166,33 @@ void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& 
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work) {
   if (c.forces.forces == Forces::off) return;
   gather_cuts(c.forces, measured(c, move, state, work), work.measures, work.cuts);
-  if (state.drive) stand(c, move, state, work);
+  work.standing = {};
+  if (state.drive)
+    work.standing = stand({c, move.X_WB1, move.dt, *state.drive, work.cuts}, work.drive,
+                          work.standing_work, work.loads, work.velocity);
   if (work.standing.stands) return;
   work.velocity = state.drive ? predicted_velocity(c, move, state, work)
                               : velocity_of(move, speeds_of(state.cones));
   sum_loads(c.forces, c.bit, move.X_WB1, work.velocity, move.dt, work.cuts, work.loads);
+}
+
+void apply_opening_forces(const Case& c, State& state, Work& work) {
+  if (!state.drive || c.forces.forces == Forces::off || c.measure.contact == ContactMeasure::off)
+    return;
+  const Pose X_WB = over_rock(state.place);
+  rock::begin_at_rest(work.cutting, X_WB, work.cut_work);
+  rock::contact_areas(state.rock, work.cutting, work.cut_work,
+                      {c.measure.contact_gap * c.rock.edge_length, work.contacts},
+                      work.measure_work.contact, work.measures.contacts);
+  measure_rubbing(c, X_WB, state, work);
+  gather_touching(c.forces, c.bit, work.measures.contacts, work.cuts);
+  if (work.cuts.empty()) return;
+  opening_loads({c, X_WB, c.time.step, *state.drive, work.cuts}, work.drive, work.standing_work,
+                work.loads);
+  state.drive->wrench = wrench_of(c.drilling.system, work.loads, X_WB);
+  state.drive->wrench.cone_impulse = dynamics::ConeImpulse::halves;
+  work.cuts.clear();  // they belong to no step
+  work.loads = {};
 }
 
 void kick(const Case& c, const Move& move, State& state, Work& work) {

@@ -23,6 +23,11 @@ void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& 
 /// in free motion at the momenta predicted from the last forces.
 void apply_forces(const Case& c, const Move& move, const State& state, Work& work);
 
+/// Computes the initial forces if pressing parts touch the rock at the start: those of the opening
+/// kick, at the velocity of the first drift. Without them the bit would fall freely during the
+/// first step.
+void apply_opening_forces(const Case& c, State& state, Work& work);
+
 /// Completes the step of the equations of motion with the loads. No effect for a prescribed motion.
 /// Throws RunError if the motion diverges.
 void kick(const Case& c, const Move& move, State& state, Work& work);
