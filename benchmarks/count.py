@@ -88,7 +88,7 @@ def costs(out):
 
 
 def short(function):
-    """Without namespaces of ours, return type, template's and call's arguments: rock::cut_rock."""
+    """Without the namespaces of TDBD, return type, template's and call's arguments: rock::cut_rock."""
     name = function.replace("(anonymous namespace)::", "").replace("tdbd::", "").replace("tbb::detail::", "")
     name = name.replace("operator()", "call")
     while (less := re.sub(r"<[^<>]*>|\([^()]*\)", "", name)) != name:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a run costs in Python beside the command line, in processor time: runs in turn, each in a process of its own.
+"""Processor time of a run in Python compared with the command line: runs in turn, each in a process of its own.
 
     benchmarks/python_cost.py TDBD PACKAGES [--times 9] [--csv FILE]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a sweep costs beside the drilling itself: 64 points of one revolution of bit B, edges of 4 mm.
+"""Run time of a sweep compared with the drilling itself: 64 points of one revolution of bit B, edges of 4 mm.
 
     benchmarks/sweep.py TDBD [--times 3] [--csv FILE]
 

@@ -6,8 +6,8 @@
                                              with --benchmark_out=RESULT.json --benchmark_out_format=json; of rivals, metre and
                                              count.py, made with --json RESULT.json; tables of tests, FOLDER/evidence/tables/*.json
     benchmarks/table.py --before RESULT...   the same of an older commit, for the column "before"
-    benchmarks/table.py --run build/bench    first run the programs, some minutes, and take theirs
-    benchmarks/table.py --check              exit 1 unless the README holds the tables
+    benchmarks/table.py --run build/bench    first run the programs (some minutes) and take their figures
+    benchmarks/table.py --check              exit code 1 unless the README contains the tables
 
 measured.json lists what the last table shows: program, benchmark, what one iteration is, which figure to read (cpu_time,
 real_time for what times itself, or a counter), its unit, the goal if there is one. What was never measured has no value.
@@ -73,7 +73,7 @@ def rounded(value):
 
 
 def take(measured, path):
-    """Takes the figures of one file, whatever made it."""
+    """Takes the figures of one file of any program."""
     told = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     if "context" in told:
         return take_benchmarks(measured, results(path))
@@ -108,7 +108,7 @@ def remark(entry):
 
 
 def what(entry):
-    """One iteration in words, with the size of the rock where the program told it."""
+    """A description of one iteration, with the size of the rock if the program reports it."""
     return f"{entry['what']}, {entry['triangles']} triangles" if "triangles" in entry else entry["what"]
 
 

@@ -11,13 +11,13 @@ pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf)
 pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
 pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET hdf5 hdf5-serial)
 
-# Headers of libraries are not ours to warn about: SYSTEM.
+# SYSTEM: no warnings about headers of libraries.
 if(NOT TARGET tdbd_eigen)
   find_path(EIGEN3_INCLUDE_DIR Eigen/Core PATH_SUFFIXES eigen3 REQUIRED)
   add_library(tdbd_eigen INTERFACE IMPORTED)
   target_include_directories(tdbd_eigen SYSTEM INTERFACE "${EIGEN3_INCLUDE_DIR}")
   # No threads inside Eigen, and bits that do not depend on the alignment of a heap block. Both change the layout of
-  # types in our headers, so that whoever includes them must be compiled with them.
+  # types in headers of TDBD, so that code that includes them must be compiled with the same settings.
   target_compile_definitions(tdbd_eigen INTERFACE EIGEN_DONT_PARALLELIZE EIGEN_MAX_ALIGN_BYTES=0)
 endif()
 

@@ -3,8 +3,8 @@
 add_library(tdbd_flags INTERFACE)
 target_compile_features(tdbd_flags INTERFACE cxx_std_20)
 target_include_directories(tdbd_flags INTERFACE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>")
-# Contraction off: the same bytes with and without fused multiply-add (design: determinism).
-# Whoever uses the installed headers needs that too; our warnings stay in our build.
+# Contraction off: results are bitwise identical with and without fused multiply-add (design: determinism).
+# Code that uses the installed headers needs this option too; the warnings apply only to this build.
 target_compile_options(tdbd_flags INTERFACE
   "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Werror>" -ffp-contract=off -fno-fast-math)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")

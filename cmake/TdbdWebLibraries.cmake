@@ -21,12 +21,12 @@ tdbd_header_library(fmt::fmt FOLDERS "${TDBD_WEB_HEADERS}" DEFINES FMT_HEADER_ON
 tdbd_header_library(tomlplusplus::tomlplusplus FOLDERS "${TDBD_WEB_HEADERS}")
 tdbd_header_library(nlohmann_json::nlohmann_json FOLDERS "${TDBD_WEB_HEADERS}")
 tdbd_header_library(tdbd_eigen FOLDERS /usr/include/eigen3 DEFINES EIGEN_DONT_PARALLELIZE EIGEN_MAX_ALIGN_BYTES=0)
-# WebAssembly has no directed rounding: intervals are widened instead, which decides the same and asks exact numbers
-# more often.
+# WebAssembly has no directed rounding: intervals are widened instead. The decisions are the same, with exact numbers
+# used more often.
 tdbd_header_library(tdbd_cgal FOLDERS "${TDBD_WEB_HEADERS}"
   DEFINES CGAL_DISABLE_GMP CGAL_ALWAYS_ROUND_TO_NEAREST CGAL_DISABLE_ROUNDING_MATH_CHECK)
 
-# One thread in place of TBB; nothing in place of what reads and writes results, and of UDUNITS-2, whose other side is a table.
+# TBB is replaced by a version with one thread, UDUNITS-2 by a table; the libraries that read and write results are left out.
 tdbd_header_library(TBB::tbb FOLDERS "${PROJECT_SOURCE_DIR}/web/one_thread")
 foreach(library tdbd_udunits PkgConfig::NETCDF PkgConfig::HDF5)
   tdbd_header_library(${library})

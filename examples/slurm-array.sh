@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A sweep as an array of jobs on Slurm: each task takes its share of the points, the last one to end writes the table.
+# A sweep as an array of jobs on Slurm: each task computes its share of the points, and the last one to finish writes the table.
 #
 #     sbatch --array=1-8 examples/slurm-array.sh DESIGN.toml NAME.nc
 #
-# A task that was killed, or ran out of time, loses the points under way: submit the array again, or that task alone
-# (--array=5), and it goes on. NAME.nc lies on a file system that all nodes see. Without Slurm the same with
+# A task that is killed or runs out of time loses only its unfinished points: submit the array again, or that task alone
+# (--array=5), to resume. NAME.nc must be on a file system that all nodes can access. Without Slurm, use
 # `tdbd sweep DESIGN.toml -o NAME.nc --threads N`.
 #SBATCH --job-name=tdbd-sweep
 #SBATCH --ntasks=1

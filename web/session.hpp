@@ -13,8 +13,9 @@ struct Session {
   simulation::Simulation state;
 };
 
-/// What a page is told once, as JSON: title, hash, warnings, resolved case, steps, step (s), gage radius (m), version, and the
-/// parts with name, kind and body (0: the bit; 1 + k: its cone k).
+/// The constants of a case for the page, as JSON: title, hash, warnings, resolved case, steps, step
+/// (s), gage radius (m), version, and the parts with name, kind and body (0: the bit; 1 + k: its
+/// cone k).
 std::string facts_json(const Session& s);
 
 /// Where the drilling is, as JSON in SI: steps, done, time, revolutions, removed volume in all and by part, WOB and TOB

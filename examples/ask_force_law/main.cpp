@@ -1,4 +1,5 @@
-// Asks a force law for the rock's force on a round cutter's face at several depths of cut.
+// Evaluates a force law: the force of the rock on the face of a round cutter at several depths of
+// cut.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       std::puts("usage: drill_one_revolution CASE.toml [KEY=VALUE ...]");
       return 2;
     }
-    // Later settings win: the run ends after one revolution whatever the case says.
+    // Later settings override earlier ones, so the run ends after one revolution.
     std::vector<std::string> settings(argv + 2, argv + argc);
     settings.push_back("time.revolutions=1");
     const Case c = read_case(argv[1], settings);

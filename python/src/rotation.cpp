@@ -59,13 +59,14 @@ std::vector<double> quaternion_of(const sim::RotateCase&, const RotationState& s
 }
 
 void add_rotating_arrays(py::class_<Rotating>& c) {
-  c.def_property_readonly("quaternion", rotating_array(&quaternion_of),
-                          "(4,) Attitude w, x, y, z: from the body's frame to the space's.");
+  c.def_property_readonly(
+      "quaternion", rotating_array(&quaternion_of),
+      "(4,) Attitude quaternion w, x, y, z, from the body frame to the space frame.");
   c.def_property_readonly(
       "rotation", rotating_array([](const sim::RotateCase&, const RotationState& s) -> Mat3 {
         return s.q_WB.toRotationMatrix();
       }),
-      "(3, 3) The same as a matrix.");
+      "(3, 3) Rotation matrix from the body frame to the space frame.");
   c.def_property_readonly(
       "angular_velocity",
       rotating_array([](const sim::RotateCase& of, const RotationState& s) -> Vec3 {
@@ -93,7 +94,7 @@ void add_rotation(py::module_& m) {
   py::class_<Rotating> c(m, "Rotating");
   c.def(py::init(&start_rotating), py::arg("case"));
   c.def("step", &rotate_steps, py::arg("n") = 1, py::arg("progress") = py::none(),
-        "Makes n steps, fewer where the case ends; returns how many.");
+        "Performs n steps, or fewer if the case ends. Returns the number of steps performed.");
   c.def("summary_json", &rotating_summary);
   c.def_property_readonly("time",
                           rotating_number([](const Rotating&, const sim::RotateSimulation& s) {
@@ -108,7 +109,7 @@ void add_rotation(py::module_& m) {
                           rotating_number([](const Rotating& l, const sim::RotateSimulation& s) {
                             return rotating_is_done(l, s);
                           }),
-                          "Whether the case's last step is made.");
+                          "Whether the last step of the case has been performed.");
   c.def_property_readonly("energy",
                           rotating_number([](const Rotating& l, const sim::RotateSimulation& s) {
                             return sim::total_energy(*l.of, s.rotating.state);

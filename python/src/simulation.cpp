@@ -42,7 +42,7 @@ std::string drilling_summary(Drilling& live) {
     const auto status =
         drilling_is_done(live, s) ? sim::RunStatus::completed : sim::RunStatus::interrupted;
     sim::RunSummary summary = sim::summary_of(*live.of, s, status);
-    if (summary.drive) summary.drive->order.residual.reason = "only a run observes it";
+    if (summary.drive) summary.drive->order.residual.reason = "only observed in a run";
     return sim::to_json(summary);
   });
 }
@@ -88,16 +88,16 @@ void add_numbers(py::class_<Drilling>& c) {
   c.def_property_readonly("steps_done", number([](const Drilling&, const sim::Simulation& s) {
                             return s.state.steps_done;
                           }),
-                          "Steps since the motion's beginning.");
+                          "Steps since the start of the motion.");
   c.def_property_readonly("done", number([](const Drilling& l, const sim::Simulation& s) {
                             return drilling_is_done(l, s);
                           }),
-                          "Whether the case's last step is made.");
+                          "Whether the last step of the case has been performed.");
   c.def_property_readonly("revolutions", number([](const Drilling&, const sim::Simulation& s) {
                             return (s.state.place.turned - s.state.start_turned) /
                                    (2.0 * std::numbers::pi);
                           }),
-                          "Turns of the bit since the start.");
+                          "Revolutions of the bit since the start.");
   c.def_property_readonly("removed_volume", number([](const Drilling&, const sim::Simulation& s) {
                             return s.state.ledger.removed.value();
                           }),
@@ -105,7 +105,7 @@ void add_numbers(py::class_<Drilling>& c) {
   c.def_property_readonly(
       "volume_ledger_defect",
       number([](const Drilling&, const sim::Simulation& s) { return sim::ledger_defect(s); }),
-      "What the ledger of volumes does not account for, relative; rounding alone.");
+      "Relative residual of the volume balance of the rock; at rounding level.");
 }
 
 void add_arrays(py::class_<Drilling>& c) {
@@ -114,14 +114,15 @@ void add_arrays(py::class_<Drilling>& c) {
       "(3,) Origin of the bit, m, space frame, z down the hole.");
   c.def_property_readonly(
       "rotation", array([](const sim::Simulation& s) -> Mat3 { return s.state.place.X_WB.R; }),
-      "(3, 3) Rotation matrix, from the bit's frame to the space's.");
+      "(3, 3) Rotation matrix from the bit frame to the space frame.");
   c.def_property_readonly(
       "force", array([](const sim::Simulation& s) -> Vec3 { return s.work.loads.force_W; }),
-      "(3,) The rock's force on the bit in the last step, N, space frame; 0 without a force law.");
+      "(3,) Force of the rock on the bit in the last step, N, space frame; 0 without a force law.");
   c.def_property_readonly(
       "torque", array([](const sim::Simulation& s) -> Vec3 { return s.work.loads.torque_W; }),
-      "(3,) The rock's torque about the bit's origin in the last step, N m; 0 without a force "
-      "law.");
+      "(3,) Torque of the rock about the bit's origin in the last step, N m, space frame; 0 "
+      "without a "
+      "force law.");
   c.def_property_readonly("removed_by_part", array(&removed_of),
                           "(parts,) Rock removed by each part since the start, m3.");
   c.def_property_readonly(
@@ -142,7 +143,7 @@ void add_simulation(py::module_& m) {
   py::class_<Drilling> c(m, "Drilling");
   c.def(py::init(&start_drilling), py::arg("case"), py::arg("threads"));
   c.def("step", &drill_steps, py::arg("n") = 1, py::arg("progress") = py::none(),
-        "Makes n steps, fewer where the case ends; returns how many.");
+        "Performs n steps, or fewer if the case ends. Returns the number of steps performed.");
   c.def("summary_json", &drilling_summary);
   c.def("surface", &drilling_surface);
   add_numbers(c);

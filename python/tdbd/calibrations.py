@@ -37,7 +37,7 @@ def read_table(path: Folder) -> "xarray.Dataset":
 
 
 class CalibrationResult:
-    """What `tdbd.calibrate` leaves. Files are read when they are asked for, once."""
+    """The result of `tdbd.calibrate`. Each file is read once, when it is first used."""
 
     folder: Path
 

@@ -63,7 +63,7 @@ class Case:
 
 def _read(path: str, overrides: list[str]) -> Case:
     kind = _core.kind_of(path, overrides)
-    if kind == "unknown":  # the reader of a case to drill says what is missing
+    if kind == "unknown":  # the reader of a drilling case reports what is missing
         kind = "drilling"
     else:
         _core.require_kind(path, overrides, list(_READ))

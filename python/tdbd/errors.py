@@ -57,4 +57,4 @@ class RunError(RuntimeError):
 
 
 class CaseWarning(UserWarning):
-    """Something that a case says in vain. The run goes on."""
+    """A setting without effect. TDBD warns and continues."""

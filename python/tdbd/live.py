@@ -1,4 +1,4 @@
-"""Simulations that are stepped by hand: nothing is written."""
+"""Simulations that the caller advances step by step, without output files."""
 
 import json
 import os
@@ -15,7 +15,7 @@ class Simulation(_core.Drilling):
     """A bit that drills, between two steps: the first step of `tdbd.run` to its last, in memory.
 
     `step(n)` makes n steps, fewer where the case ends, and returns how many. Ctrl-C raises KeyboardInterrupt between two
-    steps; the simulation can go on. Python's lock is released meanwhile; one thread at a time works on a simulation.
+    steps; the simulation can continue. Python's lock is released meanwhile; one thread at a time works on a simulation.
     """
 
     def __init__(self, case: Case | str | os.PathLike[str], threads: int = 1) -> None:
@@ -40,7 +40,7 @@ class Simulation(_core.Drilling):
 
 
 class Rotation(_core.Rotating):
-    """A body that rotates, with or without cones, between two steps: `tdbd.rotate` by hand. `step(n)` as of a Simulation."""
+    """A body that rotates, with or without cones, that the caller advances step by step. `step(n)` is that of a Simulation."""
 
     def __init__(self, case: Case | str | os.PathLike[str]) -> None:
         self.case = of_kind(case, "rotation")

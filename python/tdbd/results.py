@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Result:
-    """A result folder. Files are read when they are asked for, once."""
+    """A result folder. Each file is read once, when it is first used."""
 
     folder: Path  #: where the files are; of a run without a folder a temporary one, which goes with the result
 

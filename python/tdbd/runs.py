@@ -26,7 +26,7 @@ def run(case: Case | Folder, folder: Folder | None = None, *, force: bool = Fals
 
     `force` replaces the results in the folder. `progress(done, total)` hears of steps ten times a second. The result does
     not depend on `threads`. Ctrl-C raises KeyboardInterrupt after the current step; what was recorded is in the folder, and
-    `tdbd.resume` goes on. Raises FolderError before anything is changed, RunError when the computation fails.
+    `tdbd.resume` continues. Raises FolderError before anything is changed, RunError if the computation fails.
     """
     drilled = of_kind(case, "drilling")
     path, keep = folder_for(folder)
@@ -44,7 +44,7 @@ def rotate(case: Case | Folder, folder: Folder | None = None, *, force: bool = F
 
 
 def resume(folder: Folder, *, threads: int = 1, progress: Progress | None = None) -> RunResult | RotationResult:
-    """Goes on with a run or a rotation that was stopped or killed; its result is that of one that was not.
+    """Resumes an interrupted run or rotation. The result is that of an uninterrupted one.
 
     A complete result is returned as it is.
     """

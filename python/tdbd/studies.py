@@ -46,7 +46,7 @@ class Convergence:
 
     @property
     def orders(self) -> dict[str, float | None]:
-        """The observed order of every variable; None: there is none, `data` says why."""
+        """The observed order of every variable; None if there is none; `data` contains the reason."""
         return {variable: found["order"] for variable, found in self.data["variables"].items()}
 
     def plot(self) -> "Figure":

@@ -26,7 +26,7 @@ void add_set(CLI::App& command, std::vector<std::string>& overrides, const std::
 }
 
 void add_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "threads of a run; the results do not depend on them")
+  command.add_option("--threads", threads, "number of threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
 }
@@ -35,14 +35,14 @@ void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp&
   command.add_option("-o,--output", a.folder, "result folder; default " + help.folder)
       ->type_name(a_folder);
   add_set(command, a.overrides,
-          "override a key, as often as needed: " + help.set + "; `tdbd keys` lists the keys");
+          "override a key; may be repeated: " + help.set + "; `tdbd keys` lists the keys");
   command.add_flag("--force", a.force, "replace the results in the folder");
   command.add_flag("--quiet", a.quiet, help.quiet);
 }
 
 void add_resume(CLI::App& command, ResultArguments& a) {
   CLI::Option* resumed = command.add_option(
-      "--resume", a.resumed, "in place of a case: go on with the run of this folder");
+      "--resume", a.resumed, "resume the interrupted run in this folder (instead of a case)");
   resumed->type_name(a_folder);
   command.get_option("case")->required(false)->excludes(resumed);
   for (const char* other : {"--output", "--set", "--force"})

@@ -51,7 +51,7 @@ void print_parts(const bit::Bit& b) {
 
 void print_mass(const bit::Bit& b, const std::vector<std::string>& without_density) {
   if (!without_density.empty())
-    return say("mass not known: no density of {}\n", bit::listed(without_density));
+    return say("mass unknown: no density for {}\n", bit::listed(without_density));
   const bit::MassProperties m = bit::mass_properties(b);
   say("mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
       "{:.5f} kg m2\n",
@@ -127,25 +127,27 @@ void add_bit(CLI::App& app, int& exit_code) {
                    "cutters.csv, profile.csv and "
                    "bit.vtp here")
       ->type_name(a_folder);
-  command->add_option("--format", choices->format, "of the parts' meshes: ply, off, obj or stl")
+  command
+      ->add_option("--format", choices->format, "format of the part meshes: ply, off, obj or stl")
       ->check(CLI::IsMember({"ply", "off", "obj", "stl"}))
       ->capture_default_str();
   command
       ->add_option("--solids", choices->solids,
-                   "of the whole bit in one file: stl or obj (named), ply or off")
+                   "format of the file with all solids: stl or obj (with names), ply or off")
       ->check(CLI::IsMember({"stl", "obj", "ply", "off"}))
       ->capture_default_str();
-  command->add_flag("--report", choices->report, "also write analysis.json, a designer's figures");
-  command->add_option("--penetration", choices->penetration, "of the report, per revolution")
+  command->add_flag("--report", choices->report, "also write analysis.json, data for bit design");
+  command
+      ->add_option("--penetration", choices->penetration, "advance per revolution, for the report")
       ->capture_default_str();
   command
       ->add_option("--speed", choices->speed,
-                   "of the bit, for the figures on what is assumed about cones")
+                   "rotary speed of the bit, for the printed assumptions about cones")
       ->capture_default_str();
   command
       ->add_option("--cone-speeds", choices->cone_speeds,
-                   "of the report, one for each cone over the bit's: 1.47,1.47,1.47; default: the "
-                   "speeds at which the gage rows roll")
+                   "ratio of cone speed to bit speed for each cone, for the report: "
+                   "1.47,1.47,1.47; default: pure rolling of the gage rows")
       ->delimiter(',');
   command->add_flag("--force", choices->force, "replace the results in the folder");
   command->add_flag("--quiet", choices->quiet, "print no tables");

@@ -26,11 +26,11 @@ void print_set(const calibration::CalibrationCase& c, const calibration::FittedS
   for (const calibration::FittedCoefficient& f : set.fit.coefficients)
     say("{:<16}{:>12.5g}{:>12.5g}   {}{}\n", f.key, f.start, f.value,
         f.at_bound ? "at an end of its range" : fmt::format("{:.5g} to {:.5g}", f.low, f.high),
-        f.from_prior && !f.at_bound ? ", mostly the prior's" : "");
+        f.from_prior && !f.at_bound ? ", mostly from the prior" : "");
   say("objectives: {} {:.4g}, {} {:.4g}; chi2 {:.4g} with {} degrees of freedom\n", names[0].name,
       set.fit.objectives[0], names[1].name, set.fit.objectives[1], set.fit.chi2,
       set.fit.degrees_of_freedom);
-  say("seen least: {}\n", calibration::in_words(set.fit.problem, set.identifiability));
+  say("weakest direction: {}\n", calibration::in_words(set.fit.problem, set.identifiability));
 }
 
 void print_errors(const calibration::CalibrationCase& c, const calibration::Calibration& found) {
@@ -76,7 +76,7 @@ void add_calibrate(CLI::App& app, int& exit_code) {
   add_result_options(*command, *a, help);
   command
       ->add_option("--cuts", a->cuts,
-                   "folder where cut runs are kept and found again; default: cuts, beside the "
+                   "folder that stores cut runs for reuse; default: cuts, next to the "
                    "result folder")
       ->type_name(a_folder);
   add_threads(*command, a->threads);

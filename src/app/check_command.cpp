@@ -41,7 +41,7 @@ void print_estimate(const simulation::RunEstimate& e) {
   say("about {} triangles at the end, {} of memory, {} on disk", rounded(e.triangles),
       bytes_text(e.memory_bytes), bytes_text(e.disk_bytes));
   if (e.steps_tried > 0)
-    say(", {} here ({} steps were tried)", time_text(e.seconds), e.steps_tried);
+    say(", {} on this machine (from {} trial steps)", time_text(e.seconds), e.steps_tried);
   say("\n");
 }
 
@@ -74,7 +74,7 @@ void check_string(const std::string& file, const std::vector<std::string>& overr
 
 void add_check(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand(
-      "check", "Read everything, report every mistake and where it is, and what a run would take");
+      "check", "Check a case, report all mistakes and their places, and estimate what a run takes");
   auto file = std::make_shared<std::string>();
   auto overrides = std::make_shared<std::vector<std::string>>();
   command->add_option("case", *file, "the case file (TOML)")->required()->type_name(a_toml_file);

@@ -55,26 +55,26 @@ int converge(ConvergeArguments a) {
 }
 
 void add_convergence_options(CLI::App& command, ConvergeArguments& a) {
-  const ResultHelp help{.case_file = "the case file (TOML), to run or to rotate",
+  const ResultHelp help{.case_file = "the case file (TOML) of a drilling or a rotation",
                         .folder = "results/CASE-convergence",
                         .quiet = "no progress, no table"};
   add_case(command, a, help);
   command
       .add_option("--over", a.plan.keys,
-                  "the quantity to divide: time.step; again for a second one, divided with it")
+                  "the quantity to refine: time.step; repeat it to refine several together")
       ->required()
       ->type_name("KEY")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
-  command.add_option("--levels", a.plan.levels, "how many values, the case's own first")
+  command.add_option("--levels", a.plan.levels, "number of values; the first is that of the case")
       ->required()
       ->check(CLI::Range(sim::least_levels, sim::most_levels));
-  command.add_option("--factor", a.plan.factor, "what the quantity is divided by")
+  command.add_option("--factor", a.plan.factor, "factor between successive values")
       ->capture_default_str();
   command
       .add_option("--reference", a.reference,
-                  "measure errors against this result (folder or summary.json)")
+                  "compute errors relative to this result (folder or summary.json)")
       ->type_name(a_folder);
   add_result_options(command, a, help);
   add_threads(command, a.threads);
@@ -83,7 +83,8 @@ void add_convergence_options(CLI::App& command, ConvergeArguments& a) {
 }  // namespace
 
 void add_converge(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("converge", "Observe orders of convergence of a case");
+  auto* command =
+      app.add_subcommand("converge", "Compute observed orders of convergence of a case");
   auto a = std::make_shared<ConvergeArguments>();
   add_convergence_options(*command, *a);
   command->footer(

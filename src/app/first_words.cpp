@@ -29,17 +29,17 @@ std::string meant_by(const std::string& word, const std::vector<std::string>& na
   const auto distance = [&](const std::string& name) { return edit_distance(word, name); };
   const auto nearest = std::ranges::min_element(names, {}, distance);
   if (distance(*nearest) <= std::min(slips, word.size() - 1))
-    return *nearest + "? (tdbd alone lists all)";
+    return *nearest + "? (tdbd without a command lists all)";
   return fmt::format("one of {}", fmt::join(names, ", "));
 }
 
-constexpr const char* listed = "; tdbd COMMAND --help lists what it takes";
+constexpr const char* listed = "; tdbd COMMAND --help lists its arguments";
 
 /// Describes words that the command does not accept, and what to write instead.
 std::string unexpected(const std::string& words) {
   if (words.find('=') != std::string::npos && !words.starts_with('-'))
-    return fmt::format("found {} alone, expected --set before it: --set '{}'", words, words);
-  return fmt::format("found {}, which the command does not expect{}", words, listed);
+    return fmt::format("found {} without --set, expected --set '{}'", words, words);
+  return fmt::format("found {}, which is not an argument of the command{}", words, listed);
 }
 
 /// A message of CLI11 and its replacement. Other messages are not changed.
@@ -64,7 +64,7 @@ std::string overview(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands({}))
     text += fmt::format("{:<11} {}\n            {}\n", command->get_name(),
                         command->get_description(), example_of(*command));
-  return text + "\nAll options of one: tdbd COMMAND --help.\n" + app.get_footer() + "\n";
+  return text + "\nOptions of a command: tdbd COMMAND --help.\n" + app.get_footer() + "\n";
 }
 
 std::optional<std::string> page_asked_for(const CLI::App& app,

@@ -19,7 +19,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "signal handlers touch the
 
 void on_interrupt(int) {
   if (!is_saving) end_at_once("tdbd: interrupted before the first step: nothing was saved\n");
-  if (interrupted.exchange(true)) end_at_once("tdbd: interrupted again: ended at once\n");
+  if (interrupted.exchange(true)) end_at_once("tdbd: interrupted again: ended immediately\n");
 }
 
 }  // namespace

@@ -59,7 +59,9 @@ void add_keys(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand(
       "keys", "List the keys of cases, bit files and designs: units, defaults, ranges, meanings");
   auto a = std::make_shared<KeysArguments>();
-  command->add_option("table", a->table, "a table, with those inside it: motion; default: all")
+  command
+      ->add_option("table", a->table,
+                   "name of a table, such as motion; includes its subtables; default: all")
       ->type_name("TABLE");
   command->add_flag("--design", a->design, "the keys of a sweep's design instead");
   command->add_flag("--markdown", a->markdown, "as Markdown");

@@ -26,7 +26,7 @@ int make_records(const LaboratoryArguments& a) {
 
 void add_laboratory(CLI::App& app, int& exit_code) {
   auto* command =
-      app.add_subcommand("laboratory", "Make synthetic records of bits under a known force law");
+      app.add_subcommand("laboratory", "Compute synthetic records of bits under a known force law");
   auto a = std::make_shared<LaboratoryArguments>();
   command->add_option("case", a->case_file, "the laboratory (TOML)")
       ->required()
@@ -34,7 +34,7 @@ void add_laboratory(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", a->output, "the records, csv")
       ->required()
       ->type_name("FILE.csv");
-  command->add_option("--cuts", a->cuts, "folder of cut runs; default: cuts, beside the records")
+  command->add_option("--cuts", a->cuts, "folder of cut runs; default: cuts, next to the records")
       ->type_name(a_folder);
   add_set(*command, a->overrides, "override a key: --set laboratory.seed=7");
   command->add_flag("--force", a->force, "replace the file");

@@ -157,32 +157,31 @@ void add_mesh(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name(a_mesh_file);
   command->add_option("--unit", choices->unit,
-                      "length of the file's unit; default 1 mm, of a rock that a run wrote 1 m");
+                      "length unit of the file; default: 1 mm, or 1 m for the rock of a run");
   command->add_flag("--repair", choices->repair,
-                    "make closed solids that face outward, where that is possible; needs -o");
-  command->add_option("--weld", choices->weld, "merge points this close when repairing")
+                    "repair the solids so that they are closed and face outward; requires -o");
+  command->add_option("--weld", choices->weld, "a repair merges points up to this far apart")
       ->capture_default_str();
   command->add_flag("--grade", choices->grade,
-                    "refine along sharp edges, coarsen flat and smooth faces; needs -o");
-  command->add_option("--only", choices->only, "solids to grade: a name; * stands for any text")
+                    "refine along sharp edges, coarsen flat and smooth faces; requires -o");
+  command->add_option("--only", choices->only, "names of the solids to grade; * matches any text")
       ->capture_default_str();
   command->add_option("--edge", choices->edge, "target edge length at sharp edges")
       ->capture_default_str();
-  command->add_option("--face", choices->face, "target edge length far from them")
+  command->add_option("--face", choices->face, "target edge length far from sharp edges")
       ->capture_default_str();
   command
       ->add_option("--growth", choices->growth,
                    "growth of the target length per length of distance")
       ->capture_default_str();
-  command
-      ->add_option("--angle", choices->angle,
-                   "angle between facets from which their edge counts as sharp")
+  command->add_option("--angle", choices->angle, "smallest angle between facets at a sharp edge")
       ->capture_default_str();
-  command->add_option("--deviation", choices->deviation, "how far the surface may move at most")
+  command
+      ->add_option("--deviation", choices->deviation, "largest permitted movement of the surface")
       ->capture_default_str();
   command
       ->add_option("-o,--output", choices->output,
-                   "the file to write, in the format of its extension; the input stays as it is")
+                   "the file to write, in the format of its extension; the input is not changed")
       ->type_name(a_mesh_file);
   command->add_flag("--force", choices->force, "replace the output file");
   command->footer("Example: tdbd mesh bit.stl --repair -o bit-repaired.stl");

@@ -43,7 +43,7 @@ std::vector<TemplateFile> files_of(const std::string& kind) {
 void require_new(const fs::path& folder) {
   if (fs::exists(fs::symlink_status(folder)) && !(fs::is_directory(folder) && fs::is_empty(folder)))
     throw InputError(
-        fmt::format("NAME: found {}, which is there, expected a new folder", folder.string()));
+        fmt::format("NAME: found {}, which exists, expected a new folder", folder.string()));
 }
 
 int write_new(const NewArguments& a) {
@@ -65,12 +65,12 @@ int write_new(const NewArguments& a) {
 }  // namespace
 
 void add_new(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("new", "Write a case to begin with, with all that it needs");
+  auto* command = app.add_subcommand("new", "Write an example case with all its files");
   auto a = std::make_shared<NewArguments>();
-  command->add_option("kind", a->kind, "what it drills, rotates, sweeps or fits")
+  command->add_option("kind", a->kind, "kind of example")
       ->required()
       ->type_name(fmt::format("{{{}}}", fmt::join(kinds(), ",")));
-  command->add_option("name", a->folder, "the folder to make")->required()->type_name(a_folder);
+  command->add_option("name", a->folder, "name of the new folder")->required()->type_name(a_folder);
   command->footer(
       "pdc: a PDC bit drills; cones: a roller cone bit drills; top: a heavy top; sweep: a design "
       "of\n"

@@ -18,12 +18,12 @@ void print_outcome(const simulation::RotateOutcome& o, const std::string& folder
   say("{}: {} steps to t = {:.6g} s, {} torque evaluations\n",
       o.status == simulation::RunStatus::completed ? "done" : "interrupted", o.end.steps_done,
       o.end.rotating.state.time, o.end.rotating.evaluations);
-  say("largest changes: energy {:.2e} of its scale, momentum in space {:.2e} N m s, of it vertical "
-      "{:.2e}\n",
+  say("largest changes: energy {:.2e} of its scale, momentum in space {:.2e} N m s, its vertical "
+      "component {:.2e} N m s\n",
       v.energy_drift / v.energy_scale, std::sqrt(v.momentum_drift_squared), v.vertical_drift);
   say("results in {}\n", folder);
   if (o.status == simulation::RunStatus::interrupted)
-    say("to go on: tdbd rotate --resume {}\n", folder);
+    say("to resume: tdbd rotate --resume {}\n", folder);
 }
 
 /// Rotates with progress and a summary, unless `quiet` is set.
@@ -69,9 +69,10 @@ void add_rotate(CLI::App& app, int& exit_code) {
   command->footer(
       "Writes summary.json, history.nc, history.csv, timing.json and the resolved case.toml.\n"
       "The keys of a case: tdbd keys.\n"
-      "Ctrl-C ends the run and writes what was recorded; exit code 130. A second one ends it at "
-      "once.\n"
-      "A run that was stopped or killed goes on with --resume, to the same results.\n"
+      "Ctrl-C ends the run and writes what was recorded; exit code 130. A second Ctrl-C ends it "
+      "immediately.\n"
+      "With --resume an interrupted run continues; its results equal those of an uninterrupted "
+      "run.\n"
       "Example: tdbd rotate cases/slow-top.toml -o out/top --set integrator.order=4");
   command->callback([a, &exit_code] {
     exit_code = guarded([&] {

@@ -37,8 +37,8 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder, b
   if (s.drive) print_energy(*s.drive);
   say("results in {}\n", folder);
   if (s.status == simulation::RunStatus::interrupted)
-    say("to go on: tdbd run --resume {}\n", folder);
-  if (has_frames) say("to look at it: reports/page3d.py {}\n", folder);
+    say("to resume: tdbd run --resume {}\n", folder);
+  if (has_frames) say("to view it: reports/page3d.py {}\n", folder);
 }
 
 std::string detail_of(const simulation::Simulation& s) {
@@ -97,8 +97,9 @@ void add_run(CLI::App& app, int& exit_code) {
       "With the table [wear] the cutters of a bit wear over hundreds of metres "
       "(cases/wear-bit-b.toml).\n"
       "Ctrl-C ends the run after the current step and writes what was recorded; exit code 130.\n"
-      "A second one ends it at once.\n"
-      "A run that was stopped or killed goes on with --resume, to the same results.\n"
+      "A second Ctrl-C ends it immediately.\n"
+      "With --resume an interrupted run continues; its results equal those of an uninterrupted "
+      "run.\n"
       "Example: tdbd run cases/bit-b-steady.toml -o out/b --set time.revolutions=2");
   command->callback([a, &exit_code] {
     exit_code = guarded([&] {

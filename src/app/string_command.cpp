@@ -65,8 +65,8 @@ void add_string(CLI::App& app, int& exit_code) {
       "and writes history.nc, history.csv,\n"
       "timing.json and, with output.string_profile_every, string.nc.\n"
       "The keys of a case: tdbd keys string.\n"
-      "Ctrl-C ends the run and writes what was recorded; exit code 130. A second one ends it at "
-      "once.\n"
+      "Ctrl-C ends the run and writes what was recorded; exit code 130. A second Ctrl-C ends it "
+      "immediately.\n"
       "Example: tdbd string cases/string-build-and-hold.toml -o out/well --set "
       "string.friction.static=0.3");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return run_string(*a); }); });

@@ -70,8 +70,9 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
     print_warning(fmt::format("{} of {} points failed, the first with: {}", r.failed, r.done,
                               r.first_failure));
   if (!r.written)
-    return say("{} of {} points are done{}\n", r.done, r.points,
-               r.interrupted ? "; the same command goes on" : "; the last shard writes the table");
+    return say(
+        "{} of {} points are done{}\n", r.done, r.points,
+        r.interrupted ? "; repeat the command to continue" : "; the last shard writes the table");
   say("{} points done, {} of them before{}\ntable in {}; to draw it: reports/sweep.py {}\n",
       r.points, r.found, d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front),
       table.string(), table.string());
@@ -108,18 +109,18 @@ void add_sweep(CLI::App& app, int& exit_code) {
       ->type_name(a_toml_file);
   command->add_option("-o,--output", a->table, "the table, NAME.nc; default: results/DESIGN.nc")
       ->type_name("FILE.nc");
-  command->add_option("--shard", a->shard, "every n-th point, beginning with the i-th: I/N")
+  command->add_option("--shard", a->shard, "compute every N-th point, starting with the I-th: I/N")
       ->capture_default_str();
-  command->add_flag("--points", a->points, "print what each point sets, and run nothing");
+  command->add_flag("--points", a->points, "print the settings of each point and run nothing");
   command->add_flag("--figures", a->figures,
-                    "run the first point and print the figures that a design may ask for");
+                    "run the first point and print the names of all figures for a design");
   command->add_flag("--force", a->force, "replace a table that no sweep wrote");
   command->add_flag("--quiet", a->quiet, "no progress, no summary");
   add_threads(*command, a->threads);
   command->footer(
-      "Points that are done stay in NAME.points: the same command goes on after a kill, and a "
-      "larger\n"
-      "design adds to them. Shards of one design may run at once, with the same -o.\n"
+      "Completed points are stored in NAME.points: after an interruption the same command\n"
+      "continues, and a larger design reuses them. Shards of one design may run at the same\n"
+      "time with the same -o.\n"
       "Example: tdbd sweep cases/sweeps/rake-and-rate.toml --threads 2 -o out/rake.nc");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return sweep_points(*a); }); });
 }

@@ -20,8 +20,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
   if (flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(folder_);
   throw FolderError(
-      fmt::format("output folder {}: in use: another command writes to it; wait for its end or "
-                  "take another folder",
+      fmt::format("output folder {}: in use: another command writes to it; wait until it ends "
+                  "or choose another folder",
                   folder.string()));
 }
 

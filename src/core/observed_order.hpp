@@ -19,8 +19,7 @@ enum class OrderVerdict {
 struct ObservedOrder {
   OrderVerdict verdict = OrderVerdict::too_few;
   double order = 0.0;                ///< slope over the range used; 0 unless the verdict is `order`
-  double order_of_all = 0.0;         ///< slope over all errors above the floor; 0 with fewer than
-                                     ///< two
+  double order_of_all = 0.0;         ///< slope over all errors above the floor; 0 if fewer than 2
   std::vector<double> local_orders;  ///< between neighbours; NaN where one is below the floor
   int first = 0;                     ///< index of the first error used
   int used = 0;                      ///< number of errors in the fit

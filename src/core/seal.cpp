@@ -40,7 +40,7 @@ void require_seal(const std::filesystem::path& path) {
   const std::size_t length = seal_of("").size();
   const std::size_t data = bytes.size() < length ? 0 : bytes.size() - length;
   if (bytes.substr(data) != seal_of(bytes.substr(0, data)))
-    throw RunError(fmt::format("{}: it is torn or was changed", path.string()));
+    throw RunError(fmt::format("{}: the file is incomplete or was changed", path.string()));
 }
 
 }  // namespace tdbd

@@ -90,7 +90,7 @@ bool has_second_number(std::string_view unit) {
 /// Parses a unit that the program itself requires.
 std::unique_ptr<Unit> wanted_unit(const std::string& si_unit) {
   std::unique_ptr<Unit> unit = find_unit(si_unit);
-  if (!unit) throw RunError(fmt::format("units: {} is no unit", si_unit));
+  if (!unit) throw RunError(fmt::format("units: {} is not a unit", si_unit));
   return unit;
 }
 

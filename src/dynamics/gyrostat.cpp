@@ -82,12 +82,12 @@ Mat3 body_share(const Mat3& It, const std::vector<Cone>& cones) {
 std::string body_problem(const Mat3& I, const std::vector<Cone>& cones) {
   const Vec3 whole = principal_values(I);
   if (breaks_triangle_inequality(whole))
-    return "an inertia that breaks the triangle inequality: " + values_text(whole);
+    return "an inertia that violates the triangle inequality: " + values_text(whole);
   const Vec3 share = principal_values(body_share(carrier_inertia(I, cones), cones));
   if (share[0] < -tolerance::inertia * whole[2])
-    return "cones heavier in inertia than the whole allows: without them " + values_text(share);
+    return "cones with more inertia than the whole permits: without them " + values_text(share);
   if (breaks_triangle_inequality(share))
-    return "cones whose removal leaves an inertia that breaks the triangle inequality: " +
+    return "cones whose removal leaves an inertia that violates the triangle inequality: " +
            values_text(share);
   return "";
 }
@@ -101,7 +101,7 @@ std::string inertia_problem(const Mat3& inertia_B, const std::vector<Cone>& cone
     if (std::string why = cone_problem(cones[k], k); !why.empty()) return why;
   const Vec3 carrier = principal_values(carrier_inertia(inertia_B, cones));
   if (carrier[0] <= tolerance::inertia * carrier[2])
-    return "cones heavier in inertia than the whole allows: without their axial inertias " +
+    return "cones with more inertia than the whole permits: without their axial inertias " +
            values_text(carrier);
   return check == InertiaCheck::on ? body_problem(inertia_B, cones) : "";
 }

@@ -18,8 +18,7 @@ struct Cone {
 /// (3)). Assumption: every cone is symmetric about its axis and its centre of mass is on it, so I
 /// does not depend on the cone angles.
 struct Gyrostat {
-  Mat3 inertia_B = Mat3::Identity();  ///< I, kg m2, of body and locked cones, about the centre of
-                                      ///< mass
+  Mat3 inertia_B = Mat3::Identity();  ///< I, kg m2, with locked cones, about the centre of mass
   std::vector<Cone> cones;
 
   // Derived by make_gyrostat.

@@ -38,7 +38,8 @@ std::span<const double> composition(int order) {
     case 8:
       return order_8;
     default:
-      throw RunError(fmt::format("no composition of order {}; there are 2, 4, 6 and 8", order));
+      throw RunError(
+          fmt::format("no composition of order {}; available orders are 2, 4, 6 and 8", order));
   }
 }
 

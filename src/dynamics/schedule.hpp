@@ -17,8 +17,7 @@ struct Schedule {
   Interpolation interpolation = Interpolation::stepwise;
   std::vector<double> times;      ///< s, ascending
   std::vector<double> values;     ///< one per time
-  std::vector<double> integrals;  ///< integral from the first time to each time; derived by
-                                  ///< make_schedule
+  std::vector<double> integrals;  ///< from the first time to each; derived by make_schedule
   double integral_at_zero = 0.0;  ///< integral from the first time to t = 0; derived
 };
 

@@ -89,14 +89,14 @@ bool knows(const Law& law, PartKind kind) {
 std::string law_problem(const Law& law, bit::PartKind kind, double diameter) {
   if (knows(law, kind)) {
     if (!needs_diameter(law) || diameter > 0.0) return {};
-    return fmt::format("the law \"{}\" needs the cutter's diameter, which this {} has not",
+    return fmt::format("the law \"{}\" requires the cutter's diameter, which this {} does not have",
                        law_name(law), bit::kind_words(kind));
   }
   std::string known;
   for (const PartKind each : bit::part_kinds)
     if (knows(law, each))
       known += fmt::format("{}{}", known.empty() ? "" : ", ", bit::kind_words(each));
-  return fmt::format("the law \"{}\" knows no {}; it knows: {}", law_name(law),
+  return fmt::format("the law \"{}\" does not apply to {}; it applies to: {}", law_name(law),
                      bit::kind_words(kind), known);
 }
 

@@ -16,8 +16,7 @@ struct Facet {
 /// Intersection of a line with the plane of a facet.
 struct PlaneCrossing {
   double s = 0.0;    ///< parameter of the line
-  double out = 0.0;  ///< component of its direction along the normal, times twice the area of the
-                     ///< facet
+  double out = 0.0;  ///< direction along the normal, times twice the facet's area
   std::array<double, 3>
       beside{};  ///< barycentric coordinates opposite ab, bc and ca: negative beyond that edge
 };

@@ -11,8 +11,7 @@ namespace tdbd::mesh {
 struct RenumberRoom {
   std::vector<int> number;         ///< per old vertex: its new number, -1 if it is dead
   std::vector<int> first_corners;  ///< per new triangle: the old corner that becomes its first
-  std::vector<int> ends;  ///< per new vertex: end index of the triangles of which it is the
-                          ///< smallest
+  std::vector<int> ends;  ///< per new vertex: end of the triangles of which it is the smallest
   std::vector<int> corner_number;  ///< per old corner: its new number, if its triangle is alive
   std::vector<int> corners;
   std::vector<VertexStar> stars;

@@ -22,8 +22,7 @@ struct Surface {
   std::vector<std::uint8_t> boundary;  ///< 1 on the boundary loop
   std::vector<int> free_vertices;
   std::vector<int> free_triangles;
-  std::vector<std::vector<int>> long_rings;  ///< rings of stars with more than VertexStar::held
-                                             ///< neighbours
+  std::vector<std::vector<int>> long_rings;  ///< rings of more than VertexStar::held neighbours
   std::vector<int> free_long_rings;
 
   /// The vertex of corner c. Triangles are contiguous in memory, so no division is needed.

@@ -50,8 +50,7 @@ struct BitState {
   double displacement = 0.0, velocity = 0.0, angle = 0.0, rotary_speed = 0.0;
   double depth = 0.0;    ///< depth of cut per blade, m
   double contact = 0.0;  ///< mean share of contact_force in the last flow
-  std::vector<double> past_angle, past_displacement;  ///< surface cut by the blade, by angle, rad,
-                                                      ///< m
+  std::vector<double> past_angle, past_displacement;  ///< surface cut, by angle, rad, m
   long oldest = 0;  ///< index of the last point that the next blade has passed
   BitLedger ledger;
 };

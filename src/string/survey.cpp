@@ -38,8 +38,9 @@ std::string survey_problem(const Stations& s) {
   constexpr double no_plane = 1e-6;  // rad, distance from half a turn
   const std::size_t n = s.depths.size();
   if (n == 0 || s.inclinations.size() != n || s.azimuths.size() != n)
-    return fmt::format("{} depths, {} inclinations, {} azimuths: as many of each, at least one", n,
-                       s.inclinations.size(), s.azimuths.size());
+    return fmt::format(
+        "{} depths, {} inclinations, {} azimuths: the numbers must be equal and at least one", n,
+        s.inclinations.size(), s.azimuths.size());
   if (s.depths[0] != 0.0)
     return fmt::format("station 1 at {} m: the first station is at 0 m", s.depths[0]);
   for (std::size_t i = 0; i < n; ++i) {
@@ -51,8 +52,8 @@ std::string survey_problem(const Stations& s) {
           "station {} with an inclination of {:.6g} deg: at least 0, at most 180 deg", i + 1,
           s.inclinations[i] * 180.0 / pi);
     if (i > 0 && angle_between(tangent_of(s, i - 1), tangent_of(s, i)) > pi - no_plane)
-      return fmt::format("station {} points opposite to the one above: no plane holds the arc",
-                         i + 1);
+      return fmt::format(
+          "station {} points opposite to the one above: the plane of the arc is undefined", i + 1);
   }
   return {};
 }

@@ -51,7 +51,7 @@ class Attack:
         return [self.tdbd, command, "--resume", str(folder), "--quiet", *threads]
 
     def next(self, kind, folder):
-        """Begins a run, or goes on with it. Before it wrote its case there is nothing to resume."""
+        """Starts a run, or resumes it. A run that has not written its case yet cannot be resumed."""
         if (folder / "case.toml").exists():
             return self.resume(kind, folder)
         self.clear(folder)

@@ -79,7 +79,8 @@ const BadArea mistakes[] = {
     {"a_law_that_does_not_know_a_part",
      "[forces.areas.a]\nzone = \"nose\"\nlaw = \"friction\"\nstress = 1e6\nmu = 0.1\n",
      "20: forces.areas.a.law: found \"friction\" for cutter-3/face of small of %bit.toml, expected "
-     "a law for a face, or criteria without it: the law \"friction\" knows no face; it knows: "
+     "a law for a face, or criteria without it: the law \"friction\" does not apply to face; it "
+     "applies to: "
      "chamfer, cse, cutter body, gage pad, bit body, cone"},
     {"an_unknown_law", "[forces.areas.a]\nzone = \"nose\"\nlaw = \"frictoin\"\n",
      "20: forces.areas.a.law: found \"frictoin\", expected one of none, hanson-hansen, detournay, "

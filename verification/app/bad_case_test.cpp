@@ -94,14 +94,14 @@ TEST(BadCase, a_wrong_override_is_named_as_such) {
   EXPECT_EQ(o.err, "tdbd: --set: time.step: found -1, expected time in s, > 0\n");
 }
 
-/// It says how much it would need before it takes any of it, and what would do.
+/// The message states the required memory before any is allocated, and a sufficient edge length.
 TEST(BadCase, a_rock_beyond_memory) {
   const SmallCase c;
   c.edit("case.toml", "20 mm", "100 km");
   const auto o = c.run();
   EXPECT_EQ(o.exit_code, 2);
   for (const char* words : {"case.toml:4: rock.edge_length: found 0.004 m, which makes ",
-                            " and needs ", " GB, expected at most ", " m would do"})
+                            " and needs ", " GB, expected at most ", " m is enough"})
     EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
 }
 

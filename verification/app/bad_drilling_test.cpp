@@ -4,7 +4,7 @@
 
 namespace tdbd::app::bad_drilling_test {
 
-/// One wrong setting of a shipped case, and what the program says of it.
+/// One wrong setting of a shipped case, and the message about it.
 struct Wrong {
   const char* name;
   const char* file;
@@ -99,7 +99,8 @@ const Wrong wrongs[] = {
     {"a_law_for_a_part_that_it_does_not_know",
      "bit-b-3000psi",
      {"forces.face.law=friction", "forces.face.mu=0.3", "forces.face.stress='1 MPa'"},
-     "--set: forces.face.law: found friction, expected the law \"friction\" knows no face"},
+     "--set: forces.face.law: found friction, expected the law \"friction\" does not apply to "
+     "face"},
     {"a_law_that_knows_no_part_of_the_bit",
      "drill-bit-r",
      {"forces.law=depth-of-cut", "forces.kn='1 MPa'", "forces.kt='1 MPa'"},

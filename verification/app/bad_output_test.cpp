@@ -36,12 +36,12 @@ TEST(BadOutput, force_leaves_no_old_frame_and_deletes_nothing_foreign) {
   const SmallCase c;
   const auto first = c.run({"--set", "output.frames_every=1"});
   ASSERT_EQ(first.exit_code, 0);
-  EXPECT_NE(first.out.find("to look at it: "), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("to view it: "), std::string::npos) << first.out;
   for (const char* foreign : {"out/notes.txt", "out/frames/mine.vtp", "out/frames/rock.vtp"})
     c.write(foreign, "mine");
   const auto second = c.run({"--force", "--set", "output.frames_every=0"});
   ASSERT_EQ(second.exit_code, 0);
-  EXPECT_EQ(second.out.find("to look at it: "), std::string::npos) << second.out;
+  EXPECT_EQ(second.out.find("to view it: "), std::string::npos) << second.out;
   for (const char* foreign : {"out/notes.txt", "out/frames/mine.vtp", "out/frames/rock.vtp"})
     EXPECT_EQ(read(c.path(foreign)), "mine") << foreign;
   EXPECT_FALSE(fs::exists(c.path("out/frames/rock-000001.vtp")));
@@ -76,7 +76,7 @@ TEST(BadOutput, two_runs_into_one_folder) {
     const FolderLock other(c.path("out"));
     expect_output_refused(
         c.run(), c.path("out"),
-        "in use: another command writes to it; wait for its end or take another folder");
+        "in use: another command writes to it; wait until it ends or choose another folder");
     EXPECT_EQ(files_below(c.path("out")), std::vector<std::string>{});
   }
   const auto killed =
@@ -109,7 +109,7 @@ TEST(BadOutput, a_file_in_place_of_a_folder) {
   expect_output_refused(c.run({"--force"}, "taken"), c.path("taken"), "its frames is a file");
 }
 
-/// Permissions do not bind a superuser; nobody makes a folder in /proc.
+/// A superuser ignores permissions, but no user can create a folder in /proc.
 TEST(BadOutput, a_read_only_folder) {
   const SmallCase c;
   const auto o = battery::run_tdbd({"run", c.path("case.toml"), "-o", "/proc/tdbd"});

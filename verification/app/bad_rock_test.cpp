@@ -59,7 +59,7 @@ SmallCase case_on(const Net& net) {
   return c;
 }
 
-/// One mistake, told of the rock's file: these words stand in the message.
+/// One mistake in the file of the rock: the message contains these words.
 void expect_wrong(const SmallCase& c, const std::string& file, const std::string& words) {
   for (const battery::Outcome& o : {c.check(), c.run()}) {
     EXPECT_EQ(o.exit_code, 2);
@@ -94,7 +94,7 @@ TEST(BadRock, two_pieces) {
   expect_wrong(case_on({.island = true}), "rock.off", "not one connected surface: 2 pieces");
 }
 
-/// Asked once, at reading; a case may waive the question.
+/// Tested once, when the case is read; a case may disable the test.
 TEST(BadRock, a_surface_that_intersects_itself) {
   const SmallCase c = case_on({.pierced = true});
   expect_wrong(c, "rock.off", "pairs of triangles that intersect, the first triangle ");

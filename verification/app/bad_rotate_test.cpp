@@ -29,7 +29,7 @@ TEST_P(BadRotate, is_refused_with_its_place_and_reason) {
 
 const Mistake mistakes[] = {
     {"inertia_that_breaks_the_triangle_inequality", "[0, 0, 3]]", "[0, 0, 5]]",
-     "3: body.inertia: found an inertia that breaks the triangle inequality: principal values 2, "
+     "3: body.inertia: found an inertia that violates the triangle inequality: principal values 2, "
      "2.6, 5 kg m2, " TDBD_POSSIBLE},
     {"inertia_that_is_not_positive", "[[2, 0, 0]", "[[-2, 0, 0]",
      "3: body.inertia: found an inertia that is not positive: principal values -2, 2.6, 3 kg "
@@ -49,15 +49,15 @@ const Mistake mistakes[] = {
      "(the "
      "key is required)"},
     {"cone_heavier_than_the_whole", "axial_inertia = 0.2", "axial_inertia = 20",
-     "14: cones[1].axial_inertia: found 20 kg m2: cones heavier in inertia than the whole allows: "
+     "14: cones[1].axial_inertia: found 20 kg m2: cones with more inertia than the whole permits: "
      "without their axial "
      "inertias principal values -17.3581, 2.11671, 2.84143 kg m2, " TDBD_POSSIBLE},
     {"cone_that_leaves_no_body", "[0, 0, 3]]", "[0, 0, 4.6]]",
      "8: cones[0].axial_inertia: found 0.1 kg m2: cones whose removal leaves an inertia that "
-     "breaks "
+     "violates "
      "the triangle inequality: principal values 1.91778, 2.55, 4.53222 kg m2, " TDBD_POSSIBLE},
     {"cones_that_leave_no_body_together", "[0, 0, 3]]", "[0, 0, 4.42]]",
-     "6: cones: found cones whose removal leaves an inertia that breaks the triangle inequality: "
+     "6: cones: found cones whose removal leaves an inertia that violates the triangle inequality: "
      "principal values 1.80088, 2.40181, 4.21731 kg m2, " TDBD_POSSIBLE},
     {"cone_of_negative_inertia", "axial_inertia = 0.2", "axial_inertia = -0.2",
      "14: cones[1].axial_inertia: found -0.2, expected moment of inertia in kg m2, > 0"},

@@ -90,14 +90,16 @@ const Mistake mistakes[] = {
      "0, "
      "at most 180 deg, expected stations of a well"},
     {"stations_that_point_apart", "\"60 deg\"]", "\"180 deg\"]",
-     "11: string.survey.measured_depth: found station 3 points opposite to the one above: no plane "
-     "holds the arc, expected stations of a well"},
+     "11: string.survey.measured_depth: found station 3 points opposite to the one above: the "
+     "plane of the "
+     "arc is undefined, expected stations of a well"},
     {"too_sharp_a_dogleg", "\"300 m\", \"900 m\"]", "\"850 m\", \"900 m\"]",
      "12: string.survey.inclination: found a dogleg of 36 deg in 30 m above station 3, expected at "
      "most 30 deg in 30 m: check the stations"},
     {"lists_of_different_lengths", "azimuth = [\"0 deg\", ", "azimuth = [",
-     "11: string.survey.measured_depth: found 3 depths, 3 inclinations, 2 azimuths: as many of "
-     "each, at least one, expected stations of a well"},
+     "11: string.survey.measured_depth: found 3 depths, 3 inclinations, 2 azimuths: the numbers "
+     "must "
+     "be equal and at least one, expected stations of a well"},
     {"dynamic_above_static", "dynamic = 0.2", "dynamic = 0.4",
      "16: string.friction.dynamic: found 0.4, expected at most the coefficient at rest, 0.3"},
     {"friction_beyond_two", "static = 0.3", "static = 2.1",

@@ -15,7 +15,7 @@ class CaseFolder {
 
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   void write(const std::string& name, const std::string& text) const;
-  /// Replaces a text that stands in the file; fails the test when it does not.
+  /// Replaces a text of the file; fails the test if the file does not contain it.
   void edit(const std::string& name, const std::string& from, const std::string& to) const;
 
   battery::Outcome check(const std::vector<std::string>& more = {}) const;

@@ -4,7 +4,7 @@
 
 #include "app/small_case.hpp"
 
-/// A coefficient that no part feels is told, and the run goes on.
+/// A coefficient without effect produces a warning, and the run continues.
 namespace tdbd::app::case_warning_test {
 
 const std::string idle = "forces.A7: acts on no part of small (it has no cse); leave it out";
@@ -70,7 +70,7 @@ TEST(CaseWarning, tells_coefficients_of_kinds_that_follow_another_law) {
                   25));
 }
 
-/// What acts, what is usual anyway and what the law requires is not told.
+/// Coefficients that act, defaults and required coefficients produce no warning.
 TEST(CaseWarning, is_rare) {
   const SmallCase c = with_A7(
       "[forces.cutter_body]\nlaw = \"hanson-hansen\"\nA1 = 2\nA3 = 0.2\n"
@@ -111,7 +111,7 @@ TEST(CaseWarning, tells_a_bit_that_never_comes_to_the_rock) {
   }
 }
 
-/// A centimetre above its hole, too near to be told before.
+/// A centimetre above its hole, too near for a warning at the start.
 TEST(CaseWarning, tells_a_bit_that_removes_nothing_where_it_is) {
   const SmallCase c;
   const auto o = c.run({"--set", "motion.start=[0, 0, -0.01]"});
@@ -119,7 +119,7 @@ TEST(CaseWarning, tells_a_bit_that_removes_nothing_where_it_is) {
   EXPECT_TRUE(o.err.ends_with(":6: motion: the bit removed no rock in 20 steps\n")) << o.err;
 }
 
-/// The resolved case says everything, and is told no more than the case was.
+/// The resolved case lists every setting and produces the same warnings as the case.
 TEST(CaseWarning, of_the_resolved_case_is_the_same) {
   const SmallCase c = with_A7();
   ASSERT_EQ(c.run({"--quiet"}).exit_code, 0);

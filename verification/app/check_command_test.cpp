@@ -7,7 +7,7 @@
 
 #include "app/small_case.hpp"
 
-/// The line that says what a run would take.
+/// The line with the estimated memory, time and disk space of a run.
 namespace tdbd::app::check_command_test {
 
 /// "about 1.3e+03 triangles at the end, 2.1 MB of memory, 0.92 MB on disk, 1.2 min here (90 steps
@@ -35,7 +35,7 @@ Told told_of(const SmallCase& c, const std::vector<std::string>& settings) {
   const int read =
       std::sscanf(o.out.c_str() + at,
                   "about %lg triangles at the end, %lg %7s of memory, %lg %7s on "
-                  "disk, %lg %7s here (%ld steps were tried)",
+                  "disk, %lg %7s on this machine (from %ld trial steps)",
                   &t.triangles, &t.memory, memory, &t.disk, disk, &t.time, time, &t.tried);
   EXPECT_EQ(read, 8) << o.out;
   t.memory_unit = memory;

@@ -98,7 +98,7 @@ def distance_to_side(p, a, b):
 
 
 def check_analysis(folder):
-    """Each row's tip lies on its section in the bit's half-plane; the cones are those of bit.json; gaps are told."""
+    """Each row's tip lies on its section in the bit's half-plane; the cones are those of bit.json; gaps are listed."""
     done = subprocess.run([PROGRAM, "bit", BIT, "-o", folder / "analysis", "--report", "--quiet"], check=False)
     assert done.returncode == 0, done
     a, b = (json.loads((folder / "analysis" / f"{name}.json").read_text()) for name in ("analysis", "bit"))
@@ -118,7 +118,7 @@ def check_analysis(folder):
 
 
 def check_tracking(folder):
-    """Tracking and contact ratios in analysis.json and on the terminal, at the speeds asked for."""
+    """Tracking and contact ratios in analysis.json and on the terminal, at the requested speeds."""
     report = tdbd(BIT, "-o", folder / "report", "--report", "--cone-speeds", "1.47,1.48,1.5")
     assert report.returncode == 0 and "at random phase" in report.stdout, report
     analysis = json.loads((folder / "report/analysis.json").read_text())
@@ -175,7 +175,7 @@ def check_drilling(folder):
 
 
 def check_rolling(folder):
-    """Cones that roll: near their gage rows' pure rolling, the same bytes with two threads."""
+    """Rolling cones: near pure rolling of their gage rows, and bitwise identical with two threads."""
     short = ("time.revolutions=0.5", "rock.edge_length='4 mm'")
     first = drilled(folder, "free", *short, case="bit-r-rolling")
     again = drilled(folder, "free-2", *short, case="bit-r-rolling", more=("--threads", "2"))

@@ -222,7 +222,7 @@ TEST(Converge, a_wrong_study_is_refused) {
                        "--over: found time.stp, expected a quantity of the case: time.step");
   expect_study_refused(c, with({"--over", "body.angular_velocity"}),
                        "--over: found body.angular_velocity, expected a quantity of the case: "
-                       "time.step, for one");
+                       "time.step, for example");
   expect_study_refused(c, with({"--over", "cones[1].angle"}),
                        "--over: cones[1].angle: found 0, expected a quantity > 0");
   expect_study_refused(c, with({"--over", "time.step", "--over", "time.step"}),

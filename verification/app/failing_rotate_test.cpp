@@ -98,7 +98,7 @@ TEST(FailingRotate, an_interrupted_run_keeps_everything_and_says_so) {
                             "out", {.signal_after = c.path("out/checkpoint.nc"), .signal = signal});
     EXPECT_EQ(o.exit_code, 130);
     EXPECT_EQ(o.out.rfind("interrupted: ", 0), 0u) << o.out;
-    EXPECT_NE(o.out.find("to go on: tdbd rotate --resume "), std::string::npos) << o.out;
+    EXPECT_NE(o.out.find("to resume: tdbd rotate --resume "), std::string::npos) << o.out;
     const auto summary = nlohmann::json::parse(read(c.path("out/summary.json")));
     EXPECT_EQ(summary["status"], "interrupted");
     EXPECT_LT(summary["steps"].get<long>(), 1000000000L);

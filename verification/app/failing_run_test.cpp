@@ -151,7 +151,7 @@ TEST(InterruptedRun, twice_ends_at_once_and_is_no_result) {
                         .signal = SIGINT,
                         .second_signal = SIGTERM});
   EXPECT_EQ(o.exit_code, 130);
-  EXPECT_NE(o.err.find("tdbd: interrupted again: ended at once\n"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("tdbd: interrupted again: ended immediately\n"), std::string::npos) << o.err;
   EXPECT_EQ(o.out, "");
   EXPECT_FALSE(fs::exists(c.path("out/summary.json")));
 }

@@ -47,9 +47,9 @@ TEST(FirstWords, help_of_a_command_is_the_commands_help) {
 }
 
 TEST(FirstWords, a_wrong_one_names_the_right_one) {
-  expect_told({"rnu"}, "found the command rnu, expected run? (tdbd alone lists all)");
+  expect_told({"rnu"}, "found the command rnu, expected run? (tdbd without a command lists all)");
   expect_told({"help", "convrge"},
-              "found the command convrge, expected converge? (tdbd alone lists all)");
+              "found the command convrge, expected converge? (tdbd without a command lists all)");
   expect_told(
       {"drill"},
       "found the command drill, expected one of new, run, rotate, string, converge, calibrate, "
@@ -64,7 +64,7 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
 /// Options that no command follows are no way to do nothing.
 TEST(FirstWords, without_a_command_are_refused) {
   for (const std::string word : {"--", "--quiet"})
-    expect_told({word}, "found no command, expected one; tdbd COMMAND --help lists what it takes");
+    expect_told({word}, "found no command, expected one; tdbd COMMAND --help lists its arguments");
 }
 
 TEST(FirstWords, a_command_without_its_case_asks_for_it) {
@@ -92,7 +92,7 @@ TEST(FirstWords, wrong_words_are_told_as_found_and_expected) {
       {{"run", top, "--resume", "results"}, "found case and --resume, expected one of them"},
       {{"bit", top, "--format", "jpg"}, "--format: found jpg, expected {ply,off,obj,stl}"}};
   for (const Refused& r : all)
-    expect_told(r.words, r.message + "; tdbd COMMAND --help lists what it takes");
+    expect_told(r.words, r.message + "; tdbd COMMAND --help lists its arguments");
 }
 
 /// A file that is given to a command of another kind.
@@ -125,11 +125,12 @@ TEST(FirstWords, a_file_of_another_kind_names_its_command) {
 TEST(FirstWords, a_setting_without_its_option_is_told) {
   const std::string drill = cases + "bit-b-steady.toml";
   expect_told({"check", drill, "--set", "time.revolutions=2", "time.step=1 ms"},
-              "found time.step=1 ms alone, expected --set before it: --set 'time.step=1 ms'");
+              "found time.step=1 ms without --set, expected --set 'time.step=1 ms'");
   for (const std::string word : {"more", "--more=1"})
-    expect_told({"check", drill, word},
-                "found " + word +
-                    ", which the command does not expect; tdbd COMMAND --help lists what it takes");
+    expect_told(
+        {"check", drill, word},
+        "found " + word +
+            ", which is not an argument of the command; tdbd COMMAND --help lists its arguments");
   const auto o = battery::run_tdbd(
       {"check", "--set", "time.revolutions=2", drill, "--set", "rock.edge_length=8 mm"});
   EXPECT_EQ(o.exit_code, 0) << o.err;
@@ -139,7 +140,7 @@ TEST(FirstWords, a_number_a_thousand_times_too_large_asks_for_its_unit) {
   expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=2.5"},
               "--set: rock.edge_length: found 2.5, expected length in m, in [1e-05, 0.1]; without "
               "a unit it counts in m: is \"2.5 mm\" meant?");
-  // nothing is asked where a unit was given, or where a thousandth is no better
+  // no question if a unit was given or a thousandth is out of range too
   expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=2.5 m"},
               "--set: rock.edge_length: found \"2.5 m\", expected length in m, in [1e-05, 0.1]");
   expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=-2.5"},

@@ -1,9 +1,8 @@
 #!/usr/bin/python3
-"""kill_runs.py TDBD FOLDER [--kills N] [--limits N] [--minutes M] [--seed K]: kills runs and goes on with them.
+"""kill_runs.py TDBD FOLDER [--kills N] [--limits N] [--minutes M] [--seed K]: kills runs and resumes them.
 
-Short runs of several kinds, on one and two threads, are killed (SIGKILL) at random moments, resumed, killed again, until one
-comes to its end; between them, runs that lack disk, memory or descriptors (limited_runs.py). Every file of a result but
-timing.json must then be that of a run that was left alone, and no run that did not end may pose as finished. Goes on until
+Short runs of several kinds, on one and two threads, are killed (SIGKILL) at random moments, resumed, killed again, until one finishes; between them, runs that lack disk, memory or descriptors (limited_runs.py). Every
+file of a result except timing.json must then be that of an uninterrupted run, and no unfinished run may look finished. Continues until
 there were N kills and N runs with each limit, or until M minutes are over. Prints runs, kills, limits, resumes and failures.
 """
 

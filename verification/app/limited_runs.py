@@ -1,6 +1,6 @@
-"""Runs that lack something: disk, memory, descriptors, the right to write. They end with exit code 1 and one line that
-says what was missing, or go on with one warning where only a checkpoint could not be written; none poses as finished. Once
-they have what they need, they go on to the bytes of a run that was left alone."""
+"""Runs without enough disk space, memory, file descriptors or permissions. They end with exit code 1 and one line that
+names what was missing, or continue with one warning if only a checkpoint could not be written; none looks finished. Resumed
+with sufficient resources, their results are bitwise identical to those of an uninterrupted run."""
 
 import math
 import os

@@ -46,7 +46,7 @@ def check_inspection(folder):
 
 
 def broken_meshes():
-    """By the words that refuse it: a mesh, and what the repair says it did."""
+    """{message that rejects the mesh: (mesh, report of its repair)}."""
     flipped = [t[::-1] if i in (3, 8) else t for i, t in enumerate(SIDES)]
     far = CUBE + [(x + 20, y + 10, z + 10) for x, y, z in CUBE]
     return {
@@ -81,7 +81,7 @@ def check_repairs(folder):
 
 
 def check_refused_repairs(folder):
-    """Nothing is written for a mesh that tells no solid, or over the input."""
+    """Nothing is written for a mesh that encloses no solid, and the input is not overwritten."""
     bad = folder / "wall.stl"
     bad.write_text(solid("a", SIDES[1:] + [(1, 3, 4), (1, 6, 4)]))
     refused(tdbd("mesh", bad, "--repair", "-o", folder / "no.stl"), "solid a: cannot be repaired: ")
@@ -120,7 +120,7 @@ def check_grading(folder):
 
 
 def check_growth(folder):
-    """The slower edges grow, the more of them there are; solids that are not asked for stay as they are."""
+    """The slower edges grow, the more of them there are; other solids are unchanged."""
     (folder / "two.stl").write_text(solid("a") + solid("b", points=[(x + 100, y, z) for x, y, z in CUBE]))
     facets = []
     for growth in ("0", "0.2", "2"):
@@ -133,7 +133,7 @@ def check_growth(folder):
 
 
 def check_usual_grading(folder):
-    """What the help tells of a length that is not given is what grading takes."""
+    """The defaults in the help are those of the grading."""
     cube, told = folder / "cube.stl", tdbd("mesh", "--help").stdout
     options = ("--edge", "--face", "--growth", "--angle", "--deviation")
     usual = {o: re.search(rf"^  {o} [A-Z]+=(.+?)  ", told, re.MULTILINE) for o in options}
@@ -147,7 +147,7 @@ def check_usual_grading(folder):
 
 
 def check_units(folder):
-    """A cube of 40 mm said to be in m, and one of 40 m in mm: each asks."""
+    """A cube of 40 mm read in m, and one of 40 m read in mm: both messages suggest the unit."""
     bit = folder / "unit.toml"
     for text in ('[solids]\nfile = "cube.stl"\n{}',
                  '[[parts]]\nname = "a"\nkind = "face"\nfile = "cube.stl"\n{}'):
@@ -171,11 +171,11 @@ def check_units(folder):
 
 
 def check_densities(folder):
-    """Mass properties that are asked for need the density of every part."""
+    """Mass properties require the density of every part."""
     bit = folder / "mass.toml"
     bit.write_text('name = "b"\n[solids]\nfile = "cube.stl"\n')
     shown = tdbd("bit", bit)
-    assert shown.returncode == 0 and "mass not known: no density of cutter-1/face" in shown.stdout
+    assert shown.returncode == 0 and "mass unknown: no density for cutter-1/face" in shown.stdout
     refused(tdbd("bit", bit, "--report", "-o", folder / "mass"), "no density of cutter-1/face",
             "mass.toml:")
     assert not (folder / "mass").exists()
@@ -206,7 +206,7 @@ def check_round_trips(folder):
 
 
 def check_rock_of_a_run(folder):
-    """The rock that a run wrote is in metres and no body; with a unit it is read as it is told."""
+    """The rock that a run wrote is in metres and is no body; the option for the unit applies to it."""
     case = pathlib.Path(BIT).parents[1] / "bit-b-steady.toml"
     done = tdbd("run", case, "-o", folder / "run", "--quiet", "--set", "rock.edge_length=8 mm", "--set", "time.revolutions=0.01")
     assert done.returncode == 0, done

@@ -4,7 +4,7 @@
 
 namespace tdbd::app {
 
-/// One mistake in a case file: what it replaces, and what the program says of it.
+/// One mistake in a case file: the text that it replaces, and the message of the program.
 struct Mistake {
   const char* name;
   const char* from;

@@ -22,7 +22,7 @@ def tdbd(*words):
 
 
 def check(kind):
-    """Each file is the shipped one; the words that the command says run it."""
+    """Each file is the shipped one, and the command that is printed runs it."""
     made = tdbd("new", kind, kind)
     assert made.returncode == 0 and made.stderr == "", made
     *files, run, keys = made.stdout.splitlines()
@@ -35,7 +35,7 @@ def check(kind):
     done = tdbd(*words, *SHORT[kind])
     assert done.returncode == 0, (words, done)
     again = tdbd("new", kind, kind)
-    assert again.returncode == 2 and "which is there, expected a new folder" in again.stderr, again
+    assert again.returncode == 2 and "which exists, expected a new folder" in again.stderr, again
 
 
 shutil.rmtree(folder, ignore_errors=True)
@@ -44,7 +44,7 @@ for kind in SHORT:
     check(kind)
 (folder / "mine").write_text("mine")
 for words, message in ((("new", "cone", "a"), "KIND: found cone, expected cones"), (("new", "bit", "a"), "KIND: found bit, expected one of pdc, cones"),
-                       (("new", "top", "mine"), "NAME: found mine, which is there"), (("new", "top"), "found no name, expected one")):
+                       (("new", "top", "mine"), "NAME: found mine, which exists"), (("new", "top"), "found no name, expected one")):
     refused = tdbd(*words)
     assert refused.returncode == 2 and message in refused.stderr, (words, refused)
 assert (folder / "mine").read_text() == "mine" and not (folder / "a").exists()

@@ -30,11 +30,11 @@ TEST(ResultFolder, a_collection_has_one_frame_for_one_time) {
 
 TEST(ResultFolder, with_frames_the_last_line_says_how_to_look_at_them) {
   const SmallCase c;
-  const std::string line = "to look at it: reports/page3d.py " + c.path("out").string() + "\n";
+  const std::string line = "to view it: reports/page3d.py " + c.path("out").string() + "\n";
   const std::string with = c.run({"--set", "output.frames_every=10"}).out;
   ASSERT_GE(with.size(), line.size());
   EXPECT_EQ(with.substr(with.size() - line.size()), line);
-  EXPECT_EQ(c.run({}, "other").out.find("to look at it"), std::string::npos);
+  EXPECT_EQ(c.run({}, "other").out.find("to view it"), std::string::npos);
 }
 
 TEST(ResultFolder, the_summary_holds_the_names_that_scripts_rely_on) {

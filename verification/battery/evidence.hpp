@@ -5,7 +5,7 @@
 
 namespace tdbd::battery {
 
-/// What a measurement says about a claim.
+/// The verdict of a measurement on a claim.
 enum class Verdict { holds, holds_with_limits, refuted };
 
 /// One number that a test measured for or against a claim. The evidence page (reports/) reads
@@ -15,15 +15,15 @@ struct Evidence {
   std::string what;       ///< one line: what was measured, on which case
   double measured = 0.0;  ///< finite
   std::string unit;       ///< "J", "rad"; "1" when it has none
-  /// "<= 1e-12", "2 +- 0.05"; for with_limits also the range of validity. At most three times what is measured, or it says
-  /// why: "<= 0.08; wide: REASON" (reports/evidence.py).
+  /// "<= 1e-12", "2 +- 0.05"; for with_limits also the range of validity. At most three times the
+  /// measured value, or with a reason: "<= 0.08; wide: REASON" (reports/evidence.py).
   std::string limit;
   Verdict verdict = Verdict::refuted;
 };
 
-/// Writes FOLDER/CLAIM/SLUG-OF-WHAT.json, whole or not at all, with the running test's name and its
-/// program. The same test writes the same bytes. FOLDER is the build folder's `evidence`, or what
-/// the environment variable TDBD_EVIDENCE names. Throws std::invalid_argument when the claim is no
+/// Writes FOLDER/CLAIM/SLUG-OF-WHAT.json atomically, with the name of the running test and of its
+/// program. The file is bitwise reproducible. FOLDER is the build folder's `evidence`, or what the
+/// environment variable TDBD_EVIDENCE names. Throws std::invalid_argument when the claim is no
 /// slug, `what` holds no letter, the number is not finite or no test is running, and
 /// std::runtime_error when the file cannot be written.
 void record(const Evidence& evidence);

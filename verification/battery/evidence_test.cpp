@@ -44,7 +44,7 @@ class EvidenceFile : public ::testing::Test {
                    Verdict::holds_with_limits};
 };
 
-TEST_F(EvidenceFile, says_what_was_measured_by_which_test) {
+TEST_F(EvidenceFile, contains_the_measurement_and_its_test) {
   record(example);
   const auto read = nlohmann::json::parse(
       text("chapter5/second-order/order-of-the-attitude-slow-top-h-0-01-s.json"));
@@ -54,11 +54,11 @@ TEST_F(EvidenceFile, says_what_was_measured_by_which_test) {
   EXPECT_EQ(read["unit"], "1");
   EXPECT_EQ(read["limit"], "2 +- 0.05");
   EXPECT_EQ(read["verdict"], "holds with limits");
-  EXPECT_EQ(read["test"], "EvidenceFile.says_what_was_measured_by_which_test");
+  EXPECT_EQ(read["test"], "EvidenceFile.contains_the_measurement_and_its_test");
   EXPECT_EQ(read["program"], "verification/battery/verify_evidence");
 }
 
-TEST_F(EvidenceFile, is_the_same_bytes_again_and_leaves_nothing_else) {
+TEST_F(EvidenceFile, is_reproducible_and_leaves_no_other_file) {
   record(example);
   const std::string file = "chapter5/second-order/order-of-the-attitude-slow-top-h-0-01-s.json";
   const std::string first = text(file);
@@ -78,7 +78,7 @@ TEST_F(EvidenceFile, holds_a_table_row_by_row) {
   EXPECT_EQ(read["rows"][1]["h"], 0.2);
 }
 
-TEST_F(EvidenceFile, is_refused_when_it_says_nothing) {
+TEST_F(EvidenceFile, is_rejected_without_content) {
   for (const std::string claim : {"", "Chapter 5", "../out", "chapter5/", "/chapter5", "a//b"}) {
     Evidence e = example;
     e.claim = claim;

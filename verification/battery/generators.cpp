@@ -13,7 +13,7 @@ namespace tdbd::battery {
 rc::Gen<int> integer(int first, int last) {
   const int nearest = std::clamp(0, first, last);
   const int both = 2 * std::min(nearest - first, last - nearest);  // these alternate: 1, -1, 2, ...
-  const int side = nearest - first < last - nearest ? 1 : -1;      // then one side goes on
+  const int side = nearest - first < last - nearest ? 1 : -1;      // then one side continues
   const auto rank = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, last - first + 1));
   return rc::gen::map(rank, [=](int k) {
     if (k > both) return nearest + side * (k - both / 2);

@@ -7,11 +7,11 @@
 #include "dynamics/loads.hpp"
 #include "dynamics/rotation_state.hpp"
 
-/// Reads verification/data/golden: reference solutions and steps of the schemes (its README says
-/// how they were made).
+/// Reads verification/data/golden: reference solutions and steps of the schemes (its README
+/// explains how they were made).
 namespace tdbd::battery {
 
-/// A golden state as written in its file, not made consistent by any function of ours. Frames: W
+/// A golden state as written in its file, not made consistent by any function of TDBD. Frames: W
 /// space, B bit.
 struct GoldenState {
   double time = 0.0;                    ///< s

@@ -27,7 +27,8 @@ inline bool take_all_memory() {
   constexpr std::size_t block = 500'000;
   const rlimit none{0, 0};
   if (setrlimit(RLIMIT_DATA, &none) != 0) return false;
-  void* volatile taken = nullptr;  // volatile: blocks that nobody uses would not be asked for
+  void* volatile taken =
+      nullptr;  // volatile: the compiler would remove the allocation of unused blocks
   do taken = std::malloc(block);
   while (taken != nullptr);
   return true;

@@ -24,7 +24,8 @@ inline bool refuse_call(unsigned call, unsigned error) {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-/// Whether it holds in a process of its own; none: the system takes no rules, which `holds` tells by none.
+/// Whether it holds in a process of its own; none if the system accepts no rules, in which case
+/// `holds` returns none.
 template <class Holds>
 std::optional<bool> in_a_process(Holds holds) {
   constexpr int yes = 0, no = 1, unknown = 2;

@@ -14,9 +14,8 @@ struct VariableOrder {
   bool exact = false;  ///< all errors are rounding: nothing to fit
 };
 
-/// Slopes by least squares through the finest six errors that stand above rounding, over steps that
-/// shrink by the fourth root of 2. Steps at which a drift's own iteration does not converge are
-/// left out.
+/// Slopes by least squares through the finest six errors above rounding, over steps that shrink by
+/// the fourth root of 2. Steps at which a drift's own iteration does not converge are left out.
 ///
 /// Schemes of order 2 run in double, against the golden states. Higher orders reach the rounding of
 /// doubles before six errors are asymptotic: they run in extended precision (64 bits of mantissa),

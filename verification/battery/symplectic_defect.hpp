@@ -26,7 +26,7 @@ double symplectic_defect(const RotationScheme& scheme, const dynamics::Gyrostat&
 
 /// The closed form of the defect of one Lie midpoint drift over h: d alpha with
 ///   alpha = f (M . dT - (T . M)(T . dT)/t^2),  f = 1 - sin(t/2)/(t/2),  M = It T/h + sigma,
-/// in the chart at the state (t = |T|; ours, derived in src/dynamics).
+/// in the chart at the state (t = |T|; derived in src/dynamics).
 Eigen::MatrixXd lie_midpoint_defect(const dynamics::Gyrostat& g,
                                     const dynamics::RotationState& state, double h);
 

@@ -54,8 +54,8 @@ TEST(BitModel, the_bit_frame_is_the_global_one_at_first_and_drills_along_z) {
                (later.R.col(0) - expected).norm(), "1", 1e-13);
 }
 
-/// The thesis puts the origin at the centre of mass. Ours is the nose's tip, where it stays when
-/// masses change; mass_properties gives the centre.
+/// The thesis puts the origin at the centre of mass. TDBD puts it at the tip of the nose, where it
+/// stays when masses change; mass_properties returns the centre of mass.
 TEST(BitModel, the_origin_is_the_tip_of_the_nose_not_the_centre_of_mass) {
   for (const bit::Bit& b : fixed_cutter_bits()) {
     const double away = mass_properties(b).centre.norm();
@@ -191,7 +191,8 @@ bit::Bit bit_of_cones(int count) {
   return cone_bit("any", layouts, std::nullopt, {0.05, 0.1});
 }
 
-/// Farthest that a corner of a part is from where the chain by hand takes it, at random times.
+/// Largest distance of a corner of a part from its position by the independently computed chain of
+/// frames, at random times.
 double farthest_carried(const bit::Bit& b, Random& random) {
   simulation::Motion motion = steady();
   motion.cone_speeds.reserve(b.cones.size());

@@ -133,7 +133,7 @@ TEST(BlindLaboratory,
   }
 }
 
-/// Measures, and does not demand: what the row says is what was found.
+/// Records the measurement without a requirement.
 void record_outside(const std::string& what, double share) {
   battery::record({"ours/wrong-law", what, share, "1", fmt::format("<= {:g}", outside_of_95),
                    share <= outside_of_95 ? battery::Verdict::holds : battery::Verdict::refuted});

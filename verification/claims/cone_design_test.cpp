@@ -202,7 +202,8 @@ bit::PrintRing uneven_row(double more) {
   return ring;
 }
 
-/// Unfavourable but for gaps more uneven than bit R's: these are judged, not asked.
+/// Unfavourable except for gaps more uneven than those of bit R: the verdict is recorded, not
+/// required.
 TEST(ConeDesign, uneven_gaps_track_as_often_but_seldom_all_at_once) {
   const Shares even = shares_of(uneven_row(0.0));
   const auto judge = [](const std::string& gaps, double most) {

@@ -24,7 +24,7 @@ inline std::vector<bit::Bit> fixed_cutter_bits() {
   return {example("bit-a"), example("bit-b"), example("bit-c")};
 }
 
-/// What a limit says of its width: nothing, or why it is more than three times what is measured.
+/// The end of a limit: empty, or the reason why it is more than three times the measured value.
 inline std::string because(const std::string& wide) {
   return wide.empty() ? "" : "; wide: " + wide;
 }

@@ -101,10 +101,10 @@ struct Tests {
   double edge;
 };
 
-/// The bit drills rock of 1.5 mm edges, the shipped table is of 0.2 mm: a table at the bit's own edge
-/// length says what of the difference is the mesh. At 1 ms the prints lock into a pattern in which the
-/// bit drills slowest; shorter steps do not.
-TEST(IsolatedCraters, of_our_own_tooth_fall_short_of_the_whole_bit) {
+/// The bit drills rock of 1.5 mm edges, the shipped table is of 0.2 mm: a table at the edge length
+/// of the bit shows which part of the difference is due to the mesh. At 1 ms the prints lock into a
+/// pattern in which the bit drills slowest; shorter steps do not.
+TEST(IsolatedCraters, of_the_tooth_of_tdbd_fall_short_of_the_whole_bit) {
   const std::string claim = "chapter2/isolated-craters";
   const simulation::Case c =
       rock_case("compare/bit-r", {"time.revolutions=2", "output.means_from='0.667 s'"});

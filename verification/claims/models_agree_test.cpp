@@ -6,7 +6,7 @@
 #include "claims/example_bits.hpp"
 #include "reference/compare/comparison.hpp"
 
-/// Chapter 2: drag-bit models and ours drill one rock steadily with lateral motion locked.
+/// Chapter 2: drag-bit models and TDBD drill the same rock steadily with lateral motion locked.
 namespace tdbd::claims::models_agree_test {
 
 using reference::Answer;
@@ -86,8 +86,9 @@ void record_torque(const Answer& a, const Answer& plane, Quantity q, const std::
                std::abs(*saying(a.findings, q).value / expected - 1.0), "1", 0.002);
 }
 
-/// Ours opposes the motion on its helix, so that weight does a part of the work: its torque is less
-/// by W d / 2 pi. The others oppose the level part of the motion.
+/// The forces of TDBD oppose the motion along its helix, so that the weight does a part of the
+/// work: the torque is less by W d / 2 pi. Those of the others oppose the horizontal part of the
+/// motion.
 TEST(ModelsAgree, on_areas_and_torque_of_a_steady_bit) {
   const Comparison planar = steady("planar"), turned = steady("turned");
   const Answer& plane = answer(planar, "warren-sinor");

@@ -114,7 +114,7 @@ TEST_F(LongHole, has_no_long_edge) {
       longest_edge(rock, Waiting::counted) / h, "1", 2.0 * case_->maintenance.longest_edge);
 }
 
-/// Edge lengths of the bottom between two radii, over the length asked for: median.
+/// Edge lengths of the bottom between two radii, over the requested length: median.
 double median_edge(const simulation::Simulation& s, double from, double to) {
   const mesh::Surface& m = s.state.rock.surface;
   double bottom = -1e300;

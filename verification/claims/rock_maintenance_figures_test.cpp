@@ -77,7 +77,7 @@ TEST(RockFigures, show_the_collapse_of_an_edge) {
   FAIL() << "no edge may collapse";
 }
 
-/// All long edges bisected, longest first; `touch` asks for the whole sheet.
+/// All long edges bisected, longest first; `touch` selects the whole sheet.
 rock::Rock bisected(rock::Rock sheet, double longest) {
   rock::MaintenanceLimits l = limits();
   l.shortest_edge = l.worst_quality = 0.0;

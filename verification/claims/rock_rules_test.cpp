@@ -16,8 +16,8 @@
 /// Claims of chapter 4 on its rules: update directions, the search for the exit, resolution.
 namespace tdbd::claims::rock_rules_test {
 
-/// Operations that maintenance needs under a rule, over the moves of vertices: the thesis's, and
-/// with ours.
+/// Operations that maintenance needs under a rule, divided by the moves of vertices: with the
+/// operations of the thesis, and with those of TDBD as well.
 struct PerMove {
   double thesis, all;
 };

@@ -30,7 +30,7 @@ inline constexpr double few_with_ours = 0.1;
 /// smoothing (4.2.3).
 long thesis_operations(const simulation::Simulation& s);
 
-/// All that maintenance carried out: flips and blunting, too, which are ours.
+/// All operations of maintenance, including flips and blunting, which the thesis does not have.
 long operations(const simulation::Simulation& s);
 
 /// Volume of the gage circle over one revolution's advance, m3.

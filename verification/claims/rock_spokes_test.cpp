@@ -106,7 +106,7 @@ TEST(Spokes, spread_towards_the_gage_where_the_mesh_stays_even) {
 }
 
 /// The layouts that chapter 2 describes, at the gage of an 8.5 in hole.
-TEST(Spokes, stand_millimetres_apart_at_the_gage) {
+TEST(Spokes, are_millimetres_apart_at_the_gage) {
   constexpr double gage = 107.95 * mm, circle = 2.0 * std::numbers::pi * gage / mm;
   constexpr double rounding = 1e-12, half_a_spoke = 0.5 / 678;  // of 1 mm
   const auto apart = [](int spokes) {
@@ -144,7 +144,7 @@ TEST(Spokes, lose_a_whirling_bits_pattern_at_the_gage_that_the_mesh_shows) {
 }
 
 /// Unfavourable, and recorded as such: the claim need not hold here.
-TEST(Spokes, of_twice_the_number_and_half_the_nodes_beat_our_mesh_in_whirl) {
+TEST(Spokes, of_twice_the_number_and_half_the_nodes_beat_the_mesh_in_whirl) {
   const SpokeDrilling d =
       drill_spokes(spoke_plan(edge_length, spoke_whirl()), 2 * spoke_count, fine_cell);
   print_points(d);

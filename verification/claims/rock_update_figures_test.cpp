@@ -141,7 +141,7 @@ TEST(RockFigures, show_the_prisms_of_the_step) {
                "1", 1e-12);
 }
 
-/// The part that reaches deepest of those asked for.
+/// The deepest of the wanted parts.
 template <class Wanted>
 const rock::CuttingGroup& deepest_tooth(const simulation::Case& c, const rock::CuttingBit& bit,
                                         const Wanted& wanted) {
@@ -159,7 +159,7 @@ const rock::CuttingGroup& deepest_tooth(const simulation::Case& c, const rock::C
   return *best;
 }
 
-/// A tooth's triangles, and directions of rock that stands at its facets.
+/// The triangles of a tooth, and the directions of the rock at its facets.
 void add_tooth(const simulation::Case& c, const rock::CuttingGroup& g, const char* name,
                Json& rows) {
   const Pose still;

@@ -6,7 +6,7 @@
 #include "reference/literature/roller/teeth/contact_run.hpp"
 #include "reference/literature/roller/teeth/contact_statistics.hpp"
 
-/// Ma and Azar's algorithm and statistics beside a run of ours on the bit of the comparison.
+/// Ma and Azar's algorithm and statistics compared with a run of TDBD on the bit of the comparison.
 namespace tdbd::claims::tooth_contact_test {
 namespace {
 
@@ -63,7 +63,7 @@ reference::RollerBit in_step(const reference::RollerBit& bit) {
   return one;
 }
 
-TEST(ToothContact, of_our_run_is_near_that_of_the_statistics) {
+TEST(ToothContact, of_a_run_is_near_that_of_the_statistics) {
   const simulation::Case c = rock_case("compare/bit-r", {});
   const double advance =
       c.motion.rate_of_penetration * 2.0 * std::numbers::pi / c.motion.rotary_speed;

@@ -188,14 +188,15 @@ RC_GTEST_PROP(LeastSquaresOrder, does_not_depend_on_units, ()) {
   RC_ASSERT(std::abs(least_squares_order(s.steps, s.errors) - order) < 1e-12);
 }
 
-/// Of logarithms 0, 1, 2 of the steps and 0, 0, 3 of the errors by hand: 3/2. Each point counts.
+/// For logarithms 0, 1, 2 of the steps and 0, 0, 3 of the errors the slope is 3/2, computed
+/// manually. Each point counts.
 TEST(ObservedOrder, is_the_slope_of_least_squares) {
   const double e = std::exp(1.0);
   const std::vector<double> steps{1.0, e, e * e}, errors{1.0, 1.0, e * e * e};
   EXPECT_NEAR(least_squares_order(steps, errors), 1.5, 1e-14);
   EXPECT_NEAR(least_squares_order(steps, std::vector{1.0, e, e * e}), 1.0, 1e-14);
   EXPECT_NEAR(least_squares_order(steps, std::vector{e * e * e, 1.0, 1.0}), -1.5, 1e-14);
-  // of a part of a longer study, what stands beside it has no say
+  // the points of a longer study outside the given part have no influence
   const std::vector<double> wider{0.0, 1.0, e, e * e, 0.0};
   const std::span<const double> part = std::span(wider).subspan(1, 3);
   EXPECT_NEAR(least_squares_order(part, part), 1.0, 1e-14);

@@ -28,12 +28,12 @@ TEST(ReadFile, gives_every_byte) {
   EXPECT_EQ(read_file(write_temporary(".txt", ""), "a text"), "");
 }
 
-/// Their size is told as 0.
+/// The system reports their size as 0.
 TEST(ReadFile, gives_files_that_do_not_tell_their_size) {
   EXPECT_FALSE(read_file("/proc/self/status", "a text").empty());
 }
 
-/// The kernel tells a page for some that hold a line.
+/// The kernel reports a page for some that contain a line.
 TEST(ReadFile, gives_no_more_than_a_file_holds) {
   const fs::path file = "/sys/devices/system/cpu/online";
   std::error_code none;

@@ -11,7 +11,7 @@ TEST(Reason, is_in_words) {
   EXPECT_STREQ(reason_of(RunError("the bit left the rock")), "the bit left the rock");
 }
 
-/// What exit code 1 tells from 2.
+/// The difference between exit codes 1 and 2.
 TEST(Reason, tells_what_a_machine_lacks_from_mistakes) {
   for (const int lacking : {ENOSPC, EMFILE, ENFILE, ENOMEM, EFBIG, EIO, EROFS})
     EXPECT_TRUE(is_shortage({lacking, std::system_category()})) << lacking;

@@ -121,7 +121,8 @@ const std::vector<std::pair<std::string, std::string>> names{{"1", "1"},
                                                              {"N/mm2", "Pa"},
                                                              {"MJ/m3", "Pa"}};
 
-/// Of a conversion, relative: ours and the library's product of factors round at different places.
+/// Relative error of a conversion: TDBD and the library round their product of factors at different
+/// places.
 constexpr double rounding = 6e-16;  // 4.8e-16 seen
 
 // Every name that the table knows means what UDUNITS-2 means by it.

@@ -97,7 +97,7 @@ TEST(Units, refuses_what_is_not_a_number) {
   expect_refusal("1e308 km", "m", {"range"});
 }
 
-/// The library would print its own words beside ours.
+/// The library would print its own message as well.
 TEST(Units, refuses_in_its_own_words_alone) {
   testing::internal::CaptureStderr();
   EXPECT_THROW(to_si("1 frobnicate", "m"), UnitError);
@@ -132,7 +132,8 @@ void exit_with_fortnights_beside(const char* elsewhere) {
   _exit(same && kept != nullptr && std::string(kept) == elsewhere ? 0 : 1);
 }
 
-/// Units are those of the library's own database, whatever another file says, and other programs' setting stays.
+/// Units are those of the library's own database, independent of any other file, and the setting of
+/// other programs is unchanged.
 TEST(UnitsDeathTest, are_not_changed_by_a_database_elsewhere) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const std::string other = write_temporary(

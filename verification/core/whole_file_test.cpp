@@ -70,13 +70,14 @@ TEST(WholeFile, says_which_file_and_why) {
             "cannot write /proc/no/such.csv: No such file or directory");
 }
 
-/// Where there is no disk behind a file, the system says so, and closing it hides nothing.
+/// If there is no disk behind a file, the system reports it, and closing the file does not hide the
+/// error.
 TEST(WholeFile, that_the_system_cannot_put_on_a_disk_is_told) {
   EXPECT_EQ(message_of([] { put_on_disk("/dev/null"); }),
             "cannot write /dev/null: Invalid argument");
 }
 
-/// Of a call that went well errno says nothing: it has what went wrong before.
+/// After a successful call errno is meaningless: it contains an earlier error.
 TEST(WholeFile, does_not_believe_an_old_error) {
   const fs::path path = some_file("old_error");
   write_text(path, "bytes");
@@ -89,7 +90,7 @@ TEST(WholeFile, does_not_believe_an_old_error) {
             "cannot write " + path.string() + ": a write failed");
 }
 
-/// The partial file of whoever writes it next is none of its business.
+/// It does not touch the partial file of the next writer.
 TEST(WholeFile, that_is_committed_touches_nothing_more) {
   const fs::path path = some_file("twice");
   std::optional<WholeFile> first(std::in_place, path);
@@ -101,7 +102,7 @@ TEST(WholeFile, that_is_committed_touches_nothing_more) {
   EXPECT_EQ(read_file(path, "a file"), "second");
 }
 
-/// As on disks that are full, and over networks: the first call that fails says why.
+/// As on full disks and over networks: the message is that of the first call that fails.
 TEST(WholeFile, tells_why_it_did_not_come_to_the_disk) {
   const fs::path path = some_file("lost");
   write_text(path, "bytes");

@@ -1,11 +1,16 @@
 #include "dynamics/gyrostat.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
+#include "dynamics/integrator.hpp"
+#include "dynamics/momenta.hpp"
+#include "verification/battery/generators.hpp"
 
 namespace tdbd::dynamics::gyrostat_test {
 
@@ -52,7 +57,7 @@ TEST(InertiaProblem, is_none_within_the_tolerance_of_the_largest_inertia) {
   }
 }
 
-/// The rest is bounded by rounding, so that a heavy cone is told as such in any unit.
+/// The rest is bounded by rounding, so that a heavy cone is recognised in any unit.
 TEST(InertiaProblem, names_a_heavy_cone_in_any_unit) {
   for (const double scale : {1e-12, 1.0, 1e12})
     EXPECT_NE(
@@ -137,3 +142,112 @@ TEST(MakeGyrostat, throws_with_the_reason) {
 }
 
 }  // namespace tdbd::dynamics::gyrostat_test
+
+namespace tdbd::dynamics::integrator_test {
+
+constexpr double rounding = 1e-14;
+
+double power_sum(std::span<const double> fractions, int power) {
+  double sum = 0.0;
+  for (const double f : fractions) sum += std::pow(f, power);
+  return sum;
+}
+
+TEST(Composition, fractions_are_symmetric_and_sum_to_one) {
+  for (const int order : composition_orders) {
+    const std::span<const double> f = composition(order);
+    EXPECT_NEAR(power_sum(f, 1), 1.0, rounding) << order;
+    for (std::size_t i = 0; i < f.size(); ++i) EXPECT_EQ(f[i], f[f.size() - 1 - i]);
+  }
+}
+
+/// A symmetric step has errors of odd powers: the simplest order conditions require their sums to
+/// vanish. The others are seen in the observed orders.
+TEST(Composition, odd_power_sums_vanish_up_to_the_order) {
+  for (const int order : composition_orders)
+    for (int power = 3; power < order; power += 2)
+      EXPECT_NEAR(power_sum(composition(order), power), 0.0, rounding) << order << " " << power;
+}
+
+TEST(Composition, has_the_published_numbers_of_stages) {
+  EXPECT_EQ(composition(2).size(), 1u);
+  EXPECT_EQ(composition(4).size(), 5u);
+  EXPECT_EQ(composition(6).size(), 9u);
+  EXPECT_EQ(composition(8).size(), 17u);
+}
+
+TEST(Composition, refuses_other_orders) {
+  for (const int order : {0, 1, 3, 5, 10}) EXPECT_THROW(composition(order), RunError) << order;
+}
+
+}  // namespace tdbd::dynamics::integrator_test
+
+namespace tdbd::dynamics::momenta_test {
+
+constexpr double rounding = 1e-12;  // momenta and energies here are below 1e3
+
+/// A body with two or three cones that differ, and how all of it moves.
+struct Motion {
+  Gyrostat g;
+  Mat3 R_WB;
+  Vec3 w_B;
+  std::vector<double> spins, angles;
+};
+
+Motion any_motion() {
+  Motion m;
+  Mat3 I = Vec3(3.0, 4.0, 5.0).asDiagonal();
+  std::vector<Cone> cones(static_cast<std::size_t>(*battery::integer(2, 3)));
+  for (Cone& c : cones) {
+    c = {*battery::direction(), *battery::number(0.01, 0.3)};
+    I += c.axial_inertia * Mat3::Identity();
+    m.spins.push_back(*battery::number(-20.0, 20.0));
+    m.angles.push_back(*battery::number(-6.0, 6.0));
+  }
+  m.g = make_gyrostat(I, cones);
+  m.R_WB = Eigen::AngleAxisd(*battery::number(-3.0, 3.0), *battery::direction()).toRotationMatrix();
+  m.w_B = *battery::point(5.0);
+  return m;
+}
+
+RotationState state_of(const Motion& m) {
+  return make_state(m.g, m.R_WB, m.w_B, m.spins, m.angles);
+}
+
+/// Everything turns with the bit, and each cone about its axis besides: dynamics (2) without It.
+RC_GTEST_PROP(Momenta, are_those_of_locked_cones_and_of_their_spins, ()) {
+  const Motion m = any_motion();
+  const RotationState s = state_of(m);
+  Vec3 momentum_B = m.g.inertia_B * m.w_B;
+  for (std::size_t k = 0; k < m.g.cones.size(); ++k) {
+    const Cone& c = m.g.cones[k];
+    momentum_B += c.axial_inertia * m.spins[k] * c.axis_B;
+    const double about_axis = c.axial_inertia * (m.spins[k] + c.axis_B.dot(m.w_B));
+    RC_ASSERT(std::abs(s.cone_momenta[k] - about_axis) < rounding);
+    RC_ASSERT(s.cone_angles[k] == m.angles[k]);
+  }
+  RC_ASSERT((s.momentum_W - m.R_WB * momentum_B).norm() < rounding);
+  RC_ASSERT((body_momentum(s) - momentum_B).norm() < rounding);
+}
+
+RC_GTEST_PROP(Momenta, give_the_velocities_back, ()) {
+  const Motion m = any_motion();
+  const RotationState s = state_of(m);
+  const Vec3 w_B = angular_velocity(m.g, s);
+  RC_ASSERT((w_B - m.w_B).norm() < rounding);
+  for (std::size_t k = 0; k < m.g.cones.size(); ++k)
+    RC_ASSERT(std::abs(cone_rate(m.g.cones[k], s.cone_momenta[k], w_B) - m.spins[k]) < rounding);
+}
+
+/// Half of w I w, of Ic spin^2, and what couples them.
+RC_GTEST_PROP(Momenta, have_the_energy_of_body_and_spins, ()) {
+  const Motion m = any_motion();
+  double energy = 0.5 * m.w_B.dot(m.g.inertia_B * m.w_B);
+  for (std::size_t k = 0; k < m.g.cones.size(); ++k) {
+    const Cone& c = m.g.cones[k];
+    energy += c.axial_inertia * m.spins[k] * (0.5 * m.spins[k] + c.axis_B.dot(m.w_B));
+  }
+  RC_ASSERT(std::abs(kinetic_energy(m.g, state_of(m)) - energy) < rounding);
+}
+
+}  // namespace tdbd::dynamics::momenta_test

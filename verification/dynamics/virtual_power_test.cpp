@@ -128,7 +128,7 @@ Products by_sums(const Masses& masses, const Motion& m, Products& scale) {
   return sum;
 }
 
-/// What dynamics (1) says of the same.
+/// The same by dynamics (1).
 Products by_closed_forms(const Gyrostat& g, double mass, const Motion& m) {
   Products f{};
   f[0][0] = mass * m.Hc.dot(m.c2);

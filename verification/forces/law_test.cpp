@@ -109,7 +109,7 @@ RC_GTEST_PROP(Force, of_a_part_that_touches_nothing_is_none, ()) {
   RC_ASSERT(force(any_law(), c).force == Vec3::Zero());
 }
 
-RC_GTEST_PROP(Force, of_a_kind_that_the_law_does_not_know_is_none, ()) {
+RC_GTEST_PROP(Force, of_a_kind_that_the_law_does_not_support_is_none, ()) {
   const Law law = any_law();
   const PartCut c = any_cut();
   if (!law_problem(law, c.kind, c.diameter).empty()) RC_ASSERT(force(law, c).force == Vec3::Zero());
@@ -139,8 +139,8 @@ double in_units(std::string_view unit, double length, double force, double speed
                          : 1.0;
 }
 
-/// Twice as large a bit, or harder rock: what scales, scales. Glowka's law alone has a length of
-/// its own, the depth at which its forces are told.
+/// A bit twice as large, or harder rock, scales the force. Only Glowka's law has an internal
+/// length, the depth at which its forces are given.
 RC_GTEST_PROP(Force, does_not_depend_on_the_units, ()) {
   Law law = any_law(
       {"hanson-hansen", "detournay", "depth-of-cut", "thin-cut", "friction", "indentation"});
@@ -212,10 +212,83 @@ TEST(LawNamed, names_the_laws_that_there_are) {
   }
 }
 
-TEST(LawProblem, names_the_law_the_part_and_the_parts_that_it_knows) {
+TEST(LawProblem, names_the_law_the_part_and_the_supported_parts) {
   EXPECT_EQ(law_problem(law_named("detournay"), bit::PartKind::tooth, 0.0),
-            "the law \"detournay\" knows no tooth; it knows: face, chamfer, cse, cutter body");
+            "the law \"detournay\" does not apply to tooth; it applies to: face, chamfer, cse, "
+            "cutter body");
   EXPECT_EQ(law_problem(law_named("detournay"), bit::PartKind::face, 16e-3), "");
 }
 
 }  // namespace tdbd::forces::law_test
+
+/// Where each coefficient of each law acts.
+namespace tdbd::forces::acts_on_test {
+
+using bit::PartKind;
+
+/// A law and a cut with which a coefficient may show.
+struct Trial {
+  Law law, other;  ///< of the same name, with other coefficients
+  PartCut cut;
+};
+
+Trial any_trial(std::string_view name, PartKind kind) {
+  Trial t{any_law({name}), any_law({name}), any_cut()};
+  t.cut.kind = kind;
+  return t;
+}
+
+/// The size of the change of force when one coefficient of the law takes its value of the other.
+double change_of_force(Trial t, std::size_t coefficient) {
+  const Vec3 before = force(t.law, t.cut).force;
+  *law_fields(t.law)[coefficient].value = *law_fields(t.other)[coefficient].value;
+  return (force(t.law, t.cut).force - before).norm();
+}
+
+RC_GTEST_PROP(ActsOn, a_coefficient_changes_no_force_elsewhere, ()) {
+  const auto names = law_names();
+  Trial t = any_trial(names[index(names.size())], any_kind());
+  const auto fields = law_fields(t.law);
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    if (!acts_on(fields[k], t.cut.kind)) RC_ASSERT(change_of_force(t, k) == 0.0);
+}
+
+/// The coefficient changes the force of at least one of many cuts. The generator is called
+/// directly, because the search is not a property of a single cut.
+bool shows(std::string_view name, PartKind kind, std::size_t coefficient) {
+  constexpr int most = 200;
+  const auto trials = rc::gen::exec([=] { return any_trial(name, kind); });
+  rc::Random random(20261122);
+  for (int i = 0; i < most; ++i)
+    if (change_of_force(trials(random.split(), rc::kNominalSize).value(), coefficient) > 0.0)
+      return true;
+  return false;
+}
+
+TEST(ActsOn, a_coefficient_changes_a_force_of_every_kind_that_it_lists) {
+  for (const std::string_view name : law_names()) {
+    Law law = law_named(name);
+    const auto fields = law_fields(law);
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      for (const PartKind kind : bit::part_kinds)
+        if (acts_on(fields[k], kind)) {
+          EXPECT_TRUE(shows(name, kind, k))
+              << name << ' ' << fields[k].key << " on " << bit::kind_words(kind);
+        }
+  }
+}
+
+/// None acts where the law knows nothing, and the slip speed acts wherever it knows something.
+TEST(ActsOn, lists_only_kinds_that_the_law_supports) {
+  for (const std::string_view name : law_names()) {
+    Law law = law_named(name);
+    for (const LawField& f : law_fields(law))
+      for (const PartKind kind : bit::part_kinds) {
+        const bool known = knows(law, kind);
+        EXPECT_TRUE(known || !acts_on(f, kind)) << name << ' ' << f.key;
+        EXPECT_TRUE(f.key != "slip_speed" || acts_on(f, kind) == known) << name;
+      }
+  }
+}
+
+}  // namespace tdbd::forces::acts_on_test

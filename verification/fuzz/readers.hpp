@@ -21,7 +21,7 @@ void take_records(std::string_view bytes);
 
 // Meshes.
 void take_stl(std::string_view bytes);
-/// The facets are counted anew, so that no change of the length makes the file a text.
+/// Corrects the number of facets, so that a change of the length does not turn the file into text.
 void take_binary_stl(std::string_view bytes);
 void take_ply(std::string_view bytes);
 void take_obj(std::string_view bytes);

@@ -10,7 +10,7 @@
 #include "core/read_file.hpp"
 #include "fuzz/fuzz_target.hpp"
 
-/// What the fuzzers found worth keeping, in the build that users have (README.md of this folder).
+/// Replays the inputs that the fuzzers found, in the build that users have (README.md of this folder).
 namespace tdbd::fuzz {
 
 void PrintTo(const FuzzTarget& target, std::ostream* out) { *out << target.name; }
@@ -20,7 +20,7 @@ namespace replay_test {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> corpus_of(const FuzzTarget& target) {
-  const fs::path folder = fs::path(TDBD_SOURCE_DIR "/verification/fuzz/corpus") / target.name;
+  const fs::path folder = fs::path(TDBD_FUZZ_CORPUS) / target.name;  // unpacked by the build
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
   std::ranges::sort(files);
@@ -29,7 +29,7 @@ std::vector<fs::path> corpus_of(const FuzzTarget& target) {
 
 class Fuzz : public ::testing::TestWithParam<FuzzTarget> {};
 
-/// Read, or refused by the error that the reader's header names.
+/// Each input is read, or rejected with the error that the reader's header names.
 TEST_P(Fuzz, replays_the_corpus) {
   const std::vector<fs::path> files = corpus_of(GetParam());
   EXPECT_GE(files.size(), 2u);

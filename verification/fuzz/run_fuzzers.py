@@ -1,10 +1,10 @@
-"""Runs the fuzzers in turn, and says how often each reader was called.
+"""Runs the fuzzers in turn and prints how often each reader was called.
 
     /usr/bin/python3 verification/fuzz/run_fuzzers.py BUILD [--minutes N] [--only NAME ...] [--table FILE] [--work FOLDER]
 
-BUILD is the folder of the preset fuzz. Each reader has an equal share of the time. New inputs that reach new code are kept
-in FOLDER/corpus (results/fuzz), inputs that fail in FOLDER/failures. With --table, executions and seconds are added to those of
-FILE. Exit code 1: an input failed; its path is printed.
+BUILD is the folder of the preset fuzz; its build has unpacked the corpus. Each reader is given an equal share of the time. Inputs that
+reach new code are written to FOLDER/corpus (default: results/fuzz/corpus), inputs that fail to FOLDER/failures. With --table, executions
+and seconds are added to those of FILE. Exit code 1: an input failed; its path is printed.
 """
 
 import argparse
@@ -15,12 +15,14 @@ import re
 import subprocess
 import sys
 
+import corpus
+
 HERE = pathlib.Path(__file__).resolve().parent
 DICTIONARIES = {"toml": {"case", "rotate", "calibration", "bit", "set"}, "tables": {"cutters", "motion", "torque", "records"},
                 "meshes": {"stl_text", "stl_binary", "ply_text", "ply_binary", "obj", "off"}, "": {"checkpoint", "tape"}}
-# No input may need more memory, MiB, or time, s, than that, on a machine that does other things as well.
+# Limits of memory in MiB and of time in s for one input, wide enough for a machine that is busy otherwise.
 OPTIONS = ("-rss_limit_mb=1024", "-timeout=30", "-print_final_stats=1", "-print_funcs=0", "-verbosity=0")
-# Less that is kept of freed memory makes the sanitizer twice as quick.
+# A smaller quarantine of freed memory makes the sanitizer twice as fast.
 ENVIRONMENT = {"ASAN_OPTIONS": "malloc_context_size=4:quarantine_size_mb=8"}
 COLUMNS = ("reader", "executions", "seconds", "failures")
 
@@ -32,17 +34,17 @@ def parse_arguments():
     parser.add_argument("--only", nargs="+", metavar="NAME")
     parser.add_argument("--table", type=pathlib.Path)
     parser.add_argument("--work", type=pathlib.Path, default=HERE.parents[1] / "results/fuzz")
-    parser.add_argument("--longest", type=int, default=4096, help="bytes of an input")
+    parser.add_argument("--longest", type=int, default=4096, help="size limit of an input in bytes (4096)")
     return parser.parse_args()
 
 
-def readers(asked):
-    """Those with a corpus, in the order of their names."""
-    known = sorted(folder.name for folder in (HERE / "corpus").iterdir())
-    for name in asked or ():
+def readers(chosen):
+    """The chosen readers, or all that have a corpus, in the order of their names."""
+    known = corpus.readers()
+    for name in chosen or ():
         if name not in known:
             sys.exit(f"run_fuzzers: --only: found {name}, expected one of {', '.join(known)}")
-    return list(asked or known)
+    return list(chosen or known)
 
 
 def words_of(reader):
@@ -57,11 +59,12 @@ def number_in(log, pattern):
 
 def fuzz(arguments, reader, seconds):
     """One row of the table. libFuzzer stops at the first input that fails."""
-    corpus, failures = arguments.work / "corpus" / reader, arguments.work / "failures"
-    for folder in (corpus, failures):
+    found, failures = arguments.work / "corpus" / reader, arguments.work / "failures"
+    for folder in (found, failures):
         folder.mkdir(parents=True, exist_ok=True)
-    command = [arguments.build / "verification/fuzz" / f"fuzz_{reader}", *OPTIONS, *words_of(reader), f"-max_len={arguments.longest}",
-               f"-max_total_time={max(1, round(seconds))}", f"-artifact_prefix={failures}/{reader}-", corpus, HERE / "corpus" / reader]
+    programs = arguments.build / "verification/fuzz"
+    command = [programs / f"fuzz_{reader}", *OPTIONS, *words_of(reader), f"-max_len={arguments.longest}",
+               f"-max_total_time={max(1, round(seconds))}", f"-artifact_prefix={failures}/{reader}-", found, programs / "corpus" / reader]
     run = subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace", check=False,
                          env={**os.environ, **ENVIRONMENT})
     if run.returncode != 0:
@@ -71,7 +74,7 @@ def fuzz(arguments, reader, seconds):
 
 
 def add_to(path, rows):
-    """The table with the sums of its rows and these."""
+    """Adds the rows to those of the table."""
     sums = {}
     if path.exists():
         with path.open(newline="", encoding="utf-8") as file:

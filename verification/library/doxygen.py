@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def loose_remarks(text):
-    """Lines of docstrings at the left margin that stand before an empty line, so that nothing follows them."""
+    """Lines of docstrings at the left margin before an empty line, which document nothing."""
     lines = text.split("\n")
     found = []
     for i, line in enumerate(lines):
@@ -27,7 +27,7 @@ def loose_remarks(text):
 
 
 def warnings_of(folder, settings):
-    """What Doxygen says with the settings of the Doxyfile and these."""
+    """The warnings of Doxygen with the settings of the Doxyfile and these."""
     base = (ROOT / "reports/api/Doxyfile").read_text(encoding="utf-8")
     own = {"OUTPUT_DIRECTORY": folder, "GENERATE_HTML": "NO", "GENERATE_XML": "YES", "XML_PROGRAMLISTING": "NO", **settings}
     text = base + "".join(f"{key} = {value}\n" for key, value in own.items())

@@ -57,7 +57,7 @@ struct Times {
 /// CPU time of this process, s: other programs on the machine do not count.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Steps up to `end`; the maintenance that ends them is asked about its promises.
+/// Runs steps up to `end` and checks the guarantees of the maintenance after them.
 std::string drill(const Case& c, Simulation& s, long end, Times& times) {
   const long touched_before = s.state.maintenance.touched_triangles;
   while (s.state.steps_done < end - 1) {

@@ -37,7 +37,7 @@ std::vector<int> any_order(const Surface& s) {
   return order;
 }
 
-/// The slow, obvious way: positions and triangles written anew, sorted, and their adjacency made.
+/// The slow, obvious way: copies positions and triangles, sorts them and builds the adjacency.
 Surface made_anew(const Surface& s, const std::vector<int>& order) {
   TriangleMesh m;
   std::vector<int> number(s.stars.size(), -1);
@@ -98,7 +98,7 @@ RC_GTEST_PROP(Renumbering, forgets_the_numbers_before_it, ()) {
   require_same(s, shuffled);
 }
 
-RC_GTEST_PROP(Renumbering, says_the_new_numbers, ()) {
+RC_GTEST_PROP(Renumbering, returns_the_new_numbers, ()) {
   Surface s = edited_surface();
   const Surface before = s;
   RenumberRoom room;

@@ -1,16 +1,16 @@
-"""The words of scripts/mutate; a wrong one ends it with what was found and what is expected, exit code 2."""
+"""The command line of scripts/mutate. A bad argument ends it with exit code 2 and a message: what was found, what is expected."""
 
 import argparse
 import pathlib
 import shutil
 import sys
 
-from rooms import PROGRAMS, ROOT, room_problem
+from modules import PROGRAMS, ROOT, module_problem, unknown_modules
 
-USAGE = """scripts/mutate [ROOM ...] [--count N] [--seed S]: seeds faults and asks whether the tests notice
+USAGE = """scripts/mutate [MODULE ...] [--count N] [--seed S]: seeds faults and counts those that the tests detect
 
-One line of a source is changed, its object compiled, and the tests run until one fails: its own first, then the room's,
-then those of other rooms. Without a ROOM: all of them."""
+Changes one line of a source, compiles its object, and runs the tests until one fails: first those of the source, then those
+of its module (MODULE, a folder of src), then those of other modules. Default: all modules."""
 
 
 class Wrong(Exception):
@@ -32,21 +32,23 @@ def whole_number(least):
 
 def parse(words):
     parser = Parser(prog="scripts/mutate", description=USAGE, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("rooms", nargs="*", metavar="ROOM")
-    parser.add_argument("--count", type=whole_number(1), default=100, metavar="N", help="mutants of each room (100)")
-    parser.add_argument("--seed", type=whole_number(0), default=2007, metavar="S", help="of the draw (2007)")
-    parser.add_argument("--only", default="", metavar="WORD", help="mutants of sources with WORD in their path, or WORD = PATH:LINE")
-    parser.add_argument("--home", action="store_true", help="runs the room's own programs alone")
-    parser.add_argument("--longest", type=float, default=float("inf"), metavar="S", help="leaves out tests that take longer, unmutated")
-    parser.add_argument("--table", type=pathlib.Path, metavar="CSV", help="writes the verdicts there, in place of the room's rows; asks first what killed a mutant there before")
-    parser.add_argument("--check", action="store_true", help="says which entries of equivalent.toml are no longer in the source; runs nothing")
+    parser.add_argument("modules", nargs="*", metavar="MODULE")
+    parser.add_argument("--count", type=whole_number(1), default=100, metavar="N", help="mutants of each module (100)")
+    parser.add_argument("--seed", type=whole_number(0), default=2007, metavar="S", help="seed of the draw (2007)")
+    parser.add_argument("--only", default="", metavar="WORD", help="only mutants of sources with WORD in their path, or of the line PATH:LINE")
+    parser.add_argument("--home", action="store_true", help="runs only the programs of the module itself")
+    parser.add_argument("--longest", type=float, default=float("inf"), metavar="S", help="leaves out tests that take longer than S seconds without a mutant")
+    parser.add_argument("--table", type=pathlib.Path, metavar="CSV", help="writes the verdicts to this table, replacing the rows of the module; a test that killed a mutant there before runs first")
+    parser.add_argument("--check", action="store_true", help="prints the entries of equivalent.toml that match no line of src any more; runs nothing")
     parser.add_argument("--targets", action="store_true", help="prints what must be built; runs nothing")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutate", metavar="FOLDER")
     chosen = parser.parse_args(words)
-    for room in chosen.rooms:
-        if problem := room_problem(room):
+    if not chosen.modules and unknown_modules():
+        raise Wrong(f"verification/mutation/modules.py: found no test programs for {', '.join(unknown_modules())}, expected some for each folder of src")
+    for module in chosen.modules:
+        if problem := module_problem(module):
             raise Wrong(problem)
-    chosen.rooms = chosen.rooms or list(PROGRAMS)
+    chosen.modules = chosen.modules or list(PROGRAMS)
     return chosen
 
 

@@ -7,7 +7,7 @@ import shlex
 import shutil
 import subprocess
 
-from rooms import ROOT
+from modules import ROOT
 
 # A test may call for a template's instance that the mutant's source has no longer: then the library's object of that source
 # is linked as well, and where both define a name, the first one counts, which is the mutant's.

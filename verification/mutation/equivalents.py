@@ -1,42 +1,55 @@
-"""Mutants that were judged equivalent, once: no input tells them from the source. Listed with the reason in equivalent.toml."""
+"""Mutants that are known to be equivalent to the source: no input distinguishes the two. equivalent.toml lists them with the reason."""
 
 import pathlib
 import tomllib
 
 import mutants
-from rooms import ROOT
+from modules import ROOT
 
-LIST = pathlib.Path(__file__).with_name("equivalent.toml")
-KEYS = {"file", "line", "mutation", "reason"}
+LIST = ROOT / "reports/studies/mutation/equivalent.toml"
+KEYS = {"function", "line", "mutation", "reason"}
+
+
+def folded(line):
+    """The line with single spaces, so that another indentation does not change it."""
+    return " ".join(line.split())
 
 
 def read(path=LIST):
-    """{(file, line, mutation): reason}; lines without their indentation."""
+    """{(function, line, mutation): reason}."""
     with pathlib.Path(path).open("rb") as file:
         entries = tomllib.load(file).get("equivalent", [])
     judged = {}
     for number, entry in enumerate(entries, 1):
         if set(entry) != KEYS or not all(isinstance(v, str) and v for v in entry.values()):
             raise ValueError(f"{path}: entry {number}: found the keys {', '.join(entry)}, expected text for each of {', '.join(sorted(KEYS))}")
-        judged[entry["file"], entry["line"].strip(), entry["mutation"].strip()] = entry["reason"]
+        judged[entry["function"], folded(entry["line"]), folded(entry["mutation"])] = entry["reason"]
     return judged
 
 
 def key(mutant):
-    return mutant.file, mutant.before.strip(), mutant.after.strip()
+    return mutant.function, folded(mutant.before), folded(mutant.after)
 
 
 def stale(judged, root=ROOT):
-    """What is wrong with the list: its file, its line or its mutation is gone."""
-    problems, made = [], {}
-    for file, line, mutation in judged:
-        if not (root / file).is_file():
-            problems.append(f"{file}: judged equivalent, but there is no such file")
+    """A message for each entry that no mutant of src matches."""
+    made = {key(mutant) for file in sorted((root / "src").rglob("*.cpp"))
+            for mutant in mutants.of_source(str(file.relative_to(root)), file.read_text(encoding="utf-8"))}
+    functions = {function for function, _, _ in made}
+    places = {}
+    for function, line, mutation in made:
+        places.setdefault((line, mutation), []).append(function)
+    problems = []
+    for function, line, mutation in judged:
+        if (function, line, mutation) in made:
             continue
-        if file not in made:
-            made[file] = {key(m)[1:] for m in mutants.of_source(file, (root / file).read_text(encoding="utf-8"))}
-        if line not in {before for before, _ in made[file]}:
-            problems.append(f"{file}: no line {line!r}, of which a mutant was judged equivalent")
-        elif (line, mutation) not in made[file]:
-            problems.append(f"{file}: no operator makes {mutation!r} of {line!r}")
+        if (line, mutation) in places:
+            why = f"the line is in {', '.join(sorted(places[line, mutation]))}"
+        elif function not in functions:
+            why = "src has no such function"
+        elif line in {before for name, before, _ in made if name == function}:
+            why = f"no operator makes {mutation!r} of it"
+        else:
+            why = "the function has no such line"
+        problems.append(f"{function}: {line!r}: {why}")
     return problems

@@ -6,7 +6,7 @@ import time
 import mutants
 import scripts
 import tests
-from rooms import CALL_TDBD
+from modules import CALL_TDBD
 from watch import run_tests
 
 

@@ -1,10 +1,13 @@
-"""All mutants of a source, and the draw of a sample: by hashes, so that a change of one file leaves the others' draws alone."""
+"""All mutants of a source, and the draw of a sample. The order of the draw follows from hashes of the seed, the function and the text, so that
+a change of one function does not change the order of the others, and a function may move to another file."""
 
+import collections
 import hashlib
 from dataclasses import dataclass
 
 import lines
 import plain
+import scopes
 import subtle
 
 
@@ -12,6 +15,8 @@ import subtle
 class Mutant:
     file: str  # relative to the repository
     line: int  # from 1
+    function: str  # qualified
+    place: int  # among the equal lines of its function, from 0
     operator: str
     before: str  # the line
     after: str
@@ -21,8 +26,8 @@ class Mutant:
         return self.operator in subtle.SUBTLE
 
 
-def of_line(file, line):
-    """The mutants of a line, by operator and place; no two have the same text."""
+def of_line(file, line, owner="", place=0):
+    """The mutants of a line, by operator and column; no two have the same text."""
     found, seen = [], {line.text}
     for operator, function in {**subtle.SUBTLE, **plain.PLAIN}.items():
         if operator == "deleted statement" and not line.whole:
@@ -31,12 +36,17 @@ def of_line(file, line):
             after = line.text[:start] + new + line.text[end:]
             if "~" not in new and after not in seen:
                 seen.add(after)
-                found.append(Mutant(file, line.number, operator, line.text, after))
+                found.append(Mutant(file, line.number, owner, place, operator, line.text, after))
     return found
 
 
 def of_source(file, text):
-    return [m for line in lines.mutable(text) for m in of_line(file, line)]
+    functions, times, found = scopes.of_lines(text), collections.Counter(), []
+    for line in lines.mutable(text):
+        same = functions[line.number - 1], line.text.strip()
+        found += of_line(file, line, same[0], times[same])
+        times[same] += 1
+    return found
 
 
 def mutated(text, mutant):
@@ -55,13 +65,13 @@ def rank(seed, *words):
 def in_rounds(mutants, seed):
     """One mutant of each line, the lines by their hash, each operator as likely as the others; then a second one, and so on."""
     def key(m):
-        place = (seed, m.file, m.before.strip(), m.line)
+        place = (seed, m.function, m.before.strip(), m.place)
         return rank(*place, m.operator), rank(*place, m.operator, m.after.strip())
 
     by_line = {}
     for m in sorted(mutants, key=key):
         by_line.setdefault((m.file, m.line), []).append(m)
-    order = sorted(by_line.values(), key=lambda line: rank(seed, line[0].is_subtle, line[0].file, line[0].before.strip(), line[0].line))
+    order = sorted(by_line.values(), key=lambda line: rank(seed, line[0].is_subtle, line[0].function, line[0].before.strip(), line[0].place))
     for i in range(max(map(len, order), default=0)):
         yield from (line[i] for line in order if i < len(line))
 

@@ -1,13 +1,13 @@
-"""What became of each mutant: a cache of JSON lines, and the table of the study."""
+"""The verdicts: a cache of JSON lines, and a table of each draw."""
 
 import csv
 import hashlib
 import json
 import pathlib
 
-from rooms import ROOT, test_folders
+from modules import ROOT, test_folders
 
-COLUMNS = ("room", "file", "line", "operator", "verdict", "killer", "seconds", "before", "after")
+COLUMNS = ("module", "function", "file", "line", "operator", "verdict", "killer", "seconds", "before", "after")
 KILLED = ("failed", "crashed", "timed out")
 
 
@@ -16,7 +16,7 @@ def of_file(path):
 
 
 def of_tests(programs, longest):
-    """Hash of what a mutant meets: the sources of these programs, and the limit of their tests' time."""
+    """Hash of the sources of these test programs and of the limit of their tests' run time."""
     digest = hashlib.sha256(f"{programs} {longest}".encode())
     for folder in test_folders(programs):
         for file in sorted(f for f in (ROOT / "verification" / folder).rglob("*") if f.suffix in (".cpp", ".hpp", ".py")):
@@ -25,7 +25,7 @@ def of_tests(programs, longest):
 
 
 class Cache:
-    """A kill stands as long as the mutated source does; a survivor is asked again when the tests changed."""
+    """The verdict of a killed mutant is valid until its source changes, that of a survivor until the tests change as well."""
 
     def __init__(self, path):
         self.path, self.records = pathlib.Path(path), {}
@@ -45,23 +45,23 @@ class Cache:
 
 
 def killers(path):
-    """{(file, before, after): what killed it} of a table; nothing of one that is not there yet."""
+    """{(function, before, after): what killed it} of a table; empty if there is no such table yet."""
     if path is None or not pathlib.Path(path).is_file():
         return {}
     with pathlib.Path(path).open(newline="", encoding="utf-8") as file:
-        return {(row["file"], row["before"], row["after"]): row["killer"] for row in csv.DictReader(file) if row["verdict"] in KILLED}
+        return {(row["function"], row["before"], row["after"]): row["killer"] for row in csv.DictReader(file) if row["verdict"] in KILLED}
 
 
-def write_table(path, room, rows):
-    """The table with the room's rows in place of those that it had."""
+def write_table(path, module, rows):
+    """Writes the table with these rows in place of the earlier ones of the module."""
     path, kept = pathlib.Path(path), []
     if path.is_file():
         with path.open(newline="", encoding="utf-8") as file:
-            kept = [row for row in csv.DictReader(file) if row["room"] != room]
+            kept = [row for row in csv.DictReader(file) if row["module"] != module]
     with path.open("w", newline="", encoding="utf-8") as file:
         table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         table.writeheader()
-        table.writerows(sorted(kept + rows, key=lambda r: (r["room"], r["file"], int(r["line"]), r["after"])))
+        table.writerows(sorted(kept + rows, key=lambda r: (r["module"], r["file"], int(r["line"]), r["after"])))
 
 
 def counts(rows):
@@ -70,10 +70,10 @@ def counts(rows):
     return {v: verdicts.count(v) for v in ("failed", "crashed", "timed out", "survived", "equivalent", "compiler")}
 
 
-def score_line(room, rows):
+def score_line(module, rows):
     n = counts(rows)
     killed = sum(n[v] for v in KILLED)
     judged = killed + n["survived"]
     share = f"{100.0 * killed / judged:.1f} %" if judged else "-"
-    return (f"{room:12} {killed} of {judged} killed, {share}; {n['timed out']} of them timed out, {n['crashed']} crashed; "
+    return (f"{module:12} {killed} of {judged} killed, {share}; {n['timed out']} of them timed out, {n['crashed']} crashed; "
             f"{n['survived']} survived, {n['equivalent']} equivalent, {n['compiler']} more by the compiler")

@@ -1,4 +1,4 @@
-"""Tests of the program tdbd that are Python scripts: NAME.py PROGRAM, and behind it an INPUT or a new FOLDER for some. Mutants of the room app meet
+"""Tests of the program tdbd that are Python scripts: NAME.py PROGRAM, and behind it an INPUT or a new FOLDER for some. Mutants of the module app meet
 them, and those of sweep the one of the command sweep."""
 
 import functools
@@ -11,10 +11,10 @@ import subprocess
 import sys
 import time
 
-from rooms import ROOT
+from modules import ROOT
 from watch import Outcome
 
-# As in the CMakeLists.txt of these rooms; without those that kill or limit runs on purpose, which take minutes.
+# As in the CMakeLists.txt of these modules; without those that kill or limit runs on purpose, which take minutes.
 INPUTS = {"bit_command": "cases/bits/bit-b.toml", "closed_pipe": "cases/bits/bit-b.toml", "cone_command": "cases/bits/bit-r.toml",
           "mesh_command": "cases/bits/bit-b.toml", "terminal": "cases"}
 WRITE = ("new_command", "sweep_command")
@@ -23,7 +23,7 @@ NAMES = sorted((*INPUTS, *WRITE, *PRINTED))
 
 
 def of_file(file, first=""):
-    """(the scripts that are written for a source, the others); none for rooms but app and sweep. One that killed the mutant before, "verify_app
+    """(the scripts that are written for a source, the others); none for modules but app and sweep. One that killed the mutant before, "verify_app
     NAME.py", counts as its own."""
     killer = first.removeprefix("verify_app ").removesuffix(".py")
     if file.startswith("src/sweep/"):

@@ -9,7 +9,7 @@ FACTOR_END = re.compile(r" [-+*/%] | [<>]=? | [!=]= | && | \|\| | \? | : | [-+*/
 
 
 def end_of_operand(code, start, ends):
-    """The column where the operand that begins at start ends; None when it goes on in the next line."""
+    """The column where the operand that begins at start ends; None if it continues in the next line."""
     depth = 0
     for i in range(start, len(code)):
         if depth == 0 and ends.match(code, i):

@@ -7,7 +7,7 @@ import pathlib
 import re
 import subprocess
 
-from rooms import ROOT
+from modules import ROOT
 
 TEST = re.compile(r"^\s*(?:TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+)\s*,\s*(\w+)", re.MULTILINE)
 QUICK = 2.0  # s
@@ -49,13 +49,14 @@ def written_in(files):
 
 
 def own_tests(file):
-    """The tests that are written for a source: NAME_test.cpp in the folders of its room."""
-    room = file.split("/")[1]
-    return written_in((ROOT / "verification" / room).rglob(pathlib.Path(file).stem + "_test.cpp"))
+    """The tests that are written for a source: those of its module in files that include its header."""
+    path = pathlib.Path(file)
+    header = f'#include "{path.relative_to("src").with_suffix(".hpp")}"'
+    return written_in(f for f in (ROOT / "verification" / path.parts[1]).rglob("*_test.cpp") if header in f.read_text(encoding="utf-8"))
 
 
 def near_tests(file):
-    """The tests of the sources beside it."""
+    """The tests of the sources in the same folder."""
     return written_in((ROOT / "verification" / pathlib.Path(*pathlib.Path(file).parts[1:-1])).glob("*_test.cpp"))
 
 
@@ -66,7 +67,7 @@ def is_own(test, own):
 
 
 class Seconds(dict):
-    """{program: {test: s}}, each program measured when it is first asked for; without tests that take longer than `longest`."""
+    """{program: {test: s}}, each program measured at its first use; without tests that take longer than `longest`."""
 
     def __init__(self, build, longest):
         super().__init__()
@@ -87,10 +88,10 @@ def by_speed(program, names, seconds):
 
 
 def stages(programs, file, seconds, first=""):
-    """(program, tests) in the order of the run: the first one, own tests, those of its folder, the room's other ones, then other programs';
+    """(program, tests) in the order of the run: the first one, own tests, those of its folder, the module's other ones, then other programs';
     of each the quick ones first.
 
-    programs: of the room, and others. seconds: {program: {test: s}}. first: "PROGRAM TEST" that killed the mutant before, if it still does.
+    programs: of the module, and others. seconds: {program: {test: s}}. first: "PROGRAM TEST" that killed the mutant before, if it still does.
     """
     homes, others = programs
     program, _, test = first.partition(" ")

@@ -13,8 +13,8 @@ TICK = os.sysconf("SC_CLK_TCK")
 STARTED = re.compile(r"^\[ RUN      \] (\S+)")
 FAILED = re.compile(r"^\[  FAILED  \] (\S+?),? ")
 ENDED = re.compile(r"^\[==========\] (\d+) tests? from .* ran\.")
-MEMORY, FILE_SIZE = 8 << 30, 1 << 30  # bytes: a mutant may ask for anything
-IDLE = 120.0  # s without any processor time, after which a test waits for what never comes
+MEMORY, FILE_SIZE = 8 << 30, 1 << 30  # bytes: a mutant may allocate or write without limit
+IDLE = 120.0  # s without any processor time, after which a test counts as blocked
 
 
 @dataclass
@@ -46,7 +46,7 @@ def cpu_seconds(leader):
 
 
 class Reader(threading.Thread):
-    """Follows what the program says: which test runs, since when, which failed."""
+    """Reads the output of the program: which test runs, since when, which failed."""
 
     def __init__(self, process):
         super().__init__(daemon=True)

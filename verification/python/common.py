@@ -17,7 +17,7 @@ TOP = ROOT / "cases/slow-top.toml"
 BIT = ROOT / "cases/bits/bit-b.toml"
 COARSE = {"rock.edge_length": "8 mm", "time.step": "5 ms"}
 QUICK = COARSE | {"time.revolutions": 0.2}  # 20 steps
-LONG = COARSE | {"time.revolutions": 10_000}  # nobody waits for its end
+LONG = COARSE | {"time.revolutions": 10_000}  # longer than any test waits
 
 
 def words(settings):
@@ -39,12 +39,12 @@ class FolderTest(unittest.TestCase):
         self.folder = pathlib.Path(made.name)
 
     def demand_one_commit(self):
-        """Summaries name their commit: where only one of the two was built anew, no bytes are the same."""
+        """Summaries contain the commit, so results differ if only one of the two was rebuilt."""
         import tdbd
         self.assertIn(f"commit {tdbd.provenance['commit']}\n", command("--version").stdout, "build program and module both")
 
     def same_files(self, one, other, but=("timing.json",)):
-        """Every file of one folder is in the other, with the same bytes."""
+        """Both folders contain the same files, bitwise identical."""
         names = lambda folder: sorted(str(f.relative_to(folder)) for f in folder.rglob("*") if f.is_file())
         self.assertEqual(names(one), names(other))
         for name in names(one):

@@ -1,4 +1,4 @@
-"""Ctrl-C comes back as KeyboardInterrupt, what was recorded is kept, and a run goes on to the bytes of one that was left alone."""
+"""Ctrl-C raises KeyboardInterrupt, recorded output is kept, and a resumed run is bitwise identical to an uninterrupted one."""
 
 import os
 import signal
@@ -10,7 +10,7 @@ from common import COARSE, DRILLING, LONG, TOP, FolderTest
 
 import tdbd
 
-signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever started this in the background had it ignored
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored if this was started in the background
 SOON = 0.5  # s, into a computation
 LATE = 60.0  # s, in which it must have ended
 
@@ -46,7 +46,7 @@ class Interrupts(FolderTest):
         self.assertEqual((sim.step(3), sim.steps_done), (3, made + 3))
 
     def goes_on(self, case, begin):
-        """A run that its progress stops, and that goes on."""
+        """Interrupts a run from its progress callback and resumes it."""
         def stop(done, total):
             self.assertLess(done, total)
             raise LookupError("enough")

@@ -21,7 +21,7 @@ class Drilling(FolderTest):
                 np.testing.assert_array_equal(sim.rock.vertices, result.rock.vertices)
                 np.testing.assert_array_equal(sim.rock.faces, result.rock.faces)
                 for key, value in sim.summary.items():
-                    if key != "energy_residual_order_of":  # a run observes it on the way, if it is asked to
+                    if key != "energy_residual_order_of":  # a run measures it on request
                         self.assertEqual(value, result.summary[key], key)
                 self.assertEqual(sim.time, result.history["time"].values[-1])
                 np.testing.assert_array_equal(sim.position, [result.history[f"position_{x}"].values[-1] for x in "xyz"])

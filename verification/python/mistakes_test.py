@@ -13,7 +13,7 @@ CALIBRATION = ROOT / "validation/cases/zijsling-share.toml"
 
 class Mistakes(FolderTest):
     def told(self, *arguments):
-        """What the command line says of wrong input."""
+        """The message of the command line for wrong input."""
         done = command(*arguments)
         self.assertEqual(done.returncode, 2, done)
         self.assertTrue(done.stderr.startswith("tdbd: "), done.stderr)

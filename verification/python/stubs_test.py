@@ -1,4 +1,4 @@
-"""The stubs name what the compiled half has, every public name has a docstring, and arrays tell their shape."""
+"""The stubs list the names of the compiled module, every public name has a docstring, and arrays state their shape."""
 
 import ast
 import inspect

@@ -1,4 +1,4 @@
-"""Several threads of Python: each drills on its own, one at a time in one folder, and Python goes on meanwhile."""
+"""Several Python threads drill independently, one at a time in one folder, and Python continues meanwhile."""
 
 import concurrent.futures
 import threading
@@ -47,7 +47,7 @@ class Threads(FolderTest):
         case = tdbd.case(DRILLING, set=LONG)
         first = concurrent.futures.ThreadPoolExecutor(1).submit(tdbd.run, case, self.folder / "a", progress=progress)
         self.assertTrue(began.wait(60))
-        with self.assertRaisesRegex(tdbd.FolderError, "output folder .*: in use: another command writes to it; wait for its end"):
+        with self.assertRaisesRegex(tdbd.FolderError, "output folder .*: in use: another command writes to it; wait until it ends"):
             tdbd.run(case, self.folder / "a", force=True)
         stop.set()
         self.assertRaises(InterruptedError, first.result, 60)

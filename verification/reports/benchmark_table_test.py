@@ -28,10 +28,6 @@ class Table(unittest.TestCase):
     def test_shows_time_date_and_the_rocks_size(self):
         self.assertIn("| `step` | `step/a` | a step, 119446 triangles | 1.23 ms |  | 2026-01-02 |\n", table.table(self.taken(RESULT)))
 
-    def test_says_no_size_where_none_was_told(self):
-        rows = [{k: v for k, v in row.items() if k != "triangles"} for row in RESULT["benchmarks"]]
-        self.assertIn("| a step | 1.23 ms |", table.table(self.taken(RESULT | {"benchmarks": rows})))
-
     def test_shows_what_was_never_measured(self):
         self.assertIn("| a step | not measured |  |  |\n", table.table({"benchmarks": [ENTRY]}))
 

@@ -95,7 +95,7 @@ class Browser:
         return found["result"].get("value")
 
     def drawn(self):
-        """Waits until the page has drawn what was asked for."""
+        """Waits until the page has drawn its current state."""
         self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(1))))")
 
     def press(self, key, times=1):

@@ -41,7 +41,7 @@ class Made(unittest.TestCase):
         self.project.write("validation/cases/lab-bc-a.toml", "17")
 
     def make(self, *words, arguments=()):
-        """The names of what was made; complaints hold these words."""
+        """The names of what was made; complaints contain these words."""
         made = self.project.make_or_complain(self, words, arguments)
         return [name for name in ("chapter6", "measured") if f"made {name} (" in made]
 
@@ -75,13 +75,6 @@ class Made(unittest.TestCase):
                 self.assertEqual(self.make(), [])
         self.assertIn("<td>18</td>", self.section("chapter6-table-starts"))
 
-    def test_is_made_again_when_its_table_went_or_was_changed(self):
-        for change in (lambda file: file.unlink(), lambda file: file.write_text("## H\n\nc\n\n| 19 |\n")):
-            self.make()
-            change(self.project.out / "validation/chapter6/tables/starts.md")
-            self.make("chapter6: a table or figure was changed or removed", arguments=("--check",))
-            self.assertEqual(self.make(), ["chapter6"])
-
     def test_that_fails_leaves_no_report(self):
         self.project.write("validation/validate.py", "raise SystemExit('validate: a verdict is another')\n")
         self.make("measured: exit code 1", "a verdict is another")
@@ -95,10 +88,6 @@ class Made(unittest.TestCase):
         self.project.write("reports/thesis_index.toml", index.replace("chapter6 fit", "chapter6 other"))
         for arguments in ((), ("--check",)):
             self.make("thesis_index.toml: figure 6.1: there is no counterpart chapter6 other", arguments=arguments)
-
-    def test_a_quick_run_says_that_it_was_not_made(self):
-        self.assertEqual(self.make(arguments=("--quick",)), [])
-        self.assertEqual(self.page(self.project.build / "report-quick").count("Not made in this run"), 2)
 
     def test_knows_every_file_behind_a_set(self):
         for made, file in ((CHAPTER_6, "blind/blind.py"), (CHAPTER_6, "chapter6/records.csv"), (CHAPTER_6, "cases/lab-bc-a.toml"),

@@ -19,7 +19,7 @@ case = "cases/compare/b.toml"
 models = ["tdbd", "behr"]
 sweep = {"motion.rate_of_penetration" = ["15 m/h"]}
 """
-# A tdbd-compare of two models, of which Behr's finds a weight that is FACTOR times ours, and no wear.
+# A tdbd-compare with two models: that of Behr returns FACTOR times the weight of TDBD, and no wear.
 COMPARE = """#!/usr/bin/python3
 import json, math, pathlib, sys, time
 import netCDF4
@@ -63,7 +63,7 @@ class Made(unittest.TestCase):
         self.project.write("build/release/tdbd-compare", COMPARE.replace("FACTOR", factor)).chmod(0o755)
 
     def make(self, *words, arguments=()):
-        """Whether a comparison was made; complaints hold these words."""
+        """Whether a comparison was made; complaints contain these words."""
         return "made comparison (" in self.project.make_or_complain(self, words, arguments)
 
     def page(self, folder=None):
@@ -120,10 +120,6 @@ class Made(unittest.TestCase):
         (self.project.build / "tdbd-compare").unlink()
         self.make("tdbd-compare is not built")
         self.assertFalse((self.project.out / "index.html").exists())
-
-    def test_a_quick_run_says_that_it_was_not_made(self):
-        self.make(arguments=("--quick",))
-        self.assertEqual(self.page(self.project.build / "report-quick").count("Not made in this run"), 1)
 
     def test_waves_of_the_bottom_are_counted(self):
         self.make()

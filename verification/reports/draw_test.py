@@ -1,4 +1,4 @@
-"""draw_test.py TDBD ROOT: the picture of a study of convergence shows what its file says."""
+"""draw_test.py TDBD ROOT: the figure of a convergence study shows the values of its file."""
 
 import json
 import pathlib

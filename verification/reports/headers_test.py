@@ -72,7 +72,7 @@ class Read(unittest.TestCase):
 
 class Shipped(unittest.TestCase):
     def test_every_type_of_src_is_found(self):
-        """By another way: a type's name stands at the beginning of a line."""
+        """Found independently: the name of a type is at the beginning of a line."""
         for path in sorted((ROOT / "src").rglob("*.hpp")):
             text = path.read_text(encoding="utf-8")
             declared = set(re.findall(r"^(?:struct|class|enum class) (?:alignas\(.*\) )?(\w+)(?: :.*)? \{", text, re.MULTILINE))

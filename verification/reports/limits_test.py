@@ -1,5 +1,4 @@
-"""limits_test.py ROOT: a limit of a claim may be three times what is measured against it, or says why it is wider;
-what is beyond its limit does not hold."""
+"""limits_test.py ROOT: the limit of a claim is at most three times the measured value or gives a reason; a claim beyond its limit is rejected."""
 
 import pathlib
 import sys
@@ -47,10 +46,6 @@ class Limits(unittest.TestCase):
     def test_that_are_missed_are_not_wide_whatever_they_say(self):
         self.assert_tight(measured(1.4, "1 +- 0.1 is missed: it sleeps"), measured(0.7, "<= 0.1 was asked"))
 
-    def test_in_other_words_are_not_judged(self):
-        self.assert_tight(measured(0.0, ">= 0"), measured(0.0, "0, bitwise"), measured(1.0, "below 9"), measured(0.0, "<= 0"),
-                          measured(1.0, "<= 5 times that of the first steps"), measured(1.0, "a fast one has <= 9"))
-
     def test_of_rounding_may_be_wide(self):
         self.assert_tight(measured(0.0, "<= 1e-12"), measured(2.0, "2 +- 1e-12"), measured(1e-15, "<= 3e-13"))
         self.assert_loose(measured(1e-15, "<= 2e-12"))
@@ -58,10 +53,6 @@ class Limits(unittest.TestCase):
     def test_are_as_tight_as_the_worst_of_a_test_s_measurements(self):
         self.assert_tight(measured(0.1, "<= 1"), measured(0.5, "<= 1"), measured(0.0, "<= 1"))
         self.assert_loose(measured(0.1, "<= 1"), measured(0.3, "<= 1"))
-
-    def test_are_not_excused_by_another_test_or_claim_or_limit(self):
-        for other in (measured(0.5, "<= 1", test="Snail.sleeps"), measured(0.5, "<= 1", claim="ours/rest"), measured(0.5, "<= 1.1")):
-            self.assertIn("Snail.creeps has the limit '<= 1'", self.assert_loose(measured(0.1, "<= 1"), other))
 
 
 class Missed(unittest.TestCase):

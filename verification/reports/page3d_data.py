@@ -94,7 +94,7 @@ def strip(count):
 
 
 def heap(random, count):
-    """Points and triangles without any order: only the frame before tells where they are."""
+    """Points and triangles in random order: only the frame before predicts their positions."""
     return random.integers(0, 65536, (count, 3)), random.integers(0, count, (2 * count, 3)), random.integers(0, 9, (count, 1))
 
 

@@ -65,11 +65,6 @@ class Report(OfOneProject):
         self.assert_stale("one: the result does not match")
         self.assert_remade(runs=1, drawn=True)
 
-    def test_a_changed_command(self):
-        self.project.write("reports/manifest.toml", MANIFEST.replace("0.1 s", "0.2 s"))
-        self.assert_stale("one: the result does not match")
-        self.assert_remade(runs=1, drawn=True)
-
     def test_a_changed_program(self):
         self.project.write("build/release/tdbd", PROGRAM + "# another\n")
         self.assert_stale("one: the result does not match")
@@ -90,17 +85,6 @@ class Report(OfOneProject):
         self.assert_stale("one: the result was changed after the run")
         self.assert_stale("one: the result was changed after the run", arguments=())
 
-    def test_a_result_folder_that_went(self):
-        for file in (self.project.out / "data/one").iterdir():
-            file.unlink()
-        (self.project.out / "data/one").rmdir()
-        self.assert_stale("one: the result was changed")
-        self.assert_remade(runs=1, drawn=True)
-
-    def test_the_time_that_a_run_took_is_no_result(self):
-        (self.project.out / "data/one/timing.json").write_text("{}")
-        self.assert_remade(runs=0, drawn=False)
-
     def test_a_figure_older_than_its_data(self):
         self.project.age("results/report/figures/first.png", 60)
         self.assert_stale("figure first: older than its data")
@@ -120,11 +104,6 @@ class Report(OfOneProject):
         self.project.write("reports/figures/first.py", FIGURE.replace('table("numbers")', 'table("other")'))
         self.assert_stale("figure first: cannot be drawn of its data", "other", arguments=())
 
-    def test_a_missing_figure(self):
-        (self.project.out / "figures/first.png").unlink()
-        self.assert_stale("figure first: has not been drawn")
-        self.assert_made()
-
     def test_a_page_older_than_a_measurement(self):
         self.project.measure(EVIDENCE | {"measured": 2.002})
         self.assert_stale("index.html: older than", "what.json")
@@ -136,10 +115,6 @@ class Report(OfOneProject):
         self.assert_stale("one: exit code 2", "tdbd: bad case", arguments=())
         self.assertFalse((self.project.out / "index.html").exists())
         self.assert_stale("one: has not been run")
-
-    def test_a_program_that_is_not_built(self):
-        (self.project.build / "tdbd").unlink()
-        self.assert_stale("is not built")
 
     def test_evidence_older_than_its_program(self):
         self.project.age("build/release/verify", -60)
@@ -165,19 +140,6 @@ class Report(OfOneProject):
         page = (self.project.out / "index.html").read_text(encoding="utf-8")
         row = page[page.index('id="claim-chapter5/order"'):].split("</tr>")[0]
         self.assertTrue("no &lt;test&gt; yet" in row and ">open</span>" in row, row)
-
-    def test_a_quick_run_leaves_out_a_figure_and_its_runs(self):
-        self.project.write("reports/manifest.toml", MANIFEST.replace('script = "first"', 'script = "first"\nquick = false'))
-        calls = len(self.project.calls())
-        self.assertEqual(self.project.make("--quick")[0], 0)
-        self.assertEqual(len(self.project.calls()), calls)
-        self.assertFalse("figure-first" in (self.project.build / "report-quick/index.html").read_text(encoding="utf-8"))
-
-    def test_a_table_that_is_missing(self):
-        (self.project.build / "evidence/tables/numbers.json").unlink()
-        self.assert_stale("numbers.json: no test wrote it")
-        self.assert_stale("numbers.json: no test wrote it", arguments=())
-        self.assertEqual(self.project.make("--quick")[0], 0)
 
     def test_evidence_of_no_claim_or_verdict(self):
         self.project.measure(EVIDENCE | {"claim": "chapter5/other"})
@@ -228,18 +190,11 @@ class Worst(unittest.TestCase):
                                     (5e-12, "<= 1e-11", "holds")), "number 1")
         self.assertEqual(self.shown((2.01, "2 +- 0.05", "holds"), (1.96, "2 +- 0.05", "holds")), "number 1")
 
-    def test_a_limit_without_room_is_taken_whole(self):
-        self.assertEqual(self.shown((6e-16, "<= 1e-15", "holds"), (0.0, "0, bitwise", "holds")), "number 1")
-
     def test_the_one_of_the_worst_verdict_that_goes_farthest_beyond(self):
         self.assertEqual(self.shown((0.9, "<= 1", "holds"), (0.02, "<= 0.05", "refuted"),
                                     (4e-4, "a symplectic drift has <= 1e-13", "refuted")), "number 2")
         self.assertEqual(self.shown((1.09, "1 +- 0.1", "holds with limits"),
                                     (1.4, "1 +- 0.1 is missed: it rained", "holds with limits")), "number 1")
-
-    def test_words_that_tell_no_limit_come_last(self):
-        self.assertEqual(self.shown((4.5, "none", "holds"), (1.05, "<= 1.05 times that of the first", "holds"),
-                                    (0.4, "<= 1", "holds")), "number 2")
 
 
 BIT_PAGE = """
@@ -303,10 +258,6 @@ class BitPages(OfOneProject):
         self.make(f"{self.kind} of one: no parts")
         self.assertFalse((self.project.out / "index.html").exists())
 
-    def test_of_no_run(self):
-        self.project.write("reports/manifest.toml", f'{self.list} = ["two"]\n' + MANIFEST)
-        self.make(f"{self.list}: no run two")
-
 
 PAGE_3D = BIT_PAGE.replace("def write", "class Frames:\n    missing = []\n\ndef write") + "    return Frames\n"
 
@@ -325,18 +276,6 @@ class Pages3d(BitPages):
         self.project.write("reports/page3d.py", PAGE_3D.replace("missing = []", "missing = [{'number': 7, 'why': 'gone'}]"))
         self.make("3-D page of one: found no frame 7 (gone), expected all")
         self.assertFalse(self.page.exists())
-
-
-class Classes(unittest.TestCase):
-    def test_the_table_of_classes_is_on_the_page(self):
-        with tempfile.TemporaryDirectory() as folder:
-            project = Project(folder)
-            project.write("src/README.md", "# x\n\n| thesis, app. B | class in the thesis | in TDBD | header |\n|---|---|---|---|\n"
-                                           "| B.9 | lost <name> | `Bit`, `read_bit` | `bit/bit.hpp` |\n\nMore.\n")
-            self.assertEqual(project.make()[2], "")
-            page = (project.out / "index.html").read_text(encoding="utf-8")
-            self.assertIn("<td>lost &lt;name&gt;</td><td><code>Bit</code>, <code>read_bit</code></td>", page)
-            self.assertIn("<code>bit/bit.hpp</code>", page)
 
 
 class Manifest(unittest.TestCase):

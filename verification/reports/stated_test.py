@@ -61,14 +61,6 @@ class Made(unittest.TestCase):
         self.assertEqual(stated.write(self.root), [])
         self.assertEqual(self.readme.read_text(encoding="utf-8"), TEXT)
 
-    def test_changed_data_are_noticed_in_every_place_of_a_phrase(self):
-        self.write(TEXT, MODULE.replace("1.24, 7.2", "1.26, 7.2"))
-        self.assertIn("found 1.2 in", self.problem())
-        self.write(TEXT, MODULE.replace("2.1e-7", "2.1e-8"))
-        self.assertIn("found 2e-7 in", self.problem())
-        self.assertEqual(stated.write(self.root), [])
-        self.assertIn("its defect 2e-8.", self.readme.read_text(encoding="utf-8"))
-
     def test_a_number_from_nowhere_is_named(self):
         self.write(TEXT + "\nIt weighs 12.5 g.\n")
         self.assertIn("line 9: 12.5 comes from no file", self.problem())
@@ -76,20 +68,6 @@ class Made(unittest.TestCase):
     def test_a_study_without_stated_numbers_is_named(self):
         (self.study / "stated.py").unlink()
         self.assertIn("4 numbers and no stated.py", self.problem())
-
-    def test_what_the_text_no_longer_says_is_named(self):
-        self.write(TEXT.replace("Its speed is 1.2 mm/s\nover all days, within\n7 % of what it was, and i", "I"))
-        self.assertIn("found 0 pieces of text like 'Its speed", "\n".join(stated.problems(self.root)))
-        self.write(TEXT, MODULE.replace("edges of 2 mm", "edges of 3 mm"))
-        self.assertTrue(any("which the text has not" in p for p in stated.problems(self.root)))
-
-    def test_a_phrase_with_too_few_numbers_is_named(self):
-        self.write(TEXT, MODULE.replace("1.24, 7.2", "1.24"))
-        self.assertIn("gives 1 numbers", "\n".join(stated.problems(self.root)))
-
-    def test_what_is_there_twice_is_named(self):
-        self.write(TEXT + "\nAgain: its defect 2e-7.\n")
-        self.assertIn("found 2 pieces of text like 'its defect", "\n".join(stated.problems(self.root)))
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ void drill(const Scene& s, const CuttingBit& bit, Rock& rock, CutReport& report)
 
 /// Between two cuts and their maintenance, about any box: the vertices, the triangles and the
 /// volumes are the same.
-RC_GTEST_PROP(Rock, is_the_same_whenever_its_index_is_made_anew, ()) {
+RC_GTEST_PROP(Rock, is_the_same_whenever_its_index_is_rebuilt, ()) {
   const Scene s = *scene();
   const CuttingBit bit = prepare_cutting_bit(s.bit);
   Rock rock = rock_of(s), other = rock;
@@ -38,7 +38,7 @@ RC_GTEST_PROP(Rock, is_the_same_whenever_its_index_is_made_anew, ()) {
   RC_ASSERT(describe(check_disc(other)) == "");
 }
 
-/// A sheet that goes down in small moves, of which the index was not told.
+/// A sheet that moves down in small steps that the index does not record.
 TEST(Rock, deepens_its_index_with_the_hole) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
   const double cell = rock.grid.cell(), start = rock.grid.box().hi.z();
@@ -59,7 +59,7 @@ TEST(Rock, deepens_its_index_with_the_hole) {
 }
 
 /// Each new index holds twice the hole's depth, so that there are few.
-TEST(Rock, makes_its_index_anew_whenever_the_hole_is_twice_as_deep) {
+TEST(Rock, rebuilds_its_index_whenever_the_hole_is_twice_as_deep) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
   int made_anew = 0;
   for (int k = 0; k < 300; ++k) {

@@ -1,4 +1,4 @@
-"""Equations are cited by room and number, "rock (7)", and every such number stands in a page of that room.
+"""Equations are cited by module and number, "rock (7)", and a page of that module has an equation of this number.
 
 An equation or a contract is numbered in src/ROOM/*.md, once: "(7)" at the end of its line in a code block, or at
 the start of a paragraph or a list item, or alone in the first cell of a table row. A document outside the repository is not cited at all.
@@ -18,8 +18,8 @@ PARAGRAPH = re.compile(rf"(?:\*\*)?({NUMBER})(?=\W|$)")
 ITEM = re.compile(rf"\s*(?:[-*+] |\d+\. )(?:\*\*)?({NUMBER})(?=\W|$)")
 ROW = re.compile(rf"\|\s*({NUMBER})\s*\|")
 AT_END = re.compile(rf"({NUMBER})\W*$")
-# A document that is not in the repository: "section 4", where sections of the thesis have two numbers or more ("section 4.2") and other works are
-# named ("Mechanics, section 37"); or what was asked for.
+# A document that is not in the repository: "section 4", where sections of the thesis have two
+# numbers or more ("section 4.2") and other works are named ("Mechanics, section 37"); or an issue.
 OUTSIDE = re.compile(r"(?<![,;\s])\s+sections?\s+\d+(?!\.?\d)|\b(?:the|this|first)\s+issue\b", re.IGNORECASE)
 THIS_RULE = "verification/rules/citations.py"  # its self-test holds wrong citations on purpose
 
@@ -38,7 +38,7 @@ def comments(code):
 
 
 def prose(path, text):
-    """What a file says in words; marks of comments are blanks, so that a citation may go over two lines."""
+    """The text of a file without code; marks of comments are blanks, so that a citation may continue in the next line."""
     if path.endswith(CODE):
         text = comments(text)
     return re.sub(r"(?m)^[ \t]*(///?<?!?|\*|#)", lambda m: " " * len(m.group(0)), text)

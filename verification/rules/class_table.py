@@ -1,4 +1,4 @@
-"""The table of src/README.md, the thesis's classes and ours, names what exists: each file, and in it each type or function."""
+"""The files, types and functions in the table of src/README.md (classes of the thesis and of TDBD) exist."""
 
 import re
 import sys

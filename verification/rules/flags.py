@@ -1,4 +1,4 @@
-"""Every source of ours is compiled without contraction and without fast-math."""
+"""Every source of TDBD is compiled without contraction and without fast-math."""
 
 import argparse
 import json

@@ -1,4 +1,4 @@
-"""Every source is formatted as .clang-format says."""
+"""Every source is formatted according to .clang-format."""
 
 import pathlib
 import shutil

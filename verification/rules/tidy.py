@@ -1,9 +1,8 @@
-"""clang-tidy, as .clang-tidy says, over every source of src, by the folder as they are compiled; what passed unchanged is
-not rerun.
+"""clang-tidy with the checks of .clang-tidy passes on every source of src, by folder as they are compiled.
 
-tidy_passed.txt holds hashes of what passed, of a source with all its headers, its command line and .clang-tidy,
-so that a fresh clone asks only about what changed since. `tidy.py --build BUILD --record` writes it anew from what
-passes; without the file everything is asked again (some three minutes of two cores).
+A unit that passed is not checked again until it changes: the folder tidy-passed of the build has a file for each, named by the hash of the
+unit with its headers, its command line and .clang-tidy. Without that folder, as in a fresh clone, the rule is skipped (exit code 77): checking
+all units takes several minutes. `bash scripts/tidy` (tidy.py --all) checks them and creates the folder.
 """
 
 import argparse
@@ -20,7 +19,7 @@ import tempfile
 import sources
 
 JOBS = 2
-RECORD = pathlib.Path(__file__).with_name("tidy_passed.txt")
+SKIPPED = 77  # the exit code that ctest takes for a skipped test
 PRECOMPILED = re.compile(r" -(Winvalid-pch|fpch-preprocess|Wno-array-bounds|Wno-stringop-overflow|Wno-stringop-overread|Wno-restrict"
                          r"|fPIC|fvisibility=hidden|fvisibility-inlines-hidden|include \S*cmake_pch\.hxx)(?= )")
 UNITY = re.compile(r"/Unity/unity_\w+\.cxx$")
@@ -35,14 +34,14 @@ def tool():
 
 
 def run_tidy(path, extra):
-    """The complaints about one file, as one text. Compiler warnings are the build's business: -w."""
+    """The messages about one file. Compiler warnings are left to the build: -w."""
     run = subprocess.run([tool(), "--quiet", "--extra-arg=-w", f"--config-file={sources.ROOT / '.clang-tidy'}",
                           str(path), *extra], cwd=sources.ROOT, capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 
 
 def project_files(path, seen):
-    """The file and all headers of ours that it includes, directly or through others."""
+    """The file and all headers of TDBD that it includes, directly or indirectly."""
     if path not in seen and path.is_file():
         seen.add(path)
         for header in INCLUDE.findall(path.read_text(encoding="utf-8")):
@@ -51,7 +50,7 @@ def project_files(path, seen):
 
 
 def verdict_key(path, command):
-    """Hash of all that can change clang-tidy's verdict on the file, system headers apart."""
+    """Hash of everything that clang-tidy's result depends on, except system headers."""
     portable = command.replace(str(sources.ROOT), ".")
     digest = hashlib.sha256(portable.encode() + (sources.ROOT / ".clang-tidy").read_bytes())
     for file in sorted(project_files(pathlib.Path(path), set())):
@@ -60,35 +59,34 @@ def verdict_key(path, command):
     return digest.hexdigest()
 
 
-def recorded():
-    return set(RECORD.read_text(encoding="utf-8").split()) if RECORD.is_file() else set()
+def cache(build):
+    """The folder with a file for each unit that passed."""
+    return build / "tidy-passed"
 
 
 def check_file(path, command, build):
-    key = verdict_key(path, command)
-    passed = build / "tidy-passed" / key
-    if passed.exists() or key in recorded():
+    passed = cache(build) / verdict_key(path, command)
+    if passed.exists():
         return ""
     complaints = run_tidy(path, ["-p", str(build / "tidy"), f"--header-filter={sources.ROOT}/src/.*"])
     if not complaints:
-        passed.parent.mkdir(exist_ok=True)
         passed.touch()
     return complaints
 
 
 def without_precompiled(command):
-    """The command line without g++'s precompiled header, which clang cannot read, and what goes with it."""
+    """The command line without g++'s precompiled header, which clang cannot read, and without the related options."""
     return PRECOMPILED.sub("", command)
 
 
 def is_ours(source):
-    """Whether it is a source of src, or the sources of one of its folders together, as they are compiled."""
+    """Whether this is a source of src, or a unity source of one of its folders."""
     together = UNITY.search(source) is not None and f"{sources.ROOT}/src/" in pathlib.Path(source).read_text(encoding="utf-8")
     return together or source.startswith(f"{sources.ROOT}/src/")
 
 
 def commands(build):
-    """{source: command line} of src; the same for clang-tidy in build/tidy/compile_commands.json."""
+    """{source: command line} of src, which is also written to tidy/compile_commands.json of the build for clang-tidy."""
     entries = [{**e, "command": without_precompiled(e["command"])}
                for e in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")) if is_ours(e["file"])]
     (build / "tidy").mkdir(exist_ok=True)
@@ -97,15 +95,10 @@ def commands(build):
 
 
 def check_all(build):
+    cache(build).mkdir(exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
         found = pool.map(lambda item: check_file(*item, build), sorted(commands(build).items()))
     return [complaints for complaints in found if complaints]
-
-
-def record(build):
-    """Everything passes: note it."""
-    keys = sorted(verdict_key(*item) for item in commands(build).items())
-    RECORD.write_text("\n".join(keys) + "\n", encoding="utf-8")
 
 
 def self_test():
@@ -124,12 +117,12 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", type=pathlib.Path, default=sources.ROOT / "build/release")
     parser.add_argument("--self-test", action="store_true")
-    parser.add_argument("--record", action="store_true", help="write tidy_passed.txt if all pass")
+    parser.add_argument("--all", action="store_true", help="check all units that have not passed, even if none has")
     chosen = parser.parse_args()
     if chosen.self_test:
         sources.prove(self_test)
+    elif not chosen.all and not cache(chosen.build).is_dir():
+        print("skipped: no unit has been checked in this build yet; bash scripts/tidy checks all of them")
+        sys.exit(SKIPPED)
     else:
-        complaints = check_all(chosen.build)
-        if chosen.record and not complaints:
-            record(chosen.build)
-        sources.finish(complaints)
+        sources.finish(check_all(chosen.build))

@@ -17,7 +17,7 @@ inline Pose pose_of(const Case& c, const Simulation& s) {
 }
 
 /// Steps to the end of the case; after every cut no vertex is inside the bit. Steps with
-/// maintenance are not asked: vertices that it made wait for the next cut.
+/// maintenance are not tested, because the vertices that it inserts wait for the next cut.
 inline void run_out(const Case& c, Simulation& s, long ask_every = 1) {
   while (s.state.steps_done < c.time.steps) {
     step(c, s);

@@ -35,7 +35,7 @@ TEST(Top, reflection_of_a_soft_torque_is_that_of_the_closed_form) {
 }
 
 /// A hump of speed runs up a pipe so long that nothing comes back from its lower end. Below the top
-/// its waves are told apart by speed and torque, and compared by frequency.
+/// its two waves are separated by speed and torque, and compared by frequency.
 TEST(Top, a_chain_below_a_soft_torque_reflects_as_the_closed_form) {
   const int n = 4800, probe = 2;
   const Section pipe = drill_pipe(40.0 * n);

@@ -16,7 +16,7 @@ Design design_from(const std::filesystem::path& folder, const std::string& text)
 /// A free top over three levels of step and two of its own spin: six points in milliseconds.
 std::string small_top();
 
-/// What reading the design says is wrong; empty: nothing.
+/// The message from reading the design; empty if it is valid.
 std::string mistake_in(const std::string& text);
 
 }  // namespace tdbd::sweep

@@ -102,7 +102,7 @@ TEST(Sweep, rotates_and_analyses_too) {
   EXPECT_NE(found.at(keys[1]).outcome.figures[0], analysis["imbalance_of_unit_law"]);
 }
 
-/// The planar model judges all points; those it finds best are run, whoever runs them.
+/// The planar model judges all points; those with the best results are run, by any process.
 TEST(Sweep, runs_what_the_planar_model_finds_best) {
   const fs::path folder = empty_folder("filter");
   const std::string turned =
@@ -135,7 +135,7 @@ TEST(Sweep, runs_what_the_planar_model_finds_best) {
   EXPECT_NE(text_of(folder / "t.csv").find(",left-out,"), std::string::npos);
 }
 
-/// On one thread and on two, in one process and in three shards: the same bytes.
+/// Bitwise identical on one thread and on two, in one process and in three shards.
 TEST(Sweep, table_has_the_same_bytes_however_it_is_made) {
   const fs::path folder = empty_folder("bytes");
   const Design d = design_from(folder, small_hole(rakes_and_rates));
@@ -155,7 +155,7 @@ TEST(Sweep, table_has_the_same_bytes_however_it_is_made) {
   }
 }
 
-/// Whoever finds all points done writes the table, also where several do at the same time.
+/// The process that finds all points done writes the table, also if several do at the same time.
 TEST(Sweep, shards_that_end_together_all_write_the_table) {
   const fs::path folder = empty_folder("together");
   const Design d = design_from(folder, small_top());
@@ -313,7 +313,7 @@ TEST(Sweep, gives_up_points_under_way_when_interrupted) {
   EXPECT_EQ(swept(d, folder / "t.nc").found, 2);
 }
 
-/// While the first thread tells of its point for a while, others would take the next ones.
+/// While the first thread reports its point for a while, others would take the next ones.
 TEST(Sweep, works_with_no_more_threads_than_told) {
   const fs::path folder = empty_folder("threads");
   std::set<std::thread::id> seen;

@@ -1,32 +1,32 @@
-"""What the checks of tests observed, and what kind of check each is."""
+"""Reads the errors that the checks of tests recorded, and determines the kind of each check."""
 
 import csv
 import pathlib
 import re
 from dataclasses import dataclass, replace
 
-MOST = 3.0  # a tolerance may be so many times what is observed
-ROUNDING = 1e-12  # below it an observation hangs on the order in which a compiler adds
+MOST = 3.0  # the largest permitted ratio of tolerance to observed error
+ROUNDING = 1e-12  # below it an observed error depends on the order in which a compiler adds
 LITERAL = re.compile(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+)(?:e[-+]?\d+)?(?![\w.])")
 COMPARISON = re.compile(r"<=?(?![<=\w:]*>)")
-PROMISE = "tolerance::"  # of src/core/tolerance.hpp: what the program promises, which is not a test's to choose
-REASON = "wide:"  # a comment at the check that begins so says why its tolerance is wider
+PROMISE = "tolerance::"  # of src/core/tolerance.hpp: documented limits of the program, which a test does not choose
+REASON = "wide:"  # begins a comment that explains why a tolerance is wider
 
 
 @dataclass(frozen=True)
 class Check:
     file: str
     line: int
-    words: str  # what is allowed; for RC_ASSERT all of its words
+    words: str  # the expression of the tolerance; for RC_ASSERT the whole expression
     times: int
-    share: float  # the largest of observed over allowed
+    share: float  # the largest ratio of observed to allowed
     observed: float
     allowed: float
     scale: float = 0.0  # the larger of what is compared
 
 
 def read(folder, root):
-    """The checks of all processes that wrote into the folder, each with its largest share."""
+    """The checks of all processes that wrote to the folder, each with its largest share."""
     found = {}
     for file in sorted(pathlib.Path(folder).rglob("*.tsv")):
         with file.open(encoding="utf-8", newline="") as text:
@@ -42,7 +42,7 @@ def read(folder, root):
 
 
 def allowed_words(words):
-    """Behind the first comparison, if there is one: `a < b && c` allows b."""
+    """The right side of the first comparison, if there is one: `b` of `a < b && c`."""
     parts = COMPARISON.split(words, maxsplit=1)
     return re.split(r"&&|\|\|", parts[-1])[0].strip() if len(parts) == 2 else words
 
@@ -54,13 +54,13 @@ def constants(text):
 
 
 def numbers(words, known):
-    """The numbers in what is allowed, written or by name."""
+    """The numbers in the expression of the tolerance, literal or by name."""
     allowed = allowed_words(words)
     return [float(n) for n in LITERAL.findall(allowed)] + [known[name] for name in re.findall(r"(?<![\w.])[A-Za-z_]\w*", allowed) if name in known]
 
 
 def says_why(lines, line):
-    """Whether a comment at the check, in its statement or just above it, says why its tolerance is wide."""
+    """Whether a comment in the statement of the check or directly above it explains its wide tolerance."""
     end = line
     while end < len(lines) and end < line + 4 and not lines[end - 1].split("//")[0].rstrip().endswith(";"):
         end += 1
@@ -71,7 +71,7 @@ def says_why(lines, line):
 
 
 def kind(check, text):
-    """tight, rounding, bound, said or loose. text: of its file."""
+    """The kind of a check (README.md): tight, bound, said, rounding or loose. text: the text of its file."""
     if check.share * MOST >= 1.0:
         return "tight"
     found = numbers(check.words, constants(text))

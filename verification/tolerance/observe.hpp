@@ -1,6 +1,6 @@
 #pragma once
-// Notes how much of its tolerance each check uses up. In a build with TDBD_OBSERVE (preset mutate) every test reads this
-// first; the macros of GoogleTest and RapidCheck then do what they did, and note the two sides.
+// Records the share of its tolerance that each check uses. A build with TDBD_OBSERVE (preset mutate) includes this file first in
+// every test; it replaces macros of GoogleTest and RapidCheck by others that also record both sides of the comparison.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -19,24 +19,25 @@
 
 namespace tdbd::observed {
 
-/// Where a check stands, and its words for what is allowed.
+/// The position of a check in its file, and the expression of its tolerance.
 struct Place {
   const char* file;
   int line;
   const char* allowed;
 };
 
-/// What one check saw, over all times that it was asked.
+/// The observations of one check, over all its evaluations.
 struct Seen {
   long times = 0;
-  double share = 0.0;     ///< largest of observed over allowed
+  double share = 0.0;     ///< largest ratio of observed to allowed
   double observed = 0.0;  ///< with that share
   double allowed = 0.0;   ///< with that share
-  double scale = 0.0;     ///< with that share: the larger of what is compared; 0 if only one is
+  double scale =
+      0.0;  ///< with that share: the larger of the two compared values; 0 if there is only one
 };
 
-/// All checks of this process. With TDBD_OBSERVED in the environment, a folder, they are written
-/// there at the end: file, line, times, share, observed, allowed, scale, words.
+/// All checks of this process. If the environment variable TDBD_OBSERVED names a folder, they are written
+/// to it when the process ends: file, line, times, share, observed, allowed, scale, expression.
 class Ledger {
  public:
   void note(const Place& place, double observed, double allowed, double scale = 0.0) {
@@ -74,14 +75,14 @@ inline Ledger& ledger() {
 template <class T>
 concept Real = std::floating_point<std::remove_cvref_t<T>>;
 
-/// The left side below the right one: a tolerance only if that is a real number.
+/// Records a comparison of two real numbers; others have no tolerance.
 template <class A, class B>
 void note_below(const Place& place, const A& a, const B& b) {
   if constexpr (Real<A> && Real<B>)
     ledger().note(place, static_cast<double>(a), static_cast<double>(b));
 }
 
-/// In place of GoogleTest's comparisons.
+/// Replaces GoogleTest's comparison.
 struct Less {
   Place place;
   template <class A, class B>
@@ -111,7 +112,7 @@ struct Near {
   }
 };
 
-/// The left side of what RC_ASSERT is given, if that is a real number: Check{place} <= a < b is
+/// The left side of the expression in RC_ASSERT, if it is a real number: Check{place} <= a < b is parsed as
 /// (Check{place} <= a) < b.
 template <Real A>
 struct Left {
@@ -144,8 +145,8 @@ const A& operator<=(const Check&, const A& a) {
   return a;
 }
 
-/// Else the standard's comparison of a value with an optional number would be taken, which is true
-/// of none.
+/// Without this overload the standard's comparison of a value with an optional number would be chosen, which is false
+/// for an empty one.
 template <class A>
 const std::optional<A>& operator<=(const Check&, const std::optional<A>& a) {
   return a;

@@ -1,4 +1,4 @@
-"""scripts/tolerances: how much of its tolerance does each check of the tests use up? README.md says how."""
+"""scripts/tolerances: measures which share of its tolerance each check of the tests uses (README.md)."""
 
 import argparse
 import collections
@@ -16,6 +16,7 @@ import checks
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RANDOM = re.compile(r"^\s*(?:RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+)\s*,\s*(\w+)", re.MULTILINE)
 KINDS = ("tight", "rounding", "bound", "said", "loose")
+COUNTED = ("tight", "bound", "said", "rounding", "loose")  # the columns of the study's table
 HEADS = ("file", "line", "kind", "times", "share", "observed", "allowed", "words")
 
 
@@ -28,13 +29,13 @@ def programs(build, words):
 
 
 def random_tests():
-    """A filter of the tests whose numbers hang on the seed."""
+    """A filter of the tests whose numbers depend on the seed."""
     found = {f"{suite}.{name}" for f in (ROOT / "verification").rglob("*_test.cpp") for suite, name in RANDOM.findall(f.read_text(encoding="utf-8"))}
     return ":".join(sorted(found))
 
 
 def observe(program, folder, seed, which):
-    """Runs the tests of a program. Raises ValueError when one fails: what it saw is then not all."""
+    """Runs the tests of a program. Raises ValueError if one fails, because its observations are then incomplete."""
     environment = {**os.environ, "TDBD_OBSERVED": str(folder), "RC_PARAMS": f"seed={seed}", "TDBD_EVIDENCE": str(folder / "evidence")}
     done = subprocess.run([str(program), f"--gtest_filter={which}", "--gtest_brief=1"], cwd=folder, env=environment, capture_output=True,
                           text=True, errors="replace", check=False)
@@ -52,7 +53,7 @@ def observe_all(build, folder, chosen):
 
 
 def rows_of(found):
-    """Of each check a row, with its kind."""
+    """A row for each check, with its kind."""
     texts, rows = {}, []
     for c in found:
         text = texts.setdefault(c.file, (ROOT / c.file).read_text(encoding="utf-8"))
@@ -67,11 +68,21 @@ def write(path, rows):
         table.writerows(rows)
 
 
+def write_counts(path, rows):
+    """The number of checks of each kind in each folder of tests."""
+    counts = collections.Counter((row[0].split("/")[1], row[2]) for row in rows)
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(("tests of", *COUNTED))
+        table.writerows((folder, *(counts[folder, kind] for kind in COUNTED)) for folder in sorted({folder for folder, _ in counts}))
+
+
 def parse(words):
     parser = argparse.ArgumentParser(prog="scripts/tolerances", description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--only", default="", help="programs with this word in their name")
     parser.add_argument("--seeds", type=int, nargs="+", default=[2007, 1, 2, 3], help="of random tests; the first one runs all tests")
     parser.add_argument("--table", type=pathlib.Path, help="CSV file for all checks")
+    parser.add_argument("--counts", type=pathlib.Path, help="CSV file for the number of checks of each kind")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutate")
     return parser.parse_args(words)
 
@@ -87,6 +98,8 @@ def main(words):
         rows = rows_of(checks.read(folder, ROOT))
     if chosen.table:
         write(chosen.table, rows)
+    if chosen.counts:
+        write_counts(chosen.counts, rows)
     loose = [row for row in rows if row[2] == "loose"]
     for file, line, _, _, share, seen, allowed, text in sorted(loose, key=lambda row: float(row[4])):
         print(f"{file}:{line}: observed {seen}, allowed {allowed}, a share of {share}: {text}")

@@ -15,7 +15,7 @@ SHORTER = {"edge_length": '"3 mm"', "revolutions": "1", "duration": '"0.5 s"'}
 
 
 def commit_of(program):
-    """What `tdbd --version` says."""
+    """The output of `tdbd --version`."""
     return subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout
 
 
@@ -31,7 +31,7 @@ def require(program, root, folder):
 
 
 class Refused(Exception):
-    """What the program says of a case."""
+    """The message of the program about a case."""
 
 
 def drilled(root, folder, cases, name, steps, surface="/dev/null"):

@@ -18,13 +18,13 @@ sys.path.insert(0, str(ROOT / "verification/reports"))
 import browser  # noqa: E402
 import page_pixels  # noqa: E402
 
-PATIENCE = 60  # s for what the page is asked for
+PATIENCE = 60  # s, for any answer of the page
 AGREE = 1e-12  # of the page's volumes and the command line's
 SHORT = {"edge": 5, "revolutions": 0.2}
 
 
 class Driven(unittest.TestCase):
-    """A page in a browser, opened anew for each test."""
+    """A page in a browser, opened again for each test."""
 
     options = browser.SOFTWARE
 

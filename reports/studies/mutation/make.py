@@ -1,5 +1,4 @@
-"""make.py OUT: the score of each room, and the mutants that no test noticed: from mutants.csv, whose survivors were mended, and from the draws
-DRAWS, each written down as its mutants first met the tests."""
+"""make.py OUT: the score of each module in each draw (scores.csv), and the mutants that no test killed (survivors.csv)."""
 
 import csv
 import sys
@@ -9,49 +8,13 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1]))
 from study_tools import markdown_table  # noqa: E402
 
-KILLED = ("failed", "crashed", "timed out")
-# File, and when: the last one tells what to expect of a fault that somebody makes tomorrow.
-DRAWS = {"fresh.csv": "A second draw, of 2026-11-24 (seed 11)", "third.csv": "A third draw, of 2026-11-25 (seed 23), after tests had been written for the second one",
-         "fourth.csv": "A fourth draw, of 2026-11-25 (seed 29), after tests had been written for the third one"}
+TITLES = {"mutants": "The sample of each module; tests were written for its survivors, and the score is that of the tests with these.",
+          "fresh": "A second draw, of 2026-11-24 (seed 11), before any test was written for it; mutants of earlier draws are left out.",
+          "third": "A third draw, of 2026-11-25 (seed 23), after tests had been written for the second one, as above.",
+          "fourth": "A fourth draw, of 2026-11-25 (seed 29), after tests had been written for the third one, as above."}
 CORE = ("rock", "dynamics", "forces", "mesh", "bit", "calibration")
-
-
-def score(name, rows):
-    n = {v: sum(row["verdict"] == v for row in rows) for v in (*KILLED, "survived", "equivalent", "compiler")}
-    killed = sum(n[v] for v in KILLED)
-    judged = killed + n["survived"]
-    # A kill is at home when a test that is written for the room sees it.
-    home = sum(row["verdict"] in KILLED and is_home(row) for row in rows)
-    share = f"{100.0 * killed / judged:.1f}" if judged else ""
-    wanted = "" if name == "all" else "95" if name in CORE else "90"
-    return [name, killed, judged, share, wanted, home, n["timed out"], n["survived"], n["equivalent"], n["compiler"]]
-
-
-def is_home(row):
-    programs = {"dynamics": ("verify_dynamics", "verify_drilling"), "calibration": ("verify_calibration", "verify_calibrate"),
-                "app": ("verify_app", "verify_calibrate")}
-    return row["killer"].split(" ")[0] in programs.get(row["room"], ("verify_" + row["room"],))
-
-
-def code(text):
-    return f"`{text}`"
-
-
-HEAD = ["room", "killed", "of", "%", "wanted", "by the room's own tests", "timed out", "survived", "equivalent", "refused by the compiler"]
-
-
-def table_of(rows):
-    rooms = sorted({row["room"] for row in rows})
-    scores = [score(room, [row for row in rows if row["room"] == room]) for room in rooms] + [score("all", rows)]
-    survivors = [[f"{row['file']}:{row['line']}", row["operator"], code(row["before"]), code(row["after"])]
-                 for row in rows if row["verdict"] == "survived"]
-    return markdown_table(HEAD, scores) + "\n" + markdown_table(["survivor", "operator", "line", "became"], survivors)
-
-
-def not_in(known, rows):
-    """Those of a draw that are in no other: a line may have moved."""
-    seen = {(row["file"], row["before"], row["after"]) for row in known}
-    return [row for row in rows if (row["file"], row["before"], row["after"]) not in seen]
+HEAD = ["module", "killed", "of", "%", "required", "by the module's own tests", "timed out", "survived", "equivalent", "rejected by the compiler"]
+COUNTS = ("killed", "judged", "home", "timed out", "survived", "equivalent", "compiler")
 
 
 def rows_of(name):
@@ -59,13 +22,24 @@ def rows_of(name):
         return list(csv.DictReader(file))
 
 
+def line(name, row):
+    n = [int(row[key]) for key in COUNTS]
+    share = f"{100.0 * n[0] / n[1]:.1f}" if n[1] else ""
+    required = "" if name == "all" else "95" if name in CORE else "90"
+    return [name, n[0], n[1], share, required, *n[2:]]
+
+
+def table_of(draw):
+    rows = [row for row in rows_of("scores.csv") if row["draw"] == draw]
+    every = {key: sum(int(row[key]) for row in rows) for key in COUNTS}
+    survivors = [[f"`{row['function']}`", row["operator"], f"`{row['before']}`", f"`{row['after']}`"]
+                 for row in rows_of("survivors.csv") if row["draw"] == draw]
+    scores = [line(row["module"], row) for row in rows] + [line("all", every)]
+    return markdown_table(HEAD, scores) + "\n" + markdown_table(["survived in", "operator", "line", "mutation"], survivors)
+
+
 def write(out):
-    known = rows_of("mutants.csv")
-    text = "The sample of each room, asked again until its tests were written.\n\n" + table_of(known)
-    for name, title in DRAWS.items():
-        rows = not_in(known, rows_of(name))
-        text += f"\n{title}, as its mutants first met the tests; those of earlier draws are left out.\n\n" + table_of(rows)
-        known += rows
+    text = "\n".join(f"{title}\n\n{table_of(draw)}" for draw, title in TITLES.items())
     (Path(out) / "table.md").write_text(text, encoding="utf-8")
 
 

@@ -107,7 +107,7 @@ std::string in_words(const Problem& p, const Identifiability& found) {
   if (p.unknowns.empty()) return "nothing was fitted";
   const auto n = static_cast<Eigen::Index>(found.weakest_direction.size());
   const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(found.weakest_direction.data(), n);
-  return fmt::format("{} moves the readings by {:.2g} of their noise", direction_in_words(p, v),
+  return fmt::format("{} changes the readings by {:.2g} of their noise", direction_in_words(p, v),
                      found.singular_values.back() / v.cwiseAbs().maxCoeff());
 }
 
@@ -123,7 +123,7 @@ void require_identifiable(const Problem& p) {
   Eigen::Index top = 0;
   weakest.cwiseAbs().maxCoeff(&top);
   throw InputError(fmt::format(
-      "{}: found a direction that the records do not see: {} changes no load; expected {}",
+      "{}: found a direction that the records do not determine: {} changes no load; expected {}",
       p.unknowns[static_cast<std::size_t>(top)].place, direction_in_words(p, weakest), help(p)));
 }
 

@@ -11,13 +11,12 @@ namespace tdbd::calibration {
 /// whitened derivatives with respect to relative changes of the unknowns, calibration (5).
 struct Identifiability {
   std::vector<double> singular_values;    ///< decreasing: noise deviations per unit change
-  std::vector<double> weakest_direction;  ///< unit vector of relative changes with the smallest
-                                          ///< effect
+  std::vector<double> weakest_direction;  ///< unit vector, relative changes, smallest effect
 };
 
 Identifiability identifiability_at(const Problem& problem, const Eigen::VectorXd& values);
 
-/// The weakest direction as text: "A2 up 100 % with A4 down 62 % moves the readings by 0.3 of their
+/// The weakest direction as text: "A2 up 100 % with A4 down 62 % changes the readings by 0.3 of their
 /// noise".
 std::string in_words(const Problem& problem, const Identifiability& found);
 

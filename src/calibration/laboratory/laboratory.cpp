@@ -28,7 +28,7 @@ forces::Law read_truth(Config& c, const std::string& name) {
 
 std::vector<double> read_list(Config& top, const ListKey& key, Range range) {
   const std::vector<double> values = top.read(key);
-  if (values.empty()) top.problem(key, "none", "one at least");
+  if (values.empty()) top.problem(key, "none", "at least one");
   for (const double v : values)
     if (!range.contains(v))
       top.problem(key, fmt::format("{:.6g}", v), fmt::format("values{}", range.text()));

@@ -9,14 +9,12 @@ namespace tdbd::calibration {
 
 /// Distribution of a coefficient over replicates.
 struct BootstrapFigures {
-  double mean = 0.0, se = 0.0, low = 0.0, high = 0.0;  ///< SI; percentiles for the level of the
-                                                       ///< intervals
+  double mean = 0.0, se = 0.0, low = 0.0, high = 0.0;  ///< SI; percentiles for the interval level
 };
 
 struct Bootstrap {
   long replicates = 0, failed = 0;
-  std::vector<BootstrapFigures> coefficients;  ///< in the order of the unknowns; empty if there are
-                                               ///< no replicates
+  std::vector<BootstrapFigures> coefficients;  ///< in the order of the unknowns; may be empty
 };
 
 /// Parametric bootstrap: readings are drawn around the fitted loads, and prior centres around the

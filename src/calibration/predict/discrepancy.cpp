@@ -40,7 +40,7 @@ Discrepancy leave_one_tool_out(const CalibrationCase& c, const CutStore& cuts,
                                const std::vector<Record>& fitted) {
   const std::vector<std::string> tools = tools_of(fitted);
   if (tools.empty()) return {{}, "nothing is fitted"};
-  if (tools.size() == 1) return {{}, "one bit alone is fitted"};
+  if (tools.size() == 1) return {{}, "only one bit is fitted"};
   Excess excess;
   for (const std::string& left_out : tools) {
     std::vector<Record> rest;

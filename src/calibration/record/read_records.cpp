@@ -87,7 +87,7 @@ Places read_header(const CsvRow& header, const std::vector<Column>& columns,
     const auto column = std::ranges::find(columns, name, &Column::name);
     if (column == columns.end()) {
       const auto near = nearest_name(name, known);
-      mistakes.add(header.line, name, "a column that nothing reads",
+      mistakes.add(header.line, name, "an unknown column",
                    near ? fmt::format("{}?", *near) : "another name");
       continue;
     }

@@ -39,13 +39,13 @@ std::string too_fast(const DrillingVelocity& v, const DivergenceBounds& b) {
        {beyond("the bit's speed along x", v.v_W.x(), b.speed, "m/s"),
         beyond("the bit's speed along y", v.v_W.y(), b.speed, "m/s"),
         beyond("the bit's speed along z", v.v_W.z(), b.speed, "m/s"),
-        beyond("the bit's tilting", v.w_W.head<2>().norm(), b.angular_speed, "rad/s"),
-        beyond("the bit's turning", v.w_W.z(), b.angular_speed, "rad/s"),
+        beyond("the bit's tilt rate", v.w_W.head<2>().norm(), b.angular_speed, "rad/s"),
+        beyond("the bit's rotary speed", v.w_W.z(), b.angular_speed, "rad/s"),
         beyond("the rock's speed", v.rock, b.speed, "m/s")})
     if (!why.empty()) return why;
   for (std::size_t k = 0; k < v.cone_rates.size(); ++k)
     if (std::abs(v.cone_rates[k]) > b.angular_speed)
-      return fmt::format("cone {}'s turning: {:.4g} rad/s, beyond {:.4g}", k + 1, v.cone_rates[k],
+      return fmt::format("cone {}'s speed: {:.4g} rad/s, beyond {:.4g}", k + 1, v.cone_rates[k],
                          b.angular_speed);
   return "";
 }
@@ -77,7 +77,7 @@ std::string divergence(const DrillingSystem& system, const Drilling& d, const Dr
   const double moved = throughput(d.ledger);
   if (std::abs(left) <= bounds.energy_residual * moved + bounds.least_energy) return "";
   return at(
-      fmt::format("the residual of energy: {:.4g} J where {:.4g} J came and went, most of it in {}",
+      fmt::format("the energy residual: {:.4g} J with {:.4g} J of energy in and out, mostly in {}",
                   left, moved, largest_store(now)));
 }
 

@@ -11,8 +11,7 @@ struct DivergenceBounds {
   double speed = 100.0;           ///< m/s, of bit and rock
   double angular_speed = 1e4;     ///< rad/s, of bit and cones
   double energy_residual = 10.0;  ///< relative to the throughput of the energy ledger
-  double least_energy = 1.0;      ///< J, added to the bound: the throughput of a bit at rest is
-                                  ///< zero
+  double least_energy = 1.0;      ///< J, added to the bound, for a bit at rest
 };
 
 /// Checks a closed step for divergence. Returns the diverged quantity with its value and the time,

@@ -32,8 +32,8 @@ std::string string_problem(const DrillString& s) {
   for (const std::string& why :
        {matrix_problem("a string's stiffness", s.stiffness),
         matrix_problem("a string's damping", s.damping),
-        matrix_problem("a string's stiffness in turning", s.turn_stiffness),
-        matrix_problem("a string's damping in turning", s.turn_damping)})
+        matrix_problem("a string's rotational stiffness", s.turn_stiffness),
+        matrix_problem("a string's rotational damping", s.turn_damping)})
     if (!why.empty()) return why;
   if (!s.attachment_B.allFinite() || !s.rest_W.allFinite())
     return "a string's attachment or rest that is not finite";

@@ -92,16 +92,14 @@ struct PrincipalDamper {
 /// TopDrive::rate.
 struct ChainedString {
   string::Chain chain;
-  Schedule hook_load = {};      ///< N: string::Top::Axial::hook_load; its mean over each step is
-                                ///< used
+  Schedule hook_load = {};      ///< N: string::Top::Axial::hook_load, averaged over each step
   double surface_weight = 0.0;  ///< N, set point: string::Top::Axial::autodriller
 };
 
 struct DrillingSystem {
-  double mass = 0.0;             ///< M, kg: bit, cones and the part of the string that moves with
-                                 ///< them
-  Vec3 centre_B = Vec3::Zero();  ///< centre of mass, m
-  Gyrostat gyrostat;             ///< inertias about the centre of mass
+  double mass = 0.0;                    ///< M, kg: bit, cones and the moving part of the string
+  Vec3 centre_B = Vec3::Zero();         ///< centre of mass, m
+  Gyrostat gyrostat;                    ///< inertias about the centre of mass
   std::vector<double> bearing_damping;  ///< N m s/rad, one per cone; empty: none
   DrillString string;
   std::optional<ChainedString> chained;

@@ -28,8 +28,9 @@ ResidualOrder residual_order(double h, const Window& window) {
     found.residuals.push_back(size);
     if (!(size > rounding) && found.reason.empty())
       found.reason = fmt::format(
-          "the residual is at rounding: {:.3g} J with a step of {:.4g} s, where {:.3g} J came and "
-          "went",
+          "the residual is at rounding level: {:.3g} J with a step of {:.4g} s and {:.3g} J of "
+          "energy "
+          "in and out",
           size, h / parts, w.scale);
   }
   if (found.reason.empty()) found.order = least_squares_order(found.steps, found.residuals);

@@ -115,7 +115,7 @@ std::string stability_problem(const DrillingSystem& s, const ContactSlopes& c, d
                      "the force law slows the bit at {:.4g} 1/s, and h times that must "
                      "stay below 1",
                      limit.rate);
-  return fmt::format("a step of {:.4g} s is unstable: {}; the limit is {:.4g} s, {:.2g} s would do",
+  return fmt::format("a step of {:.4g} s is unstable: {}; the limit is {:.4g} s, {:.2g} s is safe",
                      h, cause, limit.step, safe * limit.step);
 }
 

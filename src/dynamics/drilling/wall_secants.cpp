@@ -14,8 +14,7 @@ constexpr double longest_step = 4.0;  ///< in ln g
 constexpr int most_newton_steps = 40;
 constexpr double bracket_width = 60.0;  ///< in ln g, below the largest secant
 constexpr int most_halvings = 100;
-constexpr double least_normal = 1e-15;  ///< relative to the force of the spring; keeps the
-                                        ///< logarithm finite
+constexpr double least_normal = 1e-15;  ///< of the spring's force; keeps the logarithm finite
 
 double slip_speed(const WallLaw& law) { return std::max(law.slip_speed, coulomb_creep); }
 

@@ -58,7 +58,8 @@ void implicit_kick(const Gyrostat& g, const Loads& loads, double h, RotatingOf<S
     ++r.evaluations;
     if (i > 0 && momentum_difference(r.state, r.predicted) <= settled) return;
   }
-  throw RunError("the symmetric kick does not settle: the damping is too strong for the step");
+  throw RunError(
+      "the symmetric kick does not converge: the damping is too strong for the time step");
 }
 
 /// Closing kick with the torque at the new attitude. If the torque depends on velocity, it is

@@ -13,9 +13,7 @@ struct BodyFlow {
   Vec3Of<S> momentum_P;                                          ///< Pi, N m s
   Vec3Of<S> sigma_P;                                             ///< momentum of the cones, N m s
   Eigen::Quaternion<S> turn = Eigen::Quaternion<S>::Identity();  ///< R <- R turn
-  Vec3Of<S> turned_P = Vec3Of<S>::Zero();                        ///< rad, rotation of the body to
-                                                                 ///< be subtracted from the cone
-                                                                 ///< angles
+  Vec3Of<S> turned_P = Vec3Of<S>::Zero();                        ///< rad, rotation under the cones
 };
 
 template <class S>

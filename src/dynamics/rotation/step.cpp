@@ -16,13 +16,13 @@ std::string drift_name(Drift drift) {
 std::string too_long_message(const Gyrostat& g, const Loads& loads, const Integrator& integrator,
                              double h, const Rotating& r) {
   constexpr int halvings = 60;
-  std::string would = "no shorter one was found that would";
+  std::string would = "no shorter step that converges was found";
   double shorter = h;
   for (int i = 0; i < halvings; ++i) {
     shorter *= 0.5;
     Rotating trial = r;
     if (try_step(g, loads, integrator, shorter, trial) == LieOutcome::too_long) continue;
-    would = fmt::format("a step of {:.6g} s would", shorter);
+    would = fmt::format("a step of {:.6g} s converges", shorter);
     break;
   }
   return fmt::format(

@@ -27,12 +27,10 @@ struct HansonHansen {
   double A2 = 0.0;                       ///< 1, its growth with tan Ebr
   double A3 = 0.0;                       ///< rad, friction angle between face and rock
   double A4 = 0.0;                       ///< 1, ratio of the stress along the edge to Scc
-  double te = 1e-4;                      ///< m, length scale of A4: only the product te A4 has an
-                                         ///< effect
+  double te = 1e-4;                      ///< m, length scale of A4: only te A4 has an effect
   double A5 = 0.0;                       ///< 1, ratio of the contact stress of a chamfer to Scc
   double A6 = 0.0;                       ///< 1, friction of a chamfer
-  double A7 = 0.0;                       ///< 1, ratio of the contact stress of other surfaces to
-                                         ///< Scc
+  double A7 = 0.0;                       ///< 1, contact stress of other surfaces over Scc
   double A8 = 0.0;                       ///< 1, friction of other surfaces
   double pressure_share = 1.0;           ///< 1
   double slip_speed = usual_slip_speed;  ///< m/s, see slip_share

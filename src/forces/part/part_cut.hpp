@@ -14,8 +14,7 @@ struct PartCut {
   bit::PartKind kind = bit::PartKind::face;
   double removed_volume = 0.0;   ///< m3, in the step
   double cut_area = 0.0;         ///< m2, cut area normal to the velocity (Acut)
-  double contact_area = 0.0;     ///< m2, area of the rock that the part presses on, normal to
-                                 ///< `normal`
+  double contact_area = 0.0;     ///< m2, area pressed by the part, normal to `normal`
   double engaged_edge = 0.0;     ///< m, length of the face's edge in rock (De)
   double path = 0.0;             ///< m, displacement of the contact in the step
   double depth = 0.0;            ///< m, mean thickness of the cut, or the penetration
@@ -23,8 +22,7 @@ struct PartCut {
   double diameter = 0.0;         ///< m, of the cutter; 0: unknown
   Vec3 point = Vec3::Zero();     ///< m, of the contact
   Vec3 velocity = Vec3::Zero();  ///< m/s, of the contact relative to the rock
-  Vec3 normal = Vec3::Zero();    ///< unit, from the bit into the rock: of the profile, or of the
-                                 ///< area
+  Vec3 normal = Vec3::Zero();    ///< unit, from bit into rock: of the profile or of the area
   Strength strength;             ///< of the rock at the contact
 };
 

@@ -63,7 +63,7 @@ void require_sound(const std::filesystem::path& path, const FacetFile& file) {
 void require_small(const std::filesystem::path& path, const std::vector<Vec3>& points) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (const Vec3& x = points[v]; !(x.cwiseAbs().maxCoeff() <= largest_coordinate))
-      fail_to_read(path, fmt::format("vertex {}: found a place at ({}, {}, {}) m, expected "
+      fail_to_read(path, fmt::format("vertex {}: found a position of ({}, {}, {}) m, expected "
                                      "coordinates up to {} m",
                                      v, x.x(), x.y(), x.z(), largest_coordinate));
 }

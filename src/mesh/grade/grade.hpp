@@ -12,8 +12,7 @@ struct GradeOptions {
   double face = 3e-3;       ///< m, target far from features; at least `edge`
   double growth = 0.5;      ///< growth of the target per distance
   double angle = 0.44;      ///< rad: an edge is a feature if its facets meet at a sharper angle
-  double deviation = 5e-6;  ///< m, largest permitted movement of the surface; 0: only flat faces
-                            ///< are coarsened
+  double deviation = 5e-6;  ///< m, largest movement of the surface; 0: coarsens flat faces only
 };
 
 /// The result of grading.
@@ -21,8 +20,7 @@ struct Graded {
   TriangleMesh mesh;
   std::size_t feature_edges = 0;  ///< number in the input mesh
   double deviation = 0.0;         ///< m, largest distance found between the two surfaces
-  double volume_change = 0.0;     ///< m3, signed; magnitude at most options.deviation times the
-                                  ///< area
+  double volume_change = 0.0;     ///< m3, signed; at most options.deviation times the area
 };
 
 /// Refines a closed mesh along its features and coarsens its flat and smooth faces (thesis 3.3,

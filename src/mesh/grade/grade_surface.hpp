@@ -20,8 +20,7 @@ struct GradeSurface {
   Surface s;
   std::set<std::pair<int, int>> features;  ///< feature edges, smaller vertex first
   std::vector<Place> place;                ///< per vertex slot
-  std::vector<double> moved;               ///< m, bound on how far the surface has moved at the
-                                           ///< vertex
+  std::vector<double> moved;               ///< m, bound on the movement of the surface
   TriangleTree original;                   ///< the given mesh
   TriangleTree feature_tree;               ///< its features, as facets with zero area
   GradeOptions options;

@@ -82,8 +82,7 @@ std::size_t separate_fans(TriangleMesh& m, DisjointSets& fans) {
 /// Orientation of facets relative to the first facet of their piece, propagated from neighbour to
 /// neighbour.
 struct Orientation {
-  std::vector<std::vector<std::pair<int, bool>>> neighbours;  ///< facet, and whether its
-                                                              ///< orientation agrees
+  std::vector<std::vector<std::pair<int, bool>>> neighbours;  ///< facet, and whether it agrees
   std::vector<int> sign;                                      ///< -1: flipped; 0: not reached
 };
 
@@ -146,7 +145,8 @@ std::size_t split_non_manifold(TriangleMesh& m, std::string& refusal) {
       join_pairs(m, fans, around(m, first, last));
     else if (refusal.empty())
       refusal = fmt::format(
-          "{} facets meet at an edge of triangle {} at {}: which of them bound the solid?",
+          "{} facets meet at an edge of triangle {} at {}: which of them bound the solid is "
+          "unknown",
           last - first, first->triangle,
           in_mm(0.5 * (position(m, first->lo) + position(m, first->hi))));
   });
@@ -208,7 +208,7 @@ std::size_t fill_holes(TriangleMesh& m, std::string& refusal) {
     const std::vector<Triangle> patch = triangulate_loop(points);
     if (patch.size() + 2 != loop.size()) {
       refusal =
-          fmt::format("the hole of {} edges at {} has no filling", loop.size(), in_mm(points[0]));
+          fmt::format("the hole of {} edges at {} cannot be filled", loop.size(), in_mm(points[0]));
       return 0;
     }
     for (const Triangle& t : patch)

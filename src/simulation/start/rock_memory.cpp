@@ -75,7 +75,7 @@ void require_memory(const Case& c, double area, mesh::Box box_W) {
   throw InputError(fmt::format(
       "{}: found {} m, which makes {:.1e} triangles and {:.1e} cells of rock on a way of {:.3g} m "
       "and needs {:.3g} GB, expected at most {:.3g} GB (this machine's memory), {:.0e} triangles "
-      "and {:.0e} cells: {:.2g} m would do",
+      "and {:.0e} cells: {:.2g} m is enough",
       c.places.edge_length, c.rock.edge_length, need.triangles, need.cells, reach.size().norm(),
       1e-9 * need.bytes, 1e-9 * memory_of_machine(), most_triangles, most_cells, edge));
 }

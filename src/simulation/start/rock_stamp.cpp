@@ -65,7 +65,7 @@ void require_same_time(const Case& c) {
   if (!stamp || std::abs(stamp->time - begin) <= same * c.time.step) return;
   throw InputError(fmt::format(
       "{}: found {}, at t = {} s, expected {:.6g}: {} is the rock after step {}, at t = {} s (0 "
-      "begins a new motion in it)",
+      "starts a new motion in this rock)",
       c.places.first_step, c.time.first, begin, stamp->time / c.time.step, c.rock.file, stamp->step,
       stamp->time));
 }

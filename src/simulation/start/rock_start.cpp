@@ -35,7 +35,7 @@ void require_no_intersections(const Case& c, const std::string& place,
   if (pairs.empty()) return;
   throw InputError(fmt::format(
       "{}: found {} pairs of triangles that intersect, the first {} and triangle {}, expected a "
-      "surface that does not intersect itself (rock.intersection_check = \"off\" admits it)",
+      "surface that does not intersect itself (rock.intersection_check = \"off\" permits it)",
       place, pairs.size(), mesh::place_of_triangle(m, pairs.front().first), pairs.front().second));
 }
 

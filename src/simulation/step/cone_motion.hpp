@@ -14,8 +14,7 @@ namespace tdbd::simulation {
 /// rolling.
 struct ConeFigures {
   std::string name;
-  long steps = 0;                 ///< number of steps in which the bit rotated; if 0, no speed is
-                                  ///< known
+  long steps = 0;                 ///< in which the bit rotated; if 0, no speed is known
   double mean_speed_ratio = 0.0;  ///< ratio of the rotations of cone and bit over the whole run
   double min_speed_ratio = 0.0;   ///< over single steps
   double max_speed_ratio = 0.0;

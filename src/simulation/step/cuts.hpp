@@ -14,8 +14,7 @@ namespace tdbd::simulation {
 struct CutOfPart {
   int part = 0;                   ///< index into Bit::parts
   int cone = -1;                  ///< index into Bit::cones, or -1
-  forces::PartCut cut;            ///< in frame W; velocity and the quantities derived from it are
-                                  ///< not set
+  forces::PartCut cut;            ///< in W; velocity and derived quantities are not set
   double face_area = 0.0;         ///< m2, area cut by a face, in its plane
   Vec3 forward_W = Vec3::Zero();  ///< unit normal of the face; only for faces
   double distance = 0.0;          ///< m, rock::PartContact::distance if the law presses

@@ -35,14 +35,12 @@ enum class WhirlKind { none, forward, backward, synchronous };
 struct Diagnosis {
   /// (max - min) / (2 mean) of the rotary speed, with the mean over whole cycles; or 0 (diagnose)
   double stick_slip_severity = 0.0;
-  double stuck_share = 0.0;          ///< share of whole cycles below 5 % of that mean, or 0
-                                     ///< (diagnose)
+  double stuck_share = 0.0;          ///< of whole cycles below 5 % of that mean, or 0 (diagnose)
   double torsional_frequency = 0.0;  ///< Hz, dominant frequency of the rotary speed
   double lost_contact_share = 0.0;   ///< share of time without weight on bit
   double wob_swing = 0.0;            ///< (max - min) / (2 mean)
   double axial_frequency = 0.0;      ///< Hz, dominant frequency of the weight on bit
-  double orbit_radius = 0.0;         ///< m, root mean square distance of the centre from its mean
-                                     ///< position
+  double orbit_radius = 0.0;         ///< m, root mean square of the centre about its mean
   double orbit_frequency = 0.0;      ///< Hz, mean rotation about that position; > 0 in the sense of
                                      ///< the bit's rotation
   WhirlKind whirl = WhirlKind::none;
@@ -51,8 +49,7 @@ struct Diagnosis {
   std::string text;  ///< one line for users
 };
 
-inline constexpr double severe_stick_slip = 0.5;  ///< smallest stick_slip_severity reported as
-                                                  ///< stick-slip
+inline constexpr double severe_stick_slip = 0.5;  ///< limit of stick_slip_severity
 
 /// Reports what exceeds its usual limits: stick-slip from severe_stick_slip; bounce if contact is
 /// lost for 1 % of the time; axial vibration if the weight varies by more than half of its mean;

@@ -77,7 +77,7 @@ EnergyOrderPlan plan_energy_order(const Case& c) {
   const long window = c.output.energy_order_window, last = c.time.steps - window;
   const long least = least_steps_per_cost * cost_per_step * window;
   if (c.output.energy_order == EnergyOrderWish::on && c.time.steps < least)
-    return {-1, fmt::format("{} steps, of a run of {}, are more than a tenth: {} steps would do, "
+    return {-1, fmt::format("{} steps, of a run of {}, are more than a tenth: it needs {} steps, "
                             "or output.energy_order = \"always\"",
                             cost_per_step * window, c.time.steps, least)};
   if (last < 0)

@@ -33,16 +33,14 @@ struct PartLoadFigures {
 
 /// Statistics of the forces on the bit over the recorded steps. SI units.
 struct LoadFigures {
-  long steps = 0;                      ///< number of recorded steps; if 0, the other members are
-                                       ///< unknown
+  long steps = 0;                      ///< recorded steps; if 0, the other members are unknown
   double from = 0.0, to = 0.0;         ///< s, time range of the recorded steps
   MeanAndDeviation wob, tob;           ///< N, N m
   MeanAndDeviation rop, rotary_speed;  ///< m/s, rad/s
   SamplingUncertainty uncertainty;
   double aggressiveness = 0.0;         ///< 3 T / (D W); in oilfield units 36 T / (D W)
   double specific_energy = 0.0;        ///< Pa, W/A + w T/(A v), A the gage circle
-  double imbalance = 0.0;              ///< mean lateral force in the frame of the bit, divided by
-                                       ///< WOB
+  double imbalance = 0.0;              ///< mean lateral force in the bit's frame over WOB
   double imbalance_azimuth = 0.0;      ///< rad, azimuth of that force in the frame of the bit
   double power = 0.0;                  ///< W, mean, spent on the rock
   std::vector<PartLoadFigures> parts;  ///< parts with a force

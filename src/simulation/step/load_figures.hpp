@@ -14,8 +14,7 @@ namespace tdbd::simulation {
 struct LoadStatistics {
   Spread wob, tob;                                ///< N, N m
   Spread rop, rotary_speed;                       ///< m/s, rad/s
-  Vec3 lateral_B = Vec3::Zero();                  ///< N, mean force on the bit in the frame of the
-                                                  ///< bit
+  Vec3 lateral_B = Vec3::Zero();                  ///< N, mean force on the bit in its frame
   double energy = 0.0;                            ///< J, dissipated in the rock
   double removed = 0.0;                           ///< m3
   double time = 0.0;                              ///< s

@@ -20,8 +20,7 @@ namespace tdbd::simulation {
 struct MeasuredFaces {
   std::vector<rock::SectionFace> faces;  ///< per cutter
   std::vector<int> near_lists;           ///< per cutter: see rock::SectionPlace::near_list
-  std::vector<std::uint8_t> cuts;  ///< per cutter: whether its face cuts; otherwise no section is
-                                   ///< taken
+  std::vector<std::uint8_t> cuts;        ///< per cutter: whether its face cuts; if not, no section
 };
 
 /// Prepares the faces. The parts of a cutter are a group, whose list of near vertices also covers
@@ -53,8 +52,7 @@ struct MeasuredStep {
   const rock::CutReport& cut;
   const Move& move;
   double edge_length;                               ///< m, edge length of the rock
-  long number;                                      ///< number of the step, for
-                                                    ///< MeasurePlan::section_every
+  long number;                                      ///< number of the step
   const FacePaths& paths;                           ///< of the faces
   std::span<const rock::ContactOfPart> contacts{};  ///< rock::ContactOptions::by_part
 };
@@ -72,8 +70,7 @@ struct Measures {
   /// (Sight::over_the_top). Between its turns (MeasurePlan::section_every) a face keeps its last
   /// section.
   std::vector<rock::Section> sections;
-  std::vector<std::uint8_t> is_new;         ///< per cutter: whether the section was taken in this
-                                            ///< step
+  std::vector<std::uint8_t> is_new;         ///< per cutter: section taken in this step
   std::vector<rock::EngagedEnds> ends;      ///< per cutter, of the section; empty if not measured
   std::vector<double> removed;              ///< m3, per cutter, without the volume that broke out
   std::vector<rock::PartContact> contacts;  ///< per part; empty if not measured
@@ -114,8 +111,7 @@ void add(const Move& move, const Measures& measures, FaceStatistics& statistics)
 /// Comparison of a cutter's section with the volume that it removed, over a revolution.
 struct FaceFigures {
   std::string name;                    ///< "cutter-12"
-  long steps = 0;                      ///< number of measured steps; if 0, the other members are
-                                       ///< unknown
+  long steps = 0;                      ///< measured steps; if 0, the others are unknown
   double mean_area = 0.0;              ///< m2
   double mean_swept_by_section = 0.0;  ///< m3 per step
   double mean_removed = 0.0;           ///< m3 per step

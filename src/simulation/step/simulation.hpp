@@ -43,17 +43,14 @@ struct State {
   rock::Rock rock;
   long start_triangles = 0;
   std::vector<ConeState> cones;
-  std::vector<rock::Section> sections;  ///< per cutter, last section; for faces that take turns or
-                                        ///< creep
-  FacePaths face_paths;                 ///< used in free motion
-  rock::CutReport cut;                  ///< of the last step; determines the rolling of cones in
-                                        ///< the next
+  std::vector<rock::Section> sections;      ///< per cutter, last; if faces take turns or creep
+  FacePaths face_paths;                     ///< used in free motion
+  rock::CutReport cut;                      ///< of the last step; rolls the cones in the next
   std::optional<dynamics::Drilling> drive;  ///< used in free motion
   VolumeLedger ledger;
   rock::MaintenanceReport maintenance;
   Trimming trimming;
-  std::vector<std::uint8_t> started;  ///< per part: whether its late start has occurred; empty: no
-                                      ///< part waits
+  std::vector<std::uint8_t> started;  ///< per part: late start has occurred; empty: no part waits
   std::optional<WearState> wear;      ///< used if the bit wears
   std::optional<SpallingState> spalling;  ///< used if rock breaks out
 };
@@ -75,8 +72,7 @@ struct WearWork {
 struct Work {
   // Derived from the case.
   rock::MaintenanceLimits limits;
-  double trim_height = 0.0;  ///< m, height of the trimming plane above the bit's origin; 0: no
-                             ///< trimming
+  double trim_height = 0.0;  ///< m, of the trimming plane above the bit's origin; 0: none
   rock::CuttingBit cutting;  ///< the prepared bit with its cones at the angles of the last step
   MeasuredFaces faces;       ///< the prepared faces of the cutters
   std::vector<rock::Breakout> breakouts;      ///< of `cutting`

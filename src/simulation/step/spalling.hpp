@@ -12,8 +12,7 @@ namespace tdbd::simulation {
 /// State of spalling, sufficient for a restart.
 struct SpallingState {
   std::vector<rock::EngagedEnds> ends;     ///< per cutter, from the last section of its face
-  std::vector<CompensatedSum> broken_out;  ///< m3, per cutter, part of the volume removed by its
-                                           ///< face
+  std::vector<CompensatedSum> broken_out;  ///< m3, per cutter, part of its removed volume
 };
 
 /// Nothing if no rock breaks out in the case.

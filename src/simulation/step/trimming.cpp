@@ -22,8 +22,8 @@ double trim_height(const Case& c) {
   const double least = lowest - highest + edges_of_wall * c.rock.edge_length;
   if (c.rock.trim < least)
     throw InputError(fmt::format(
-        "{}: rock.trim: found {:.4g} mm, expected at least {:.4g} mm: the height of what cuts, and "
-        "some edges of wall",
+        "{}: rock.trim: found {:.4g} mm, expected at least {:.4g} mm: the height of the cutting "
+        "parts and some edge lengths of wall",
         c.path, 1e3 * c.rock.trim, 1e3 * least));
   return c.rock.trim - lowest;
 }

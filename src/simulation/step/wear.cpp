@@ -47,8 +47,8 @@ void take_wear_step(const std::vector<bit::WearSolid>& solids, WearState& s,
     const PieceWear& c = s.pieces[i];
     const auto flat = flat_after(solids[i], c, worn_after(s, c, c.window, s.window_time));
     if (!flat)
-      throw WearEnd(fmt::format("{}; before, {:.4g} mm3 were worn off it", worn_out(solids[i]),
-                                1e9 * c.volume));
+      throw WearEnd(
+          fmt::format("{}; it had lost {:.4g} mm3 before", worn_out(solids[i]), 1e9 * c.volume));
     next.push_back(*flat);
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {

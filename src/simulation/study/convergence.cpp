@@ -26,7 +26,7 @@ double quantity_of(const std::string& key, const std::map<std::string, double>& 
     names.reserve(quantities.size());
     for (const auto& [name, value] : quantities) names.push_back(name);
     throw InputError(fmt::format("--over: found {}, expected a quantity of the case: {}", key,
-                                 nearest_name(key, names).value_or("time.step, for one")));
+                                 nearest_name(key, names).value_or("time.step, for example")));
   }
   if (!(at->second > 0.0))
     throw InputError(fmt::format("--over: {}: found {}, expected a quantity > 0", key, at->second));

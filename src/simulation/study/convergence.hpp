@@ -17,8 +17,7 @@ inline constexpr int least_levels = 2, most_levels = 60;
 struct ConvergencePlan {
   std::string case_file;
   std::vector<std::string> overrides;
-  std::vector<std::string> keys;      ///< dotted keys of positive quantities: "time.step"; at least
-                                      ///< one
+  std::vector<std::string> keys;      ///< dotted, of positive quantities: "time.step"; at least one
   int levels = 5;                     ///< number of values; the first is that of the case
   double factor = 2.0;                ///< between successive levels, greater than 1
   std::optional<EndState> reference;  ///< for errors; none: differences to the next level

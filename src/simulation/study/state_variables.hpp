@@ -14,8 +14,7 @@ struct StateVariable {
   std::string name;
   std::string units;
   std::vector<double> values;
-  double factor = 1.0;  ///< of the Euclidean norm: 1/sqrt(2) converts that of attitudes to about an
-                        ///< angle
+  double factor = 1.0;  ///< of the Euclidean norm: 1/sqrt(2) gives angles for attitudes
   double scale = 0.0;   ///< magnitude of the variable, for relative errors
   bool grows = false;   ///< levels may have different numbers of values; missing ones are 0
 };

@@ -109,7 +109,7 @@ TEST(BitAreas, leave_the_density_of_parts_that_count_elsewhere) {
             "elsewhere, expected criteria that select a part with a density");
 }
 
-TEST(BitAreas, say_whether_parts_cut_and_when) {
+TEST(BitAreas, determine_whether_parts_cut_and_when) {
   const Bit bit = with_areas(
       bit_b, {"pads={kind='gage-pad'}", "pads.removal={cutting='rubs', from_depth='2 m'}",
               "first={names='cutter-1/*'}", "first.removal.from_time='3 s'"});
@@ -132,7 +132,7 @@ TEST(BitAreas, say_whether_parts_cut_and_when) {
   }
 }
 
-/// Whatever the areas say of a part, the exported bit says it too.
+/// The exported bit contains the settings of all areas.
 TEST(BitAreas, are_in_the_exported_bit) {
   const std::vector<std::string> of_b{"pads={kind='gage-pad', density=7000}",
                                       "pads.removal={cutting='rubs', from_depth='2 m'}",

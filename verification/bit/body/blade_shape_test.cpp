@@ -51,8 +51,8 @@ TEST(BladeShape, follows_the_tips_at_its_exposure_and_depth) {
   }
 }
 
-/// Of a cutter that stands between two face cutters, wherever.
-TEST(BladeShape, knows_the_place_of_a_cutter_between_others) {
+/// The position of a cutter between any two face cutters.
+TEST(BladeShape, finds_the_place_of_a_cutter_between_others) {
   const auto cutters = on_a_cone(0.3);
   const BladeShape shape = blade_shape(cutters, {});
   for (std::size_t k = 1; k < cutters.size(); ++k) {

@@ -8,10 +8,12 @@
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone/cone_reach.hpp"
 #include "bit/cone/cone_shell.hpp"
+#include "bit/cone/part_pose.hpp"
 #include "bit/cone_generate.hpp"
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
+#include "mesh/shape/convex.hpp"
 
 namespace tdbd::bit::cone_bit_test {
 
@@ -172,7 +174,7 @@ TEST(ConeBit, refuses_a_body_beyond_its_teeth) {
 
 /// Two pointed cones nose to nose on one line: the gap is that of the noses; pushed into one
 /// another by d, each nose is d sin(half angle) deep in the other.
-TEST(ConeBit, knows_gap_and_overlap_of_two_cones) {
+TEST(ConeBit, computes_gap_and_overlap_of_two_cones) {
   const auto cones = [](double apex) {
     ConeLayout a;
     a.shell = {{0.01, 0.0}, {0.05, 0.02}};
@@ -198,7 +200,7 @@ TEST(ConeBit, refuses_two_cones_in_one_place) {
   EXPECT_EQ(clearance_text(c).find("an overlap of "), 0U) << clearance_text(c);
 }
 
-TEST(ConeBit, says_what_it_could_not_tell) {
+TEST(ConeBit, reports_what_is_undetermined) {
   Clearance c;
   c.part_a = "cone-1/body";
   c.part_b = "cone-2/body";
@@ -208,4 +210,111 @@ TEST(ConeBit, says_what_it_could_not_tell) {
       << clearance_text(c);
 }
 
+RC_GTEST_PROP(ConeSpacing, sums_to_a_turn_in_the_ratios_of_the_pattern, ()) {
+  const int teeth = *rc::gen::inRange(2, 30);
+  std::vector<double> pattern;
+  for (int i = 0; i < *rc::gen::inRange(1, 6); ++i) pattern.push_back(number(0.5, 2.0));
+  const std::vector<double> a = spaced_angles(teeth, 0.0, pattern);
+  RC_ASSERT(a.size() == static_cast<std::size_t>(teeth));
+  double sum = 0.0, ratios = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) ratios += pattern[i % pattern.size()];
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double space = (i + 1 < a.size() ? a[i + 1] : a[0] + 2 * pi) - a[i];
+    RC_ASSERT(std::abs(space - 2 * pi * pattern[i % pattern.size()] / ratios) < 1e-14);
+    sum += space;
+  }
+  RC_ASSERT(std::abs(sum - 2 * pi) < 1e-14);
+}
+
+RC_GTEST_PROP(ConeSpacing, rises_within_one_turn_from_any_first_angle, ()) {
+  const std::vector<double> a = spaced_angles(*rc::gen::inRange(1, 30), number(-20, 20), {1, 2});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    RC_ASSERT(a[i] >= 0.0 && a[i] < 2 * pi);
+    if (i > 0) RC_ASSERT(a[i] > a[i - 1]);  // RC_ASSERT looks at both sides of an "or"
+  }
+}
+
+/// A tooth stands on its place of the shell, sunk along the normal there; its Z leans from the normal towards
+/// the base, its X is along the meridian; all of it turns with the cone.
+RC_GTEST_PROP(ToothPose, is_on_the_shell_and_tilted_towards_the_base, ()) {
+  const ConeLayout c = any_cone();
+  const std::size_t i = *rc::gen::inRange<std::size_t>(1, c.shell.size());
+  const ShellPoint &a = c.shell[i - 1], &b = c.shell[i];
+  ToothRow row;
+  const double share = number(0.1, 0.9), angle = number(-7.0, 7.0);
+  row.s = a.s + share * (b.s - a.s);
+  row.sink = number(-2e-3, 2e-3);
+  row.lean = number(-0.5, 0.5);
+  const Pose X_KT = tooth_pose(c, row, angle);
+  const Vec3 radial(std::cos(angle), std::sin(angle), 0.0), base = -Vec3::UnitZ();
+  const double length = std::hypot(b.s - a.s, b.r - a.r);
+  const Vec3 along = ((b.s - a.s) * base + (b.r - a.r) * radial) / length,
+             out = ((b.s - a.s) * radial - (b.r - a.r) * base) / length;
+  const Vec3 place = row.s * base + (a.r + share * (b.r - a.r)) * radial - row.sink * out;
+  constexpr double rounding = 2e-15;
+  RC_ASSERT((X_KT.p - place).norm() < 0.1 * rounding);
+  RC_ASSERT((X_KT.R.col(2) - std::cos(row.lean) * out - std::sin(row.lean) * along).norm() <
+            rounding);
+  RC_ASSERT((X_KT.R.col(0) - std::cos(row.lean) * along + std::sin(row.lean) * out).norm() <
+            rounding);
+  RC_ASSERT((X_KT.R.col(2).cross(X_KT.R.col(0)) - X_KT.R.col(1)).norm() < rounding);
+}
+
+/// A shell of one to six pitches that rises and falls at random.
+ConeLayout any_shell() {
+  ConeLayout c;
+  c.segments = *rc::gen::inRange(8, 60);
+  const int pitches = *rc::gen::inRange(1, 7);
+  double s = number(-0.02, 0.02);
+  for (int i = 0; i <= pitches; ++i) {
+    c.shell.push_back({s, i == 0 && *rc::gen::arbitrary<bool>() ? 0.0 : number(0.005, 0.06)});
+    s += number(0.002, 0.03);
+  }
+  return c;
+}
+
+RC_GTEST_PROP(ShellPieces, are_convex_and_fill_the_shell, ()) {
+  const ConeLayout cone = any_shell();
+  double sum = 0.0;
+  for (const mesh::TriangleMesh& piece : shell_pieces(cone)) {
+    RC_ASSERT(mesh::check_closed(piece).empty());
+    RC_ASSERT(mesh::convex_solid(piece).has_value());
+    sum += mesh::enclosed_volume(piece);
+  }
+  const double whole = mesh::enclosed_volume(shell_mesh(cone));
+  RC_ASSERT(std::abs(sum - whole) < 1e-13 * whole);
+}
+
 }  // namespace tdbd::bit::cone_bit_test
+
+namespace tdbd::bit::part_pose_test {
+
+constexpr double rounding = 1e-14;  ///< of a few products of poses; scale: 1 and 1 m
+
+/// The line through the cone's origin along its axis, and a turn about it by Rodrigues' formula.
+Vec3 turned_about_journal(const Cone& cone, const Vec3& x_B, double angle) {
+  const Vec3 s = cone.X_BK.R.col(2), d = x_B - cone.X_BK.p;
+  return cone.X_BK.p + std::cos(angle) * d + std::sin(angle) * s.cross(d) +
+         (1 - std::cos(angle)) * s.dot(d) * s;
+}
+
+RC_GTEST_PROP(PartPose, turns_every_part_of_a_cone_about_its_journal, ()) {
+  const Bit bit = cone_bit("any", {toothed_cone(), toothed_cone()}, std::nullopt, {0.05, 0.1});
+  const std::vector<double> angles{number(-50, 50), number(-50, 50)};
+  const Bit there = turned(bit, angles);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < bit.parts.size(); ++i) {
+    const Part& part = bit.parts[i];
+    const Vec3 x_P(0.01, -0.02, 0.03);
+    Vec3 expected = part.X_BP * x_P;
+    for (int k = 0; k < 2; ++k)
+      if (part.cone == k)
+        expected = turned_about_journal(bit.cones[static_cast<std::size_t>(k)], expected,
+                                        angles[static_cast<std::size_t>(k)]);
+    farthest = std::max(farthest, (part_pose(bit, part, angles) * x_P - expected).norm());
+    farthest = std::max(farthest, (there.parts[i].X_BP * x_P - expected).norm());
+  }
+  RC_ASSERT(farthest < rounding);
+}
+
+}  // namespace tdbd::bit::part_pose_test

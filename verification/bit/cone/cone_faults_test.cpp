@@ -40,7 +40,7 @@ TEST(ConeFaults, are_none_for_teeth_of_many_facets) {
   expect_fault(c, 0, "s", "tooth 2 at 2.865 deg in tooth 1 of row 1");
 }
 
-TEST(ConeFaults, tell_a_profile_that_folds) {
+TEST(ConeFaults, report_a_profile_that_folds) {
   ConeLayout c = sound_cone();
   c.shell[2].s = 0.03;
   expect_fault(c, -1, "shell",
@@ -53,13 +53,13 @@ TEST(ConeFaults, tell_a_profile_that_folds) {
   expect_fault(c, -1, "shell", "point 1");
 }
 
-TEST(ConeFaults, tell_a_row_off_the_shell) {
+TEST(ConeFaults, report_a_row_off_the_shell) {
   ConeLayout c = sound_cone();
   c.rows[1].s = 0.0901;
   expect_fault(c, 1, "s", "90.1 mm");
 }
 
-TEST(ConeFaults, tell_angles_that_do_not_rise) {
+TEST(ConeFaults, report_angles_that_do_not_increase) {
   ConeLayout c = sound_cone();
   c.rows[0].angles = {0.1, 0.1};
   expect_fault(c, 0, "angles", "0.1 rad for tooth 2");
@@ -69,14 +69,14 @@ TEST(ConeFaults, tell_angles_that_do_not_rise) {
   expect_fault(c, 0, "angles", "no tooth");
 }
 
-TEST(ConeFaults, tell_a_negative_size) {
+TEST(ConeFaults, report_a_negative_size) {
   ConeLayout c = sound_cone();
   c.rows[1].shape.diameter = -0.01;
   expect_fault(c, 1, "diameter", "-10 mm");
 }
 
-/// Each kind of tooth asks for its own sizes, and for no other's.
-TEST(ConeFaults, ask_each_kind_of_tooth_for_its_sizes) {
+/// Each kind of tooth requires its own sizes and no others.
+TEST(ConeFaults, require_the_sizes_of_each_kind_of_tooth) {
   using Key = std::pair<const char*, double ToothShape::*>;
   const Key width{"width", &ToothShape::width}, tip{"tip_radius", &ToothShape::tip_radius},
       crest_length{"crest_length", &ToothShape::crest_length},
@@ -110,7 +110,7 @@ ToothShape tooth_of(ToothKind kind) {
   return t;
 }
 
-/// The keys that are refused; of the first, what would be right is told.
+/// The rejected keys; the message for the first one contains the expected value.
 std::string refused(const ToothShape& t) {
   std::string keys;
   for (const ConeFault& fault : tooth_faults(t))
@@ -129,8 +129,8 @@ TEST(ToothFaults, leave_a_half_ball_some_shank) {
             "embedding: 125 mm, more than the half-ball reaches below the shell, 125 mm");
 }
 
-/// Of a tooth without a size nothing else is told: the rest follows from it.
-TEST(ToothFaults, tell_sizes_that_are_none_alone) {
+/// A tooth with a missing size produces no other message, because the others would follow from it.
+TEST(ToothFaults, report_missing_sizes_alone) {
   for (const ToothKind kind : all_tooth_kinds) {
     ToothShape t = tooth_of(kind);
     t.protrusion = -0.25;
@@ -181,7 +181,7 @@ TEST(ToothFaults, keep_a_flank_above_the_lower_end) {
   EXPECT_EQ(refused(t), "tip_radius: 250 mm, at most 250 mm");
 }
 
-/// A shell may begin and end on the axis, and rows stand at its very ends.
+/// A shell may begin and end on the axis, with rows at its very ends.
 TEST(ConeFaults, allow_ends_of_a_shell_on_the_axis) {
   ConeLayout c = sound_cone();
   c.rows.clear();
@@ -217,8 +217,8 @@ TEST(ConeFaults, allow_angles_from_0_to_below_a_turn) {
   expect_fault(c, 0, "angles", "2 rad for tooth 3");
 }
 
-/// All faults of all rows are told, each under its row.
-TEST(ConeFaults, are_told_of_every_row) {
+/// All faults of all rows are reported, each with its row.
+TEST(ConeFaults, are_reported_for_every_row) {
   ConeLayout c = sound_cone();
   c.rows[0].angles.clear();
   c.rows[1].shape.diameter = 0.0;
@@ -231,19 +231,19 @@ TEST(ConeFaults, are_told_of_every_row) {
   EXPECT_EQ(faults[2].key, "protrusion");
 }
 
-TEST(ConeFaults, tell_a_tooth_inside_the_cone) {
+TEST(ConeFaults, report_a_tooth_inside_the_cone) {
   ConeLayout c = sound_cone();
   c.rows[0].sink = 0.008;
   expect_fault(c, 0, "protrusion", "mm inside the cone");
 }
 
-TEST(ConeFaults, tell_a_base_off_the_cone) {
+TEST(ConeFaults, report_a_base_off_the_cone) {
   ConeLayout c = sound_cone();
   c.rows[1].sink = -0.01;
   expect_fault(c, 1, "embedding", "a base that stands");
 }
 
-TEST(ConeFaults, tell_rows_that_collide) {
+TEST(ConeFaults, report_rows_that_collide) {
   ConeLayout c = sound_cone();
   c.rows[1].s = 0.045;
   expect_fault(c, 1, "s", "tooth 1 at 0 deg in tooth 1 of row 1");
@@ -252,7 +252,7 @@ TEST(ConeFaults, tell_rows_that_collide) {
   expect_fault(c, 0, "s", "tooth 2 at 9 deg in tooth 1 of row 1");
 }
 
-/// Rows at one place whose teeth stand in each other's gaps do not collide.
+/// Rows at the same place whose teeth interlock do not collide.
 TEST(ConeFaults, allow_rows_that_interlock) {
   ConeLayout c = sound_cone();
   c.rows[0].angles = spaced_angles(4, 0.0, {});

@@ -94,7 +94,8 @@ RC_GTEST_PROP(Legs, are_closed_parts_after_all_others, ()) {
   }
 }
 
-/// Inside a leg, told without its mesh: how deep below the nearest of its bounds (m); negative outside.
+/// Depth inside a leg below the nearest of its bounds (m), computed without its mesh; negative
+/// outside.
 double depth_in_leg(const Bit& bit, std::size_t cone, const Legs& legs, const Vec3& x_B) {
   const Pose& X_BK = bit.cones[cone].X_BK;
   const Vec3 s = -X_BK.R.col(2), from = x_B - X_BK.p;

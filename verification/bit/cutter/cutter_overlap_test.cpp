@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter_gap.hpp"
+#include "bit/cutter/rim_reach.hpp"
+#include "bit/generate.hpp"
 #include "bit/generate_design.hpp"
 #include "core/random.hpp"
 #include "mesh/measures.hpp"
@@ -93,4 +99,157 @@ RC_GTEST_PROP(CutterOverlap, is_what_monte_carlo_finds, ()) {
   RC_ASSERT(std::abs(volume / whole - share) < error);
 }
 
+/// Direction of motion at the cutter's azimuth: the bit turns about +z.
+Vec3 motion_B(const Cutter& c) {
+  return Vec3::UnitZ().cross(Vec3(std::cos(c.azimuth), std::sin(c.azimuth), 0.0));
+}
+
+RC_GTEST_PROP(CutterFrame, is_right_handed_and_orthonormal, ()) {
+  const Mat3 R = any_cutter().X_BC.R;
+  RC_ASSERT((R.transpose() * R - Mat3::Identity()).norm() < 1e-14);
+  RC_ASSERT(std::abs(R.determinant() - 1.0) < 1e-14);
+}
+
+RC_GTEST_PROP(CutterFrame, puts_the_tip_at_the_place_of_the_table, ()) {
+  const Cutter c = any_cutter();
+  const Vec3 expected(c.tip_radius * std::cos(c.azimuth), c.tip_radius * std::sin(c.azimuth),
+                      -c.tip_height);
+  RC_ASSERT((c.X_BC * tip_C(c) - expected).norm() < 1e-15);
+}
+
+/// A steep chamfer (a small angle from the axis) is deep, a flat one shallow.
+TEST(CutterFrame, measures_the_chamfer_from_the_axis) {
+  Cutter c;
+  c.chamfer = 1e-3;
+  c.chamfer_angle = 60 * degree;
+  EXPECT_NEAR(chamfer_depth(c), 1e-3 / std::sqrt(3.0), 1e-18);
+}
+
+/// -Z is tilted from n by the back rake, backwards, whatever the side rake.
+RC_GTEST_PROP(CutterFrame, leans_over_the_rock_by_the_back_rake, ()) {
+  const Cutter c = any_cutter();
+  const Vec3 exposure_B = -c.X_BC.R.col(2);
+  RC_ASSERT(std::abs(exposure_B.dot(profile_normal_B(c)) - std::cos(c.back_rake)) < 1e-15);
+  RC_ASSERT(std::abs(exposure_B.dot(motion_B(c)) + std::sin(c.back_rake)) < 1e-15);
+}
+
+RC_GTEST_PROP(CutterFrame, turns_the_face_by_the_side_rake, ()) {
+  Cutter c = any_cutter();
+  const Vec3 x_B = c.X_BC.R.col(0);
+  const double side_rake = std::exchange(c.side_rake, 0.0);
+  const Pose straight = cutter_pose(c);
+  RC_ASSERT(std::abs(x_B.dot(straight.R.col(0)) - std::cos(side_rake)) < 1e-14);
+  RC_ASSERT(std::abs(x_B.dot(straight.R.col(1)) - std::sin(side_rake)) < 1e-14);
+  RC_ASSERT(std::abs(straight.R.col(1).dot(profile_normal_B(c))) < 1e-15);
+}
+
+/// The rim, followed finely: nothing on it reaches farther along n than the tip, but for the
+/// documented excess that a side rake makes.
+RC_GTEST_PROP(CutterFrame, tip_is_the_farthest_point_of_the_edge, ()) {
+  const Cutter c = any_cutter();
+  const Vec3 n_C = c.X_BC.R.transpose() * profile_normal_B(c);
+  const double ss = std::sin(c.side_rake), sb = std::sin(c.back_rake), cb = std::cos(c.back_rake);
+  const double excess = 0.5 * c.diameter * (std::sqrt(cb * cb + ss * ss * sb * sb) - cb);
+  double farthest = -1.0;
+  for (int k = 0; k < 3600; ++k) {
+    const double a = k * 2 * pi / 3600;
+    const Vec3 rim_C(tip_C(c).x(), tip_C(c).z() * std::sin(a), tip_C(c).z() * std::cos(a));
+    farthest = std::max(farthest, n_C.dot(rim_C - tip_C(c)));
+  }
+  RC_ASSERT(farthest <= excess + 1e-15);
+  RC_ASSERT(farthest >= excess - 1e-8);
+}
+
+constexpr double near = 1e-9;  ///< m, that the clearance is off the gap
+
+/// A cutter of 10 mm x 10 mm whose face has its centre at p, with axes R.
+Cutter standing(const Vec3& p, const Mat3& R = Mat3::Identity()) {
+  Cutter c;
+  c.diameter = c.length = 0.01;
+  c.X_BC = {R, p};
+  return c;
+}
+
+void expect_gap(const Cutter& a, const Cutter& b, double gap) {
+  EXPECT_TRUE(closer_than(a, b, gap + near));
+  EXPECT_FALSE(closer_than(a, b, gap - near));
+  EXPECT_FALSE(closer_than(b, a, gap - near));
+}
+
+TEST(CutterGap, of_parallel_cylinders_is_known) {
+  const Cutter c = standing(Vec3::Zero());
+  expect_gap(c, standing({0, 0.009, 0.012}), 0.005);  // side by side
+  expect_gap(c, standing({0.012, 0, 0}), 0.002);      // one behind the other
+  expect_gap(c, standing({0.013, 0.014, 0}), 0.005);  // edge to edge
+}
+
+/// Sizes that are whole in binary: the gap is exact, and a clearance as large as it is kept.
+TEST(CutterGap, that_equals_the_clearance_is_wide_enough) {
+  constexpr double size = 1.0 / 64.0, gap = 1.0 / 128.0;
+  Cutter a = standing(Vec3::Zero()), b = standing({size + gap, 0, 0});
+  for (Cutter* c : {&a, &b}) c->diameter = c->length = size;
+  EXPECT_FALSE(closer_than(a, b, gap));
+  EXPECT_TRUE(closer_than(a, b, std::nextafter(gap, 1.0)));
+}
+
+TEST(CutterGap, of_crossed_cylinders_is_known) {
+  Mat3 R;
+  R << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // axis along y
+  expect_gap(standing(Vec3::Zero()), standing({-0.005, 0.005, 0.012}, R), 0.002);
+}
+
+TEST(CutterGap, of_overlapping_cylinders_is_none) {
+  EXPECT_TRUE(closer_than(standing({0, 0, 0}), standing({0.009, 0.002, 0}), near));
+  EXPECT_TRUE(closer_than(standing({0, 0, 0}), standing({0, 0.0099, 0}), near));
+  EXPECT_FALSE(closer_than(standing({0, 0, 0}), standing({0, 0.0101, 0}), near));
+}
+
+/// Moved together the gap stays, to the micrometre that the header allows.
+RC_GTEST_PROP(CutterGap, does_not_depend_on_the_frame, ()) {
+  const Cutter a = any_cutter();
+  Cutter b = any_cutter();
+  b.X_BC.p = a.X_BC.p + Vec3(number(-0.03, 0.03), number(-0.03, 0.03), number(-0.03, 0.03));
+  const Eigen::Quaterniond q(number(0.1, 1), number(-1, 1), number(-1, 1), number(-1, 1));
+  const Pose X{q.normalized().toRotationMatrix(), {number(-1, 1), 0.5, 0.0}};
+  constexpr double slack = 1e-6;
+  double lo = 0.0, hi = 0.1;
+  while (hi - lo > near) (closer_than(a, b, 0.5 * (lo + hi)) ? hi : lo) = 0.5 * (lo + hi);
+  Cutter c = a, d = b;
+  c.X_BC = X * a.X_BC;
+  d.X_BC = X * b.X_BC;
+  RC_ASSERT(closer_than(c, d, hi + slack));
+  RC_ASSERT(lo < slack || !closer_than(d, c, lo - slack));
+}
+
 }  // namespace tdbd::bit::cutter_overlap_test
+
+namespace tdbd::bit::rim_reach_test {
+
+/// Columns are equal, from the axis to the widest rim, and no wider than requested.
+TEST(RimReach, has_columns_no_wider_than_requested) {
+  const std::vector<Cutter> cutters = table('b');
+  double end = 0.0;
+  for (const Cutter& c : cutters)
+    for (const Vec3& p : turned_outline(c, rim_points)) end = std::max(end, p.x());
+  for (const double widest : {0.1e-3, 0.37e-3, 1.3e-3, 7e-3}) {
+    const RimReaches rims = rim_reaches(cutters, widest);
+    ASSERT_EQ(rims.of_cutter.size(), cutters.size());
+    const auto columns = static_cast<double>(rims.of_cutter.front().size());
+    EXPECT_LE(rims.width, widest);
+    EXPECT_GT(rims.width, widest * (1.0 - 1.0 / columns));
+    EXPECT_NEAR(rims.width * columns, end, 1e-15);
+  }
+}
+
+/// The rim starts at the tip, which stands on the outer edge of the chamfer.
+TEST(TurnedOutline, starts_at_the_tip) {
+  for (const Cutter& c : table('b')) {
+    ASSERT_GT(c.chamfer, 0.0);
+    const Vec3 first = turned_outline(c, 12).front();
+    EXPECT_NEAR(first.x(), c.tip_radius, 1e-15);
+    EXPECT_NEAR(first.y(), c.azimuth, 1e-13);
+    EXPECT_NEAR(first.z(), -c.tip_height, 1e-15);
+  }
+}
+
+}  // namespace tdbd::bit::rim_reach_test

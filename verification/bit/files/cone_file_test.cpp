@@ -69,7 +69,8 @@ TEST(ConeFile, takes_every_key_of_cone_and_tooth) {
   EXPECT_EQ(t.density, 14000.0);
 }
 
-/// Keys of a cone and of a row stand before those of [journal] and [teeth], for it alone.
+/// Keys of a cone or row take precedence over those of [journal] and [teeth], for that cone or row
+/// only.
 TEST(ConeFile, lets_a_cone_and_a_row_differ_from_the_rest) {
   const Bit bit = read(file_of(
       "interference = \"report\"\n[journal]\nangle = \"36 deg\"\noffset = \"4 mm\"\n" + cone +
@@ -266,7 +267,7 @@ TEST(ConeFile, refuses_cones_that_overlap) {
       "[[cones.rows]]\ns = \"30 mm\"\nteeth = 4\n[[cones]]\nazimuth = \"80 deg\"\n" + shell + row;
   const Bit bit = read(file_of("interference = \"report\"\n" + two));
   const std::string why = complaint(file_of(two));
-  std::set<std::string> keys;  // of several clashes at one key the worst is told
+  std::set<std::string> keys;  // of several clashes at one key the worst is reported
   for (const Clearance& c : cone_clearances(bit.cones)) {
     if (!is_clash(c)) continue;
     const std::size_t at = c.part_a.find("/row-");

@@ -39,7 +39,7 @@ void expect_same_part(const Part& p, const Part& q) {
 
 class WholeBit : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(WholeBit, is_unchanged_by_writing_and_reading_to_the_last_bit) {
+TEST_P(WholeBit, is_bitwise_unchanged_by_writing_and_reading) {
   const fs::path folder = fs::path(tdbd::temporary_folder()) / (std::string("whole_") + GetParam());
   fs::create_directories(folder);
   const Bit original = read(bit_b);
@@ -105,7 +105,7 @@ TEST(SolidsFile, takes_kinds_and_groups_from_names) {
   EXPECT_EQ(b.parts[2].update_direction_B, Vec3(1, 0, 0));
   EXPECT_EQ(b.parts[0].update_direction_B, b.parts[1].update_direction_B);
   EXPECT_DOUBLE_EQ(b.parts[0].mesh_P.positions[0].z(), 1e-3);
-  for (const Part& part : b.parts) EXPECT_EQ(part.density, 0.0);  // unless a rule says one
+  for (const Part& part : b.parts) EXPECT_EQ(part.density, 0.0);  // unless a rule sets one
 }
 
 TEST(SolidsFile, lets_no_body_of_a_cone_cut_unless_a_rule_does) {
@@ -118,7 +118,7 @@ TEST(SolidsFile, lets_no_body_of_a_cone_cut_unless_a_rule_does) {
   EXPECT_EQ(cutting_of(as_cone + "cutting = true\n"), Cutting::cuts);
 }
 
-TEST(SolidsFile, lets_what_does_not_cut_rub_where_a_rule_says_so) {
+TEST(SolidsFile, lets_what_does_not_cut_rub_if_a_rule_enables_it) {
   const auto cutting_of = [](const std::string& keys) {
     return read(write_drawn("[[solids.rules]]\nmatch = \"gage-pad-1\"\n" + keys)).parts[2].cutting;
   };

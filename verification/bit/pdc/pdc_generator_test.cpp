@@ -101,7 +101,7 @@ RC_GTEST_PROP(PdcGenerator, covers_every_radius_from_the_centre_to_the_gage, ())
   }
 }
 
-RC_GTEST_PROP(PdcGenerator, spaces_neighbours_no_wider_than_asked, ()) {
+RC_GTEST_PROP(PdcGenerator, spaces_neighbours_no_wider_than_requested, ()) {
   const PdcDesign d = any_design();
   const std::vector<Cutter> cutters = laid_out(d);
   const auto last = std::ranges::find(cutters, true, [&](const Cutter& c) {
@@ -116,7 +116,7 @@ RC_GTEST_PROP(PdcGenerator, spaces_neighbours_no_wider_than_asked, ()) {
   RC_ASSERT(std::abs(last->tip_radius - d.profile.gage_radius) < on_profile);
 }
 
-RC_GTEST_PROP(PdcGenerator, gives_the_rakes_wear_and_sizes_that_were_asked, ()) {
+RC_GTEST_PROP(PdcGenerator, gives_the_requested_rakes_wear_and_sizes, ()) {
   const PdcDesign d = any_design();
   const double cone_end =
       d.profile.nose_place - d.profile.nose_radius * std::sin(d.profile.cone_angle);
@@ -165,7 +165,7 @@ RC_GTEST_PROP(PdcGenerator, puts_backups_behind_face_cutters_of_their_blade, ())
             std::ranges::count_if(cutters, [](const Cutter& c) { return c.under_exposure > 0.0; }));
 }
 
-/// A whole bit of a design with pads and blades, worn and spiralled as the design says.
+/// A whole bit of a design with pads and blades, worn and spiralled as specified by the design.
 Bit whole_bit(const PdcDesign& d) {
   PdcOptions options;
   options.pads.count = static_cast<int>(d.blades.size());
@@ -185,8 +185,8 @@ double reach_of(const Part& part) {
   return reach;
 }
 
-/// Pads stay under the gage by what was asked, the blades by their exposure; wear takes nothing
-/// from the radius at which pads are set but what it takes from the gage cutters.
+/// Pads stay under the gage by the requested distance, the blades by their exposure; wear reduces
+/// the radius of pads only by what it takes from the gage cutters.
 RC_GTEST_PROP(PdcGenerator, keeps_pads_and_blades_under_the_gage, ()) {
   const PdcDesign d = any_design();
   const Bit bit = whole_bit(d);

@@ -186,7 +186,7 @@ std::vector<std::vector<std::string>> words_of(const std::string& text) {
 }
 
 /// The text has the rows' numbers in millimetres, the place of each, and counts them from 1.
-TEST(ConeReport, tells_every_row_in_millimetres) {
+TEST(ConeReport, lists_every_row_in_millimetres) {
   const auto lines = words_of(cones_text(lopsided()));
   std::size_t line = 0;
   for (const Cone& cone : lopsided().cones) {
@@ -207,7 +207,7 @@ TEST(ConeReport, tells_every_row_in_millimetres) {
 }
 
 /// A journal's numbers in degrees and millimetres, and the mass of its cone.
-TEST(ConeReport, tells_every_cone_in_degrees_and_millimetres) {
+TEST(ConeReport, lists_every_cone_in_degrees_and_millimetres) {
   const std::string text = cones_text(lopsided());
   for (int k = 0; k < 3; ++k) {
     const ConeLayout& c = lopsided().cones[static_cast<std::size_t>(k)].layout;
@@ -246,7 +246,7 @@ TEST(ConeReport, has_the_gaps_between_legs_and_cones) {
   EXPECT_EQ(cones_text(bare).find("legs"), std::string::npos);
 }
 
-TEST(ConeReport, tells_what_is_assumed_of_every_cone) {
+TEST(ConeReport, lists_the_assumptions_of_every_cone) {
   const std::string text = assumptions_text(lopsided(), 10.0);
   EXPECT_EQ(std::ranges::count(text, '\n'), 3);
   for (int k = 0; k < 3; ++k) {

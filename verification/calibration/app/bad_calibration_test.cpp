@@ -82,7 +82,8 @@ const Mistake mistakes[] = {
      "2.06843e+07 Pa, expected records at which rock breaks out, or no table [spalling]"},
     {"edge_and_its_stress", "[fixed]\nA4 = 0.5",
      "[unknowns.te]\nstart = 1e-4\n[unknowns.A4]\nstart = 1",
-     "33: unknowns.te: found a direction that the records do not see: te up 100 % with A4 down 100 "
+     "33: unknowns.te: found a direction that the records do not determine: te up 100 % with A4 "
+     "down 100 "
      "% changes no load; expected a prior_sd for one of them, or one of them in [fixed]"},
     {"coefficient_of_no_part", "[fixed]", "[unknowns.A7]\nstart = 1\n[fixed]",
      "33: unknowns.A7: found a coefficient that acts on no part of the fitted bits (it acts on cse "
@@ -107,7 +108,7 @@ const Mistake mistakes[] = {
 INSTANTIATE_TEST_SUITE_P(One, BadCalibration, ::testing::ValuesIn(mistakes),
                          [](const auto& one) { return std::string(one.param.name); });
 
-/// What is wrong with the records, and what the program says after the file's name.
+/// A mistake in the records, and the message after the name of the file.
 struct BadRow {
   const char *name, *from, *to, *message;
 };
@@ -127,8 +128,7 @@ const BadRow bad_rows[] = {
     {"wrong_unit", "normal [N]", "normal [psi]",
      "1: normal: found \"psi\" (psi is pressure), expected normal [unit], force in N or another "
      "unit of it"},
-    {"unknown_column", "drag [N]", "drug [N]",
-     "1: drug: found a column that nothing reads, expected drag?"},
+    {"unknown_column", "drag [N]", "drug [N]", "1: drug: found an unknown column, expected drag?"},
     {"speed_of_zero", "c13-3000,c13,3000,500", "c13-3000,c13,3000,0",
      "2: speed: found 0, expected a number, > 0"},
     {"load_that_is_no_number", "c13-3000,c13,3000,500,0.5,", "c13-3000,c13,3000,500,0.5,nan,",
@@ -258,7 +258,7 @@ TEST(BadCalibration, all_mistakes_at_once) {
   EXPECT_EQ(files_below(c.path("")), untouched);
 }
 
-/// A calibration that is valid overwrites nothing either, and says so before it works.
+/// A valid calibration overwrites nothing either, and fails before it starts to compute.
 TEST(BadCalibration, a_folder_that_is_in_use) {
   const BitFolder c;
   ASSERT_EQ(c.laboratory().exit_code, 0);

@@ -37,7 +37,7 @@ TEST(Calibrate, leaves_its_files_and_finds_the_truth_within_its_intervals) {
   EXPECT_NEAR(squares, 1.0, 1e-12);
   EXPECT_EQ(lines_of(c.path("out/predictions.csv")), 1 + 6);
   EXPECT_EQ(lines_of(c.path("out/residuals.csv")), 1 + 12);
-  EXPECT_NE(o.out.find("seen least: "), std::string::npos);
+  EXPECT_NE(o.out.find("weakest direction: "), std::string::npos);
 }
 
 TEST(Calibrate, warns_of_a_discrepancy_that_nobody_knows) {

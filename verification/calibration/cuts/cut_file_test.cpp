@@ -46,7 +46,7 @@ TEST(CutFile, is_read_back_to_the_bit) {
   expect_same(run, *read);
 }
 
-/// Whole and sealed, but made by another version: each of its variables is asked for.
+/// Complete and sealed, but written by another version: each variable is required.
 TEST(CutFile, without_one_of_its_variables_is_none) {
   const CutRun run = made_up_run(made_up_bits()[0], 1e-3);
   int variables = 100;

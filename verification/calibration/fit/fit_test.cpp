@@ -62,7 +62,8 @@ TEST(Fit, tells_whether_a_coefficient_comes_from_its_prior) {
     EXPECT_FALSE(k.from_prior) << k.key;
 }
 
-/// The truth of A5 is below its range: it ends there, has no interval, and all else goes on.
+/// The truth of A5 is below its range: the fit ends at the bound, without an interval, and
+/// determines all others.
 TEST(Fit, a_coefficient_at_its_bound_has_no_interval) {
   CalibrationCase c = noisy(well_conditioned_case());
   Unknown& A5 = *unknown(c, "A5");
@@ -101,7 +102,7 @@ TEST(Fit, its_polish_counts_its_evaluations) {
   EXPECT_EQ(search.evaluations - before, 4 * search.values.size());
 }
 
-/// The search without its free variable's end says so, where fit takes the unknown out.
+/// The search alone reports that a variable left its range; `fit` then removes the unknown.
 TEST(Fit, its_search_stops_where_a_coefficient_is_driven_out) {
   CalibrationCase c = noisy(well_conditioned_case());
   Unknown& A5 = *unknown(c, "A5");

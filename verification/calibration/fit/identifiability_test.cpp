@@ -62,7 +62,7 @@ TEST(Identifiability, of_nothing_that_is_fitted_is_not_asked) {
   EXPECT_EQ(in_words(nothing, {}), "nothing was fitted");
 }
 
-/// Shares of the largest component, wherever it stands; one below 3 % says nothing.
+/// Shares relative to the largest component, in any position; a share below 3 % is ignored.
 TEST(Identifiability, of_a_direction_names_every_unknown_that_counts) {
   Problem p;
   p.unknowns.resize(4);
@@ -70,10 +70,11 @@ TEST(Identifiability, of_a_direction_names_every_unknown_that_counts) {
   const auto told = [&](std::vector<double> direction) {
     return in_words(p, {{5.0, 2.0, 1.0, 0.25}, std::move(direction)});
   };
-  EXPECT_EQ(told({0.25, 0.5, -0.125, 0.01}),
-            "b up 100 % with a up 50 % with c down 25 % moves the readings by 0.5 of their noise");
+  EXPECT_EQ(
+      told({0.25, 0.5, -0.125, 0.01}),
+      "b up 100 % with a up 50 % with c down 25 % changes the readings by 0.5 of their noise");
   EXPECT_EQ(told({-0.01, 0.25, 0.25, 0.5}),
-            "d up 100 % with b up 50 % with c up 50 % moves the readings by 0.5 of their noise");
+            "d up 100 % with b up 50 % with c up 50 % changes the readings by 0.5 of their noise");
 }
 
 TEST(Identifiability, the_weakest_direction_points_up) {
@@ -121,7 +122,7 @@ TEST(Identifiability, the_edges_width_and_its_stress_are_refused_by_name) {
   const std::string message = refusal(with_both_of_the_edge());
   EXPECT_NE(message.find("te"), std::string::npos) << message;
   EXPECT_NE(message.find("A4"), std::string::npos) << message;
-  EXPECT_NE(message.find("found a direction that the records do not see"), std::string::npos)
+  EXPECT_NE(message.find("found a direction that the records do not determine"), std::string::npos)
       << message;
   EXPECT_NE(message.find("expected a prior_sd for one of them, or one of them in [fixed]"),
             std::string::npos)

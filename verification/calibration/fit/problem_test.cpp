@@ -183,7 +183,8 @@ TEST(Jacobian, goes_on_at_the_end_of_a_range) {
   EXPECT_LT((at_end.col(A6) - near.col(A6)).norm(), 9e-4 * near.col(A6).norm());
 }
 
-/// Own, test's and rate's variances of a reading add up; its own deviation stands before the usual.
+/// The variances of a reading, of its test and of the rate add up; a deviation of the reading
+/// itself replaces the default.
 TEST(ReadingVariance, adds_up_what_is_uncertain) {
   const Noise noise{.reading = 0.03, .test = 0.04, .rop = 0.05};
   EXPECT_DOUBLE_EQ(reading_variance(noise, {}, 0.0), 9e-4 + 16e-4);

@@ -56,7 +56,7 @@ TEST(Laboratory, an_error_of_the_rate_moves_both_loads_by_their_slopes) {
   }
 }
 
-/// 2400 numbers tell a deviation to 1.4 %.
+/// 2400 numbers determine a deviation to 1.4 %.
 TEST(Laboratory, readings_scatter_as_they_should) {
   double squares = 0.0, sum = 0.0, count = 0.0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed)
@@ -84,7 +84,7 @@ TEST(Laboratory, its_records_are_read_as_they_were_drilled) {
   }
 }
 
-/// Some of the bits may be asked for; one that nobody described may not.
+/// Some of the bits may be chosen; an unknown bit is rejected.
 TEST(Laboratory, drills_with_the_bits_that_are_asked_for) {
   const std::string path = TDBD_SOURCE_DIR "/validation/blind/hidden-hanson-hansen.toml";
   const std::vector<std::string> all = read_laboratory(path, {}).setup.fit;

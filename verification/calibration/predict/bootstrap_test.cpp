@@ -31,7 +31,7 @@ TEST(Bootstrap, the_same_seed_gives_the_same_numbers) {
   }
 }
 
-/// 400 replicates tell a standard error to 3.5 %.
+/// 400 replicates determine a standard error to 3.5 %.
 TEST(Bootstrap, its_standard_errors_are_those_of_the_derivatives) {
   const Fit f = good_fit();
   const Bootstrap b = bootstrap(f, {0.95, 400, 1});
@@ -52,7 +52,8 @@ TEST(Bootstrap, of_one_replicate_scatters_by_nothing) {
   }
 }
 
-/// Mean, deviation and quartiles of five replicates, by hand from their fits: sorted, the second and the fourth.
+/// Mean, deviation and quartiles of five replicates, computed independently from their fits:
+/// sorted, the second and the fourth.
 TEST(Bootstrap, has_the_figures_of_its_replicates) {
   const Fit f = good_fit();
   const Bootstrap b = bootstrap(f, {0.5, 5, 7});
@@ -82,7 +83,8 @@ TEST(Bootstrap, has_the_figures_of_its_replicates) {
   }
 }
 
-/// Centres of priors are drawn around the fitted values by the priors' deviations; unknowns without one keep theirs.
+/// Centres of priors are drawn around the fitted values by the priors' deviations; unknowns without
+/// a prior keep their centre.
 TEST(Bootstrap, draws_the_centres_of_priors) {
   CalibrationCase c = well_conditioned_case();
   unknown(c, "A3")->prior_sd = 0.1;

@@ -24,7 +24,7 @@ TEST(Discrepancy, is_none_where_the_law_is_right) {
   EXPECT_EQ(d.value[turning], 0.0);
 }
 
-/// One bit of three needs a third more than the law of the others says.
+/// One of three bits needs a third more than the law of the others predicts.
 TEST(Discrepancy, is_what_a_bit_differs_by) {
   const Discrepancy d = of_all(well_conditioned_case(), {0.01, 0.0}, 1.3);
   EXPECT_EQ(d.reason, "");
@@ -34,7 +34,7 @@ TEST(Discrepancy, is_what_a_bit_differs_by) {
   }
 }
 
-/// Loads that nobody read say nothing; the others say what they did.
+/// Missing loads contribute nothing; the others contribute as before.
 TEST(Discrepancy, is_found_from_the_loads_that_were_read) {
   CalibrationCase c = well_conditioned_case();
   const CutStore cuts = made_up_cuts(c);
@@ -57,7 +57,7 @@ TEST(Discrepancy, of_one_bit_is_unknown) {
   const CutStore cuts = made_up_cuts(c);
   read_loads(c, cuts, hidden_law());
   c.fit = {"B"};
-  EXPECT_EQ(leave_one_tool_out(c, cuts, records_of(c, c.fit)).reason, "one bit alone is fitted");
+  EXPECT_EQ(leave_one_tool_out(c, cuts, records_of(c, c.fit)).reason, "only one bit is fitted");
 }
 
 TEST(Discrepancy, is_unknown_where_a_bit_alone_identifies_nothing) {

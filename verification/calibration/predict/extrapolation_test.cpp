@@ -43,8 +43,9 @@ Sample sample_with(double rake, double diameter, double depth, double pressure) 
   return s;
 }
 
-/// Means are weighed by what the faces cut. A hundredth of the largest value is no extrapolation, two are, on
-/// either side, and each figure is told by its name.
+/// Means are weighted by the area that the faces cut. Exceeding the largest value by a hundredth is
+/// no extrapolation, by two hundredths it is, on either side, and each quantity is reported with
+/// its name.
 TEST(Extrapolation, is_told_of_means_by_area_beyond_a_hundredth) {
   const double rake = 20.0 * pi / 180.0;
   const std::vector<Sample> fitted{sample_with(0.5 * rake, 8e-3, 0.5e-3, 10e6),

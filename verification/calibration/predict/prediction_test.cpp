@@ -75,7 +75,7 @@ Coverage coverage(CalibrationCase c, const LaboratoryNoise& noise) {
   return mean;
 }
 
-/// 400 laboratories tell a share to 0.01.
+/// 400 laboratories determine a share to 0.01.
 void expect_good(const Coverage& seen) {
   EXPECT_TRUE(is_inside(0.91, seen.coefficients, 0.985)) << seen.coefficients;
   EXPECT_TRUE(is_inside(0.91, seen.loads, 0.985)) << seen.loads;

@@ -103,7 +103,7 @@ TEST(ConfigErrors, tables) {
                   "FILE:1: a: found a table, expected an array of tables, [[a]]"});
 }
 
-/// A thousandth is asked for where it would do, and no unit was given.
+/// The message suggests a thousandth if that is in range and no unit was given.
 TEST(ConfigErrors, a_length_or_time_out_of_its_range_asks_for_its_unit) {
   const auto told = [](const std::string& unit, const std::string& value) {
     Config c = Config::read_text("x = " + value + "\n", "x.toml");

@@ -11,8 +11,7 @@
 
 namespace tdbd {
 
-/// @file
-/// What a user is told of a wrong file.
+/// @file The messages about a wrong file.
 
 /// One test: a file's text, what a program reads of it, the one line of message this must give
 /// (FILE stands for the path).

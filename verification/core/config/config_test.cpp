@@ -109,7 +109,7 @@ TEST(Config, the_resolved_file_names_units_and_defaults) {
   EXPECT_EQ(config.resolved(), "d = 0.1  # m\n\n[hole]\ndepth = 0.5  # m\n");
 }
 
-/// It stays a default, which a remark tells.
+/// It stays a default, as a remark explains.
 TEST(Config, the_resolved_file_has_no_value_that_is_not_finite) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Config config = Config::read_text("", "made-up.toml");

@@ -47,7 +47,7 @@ TEST(ConfigWords, refuse_tables_and_nothing) {
             "false");
 }
 
-/// What one file says of another, as overrides that read the same there.
+/// Settings that one file makes for another, as overrides with the same meaning there.
 TEST(ConfigWords, of_a_table_are_overrides) {
   Config c = config_of("[set]\nx.y = \"2 mm\"\nn = 3\nl = [1.5, [\"a\"]]\n");
   const std::vector<std::string> all = c.table("set").assignments();

@@ -276,7 +276,7 @@ TEST(ChainedString, sags_to_the_low_side_by_its_weight_over_the_lateral_stiffnes
 }
 
 /// A restart between two steps continues bitwise, and a step that is warm allocates nothing.
-TEST(ChainedString, goes_on_to_the_bit_and_allocates_nothing) {
+TEST(ChainedString, continues_bitwise_identical_and_allocates_nothing) {
   string::Chain c = chain_of(30, 0.2);
   c.torsional_loss_time = 5e-5;
   const Hanging s = hanging(c, {rate, speed, 10e3, 900.0});

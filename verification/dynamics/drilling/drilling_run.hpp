@@ -15,7 +15,7 @@ using LumpedLaw = std::function<void(const DrillingSystem&, const DrillingState&
 /// Whether the law sees the momenta that the last wrench predicts, or those after the drift.
 enum class LawMomenta { predicted, drifted };
 
-/// What cutting does at a state, W of `out` made anew.
+/// Cutting at a state; sets W of `out`.
 inline void evaluate(const DrillingSystem& system, const LumpedLaw& law, const DrillingState& state,
                      Wrench& out) {
   out = Wrench{};
@@ -28,7 +28,7 @@ struct DrillingRun : Drilling {
   DrillingWork work;
 };
 
-/// Goes on from what was started, or saved.
+/// Continues a run that was started or saved.
 inline DrillingRun go_on(const DrillingSystem& system, Drilling from) {
   DrillingRun d{std::move(from), {}};
   d.work = drilling_work(system, d);

@@ -110,7 +110,7 @@ TEST(Wall, loses_nothing_of_its_own_where_runge_kutta_loses_8_percent_a_step) {
   EXPECT_NEAR(least, 0.5, 1e-12);
 }
 
-/// A bit that friction rolls along its hole, held to its speed by a stiff string.
+/// A bit that friction rolls along its hole, kept at its speed by a stiff string.
 DrillingSystem rolling_bit() {
   DrillingSystem s = plain_bit();
   s.string.turn_stiffness.diagonal() = Vec3(1e6, 1e6, 1e6);
@@ -152,7 +152,8 @@ TEST(Wall, friction_rolls_the_bit_backward_at_the_kinematic_frequency) {
                    "whirl frequency of a rolling bit against omega R/(Rh - R): relative deviation",
                    deviation, "1", "<= 0.006",
                    deviation <= 0.006 ? battery::Verdict::holds : battery::Verdict::refuted});
-  // What is left is the wall's giving way: the centre goes on a circle of clearance and depth.
+  // The difference is the compliance of the wall: the centre moves on a circle of clearance and
+  // depth.
   const double deep = std::hypot(d.state.c_W.x(), d.state.c_W.y());
   EXPECT_NEAR(rate, -omega * s.wall.ring_radius / deep, 5.5e-5 * std::abs(kinematic));
 }

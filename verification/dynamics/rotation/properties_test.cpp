@@ -91,7 +91,7 @@ dynamics::Loads gravity() {
   return loads;
 }
 
-RC_GTEST_PROP(EveryGyrostat, keeps_its_momenta_to_the_bit_when_free, ()) {
+RC_GTEST_PROP(EveryGyrostat, keeps_its_momenta_bitwise_when_free, ()) {
   const Scene s = random_scene();
   for (const RotationScheme& scheme : second_order_schemes()) {
     const dynamics::Rotating r = carried(scheme, s, {}, 20);
@@ -101,7 +101,7 @@ RC_GTEST_PROP(EveryGyrostat, keeps_its_momenta_to_the_bit_when_free, ()) {
   }
 }
 
-RC_GTEST_PROP(EveryGyrostat, keeps_its_vertical_momentum_to_the_bit_under_gravity, ()) {
+RC_GTEST_PROP(EveryGyrostat, keeps_its_vertical_momentum_bitwise_under_gravity, ()) {
   const Scene s = random_scene();
   const dynamics::Loads loads = gravity();
   for (const RotationScheme& scheme : second_order_schemes()) {

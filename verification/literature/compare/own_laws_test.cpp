@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/literature/compare/asked_models.hpp"
+#include "verification/literature/compare/model_runs.hpp"
 
 /// The laws of faces that are Hanson and Hansen's and Langeveld's own, on the shipped bits, against a plane computation
 /// of this file: of each cutter's outline, an ellipse in closed form, less the outlines that passed before it.
@@ -164,18 +164,18 @@ struct PlaneError {
 };
 
 PlaneError error_of(const Findings& f, const PlaneLoad& plane) {
-  return {asked::value(f, Quantity::weight) / plane.weight - 1.0,
-          asked::value(f, Quantity::torque) / plane.torque - 1.0};
+  return {model_runs::value(f, Quantity::weight) / plane.weight - 1.0,
+          model_runs::value(f, Quantity::torque) / plane.torque - 1.0};
 }
 
 const PlaneBit& bit_b_in_the_plane() {
-  static const PlaneBit bit = plane_bit(asked::compare_case("bit-b-edges", {}));
+  static const PlaneBit bit = plane_bit(model_runs::compare_case("bit-b-edges", {}));
   return bit;
 }
 
 /// The area of all cutters is R d, where R reaches 0.13 mm beyond the gage: the chamfers of the table put faces there.
 TEST(OwnLaws, cutters_of_the_plane_add_up_to_the_bit) {
-  const CompareCase c = asked::compare_case("bit-b-edges", {});
+  const CompareCase c = model_runs::compare_case("bit-b-edges", {});
   double area = 0.0, reach = 0.0;
   for (const PlaneCut& cut : bit_b_in_the_plane().cuts) area += cut.area;
   for (const PlaneRim& rim : bit_b_in_the_plane().rims)
@@ -185,8 +185,8 @@ TEST(OwnLaws, cutters_of_the_plane_add_up_to_the_bit) {
 
 PlaneError hanson_hansen_error(const std::string& spacing) {
   const CompareCase c =
-      asked::compare_case("bit-b-edges", {"compare.spokes.spacing='" + spacing + "'"});
-  return error_of(asked::ask(c, "hanson-hansen", 0.0), edges_load(bit_b_in_the_plane(), c));
+      model_runs::compare_case("bit-b-edges", {"compare.spokes.spacing='" + spacing + "'"});
+  return error_of(model_runs::run(c, "hanson-hansen", 0.0), edges_load(bit_b_in_the_plane(), c));
 }
 
 /// Errors seen: 3.0e-3 and 2.1e-4 on nodes of 1 and 0.5 mm, 1.9e-4 on those of 0.25 mm, where the polygons of rims are left.
@@ -201,9 +201,9 @@ TEST(OwnLaws, hanson_and_hansen_have_the_loads_of_edges_and_chamfers_in_the_plan
 /// TDBD shares no code with plane or spokes. Seen: weight -1.8e-2, -7.8e-3 on edges of 2.8 and 1 mm; torque 3e-4, -7e-4.
 TEST(OwnLaws, tdbd_has_the_loads_of_edges_and_chamfers_in_the_plane) {
   const auto error = [](const std::string& edge) {
-    const CompareCase c = asked::compare_case(
+    const CompareCase c = model_runs::compare_case(
         "bit-b-edges", {"rock.edge_length='" + edge + "'", "time.revolutions=2"});
-    return error_of(asked::ask(c, "tdbd", 0.0), edges_load(bit_b_in_the_plane(), c));
+    return error_of(model_runs::run(c, "tdbd", 0.0), edges_load(bit_b_in_the_plane(), c));
   };
   const PlaneError coarse = error("2.8 mm"), fine = error("1 mm");
   EXPECT_NEAR(fine.weight, 0.0, 1.2e-2);
@@ -213,7 +213,7 @@ TEST(OwnLaws, tdbd_has_the_loads_of_edges_and_chamfers_in_the_plane) {
 
 /// The torque of cutters with an upright normal: on the wall a tip's depth converges as the root of the nodes' spacing.
 double torque_of_wall(const Findings& f, const PlaneBit& bit) {
-  const std::vector<double> drag = asked::of_parts(f, PartQuantity::drag, PartLevel::cutter);
+  const std::vector<double> drag = model_runs::of_parts(f, PartQuantity::drag, PartLevel::cutter);
   double torque = 0.0;
   for (std::size_t i = 0; i < drag.size(); ++i)
     if (bit.rims[i].normal.z() < 1e-6) torque += drag[i] * bit.rims[i].tip;
@@ -222,7 +222,7 @@ double torque_of_wall(const Findings& f, const PlaneBit& bit) {
 
 PlaneError langeveld_error(int nodes) {
   const CompareCase c =
-      asked::compare_case("bit-b-depth", {"compare.spokes.nodes=" + std::to_string(nodes)});
+      model_runs::compare_case("bit-b-depth", {"compare.spokes.nodes=" + std::to_string(nodes)});
   const PlaneBit& all = bit_b_in_the_plane();
   PlaneBit upright;
   for (std::size_t i = 0; i < all.rims.size(); ++i) {
@@ -230,7 +230,7 @@ PlaneError langeveld_error(int nodes) {
     upright.cuts.push_back(all.cuts[i]);
     if (all.rims[i].normal.z() < 1e-6) upright.cuts.back().depth = 0.0;
   }
-  const Findings f = asked::ask(c, "langeveld", 0.0);
+  const Findings f = model_runs::run(c, "langeveld", 0.0);
   PlaneLoad plane = tips_load(upright, kn, kt);
   PlaneError e = error_of(f, plane);
   e.torque -= torque_of_wall(f, all) / plane.torque;
@@ -248,16 +248,17 @@ TEST(OwnLaws, langeveld_has_the_loads_of_widths_and_depths_of_tips_in_the_plane)
 /// In TDBD width times mean depth is the area: the work of a turn is that of kt times the area. Seen: -1.5e-3.
 TEST(OwnLaws, tdbd_acts_on_the_area_under_the_law_of_the_depth_of_cut) {
   const CompareCase c =
-      asked::compare_case("bit-b-depth", {"rock.edge_length='2 mm'", "time.revolutions=2"});
-  const Findings f = asked::ask(c, "tdbd", 0.0);
+      model_runs::compare_case("bit-b-depth", {"rock.edge_length='2 mm'", "time.revolutions=2"});
+  const Findings f = model_runs::run(c, "tdbd", 0.0);
   const double R = c.ours.bit.gage_radius;
-  EXPECT_NEAR(asked::value(f, Quantity::work_of_a_turn_torque) / (kt * R * R * c.advance / 2.0),
-              1.0, 3e-3);
+  EXPECT_NEAR(
+      model_runs::value(f, Quantity::work_of_a_turn_torque) / (kt * R * R * c.advance / 2.0), 1.0,
+      3e-3);
 }
 
 /// Under a mud, Scc is the confined strength, of whose growth pressure_share counts.
 TEST(OwnLaws, hanson_and_hansen_receive_the_coefficients_of_the_case) {
-  const CompareCase c = asked::compare_case(
+  const CompareCase c = model_runs::compare_case(
       "bit-b-edges", {"rock.pressure='20 MPa'", "forces.pressure_share=0.5", "forces.te='0.2 mm'",
                       "forces.chamfer={law='hanson-hansen', A1=2, A3=0.1, A5=0.7, A6=0.3}"});
   const EdgeCoefficients& e = c.edges.value();
@@ -277,23 +278,23 @@ TEST(OwnLaws, hanson_and_hansen_receive_the_coefficients_of_the_case) {
 /// its string. The rock of the spoke ahead is felt half a spoke early.
 TEST(OwnLaws, drill_on_a_string) {
   const std::string no_bodies = "slip_speed=0.0, cutter_body={law='none'}}";
-  CompareCase edges = asked::compare_case(
+  CompareCase edges = model_runs::compare_case(
       "bit-b-free", {"forces={law='hanson-hansen', A1=0.9, A2=0.3, A3='20 deg', A4=0.5, A5=0.2, "
                      "A6=0.6, " +
                          no_bodies,
                      "motion.weight_on_bit='9 kN'", "motion.torque_at_start='850 N m'"});
-  const Findings f = asked::ask(edges, "hanson-hansen", 0.0);
+  const Findings f = model_runs::run(edges, "hanson-hansen", 0.0);
   const auto advance_of = [&](const Findings& found) {
-    return asked::value(found, Quantity::rate_of_penetration) * full_circle /
+    return model_runs::value(found, Quantity::rate_of_penetration) * full_circle /
            edges.ours.motion.rotary_speed;
   };
   edges.advance = advance_of(f);
   const PlaneError e = error_of(f, edges_load(plane_bit(edges), edges));
   EXPECT_NEAR(e.weight, 0.0, 1.2e-2);  // seen: -6.0e-3
   EXPECT_NEAR(e.torque, 0.0, 1.3e-2);  // -6.4e-3
-  CompareCase tips = asked::compare_case(
+  CompareCase tips = model_runs::compare_case(
       "bit-b-free", {"forces={law='depth-of-cut', kt='100 MPa', kn='80 MPa', " + no_bodies});
-  const Findings g = asked::ask(tips, "langeveld", 0.0);
+  const Findings g = model_runs::run(tips, "langeveld", 0.0);
   tips.advance = advance_of(g);
   const PlaneError t = error_of(g, tips_load(plane_bit(tips), kn, kt));
   EXPECT_NEAR(t.weight, 0.0, 8e-3);  // seen: -3.8e-3
@@ -301,27 +302,27 @@ TEST(OwnLaws, drill_on_a_string) {
 }
 
 TEST(OwnLaws, are_refused_by_models_without_them) {
-  const CompareCase edges = asked::compare_case("bit-b-edges", {}),
-                    depth = asked::compare_case("bit-b-depth", {});
+  const CompareCase edges = model_runs::compare_case("bit-b-edges", {}),
+                    depth = model_runs::compare_case("bit-b-depth", {});
   const std::string unknown = "found faces under a law that it does not know, needs ";
   EXPECT_EQ(
-      asked::refusal(edges, "langeveld", 0.0),
+      model_runs::refusal(edges, "langeveld", 0.0),
       "Langeveld: " + unknown + "forces.law = \"detournay\" or \"depth-of-cut\" with kt above 0");
-  EXPECT_EQ(asked::refusal(depth, "hanson-hansen", 0.0),
+  EXPECT_EQ(model_runs::refusal(depth, "hanson-hansen", 0.0),
             "Hanson and Hansen: " + unknown +
                 "forces.law = \"detournay\" or \"hanson-hansen\" in rock of one strength");
   for (const auto& [name, title] :
        {std::pair("warren-sinor", "Warren and Sinor"), std::pair("behr", "Behr et al."),
         std::pair("glowka", "Glowka")})
-    EXPECT_EQ(asked::refusal(edges, name, 0.0),
+    EXPECT_EQ(model_runs::refusal(edges, name, 0.0),
               std::string(title) + ": " + unknown + "forces.law = \"detournay\"");
-  EXPECT_NE(
-      asked::refusal(asked::compare_case("bit-b-depth", {"forces.kt='0 Pa'"}), "langeveld", 0.0),
-      "none");
-  const CompareCase layered =
-      asked::compare_case("bit-b-edges", {"rock.layers=[{top='-1 m', material='mancos-shale'}, "
-                                          "{top='5 mm', material='mancos-shale'}]"});
-  EXPECT_NE(asked::refusal(layered, "hanson-hansen", 0.0), "none");
+  EXPECT_NE(model_runs::refusal(model_runs::compare_case("bit-b-depth", {"forces.kt='0 Pa'"}),
+                                "langeveld", 0.0),
+            "none");
+  const CompareCase layered = model_runs::compare_case(
+      "bit-b-edges", {"rock.layers=[{top='-1 m', material='mancos-shale'}, "
+                      "{top='5 mm', material='mancos-shale'}]"});
+  EXPECT_NE(model_runs::refusal(layered, "hanson-hansen", 0.0), "none");
 }
 
 }  // namespace

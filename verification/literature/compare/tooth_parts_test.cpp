@@ -7,7 +7,7 @@
 
 #include "reference/compare/comparison_files.hpp"
 #include "simulation/step/simulation.hpp"
-#include "verification/literature/compare/asked_models.hpp"
+#include "verification/literature/compare/model_runs.hpp"
 
 /// Forces of single teeth add up to those of their rows, rows to cones, and cones to the bit.
 namespace tdbd::reference::tooth_parts_test {
@@ -18,7 +18,7 @@ constexpr double rounding = 3e-14;  // of sums in another order, of the bit's; s
 
 /// Only the teeth of the comparison's bit touch rock. Its steps are those of every model.
 CompareCase bit_r() {
-  return asked::compare_case(
+  return model_runs::compare_case(
       "bit-r", {"rock.edge_length='4 mm'", "time.step='0.1 ms'", "time.revolutions=0.3",
                 "compare.counted_revolutions=0.15", "compare.spokes.spokes=24",
                 "compare.spokes.spacing='4 mm'"});
@@ -29,7 +29,7 @@ constexpr std::array models_of_teeth{"tdbd", "ma-zhou-deng", "huang-cawthorne-1"
 
 const Findings& findings_about(const std::string& model) {
   static std::map<std::string, Findings> known;
-  if (!known.contains(model)) known[model] = asked::ask(bit_r(), model, weight);
+  if (!known.contains(model)) known[model] = model_runs::run(bit_r(), model, weight);
   return known[model];
 }
 
@@ -47,7 +47,7 @@ void expect_sums(const Findings& f, PartQuantity q, PartLevel parts, PartLevel w
   std::map<std::string, double> sums;
   for (const auto& [part, value] : numbers_of(f, q, parts)) sums[whole_of(part)] += value;
   const std::map<std::string, double> found = numbers_of(f, q, wholes);
-  const double all = asked::sum_of_parts(f, q, wholes);
+  const double all = model_runs::sum_of_parts(f, q, wholes);
   ASSERT_EQ(sums.size(), found.size());
   for (const auto& [whole, value] : found)
     EXPECT_NEAR(sums.at(whole), value, rounding * all) << whole << ' ' << text_of(q).name;
@@ -73,27 +73,27 @@ TEST(ToothParts, cones_add_up_to_the_bit) {
     SCOPED_TRACE(model);
     const Findings& f = findings_about(model);
     const auto of_cones = [&](PartQuantity q) {
-      return asked::sum_of_parts(f, q, PartLevel::cone);
+      return model_runs::sum_of_parts(f, q, PartLevel::cone);
     };
     const double carried = noise_of(f.series.weight, 1).mean;
     EXPECT_NEAR(of_cones(PartQuantity::weight) / carried, 1.0, rounding);
-    const double contacts = asked::value(f, Quantity::teeth_in_contact);
+    const double contacts = model_runs::value(f, Quantity::teeth_in_contact);
     EXPECT_NEAR(of_cones(PartQuantity::teeth_in_contact) / contacts, 1.0, rounding);
-    const double removed = asked::value(f, Quantity::removed_per_revolution);
+    const double removed = model_runs::value(f, Quantity::removed_per_revolution);
     EXPECT_NEAR(of_cones(PartQuantity::volume_per_revolution) / removed, 1.0, rounding);
   }
 }
 
 /// The shells of the shipped bit R crush rock too: they are shares of their cones and of no row.
 TEST(ToothParts, cones_with_shells_that_crush_add_up_to_the_bit) {
-  const CompareCase c = asked::compare_case(
+  const CompareCase c = model_runs::compare_case(
       "bit-r-skewed", {"rock.edge_length='4 mm'", "time.step='2 ms'", "time.revolutions=2",
                        "motion.rate_of_penetration='100 m/h'", "forces.bit_body={law='none'}",
                        "forces.gage_pad={law='none'}"});
-  const Findings f = asked::ask(c, "tdbd", 0.0);
-  const double carried = asked::value(f, Quantity::weight),
-               cones = asked::sum_of_parts(f, PartQuantity::weight, PartLevel::cone),
-               rows = asked::sum_of_parts(f, PartQuantity::weight, PartLevel::row);
+  const Findings f = model_runs::run(c, "tdbd", 0.0);
+  const double carried = model_runs::value(f, Quantity::weight),
+               cones = model_runs::sum_of_parts(f, PartQuantity::weight, PartLevel::cone),
+               rows = model_runs::sum_of_parts(f, PartQuantity::weight, PartLevel::row);
   EXPECT_NEAR(cones / carried, 1.0, rounding);
   EXPECT_LT(rows, 0.999 * cones);
   expect_sums(f, PartQuantity::weight, PartLevel::tooth, PartLevel::row);

@@ -137,7 +137,7 @@ TEST(AttackedOff, is_refused_with_line_found_and_expected) {
   for (const auto& [bytes, message] : wrong) EXPECT_EQ(refusal("a.off", bytes), message) << bytes;
 }
 
-TEST(AttackedOff, colours_normals_and_comments_are_read_over) {
+TEST(AttackedOff, colours_normals_and_comments_are_skipped) {
   const fs::path path = temporary("a.off");
   std::ofstream(path) << "# made by hand\r\nCNOFF 3 1 # counts\n\n0 0 0 0 0 1 255 0 0\n1 0 0 0 0 1 "
                          "255 0 0\n0 1 0 0 0 1 255 0 0\n3 0 1 2 0.5 0.5 0.5\n";

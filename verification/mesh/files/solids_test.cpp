@@ -193,7 +193,7 @@ TEST(Solids, bad_lines_of_text_files_are_named) {
   expect_in(refusal("inf.obj", "v 0 0 1e999\n"), "inf.obj:1: found '1e999'");
 }
 
-TEST(Solids, a_binary_stl_that_is_cut_short_tells_its_size) {
+TEST(Solids, a_truncated_binary_stl_is_reported_with_its_size) {
   const fs::path path = temporary("cut.stl");
   write_mesh(path, battery::box({0, 0, 0}, {1, 1, 1}));
   fs::resize_file(path, 600);

@@ -64,8 +64,8 @@ TEST(Repair, of_a_sound_mesh_leaves_also_what_it_need_not_have) {
   EXPECT_EQ(r.mesh.positions, m.positions);
 }
 
-/// A weld is asked for: a sound mesh is welded too, also where nothing is left of it.
-TEST(Repair, welds_a_sound_mesh_when_told) {
+/// On request a sound mesh is welded too, even if nothing is left of it.
+TEST(Repair, welds_a_sound_mesh_on_request) {
   EXPECT_EQ(repair(unit_box, {2.0}).refusal, "no facet is left");
   EXPECT_EQ(repair(unit_box, {1.0}).refusal, "no facet is left");
   const Repaired r = repair(unit_box, {0.5});
@@ -83,7 +83,7 @@ TEST(Repair, merges_equal_points) {
   expect_box(repair(soup), "28 points merged at equal places\n");
 }
 
-TEST(Repair, welds_near_points_when_told) {
+TEST(Repair, welds_near_points_on_request) {
   TriangleMesh m = unit_box;
   const int corner = m.triangles[0][0];
   m.positions.push_back(m.positions[static_cast<std::size_t>(corner)] + Vec3(1e-7, 0, 0));
@@ -224,7 +224,7 @@ TEST(Repair, refuses_an_odd_edge) {
   m.triangles = wall;
   EXPECT_NE(repair(m).refusal.find("3 facets meet at an edge of triangle "), std::string::npos)
       << repair(m).refusal;
-  for (const RepairStep& step : repair(m).steps)  // what was refused is not told as done
+  for (const RepairStep& step : repair(m).steps)  // what was rejected is not reported as done
     EXPECT_EQ(step.what.find("more than two facets"), std::string::npos) << step.what;
 }
 
@@ -311,7 +311,7 @@ TEST(Inspect, counts_what_is_wrong) {
   EXPECT_DOUBLE_EQ(inspect(unit_box).volume, 1.0);
 }
 
-TEST(MeshFaults, tell_what_where_how_many_and_the_command) {
+TEST(MeshFaults, report_what_where_how_many_and_the_command) {
   TriangleMesh m = unit_box;
   turn(m, 3);
   m.triangles.pop_back();

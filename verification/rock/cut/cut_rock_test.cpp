@@ -230,9 +230,9 @@ RC_GTEST_PROP(CutRock, does_not_depend_on_the_numbering_of_the_rock, ()) {
     RC_ASSERT(std::abs(r.report.removed_by_part[i] - c.report.removed_by_part[i]) < 1e-15 * scale);
 }
 
-/// All that is in the region of a group's list, in its place, after every step; and the list knows of every change, so
-/// that the next step need not make it anew.
-RC_GTEST_PROP(CutRock, tells_the_near_lists_what_it_moved, ()) {
+/// After every step the list of a group contains every vertex of its region with its position and
+/// has recorded every change, so that the next step can reuse it.
+RC_GTEST_PROP(CutRock, updates_the_near_lists, ()) {
   const Scene s = *scene();
   const CuttingBit bit = prepare_cutting_bit(s.bit);
   Rock rock = rock_of(s);

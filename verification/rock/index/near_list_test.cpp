@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "rock/index/change_journal.hpp"
+#include "rock/index/vertex_grid.hpp"
 #include "rotation/rotation_vector.hpp"
 #include "verification/battery/generators.hpp"
 
@@ -79,7 +81,7 @@ void check_search(const Indexed& x, const Region& r) {
   for (const int v : found) RC_ASSERT(x.points.contains(v));
 }
 
-/// The step moves a vertex and tells the list.
+/// The step moves a vertex and updates the list.
 void step_moves(Indexed& x, int v, const Vec3& to) {
   const bool knows = x.list.changes == x.grid.changes();
   x.grid.move(v, to, Teller::mover);
@@ -91,7 +93,7 @@ void step_moves(Indexed& x, int v, const Vec3& to) {
   x.list.changes = x.grid.changes();
 }
 
-/// Others insert, move or remove a vertex; only the journal tells.
+/// Others insert, move or remove a vertex; only the journal records it.
 void others_change(Indexed& x, int v, const Vec3& to) {
   if (!x.points.contains(v)) return x.insert(v, to);
   if (*battery::integer(0, 1) == 0) {
@@ -111,7 +113,7 @@ void change_something(Indexed& x) {
   others_change(x, v, to);
 }
 
-RC_GTEST_PROP(NearList, holds_what_a_new_one_would_whatever_changes, ()) {
+RC_GTEST_PROP(NearList, contains_what_a_new_one_would_after_any_changes, ()) {
   Indexed x;
   Pose X_WP = *battery::pose(0.5);
   const Pose step{rotation::exp(*battery::number(0.0, 0.2) * *battery::direction()),
@@ -150,7 +152,7 @@ struct AtRest {
   }
 };
 
-TEST(NearList, never_offers_a_removed_vertex_and_knows_where_its_number_lives_on) {
+TEST(NearList, never_offers_a_removed_vertex_and_follows_its_reused_number) {
   AtRest x;
   EXPECT_EQ(x.find(), (std::vector{0, 1}));
   x.grid.remove(0);
@@ -183,8 +185,8 @@ TEST(NearList, stays_bounded_while_vertices_come_and_go) {
   }
 }
 
-/// The step moves vertices and does not tell a list: it is out of date and made anew.
-TEST(NearList, is_made_anew_where_a_mover_did_not_tell) {
+/// If the step moves vertices without updating a list, the list is out of date and built again.
+TEST(NearList, is_rebuilt_after_an_unreported_move) {
   AtRest x;
   x.grid.insert(2, Vec3::Zero());
   x.grid.move(0, Vec3(0.05, 0.05, 0.0), Teller::mover);
@@ -217,6 +219,57 @@ int times_made(int steps, int change_every) {
 TEST(NearList, is_made_once_in_several_steps) {
   EXPECT_LE(times_made(80, 0), 10);
   EXPECT_EQ(times_made(80, 5), times_made(80, 0));
+}
+
+VertexGrid some_grid() { return {{Vec3::Constant(-1.0), Vec3::Constant(1.0)}, 0.2}; }
+
+TEST(ChangeJournal, lists_moved_and_removed_vertices_in_order) {
+  VertexGrid grid = some_grid();
+  grid.insert(3, Vec3(0.5, 0.0, 0.0));
+  grid.move(3, Vec3(0.25, 0.5, -0.5));
+  grid.remove(3);
+  const VertexChanges& j = grid.journal().changes;
+  ASSERT_EQ(j.v, (std::vector{3, 3, 3}));
+  EXPECT_EQ(j.x[0], 0.5F);
+  EXPECT_EQ(j.x[1], 0.25F);
+  EXPECT_EQ(j.y[1], 0.5F);
+  EXPECT_EQ(j.z[1], -0.5F);
+  EXPECT_TRUE(std::isnan(j.x[2]));
+  EXPECT_EQ(grid.changes(), 3);
+}
+
+/// Every change counts once, also a move from cell to cell.
+TEST(ChangeJournal, forgets_what_came_before_a_reported_change) {
+  VertexGrid grid = some_grid();
+  grid.insert(3, Vec3::Zero());
+  grid.move(3, Vec3::Constant(0.5), Teller::mover);
+  EXPECT_TRUE(grid.journal().changes.v.empty());
+  EXPECT_EQ(grid.journal().first, 2);
+  grid.move(3, Vec3::Constant(-0.5));
+  EXPECT_EQ(grid.journal().changes.v, std::vector{3});
+  EXPECT_EQ(grid.journal().first, 2);
+  EXPECT_EQ(grid.changes(), 3);
+}
+
+/// No step comes: nothing else ends the journal.
+TEST(ChangeJournal, stays_bounded_however_much_changes) {
+  VertexGrid grid = some_grid();
+  grid.insert(3, Vec3::Zero());
+  constexpr int changes = 10 * static_cast<int>(ChangeJournal::most);
+  for (int k = 0; k < changes; ++k) {
+    grid.move(3, Vec3::Constant(1e-4 * k));
+    ASSERT_LE(grid.journal().changes.v.size(), ChangeJournal::most);
+    ASSERT_LT(grid.journal().changes.x.size(), ChangeJournal::most + 8);
+  }
+  EXPECT_EQ(grid.changes(), 1 + changes);
+  EXPECT_EQ(grid.journal().changes.v.capacity(), ChangeJournal::most);
+}
+
+TEST(ChangeJournal, passes_over_what_is_put_into_an_empty_index_at_once) {
+  VertexGrid grid = some_grid();
+  grid.insert_all({Vec3::Zero(), Vec3::Constant(0.5)}, {0, 1});
+  EXPECT_EQ(grid.changes(), 2);
+  EXPECT_TRUE(grid.journal().changes.v.empty());
 }
 
 }  // namespace tdbd::rock::near_list_test

@@ -8,6 +8,10 @@
 #include <numeric>
 #include <set>
 
+#include "rock/index/box_columns.hpp"
+#include "rock/index/list_places.hpp"
+#include "rock/index/near_region.hpp"
+#include "rotation/rotation_vector.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/index/grid_query.hpp"
 
@@ -175,4 +179,152 @@ TEST(VertexGrid, holds_vertices_on_its_own_faces_and_beyond) {
   EXPECT_TRUE(offers(2, {1e6, -1e6, 0}));
 }
 
+/// Of coordinates that often are equal, so that boxes touch; sometimes one without points.
+mesh::Box any_box() {
+  mesh::Box b;
+  if (*rc::gen::element(0, 0, 0, 1) == 1) return b;
+  const auto any = [] {
+    return Vec3(*rc::gen::element(-1.0, 0.0, 1.0 / 3.0, 0.1),
+                *rc::gen::element(-1e-3, 0.0, 1.0 / 3.0, 7.0), *battery::number(-1.0, 1.0));
+  };
+  b.add(any());
+  b.add(any());
+  return b;
+}
+
+/// Coordinates that differ in their last digits.
+mesh::Box nudged(mesh::Box b) {
+  b.lo.x() = std::nextafter(b.lo.x(), *rc::gen::element(-1e9, 1e9));
+  b.hi.y() = std::nextafter(b.hi.y(), *rc::gen::element(-1e9, 1e9));
+  return b;
+}
+
+std::vector<std::size_t> overlapping(const BoxColumns& columns, const mesh::Box& b) {
+  std::vector<std::size_t> found;
+  visit_overlapping(columns, b, [&](std::size_t i) { found.push_back(i); });
+  return found;
+}
+
+/// In order, and each but once.
+RC_GTEST_PROP(BoxColumns, have_every_box_that_overlaps, ()) {
+  std::vector<mesh::Box> boxes;
+  const int count = *battery::integer(0, 140);
+  for (int i = 0; i < count; ++i) boxes.push_back(nudged(any_box()));
+  BoxColumns columns;
+  resize(columns, boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) set_box(columns, i, boxes[i]);
+  const mesh::Box b = nudged(any_box());
+  const std::vector<std::size_t> found = overlapping(columns, b);
+  RC_ASSERT(std::ranges::is_sorted(found));
+  RC_ASSERT(std::ranges::adjacent_find(found) == found.end());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (boxes[i].overlaps(b)) RC_ASSERT(std::ranges::binary_search(found, i));
+  if (!found.empty()) RC_ASSERT(found.back() < boxes.size());
+}
+
+TEST(BoxColumns, leave_out_boxes_that_are_apart) {
+  BoxColumns columns;
+  resize(columns, 9);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double x = static_cast<double>(i);
+    set_box(columns, i, {Vec3(x, 0.0, 0.0), Vec3(x + 0.9, 1.0, 1.0)});
+  }
+  EXPECT_EQ(overlapping(columns, {Vec3(0.95, 0, 0), Vec3(2.5, 1, 1)}),
+            (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(overlapping(columns, {Vec3(8.5, 0, 0), Vec3(9.5, 1, 1)}),
+            (std::vector<std::size_t>{8}));
+  EXPECT_TRUE(overlapping(columns, {Vec3(0.5, 1.1, 0), Vec3(2.5, 2, 1)}).empty());
+  EXPECT_TRUE(overlapping(columns, mesh::Box{}).empty());
+  resize(columns, 9);
+  EXPECT_TRUE(overlapping(columns, {Vec3(0, 0, 0), Vec3(9, 1, 1)}).empty());
+}
+
 }  // namespace tdbd::rock::vertex_grid_test
+
+namespace tdbd::rock::list_places_test {
+
+/// A list of random places, near an origin or flat along an axis.
+NearList any_list(std::size_t places) {
+  NearList list;
+  make_room(list, places);
+  const double flat = *rc::gen::element(0.0, 1e-3, 1.0);
+  for (std::size_t i = 0; i < places; ++i) {
+    const Vec3 x = *battery::point(0.3);
+    list.x[i] = static_cast<Single>(x.x());
+    list.y[i] = static_cast<Single>(flat * x.y());
+    list.z[i] = static_cast<Single>(x.z() + 0.1);
+    list.v[i] = static_cast<int>(i);
+  }
+  close(list, places);
+  return list;
+}
+
+Vec3 place(const NearList& list, std::size_t i) { return {list.x[i], list.y[i], list.z[i]}; }
+
+/// A ball about the middle of the box of each pack, through its farthest place.
+RC_GTEST_PROP(Balls, hold_the_places_of_their_packs_and_no_more, ()) {
+  constexpr double rounding = 2.3e-8;  // m, of single precision at half a metre
+  const auto places = 8 * static_cast<std::size_t>(*battery::integer(1, 5));
+  const NearList list = any_list(places);
+  for (std::size_t pack = 0; pack < places / 8; ++pack) {
+    mesh::Box box;
+    for (std::size_t i = 8 * pack; i < 8 * pack + 8; ++i) box.add(place(list, i));
+    const Vec3 middle(list.balls.x[pack], list.balls.y[pack], list.balls.z[pack]);
+    RC_ASSERT((middle - 0.5 * (box.lo + box.hi)).norm() < rounding);
+    double farthest = 0.0;
+    for (std::size_t i = 8 * pack; i < 8 * pack + 8; ++i)
+      farthest = std::max(farthest, (place(list, i) - middle).norm());
+    RC_ASSERT(farthest <= list.balls.radius[pack]);
+    RC_ASSERT(list.balls.radius[pack] < 1.0011 * farthest + rounding);
+  }
+}
+
+const mesh::Box box_P{Vec3(-8e-3, -6e-3, -2e-3), Vec3(8e-3, 6e-3, 2e-3)};
+
+/// The box at both poses, between planes normal to its axes at the second, as rock/cut makes it.
+Region region_of(const Pose& X_WP0, const Pose& X_WP1) {
+  Region r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Slab& s = r.slabs[k];
+    s = {X_WP1.R.col(static_cast<int>(k)), INFINITY, -INFINITY};
+    for (const Pose* X_WP : {&X_WP0, &X_WP1})
+      for (int i = 0; i < 8; ++i) {
+        const double along = s.n.dot(*X_WP * Vec3(i & 1 ? box_P.hi.x() : box_P.lo.x(),
+                                                  i & 2 ? box_P.hi.y() : box_P.lo.y(),
+                                                  i & 4 ? box_P.hi.z() : box_P.lo.z()));
+        s.lo = std::min(s.lo, along);
+        s.hi = std::max(s.hi, along);
+      }
+  }
+  r.box = box_around(r.slabs);
+  return r;
+}
+
+/// A cutter anywhere on a bit of 8.5 in at up to 120 rpm and 1 ms, without margins: its region for
+/// eight steps contains them all, so that volumes alone do not force new lists in each step.
+RC_GTEST_PROP(NearRegion, holds_all_the_steps_it_is_made_for, ()) {
+  constexpr int steps = 8;
+  const Pose X_BP{(*battery::pose(1.0)).R, Vec3(*battery::number(0.0, 0.108), 0.0, 0.0)};
+  const Mat3 turn = rotation::exp(Vec3(0.0, 0.0, *battery::number(0.0, 0.0126)));
+  Pose X_WB{Mat3::Identity(), Vec3::Zero()};
+  const auto next_of = [&](const Pose& X) {
+    return Pose{Mat3(turn * X.R), X.p + Vec3(0.0, 0.0, 4e-6)};
+  };
+  Region ahead;
+  for (int k = 0; k < steps; ++k) {
+    const Pose next = next_of(X_WB), X_WP0 = X_WB * X_BP, X_WP1 = next * X_BP;
+    const Region r = region_of(X_WP0, X_WP1);
+    if (k == 0) ahead = region_ahead({box_P, X_WP0, X_WP1, r}, {}, steps);
+    RC_ASSERT(holds(ahead, r));
+    X_WB = next;
+  }
+}
+
+TEST(NearRegion, reports_what_it_contains) {
+  const Pose X{Mat3::Identity(), Vec3::Zero()};
+  const Region r = region_of(X, X);
+  EXPECT_TRUE(holds(widened(r, 1e-6), r));
+  EXPECT_FALSE(holds(r, widened(r, 1e-6)));
+}
+
+}  // namespace tdbd::rock::list_places_test

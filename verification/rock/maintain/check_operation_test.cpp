@@ -1,13 +1,25 @@
 #include "rock/maintain/check_operation.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "mesh/edit.hpp"
+#include "mesh/facet.hpp"
 #include "rock/maintain/collapse.hpp"
+#include "rock/maintain/limits.hpp"
+#include "rock/maintain/star.hpp"
+#include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
+#include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock::check_operation_test {
 
@@ -118,6 +130,137 @@ TEST(CheckOperation, notices_a_wrong_neighbour_of_the_first_corner) {
   ASSERT_EQ(describe(check_around(rock, before, 0.0)), "");
   rock.surface.opposite[0] = -1;
   EXPECT_NE(describe(check_around(rock, before, 0.0)).find("M1"), std::string::npos);
+}
+
+/// The corners around v of triangles without `beside`, from v on.
+std::vector<mesh::Facet> triangles_around(const mesh::Surface& s, int v, int beside) {
+  std::vector<mesh::Facet> found;
+  mesh::visit_corners(s, v, [&](int c) {
+    const int p = s.vertex(mesh::next_corner(c)), q = s.vertex(mesh::previous_corner(c));
+    if (p != beside && q != beside) found.push_back({s.position(v), s.position(p), s.position(q)});
+  });
+  return found;
+}
+
+double distance_of(const std::vector<mesh::Facet>& facets, const Vec3& x_W, double least = 1e300) {
+  for (const mesh::Facet& f : facets) least = std::min(least, mesh::squared_distance(f, x_W));
+  return std::sqrt(least);
+}
+
+/// The guards on distance with every triangle measured from every place.
+std::optional<Refusal> judge_all_distances(const mesh::Surface& s, int a, int b, const Vec3& x_W,
+                                           const MaintenanceLimits& l, double& drifted) {
+  std::vector<mesh::Facet> old, kept, replacing;
+  for (const auto& [v, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    const auto all = triangles_around(s, v, -1), some = triangles_around(s, v, other);
+    old.insert(old.end(), all.begin(), all.end());
+    kept.insert(kept.end(), some.begin(), some.end());
+  }
+  for (const mesh::Facet& f : kept) replacing.push_back({x_W, f.b, f.c});
+  const auto to_new = [&](const Vec3& from_W) {
+    return distance_of(replacing, from_W, (x_W - from_W).squaredNorm());
+  };
+  drifted = 0.0;
+  for (const mesh::Facet& f : kept)
+    drifted = std::max(drifted, distance_of(old, 0.5 * (x_W + f.b)));
+  for (const mesh::Facet& f : old) drifted = std::max(drifted, to_new(0.5 * (f.a + f.b)));
+  for (const int v : {a, b}) {
+    const double d = to_new(s.position(v));
+    if (d > l.ridge_cut && is_on_ridge(s, v, l)) return Refusal::ridge;
+    drifted = std::max(drifted, d);
+  }
+  return drifted > l.farthest ? std::optional(Refusal::distance) : std::nullopt;
+}
+
+/// Distances that cannot be the greatest are not computed: the verdict and the bits are the same. Of
+/// crumpled sheets too, and of some whose vertices coincide.
+RC_GTEST_PROP(CollapseDistance, is_that_from_every_triangle, ()) {
+  Rock rock = rock_of(any_sheet(*battery::number(0.1, 1.2)));
+  const mesh::Surface& s = rock.surface;
+  MaintenanceLimits l = limits_for(0.9);
+  l.farthest = *battery::number(0.0, 0.3);
+  l.ridge_cut = *battery::number(0.0, 0.1);
+  for (int c = *battery::integer(0, 12); c < 3 * s.triangle_slots(); c += 13) {
+    const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+    if (s.is_boundary(a) || s.is_boundary(b)) continue;
+    if (c % 5 == 0) rock.surface.place(a, s.position(b));
+    if (c % 7 == 0) rock.surface.place(s.vertex(c), s.position(b));
+    const Vec3 &x_a = s.position(a), &x_b = s.position(b);
+    for (const Vec3& x_W : {x_a, x_b, Vec3(0.5 * (x_a + x_b))}) {
+      double quick = 0.0, slow = 0.0;
+      const auto verdict = judge_distance(s, a, b, x_W, l, {}, quick);
+      RC_ASSERT(verdict == judge_all_distances(s, a, b, x_W, l, slow));
+      if (!verdict) RC_ASSERT(quick == slow);
+    }
+  }
+}
+
+/// rock (15) to (18), in edge lengths.
+TEST(Limits, follow_the_edge_length) {
+  constexpr double h = 0.002, just_below = 1.0 - 1e-9;
+  const MaintenanceLimits l = limits_for(h);
+  EXPECT_DOUBLE_EQ(l.shortest_edge, 0.4 * h);
+  EXPECT_DOUBLE_EQ(l.longest_edge, 1.6 * h);
+  EXPECT_DOUBLE_EQ(l.volume_per_operation, 0.01 * h * h * h);
+  EXPECT_DOUBLE_EQ(l.untangle_volume, 0.2 * h * h * h);
+  EXPECT_DOUBLE_EQ(l.ridge_cut, 0.05 * h);
+  EXPECT_DOUBLE_EQ(l.farthest, just_below * 0.2 * h);
+  EXPECT_DOUBLE_EQ(l.untangle_farthest, just_below * 0.8 * h);
+}
+
+TEST(Limits, of_another_shortest_edge_take_its_distances_along) {
+  MaintenanceLimits l = limits_for(0.002);
+  const MaintenanceLimits before = l;
+  set_shortest_edge(l, 0.0001);
+  EXPECT_EQ(l.shortest_edge, 0.0001);
+  EXPECT_LT(l.farthest, 0.00005);
+  EXPECT_NEAR(l.farthest, 0.00005, 1e-13);
+  EXPECT_LT(l.untangle_farthest, 0.0002);
+  EXPECT_NEAR(l.untangle_farthest, 0.0002, 4e-13);
+  EXPECT_EQ(l.longest_edge, before.longest_edge);
+  EXPECT_EQ(l.volume_per_operation, before.volume_per_operation);
+}
+
+MaintenanceReport report_of(int times) {
+  MaintenanceReport r;
+  for (int k = 0; k < times; ++k) {
+    count_done(r, Operation::flip, -2e-9);
+    count_done(r, Operation::bisection, 0.0);
+    count_done(r, Operation::untangling, 3e-9);
+    count_refused(r, Operation::flip, Refusal::normal);
+    count_refused(r, Operation::flip, Refusal::normal);
+    count_refused(r, Operation::bisection, Refusal::boundary);
+    count_refused(r, Operation::untangling, Refusal::intersection);
+  }
+  r.touched_triangles = 7L * times;
+  return r;
+}
+
+/// Volumes gained and lost cancel in the change, not in what was disturbed.
+void expect_report(const MaintenanceReport& r, int times) {
+  std::map<std::string, long> expected{{"flips", times},
+                                       {"bisections", times},
+                                       {"untanglings", times},
+                                       {"refused_flips_normal", 2 * times},
+                                       {"refused_bisections_boundary", times},
+                                       {"refused_untanglings_intersection", times}};
+  for (const auto& [name, count] : counts(r)) {
+    EXPECT_EQ(count, expected[name]) << name;
+    expected.erase(name);
+  }
+  EXPECT_TRUE(expected.empty());
+  EXPECT_EQ(counts(r).size(), 6u + 6u * 11u);
+  EXPECT_EQ(refusals(r), 4 * times);
+  EXPECT_EQ(r.touched_triangles, 7 * times);
+  EXPECT_DOUBLE_EQ(r.volume_change, 1e-9 * times);
+  EXPECT_DOUBLE_EQ(r.volume_disturbed, 5e-9 * times);
+}
+
+TEST(MaintenanceReport, counts_operations_and_refusals_by_name_and_adds_up) {
+  MaintenanceReport sum = report_of(1);
+  expect_report(sum, 1);
+  add(report_of(2), sum);
+  expect_report(sum, 3);
 }
 
 }  // namespace tdbd::rock::check_operation_test

@@ -78,7 +78,7 @@ RC_GTEST_PROP(Collapse, is_judged_alike_at_one_place_and_at_three, ()) {
     if (best != three.end())
       RC_ASSERT(best->x_W == one.x_W && best->volume == one.volume);
     else
-      RC_ASSERT(one.refused == three[0].refused);  // the first reason is told
+      RC_ASSERT(one.refused == three[0].refused);  // the first reason is reported
   }
 }
 
@@ -194,7 +194,7 @@ double strayed_by_hand(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
 }
 
 /// Of every place that is allowed, and refused from there on.
-RC_GTEST_PROP(Collapse, knows_how_far_it_moves_the_surface, ()) {
+RC_GTEST_PROP(Collapse, computes_how_far_it_moves_the_surface, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.35)));
   const mesh::Surface& s = rock.surface;
   visit_places(
@@ -215,9 +215,9 @@ RC_GTEST_PROP(Collapse, knows_how_far_it_moves_the_surface, ()) {
       71);
 }
 
-/// The volume that is told is that of the hole; the three places come with the least change first, and one that
-/// changes more than allowed is refused for it.
-RC_GTEST_PROP(Collapse, knows_the_volume_of_each_place, ()) {
+/// The reported volume is that of the hole; the three places are ordered by their change of volume,
+/// and a place that changes more than allowed is rejected for that reason.
+RC_GTEST_PROP(Collapse, computes_the_volume_of_each_place, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.3)));
   const mesh::Surface& s = rock.surface;
   MaintenanceLimits l = lax();

@@ -132,7 +132,7 @@ std::vector<bool> near_touched(const Rock& rock, int edges) {
 }
 
 /// M7, on rock that needs no repair of its own. Repairs at touched vertices reach their neighbours,
-/// and the repairs of those theirs.
+/// and repairs of those reach the next ones.
 RC_GTEST_PROP(Maintain, leaves_boundary_and_untouched_rock_alone, ()) {
   const Worked w = worked({.bump = 0.04});
   const Surface &before = w.cut.surface, &after = w.after.surface;

@@ -11,8 +11,13 @@
 #include "mesh/measures.hpp"
 #include "reference/mesh/hausdorff.hpp"
 #include "rock/maintain/invariants.hpp"
+#include "rock/maintain/ring_notes.hpp"
 #include "rock/maintain/star.hpp"
+#include "rock/maintain/turned_over.hpp"
+#include "rock/rock.hpp"
+#include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
+#include "verification/rock/cut/cutting_scene.hpp"
 
 namespace tdbd::rock::smooth_test {
 
@@ -79,8 +84,8 @@ RC_GTEST_PROP(Smooth, keeps_normals_boundary_and_distance, ()) {
   RC_PRE(smoothed > 0);  // most of uneven sheets' are refused
 }
 
-/// What smoothing at an inner vertex would do, by hand: the mean of the neighbours, without the part along the sum of
-/// the area vectors.
+/// What smoothing at an inner vertex would do, computed independently: the mean of the neighbours,
+/// without the part along the sum of the area vectors.
 struct ByHand {
   Vec3 x_W;
   double worst_before = 1.0, worst_after = 1.0, shortest = 1e300, longest = 0.0, swept = 0.0;
@@ -130,7 +135,7 @@ MaintenanceLimits lax() {
   return l;
 }
 
-/// Calls visit(v, by hand) for inner vertices of an uneven sheet.
+/// Calls visit(v, independent result) for inner vertices of an uneven sheet.
 template <class Visit>
 void visit_inner(const mesh::Surface& s, Visit&& visit) {
   for (int v = 0; v < s.vertex_slots(); ++v)
@@ -225,3 +230,131 @@ TEST(Smooth, refuses_the_boundary) {
 }
 
 }  // namespace tdbd::rock::smooth_test
+
+namespace tdbd::rock::star_test {
+
+MaintenanceLimits limits_with(double overhang) {
+  MaintenanceLimits limits;
+  limits.steepest_overhang = overhang;
+  limits.least_normal_cosine = -1.0;  // any turn
+  return limits;
+}
+
+/// z is down: a triangle whose normal points down hangs over. Areas in mm2 or m2 are judged alike.
+RC_GTEST_PROP(JudgeTurn, depends_only_on_directions, ()) {
+  MaintenanceLimits limits = limits_with(*battery::number(0.0, 0.5));
+  limits.least_normal_cosine = *battery::number(-1.0, 1.0);
+  const Vec3 before = *battery::point(1.0), after = *battery::point(1.0);
+  const double small = std::pow(10.0, *battery::number(-9.0, 0.0)),
+               large = std::pow(10.0, *battery::number(0.0, 3.0));
+  RC_ASSERT(judge_turn(small * before, large * after, limits) == judge_turn(before, after, limits));
+}
+
+/// A unit normal that leans over by this sine.
+Vec3 leaning(double sine) { return {std::sqrt(1.0 - sine * sine), 0.0, sine}; }
+
+TEST(JudgeTurn, lets_upright_triangles_lean_a_little_and_others_not_at_all) {
+  const MaintenanceLimits limits = limits_with(0.1);
+  const auto judge = [&](double from, double to) {
+    return judge_turn(1e-6 * leaning(from), 2e-6 * leaning(to), limits);
+  };
+  EXPECT_FALSE(judge(0.0, 0.09));
+  EXPECT_EQ(judge(0.0, 0.11), Refusal::overhang);
+  EXPECT_EQ(judge(0.09, 0.11), Refusal::overhang);
+  EXPECT_FALSE(judge(0.11, 0.2));    // it hung over before
+  EXPECT_FALSE(judge(-0.09, 0.05));  // it stood upright
+  EXPECT_EQ(judge(-0.2, 0.05), Refusal::overhang);
+  EXPECT_FALSE(judge(-0.2, -0.05));
+}
+
+TEST(JudgeTurn, refuses_to_turn_a_normal_far) {
+  MaintenanceLimits limits = limits_with(2.0);
+  limits.least_normal_cosine = 0.5;
+  const Vec3 up(0.0, 0.0, -3e-6);
+  EXPECT_FALSE(judge_turn(up, Vec3(0.8e-6, 0.0, -0.6e-6), limits));
+  EXPECT_EQ(judge_turn(up, Vec3(0.9e-6, 0.0, -0.4e-6), limits), Refusal::normal);
+}
+
+Rock any_cut() {
+  const Scene s = *scene();
+  Rock rock = rock_of(s);
+  CutWorkspace work;
+  CutReport report;
+  cut_rock(rock, prepare_cutting_bit(s.bit), s.X_WB0, s.X_WB1, work, report);
+  return rock;
+}
+
+/// Carries some vertices past their neighbours, so that triangles are turned over.
+void disturb(Rock& rock) {
+  const double side = 3.0 / std::sqrt(0.5 * rock.surface.triangle_count());
+  const int carried = *battery::integer(0, 20);
+  for (int k = 0; k < carried; ++k) {
+    const int v = *battery::integer(0, rock.surface.vertex_slots() - 1);
+    const Vec3 way(*battery::number(-1.5, 1.5), *battery::number(-1.5, 1.5),
+                   *battery::number(-1.5, 1.5));
+    place_vertex(rock, v, rock.surface.position(v) + side * way);
+  }
+}
+
+/// Compares every answer with the slow question. Returns how many triangles are turned over.
+int compare_answers(Rock& rock, const MaintenanceLimits& limits) {
+  const mesh::Surface& s = rock.surface;
+  int turned = 0;
+  for (int v = 0; v < s.vertex_slots(); ++v) {
+    std::vector<int> slow, quick;
+    mesh::visit_corners(s, v, [&](int c) {
+      if (is_turned_over(s, limits, c / 3)) slow.push_back(c / 3);
+    });
+    add_turned_over(s, limits, v, rock.notes, quick);
+    RC_ASSERT(quick == slow);
+    RC_ASSERT(is_turned_over_at(s, limits, v, rock.notes) == !slow.empty());
+  }
+  for (int t = 0; t < s.triangle_slots(); ++t) {
+    const bool is_turned = is_turned_over(s, limits, t);
+    RC_ASSERT(is_turned_over(s, limits, t, rock.notes) == is_turned);
+    turned += is_turned ? 1 : 0;
+  }
+  return turned;
+}
+
+/// By rings or by triangles, at any angle that upright triangles may lean by; also once more, with
+/// the notes of rings that have not changed since.
+RC_GTEST_PROP(TurnedOver, is_answered_by_rings_as_by_triangles, ()) {
+  Rock rock = any_cut();
+  MaintenanceLimits limits;
+  limits.steepest_overhang = *battery::number(0.0, 0.5);
+  std::vector<int> unknown;
+  begin_notes(rock, limits, OldNotes::used, unknown);
+  int turned = compare_answers(rock, limits);
+  for (const int v : rock.touched_list) rock.touched[v] = 0;
+  rock.touched_list.clear();
+  disturb(rock);
+  begin_notes(rock, limits, OldNotes::used, unknown);
+  turned += compare_answers(rock, limits);
+  RC_TAG(turned > 0 ? "some are turned over" : "none is");
+}
+
+/// The sieve is of use: a sheet that faces up is cleared, and so is a wall that leans over by less
+/// than its neighbours would need to be turned against it.
+TEST(TurnedOver, is_ruled_out_for_even_rock) {
+  Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
+  MaintenanceLimits limits;
+  std::vector<int> unknown;
+  for (int pass = 0; pass < 2; ++pass) {
+    begin_notes(rock, limits, OldNotes::discarded, unknown);
+    for (int v = 0; v < rock.surface.vertex_slots(); ++v) {
+      if (rock.surface.is_boundary(v)) continue;
+      std::vector<int> turned;
+      add_turned_over(rock.surface, limits, v, rock.notes, turned);
+      EXPECT_TRUE(turned.empty());
+      EXPECT_EQ(rock.notes.of[v] & ring_may_fold, 0) << v;
+      EXPECT_EQ(rock.notes.of[v] >> first_leaning_bit != 0, pass == 1) << v;
+    }
+    for (int v = 0; v < rock.surface.vertex_slots(); ++v) {  // upright, and a little over
+      const Vec3 x = rock.surface.position(v);
+      rock.surface.place(v, Vec3(x.z() + 0.05 * x.x(), x.y(), -x.x()));
+    }
+  }
+}
+
+}  // namespace tdbd::rock::star_test

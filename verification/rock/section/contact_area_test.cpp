@@ -1,13 +1,23 @@
 #include "rock/section/contact_area.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter_parts.hpp"
 #include "mesh/measures.hpp"
 #include "reference/mesh/convex_hull.hpp"
+#include "rock/section/engaged_ends.hpp"
+#include "rock/section/face_outline.hpp"
+#include "rock/section/section.hpp"
+#include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/bit/generate.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
 
 namespace tdbd::rock::contact_area_test {
@@ -200,4 +210,135 @@ TEST(ContactArea, under_a_ramp_is_not_that_of_surfaces_that_slide) {
   EXPECT_LT((s.contacts[0].sides.area_vector_W - Vec3(-0.01, 0.0, 0.0)).norm(), rounding);
 }
 
+// The ends of the engaged edge in rock whose surface is a plane along the path.
+
+ConvexPolygon round_face(double radius, int corners, double turned) {
+  ConvexPolygon rim;
+  for (int i = 0; i < corners; ++i) {
+    const double t = 2.0 * std::numbers::pi * (i + turned) / corners;
+    rim.emplace_back(radius * std::sin(t), -radius * std::cos(t));
+  }
+  return rim;
+}
+
+/// Rock below the line z_F = height + slope y_F.
+Rock rock_below(double height, double slope) {
+  mesh::TriangleMesh m = battery::flat_rock(1.0, 0.0, 20);
+  for (Vec3& x_W : m.positions) x_W.z() = -height + slope * x_W.y();
+  return make_rock(mesh::make_surface(m), 0.2, mesh::bounding_box(m));
+}
+
+EngagedEnds ends_in(const Rock& rock, const ConvexPolygon& rim_F) {
+  Pose X;
+  X.R.col(0) = Vec3::UnitX();
+  X.R.col(1) = -Vec3::UnitY();
+  X.R.col(2) = -Vec3::UnitZ();
+  SectionWork work;
+  const SectionFace face = section_face({X, rim_F});
+  section(rock, face, {}, {Vec3::Zero(), Vec3::UnitX()}, {0.12, 0.15}, work);
+  return engaged_ends(*work.measured, work.sums);
+}
+
+/// Of the lower edge, corner by corner.
+EngagedEnds ends_below(const ConvexPolygon& rim_F, double height, double slope) {
+  EngagedEnds ends;
+  for (std::size_t i = 0; i < rim_F.size(); ++i) {
+    const Vec2 &p = rim_F[i], &q = rim_F[(i + 1) % rim_F.size()];
+    if (!(q.x() > p.x())) continue;  // counter-clockwise: an upper edge
+    const double from = height + slope * p.x() - p.y(), to = height + slope * q.x() - q.y();
+    if (from <= 0.0 && to <= 0.0) continue;
+    const Vec2 crossing = p + from / (from - to) * (q - p);
+    const double z_left = from >= 0.0 ? p.y() : crossing.y(),
+                 z_right = to >= 0.0 ? q.y() : crossing.y();
+    auto& end = ends[q.y() > p.y() ? 1 : 0];
+    const double z = std::max(z_left, z_right);
+    end = end ? std::max(*end, z) : z;
+  }
+  return ends;
+}
+
+RC_GTEST_PROP(EngagedEnds, are_where_the_edge_leaves_a_plane, ()) {
+  const auto any = [](double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(*rc::gen::inRange(0, 1000001)) / 1e6;
+  };
+  const ConvexPolygon rim = round_face(0.3, *rc::gen::inRange(5, 65), any(0.05, 0.95));
+  const double height = any(-0.28, 0.1), slope = any(-0.5, 0.5);
+  const EngagedEnds found = ends_in(rock_below(height, slope), rim),
+                    exact = ends_below(rim, height, slope);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const bool is_sliver = exact[side] && *exact[side] < -0.3 + 1e-6;
+    if (is_sliver) continue;
+    RC_ASSERT(found[side].has_value() == exact[side].has_value());
+    if (found[side]) RC_ASSERT(std::abs(*found[side] - *exact[side]) < 1e-7);
+  }
+}
+
+TEST(EngagedEnds, are_none_in_the_open) {
+  const EngagedEnds ends = ends_in(rock_below(-0.5, 0.0), round_face(0.3, 16, 0.0));
+  EXPECT_FALSE(ends[0]);
+  EXPECT_FALSE(ends[1]);
+}
+
 }  // namespace tdbd::rock::contact_area_test
+
+namespace tdbd::rock::face_outline_test {
+
+/// Scale of the tolerances: a cutter's place, below a metre.
+constexpr double rounding = 1e-14;
+
+RC_GTEST_PROP(FaceOutline, is_the_circle_through_the_tip_up_to_the_wear_flat, ()) {
+  bit::Cutter c = bit::any_cutter();
+  c.wear = *rc::gen::element(0.0, 0.5e-3, 2e-3);
+  bit::CutterMeshing meshing;
+  meshing.rim_segments = *battery::integer(8, 64);
+  std::vector<bit::Part> parts = bit::cutter_parts(c, meshing);
+  for (bit::Part& part : parts) part.cutter = 3;
+  const FaceOutline face = face_outline(c, 3, parts);
+  double farthest = -1.0, nearest = 1.0;
+  const double area = moments(face.rim_F).area;
+  for (const Vec2& x_F : face.rim_F) {
+    const Vec3 x_B = face.X_BF * Vec3(0.0, x_F.x(), x_F.y());
+    RC_ASSERT(x_F.norm() <= 0.5 * c.diameter * (1.0 + rounding));
+    nearest = std::min(nearest, (x_B - bit::tip_B(c)).norm());
+    farthest = std::max(farthest, bit::profile_normal_B(c).dot(x_B - bit::tip_B(c)));
+  }
+  RC_ASSERT(area > 0.0);
+  if (c.wear > 0.0) RC_ASSERT(std::abs(farthest + c.wear) <= rounding);
+  if (c.wear == 0.0) RC_ASSERT(nearest <= rounding);
+}
+
+/// A trapezoid in two triangles, computed manually; a removed corner contributes nothing.
+TEST(Moments, are_those_of_the_corners_that_are_there) {
+  ConvexPolygon trapezoid{{1.0, 1.0}, {4.0, 1.0}, {3.0, 3.0}, {1.0, 3.0}, {0.0, 9.0}};
+  trapezoid.pop_back();
+  const PolygonMoments m = moments(trapezoid);
+  EXPECT_NEAR(m.area, 5.0, rounding);
+  EXPECT_LT((m.moment - Vec2(3.0 * 8.0 / 3.0 + 2.0 * 5.0 / 3.0, 3.0 * 5.0 / 3.0 + 2.0 * 7.0 / 3.0))
+                .norm(),
+            rounding);
+}
+
+/// What a half-plane keeps and what its complement keeps are the whole, in any unit of length.
+RC_GTEST_PROP(Clip, divides_a_polygon_into_two_that_make_it_up, ()) {
+  const double size = std::ldexp(1.0, *battery::integer(-10, 10));
+  ConvexPolygon polygon, inside, outside;
+  const int corners = *battery::integer(3, 12);
+  for (int k = 0; k < corners; ++k)
+    polygon.push_back(size * Vec2(std::cos(k * 6.28 / corners), std::sin(k * 6.28 / corners)));
+  const double angle = *battery::number(0.0, 6.28);
+  const HalfPlane h{*battery::number(0.1, 9.0) * Vec2(std::cos(angle), std::sin(angle)),
+                    size * *battery::number(-2.0, 2.0)};
+  clip(polygon, h, inside);
+  clip(polygon, {-h.n, -h.b}, outside);
+  const PolygonMoments all = moments(polygon), in = moments(inside), out = moments(outside);
+  RC_ASSERT(std::abs(in.area + out.area - all.area) <= rounding * size * size);
+  RC_ASSERT((in.moment + out.moment - all.moment).norm() <= rounding * std::pow(size, 3));
+  for (const Vec2& x : inside) RC_ASSERT(h.n.dot(x) - h.b <= rounding * size * 9.0);
+  RC_ASSERT(in.area >= 0.0 && out.area >= 0.0);
+}
+
+TEST(FaceOutline, is_empty_without_parts) {
+  EXPECT_TRUE(face_outline(bit::Cutter{}, 0, {}).rim_F.empty());
+}
+
+}  // namespace tdbd::rock::face_outline_test

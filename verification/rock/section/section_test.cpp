@@ -234,7 +234,7 @@ RC_GTEST_PROP(Section, from_the_grid_is_that_from_all_triangles, ()) {
   RC_ASSERT(near.angle_of_attack == all.angle_of_attack);
 }
 
-/// A list of near vertices stands in for the index, wherever its places are rounded about.
+/// A list of near vertices replaces the index, also where its positions are rounded.
 RC_GTEST_PROP(Section, from_a_list_of_near_vertices_is_that_from_the_grid, ()) {
   const AnySection a = any_section();
   Rock rock = rock_of(a.rock_W, 0.07);
@@ -321,7 +321,7 @@ RC_GTEST_PROP(Section, depends_on_the_path_and_not_on_the_speed_along_it, ()) {
   RC_ASSERT(std::abs(s.angle_of_attack - t.angle_of_attack) <= 1e-15);
 }
 
-TEST(Section, says_when_the_rock_reaches_over_the_face_or_is_out_of_sight) {
+TEST(Section, reports_rock_that_reaches_over_the_face_or_is_out_of_sight) {
   const Rock rock = rock_of(battery::flat_rock(1.0, 0.0, 20), 0.2);
   const FaceOutline face = face_along_x(radius, 32, rake);
   const auto sight_at = [&](double z) {
@@ -348,7 +348,7 @@ TEST(Section, counts_a_quarter_of_the_reach_over_the_face_as_its_own) {
 }
 
 /// Of a ridge that runs along the path only its top is over the face: one end of two segments.
-TEST(Section, says_when_a_ridge_reaches_over_the_face) {
+TEST(Section, reports_a_ridge_that_reaches_over_the_face) {
   mesh::TriangleMesh m = battery::flat_rock(1.0, 0.0, 20);
   for (Vec3& x : m.positions) x.z() = 3.0 * std::abs(x.y());
   const Rock rock = rock_of(m, 0.2);

@@ -124,7 +124,7 @@ TEST(ReadDrilling, adds_the_string_to_the_bit) {
   EXPECT_NEAR(s.mass, bit + 900.0, 1e-12);
 }
 
-/// Its springs hold what the case says, less the bit's own weight.
+/// Its springs carry the loads of the case minus the weight of the bit.
 TEST(ReadDrilling, starts_with_a_string_that_carries_its_weight_and_torque) {
   const Case c = with(all_different);
   const dynamics::DrillingSystem& s = c.drilling.system;

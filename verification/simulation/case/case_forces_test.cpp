@@ -32,7 +32,7 @@ TEST(ReadForces, gives_the_law_to_the_kinds_that_it_knows) {
   EXPECT_EQ(law<forces::Friction>(c, PartKind::bit_body).full_angle, 0.0);
 }
 
-/// Friction acts on pads and bodies; on a cutter's body only where a table says so.
+/// Friction acts on pads and bodies; on the body of a cutter only if a table enables it.
 TEST(ReadForces, gives_friction_to_pads_and_bodies) {
   const Case c = shale({"forces={law='friction', stress='20 MPa', mu=0.25}"});
   EXPECT_EQ(law<forces::Friction>(c, PartKind::gage_pad).stress, 20e6);

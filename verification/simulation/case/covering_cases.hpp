@@ -14,7 +14,7 @@
 /// Cases that together give every declared key.
 namespace tdbd::simulation::keys_test {
 
-/// A case that was read, and what it says by itself.
+/// A case that was read, and its resolved text.
 struct ReadCase {
   std::string command, path, resolved;
 };

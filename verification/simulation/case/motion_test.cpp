@@ -160,7 +160,8 @@ TEST(Motion, a_tilted_axis_leans_by_its_angle_towards_its_azimuth) {
   }
 }
 
-/// About its leaning axis the bit turns as an upright one does: seen along the axis, x has gone on.
+/// About its tilted axis the bit turns like an upright one: seen along the axis, x has turned by
+/// the angle.
 TEST(Motion, a_tilted_bit_turns_about_its_axis) {
   Motion m = steady();
   m.tilt = {0.2, 0.0, 0.0, WhirlSense::forward, 0.0};

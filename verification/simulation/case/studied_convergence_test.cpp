@@ -143,8 +143,8 @@ std::vector<std::string> short_settings() {
           "output.energy_order=off", "output.convergence=''"};
 }
 
-/// A study, written and read by runs of its levels, whose summaries tell the uncertainty of their
-/// means. What `tdbd converge` wrote is looked up here in another way.
+/// A study, written and read by runs of its levels, whose summaries contain the uncertainty of
+/// their means. The output of `tdbd converge` is read here in another way.
 TEST(NumericalUncertainty, stands_beside_the_means_of_a_run) {
   ConvergencePlan plan{short_case(), short_settings(), {"time.step"}, 3, 2.0, {}};
   const std::filesystem::path folder = test_folder();

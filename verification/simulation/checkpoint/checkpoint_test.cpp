@@ -69,7 +69,7 @@ TEST(Checkpoint, keeps_what_was_written) {
   EXPECT_EQ(read.order.residual.residuals, written.order.residual.residuals);
 }
 
-/// What reading with this case says; empty: it was read.
+/// The message from reading with this case; empty if it was read.
 std::string refusal(const std::filesystem::path& file, const Case& c) {
   try {
     read_checkpoint(file, c);

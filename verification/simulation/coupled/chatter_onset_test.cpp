@@ -10,10 +10,11 @@
 #include "simulation/step/simulation.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 
-/// A bit of four equal blades drills at the end of a chain. Its cutters cut what the blade ahead left, so
-/// its axial motion grows if it is damped too little (regenerative chatter). A prescribed motion measures
-/// what the rock does to small motions of the bit; together with the waves of a continuous rod, solved in
-/// closed form, that tells the damping at which chatter begins, and how fast it grows.
+/// A bit of four equal blades drills at the end of a chain. Its cutters cut what the blade ahead
+/// left, so its axial motion grows if it is damped too little (regenerative chatter). A prescribed
+/// motion measures what the rock does to small motions of the bit; together with the waves of a
+/// continuous rod, solved in closed form, that determines the damping at which chatter begins, and
+/// how fast it grows.
 namespace tdbd::simulation::chatter_onset_test {
 namespace {
 

@@ -121,7 +121,7 @@ TEST(OutputFolder, of_a_bit_that_a_user_wrote_is_kept) {
 TEST(OutputFolder, that_another_command_writes_to_is_refused) {
   const fs::path path = nothing_at("shared");
   const std::string in_use =
-      "in use: another command writes to it; wait for its end or take another folder";
+      "in use: another command writes to it; wait until it ends or choose another folder";
   {
     const OutputFolder first = prepare(path, Overwrite::no);
     write(first.path / "case.toml", own_case);

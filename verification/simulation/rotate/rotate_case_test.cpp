@@ -161,7 +161,7 @@ TEST(RotateCase, steps_fit_the_duration) {
   EXPECT_EQ(read(text + "1e-7").time.steps, 10'000'000);
 }
 
-/// A cube of 40 m is asked whether it is one of 40 mm, unless it is said to be right.
+/// For a cube of 40 m the message suggests 40 mm, unless the case confirms the size.
 TEST(RotateCase, asks_for_the_unit_of_a_mesh) {
   mesh::write_mesh(tdbd::temporary_folder() + "rotate_case_cube.ply",
                    battery::box({-20, -20, -20}, {20, 20, 20}));

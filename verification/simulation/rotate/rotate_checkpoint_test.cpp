@@ -11,7 +11,7 @@
 
 namespace tdbd::simulation::rotate_checkpoint_test {
 
-/// All numbers that a checkpoint holds, and whatever else a summary tells.
+/// All numbers of a checkpoint, and everything else that a summary contains.
 void expect_same(const RotateCase& c, const RotateSimulation& a, const RotateSimulation& b) {
   Tape x, y;
   TapeWriter write_x(x), write_y(y);

@@ -87,7 +87,7 @@ TEST_F(RotateResumeOne, forgets_the_end_that_it_had) {
   for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));
 }
 
-/// A row of the last good state, however seldom the case asks for one.
+/// A row of the last good state, independent of the interval of rows in the case.
 TEST(RotateFailure, keeps_the_state_before_it) {
   const fs::path folder = test_folder();
   const RotateCase c = read_rotate_case(

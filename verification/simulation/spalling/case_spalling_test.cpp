@@ -129,7 +129,7 @@ TEST(CaseSpalling, rejects_areas_that_decide_nothing) {
                    "bit-r-steady");
 }
 
-/// The cutters of bit B's cone stand at 15 degrees to the axis, along which they move rock.
+/// The cutters in the cone of bit B are at 15 degrees to the axis, along which they move rock.
 TEST(CaseSpalling, rejects_cracks_that_the_update_direction_cannot_follow) {
   expect_complaint({"spalling.angle='12 deg'"},
                    "spalling.angle: found 12 degrees for cutter-1/face, which moves rock at 15.0 "

@@ -101,7 +101,7 @@ TEST(RequireMemory, names_an_edge_length_that_would_do) {
   double edge = 0.0;
   const auto at = found.rfind(": ");
   ASSERT_NE(at, std::string::npos);
-  ASSERT_EQ(std::sscanf(found.c_str() + at, ": %lg m would do", &edge), 1) << found;
+  ASSERT_EQ(std::sscanf(found.c_str() + at, ": %lg m is enough", &edge), 1) << found;
   Case coarser = c, finer = c;
   coarser.rock.edge_length = 1.05 * edge;  // two digits are shown
   finer.rock.edge_length = edge / 1.2;

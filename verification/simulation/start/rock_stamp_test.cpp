@@ -40,7 +40,7 @@ TEST(RockStamp, is_none_where_a_file_has_not_all_of_it) {
   EXPECT_FALSE(read_stamp(text));
 }
 
-/// A rock after 100 steps of 2 ms, and a run that goes on from it.
+/// A rock after 100 steps of 2 ms, and a run that continues from it.
 Case continued(double step, long first, const std::vector<std::string>& comments) {
   Case c;
   c.rock.file = write_stamped(comments).string();
@@ -64,7 +64,7 @@ TEST(RequireSameTime, refuses_a_first_step_that_is_not_that_of_the_rock) {
     EXPECT_EQ(std::string(e.what()),
               "case.toml:9: time.first_step: found 50, at t = 0.1 s, expected 100: " +
                   (test_folder() / "rock.ply").string() +
-                  " is the rock after step 100, at t = 0.2 s (0 begins a new motion in it)");
+                  " is the rock after step 100, at t = 0.2 s (0 starts a new motion in this rock)");
   }
 }
 

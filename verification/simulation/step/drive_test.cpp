@@ -23,7 +23,7 @@ Simulation drilled(const Case& c) {
   return s;
 }
 
-/// The place moves as the velocity says: central difference over a short free flight.
+/// The velocity is the central difference of positions over a short free flight.
 TEST(Drive, has_the_velocity_of_its_places) {
   const Case c = drilling({});
   const dynamics::DrillingSystem& system = c.drilling.system;
@@ -126,8 +126,8 @@ TEST(Drive, is_stopped_by_a_law_out_of_all_proportion) {
             rest * c.motion.rate_of_penetration);
 }
 
-/// A string that is too stiff for the step throws the bit away: the run says so and keeps the state
-/// before.
+/// A string that is too stiff for the time step throws the bit away: the run reports it and keeps
+/// the state before.
 TEST(Drive, stops_with_the_state_before_a_step_that_diverges) {
   Case c = drilling({});
   c.drilling.system.spring.diagonal().setConstant(1e12);

@@ -87,7 +87,7 @@ TEST(EnergyOrder, begins_with_the_means_at_a_maintenance_and_fits_the_run) {
   EXPECT_EQ(at({"maintenance.every=0", "output.means_from='1 s'"}), 76);
   EXPECT_EQ(at({"output.energy_order_window=200"}), -1);
   EXPECT_EQ(plan_energy_order(drilling({})).reason,
-            "168 steps, of a run of 100, are more than a tenth: 1680 steps would do, or "
+            "168 steps, of a run of 100, are more than a tenth: it needs 1680 steps, or "
             "output.energy_order = \"always\"");
   EXPECT_EQ(plan_energy_order(drilling({"output.energy_order=off"})).reason,
             "output.energy_order is off");

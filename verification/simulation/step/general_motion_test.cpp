@@ -271,8 +271,8 @@ TEST(Reaming, a_bit_put_back_removes_nothing_more) {
   EXPECT_LT(std::abs(up), 3.5e-4 * drilled);
 }
 
-/// A run that is cut in two at a maintenance, its rock saved and read again, goes on as one that
-/// was not.
+/// A run that is cut in two at a maintenance, its rock saved and read again, continues like an
+/// uninterrupted run.
 void check_reload(const std::string& maintenance) {
   const std::string motion = "[maintenance]\nrest = 0\n" + maintenance + "[motion]\n" + fast +
                              "[time]\nstep = 0.002\nduration = 0.4\n";

@@ -128,7 +128,7 @@ TEST(SectionsDeepInRock, are_refused_where_a_face_removes_what_it_sweeps) {
   }
 }
 
-/// A section that cannot be told is refused once, and counts for nothing until the next.
+/// A section that cannot be computed is rejected once and does not count until the next one.
 TEST(SectionsInTurn, are_refused_once_each) {
   FaceStatistics statistics;
   statistics.revolution.resize(1);

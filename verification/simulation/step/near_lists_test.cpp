@@ -48,7 +48,7 @@ void check_lists(const std::string& name, int steps) {
     for (rock::NearList& list : s.state.rock.near_lists) {
       if (list.changes < s.state.rock.grid.journal().first) continue;  // out of reach
       const rock::Region inside = widened(list.region_W, -1e-9);
-      ASSERT_TRUE(holds(list.region_W, inside));  // or it would be made anew
+      ASSERT_TRUE(holds(list.region_W, inside));  // otherwise it would be built again
       bring_up_to_date(s.state.rock.grid, {{}, {}, {}, inside}, {}, list);
       ++lists;
       held += check_list(list, s.state.rock.surface);

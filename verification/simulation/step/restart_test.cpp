@@ -94,9 +94,9 @@ bool has_cut(const State& s) {
   return std::ranges::any_of(s.cut.removed_by_part, [](double volume) { return volume > 0.0; });
 }
 
-/// A run that goes on from copies of State and Statistics, all its Work made anew, is the same to
-/// the bit as the run that was not stopped. Whether it was stopped while it cut: rolling cones turn
-/// by the cut of the step before.
+/// A run that continues from copies of State and Statistics, with new Work, is bitwise identical to
+/// the uninterrupted run. Whether it was stopped while it cut: rolling cones turn by the cut of the
+/// step before.
 bool check_restart(const Case& c, int before, int after, Index index) {
   SCOPED_TRACE(fmt::format("{} steps, then {}", before, after));
   Simulation whole = start(c);

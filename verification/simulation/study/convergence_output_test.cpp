@@ -85,7 +85,7 @@ TEST(ConvergenceOutput, as_csv_has_a_line_for_every_difference) {
   EXPECT_EQ(std::ranges::count(lines[4], ','), 4);
 }
 
-/// A single value is told with as many digits as its uncertainty leaves, and one more.
+/// A single value is printed with the digits that its uncertainty permits, plus one.
 TEST(ConvergenceOutput, as_a_table_ends_with_the_finest_level) {
   const auto lines = lines_of(table_text(quadratic()));
   ASSERT_EQ(lines.size(), 9U);

@@ -54,8 +54,8 @@ RC_GTEST_PROP(Uncertainty, of_a_power_of_the_size_is_five_quarters_of_its_error,
   RC_ASSERT(u.value == 1.25 * u.error);
 }
 
-/// Two terms of either sign, the second nearly as large as the first at the coarsest level. Where they
-/// cancel there to a twentieth, differences of five levels may all tell too little.
+/// Two terms of either sign, the second nearly as large as the first at the coarsest level. Where
+/// they cancel there to a twentieth, differences of five levels may all be too small.
 RC_GTEST_PROP(Uncertainty, holds_the_error_of_two_terms, ()) {
   const double r = *battery::number(1.4, 2.1), second = *battery::number(-0.9, 1.0);
   const int p = *battery::integer(1, 2), levels = *battery::integer(5, 7);

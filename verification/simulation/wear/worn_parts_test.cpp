@@ -122,7 +122,7 @@ TEST(WornTeeth, leave_the_motion_of_bit_and_cones_as_it_is) {
     EXPECT_NEAR(after.cone_speeds[k], before.cone_speeds[k], rounding * before.w_W.norm());
 }
 
-/// Gage pads wear where an area says so, and nothing else of the bit does.
+/// Gage pads wear if an area enables it, and nothing else of the bit does.
 TEST(WornPads, lose_height_by_the_law_of_their_area) {
   const Case c = wearing("drill-bit-b",
                          ", areas={pads={kind='gage-pad', law='sliding', coefficient=1e-3, "

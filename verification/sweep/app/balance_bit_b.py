@@ -1,5 +1,5 @@
-"""The shipped design balances bit B: its imbalance falls from 5 % and more to less than 2 %, by the planar model and by ours.
-balance_bit_b.py TDBD FOLDER [CSV]: the third word is a file for the numbers"""
+"""The shipped design balances bit B: its imbalance falls from 5 % and more to less than 2 %, by the planar model and by that of TDBD.
+balance_bit_b.py TDBD FOLDER [CSV]: the third argument is a file for the numbers"""
 
 import csv
 import pathlib
@@ -16,7 +16,7 @@ def swept(tdbd, design, table):
 
 
 def write_csv(before, by_planar, by_ours, path):
-    """Azimuths, and what both models say of the bit as it is, of the planar model's best place and of ours."""
+    """Azimuths, and the results of both models for the shipped bit, for the optimum of the planar model and for that of TDBD."""
     turned = [name for name in by_ours if "blade" in name]
     with open(path, "w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")

@@ -1,5 +1,5 @@
-"""Kills sweeps at random and goes on: nothing is lost, nothing is done twice, and the table has the bytes of a sweep that
-was left alone. kill_sweeps.py TDBD FOLDER [KILLS] [SEED]"""
+"""Kills sweeps at random moments and resumes them: nothing is lost or computed twice, and the table is bitwise identical to that of an
+uninterrupted sweep. kill_sweeps.py TDBD FOLDER [KILLS] [SEED]"""
 
 import pathlib
 import random

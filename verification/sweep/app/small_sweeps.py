@@ -1,4 +1,4 @@
-"""Designs that take seconds, and what tests ask of the files that sweeps leave."""
+"""Designs that take seconds, and checks of the files that sweeps write."""
 
 import json
 import pathlib

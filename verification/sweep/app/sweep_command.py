@@ -51,7 +51,7 @@ def main():
         assert [float(r["energy_drift_max"]) for r in rows] == list(data["energy_drift_max"].values)
     assert len((FOLDER / "tops_timing.csv").read_text().splitlines()) == 7
 
-    # a point that fails is told, and the others are kept
+    # a point that fails is reported, and the others are kept
     (FOLDER / "one.toml").write_text(DESIGN.replace("values = [2, 8]", "values = [2, 3]").replace("values = [0.5, 1.0, 2.0]", "values = [2.0]"))
     expect(0, ["sweep", FOLDER / "one.toml", "-o", FOLDER / "one.nc"], "warning: 1 of 2 points failed, the first with: ", "integrator.order", "2 points done")
 

@@ -72,7 +72,8 @@ TEST(Points, of_a_latin_hypercube_follow_the_seed) {
   EXPECT_NE(first, samples_of(d));
 }
 
-/// A sweep that goes on after an update finds its points: the numbers are those of the first release.
+/// A sweep that is resumed after an update finds its points: the numbers are those of the first
+/// release.
 TEST(Points, of_a_latin_hypercube_stay_what_they_were) {
   const std::vector<std::vector<double>> first{
       {0.0647487, 0.311234}, {0.478333, 0.790494}, {0.747983, 0.517074}};

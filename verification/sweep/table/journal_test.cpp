@@ -49,7 +49,7 @@ PointRecord record(double x) {
           0.25};
 }
 
-/// Figures come back to the bit, messages with all that may stand in them.
+/// Numbers are read back bitwise identical, messages with any characters.
 TEST(Journal, gives_back_what_it_took) {
   const fs::path folder = empty_folder("journal");
   PointRecord failed{{PointStatus::failed, "", "a \"line\"\nand \xff another", {0.1 + 0.2}, false},

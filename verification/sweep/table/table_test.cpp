@@ -65,7 +65,8 @@ TEST(Table, has_sampled_factors_as_numbers) {
             "point,size [mm],cost,status,case_hash,message\n0,1.5,nan,missing,,\n");
 }
 
-/// The best ones, the first of equals, never what is no number; larger is better where it says so.
+/// The best ones, the first of equal ones, never a NaN; larger is better if the design specifies
+/// it.
 TEST(Judged, keeps_the_best) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> figure{3.0, none, 1.0, 2.0, 1.0};

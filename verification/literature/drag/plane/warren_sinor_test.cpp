@@ -169,7 +169,7 @@ std::string complaint(double weight, const std::vector<bit::Cutter>& cutters,
   return "";
 }
 
-TEST(WarrenSinor, says_what_it_cannot_do) {
+TEST(WarrenSinor, rejects_what_it_cannot_do) {
   const auto cutters = example_cutters('b');
   WarrenSinorOptions worn;
   worn.flat_area.assign(cutters.size(), 10 * mm2);

@@ -321,7 +321,7 @@ TEST(Behr, does_the_work_of_cutting_in_whirl) {
   RecordProperty("rubbed", std::to_string(rubbed / run.removed()));
 }
 
-TEST(Behr, says_what_it_needs) {
+TEST(Behr, rejects_missing_input) {
   const BehrOptions options = steady_options(72);
   try {
     behr_start({}, {}, options);

@@ -1,15 +1,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "battery/evidence.hpp"
+#include "battery/generators.hpp"
 #include "literature/drag/planes/behr_runs.hpp"
+#include "reference/literature/drag/planes/bit_path.hpp"
+#include "reference/literature/drag/planes/bottom_harmonics.hpp"
 
 /// What planes do not see: the pattern of a whirling bit, and the way from one plane to the next.
 namespace tdbd::reference::behr_whirl_test {
-namespace {
 
 constexpr double pi = std::numbers::pi, mm = 1e-3;
 using Lobes = std::vector<int>;
@@ -173,5 +176,119 @@ TEST(SpokeNoise, is_none_if_forces_are_held_which_delays_them) {
   EXPECT_NEAR(2 * pi / 120 / example_speed, 4.2e-3, 0.05e-3);
 }
 
-}  // namespace
 }  // namespace tdbd::reference::behr_whirl_test
+
+namespace tdbd::reference::bit_path_test {
+
+constexpr double pi = std::numbers::pi, mm = 1e-3;
+
+RollingWhirl whirl_of_120_rpm() { return {107.95 * mm, 1.5 * mm, 4 * pi}; }
+
+TEST(RollingWhirl, turns_the_centre_72_times_as_fast_as_the_bit) {
+  const RollingWhirl w = whirl_of_120_rpm();
+  EXPECT_NEAR(w.whirl_speed() / w.rotary_speed, -71.967, 5e-4);
+  EXPECT_NEAR(-w.whirl_speed() / (2 * pi), 143.93, 5e-3);  // Hz
+  EXPECT_NEAR(w.lobes(), 72.97, 5e-3);
+  const double diameter = 2 * w.bit_radius * (1 - w.rotary_speed / w.whirl_speed());
+  EXPECT_NEAR(diameter, 218.900 * mm, 1e-12);
+  EXPECT_NEAR(2 * w.hole_radius(), diameter, 1e-15);
+}
+
+TEST(RollingWhirl, moves_cutters_backwards_for_a_share_of_time) {
+  const RollingWhirl w = whirl_of_120_rpm();
+  struct Row {
+    double place, share, speed;
+  };
+  for (const Row& row : {Row{0.25, 0.4196, 1.0157},
+                         {0.5, 0.3333, 1.0635},
+                         {0.75, 0.2301, 1.1465},
+                         {0.99, 0.0451, 1.2670}}) {
+    const double r = row.place * w.bit_radius;
+    EXPECT_NEAR(backward_share(w, r), row.share, 5e-5);
+    EXPECT_NEAR(mean_speed(w, r) / (w.rotary_speed * w.bit_radius), row.speed, 5e-5);
+  }
+}
+
+/// The closed forms are those of the path: for any point of the bit at any time, by differences.
+RC_GTEST_PROP(RollingWhirl, has_the_speeds_of_its_path, ()) {
+  const RollingWhirl w{*battery::number(20.0, 200.0) * mm, *battery::number(0.5, 20.0) * mm,
+                       *battery::number(0.1, 40.0)};
+  const BitPath path = whirl_path(w, 0.0);
+  const double r = *battery::number(0.0, 1.0) * w.bit_radius, phi = *battery::number(0.0, 6.3);
+  const double t = *battery::number(0.0, 1.0), h = 1e-4 / std::abs(w.whirl_speed());
+  const auto place = [&](double time) {
+    const BitPlace p = path(time);
+    return Vec3(p.p_WB + r * Vec3(std::cos(phi + p.angle), std::sin(phi + p.angle), 0.0));
+  };
+  const Vec3 v_W = (place(t + h) - place(t - h)) / (2 * h);
+  const double at_point = phi + path(t).angle, contact = w.whirl_speed() * t;
+  const Vec3 forward(-std::sin(at_point), std::cos(at_point), 0.0);
+  const double scale = w.rotary_speed * w.bit_radius, differences = 1e-7 * scale;
+  RC_ASSERT(std::abs(v_W.norm() - speed(w, r, contact - at_point)) < differences);
+  RC_ASSERT(std::abs(v_W.dot(forward) - forward_speed(w, r, contact - at_point)) < differences);
+  RC_ASSERT(speed(w, r, contact - at_point) <= w.rotary_speed * (r + w.bit_radius) * (1 + 1e-12));
+}
+
+/// The point of contact rests: there is no slip.
+RC_GTEST_PROP(RollingWhirl, rolls_without_slip, ()) {
+  const RollingWhirl w{*battery::number(20.0, 200.0) * mm, *battery::number(0.5, 20.0) * mm,
+                       *battery::number(0.1, 40.0)};
+  RC_ASSERT(speed(w, w.bit_radius, 0.0) == 0.0);
+  RC_ASSERT(std::abs(w.whirl_speed() * w.radius + w.rotary_speed * w.bit_radius) <
+            1e-14 * w.rotary_speed * w.bit_radius);
+}
+
+TEST(SteadyPath, sinks_by_the_advance_in_a_turn) {
+  const BitPlace place = steady_path(4 * pi, 3 * mm)(1.25);
+  EXPECT_DOUBLE_EQ(place.angle, 5 * pi);
+  EXPECT_NEAR(place.p_WB.z(), 7.5 * mm, 1e-15);
+  EXPECT_EQ(place.p_WB.head<2>().norm(), 0.0);
+}
+
+}  // namespace tdbd::reference::bit_path_test
+
+namespace tdbd::reference::bottom_harmonics_test {
+
+std::vector<double> wave(int samples, int lobes, double size, double phase) {
+  std::vector<double> depth;
+  depth.reserve(at(samples));
+  for (int k = 0; k < samples; ++k)
+    depth.push_back(0.3 + size * std::cos(2 * std::numbers::pi * lobes * k / samples + phase));
+  return depth;
+}
+
+constexpr double rounding = 1e-12;
+
+RC_GTEST_PROP(BottomHarmonics, of_a_wave_is_its_size_at_its_alias, ()) {
+  const int samples = *battery::integer(3, 130), lobes = *battery::integer(0, 400);
+  const int rest = lobes % samples, alias = std::min(rest, samples - rest);
+  RC_PRE(alias != 0 && 2 * alias != samples);
+  const double size = *battery::number(0.1, 5.0);
+  const BottomHarmonics h =
+      bottom_harmonics(wave(samples, lobes, size, *battery::number(0.0, 6.0)));
+  RC_ASSERT(std::abs(h.amplitude[static_cast<std::size_t>(alias)] - size) < 400 * rounding);
+  RC_ASSERT(strongest(h, 1).front() == alias);
+  RC_ASSERT(std::abs(h.amplitude[0] - 0.3) < 400 * rounding);
+}
+
+TEST(BottomHarmonics, show_73_lobes_as_1_at_72_samples) {
+  EXPECT_EQ(strongest(bottom_harmonics(wave(72, 73, 1.0, 0.4)), 1), std::vector{1});
+  EXPECT_EQ(strongest(bottom_harmonics(wave(720, 73, 1.0, 0.4)), 1), std::vector{73});
+}
+
+TEST(BottomHarmonics, of_alternating_depths_have_no_twin) {
+  const BottomHarmonics h = bottom_harmonics({1.0, -1.0, 1.0, -1.0});
+  EXPECT_NEAR(h.amplitude[2], 1.0, rounding);
+  EXPECT_EQ(h.peak_to_peak, 2.0);
+}
+
+TEST(BottomHarmonics, are_taken_on_a_circle_between_nodes) {
+  Spokes rock = flat_spokes(10.0, 0.0, 3, 10);  // nodes at 0.5, 1.5, ...
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 10; ++j) rock.depth[at(k * 10 + j)] = k + 2.0 * rock.node_radius(j);
+  EXPECT_EQ(depth_on_circle(rock, 4.25), (std::vector{8.5, 9.5, 10.5}));
+  EXPECT_EQ(depth_on_circle(rock, 0.1), (std::vector{1.0, 2.0, 3.0}));
+  EXPECT_EQ(depth_on_circle(rock, 12.0), (std::vector{19.0, 20.0, 21.0}));
+}
+
+}  // namespace tdbd::reference::bottom_harmonics_test

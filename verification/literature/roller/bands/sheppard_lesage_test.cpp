@@ -183,7 +183,7 @@ RC_GTEST_PROP(SheppardLesage, power_of_a_driven_cone_closes_too, ()) {
 
 /// Strips have the velocity of a body that turns with the bit and on its journal, and the
 /// component along the normal is that which the arc was found with.
-RC_GTEST_PROP(SheppardLesage, entering_speed_does_not_know_the_cones_speed, ()) {
+RC_GTEST_PROP(SheppardLesage, entering_speed_does_not_depend_on_the_speed_of_the_cone, ()) {
   const AnyBands b = any_bands();
   std::vector<BandStrip> strips;
   unless_it_cannot_roll([&] {
@@ -268,7 +268,7 @@ std::string refusal(const F& f) {
   return "";
 }
 
-TEST(SheppardLesage, says_what_it_needs) {
+TEST(SheppardLesage, rejects_missing_input) {
   EXPECT_EQ(refusal([] { sheppard_lesage({}, rock, speed, 2e-3); }),
             "Sheppard and Lesage: found a bit without cones, expected at least one");
   EXPECT_EQ(refusal([] { sheppard_lesage(three_cones(0.0, {}), rock, speed, 2e-3); }),

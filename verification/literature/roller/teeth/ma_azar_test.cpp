@@ -79,7 +79,7 @@ TEST(MaAzar, cylindrical_coordinates_are_those_of_the_place_in_space) {
   EXPECT_LE((again - p_W).norm(), 1e-16);
 }
 
-TEST(MaAzar, asks_for_a_motion_of_every_cone) {
+TEST(MaAzar, requires_a_motion_of_every_cone) {
   std::vector<ToothState> teeth;
   const RollerBit bit{{Example().cone, Example().cone}};
   try {
@@ -181,7 +181,7 @@ ToothState ours_state(const Ours& o, const AnyMotion& m) {
 /// Relative to the largest terms of each: rates up to 50 rad/s over at most 0.3 m.
 constexpr double to_rounding = 1e-12;
 
-RC_GTEST_PROP(MaAzar, a_tooth_moves_as_on_our_cone, ()) {
+RC_GTEST_PROP(MaAzar, a_tooth_moves_as_on_the_cone_of_tdbd, ()) {
   const AnyMotion m = any_motion();
   const Ours o = ours(m);
   const ToothState x = state_later(m, 0.0), y = ours_state(o, m);
@@ -191,7 +191,7 @@ RC_GTEST_PROP(MaAzar, a_tooth_moves_as_on_our_cone, ()) {
 }
 
 /// The claim's numbers: every tooth of the comparison's bit, at 25 instants of an uneven motion.
-TEST(MaAzar, teeth_of_a_bit_move_as_ours_do) {
+TEST(MaAzar, teeth_of_a_bit_move_as_in_tdbd) {
   double place = 0.0, velocity = 0.0, acceleration = 0.0;
   const Example x;
   for (int i = 0; i < 25; ++i)
@@ -229,7 +229,7 @@ TEST(MaAzar, teeth_of_a_bit_move_as_ours_do) {
 }
 
 /// The same point by the pose of a part, as a run of the program moves it.
-RC_GTEST_PROP(MaAzar, a_tooth_stands_where_our_part_does, ()) {
+RC_GTEST_PROP(MaAzar, a_tooth_is_at_the_place_of_the_part_of_tdbd, ()) {
   const AnyMotion m = any_motion();
   const Ours o = ours(m);
   bit::Bit b;

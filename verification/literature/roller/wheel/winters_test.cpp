@@ -86,7 +86,7 @@ RC_GTEST_PROP(Winters, strength_from_rate_undoes_rate_from_strength, ()) {
 }
 
 /// Other units of length, force and time leave R/(N D) as it is.
-RC_GTEST_PROP(Winters, the_dimensionless_rate_knows_no_units, ()) {
+RC_GTEST_PROP(Winters, the_dimensionless_rate_does_not_depend_on_units, ()) {
   const double length = between(0.01, 100.0), force = between(0.01, 100.0),
                time = between(0.01, 100.0);
   const WintersRun a = run(between(2.0, 80.0));
