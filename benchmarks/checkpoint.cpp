@@ -1,8 +1,6 @@
 // A checkpoint of a rock of some 350 000 triangles: time to write it, time to read it, size.
 //   build/bench/benchmarks/checkpoint
 
-#include "simulation/checkpoint/checkpoint.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -13,6 +11,7 @@
 
 #include "benchmarks/command.hpp"
 #include "benchmarks/workloads.hpp"
+#include "simulation/result/recorder.hpp"
 
 namespace tdbd::bench {
 namespace {
@@ -33,7 +32,7 @@ double median(std::vector<double> x) {
 void measure(const Wish& wish) {
   const Workload w{"standard", "standard-workload", 1e-3 * wish.edge_length_mm, {}, ""};
   Drilling d = start_workload(w, {}, 20);
-  const fs::path file = fmt::format("checkpoint-{}.nc", getpid());
+  const fs::path file = fmt::format("checkpoint-{}.bin", getpid());
   std::vector<double> writing, reading;
   for (int i = 0; i < wish.repeats; ++i) {
     const double begin = wall_seconds();

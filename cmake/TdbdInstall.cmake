@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(TDBD_ROOMS core rotation mesh bit rock forces dynamics string simulation calibration sweep)
+set(TDBD_ROOMS core io rotation mesh bit rock forces dynamics string simulation calibration sweep)
 set(TDBD_PACKAGE_FOLDER "${CMAKE_INSTALL_LIBDIR}/cmake/tdbd")
 
 # mesh_cgal and flags only follow the rooms that link them.

@@ -1,5 +1,5 @@
 #include "calibration/laboratory/laboratory_file.hpp"
-#include "calibration/result/calibrate_into.hpp"
+#include "calibration/result/calibrate.hpp"
 #include "python/src/options.hpp"
 
 namespace tdbd::python {

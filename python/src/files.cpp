@@ -3,7 +3,7 @@
 #include <H5Epublic.h>
 #include <pybind11/stl.h>
 
-#include "core/netcdf_lock.hpp"
+#include "io/netcdf_file.hpp"
 #include "python/src/arrays.hpp"
 
 namespace tdbd::python {

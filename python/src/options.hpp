@@ -4,18 +4,16 @@
 
 #include <string>
 
+#include "io/output_folder.hpp"
 #include "python/src/watch.hpp"
 #include "simulation/case/case_warning.hpp"
-#include "simulation/result/output_folder.hpp"
 
 namespace tdbd::python {
 
 /// Warnings of a run, as printed by the command line.
 using Told = std::vector<std::string>;
 
-inline simulation::Overwrite overwrite_of(bool force) {
-  return force ? simulation::Overwrite::force : simulation::Overwrite::no;
-}
+inline Overwrite overwrite_of(bool force) { return force ? Overwrite::force : Overwrite::no; }
 
 /// Checks the number of threads against the limit of the command line. Throws ValueError.
 inline int checked_threads(long threads) {

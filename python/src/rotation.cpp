@@ -4,8 +4,8 @@
 
 #include "python/src/arrays.hpp"
 #include "python/src/live.hpp"
+#include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
-#include "simulation/rotate/rotate_summary.hpp"
 
 namespace tdbd::python {
 namespace {

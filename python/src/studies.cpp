@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "python/src/options.hpp"
-#include "simulation/result/estimate.hpp"
+#include "simulation/result/run.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/study/convergence_output.hpp"
 #include "simulation/study/convergence_run.hpp"

@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/provenance.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::reference {
 namespace {
@@ -115,10 +115,10 @@ std::string timing_json(const Comparison& all) {
   return Json{{"models", models}}.dump(1) + "\n";
 }
 
-void check_folder(const fs::path& folder, simulation::Overwrite overwrite) {
+void check_folder(const fs::path& folder, Overwrite overwrite) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw InputError(fmt::format("{}: found a file, expected a folder", folder.string()));
-  if (overwrite == simulation::Overwrite::no && fs::exists(folder) && !fs::is_empty(folder))
+  if (overwrite == Overwrite::no && fs::exists(folder) && !fs::is_empty(folder))
     throw InputError(fmt::format(
         "{}: found a folder that is not empty, expected a new one, or --force", folder.string()));
 }

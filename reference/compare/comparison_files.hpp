@@ -2,14 +2,14 @@
 
 #include <filesystem>
 
+#include "io/output_folder.hpp"
 #include "reference/compare/comparison.hpp"
-#include "simulation/result/output_folder.hpp"
 
 namespace tdbd::reference {
 
 /// Throws InputError if the folder is a file, or is not empty and `overwrite` is no. Called before
 /// the models run.
-void check_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);
+void check_folder(const std::filesystem::path& folder, Overwrite overwrite);
 
 /// Writes comparison.csv, parts.csv, comparison.nc, case.toml, timing.json and, last,
 /// comparison.json. All except timing.json are bitwise identical for the same case. Throws

@@ -1,12 +1,8 @@
-#include <H5public.h>
-#include <fmt/format.h>
-#include <netcdf.h>
-
 #include <algorithm>
 #include <limits>
 
-#include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "io/netcdf_file.hpp"
+#include "io/whole_file.hpp"
 #include "reference/compare/comparison_files.hpp"
 
 namespace tdbd::reference {
@@ -14,56 +10,34 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// A file that is being written.
+/// A file of numbers without a value here and there.
 class NetcdfWriter {
  public:
-  explicit NetcdfWriter(const std::filesystem::path& file) : file_(file) {
-    H5dont_atexit();
-    require(nc_create(partial_path(file).c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
-  }
-  ~NetcdfWriter() {
-    if (id_ >= 0) nc_close(id_);
-  }
-  NetcdfWriter(const NetcdfWriter&) = delete;
-  NetcdfWriter& operator=(const NetcdfWriter&) = delete;
+  explicit NetcdfWriter(const std::filesystem::path& file)
+      : path_(file), file_(partial_path(file), NetcdfFile::Use::create) {}
 
-  int dimension(const char* name, std::size_t length) {
-    int dim = -1;
-    require(nc_def_dim(id_, name, length, &dim));
-    return dim;
-  }
+  int dimension(const char* name, std::size_t length) { return file_.dimension(name, length); }
 
   void numbers(std::string_view name, std::string_view units, std::string_view long_name,
                const std::vector<int>& dims, const std::vector<double>& values) {
-    int variable = -1;
-    require(nc_def_var(id_, std::string(name).c_str(), NC_DOUBLE, static_cast<int>(dims.size()),
-                       dims.data(), &variable));
-    require(nc_put_att_double(id_, variable, "_FillValue", NC_DOUBLE, 1, &missing));
-    require(nc_put_att_text(id_, variable, "units", units.size(), units.data()));
-    require(nc_put_att_text(id_, variable, "long_name", long_name.size(), long_name.data()));
-    require(nc_put_var_double(id_, variable, values.data()));
+    const int variable = file_.variable(
+        {std::string(name), NetcdfType::real, dims, std::string(units), std::string(long_name)});
+    file_.attribute(variable, "_FillValue", missing);
+    file_.put(variable, values);
   }
 
   void names(const char* name, int dim, const std::vector<std::string>& values) {
-    int variable = -1;
-    require(nc_def_var(id_, name, NC_STRING, 1, &dim, &variable));
-    std::vector<const char*> texts;
-    for (const std::string& v : values) texts.push_back(v.c_str());
-    require(nc_put_var_string(id_, variable, texts.data()));
+    file_.put(file_.variable({name, NetcdfType::text, {dim}, "", ""}), values);
   }
 
   void close() {
-    require(nc_close(std::exchange(id_, -1)));
-    rename_partial(file_);
+    file_.close();
+    rename_partial(path_);
   }
 
  private:
-  void require(int status) const {
-    if (status != NC_NOERR)
-      throw RunError(fmt::format("cannot write {}: {}", file_.string(), nc_strerror(status)));
-  }
-  std::filesystem::path file_;
-  int id_ = -1;
+  std::filesystem::path path_;
+  NetcdfFile file_;
 };
 
 /// Rows of different lengths as a matrix; shorter rows are padded with NaN.

@@ -72,8 +72,7 @@ int compare_models(const Arguments& a) {
   const auto chosen = chosen_models(c, names);
   const bool any = std::find(names.begin(), names.end(), "all") != names.end();
   const std::filesystem::path folder = folder_of(a);
-  const auto overwrite =
-      a.force ? tdbd::simulation::Overwrite::force : tdbd::simulation::Overwrite::no;
+  const auto overwrite = a.force ? tdbd::Overwrite::force : tdbd::Overwrite::no;
   check_folder(folder, overwrite);
   const Comparison all =
       compare(c, chosen, any ? Refusal::is_noted : Refusal::stops, [&](const Model& m) {

@@ -7,7 +7,7 @@
 #include "app/print.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "simulation/result/stopped_run.hpp"
+#include "simulation/result/run_loop.hpp"
 
 namespace tdbd::app {
 
@@ -66,9 +66,7 @@ fs::path result_folder(const ResultArguments& a, const std::string& suffix) {
   return fs::path("results") / (fs::path(a.case_file).stem().string() + suffix);
 }
 
-simulation::Overwrite overwrite_of(bool force) {
-  return force ? simulation::Overwrite::force : simulation::Overwrite::no;
-}
+Overwrite overwrite_of(bool force) { return force ? Overwrite::force : Overwrite::no; }
 
 void print_warning(const std::string& text) { fmt::print(stderr, "tdbd: warning: {}\n", text); }
 

@@ -8,8 +8,8 @@
 
 #include "app/interrupts.hpp"
 #include "core/config/key.hpp"
+#include "io/output_folder.hpp"
 #include "simulation/case/case_warning.hpp"
-#include "simulation/result/output_folder.hpp"
 
 namespace tdbd::app {
 
@@ -58,7 +58,7 @@ void add_threads(CLI::App& command, int& threads);
 std::filesystem::path result_folder(const ResultArguments& a, const std::string& suffix = "");
 
 /// Converts the flag --force.
-simulation::Overwrite overwrite_of(bool force);
+Overwrite overwrite_of(bool force);
 
 /// Prints a line on standard error: "tdbd: warning: TEXT".
 void print_warning(const std::string& text);

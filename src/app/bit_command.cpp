@@ -19,9 +19,9 @@
 #include "bit/report/overlap_report.hpp"
 #include "bit/report/tracking_report.hpp"
 #include "core/error.hpp"
+#include "io/output_folder.hpp"
 #include "mesh/measures.hpp"
 #include "simulation/case/case_kind.hpp"
-#include "simulation/result/output_folder.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -100,8 +100,8 @@ int inspect_bit(const BitChoices& choices) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
     return 0;
   }
-  const simulation::OutputFolder out = simulation::prepare(
-      choices.folder, overwrite_of(choices.force), read.files, simulation::ResultKind::bit);
+  const OutputFolder out =
+      prepare(choices.folder, overwrite_of(choices.force), read.files, ResultKind::bit);
   bit::export_bit(out.path, b, choices.format);  // first: bit.toml marks the folder
   bit::write_bit_files(out.path, b);
   bit::write_profile(out.path, b);

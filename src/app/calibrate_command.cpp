@@ -6,7 +6,7 @@
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/progress.hpp"
-#include "calibration/result/calibrate_into.hpp"
+#include "calibration/result/calibrate.hpp"
 #include "simulation/case/case_kind.hpp"
 
 namespace tdbd::app {

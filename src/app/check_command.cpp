@@ -8,7 +8,7 @@
 #include "app/print.hpp"
 #include "simulation/case/case_kind.hpp"
 #include "simulation/chain/chain_simulation.hpp"
-#include "simulation/result/estimate.hpp"
+#include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/step/simulation.hpp"

@@ -10,7 +10,7 @@
 #include "app/templates.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::app {
 namespace {

@@ -15,6 +15,11 @@ struct CompensatedSum {
     sum = t;
   }
   double value() const { return sum + correction; }
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(sum, correction);
+  }
 };
 
 }  // namespace tdbd

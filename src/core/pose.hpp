@@ -13,6 +13,11 @@ struct Pose {
   Vec3 operator*(const Vec3& x_B) const { return R * x_B + p; }
   Pose operator*(const Pose& X_BC) const { return {R * X_BC.R, R * X_BC.p + p}; }
   Vec3 rotate(const Vec3& v_B) const { return R * v_B; }
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(R, p);
+  }
 };
 
 inline Pose inverse(const Pose& X_AB) {

@@ -19,6 +19,11 @@ struct RotationStateOf {
   std::vector<S> cone_momenta;               ///< pi_k, N m s, about the cone's axis
   long turns = 0;     ///< number of double turns in the twist about the z axis of space
   double time = 0.0;  ///< s
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(q_WB, momentum_W, cone_angles, cone_momenta, turns, time);
+  }
 };
 
 using RotationState = RotationStateOf<double>;

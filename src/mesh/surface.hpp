@@ -46,6 +46,12 @@ struct Surface {
   int vertex_slots() const { return static_cast<int>(stars.size()); }
   int triangle_count() const { return triangle_slots() - static_cast<int>(free_triangles.size()); }
   int vertex_count() const { return vertex_slots() - static_cast<int>(free_vertices.size()); }
+
+  /// For checkpoints: with all its slots, dead ones too: vertices and triangles keep their numbers.
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(stars, triangles, opposite, corner_of, boundary, free_vertices, free_triangles);
+  }
 };
 
 inline int next_corner(int c) { return c % 3 == 2 ? c - 2 : c + 1; }

@@ -20,6 +20,12 @@ struct alignas(64) VertexStar {
   std::uint32_t size : 31 = 0;   ///< number of neighbours; 0: the vertex is dead
   std::uint32_t open : 1 = 0;    ///< 1 on the boundary
   std::int32_t long_ring = -1;   ///< index into Surface::long_rings, or -1
+
+  /// For checkpoints: the neighbours follow from the triangles (refresh_stars).
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(x);
+  }
 };
 
 static_assert(sizeof(VertexStar) == 64);

@@ -15,6 +15,11 @@ namespace tdbd::rock {
 struct MovedIn {
   static constexpr int never = -1'000'000'000;
   int first = never, last = never;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(first, last);
+  }
 };
 
 /// Whether a part of the bit touched a vertex after the last cut. `held`: it did. `left`: it did
@@ -28,6 +33,11 @@ struct PressedVertex {
   int v = 0;
   Vec3 d_W = Vec3::Zero();  ///< m
   Hold hold = Hold::held;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(v, d_W, hold);
+  }
 };
 
 /// Records that an operation of maintenance made vertex v or moved it along the surface. The
@@ -36,6 +46,11 @@ struct CarriedDisplacement {
   int v = 0;
   std::array<int, 3> from{};
   std::array<double, 3> weight{};
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(v, from, weight);
+  }
 };
 
 /// A vertex inside a part that removes only a share of the rock in its way (bit::Part::share), and
@@ -45,6 +60,11 @@ struct LeftVertex {
   int v = 0;
   int part = 0;                ///< the first part of the group that passes over it
   Vec3 left_W = Vec3::Zero();  ///< m
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(v, part, left_W);
+  }
 };
 
 /// Thresholds on which a ring note depends (maintain/ring_notes.hpp).
@@ -82,6 +102,12 @@ struct Rock {
   std::vector<LeftVertex> left;              ///< sorted by vertex, then by part (cut/left_rock.hpp)
   std::vector<NearList> near_lists;          ///< per group of the bit that cut last
   RingNotes notes;
+
+  /// For checkpoints: the index and what follows from the surface is made again.
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(surface, last_part, touched, touched_list, cuts, moved_in, pressed, carried, left);
+  }
 };
 
 /// Builds the index of a surface. `cell`: cell size in m; about twice the edge length is fastest.

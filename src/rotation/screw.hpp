@@ -10,6 +10,11 @@ namespace tdbd::rotation {
 struct Twist {
   Vec3 angular_B = Vec3::Zero();  ///< rad/s
   Vec3 linear_B = Vec3::Zero();   ///< m/s, of the origin of the bit
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(angular_B, linear_B);
+  }
 };
 
 /// Velocity of the bit's point x_B, m/s: linear + angular x x.

@@ -41,6 +41,11 @@ struct ChainLedger {
   double damping = 0.0;      ///< loss in the mud
   double loss = 0.0;         ///< loss in the Kelvin-Voigt dampers at the chain's own nodes
   double top_damping = 0.0;  ///< loss in the damper of a top drive
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(top, gravity, friction, damping, loss, top_damping);
+  }
 };
 
 /// Nodes 0 to n - 1 and the ledger: sufficient for a restart.
@@ -52,6 +57,11 @@ struct ChainState {
   std::vector<double> stretching, twisting;  ///< rates of elements in the last drift, m/s, rad/s
   TopState top;
   ChainLedger ledger;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(displacement, velocity, angle, rotary_speed, stretching, twisting, top, ledger);
+  }
 };
 
 /// The motion of the last node, at the end of the chain's last element.

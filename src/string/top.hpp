@@ -45,6 +45,11 @@ struct TopState {
   double error_integral = 0.0;  ///< of the autodriller, N s
   double measured = 0.0;        ///< filtered weight of the autodriller, N
   bool limited = false;         ///< the torque limit was reached in the last flow
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(set_angle, set_speed, rate, hook_load, error_integral, measured, limited);
+  }
 };
 
 /// Sets the gains of a top drive so that it does not reflect torsional waves at one frequency:

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/small_case.hpp"
-#include "core/folder_lock.hpp"
+#include "io/output_folder.hpp"
 
 namespace tdbd::app::bad_output_test {
 

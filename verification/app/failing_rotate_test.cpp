@@ -94,8 +94,9 @@ TEST(FailingRotate, a_full_disk_leaves_no_summary) {
 TEST(FailingRotate, an_interrupted_run_keeps_everything_and_says_so) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const RotateFolder c;
-    const auto o = c.rotate({"--set", "time.duration=1e7", "--set", "output.checkpoint_every=5000"},
-                            "out", {.signal_after = c.path("out/checkpoint.nc"), .signal = signal});
+    const auto o =
+        c.rotate({"--set", "time.duration=1e7", "--set", "output.checkpoint_every=5000"}, "out",
+                 {.signal_after = c.path("out/checkpoint.bin"), .signal = signal});
     EXPECT_EQ(o.exit_code, 130);
     EXPECT_EQ(o.out.rfind("interrupted: ", 0), 0u) << o.out;
     EXPECT_NE(o.out.find("to resume: tdbd rotate --resume "), std::string::npos) << o.out;

@@ -3,7 +3,7 @@
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
 #include "core/tolerance.hpp"
-#include "simulation/result/drive_figures.hpp"
+#include "simulation/result/figures.hpp"
 
 /// Claims of chapter 2's equations on a bit that drills by itself.
 namespace tdbd::claims::drilling_test {

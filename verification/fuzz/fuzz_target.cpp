@@ -26,7 +26,7 @@ constexpr std::array<FuzzTarget, 17> targets{{
     {"obj", take_obj},
     {"off", take_off},
     {"checkpoint", take_checkpoint},
-    {"tape", take_tape},
+    {"archive", take_archive},
 }};
 
 }  // namespace

@@ -29,7 +29,7 @@ void take_off(std::string_view bytes);
 
 // Checkpoints.
 void take_checkpoint(std::string_view bytes);
-/// The bytes are the columns of a checkpoint whose hash is right.
-void take_tape(std::string_view bytes);
+/// The bytes are the state in a checkpoint whose seal is right.
+void take_archive(std::string_view bytes);
 
 }  // namespace tdbd::fuzz

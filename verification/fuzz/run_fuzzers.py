@@ -19,7 +19,7 @@ import corpus
 
 HERE = pathlib.Path(__file__).resolve().parent
 DICTIONARIES = {"toml": {"case", "rotate", "calibration", "bit", "set"}, "tables": {"cutters", "motion", "torque", "records"},
-                "meshes": {"stl_text", "stl_binary", "ply_text", "ply_binary", "obj", "off"}, "": {"checkpoint", "tape"}}
+                "meshes": {"stl_text", "stl_binary", "ply_text", "ply_binary", "obj", "off"}, "": {"checkpoint", "archive"}}
 # Limits of memory in MiB and of time in s for one input, wide enough for a machine that is busy otherwise.
 OPTIONS = ("-rss_limit_mb=1024", "-timeout=30", "-print_final_stats=1", "-print_funcs=0", "-verbosity=0")
 # A smaller quarantine of freed memory makes the sanitizer twice as fast.

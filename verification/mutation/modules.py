@@ -11,6 +11,7 @@ SRC = ROOT / "src"
 PROGRAMS = {
     "core": (["verify_core"], ["verify_rotation", "verify_mesh", "verify_forces", "verify_bit", "verify_calibration", "verify_simulation",
                                "verify_app"]),
+    "io": (["verify_io"], ["verify_simulation", "verify_calibration", "verify_sweep", "verify_app"]),
     "rotation": (["verify_rotation"], ["verify_dynamics", "verify_bit", "verify_drilling", "verify_rock", "verify_simulation"]),
     "mesh": (["verify_mesh"], ["verify_bit", "verify_rock", "verify_simulation"]),
     "bit": (["verify_bit"], ["verify_rock", "verify_simulation"]),

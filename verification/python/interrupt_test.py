@@ -30,7 +30,7 @@ class Interrupts(FolderTest):
         result = tdbd.load(self.folder / "a")
         self.assertEqual(result.summary["status"], "interrupted")
         self.assertEqual(result.history["time"].size, result.summary["steps"])
-        self.assertTrue((self.folder / "a/checkpoint.nc").is_file())
+        self.assertTrue((self.folder / "a/checkpoint.bin").is_file())
 
     def test_a_rotation_and_a_study(self):
         self.interrupted(lambda: tdbd.rotate(tdbd.case(TOP, time__duration="1e6 s", time__step="1 ms"), self.folder / "a"))

@@ -6,14 +6,14 @@ import re
 
 import sources
 
-CORE, MESH = {"core"}, {"core", "mesh"}
+CORE, IO, MESH = {"core"}, {"core", "io"}, {"core", "io", "mesh"}
 BIT = MESH | {"rotation", "bit"}
 ROCK, FORCES, DYNAMICS = BIT | {"rock"}, BIT | {"forces"}, {"core", "rotation", "string", "dynamics"}
 STRING = {"core", "string"}
 SIMULATION = ROCK | FORCES | DYNAMICS | STRING | {"simulation"}
 CALIBRATION = SIMULATION | {"calibration"}
 ALLOWED = {
-    "core": CORE, "rotation": {"core", "rotation"}, "mesh": MESH, "bit": BIT, "rock": ROCK,
+    "core": CORE, "io": IO, "rotation": {"core", "rotation"}, "mesh": MESH, "bit": BIT, "rock": ROCK,
     "forces": FORCES, "dynamics": DYNAMICS, "string": STRING, "simulation": SIMULATION, "calibration": CALIBRATION,
     "sweep": CALIBRATION | {"sweep"}, "app": CALIBRATION | {"sweep", "app"},
 }
@@ -21,6 +21,7 @@ ALLOWED = {
 # those that stand here by name.
 SUB_FOLDERS = {
     "core": (".", "units", "units.cpp", "config"),
+    "io": (".",),
     "rotation": (".",),
     "mesh": (".", "shape", "search", "check", "files", "repair", "grade"),
     "bit": (".", "cutter", "cone", "profile", "body", "pdc", "wear", "areas", "report", "files"),
@@ -28,18 +29,18 @@ SUB_FOLDERS = {
     "forces": ("named.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),
     "string": (".",),
-    "simulation": ("case", "start", "step", "checkpoint", "result", "rotate", "chain", "study"),
+    "simulation": ("case", "start", "step", "result", "rotate", "chain", "study"),
     "calibration": ("record", "case", "cuts", "fit", "predict", "result", "laboratory"),
     "sweep": ("design", "point", "table", "."),
     "app": (".",),
 }
 # A slow twin may use plain data of src, never the function it is the twin of.
-PLAIN_DATA = re.compile(r"core/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forces/part/part_cut\.hpp|"
+PLAIN_DATA = re.compile(r"(core|io)/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forces/part/part_cut\.hpp|"
                         r"dynamics/(gyrostat|loads|rotation_state|schedule|drilling/drilling_system)\.hpp|reference/.+")
 # A program around the twins reads its input and describes it by src's means.
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
 # The comparison runs the models of chapter 2 beside the program itself.
-COMPARE_DATA = re.compile(PLAIN_DATA.pattern + r"|(core|bit|forces|simulation)/.+")
+COMPARE_DATA = re.compile(PLAIN_DATA.pattern + r"|(core|io|bit|forces|simulation)/.+")
 # The Python module stands where the command line does: above all rooms, beside app.
 PYTHON_DATA = re.compile(rf"({'|'.join(sorted(CALIBRATION))})/.+|python/src/.+")
 CGAL_ALLOWED = re.compile(

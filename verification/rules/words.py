@@ -38,9 +38,8 @@ PHRASES = {
 # In documents only: elsewhere the words have other meanings.
 IN_DOCUMENTS = {r"\brooms?\b(?! (for|to)\b)|\bthe house\b": "module, directory"}
 DOCUMENTS, CODE, PYTHON, SCRIPTS = (".md",), (".cpp", ".hpp"), (".py",), ("CMakeLists.txt", ".cmake", ".sh")
-NOT_YET = ("CHANGELOG.md", "CONTRIBUTING.md", "README.md", "cases", "reference", "reports",
-           "src/app", "src/bit", "src/calibration", "src/core", "src/dynamics", "src/forces", "src/io", "src/mesh", "src/rock", "src/rotation",
-           "src/simulation", "src/string", "src/sweep", "src/README.md", "validation")
+NOT_YET = ("CONTRIBUTING.md", "README.md", "reference", "reports", "src/README.md", "src/app", "src/bit", "src/calibration", "src/core", "src/io",
+           "src/rock", "src/simulation", "src/string", "src/sweep", "validation")
 # These contain the phrases as examples.
 EXEMPT = ("verification/rules/words.py",)
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/whole_file.hpp"
+#include "io/output_folder.hpp"
+#include "io/whole_file.hpp"
 #include "mesh/files/vtp.hpp"
-#include "simulation/result/output_folder.hpp"
 #include "simulation/result/summary.hpp"
 
 namespace tdbd::simulation {

@@ -1,7 +1,7 @@
 #include "verification/sweep/small_design.hpp"
 
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::sweep {

@@ -14,10 +14,10 @@
 #include "bit/report/bit_report.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_run.hpp"
-#include "sweep/point/figures.hpp"
+#include "sweep/point/run_point.hpp"
 #include "verification/sweep/small_design.hpp"
 
 namespace tdbd::sweep::sweep_test {

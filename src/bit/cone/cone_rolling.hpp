@@ -18,6 +18,11 @@ struct ConeContact {
 struct SlipBalance {
   double moment = 0.0;   ///< sum w s . (r x v), v: the contact's velocity if the cone did not turn
   double inertia = 0.0;  ///< sum w |s x r|^2
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(moment, inertia);
+  }
 };
 
 /// Computes the balance of a cone's contacts. At the speed of bit (13) the torque about the journal

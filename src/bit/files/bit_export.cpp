@@ -14,7 +14,7 @@
 #include "bit/profile/exposure_profile.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/files/solids.hpp"
 #include "rotation/rotation_vector.hpp"

@@ -9,7 +9,7 @@
 #include "bit/part_kind.hpp"
 #include "bit/report/bit_motion.hpp"
 #include "core/single.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::bit {
 namespace {

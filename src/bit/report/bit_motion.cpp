@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "bit/cone/cone_frame.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::bit {
 

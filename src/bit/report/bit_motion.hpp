@@ -13,6 +13,11 @@ namespace tdbd::bit {
 struct BodyPoses {
   double time = 0.0;  ///< s
   std::vector<Pose> X_WB;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(time, X_WB);
+  }
 };
 
 /// The poses of a bit at X_WB with its cones at these angles (rad).

@@ -4,7 +4,7 @@
 
 #include "bit/part_kind.hpp"
 #include "bit/report/cone_report.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "mesh/files/vtp.hpp"
 
 namespace tdbd::bit {

@@ -25,7 +25,7 @@
 #include "bit/report/cone_report.hpp"
 #include "bit/report/overlap_report.hpp"
 #include "bit/report/tracking_report.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit {

@@ -8,7 +8,7 @@
 namespace tdbd::calibration {
 
 /// Writes a cut run as NetCDF: one row per part of the bit that touches rock, all columns with
-/// units. The file is written completely or not at all, and sealed (core/seal.hpp). `names` are
+/// units. The file is written completely or not at all, and sealed (io/whole_file.hpp). `names` are
 /// those of the bit's parts. Throws RunError.
 void write_cut_run(const std::filesystem::path& file, const CutRun& run,
                    const std::vector<std::string>& names);

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::calibration {
 namespace {
@@ -18,7 +18,7 @@ void demand_free(const fs::path& file, const LaboratoryOptions& o,
   for (const std::string& input : inputs)
     if (fs::equivalent(file, input))
       throw InputError(file.string() + ": found an input itself, expected another file to write");
-  if (o.overwrite == simulation::Overwrite::no)
+  if (o.overwrite == Overwrite::no)
     throw FolderError(fmt::format("{}: exists; --force overwrites", file.string()));
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "calibration/laboratory/laboratory.hpp"
-#include "simulation/result/output_folder.hpp"
+#include "io/output_folder.hpp"
 
 namespace tdbd::calibration {
 
@@ -12,7 +12,7 @@ namespace tdbd::calibration {
 struct LaboratoryOptions {
   std::filesystem::path file;  ///< output file, csv
   std::filesystem::path cuts;  ///< folder of cut runs; default: `cuts` next to the records
-  simulation::Overwrite overwrite = simulation::Overwrite::no;
+  Overwrite overwrite = Overwrite::no;
   int threads = 1;                                ///< has no effect on the records
   std::function<void(long, long)> progress = {};  ///< called with the number of computed cut runs
                                                   ///< and the total

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "calibration/fit/identifiability.hpp"
 #include "calibration/predict/bootstrap.hpp"
 #include "calibration/predict/prediction.hpp"
+#include "io/output_folder.hpp"
 
 namespace tdbd::calibration {
 
@@ -33,5 +36,18 @@ struct Calibration {
 /// Fits, judges and predicts (thesis ch. 6). Drills nothing: the cuts are there. Throws InputError
 /// where the records do not identify the unknowns, RunError where no start converges.
 Calibration calibrate(const CalibrationCase& c, const CutStore& cuts);
+
+/// How a calibration is carried out.
+struct CalibrateOptions {
+  std::filesystem::path folder;  ///< of the results
+  std::filesystem::path cuts;    ///< where cut runs are kept; none: `cuts`, beside the results
+  Overwrite overwrite = Overwrite::no;
+  int threads = 1;                                ///< the results do not depend on it
+  std::function<void(long, long)> progress = {};  ///< hears how many cut runs of how many are made
+};
+
+/// Makes or finds the cut runs, calibrates, and writes the result folder with its timing.json. Throws InputError before
+/// anything is written there, RunError later.
+Calibration calibrate_into(const CalibrationCase& c, const CalibrateOptions& options);
 
 }  // namespace tdbd::calibration

@@ -5,19 +5,18 @@
 #include <vector>
 
 #include "calibration/result/calibrate.hpp"
-#include "simulation/result/output_folder.hpp"
+#include "io/output_folder.hpp"
 
 namespace tdbd::calibration {
 
 /// Throws FolderError when the folder is not empty and `overwrite` is no, or is a file: before the work.
-void check_folder(const std::filesystem::path& folder, simulation::Overwrite overwrite);
+void check_folder(const std::filesystem::path& folder, Overwrite overwrite);
 
 /// Makes the result folder and holds it for one command. With `force`, files of an older calibration go; others stay.
 /// Throws FolderError, and changes nothing, when another command holds it, when it is not empty and `overwrite` is no,
 /// or when a file to be replaced is one of `inputs` or a case.toml that a user wrote.
-simulation::OutputFolder prepare_folder(const std::filesystem::path& folder,
-                                        simulation::Overwrite overwrite,
-                                        const std::vector<std::string>& inputs);
+OutputFolder prepare_folder(const std::filesystem::path& folder, Overwrite overwrite,
+                            const std::vector<std::string>& inputs);
 
 /// Writes calibration.json, law.toml (one for each pressure of separate fits), residuals.csv,
 /// predictions.csv, case.toml and copies of the cut runs; calibration.json last. Throws RunError.

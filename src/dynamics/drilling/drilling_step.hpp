@@ -13,6 +13,11 @@ struct Drilling {
   Wrench wrench;             ///< of the last cut; acts in the first half of the next step
   EnergyLedger ledger;       ///< since start_drilling
   string::ChainState chain;  ///< used if the string is a chain
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(state, wrench, ledger, chain);
+  }
 };
 
 /// Work data of a step, reused so that steps allocate nothing after the first.

@@ -131,6 +131,11 @@ DrillingSystem make_drilling_system(DrillingSystem system);
 struct UpperEnd {
   double z = 0.0, angle = 0.0;     ///< m, rad
   double rate = 0.0, speed = 0.0;  ///< m/s, rad/s
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(z, angle, rate, speed);
+  }
 };
 
 /// Positions and momenta of bit and rock. The time is RotationState::time.
@@ -142,6 +147,11 @@ struct DrillingState {
   double rock_momentum = 0.0;      ///< N s
   double top_rate = 0.0;           ///< m/s along +z, rate of a top that follows the bit
   UpperEnd upper;                  ///< used if the string is a chain
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(rotation, c_W, momentum_W, rock_z, rock_momentum, top_rate, upper);
+  }
 };
 
 /// When the torques on the cones' own spins act during a step h.
@@ -157,6 +167,11 @@ struct Wrench {
   std::vector<double> cones;     ///< N m, T_k . s_k, of the forces on cone k; empty: none
   double rock_force = 0.0;       ///< N along +z, on the rock: -force_W.z (action and reaction)
   ConeImpulse cone_impulse = ConeImpulse::halves;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(force_W, torque_W, cones, rock_force, cone_impulse);
+  }
 };
 
 /// Velocities computed from the momenta of a state.

@@ -39,6 +39,13 @@ struct EnergyLedger {
   double chain_damping = 0.0;   ///< loss in the mud
   double chain_loss = 0.0;      ///< loss in the Kelvin-Voigt dampers
   double top_damping = 0.0;     ///< loss in the damper of a top drive
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(start, top, gravity, cut_bit, cut_rock, damped_string, damped_bearings, damped_rock,
+      wall_loss, wall_friction, chain_gravity, chain_friction, chain_damping, chain_loss,
+      top_damping);
+  }
 };
 
 /// Sum of all losses, J.

@@ -26,6 +26,11 @@ struct ResidualOrder {
   std::string reason;             ///< why there is no order; empty if there is one
   std::vector<double> steps;      ///< s, longest first
   std::vector<double> residuals;  ///< J, root mean square over the instants
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(order, reason, steps, residuals);
+  }
 };
 
 /// Runs the window at h (s), h/2 and h/4 and fits the least-squares slope of log residual over log

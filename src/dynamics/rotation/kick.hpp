@@ -26,6 +26,12 @@ struct RotatingOf {
   // Work data of a step, reused so that later steps allocate nothing.
   RotationStateOf<S> predicted, kick_start, step_start;
   TorqueOf<S> step_torque;
+
+  /// For checkpoints: without the buffers of a step.
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(state, torque, evaluations);
+  }
 };
 using Rotating = RotatingOf<double>;
 

@@ -13,6 +13,11 @@ template <class S>
 struct TorqueOf {
   Vec3Of<S> total_W = Vec3Of<S>::Zero();  ///< N m, external, on body and cones
   std::vector<S> cones;                   ///< N m, T_k . s_k: rates of change of the cone momenta
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(total_W, cones);
+  }
 };
 using Torque = TorqueOf<double>;
 

@@ -15,7 +15,7 @@
 
 #include "core/error.hpp"
 #include "core/read_file.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/ply.hpp"
 

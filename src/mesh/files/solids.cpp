@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "mesh/check/divide.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/files.hpp"

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::mesh {
 namespace {

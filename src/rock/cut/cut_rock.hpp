@@ -18,6 +18,11 @@ struct CutReport {
   long candidates = 0;   ///< vertices tested
   long moved = 0;        ///< moves made
   int passes = 0;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(removed_by_part, removed, candidates, moved, passes);
+  }
 };
 
 /// Buffers of a step. They are kept between steps to avoid allocations.

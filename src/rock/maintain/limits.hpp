@@ -75,6 +75,11 @@ struct MaintenanceReport {
   double volume_disturbed = 0.0;  ///< m3, sum of magnitudes
 
   long carried_out(Operation o) const { return done[static_cast<std::size_t>(o)]; }
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(done, refused, touched_triangles, volume_change, volume_disturbed);
+  }
 };
 
 /// Counts an operation that was carried out and its change of the hole's volume, m3.

@@ -41,6 +41,12 @@ struct Section {
   Vec3 edge_centroid_B = Vec3::Zero();  ///< m, of the engaged edge
   double flat_area = 0.0;  ///< m2, of the cutter's wear flat behind its engaged edge (FlatBehind)
   Vec3 flat_centroid_B = Vec3::Zero();  ///< m, of flat_area
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(area, centroid_B, engaged_edge, angle_of_attack, volume_rate, sight, edge_centroid_B,
+      flat_area, flat_centroid_B);
+  }
 };
 
 /// A face, prepared once for its sections.

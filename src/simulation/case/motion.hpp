@@ -98,6 +98,11 @@ struct Place {
   Pose X_WB;            ///< bit in space
   double turned = 0.0;  ///< rad about the bit's axis since the start
   double rock_z = 0.0;  ///< m that the rock has moved along +z (eq. 2.2)
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(X_WB, turned, rock_z);
+  }
 };
 
 /// The bit in the frame of the rock, in which its surface is kept.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::simulation {
 namespace {

@@ -1,13 +1,9 @@
 #include "simulation/chain/chain_run.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <utility>
-#include <vector>
+#include <string>
 
-#include "core/error.hpp"
-#include "core/reason.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "simulation/chain/chain_history.hpp"
 
 namespace tdbd::simulation {
@@ -24,22 +20,60 @@ long next_steps(const ChainCase& c, long done) {
   return std::min({longest_block, until_next(c.history_every, done), profile, c.time.steps - done});
 }
 
-/// Runs to the end or to an interruption. Appends the run time per step in seconds, block by block.
-RunStatus run_blocks(const ChainCase& c, const RotateOptions& o, ChainSimulation& s,
-                     ChainHistory& history, std::vector<double>& seconds) {
-  history.append(c, s);
-  while (s.steps_done < c.time.steps) {
-    if (o.interrupted && *o.interrupted) return RunStatus::interrupted;
-    const long steps = next_steps(c, s.steps_done);
-    const auto before = std::chrono::steady_clock::now();
-    advance_chain(c, s, steps);
-    if (seconds.size() < 1'000'000)
-      seconds.push_back(seconds_since(before) / static_cast<double>(steps));
-    history.append(c, s);
-    if (o.progress) o.progress(s.steps_done, c.time.steps);
+/// The steps of a chain, for run_loop.
+class ChainSteps {
+ public:
+  ChainSteps(const ChainCase& c, ChainSimulation& s) : c_(c), s_(s) {}
+
+  long done() const { return s_.steps_done; }
+  long all() const { return c_.time.steps; }
+  double time() const { return s_.time; }
+  void prepare() {}
+  long advance() {
+    const long steps = next_steps(c_, done());
+    advance_chain(c_, s_, steps);
+    return steps;
   }
-  return RunStatus::completed;
-}
+  void finish() {}
+  template <class Progress>
+  void report(const Progress& progress) const {
+    progress(done(), all());
+  }
+
+ private:
+  const ChainCase& c_;
+  ChainSimulation& s_;
+};
+
+class ChainRecorder {
+ public:
+  ChainRecorder(const ChainCase& c, const ChainSimulation& s, const OutputFolder& folder)
+      : c_(c), s_(s), history_(folder.path, c) {}
+
+  void begin() { record(); }
+  void record() { history_.append(c_, s_); }
+  void close(RunStatus) { history_.close(); }
+  void keep_so_far(const std::exception&) {
+    ignore_failure([&] { history_.close(); });
+  }
+
+ private:
+  const ChainCase& c_;
+  const ChainSimulation& s_;
+  ChainHistory history_;
+};
+
+struct ChainTask {
+  ChainTask(const ChainCase& of, ChainSimulation& started, const OutputFolder& folder)
+      : c(of), s(started), steps(c, s), recorder(c, s, folder) {}
+
+  std::string summary(RunStatus status) const { return summary_json(c, s, status); }
+
+  const ChainCase& c;
+  ChainSimulation& s;
+  ChainSteps steps;
+  ChainRecorder recorder;
+};
 
 }  // namespace
 
@@ -49,25 +83,13 @@ ChainOutcome run_chain(const ChainCase& c, const RotateOptions& o) {
   clear(folder, c.files, ResultKind::chain);
   write_text(folder.path / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
   write_static_tables(folder.path, c);
-  const auto started = std::chrono::steady_clock::now();
-  std::vector<double> seconds;
-  if (o.started) o.started();
   if (c.time.steps > 0) {
-    ChainHistory history(folder.path, c);
-    try {
-      outcome.status = run_blocks(c, o, outcome.end, history, seconds);
-      history.close();
-    } catch (const std::exception& e) {
-      const std::string failure =
-          failure_text(outcome.end.steps_done, c.time.steps, outcome.end.time, reason_of(e));
-      ignore_failure([&] { history.close(); });
-      ignore_failure([&] { write_text(folder.failure(), failure + "\n"); });
-      throw RunError(failure);
-    }
-    const double wall = seconds_since(started);
-    write_text(folder.timing(), to_json(timing_of(std::move(seconds), wall, 1)));
+    ChainTask task(c, outcome.end, folder);
+    outcome.status = complete(task, folder, o);
+  } else {
+    if (o.started) o.started();
+    write_text(folder.summary(), summary_json(c, outcome.end, outcome.status));
   }
-  write_text(folder.summary(), summary_json(c, outcome.end, outcome.status));
   return outcome;
 }
 

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "simulation/chain/chain_simulation.hpp"
-#include "simulation/result/summary.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 
 namespace tdbd::simulation {

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simulation/chain/chain_run.hpp"
-#include "simulation/result/string_figures.hpp"
+#include "simulation/result/figures.hpp"
 
 namespace tdbd::simulation {
 namespace {

@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "core/types.hpp"
-#include "core/whole_file.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -74,10 +71,8 @@ void append_nodes(const ChainView& c, const std::vector<int>& nodes, std::vector
   for (const int node : nodes) row.push_back(c.work.side_force[at(node)]);
 }
 
-ChainProfiles::ChainProfiles(std::filesystem::path path, const string::Chain& chain)
-    : path_(std::move(path)),
-      layout_(profile_layout(chain)),
-      record_(partial_path(path_), layout_) {}
+ChainProfiles::ChainProfiles(const std::filesystem::path& path, const string::Chain& chain)
+    : layout_(profile_layout(chain)), record_(path, layout_, CsvBeside::no) {}
 
 void ChainProfiles::append(double time, const ChainView& c) {
   const int n = c.chain.count();
@@ -90,11 +85,6 @@ void ChainProfiles::append(double time, const ChainView& c) {
   row_.insert(row_.end(), c.work.tension.begin(), c.work.tension.end());
   row_.insert(row_.end(), c.work.torque.begin(), c.work.torque.end());
   record_.append(row_);
-}
-
-void ChainProfiles::close() {
-  record_.close();
-  rename_partial(path_);
 }
 
 }  // namespace tdbd::simulation

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/result/record.hpp"
-#include "simulation/result/record_netcdf.hpp"
+#include "io/record.hpp"
 #include "string/chain.hpp"
 
 namespace tdbd::simulation {
@@ -34,7 +33,7 @@ void append_nodes(const ChainView& c, const std::vector<int>& nodes, std::vector
 class ChainProfiles {
  public:
   /// Creates `path.partial`. Throws RunError when it cannot.
-  ChainProfiles(std::filesystem::path path, const string::Chain& chain);
+  ChainProfiles(const std::filesystem::path& path, const string::Chain& chain);
 
   void append(double time, const ChainView& c);
 
@@ -46,12 +45,11 @@ class ChainProfiles {
   void append_again(std::span<const double> row) { record_.append(row); }
 
   /// Writes what is buffered and gives the file its name. Throws RunError.
-  void close();
+  void close() { record_.close(); }
 
  private:
-  std::filesystem::path path_;
   RecordLayout layout_;
-  RecordNetcdf record_;
+  Record record_;
   std::vector<double> row_;
 };
 

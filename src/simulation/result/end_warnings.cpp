@@ -1,5 +1,3 @@
-#include "simulation/result/end_warnings.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "bit/cone/part_pose.hpp"
 #include "rock/section/rubbing_contact.hpp"
 #include "simulation/case/doubtful_values.hpp"
+#include "simulation/result/summary.hpp"
 #include "simulation/start/reach.hpp"
 
 namespace tdbd::simulation {

@@ -1,11 +1,9 @@
-#include "simulation/result/estimate.hpp"
-
 #include <algorithm>
 #include <chrono>
 
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
-#include "simulation/result/summary.hpp"
+#include "simulation/result/run.hpp"
 #include "simulation/start/rock_memory.hpp"
 #include "simulation/step/step.hpp"
 
@@ -15,7 +13,7 @@ namespace {
 // Bytes as files of this program have them (`RunEstimate.is_near_what_a_run_takes` compares).
 constexpr double frame_per_triangle = 43.0, animation_per_triangle = 20.0,
                  final_per_triangle = 25.0;
-constexpr double checkpoint_per_triangle = 110.0;
+constexpr double checkpoint_per_triangle = 55.0;
 constexpr double csv_per_number = 18.0, bit_level_columns = 25.0;
 constexpr double numbers_per_part = 8.0, numbers_per_cutter = 10.0;
 

@@ -4,10 +4,23 @@
 #include <span>
 #include <vector>
 
-#include "simulation/checkpoint/history_window.hpp"
+#include "simulation/result/chain_record.hpp"
 #include "simulation/result/history_columns.hpp"
+#include "simulation/step/simulation.hpp"
 
 namespace tdbd::simulation {
+
+/// The steps so far of the next row of a history. Vectors by number of a row; empty before the first
+/// step.
+struct HistoryWindow {
+  long steps = 0;
+  std::vector<double> sum, least, greatest;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(steps, sum, least, greatest);
+  }
+};
 
 /// What a row stands for.
 enum class Rows {
@@ -63,5 +76,16 @@ class History {
   HistoryWindow window_;
   std::vector<double> numbers_, row_;  ///< of the last step; kept: no allocation
 };
+
+/// What the history of a run has: its parts, what else, and what a row stands for.
+std::vector<HistoryPart> history_parts(const bit::Bit& bit);
+HistoryExtent history_extent(const Case& c);
+Rows rows_of(const Case& c);
+
+/// The chain of a run whose string is one, and the motion of the bit at its end.
+ChainView chain_view(const Case& c, const Simulation& s);
+
+/// Takes the step just made into the history.
+void take_step(const Case& of_run, const Simulation& s, History& history);
 
 }  // namespace tdbd::simulation

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/types.hpp"
+#include "io/record.hpp"
 #include "rock/section/contact_area.hpp"
 #include "rock/section/section.hpp"
-#include "simulation/result/drive_figures.hpp"
-#include "simulation/result/record.hpp"
+#include "simulation/result/figures.hpp"
 #include "simulation/step/load_figures.hpp"
 
 namespace tdbd::simulation {

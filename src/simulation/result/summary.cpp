@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <numeric>
 
 #include "core/provenance.hpp"
+#include "mesh/measures.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -84,6 +86,68 @@ Json broken_out_json(const RunSummary& s) {
   Json by_cutter = Json::object();
   for (const auto& [name, volume] : s.broken_out) by_cutter[name] = volume;
   return by_cutter;
+}
+
+std::vector<PartVolumes> part_volumes(const Case& c, const VolumeLedger& l) {
+  std::vector<PartVolumes> parts;
+  for (std::size_t i = 0; i < c.bit.parts.size(); ++i) {
+    PartVolumes p{c.bit.parts[i].name, l.removed_by_part[i].value(), {}};
+    for (const auto& revolution : l.removed_by_revolution) p.by_revolution.push_back(revolution[i]);
+    parts.push_back(std::move(p));
+  }
+  return parts;
+}
+
+std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r) {
+  const auto counts = rock::counts(r);
+  return {counts.begin(), counts.end()};
+}
+
+/// What studies divide, by dotted key, SI. The step is the one that is used.
+std::map<std::string, double> sizes_of(const Case& c) {
+  std::map<std::string, double> sizes = c.quantities;
+  sizes["time.step"] = c.time.step;
+  return sizes;
+}
+
+Figures studied_figures_of(const RunSummary& r) {
+  Figures figures{{"wob_mean_n", r.loads->wob.mean},
+                  {"tob_mean_n_m", r.loads->tob.mean},
+                  {"rop_mean_m_per_s", r.loads->rop.mean},
+                  {"rotary_speed_mean_rad_per_s", r.loads->rotary_speed.mean}};
+  if (!r.drive) return figures;
+  figures["stick_slip_severity"] = r.diagnosis.stick_slip_severity;
+  figures["torsional_frequency_hz"] = r.diagnosis.torsional_frequency;
+  figures["orbit_radius_m"] = r.diagnosis.orbit_radius;
+  figures["orbit_frequency_hz"] = r.diagnosis.orbit_frequency;
+  return figures;
+}
+
+void add_drive(const Case& c, const Simulation& s, RunSummary& r) {
+  const dynamics::DrillingSystem& system = case_now(c, s.work).drilling.system;
+  r.diagnosis = diagnose(s.statistics.trace, s.statistics.loads.tob.mean);
+  std::map<std::string, double> by_part;
+  for (std::size_t i = 0; i < s.statistics.energy_by_part.size(); ++i)
+    if (s.statistics.energy_by_part[i] != 0.0)
+      by_part[c.bit.parts[i].name] = s.statistics.energy_by_part[i];
+  r.drive = {dynamics::stored_energy(system, s.work.drive.at, s.state.drive->state),
+             s.state.drive->ledger,
+             by_part,
+             expected_of(system, r.loads->rotary_speed.mean),
+             {},
+             s.statistics.standing};
+  if (!system.chained) return;
+  const string::Chain& chain = system.chained->chain;
+  const string::Elements& e = chain.elements;
+  const double inertia = system.gyrostat.inertia_B(2, 2);
+  r.string = {e.length * chain.count(),
+              e.length,
+              chain.count(),
+              static_loads(chain, system.mass * system.gravity, c.drilling.start_motion),
+              chain_modes(chain, system.mass, inertia),
+              string::longest_step(chain, system.mass, inertia),
+              courant_numbers(c.drilling.string.sections, e.length, c.time.step),
+              node_rest_share(chain, s.statistics.node_steps_at_rest, s.state.steps_done)};
 }
 
 }  // namespace
@@ -171,6 +235,55 @@ long peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return 1024 * usage.ru_maxrss;
+}
+
+RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
+  RunSummary r;
+  r.command = "run";
+  r.title = c.title;
+  r.status = status;
+  r.case_hash = c.hash;
+  for (const CaseWarning& w : c.warnings) r.warnings.push_back(without_place(w));
+  r.found_at_end = end_warnings(c, s);
+  for (const CaseWarning& w : r.found_at_end) r.warnings.push_back(without_place(w));
+  const double from = time_at(c.time, c.time.first), to = time_at(c.time, s.state.steps_done);
+  r.steps = s.state.steps_done - c.time.first;
+  r.duration = to - from;
+  r.revolutions = (s.state.place.turned - s.state.start_turned) / (2.0 * std::numbers::pi);
+  r.removed_volume = s.state.ledger.removed.value();
+  for (const auto& revolution : s.state.ledger.removed_by_revolution)
+    r.removed_volume_by_revolution.push_back(
+        std::accumulate(revolution.begin(), revolution.end(), 0.0));
+  r.parts = part_volumes(c, s.state.ledger);
+  r.volume_ledger_defect = ledger_defect(s);
+  r.maintenance_volume = s.state.maintenance.volume_change;
+  r.trimmed_volume = s.state.ledger.trimmed.value();
+  r.rock_triangles_start = s.state.start_triangles;
+  r.rock_triangles_end = s.state.rock.surface.triangle_count();
+  const mesh::QualityFigures quality = mesh::quality_figures(s.state.rock.surface);
+  r.rock_quality_min = quality.least;
+  r.rock_quality_1_percent = quality.one_percent;
+  r.gage_radius = c.bit.gage_radius;
+  r.maintenance = maintenance_counts(s.state.maintenance);
+  r.faces = figures_of(c.bit, s.statistics.faces);
+  if (c.forces.forces == Forces::on) {
+    r.loads = figures_of(c.bit, s.statistics.loads, to);
+    r.loads->uncertainty = sampling_of(s.statistics.trace);
+  }
+  if (s.state.drive) add_drive(c, s, r);
+  if (r.loads && r.loads->steps > 0)
+    for (const StudiedConvergence& study : c.output.convergence)
+      r.numerical.push_back(numerical_uncertainty(study, sizes_of(c), studied_figures_of(r)));
+  if (s.work.wear) r.wear = figures_of_wear(c, s);
+  if (s.state.spalling)
+    for (std::size_t i = 0; i < c.bit.cutters.size(); ++i)
+      r.broken_out.emplace_back(cutter_name(c.bit.cutters[i]),
+                                s.state.spalling->broken_out[i].value());
+  r.sections_refused_deep = s.statistics.faces.refused_deep;
+  r.sections_refused_over_the_top = s.statistics.faces.refused_over_the_top;
+  for (std::size_t k = 0; k < s.state.cones.size(); ++k)
+    r.cones.push_back(figures_of(c.bit.cones[k], s.state.cones[k], s.statistics.cones[k]));
+  return r;
 }
 
 }  // namespace tdbd::simulation

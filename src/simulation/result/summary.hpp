@@ -12,12 +12,11 @@
 
 #include "simulation/case/case_warning.hpp"
 #include "simulation/case/studied_convergence.hpp"
-#include "simulation/result/drive_figures.hpp"
-#include "simulation/result/string_figures.hpp"
-#include "simulation/result/wear_figures.hpp"
+#include "simulation/result/figures.hpp"
 #include "simulation/step/cone_motion.hpp"
 #include "simulation/step/force_figures.hpp"
 #include "simulation/step/measure.hpp"
+#include "simulation/step/simulation.hpp"
 
 namespace tdbd::simulation {
 
@@ -81,6 +80,16 @@ struct Timing {
 
 /// Grows when a key of a summary changes its meaning or goes away.
 inline constexpr int summary_schema = 1;
+
+/// The figures of a simulation so far.
+RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status);
+
+/// Doubts that only a run shows, at `motion`: a bit body, or a part that rubs, that is deeper in rock
+/// than the rock's edge length and than 1 mm; a bit that removed no rock; and, of a bit that forces
+/// move, an unrealistic mean advance: more in a revolution than its narrowest cutting part is wide, so
+/// that its body would have to cut, or more in one step; and stick-slip with sections as they are ahead
+/// of the faces. They follow from the case and from what a checkpoint contains.
+std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s);
 
 /// What every summary starts with: schema, command, title, status, provenance.
 nlohmann::ordered_json summary_head(const std::string& command, const std::string& title,

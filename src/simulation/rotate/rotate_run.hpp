@@ -1,29 +1,15 @@
 #pragma once
 
-#include <atomic>
 #include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
 
-#include "simulation/result/output_folder.hpp"
-#include "simulation/result/stopped_run.hpp"
-#include "simulation/result/summary.hpp"
+#include "simulation/result/run_loop.hpp"
+#include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 
 namespace tdbd::simulation {
 
-struct RotateOptions {
-  std::filesystem::path folder;
-  Overwrite overwrite = Overwrite::no;
-  const std::atomic<bool>* interrupted = nullptr;  ///< set from outside: stop within 1024 steps
-  /// Called before the first step: from here on there is something to save, and `interrupted` is read.
-  std::function<void()> started = {};
-  /// Called now and then with the steps done and all steps.
-  std::function<void(long, long)> progress = {};
-  /// Called with what a user should know and the run goes on after.
-  std::function<void(const std::string&)> warn = {};
-};
+/// How a case is rotated; `progress` is called with the steps done and all steps.
+using RotateOptions = OptionsOf<void(long, long)>;
 
 /// How a run ended.
 struct RotateOutcome {
@@ -31,28 +17,39 @@ struct RotateOutcome {
   RotateSimulation end;
 };
 
-/// What is called on the way.
-struct RotateHooks {
-  std::function<void()> row = [] {};    ///< at every step of the history, the first and last too
-  std::function<void()> block = [] {};  ///< at most every 1024 steps, after the row
+/// The steps of a rotate case, for run_loop. The arguments must outlive them.
+class RotateSteps {
+ public:
+  RotateSteps(const RotateCase& c, RotateSimulation& s) : c_(c), s_(s) {}
+
+  long done() const { return s_.steps_done; }
+  long all() const { return c_.time.steps; }
+  double time() const { return s_.rotating.state.time; }
+  void prepare() {}
+  /// At most 1024 steps, up to the next row of the history or checkpoint that the case requests.
+  long advance();
+  void finish() {}
+  template <class Progress>
+  void report(const Progress& progress) const {
+    progress(done(), all());
+  }
+
+ private:
+  const RotateCase& c_;
+  RotateSimulation& s_;
 };
 
-/// Runs a case in memory to its end or to an interruption. Appends the seconds that a step took,
-/// block by block.
-RunStatus rotate_steps(const RotateCase& c, RotateSimulation& s, const RotateOptions& options,
-                       const RotateHooks& hooks, std::vector<double>& step_seconds);
-
-/// Runs a case and writes its result folder, the summary last: a folder without one holds no
-/// finished run. An interrupted run writes everything that was recorded and a checkpoint, with status "interrupted".
-/// If a step or a write fails, the history up to the last good state is kept as far as it can be
-/// written, failure.txt says what happened, and the error is passed on. Throws InputError before
-/// anything is written, RunError later.
+/// Runs a case and writes its result folder, the summary last: a folder without one has no finished
+/// run. An interrupted run writes everything that was recorded and a checkpoint, with status
+/// "interrupted". If a step or a write fails, the history up to the last good state is kept as far as
+/// it can be written, failure.txt says what happened, and the error is passed on. Throws InputError
+/// before anything is written, RunError later.
 RotateOutcome rotate(const RotateCase& c, const RotateOptions& options);
 
-/// Goes on with a rotation that was stopped or killed: the case is that of the folder
-/// (read_stopped_rotate_case), and every file of the result but timing.json comes out as if nothing
-/// had happened. From its newest checkpoint, or, where it came to none, from the start. Throws like
-/// rotate, and InputError for checkpoints of another case or version.
+/// Resumes a rotation that was stopped or killed: the case is that of the folder
+/// (read_stopped_rotate_case). Every file of the result but timing.json is bitwise identical to that
+/// of an uninterrupted run. Throws like rotate, and InputError for checkpoints of another case or
+/// version.
 RotateOutcome resume_rotate(const RotateCase& c, const RotateOptions& options);
 
 /// The case of a folder that a rotation was begun in. Throws like stopped_case.

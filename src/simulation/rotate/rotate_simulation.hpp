@@ -19,6 +19,12 @@ struct Invariants {
   double vertical_drift = 0.0;       ///< |pi_z - pi_z0|
   double cone_momentum_drift = 0.0;  ///< of any cone
   double quaternion_defect = 0.0;    ///< ||q|^2 - 1|
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(momentum_W, cone_momenta, energy, energy_scale, energy_drift, momentum_drift_squared,
+      vertical_drift, cone_momentum_drift, quaternion_defect);
+  }
 };
 
 /// The state of a rotate case as it runs.
@@ -26,6 +32,11 @@ struct RotateSimulation {
   dynamics::Rotating rotating;
   Invariants invariants;
   long steps_done = 0;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(rotating, invariants, steps_done);
+  }
 };
 
 /// Kinetic and potential energy, J.

@@ -30,6 +30,11 @@ struct ConeState {
   double speed = 0.0;           ///< rad/s in the last step, phi'
   bit::SlipBalance remembered;  ///< sums over all contacts so far, faded with their age
   double start_share = 1.0;     ///< share of the initial pure rolling in the speed
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(angle, turned, speed, remembered, start_share);
+  }
 };
 
 /// Sets the angle (rad), and `turned` to the difference.
@@ -40,6 +45,11 @@ struct ConeStatistics {
   double bit_turned = 0.0;  ///< rad, since the start
   Spread ratio;             ///< over all steps in which the bit rotated
   double least = 0.0, greatest = 0.0;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(bit_turned, ratio, least, greatest);
+  }
 };
 
 /// Adds a step in which the bit rotated by `turn` (rad).

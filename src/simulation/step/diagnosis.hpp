@@ -15,6 +15,11 @@ struct Trace {
   std::vector<double> rop;                ///< m/s
   std::vector<double> rotary_speed;       ///< rad/s
   std::vector<Eigen::Vector2d> centre_W;  ///< m, origin of the bit
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(dt, wob, tob, rop, rotary_speed, centre_W);
+  }
 };
 
 /// Reserves memory for a number of steps, so that adding a step allocates nothing.

@@ -10,6 +10,11 @@ namespace tdbd::simulation {
 struct EnergyOrder {
   dynamics::ResidualOrder residual;
   double from = 0.0, window = 0.0;  ///< s: start and length of the window
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(residual, from, window);
+  }
 };
 
 /// When the order is observed, in steps since the start of the motion.

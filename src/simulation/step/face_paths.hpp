@@ -18,6 +18,11 @@ namespace tdbd::simulation {
 struct FacePath {
   rotation::Twist way{Vec3::UnitZ(), Vec3::Zero()};  ///< in B, with the speed of the face
   bool creeps = false;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(way, creeps);
+  }
 };
 
 /// One entry per cutter. If empty, all faces use the path of the step.

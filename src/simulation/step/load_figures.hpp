@@ -20,6 +20,12 @@ struct LoadStatistics {
   double time = 0.0;                              ///< s
   std::vector<Spread> normal, tangential;         ///< N, per part
   std::vector<double> part_energy, part_removed;  ///< J, m3, per part
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(wob, tob, rop, rotary_speed, lateral_B, energy, removed, time, normal, tangential,
+      part_energy, part_removed);
+  }
 };
 
 /// Progress of the bit in a step. In free motion these are displacements divided by the step, so

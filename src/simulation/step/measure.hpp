@@ -94,6 +94,11 @@ void measure_cut(rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces&
 /// removed by the parts of the cutter (m3).
 struct FaceSpreads {
   Spread area, swept, removed;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(area, swept, removed);
+  }
 };
 
 /// Statistics of all sections by revolution.
@@ -102,6 +107,11 @@ struct FaceStatistics {
   std::vector<FaceSpreads> last_whole;  ///< last complete revolution; empty before its end
   std::size_t revolutions = 0;          ///< started before the current one
   long refused_deep = 0, refused_over_the_top = 0;  ///< rejected sections (Measures::sections)
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(revolution, last_whole, revolutions, refused_deep, refused_over_the_top);
+  }
 };
 
 /// Adds the measurements of a step. A section is counted once, in the step in which it was taken;

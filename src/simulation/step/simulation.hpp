@@ -31,6 +31,11 @@ struct VolumeLedger {
   CompensatedSum trimmed;  ///< volume of the hole removed with the trimmed wall
   std::vector<CompensatedSum> removed_by_part;
   std::vector<std::vector<double>> removed_by_revolution;  ///< [revolution][part]
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(hole_start, removed, trimmed, removed_by_part, removed_by_revolution);
+  }
 };
 
 /// Everything that a restart needs in addition to the case: data read by later steps, and counters
@@ -53,6 +58,12 @@ struct State {
   std::vector<std::uint8_t> started;  ///< per part: late start has occurred; empty: no part waits
   std::optional<WearState> wear;      ///< used if the bit wears
   std::optional<SpallingState> spalling;  ///< used if rock breaks out
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(steps_done, place, start_turned, rock, start_triangles, cones, sections, face_paths, cut,
+      drive, ledger, maintenance, trimming, started, wear, spalling);
+  }
 };
 
 /// Whether parts of the bit are still waiting for their start (late_start.hpp).
@@ -111,6 +122,11 @@ struct Statistics {
   StandingStatistics standing;
   WearRecords wear;
   long node_steps_at_rest = 0;  ///< for a chained string: sum over steps of the nodes at rest
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(faces, cones, loads, energy_by_part, trace, standing, wear, node_steps_at_rest);
+  }
 };
 
 /// A run between two steps.

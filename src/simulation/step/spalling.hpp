@@ -13,6 +13,11 @@ namespace tdbd::simulation {
 struct SpallingState {
   std::vector<rock::EngagedEnds> ends;     ///< per cutter, from the last section of its face
   std::vector<CompensatedSum> broken_out;  ///< m3, per cutter, part of its removed volume
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(ends, broken_out);
+  }
 };
 
 /// Nothing if no rock breaks out in the case.

@@ -7,6 +7,11 @@ namespace tdbd::simulation {
 struct Spread {
   long count = 0;
   double mean = 0.0, squares = 0.0;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(count, mean, squares);
+  }
 };
 
 void add(Spread& spread, double x);

@@ -26,6 +26,11 @@ struct StandingStatistics {
   long steps = 0;
   long unsettled = 0;  ///< steps whose search did not converge: implicit with the last secants
   long most_rounds = 0;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(steps, unsettled, most_rounds);
+  }
 };
 
 void add(const Standing& step, StandingStatistics& statistics);

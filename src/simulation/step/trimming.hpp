@@ -11,6 +11,11 @@ namespace tdbd::simulation {
 struct Trimming {
   double done_W = -1e300;  ///< m: z of the last plane
   long triangles = 0;      ///< removed
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(done_W, triangles);
+  }
 };
 
 /// Height of the trimming plane above the origin of the bit, m; 0 if the case does not trim. All

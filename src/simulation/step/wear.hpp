@@ -19,6 +19,11 @@ struct WearEnd : RunError {
 struct WornOff {
   double volume = 0.0;  ///< m3, on the rest of the piece
   double height = 0.0;  ///< m: volume over the area of the flat
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(volume, height);
+  }
 };
 
 /// The wear of a piece of the bit in a run: a cutter, a tooth or a gage pad (bit::WearSolid).
@@ -28,6 +33,11 @@ struct PieceWear {
   WornOff window{};     ///< rate times time since the last wear step
   WornOff previous{};   ///< the same for the previous window
   WornOff last{};       ///< of the last time step
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(volume, height, window, previous, last);
+  }
 };
 
 /// Friction on a piece in the last step.
@@ -36,6 +46,11 @@ struct PieceRub {
   double temperature = 0.0;  ///< K, of the flat
   double rate = 0.0;         ///< m3/s, wear rate, not accelerated
   double flat_rate = 0.0;    ///< m3/s, part of it where the flat bears (FlatMeasure::edge)
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(force, temperature, rate, flat_rate);
+  }
 };
 
 /// The wear of a bit, sufficient for a restart. Times are wear times: acceleration times simulated
@@ -50,6 +65,12 @@ struct WearState {
   double window_torque = 0.0;    ///< N m s, integral of the torque on bit over wear time
   double distance = 0.0;         ///< m, acceleration times downward displacement
   long steps = 0;                ///< number of wear steps
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(pieces, rubs, window_time, previous_time, window_steps, window_distance, window_weight,
+      window_torque, distance, steps);
+  }
 };
 
 /// Extrapolated wear over a window of `time` (s). `window` is the wear computed at the geometry of
@@ -82,6 +103,11 @@ struct WearRecord {
   double torque = 0.0;    ///< N m, on bit, mean over the previous window
   double rate = 0.0;      ///< m/s, rate of penetration in the previous window
   std::vector<double> height, width, volume, temperature, force;  ///< m, m, m3, K, N
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(distance, weight, torque, rate, height, width, volume, temperature, force);
+  }
 };
 
 /// Records over the distance, at most 64. If there are more, every other one is dropped.
@@ -89,6 +115,11 @@ struct WearRecords {
   long every = 1;  ///< number of wear steps between two records
   long seen = 0;
   std::vector<WearRecord> records;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(every, seen, records);
+  }
 };
 void add(WearRecord record, WearRecords& to);
 

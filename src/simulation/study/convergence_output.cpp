@@ -8,7 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "simulation/result/summary.hpp"
 
 namespace tdbd::simulation {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "simulation/study/convergence_output.hpp"
 
 namespace tdbd::simulation {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "simulation/result/output_folder.hpp"
+#include "io/output_folder.hpp"
 #include "simulation/study/convergence.hpp"
 
 namespace tdbd::simulation {

@@ -4,9 +4,8 @@
 #include "simulation/case/case.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_case.hpp"
+#include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_run.hpp"
-#include "simulation/rotate/rotate_summary.hpp"
-#include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -21,8 +20,8 @@ LevelOutcome rotate_level(const std::string& file, const std::vector<std::string
   if (o.progress)
     options.progress = [&](long done, long total) { o.progress(number, done, total); };
   RotateSimulation s = start(c);
-  std::vector<double> step_seconds;
-  const RunStatus status = rotate_steps(c, s, options, {}, step_seconds);
+  RotateSteps steps(c, s);
+  const RunStatus status = run_loop(steps, options);
   return {status,
           c.time.step,
           s.steps_done,
@@ -34,14 +33,15 @@ LevelOutcome drill_level(const std::string& file, const std::vector<std::string>
                          int number, const ConvergenceOptions& o) {
   const Case c = read_case(file, overrides);
   const ThreadLimit limit(o.threads);
+  RunOptions options;
+  options.interrupted = o.interrupted;
+  if (o.progress)
+    options.progress = [&](const Simulation& so_far, long total) {
+      o.progress(number, so_far.state.steps_done, total);
+    };
   Simulation s = start(c);
-  RunStatus status = RunStatus::completed;
-  while (s.state.steps_done < c.time.steps && status == RunStatus::completed) {
-    step(c, s);
-    if (o.progress) o.progress(number, s.state.steps_done, c.time.steps);
-    if (o.interrupted && *o.interrupted) status = RunStatus::interrupted;
-  }
-  if (status == RunStatus::completed) wear_at_end(c, s);
+  DrillingSteps steps(c, s);
+  const RunStatus status = run_loop(steps, options);
   LevelOutcome level{status, c.time.step, s.state.steps_done,
                      read_end_state(to_json(summary_of(c, s, status)), this_level),
                      hole_of(s.state.rock)};

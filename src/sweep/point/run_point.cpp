@@ -2,25 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "bit/files/bit_file.hpp"
+#include "bit/profile/bit_analysis.hpp"
+#include "bit/profile/counted_cutters.hpp"
+#include "bit/profile/engagement.hpp"
 #include "bit/report/bit_report.hpp"
 #include "calibration/result/calibration_files.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/nearest_name.hpp"
 #include "core/reason.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_case.hpp"
+#include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_run.hpp"
-#include "simulation/rotate/rotate_summary.hpp"
-#include "simulation/step/energy_order.hpp"
-#include "simulation/step/wear_step.hpp"
-#include "sweep/point/figures.hpp"
-#include "sweep/point/planar.hpp"
 
 namespace tdbd::sweep {
 namespace {
@@ -28,30 +32,48 @@ namespace {
 namespace sim = simulation;
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
+using Numbers = std::vector<std::pair<std::string, double>>;
+
+void collect(const Json& value, const std::string& name, Numbers& numbers) {
+  const std::string before = name.empty() ? "" : name + ".";
+  if (value.is_object()) {
+    for (const auto& [key, child] : value.items()) collect(child, before + key, numbers);
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      collect(value[i], fmt::format("{}{}", before, i), numbers);
+  } else if (value.is_number()) {
+    numbers.emplace_back(name, value.get<double>());
+  } else if (value.is_boolean()) {
+    numbers.emplace_back(name, value.get<bool>() ? 1.0 : 0.0);
+  } else if (value.is_null()) {
+    numbers.emplace_back(name, std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+Numbers numbers_of(const Json& summary) {
+  Numbers numbers;
+  collect(summary, "", numbers);
+  return numbers;
+}
 
 struct Summary {
   std::string case_hash, text;
 };
 
-void stop_if(bool interrupted) {
-  if (interrupted) throw Interrupted{};
+void stop_if(sim::RunStatus status) {
+  if (status == sim::RunStatus::interrupted) throw Interrupted{};
 }
 
 /// As `tdbd run` does it, without its files.
 Summary drill(const Design& d, const Words& overrides, PointSurroundings& around) {
   const sim::Case c = read_case(d.case_file, overrides, around.starts);
   sim::Simulation s = start(c, around.starts, std::move(around.room));
-  const sim::EnergyOrderPlan plan = sim::plan_energy_order(c);
-  sim::EnergyOrder order;
-  order.residual.reason = plan.at < 0 ? plan.reason : "the run ended before its window";
-  while (s.state.steps_done < c.time.steps) {
-    stop_if(around.interrupted != nullptr && *around.interrupted);
-    if (s.state.steps_done == plan.at) order = sim::observe_energy_order(c, s);
-    sim::step(c, s);
-  }
-  sim::wear_at_end(c, s);
+  sim::DrillingSteps steps(c, s, sim::plan_energy_order(c));
+  sim::RunOptions options;
+  options.interrupted = around.interrupted;
+  stop_if(sim::run_loop(steps, options));
   sim::RunSummary summary = sim::summary_of(c, s, sim::RunStatus::completed);
-  if (summary.drive) summary.drive->order = order;
+  if (summary.drive) summary.drive->order = steps.order;
   around.room = std::move(s.work.cutting);
   return {c.hash, sim::to_json(summary)};
 }
@@ -61,10 +83,9 @@ Summary rotate(const Design& d, const Words& overrides, const std::atomic<bool>*
   sim::RotateOptions options;
   options.interrupted = interrupted;
   sim::RotateSimulation s = sim::start(c);
-  std::vector<double> step_seconds;
-  const sim::RunStatus status = sim::rotate_steps(c, s, options, {}, step_seconds);
-  stop_if(status == sim::RunStatus::interrupted);
-  return {c.hash, sim::summary_json(c, s, status)};
+  sim::RotateSteps steps(c, s);
+  stop_if(sim::run_loop(steps, options));
+  return {c.hash, sim::summary_json(c, s, sim::RunStatus::completed)};
 }
 
 /// Cut runs are files, and the library behind them knows no threads.
@@ -119,6 +140,54 @@ std::string from_folder(const Design& d, std::string message) {
 }
 
 }  // namespace
+
+std::vector<std::string> figure_names(const Json& summary) {
+  std::vector<std::string> names;
+  for (const auto& [name, number] : numbers_of(summary)) names.push_back(name);
+  return names;
+}
+
+std::vector<double> figures_of(const Json& summary, const std::vector<std::string>& names) {
+  std::map<std::string, double> numbers;
+  for (const auto& [name, number] : numbers_of(summary)) numbers.emplace(name, number);
+  std::vector<double> figures;
+  std::string missing;
+  for (const std::string& name : names) {
+    const auto found = numbers.find(name);
+    if (found != numbers.end()) {
+      figures.push_back(found->second);
+      continue;
+    }
+    const auto nearest = nearest_name(name, figure_names(summary));
+    missing +=
+        fmt::format("{}sweep.figures: found {}, expected a number of the summary{}",
+                    missing.empty() ? "" : "\n", name, nearest ? ", such as " + *nearest : "");
+  }
+  if (!missing.empty()) throw InputError(missing);
+  return figures;
+}
+
+nlohmann::ordered_json planar_summary(const simulation::Case& c, double normal_ratio) {
+  const simulation::Motion& m = c.motion;
+  if (bit::counted_cutters(c.bit).empty())
+    throw InputError(
+        "bit.file: found a bit without cutters that cut from the start, expected one that the "
+        "planar model knows");
+  if (!(m.rotary_speed > 0.0 && m.rate_of_penetration > 0.0))
+    throw InputError(
+        "motion: found no advance per revolution, expected a rotary speed and a rate of "
+        "penetration");
+  const double advance = 2.0 * std::numbers::pi * m.rate_of_penetration / m.rotary_speed;
+  const std::vector<bit::Cutter> cutters = bit::cutters_at(c.bit, bit::counted_cutters(c.bit));
+  const bit::Engagement e = bit::engagement(cutters, advance, bit::report_column_width);
+  return {{"advance_m", advance},
+          {"imbalance", bit::planar_imbalance(cutters, e.area, normal_ratio)},
+          {"imbalance_of_unit_law", bit::imbalance(cutters, e.area)},
+          {"mean_redundancy", bit::mean_redundancy(e.cutting)},
+          {"cut_area_m2", std::accumulate(e.area.begin(), e.area.end(), 0.0)},
+          {"largest_cut_area_m2", std::ranges::max(e.area)},
+          {"engaged_cutters", std::ranges::count_if(e.area, [](double a) { return a > 0.0; })}};
+}
 
 PointOutcome run_point(const Design& d, const Words& overrides, PointSurroundings& around) {
   PointOutcome outcome;

@@ -2,9 +2,11 @@
 
 #include <atomic>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "simulation/case/case.hpp"
 #include "sweep/design/design.hpp"
 #include "sweep/point/starts.hpp"
 
@@ -46,5 +48,20 @@ std::vector<std::string> files_of(const Design& d, const std::vector<std::string
 std::vector<std::string> figures_on_offer(const Design& d,
                                           const std::vector<std::string>& overrides,
                                           const std::filesystem::path& cuts);
+
+/// The numbers of a summary under these dotted names ("wob_mean_n", "sections.0.mean_area_m2"); true
+/// and false count as 1 and 0, null as NaN. Throws InputError that lists the names that stand for no
+/// number, each with the nearest that does.
+std::vector<double> figures_of(const nlohmann::ordered_json& summary,
+                               const std::vector<std::string>& names);
+
+/// All names that stand for a number, in the summary's order.
+std::vector<std::string> figure_names(const nlohmann::ordered_json& summary);
+
+/// What the classical planar model says of a case's bit at its advance per revolution, before any
+/// drilling: advance_m, imbalance (of normal and cutting forces, over the weight),
+/// imbalance_of_unit_law, mean_redundancy, cut_area_m2, largest_cut_area_m2, engaged_cutters. SI.
+/// Throws InputError for a bit without cutters and a motion without an advance.
+nlohmann::ordered_json planar_summary(const simulation::Case& c, double normal_ratio);
 
 }  // namespace tdbd::sweep

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "core/folder_lock.hpp"
+#include "io/output_folder.hpp"
 #include "sweep/point/run_point.hpp"
 
 namespace tdbd::sweep {

@@ -5,15 +5,173 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
-#include "sweep/table/front.hpp"
-#include "sweep/table/table_netcdf.hpp"
+#include "core/provenance.hpp"
+#include "io/netcdf_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::sweep {
+namespace {
+
+using Row = std::vector<double>;
+
+/// Values that should become small.
+Row costs_of(const Row& row, const std::vector<Goal>& goals) {
+  Row costs = row;
+  for (std::size_t k = 0; k < costs.size(); ++k)
+    if (goals[k].sense == Sense::larger) costs[k] = -costs[k];
+  return costs;
+}
+
+/// As good in every goal, better in one.
+bool dominates(const Row& a, const Row& b) {
+  bool better = false;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (a[k] > b[k]) return false;
+    better = better || a[k] < b[k];
+  }
+  return better;
+}
+
+/// A file with its only dimension.
+struct TableFile {
+  NetcdfFile file;
+  int point = -1;
+
+  int define(const std::string& name, NetcdfType type, const std::string& units,
+             const std::string& long_name) {
+    return file.variable({name, type, {point}, units, long_name});
+  }
+};
+
+void put_numbers(TableFile& f, const std::string& name, const std::string& units,
+                 const std::string& long_name, const std::vector<double>& values) {
+  f.file.put(f.define(name, NetcdfType::real, units, long_name), values);
+}
+
+void put_texts(TableFile& f, const std::string& name, const std::string& long_name,
+               const std::vector<std::string>& texts) {
+  f.file.put(f.define(name, NetcdfType::text, "", long_name), texts);
+}
+
+void put_flags(TableFile& f, const std::string& name, const std::string& meanings,
+               const std::string& long_name, const std::vector<signed char>& values,
+               const std::vector<signed char>& flags) {
+  const int variable = f.define(name, NetcdfType::flag, "", long_name);
+  f.file.attribute(variable, "flag_values", flags);
+  f.file.attribute(variable, "flag_meanings", meanings);
+  f.file.put(variable, values);
+}
+
+/// One value of each point.
+template <class Value, class Of>
+std::vector<Value> column(const Table& t, Of&& of) {
+  std::vector<Value> values;
+  for (std::size_t i = 0; i < t.points.size(); ++i) values.push_back(of(i));
+  return values;
+}
+
+void put_factors(TableFile& f, const Table& t) {
+  for (std::size_t k = 0; k < t.factors.size(); ++k) {
+    const FactorColumn& factor = t.factors[k];
+    if (factor.numbers)
+      put_numbers(f, factor.key, factor.unit.empty() ? "1" : factor.unit, "factor " + factor.key,
+                  column<double>(t, [&](std::size_t i) { return *t.levels[i][k].number; }));
+    else
+      put_texts(f, factor.key, "factor " + factor.key,
+                column<std::string>(t, [&](std::size_t i) { return t.levels[i][k].word.text; }));
+  }
+}
+
+void put_outcomes(TableFile& f, const Table& t) {
+  const auto outcome = [&](std::size_t i) {
+    return t.points[i] == nullptr ? PointOutcome{} : t.points[i]->outcome;
+  };
+  put_flags(f, "status", "done failed missing left_out", "how the point ended",
+            column<signed char>(t,
+                                [&](std::size_t i) {
+                                  if (!t.judged.keeps(i)) return static_cast<signed char>(3);
+                                  if (t.points[i] == nullptr) return static_cast<signed char>(2);
+                                  return static_cast<signed char>(
+                                      t.points[i]->outcome.status == PointStatus::failed ? 1 : 0);
+                                }),
+            {0, 1, 2, 3});
+  if (!t.design->goals.empty())
+    put_flags(f, "front", "dominated not_dominated",
+              "whether no other point is as good in every goal and better in one",
+              column<signed char>(
+                  t, [&](std::size_t i) { return static_cast<signed char>(t.on_front[i]); }),
+              {0, 1});
+  put_texts(f, "case_hash", "of the resolved case",
+            column<std::string>(t, [&](std::size_t i) { return outcome(i).case_hash; }));
+  put_texts(f, "message", "why the point failed",
+            column<std::string>(t, [&](std::size_t i) { return outcome(i).message; }));
+}
+
+void put_figures(TableFile& f, const Table& t) {
+  if (t.design->filter)
+    put_numbers(f, "planar." + t.design->filter->goal.figure, "",
+                "filter planar." + t.design->filter->goal.figure, t.judged.figure);
+  for (std::size_t k = 0; k < t.design->figures.size(); ++k)
+    put_numbers(f, t.design->figures[k], "", "figure " + t.design->figures[k],
+                column<double>(t, [&](std::size_t i) {
+                  return t.points[i] == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                                : t.points[i]->outcome.figures[k];
+                }));
+}
+
+void put_head(TableFile& f, const Design& d) {
+  const Provenance& p = provenance();
+  f.file.attribute(NetcdfFile::global, "title", d.title);
+  f.file.attribute(NetcdfFile::global, "command", name_of(d.command));
+  f.file.attribute(NetcdfFile::global, "source", fmt::format("tdbd {} {}", p.version, p.commit));
+  std::string goals;
+  for (const Goal& goal : d.goals)
+    goals += fmt::format("{}{} {}", goals.empty() ? "" : ", ", goal.figure,
+                         goal.sense == Sense::smaller ? "smaller" : "larger");
+  if (!goals.empty()) f.file.attribute(NetcdfFile::global, "goals", goals);
+}
+
+}  // namespace
+
+/// In lexicographic order a row can only be dominated by one that came before, and then also by one
+/// of the front so far (Kung, Luccio and Preparata 1975).
+std::vector<char> front_of(const std::vector<Row>& rows, const std::vector<Goal>& goals) {
+  std::vector<char> on_front(rows.size(), 0);
+  if (goals.empty()) return on_front;
+  std::vector<Row> costs;
+  costs.reserve(rows.size());
+  for (const Row& row : rows) costs.push_back(costs_of(row, goals));
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < costs.size(); ++i)
+    if (std::ranges::all_of(costs[i], [](double x) { return std::isfinite(x); }))
+      order.push_back(i);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) -> const Row& { return costs[i]; });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order) {
+    if (std::ranges::any_of(front, [&](std::size_t j) { return dominates(costs[j], costs[i]); }))
+      continue;
+    front.push_back(i);
+    on_front[i] = 1;
+  }
+  return on_front;
+}
+
+void write_netcdf(const std::filesystem::path& file, const Table& t) {
+  constexpr std::size_t own = 8'000'000, by_cell = 64;
+  TableFile f{{partial_path(file), NetcdfFile::Use::create, own + by_cell * t.points.size()}};
+  f.point = f.file.dimension("point", t.points.size());
+  put_head(f, *t.design);
+  put_factors(f, t);
+  put_figures(f, t);
+  put_outcomes(f, t);
+  f.file.close();
+  rename_partial(file);
+}
 
 namespace fs = std::filesystem;
 

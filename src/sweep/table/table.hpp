@@ -4,10 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "sweep/design/design.hpp"
 #include "sweep/design/points.hpp"
 #include "sweep/table/journal.hpp"
 
 namespace tdbd::sweep {
+
+/// Which rows no other row dominates: one that is as good in every goal and better in one (Pareto's
+/// front). `rows`: a value for each goal, in the design's order; a row with a value that is not
+/// finite is never on the front. 1: on it.
+std::vector<char> front_of(const std::vector<std::vector<double>>& rows,
+                           const std::vector<Goal>& goals);
 
 /// A factor in the table: numbers in one unit, or texts.
 struct FactorColumn {

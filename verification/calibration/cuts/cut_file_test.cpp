@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "calibration/made_up_laboratory.hpp"
-#include "core/seal.hpp"
+#include "io/whole_file.hpp"
 #include "verification/core/temporary_file.hpp"
 
 namespace tdbd::calibration::cut_file_test {

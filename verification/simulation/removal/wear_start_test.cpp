@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "simulation/case/case.hpp"
-#include "simulation/checkpoint/checkpoint.hpp"
+#include "simulation/result/recorder.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 
@@ -97,7 +97,7 @@ TEST(WearStart, is_resumed_from_a_checkpoint_bitwise) {
   const long steps = std::lround(start_of(c) / c.time.step) - 2;
   for (long i = 0; i < steps; ++i) step(c, s);
   for (int k = 0; k < 5; ++k) {
-    const auto file = bit::test_folder() / "checkpoint.nc";
+    const auto file = bit::test_folder() / "checkpoint.bin";
     write_checkpoint(file, c, s, {});
     Checkpoint saved = read_checkpoint(file, c);
     Simulation again = resume(c, std::move(saved.state), std::move(saved.statistics)), copy = s;

@@ -1,6 +1,6 @@
-#include "simulation/result/end_warnings.hpp"
-
 #include <gtest/gtest.h>
+
+#include "simulation/result/summary.hpp"
 
 namespace tdbd::simulation::end_warnings_test {
 

@@ -1,5 +1,3 @@
-#include "simulation/result/estimate.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
-#include "simulation/checkpoint/checkpoint.hpp"
+#include "simulation/result/recorder.hpp"
 #include "simulation/result/run.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/restarted_cases.hpp"
@@ -65,10 +65,10 @@ class ResumeOne : public ::testing::Test {
 TEST_F(ResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
   run(c, {.folder = whole});
   run_until(35, c, options(), false);
-  fs::resize_file(folder / "checkpoint.nc", fs::file_size(folder / "checkpoint.nc") / 2);
+  fs::resize_file(folder / "checkpoint.bin", fs::file_size(folder / "checkpoint.bin") / 2);
   resume_run(c, options());
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("checkpoint-previous.nc is whole, after 30 steps"), std::string::npos)
+  EXPECT_NE(warnings[0].find("checkpoint-previous.bin is whole, after 30 steps"), std::string::npos)
       << warnings[0];
   expect_same_result_files(whole, folder);
 }
@@ -76,14 +76,14 @@ TEST_F(ResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
 TEST_F(ResumeOne, begins_anew_where_no_checkpoint_was_written) {
   run(c, {.folder = whole});
   run_until(5, c, options(), false);
-  fs::remove(folder / "checkpoint.nc");
+  fs::remove(folder / "checkpoint.bin");
   resume_run(c, options());
   expect_same_result_files(whole, folder);
 }
 
 TEST_F(ResumeOne, refuses_checkpoints_that_are_all_torn) {
   run_until(15, c, options(), false);
-  for (const char* name : {"checkpoint.nc", "checkpoint-previous.nc"})
+  for (const char* name : {"checkpoint.bin", "checkpoint-previous.bin"})
     fs::resize_file(folder / name, 100);
   EXPECT_THROW(resume_run(c, options()), InputError);
   EXPECT_TRUE(fs::exists(folder / "summary.json")) << "nothing is lost";
@@ -93,7 +93,7 @@ TEST_F(ResumeOne, refuses_checkpoints_that_are_all_torn) {
 TEST_F(ResumeOne, tidies_what_a_finished_run_left) {
   run(c, {.folder = whole});
   const auto files = result_files(whole);
-  for (const char* name : {"checkpoint.nc", "checkpoint-previous.nc", "history.rows"})
+  for (const char* name : {"checkpoint.bin", "checkpoint-previous.bin", "history.rows"})
     std::ofstream(whole / name) << "left";
   EXPECT_TRUE(tidy_if_finished(whole));
   EXPECT_EQ(result_files(whole), files);
@@ -105,17 +105,17 @@ TEST_F(ResumeOne, goes_on_from_the_last_checkpoint_that_could_be_written) {
   RunOptions o = options();
   std::atomic<bool> stop{false};
   o.interrupted = &stop;
-  const fs::path place = folder / "checkpoint-new.nc.partial";
+  const fs::path place = folder / "checkpoint-new.bin.partial";
   o.progress = [&](const Simulation& s, long) {
     if (s.state.steps_done == 25) fs::create_directories(place / "full");
     stop = s.state.steps_done >= 45;
   };
   EXPECT_EQ(run(c, o).status, RunStatus::interrupted);
   ASSERT_EQ(warnings.size(), 1U) << "once, though three failed";
-  EXPECT_NE(warnings[0].find("checkpoint-new.nc.partial: Is a directory; the run goes on"),
+  EXPECT_NE(warnings[0].find("checkpoint-new.bin.partial: Is a directory; the run goes on"),
             std::string::npos)
       << warnings[0];
-  EXPECT_EQ(read_checkpoint(folder / "checkpoint.nc", c).state.steps_done, 20);
+  EXPECT_EQ(read_checkpoint(folder / "checkpoint.bin", c).state.steps_done, 20);
   fs::remove_all(place);
   resume_run(c, options());
   EXPECT_EQ(warnings.size(), 1U);

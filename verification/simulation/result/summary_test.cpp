@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/provenance.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation::summary_test {

@@ -58,10 +58,10 @@ class RotateResumeOne : public ::testing::Test {
 TEST_F(RotateResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
   rotate(c, {.folder = whole});
   rotate_until(130, c, {.folder = folder}, false);
-  fs::resize_file(folder / "checkpoint.nc", 100);
+  fs::resize_file(folder / "checkpoint.bin", 100);
   std::string warning;
   resume_rotate(c, {.folder = folder, .warn = [&](const std::string& w) { warning = w; }});
-  EXPECT_NE(warning.find("checkpoint-previous.nc is whole, after 100 steps"), std::string::npos)
+  EXPECT_NE(warning.find("checkpoint-previous.bin is whole, after 100 steps"), std::string::npos)
       << warning;
   expect_same_result_files(whole, folder);
 }
@@ -69,7 +69,7 @@ TEST_F(RotateResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
 TEST_F(RotateResumeOne, begins_anew_where_no_checkpoint_was_written) {
   rotate(c, {.folder = whole});
   rotate_until(5, c, {.folder = folder}, false);
-  fs::remove(folder / "checkpoint.nc");
+  fs::remove(folder / "checkpoint.bin");
   resume_rotate(c, {.folder = folder});
   expect_same_result_files(whole, folder);
 }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "io/whole_file.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/files/ply.hpp"
 #include "simulation/mesh_bit.hpp"

@@ -5,8 +5,8 @@
 
 #include "core/parallel.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
-#include "simulation/checkpoint/checkpoint.hpp"
-#include "simulation/result/drive_figures.hpp"
+#include "simulation/result/figures.hpp"
+#include "simulation/result/recorder.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/same_run.hpp"
@@ -27,7 +27,7 @@ TEST(ChainRun, continues_from_a_checkpoint_and_on_two_threads_bitwise_identical)
   const Case c = on_chain();
   Simulation whole = start(c);
   drill(c, whole, 20);
-  const auto file = test_folder() / "checkpoint.nc";
+  const auto file = test_folder() / "checkpoint.bin";
   write_checkpoint(file, c, whole, {});
   Checkpoint saved = read_checkpoint(file, c);
   Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));

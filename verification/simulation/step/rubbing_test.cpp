@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "simulation/case/case.hpp"
-#include "simulation/result/end_warnings.hpp"
+#include "simulation/result/summary.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/simulation/mesh_bit.hpp"

@@ -8,7 +8,7 @@
 #include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "simulation/checkpoint/checkpoint.hpp"
+#include "simulation/result/recorder.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/wear_step.hpp"
@@ -66,7 +66,7 @@ TEST(WearRun, continues_from_a_checkpoint_bitwise_identical) {
     for (const int before : {11, 13, 14, 21}) {
       Simulation whole = start(c);
       drill(c, whole, before);
-      const auto file = test_folder() / "checkpoint.nc";
+      const auto file = test_folder() / "checkpoint.bin";
       write_checkpoint(file, c, whole, {});
       Checkpoint saved = read_checkpoint(file, c);
       Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));
@@ -169,7 +169,7 @@ TEST(WearRun,
     EXPECT_NE(message.find(" is as large as the cutter"), std::string::npos) << message;
   }
   EXPECT_TRUE(std::filesystem::exists(options.folder / "failure.txt"));
-  const Checkpoint saved = read_checkpoint(options.folder / "checkpoint.nc", c);
+  const Checkpoint saved = read_checkpoint(options.folder / "checkpoint.bin", c);
   EXPECT_GT(saved.state.wear->steps, 5);
 }
 
@@ -185,7 +185,7 @@ TEST(WearRun, names_an_acceleration_that_is_too_large_and_saves_the_state) {
     EXPECT_NE(std::string(e.what()).find("wear.acceleration: found 1e+12"), std::string::npos)
         << e.what();
   }
-  EXPECT_TRUE(std::filesystem::exists(options.folder / "checkpoint.nc"));
+  EXPECT_TRUE(std::filesystem::exists(options.folder / "checkpoint.bin"));
   EXPECT_TRUE(std::filesystem::exists(options.folder / "failure.txt"));
 }
 

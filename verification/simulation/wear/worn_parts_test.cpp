@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
-#include "simulation/checkpoint/checkpoint.hpp"
+#include "simulation/result/recorder.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/simulation.hpp"
 #include "simulation/step/wear_step.hpp"
@@ -84,7 +84,7 @@ TEST(WornTeeth, continue_from_a_checkpoint_and_on_two_threads_bitwise_identical)
   for (const int before : {26, 27, 31}) {
     Simulation whole = start(c);
     drill(c, whole, before);
-    const auto file = test_folder() / "checkpoint.nc";
+    const auto file = test_folder() / "checkpoint.bin";
     write_checkpoint(file, c, whole, {});
     Checkpoint saved = read_checkpoint(file, c);
     Simulation resumed = resume(c, std::move(saved.state), std::move(saved.statistics));

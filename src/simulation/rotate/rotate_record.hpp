@@ -1,0 +1,104 @@
+#pragma once
+
+#include <exception>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/checkpoint.hpp"
+#include "io/record.hpp"
+#include "simulation/result/summary.hpp"
+#include "simulation/rotate/rotate_simulation.hpp"
+
+// What a rotation leaves in its folder: history, checkpoints, summary.
+
+namespace tdbd::simulation {
+
+/// Records states of a rotate case: `history.nc` with dimensions time, xyz, quaternion and cone,
+/// and `history.csv` with the same columns flat. Thesis: figs. 5.4, 5.5 draw from such records.
+class RotateHistory {
+ public:
+  /// Creates `path.partial`. Throws RunError when it cannot.
+  RotateHistory(const std::filesystem::path& path, const RotateCase& c);
+
+  /// Appends the state, once for each step, and says whether it did. Throws RunError.
+  bool append(const RotateCase& c, const RotateSimulation& s);
+
+  /// The numbers of the last row, and of every row, as many.
+  const std::vector<double>& last_row() const { return row_; }
+  std::size_t width() const { return width_; }
+
+  /// Appends what was a last_row() of this history.
+  void append_again(std::span<const double> row) { record_.append(row); }
+
+  /// The step of the last row; -1: there is none.
+  long last_step() const { return last_step_; }
+  void set_last_step(long step) { last_step_ = step; }
+
+  /// See Record::close.
+  void close() { record_.close(); }
+
+ private:
+  std::size_t width_;
+  Record record_;
+  std::vector<double> row_;  ///< kept from row to row: no allocation
+  long last_step_ = -1;
+};
+
+/// How much of its history a rotation has written.
+struct RotateWritten {
+  long rows = 0;
+  long last_step = -1;  ///< of the last row
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(rows, last_step);
+  }
+};
+
+/// A rotation between two steps, as it was saved.
+struct RotateCheckpoint {
+  RotateSimulation simulation;
+  RotateWritten written;
+
+  long steps_done() const { return simulation.steps_done; }
+};
+
+/// Writes a checkpoint: complete and forced to the disk, or not at all. Throws RunError.
+void write_rotate_checkpoint(const std::filesystem::path& path, const RotateCase& c,
+                             const RotateSimulation& s, const RotateWritten& written);
+
+/// Reads it. Throws as read_checkpoint does.
+RotateCheckpoint read_rotate_checkpoint(const std::filesystem::path& path, const RotateCase& c);
+
+/// Records a rotation in its folder, for run_loop. The arguments must outlive it.
+class RotateRecorder {
+ public:
+  RotateRecorder(const RotateCase& c, const RotateSimulation& s, const OutputFolder& folder,
+                 const CheckpointKeeper::Warn& warn)
+      : c_(c), s_(s), history_(folder.history(), c), keeper_(folder, c.checkpoint_every, warn) {}
+
+  void restore(const RotateWritten& written);
+  void begin();
+  void record();
+  void close(RunStatus status);
+  void keep_so_far(const std::exception& failure);
+
+ private:
+  void keep_checkpoint();
+
+  const RotateCase& c_;
+  const RotateSimulation& s_;
+  RotateHistory history_;
+  CheckpointKeeper keeper_;
+};
+
+/// The summary of a rotate case so far, as JSON. Units stand in its keys or here: attitude (rows of
+/// R_WB), momenta and cone momenta in N m s, angular velocity (bit frame) and cone spins in rad/s,
+/// cone angles in rad, energies in J; every number has the digits that read back to the same bits.
+/// Drifts are the largest over all steps; energy drifts are divided by `energy_scale`. The text
+/// depends on the case alone.
+std::string summary_json(const RotateCase& c, const RotateSimulation& s, RunStatus status);
+
+}  // namespace tdbd::simulation
